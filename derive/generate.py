@@ -20,9 +20,10 @@ from .emit import regressor as regressor_text
 from .emit.shared import shared_headers
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
+from .kernel import kinematics as search
 from .kernel.constants import STATUS
-from .kernel.nodes import Constant, Program, parts_of
-from .kernel.outputs import FORCES, OUTPUTS, program
+from .kernel.nodes import Constant, Program, joined, parts_of
+from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
@@ -163,24 +164,37 @@ def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
 
 
 def reduced_motion(
-    friction: bool = True, names: Collection[str] = motion.NAMES
+    friction: bool = True, names: Collection[str] = motion.NAMES, near: bool = True
 ) -> tuple[motion.SumKernel, ...]:
-    """The kernels of the closed form as they are emitted; names: out of ``motion.NAMES``, in that order."""
-    return tuple(_reduced_sums(name, friction) for name in names)
+    """The kernels of the closed form as they are emitted; names: out of ``motion.NAMES``."""
+    return tuple(_reduced_sums(name, friction, near) for name in motion.NAMES if name in names)
 
 
 @cache
-def _reduced_sums(name: str, friction: bool) -> motion.SumKernel:
-    raw = motion.kernel(name, friction)
+def _reduced_sums(name: str, friction: bool, near: bool) -> motion.SumKernel:
+    raw = motion.kernel(name, friction, near)
+    if raw.near is not None:
+        return replace(_reduced_sums(name, friction, False), near=share(raw.near))
     return replace(raw, pose=share(raw.pose)).changed(share)
 
 
 @cache
-def output_program(form: Formulation, outputs: tuple[str, ...], level: str = "general") -> Program:
-    """Some of ``kernel.outputs.OUTPUTS`` as one program; what is not of the forces is of ``exact`` alone."""
+def output_program(
+    form: Formulation, outputs: tuple[str, ...], level: str = "general", deep: bool = True
+) -> Program:
+    """Some of ``kernel.outputs.OUTPUTS`` and of the kinematics as one program; what of the former is not of
+    the forces is of ``exact`` alone.
+
+    deep: whether what is for poses that cost digits has been derived.
+    """
+    of_model = tuple(each for each in outputs if each not in search.PUBLIC)
+    of_robot = [each for each in outputs if each in search.PUBLIC]
+    if not of_model:
+        return search.search_program(reduced_kinematics(), of_robot)
     built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
-    sums = () if outputs == (FORCES,) else reduced_motion()
-    return program(built, sums, outputs)
+    sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model, deep), deep)
+    made = program(built, sums, of_model, deep)
+    return joined(made, search.search_program(reduced_kinematics(), of_robot)) if of_robot else made
 
 
 def motion_files(functions: Collection[str]) -> dict[str, str]:

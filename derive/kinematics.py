@@ -1,8 +1,7 @@
 """Kinematics of the legs, (1)-(5), and of a step of the platform, for the search of a pose from leg lengths.
 
 Stands beside ``kernels`` on ``leg``, whose vectors it takes: lengths, rates, the rows of J = H^T, and the
-rotation by which a step of Newton's method turns the platform. Knows no dynamics, no sharing and no printing;
-how the steps are solved for is text of the emitter, whose operations are counted here.
+rotation by which a step of Newton's method turns the platform. Knows no dynamics, no sharing and no printing.
 """
 
 from dataclasses import dataclass
@@ -10,7 +9,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from . import notation as n
-from .block import Block, Builder, Operations, Quantity
+from .block import Block, Builder, Quantity
 from .leg import cross, leg_vector, platform_point_motion
 
 S = Quantity("S", (3,), "m", "vector from base point to platform point, base frame")
@@ -18,9 +17,6 @@ L_dot = Quantity("L_dot", (), "m/s", "rate of the leg's length, positive when it
 L_ddot = Quantity("L_ddot", (), "m/s^2", "second derivative of the leg's length")
 turn = Quantity("turn", (3,), "rad", "small rotation of the platform, base frame")
 Q = Quantity("Q", (3, 3), "1", "rotation by which the platform is turned, base frame")
-
-FREEDOMS = 6
-_LEGS = 6
 
 
 @dataclass(frozen=True)
@@ -108,53 +104,3 @@ def _turned() -> Block:
         (turn,),
         [(Q, rotation)],
     )
-
-
-# ---------------------------------------------------------------- what the text around the blocks costs
-
-
-def reflection_operations() -> Operations:
-    """Householder's reflections of J beside one right side."""
-    total = Operations()
-    for rows in range(1, FREEDOMS + 1):
-        own = Operations(mul=rows + 1, add=rows + 1, div=1, sqrt=1)
-        total = total + own + rows * Operations(mul=2 * rows + 1, add=2 * rows)
-    return total
-
-
-def substitution_operations() -> Operations:
-    """Unknowns from a triangle, the last first."""
-    below = FREEDOMS * (FREEDOMS - 1) // 2
-    return Operations(mul=below, add=below, div=FREEDOMS)
-
-
-def pose_operations(blocks: Kinematics) -> Operations:
-    """Lengths and J of six legs, moments over the platform's size."""
-    return _LEGS * (blocks.vectors.operations() + blocks.row.operations() + Operations(mul=3))
-
-
-def step_operations(blocks: Kinematics) -> Operations:
-    """One step of the search: solve, limit, move, lengths and J there, how far they miss."""
-    limits = Operations(mul=3 + 6 + 1 + 6, add=4, div=3, sqrt=2)
-    moved = Operations(add=3) + blocks.turned.operations() + 9 * Operations(mul=3, add=2)
-    solve = reflection_operations() + substitution_operations()
-    return solve + limits + moved + _POLISH + pose_operations(blocks) + _MISSES
-
-
-def search_operations(blocks: Kinematics) -> Operations:
-    """A search without its steps: the guess made a rotation, lengths there, whether they settle the pose."""
-    rotation = Operations(mul=9 + 1, add=5) + _POLISH
-    return rotation + _SIZE + pose_operations(blocks) + _MISSES + reflection_operations() + _OPEN
-
-
-def velocity_operations(blocks: Kinematics) -> Operations:
-    """Velocity of the platform from rates of the legs."""
-    solve = reflection_operations() + substitution_operations() + _OPEN
-    return _SIZE + pose_operations(blocks) + solve + Operations(mul=3)
-
-
-_POLISH = 9 * Operations(mul=4, add=3) + 9 * Operations(mul=3, add=3)
-_MISSES = _LEGS * Operations(add=1)
-_SIZE = Operations(mul=18, add=18, div=2, sqrt=1)
-# Sums of squares of a triangle and of its inverse, entry by entry, and their product with a constant.
-_OPEN = Operations(mul=35 + 3 * 21 + 1, add=35 + 2 * 21, div=FREEDOMS)

@@ -134,6 +134,8 @@ class SumKernel:
 
 NAMES = ("equations", "bias", "forward_dynamics", "derivatives", "joint_rows", "joint_slopes")
 """Of the kernels, in the order of the emitted file."""
+OF_TWO_FORMS = ("equations", "derivatives")
+"""Of those whose legs have a second block."""
 
 
 def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
@@ -142,8 +144,11 @@ def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
 
 
 @cache
-def kernel(name: str, friction: bool) -> SumKernel:
-    """One of ``NAMES``, derived once."""
+def kernel(name: str, friction: bool, near: bool = True) -> SumKernel:
+    """One of ``NAMES``, derived once; near: with the leg's second block where there is one."""
+    if near and name in OF_TWO_FORMS:
+        leg = {"equations": _equations_of_leg, "derivatives": _derivatives_of_leg}[name]
+        return replace(kernel(name, friction, False), near=from_difference(leg(friction, near=True)))
     derive = {
         "equations": equations_kernel,
         "bias": bias_kernel,
@@ -413,8 +418,9 @@ def joint_rows_kernel(friction: bool) -> SumKernel:
 def equations_kernel(friction: bool) -> SumKernel:
     """M, C, g and friction apart, H and its rate."""
     summed = (*INERTIA, *CORIOLIS, *GRAVITY, *FRICTION)
-    legs = (_equations_of_leg(friction, near) for near in (False, True))
-    return SumKernel("equations", summed, _equations_of_platform(friction), *legs)
+    return SumKernel(
+        "equations", summed, _equations_of_platform(friction), _equations_of_leg(friction, near=False)
+    )
 
 
 def _equations_of_platform(friction: bool) -> Block:
@@ -523,8 +529,9 @@ def _local(build: Builder, name: str, value: sp.Matrix) -> sp.Matrix:
 def derivatives_kernel(friction: bool) -> SumKernel:
     """Derivatives of the wrench by pose, twist and acceleration, the last of which is M."""
     summed = (*INERTIA, *BY_POSE, *BY_TWIST)
-    legs = (_derivatives_of_leg(friction, near) for near in (False, True))
-    return SumKernel("derivatives", summed, _derivatives_of_platform(friction), *legs)
+    return SumKernel(
+        "derivatives", summed, _derivatives_of_platform(friction), _derivatives_of_leg(friction, near=False)
+    )
 
 
 def _derivatives_of_platform(friction: bool, name: str = "derivatives", alone: bool = False) -> Block:
@@ -792,26 +799,27 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
             ("tau_S_ddot", by.inertia * tip.gradients().value + n.m_u.value * tip.of_tip().T),
         )
     )
+    # Not gathered with the rest of S: what AXIAL = 1 takes out of it would stay as rounding.
+    bent = _local(build, "bent_leg", _by_joints(leg.at).T * bend)
+    S = _named(build, "tau_place", S + bent * T.T, "generalised forces by the tip's place, as the rows turn")
     W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
     reach = _named(build, "X", S + S_dot * W + S_ddot * p.B.value)
     pace = _named(build, "Y", S_dot + S_ddot * W)
-    bend = _turned(build, "bent", T, _local(build, "bent_leg", bend), "force by S as the rows turn")
-    fr = _named(build, "Z", -bend * turn)
-    mt, mr = turn * bend, turn * fr + tip.skew(by.force) * turn
-    mv = mw = by_omega = sp.zeros(3, 3)
+    zero = sp.zeros(3, 3)
+    mt, mr = zero, tip.skew(by.force) * turn
+    mv = mw = by_omega = zero
     if friction:
         C_s, f_S, f_S_dot = n.C_s.value, *_friction_slopes(build, leg, friction)
         by_omega = -C_s * sp.Matrix.vstack(sp.zeros(1, 3), leg.at.y.T, n.k.value.T)
-        mt, mr = mt - f_S, mr + (f_S + f_S_dot * W) * turn
+        mt, mr = -f_S, mr + (f_S + f_S_dot * W) * turn
         mv, mw = -f_S_dot, f_S_dot * turn
-    zero = sp.zeros(3, 3)
     block = build.block(
         "joint_slopes_of_leg",
         "one leg's part of the derivatives of the wrench, and its generalised forces' derivatives",
         _LEG_INPUTS,
         [
             *((quantity, zero) for quantity in INERTIA),
-            *zip(BY_POSE, (bend, fr, mt, mr), strict=True),
+            *zip(BY_POSE, (zero, zero, mt, mr), strict=True),
             *zip(BY_TWIST, (zero, zero, mv, mw), strict=True),
             *zip(
                 TAU_BY,

@@ -1,21 +1,30 @@
 """Operation counts of a whole kernel: six legs, platform, sum of c, solve, F = D - x.
 
-Counts +, -, *, / and sqrt one each; negation, copies, comparisons and absolute values are free. Knows blocks
-and the elimination that the emitters print, not their text.
+Counts +, -, *, / and sqrt one each; negation, copies, comparisons and absolute values are free. Blocks are
+counted by their expressions, the solves by running their texts.
 """
 
-from dataclasses import dataclass
+import random
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
 
 from . import notation as n
 from .block import Operations
+from .kernel import read
+from .kernel.counted import counted
+from .kernel.elimination import BY_POINTERS, ONCE, in_lanes
+from .kernel.nodes import Name, Program, Return
+from .kernel.read import LANES, Given
+from .kernel.shared import FORCE
+from .kernel.written import every_output, lanes, scalar
 from .kernels import Kernel
 from .prepared import arm_c
 from .regroup import ForceKernel
 
 LEGS = 6
 NOTHING = Operations()
-PIVOTS = Operations(mul=LEGS - 1)
-"""Of the product of the pivots, where it finds the poses that may be singular."""
 
 
 @dataclass(frozen=True)
@@ -48,17 +57,25 @@ class KernelOperations:
         }
 
 
-def elimination(size: int, first_column: int | None = None, last_divided: bool = False) -> Operations:
-    """Gaussian elimination of ``size`` equations with one right side, reciprocal pivots.
+_SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
+    "every output": (every_output.solve, ONCE, 1),
+    "block": (lanes.solve_block, in_lanes(about_tip=False), LANES),
+    "block about tip": (lanes.solve_block, in_lanes(about_tip=True), LANES),
+    "one pose": (scalar.solve, BY_POINTERS, 1),
+}
 
-    first_column: how many rows have an entry in the first column; None for all. last_divided: the last
-    unknown is had by division instead of a reciprocal and a product.
-    """
-    below = [size - k - 1 for k in range(size)]
-    below[0] = (first_column or size) - 1
-    update = sum(rows * (size - k) for k, rows in enumerate(below))
-    back = size * (size - 1) // 2
-    return Operations(mul=sum(below) + update + back + size - last_divided, add=update + back, div=size)
+
+@cache
+def solve_operations(name: str) -> Operations:
+    """Operations of a written solve, of one of the systems where it solves several side by side."""
+    text, given, count = _SOLVES[name]
+    # F = D - x is counted apart.
+    force = replace(FORCE, body=(Return(Name("x")),))
+    function = read.function(text, {}, {force.name: force}, given=given)
+    draw = random.Random(1)
+    alone = Program("", (), (force, function))
+    found = counted(alone, function.name, lambda _: draw.uniform(0.5, 1.5), {"LANES": LANES})
+    return Operations(*(each // count for each in (found.mul, found.add, found.div, found.sqrt)))
 
 
 def kernel_operations(kernel: Kernel) -> KernelOperations:
@@ -67,7 +84,7 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
         leg=kernel.leg.operations(),
         platform=kernel.platform.operations(),
         sum_c=Operations(add=6 * LEGS),
-        solve=elimination(LEGS),
+        solve=solve_operations("every output"),
         forces=Operations(add=LEGS),
     )
 
@@ -81,7 +98,7 @@ def force_operations(kernel: ForceKernel, product: bool = False) -> KernelOperat
     given = {out.quantity for out in kernel.leg.outputs}
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
     moments, shift = Operations(), Operations()
-    solve = elimination(LEGS, 3 if kernel.about_tip else LEGS, last_divided=True)
+    block = solve_operations("block about tip" if kernel.about_tip else "block")
     if kernel.about_tip:
         moments, shift = kernel.moments.operations(), kernel.shift.operations()
         sums += (LEGS - 1) * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
@@ -89,7 +106,7 @@ def force_operations(kernel: ForceKernel, product: bool = False) -> KernelOperat
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations() + shift,
         sum_c=Operations(add=sums),
-        solve=solve + PIVOTS if product else solve,
+        solve=solve_operations("one pose") if product else block,
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
     )

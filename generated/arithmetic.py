@@ -14,8 +14,8 @@ SINGULAR = 4  # H is singular: no leg forces can hold the platform
 INDEFINITE = 6  # the inertia matrix M is not positive definite: no body has such inertias
 
 CONSTANTS = {
-    'double': {'EPSILON': 2.220446049250313e-16, 'MAX': 1.7976931348623157e+308, 'ROUNDING': 3.552713678800501e-15, 'POLE_SINE': 9.094947017729282e-13, 'NEAR_POLE': 0.015625, 'SHORTEST': 5.0052077379577523e-147, 'SUSPECT': 0.0001220703125, 'SHORT_SHARE': 9.5367431640625e-07, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},
-    'float': {'EPSILON': 1.1920928955078125e-07, 'MAX': 3.4028234663852886e+38, 'ROUNDING': 1.9073486328125e-06, 'POLE_SINE': 0.00048828125, 'NEAR_POLE': 0.015625, 'SHORTEST': 1.5700925054761787e-16, 'SUSPECT': 0.0078125, 'SHORT_SHARE': 0.0625, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},
+    'double': {'EPSILON': 2.220446049250313e-16, 'MAX': 1.7976931348623157e+308, 'ROUNDING': 3.552713678800501e-15, 'POLE_SINE': 9.094947017729282e-13, 'NEAR_POLE': 0.03125, 'SHORTEST': 5.0052077379577523e-147, 'SUSPECT': 0.0001220703125, 'SHORT_SHARE': 9.5367431640625e-07, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},
+    'float': {'EPSILON': 1.1920928955078125e-07, 'MAX': 3.4028234663852886e+38, 'ROUNDING': 1.9073486328125e-06, 'POLE_SINE': 0.00048828125, 'NEAR_POLE': 0.03125, 'SHORTEST': 1.5700925054761787e-16, 'SUSPECT': 0.0078125, 'SHORT_SHARE': 0.0625, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},
 }
 
 
@@ -65,6 +65,57 @@ class Arithmetic:
         for name, each in vars(value).items():
             setattr(made, name, self.arrays(each))
         return made
+
+    def checked(self, made: Any, name: str, value: Any) -> Any:
+        """``value`` with the members and components of ``made``, real numbers in the type of real numbers.
+
+        Raises ValueError with ``name``, or that of a member, for another structure or shape. What has a status,
+        and so was made by a function, has its members.
+        """
+        if isinstance(made, int | float):
+            return value if isinstance(made, int) else self.number(value)
+        if isinstance(made, list) and not hasattr(made[0], "__dict__"):
+            return self.components(name, value, len(made))
+        if isinstance(made, list):
+            if len(value) != len(made):
+                raise ValueError(f"{name}: expected {len(made)}, got {len(value)}")
+            return [self.checked(one, name, each) for one, each in zip(made, value, strict=True)]
+        if type(value) is not type(made):
+            raise ValueError(f"{name}: expected {type(made).__name__}, got {type(value).__name__}")
+        if hasattr(made, "status"):
+            return value
+        for member, each in vars(made).items():
+            setattr(made, member, self.checked(each, member, getattr(value, member)))
+        return made
+
+    def number(self, value: Any) -> Any:
+        """A number in the type of real numbers."""
+        known = hasattr(value, "dtype") and value.dtype == self.type
+        return value if known else self.xp.asarray(value, dtype=self.type)
+
+    def components(self, name: str, value: Any, count: int) -> Any:
+        """A list of numbers or arrays, one for each component; of an array they are along its last axis."""
+        if isinstance(value, list | tuple):
+            if len(value) != count or any(isinstance(each, list | tuple) for each in value):
+                got = "nested lists" if len(value) == count else f"{len(value)}"
+                raise ValueError(f"{name}: expected {count} numbers or arrays, got {got}")
+            return [self.number(each) for each in value]
+        array = self.number(value)
+        if array.ndim == 0 or array.shape[-1] != count:
+            raise ValueError(f"{name}: expected shape (..., {count}), got {tuple(array.shape)}")
+        return [array[..., i] for i in range(count)]
+
+    def fill(self, made: Any, fields: Any) -> None:
+        """Members of a structure from arrays, whose components are along the last axis; R may be (..., 3, 3)."""
+        if "R" not in fields:
+            raise ValueError("R: expected shape (..., 3, 3) or (..., 9), got none")
+        for name, value in fields.items():
+            if name not in vars(made):
+                raise ValueError(f"{name}: expected one of {', '.join(vars(made))}")
+            array = self.xp.asarray(value, dtype=self.type)
+            if name == "R" and tuple(array.shape[-2:]) == (3, 3):
+                array = self.xp.reshape(array, (*array.shape[:-2], 9))
+            setattr(made, name, self.components(name, array, len(getattr(made, name))))
 
     def sqrt(self, value: Any) -> Any:
         """The square root."""

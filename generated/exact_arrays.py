@@ -3,8 +3,9 @@
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose. ``on`` is the arithmetic: selections,
-square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
+is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -817,7 +818,7 @@ def per_length_of(on: Arithmetic, extent: Any) -> Any:
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
     """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
-    robot = on.arrays(robot)
+    robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
     for i in range(6):
@@ -1362,8 +1363,8 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]
@@ -2128,8 +2129,8 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
     """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F +
     loads.
     """
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Equations()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -2405,8 +2406,8 @@ def check_bias(on: Arithmetic, out: Any) -> None:
 
 def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
     """C [v; omega] + g + friction without C."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Bias()
     legs = BiasLegs()
     summed = BiasSums()
@@ -2739,21 +2740,29 @@ def place_inertia_8(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: An
 
 def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 8
     for k in range(5, -1, -1):
         for j in range(6, 8):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 8):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 8
+    for j in range(8):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(8):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
@@ -3217,6 +3226,19 @@ def weigh_rows(on: Arithmetic, by: Any) -> None:
                         by.inertia[k][n] = by.inertia[k][n] + part * by.share[3 * b + j][n]
 
 
+def by_rows(on: Arithmetic, by: Any, wrench: Any, held: Any) -> None:
+    """Forces of the six coordinates' rows that add up to a wrench."""
+    for k in range(6):
+        held[k] = on.at(wrench, by.column[k]) / (on.where(by.column[k] < 3, 1.0, by.length))
+    for k in range(6):
+        for j in range(k):
+            held[k] = held[k] - by.row[j][k] * held[j]
+        held[k] = held[k] / by.row[k][k]
+    for k in range(5, -1, -1):
+        for j in range(k + 1, 6):
+            held[k] = held[k] - by.row[j][k] * held[j]
+
+
 def balance_rows(on: Arithmetic, by: Any, force: Any, moved: Any, balanced: Any) -> None:
     """Accelerations of the coordinates' rows under which the inertia of each block balances their
     forces.
@@ -3249,8 +3271,8 @@ def balance_rows(on: Arithmetic, by: Any, force: Any, moved: Any, balanced: Any)
             moved[3 * b + k] = on.where(balanced[3 * b + k] > 0.0, moved[3 * b + k] / W[k][k], 0.0)
 
 
-def row_right(on: Arithmetic, by: Any, force: Any, wrench: Any, start: Any, rest: Any, right: Any) -> None:
-    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench.
+def row_right(on: Arithmetic, by: Any, force: Any, held: Any, start: Any, rest: Any, right: Any) -> None:
+    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
 
     force: of each row, as its generalised force over its size, without accelerations. start:
     accelerations of the coordinates that balance their own large forces, from which the unknown ones
@@ -3261,7 +3283,6 @@ def row_right(on: Arithmetic, by: Any, force: Any, wrench: Any, start: Any, rest
     balance_rows(on, by, force, moved, balanced)
     for k in range(6):
         start[k] = on.at(moved, by.order[k])
-        right[k] = on.at(wrench, by.column[k]) / (on.where(by.column[k] < 3, 1.0, by.length))
     for i in range(24):
         moved[i] = 0.0
         for k in range(6):
@@ -3274,13 +3295,7 @@ def row_right(on: Arithmetic, by: Any, force: Any, wrench: Any, start: Any, rest
                 less = rest[3 * b + i] - by.weight[3 * b + i][j] * moved[3 * b + j]
                 rest[3 * b + i] = on.where(own, rest[3 * b + i], less)
     for k in range(6):
-        for j in range(k):
-            right[k] = right[k] - by.row[j][k] * right[j]
-        right[k] = right[k] / by.row[k][k]
-    for k in range(5, -1, -1):
-        for j in range(k + 1, 6):
-            right[k] = right[k] - by.row[j][k] * right[j]
-    for k in range(6):
+        right[k] = held[k]
         for i in range(24):
             right[k] = right[k] - by.share[i][k] * rest[i]
 
@@ -3299,27 +3314,40 @@ def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any)
         on.put(acceleration, x[k] / (on.where(by.column[k] < 3, 1.0, by.length)), by.column[k])
 
 
-def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: Any) -> None:
+def rows_held(on: Arithmetic, legs: Any, by: Any, found: Any, start: Any, rest: Any, held: Any) -> None:
     """Of each leg the generalised forces, the accelerations that those of the platform give to it, and
     whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A
     share between the two would have the rounding of both.
+
+    The coordinates' rows hold what the other rows leave of the wrench: of a heavy leg's own inertia
+    times its accelerations little may be left.
     """
     whole = [0.0] * 24
+    force = [0.0] * 24
     for i in range(24):
         for j in range(6):
             whole[i] = whole[i] + by.share[i][j] * found[j]
+    for b in range(8):
+        for i in range(3):
+            force[3 * b + i] = rest[3 * b + i]
+            for j in range(3):
+                force[3 * b + i] = force[3 * b + i] + by.weight[3 * b + i][j] * whole[3 * b + j]
+    for k in range(6):
+        on.put(force, 0.0, by.order[k])
+    for k in range(6):
+        for i in range(24):
+            held[k] = held[k] - by.share[i][k] * force[i]
+    for k in range(6):
+        on.put(force, held[k], by.order[k])
     for b in range(6):
         k3 = legs.leg[b].k3
         thin = k3 * by.extent[3 * b + 1] / by.extent[3 * b + 2]
         by.given[b].axial = on.where((k3 < on.LEANING) & (thin * thin > 0.5), 0.0, 1.0)
         for i in range(3):
-            force = rest[3 * b + i]
             turned = 0.0
-            for j in range(3):
-                force = force + by.weight[3 * b + i][j] * whole[3 * b + j]
             for j in range(6):
                 turned = turned + by.share[3 * b + i][j] * (found[j] - start[j])
-            by.given[b].net[i] = force * by.extent[3 * b + i]
+            by.given[b].net[i] = force[3 * b + i] * by.extent[3 * b + i]
             by.given[b].turned[i] = turned / by.extent[3 * b + i]
 
 
@@ -3332,6 +3360,7 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     wrench = [0.0] * 6
     start = [0.0] * 6
     rest = [0.0] * 24
+    held = [0.0] * 6
     right = [0.0] * 6
     A = [[0.0] * 8 for _ in range(6)]
     for i in range(6):
@@ -3346,7 +3375,8 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     for i in range(3):
         wrench[i] = summed.right_force[i]
         wrench[i + 3] = summed.right_moment[i]
-    row_right(on, by, force, wrench, start, rest, right)
+    by_rows(on, by, wrench, held)
+    row_right(on, by, force, held, start, rest, right)
     for i in range(6):
         A[i][6] = right[i]
         for j in range(6):
@@ -3355,7 +3385,7 @@ def forward_apart(on: Arithmetic, model: Any, motion: Any, F: Any, by: Any) -> A
     for i in range(6):
         right[i] = A[i][6]
     row_back(on, by, right, start, out.x)
-    rows_held(on, legs, by, right, start, rest)
+    rows_held(on, legs, by, right, start, rest, held)
     out.status = on.where(legs.status == OK, fault, legs.status)
     for i in range(6):
         out.status = on.where((out.status != OK) | (on.size(out.x[i]) <= on.MAX), out.status, NOT_FINITE)
@@ -3366,9 +3396,9 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not
     read.
     """
-    model = on.arrays(model)
-    motion = on.arrays(motion)
-    F = on.arrays(F)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
+    F = on.arrays(on.checked([0.0] * 6, "F", F))
     out = Accelerations()
     legs = ForwardLegs()
     summed = ForwardSums()
@@ -3429,21 +3459,29 @@ def scale_moments_12(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 def substitute_back_12(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 12
     for k in range(5, -1, -1):
         for j in range(6, 12):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 12):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_12(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 12
+    for j in range(12):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(12):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_pivoted_12(on: Arithmetic, A: Any) -> Any:
@@ -3500,8 +3538,8 @@ def columns_status(on: Arithmetic, model: Any, motion: Any, legs: Any) -> Any:
 
 def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Inertia that the actuators feel, H^-1 M H^-T."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = JointInertia()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -4966,21 +5004,29 @@ def scale_moments_24(on: Arithmetic, per_length: Any, A: Any) -> None:
 
 def substitute_back_24(on: Arithmetic, A: Any, inverse: Any) -> None:
     """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 24
     for k in range(5, -1, -1):
         for j in range(6, 24):
-            A[k][j] = A[k][j] * inverse[k]
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
             for j in range(6, 24):
-                A[i][j] = A[i][j] - factor * A[k][j]
+                A[i][j] = A[i][j] - factor * row[j]
 
 
 def clear_below_24(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 24
+    for j in range(24):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
         for j in range(24):
-            A[i][j] = A[i][j] - factor * A[k][j]
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def solve_pivoted_24(on: Arithmetic, A: Any) -> Any:
@@ -5038,8 +5084,8 @@ def check_derivatives(on: Arithmetic, out: Any) -> None:
 
 def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Derivatives()
     legs = DerivativesLegs()
     summed = DerivativesSums()
@@ -5287,8 +5333,8 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2206
-    (1382 mul, 820 add, 2 div, 2 sqrt).
+    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2086
+    (1316 mul, 766 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
@@ -5374,24 +5420,25 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c3 = theta_dot * theta_dot
     theta_dot2 = c3
     phi_dot2 = phi_dot * phi_dot
-    inv_k3 = L * inv_rho
+    c4 = L * inv_rho
+    inv_k3 = c4
     # (6) leg's turning about z
     W_z = c1 * inv_L
-    c4 = omega_z * w_q_y
-    c5 = omega_x * w_q_z - omega_z * w_q_x
-    c6 = omega_y * w_q_x
+    c5 = omega_z * w_q_y
+    c6 = omega_x * w_q_z - omega_z * w_q_x
+    c7 = omega_y * w_q_x
     # (7) acceleration of the platform point
-    S_ddot_x = omega_y * w_q_z - c4
-    S_ddot_y = -c5
-    S_ddot_z = omega_x * w_q_y - c6
-    c7 = k3 * k3
+    S_ddot_x = omega_y * w_q_z - c5
+    S_ddot_y = -c6
+    S_ddot_z = omega_x * w_q_y - c7
+    c8 = k3 * k3
     # (8) acceleration of the length
-    L_ddot = L * (c7 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + turned_x
-    c8 = 2.0 * L_share
-    c9 = k3 * turned_z
+    L_ddot = L * (c8 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + turned_x
+    c9 = 2.0 * L_share
+    c10 = k3 * turned_z
     # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
-    own_y = turned_y - c8 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
-    own_z = c9 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c8
+    own_y = turned_y - c9 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_z = c10 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c9
     # gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
@@ -5403,254 +5450,254 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     w_n_omega = normal_x * omega_x + normal_y * omega_y + normal_z * omega_z
     w_y_omega = omega_x * y_x + omega_y * y_y + omega_z * y_z
     w_k_omega = k_x * omega_x + k_y * omega_y + k_z * omega_z
-    c10 = inv_rho * net_z
-    c11 = inv_L * net_y
+    c11 = inv_rho * net_z
+    c12 = inv_L * net_y
     # force at the tip, less the actuator's
-    R_tip_x = c10 * y_x + net_x * s_x - c11 * z_x
-    R_tip_y = c10 * y_y + net_x * s_y - c11 * z_y
-    R_tip_z = c10 * y_z + net_x * s_z - c11 * z_z
-    fall_x = omega_y * w_q_z - c4 - g_x
-    fall_y = -c5 - g_y
-    fall_z = omega_x * w_q_y - c6 - g_z
+    R_tip_x = c11 * y_x + net_x * s_x - c12 * z_x
+    R_tip_y = c11 * y_y + net_x * s_y - c12 * z_y
+    R_tip_z = c11 * y_z + net_x * s_z - c12 * z_z
+    fall_x = omega_y * w_q_z - c5 - g_x
+    fall_y = -c6 - g_y
+    fall_z = omega_x * w_q_y - c7 - g_z
     # acceleration of the platform point from free fall, leg frame
     fall_T_x = fall_x * s_x + fall_y * s_y + fall_z * s_z + turned_x
-    fall_T_y = L * c9 + fall_x * y_x + fall_y * y_y + fall_z * y_z
+    fall_T_y = L * c10 + fall_x * y_x + fall_y * y_y + fall_z * y_z
     fall_T_z = fall_x * z_x + fall_y * z_y + fall_z * z_z - L * turned_y
-    c12 = h_z * own_y
-    c13 = W_z * W_z
-    c14 = inv_L * inv_L
-    c15 = L_dot * c14
-    c16 = 2.0 * h_y
-    c17 = W_z * c16
-    c18 = h_y * inv_L
-    c19 = W_z * inv_k3
-    c20 = c19 * k1
-    c21 = 4.0 * c20
-    c22 = c21 * theta_dot
-    c23 = c13 * h_z
-    c24 = c23 * inv_L
-    c25 = inv_k3 * k1
-    tau_S_leg_11 = (2.0 * L_dot * c14 * h_z * theta_dot + 2.0 * c13 * h_x * inv_L + 2.0 * c3 * h_x * inv_L + h_y
-        * inv_L * own_z - c12 * inv_L - c15 * c17 - c18 * c22 - 4.0 * c24 * c25)
-    c26 = 2.0 * h_x
-    c27 = c26 * inv_L
-    c28 = c27 * own_z
-    c29 = axial * m_u
-    c30 = c29 * fall_T_y
-    c31 = L_ddot * c14
-    c32 = c14 * w_x
-    c33 = c32 * gamma_y
-    c34 = c18 * c3
-    c35 = h_z * inv_L
-    c36 = 2.0 * theta_dot
-    c37 = c35 * c36
-    c38 = h_y * own_y
-    c39 = inv_L * k1
-    c40 = c39 * inv_k3
-    c41 = h_z * own_z
-    c42 = J_zz * own_z
-    c43 = c14 * c42
-    c44 = c13 * c18
-    c45 = L_dot * L_dot
-    c46 = inv_L * inv_L * inv_L
-    c47 = c45 * c46
-    c48 = axial * c15
-    c49 = inv_k3 * inv_k3
-    c50 = 4.0 * W_z
-    c51 = 2.0 * c49
-    c52 = 4.0 * c15
-    c53 = h_y * k1
-    c54 = c53 * inv_k3
-    c55 = c15 * c36
-    tau_S_leg_12 = (C_p * W_z + W_z * c26 * c48 + W_z * c37 + axial * c28 + axial * c43 + c30 * inv_L + c31
-        * h_y + c33 + c34 + c38 * c40 + c40 * c41 + c44 * c51 - axial * c33 - c16 * c47 - c20 * c52 * h_z - c28
-        - c34 * c51 - c35 * c49 * c50 * theta_dot - c43 - c44 - c54 * c55)
-    c56 = c26 * own_y
-    c57 = c56 * inv_L
-    c58 = c29 * fall_T_z
-    c59 = J_yy * c14 * own_y
-    c60 = L_ddot * h_z
-    c61 = c3 * h_z
-    c62 = W_z * c36
-    c63 = c18 * c62
-    c64 = c32 * g_k * k3
-    c65 = gamma_n * k1
-    c66 = c32 * c65
-    c67 = 2.0 * h_z
-    c68 = c26 * theta_dot
-    c69 = 2.0 * W_z
-    c70 = c54 * c69
-    c72 = J_yy - J_zz
-    c73 = c13 * inv_k3
-    c74 = c73 * k1
-    c75 = c14 * c74
-    tau_S_leg_13 = (c14 * c60 + c15 * c70 + c24 * c51 + c49 * c63 + c57 + c58 * inv_L + c59 + c61 * inv_L + c64
-        + c66 + c72 * c75 - C_p * theta_dot - axial * c57 - axial * c59 - axial * c64 - axial * c66 - axial
-        * c72 * c75 - c24 - c47 * c67 - c48 * c68 - c63)
-    c77 = C_us * inv_L
-    c78 = c77 * theta_dot
-    c79 = 2.0 * J_yy
-    c80 = inv_L * own_y
-    c81 = J_yz * inv_L
-    c82 = c16 * theta_dot
-    c83 = W_z * c82
-    c84 = axial * c56
-    c85 = J_yy * inv_L
-    c86 = axial * c85
-    c87 = inv_L * theta_dot
-    c88 = J_xy * c87
-    c89 = c50 * c88
-    c90 = inv_L * k3
-    c91 = c90 * w_x
-    c92 = c91 * g_k
-    c93 = inv_L * w_x
-    c94 = c65 * c93
-    c95 = J_xz * c13
-    c96 = 4.0 * inv_L
-    c97 = J_xy * inv_L
-    c98 = c97 * k1
-    c99 = c98 * inv_k3
-    c100 = axial * c2
-    c101 = c15 * c79
-    c102 = 2.0 * J_yz
-    c103 = c102 * c15
-    c104 = c49 * c83
-    c105 = c23 * c49
-    c106 = 2.0 * c95
-    c107 = c49 * inv_L
-    c108 = 2.0 * k1
-    c109 = J_xy * c15
-    c110 = c108 * c109
-    c111 = c39 * c73
-    c112 = 2.0 * J_xx
-    tau_S_leg_21 = (W_z * c103 + axial * c111 * c72 + axial * c92 + axial * c94 + c100 * c68 + c101 * theta_dot
-        + c106 * c107 + c110 * c19 + c111 * (3.0 * J_zz - 3.0 * J_yy - c112) + c22 * c81 + c23 + c49 * c89 + c83
-        + c84 + c86 * own_y - c104 - c105 - c2 * c70 - c56 - c58 - c61 - c78 - c79 * c80 - c81 * own_z - c89
-        - c92 - c94 - c95 * c96 - c99 * own_z)
-    c113 = c97 * own_y
-    c114 = W_z * c68
-    c115 = gamma_y * inv_L * w_z
-    c116 = c13 * c81
-    c117 = C_s * inv_L
-    c118 = W_z * c77 * inv_k3
-    c119 = c30 * k1
-    c120 = J_yz * c31
-    c121 = c3 * c81
-    c122 = k1 * own_y
-    c123 = c122 * c81
-    c124 = inv_k3 * own_z
-    c125 = axial * k1
-    c126 = c125 * c26
-    c127 = axial * c42
-    c128 = c109 * c36
-    c129 = J_xz * W_z
-    c130 = c129 * c52
-    c131 = J_xz * k1
-    c132 = c125 * c93
-    c133 = J_xy * k1
-    c134 = c133 * c31
-    c135 = W_z * c67
-    c136 = c135 * c49
-    c137 = inv_k3 * inv_k3 * inv_k3
-    c138 = c135 * k1
-    c139 = c138 * theta_dot
-    c140 = c2 * c26
-    c141 = c125 * c140
-    c142 = 2.0 * c53
-    c143 = c13 * c137
-    c144 = c137 * c3
-    c145 = c39 * own_z
-    c146 = c129 * c87
-    c147 = J_yz * k1
-    c148 = -2.0 * J_zz
-    c149 = c112 + c148
-    c150 = J_xy * c108 * c47
-    c151 = 2.0 * c98
-    c152 = J_xz * c69
-    c153 = c14 * c45
-    c154 = c149 + c79
-    c156 = W_z * c49
-    tau_S_leg_22 = (L_ddot * c18 * c25 + W_z * c149 * c87 + c102 * c47 + c108 * c137 * c146 + c113 + c116 + c118
-        * k1 + c119 * inv_k3 + c121 * c51 + c124 * c126 + c127 * c40 + c128 * c49 + c141 * c19 + c142 * c143
-        + c144 * c151 + c145 * c72 * inv_k3 + c147 * c55 * inv_k3 + c15 * c152 * c49 + c150 * inv_k3 + c2 * c50
-        * h_z + c2 * c82 + c22 * h_z + c3 * c54 + c38 * c49 + c41 + c73 * c98 - c113 * c49 - c114 - c115 - c116
-        * c51 - c117 * inv_k3 * w_n_omega - c120 - c121 - c123 * inv_k3 - c128 - c130 - 4.0 * c131 * c19 * c87
-        - c132 * gamma_y * inv_k3 - c134 * inv_k3 - c136 * c2 - c137 * c139 - c142 * c144 - c143 * c151 - c15
-        * c154 * c20 - 2.0 * c153 * c54 - c154 * c156 * c87 - c2 * c49 * c82 - c3 * c99 - c38 - c53 * c73)
-    c157 = g_k * k1
-    c158 = gamma_n * w_z
-    c159 = h_y * own_z
-    c160 = c50 * c87
-    c161 = c137 * c160
-    c162 = c15 * c19
-    c163 = c106 * c39
-    c164 = J_xx + c72
-    tau_S_leg_23 = (C_us * L_dot * c14 + 2.0 * J_xy * L_dot * W_z * c14 + 2.0 * J_xy * W_z * inv_L * inv_k3
-        * k1 * theta_dot + J_xy * c49 * inv_L * own_z + J_yy * L_ddot * c14 + J_yy * c3 * inv_L + 2.0 * J_yz
-        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c49 * h_y * inv_L + 4.0
-        * W_z * c137 * h_y * k1 * theta_dot + 2.0 * c13 * c137 * h_z * k1 + c13 * c164 * c49 * inv_L + fall_T_x
-        * m_u + gamma_n * inv_L * k3 * w_x - c109 * c49 * c69 - c12 - c13 * c26 - c13 * c85 - c133 * c161 - c137
-        * c163 - 2.0 * c147 * c162 - c153 * c26 - c157 * c93 - c158 * c39 - c159 * c49 - c17 * c2 - c47 * c79
-        - c49 * c62 * c81 - c54 * c62 - c90 * g_k * w_z)
-    c165 = c26 * k3
-    c166 = c165 * own_z
-    c167 = c91 * gamma_y
-    c168 = c73 * h_y
-    c169 = J_xx * inv_k3
-    c170 = c169 * inv_L
-    c171 = 2.0 * J_xz
-    c172 = c81 * k3
-    c173 = c135 * inv_k3
-    c174 = J_xz * c19
-    c175 = 4.0 * c87
-    c176 = 2.0 * k3
-    c177 = c176 * c97
-    c178 = W_z * c165
-    c179 = c90 * own_z
-    c180 = J_yz * k3
-    c181 = c49 * k1
-    c183 = -W_z * c149 * k3
-    tau_S_leg_31 = (J_xx * c160 * c181 + axial * c166 + c100 * c178 + c110 * theta_dot + c112 * c162 + c127
-        * c90 + c13 * c177 + c130 * k1 + c15 * c183 + c167 + c168 + c174 * c175 + c177 * c3 + c179 * (J_xx + c148)
-        + c180 * c55 + c30 * k3 - axial * c167 - c108 * c116 - c108 * c121 - c113 * k1 - c118 - c138 * c2 - c145
-        * c171 - c166 - c170 * own_z - c172 * own_y - c173 * theta_dot - 2.0 * c73 * c97)
-    c184 = k3 * own_z
-    c185 = c93 * gamma_n
-    c186 = c171 * inv_k3
-    c187 = c108 * c61
-    c188 = c108 * c88
-    c189 = c67 * theta_dot
-    c190 = c2 * k3
-    c191 = c112 * inv_L
-    c192 = c67 * k1
-    c193 = J_xx - J_zz
-    tau_S_leg_32 = (2.0 * J_xx * L_dot * c14 * c49 * k1 * theta_dot + 2.0 * J_xx * c137 * c3 * inv_L + 2.0 * J_xx
-        * c45 * c46 * inv_k3 + 2.0 * J_xy * L_dot * W_z * c14 * k3 + J_xy * inv_L * inv_k3 * own_z + 2.0 * J_xz
-        * L_dot * c14 * inv_k3 * theta_dot + 2.0 * J_xz * c3 * c49 * inv_L * k1 + 2.0 * J_xz * c3 * inv_L * k1
-        + 4.0 * J_xz * c45 * c46 * k1 + 2.0 * J_xz * inv_L * k3 * own_y + J_yz * inv_L * k1 * own_z + L_ddot
-        * c14 * c193 * k3 + 2.0 * L_ddot * h_z * inv_L * k1 + 2.0 * W_z * c49 * h_y * k1 * theta_dot + axial
-        * c13 * c72 * inv_L * k3 + axial * c7 * gamma_n * inv_L * w_x + axial * fall_T_z * k1 * m_u + c13 * c164
-        * inv_L * inv_k3 + 2.0 * c13 * c49 * h_z * k1 + c13 * inv_L * k3 * (J_xx - J_yy) + 2.0 * c14 * c45 * h_x
-        * k3 + c164 * inv_L * k1 * own_y + 2.0 * c3 * h_x * k3 + g_k * inv_L * k1 * k3 * w_x + gamma_n * inv_L
-        * inv_k3 * k1 * w_z + gamma_y * inv_L * inv_k3 * w_y + 2.0 * h_z * inv_k3 * own_y - C_us * c15 * inv_k3
-        - J_xx * c107 * c122 - J_xz * c108 * c31 - L_ddot * c165 * inv_L - W_z * c188 - axial * c13 * c72 * inv_L
-        * inv_k3 - axial * c157 * c91 - axial * c185 - 2.0 * c109 * c19 - 2.0 * c12 * k3 - c122 * c86 - c125
-        * c2 * c68 - c143 * c191 - c147 * c15 * c69 - c149 * c45 * c46 * k3 - c153 * c192 - c156 * c188 - c159
-        * inv_k3 - c163 * c49 - c163 - c169 * c31 - c170 * c3 - c172 * c62 - c181 * c78 - c184 * c97 - c185
-        * c7 - c186 * c80 - c187 * c49 - c187 - c189 * c190 - c193 * c3 * inv_L * k3 - c84 * k1 - fall_T_x * k3
+    c13 = h_z * own_y
+    c14 = W_z * W_z
+    c15 = inv_L * inv_L
+    c16 = L_dot * c15
+    c17 = 2.0 * h_y
+    c18 = W_z * c17
+    c19 = h_y * inv_L
+    c20 = W_z * inv_k3
+    c21 = c20 * k1
+    c22 = 4.0 * c21
+    c23 = c22 * theta_dot
+    c24 = c14 * h_z
+    c25 = c24 * inv_L
+    c26 = inv_k3 * k1
+    tau_S_leg_11 = (2.0 * L_dot * c15 * h_z * theta_dot + 2.0 * c14 * h_x * inv_L + 2.0 * c3 * h_x * inv_L + h_y
+        * inv_L * own_z - c13 * inv_L - c16 * c18 - c19 * c23 - 4.0 * c25 * c26)
+    c27 = 2.0 * h_x
+    c28 = c27 * inv_L
+    c29 = c28 * own_z
+    c30 = axial * m_u
+    c31 = c30 * fall_T_y
+    c32 = L_ddot * c15
+    c33 = c15 * w_x
+    c34 = c33 * gamma_y
+    c35 = c19 * c3
+    c36 = h_z * inv_L
+    c37 = 2.0 * theta_dot
+    c38 = c36 * c37
+    c39 = h_y * own_y
+    c40 = inv_L * k1
+    c41 = c40 * inv_k3
+    c42 = h_z * own_z
+    c43 = J_zz * own_z
+    c44 = c15 * c43
+    c45 = c14 * c19
+    c46 = L_dot * L_dot
+    c47 = inv_L * inv_L * inv_L
+    c48 = c46 * c47
+    c49 = axial * c16
+    c50 = inv_k3 * inv_k3
+    c51 = 4.0 * W_z
+    c52 = 2.0 * c50
+    c53 = 4.0 * c16
+    c54 = h_y * k1
+    c55 = c54 * inv_k3
+    c56 = c16 * c37
+    tau_S_leg_12 = (C_p * W_z + W_z * c27 * c49 + W_z * c38 + axial * c29 + axial * c44 + c31 * inv_L + c32
+        * h_y + c34 + c35 + c39 * c41 + c41 * c42 + c45 * c52 - axial * c34 - c17 * c48 - c21 * c53 * h_z - c29
+        - c35 * c52 - c36 * c50 * c51 * theta_dot - c44 - c45 - c55 * c56)
+    c57 = c27 * own_y
+    c58 = c57 * inv_L
+    c59 = c30 * fall_T_z
+    c60 = J_yy * c15 * own_y
+    c61 = L_ddot * h_z
+    c62 = c3 * h_z
+    c63 = W_z * c37
+    c64 = c19 * c63
+    c65 = c33 * g_k * k3
+    c66 = gamma_n * k1
+    c67 = c33 * c66
+    c68 = 2.0 * h_z
+    c69 = c27 * theta_dot
+    c70 = 2.0 * W_z
+    c71 = c55 * c70
+    c73 = J_yy - J_zz
+    c74 = c14 * inv_k3
+    c75 = c74 * k1
+    c76 = c15 * c75
+    tau_S_leg_13 = (c15 * c61 + c16 * c71 + c25 * c52 + c50 * c64 + c58 + c59 * inv_L + c60 + c62 * inv_L + c65
+        + c67 + c73 * c76 - C_p * theta_dot - axial * c58 - axial * c60 - axial * c65 - axial * c67 - axial
+        * c73 * c76 - c25 - c48 * c68 - c49 * c69 - c64)
+    c78 = C_us * inv_L
+    c79 = c78 * theta_dot
+    c80 = 2.0 * J_yy
+    c81 = inv_L * own_y
+    c82 = J_yz * inv_L
+    c83 = c17 * theta_dot
+    c84 = W_z * c83
+    c85 = axial * c57
+    c86 = J_yy * inv_L
+    c87 = axial * c86
+    c88 = inv_L * theta_dot
+    c89 = J_xy * c88
+    c90 = c51 * c89
+    c91 = inv_L * k3
+    c92 = c91 * w_x
+    c93 = c92 * g_k
+    c94 = inv_L * w_x
+    c95 = c66 * c94
+    c96 = J_xz * c14
+    c97 = 4.0 * inv_L
+    c98 = J_xy * inv_L
+    c99 = c98 * k1
+    c100 = c99 * inv_k3
+    c101 = axial * c2
+    c102 = c16 * c80
+    c103 = 2.0 * J_yz
+    c104 = c103 * c16
+    c105 = c50 * c84
+    c106 = c24 * c50
+    c107 = 2.0 * c96
+    c108 = c50 * inv_L
+    c109 = 2.0 * k1
+    c110 = J_xy * c16
+    c111 = c109 * c110
+    c112 = c40 * c74
+    c113 = 2.0 * J_xx
+    tau_S_leg_21 = (W_z * c104 + axial * c112 * c73 + axial * c93 + axial * c95 + c101 * c69 + c102 * theta_dot
+        + c107 * c108 + c111 * c20 + c112 * (3.0 * J_zz - 3.0 * J_yy - c113) + c23 * c82 + c24 + c50 * c90 + c84
+        + c85 + c87 * own_y - c100 * own_z - c105 - c106 - c2 * c71 - c57 - c59 - c62 - c79 - c80 * c81 - c82
+        * own_z - c90 - c93 - c95 - c96 * c97)
+    c114 = c98 * own_y
+    c115 = W_z * c69
+    c116 = gamma_y * inv_L * w_z
+    c117 = c14 * c82
+    c118 = C_s * inv_L
+    c119 = W_z * c78 * inv_k3
+    c120 = c31 * k1
+    c121 = J_yz * c32
+    c122 = c3 * c82
+    c123 = k1 * own_y
+    c124 = c123 * c82
+    c125 = inv_k3 * own_z
+    c126 = axial * k1
+    c127 = c126 * c27
+    c128 = axial * c43
+    c129 = c110 * c37
+    c130 = J_xz * W_z
+    c131 = c130 * c53
+    c132 = J_xz * k1
+    c133 = c126 * c94
+    c134 = J_xy * k1
+    c135 = c134 * c32
+    c136 = W_z * c68
+    c137 = c136 * c50
+    c138 = inv_k3 * inv_k3 * inv_k3
+    c139 = c136 * k1
+    c140 = c139 * theta_dot
+    c141 = c2 * c27
+    c142 = c126 * c141
+    c143 = 2.0 * c54
+    c144 = c138 * c14
+    c145 = c138 * c3
+    c146 = c40 * own_z
+    c147 = c130 * c88
+    c148 = J_yz * k1
+    c149 = -2.0 * J_zz
+    c150 = c113 + c149
+    c151 = J_xy * c109 * c48
+    c152 = 2.0 * c99
+    c153 = J_xz * c70
+    c154 = c15 * c46
+    c155 = c150 + c80
+    c157 = W_z * c50
+    tau_S_leg_22 = (L_ddot * c19 * c26 + W_z * c150 * c88 + c103 * c48 + c109 * c138 * c147 + c114 + c117 + c119
+        * k1 + c120 * inv_k3 + c122 * c52 + c125 * c127 + c128 * c41 + c129 * c50 + c142 * c20 + c143 * c144
+        + c145 * c152 + c146 * c73 * inv_k3 + c148 * c56 * inv_k3 + c151 * inv_k3 + c153 * c16 * c50 + c2 * c51
+        * h_z + c2 * c83 + c23 * h_z + c3 * c55 + c39 * c50 + c42 + c74 * c99 - c100 * c3 - c114 * c50 - c115
+        - c116 - c117 * c52 - c118 * inv_k3 * w_n_omega - c121 - c122 - c124 * inv_k3 - c129 - c131 - 4.0 * c132
+        * c20 * c88 - c133 * gamma_y * inv_k3 - c135 * inv_k3 - c137 * c2 - c138 * c140 - c143 * c145 - c144
+        * c152 - 2.0 * c154 * c55 - c155 * c157 * c88 - c155 * c16 * c21 - c2 * c50 * c83 - c39 - c54 * c74)
+    c158 = g_k * k1
+    c159 = gamma_n * w_z
+    c160 = h_y * own_z
+    c161 = c51 * c88
+    c162 = c138 * c161
+    c163 = c16 * c20
+    c164 = c107 * c40
+    c165 = J_xx + c73
+    tau_S_leg_23 = (C_us * L_dot * c15 + 2.0 * J_xy * L_dot * W_z * c15 + 2.0 * J_xy * W_z * inv_L * inv_k3
+        * k1 * theta_dot + J_xy * c50 * inv_L * own_z + J_yy * L_ddot * c15 + J_yy * c3 * inv_L + 2.0 * J_yz
+        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c50 * h_y * inv_L + 4.0
+        * W_z * c138 * h_y * k1 * theta_dot + 2.0 * c138 * c14 * h_z * k1 + c14 * c165 * c50 * inv_L + fall_T_x
+        * m_u + gamma_n * inv_L * k3 * w_x - c110 * c50 * c70 - c13 - c134 * c162 - c138 * c164 - c14 * c27
+        - c14 * c86 - 2.0 * c148 * c163 - c154 * c27 - c158 * c94 - c159 * c40 - c160 * c50 - c18 * c2 - c48
+        * c80 - c50 * c63 * c82 - c55 * c63 - c91 * g_k * w_z)
+    c166 = c27 * k3
+    c167 = c166 * own_z
+    c168 = c92 * gamma_y
+    c169 = c74 * h_y
+    c170 = J_xx * inv_k3
+    c171 = c170 * inv_L
+    c172 = 2.0 * J_xz
+    c173 = c82 * k3
+    c174 = c136 * inv_k3
+    c175 = J_xz * c20
+    c176 = 4.0 * c88
+    c177 = 2.0 * k3
+    c178 = c177 * c98
+    c179 = W_z * c166
+    c180 = c91 * own_z
+    c181 = J_yz * k3
+    c182 = c50 * k1
+    c184 = -W_z * c150 * k3
+    tau_S_leg_31 = (J_xx * c161 * c182 + axial * c167 + c101 * c179 + c111 * theta_dot + c113 * c163 + c128
+        * c91 + c131 * k1 + c14 * c178 + c16 * c184 + c168 + c169 + c175 * c176 + c178 * c3 + c180 * (J_xx + c149)
+        + c181 * c56 + c31 * k3 - axial * c168 - c109 * c117 - c109 * c122 - c114 * k1 - c119 - c139 * c2 - c146
+        * c172 - c167 - c171 * own_z - c173 * own_y - c174 * theta_dot - 2.0 * c74 * c98)
+    c185 = k3 * own_z
+    c186 = c94 * gamma_n
+    c187 = c172 * inv_k3
+    c188 = c109 * c62
+    c189 = c109 * c89
+    c190 = c68 * theta_dot
+    c191 = c2 * k3
+    c192 = c113 * inv_L
+    c193 = c68 * k1
+    c194 = J_xx - J_zz
+    tau_S_leg_32 = (2.0 * J_xx * L_dot * c15 * c50 * k1 * theta_dot + 2.0 * J_xx * c138 * c3 * inv_L + 2.0 * J_xx
+        * c46 * c47 * inv_k3 + 2.0 * J_xy * L_dot * W_z * c15 * k3 + J_xy * inv_L * inv_k3 * own_z + 2.0 * J_xz
+        * L_dot * c15 * inv_k3 * theta_dot + 2.0 * J_xz * c3 * c50 * inv_L * k1 + 2.0 * J_xz * c3 * inv_L * k1
+        + 4.0 * J_xz * c46 * c47 * k1 + 2.0 * J_xz * inv_L * k3 * own_y + J_yz * inv_L * k1 * own_z + L_ddot
+        * c15 * c194 * k3 + 2.0 * L_ddot * h_z * inv_L * k1 + 2.0 * W_z * c50 * h_y * k1 * theta_dot + axial
+        * c14 * c73 * inv_L * k3 + axial * c8 * gamma_n * inv_L * w_x + axial * fall_T_z * k1 * m_u + c14 * c165
+        * inv_L * inv_k3 + 2.0 * c14 * c50 * h_z * k1 + c14 * inv_L * k3 * (J_xx - J_yy) + 2.0 * c15 * c46 * h_x
+        * k3 + c165 * inv_L * k1 * own_y + 2.0 * c3 * h_x * k3 + g_k * inv_L * k1 * k3 * w_x + gamma_n * inv_L
+        * inv_k3 * k1 * w_z + gamma_y * inv_L * inv_k3 * w_y + 2.0 * h_z * inv_k3 * own_y - C_us * c16 * inv_k3
+        - J_xx * c108 * c123 - J_xz * c109 * c32 - L_ddot * c166 * inv_L - W_z * c189 - axial * c14 * c73 * inv_L
+        * inv_k3 - axial * c158 * c92 - axial * c186 - 2.0 * c110 * c20 - c123 * c87 - c126 * c2 * c69 - 2.0
+        * c13 * k3 - c144 * c192 - c148 * c16 * c70 - c150 * c46 * c47 * k3 - c154 * c193 - c157 * c189 - c160
+        * inv_k3 - c164 * c50 - c164 - c170 * c32 - c171 * c3 - c173 * c63 - c182 * c79 - c185 * c98 - c186
+        * c8 - c187 * c81 - c188 * c50 - c188 - c190 * c191 - c194 * c3 * inv_L * k3 - c85 * k1 - fall_T_x * k3
         * m_u)
-    c195 = J_xx * c145
-    c196 = c156 * k1
-    c197 = J_xy * k3
-    c198 = c171 * c19
-    c199 = 2.0 * c180
-    c200 = c13 * c49
-    c201 = c112 * c196
-    tau_S_leg_33 = (c113 * k3 + c114 * k3 + c115 * k3 + c120 * k3 + c121 * c176 + c129 * c175 * k1 + c132 * gamma_y
-        + c134 + c136 * k1 * theta_dot + c147 * c55 + c151 * c3 + c160 * c169 + c171 * c179 + c173 * c2 + c183
-        * c87 + c195 * c49 + c195 + c196 * c77 + c200 * c98 - J_xx * c161 - W_z * c141 - c108 * c146 * c49 - c119
-        - c123 - c126 * own_z - c127 * c39 - c135 * c190 - c139 - c15 * c198 - c15 * c201 - c150 - c176 * c41
-        - c197 * c55 - c199 * c47 - c200 * c53)
+    c196 = J_xx * c146
+    c197 = c157 * k1
+    c198 = J_xy * k3
+    c199 = c172 * c20
+    c200 = 2.0 * c181
+    c201 = c14 * c50
+    c202 = c113 * c197
+    tau_S_leg_33 = (c114 * k3 + c115 * k3 + c116 * k3 + c121 * k3 + c122 * c177 + c130 * c176 * k1 + c133 * gamma_y
+        + c135 + c137 * k1 * theta_dot + c148 * c56 + c152 * c3 + c161 * c170 + c172 * c180 + c174 * c2 + c184
+        * c88 + c196 * c50 + c196 + c197 * c78 + c201 * c99 - J_xx * c162 - W_z * c142 - c109 * c147 * c50 - c120
+        - c124 - c127 * own_z - c128 * c40 - c136 * c191 - c140 - c151 - c16 * c199 - c16 * c202 - c177 * c42
+        - c198 * c56 - c200 * c48 - c201 * c54)
     # generalised forces by the tip's motion
     tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_12 * y_x + tau_S_leg_13 * z_x
     tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_12 * y_y + tau_S_leg_13 * z_y
@@ -5661,24 +5708,24 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_zx = s_x * tau_S_leg_31 + tau_S_leg_32 * y_x + tau_S_leg_33 * z_x
     tau_S_zy = s_y * tau_S_leg_31 + tau_S_leg_32 * y_y + tau_S_leg_33 * z_y
     tau_S_zz = s_z * tau_S_leg_31 + tau_S_leg_32 * y_z + tau_S_leg_33 * z_z
-    tau_S_dot_leg_11 = C_p + c18 * c69 - c37
-    c202 = c108 * c18
-    tau_S_dot_leg_12 = c15 * c16 + c202 * inv_k3 * theta_dot + c21 * c35 - W_z * c27
-    tau_S_dot_leg_13 = c15 * c67 + c26 * c87 - c19 * c202
-    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c151 * c19 - c68 - c69 * c81 - c79 * c87
-    c203 = c108 * c81
-    c204 = c203 * theta_dot
+    tau_S_dot_leg_11 = C_p + c19 * c70 - c38
+    c203 = c109 * c19
+    tau_S_dot_leg_12 = c16 * c17 + c203 * inv_k3 * theta_dot + c22 * c36 - W_z * c28
+    tau_S_dot_leg_13 = c16 * c68 + c27 * c88 - c20 * c203
+    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c152 * c20 - c69 - c70 * c82 - c80 * c88
+    c204 = c109 * c82
+    c205 = c204 * theta_dot
     tau_S_dot_leg_22 = (2.0 * J_xy * inv_L * theta_dot + 4.0 * J_xz * W_z * inv_L + 2.0 * L_dot * h_y * inv_L
-        * inv_k3 * k1 + W_z * c154 * inv_L * inv_k3 * k1 + 2.0 * W_z * c49 * h_z + 2.0 * c49 * h_y * theta_dot
-        - c103 - c107 * c152 - c110 * inv_k3 - c135 - c204 * inv_k3 - 2.0 * c49 * c88 - c82)
-    c205 = c69 * c97
-    tau_S_dot_leg_23 = c101 + c140 + c17 + c19 * c203 + c205 * c49 - c17 * c49 - c189 - c205 - c77
-    tau_S_dot_leg_31 = (W_z * c149 * inv_L * k3 + 2.0 * W_z * h_z * k1 - c129 * c96 * k1 - c172 * c36 - c178
-        - c188 - c19 * c191)
+        * inv_k3 * k1 + W_z * c155 * inv_L * inv_k3 * k1 + 2.0 * W_z * c50 * h_z + 2.0 * c50 * h_y * theta_dot
+        - c104 - c108 * c153 - c111 * inv_k3 - c136 - c205 * inv_k3 - 2.0 * c50 * c89 - c83)
+    c206 = c70 * c98
+    tau_S_dot_leg_23 = c102 + c141 + c18 + c20 * c204 + c206 * c50 - c18 * c50 - c190 - c206 - c78
+    tau_S_dot_leg_31 = (W_z * c150 * inv_L * k3 + 2.0 * W_z * h_z * k1 - c130 * c97 * k1 - c173 * c37 - c179
+        - c189 - c192 * c20)
     tau_S_dot_leg_32 = (C_us * inv_L * inv_k3 + 2.0 * J_xy * W_z * inv_L * inv_k3 + 2.0 * J_yz * W_z * inv_L
-        * k1 + L_dot * c14 * c149 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - W_z
-        * c177 - c112 * c15 * inv_k3 - c112 * c181 * c87 - c131 * c52 - c165 * c2 - c17 * inv_k3 - c186 * c87)
-    tau_S_dot_leg_33 = c110 + c112 * c156 * c39 + c15 * c199 + 2.0 * c197 * c87 + c198 * inv_L - c173 - c204
+        * k1 + L_dot * c15 * c150 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - W_z
+        * c178 - c113 * c16 * inv_k3 - c113 * c182 * c88 - c132 * c53 - c166 * c2 - c18 * inv_k3 - c187 * c88)
+    tau_S_dot_leg_33 = c111 + c113 * c157 * c40 + c16 * c200 + 2.0 * c198 * c88 + c199 * inv_L - c174 - c205
     # generalised forces by the tip's motion
     tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_x + tau_S_dot_leg_13 * z_x
     tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_y + tau_S_dot_leg_13 * z_y
@@ -5689,15 +5736,15 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_dot_zx = s_x * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_x + tau_S_dot_leg_33 * z_x
     tau_S_dot_zy = s_y * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_y + tau_S_dot_leg_33 * z_y
     tau_S_dot_zz = s_z * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_z + tau_S_dot_leg_33 * z_z
-    tau_S_ddot_leg_12 = -c18
-    tau_S_ddot_leg_13 = -c35
-    tau_S_ddot_leg_22 = c81 + c99 - c54
-    c206 = L * m_u
-    tau_S_ddot_leg_23 = -c206 - c26 - c85
-    c207 = h_y * k3
-    tau_S_ddot_leg_31 = -c207
-    tau_S_ddot_leg_32 = c165 + c170 + c171 * c39 + c206 * k3 - c192 - c193 * c90
-    tau_S_ddot_leg_33 = h_y * k1 - c172 - c98
+    tau_S_ddot_leg_12 = -c19
+    tau_S_ddot_leg_13 = -c36
+    tau_S_ddot_leg_22 = c100 + c82 - c55
+    c207 = L * m_u
+    tau_S_ddot_leg_23 = -c207 - c27 - c86
+    c208 = h_y * k3
+    tau_S_ddot_leg_31 = -c208
+    tau_S_ddot_leg_32 = c166 + c171 + c172 * c40 + c207 * k3 - c193 - c194 * c91
+    tau_S_ddot_leg_33 = h_y * k1 - c173 - c99
     # generalised forces by the tip's motion
     tau_S_ddot_xx = m_u * s_x + tau_S_ddot_leg_12 * y_x + tau_S_ddot_leg_13 * z_x
     tau_S_ddot_xy = m_u * s_y + tau_S_ddot_leg_12 * y_y + tau_S_ddot_leg_13 * z_y
@@ -5708,23 +5755,56 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     tau_S_ddot_zx = s_x * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_x + tau_S_ddot_leg_33 * z_x
     tau_S_ddot_zy = s_y * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_y + tau_S_ddot_leg_33 * z_y
     tau_S_ddot_zz = s_z * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_z + tau_S_ddot_leg_33 * z_z
-    X_xx = (B_xx * tau_S_ddot_xx + B_yx * tau_S_ddot_xy + B_zx * tau_S_ddot_xz + omega_z * tau_S_dot_xy + tau_S_xx
+    c209 = 1.0 - axial
+    c210 = L * k1
+    c211 = (axial * net_z + c209 * (C_us * W_z * inv_k3 + J_xx * inv_k3 * own_z + J_xy * c14 * inv_k3 + J_xy
+        * k1 * own_y + 2.0 * J_xz * k1 * own_z + J_yz * c14 * k1 + J_yz * c3 * k1 + J_yz * k3 * own_y + 2.0
+        * L * W_z * h_z * inv_k3 * theta_dot + L * c14 * h_y * k3 + L * c3 * h_y * k3 + gamma_y * k1 * w_z - C_s
+        * w_k_omega - J_xx * c185 - L * c109 * c42 - L * c169 - L_ddot * c208 - L_dot * c139 - L_dot * c37 * c54
+        - c14 * c198 - c175 * c37 - c198 * c3 - c202 * theta_dot - c210 * c39 - gamma_n * w_y))
+    c212 = c211 * inv_rho * inv_rho
+    bent_leg_12 = -c212 * k3
+    c213 = J_xy * c63
+    c214 = (axial * net_y + c209 * (C_us * theta_dot + J_xx * c75 + J_yz * own_z + L * c105 + L * c106 + c107
+        + c125 * c134 + c159 * k3 + c213 + c61 - C_s * w_y_omega - 2.0 * L * c24 - L * c55 * own_z - L * c84
+        - c148 * c20 * c37 - c158 * w_z - c213 * c50 - c50 * c96))
+    c215 = c15 * c214
+    bent_leg_13 = c215
+    bent_leg_21 = -L * c215
+    bent_leg_22 = -c210 * c212
+    bent_leg_23 = -L * inv_L * net_x
+    c216 = c211 * c4 * c91
+    bent_leg_31 = -c216
+    c217 = inv_rho * k3
+    bent_leg_32 = L * k3 * (c214 * c40 * inv_rho + c217 * net_x)
+    bent_leg_33 = c216 * kappa
+    # generalised forces by the tip's place, as the rows turn
+    tau_place_xx = bent_leg_12 * y_x + bent_leg_13 * z_x + tau_S_xx
+    tau_place_xy = bent_leg_12 * y_y + bent_leg_13 * z_y + tau_S_xy
+    tau_place_xz = bent_leg_12 * y_z + bent_leg_13 * z_z + tau_S_xz
+    tau_place_yx = bent_leg_21 * s_x + bent_leg_22 * y_x + bent_leg_23 * z_x + tau_S_yx
+    tau_place_yy = bent_leg_21 * s_y + bent_leg_22 * y_y + bent_leg_23 * z_y + tau_S_yy
+    tau_place_yz = bent_leg_21 * s_z + bent_leg_22 * y_z + bent_leg_23 * z_z + tau_S_yz
+    tau_place_zx = bent_leg_31 * s_x + bent_leg_32 * y_x + bent_leg_33 * z_x + tau_S_zx
+    tau_place_zy = bent_leg_31 * s_y + bent_leg_32 * y_y + bent_leg_33 * z_y + tau_S_zy
+    tau_place_zz = bent_leg_31 * s_z + bent_leg_32 * y_z + bent_leg_33 * z_z + tau_S_zz
+    X_xx = (B_xx * tau_S_ddot_xx + B_yx * tau_S_ddot_xy + B_zx * tau_S_ddot_xz + omega_z * tau_S_dot_xy + tau_place_xx
         - omega_y * tau_S_dot_xz)
-    X_xy = (B_xy * tau_S_ddot_xx + B_yy * tau_S_ddot_xy + B_zy * tau_S_ddot_xz + omega_x * tau_S_dot_xz + tau_S_xy
+    X_xy = (B_xy * tau_S_ddot_xx + B_yy * tau_S_ddot_xy + B_zy * tau_S_ddot_xz + omega_x * tau_S_dot_xz + tau_place_xy
         - omega_z * tau_S_dot_xx)
-    X_xz = (B_xz * tau_S_ddot_xx + B_yz * tau_S_ddot_xy + B_zz * tau_S_ddot_xz + omega_y * tau_S_dot_xx + tau_S_xz
+    X_xz = (B_xz * tau_S_ddot_xx + B_yz * tau_S_ddot_xy + B_zz * tau_S_ddot_xz + omega_y * tau_S_dot_xx + tau_place_xz
         - omega_x * tau_S_dot_xy)
-    X_yx = (B_xx * tau_S_ddot_yx + B_yx * tau_S_ddot_yy + B_zx * tau_S_ddot_yz + omega_z * tau_S_dot_yy + tau_S_yx
+    X_yx = (B_xx * tau_S_ddot_yx + B_yx * tau_S_ddot_yy + B_zx * tau_S_ddot_yz + omega_z * tau_S_dot_yy + tau_place_yx
         - omega_y * tau_S_dot_yz)
-    X_yy = (B_xy * tau_S_ddot_yx + B_yy * tau_S_ddot_yy + B_zy * tau_S_ddot_yz + omega_x * tau_S_dot_yz + tau_S_yy
+    X_yy = (B_xy * tau_S_ddot_yx + B_yy * tau_S_ddot_yy + B_zy * tau_S_ddot_yz + omega_x * tau_S_dot_yz + tau_place_yy
         - omega_z * tau_S_dot_yx)
-    X_yz = (B_xz * tau_S_ddot_yx + B_yz * tau_S_ddot_yy + B_zz * tau_S_ddot_yz + omega_y * tau_S_dot_yx + tau_S_yz
+    X_yz = (B_xz * tau_S_ddot_yx + B_yz * tau_S_ddot_yy + B_zz * tau_S_ddot_yz + omega_y * tau_S_dot_yx + tau_place_yz
         - omega_x * tau_S_dot_yy)
-    X_zx = (B_xx * tau_S_ddot_zx + B_yx * tau_S_ddot_zy + B_zx * tau_S_ddot_zz + omega_z * tau_S_dot_zy + tau_S_zx
+    X_zx = (B_xx * tau_S_ddot_zx + B_yx * tau_S_ddot_zy + B_zx * tau_S_ddot_zz + omega_z * tau_S_dot_zy + tau_place_zx
         - omega_y * tau_S_dot_zz)
-    X_zy = (B_xy * tau_S_ddot_zx + B_yy * tau_S_ddot_zy + B_zy * tau_S_ddot_zz + omega_x * tau_S_dot_zz + tau_S_zy
+    X_zy = (B_xy * tau_S_ddot_zx + B_yy * tau_S_ddot_zy + B_zy * tau_S_ddot_zz + omega_x * tau_S_dot_zz + tau_place_zy
         - omega_z * tau_S_dot_zx)
-    X_zz = (B_xz * tau_S_ddot_zx + B_yz * tau_S_ddot_zy + B_zz * tau_S_ddot_zz + omega_y * tau_S_dot_zx + tau_S_zz
+    X_zz = (B_xz * tau_S_ddot_zx + B_yz * tau_S_ddot_zy + B_zz * tau_S_ddot_zz + omega_y * tau_S_dot_zx + tau_place_zz
         - omega_x * tau_S_dot_zy)
     Y_xx = omega_z * tau_S_ddot_xy + tau_S_dot_xx - omega_y * tau_S_ddot_xz
     Y_xy = omega_x * tau_S_ddot_xz + tau_S_dot_xy - omega_z * tau_S_ddot_xx
@@ -5735,87 +5815,25 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     Y_zx = omega_z * tau_S_ddot_zy + tau_S_dot_zx - omega_y * tau_S_ddot_zz
     Y_zy = omega_x * tau_S_ddot_zz + tau_S_dot_zy - omega_z * tau_S_ddot_zx
     Y_zz = omega_y * tau_S_ddot_zx + tau_S_dot_zz - omega_x * tau_S_ddot_zy
-    c208 = 1.0 - axial
-    c209 = (axial * net_z + c208 * (C_us * W_z * inv_k3 + J_xx * inv_k3 * own_z + J_xy * c13 * inv_k3 + J_xy
-        * k1 * own_y + 2.0 * J_xz * k1 * own_z + J_yz * c13 * k1 + J_yz * c3 * k1 + J_yz * k3 * own_y + 2.0
-        * L * W_z * h_z * inv_k3 * theta_dot + L * c13 * h_y * k3 + L * c3 * h_y * k3 + gamma_y * k1 * w_z - C_s
-        * w_k_omega - J_xx * c184 - L * c108 * c41 - L * c168 - L * c38 * k1 - L_ddot * c207 - L_dot * c138
-        - L_dot * c36 * c53 - c13 * c197 - c174 * c36 - c197 * c3 - c201 * theta_dot - gamma_n * w_y))
-    c210 = c209 * inv_rho * inv_rho
-    bent_leg_12 = -c210 * k3
-    c211 = J_xy * c62
-    c212 = (axial * net_y + c208 * (C_us * theta_dot + J_xx * c74 + J_yz * own_z + L * c104 + L * c105 + c106
-        + c124 * c133 + c158 * k3 + c211 + c60 - C_s * w_y_omega - 2.0 * L * c23 - L * c54 * own_z - L * c83
-        - c147 * c19 * c36 - c157 * w_z - c211 * c49 - c49 * c95))
-    c213 = c14 * c212
-    bent_leg_13 = c213
-    c214 = inv_L * inv_rho
-    c215 = c209 * c214
-    bent_leg_21 = -c215
-    c216 = inv_rho * k3
-    bent_leg_22 = c212 * c214 * k1 + c216 * net_x
-    bent_leg_23 = c215 * kappa
-    bent_leg_31 = c213
-    bent_leg_32 = c210 * k1
-    bent_leg_33 = inv_L * net_x
-    bent_T_xs = bent_leg_21 * y_x + bent_leg_31 * z_x
-    bent_T_xy = bent_leg_12 * s_x + bent_leg_22 * y_x + bent_leg_32 * z_x
-    bent_T_xz = bent_leg_13 * s_x + bent_leg_23 * y_x + bent_leg_33 * z_x
-    bent_T_ys = bent_leg_21 * y_y + bent_leg_31 * z_y
-    bent_T_yy = bent_leg_12 * s_y + bent_leg_22 * y_y + bent_leg_32 * z_y
-    bent_T_yz = bent_leg_13 * s_y + bent_leg_23 * y_y + bent_leg_33 * z_y
-    bent_T_zs = bent_leg_21 * y_z + bent_leg_31 * z_z
-    bent_T_zy = bent_leg_12 * s_z + bent_leg_22 * y_z + bent_leg_32 * z_z
-    bent_T_zz = bent_leg_13 * s_z + bent_leg_23 * y_z + bent_leg_33 * z_z
-    # force by S as the rows turn
-    bent_xx = bent_T_xs * s_x + bent_T_xy * y_x + bent_T_xz * z_x
-    bent_xy = bent_T_xs * s_y + bent_T_xy * y_y + bent_T_xz * z_y
-    bent_xz = bent_T_xs * s_z + bent_T_xy * y_z + bent_T_xz * z_z
-    bent_yx = bent_T_ys * s_x + bent_T_yy * y_x + bent_T_yz * z_x
-    bent_yy = bent_T_ys * s_y + bent_T_yy * y_y + bent_T_yz * z_y
-    bent_yz = bent_T_ys * s_z + bent_T_yy * y_z + bent_T_yz * z_z
-    bent_zx = bent_T_zs * s_x + bent_T_zy * y_x + bent_T_zz * z_x
-    bent_zy = bent_T_zs * s_y + bent_T_zy * y_y + bent_T_zz * z_y
-    bent_zz = bent_T_zs * s_z + bent_T_zy * y_z + bent_T_zz * z_z
-    c217 = bent_xy * q_z
-    c218 = bent_xz * q_y
-    Z_xx = c218 - c217
-    Z_xy = bent_xx * q_z - bent_xz * q_x
-    c219 = bent_xx * q_y
-    Z_xz = bent_xy * q_x - c219
-    c220 = bent_yy * q_z
-    Z_yx = bent_yz * q_y - c220
-    c221 = bent_yx * q_z
-    c222 = -bent_yz * q_x
-    Z_yy = c221 + c222
-    c223 = -bent_yy * q_x
-    Z_yz = -bent_yx * q_y - c223
-    c224 = -bent_zz * q_y
-    Z_zx = -bent_zy * q_z - c224
-    c225 = bent_zz * q_x
-    Z_zy = bent_zx * q_z - c225
-    c226 = bent_zx * q_y
-    c227 = bent_zy * q_x
-    Z_zz = c227 - c226
-    G_dot_21 = -c87
-    c228 = k1 * phi_dot
-    G_dot_22 = c228 * inv_L
-    G_dot_23 = c15
-    G_dot_31 = -c216 * phi_dot
-    c229 = inv_rho * theta_dot
-    G_dot_32 = -c2 * inv_rho - c229 * kappa
-    G_dot_33 = c228 * inv_rho
-    c230 = C_s * k1
-    f_S_leg_11 = G_dot_31 * c230
-    f_S_leg_12 = C_s * (G_dot_32 * k1 - c216 * theta_dot)
-    f_S_leg_13 = G_dot_33 * c230
+    G_dot_21 = -c88
+    c218 = k1 * phi_dot
+    G_dot_22 = c218 * inv_L
+    G_dot_23 = c16
+    G_dot_31 = -c217 * phi_dot
+    c219 = inv_rho * theta_dot
+    G_dot_32 = -c2 * inv_rho - c219 * kappa
+    G_dot_33 = c218 * inv_rho
+    c220 = C_s * k1
+    f_S_leg_11 = G_dot_31 * c220
+    f_S_leg_12 = C_s * (G_dot_32 * k1 - c217 * theta_dot)
+    f_S_leg_13 = G_dot_33 * c220
     f_S_leg_21 = C_s * G_dot_21
     f_S_leg_22 = C_s * G_dot_22
     f_S_leg_23 = C_s * G_dot_23
-    c231 = C_s * k3
-    f_S_leg_31 = G_dot_31 * c231
-    f_S_leg_32 = C_s * (G_dot_32 * k3 + c229 * k1)
-    f_S_leg_33 = G_dot_33 * c231
+    c221 = C_s * k3
+    f_S_leg_31 = G_dot_31 * c221
+    f_S_leg_32 = C_s * (G_dot_32 * k3 + c219 * k1)
+    f_S_leg_33 = G_dot_33 * c221
     f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
     f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
     f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
@@ -5835,9 +5853,9 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
     f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
     f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
-    f_S_dot_leg_12 = c230 * inv_rho
-    f_S_dot_leg_23 = -c117
-    f_S_dot_leg_32 = C_s * c216
+    f_S_dot_leg_12 = c220 * inv_rho
+    f_S_dot_leg_23 = -c118
+    f_S_dot_leg_32 = C_s * c217
     f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
     f_S_dot_T_xz = f_S_dot_leg_23 * y_x
     f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
@@ -5854,33 +5872,29 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
     f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
     f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
-    c232 = R_tip_y * q_y
-    c233 = R_tip_z * q_z
-    c234 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
-    c235 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
-    c236 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
-    c237 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
-    c238 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
-    c239 = R_tip_x * q_x
-    c240 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
-    c241 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
-    c242 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
-    c243 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    c222 = R_tip_y * q_y
+    c223 = R_tip_z * q_z
+    c224 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
+    c225 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
+    c226 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
+    c227 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
+    c228 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c229 = R_tip_x * q_x
+    c230 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
+    c231 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
+    c232 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
+    c233 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
     out = JointSlopesLeg()
     out.M_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_ww = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.W_ft = [bent_xx, bent_xy, bent_xz, bent_yx, bent_yy, bent_yz, bent_zx, bent_zy, bent_zz]
-    out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
-    out.W_mt = [c226 - c221 - f_S_xx, bent_zy * q_y - c220 - f_S_xy, -bent_yz * q_z - c224 - f_S_xz, bent_xx
-        * q_z - bent_zx * q_x - f_S_yx, c217 - c227 - f_S_yy, bent_xz * q_z - c225 - f_S_yz, bent_yx * q_x - c219
-        - f_S_zx, -bent_xy * q_y - c223 - f_S_zy, -c218 - c222 - f_S_zz]
-    out.W_mr = [Z_zx * q_y + c235 * q_z - Z_yx * q_z - c232 - c233 - c234 * q_y, R_tip_y * q_x + Z_zy * q_y
-        + c234 * q_x - Z_yy * q_z - c236 * q_z, R_tip_z * q_x + Z_zz * q_y + c236 * q_y - Z_yz * q_z - c235
-        * q_x, R_tip_x * q_y + Z_xx * q_z + c237 * q_z - Z_zx * q_x - c238 * q_y, Z_xy * q_z + c238 * q_x - Z_zy
-        * q_x - c233 - c239 - c240 * q_z, R_tip_z * q_y + Z_xz * q_z + c240 * q_y - Z_zz * q_x - c237 * q_x,
-        R_tip_x * q_z + Z_yx * q_x + c241 * q_z - Z_xx * q_y - c242 * q_y, R_tip_y * q_z + Z_yy * q_x + c242
-        * q_x - Z_xy * q_y - c243 * q_z, Z_yz * q_x + c243 * q_y - Z_xz * q_y - c232 - c239 - c241 * q_x]
+    out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_fr = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
+    out.W_mt = [-f_S_xx, -f_S_xy, -f_S_xz, -f_S_yx, -f_S_yy, -f_S_yz, -f_S_zx, -f_S_zy, -f_S_zz]
+    out.W_mr = [c225 * q_z - c222 - c223 - c224 * q_y, R_tip_y * q_x + c224 * q_x - c226 * q_z, R_tip_z * q_x
+        + c226 * q_y - c225 * q_x, R_tip_x * q_y + c227 * q_z - c228 * q_y, c228 * q_x - c223 - c229 - c230
+        * q_z, R_tip_z * q_y + c230 * q_y - c227 * q_x, R_tip_x * q_z + c231 * q_z - c232 * q_y, R_tip_y * q_z
+        + c232 * q_x - c233 * q_z, c233 * q_y - c222 - c229 - c231 * q_x]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mv = [-f_S_dot_xx, -f_S_dot_xy, -f_S_dot_xz, -f_S_dot_yx, -f_S_dot_yy, -f_S_dot_yz, -f_S_dot_zx,
@@ -5889,7 +5903,8 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         * q_x, f_S_dot_yy * q_z - f_S_dot_yz * q_y, f_S_dot_yz * q_x - f_S_dot_yx * q_z, f_S_dot_yx * q_y - f_S_dot_yy
         * q_x, f_S_dot_zy * q_z - f_S_dot_zz * q_y, f_S_dot_zz * q_x - f_S_dot_zx * q_z, f_S_dot_zx * q_y - f_S_dot_zy
         * q_x]
-    out.tau_t = [tau_S_xx, tau_S_xy, tau_S_xz, tau_S_yx, tau_S_yy, tau_S_yz, tau_S_zx, tau_S_zy, tau_S_zz]
+    out.tau_t = [tau_place_xx, tau_place_xy, tau_place_xz, tau_place_yx, tau_place_yy, tau_place_yz,
+        tau_place_zx, tau_place_zy, tau_place_zz]
     out.tau_r = [X_xz * q_y - X_xy * q_z, X_xx * q_z - X_xz * q_x, X_xy * q_x - X_xx * q_y, X_yz * q_y - X_yy
         * q_z, X_yx * q_z - X_yz * q_x, X_yy * q_x - X_yx * q_y, X_zz * q_y - X_zy * q_z, X_zx * q_z - X_zz
         * q_x, X_zy * q_x - X_zx * q_y]
@@ -5979,6 +5994,7 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
     force = [0.0] * 24
     forces_by = [[0.0] * 24 for _ in range(18)]
     wrench = [0.0] * 6
+    held = [0.0] * 6
     rest = [0.0] * 24
     right = [0.0] * 6
     apart = forward_apart(on, model, motion, F, by)
@@ -6010,7 +6026,8 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
             force[i] = forces_by[c][i]
         for i in range(6):
             wrench[i] = out.A[i][c + 6]
-        row_right(on, by, force, wrench, start, rest, right)
+        by_rows(on, by, wrench, held)
+        row_right(on, by, force, held, start, rest, right)
         for i in range(6):
             starts[c][i] = start[i]
             out.A[i][c + 6] = right[i]
@@ -6028,9 +6045,9 @@ def slopes_apart(on: Arithmetic, model: Any, motion: Any, moving: Any, F: Any) -
 
 def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     """Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
-    F = on.arrays(F)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
+    F = on.arrays(on.checked([0.0] * 6, "F", F))
     out = Linearisation()
     legs = DerivativesLegs()
     summed = DerivativesSums()
@@ -6084,17 +6101,9 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
     """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero; all share their leading shape. Raises ValueError for other names and shapes.
+    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
+    names and shapes.
     """
     made = Motion()
-    for name, value in fields.items():
-        if name not in vars(made):
-            raise ValueError(f"{name}: expected one of {', '.join(vars(made))}")
-        array = on.xp.asarray(value, dtype=on.type)
-        if name == "R" and tuple(array.shape[-2:]) == (3, 3):
-            array = on.xp.reshape(array, (*array.shape[:-2], 9))
-        count = len(getattr(made, name))
-        if array.ndim == 0 or array.shape[-1] != count:
-            raise ValueError(f"{name}: expected shape (..., {count}), got {tuple(array.shape)}")
-        setattr(made, name, [array[..., i] for i in range(count)])
+    on.fill(made, fields)
     return made

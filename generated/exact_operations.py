@@ -10,5 +10,5 @@ OPERATIONS: dict[str, int] = {
     "forward_dynamics": 2913,
     "derivatives": 11204,
     "joint_rows": 2430,
-    "joint_slopes": 14153,
+    "joint_slopes": 13433,
 }

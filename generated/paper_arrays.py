@@ -3,8 +3,9 @@
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Every number of a structure may be an array with one value for each pose. ``on`` is the arithmetic: selections,
-square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
+is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
 """
 
 from typing import Any
@@ -328,7 +329,7 @@ def per_length_of(on: Arithmetic, extent: Any) -> Any:
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
     """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
-    robot = on.arrays(robot)
+    robot = on.arrays(on.checked(Robot(), "robot", robot))
     model = Model()
     total = Added()
     for i in range(6):
@@ -824,8 +825,8 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
 
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
-    model = on.arrays(model)
-    motion = on.arrays(motion)
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]
@@ -870,17 +871,9 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
 def motion_of(on: Arithmetic, **fields: Any) -> Motion:
     """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
 
-    What is not given is zero; all share their leading shape. Raises ValueError for other names and shapes.
+    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
+    names and shapes.
     """
     made = Motion()
-    for name, value in fields.items():
-        if name not in vars(made):
-            raise ValueError(f"{name}: expected one of {', '.join(vars(made))}")
-        array = on.xp.asarray(value, dtype=on.type)
-        if name == "R" and tuple(array.shape[-2:]) == (3, 3):
-            array = on.xp.reshape(array, (*array.shape[:-2], 9))
-        count = len(getattr(made, name))
-        if array.ndim == 0 or array.shape[-1] != count:
-            raise ValueError(f"{name}: expected shape (..., {count}), got {tuple(array.shape)}")
-        setattr(made, name, [array[..., i] for i in range(count)])
+    on.fill(made, fields)
     return made

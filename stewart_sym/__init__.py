@@ -6,34 +6,43 @@ motion = ss.Motion.from_rpy(t=t, theta=theta, v=v, theta_dot=theta_dot, a=a, the
 forces = ss.inverse_dynamics(robot, motion).F
 """
 
-import ast as _ast
-import importlib as _importlib
-from importlib.resources import files as _files
+# Nothing is imported before a name is used: the command line is soon where an interrupt ends it cleanly.
+_modules: dict[str, str] = {}
 
-_STUB = _ast.parse((_files(__name__) / "__init__.pyi").read_text(encoding="utf-8"))
-_MODULES = {
-    alias.name: f".{node.module or alias.name}"
-    for node in _STUB.body
-    if isinstance(node, _ast.ImportFrom)
-    for alias in node.names
-}
-"""Module that defines each public name, or is it; imported when the name is first used."""
 
-__all__ = sorted(_MODULES)
+def _public() -> dict[str, str]:
+    """Module that defines each public name, or is it; read from the stub when first used."""
+    if _modules:
+        return _modules
+    import ast
+    from importlib.resources import files
+
+    stub = ast.parse((files(__name__) / "__init__.pyi").read_text(encoding="utf-8"))
+    found = {
+        alias.name: f".{node.module or alias.name}"
+        for node in stub.body
+        if isinstance(node, ast.ImportFrom)
+        for alias in node.names
+    }
+    _modules.update(found)  # at once, as other threads may look
+    return _modules
 
 
 def __dir__() -> list[str]:
-    return sorted([*__all__, "__version__"])
+    return sorted([*_public(), "__version__"])
 
 
 def __getattr__(name: str) -> object:
-    if name == "__version__":
-        from importlib.metadata import version
+    from importlib import import_module
+    from importlib.metadata import version
 
+    if name == "__version__":
         found: object = version("stewart-sym")
-    elif name in _MODULES:
-        module = _importlib.import_module(_MODULES[name], __name__)
-        found = module if _MODULES[name] == f".{name}" else getattr(module, name)
+    elif name == "__all__":
+        found = sorted(_public())
+    elif not name.startswith("__") and name in _public():
+        module = import_module(_public()[name], __name__)
+        found = module if _public()[name] == f".{name}" else getattr(module, name)
     else:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     globals()[name] = found

@@ -14,6 +14,10 @@ def main() -> int:
         return run()
     except KeyboardInterrupt:
         return 130
+    except (ImportError, MemoryError) as error:
+        reason = " ".join(f"{type(error).__name__}: {error}".split())
+        print(f"stewart-sym: error: cannot start: {reason}", file=sys.stderr)
+        return 2
 
 
 if __name__ == "__main__":

@@ -17,9 +17,10 @@ from .checks import shown
 from .dynamics import first_fault
 from .joint_space import on_platform
 from .motion import Motion
+from .paths import PATHS, path_for
 from .reference import inverse_dynamics
 from .robot import Robot
-from .trajectory import PATHS, JointTrajectory, Trajectory, read_any_csv
+from .trajectory import JointTrajectory, Trajectory, read_any_csv
 
 Array = NDArray[np.float64]
 
@@ -36,7 +37,7 @@ class Budget:
 
     motions: by name, each of shape (n,), with an answer at every pose. tolerance: of the forces, share of a
     motion's peak force; a kernel is good enough if its error times ``margin`` is within it. rate: poses a
-    second that one core must manage one by one, Hz; None for any.
+    second that one core must manage one by one, Hz; None for any. files: from which it was read.
     """
 
     robot: Robot
@@ -44,6 +45,7 @@ class Budget:
     tolerance: float
     margin: float = MARGIN
     rate: float | None = None
+    files: tuple[Path, ...] = ()
 
 
 def read_budget(path: str | os.PathLike[str]) -> Budget:
@@ -59,7 +61,7 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     source = os.fspath(path)
     file = f"{source}: "
     needed = ("schema", "robot", "motions", "tolerance")
-    top = tables.checked_table(tables.read_toml(source, "scene"), file, _KEYS, needed)
+    top = tables.checked_table(tables.read_toml(source, "scene of advise"), file, _KEYS, needed)
     tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     names = _names(top["motions"], f"{file}motions")
     tolerance = tables.positive(top["tolerance"], f"{file}tolerance")
@@ -68,9 +70,11 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
         raise ValueError(f"{file}margin: expected a number >= 1, got {margin:g}")
     rate = tables.positive(top["rate"], f"{file}rate") if "rate" in top else None
     folder = Path(source).parent
-    robot = Robot.from_toml(folder / tables.one_line(top["robot"], f"{file}robot"))
+    robot_file = folder / tables.one_line(top["robot"], f"{file}robot")
+    robot = Robot.from_toml(robot_file)
     motions = {name: _motion(robot, name, folder, f"{file}motions: ") for name in names}
-    return Budget(robot, motions, tolerance, margin, rate)
+    read = (Path(source), robot_file, *(folder / name for name in names if name not in PATHS))
+    return Budget(robot, motions, tolerance, margin, rate, read)
 
 
 def papers_motions() -> dict[str, Motion]:
@@ -91,7 +95,7 @@ def _names(value: object, where: str) -> list[str]:
 
 def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
     if name in PATHS:
-        path, dtau = PATHS[name]
+        path, dtau = path_for(robot, name)
         motion = path.sample(path.times(dtau))
         found = _fault(robot, motion)
         if found is not None:

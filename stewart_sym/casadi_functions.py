@@ -46,7 +46,7 @@ def casadi_function(
         import casadi
     from .derive.kernel.interpret import Interpreter
 
-    program, _, model = prepared(robot, what, formulation)
+    program, _, model = prepared(robot, what, what, formulation)
     given = {name: casadi.SX.sym(name, 3, 3 if name == "R" else 1) for name in MOTION}
     motion = _motion(given)
     given["F"] = casadi.SX.sym("F", 6)

@@ -14,7 +14,7 @@ import os
 import sys
 import time
 import warnings
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from importlib.metadata import version
 from importlib.resources import files
 from pathlib import Path
@@ -134,22 +134,24 @@ def _forces(arguments: argparse.Namespace) -> int:
 
 def _singularities(arguments: argparse.Namespace) -> int:
     from .interpolation import between
+    from .paths import PATHS, path_for
     from .publish import replaced_file
     from .studies import singularities
     from .studies.output import csv_lines
-    from .trajectory import PATHS
 
     if arguments.pictures:
         _plots()
         from .studies import singularities_plot
     robot = _robot_of(arguments.robot)
-    with _folder(arguments, "report.txt", "events.csv", "path.csv") as folder, _progress() as progress:
-        name = arguments.path
+    name = arguments.path
+    names, read = ("report.txt", "events.csv", "path.csv"), [] if name in PATHS else [Path(name)]
+    with _folder(arguments, *names, read=read) as folder, _progress() as progress:
         if name in PATHS:
             if arguments.start is not None:
                 raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
-            path: MotionPath = PATHS[name].path.sample
-            times = PATHS[name].path.breaks()
+            line = path_for(robot, name).path
+            path: MotionPath = line.sample
+            times = line.breaks()
         else:
             if not Path(name).exists():
                 raise ValueError(f"{name}: expected I, II, III or a CSV file, there is no such file")
@@ -166,9 +168,9 @@ def _singularities(arguments: argparse.Namespace) -> int:
         if arguments.pictures:
             progress("drawing")
             singularities_plot.draw(found, folder)
-        names = sorted(path.name for path in folder.iterdir())
+        written = sorted(path.name for path in folder.iterdir())
     print(text)
-    print(f"Written to {arguments.output}: {', '.join(names)}")
+    print(f"Written to {arguments.output}: {', '.join(written)}")
     return 0
 
 
@@ -267,7 +269,7 @@ def _simulate(arguments: argparse.Namespace) -> int:
     scene = read_scene(arguments.scene)
     _warn_of_doubts(scene.robot, arguments.scene)
     springs = energy_drift.springs_of(scene) if arguments.energy_drift else None
-    with _folder(arguments, "summary.txt", "run.csv") as folder, _progress() as progress:
+    with _folder(arguments, "summary.txt", "run.csv", read=scene.files) as folder, _progress() as progress:
         done = scene.run(_shares(progress, "simulating"))
         tables = {"run": run.run_columns(done)}
         text = run.summary(done, scene.law)
@@ -410,9 +412,9 @@ def _advise(arguments: argparse.Namespace) -> int:
     from .studies import advice
     from .studies.economy import economy
 
-    if arguments.json is not None:
-        _refuse_overwrite(arguments.json, arguments.scene)
     budget = read_budget(arguments.scene)
+    if arguments.json is not None:
+        _refuse_overwrite(arguments.json, *budget.files)
     _warn_of_doubts(budget.robot, arguments.scene)
     with contextlib.ExitStack() as opened, _progress() as progress:
         stream = None if arguments.json is None else opened.enter_context(replaced_file(arguments.json))
@@ -429,7 +431,7 @@ def _advise(arguments: argparse.Namespace) -> int:
                 bake=arguments.bake,
                 precision=it.precision,
             )
-            _, written = write_kit(budget.robot, arguments.generate, choice, arguments.force)
+            _, written = write_kit(budget.robot, arguments.generate, choice, arguments.force, budget.files)
     print(advice.report(found))
     for path in written:
         print(path)
@@ -452,11 +454,12 @@ def _chart(arguments: argparse.Namespace) -> int:
     if arguments.pictures:
         _plots()
     robot, motions = paper_machine(), papers_motions()
+    read: tuple[Path, ...] = ()
     if arguments.scene is not None:
         scene = read_budget(arguments.scene)
-        robot, motions = scene.robot, dict(scene.motions)
+        robot, motions, read = scene.robot, dict(scene.motions), scene.files
         _warn_of_doubts(robot, arguments.scene)
-    with _folder(arguments, "chart.txt", "chart.json") as folder, _progress() as progress:
+    with _folder(arguments, "chart.txt", "chart.json", read=read) as folder, _progress() as progress:
         found = economy(robot, motions, True, ROUNDS, progress)
         text = table(found)
         figures = {**found.as_json(), "machine": host.machine(), "software": host.software()}
@@ -690,13 +693,18 @@ def _differs(path: Path, text: str) -> bool:
         return True
 
 
-def _folder(arguments: argparse.Namespace, *names: str) -> contextlib.AbstractContextManager[Path]:
-    """The folder of a subcommand's results; ``names``: of files in it, so that a clash is said at once."""
+def _folder(
+    arguments: argparse.Namespace, *names: str, read: Iterable[Path] = ()
+) -> contextlib.AbstractContextManager[Path]:
+    """The folder of a subcommand's results.
+
+    names: of files in it, so that a clash is said at once. read: inputs that are no arguments by themselves.
+    """
     from .publish import result_folder
 
     given = (value if isinstance(value, list) else [value] for value in vars(arguments).values())
     inputs = [path for path in itertools.chain(*given) if isinstance(path, Path) and path != arguments.output]
-    return result_folder(arguments.output, arguments.force, inputs, names)
+    return result_folder(arguments.output, arguments.force, [*inputs, *read], names)
 
 
 def _refuse_overwrite(output: Path, *inputs: Path) -> None:
@@ -1001,9 +1009,10 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "generate",
         _generate,
-        "write a C kit of one robot: kernels, constants, self-test, example, build files, README",
+        "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example",
         "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit",
-        "The kit proves itself where it runs: `make` builds it and runs its self-test.",
+        "The kit proves itself where it runs: in C, `make` builds it and runs its self-test; in another "
+        "language its README names the command.",
     )
     _robot(verb)
     _output(verb, "DIR", "folder to write to", None)
@@ -1011,7 +1020,9 @@ def _parser() -> argparse.ArgumentParser:
         "--functions",
         metavar="LIST",
         default="forces",
-        help="some of forces, reactions, motion, derivatives, kinematics, with commas; default: forces",
+        help="some of forces, reactions (in C alone), motion (M, C, g, friction, bias, H, forward dynamics, "
+        "inertia at the actuators), derivatives (of the forces; linearisation), kinematics (inverse, "
+        "forward, velocities), with commas; default: forces",
     )
     _formulation(verb)
     verb.add_argument(
@@ -1033,8 +1044,9 @@ def _parser() -> argparse.ArgumentParser:
         "--language",
         choices=("c", "python", "matlab", "rust"),
         default="c",
-        help="python: on arrays of NumPy, JAX, PyTorch; matlab: Octave as well; rust: without its standard "
-        "library as well; of forces, motion and derivatives; default: c",
+        help="python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
+        "Octave as well; rust: a crate, without its standard library as well; each with the robot's "
+        "constants, self-test, example and README, of forces, motion, derivatives, kinematics; default: c",
     )
     verb.add_argument("--list", action="store_true", help="print the names of the files, write none")
 

@@ -2,7 +2,12 @@
 
 import contextlib
 import importlib.util
+import json
 from collections.abc import Iterator
+from importlib.metadata import distributions
+from pathlib import Path
+from urllib.parse import urlsplit
+from urllib.request import url2pathname
 
 EXTRAS = {
     "casadi": ("CasADi", "casadi"),
@@ -45,7 +50,7 @@ def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
     Raises
     ------
     MissingExtraError
-        In one line: ``<what> needs <package>: pip install "stewart-sym[<extra>]"``.
+        In one line: ``<what> needs <package>: pip install "stewart-sym[<extra>]"``, as ``install`` has it.
     """
     try:
         yield
@@ -56,6 +61,22 @@ def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
         raise _missing(package, what, otherwise) from None
 
 
+def install(extra: str) -> str:
+    """Command that adds an extra to this installation: of a source tree, where it was installed from one."""
+    name = "stewart-sym"
+    texts = (found.read_text("direct_url.json") for found in distributions(name=name))
+    source = json.loads(next(filter(None, texts), "{}"))
+    url = source.get("url", "")
+    tree = Path(url2pathname(urlsplit(url).path))
+    if "dir_info" in source and tree.is_dir():
+        editable = "-e " if source["dir_info"].get("editable") else ""
+        return f'pip install {editable}"{tree}[{extra}]"'
+    if "vcs_info" in source:
+        vcs = source["vcs_info"]
+        return f'pip install "{name}[{extra}] @ {vcs["vcs"]}+{url}@{vcs["commit_id"]}"'
+    return f'pip install "{name}[{extra}]{f" @ {url}" if "archive_info" in source else ""}"'
+
+
 def _missing(package: str, what: str, otherwise: str) -> MissingExtraError:
     name, extra = EXTRAS[package]
-    return MissingExtraError(f'{what} needs {name}: pip install "stewart-sym[{extra}]"{otherwise}')
+    return MissingExtraError(f"{what} needs {name}: {install(extra)}{otherwise}")

@@ -4,19 +4,20 @@ import contextlib
 import signal
 import threading
 from collections.abc import Iterator
-from typing import NoReturn
 
 _SIGNALS = tuple(name for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 _received: list[int] = []
+_held = False
 
 
 @contextlib.contextmanager
 def as_interrupts() -> Iterator[None]:
     """Let signals that end a run raise KeyboardInterrupt in this block; those that are ignored stay so."""
 
-    def interrupt(number: int, frame: object) -> NoReturn:
+    def interrupt(number: int, frame: object) -> None:
         _received.append(number)
-        raise KeyboardInterrupt
+        if not _held:
+            raise KeyboardInterrupt
 
     if threading.current_thread() is not threading.main_thread():
         yield
@@ -39,3 +40,28 @@ def check() -> None:
     """Raise KeyboardInterrupt if a signal has arrived: libraries swallow exceptions in their callbacks."""
     if _received:
         raise KeyboardInterrupt
+
+
+class held:  # noqa: N801 - a context manager
+    """Let signals wait in this block, where ``check`` tells of them; ``hold=False``: raise in a block inside.
+
+    So a temporary file is made and taken away as one, wherever a signal arrives. No generator, as one that is
+    left in the middle would set things back when it is collected.
+    """
+
+    def __init__(self, hold: bool = True) -> None:
+        """Change nothing yet."""
+        self._hold = hold
+
+    def __enter__(self) -> None:
+        """Let signals wait, or raise KeyboardInterrupt if one waits."""
+        global _held
+        self._before = _held
+        _held = self._hold
+        if not _held:
+            check()
+
+    def __exit__(self, *error: object) -> None:
+        """Set back what was."""
+        global _held
+        _held = self._before

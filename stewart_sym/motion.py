@@ -124,6 +124,15 @@ class Motion(Frozen):
             picked[field.name] = None if value is None else value[(*index, *rest, *own)]
         return Motion(**picked)
 
+    def in_axes(self, Q: Array) -> Motion:
+        """Return the motion in base and platform frames turned by a rotation Q, (3, 3): x becomes Q x."""
+        vectors = {
+            field.name: value @ Q.T
+            for field in fields(self)
+            if field.name != "R" and (value := getattr(self, field.name)) is not None
+        }
+        return Motion(R=Q @ self.R @ Q.T, **vectors)
+
     def __iter__(self) -> Iterator[Motion]:
         """Go along the first axis of ``shape``."""
         if not self.shape:

@@ -22,6 +22,7 @@ _DECISIVE = 0.1
 _LEVEL = np.radians(15.0)
 # Shares by which the two sides differ clearly, and by more than rounding.
 _CLEARLY, _EQUAL = 0.01, 1e-6
+_AGAINST_GRAVITY = "against gravity"
 # A direction whose x is smaller than this is far enough from the x axis.
 _ACROSS = 0.9
 _HEIGHTS = 400
@@ -41,6 +42,11 @@ class Side(NamedTuple):
     direction: Array
     rule: str
     settled: bool
+
+    @property
+    def by_gravity(self) -> bool:
+        """Whether gravity settled it."""
+        return self.rule == _AGAINST_GRAVITY
 
 
 def up_direction(robot: Robot) -> Array:
@@ -65,7 +71,7 @@ def platform_side(robot: Robot) -> Side:
     axis = _axis(robot.b)
     pull = float(_normal(robot.b, axis) @ robot.g)
     if abs(pull) > _DECISIVE * np.linalg.norm(robot.g):
-        return Side(-axis if pull > 0.0 else axis, "against gravity", True)
+        return Side(-axis if pull > 0.0 else axis, _AGAINST_GRAVITY, True)
     gravity = f"gravity is {'along the base' if np.any(robot.g) else '0'}"
     outside, condition = zip(*(_level_scores(robot, side) for side in (axis, -axis)), strict=True)
     for name, (one, other) in (("nearer to the length limits", outside), ("of smaller condition", condition)):

@@ -41,19 +41,24 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
         with named(path), open(target, "w", encoding="utf-8") as out, _spooled(out) as stream:
             yield stream
         return
-    with _blamed_on(path):
-        descriptor, name = tempfile.mkstemp(prefix=".stewart-sym-", dir=target.parent)
-        temporary = Path(name)
-    try:
-        with named(path), open(descriptor, "w", encoding="utf-8", newline="\n") as stream:
-            yield stream
-        interrupts.check()
+    with interrupts.held():
         with _blamed_on(path):
-            temporary.chmod(_mode(target))
-            os.replace(temporary, target)
-    except BaseException:
-        temporary.unlink(missing_ok=True)
-        raise
+            descriptor, name = tempfile.mkstemp(prefix=".stewart-sym-", dir=target.parent)
+        temporary = Path(name)
+        try:
+            with (
+                interrupts.held(False),
+                named(path),
+                open(descriptor, "w", encoding="utf-8", newline="\n") as stream,
+            ):
+                yield stream
+            interrupts.check()
+            with _blamed_on(path):
+                temporary.chmod(_mode(target))
+                os.replace(temporary, target)
+        except BaseException:
+            temporary.unlink(missing_ok=True)
+            raise
 
 
 @contextlib.contextmanager
@@ -184,19 +189,19 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
         place = place.parent
     if not place.is_dir():
         raise NotADirectoryError(ENOTDIR, f"expected a folder, but {place} is none", str(directory))
-    with _blamed_on(directory):
-        # Inside, as a folder may be a mount point or stand in one that is closed to us.
-        temporary = Path(tempfile.mkdtemp(prefix=".stewart-sym-", dir=place))
-    try:
-        staged, replaced = temporary / "new", temporary / "old"
-        staged.mkdir()
-        replaced.mkdir()
-        with named(directory):
-            yield staged
-        interrupts.check()
-        _move_all(staged, target, replaced, gone)
-    finally:
-        shutil.rmtree(temporary, ignore_errors=True)
+    with interrupts.held():
+        with _blamed_on(directory):
+            # Inside, as a folder may be a mount point or stand in one that is closed to us.
+            temporary = Path(tempfile.mkdtemp(prefix=".stewart-sym-", dir=place))
+        try:
+            staged, replaced = temporary / "new", temporary / "old"
+            staged.mkdir()
+            replaced.mkdir()
+            with interrupts.held(False), named(directory):
+                yield staged
+            _move_all(staged, target, replaced, gone)
+        finally:
+            shutil.rmtree(temporary, ignore_errors=True)
 
 
 def _move_all(staged: Path, target: Path, replaced: Path, gone: Iterable[Path]) -> None:
@@ -206,9 +211,11 @@ def _move_all(staged: Path, target: Path, replaced: Path, gone: Iterable[Path]) 
         for folder in sorted({target, *((target / file).parent for file in files)}):
             _make_folder(folder, undo)
         for number, file in enumerate(files):
+            interrupts.check()
             _move(staged / file, target / file, replaced / str(number), undo)
         for number, file in enumerate(gone, len(files)):
             _take_away(target / file, replaced / str(number), undo)
+        interrupts.check()
         undo.pop_all()
 
 
@@ -237,6 +244,8 @@ def _move(new: Path, path: Path, old: Path, undo: contextlib.ExitStack) -> None:
         raise IsADirectoryError(EISDIR, "is a folder, expected a file to replace", str(path))
     undo.callback(_put_back, path, old, new)
     with _blamed_on(path):
+        if path.is_file():
+            new.chmod(_mode(path))
         if os.path.lexists(path):
             path.rename(old)
         new.rename(path)

@@ -19,6 +19,7 @@ from .dynamics import Formulation
 from .kernel import FORMULATIONS
 from .laws import ComputedTorque, ForceLaw, LegSprings, Wanted, along
 from .motion import Motion
+from .paths import PATHS, path_for
 from .robot import Robot
 from .rotation import rotation_from_rpy
 from .simulation import (
@@ -33,7 +34,7 @@ from .simulation import (
     check_rtol,
     simulate,
 )
-from .trajectory import PATHS, interpolated, read_csv
+from .trajectory import interpolated, read_csv
 
 Array = NDArray[np.float64]
 
@@ -71,7 +72,7 @@ _LAW_NEEDS = {"forces": ("forces",), "springs": ("stiffness",), "tracking": ("pa
 class Scene:
     """A simulation to be run; names and units are those of ``simulate``.
 
-    law: with ``rate``, Hz, its forces are held between samples.
+    law: with ``rate``, Hz, its forces are held between samples. files: from which it was read.
     """
 
     robot: Robot
@@ -85,6 +86,7 @@ class Scene:
     rtol: float
     thresholds: Thresholds
     on_force_limit: OnForceLimit = "stop"
+    files: tuple[Path, ...] = ()
 
     def run(self, progress: Progress | None = None) -> Simulation:
         """Run the simulation; progress and what is raised: as for ``simulate``."""
@@ -113,7 +115,10 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     source = tables.file_name(path)
     file = f"{source}: "
     top = tables.checked_table(
-        tables.read_toml(source, "scene"), file, _TOP_KEYS, ("schema", "robot", "duration", "legs")
+        tables.read_toml(source, "scene of simulate"),
+        file,
+        _TOP_KEYS,
+        ("schema", "robot", "duration", "legs"),
     )
     tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     folder = Path(source).parent
@@ -137,8 +142,12 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
     )
     _check_start(top, legs["law"], file)
     given = _vectors(top["state"], _STATE_KEYS, ("t", "theta"), f"{file}state.") if "state" in top else None
-    robot = Robot.from_toml(folder / tables.one_line(top["robot"], f"{file}robot"))
-    wanted = _wanted(legs["path"], folder) if legs["law"] == "tracking" else None
+    read = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
+    robot = Robot.from_toml(read[1])
+    tracked = legs["path"] if legs["law"] == "tracking" else None
+    if tracked is not None and tracked not in PATHS:
+        read.append(folder / tracked)
+    wanted = None if tracked is None else _wanted(robot, tracked, folder)
     state = _state(given, wanted, load)
     try:
         law = _law(robot, legs, state, wanted)
@@ -156,6 +165,7 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
         rtol=cast(float, numbers["rtol"]),
         thresholds=thresholds,
         on_force_limit=cast(OnForceLimit, limit),
+        files=tuple(read),
     )
 
 
@@ -212,8 +222,8 @@ def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], pref
     return {key: tables.vector(given, prefix + key) for key, given in table.items()}
 
 
-def _wanted(path: str, folder: Path) -> Wanted:
-    return along(PATHS[path].path) if path in PATHS else interpolated(read_csv(folder / path))
+def _wanted(robot: Robot, path: str, folder: Path) -> Wanted:
+    return along(path_for(robot, path).path) if path in PATHS else interpolated(read_csv(folder / path))
 
 
 def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mapping[str, Array]) -> Motion:

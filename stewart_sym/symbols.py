@@ -4,7 +4,7 @@ Derives when it is called.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from types import SimpleNamespace
 from typing import Any
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from .checks import finite_array, instance, option, shown
 from .dynamics import Formulation
-from .kernel import kernel_name, overflows, stored
+from .kernel import kernel_name, overflows
 from .results import OK
 from .robot import Robot
 
@@ -42,8 +42,10 @@ class Symbolic:
 
     result: in the symbols of arguments, constants and steps. steps: (symbol, expression) in order, each in
     arguments, constants and earlier steps; those of leg 1 end in _1. constants: the machine's prepared
-    numbers by symbol. arguments: R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3, 1), and F (6, 1) of
-    forward dynamics.
+    numbers by symbol: sums and products of the robot's own, M_P and J_P with what of the legs moves as the
+    platform does, unlike the inertial parameters of these names. meanings: unit and meaning of each, by its
+    name without leg and axis. arguments: R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3, 1), and F (6, 1)
+    of forward dynamics.
     """
 
     name: str
@@ -51,9 +53,14 @@ class Symbolic:
     steps: tuple[tuple[Symbol, Expression], ...]
     constants: Mapping[Symbol, float]
     arguments: Mapping[str, Matrix]
+    meanings: Mapping[str, tuple[str, str]]
 
     def whole(self) -> Matrix:
-        """The matrix in the arguments alone: numbers for the constants, every step substituted back."""
+        """The matrix in the arguments alone: numbers for the constants, every step substituted back.
+
+        Expressions grow with every step: F takes half a minute, a and alpha longer. To print them or to
+        compute with them keep the steps, as the other methods do.
+        """
         known: dict[Any, Any] = dict(self.constants)
         for symbol, expr in self.steps:
             known[symbol] = expr.xreplace(known)
@@ -78,13 +85,14 @@ class Symbolic:
                 slopes[symbol] = sp.Symbol(f"d_{symbol.name}", real=True)
                 steps.append((slopes[symbol], slope))
         result = self.result.applyfunc(lambda expr: _chained(expr, slopes))
-        return Symbolic(f"d_{self.name}", result, tuple(steps), self.constants, self.arguments)
+        return replace(self, name=f"d_{self.name}", result=result, steps=tuple(steps))
 
     def function(self) -> Callable[..., NDArray[np.float64]]:
         """A NumPy function of one pose's arguments by name: (6,), (6, 3) or (6, 6).
 
         R, t and F, where they are arguments, must be given; others are zero where not given. The function
-        raises ValueError for other names and shapes.
+        raises ValueError for other names and shapes. It has no status: near a singularity digits are lost
+        unnoticed, and ``prepare(robot).status(motion)`` says where that is.
         """
         import sympy as sp
 
@@ -115,11 +123,11 @@ class Symbolic:
         r"""The matrix with its steps, for a document with ``amsmath``.
 
         Steps that are the same for each leg but for its number stand there once, with the number i, and sums
-        over the legs as one.
+        over the legs as one. The constants follow, with their units and meanings.
         """
         from .typesetting import typeset
 
-        return typeset(self.name, self.result, self.steps, self.constants)
+        return typeset(self.name, self.result, self.steps, self.constants, self.meanings)
 
 
 def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Symbolic:
@@ -134,16 +142,17 @@ def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Sym
     Raises ValueError for other names and an unknown formulation.
     """
     option(what, tuple(FUNCTIONS), "what")
-    from .derive.kernel.trace import needed, renamed, trace
+    from .derive.kernel.trace import described, needed, renamed, trace
 
-    found = trace(*prepared(robot, FUNCTIONS[what], formulation))
+    found = trace(*prepared(robot, what, FUNCTIONS[what], formulation))
     steps = needed(found.steps, found.results[what])
     names = renamed(steps)
     steps = tuple((symbol.xreplace(names), expr.xreplace(names)) for symbol, expr in steps)
     result = found.results[what].xreplace(names)
     used = set().union(result.free_symbols, *(expr.free_symbols for _, expr in steps))
     constants = {symbol: value for symbol, value in found.constants.items() if symbol in used}
-    return Symbolic(what, result, steps, constants, found.arguments)
+    meanings = described(symbol.name for symbol in constants)
+    return Symbolic(what, result, steps, constants, found.arguments, meanings)
 
 
 def _of_one_pose(name: str, value: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
@@ -155,8 +164,13 @@ def _of_one_pose(name: str, value: Any, shape: tuple[int, ...]) -> NDArray[np.fl
     return found.ravel()
 
 
-def prepared(robot: Robot, function: str, formulation: Formulation) -> tuple[Any, str, SimpleNamespace]:
-    """A function's tree, its name, and what is its first argument: constants prepared, or the robot's own."""
+def prepared(
+    robot: Robot, what: str, function: str, formulation: Formulation
+) -> tuple[Any, str, SimpleNamespace]:
+    """A function's tree, its name, and what is its first argument: constants prepared, or the robot's own.
+
+    what: the user's word for the function.
+    """
     from .derive.kernel.constants import constants
     from .derive.kernel.interpret import Arithmetic, Interpreter
 
@@ -164,7 +178,7 @@ def prepared(robot: Robot, function: str, formulation: Formulation) -> tuple[Any
     name = kernel_name(formulation, robot.base_joint)
     if name != "exact" and function in ("equations", "forward_dynamics"):
         raise ValueError(
-            f'{function}: expected formulation "exact" and universal base joints, '
+            f'{what}: expected formulation "exact" and universal base joints, '
             f'got "{formulation}" and {robot.base_joint} ones'
         )
     program = _program(name, function)
@@ -190,18 +204,9 @@ def _program(name: str, function: str) -> Any:
 
 def _numbers(robot: Robot) -> SimpleNamespace:
     """The robot as kernel trees take it."""
-    from .derive import notation
+    from .trees import robot_structure
 
-    legs = [
-        SimpleNamespace(**{q.name: _plain(getattr(robot, q.name)[i]) for q in notation.LEG}) for i in range(6)
-    ]
-    platform = {q.name: _plain(getattr(robot, q.name)) for q in notation.PLATFORM}
-    return SimpleNamespace(**platform, leg=legs)
-
-
-def _plain(value: Any) -> Any:
-    found = stored(np.asarray(value, dtype=np.float64))
-    return list(found) if found.ndim else np.float64(found)
+    return robot_structure(robot, lambda _, value: np.float64(value))
 
 
 def _chained(expr: Expression, slopes: Mapping[Any, Any]) -> Expression:

@@ -104,19 +104,31 @@ def as_utf8(stream: BinaryIO, source: str) -> Iterator[None]:
             start += len(chunk)
 
 
+_KINDS = {
+    "robot file": {"platform", "leg"},
+    "scene of simulate": {"duration", "legs"},
+    "scene of advise": {"motions", "tolerance"},
+}
+"""Files that this program reads, by keys that each must have and no other has."""
+
+
 def read_toml(source: str, what: str) -> dict[str, Any]:
-    """Tables of a TOML file; ``what`` it is, for the message that it can't be read."""
+    """Tables of a TOML file; ``what``: of ``_KINDS``. Raises ValueError for a file of another kind too."""
     text = read_text(source, what, MOST_BYTES)
     if not text.strip():
         raise ValueError(f"{source}: cannot read the {what}: the file is empty")
     if any(token["long_key"] for token in _TOKEN.finditer(text)):
         raise ValueError(f"{source}: not valid TOML: nested too deeply")
     try:
-        return tomllib.loads(text)
+        top = tomllib.loads(text)
     except RecursionError:
         raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
     except ValueError as error:
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
+    found = [kind for kind, keys in _KINDS.items() if keys <= top.keys()]
+    if found and what not in found:
+        raise ValueError(f"{source}: expected a {what}, got a {found[0]}")
+    return top
 
 
 def checked_table(

@@ -29,6 +29,7 @@ from .tables import file_name, number, opened
 
 Array = NDArray[np.float64]
 Vector = tuple[float, float, float]
+Rows = tuple[Vector, Vector, Vector]
 
 # Times that differ by rounding only are the same time: share of tau_f.
 _ROUNDING = 1e-12
@@ -53,6 +54,7 @@ class StraightLinePath:
     tau_f: duration, s.
     V, Omega: top speed of position, m/s, and of the vector of angles, rad/s.  Each must lie in
         (d/tau_f, 2 d/tau_f] for its distance d; where d = 0 that part rests and its speed is not used.
+    axes: rotation, by rows, from the axes of position and angles to those of base and platform.
 
     Raises ``ValueError`` naming the argument; for V and Omega it says which range works.
     """
@@ -64,15 +66,24 @@ class StraightLinePath:
     tau_f: float
     V: float
     Omega: float
+    axes: Rows = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
     def __post_init__(self) -> None:
         """Check every argument."""
-        for field in fields(self):
+        for field in fields(self)[:-1]:
             value = getattr(self, field.name)
             vector = field.name in ("t0", "theta0", "t1", "theta1")
             object.__setattr__(
                 self, field.name, _triple(value, field.name) if vector else number(value, field.name)
             )
+        axes = finite_array(self.axes, (3, 3), "axes")
+        if (
+            axes.shape != (3, 3)
+            or np.abs(axes @ axes.T - np.eye(3)).max() > 1e-9
+            or np.linalg.det(axes) < 0.0
+        ):
+            raise ValueError(f"axes: expected a rotation (3, 3), got {shown(self.axes)}")
+        object.__setattr__(self, "axes", tuple(tuple(row) for row in axes.tolist()))
         if self.tau_f <= 0.0:
             raise ValueError(f"tau_f: expected a duration > 0 s, got {self.tau_f:g}")
         _check_speed("V", self.V, self.distance, self.tau_f, "m/s")
@@ -136,7 +147,9 @@ class StraightLinePath:
         theta, theta_dot, theta_ddot = _line(
             self.theta0, self.theta1, self.angle, self.Omega, self.tau_theta, self.tau_f, time
         )
-        return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+        motion = Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+        Q = np.array(self.axes)
+        return motion if np.array_equal(Q, np.eye(3)) else motion.in_axes(Q)
 
     def _checked(self, tau: ArrayLike) -> Array:
         time = real_array(tau, "tau", "times")
@@ -573,6 +586,26 @@ def _warn_of_units(log: _Log, coordinates: Array) -> None:
         warnings.warn(f"{log.source}: {text}: {hint}", LogWarning, stacklevel=6)
 
 
+# How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.
+_NEAR_UNIT = 0.2
+
+
+def _warn_of_rates(log: _Log, coordinates: Array) -> None:
+    """Warn of given rates, (3, n, 6), that differ by a power of 1000 from what coordinates and times say."""
+    changed = float(np.abs(np.diff(coordinates[0], axis=0)).sum())
+    rates = np.abs(coordinates[1]).sum(axis=-1)
+    expected = float(0.5 * (rates[1:] + rates[:-1]) @ np.diff(log.time))
+    if changed == 0.0 or expected == 0.0:
+        return
+    decades = math.log10(changed / expected)
+    nearest = 3 * round(decades / 3)
+    if nearest and abs(decades - nearest) < _NEAR_UNIT:
+        unit = {-3: "ms", -6: "us"}.get(nearest)
+        hint = f"is time in another unit (--time-unit {unit})" if unit else "are rates in another unit"
+        text = f"coordinates change by {changed / expected:.2g} of what their rates say: {hint}?"
+        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+
+
 def _joint_trajectory(log: _Log) -> JointTrajectory:
     L = log.vector("L")
     if np.any(L <= 0.0):
@@ -586,6 +619,7 @@ def _joint_trajectory(log: _Log) -> JointTrajectory:
         for i, name in enumerate(_LENGTH_DERIVATIVES):
             found[i + 1] = log.vector(name)
         noise = _as_given(log, found, [log.steps(name) for name in ("L", "L_dot", "L_ddot")])
+        _warn_of_rates(log, found)
     else:
         found, noise = _differentiate(log, L, log.steps("L"))
     noise = None if noise is None else noise._replace(in_joints=True)
@@ -609,6 +643,7 @@ def _pose_log(log: _Log) -> PoseLog:
             for one, other in (_DERIVATIVES[:2], _DERIVATIVES[2:])
         ]
         noise = _as_given(log, found, [steps, *rates])
+        _warn_of_rates(log, found)
     else:
         found, noise = _differentiate(log, np.hstack([log.vector("t"), theta]), steps)
     _warn_of_units(log, found)

@@ -13,11 +13,17 @@ Expr = Any
 Steps = Sequence[tuple[Any, Expr]]
 
 
-def typeset(name: str, result: Any, steps: Steps, constants: Mapping[Any, float]) -> str:
-    """Steps as running text, the matrix, and the numbers of the machine; needs ``amsmath``."""
+def typeset(
+    name: str,
+    result: Any,
+    steps: Steps,
+    constants: Mapping[Any, float],
+    meanings: Mapping[str, tuple[str, str]],
+) -> str:
+    """Steps as running text, the matrix, the numbers of the machine, what they are; needs ``amsmath``."""
     expressions = [expr for _, expr in steps] + list(result)
     write = _Writer(set().union(*(expr.free_symbols for expr in expressions), (s for s, _ in steps)))
-    text = [f"${write(symbol)} = {write(expr)}$" for symbol, expr in _once(steps, write)]
+    text = [_breaking(f"${write(symbol)} = {write(expr)}$") for symbol, expr in _once(steps, write)]
     shown = sp.Matrix(*result.shape, [write.summed(each) for each in result])
     return "\n".join(
         [
@@ -25,9 +31,15 @@ def typeset(name: str, result: Any, steps: Steps, constants: Mapping[Any, float]
             ",\\quad\n".join(text) + r". \par}",
             rf"\[ {write(sp.Symbol(name))} = {write(shown)} \]",
             *_numbers(constants, write),
+            *_meanings(meanings),
             "",
         ]
     )
+
+
+def _breaking(formula: str) -> str:
+    r"""A formula of running text that lines may break: inside ``\left( \right)`` they cannot."""
+    return formula.replace(r"\left(", "(").replace(r"\right)", ")")
 
 
 class _Writer:
@@ -95,8 +107,13 @@ def _once(steps: Steps, write: _Writer) -> list[tuple[Any, Expr]]:
 def _name(name: str) -> str:
     """A symbol: the first word, upright where it is more than a letter, and an index of the others."""
     first, *others = re.sub(r"^([A-Za-z]+)(\d+)", r"\1_\2", name).split("_")
+    letter = _word(first, 1)
+    for rate in ("dot", "ddot"):
+        if rate in others:
+            others.remove(rate)
+            letter = rf"\{rate}{{{letter}}}"
     index = ",".join(_word(each, 3) for each in others)
-    return f"{_word(first, 1)}_{{{index}}}" if index else _word(first, 1)
+    return f"{letter}_{{{index}}}" if index else letter
 
 
 def _word(word: str, longest: int) -> str:
@@ -121,6 +138,26 @@ def _numbers(constants: Mapping[Any, float], write: _Writer) -> list[str]:
     table = [r"\par\noindent\begin{tabular}{l|rrrrrr}", r"$i$ & 1 & 2 & 3 & 4 & 5 & 6 \\ \hline", *rows]
     lines = [*table, r"\end{tabular}"] if rows else []
     return [*lines, r"\par\noindent " + ",\n".join(alone) + "."] if alone else lines
+
+
+def _meanings(meanings: Mapping[str, tuple[str, str]]) -> list[str]:
+    """A table of the constants' units and meanings."""
+    rows = [
+        rf"${_name(name)}$ & {_unit(unit)} & {_prose(meaning)} \\"
+        for name, (unit, meaning) in meanings.items()
+    ]
+    table = r"\par\noindent\begin{tabular}{l|l|p{0.7\linewidth}}"
+    return [table, *rows, r"\end{tabular}"] if rows else []
+
+
+def _unit(unit: str) -> str:
+    return re.sub(r"\^(\d+)", r"$^{\1}$", unit).replace(" ", r"\,")
+
+
+def _prose(text: str) -> str:
+    """Text in which names, such as J_P_xx, are formulas."""
+    named = re.sub(r"\b[A-Za-z]\w*_\w+", lambda found: f"${_name(found[0])}$", text)
+    return re.sub(r"\^(\w+)", r"$^{\1}$", named).replace("_ ", r"\_ ")
 
 
 def _number(value: float) -> str:

@@ -55,7 +55,23 @@ def random_case(rng: np.random.Generator) -> tuple[ss.Robot, SmoothPath]:
         path = _draw(rng, robot, rng.uniform(0.3, 1.5), closed=kind == "grazing")
         if _crosses(robot, path):
             break
-    return robot, path if kind == "across" else _grazing(rng, robot, path)
+    if kind == "across":
+        return robot, path
+    beyond = float(np.exp(rng.uniform(np.log(1e-3), np.log(0.1))))
+    return robot, _grazing(robot, path, rng.choice([-1.0, -1.0, 1.0]) * beyond)
+
+
+def dipping_case(rng: np.random.Generator) -> tuple[ss.Robot, SmoothPath, int]:
+    """A machine, a path and how many samples; between two it crosses a singular pose and returns."""
+    while True:
+        robot = random_robot(rng, rng.choice(["universal", "spherical"]))
+        path, samples = _draw(rng, robot, rng.uniform(0.3, 1.5), closed=True), int(rng.integers(60, 120))
+        if not _crosses(robot, path):
+            continue
+        path = _grazing(robot, path, 10 ** -rng.uniform(3.5, 5.5))
+        det = scaled_determinant(robot, path(np.linspace(0.0, path.duration, samples)))
+        if np.all(det * det[0] > 0.0) and np.isfinite(truth(robot, path).crossing):
+            return robot, path, samples
 
 
 def _draw(rng: np.random.Generator, robot: ss.Robot, width: float, closed: bool) -> SmoothPath:
@@ -71,13 +87,13 @@ def _draw(rng: np.random.Generator, robot: ss.Robot, width: float, closed: bool)
     return SmoothPath(first, change, sine, float(np.exp(rng.uniform(-1.0, 2.0))))
 
 
-def _grazing(rng: np.random.Generator, robot: ss.Robot, path: SmoothPath) -> SmoothPath:
+def _grazing(robot: ss.Robot, path: SmoothPath, beyond: float) -> SmoothPath:
+    """The path scaled to end by a share beyond the first singular pose that it touches as it grows."""
     low, high = 0.0, 1.0
     while high - low > 1e-6:
         middle = 0.5 * (low + high)
         low, high = (low, middle) if _crosses(robot, _scaled(path, middle)) else (middle, high)
-    beyond = float(np.exp(rng.uniform(np.log(1e-3), np.log(0.1))))
-    return _scaled(path, low * (1.0 + rng.choice([-1.0, -1.0, 1.0]) * beyond))
+    return _scaled(path, low * (1.0 + beyond))
 
 
 def _scaled(path: SmoothPath, scale: float) -> SmoothPath:

@@ -7,6 +7,8 @@ import textwrap
 from collections.abc import Sequence
 from typing import Any
 
+from stewart_sym.extras import install
+
 BEGIN = "<!-- from .docs/bench.json by `python tests/test_readme.py` -->\n"
 END = "<!-- end -->\n"
 
@@ -25,7 +27,7 @@ def text(found: dict[str, Any]) -> str:
         missing = ", ".join(found["left_out"])
         raise ValueError(
             f"bench.json: expected figures of all software that is compared, got none of {missing}: "
-            'pip install "stewart-sym[bench]" and run `stewart-sym bench` again'
+            f"{install('bench')} and run `stewart-sym bench` again"
         )
     parts = [times(found), cores(found), sizes(found), calls(found)]
     if found["passes"]:

@@ -22,7 +22,7 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym import forces
 from stewart_sym.cli import main
-from stewart_sym.extras import EXTRAS
+from stewart_sym.extras import EXTRAS, install
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.kernel import c_sources, module
 from stewart_sym.robot import Robot
@@ -530,7 +530,7 @@ def test_without_matplotlib_one_line_says_what_to_install(tmp_path: Path) -> Non
     assert done.returncode == 2
     assert done.stdout == ""
     (line,) = done.stderr.splitlines()
-    assert line.endswith('pip install "stewart-sym[plot]"')
+    assert line.endswith(install("plot"))
     assert not (tmp_path / "out").exists()
 
 

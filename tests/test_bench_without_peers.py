@@ -10,6 +10,8 @@ from typing import Any
 import pytest
 import readme_bench
 
+from stewart_sym.extras import install
+
 BENCH = """
 import json, sys
 folder, hidden = sys.argv[1], sys.argv[2:]
@@ -58,7 +60,7 @@ def figures(folder: Path) -> dict[str, Any]:
 
 def test_one_line_says_what_is_left_out_and_how_to_get_it(hidden: tuple[str, ...], folder: Path) -> None:
     (line,) = [line for line in (folder / "bench.txt").read_text().splitlines() if "left out" in line]
-    assert line.endswith('; pip install "stewart-sym[bench]"')
+    assert line.endswith(f"; {install('bench')}")
     assert [name for name in NAMES.values() if name in line] == [NAMES[name] for name in hidden]
 
 
@@ -88,7 +90,7 @@ def test_the_json_holds_what_was_measured(hidden: tuple[str, ...], figures: dict
 
 def test_tables_and_pictures_do_without_them(hidden: tuple[str, ...], folder: Path) -> None:
     text = (folder / "bench.txt").read_text()
-    shown = text.split('"stewart-sym[bench]"')[1]
+    shown = text.split(install("bench"))[1]
     drawn = "".join((folder / f"{name}.svg").read_text() for name in ("bench", "bench_motion"))
     for name, label in NAMES.items():
         assert (label in shown) == (name not in hidden)

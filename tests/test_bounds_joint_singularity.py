@@ -18,7 +18,7 @@ from stewart_sym.studies.quad import error, quad_forces
 
 LEAST = 4096
 """Rounding units of the sine below which a leg is at its joint singularity."""
-PATH = 1 / 64
+PATH = 1 / 32
 """Sine below which the kernels take their code path near the joint singularity."""
 
 

@@ -17,6 +17,7 @@ import pytest
 import stewart_sym as ss
 from stewart_sym import cli, kernel
 from stewart_sym.cli import main
+from stewart_sym.extras import install
 from stewart_sym.publish import RECORD, replaced_file, staged_folder
 from stewart_sym.rotation import rpy_from_rotation
 from stewart_sym.studies import track
@@ -111,7 +112,7 @@ def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
     monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     line = fails_in_one_line(capsys, "reproduce", "-o", tmp_path / "out")
-    assert 'pip install "stewart-sym[plot]", or give --no-pictures' in line
+    assert f"{install('plot')}, or give --no-pictures" in line
     assert not list(tmp_path.iterdir())
 
 

@@ -6,11 +6,13 @@ import subprocess
 import sys
 import tomllib
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 import stewart_sym as ss
-from stewart_sym.extras import EXTRAS
+from stewart_sym import extras
+from stewart_sym.extras import EXTRAS, install
 
 PACKAGE = Path(ss.__file__).parent
 MODULES = sorted(
@@ -47,7 +49,7 @@ def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extr
     assert errors, "some draw, some compare"
     for name, error in errors.items():
         assert error.startswith("MissingExtraError: "), f"{name}: {error}"
-        assert 'pip install "stewart-sym[' in error, f"{name}: {error}"
+        assert " needs " in error, f"{name}: {error}"
     drawing = ("bench", "drawing", "peers", "plot", "pictures", "labels", "workspace")
     assert not [name for name in errors if not any(part in name for part in drawing)]
 
@@ -112,9 +114,32 @@ def test_a_missing_scipy_is_said_in_one_line_before_the_work(tmp_path: Path) -> 
     whats = [what for what, group in commands.items() for _ in group]
     for what, (code, line) in zip(whats, json.loads(done.stdout), strict=True):
         assert code == 2, line
-        assert line.startswith(f'stewart-sym: error: {what} needs SciPy: pip install "stewart-sym[sim]"')
+        assert line.startswith(f"stewart-sym: error: {what} needs SciPy: {install('sim')}")
         assert line.count("\n") == 1
     assert not (tmp_path / "out").exists()
+
+
+SOURCES = {
+    '{"dir_info": {"editable": true}, "url": "file://TREE"}': 'pip install -e "TREE[sim]"',
+    '{"dir_info": {}, "url": "file://TREE"}': 'pip install "TREE[sim]"',
+    '{"dir_info": {}, "url": "file://TREE/gone"}': 'pip install "stewart-sym[sim]"',
+    '{"vcs_info": {"vcs": "git", "commit_id": "abc"}, "url": "https://host/it"}': (
+        'pip install "stewart-sym[sim] @ git+https://host/it@abc"'
+    ),
+    '{"archive_info": {}, "url": "file://TREE/it.whl"}': 'pip install "stewart-sym[sim] @ file://TREE/it.whl"',
+    None: 'pip install "stewart-sym[sim]"',
+}
+
+
+@pytest.mark.parametrize("source", SOURCES)
+def test_the_command_of_an_extra_installs_from_where_this_was_installed_from(
+    source: str | None, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tree = str(tmp_path)
+    found = SimpleNamespace(read_text=lambda _: source and source.replace("TREE", tree))
+    without = SimpleNamespace(read_text=lambda _: None)
+    monkeypatch.setattr(extras, "distributions", lambda name: [without, found])
+    assert install("sim") == SOURCES[source].replace("TREE", tree)
 
 
 IDENTIFY = """
@@ -139,4 +164,4 @@ def test_identify_says_which_extra_it_needs_before_it_computes() -> None:
     done = subprocess.run([sys.executable, "-c", IDENTIFY], capture_output=True, text=True, check=True)
     lines = done.stdout.splitlines()
     assert len(lines) == 2
-    assert all(line.endswith(' needs SciPy: pip install "stewart-sym[sim]"') for line in lines)
+    assert all(line.endswith(f" needs SciPy: {install('sim')}") for line in lines)

@@ -4,6 +4,7 @@ The fuzzer of fuzz_files.py starts from sound files; what it can't reach by chan
 """
 
 import importlib.util
+import itertools
 import os
 import resource
 import socket
@@ -23,6 +24,7 @@ from hypothesis import strategies as st
 from sweeps import share
 
 import stewart_sym as ss
+from stewart_sym.cli import main
 from stewart_sym.robot import Robot
 from stewart_sym.scene import read_scene
 from stewart_sym.trajectory import read_any_csv, read_csv, read_forces_csv
@@ -377,3 +379,23 @@ def test_fuzzing_the_readers_finds_nothing(tmp_path: Path) -> None:
 @pytest.mark.parametrize("text", [b"", b"\n \n", b"\xef\xbb\xbf"])
 def test_an_empty_file_is_called_empty(name: str, text: bytes, tmp_path: Path) -> None:
     assert refused(READERS[name][0], written(tmp_path, text)).endswith("the file is empty")
+
+
+KINDS = {
+    "robot file": (ROBOT.decode(), ["check"]),
+    "scene of simulate": (
+        'schema = 1\nrobot = "robot.toml"\nduration = 1.0\n[legs]\nlaw = "forces"\n',
+        ["simulate", "-o", "out"],
+    ),
+    "scene of advise": ('schema = 1\nrobot = "robot.toml"\nmotions = ["I"]\ntolerance = 0.01\n', ["advise"]),
+}
+
+
+@pytest.mark.parametrize(("expected", "got"), list(itertools.permutations(KINDS, 2)))
+def test_a_file_of_another_kind_is_called_what_it_is(
+    tmp_path: Path, expected: str, got: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file.toml").write_text(KINDS[got][0])
+    command, *options = KINDS[expected][1]
+    assert main([command, str(tmp_path / "file.toml"), *options]) == 2
+    assert capsys.readouterr().err.endswith(f"file.toml: expected a {expected}, got a {got}\n")

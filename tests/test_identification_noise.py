@@ -25,10 +25,12 @@ from stewart_sym.rotation import rotation_from_vector
 from stewart_sym.studies import identify
 
 Array = NDArray[np.float64]
+ROOT = Path(__file__).parents[1]
 NOISE = 1e-4
 SAMPLES = 80
-# Shares of the base's radius by which a payload moves, along each axis of the platform.
-MOVED, BARELY = 0.2, 0.05
+# Shares of the base's radius by which a payload moves, along each axis of the platform: LEAST is always
+# named, BARELY in nine cases of ten.
+MOVED, LEAST, BARELY = 0.2, 0.13, 0.05
 # What a change of the forces adds to the residual's sum of squares from which on it is always named.
 NAMED = 60.0
 
@@ -115,7 +117,7 @@ def change_by_load(machine: Robot, motion: ss.Motion, load: dict[str, Array]) ->
 def misfits(machine: Robot, found: ss.Experiment) -> dict[str, ss.Estimate]:
     """Estimates from models that are wrong."""
     without = ss.base_parameters(machine, friction=False)
-    F = found.F + moved_halfway(machine, found, MOVED)
+    F = found.F + moved_halfway(machine, found, LEAST)
     base = found.estimate.base
     return {
         "friction left out": ss.identify(machine, found.measured, found.F, 1.0, without, found.noise),
@@ -257,6 +259,12 @@ def test_tail_is_that_of_the_distributions() -> None:
 def truth(machine: Robot) -> tuple[ss.BaseParameters, Array]:
     base = ss.base_parameters(machine)
     return base, base.matrix @ ss.inertial_parameters(machine).values
+
+
+def test_readme_states_the_least_move_of_a_payload_that_is_always_named() -> None:
+    told = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+    assert f"by {LEAST:g} of the base's radius along each axis" in told
+    assert f"by {BARELY:g} in nine of ten" in told
 
 
 def test_parameters_make_the_robot_again() -> None:
@@ -548,7 +556,8 @@ def test_hundred_experiments_with_noisy_poses() -> None:
         f"moved by {always:.3g} radii: squares at least {NAMED:g}"
     )
     assert max(unnamed, default=0.0) < NAMED
-    assert always < MOVED
+    assert always < LEAST
+    assert len(unnamed) <= 0.1 * count
     assert consistent >= 0.95 * count
     assert agreeing >= 0.95 * count
     assert np.mean(inside, axis=0) == pytest.approx([0.6827, 0.9545], abs=0.05)

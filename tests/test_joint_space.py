@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from joint_paths import legs_along, lengths_to_singular, random_case, truth
+from joint_paths import dipping_case, legs_along, lengths_to_singular, random_case, truth
 from machines import dasgupta, machine_size
 from numpy.typing import NDArray
 from sweeps import share
@@ -110,6 +110,19 @@ def test_every_crossing_is_named_and_no_other_path(rates: str) -> None:
     found = tally(range(8), 120, rates)
     assert found["named"] > 1
     assert found["followed"] > 1
+
+
+@pytest.mark.parametrize("rates", ["L_ddot", "time"])
+@pytest.mark.parametrize("count", [3, pytest.param(share(100), marks=pytest.mark.slow)])
+def test_a_path_that_crosses_and_returns_between_two_samples_is_named(count: int, rates: str) -> None:
+    for seed in range(count):
+        robot, path, samples = dipping_case(np.random.default_rng(seed))
+        time, motion, (L, *given) = legs_along(robot, path, samples)
+        acceleration, times = (given[1], None) if rates == "L_ddot" else (None, time)
+        with pytest.raises(ValueError, match="singular") as error:
+            ss.motion_from_lengths(robot, L, given[0], acceleration, (motion.R[0], motion.t[0]), time=times)
+        crossing = int(np.searchsorted(time, truth(robot, path).crossing))
+        assert abs(sample_of(error.value) - crossing) <= 1, seed
 
 
 @pytest.mark.slow

@@ -1,4 +1,4 @@
-"""The search of a pose and orientations: one text is run as it stands, in C, Octave and Rust alike."""
+"""The search of a pose and orientations: one text is run as it stands, in C and Octave alike."""
 
 import subprocess
 from dataclasses import replace
@@ -10,19 +10,15 @@ import numpy as np
 import pytest
 from machines import random_motion, random_robot
 from test_forward_kinematics import lengths, nudged
-from test_kernel_tree import EPSILON, ON_ARRAYS, fields, motion_numbers, robot_numbers
+from test_kernel_tree import EPSILON, ON_ARRAYS, motion_numbers, robot_numbers
 from test_kinematics_c import forward, inverse, velocity
 
 import stewart_sym as ss
-from stewart_sym.derive import notation as n
 from stewart_sym.derive.generate import reduced_kinematics, reduced_rotation
-from stewart_sym.derive.kernel.constants import INTEGERS
 from stewart_sym.derive.kernel.interpret import Interpreter
-from stewart_sym.derive.kernel.kinematics import rotation_program, search_program
+from stewart_sym.derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from stewart_sym.derive.kernel.nodes import Program
-from stewart_sym.derive.package.languages import numbers_of, template
-from stewart_sym.derive.print.matlab import Matlab
-from stewart_sym.derive.print.rust import Rust
+from stewart_sym.kit import Choice, write_kit
 from stewart_sym.results import NOT_CONVERGED, NOT_FINITE, OK, SHORT_LEG, SINGULAR
 
 Array = np.ndarray
@@ -30,7 +26,7 @@ Array = np.ndarray
 
 @pytest.fixture(scope="module")
 def tree() -> Program:
-    return search_program(reduced_kinematics(), public=True)
+    return search_program(reduced_kinematics(), PUBLIC)
 
 
 def side_by_side(values: Array) -> list[Array]:
@@ -126,36 +122,21 @@ def one_pose(seed: int) -> tuple[ss.Robot, Array, Array, Array]:
     return robot, lengths(robot, motion.R, motion.t), *nudged(rng, motion.R, motion.t, 0.1, 0.1)
 
 
-def whole_numbers(line: str) -> str:
-    return "\n".join(line.format(name=name, code=code) for name, (code, _) in INTEGERS.items())
-
-
 def literals(values: Any) -> str:
     return ", ".join(repr(float(value)) for value in np.ravel(values))
 
 
 @pytest.mark.slow
-def test_octave_finds_the_pose_that_the_c_finds(tree: Program, tmp_path: Path) -> None:
+def test_octave_finds_the_pose_that_the_c_finds(tmp_path: Path) -> None:
     robot, L, R, t = one_pose(35)
-    package = tmp_path / "+stewart"
-    package.mkdir()
-    values = {
-        "statuses": whole_numbers("    made.{name} = {code};"),
-        "constants": numbers_of("double", "    made.{name} = {value};"),
-    }
-    texts = {f"{name}.m": template(f"matlab_{name}.m", values) for name in ("where", "larger", "constants")}
-    for name, text in (Matlab(tree).files() | texts).items():
-        (package / name).write_text(text)
-    legs = [
-        f"robot.leg({i + 1}).{q.name} = [{literals(fields([q], robot, i)[q.name])}];"
-        for i in range(6)
-        for q in (n.b, n.p)
-    ]
-    asked = f"[{literals(L)}], guess)"
-    call = [f"guess.R = [{literals(R)}]; guess.t = [{literals(t)}];"]
-    call += [f"found = stewart.forward_kinematics(robot, {asked};"]
-    call += ["printf('%d', found.status); printf(' %.17g', found.pose.R, found.pose.t);"]
-    script = "\n".join(["robot = stewart.zero_robot();", *legs, *call])
+    write_kit(robot, tmp_path, Choice(("kinematics",), language="matlab"))
+    script = "\n".join(
+        [
+            f"guess.R = [{literals(R)}]; guess.t = [{literals(t)}];",
+            f"found = stewart.forward_kinematics(stewart.robot(), [{literals(L)}], guess);",
+            "printf('%d', found.status); printf(' %.17g', found.pose.R, found.pose.t);",
+        ]
+    )
     done = subprocess.run(
         ["octave-cli", "--eval", script], cwd=tmp_path, capture_output=True, text=True, check=True
     )
@@ -163,18 +144,3 @@ def test_octave_finds_the_pose_that_the_c_finds(tree: Program, tmp_path: Path) -
     R_c, t_c, codes = forward(robot, L, R, t)
     assert int(status) == codes[0] == OK
     np.testing.assert_array_equal(np.array(numbers, dtype=float), np.concatenate([R_c.ravel(), t_c.ravel()]))
-
-
-@pytest.mark.slow
-def test_the_search_compiles_as_rust(tree: Program, tmp_path: Path) -> None:
-    values = dict.fromkeys(("robot", "outputs", "version"), "test") | {"real": "f64", "root": "sqrt"}
-    values |= {
-        "statuses": whole_numbers("pub const {name}: usize = {code};"),
-        "constants": numbers_of("double", "const {name}: Real = {value};"),
-        "program": Rust(tree).source(),
-    }
-    text = template("rust_lib.rs", values).replace("mod robot;\npub use robot::ROBOT;\n", "")
-    (tmp_path / "lib.rs").write_text(text)
-    command = ["rustc", "--edition=2021", "--crate-type=lib", "-Dwarnings", "-Aunused", "lib.rs"]
-    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
-    assert (done.returncode, done.stderr) == (0, "")

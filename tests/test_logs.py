@@ -14,7 +14,7 @@ from stewart_sym.cli import main
 from stewart_sym.logs import EULER_ORDERS, LogFormat
 from stewart_sym.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.studies.track import length_doubt
-from stewart_sym.trajectory import Trajectory, read_csv
+from stewart_sym.trajectory import Trajectory, read_any_csv, read_csv
 
 Array = NDArray[np.float64]
 NAMES = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]
@@ -108,6 +108,47 @@ def test_units_that_no_machine_has_are_warned_of(
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         read_csv(write(tmp_path / "good.csv", NAMES, poses()))
+
+
+def with_rates(time: Array, legs: bool = False) -> tuple[list[str], Array]:
+    """Names and a table of a smooth motion with its rates."""
+    angle = 2.0 * np.pi * np.outer(time, [0.3, 0.4, 0.5, 0.35, 0.45, 0.25]) + np.arange(6)
+    w = 2.0 * np.pi * np.array([0.3, 0.4, 0.5, 0.35, 0.45, 0.25])
+    found = 0.03 * np.array([np.sin(angle), w * np.cos(angle), -w * w * np.sin(angle)])
+    if legs:
+        found[0] += 0.7
+        names = [f"{name}_{i}" for name in ("L", "L_dot", "L_ddot") for i in range(1, 7)]
+    else:
+        groups = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
+        names = [f"{name}_{axis}" for group in groups for name in group for axis in "xyz"]
+    return ["time", *names], np.column_stack([time, *found])
+
+
+@pytest.mark.parametrize("legs", [False, True], ids=["poses", "legs"])
+@pytest.mark.parametrize(
+    ("unit", "words"),
+    [(1e3, "ms"), (1e6, "us"), (1e-3, "are rates in another unit")],
+)
+def test_rates_that_times_contradict_by_a_unit_are_warned_of(
+    tmp_path: Path, unit: float, words: str, legs: bool
+) -> None:
+    names, table = with_rates(np.linspace(0.0, 2.0, 41), legs)
+    table[:, 0] *= unit
+    with pytest.warns(
+        ss.LogWarning, match=f"odd.csv: coordinates change by .* what their rates say: .*{words}"
+    ):
+        read_any_csv(write(tmp_path / "odd.csv", names, table))
+
+
+@pytest.mark.parametrize("step", [0.05, 1.0, 2.5])
+def test_rates_of_sparse_logs_and_of_rest_are_not_warned_of(tmp_path: Path, step: float) -> None:
+    names, table = with_rates(np.arange(0.0, 20.0, step))
+    still = table.copy()
+    still[:, 1:] = still[0, 1:]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        for numbers in (table, still, table[:1]):
+            read_csv(write(tmp_path / "good.csv", names, numbers))
 
 
 def test_millimetres_are_told_by_the_machines_size() -> None:

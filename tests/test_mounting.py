@@ -1,8 +1,12 @@
 """The platform's side of the base: the same machine in other axes gives the same answers there."""
 
+import csv
 import dataclasses
+import itertools
 import warnings
+from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -10,9 +14,14 @@ from machines import dasgupta, machine_size, path_period, random_motion, random_
 from numpy.typing import NDArray
 
 import stewart_sym as ss
+from stewart_sym.budget import read_budget
 from stewart_sym.cli import main
 from stewart_sym.home import home_pose
 from stewart_sym.mounting import platform_side, upright
+from stewart_sym.paths import PATHS, path_for
+from stewart_sym.rotation import rpy_from_rotation
+from stewart_sym.scene import read_scene
+from stewart_sym.studies import control
 from stewart_sym.studies.output import csv_lines
 
 Array = NDArray[np.float64]
@@ -109,46 +118,155 @@ def value_text(value: object) -> str:
     return f'"{value}"' if isinstance(value, str) else repr(value)
 
 
-@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 4))])
-def test_commands_say_the_same_with_z_down(
+class Outcomes(NamedTuple):
+    """What subcommands write of a machine and a motion: lines of text, and tables by name."""
+
+    check: list[str]
+    tables: dict[str, dict[str, Array]]
+    estimates: list[list[str]]
+
+
+@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))])
+def test_subcommands_give_the_mirrored_result_with_z_down(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int
 ) -> None:
     robot = standing(seed)
     time = np.linspace(0.0, path_period(robot), 60)
-    legs = ss.inverse_kinematics(robot, random_path(np.random.default_rng(seed), robot, load=False)(time))
-    assert legs.L_ddot is not None
-    columns = {"time": time}
-    for name, values in (("L", legs.L), ("L_dot", legs.L_dot), ("L_ddot", legs.L_ddot)):
-        columns |= {f"{name}_{leg + 1}": values[:, leg] for leg in range(6)}
-    trajectory = tmp_path / "legs.csv"
-    trajectory.write_text("".join(csv_lines(columns)))
-    forces, texts, estimates = [], [], []
-    for name, machine in (("up", robot), ("down", in_axes(robot, Z_DOWN))):
-        file, output = written(machine, tmp_path / f"{name}.toml"), tmp_path / f"{name}.csv"
-        assert main(["forces", str(file), str(trajectory), "-o", str(output)]) == 0
-        forces.append(np.loadtxt(output, delimiter=",", skiprows=1))
-        capsys.readouterr()
-        assert main(["check", str(file)]) == 0
-        lines = capsys.readouterr().out.splitlines()
-        texts.append([line for line in lines if line.startswith(("leg lengths", "condition", "holding"))])
-        folder = tmp_path / name
-        small = ["--harmonics", "2", "--samples", "30", "--candidates", "2"]
-        assert main(["identify", str(file), "-o", str(folder), *small]) == 0
-        estimates.append((folder / "parameters.csv").read_text().splitlines())
-    np.testing.assert_allclose(forces[1], forces[0], rtol=1e-7, atol=1e-9 * np.abs(forces[0]).max())
-    assert texts[1] == texts[0]
-    assert len(texts[0]) == 3
-    compare_estimates(*estimates)
+    motion = random_path(np.random.default_rng(seed), robot, load=False)(time)
+    up = outcomes(robot, time, motion, tmp_path / "up", capsys)
+    down = outcomes(in_axes(robot, Z_DOWN), time, motion.in_axes(Z_DOWN), tmp_path / "down", capsys)
+    assert len(up.check) == 3
+    assert down.check == up.check
+    for name, columns in up.tables.items():
+        assert list(down.tables[name]) == list(columns)
+        whole = {kind: max(np.abs(columns[each]).max() for each in group) for kind, group in kinds(columns)}
+        for column, values in columns.items():
+            np.testing.assert_allclose(
+                turned(column) * down.tables[name][column],
+                values,
+                rtol=1e-6,
+                atol=1e-8 * whole[kind_of(column)],
+                err_msg=f"{name}: {column}",
+            )
+    for one, other in zip(up.estimates, down.estimates, strict=True):
+        compare_estimates(one, other)
+
+
+def outcomes(
+    robot: ss.Robot, time: Array, motion: ss.Motion, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> Outcomes:
+    folder.mkdir()
+    file = str(written(robot, folder / "robot.toml"))
+    legs, poses, scene = (str(folder / name) for name in ("legs.csv", "poses.csv", "scene.toml"))
+    theta = rpy_from_rotation(motion.R)
+    found = ss.inverse_kinematics(robot, motion)
+    lengths = {"L": found.L, "L_dot": found.L_dot, "L_ddot": found.L_ddot}
+    write(Path(legs), {f"{n}_{i + 1}": x[:, i] for n, x in lengths.items() for i in range(6)}, time)
+    parts = {"t": motion.t, "theta": theta}
+    write(Path(poses), {f"{n}_{'xyz'[i]}": x[:, i] for n, x in parts.items() for i in range(3)}, time)
+    F = ss.inverse_dynamics(robot, motion[0]).F.tolist()
+    state = f"[state]\nt = {motion.t[0].tolist()}\ntheta = {theta[0].tolist()}\n"
+    Path(scene).write_text(
+        f'schema = 1\nrobot = "robot.toml"\nduration = {0.02 * time[-1]}\n{state}'
+        f'[legs]\nlaw = "forces"\nforces = {F}\n'
+    )
+    small = ["--harmonics", "2", "--samples", "30", "--candidates", "2"]
+    calls = {
+        "forces.csv": ["forces", file, legs],
+        "reactions.csv": ["forces", file, poses, "--reactions"],
+        "passage/path.csv": ["singularities", file, poses, "--no-pictures"],
+        "simulated/run.csv": ["simulate", scene, "--no-pictures"],
+        "excited/parameters.csv": ["identify", file, *small],
+        "measured/parameters.csv": ["identify", file, "--measured", poses, str(folder / "reactions.csv")],
+    }
+    for name, call in calls.items():
+        output = folder / name
+        assert main([*call, "-o", str(output if output.parent == folder else output.parent)]) == 0, name
+    capsys.readouterr()
+    assert main(["check", file]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    tables, estimates = {}, []
+    for name in calls:
+        text = (folder / name).read_text().splitlines()
+        if name.endswith("parameters.csv"):
+            estimates.append(text)
+        else:
+            values = np.array([[float(x) for x in line.split(",")] for line in text[1:]])
+            tables[name] = dict(zip(text[0].split(","), values.T, strict=True))
+    return Outcomes(
+        [line for line in lines if line.startswith(("leg lengths", "condition", "holding"))],
+        tables,
+        estimates,
+    )
+
+
+def write(path: Path, columns: dict[str, Array], time: Array) -> None:
+    path.write_text("".join(csv_lines({"time": time} | columns)))
+
+
+def turned(column: str) -> float:
+    """What half a turn about x makes of a column: components along y and z change their signs."""
+    return -1.0 if column.endswith(("_y", "_z")) else 1.0
+
+
+def kind_of(column: str) -> str:
+    """A column's name without leg and component."""
+    return column.rstrip("xyz").rstrip("_").rstrip("123456")
+
+
+def kinds(columns: dict[str, Array]) -> Iterator[tuple[str, Iterator[str]]]:
+    return itertools.groupby(sorted(columns, key=kind_of), kind_of)
 
 
 def compare_estimates(one: list[str], other: list[str]) -> None:
     """Names and sizes agree; components along y and z of the platform's frame change their signs."""
-    rows = [[line.split(",") for line in lines[1:]] for lines in (one, other)]
-    assert [row[0] for row in rows[0]] == [row[0] for row in rows[1]]
-    values, mirrored = (np.array([[float(x) for x in row[3:6]] for row in part]) for part in rows)
-    turned = [row[0] in ("h_P_y", "h_P_z", "J_P_xy", "J_P_xz") for row in rows[0]]
-    values[turned, :2] *= -1.0
-    assert np.all(np.abs(mirrored - values) <= 1e-5 * (np.abs(values) + values[:, 2:]))
+    for row, mirrored in zip(csv.DictReader(one), csv.DictReader(other), strict=True):
+        assert mirrored["name"] == row["name"]
+        sign = -1.0 if row["name"] in ("h_P_y", "h_P_z", "J_P_xy", "J_P_xz") else 1.0
+        value, sigma = float(row["estimated"]), float(row["sigma"])
+        assert abs(sign * float(mirrored["estimated"]) - value) <= 1e-5 * (abs(value) + sigma)
+        assert float(mirrored["sigma"]) == pytest.approx(sigma, rel=1e-5)
+
+
+def test_the_papers_paths_are_on_the_side_of_the_platform(tmp_path: Path) -> None:
+    robot = dasgupta()
+    for unturned in (robot, dataclasses.replace(robot, g=np.zeros(3))):
+        assert path_for(unturned, "I") == PATHS["I"]
+    path = PATHS["I"].path
+    F = ss.inverse_dynamics(robot, path.sample(path.breaks())).F
+    for Q in (Z_DOWN, *ON_ITS_SIDE):
+        other = in_axes(robot, Q)
+        motion = path_for(other, "I").path.sample(path.breaks())
+        np.testing.assert_allclose(ss.inverse_dynamics(other, motion).F, F, rtol=1e-9)
+    up, down = (named_paths(machine, tmp_path) for machine in (robot, in_axes(robot, Z_DOWN)))
+    for one, there in zip(up, down, strict=True):
+        np.testing.assert_allclose(there, one, rtol=1e-6)
+
+
+@pytest.mark.slow
+def test_controllers_track_the_papers_paths_on_the_side_of_the_platform() -> None:
+    settings = control.Settings(rate=100.0, k_p=25.0, k_d=10.0)
+    up, down = (
+        control.track_paths(robot, ("I",), settings).runs["I"]
+        for robot in (dasgupta(), in_axes(dasgupta(), Z_DOWN))
+    )
+    for name, run in up.items():
+        np.testing.assert_allclose(down[name].F, run.F, rtol=1e-6)
+        np.testing.assert_allclose(down[name].position, run.position, rtol=1e-6)
+
+
+def named_paths(robot: ss.Robot, folder: Path) -> list[Array]:
+    """Time of the crossing, s, and forces along named paths by subcommands."""
+    file = str(written(robot, folder / "robot.toml"))
+    assert main(["singularities", file, "III", "-o", str(folder / "III"), "--force", "--no-pictures"]) == 0
+    crossing = np.loadtxt(folder / "III/events.csv", delimiter=",", skiprows=1, usecols=0)
+    head = 'schema = 1\nrobot = "robot.toml"\n'
+    legs = '[legs]\nlaw = "tracking"\npath = "I"\nk_p = 100.0\nk_d = 20.0\n'
+    (folder / "scene.toml").write_text(f"{head}duration = 0.05\n{legs}")
+    (folder / "budget.toml").write_text(f'{head}motions = ["I"]\ntolerance = 1.0\n')
+    tracked = read_scene(folder / "scene.toml").run().F
+    motion = read_budget(folder / "budget.toml").motions["I"]
+    return [crossing, tracked, ss.inverse_dynamics(robot, motion).F]
 
 
 def test_gravity_settles_the_side_and_then_limits_and_then_the_condition() -> None:

@@ -45,7 +45,8 @@ from stewart_sym.derive.formulation import EXACT
 from stewart_sym.derive.generate import motion_files, output_program
 from stewart_sym.derive.package.languages import LANGUAGES, Contents, Test
 given = json.loads(sys.stdin.read())
-test = Test("momentum", given["motion"], None, *({"momentum": given[each]} for each in ("answer", "bound")))
+answers, bounds = ({"momentum": given[each]} for each in ("answer", "bound"))
+test = Test("momentum", {"motion": given["motion"]}, answers, bounds)
 program = output_program(EXACT, ("momentum",))
 kit = Contents("one", "one", given["robot"], program, ("momentum",), (test,), "double", "", "test")
 texts = {name: language.files(kit) for name, language in LANGUAGES.items()}
@@ -56,7 +57,7 @@ for language, files in (texts | {"c": motion_files(["equations", "momentum"])}).
 """
 RUN = {
     "python": [sys.executable, "self_test.py"],
-    "matlab": ["octave-cli", "--eval", "exit(self_test())"],
+    "matlab": ["octave-cli", "--eval", "assert(self_test() == 0)"],
     "rust": ["cargo", "test", "--offline", "-q"],
 }
 

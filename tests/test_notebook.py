@@ -4,6 +4,7 @@
 """
 
 import os
+import subprocess
 import sys
 from importlib import resources
 from pathlib import Path
@@ -12,7 +13,10 @@ from typing import Any
 
 import nbformat
 import pytest
+from installed import REPOSITORY, install
 from nbclient import NotebookClient
+
+from stewart_sym.extras import EXTRAS
 
 NOTEBOOK = resources.files("stewart_sym.derive") / "derivation.ipynb"
 REWRITE = "run `python tests/test_notebook.py` and look at the notebook"
@@ -20,6 +24,22 @@ METADATA = {
     "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
     "language_info": {"name": "python"},
 }
+WITHOUT = """
+import sys
+
+class Missing:
+    def find_spec(self, name, path=None, target=None):
+        if name in {names}:
+            raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
+
+sys.meta_path.insert(0, Missing())
+"""
+
+
+def test_the_readme_says_what_it_needs_and_how_to_open_it() -> None:
+    readme = (REPOSITORY / "README.md").read_text(encoding="utf-8")
+    assert 'pip install ".[notebook]"' in readme
+    assert "jupyter lab derive/derivation.ipynb" in readme
 
 
 def test_every_cell_is_committed_as_executed_in_order_without_error() -> None:
@@ -29,11 +49,24 @@ def test_every_cell_is_committed_as_executed_in_order_without_error() -> None:
 
 
 @pytest.mark.slow
-def test_runs_from_start_to_end_and_gives_the_committed_outputs(
+def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
+    """In a folder of its own, and without the packages of other extras."""
+    installed = install(tmp_path)
+    others = set(EXTRAS) - {"matplotlib", "mpl_toolkits"}
+    (installed / "sitecustomize.py").write_text(WITHOUT.format(names=others))
+    monkeypatch.setenv("PYTHONPATH", str(installed))
     for variable in ("IPYTHONDIR", "JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR"):
         monkeypatch.setenv(variable, str(tmp_path / variable))
+    used = subprocess.run(
+        [sys.executable, "-c", "import stewart_sym; print(stewart_sym.__file__)"],
+        check=True,
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
+    assert Path(used.stdout.strip()).is_relative_to(installed)
     committed = _code_cells(_committed())
     fresh = _code_cells(_executed(tmp_path))
     assert not [out for cell in fresh for out in cell.outputs if out.output_type == "error"]
@@ -57,7 +90,7 @@ def _executed(folder: Path) -> Any:
     notebook = _committed()
     client = NotebookClient(
         notebook,
-        timeout=110,
+        timeout=600,
         kernel_name="python3",
         record_timing=False,
         resources={"metadata": {"path": str(folder)}},

@@ -9,6 +9,7 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 
 from stewart_sym import closed_form
+from stewart_sym.derive.block import Operations
 from stewart_sym.derive.emit import lanes
 from stewart_sym.derive.emit.motion import sum_operations
 from stewart_sym.derive.emit.shared import shared_headers
@@ -16,7 +17,7 @@ from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.outputs import prefix_of
 from stewart_sym.derive.motion import F_LEG
-from stewart_sym.derive.operations import elimination, kernel_operations
+from stewart_sym.derive.operations import kernel_operations, solve_operations
 from stewart_sym.derive.package.header import common_header
 from stewart_sym.kernel import c_sources, module, robot_numbers
 from stewart_sym.motion import Motion
@@ -211,21 +212,15 @@ def test_paper_kernel_is_cheaper_than_the_papers_program() -> None:
     assert sum(claimed["total"]) < 4889
 
 
-def test_elimination_count_is_that_of_counting_an_elimination() -> None:
-    mul = add = div = 0
-    size = 6
-    for k in range(size):
-        div += 1
-        for _ in range(k + 1, size):
-            mul += 1
-            mul += size - k
-            add += size - k
-    for i in range(size):
-        mul += size - i - 1 + 1
-        add += size - i - 1
-    found = elimination(size)
-    assert elimination(size, first_column=3, last_divided=True).total == found.total - 3 * 13 - 1
-    assert (found.mul, found.add, found.div, found.sqrt) == (mul, add, div, 0)
+def test_a_solve_counts_what_its_text_does() -> None:
+    """Counted here from the numbers of rows and columns; the product of the pivots is five more."""
+    below = [5 - k for k in range(6)]
+    update = sum(rows * (6 - k) for k, rows in enumerate(below))
+    whole = Operations(mul=sum(below) + update + 15 + 6, add=update + 15, div=6)
+    assert solve_operations("every output") == whole
+    tip = Operations(mul=whole.mul - 3 * 7 - 1, add=whole.add - 3 * 6, div=6)
+    assert solve_operations("block about tip") == tip
+    assert solve_operations("one pose") == tip + Operations(mul=5 + 1)
 
 
 def test_dasgupta_machine_counts_like_any_other(tmp_path: Path) -> None:

@@ -7,9 +7,8 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from installed import REPOSITORY, install
 
-REPOSITORY = Path(__file__).parent.parent
-FOLDERS = ("stewart_sym", "derive", "generated")
 CHECK = """
 import sys, pathlib, warnings
 sys.path.insert(0, sys.argv[1])
@@ -64,13 +63,7 @@ def test_licences_are_spdx_expressions_with_their_files(tmp_path: Path) -> None:
 
 
 def test_a_plain_install_carries_everything(tmp_path: Path) -> None:
-    source, target = tmp_path / "source", tmp_path / "installed"
-    for folder in FOLDERS:
-        shutil.copytree(REPOSITORY / folder, source / folder, ignore=shutil.ignore_patterns("__pycache__"))
-    for file in ("pyproject.toml", "README.md", "LICENSE"):
-        shutil.copy(REPOSITORY / file, source)
-    install = ["-m", "pip", "install", "--quiet", "--no-deps", "--no-index", "--no-build-isolation"]
-    subprocess.run([sys.executable, *install, "--target", str(target), str(source)], check=True, cwd=tmp_path)
+    target = install(tmp_path)
     run = [sys.executable, "-I", "-c", CHECK, str(target)]
     done = subprocess.run(run, check=True, capture_output=True, text=True, cwd=tmp_path)
     assert done.stdout == "(2, 6)\n"
@@ -78,6 +71,7 @@ def test_a_plain_install_carries_everything(tmp_path: Path) -> None:
     shipped = {str(path.relative_to(package)) for path in package.rglob("*") if path.is_file()}
     renamed = {"stewart_sym": "", "derive": "derive/", "generated": "generated/"}
     for folder, prefix in renamed.items():
-        for path in (source / folder).rglob("*"):
+        source = tmp_path / "source" / folder
+        for path in source.rglob("*"):
             if path.is_file() and path.suffix != ".pyc":
-                assert prefix + str(path.relative_to(source / folder)) in shipped
+                assert prefix + str(path.relative_to(source)) in shipped

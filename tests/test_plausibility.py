@@ -120,10 +120,25 @@ def sound_machine(rng: np.random.Generator) -> Robot:
     return machine_of(rng, b, p, t, joint, bool(rng.random() < 0.6), gravity)
 
 
-def test_sound_machines_are_not_doubted() -> None:
-    rng = np.random.default_rng(200)
-    found = [(i, doubts(sound_machine(rng))) for i in range(200)]
-    assert [(i, said) for i, said in found if said] == []
+def test_check_warns_of_no_sound_machine(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rng, path = np.random.default_rng(200), tmp_path / "robot.toml"
+    for i in range(200):
+        path.write_text(toml(sound_machine(rng)), encoding="utf-8")
+        assert main(["check", str(path)]) == 0
+        assert capsys.readouterr().err == "", i
+
+
+def test_check_names_both_sides_where_nothing_settles_which(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    flat = ss.robots.dasgupta1998()
+    flat = dataclasses.replace(flat, b=flat.b * [1, 1, 0], p=flat.p * [1, 1, 0], g=np.zeros(3), accept=())
+    path = tmp_path / "robot.toml"
+    path.write_text(toml(flat), encoding="utf-8")
+    assert main(["check", str(path)]) == 0
+    told = capsys.readouterr()
+    assert "gravity is 0, the side (0, 0, 1) of the base is taken; (0, 0, -1) is as plausible" in told.out
+    assert "as plausible" not in told.err
 
 
 def test_the_machines_of_other_tests_are_not_doubted_where_matter_can_be_so_dense() -> None:

@@ -57,6 +57,8 @@ typedef double stewart_real;
 #define STEWART_MAX 1e300
 #define STEWART_RESTRICT restrict
 #define STEWART_APART __attribute__((noinline))
+#define STEWART_ALIGNED __attribute__((aligned(64)))
+#define STEWART_LOOP _Pragma("GCC unroll 1")
 #define STEWART_NODISCARD __attribute__((warn_unused_result))
 #define LANES 8
 """
@@ -101,7 +103,10 @@ def test_expressions_bind_as_the_tree_says(node: Expression, text: str, brackete
 def every_statement() -> tuple[list[Structure], Table, list[Function]]:
     real = Real()
     pair = Structure(
-        "pair", "Two numbers and lanes.", (Field("a", real, "m: one"), Field("lanes", Array(real, (3, 8))))
+        "pair",
+        "Two numbers and lanes.",
+        (Field("a", real, "m: one"), Field("lanes", Array(real, (3, 8)))),
+        aligned=True,
     )
     table = Table(
         "numbers", Structure("row", "", (Field("x", real), Field("y", Array(real, (2,))))), ((1.0, 0.5, 3.0),)
@@ -131,6 +136,7 @@ def every_statement() -> tuple[list[Structure], Table, list[Function]]:
                         Number(0),
                         Constant("LANES"),
                         (Assign(at(to, INDEX, LANE), at(Name("from"), INDEX, LANE)),),
+                        kept=True,
                     ),
                     Let("x", at(Name("from"), INDEX, 0)),
                     Let("y", at(Name("from"), INDEX, 1)),
@@ -154,7 +160,7 @@ def every_statement() -> tuple[list[Structure], Table, list[Function]]:
         (
             Variable("sum", real, Number(0.0)),
             Variable("made", Record("pair")),
-            Variable("rows", Array(real, (2, 7)), blank=True),
+            Variable("rows", Array(real, (2, 7)), blank=True, aligned=True),
             Let("table", Name("numbers"), Pointer(Record("row"))),
             Let("bad", Select(missing, Number(1), Number(0)), Integer()),
             If(Compare("!=", Name("bad"), Number(0)), (Return(Number(5)),)),
@@ -195,6 +201,9 @@ def test_every_statement_compiles_without_a_warning(tmp_path: Path, brackets: bo
     assert "const stewart_real x = from[i][0], y = from[i][1];" in text
     assert "inner(made.lanes, &made, &sum, 1);" in text
     assert "for (pose = 0U; pose < count; pose += (size_t)LANES)" in text
+    assert "STEWART_LOOP for (l = 0; l < LANES; ++l)" in text
+    assert "} STEWART_ALIGNED pair;" in text
+    assert "STEWART_ALIGNED stewart_real rows[2][7];" in text
     source = tmp_path / "all.c"
     source.write_text(text)
     command = ["gcc", "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-c", str(source)]

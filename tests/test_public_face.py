@@ -31,7 +31,7 @@ def test_the_version_is_that_of_the_package() -> None:
 
 
 def test_every_public_name_is_what_its_module_defines() -> None:
-    for name, module in ss._MODULES.items():
+    for name, module in ss._public().items():
         found = importlib.import_module(module, "stewart_sym")
         assert getattr(ss, name) is (found if module == f".{name}" else getattr(found, name)), name
 
@@ -52,6 +52,31 @@ def test_importing_the_package_imports_none_of_its_modules_and_no_numpy() -> Non
         "print(sorted(m for m in sys.modules if m == 'numpy' or m.startswith('stewart_sym.')))"
     )
     assert done.stdout == "[]\n", done.stderr
+
+
+def test_the_command_line_imports_nothing_before_it_can_be_interrupted() -> None:
+    done = run(
+        "import os, sys; before = set(sys.modules)\n"
+        "import stewart_sym.__main__; print(sorted(set(sys.modules) - before))"
+    )
+    assert done.stdout == "['stewart_sym', 'stewart_sym.__main__']\n", done.stderr
+
+
+@pytest.mark.parametrize("error", ["ImportError", "MemoryError"])
+def test_a_command_line_that_cannot_be_imported_is_one_line(error: str) -> None:
+    done = run(f"""
+import sys
+class Failing:
+    def find_spec(self, name, path=None, target=None):
+        if name == "numpy":
+            raise {error}("no room\\nfor it")
+sys.meta_path.insert(0, Failing())
+from stewart_sym.__main__ import main
+sys.argv = ["stewart-sym", "--version"]
+sys.exit(main())
+""")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == f"stewart-sym: error: cannot start: {error}: no room for it\n"
 
 
 @pytest.mark.parametrize(

@@ -1,18 +1,25 @@
 """What subcommands write: nothing of others is replaced, nothing is left half-written, by signals neither."""
 
+import contextlib
+import itertools
 import os
 import shutil
 import signal
 import subprocess
 import sys
+import types
+from collections.abc import Iterator
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 import pytest
+from sweeps import FULL
 
+from stewart_sym import interrupts, publish
+from stewart_sym.budget import read_budget
 from stewart_sym.cli import main
-from stewart_sym.publish import replaced_file, result_folder
+from stewart_sym.publish import RECORD, replaced_file, result_folder
 from stewart_sym.robot import Robot
 
 PAPER = Path(str(files("stewart_sym.robots") / "dasgupta1998.toml"))
@@ -92,6 +99,50 @@ def test_an_input_is_never_replaced(tmp_path: Path) -> None:
     assert (tmp_path / "path.csv").read_text() == "input"
 
 
+@pytest.mark.parametrize(
+    ("command", "name"),
+    [
+        (["singularities", "robot.toml", "path.csv"], "path.csv"),
+        (["simulate", "track.toml"], "run.csv"),
+        (["chart", "enough.toml"], "chart.txt"),
+    ],
+)
+def test_no_file_that_a_subcommand_read_is_replaced_by_force(
+    tmp_path: Path,
+    command: list[str],
+    name: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Files that a scene names are inputs as well."""
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(PAPER, "robot.toml")
+    (tmp_path / name).write_text(
+        "time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n"
+        + "".join(f"{i / 8},0.2,{i * i / 1024},0.5,0,0,0\n" for i in range(9))
+    )
+    shared = 'schema = 1\nrobot = "robot.toml"\n'
+    (tmp_path / "track.toml").write_text(
+        f'{shared}duration = 0.01\nstart = "path"\n'
+        f'[legs]\nlaw = "tracking"\npath = "{name}"\nk_p = 900.0\nk_d = 60.0\n'
+    )
+    (tmp_path / "enough.toml").write_text(f'{shared}motions = ["{name}"]\ntolerance = 0.01\n')
+    before = folder_state(tmp_path)
+    assert main([*command, "-o", ".", "--force", "--no-pictures"]) == 2
+    assert capsys.readouterr().err.endswith(f"error: {name}: is an input, name another folder\n")
+    assert folder_state(tmp_path) == before
+
+
+def test_a_budget_names_all_files_that_it_was_read_from(tmp_path: Path) -> None:
+    shutil.copy(PAPER, tmp_path / "robot.toml")
+    header = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n"
+    (tmp_path / "path.csv").write_text(header + "".join(f"{i / 8},0.2,0,0.5,0,0,0\n" for i in range(9)))
+    text = 'schema = 1\nrobot = "robot.toml"\nmotions = ["I", "path.csv"]\ntolerance = 0.01\n'
+    (tmp_path / "enough.toml").write_text(text)
+    budget = read_budget(tmp_path / "enough.toml")
+    assert budget.files == tuple(tmp_path / name for name in ("enough.toml", "robot.toml", "path.csv"))
+
+
 def test_a_pipe_in_place_of_a_file_is_an_error_and_not_read(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "x")
     with pytest.raises(ValueError, match=r"x: expected a file or nothing, found a device or a pipe"):
@@ -112,8 +163,13 @@ def test_a_replaced_file_keeps_its_permissions_and_a_new_one_has_the_usual(tmp_p
     (tmp_path / "usual").touch()
     write_file(tmp_path / "private", "new")
     write_file(tmp_path / "fresh", "new")
-    modes = {path.name: path.stat().st_mode & 0o777 for path in tmp_path.iterdir()}
-    assert modes == {"private": 0o600, "usual": modes["usual"], "fresh": modes["usual"]}
+    fill_results(tmp_path / "folder", {"private": "old"})
+    (tmp_path / "folder" / "private").chmod(0o600)
+    fill_results(tmp_path / "folder", {"private": "new", "fresh": "new"})
+    usual = (tmp_path / "usual").stat().st_mode & 0o777
+    for folder in (tmp_path, tmp_path / "folder"):
+        modes = {name: (folder / name).stat().st_mode & 0o777 for name in ("private", "fresh")}
+        assert modes == {"private": 0o600, "fresh": usual}
 
 
 def test_the_longest_file_name_and_what_a_killed_run_left_behind_are_no_hindrance(tmp_path: Path) -> None:
@@ -174,3 +230,54 @@ def test_a_signal_ends_a_run_even_where_a_library_swallows_it_and_an_ignored_one
     done = subprocess.run(command, preexec_fn=ignore, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == ((0, "") if ignored else (130, ""))
     assert target.exists() == ignored
+
+
+def write_both(folder: Path) -> None:
+    """As a subcommand writes: a folder of two files, of which one is there, and then a file beside it."""
+    with interrupts.as_interrupts():
+        with result_folder(folder / "results", force=True) as staged:
+            (staged / "old").write_text("2")
+            (staged / "new").write_text("2")
+        write_file(folder / "file", "2")
+
+
+@contextlib.contextmanager
+def signal_at(number: int) -> Iterator[list[int]]:
+    """Send SIGTERM before the ``number``-th opcode of writing in this block; yields how many there were."""
+    watched = {module.__file__ for module in (publish, interrupts, contextlib)}
+    count = [0]
+
+    def trace(frame: types.FrameType, event: str, argument: object) -> Any:
+        if frame.f_code.co_filename not in watched:
+            return None
+        frame.f_trace_opcodes = True
+        if event == "opcode" and signal.getsignal(signal.SIGTERM) is not signal.SIG_DFL:
+            count[0] += 1
+            if count[0] == number:
+                os.kill(os.getpid(), signal.SIGTERM)
+        return trace
+
+    before = sys.gettrace()
+    sys.settrace(trace)
+    try:
+        yield count
+    finally:
+        sys.settrace(before)
+
+
+def test_a_signal_at_any_step_of_writing_leaves_whole_files_and_nothing_else(tmp_path: Path) -> None:
+    found = set()
+    for number in itertools.count(1, 1 if FULL else 13):
+        folder = tmp_path / str(number)
+        (folder / "results").mkdir(parents=True)
+        (folder / "results" / "old").write_text("1")
+        (folder / "file").write_text("1")
+        with contextlib.suppress(KeyboardInterrupt), signal_at(number) as count:
+            write_both(folder)
+            break
+        state = {path.relative_to(folder): path.is_dir() or path.read_text()[0] for path in folder.rglob("*")}
+        found.add(tuple(sorted((str(name), content) for name, content in state.items())))
+    assert 0 < count[0] < number
+    results = (("results", True), (f"results/{RECORD}", "{"), ("results/new", "2"), ("results/old", "2"))
+    before = (("file", "1"), ("results", True), ("results/old", "1"))
+    assert found == {before, (("file", "1"), *results), (("file", "2"), *results)}

@@ -10,6 +10,7 @@ from stewart_sym.derive.kernel.nodes import (
     Call,
     Element,
     Field,
+    For,
     Function,
     Let,
     Name,
@@ -45,6 +46,13 @@ def scoped(x: "array(3)", count: "Integer") -> "Integer":  # type: ignore[name-d
     code = 7
     code = code + count
     return code
+
+
+def scaled(x: "array(3)", by: "Real") -> None:  # type: ignore[name-defined]
+    for i in columns(1, 3):
+        x[i] = x[i] * by
+    for i in range(3):
+        x[i] = x[i] * by
 
 
 def through(to: "Arrays", from_one: "Pointer(Real)", count: "Count") -> None:  # type: ignore[name-defined]
@@ -95,6 +103,12 @@ def test_conditions_loops_and_registers_are_settled_when_a_text_is_read() -> Non
     assert [each.name for each in one.body if isinstance(each, Let)] == ["part_0", "part_1"]
     assert len({each.value for each in one.body if isinstance(each, Let)}) == 2
     assert len({each.value for each in other.body if isinstance(each, Let)}) == 1
+
+
+def test_columns_are_a_range_that_stays_a_loop() -> None:
+    row, other = (each for each in read.function(scaled, {}, {}).body if isinstance(each, For))
+    assert (row.first, row.last, row.kept) == (Number(1), Number(3), True)
+    assert not other.kept
 
 
 def test_a_name_ends_with_its_block_and_changes_make_variables() -> None:

@@ -11,7 +11,7 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 from near_singular import near_singular_motion
 from numpy.typing import NDArray
-from sweeps import share
+from sweeps import FULL, share
 from test_bad_poses import leg_along_its_axis, short_leg, singular
 from test_float import BOUND, any_machine
 from test_pole import leaning
@@ -38,7 +38,10 @@ from stewart_sym.robot import Robot
 Array = NDArray[np.float64]
 EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}
 PLAIN = ["general", "massless_static"]
-OTHERS = [level for level in fidelity.FIDELITIES if level not in PLAIN]
+# Each model of the legs, at rest and moving, with friction and without; the rest with STEWART_FULL=1. A kit
+# of every level proves itself in `test_kit`.
+SPANNING = ["general_static", "massless_friction", "slender", "point_masses_friction", "axisymmetric"]
+OTHERS = [level for level in fidelity.FIDELITIES if level not in PLAIN and (FULL or level in SPANNING)]
 LEVELS = [*PLAIN, *(pytest.param(level, marks=pytest.mark.slow) for level in OTHERS)]
 UNTOUCHED = -1.25
 

@@ -11,6 +11,7 @@ from test_cli import fails_in_one_line, folder_state, read
 
 import stewart_sym as ss
 from stewart_sym.cli import main
+from stewart_sym.extras import install
 from stewart_sym.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.scene import read_scene
 from stewart_sym.studies.output import csv_lines
@@ -107,9 +108,7 @@ def test_tables_need_no_matplotlib(
     monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     before = folder_state(scene.parent)
-    assert 'pip install "stewart-sym[plot]"' in fails_in_one_line(
-        capsys, "simulate", scene, "-o", scene.parent / "out"
-    )
+    assert install("plot") in fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
     assert folder_state(scene.parent) == before
     assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
     assert sorted(path.name for path in (scene.parent / "out").glob("[!.]*")) == ["run.csv", "summary.txt"]

@@ -116,6 +116,24 @@ def test_latex_of_the_paper_machines_m_fits_a_page() -> None:
     assert "_v" not in text.replace("_{v", "")
 
 
+@pytest.mark.parametrize("what", ["F", "M"])
+def test_every_constant_has_a_unit_and_a_meaning_in_the_text_as_well(what: str) -> None:
+    formulas = ss.symbolic(dasgupta(), what)
+    text = formulas.latex()
+    for symbol in formulas.constants:
+        name = re.sub(r"_[1-6]$", "", symbol.name)
+        owner = next(each for each in (name, name.rpartition("_")[0]) if each in formulas.meanings)
+        unit, meaning = formulas.meanings[owner]
+        assert unit
+        assert meaning
+    assert formulas.meanings["J2_xz"] == ("kg m^2", "2 J_xz")
+    assert "with the upper parts" in formulas.meanings["M_P"][1]
+    assert r"$J_{2,xz}$ & kg\,m$^{2}$ & 2 $J_{xz}$ \\" in text
+    # What stands in a pair of \left( and \right) cannot be broken at the end of a line.
+    assert r"\left(" not in text.partition(r"\[")[0]
+    assert text.count("$") % 2 == 0
+
+
 @pytest.mark.parametrize(
     ("what", "line"),
     [("N", r'what: expected "F", .* or "alpha", got \'N\''), (3, "what: expected")],
@@ -127,9 +145,7 @@ def test_a_name_without_formulas_is_one_line(what: Any, line: str) -> None:
 
 def test_what_spherical_joints_lack_is_one_line() -> None:
     robot = random_robot(np.random.default_rng(44), "spherical")
-    with pytest.raises(
-        ValueError, match=r'^equations: expected formulation "exact" and universal base joints'
-    ):
+    with pytest.raises(ValueError, match=r'^M: expected formulation "exact" and universal base joints'):
         ss.symbolic(robot, "M")
     with pytest.raises(ValueError, match=r"^argument: expected"):
         ss.symbolic(robot, "H").function()(q=3)

@@ -12,6 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from stewart_sym.extras import install
 from stewart_sym.motion import Motion
 from stewart_sym.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.trajectory import PATHS, StraightLinePath, read_csv
@@ -209,6 +210,8 @@ def test_any_shape_of_times() -> None:
         ),
         ({"Omega": 9.0}, "Omega: 9 rad/s is too large"),
         ({"tau_f": 0.0}, "tau_f: expected a duration > 0 s"),
+        ({"axes": 2.0 * np.eye(3)}, "axes: expected a rotation (3, 3), got"),
+        ({"axes": -np.eye(3)}, "axes: expected a rotation (3, 3), got"),
         ({"tau_f": "2"}, "tau_f: expected a finite number, got '2'"),
         ({"V": float("nan")}, "V: expected a finite number, got nan"),
         ({"t0": (0.0, 1.0)}, "t0: expected three numbers, got (0.0, 1.0)"),
@@ -414,7 +417,7 @@ def test_without_scipy_the_error_says_what_to_install(
     monkeypatch.setitem(sys.modules, "scipy.interpolate", None)
     with pytest.raises(ImportError) as caught:
         read_csv(path)
-    assert 'pip install "stewart-sym[sim]"' in str(caught.value)
+    assert install("sim") in str(caught.value)
     assert "\n" not in str(caught.value)
     full = tmp_path / "full.csv"
     full.write_text("\n".join(FULL), encoding="utf-8")

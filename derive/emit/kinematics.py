@@ -8,9 +8,10 @@ from collections.abc import Iterable
 
 from ..block import Block
 from ..kernel.constants import SEARCH
-from ..kernel.kinematics import legs_program, rotation_program, search_program
+from ..kernel.kinematics import legs_program, rotation_program, search_operations, search_program
 from ..kernel.nodes import Program
-from ..kinematics import Kinematics, search_operations, step_operations, velocity_operations
+from ..kernel.settle import of_one_pose
+from ..kinematics import Kinematics
 from ..print.c import C
 from ..print.template import filled
 from .shared import ARITHMETIC, top
@@ -25,20 +26,12 @@ _OF_POSES = _OF_STEWART_H | {"Pose": "stewart_pose"}
 
 def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
     """``stewart_kinematics``: one pose, forward and inverse; its header says what it costs."""
-    one_leg = blocks.vectors.operations()
-    costs = {
-        "lengths": 6 * one_leg,
-        "lengths, rates": 6 * (one_leg + blocks.rate.operations()),
-        "search": search_operations(blocks),
-        "step": step_operations(blocks),
-        "velocity": velocity_operations(blocks),
-    }
     return _files(
         "kinematics",
-        search_program(blocks),
+        of_one_pose(search_program(blocks)),
         _OF_POSES,
         version,
-        operations="\n".join(f" * {name:15s} {count}" for name, count in costs.items()),
+        operations="\n".join(f" * {name:15s} {count}" for name, count in search_operations(blocks).items()),
         max_steps=SEARCH["MAX_STEPS"][0],
         steps=_listed(STEPS["double"]),
         float_steps=_listed(STEPS["float"]),

@@ -31,8 +31,10 @@ from ..kernel.lower import expression, steps_of
 from ..kernel.nodes import (
     Argument,
     Array,
+    As,
     Assign,
     Binary,
+    Call,
     Compare,
     Constant,
     Count,
@@ -41,13 +43,16 @@ from ..kernel.nodes import (
     Field,
     For,
     Function,
+    If,
     Integer,
     Member,
     Name,
+    Not,
     Number,
     Pointer,
     Real,
     Record,
+    Return,
     Select,
     Statement,
     Structure,
@@ -325,6 +330,8 @@ class _Source:
                 continue
             elif function.name == "forces":
                 yield self._forces()
+            elif function.name.startswith("check_"):
+                yield self._check(function.name.removeprefix("check_"))
             else:
                 yield self.layout.function(function)
             if function.name in self.asked:
@@ -361,6 +368,33 @@ class _Source:
         structures = {"Forces": record, **self._given()}
         return self._read(
             written.forces, "find_forces", structures=structures, names={"kernel_forces": known}
+        )
+
+    def _check(self, what: str) -> Function:
+        """Says where a result is not finite: vectors number by number, of matrices how many numbers."""
+        out, lost, i = Name("out"), Name("lost"), Name("i")
+        status, ok, bad = Member(out, "status"), Constant("OK"), Constant("NOT_FINITE")
+        none, one = (As(Count(), Number(each)) for each in (0, 1))
+        vectors: list[Statement] = [If(Compare("!=", status, ok), (Return(None),))]
+        matrices: list[Statement] = []
+        for name, count in members(what).items():
+            number = Element(Member(Member(out, "of") if what in _STRUCTS else out, name), (i,))
+            finite = Compare("<=", Call("size", (number,)), Constant("MAX"))
+            if count <= LEGS:
+                known = If(Not(finite), (Assign(status, bad), Return(None)))
+                vectors.append(For("i", Number(0), Number(count), (known,)))
+            else:
+                counted = Assign(lost, Binary("+", lost, Select(finite, none, one)))
+                matrices.append(For("i", Number(0), Number(count), (counted,)))
+        if matrices:
+            found = Assign(status, Select(Compare("==", lost, none), ok, bad))
+            matrices = [Variable("lost", Count(), none), *matrices, found]
+        return Function(
+            f"check_{what}",
+            "Says where a number of a result is not finite.",
+            (Argument("out", Record(self.layout.records[o.RESULTS[what].name]), changed=True),),
+            None,
+            (*vectors, *matrices),
         )
 
     def _given(self) -> dict[str, Structure]:
@@ -417,6 +451,7 @@ class _Source:
                 Field("checked", Record(_CHECKS.name)),
                 Field("status", Integer()),
             ),
+            aligned=True,
         )
 
     def _pose_body(self, kernel: SumKernel) -> tuple[Statement, ...]:

@@ -42,7 +42,7 @@ def constants(precision: str) -> dict[str, float]:
         "MAX": largest,
         "ROUNDING": 16 * epsilon,
         "POLE_SINE": 4096 * epsilon,
-        "NEAR_POLE": 2.0**-6,
+        "NEAR_POLE": 2.0**-5,
         "SHORTEST": sqrt(1 / largest / epsilon),
         "SUSPECT": 2.0**-13 if double else 2.0**-7,
         "SHORT_SHARE": 64 * sqrt(epsilon) if double else 2.0**-4,
@@ -51,6 +51,15 @@ def constants(precision: str) -> dict[str, float]:
         "KEPT": 2.0**-5,
         "LEANING": 2.0**-3,
     }
+
+
+def unchecked(epsilon: float) -> dict[str, float]:
+    """The same for an arithmetic of many digits in which every pose is regular to kernels.
+
+    epsilon: by how much searches may miss.
+    """
+    known = {"EPSILON": epsilon, "ROUNDING": 16 * epsilon, "MAX": float("inf"), "NAN": float("nan")}
+    return dict.fromkeys(constants("double"), 0.0) | {"SMALLEST": SMALLEST, "LARGEST": LARGEST} | known
 
 
 NAMES = ("NAN", "LANES", "BAD_ARGUMENT", *constants("double"))

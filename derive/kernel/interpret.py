@@ -1,14 +1,16 @@
 """Runs a kernel tree on values of any kind: floats, arrays, multiprecision numbers, symbols."""
 
 import operator
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
 from .constants import INTEGERS
 from .nodes import (
     Array,
+    As,
     Assign,
     Binary,
     Both,
@@ -31,6 +33,7 @@ from .nodes import (
     Not,
     Number,
     Program,
+    Real,
     Record,
     Return,
     Select,
@@ -44,8 +47,9 @@ from .nodes import (
 class Arithmetic:
     """What an interpreter needs of a kind of number besides its operators.
 
-    number: from a literal; constants: EPSILON, MAX and others by name; where: the selection; both, either: of
-    tests.
+    number: from a literal; constants: EPSILON, MAX and others by name; both, either: of tests. where: the
+    selection by a test that is no ``bool``, of which both sides are evaluated; None where every test is true
+    or false, so that one side is.
     """
 
     number: Callable[[int | float], Any]
@@ -53,19 +57,10 @@ class Arithmetic:
     sqrt: Callable[[Any], Any]
     size: Callable[[Any], Any] = abs
     larger: Callable[[Any, Any], Any] = lambda one, other: one if one > other else other
-    where: Callable[[Any, Any, Any], Any] = lambda test, yes, no: yes if test else no
+    where: Callable[[Any, Any, Any], Any] | None = None
     anywhere: Callable[[Any], bool] = bool
     both: Callable[[Any, Any], Any] = operator.and_
     either: Callable[[Any, Any], Any] = operator.or_
-
-
-class _Left(Exception):  # noqa: N818
-    """A loop has ended early."""
-
-
-class _Finished(Exception):  # noqa: N818
-    def __init__(self, value: Any) -> None:
-        self.value = value
 
 
 _COMPARE: dict[str, Callable[[Any, Any], Any]] = {
@@ -82,23 +77,48 @@ _ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
     "*": operator.mul,
     "/": operator.truediv,
 }
+_BUILT_IN = ("sqrt", "size", "larger", "anywhere")
+
+Known = dict[str, Any]
+_Value = Callable[[Known], Any]
+_Action = Callable[[Known], Any]
+"""None where the next statement follows, else how the function or the loop ends."""
+_LEFT = object()
+
+
+@dataclass(frozen=True)
+class _Result:
+    value: Any
 
 
 @dataclass(frozen=True)
 class Interpreter:
     """Runs the functions of a program in one arithmetic.
 
-    A structure is a ``SimpleNamespace``, an array a list, or lists of lists.
+    A structure is a ``SimpleNamespace``, an array a list, or lists of lists. instead: what runs in place of
+    functions of the program, by name.
     """
 
     program: Program
     arithmetic: Arithmetic
+    instead: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
+    _bodies: dict[str, _Action] = field(default_factory=dict, init=False, repr=False, compare=False)
 
     def run(self, name: str, *arguments: Any) -> Any:
         """Result of a function of the program; arguments that it changes are changed."""
         function = self.program.function(name)
-        known = dict(zip((each.name for each in function.arguments), arguments, strict=True))
-        return self._body(function, known)
+        return self._call(function, self._known(function, arguments))
+
+    @staticmethod
+    def _known(function: Function, arguments: tuple[Any, ...]) -> Known:
+        return dict(zip((each.name for each in function.arguments), arguments, strict=True))
+
+    def _call(self, function: Function, known: Known) -> Any:
+        body = self._bodies.get(function.name)
+        if body is None:
+            body = self._bodies[function.name] = self._run(function.body)
+        result = body(known)
+        return result.value if isinstance(result, _Result) else None
 
     def zero(self, kind: Type) -> Any:
         """A value of this type with zeros."""
@@ -111,90 +131,155 @@ class Interpreter:
             return SimpleNamespace(**{each.name: self.zero(each.type) for each in members})
         return self.arithmetic.number(0)
 
-    def _body(self, function: Function, known: dict[str, Any]) -> Any:
-        try:
-            self._run(function.body, known)
-        except _Finished as result:
-            return result.value
-        return None
+    # ------------------------------------------------------------ statements, made into functions once
 
-    def _run(self, body: tuple[Statement, ...], known: dict[str, Any]) -> None:
-        for each in body:
-            match each:
-                case Let(name, value):
-                    known[name] = self._kept(each, self._value(value, known), known)
-                case Variable(name, kind, value):
-                    found = self.zero(kind) if value is None else self._value(value, known)
-                    known[name] = self._kept(each, found, known)
-                case Assign(target, value):
-                    self._store(target, self._kept(each, self._value(value, known), known), known)
-                case For():
-                    self._loop(each, known)
-                case If(test, inner, otherwise):
-                    holds = self.arithmetic.anywhere(self._value(test, known))
-                    self._run(inner if holds else otherwise, known)
-                case Do(call):
-                    self._value(call, known)
-                case Return(value):
-                    raise _Finished(None if value is None else self._value(value, known))
-                case Break():
-                    raise _Left
-                case Comment():
-                    pass
+    def _run(self, body: Sequence[Statement]) -> _Action:
+        actions = [self._action(each) for each in body if not isinstance(each, Comment)]
 
-    def _kept(self, statement: Let | Variable | Assign, value: Any, known: dict[str, Any]) -> Any:
+        def run(known: Known) -> Any:
+            for action in actions:
+                if (end := action(known)) is not None:
+                    return end
+            return None
+
+        return run
+
+    def _action(self, statement: Statement) -> _Action:
+        match statement:
+            case Let() | Variable() | Assign():
+                return self._stored(statement)
+            case For():
+                return self._loop(statement)
+            case If(test, body, otherwise):
+                holds, yes, no = self._value(test), self._run(body), self._run(otherwise)
+                anywhere = self.arithmetic.anywhere
+                return lambda known: (yes if anywhere(holds(known)) else no)(known)
+            case Do(call):
+                return self._done(self._value(call))
+            case Return(value):
+                result = self._value(value) if value is not None else lambda known: None
+                return lambda known: _Result(result(known))
+            case Break():
+                return lambda known: _LEFT
+        raise ValueError(f"statement: expected one without macros, got {type(statement).__name__}")
+
+    @staticmethod
+    def _done(call: _Value) -> _Action:
+        def action(known: Known) -> None:
+            call(known)
+
+        return action
+
+    def _stored(self, statement: Let | Variable | Assign) -> _Action:
+        target = statement.target if isinstance(statement, Assign) else Name(statement.name)
+        found, kept, store = self._first(statement), self._kept, self._store(target)
+
+        def action(known: Known) -> None:
+            store(known, kept(statement, found(known), known))
+
+        return action
+
+    def _first(self, statement: Let | Variable | Assign) -> _Value:
+        if not isinstance(statement, Variable) or statement.value is not None:
+            assert statement.value is not None
+            return self._value(statement.value)
+        kind = statement.type
+        return lambda known: self.zero(kind)
+
+    def _kept(self, statement: Let | Variable | Assign, value: Any, known: Known) -> Any:
         """What a statement stores."""
         return value
 
-    def _loop(self, loop: For, known: dict[str, Any]) -> None:
-        first, last = self._value(loop.first, known), self._value(loop.last, known)
-        for index in range(first, last, -1 if loop.down else 1):
-            known[loop.index] = index
-            try:
-                self._run(loop.body, known)
-            except _Left:
-                return
+    def _loop(self, loop: For) -> _Action:
+        first, last, step = self._value(loop.first), self._value(loop.last), self._value(loop.step)
+        body, index = self._run(loop.body), loop.index
 
-    def _store(self, target: Expression, value: Any, known: dict[str, Any]) -> None:
+        def action(known: Known) -> Any:
+            for at in range(first(known), last(known), -1 if loop.down else step(known)):
+                known[index] = at
+                if (end := body(known)) is not None:
+                    return None if end is _LEFT else end
+            return None
+
+        return action
+
+    def _store(self, target: Expression) -> Callable[[Known, Any], None]:
         match target:
             case Name(name):
-                known[name] = value
+                return lambda known, value: known.__setitem__(name, value)
             case Member(owner, name):
-                setattr(self._value(owner, known), name, value)
+                of = self._value(owner)
+                return lambda known, value: setattr(of(known), name, value)
             case Element(array, index):
-                self._put(self._value(array, known), [self._value(each, known) for each in index], value)
+                held, parts = self._value(array), [self._value(each) for each in index]
+                return lambda known, value: self._put(held(known), [part(known) for part in parts], value)
+        raise ValueError(f"target: expected a name, a member or an element, got {type(target).__name__}")
 
-    def _value(self, value: Expression, known: dict[str, Any]) -> Any:
+    # ------------------------------------------------------------ expressions
+
+    def _value(self, value: Expression) -> _Value:
         of = self._value
         match value:
             case Number(number):
-                return number if isinstance(number, int) else self.arithmetic.number(number)
+                constant = number if isinstance(number, int) else self.arithmetic.number(number)
+                return lambda known: constant
             case Constant(name):
-                return INTEGERS[name][0] if name in INTEGERS else self.arithmetic.constants[name]
+                named = self._constant(name)
+                return lambda known: named
             case Name(name):
-                return known[name]
+                return operator.itemgetter(name)
             case Member(owner, name):
-                return getattr(of(owner, known), name)
+                held = of(owner)
+                return lambda known: getattr(held(known), name)
             case Element(array, index):
-                return self._at(of(array, known), [of(each, known) for each in index])
+                return self._element(of(array), [of(each) for each in index])
+            case As(kind, inner):
+                return self._as(kind, of(inner))
             case Not(inner):
-                return self.arithmetic.where(of(inner, known), False, True)
+                holds = of(inner)
+                return lambda known: self._select(holds(known), _false, _true, known)
             case Negative(inner):
-                return -of(inner, known)
-            case Binary(operator, left, right):
-                return _ARITHMETIC[operator](of(left, known), of(right, known))
-            case Compare(operator, left, right):
-                return _COMPARE[operator](of(left, known), of(right, known))
+                plain = of(inner)
+                return lambda known: -plain(known)
+            case Binary(sign, left, right):
+                return _of_two(_ARITHMETIC[sign], of(left), of(right))
+            case Compare(sign, left, right):
+                return _of_two(_COMPARE[sign], of(left), of(right))
             case Both(left, right):
-                return self.arithmetic.both(of(left, known), of(right, known))
+                return _of_two(self.arithmetic.both, of(left), of(right))
             case Either(left, right):
-                return self.arithmetic.either(of(left, known), of(right, known))
+                return _of_two(self.arithmetic.either, of(left), of(right))
             case Select(test, yes, no):
-                return self._select(of(test, known), of(yes, known), of(no, known))
+                holds, one, other = of(test), of(yes), of(no)
+                return lambda known: self._select(holds(known), one, other, known)
             case Call(name, arguments):
-                found = [of(each, known) for each in arguments]
-                built_in = getattr(self.arithmetic, name, None)
-                return self.run(name, *found) if built_in is None else built_in(*found)
+                called, given = self._called(name), [of(each) for each in arguments]
+                return lambda known: called(*[each(known) for each in given])
+        raise ValueError(f"expression: expected one without addresses, got {type(value).__name__}")
+
+    def _constant(self, name: str) -> Any:
+        known = self.arithmetic.constants
+        return INTEGERS[name][0] if name in INTEGERS and name not in known else known[name]
+
+    def _as(self, kind: Type, inner: _Value) -> _Value:
+        number = self.arithmetic.number
+        return (lambda known: number(inner(known))) if kind == Real() else inner
+
+    def _called(self, name: str) -> Callable[..., Any]:
+        if name in self.instead:
+            return self.instead[name]
+        return getattr(self.arithmetic, name) if name in _BUILT_IN else partial(self.run, name)
+
+    def _element(self, array: _Value, index: Sequence[_Value]) -> _Value:
+        if len(index) == 1:
+            (only,) = index
+
+            def one(known: Known) -> Any:
+                held, at = array(known), only(known)
+                return held[at] if isinstance(at, int) else self._at(held, [at])
+
+            return one
+        return lambda known: self._at(array(known), [each(known) for each in index])
 
     def _at(self, array: Any, index: list[Any]) -> Any:
         """An element; where poses side by side differ in it, a selection."""
@@ -205,7 +290,7 @@ class Interpreter:
             return self._at(array[first], others)
         found, *more = (self._at(each, others) for each in array)
         for i, each in enumerate(more, 1):
-            found = self._select(first == i, each, found)
+            found = self._selected(first == i, each, found)
         return found
 
     def _put(self, array: Any, index: list[Any], value: Any) -> None:
@@ -216,12 +301,31 @@ class Interpreter:
             array[first] = value
         else:
             for i, each in enumerate(array):
-                self._put(array, [i, *others], self._select(first == i, value, self._at(each, others)))
+                self._put(array, [i, *others], self._selected(first == i, value, self._at(each, others)))
 
-    def _select(self, test: Any, yes: Any, no: Any) -> Any:
+    def _select(self, test: Any, yes: _Value, no: _Value, known: Known) -> Any:
+        """One of two; where a test is decided the other is not evaluated, which may be undefined."""
+        if isinstance(test, bool) or self.arithmetic.where is None:
+            return (yes if test else no)(known)
+        return self._selected(test, yes(known), no(known))
+
+    def _selected(self, test: Any, yes: Any, no: Any) -> Any:
         if isinstance(yes, SimpleNamespace):
-            parts = {name: self._select(test, part, getattr(no, name)) for name, part in vars(yes).items()}
+            parts = {name: self._selected(test, part, getattr(no, name)) for name, part in vars(yes).items()}
             return SimpleNamespace(**parts)
         if isinstance(yes, list):
-            return [self._select(test, one, other) for one, other in zip(yes, no, strict=True)]
-        return self.arithmetic.where(test, yes, no)
+            return [self._selected(test, one, other) for one, other in zip(yes, no, strict=True)]
+        where = self.arithmetic.where
+        return (yes if test else no) if where is None else where(test, yes, no)
+
+
+def _true(known: Known) -> bool:
+    return True
+
+
+def _false(known: Known) -> bool:
+    return False
+
+
+def _of_two(operation: Callable[[Any, Any], Any], left: _Value, right: _Value) -> _Value:
+    return lambda known: operation(left(known), right(known))

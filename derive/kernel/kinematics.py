@@ -1,13 +1,16 @@
 """Kinematics as trees: legs of a pose, the search of a pose from leg lengths, orientations and rates."""
 
-from collections.abc import Callable, Iterable
+import itertools
+import random
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
 from typing import Any
 
 from .. import kinematics as k
 from .. import notation as n
-from ..block import Block, Quantity
+from ..block import Block, Operations, Quantity
 from . import read
+from .counted import counted
 from .lower import Arguments, block_function, structure
 from .model import STATUS_FIELD, machine_structures
 from .nodes import Array, Field, Function, Program, Real, Record, Structure
@@ -27,11 +30,10 @@ def legs_program(blocks: k.Kinematics) -> Program:
     return _program("legs", held, made, (legs.reach_of, legs.fault_of, written.motions_of))
 
 
-def search_program(blocks: k.Kinematics, public: bool = False) -> Program:
+def search_program(blocks: k.Kinematics, public: Collection[str] = ()) -> Program:
     """``rates_of``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
 
-    public: ``inverse_kinematics``, ``forward_kinematics`` and ``forward_velocity`` as well, whose numbers are
-    NaN where the status is not OK.
+    public: some of ``PUBLIC`` as well, whose numbers are NaN where the status is not OK.
     """
     of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
     held = [
@@ -48,8 +50,33 @@ def search_program(blocks: k.Kinematics, public: bool = False) -> Program:
         _read(blocks.rate, "rate_of", "LegRate", of_leg | _MOTION),
         _read(blocks.turned, "turned_by", "SmallTurn", {"turn": ("", (k.turn,))}),
     ]
-    texts = (*_SEARCH, *_PUBLIC) if public else _SEARCH
-    return _program("kinematics", held, made, (legs.reach_of, legs.fault_of, *texts))
+    texts = (legs.reach_of, legs.fault_of, *_SEARCH, *(PUBLIC[name] for name in public))
+    return _program("kinematics", held, made, texts)
+
+
+def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
+    """Operations of "lengths", "lengths, rates", a "search" without its steps, a "step", and "velocity"."""
+    program = search_program(blocks)
+    draw = random.Random(1)
+
+    def numbers(name: str) -> float:
+        # R is a rotation already, as far as a search of no steps can tell.
+        return next(turn) if name == "R" else moving if name == "moving" else draw.uniform(0.5, 1.5)
+
+    def run(function: str, steps: int = 0) -> Operations:
+        return counted(program, function, numbers, {"MAX_STEPS": steps})
+
+    moving, turn = 0, itertools.cycle((1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0))
+    lengths = run("rates_of")
+    moving = 1
+    once, twice = run("search", 1), run("search", 2)
+    return {
+        "lengths": lengths,
+        "lengths, rates": run("rates_of"),
+        "search": run("pose_of"),
+        "step": twice + -1 * once,
+        "velocity": run("twist_of"),
+    }
 
 
 def rotation_program(blocks: Iterable[Block]) -> Program:
@@ -79,7 +106,7 @@ def _program(
     structures = {each.name: each for each in (*machine_structures(), *held)}
     functions = {each.name: each for each in blocks}
     for text in texts:
-        functions[text.__name__] = read.function(text, structures, functions)
+        functions[text.__name__] = read.function(text, structures, functions, public=text in PUBLIC.values())
     return Program(name, tuple(structures.values()), tuple(functions.values()))
 
 
@@ -146,4 +173,8 @@ _SEARCH = (
     written.pose_of,
     written.twist_of,
 )
-_PUBLIC = (written.inverse_kinematics, written.forward_kinematics, written.forward_velocity)
+PUBLIC = {
+    each.__name__: each
+    for each in (written.inverse_kinematics, written.forward_kinematics, written.forward_velocity)
+}
+"""Functions of a program without addresses, by name."""

@@ -9,12 +9,15 @@ from dataclasses import dataclass, fields, is_dataclass, replace
 from typing import Any
 
 from .nodes import (
+    Argument,
     Array,
     Binary,
     Call,
+    Do,
     Element,
     Expression,
     Field,
+    For,
     From,
     Function,
     Let,
@@ -23,6 +26,7 @@ from .nodes import (
     Number,
     Real,
     Record,
+    Return,
     Structure,
     Type,
     Variable,
@@ -30,6 +34,9 @@ from .nodes import (
 
 _TABLE = 6
 """Local tables with so few columns stay as they are."""
+
+_WRITTEN_OUT = 16
+"""Longer loops stay loops as they are: GCC writes out those of so few turns before it looks for vectors."""
 
 Step = str | Expression
 """A member, by its name, or an element, by its index."""
@@ -41,7 +48,8 @@ class Layout:
 
     structures: of the program, by name; records: their new names; sums: of a structure, where each member
     begins in one array, and how long that is; inside: the member that the results of a structure are in;
-    parts: members that are parts of another, and where they begin; functions: new names.
+    parts: members that are parts of another, and where they begin; functions: new names of those that fill
+    the structure of their result.
     """
 
     structures: Mapping[str, Structure]
@@ -92,11 +100,12 @@ class _Moved:
     tables: set[str]
 
     def function(self, function: Function) -> Function:
-        body = tuple(self.node(each) for each in function.body)
+        body = self.node(function.body)
         arguments = tuple(replace(each, type=self.layout.type(each.type)) for each in function.arguments)
         result = None if function.result is None else self.layout.type(function.result)
         name = self.layout.functions.get(function.name, function.name)
-        return replace(function, name=name, arguments=arguments, result=result, body=body, public=False)
+        moved = replace(function, name=name, arguments=arguments, result=result, body=body, public=False)
+        return _filling(moved) if function.name in self.layout.functions else moved
 
     def node(self, node: Any) -> Any:
         """A statement or an expression with its parts."""
@@ -110,18 +119,32 @@ class _Moved:
                     self.tables.add(name)
                     return node
                 first: Expression | None = None if node.value is None else self.node(node.value)
-                return replace(node, type=self.layout.type(kind), value=first)
+                aligned = isinstance(kind, Array) and len(kind.dims) == 2
+                return replace(node, type=self.layout.type(kind), value=first, aligned=aligned)
             case Call("anywhere", (test,)):
                 return self.node(test)
             case Call(name, arguments):
                 return Call(self.layout.functions.get(name, name), self.node(arguments))
+            case For(last=Number(last), kept=True) if last > _WRITTEN_OUT:
+                return self.node(replace(node, kept=False))
             case Member() | Element():
                 return self.place(node)
         if isinstance(node, tuple):
-            return tuple(self.node(each) for each in node)
+            return tuple(each for part in node for each in self.statements(part))
         if is_dataclass(node) and not isinstance(node, Array | Record | type):
             return replace(node, **{each.name: self.node(getattr(node, each.name)) for each in fields(node)})
         return node
+
+    def statements(self, node: Any) -> tuple[Any, ...]:
+        """A statement, or two where a function fills what it returned."""
+        match node:
+            case Let(name, Call(called, arguments)) | Variable(name, value=Call(called, arguments)) if (
+                called in self.layout.functions
+            ):
+                self.types[name] = node.type
+                filled = Call(self.layout.functions[called], (*self.node(arguments), Name(name)))
+                return Variable(name, self.layout.type(node.type), blank=True), Do(filled)
+        return (self.node(node),)
 
     def place(self, node: Expression) -> Expression:
         """A part of a variable in its place."""
@@ -175,6 +198,18 @@ class _Moved:
                 found.append(step)
                 kind = kind.item if isinstance(kind, Array) else kind
         return _joined(node, found)
+
+
+def _filling(function: Function) -> Function:
+    """The function that fills a structure instead of returning one, which C would copy."""
+    *body, end = function.body
+    assert isinstance(end, Return)
+    assert isinstance(end.value, Name)
+    assert function.result is not None
+    out = end.value.name
+    own = (each for each in body if not (isinstance(each, Variable) and each.name == out))
+    arguments = (*function.arguments, Argument(out, function.result, changed=True))
+    return replace(function, arguments=arguments, result=None, body=tuple(own))
 
 
 def _joined(node: Expression, steps: list[Step]) -> Expression:

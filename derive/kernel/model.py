@@ -12,7 +12,6 @@ from .nodes import (
     Array,
     Assign,
     Binary,
-    Call,
     Compare,
     Constant,
     Either,
@@ -21,11 +20,9 @@ from .nodes import (
     Field,
     For,
     Function,
-    If,
     Integer,
     Member,
     Name,
-    Not,
     Number,
     Real,
     Record,
@@ -153,25 +150,6 @@ def check_function(name: str, result: Structure) -> Function:
             Assign(status, Select(known, status, Constant("NOT_FINITE"))),
             *each_number(result, lambda at: Assign(at(out), Select(fine, at(out), Constant("NAN")))),
         ),
-    )
-
-
-def branching_check(name: str, result: Structure) -> Function:
-    """The same of one pose, without NaN: a branch at each number waits for none that was just stored."""
-    out = Name("out")
-    status = Member(out, "status")
-    fine = Compare("==", status, Constant("OK"))
-    lost = (Assign(status, Select(fine, Constant("NOT_FINITE"), status)), Return(None))
-
-    def looked_at(at: Place) -> Statement:
-        return If(Not(Compare("<=", Call("size", (at(out),)), Constant("MAX"))), lost)
-
-    return Function(
-        name,
-        "Says where a number of a result is not finite.",
-        (Argument("out", Record(result.name), changed=True),),
-        None,
-        tuple(each_number(result, looked_at)),
     )
 
 

@@ -233,13 +233,14 @@ class Let:
 class Variable:
     """A variable and its first value; of arrays and structures every number is zero.
 
-    blank: without a first value, as it is assigned to before it is read.
+    blank: without a first value, as it is assigned to before it is read. aligned: as a structure.
     """
 
     name: str
     type: Type
     value: Expression | None = None
     blank: bool = False
+    aligned: bool = False
 
 
 @dataclass(frozen=True)
@@ -254,7 +255,7 @@ class Assign:
 class For:
     """``index`` from ``first`` to ``last`` - 1, or downward from ``first`` to ``last`` + 1.
 
-    type: of the index; step: from one index to the next.
+    type: of the index; step: from one index to the next. kept: stays a loop, as vectors are made of loops.
     """
 
     index: str
@@ -264,6 +265,7 @@ class For:
     down: bool = False
     type: Integer | Count = Integer()
     step: Expression = Number(1)
+    kept: bool = False
 
 
 @dataclass(frozen=True)
@@ -327,11 +329,12 @@ class Field:
 
 @dataclass(frozen=True)
 class Structure:
-    """Members in the order in which they are stored."""
+    """Members in the order in which they are stored; ``aligned``: the first where a vector begins."""
 
     name: str
     meaning: str
     members: tuple[Field, ...]
+    aligned: bool = False
 
 
 @dataclass(frozen=True)
@@ -388,6 +391,13 @@ class Program:
     def function(self, name: str) -> Function:
         """The function of this name."""
         return next(each for each in self.functions if each.name == name)
+
+
+def joined(one: Program, other: Program) -> Program:
+    """Two programs as one; what both have under a name is the same in both."""
+    structures = {each.name: each for each in (*one.structures, *other.structures)}
+    functions = {each.name: each for each in (*one.functions, *other.functions)}
+    return Program(one.name, tuple(structures.values()), tuple(functions.values()))
 
 
 def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:

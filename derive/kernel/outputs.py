@@ -18,7 +18,6 @@ from .lower import Arguments, block_function, stored_type, structure
 from .model import (
     STATUS_FIELD,
     block_arguments,
-    branching_check,
     check_function,
     legs_function,
     model_functions,
@@ -47,18 +46,23 @@ Definition = Structure | Text | Callable[[], Function]
 
 
 def program(
-    kernel: ForceKernel, sums: Collection[m.SumKernel] = (), outputs: Collection[str] = (FORCES,)
+    kernel: ForceKernel,
+    sums: Collection[m.SumKernel] = (),
+    outputs: Collection[str] = (FORCES,),
+    deep: bool = True,
 ) -> Program:
     """Preparation and some of ``OUTPUTS``, of one pose or of many side by side.
 
-    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. Raises
-    ValueError for an output that is not one of ``OUTPUTS``.
+    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. deep: whether
+    the closed form's functions for poses that cost digits have bodies. Raises ValueError for an output that
+    is not one of ``OUTPUTS``.
     """
     unknown = [each for each in outputs if each not in OUTPUTS]
     if unknown:
         raise ValueError(f"outputs: expected some of {', '.join(OUTPUTS)}, got {unknown[0]}")
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _of_forces(kernel) | _NAMED
+    known |= {} if deep else _WITHOUT_BODIES
     for each in sums:
         known |= _of_sums(kernel, each)
     functions = {each.name: each for each in model_functions(kernel, of_model)}
@@ -69,8 +73,8 @@ def program(
 
 
 def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs: Collection[str]) -> Program:
-    """The closed form's outputs without what lanes do in another way: sums, forces and ``singular_status``,
-    which have no bodies."""
+    """The closed form's outputs without what lanes do in another way: sums, forces, ``singular_status`` and
+    the checks of results, which have no bodies."""
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _NAMED
     model, motion = Argument("model", Record("Model")), Argument("motion", Record("Motion"))
@@ -82,7 +86,8 @@ def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs
         )
         known[f"{name}_sums"] = partial(Function, f"{name}_sums", "", (model, motion, legs, summed), None, ())
     for of, result in RESULTS.items():
-        known[f"check_{of}"] = partial(branching_check, f"check_{of}", result)
+        out = Argument("out", Record(result.name), changed=True)
+        known[f"check_{of}"] = partial(Function, f"check_{of}", "", (out,), None, ())
     known["forces"] = partial(Function, "forces", "", (model, motion), Record("Forces"), ())
     known["singular_status"] = lambda: replace(SINGULAR_STATUS, result=Integer())
     needed = _Needed(known, tuple(outputs), of_model, {})
@@ -274,12 +279,18 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
         f"{prefix}_total": partial(legs_function, f"{prefix}_total", total, of_pose, of_legs),
         f"{prefix}_legs": Text(closed_form.legs_of, given),
         f"{prefix}_sums": Text(
-            closed_form.sums if sums.near is None else closed_form.sums_of_two_forms, given
+            closed_form.sums_of_two_forms if sums.name in m.OF_TWO_FORMS else closed_form.sums, given
         ),
     }
+    if sums.near is None:
+        found[f"{prefix}_near"] = _without_body(f"{prefix}_near", of_leg)
     for part, (block, result, reads) in blocks.items():
         found[f"{prefix}_{part}"] = partial(block_function, block, f"{prefix}_{part}", result, reads)
     return found
+
+
+def _without_body(name: str, result: str, *arguments: Argument) -> Definition:
+    return partial(Function, name, "", arguments, Record(result), ())
 
 
 def _result(name: str, meaning: str, *members: Field) -> Structure:
@@ -364,3 +375,7 @@ _STRUCTURES = (
 )
 _NAMED: dict[str, Definition] = {each.name: each for each in (*RESULTS.values(), *_STRUCTURES)}
 _NAMED |= {f"check_{of}": partial(check_function, f"check_{of}", each) for of, each in RESULTS.items()}
+_WITHOUT_BODIES: dict[str, Definition] = {
+    name: _without_body(name, result, Argument("by", Record("Rows")))
+    for name, result in (("forward_apart", "Apart"), ("slopes_apart", "SlopesApart"))
+}

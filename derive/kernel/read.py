@@ -1,10 +1,10 @@
 """Functions written in a part of Python, read as trees: what a kernel does around its blocks.
 
-Allowed are assignments, ``for`` over ``range`` and ``reversed(range)``, ``if``, ``else``, ``break``,
-``return``, ``+ - * /``, comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)``
-selects, ``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and
-the name of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or
-``"Real"``.
+Allowed are assignments, ``for`` over ``range``, ``reversed(range)`` and ``columns``, a range over the columns
+of a row that compilers make vectors of, ``if``, ``else``, ``break``, ``return``, ``+ - * /``, comparisons,
+``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects, ``anywhere(test)`` says
+whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name of a structure make
+zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
 
 For languages with addresses there are ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
 ``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a first
@@ -328,8 +328,8 @@ class _Reader:
         elif down:
             assert isinstance(call, ast.Call)
             call = call.args[0]
-        if not isinstance(call, ast.Call) or _called(call) != "range":
-            raise self.error(node.iter, "range(...) or reversed(range(...))")
+        if not isinstance(call, ast.Call) or _called(call) not in ("range", "columns"):
+            raise self.error(node.iter, "range(...), reversed(range(...)) or columns(...)")
         ends = [self.expression(arg) for arg in call.args[:2]]
         first, last = (Number(0), *ends)[-2:]
         kind = Count() if self.type(last) == Count() else Integer()
@@ -338,7 +338,8 @@ class _Reader:
             first, last = _less_one(last), _less_one(first)
         step = self.expression(call.args[2]) if len(call.args) == 3 else Number(1)
         step = As(Count(), step) if kind == Count() and step != Number(1) else step
-        return For(index, first, last, self.inner(node.body), down, kind, step)
+        kept = _called(call) == "columns"
+        return For(index, first, last, self.inner(node.body), down, kind, step, kept)
 
     # ------------------------------------------------------------ expressions
 

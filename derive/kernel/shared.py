@@ -36,7 +36,7 @@ _BLOCKS = (
     _signature("spread_matrix", None, source=_NUMBERS, to=_VECTORS),
     _signature("clear", None, to=_VECTORS),
 )
-_FORCE = _signature("STEWART_FORCE", Real(), D=Real(), x=Real())
+FORCE = _signature("STEWART_FORCE", Real(), D=Real(), x=Real())
 
 
 @dataclass(frozen=True)
@@ -58,7 +58,7 @@ class Shared:
 @cache
 def shared(about_tip: bool = True) -> Shared:
     """The functions; about_tip: of kernels whose moments are about platform point 1."""
-    texts = Written({}, {}, {_FORCE.name: _FORCE})
+    texts = Written({}, {}, {FORCE.name: FORCE})
     read = texts.function
     rows = (lanes.exchange_rows, lanes.subtract_row)
     return Shared(

@@ -19,6 +19,7 @@ from .constants import constants
 from .interpret import Arithmetic, Interpreter
 from .nodes import Assign, Element, Expression, Let, Member, Name, Program, Variable
 from .outputs import FORWARD
+from .prepare import PER_LENGTH
 
 Steps = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
@@ -83,9 +84,8 @@ class Tracer(Interpreter):
     def run(self, name: str, *arguments: Any) -> Any:
         """Result of a function; it is the leg's if the first argument is."""
         function = self.program.function(name)
-        known = dict(zip((each.name for each in function.arguments), arguments, strict=True))
         _, leg = self.legs.get(id(arguments[0]), (None, 0))
-        result = self._body(function, known | {_LEG: leg})
+        result = self._call(function, self._known(function, arguments) | {_LEG: leg})
         if leg and isinstance(result, SimpleNamespace):
             self.legs[id(result)] = result, leg
         return result
@@ -107,23 +107,35 @@ class Tracer(Interpreter):
     def _label(self, target: Expression, known: dict[str, Any]) -> list[str]:
         match target:
             case Element(Member(_, name) as array, (index,)):
-                count, at = len(self._value(array, known)), self._value(index, known)
+                count, at = len(self._value(array)(known)), self._value(index)(known)
                 axes = count != 6 or name in _SYMMETRIC
                 return [name, _axes(count, at) if axes else str(at + 1)]
             case Element(array, index):
-                return [*self._label(array, known), "".join(str(self._value(i, known) + 1) for i in index)]
+                return [*self._label(array, known), "".join(str(self._value(i)(known) + 1) for i in index)]
             case Member(_, name) | Name(name):
                 return [name]
         raise AssertionError(target)
 
 
 _LEG = "leg of the call"
-_SYMMETRIC = {
-    each.name
-    for module in (n, motion, prepared)
-    for each in vars(module).values()
-    if isinstance(each, Quantity) and each.symmetric
-}
+_QUANTITIES = [
+    each for module in (n, motion, prepared) for each in vars(module).values() if isinstance(each, Quantity)
+]
+_SYMMETRIC = {each.name for each in _QUANTITIES if each.symmetric}
+
+
+def described(constants: Iterable[str]) -> dict[str, tuple[str, str]]:
+    """Unit and meaning of the quantities that constants are components of, by name, in their order."""
+    of = {name: each for each in reversed(_QUANTITIES) for name in each.names}
+    unit, meaning = PER_LENGTH.meaning.split(": ", 1)
+    found = {}
+    for name in constants:
+        quantity = of.get(re.sub(r"_[1-6]$", "", name))
+        if quantity is not None:
+            found[quantity.name] = quantity.unit, quantity.meaning
+        else:
+            found[name] = unit, meaning
+    return found
 
 
 def needed(steps: Mapping[sp.Symbol, sp.Expr], results: Iterable[sp.Expr]) -> Steps:

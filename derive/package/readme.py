@@ -39,8 +39,8 @@ class Kit:
     has_robot: whether stewart_robot.h is among the files. deviations: rule, what it is about, why it is not
     kept.
     unit: file name of an FMI unit, "" without one. changed: the share of itself by which a wrong constant is
-    taken to be wrong; hidden: the constants whose change by it no test vector shows, by name; None where
-    there are no forces.
+    taken to be wrong; hidden: the constants folded into the forces whose change by it no test vector shows,
+    by name; None where none are folded in.
     """
 
     name: str
@@ -113,7 +113,7 @@ def _files(kit: Kit) -> list[tuple[str, str]]:
         ("stewart.hpp", "the same functions for C++17"),
         ("CMakeLists.txt`, `Config.cmake.in`, `Makefile", "builds library, self-test and example"),
         ("robot.toml", "the robot file, all defaults and units written out"),
-        ("LICENSE", "terms of use: none"),
+        ("LICENSE", "terms of use: any use, without conditions (0BSD)"),
         ("manifest.json", "options, digests of robot and files, version"),
         *unit,
     ]
@@ -161,16 +161,21 @@ def _wrapped(prototype: str) -> str:
 
 
 def _hidden(kit: Kit) -> str:
-    """Which wrong constants the self-test finds by the forces, and which it does not."""
-    if kit.hidden is None:
-        return ""
-    says = f"It fails where a constant of the forces is wrong by {kit.changed:g} of itself"
-    if kit.hidden:
-        says += (
-            ", but for those that no motion was found to show, as rounding errors of other terms are larger: "
-            f"{_by_leg(kit.hidden)}"
+    """Which wrong constants the self-test finds, and which it does not."""
+    says = []
+    if kit.has_robot:
+        says.append(
+            "It compares every number of the robot with the one that the kit was generated from, to the bit."
         )
-    return textwrap.fill(f"{says}.", 108, break_long_words=False, break_on_hyphens=False) + "\n"
+    if kit.hidden is not None:
+        folded = f"It fails where a constant folded into the forces is wrong by {kit.changed:g} of itself"
+        if kit.hidden:
+            folded += (
+                ", but for those that no motion was found to show, as rounding errors of other terms are "
+                f"larger: {_by_leg(kit.hidden)}"
+            )
+        says.append(f"{folded}.")
+    return textwrap.fill(" ".join(says), 108, break_long_words=False, break_on_hyphens=False) + "\n"
 
 
 def _by_leg(names: Sequence[str]) -> str:

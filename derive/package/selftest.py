@@ -36,13 +36,17 @@ class Case:
 def selftest(
     name: str,
     symbol: str,
+    robot: Sequence[float],
     functions: Sequence[Function],
     cases: Mapping[str, Sequence[Case]],
     refusals: Sequence[Refusal],
     version: str,
 ) -> str:
-    """``selftest.c``. name: the robot's; symbol: its constants in C. cases: by the functions' stems.
-    refusals: of the forces, where they are among the functions.
+    """``selftest.c``.
+
+    name: the robot's; symbol: its constants in C; robot: their numbers, flat, in the order of
+    ``stewart_robot``. cases: by the functions' stems. refusals: of the forces, where they are among the
+    functions.
 
     Raises ValueError naming what is not a finite number.
     """
@@ -52,7 +56,7 @@ def selftest(
         "version": version,
         "arithmetic": template("kit/arithmetic.h"),
         "includes": "".join(f'#include "{file}"\n' for file in _headers(functions)),
-        "robot": template("kit/selftest_robot.c", {"symbol": symbol}) if _has_robot(functions) else "",
+        "robot": _robot(symbol, robot) if _has_robot(functions) else "",
         "models": "".join(template("kit/selftest_model.c", {"prefix": p}) for p in _prefixes(functions)),
         "motions": _initialisers(motions),
         "motion_count": str(len(motions)),
@@ -100,6 +104,11 @@ def _models(functions: Sequence[Function]) -> str:
     )
     values = {"count": str(len(prefixes)), "rows": "\n".join(rows)}
     return template("kit/selftest_models.c", values) if prefixes else ""
+
+
+def _robot(symbol: str, numbers: Sequence[float]) -> str:
+    table = _table("robot_numbers", "stewart_real", [numbers])
+    return template("kit/selftest_robot.c", {"symbol": symbol, "numbers": table})
 
 
 def _has_robot(functions: Sequence[Function]) -> bool:

@@ -46,6 +46,7 @@ from .spelling import AND, ATOM, COMPARE, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH,
 _BUILT_IN = {"sqrt": "STEWART_SQRT", "size": "STEWART_FABS", "larger": "STEWART_LARGER"}
 _PLAIN = {"NULL": "NULL", "LANES": "LANES"}
 _NAMES = {Real: "stewart_real", Integer: "int", Count: "size_t", Truth: "int"}
+_ALIGNED = {False: "", True: "STEWART_ALIGNED "}
 _LEVEL = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
 
 
@@ -126,7 +127,7 @@ class C(Printer):
         """A structure as a type."""
         members = [line for each in structure.members for line in self._member(each)]
         members = members or ["    int none; /* C has no structure without members */"]
-        name = self.records.get(structure.name, structure.name)
+        name = _ALIGNED[structure.aligned] + self.records.get(structure.name, structure.name)
         return [*self.remark(structure.meaning), "typedef struct {", *members, f"}} {name};"]
 
     def _member(self, field: Field) -> list[str]:
@@ -273,7 +274,7 @@ class C(Printer):
         return f"const {self.declared(node.type, node.name)} = {self.text(node.value)};"
 
     def variable(self, node: Variable) -> str:
-        declared = self.declared(node.type, node.name)
+        declared = _ALIGNED[node.aligned] + self.declared(node.type, node.name)
         if node.value is not None:
             return f"{declared} = {self.text(node.value)};"
         if node.blank:
@@ -313,7 +314,8 @@ class C(Printer):
             end = f">= {node.last.value + 1}" if isinstance(node.last, Number) else f"> {last}"
             return f"for ({index} = {first}; {index} {end}; --{index})"
         step = f"++{index}" if node.step == Number(1) else f"{index} += {self.text(node.step)}"
-        return f"for ({index} = {first}; {index} < {last}; {step})"
+        kept = "STEWART_LOOP " if node.kept else ""
+        return f"{kept}for ({index} = {first}; {index} < {last}; {step})"
 
     def condition(self, test: str) -> str:
         return f"if ({test})"

@@ -1,9 +1,12 @@
 """MATLAB and Octave: a package of functions, arguments that a function changes are handed back."""
 
+import math
+
 from ..kernel.nodes import (
     Array,
     Call,
     Expression,
+    Field,
     For,
     Function,
     Integer,
@@ -23,7 +26,7 @@ from .spelling import Printer, written_to
 class Matlab(Printer):
     """Spells one program as the files of the package ``+stewart``; structures are of double and int32."""
 
-    both, either, unequal = "&", "|", "~="
+    unequal = "~="
     opening, closing = "", "end"
     alternative, negation = "else", "~"
     comment = "% {}"
@@ -37,10 +40,61 @@ class Matlab(Printer):
     def files(self) -> dict[str, str]:
         """The text of each file by its name."""
         of_functions = {each.name: self.function(each) for each in self.program.functions}
-        of_structures = {_zero(each.name): self.structure(each) for each in self.program.structures}
+        of_structures = {_named("zero", each.name): self.structure(each) for each in self.program.structures}
+        checks = {_named("checked", each.name): self.check(each) for each in self._given()}
         return {
-            f"{name}.m": "\n".join([*lines, ""]) for name, lines in (of_functions | of_structures).items()
+            f"{name}.m": "\n".join([*lines, ""])
+            for name, lines in (of_functions | of_structures | checks).items()
         }
+
+    def _given(self) -> list[Structure]:
+        """Structures that callers fill: those that public functions take, but for what has a status."""
+        names = [
+            each.type.name
+            for function in self.program.functions
+            for each in function.arguments
+            if function.public and isinstance(each.type, Record)
+        ]
+        found: dict[str, Structure] = {}
+        while names:
+            each = self.program.structure(names.pop())
+            if not any(member.type == Integer() for member in each.members):
+                found[each.name] = each
+                kinds = (m.type.item if isinstance(m.type, Array) else m.type for m in each.members)
+                names += [kind.name for kind in kinds if isinstance(kind, Record)]
+        return list(found.values())
+
+    def check(self, structure: Structure) -> list[str]:
+        """A function that hands a structure on with every number as double, or says what is not one."""
+        name = _named("checked", structure.name)
+        lines = [line for each in structure.members for line in self._checked_member(each)]
+        return [
+            f"function made = {name}(given)",
+            f"%{name.upper()} {structure.meaning} Numbers as double; an error for other shapes.",
+            f"    made = {self.package}.{_named('zero', structure.name)}();",
+            *lines,
+            "end",
+        ]
+
+    def _checked_member(self, member: Field) -> list[str]:
+        name, kind = member.name, member.type
+        if isinstance(kind, Array) and isinstance(kind.item, Record):
+            check = f"{self.package}.{_named('checked', kind.item.name)}"
+            return [
+                f"    if numel(given.{name}) ~= {kind.dims[0]}",
+                f"        error('{name}: expected {kind.dims[0]}, got %d', numel(given.{name}));",
+                "    end",
+                f"    for i = 1:{kind.dims[0]}",
+                f"        made.{name}(i) = {check}(given.{name}(i));",
+                "    end",
+            ]
+        return [f"    made.{name} = {self._checked(f'given.{name}', name, kind)};"]
+
+    def _checked(self, value: str, name: str, kind: Type) -> str:
+        if isinstance(kind, Record):
+            return f"{self.package}.{_named('checked', kind.name)}({value})"
+        count = math.prod(kind.dims) if isinstance(kind, Array) else 1
+        return f"{self.package}.numbers({value}, {count}, '{name}')"
 
     def structure(self, structure: Structure) -> list[str]:
         """A function that makes a structure of zeros."""
@@ -48,7 +102,7 @@ class Matlab(Printer):
             f"    made.{each.name} = {self.zero(each.type)};{f' % {each.meaning}' if each.meaning else ''}"
             for each in structure.members
         ]
-        name = _zero(structure.name)
+        name = _named("zero", structure.name)
         return [
             f"function made = {name}()",
             f"%{name.upper()} {structure.meaning} Every number zero.",
@@ -60,12 +114,12 @@ class Matlab(Printer):
         """Zeros of a type."""
         match kind:
             case Array(Record(name), dims):
-                return f"repmat({self.package}.{_zero(name)}(), {dims[0]}, 1)"
+                return f"repmat({self.package}.{_named('zero', name)}(), {dims[0]}, 1)"
             case Array(_, dims):
                 rows, columns = dims if len(dims) == 2 else (dims[0], 1)
                 return f"zeros({rows}, {columns})"
             case Record(name):
-                return f"{self.package}.{_zero(name)}()"
+                return f"{self.package}.{_named('zero', name)}()"
             case Integer():
                 return "int32(0)"
         return "0"
@@ -149,6 +203,16 @@ class Matlab(Printer):
         left = outputs[0] if len(outputs) == 1 else f"[{', '.join(outputs)}]"
         arguments = ", ".join(each.name for each in function.arguments)
         body = [line for line in self.body(function.body) if line.strip()]
+        if function.public:
+            made = {each.name for each in self._given()}
+            checked = [
+                each
+                for each in function.arguments
+                if not isinstance(each.type, Record) or each.type.name in made
+            ]
+            body[:0] = [
+                f"    {each.name} = {self._checked(each.name, each.name, each.type)};" for each in checked
+            ]
         if any("constants." in line for line in body):
             body.insert(0, f"    constants = {self.package}.constants();")
         return [
@@ -171,10 +235,10 @@ def _help(function: Function) -> list[str]:
     return [*lines, line]
 
 
-def _zero(name: str) -> str:
-    """``zero_leg_terms`` of ``LegTerms``."""
+def _named(prefix: str, name: str) -> str:
+    """``zero_leg_terms`` of ``zero`` and ``LegTerms``."""
     words = "".join(f"_{letter.lower()}" if letter.isupper() else letter for letter in name)
-    return f"zero{words}"
+    return f"{prefix}{words}"
 
 
 def _from_one(index: str) -> str:

@@ -186,7 +186,9 @@ class Python(Printer):
         arguments = ", ".join(["on: Arithmetic", *(f"{each.name}: Any" for each in function.arguments)])
         result = "None" if function.result is None else "Any"
         given = [
-            f"    {each.name} = on.arrays({each.name})" for each in function.arguments if function.public
+            f'    {each.name} = on.arrays(on.checked({self.zero(each.type)}, "{each.name}", {each.name}))'
+            for each in function.arguments
+            if function.public
         ]
         return [
             *self.lines("", f"def {function.name}({arguments}) -> {result}:"),

@@ -28,8 +28,8 @@
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
- * along that axis has lost six bits; the leg's third axis is taken instead. */
-#define STEWART_NEAR_POLE ((stewart_real)0.015625)
+ * along that axis has lost five bits; the leg's third axis is taken instead. */
+#define STEWART_NEAR_POLE ((stewart_real)0.03125)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
 #if !defined(STEWART_SHORTEST)

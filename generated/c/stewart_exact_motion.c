@@ -14,6 +14,20 @@
  * lose digits. */
 #define STEWART_LEANING ((stewart_real)0.125)
 
+/* Vectors load from what begins where they do: one across two lines of the cache takes twice as long. */
+#if defined(__GNUC__) && defined(__AVX__)
+#define STEWART_ALIGNED __attribute__((aligned(64)))
+#else
+#define STEWART_ALIGNED
+#endif
+
+/* GCC writes short loops out before it looks for vectors, and then finds few. */
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
+#define STEWART_LOOP _Pragma("GCC unroll 1")
+#else
+#define STEWART_LOOP
+#endif
+
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
 STEWART_APART static void add_legs(
@@ -155,7 +169,7 @@ typedef struct {
     stewart_real H_dot_moment[3][LANES];
     leg_checks checked;
     int status;
-} equations_legs;
+} STEWART_ALIGNED equations_legs;
 
 /* The platform's part. */
 static void equations_of_pose(
@@ -1029,91 +1043,75 @@ static void place_blocks_6(
 /* Says where a number of a result is not finite. */
 static void check_equations(equations_found *out)
 {
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.M[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
-    }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.C[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.g[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.friction[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.H[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.M[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.H_dot[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.C[i]) <= STEWART_MAX ? 0U : 1U);
     }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.H[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.H_dot[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads. */
-static equations_found find_equations(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_equations(
+    const stewart_exact_model *model, const stewart_motion *motion, equations_found *out)
 {
     int i, j;
-    equations_found out;
     equations_legs legs;
     stewart_real summed[69];
     equations_sums(model, motion, &legs, summed);
-    place_inertia_6(&summed[0], &summed[6], &summed[15], 0, out.of.M);
-    place_blocks_6(&summed[21], &summed[30], &summed[39], &summed[48], 0, out.of.C);
+    place_inertia_6(&summed[0], &summed[6], &summed[15], 0, out->of.M);
+    place_blocks_6(&summed[21], &summed[30], &summed[39], &summed[48], 0, out->of.C);
     for (i = 0; i < 3; ++i) {
-        out.of.g[i] = summed[57 + i];
-        out.of.g[i + 3] = summed[60 + i];
-        out.of.friction[i] = summed[63 + i];
-        out.of.friction[i + 3] = summed[66 + i];
+        out->of.g[i] = summed[57 + i];
+        out->of.g[i + 3] = summed[60 + i];
+        out->of.friction[i] = summed[63 + i];
+        out->of.friction[i + 3] = summed[66 + i];
         for (j = 0; j < 6; ++j) {
-            out.of.H[6*i + j] = legs.H_force[i][j];
-            out.of.H[6*(i + 3) + j] = legs.H_moment[i][j];
-            out.of.H_dot[6*i + j] = legs.H_dot_force[i][j];
-            out.of.H_dot[6*(i + 3) + j] = legs.H_dot_moment[i][j];
+            out->of.H[6*i + j] = legs.H_force[i][j];
+            out->of.H[6*(i + 3) + j] = legs.H_moment[i][j];
+            out->of.H_dot[6*i + j] = legs.H_dot_force[i][j];
+            out->of.H_dot[6*(i + 3) + j] = legs.H_dot_moment[i][j];
         }
     }
     for (i = 0; i < 6; ++i) {
-        stewart_real total_bias = out.of.g[i] + out.of.friction[i];
+        stewart_real total_bias = out->of.g[i] + out->of.friction[i];
         for (j = 0; j < 3; ++j) {
-            total_bias = total_bias + out.of.C[6*i + j]*motion->v[j] + out.of.C[6*i + (j + 3)]*motion->omega[j];
+            total_bias = total_bias + out->of.C[6*i + j]*motion->v[j] + out->of.C[6*i + (j + 3)]*motion->omega[j];
         }
-        out.of.bias[i] = total_bias;
+        out->of.bias[i] = total_bias;
     }
-    out.status = legs.status;
-    check_equations(&out);
-    return out;
+    out->status = legs.status;
+    check_equations(out);
 }
 
 int stewart_exact_equations(
@@ -1123,7 +1121,7 @@ int stewart_exact_equations(
     if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_equations(model, motion);
+    find_equations(model, motion, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
@@ -1138,7 +1136,7 @@ typedef struct {
     stewart_real sum[6][LANES];
     leg_checks checked;
     int status;
-} bias_legs;
+} STEWART_ALIGNED bias_legs;
 
 /* The platform's part. */
 static void bias_of_pose(
@@ -1403,29 +1401,30 @@ static void bias_sums(
 static void check_bias(bias_found *out)
 {
     int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->bias[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
 }
 
 /* C [v; omega] + g + friction without C. */
-static bias_found find_bias(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_bias(const stewart_exact_model *model, const stewart_motion *motion, bias_found *out)
 {
     int i;
-    bias_found out;
     bias_legs legs;
     stewart_real summed[6];
     bias_sums(model, motion, &legs, summed);
     for (i = 0; i < 3; ++i) {
-        out.bias[i] = summed[i];
-        out.bias[i + 3] = summed[3 + i];
+        out->bias[i] = summed[i];
+        out->bias[i + 3] = summed[3 + i];
     }
-    out.status = legs.status;
-    check_bias(&out);
-    return out;
+    out->status = legs.status;
+    check_bias(out);
 }
 
 int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias[6])
@@ -1434,7 +1433,7 @@ int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *m
     if (model == NULL || motion == NULL || bias == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_bias(model, motion);
+    find_bias(model, motion, &found);
     if (found.status == STEWART_OK) {
         copy(found.bias, 6, bias);
     }
@@ -1450,7 +1449,7 @@ typedef struct {
     stewart_real F[LANES];
     leg_checks checked;
     int status;
-} forward_legs;
+} STEWART_ALIGNED forward_legs;
 
 /* The platform's part. */
 static void forward_of_pose(
@@ -1834,27 +1833,35 @@ static void place_inertia_8(
 static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[LANES];
     for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 8; ++j) {
-            A[8*k + j] = A[8*k + j]*inverse[k];
+        STEWART_LOOP for (j = 6; j < 8; ++j) {
+            row[j] = A[8*k + j]*inverse[k];
+            A[8*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[8*i + k];
-            for (j = 6; j < 8; ++j) {
-                A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+            STEWART_LOOP for (j = 6; j < 8; ++j) {
+                A[8*i + j] = A[8*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_8(stewart_real A[48], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[LANES];
+    STEWART_LOOP for (j = 0; j < 8; ++j) {
+        row[j] = A[8*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[8*i + k]*inverse;
-        for (j = 0; j < 8; ++j) {
-            A[8*i + j] = A[8*i + j] - factor*A[8*k + j];
+        STEWART_LOOP for (j = 0; j < 8; ++j) {
+            A[8*i + j] = A[8*i + j] - factor*row[j];
         }
     }
 }
@@ -1886,15 +1893,12 @@ static int solve_definite_8(stewart_real A[48], stewart_real kept)
 static void check_forward_dynamics(forward_dynamics_found *out)
 {
     int i;
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-            return;
-        }
+    if (out->status != STEWART_OK) {
+        return;
     }
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->acceleration[3 + i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+    for (i = 0; i < 6; ++i) {
+        if (!(STEWART_FABS(out->acceleration[i]) <= STEWART_MAX)) {
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
@@ -1913,7 +1917,7 @@ typedef struct {
     stewart_real tau[3][LANES];
     leg_checks checked;
     int status;
-} joint_rows_legs;
+} STEWART_ALIGNED joint_rows_legs;
 
 /* The platform's part. */
 static void joint_rows_of_pose(
@@ -2457,6 +2461,26 @@ static void weigh_rows(rows *by)
     }
 }
 
+/* Forces of the six coordinates' rows that add up to a wrench. */
+static void by_rows(const rows *by, const stewart_real wrench[6], stewart_real held[6])
+{
+    int j, k;
+    for (k = 0; k < 6; ++k) {
+        held[k] = wrench[by->column[k]]/(by->column[k] < 3 ? REAL(1) : by->length);
+    }
+    for (k = 0; k < 6; ++k) {
+        for (j = 0; j < k; ++j) {
+            held[k] = held[k] - by->row[6*j + k]*held[j];
+        }
+        held[k] = held[k]/by->row[6*k + k];
+    }
+    for (k = 5; k >= 0; --k) {
+        for (j = k + 1; j < 6; ++j) {
+            held[k] = held[k] - by->row[6*j + k]*held[j];
+        }
+    }
+}
+
 /* Accelerations of the coordinates' rows under which the inertia of each block balances their forces.
  *
  * ``balanced``: 1 of these rows, without those that have no inertia of their own beside the rows before
@@ -2501,13 +2525,13 @@ static void balance_rows(
     }
 }
 
-/* What the six coordinates' accelerations must balance, of the rows' forces and a wrench.
+/* What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
  *
  * force: of each row, as its generalised force over its size, without accelerations. start:
  * accelerations of the coordinates that balance their own large forces, from which the unknown ones are
  * measured; rest: the rows' forces there. */
 static void row_right(
-    const rows *by, const stewart_real force[24], const stewart_real wrench[6], stewart_real start[6],
+    const rows *by, const stewart_real force[24], const stewart_real held[6], stewart_real start[6],
     stewart_real rest[24], stewart_real right[6])
 {
     int b, i, j, k;
@@ -2516,7 +2540,6 @@ static void row_right(
     balance_rows(by, force, moved, balanced);
     for (k = 0; k < 6; ++k) {
         start[k] = moved[by->order[k]];
-        right[k] = wrench[by->column[k]]/(by->column[k] < 3 ? REAL(1) : by->length);
     }
     for (i = 0; i < 24; ++i) {
         moved[i] = REAL(0);
@@ -2535,17 +2558,7 @@ static void row_right(
         }
     }
     for (k = 0; k < 6; ++k) {
-        for (j = 0; j < k; ++j) {
-            right[k] = right[k] - by->row[6*j + k]*right[j];
-        }
-        right[k] = right[k]/by->row[6*k + k];
-    }
-    for (k = 5; k >= 0; --k) {
-        for (j = k + 1; j < 6; ++j) {
-            right[k] = right[k] - by->row[6*j + k]*right[j];
-        }
-    }
-    for (k = 0; k < 6; ++k) {
+        right[k] = held[k];
         for (i = 0; i < 24; ++i) {
             right[k] = right[k] - by->share[6*i + k]*rest[i];
         }
@@ -2575,32 +2588,51 @@ static void row_back(
 
 /* Of each leg the generalised forces, the accelerations that those of the platform give to it, and
  * whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share
- * between the two would have the rounding of both. */
+ * between the two would have the rounding of both.
+ *
+ * The coordinates' rows hold what the other rows leave of the wrench: of a heavy leg's own inertia times
+ * its accelerations little may be left. */
 static void rows_held(
     const joint_rows_legs *legs, rows *by, const stewart_real found[6], const stewart_real start[6],
-    const stewart_real rest[24])
+    const stewart_real rest[24], stewart_real held[6])
 {
-    int b, i, j;
+    int b, i, j, k;
     stewart_real whole[24] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    stewart_real force[24];
     for (i = 0; i < 24; ++i) {
         for (j = 0; j < 6; ++j) {
             whole[i] = whole[i] + by->share[6*i + j]*found[j];
         }
+    }
+    for (b = 0; b < 8; ++b) {
+        for (i = 0; i < 3; ++i) {
+            force[3*b + i] = rest[3*b + i];
+            for (j = 0; j < 3; ++j) {
+                force[3*b + i] = force[3*b + i] + by->weight[3*(3*b + i) + j]*whole[3*b + j];
+            }
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        force[by->order[k]] = REAL(0);
+    }
+    for (k = 0; k < 6; ++k) {
+        for (i = 0; i < 24; ++i) {
+            held[k] = held[k] - by->share[6*i + k]*force[i];
+        }
+    }
+    for (k = 0; k < 6; ++k) {
+        force[by->order[k]] = held[k];
     }
     for (b = 0; b < 6; ++b) {
         const stewart_real k3 = legs->checked.k3[b];
         const stewart_real thin = k3*by->extent[3*b + 1]/by->extent[3*b + 2];
         by->given[b].axial = (k3 < STEWART_LEANING && thin*thin > STEWART_HALF) ? REAL(0) : REAL(1);
         for (i = 0; i < 3; ++i) {
-            stewart_real force = rest[3*b + i];
             stewart_real turned = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                force = force + by->weight[3*(3*b + i) + j]*whole[3*b + j];
-            }
             for (j = 0; j < 6; ++j) {
                 turned = turned + by->share[6*(3*b + i) + j]*(found[j] - start[j]);
             }
-            by->given[b].net[i] = force*by->extent[3*b + i];
+            by->given[b].net[i] = force[3*b + i]*by->extent[3*b + i];
             by->given[b].turned[i] = turned/by->extent[3*b + i];
         }
     }
@@ -2618,9 +2650,10 @@ static apart_found forward_apart(
     stewart_real wrench[6];
     stewart_real start[6];
     stewart_real rest[24];
+    stewart_real held[6];
     stewart_real right[6];
-    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    STEWART_ALIGNED stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2637,7 +2670,8 @@ static apart_found forward_apart(
         wrench[i] = summed[21 + i];
         wrench[i + 3] = summed[24 + i];
     }
-    row_right(by, force, wrench, start, rest, right);
+    by_rows(by, wrench, held);
+    row_right(by, force, held, start, rest, right);
     for (i = 0; i < 6; ++i) {
         A[8*i + 6] = right[i];
         for (j = 0; j < 6; ++j) {
@@ -2649,7 +2683,7 @@ static apart_found forward_apart(
         right[i] = A[8*i + 6];
     }
     row_back(by, right, start, out.x);
-    rows_held(&legs, by, right, start, rest);
+    rows_held(&legs, by, right, start, rest, held);
     out.status = legs.status == STEWART_OK ? fault : legs.status;
     for (i = 0; i < 6; ++i) {
         out.status = (out.status != STEWART_OK || STEWART_FABS(out.x[i]) <= STEWART_MAX) ? out.status : STEWART_NOT_FINITE;
@@ -2658,15 +2692,15 @@ static apart_found forward_apart(
 }
 
 /* Accelerations a and alpha of the platform under the actuator forces F, N; a and alpha are not read. */
-static forward_dynamics_found find_forward_dynamics(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
+static void find_forward_dynamics(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    forward_dynamics_found *out)
 {
     int i;
-    forward_dynamics_found out;
     forward_legs legs;
     stewart_real summed[27];
-    stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+    STEWART_ALIGNED stewart_real A[48] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     for (i = 0; i < 6; ++i) {
         legs.F[i] = F[i];
     }
@@ -2687,12 +2721,11 @@ static forward_dynamics_found find_forward_dynamics(
         fault = fault == STEWART_INDEFINITE ? apart.status : fault;
     }
     for (i = 0; i < 3; ++i) {
-        out.acceleration[i] = A[8*i + 6];
-        out.acceleration[3 + i] = A[8*(i + 3) + 6];
+        out->acceleration[i] = A[8*i + 6];
+        out->acceleration[3 + i] = A[8*(i + 3) + 6];
     }
-    out.status = status == STEWART_OK ? fault : status;
-    check_forward_dynamics(&out);
-    return out;
+    out->status = status == STEWART_OK ? fault : status;
+    check_forward_dynamics(out);
 }
 
 int stewart_exact_forward_dynamics(
@@ -2703,7 +2736,7 @@ int stewart_exact_forward_dynamics(
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_forward_dynamics(model, motion, F);
+    find_forward_dynamics(model, motion, F, &found);
     if (found.status == STEWART_OK) {
         copy(found.acceleration, 6, acceleration);
     }
@@ -2757,27 +2790,35 @@ static void scale_moments_12(stewart_real per_length, stewart_real A[72])
 static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[12];
     for (k = 5; k >= 0; --k) {
-        for (j = 6; j < 12; ++j) {
-            A[12*k + j] = A[12*k + j]*inverse[k];
+        STEWART_LOOP for (j = 6; j < 12; ++j) {
+            row[j] = A[12*k + j]*inverse[k];
+            A[12*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[12*i + k];
-            for (j = 6; j < 12; ++j) {
-                A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+            STEWART_LOOP for (j = 6; j < 12; ++j) {
+                A[12*i + j] = A[12*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_12(stewart_real A[72], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[12];
+    STEWART_LOOP for (j = 0; j < 12; ++j) {
+        row[j] = A[12*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[12*i + k]*inverse;
-        for (j = 0; j < 12; ++j) {
-            A[12*i + j] = A[12*i + j] - factor*A[12*k + j];
+        STEWART_LOOP for (j = 0; j < 12; ++j) {
+            A[12*i + j] = A[12*i + j] - factor*row[j];
         }
     }
 }
@@ -2798,7 +2839,7 @@ static int solve_pivoted_12(stewart_real A[72])
             most = entry > most ? entry : most;
         }
         if (pivot != k) {
-            for (j = 0; j < 12; ++j) {
+            STEWART_LOOP for (j = 0; j < 12; ++j) {
                 const stewart_real upper = A[12*k + j];
                 A[12*k + j] = A[12*pivot + j];
                 A[12*pivot + j] = upper;
@@ -2815,15 +2856,15 @@ static int solve_pivoted_12(stewart_real A[72])
 /* Says where a number of a result is not finite. */
 static void check_joint_inertia(joint_inertia_found *out)
 {
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->inertia[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
     }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->inertia[i]) <= STEWART_MAX ? 0U : 1U);
+    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* Whether H is singular to rounding. */
@@ -2847,14 +2888,13 @@ static int columns_status(
 }
 
 /* Inertia that the actuators feel, H^-1 M H^-T. */
-static joint_inertia_found find_joint_inertia(
-    const stewart_exact_model *model, const stewart_motion *motion)
+static void find_joint_inertia(
+    const stewart_exact_model *model, const stewart_motion *motion, joint_inertia_found *out)
 {
     int i, j;
-    joint_inertia_found out;
     equations_legs legs;
     stewart_real summed[69];
-    stewart_real A[72];
+    STEWART_ALIGNED stewart_real A[72];
     stewart_real half[6][6];
     equations_sums(model, motion, &legs, summed);
     int status = legs.status;
@@ -2889,12 +2929,11 @@ static joint_inertia_found find_joint_inertia(
     (void)solve_pivoted_12(A);
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 6; ++j) {
-            out.inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
+            out->inertia[6*i + j] = (A[12*i + (j + 6)] + A[12*j + (i + 6)])*STEWART_HALF;
         }
     }
-    out.status = status;
-    check_joint_inertia(&out);
-    return out;
+    out->status = status;
+    check_joint_inertia(out);
 }
 
 int stewart_exact_joint_inertia(
@@ -2904,7 +2943,7 @@ int stewart_exact_joint_inertia(
     if (model == NULL || motion == NULL || inertia == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_joint_inertia(model, motion);
+    find_joint_inertia(model, motion, &found);
     if (found.status == STEWART_OK) {
         copy(found.inertia, 36, inertia);
     }
@@ -2912,15 +2951,13 @@ int stewart_exact_joint_inertia(
 }
 
 /* Actuator forces. */
-static forces_found find_forces(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_forces(const stewart_exact_model *model, const stewart_motion *motion, forces_found *out)
 {
     int i;
-    forces_found out;
     for (i = 0; i < 6; ++i) {
-        out.F[i] = REAL(0);
+        out->F[i] = REAL(0);
     }
-    out.status = stewart_exact_forces(model, motion, out.F);
-    return out;
+    out->status = stewart_exact_forces(model, motion, out->F);
 }
 
 typedef struct {
@@ -2934,7 +2971,7 @@ typedef struct {
     stewart_real H_moment[3][LANES];
     leg_checks checked;
     int status;
-} derivatives_legs;
+} STEWART_ALIGNED derivatives_legs;
 
 /* The platform's part. */
 static void derivatives_of_pose(
@@ -4608,27 +4645,35 @@ static void scale_moments_24(stewart_real per_length, stewart_real A[144])
 static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6])
 {
     int i, j, k;
+    stewart_real row[24];
     for (k = 5; k >= 0; --k) {
         for (j = 6; j < 24; ++j) {
-            A[24*k + j] = A[24*k + j]*inverse[k];
+            row[j] = A[24*k + j]*inverse[k];
+            A[24*k + j] = row[j];
         }
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[24*i + k];
             for (j = 6; j < 24; ++j) {
-                A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+                A[24*i + j] = A[24*i + j] - factor*row[j];
             }
         }
     }
 }
 
-/* Takes row k from those below it so that column k is zero there, which is not stored. */
+/* Takes row k from those below it so that column k is zero there, which is not stored.
+ *
+ * ``row``: a copy, which no compiler takes for one of those that change. */
 static void clear_below_24(stewart_real A[144], int k, stewart_real inverse)
 {
     int i, j;
+    stewart_real row[24];
+    for (j = 0; j < 24; ++j) {
+        row[j] = A[24*k + j];
+    }
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[24*i + k]*inverse;
         for (j = 0; j < 24; ++j) {
-            A[24*i + j] = A[24*i + j] - factor*A[24*k + j];
+            A[24*i + j] = A[24*i + j] - factor*row[j];
         }
     }
 }
@@ -4666,48 +4711,39 @@ static int solve_pivoted_24(stewart_real A[144])
 /* Says where a number of a result is not finite. */
 static void check_derivatives(derivatives_found *out)
 {
-    int i, j;
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
     for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.F[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_pose[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_pose[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_twist[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_twist[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.by_acceleration[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 36; ++i) {
+        lost = lost + (STEWART_FABS(out->of.by_acceleration[i]) <= STEWART_MAX ? 0U : 1U);
     }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 /* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
-static derivatives_found find_derivatives(const stewart_exact_model *model, const stewart_motion *motion)
+static void find_derivatives(
+    const stewart_exact_model *model, const stewart_motion *motion, derivatives_found *out)
 {
     int i, j;
-    derivatives_found out;
     derivatives_legs legs;
     stewart_real summed[93];
-    stewart_real A[144];
-    const forces_found acting = find_forces(model, motion);
+    STEWART_ALIGNED stewart_real A[144];
+    forces_found acting;
+    find_forces(model, motion, &acting);
     for (i = 0; i < 6; ++i) {
         legs.F[i] = acting.F[i];
     }
@@ -4724,16 +4760,15 @@ static derivatives_found find_derivatives(const stewart_exact_model *model, cons
     scale_moments_24(model->per_length, A);
     (void)solve_pivoted_24(A);
     for (i = 0; i < 6; ++i) {
-        out.of.F[i] = acting.F[i];
+        out->of.F[i] = acting.F[i];
         for (j = 0; j < 6; ++j) {
-            out.of.by_pose[6*i + j] = A[24*i + (j + 6)];
-            out.of.by_twist[6*i + j] = A[24*i + (j + 12)];
-            out.of.by_acceleration[6*i + j] = A[24*i + (j + 18)];
+            out->of.by_pose[6*i + j] = A[24*i + (j + 6)];
+            out->of.by_twist[6*i + j] = A[24*i + (j + 12)];
+            out->of.by_acceleration[6*i + j] = A[24*i + (j + 18)];
         }
     }
-    out.status = acting.status == STEWART_OK ? legs.status : acting.status;
-    check_derivatives(&out);
-    return out;
+    out->status = acting.status == STEWART_OK ? legs.status : acting.status;
+    check_derivatives(out);
 }
 
 int stewart_exact_derivatives(
@@ -4743,7 +4778,7 @@ int stewart_exact_derivatives(
     if (model == NULL || motion == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_derivatives(model, motion);
+    find_derivatives(model, motion, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }
@@ -4797,35 +4832,24 @@ static int solve_definite_24(stewart_real A[144], stewart_real kept)
 /* Says where a number of a result is not finite. */
 static void check_linearisation(linearisation_found *out)
 {
-    int i, j;
-    for (i = 0; i < 3; ++i) {
+    int i;
+    if (out->status != STEWART_OK) {
+        return;
+    }
+    for (i = 0; i < 6; ++i) {
         if (!(STEWART_FABS(out->of.acceleration[i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
+            out->status = STEWART_NOT_FINITE;
             return;
         }
     }
-    for (i = 0; i < 3; ++i) {
-        if (!(STEWART_FABS(out->of.acceleration[3 + i]) <= STEWART_MAX)) {
-            out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-            return;
-        }
+    size_t lost = 0U;
+    for (i = 0; i < 144; ++i) {
+        lost = lost + (STEWART_FABS(out->of.A[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 12; ++i) {
-        for (j = 0; j < 12; ++j) {
-            if (!(STEWART_FABS(out->of.A[12*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
+    for (i = 0; i < 72; ++i) {
+        lost = lost + (STEWART_FABS(out->of.B[i]) <= STEWART_MAX ? 0U : 1U);
     }
-    for (i = 0; i < 12; ++i) {
-        for (j = 0; j < 6; ++j) {
-            if (!(STEWART_FABS(out->of.B[6*i + j]) <= STEWART_MAX)) {
-                out->status = out->status == STEWART_OK ? STEWART_NOT_FINITE : out->status;
-                return;
-            }
-        }
-    }
+    out->status = lost == 0U ? STEWART_OK : STEWART_NOT_FINITE;
 }
 
 typedef struct {
@@ -4845,7 +4869,7 @@ typedef struct {
     stewart_real H_moment[3][LANES];
     leg_checks checked;
     int status;
-} joint_slopes_legs;
+} STEWART_ALIGNED joint_slopes_legs;
 
 /* The platform's part. */
 static void joint_slopes_of_pose(
@@ -5180,25 +5204,26 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c3 = theta_dot*theta_dot;
         const stewart_real theta_dot2 = c3;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
-        const stewart_real inv_k3 = L*inv_rho;
+        const stewart_real c4 = L*inv_rho;
+        const stewart_real inv_k3 = c4;
         /* (6) leg's turning about z */
         const stewart_real W_z = c1*inv_L;
-        const stewart_real c4 = omega_z*w_q_y;
-        const stewart_real c5 = omega_x*w_q_z - omega_z*w_q_x;
-        const stewart_real c6 = omega_y*w_q_x;
+        const stewart_real c5 = omega_z*w_q_y;
+        const stewart_real c6 = omega_x*w_q_z - omega_z*w_q_x;
+        const stewart_real c7 = omega_y*w_q_x;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = omega_y*w_q_z - c4;
-        const stewart_real S_ddot_y = -c5;
-        const stewart_real S_ddot_z = omega_x*w_q_y - c6;
-        const stewart_real c7 = k3*k3;
+        const stewart_real S_ddot_x = omega_y*w_q_z - c5;
+        const stewart_real S_ddot_y = -c6;
+        const stewart_real S_ddot_z = omega_x*w_q_y - c7;
+        const stewart_real c8 = k3*k3;
         /* (8) acceleration of the length */
-        const stewart_real L_ddot = L*(c7*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+        const stewart_real L_ddot = L*(c8*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
             + turned_x;
-        const stewart_real c8 = REAL(2)*L_share;
-        const stewart_real c9 = k3*turned_z;
+        const stewart_real c9 = REAL(2)*L_share;
+        const stewart_real c10 = k3*turned_z;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
-        const stewart_real own_y = turned_y - c8*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real own_z = c9 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c8;
+        const stewart_real own_y = turned_y - c9*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+        const stewart_real own_z = c10 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c9;
         /* gravity along k x y and along y */
         const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
         const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
@@ -5210,249 +5235,249 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
         const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
         const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
-        const stewart_real c10 = inv_rho*net_z;
-        const stewart_real c11 = inv_L*net_y;
+        const stewart_real c11 = inv_rho*net_z;
+        const stewart_real c12 = inv_L*net_y;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = c10*y_x + net_x*s_x - c11*z_x;
-        const stewart_real R_tip_y = c10*y_y + net_x*s_y - c11*z_y;
-        const stewart_real R_tip_z = c10*y_z + net_x*s_z - c11*z_z;
-        const stewart_real fall_x = omega_y*w_q_z - c4 - g_x;
-        const stewart_real fall_y = -c5 - g_y;
-        const stewart_real fall_z = omega_x*w_q_y - c6 - g_z;
+        const stewart_real R_tip_x = c11*y_x + net_x*s_x - c12*z_x;
+        const stewart_real R_tip_y = c11*y_y + net_x*s_y - c12*z_y;
+        const stewart_real R_tip_z = c11*y_z + net_x*s_z - c12*z_z;
+        const stewart_real fall_x = omega_y*w_q_z - c5 - g_x;
+        const stewart_real fall_y = -c6 - g_y;
+        const stewart_real fall_z = omega_x*w_q_y - c7 - g_z;
         /* acceleration of the platform point from free fall, leg frame */
         const stewart_real fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z + turned_x;
-        const stewart_real fall_T_y = L*c9 + fall_x*y_x + fall_y*y_y + fall_z*y_z;
+        const stewart_real fall_T_y = L*c10 + fall_x*y_x + fall_y*y_y + fall_z*y_z;
         const stewart_real fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z - L*turned_y;
-        const stewart_real c12 = h_z*own_y;
-        const stewart_real c13 = W_z*W_z;
-        const stewart_real c14 = inv_L*inv_L;
-        const stewart_real c15 = L_dot*c14;
-        const stewart_real c16 = REAL(2)*h_y;
-        const stewart_real c17 = W_z*c16;
-        const stewart_real c18 = h_y*inv_L;
-        const stewart_real c19 = W_z*inv_k3;
-        const stewart_real c20 = c19*k1;
-        const stewart_real c21 = REAL(4)*c20;
-        const stewart_real c22 = c21*theta_dot;
-        const stewart_real c23 = c13*h_z;
-        const stewart_real c24 = c23*inv_L;
-        const stewart_real c25 = inv_k3*k1;
-        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c14*h_z*theta_dot + REAL(2)*c13*h_x*inv_L + REAL(2)*c3*h_x*inv_L
-            + h_y*inv_L*own_z - c12*inv_L - c15*c17 - c18*c22 - REAL(4)*c24*c25;
-        const stewart_real c26 = REAL(2)*h_x;
-        const stewart_real c27 = c26*inv_L;
-        const stewart_real c28 = c27*own_z;
-        const stewart_real c29 = axial*m_u;
-        const stewart_real c30 = c29*fall_T_y;
-        const stewart_real c31 = L_ddot*c14;
-        const stewart_real c32 = c14*w_x;
-        const stewart_real c33 = c32*gamma_y;
-        const stewart_real c34 = c18*c3;
-        const stewart_real c35 = h_z*inv_L;
-        const stewart_real c36 = REAL(2)*theta_dot;
-        const stewart_real c37 = c35*c36;
-        const stewart_real c38 = h_y*own_y;
-        const stewart_real c39 = inv_L*k1;
-        const stewart_real c40 = c39*inv_k3;
-        const stewart_real c41 = h_z*own_z;
-        const stewart_real c42 = J_zz*own_z;
-        const stewart_real c43 = c14*c42;
-        const stewart_real c44 = c13*c18;
-        const stewart_real c45 = L_dot*L_dot;
-        const stewart_real c46 = inv_L*inv_L*inv_L;
-        const stewart_real c47 = c45*c46;
-        const stewart_real c48 = axial*c15;
-        const stewart_real c49 = inv_k3*inv_k3;
-        const stewart_real c50 = REAL(4)*W_z;
-        const stewart_real c51 = REAL(2)*c49;
-        const stewart_real c52 = REAL(4)*c15;
-        const stewart_real c53 = h_y*k1;
-        const stewart_real c54 = c53*inv_k3;
-        const stewart_real c55 = c15*c36;
-        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c26*c48 + W_z*c37 + axial*c28 + axial*c43 + c30*inv_L
-            + c31*h_y + c33 + c34 + c38*c40 + c40*c41 + c44*c51 - axial*c33 - c16*c47 - c20*c52*h_z - c28 - c34*c51
-            - c35*c49*c50*theta_dot - c43 - c44 - c54*c55;
-        const stewart_real c56 = c26*own_y;
-        const stewart_real c57 = c56*inv_L;
-        const stewart_real c58 = c29*fall_T_z;
-        const stewart_real c59 = J_yy*c14*own_y;
-        const stewart_real c60 = L_ddot*h_z;
-        const stewart_real c61 = c3*h_z;
-        const stewart_real c62 = W_z*c36;
-        const stewart_real c63 = c18*c62;
-        const stewart_real c64 = c32*g_k*k3;
-        const stewart_real c65 = gamma_n*k1;
-        const stewart_real c66 = c32*c65;
-        const stewart_real c67 = REAL(2)*h_z;
-        const stewart_real c68 = c26*theta_dot;
-        const stewart_real c69 = REAL(2)*W_z;
-        const stewart_real c70 = c54*c69;
-        const stewart_real c72 = J_yy - J_zz;
-        const stewart_real c73 = c13*inv_k3;
-        const stewart_real c74 = c73*k1;
-        const stewart_real c75 = c14*c74;
-        const stewart_real tau_S_leg_13 = c14*c60 + c15*c70 + c24*c51 + c49*c63 + c57 + c58*inv_L + c59 + c61*inv_L
-            + c64 + c66 + c72*c75 - C_p*theta_dot - axial*c57 - axial*c59 - axial*c64 - axial*c66 - axial*c72*c75
-            - c24 - c47*c67 - c48*c68 - c63;
-        const stewart_real c77 = C_us*inv_L;
-        const stewart_real c78 = c77*theta_dot;
-        const stewart_real c79 = REAL(2)*J_yy;
-        const stewart_real c80 = inv_L*own_y;
-        const stewart_real c81 = J_yz*inv_L;
-        const stewart_real c82 = c16*theta_dot;
-        const stewart_real c83 = W_z*c82;
-        const stewart_real c84 = axial*c56;
-        const stewart_real c85 = J_yy*inv_L;
-        const stewart_real c86 = axial*c85;
-        const stewart_real c87 = inv_L*theta_dot;
-        const stewart_real c88 = J_xy*c87;
-        const stewart_real c89 = c50*c88;
-        const stewart_real c90 = inv_L*k3;
-        const stewart_real c91 = c90*w_x;
-        const stewart_real c92 = c91*g_k;
-        const stewart_real c93 = inv_L*w_x;
-        const stewart_real c94 = c65*c93;
-        const stewart_real c95 = J_xz*c13;
-        const stewart_real c96 = REAL(4)*inv_L;
-        const stewart_real c97 = J_xy*inv_L;
-        const stewart_real c98 = c97*k1;
-        const stewart_real c99 = c98*inv_k3;
-        const stewart_real c100 = axial*c2;
-        const stewart_real c101 = c15*c79;
-        const stewart_real c102 = REAL(2)*J_yz;
-        const stewart_real c103 = c102*c15;
-        const stewart_real c104 = c49*c83;
-        const stewart_real c105 = c23*c49;
-        const stewart_real c106 = REAL(2)*c95;
-        const stewart_real c107 = c49*inv_L;
-        const stewart_real c108 = REAL(2)*k1;
-        const stewart_real c109 = J_xy*c15;
-        const stewart_real c110 = c108*c109;
-        const stewart_real c111 = c39*c73;
-        const stewart_real c112 = REAL(2)*J_xx;
-        const stewart_real tau_S_leg_21 = W_z*c103 + axial*c111*c72 + axial*c92 + axial*c94 + c100*c68 + c101*theta_dot
-            + c106*c107 + c110*c19 + c111*(REAL(3)*J_zz - REAL(3)*J_yy - c112) + c22*c81 + c23 + c49*c89 + c83
-            + c84 + c86*own_y - c104 - c105 - c2*c70 - c56 - c58 - c61 - c78 - c79*c80 - c81*own_z - c89 - c92
-            - c94 - c95*c96 - c99*own_z;
-        const stewart_real c113 = c97*own_y;
-        const stewart_real c114 = W_z*c68;
-        const stewart_real c115 = gamma_y*inv_L*w_z;
-        const stewart_real c116 = c13*c81;
-        const stewart_real c117 = C_s*inv_L;
-        const stewart_real c118 = W_z*c77*inv_k3;
-        const stewart_real c119 = c30*k1;
-        const stewart_real c120 = J_yz*c31;
-        const stewart_real c121 = c3*c81;
-        const stewart_real c122 = k1*own_y;
-        const stewart_real c123 = c122*c81;
-        const stewart_real c124 = inv_k3*own_z;
-        const stewart_real c125 = axial*k1;
-        const stewart_real c126 = c125*c26;
-        const stewart_real c127 = axial*c42;
-        const stewart_real c128 = c109*c36;
-        const stewart_real c129 = J_xz*W_z;
-        const stewart_real c130 = c129*c52;
-        const stewart_real c131 = J_xz*k1;
-        const stewart_real c132 = c125*c93;
-        const stewart_real c133 = J_xy*k1;
-        const stewart_real c134 = c133*c31;
-        const stewart_real c135 = W_z*c67;
-        const stewart_real c136 = c135*c49;
-        const stewart_real c137 = inv_k3*inv_k3*inv_k3;
-        const stewart_real c138 = c135*k1;
-        const stewart_real c139 = c138*theta_dot;
-        const stewart_real c140 = c2*c26;
-        const stewart_real c141 = c125*c140;
-        const stewart_real c142 = REAL(2)*c53;
-        const stewart_real c143 = c13*c137;
-        const stewart_real c144 = c137*c3;
-        const stewart_real c145 = c39*own_z;
-        const stewart_real c146 = c129*c87;
-        const stewart_real c147 = J_yz*k1;
-        const stewart_real c148 = -REAL(2)*J_zz;
-        const stewart_real c149 = c112 + c148;
-        const stewart_real c150 = J_xy*c108*c47;
-        const stewart_real c151 = REAL(2)*c98;
-        const stewart_real c152 = J_xz*c69;
-        const stewart_real c153 = c14*c45;
-        const stewart_real c154 = c149 + c79;
-        const stewart_real c156 = W_z*c49;
-        const stewart_real tau_S_leg_22 = L_ddot*c18*c25 + W_z*c149*c87 + c102*c47 + c108*c137*c146 + c113 + c116
-            + c118*k1 + c119*inv_k3 + c121*c51 + c124*c126 + c127*c40 + c128*c49 + c141*c19 + c142*c143 + c144*c151
-            + c145*c72*inv_k3 + c147*c55*inv_k3 + c15*c152*c49 + c150*inv_k3 + c2*c50*h_z + c2*c82 + c22*h_z
-            + c3*c54 + c38*c49 + c41 + c73*c98 - c113*c49 - c114 - c115 - c116*c51 - c117*inv_k3*w_n_omega - c120
-            - c121 - c123*inv_k3 - c128 - c130 - REAL(4)*c131*c19*c87 - c132*gamma_y*inv_k3 - c134*inv_k3 - c136*c2
-            - c137*c139 - c142*c144 - c143*c151 - c15*c154*c20 - REAL(2)*c153*c54 - c154*c156*c87 - c2*c49*c82
-            - c3*c99 - c38 - c53*c73;
-        const stewart_real c157 = g_k*k1;
-        const stewart_real c158 = gamma_n*w_z;
-        const stewart_real c159 = h_y*own_z;
-        const stewart_real c160 = c50*c87;
-        const stewart_real c161 = c137*c160;
-        const stewart_real c162 = c15*c19;
-        const stewart_real c163 = c106*c39;
-        const stewart_real c164 = J_xx + c72;
-        const stewart_real tau_S_leg_23 = C_us*L_dot*c14 + REAL(2)*J_xy*L_dot*W_z*c14 + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot
-            + J_xy*c49*inv_L*own_z + J_yy*L_ddot*c14 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
-            + REAL(2)*L_dot*W_z*c49*h_y*inv_L + REAL(4)*W_z*c137*h_y*k1*theta_dot + REAL(2)*c13*c137*h_z*k1
-            + c13*c164*c49*inv_L + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c109*c49*c69 - c12 - c13*c26 - c13*c85
-            - c133*c161 - c137*c163 - REAL(2)*c147*c162 - c153*c26 - c157*c93 - c158*c39 - c159*c49 - c17*c2
-            - c47*c79 - c49*c62*c81 - c54*c62 - c90*g_k*w_z;
-        const stewart_real c165 = c26*k3;
-        const stewart_real c166 = c165*own_z;
-        const stewart_real c167 = c91*gamma_y;
-        const stewart_real c168 = c73*h_y;
-        const stewart_real c169 = J_xx*inv_k3;
-        const stewart_real c170 = c169*inv_L;
-        const stewart_real c171 = REAL(2)*J_xz;
-        const stewart_real c172 = c81*k3;
-        const stewart_real c173 = c135*inv_k3;
-        const stewart_real c174 = J_xz*c19;
-        const stewart_real c175 = REAL(4)*c87;
-        const stewart_real c176 = REAL(2)*k3;
-        const stewart_real c177 = c176*c97;
-        const stewart_real c178 = W_z*c165;
-        const stewart_real c179 = c90*own_z;
-        const stewart_real c180 = J_yz*k3;
-        const stewart_real c181 = c49*k1;
-        const stewart_real c183 = -W_z*c149*k3;
-        const stewart_real tau_S_leg_31 = J_xx*c160*c181 + axial*c166 + c100*c178 + c110*theta_dot + c112*c162
-            + c127*c90 + c13*c177 + c130*k1 + c15*c183 + c167 + c168 + c174*c175 + c177*c3 + c179*(J_xx + c148)
-            + c180*c55 + c30*k3 - axial*c167 - c108*c116 - c108*c121 - c113*k1 - c118 - c138*c2 - c145*c171
-            - c166 - c170*own_z - c172*own_y - c173*theta_dot - REAL(2)*c73*c97;
-        const stewart_real c184 = k3*own_z;
-        const stewart_real c185 = c93*gamma_n;
-        const stewart_real c186 = c171*inv_k3;
-        const stewart_real c187 = c108*c61;
-        const stewart_real c188 = c108*c88;
-        const stewart_real c189 = c67*theta_dot;
-        const stewart_real c190 = c2*k3;
-        const stewart_real c191 = c112*inv_L;
-        const stewart_real c192 = c67*k1;
-        const stewart_real c193 = J_xx - J_zz;
-        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c14*c49*k1*theta_dot + REAL(2)*J_xx*c137*c3*inv_L
-            + REAL(2)*J_xx*c45*c46*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c14*k3 + J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c14*inv_k3*theta_dot
-            + REAL(2)*J_xz*c3*c49*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c45*c46*k1 + REAL(2)*J_xz*inv_L*k3*own_y
-            + J_yz*inv_L*k1*own_z + L_ddot*c14*c193*k3 + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c49*h_y*k1*theta_dot
-            + axial*c13*c72*inv_L*k3 + axial*c7*gamma_n*inv_L*w_x + axial*fall_T_z*k1*m_u + c13*c164*inv_L*inv_k3
-            + REAL(2)*c13*c49*h_z*k1 + c13*inv_L*k3*(J_xx - J_yy) + REAL(2)*c14*c45*h_x*k3 + c164*inv_L*k1*own_y
+        const stewart_real c13 = h_z*own_y;
+        const stewart_real c14 = W_z*W_z;
+        const stewart_real c15 = inv_L*inv_L;
+        const stewart_real c16 = L_dot*c15;
+        const stewart_real c17 = REAL(2)*h_y;
+        const stewart_real c18 = W_z*c17;
+        const stewart_real c19 = h_y*inv_L;
+        const stewart_real c20 = W_z*inv_k3;
+        const stewart_real c21 = c20*k1;
+        const stewart_real c22 = REAL(4)*c21;
+        const stewart_real c23 = c22*theta_dot;
+        const stewart_real c24 = c14*h_z;
+        const stewart_real c25 = c24*inv_L;
+        const stewart_real c26 = inv_k3*k1;
+        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c15*h_z*theta_dot + REAL(2)*c14*h_x*inv_L + REAL(2)*c3*h_x*inv_L
+            + h_y*inv_L*own_z - c13*inv_L - c16*c18 - c19*c23 - REAL(4)*c25*c26;
+        const stewart_real c27 = REAL(2)*h_x;
+        const stewart_real c28 = c27*inv_L;
+        const stewart_real c29 = c28*own_z;
+        const stewart_real c30 = axial*m_u;
+        const stewart_real c31 = c30*fall_T_y;
+        const stewart_real c32 = L_ddot*c15;
+        const stewart_real c33 = c15*w_x;
+        const stewart_real c34 = c33*gamma_y;
+        const stewart_real c35 = c19*c3;
+        const stewart_real c36 = h_z*inv_L;
+        const stewart_real c37 = REAL(2)*theta_dot;
+        const stewart_real c38 = c36*c37;
+        const stewart_real c39 = h_y*own_y;
+        const stewart_real c40 = inv_L*k1;
+        const stewart_real c41 = c40*inv_k3;
+        const stewart_real c42 = h_z*own_z;
+        const stewart_real c43 = J_zz*own_z;
+        const stewart_real c44 = c15*c43;
+        const stewart_real c45 = c14*c19;
+        const stewart_real c46 = L_dot*L_dot;
+        const stewart_real c47 = inv_L*inv_L*inv_L;
+        const stewart_real c48 = c46*c47;
+        const stewart_real c49 = axial*c16;
+        const stewart_real c50 = inv_k3*inv_k3;
+        const stewart_real c51 = REAL(4)*W_z;
+        const stewart_real c52 = REAL(2)*c50;
+        const stewart_real c53 = REAL(4)*c16;
+        const stewart_real c54 = h_y*k1;
+        const stewart_real c55 = c54*inv_k3;
+        const stewart_real c56 = c16*c37;
+        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c27*c49 + W_z*c38 + axial*c29 + axial*c44 + c31*inv_L
+            + c32*h_y + c34 + c35 + c39*c41 + c41*c42 + c45*c52 - axial*c34 - c17*c48 - c21*c53*h_z - c29 - c35*c52
+            - c36*c50*c51*theta_dot - c44 - c45 - c55*c56;
+        const stewart_real c57 = c27*own_y;
+        const stewart_real c58 = c57*inv_L;
+        const stewart_real c59 = c30*fall_T_z;
+        const stewart_real c60 = J_yy*c15*own_y;
+        const stewart_real c61 = L_ddot*h_z;
+        const stewart_real c62 = c3*h_z;
+        const stewart_real c63 = W_z*c37;
+        const stewart_real c64 = c19*c63;
+        const stewart_real c65 = c33*g_k*k3;
+        const stewart_real c66 = gamma_n*k1;
+        const stewart_real c67 = c33*c66;
+        const stewart_real c68 = REAL(2)*h_z;
+        const stewart_real c69 = c27*theta_dot;
+        const stewart_real c70 = REAL(2)*W_z;
+        const stewart_real c71 = c55*c70;
+        const stewart_real c73 = J_yy - J_zz;
+        const stewart_real c74 = c14*inv_k3;
+        const stewart_real c75 = c74*k1;
+        const stewart_real c76 = c15*c75;
+        const stewart_real tau_S_leg_13 = c15*c61 + c16*c71 + c25*c52 + c50*c64 + c58 + c59*inv_L + c60 + c62*inv_L
+            + c65 + c67 + c73*c76 - C_p*theta_dot - axial*c58 - axial*c60 - axial*c65 - axial*c67 - axial*c73*c76
+            - c25 - c48*c68 - c49*c69 - c64;
+        const stewart_real c78 = C_us*inv_L;
+        const stewart_real c79 = c78*theta_dot;
+        const stewart_real c80 = REAL(2)*J_yy;
+        const stewart_real c81 = inv_L*own_y;
+        const stewart_real c82 = J_yz*inv_L;
+        const stewart_real c83 = c17*theta_dot;
+        const stewart_real c84 = W_z*c83;
+        const stewart_real c85 = axial*c57;
+        const stewart_real c86 = J_yy*inv_L;
+        const stewart_real c87 = axial*c86;
+        const stewart_real c88 = inv_L*theta_dot;
+        const stewart_real c89 = J_xy*c88;
+        const stewart_real c90 = c51*c89;
+        const stewart_real c91 = inv_L*k3;
+        const stewart_real c92 = c91*w_x;
+        const stewart_real c93 = c92*g_k;
+        const stewart_real c94 = inv_L*w_x;
+        const stewart_real c95 = c66*c94;
+        const stewart_real c96 = J_xz*c14;
+        const stewart_real c97 = REAL(4)*inv_L;
+        const stewart_real c98 = J_xy*inv_L;
+        const stewart_real c99 = c98*k1;
+        const stewart_real c100 = c99*inv_k3;
+        const stewart_real c101 = axial*c2;
+        const stewart_real c102 = c16*c80;
+        const stewart_real c103 = REAL(2)*J_yz;
+        const stewart_real c104 = c103*c16;
+        const stewart_real c105 = c50*c84;
+        const stewart_real c106 = c24*c50;
+        const stewart_real c107 = REAL(2)*c96;
+        const stewart_real c108 = c50*inv_L;
+        const stewart_real c109 = REAL(2)*k1;
+        const stewart_real c110 = J_xy*c16;
+        const stewart_real c111 = c109*c110;
+        const stewart_real c112 = c40*c74;
+        const stewart_real c113 = REAL(2)*J_xx;
+        const stewart_real tau_S_leg_21 = W_z*c104 + axial*c112*c73 + axial*c93 + axial*c95 + c101*c69 + c102*theta_dot
+            + c107*c108 + c111*c20 + c112*(REAL(3)*J_zz - REAL(3)*J_yy - c113) + c23*c82 + c24 + c50*c90 + c84
+            + c85 + c87*own_y - c100*own_z - c105 - c106 - c2*c71 - c57 - c59 - c62 - c79 - c80*c81 - c82*own_z
+            - c90 - c93 - c95 - c96*c97;
+        const stewart_real c114 = c98*own_y;
+        const stewart_real c115 = W_z*c69;
+        const stewart_real c116 = gamma_y*inv_L*w_z;
+        const stewart_real c117 = c14*c82;
+        const stewart_real c118 = C_s*inv_L;
+        const stewart_real c119 = W_z*c78*inv_k3;
+        const stewart_real c120 = c31*k1;
+        const stewart_real c121 = J_yz*c32;
+        const stewart_real c122 = c3*c82;
+        const stewart_real c123 = k1*own_y;
+        const stewart_real c124 = c123*c82;
+        const stewart_real c125 = inv_k3*own_z;
+        const stewart_real c126 = axial*k1;
+        const stewart_real c127 = c126*c27;
+        const stewart_real c128 = axial*c43;
+        const stewart_real c129 = c110*c37;
+        const stewart_real c130 = J_xz*W_z;
+        const stewart_real c131 = c130*c53;
+        const stewart_real c132 = J_xz*k1;
+        const stewart_real c133 = c126*c94;
+        const stewart_real c134 = J_xy*k1;
+        const stewart_real c135 = c134*c32;
+        const stewart_real c136 = W_z*c68;
+        const stewart_real c137 = c136*c50;
+        const stewart_real c138 = inv_k3*inv_k3*inv_k3;
+        const stewart_real c139 = c136*k1;
+        const stewart_real c140 = c139*theta_dot;
+        const stewart_real c141 = c2*c27;
+        const stewart_real c142 = c126*c141;
+        const stewart_real c143 = REAL(2)*c54;
+        const stewart_real c144 = c138*c14;
+        const stewart_real c145 = c138*c3;
+        const stewart_real c146 = c40*own_z;
+        const stewart_real c147 = c130*c88;
+        const stewart_real c148 = J_yz*k1;
+        const stewart_real c149 = -REAL(2)*J_zz;
+        const stewart_real c150 = c113 + c149;
+        const stewart_real c151 = J_xy*c109*c48;
+        const stewart_real c152 = REAL(2)*c99;
+        const stewart_real c153 = J_xz*c70;
+        const stewart_real c154 = c15*c46;
+        const stewart_real c155 = c150 + c80;
+        const stewart_real c157 = W_z*c50;
+        const stewart_real tau_S_leg_22 = L_ddot*c19*c26 + W_z*c150*c88 + c103*c48 + c109*c138*c147 + c114 + c117
+            + c119*k1 + c120*inv_k3 + c122*c52 + c125*c127 + c128*c41 + c129*c50 + c142*c20 + c143*c144 + c145*c152
+            + c146*c73*inv_k3 + c148*c56*inv_k3 + c151*inv_k3 + c153*c16*c50 + c2*c51*h_z + c2*c83 + c23*h_z
+            + c3*c55 + c39*c50 + c42 + c74*c99 - c100*c3 - c114*c50 - c115 - c116 - c117*c52 - c118*inv_k3*w_n_omega
+            - c121 - c122 - c124*inv_k3 - c129 - c131 - REAL(4)*c132*c20*c88 - c133*gamma_y*inv_k3 - c135*inv_k3
+            - c137*c2 - c138*c140 - c143*c145 - c144*c152 - REAL(2)*c154*c55 - c155*c157*c88 - c155*c16*c21
+            - c2*c50*c83 - c39 - c54*c74;
+        const stewart_real c158 = g_k*k1;
+        const stewart_real c159 = gamma_n*w_z;
+        const stewart_real c160 = h_y*own_z;
+        const stewart_real c161 = c51*c88;
+        const stewart_real c162 = c138*c161;
+        const stewart_real c163 = c16*c20;
+        const stewart_real c164 = c107*c40;
+        const stewart_real c165 = J_xx + c73;
+        const stewart_real tau_S_leg_23 = C_us*L_dot*c15 + REAL(2)*J_xy*L_dot*W_z*c15 + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot
+            + J_xy*c50*inv_L*own_z + J_yy*L_ddot*c15 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
+            + REAL(2)*L_dot*W_z*c50*h_y*inv_L + REAL(4)*W_z*c138*h_y*k1*theta_dot + REAL(2)*c138*c14*h_z*k1
+            + c14*c165*c50*inv_L + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c110*c50*c70 - c13 - c134*c162 - c138*c164
+            - c14*c27 - c14*c86 - REAL(2)*c148*c163 - c154*c27 - c158*c94 - c159*c40 - c160*c50 - c18*c2 - c48*c80
+            - c50*c63*c82 - c55*c63 - c91*g_k*w_z;
+        const stewart_real c166 = c27*k3;
+        const stewart_real c167 = c166*own_z;
+        const stewart_real c168 = c92*gamma_y;
+        const stewart_real c169 = c74*h_y;
+        const stewart_real c170 = J_xx*inv_k3;
+        const stewart_real c171 = c170*inv_L;
+        const stewart_real c172 = REAL(2)*J_xz;
+        const stewart_real c173 = c82*k3;
+        const stewart_real c174 = c136*inv_k3;
+        const stewart_real c175 = J_xz*c20;
+        const stewart_real c176 = REAL(4)*c88;
+        const stewart_real c177 = REAL(2)*k3;
+        const stewart_real c178 = c177*c98;
+        const stewart_real c179 = W_z*c166;
+        const stewart_real c180 = c91*own_z;
+        const stewart_real c181 = J_yz*k3;
+        const stewart_real c182 = c50*k1;
+        const stewart_real c184 = -W_z*c150*k3;
+        const stewart_real tau_S_leg_31 = J_xx*c161*c182 + axial*c167 + c101*c179 + c111*theta_dot + c113*c163
+            + c128*c91 + c131*k1 + c14*c178 + c16*c184 + c168 + c169 + c175*c176 + c178*c3 + c180*(J_xx + c149)
+            + c181*c56 + c31*k3 - axial*c168 - c109*c117 - c109*c122 - c114*k1 - c119 - c139*c2 - c146*c172
+            - c167 - c171*own_z - c173*own_y - c174*theta_dot - REAL(2)*c74*c98;
+        const stewart_real c185 = k3*own_z;
+        const stewart_real c186 = c94*gamma_n;
+        const stewart_real c187 = c172*inv_k3;
+        const stewart_real c188 = c109*c62;
+        const stewart_real c189 = c109*c89;
+        const stewart_real c190 = c68*theta_dot;
+        const stewart_real c191 = c2*k3;
+        const stewart_real c192 = c113*inv_L;
+        const stewart_real c193 = c68*k1;
+        const stewart_real c194 = J_xx - J_zz;
+        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c15*c50*k1*theta_dot + REAL(2)*J_xx*c138*c3*inv_L
+            + REAL(2)*J_xx*c46*c47*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c15*k3 + J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c15*inv_k3*theta_dot
+            + REAL(2)*J_xz*c3*c50*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c46*c47*k1 + REAL(2)*J_xz*inv_L*k3*own_y
+            + J_yz*inv_L*k1*own_z + L_ddot*c15*c194*k3 + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c50*h_y*k1*theta_dot
+            + axial*c14*c73*inv_L*k3 + axial*c8*gamma_n*inv_L*w_x + axial*fall_T_z*k1*m_u + c14*c165*inv_L*inv_k3
+            + REAL(2)*c14*c50*h_z*k1 + c14*inv_L*k3*(J_xx - J_yy) + REAL(2)*c15*c46*h_x*k3 + c165*inv_L*k1*own_y
             + REAL(2)*c3*h_x*k3 + g_k*inv_L*k1*k3*w_x + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y
-            + REAL(2)*h_z*inv_k3*own_y - C_us*c15*inv_k3 - J_xx*c107*c122 - J_xz*c108*c31 - L_ddot*c165*inv_L
-            - W_z*c188 - axial*c13*c72*inv_L*inv_k3 - axial*c157*c91 - axial*c185 - REAL(2)*c109*c19 - REAL(2)*c12*k3
-            - c122*c86 - c125*c2*c68 - c143*c191 - c147*c15*c69 - c149*c45*c46*k3 - c153*c192 - c156*c188 - c159*inv_k3
-            - c163*c49 - c163 - c169*c31 - c170*c3 - c172*c62 - c181*c78 - c184*c97 - c185*c7 - c186*c80 - c187*c49
-            - c187 - c189*c190 - c193*c3*inv_L*k3 - c84*k1 - fall_T_x*k3*m_u;
-        const stewart_real c195 = J_xx*c145;
-        const stewart_real c196 = c156*k1;
-        const stewart_real c197 = J_xy*k3;
-        const stewart_real c198 = c171*c19;
-        const stewart_real c199 = REAL(2)*c180;
-        const stewart_real c200 = c13*c49;
-        const stewart_real c201 = c112*c196;
-        const stewart_real tau_S_leg_33 = c113*k3 + c114*k3 + c115*k3 + c120*k3 + c121*c176 + c129*c175*k1 + c132*gamma_y
-            + c134 + c136*k1*theta_dot + c147*c55 + c151*c3 + c160*c169 + c171*c179 + c173*c2 + c183*c87 + c195*c49
-            + c195 + c196*c77 + c200*c98 - J_xx*c161 - W_z*c141 - c108*c146*c49 - c119 - c123 - c126*own_z - c127*c39
-            - c135*c190 - c139 - c15*c198 - c15*c201 - c150 - c176*c41 - c197*c55 - c199*c47 - c200*c53;
+            + REAL(2)*h_z*inv_k3*own_y - C_us*c16*inv_k3 - J_xx*c108*c123 - J_xz*c109*c32 - L_ddot*c166*inv_L
+            - W_z*c189 - axial*c14*c73*inv_L*inv_k3 - axial*c158*c92 - axial*c186 - REAL(2)*c110*c20 - c123*c87
+            - c126*c2*c69 - REAL(2)*c13*k3 - c144*c192 - c148*c16*c70 - c150*c46*c47*k3 - c154*c193 - c157*c189
+            - c160*inv_k3 - c164*c50 - c164 - c170*c32 - c171*c3 - c173*c63 - c182*c79 - c185*c98 - c186*c8
+            - c187*c81 - c188*c50 - c188 - c190*c191 - c194*c3*inv_L*k3 - c85*k1 - fall_T_x*k3*m_u;
+        const stewart_real c196 = J_xx*c146;
+        const stewart_real c197 = c157*k1;
+        const stewart_real c198 = J_xy*k3;
+        const stewart_real c199 = c172*c20;
+        const stewart_real c200 = REAL(2)*c181;
+        const stewart_real c201 = c14*c50;
+        const stewart_real c202 = c113*c197;
+        const stewart_real tau_S_leg_33 = c114*k3 + c115*k3 + c116*k3 + c121*k3 + c122*c177 + c130*c176*k1 + c133*gamma_y
+            + c135 + c137*k1*theta_dot + c148*c56 + c152*c3 + c161*c170 + c172*c180 + c174*c2 + c184*c88 + c196*c50
+            + c196 + c197*c78 + c201*c99 - J_xx*c162 - W_z*c142 - c109*c147*c50 - c120 - c124 - c127*own_z - c128*c40
+            - c136*c191 - c140 - c151 - c16*c199 - c16*c202 - c177*c42 - c198*c56 - c200*c48 - c201*c54;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
         const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
@@ -5463,26 +5488,26 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x;
         const stewart_real tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y;
         const stewart_real tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z;
-        const stewart_real tau_S_dot_leg_11 = C_p + c18*c69 - c37;
-        const stewart_real c202 = c108*c18;
-        const stewart_real tau_S_dot_leg_12 = c15*c16 + c202*inv_k3*theta_dot + c21*c35 - W_z*c27;
-        const stewart_real tau_S_dot_leg_13 = c15*c67 + c26*c87 - c19*c202;
-        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c151*c19 - c68 - c69*c81 - c79*c87;
-        const stewart_real c203 = c108*c81;
-        const stewart_real c204 = c203*theta_dot;
+        const stewart_real tau_S_dot_leg_11 = C_p + c19*c70 - c38;
+        const stewart_real c203 = c109*c19;
+        const stewart_real tau_S_dot_leg_12 = c16*c17 + c203*inv_k3*theta_dot + c22*c36 - W_z*c28;
+        const stewart_real tau_S_dot_leg_13 = c16*c68 + c27*c88 - c20*c203;
+        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c152*c20 - c69 - c70*c82 - c80*c88;
+        const stewart_real c204 = c109*c82;
+        const stewart_real c205 = c204*theta_dot;
         const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1
-            + W_z*c154*inv_L*inv_k3*k1 + REAL(2)*W_z*c49*h_z + REAL(2)*c49*h_y*theta_dot - c103 - c107*c152
-            - c110*inv_k3 - c135 - c204*inv_k3 - REAL(2)*c49*c88 - c82;
-        const stewart_real c205 = c69*c97;
-        const stewart_real tau_S_dot_leg_23 = c101 + c140 + c17 + c19*c203 + c205*c49 - c17*c49 - c189 - c205
-            - c77;
-        const stewart_real tau_S_dot_leg_31 = W_z*c149*inv_L*k3 + REAL(2)*W_z*h_z*k1 - c129*c96*k1 - c172*c36
-            - c178 - c188 - c19*c191;
+            + W_z*c155*inv_L*inv_k3*k1 + REAL(2)*W_z*c50*h_z + REAL(2)*c50*h_y*theta_dot - c104 - c108*c153
+            - c111*inv_k3 - c136 - c205*inv_k3 - REAL(2)*c50*c89 - c83;
+        const stewart_real c206 = c70*c98;
+        const stewart_real tau_S_dot_leg_23 = c102 + c141 + c18 + c20*c204 + c206*c50 - c18*c50 - c190 - c206
+            - c78;
+        const stewart_real tau_S_dot_leg_31 = W_z*c150*inv_L*k3 + REAL(2)*W_z*h_z*k1 - c130*c97*k1 - c173*c37
+            - c179 - c189 - c192*c20;
         const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3 + REAL(2)*J_yz*W_z*inv_L*k1
-            + L_dot*c14*c149*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - W_z*c177 - c112*c15*inv_k3
-            - c112*c181*c87 - c131*c52 - c165*c2 - c17*inv_k3 - c186*c87;
-        const stewart_real tau_S_dot_leg_33 = c110 + c112*c156*c39 + c15*c199 + REAL(2)*c197*c87 + c198*inv_L
-            - c173 - c204;
+            + L_dot*c15*c150*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - W_z*c178 - c113*c16*inv_k3
+            - c113*c182*c88 - c132*c53 - c166*c2 - c18*inv_k3 - c187*c88;
+        const stewart_real tau_S_dot_leg_33 = c111 + c113*c157*c40 + c16*c200 + REAL(2)*c198*c88 + c199*inv_L
+            - c174 - c205;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x + tau_S_dot_leg_13*z_x;
         const stewart_real tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y + tau_S_dot_leg_13*z_y;
@@ -5493,15 +5518,15 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x + tau_S_dot_leg_33*z_x;
         const stewart_real tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y + tau_S_dot_leg_33*z_y;
         const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z + tau_S_dot_leg_33*z_z;
-        const stewart_real tau_S_ddot_leg_12 = -c18;
-        const stewart_real tau_S_ddot_leg_13 = -c35;
-        const stewart_real tau_S_ddot_leg_22 = c81 + c99 - c54;
-        const stewart_real c206 = L*m_u;
-        const stewart_real tau_S_ddot_leg_23 = -c206 - c26 - c85;
-        const stewart_real c207 = h_y*k3;
-        const stewart_real tau_S_ddot_leg_31 = -c207;
-        const stewart_real tau_S_ddot_leg_32 = c165 + c170 + c171*c39 + c206*k3 - c192 - c193*c90;
-        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c172 - c98;
+        const stewart_real tau_S_ddot_leg_12 = -c19;
+        const stewart_real tau_S_ddot_leg_13 = -c36;
+        const stewart_real tau_S_ddot_leg_22 = c100 + c82 - c55;
+        const stewart_real c207 = L*m_u;
+        const stewart_real tau_S_ddot_leg_23 = -c207 - c27 - c86;
+        const stewart_real c208 = h_y*k3;
+        const stewart_real tau_S_ddot_leg_31 = -c208;
+        const stewart_real tau_S_ddot_leg_32 = c166 + c171 + c172*c40 + c207*k3 - c193 - c194*c91;
+        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c173 - c99;
         /* generalised forces by the tip's motion */
         const stewart_real tau_S_ddot_xx = m_u*s_x + tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
         const stewart_real tau_S_ddot_xy = m_u*s_y + tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
@@ -5512,24 +5537,57 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real tau_S_ddot_zx = s_x*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_x + tau_S_ddot_leg_33*z_x;
         const stewart_real tau_S_ddot_zy = s_y*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_y + tau_S_ddot_leg_33*z_y;
         const stewart_real tau_S_ddot_zz = s_z*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_z + tau_S_ddot_leg_33*z_z;
+        const stewart_real c209 = REAL(1) - axial;
+        const stewart_real c210 = L*k1;
+        const stewart_real c211 = axial*net_z + c209*(C_us*W_z*inv_k3 + J_xx*inv_k3*own_z + J_xy*c14*inv_k3
+            + J_xy*k1*own_y + REAL(2)*J_xz*k1*own_z + J_yz*c14*k1 + J_yz*c3*k1 + J_yz*k3*own_y + REAL(2)*L*W_z*h_z*inv_k3*theta_dot
+            + L*c14*h_y*k3 + L*c3*h_y*k3 + gamma_y*k1*w_z - C_s*w_k_omega - J_xx*c185 - L*c109*c42 - L*c169
+            - L_ddot*c208 - L_dot*c139 - L_dot*c37*c54 - c14*c198 - c175*c37 - c198*c3 - c202*theta_dot - c210*c39
+            - gamma_n*w_y);
+        const stewart_real c212 = c211*inv_rho*inv_rho;
+        const stewart_real bent_leg_12 = -c212*k3;
+        const stewart_real c213 = J_xy*c63;
+        const stewart_real c214 = axial*net_y + c209*(C_us*theta_dot + J_xx*c75 + J_yz*own_z + L*c105 + L*c106
+            + c107 + c125*c134 + c159*k3 + c213 + c61 - C_s*w_y_omega - REAL(2)*L*c24 - L*c55*own_z - L*c84
+            - c148*c20*c37 - c158*w_z - c213*c50 - c50*c96);
+        const stewart_real c215 = c15*c214;
+        const stewart_real bent_leg_13 = c215;
+        const stewart_real bent_leg_21 = -L*c215;
+        const stewart_real bent_leg_22 = -c210*c212;
+        const stewart_real bent_leg_23 = -L*inv_L*net_x;
+        const stewart_real c216 = c211*c4*c91;
+        const stewart_real bent_leg_31 = -c216;
+        const stewart_real c217 = inv_rho*k3;
+        const stewart_real bent_leg_32 = L*k3*(c214*c40*inv_rho + c217*net_x);
+        const stewart_real bent_leg_33 = c216*kappa;
+        /* generalised forces by the tip's place, as the rows turn */
+        const stewart_real tau_place_xx = bent_leg_12*y_x + bent_leg_13*z_x + tau_S_xx;
+        const stewart_real tau_place_xy = bent_leg_12*y_y + bent_leg_13*z_y + tau_S_xy;
+        const stewart_real tau_place_xz = bent_leg_12*y_z + bent_leg_13*z_z + tau_S_xz;
+        const stewart_real tau_place_yx = bent_leg_21*s_x + bent_leg_22*y_x + bent_leg_23*z_x + tau_S_yx;
+        const stewart_real tau_place_yy = bent_leg_21*s_y + bent_leg_22*y_y + bent_leg_23*z_y + tau_S_yy;
+        const stewart_real tau_place_yz = bent_leg_21*s_z + bent_leg_22*y_z + bent_leg_23*z_z + tau_S_yz;
+        const stewart_real tau_place_zx = bent_leg_31*s_x + bent_leg_32*y_x + bent_leg_33*z_x + tau_S_zx;
+        const stewart_real tau_place_zy = bent_leg_31*s_y + bent_leg_32*y_y + bent_leg_33*z_y + tau_S_zy;
+        const stewart_real tau_place_zz = bent_leg_31*s_z + bent_leg_32*y_z + bent_leg_33*z_z + tau_S_zz;
         const stewart_real X_xx = B_xx*tau_S_ddot_xx + B_yx*tau_S_ddot_xy + B_zx*tau_S_ddot_xz + omega_z*tau_S_dot_xy
-            + tau_S_xx - omega_y*tau_S_dot_xz;
+            + tau_place_xx - omega_y*tau_S_dot_xz;
         const stewart_real X_xy = B_xy*tau_S_ddot_xx + B_yy*tau_S_ddot_xy + B_zy*tau_S_ddot_xz + omega_x*tau_S_dot_xz
-            + tau_S_xy - omega_z*tau_S_dot_xx;
+            + tau_place_xy - omega_z*tau_S_dot_xx;
         const stewart_real X_xz = B_xz*tau_S_ddot_xx + B_yz*tau_S_ddot_xy + B_zz*tau_S_ddot_xz + omega_y*tau_S_dot_xx
-            + tau_S_xz - omega_x*tau_S_dot_xy;
+            + tau_place_xz - omega_x*tau_S_dot_xy;
         const stewart_real X_yx = B_xx*tau_S_ddot_yx + B_yx*tau_S_ddot_yy + B_zx*tau_S_ddot_yz + omega_z*tau_S_dot_yy
-            + tau_S_yx - omega_y*tau_S_dot_yz;
+            + tau_place_yx - omega_y*tau_S_dot_yz;
         const stewart_real X_yy = B_xy*tau_S_ddot_yx + B_yy*tau_S_ddot_yy + B_zy*tau_S_ddot_yz + omega_x*tau_S_dot_yz
-            + tau_S_yy - omega_z*tau_S_dot_yx;
+            + tau_place_yy - omega_z*tau_S_dot_yx;
         const stewart_real X_yz = B_xz*tau_S_ddot_yx + B_yz*tau_S_ddot_yy + B_zz*tau_S_ddot_yz + omega_y*tau_S_dot_yx
-            + tau_S_yz - omega_x*tau_S_dot_yy;
+            + tau_place_yz - omega_x*tau_S_dot_yy;
         const stewart_real X_zx = B_xx*tau_S_ddot_zx + B_yx*tau_S_ddot_zy + B_zx*tau_S_ddot_zz + omega_z*tau_S_dot_zy
-            + tau_S_zx - omega_y*tau_S_dot_zz;
+            + tau_place_zx - omega_y*tau_S_dot_zz;
         const stewart_real X_zy = B_xy*tau_S_ddot_zx + B_yy*tau_S_ddot_zy + B_zy*tau_S_ddot_zz + omega_x*tau_S_dot_zz
-            + tau_S_zy - omega_z*tau_S_dot_zx;
+            + tau_place_zy - omega_z*tau_S_dot_zx;
         const stewart_real X_zz = B_xz*tau_S_ddot_zx + B_yz*tau_S_ddot_zy + B_zz*tau_S_ddot_zz + omega_y*tau_S_dot_zx
-            + tau_S_zz - omega_x*tau_S_dot_zy;
+            + tau_place_zz - omega_x*tau_S_dot_zy;
         const stewart_real Y_xx = omega_z*tau_S_ddot_xy + tau_S_dot_xx - omega_y*tau_S_ddot_xz;
         const stewart_real Y_xy = omega_x*tau_S_ddot_xz + tau_S_dot_xy - omega_z*tau_S_ddot_xx;
         const stewart_real Y_xz = omega_y*tau_S_ddot_xx + tau_S_dot_xz - omega_x*tau_S_ddot_xy;
@@ -5539,87 +5597,25 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz;
         const stewart_real Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx;
         const stewart_real Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy;
-        const stewart_real c208 = REAL(1) - axial;
-        const stewart_real c209 = axial*net_z + c208*(C_us*W_z*inv_k3 + J_xx*inv_k3*own_z + J_xy*c13*inv_k3
-            + J_xy*k1*own_y + REAL(2)*J_xz*k1*own_z + J_yz*c13*k1 + J_yz*c3*k1 + J_yz*k3*own_y + REAL(2)*L*W_z*h_z*inv_k3*theta_dot
-            + L*c13*h_y*k3 + L*c3*h_y*k3 + gamma_y*k1*w_z - C_s*w_k_omega - J_xx*c184 - L*c108*c41 - L*c168
-            - L*c38*k1 - L_ddot*c207 - L_dot*c138 - L_dot*c36*c53 - c13*c197 - c174*c36 - c197*c3 - c201*theta_dot
-            - gamma_n*w_y);
-        const stewart_real c210 = c209*inv_rho*inv_rho;
-        const stewart_real bent_leg_12 = -c210*k3;
-        const stewart_real c211 = J_xy*c62;
-        const stewart_real c212 = axial*net_y + c208*(C_us*theta_dot + J_xx*c74 + J_yz*own_z + L*c104 + L*c105
-            + c106 + c124*c133 + c158*k3 + c211 + c60 - C_s*w_y_omega - REAL(2)*L*c23 - L*c54*own_z - L*c83
-            - c147*c19*c36 - c157*w_z - c211*c49 - c49*c95);
-        const stewart_real c213 = c14*c212;
-        const stewart_real bent_leg_13 = c213;
-        const stewart_real c214 = inv_L*inv_rho;
-        const stewart_real c215 = c209*c214;
-        const stewart_real bent_leg_21 = -c215;
-        const stewart_real c216 = inv_rho*k3;
-        const stewart_real bent_leg_22 = c212*c214*k1 + c216*net_x;
-        const stewart_real bent_leg_23 = c215*kappa;
-        const stewart_real bent_leg_31 = c213;
-        const stewart_real bent_leg_32 = c210*k1;
-        const stewart_real bent_leg_33 = inv_L*net_x;
-        const stewart_real bent_T_xs = bent_leg_21*y_x + bent_leg_31*z_x;
-        const stewart_real bent_T_xy = bent_leg_12*s_x + bent_leg_22*y_x + bent_leg_32*z_x;
-        const stewart_real bent_T_xz = bent_leg_13*s_x + bent_leg_23*y_x + bent_leg_33*z_x;
-        const stewart_real bent_T_ys = bent_leg_21*y_y + bent_leg_31*z_y;
-        const stewart_real bent_T_yy = bent_leg_12*s_y + bent_leg_22*y_y + bent_leg_32*z_y;
-        const stewart_real bent_T_yz = bent_leg_13*s_y + bent_leg_23*y_y + bent_leg_33*z_y;
-        const stewart_real bent_T_zs = bent_leg_21*y_z + bent_leg_31*z_z;
-        const stewart_real bent_T_zy = bent_leg_12*s_z + bent_leg_22*y_z + bent_leg_32*z_z;
-        const stewart_real bent_T_zz = bent_leg_13*s_z + bent_leg_23*y_z + bent_leg_33*z_z;
-        /* force by S as the rows turn */
-        const stewart_real bent_xx = bent_T_xs*s_x + bent_T_xy*y_x + bent_T_xz*z_x;
-        const stewart_real bent_xy = bent_T_xs*s_y + bent_T_xy*y_y + bent_T_xz*z_y;
-        const stewart_real bent_xz = bent_T_xs*s_z + bent_T_xy*y_z + bent_T_xz*z_z;
-        const stewart_real bent_yx = bent_T_ys*s_x + bent_T_yy*y_x + bent_T_yz*z_x;
-        const stewart_real bent_yy = bent_T_ys*s_y + bent_T_yy*y_y + bent_T_yz*z_y;
-        const stewart_real bent_yz = bent_T_ys*s_z + bent_T_yy*y_z + bent_T_yz*z_z;
-        const stewart_real bent_zx = bent_T_zs*s_x + bent_T_zy*y_x + bent_T_zz*z_x;
-        const stewart_real bent_zy = bent_T_zs*s_y + bent_T_zy*y_y + bent_T_zz*z_y;
-        const stewart_real bent_zz = bent_T_zs*s_z + bent_T_zy*y_z + bent_T_zz*z_z;
-        const stewart_real c217 = bent_xy*q_z;
-        const stewart_real c218 = bent_xz*q_y;
-        const stewart_real Z_xx = c218 - c217;
-        const stewart_real Z_xy = bent_xx*q_z - bent_xz*q_x;
-        const stewart_real c219 = bent_xx*q_y;
-        const stewart_real Z_xz = bent_xy*q_x - c219;
-        const stewart_real c220 = bent_yy*q_z;
-        const stewart_real Z_yx = bent_yz*q_y - c220;
-        const stewart_real c221 = bent_yx*q_z;
-        const stewart_real c222 = -bent_yz*q_x;
-        const stewart_real Z_yy = c221 + c222;
-        const stewart_real c223 = -bent_yy*q_x;
-        const stewart_real Z_yz = -bent_yx*q_y - c223;
-        const stewart_real c224 = -bent_zz*q_y;
-        const stewart_real Z_zx = -bent_zy*q_z - c224;
-        const stewart_real c225 = bent_zz*q_x;
-        const stewart_real Z_zy = bent_zx*q_z - c225;
-        const stewart_real c226 = bent_zx*q_y;
-        const stewart_real c227 = bent_zy*q_x;
-        const stewart_real Z_zz = c227 - c226;
-        const stewart_real G_dot_21 = -c87;
-        const stewart_real c228 = k1*phi_dot;
-        const stewart_real G_dot_22 = c228*inv_L;
-        const stewart_real G_dot_23 = c15;
-        const stewart_real G_dot_31 = -c216*phi_dot;
-        const stewart_real c229 = inv_rho*theta_dot;
-        const stewart_real G_dot_32 = -c2*inv_rho - c229*kappa;
-        const stewart_real G_dot_33 = c228*inv_rho;
-        const stewart_real c230 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c230;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c216*theta_dot);
-        const stewart_real f_S_leg_13 = G_dot_33*c230;
+        const stewart_real G_dot_21 = -c88;
+        const stewart_real c218 = k1*phi_dot;
+        const stewart_real G_dot_22 = c218*inv_L;
+        const stewart_real G_dot_23 = c16;
+        const stewart_real G_dot_31 = -c217*phi_dot;
+        const stewart_real c219 = inv_rho*theta_dot;
+        const stewart_real G_dot_32 = -c2*inv_rho - c219*kappa;
+        const stewart_real G_dot_33 = c218*inv_rho;
+        const stewart_real c220 = C_s*k1;
+        const stewart_real f_S_leg_11 = G_dot_31*c220;
+        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c217*theta_dot);
+        const stewart_real f_S_leg_13 = G_dot_33*c220;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c231 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c231;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c229*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c231;
+        const stewart_real c221 = C_s*k3;
+        const stewart_real f_S_leg_31 = G_dot_31*c221;
+        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c219*k1);
+        const stewart_real f_S_leg_33 = G_dot_33*c221;
         const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
         const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
         const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
@@ -5639,9 +5635,9 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
         const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
         const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
-        const stewart_real f_S_dot_leg_12 = c230*inv_rho;
-        const stewart_real f_S_dot_leg_23 = -c117;
-        const stewart_real f_S_dot_leg_32 = C_s*c216;
+        const stewart_real f_S_dot_leg_12 = c220*inv_rho;
+        const stewart_real f_S_dot_leg_23 = -c118;
+        const stewart_real f_S_dot_leg_32 = C_s*c217;
         const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
         const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
@@ -5658,18 +5654,18 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
         const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
         const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
-        const stewart_real c232 = R_tip_y*q_y;
-        const stewart_real c233 = R_tip_z*q_z;
-        const stewart_real c234 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c235 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c236 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c237 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c238 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
-        const stewart_real c239 = R_tip_x*q_x;
-        const stewart_real c240 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c241 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c242 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c243 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real c222 = R_tip_y*q_y;
+        const stewart_real c223 = R_tip_z*q_z;
+        const stewart_real c224 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
+        const stewart_real c225 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
+        const stewart_real c226 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
+        const stewart_real c227 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
+        const stewart_real c228 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c229 = R_tip_x*q_x;
+        const stewart_real c230 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
+        const stewart_real c231 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
+        const stewart_real c232 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
+        const stewart_real c233 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -5691,42 +5687,42 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[18][l] = REAL(0);
         out->sum[19][l] = REAL(0);
         out->sum[20][l] = REAL(0);
-        out->sum[21][l] = bent_xx;
-        out->sum[22][l] = bent_xy;
-        out->sum[23][l] = bent_xz;
-        out->sum[24][l] = bent_yx;
-        out->sum[25][l] = bent_yy;
-        out->sum[26][l] = bent_yz;
-        out->sum[27][l] = bent_zx;
-        out->sum[28][l] = bent_zy;
-        out->sum[29][l] = bent_zz;
-        out->sum[30][l] = Z_xx;
-        out->sum[31][l] = Z_xy;
-        out->sum[32][l] = Z_xz;
-        out->sum[33][l] = Z_yx;
-        out->sum[34][l] = Z_yy;
-        out->sum[35][l] = Z_yz;
-        out->sum[36][l] = Z_zx;
-        out->sum[37][l] = Z_zy;
-        out->sum[38][l] = Z_zz;
-        out->sum[39][l] = c226 - c221 - f_S_xx;
-        out->sum[40][l] = bent_zy*q_y - c220 - f_S_xy;
-        out->sum[41][l] = -bent_yz*q_z - c224 - f_S_xz;
-        out->sum[42][l] = bent_xx*q_z - bent_zx*q_x - f_S_yx;
-        out->sum[43][l] = c217 - c227 - f_S_yy;
-        out->sum[44][l] = bent_xz*q_z - c225 - f_S_yz;
-        out->sum[45][l] = bent_yx*q_x - c219 - f_S_zx;
-        out->sum[46][l] = -bent_xy*q_y - c223 - f_S_zy;
-        out->sum[47][l] = -c218 - c222 - f_S_zz;
-        out->sum[48][l] = Z_zx*q_y + c235*q_z - Z_yx*q_z - c232 - c233 - c234*q_y;
-        out->sum[49][l] = R_tip_y*q_x + Z_zy*q_y + c234*q_x - Z_yy*q_z - c236*q_z;
-        out->sum[50][l] = R_tip_z*q_x + Z_zz*q_y + c236*q_y - Z_yz*q_z - c235*q_x;
-        out->sum[51][l] = R_tip_x*q_y + Z_xx*q_z + c237*q_z - Z_zx*q_x - c238*q_y;
-        out->sum[52][l] = Z_xy*q_z + c238*q_x - Z_zy*q_x - c233 - c239 - c240*q_z;
-        out->sum[53][l] = R_tip_z*q_y + Z_xz*q_z + c240*q_y - Z_zz*q_x - c237*q_x;
-        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c241*q_z - Z_xx*q_y - c242*q_y;
-        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c242*q_x - Z_xy*q_y - c243*q_z;
-        out->sum[56][l] = Z_yz*q_x + c243*q_y - Z_xz*q_y - c232 - c239 - c241*q_x;
+        out->sum[21][l] = REAL(0);
+        out->sum[22][l] = REAL(0);
+        out->sum[23][l] = REAL(0);
+        out->sum[24][l] = REAL(0);
+        out->sum[25][l] = REAL(0);
+        out->sum[26][l] = REAL(0);
+        out->sum[27][l] = REAL(0);
+        out->sum[28][l] = REAL(0);
+        out->sum[29][l] = REAL(0);
+        out->sum[30][l] = REAL(0);
+        out->sum[31][l] = REAL(0);
+        out->sum[32][l] = REAL(0);
+        out->sum[33][l] = REAL(0);
+        out->sum[34][l] = REAL(0);
+        out->sum[35][l] = REAL(0);
+        out->sum[36][l] = REAL(0);
+        out->sum[37][l] = REAL(0);
+        out->sum[38][l] = REAL(0);
+        out->sum[39][l] = -f_S_xx;
+        out->sum[40][l] = -f_S_xy;
+        out->sum[41][l] = -f_S_xz;
+        out->sum[42][l] = -f_S_yx;
+        out->sum[43][l] = -f_S_yy;
+        out->sum[44][l] = -f_S_yz;
+        out->sum[45][l] = -f_S_zx;
+        out->sum[46][l] = -f_S_zy;
+        out->sum[47][l] = -f_S_zz;
+        out->sum[48][l] = c225*q_z - c222 - c223 - c224*q_y;
+        out->sum[49][l] = R_tip_y*q_x + c224*q_x - c226*q_z;
+        out->sum[50][l] = R_tip_z*q_x + c226*q_y - c225*q_x;
+        out->sum[51][l] = R_tip_x*q_y + c227*q_z - c228*q_y;
+        out->sum[52][l] = c228*q_x - c223 - c229 - c230*q_z;
+        out->sum[53][l] = R_tip_z*q_y + c230*q_y - c227*q_x;
+        out->sum[54][l] = R_tip_x*q_z + c231*q_z - c232*q_y;
+        out->sum[55][l] = R_tip_y*q_z + c232*q_x - c233*q_z;
+        out->sum[56][l] = c233*q_y - c222 - c229 - c231*q_x;
         out->sum[57][l] = REAL(0);
         out->sum[58][l] = REAL(0);
         out->sum[59][l] = REAL(0);
@@ -5763,15 +5759,15 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[90][l] = f_S_dot_zy*q_z - f_S_dot_zz*q_y;
         out->sum[91][l] = f_S_dot_zz*q_x - f_S_dot_zx*q_z;
         out->sum[92][l] = f_S_dot_zx*q_y - f_S_dot_zy*q_x;
-        out->tau_t[0][l] = tau_S_xx;
-        out->tau_t[1][l] = tau_S_xy;
-        out->tau_t[2][l] = tau_S_xz;
-        out->tau_t[3][l] = tau_S_yx;
-        out->tau_t[4][l] = tau_S_yy;
-        out->tau_t[5][l] = tau_S_yz;
-        out->tau_t[6][l] = tau_S_zx;
-        out->tau_t[7][l] = tau_S_zy;
-        out->tau_t[8][l] = tau_S_zz;
+        out->tau_t[0][l] = tau_place_xx;
+        out->tau_t[1][l] = tau_place_xy;
+        out->tau_t[2][l] = tau_place_xz;
+        out->tau_t[3][l] = tau_place_yx;
+        out->tau_t[4][l] = tau_place_yy;
+        out->tau_t[5][l] = tau_place_yz;
+        out->tau_t[6][l] = tau_place_zx;
+        out->tau_t[7][l] = tau_place_zy;
+        out->tau_t[8][l] = tau_place_zz;
         out->tau_r[0][l] = X_xz*q_y - X_xy*q_z;
         out->tau_r[1][l] = X_xx*q_z - X_xz*q_x;
         out->tau_r[2][l] = X_xy*q_x - X_xx*q_y;
@@ -5862,7 +5858,7 @@ static slopes_found slopes_apart(
     stewart_real start[6];
     stewart_real starts[18][6];
     stewart_real force[24];
-    stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
+    STEWART_ALIGNED stewart_real forces_by[432] = {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
@@ -5875,8 +5871,9 @@ static slopes_found slopes_apart(
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
         0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0,
-        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+        0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
     stewart_real wrench[6];
+    stewart_real held[6];
     stewart_real rest[24];
     stewart_real right[6];
     const apart_found apart = forward_apart(model, motion, F, &by);
@@ -5919,7 +5916,8 @@ static slopes_found slopes_apart(
         for (i = 0; i < 6; ++i) {
             wrench[i] = out.A[24*i + (c + 6)];
         }
-        row_right(&by, force, wrench, start, rest, right);
+        by_rows(&by, wrench, held);
+        row_right(&by, force, held, start, rest, right);
         for (i = 0; i < 6; ++i) {
             starts[c][i] = start[i];
             out.A[24*i + (c + 6)] = right[i];
@@ -5941,15 +5939,16 @@ static slopes_found slopes_apart(
 }
 
 /* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about it. */
-static linearisation_found find_linearisation(
-    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6])
+static void find_linearisation(
+    const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
+    linearisation_found *out)
 {
     int i, j;
-    linearisation_found out;
     derivatives_legs legs;
     stewart_real summed[93];
-    stewart_real A[144];
-    forward_dynamics_found moved = find_forward_dynamics(model, motion, F);
+    STEWART_ALIGNED stewart_real A[144];
+    forward_dynamics_found moved;
+    find_forward_dynamics(model, motion, F, &moved);
     const int status = moved.status;
     const stewart_motion moving = with_acceleration(motion, &moved.acceleration[0], &moved.acceleration[3]);
     for (i = 0; i < 6; ++i) {
@@ -5981,29 +5980,28 @@ static linearisation_found find_linearisation(
         fault = fault == STEWART_INDEFINITE ? apart.status : fault;
     }
     for (i = 0; i < 3; ++i) {
-        out.of.acceleration[i] = moved.acceleration[i];
-        out.of.acceleration[3 + i] = moved.acceleration[3 + i];
+        out->of.acceleration[i] = moved.acceleration[i];
+        out->of.acceleration[3 + i] = moved.acceleration[3 + i];
     }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 12; ++j) {
-            out.of.A[12*i + j] = REAL(0);
-            out.of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
+            out->of.A[12*i + j] = REAL(0);
+            out->of.A[12*(i + 6) + j] = -A[24*i + (j + 6)];
         }
         for (j = 0; j < 6; ++j) {
-            out.of.B[6*i + j] = REAL(0);
-            out.of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
+            out->of.B[6*i + j] = REAL(0);
+            out->of.B[6*(i + 6) + j] = A[24*i + (j + 18)];
         }
-        out.of.A[12*i + (i + 6)] = REAL(1);
+        out->of.A[12*i + (i + 6)] = REAL(1);
     }
-    out.of.A[40] = -motion->omega[2];
-    out.of.A[41] = motion->omega[1];
-    out.of.A[51] = motion->omega[2];
-    out.of.A[53] = -motion->omega[0];
-    out.of.A[63] = -motion->omega[1];
-    out.of.A[64] = motion->omega[0];
-    out.status = status == STEWART_OK ? fault : status;
-    check_linearisation(&out);
-    return out;
+    out->of.A[40] = -motion->omega[2];
+    out->of.A[41] = motion->omega[1];
+    out->of.A[51] = motion->omega[2];
+    out->of.A[53] = -motion->omega[0];
+    out->of.A[63] = -motion->omega[1];
+    out->of.A[64] = motion->omega[0];
+    out->status = status == STEWART_OK ? fault : status;
+    check_linearisation(out);
 }
 
 int stewart_exact_linearisation(
@@ -6014,7 +6012,7 @@ int stewart_exact_linearisation(
     if (model == NULL || motion == NULL || F == NULL || out == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    found = find_linearisation(model, motion, F);
+    find_linearisation(model, motion, F, &found);
     if (found.status == STEWART_OK) {
         *out = found.of;
     }

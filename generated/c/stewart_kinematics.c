@@ -455,10 +455,10 @@ static int search(
             }
             (void)polish(R, STEWART_HALF);
             for (i = 0; i < 9; ++i) {
-                pose->R[i] = (going == 1) ? R[i] : pose->R[i];
+                pose->R[i] = R[i];
             }
             for (i = 0; i < 3; ++i) {
-                pose->t[i] = (going == 1) ? pose->t[i] + along[i] : pose->t[i];
+                pose->t[i] = pose->t[i] + along[i];
             }
             status = legs_at(robot, pose, per_size, legs);
             worst = compare(L, legs);
@@ -512,7 +512,7 @@ static found_pose pose_of(const stewart_robot *robot, const stewart_real L[6], c
         const int found = search(robot, L, per_size, &out.pose, &legs);
         reflect(legs.A);
         fault = (is_open(legs.A) == 1) ? STEWART_SINGULAR : fault;
-        status = (status == STEWART_OK) ? ((found == 1) ? fault : STEWART_NOT_CONVERGED) : status;
+        status = (found == 1) ? fault : STEWART_NOT_CONVERGED;
     }
     out.status = status;
     return out;

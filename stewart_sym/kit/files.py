@@ -82,7 +82,9 @@ def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     tested = [function for function in made.functions if cases[function.stem]]
     texts = _sources(robot, choice, made)
     symbol = robot_symbol(robot.name)
-    texts[build.SELFTEST] = selftest(robot.name, symbol, tested, cases, _refusals(robot, choice), generator())
+    texts[build.SELFTEST] = selftest(
+        robot.name, symbol, _numbers(robot), tested, cases, _refusals(robot, choice), generator()
+    )
     texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
     texts[LICENCE] = licence.TEXT
@@ -124,6 +126,13 @@ def _limits(robot: Robot) -> dict[str, list[float]]:
     shortest, longest = robot.length_limits.T.tolist()
     force, speed = robot.force_limit.tolist(), robot.speed_limit.tolist()
     return {"shortest": shortest, "longest": longest, "force": force, "speed": speed}
+
+
+def _numbers(robot: Robot) -> list[float]:
+    """Numbers of ``stewart_robot`` in its order, read off the robot and not off the text of the constants."""
+    legs = [(q.name, (i, *key)) for i in range(6) for q in notation.LEG for key in q.keys]
+    platform = [(q.name, key) for q in notation.PLATFORM for key in q.keys]
+    return [float(np.asarray(getattr(robot, name))[key]) for name, key in legs + platform]
 
 
 def _has_robot(made: Parts) -> bool:
@@ -217,8 +226,8 @@ def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[
 
 
 def _hidden(robot: Robot, choice: Choice) -> tuple[str, ...] | None:
-    """Constants that no vector of the forces shows; None without forces."""
-    if "forces" not in choice.functions:
+    """Constants folded into the forces that no vector shows; None without such forces."""
+    if "forces" not in choice.functions or not choice.bake:
         return None
     level = fidelity.resolved(robot, choice.formulation, choice.level)
     return selection(Numbered.of(robot), choice.formulation, level, choice.precision, choice.bake).hidden

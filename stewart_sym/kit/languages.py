@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from ..checks import option, shown
 from ..derive.formulation import FORMULATIONS
 from ..derive.generate import output_program
-from ..derive.kernel.nodes import Program
+from ..derive.kernel.nodes import Program, Record
 from ..derive.package import licence
-from ..derive.package.languages import LANGUAGES, RESULTS, Contents, Test
+from ..derive.package.languages import LANGUAGES, Contents, Test, Value, compared
 from ..derive.package.robot import robot_toml
 from ..derive.package.words import robot_symbol
 from ..fidelity import resolved
@@ -18,9 +18,9 @@ from ..kernel import kernel_name
 from ..robot import Robot
 from .choice import STEMS, Choice, options
 from .parts import generator, robot_numbers
-from .vectors import Vector, vectors
+from .vectors import Vector, refused, vectors
 
-GROUPS = {name: STEMS[name] for name in ("forces", "motion", "derivatives")}
+GROUPS = {name: STEMS[name] for name in ("forces", "motion", "derivatives", "kinematics")}
 """Outputs of each group of functions."""
 
 
@@ -33,7 +33,7 @@ def check(choice: Choice) -> None:
             raise ValueError(
                 f"functions: {choice.language}: expected some of {', '.join(GROUPS)}, got {shown(name)}"
             )
-    closed = [name for name in choice.functions if name != "forces"]
+    closed = [name for name in choice.functions if name in ("motion", "derivatives")]
     if closed and choice.level != "general":
         raise ValueError(
             f"fidelity: {choice.language}: expected general with the function {closed[0]}, got {choice.level}"
@@ -50,16 +50,23 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     """The files of a kit but its manifest."""
     language = LANGUAGES[choice.language]
     outputs = tuple(output for group in choice.groups for output in GROUPS[group])
+    program = _program(robot, choice, outputs)
     found = vectors(
         robot, outputs, choice.formulation, fidelity=choice.level, precision=choice.precision, count=5
     )
+    tests = [_test(program, vector) for vector in found]
+    if "forces" in outputs:
+        tests += [
+            Test("forces", _given(program, "forces", inputs), {}, {}, status)
+            for inputs, status in refused(robot, choice.level, choice.precision)
+        ]
     contents = Contents(
         robot.name,
         robot_symbol(robot.name),
         robot_numbers(robot),
-        _program(robot, choice, outputs),
+        program,
         outputs,
-        tuple(_test(vector) for vector in found),
+        tuple(tests),
         choice.precision,
         options(choice),
         generator(),
@@ -77,26 +84,35 @@ def _program(robot: Robot, choice: Choice, outputs: tuple[str, ...]) -> Program:
     return output_program(next(each for each in FORMULATIONS if each.kernel_name == name), outputs, level)
 
 
-def _test(vector: Vector) -> Test:
-    motion = {name: _plain(vector.inputs.get(name, np.zeros(3))) for name in _MOTION}
-    F = vector.inputs.get("F")
+def _test(program: Program, vector: Vector) -> Test:
     return Test(
         vector.function,
-        motion,
-        None if F is None else _plain(F),
-        _members(vector.function, vector.answers),
-        _members(vector.function, vector.bounds),
+        _given(program, vector.function, vector.inputs),
+        _members(program, vector.function, vector.answers),
+        _members(program, vector.function, vector.bounds),
     )
 
 
-_MOTION = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+def _given(program: Program, function: str, inputs: Mapping[str, NDArray[np.float64]]) -> dict[str, Value]:
+    """Inputs by argument, after robot or model; what a vector has no number of is zero."""
+    found: dict[str, Value] = {}
+    for each in program.function(function).arguments[1:]:
+        if isinstance(each.type, Record):
+            suffix = "_guess" if each.name == "guess" else ""
+            members = [member.name for member in program.structure(each.type.name).members]
+            found[each.name] = {name: _plain(inputs.get(f"{name}{suffix}", np.zeros(3))) for name in members}
+        else:
+            found[each.name] = _plain(inputs[each.name])
+    return found
 
 
-def _members(function: str, values: Mapping[str, NDArray[np.float64]]) -> dict[str, list[float]]:
+def _members(
+    program: Program, function: str, values: Mapping[str, NDArray[np.float64]]
+) -> dict[str, list[float]]:
     parts = dict(values)
     if "acceleration" in parts:
         parts["a"], parts["alpha"] = np.split(parts["acceleration"], 2)
-    return {name: _plain(parts[name]) for name in RESULTS[function]}
+    return {path: _plain(parts[path.rpartition(".")[2]]) for path in compared(program, function)}
 
 
 def _plain(values: NDArray[np.float64]) -> list[float]:

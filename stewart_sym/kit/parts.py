@@ -17,13 +17,14 @@ from ..derive.emit import lanes, scalar
 from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE, shared_headers
 from ..derive.formulation import EXACT
-from ..derive.generate import generator_version, motion_files, reduced_rotation, shared_blocks
-from ..derive.kinematics import (
-    kinematics,
-    search_operations,
-    step_operations,
-    velocity_operations,
+from ..derive.generate import (
+    generator_version,
+    motion_files,
+    reduced_kinematics,
+    reduced_rotation,
+    shared_blocks,
 )
+from ..derive.kernel.kinematics import search_operations
 from ..derive.operations import force_operations
 from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.header import common_header
@@ -210,13 +211,12 @@ def _motion_says(stems: Iterable[str]) -> str:
 
 
 def _kinematics() -> Part:
-    file, blocks = "stewart_kinematics", kinematics()
-    rates = 6 * (blocks.vectors.operations() + blocks.rate.operations())
-    search, step = search_operations(blocks).total, step_operations(blocks).total
+    file = "stewart_kinematics"
+    counts = {name: f"{each.total:,}" for name, each in search_operations(reduced_kinematics()).items()}
     costs = {
-        "inverse_kinematics": f"{rates.total:,}",
-        "forward_kinematics": f"{search:,} and {step:,} a step",
-        "forward_velocity": f"{velocity_operations(blocks).total:,}",
+        "inverse_kinematics": counts["lengths, rates"],
+        "forward_kinematics": f"{counts['search']} and {counts['step']} a step",
+        "forward_velocity": counts["velocity"],
     }
     functions = [
         Function(stem, f"stewart_{stem}", f"{file}.h", ROBOT, operations=costs[stem])

@@ -8,6 +8,7 @@ elimination would grow far beyond what happens. Knows no machine.
 
 import math
 from collections.abc import Callable, Sequence
+from functools import total_ordering
 from typing import Any, ClassVar, Self
 
 import numpy as np
@@ -31,11 +32,12 @@ FORCES_MARGIN = 1.25
 sums and, where two are nearly as large, the pivots."""
 
 
+@total_ordering
 class Running:
     """A number, value, at 50 digits, and its error: in rounding units, to first order, absolute.
 
-    Its operations are those of the generated modules: + - * / with its like, integers and exact floats, and
-    ``sqrt``, which NumPy calls for arrays of objects.
+    Its operations are those of kernels: + - * / and comparisons with its like, integers and exact floats, and
+    ``sqrt``.
     """
 
     __slots__ = ("error", "size", "value")
@@ -102,6 +104,20 @@ class Running:
     def __neg__(self) -> Self:
         """The number with the other sign, exact."""
         return type(self)(-self.value, self.error)
+
+    def __abs__(self) -> Self:
+        """Size, exact."""
+        return type(self)(abs(self.value), self.error)
+
+    def __lt__(self, other: Any) -> bool:
+        """Whether the value is less, whatever its error."""
+        return bool(self.value < self.of(other).value)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether the value is equal, whatever its error."""
+        return bool(self.value == self.of(other).value)
+
+    __hash__ = None  # type: ignore[assignment]
 
     def sqrt(self) -> Self:
         """Square root."""

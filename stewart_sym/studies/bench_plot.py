@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from ..extras import needed_for
+from ..extras import install, needed_for
 from .bench_figures import MOST, TIMES_FASTER, Benchmark, Figure, MotionFigures, Samples
 from .host import DISTURBED
 from .table import aligned
@@ -60,7 +60,7 @@ def report(found: Benchmark) -> str:
     ]
     if found.left_out:
         missing = ", ".join(found.left_out)
-        head.append(f'not installed and left out: {missing}; pip install "stewart-sym[bench]"')
+        head.append(f"not installed and left out: {missing}; {install('bench')}")
     parts = ["\n".join(head), _contestants(found), _cores(found), _notes(found), _calls(found)]
     parts += [_sizes(found), _motion(found.motion)]
     if found.passes:

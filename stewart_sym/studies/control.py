@@ -20,11 +20,12 @@ from ..forces import OnePose, prepare
 from ..kinematics import inverse_kinematics
 from ..laws import ForceLaw, GravityCompensation, Model, ModelTorque, Wanted
 from ..motion import Motion
+from ..paths import path_for
 from ..results import OK, STATUS_TEXT
 from ..robot import Robot
 from ..robots import dasgupta1998
 from ..rotation import rotation_from_vector, vector_from_rotation
-from ..trajectory import PATHS, StraightLinePath
+from ..trajectory import StraightLinePath
 from .track import exceeded
 
 Array = NDArray[np.float64]
@@ -42,7 +43,8 @@ class Settings:
     """What all controllers and runs have in common.
 
     rate: samples of the controllers, Hz. k_p, 1/s^2, and k_d, 1/s: gains of the errors. offset_t, m, and
-    offset_phi, rotation vector, rad, both base frame: where the platform starts, seen from the path's start.
+    offset_phi, rotation vector, rad, both in the path's axes: where the platform starts, seen from the path's
+    start.
     step: longest of the integration, s.
     """
 
@@ -203,12 +205,13 @@ def track_paths(
     beyond: list[str] = []
     for name in paths:
         progress(f"tracking Path {name}")
+        path = path_for(robot, name).path
         try:
-            runs[name] = follow(robot, PATHS[name].path, settings)
+            runs[name] = follow(robot, path, settings)
         except ValueError as error:
             raise ValueError(f"{robot.name}: Path {name}: {error}") from None
         run = runs[name]["exact"]
-        motion = PATHS[name].path.sample(run.time)
+        motion = path.sample(run.time)
         legs = inverse_kinematics(robot, motion)
         beyond += [
             f"{robot.name}: Path {name}, controller exact: {line}"
@@ -229,7 +232,7 @@ def follow(
         times = times[times <= duration]
     wanted = _Samples(times, path.sample(times))
     laws = controllers(robot, wanted, settings)
-    start = _start(wanted.motion[0], settings, len(laws))
+    start = _start(wanted.motion[0], np.array(path.axes), settings, len(laws))
     states, F = _runs(ForwardDynamics(robot), laws, times, start, settings.steps)
     found = {}
     for i, name in enumerate(laws):
@@ -280,10 +283,10 @@ def _refuse(laws: Mapping[str, ForceLaw], time: float, reasons: Sequence[str]) -
             raise ValueError(f"controller {name}: at {time:g} s: {reason}")
 
 
-def _start(wanted: Motion, settings: Settings, count: int) -> Motion:
+def _start(wanted: Motion, axes: Array, settings: Settings, count: int) -> Motion:
     """The state that every controller starts from, (count,)."""
-    R = rotation_from_vector(settings.offset_phi) @ wanted.R
-    t = wanted.t + np.array(settings.offset_t)
+    R = rotation_from_vector(axes @ settings.offset_phi) @ wanted.R
+    t = wanted.t + axes @ settings.offset_t
     return Motion(
         np.tile(R, (count, 1, 1)), np.tile(t, (count, 1)), np.array(wanted.omega), np.array(wanted.v)
     )

@@ -3,11 +3,14 @@
 Reads a checked Robot; prints nothing.
 """
 
+import warnings
+
 import numpy as np
 from numpy.typing import NDArray
 
 from ..conditioning import characteristic_length
 from ..home import HomePose, home_pose, radius
+from ..mounting import AssemblyModeWarning
 from ..results import STATUS_TEXT
 from ..robot import Robot, legs_text
 
@@ -38,7 +41,11 @@ def description(robot: Robot) -> str:
         ("limits", _limits(robot)),
         ("inertias", _inertias(robot)),
     ]
-    return "\n".join([*_rows(rows), "", *_home_lines(robot, home_pose(robot))])
+    with warnings.catch_warnings():
+        # The row "above" names both sides where they are equally plausible.
+        warnings.simplefilter("ignore", AssemblyModeWarning)
+        home = home_pose(robot)
+    return "\n".join([*_rows(rows), "", *_home_lines(robot, home)])
 
 
 def _sides(robot: Robot) -> list[tuple[str, str]]:

@@ -4,9 +4,10 @@ What rounding errors are measured against; the numbers of robot and motion are t
 ``derive`` for the equations and SymPy's mpmath for the digits; knows no generated code.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, lru_cache
+from types import SimpleNamespace
 from typing import Any
 
 import mpmath
@@ -14,24 +15,40 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..derive import notation as n
-from ..derive.block import Block, Quantity
 from ..derive.fidelity import FIDELITIES, fidelity_kernel
 from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.prepared import ADDED, arm_c, c_tip
+from ..derive.kernel.constants import unchecked
+from ..derive.kernel.interpret import Arithmetic, Interpreter
+from ..derive.kernel.outputs import FORCES, program
 from ..derive.regroup import ForceKernel
 from ..kernel import kernel_name, loaded
 from ..motion import Motion
 from ..robot import Robot
+from ..trees import robot_structure, structure
 
 Array = NDArray[np.float64]
-Values = dict[str, Any]
 
 DIGITS = 50
-LEGS = range(6)
 
 digits = mpmath.MPContext()
 digits.dps = DIGITS
 """Arithmetic of 50 digits, nobody else's."""
+
+
+ON_DIGITS = Arithmetic(
+    digits.mpf, {name: digits.mpf(value) for name, value in unchecked(1e-45).items()}, digits.sqrt
+)
+"""The same for kernel trees."""
+
+
+def number_of_digits(_: str, value: Any) -> Any:
+    """A quantity's component as it is stored."""
+    return digits.mpf(value)
+
+
+@lru_cache(maxsize=16)
+def _forces(kernel: ForceKernel) -> Interpreter:
+    return Interpreter(program(kernel), ON_DIGITS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,16 +71,21 @@ class Truth:
         """Errors, N, of forces, (..., 6), that somebody computed for ``motion``."""
         return deviation(F, self.forces(motion))
 
-    def _pose(self, motion: Mapping[str, Array]) -> list[Any]:
+    def _pose(self, motion: Mapping[str, NDArray[Any]]) -> list[Any]:
         """F = D - x with H x = c, (35)-(37)."""
-        D, H, c = self._terms.at(motion)
-        x = digits.lu_solve(digits.matrix(H), digits.matrix(c))
-        return list(digits.matrix(D) - x)
+        given = structure(n.MOTION, motion, number_of_digits)
+        found: list[Any] = self._interpreter.run(FORCES, self._model, given).F
+        return found
 
     @cached_property
-    def _terms(self) -> "ForceTerms":
-        kernel = derived_kernel(self.robot.base_joint, self.formulation, self.fidelity)
-        return ForceTerms(kernel, self.robot, lambda _, value: digits.mpf(value), digits.sqrt)
+    def _model(self) -> SimpleNamespace:
+        robot = robot_structure(self.robot, number_of_digits)
+        model: SimpleNamespace = self._interpreter.run("prepare", robot)
+        return model
+
+    @cached_property
+    def _interpreter(self) -> Interpreter:
+        return _forces(derived_kernel(self.robot.base_joint, self.formulation, self.fidelity))
 
 
 def derived_kernel(base_joint: str, formulation: str, fidelity: str) -> ForceKernel:
@@ -79,77 +101,9 @@ def _derived(name: str, fidelity: str) -> ForceKernel:
     return fidelity_kernel(form, FIDELITIES[fidelity])
 
 
-@dataclass(frozen=True, eq=False)
-class ForceTerms:
-    """D, H and c of (35)-(37) from derived blocks, in any arithmetic.
-
-    robot: what has the fields of ``Robot``. number: makes a number of the arithmetic of a quantity's name and
-    a stored component of it; sqrt: the square root of such a number.
-    """
-
-    kernel: ForceKernel
-    robot: Any
-    number: Callable[[str, Any], Any]
-    sqrt: Callable[[Any], Any]
-
-    def at(self, motion: Mapping[str, Array]) -> tuple[list[Any], list[list[Any]], list[Any]]:
-        """D (6,), H (6, 6), c (6,) of one pose, given as arrays by name; moments about the kernel's point."""
-        robot, legs, platform = self._constants
-        pose = robot | self._named(n.MOTION, motion)
-        turn = platform | self._components(self._kernel.shared, pose | platform)
-        found = [self._components(self._kernel.leg, pose | turn | constants) for constants in legs]
-        # A fidelity leaves out what is zero.
-        D = [leg.get(n.D.name, 0) for leg in found]
-        H = [[leg[row] for leg in found] for row in _COLUMN]
-        tip = c_tip.names if self.kernel.about_tip else n.c_moment.names
-        c = [turn[row] for row in (*n.c_force.names, *tip)]
-        for rows, place in ((n.c_force, 0), (n.c_moment, 3), (arm_c, 3)):
-            for j, row in enumerate(rows.names):
-                c[place + j] = sum((leg.get(row, 0) for leg in found), c[place + j])
-        return D, H, c
-
-    @cached_property
-    def _kernel(self) -> ForceKernel:
-        """The kernel with moments in its blocks."""
-        return self.kernel.whole() if self.kernel.about_tip else self.kernel
-
-    @cached_property
-    def _constants(self) -> tuple[Values, list[Values], Values]:
-        """The robot's numbers that all legs share, those of each leg, and the prepared ones."""
-        robot, kernel = self.robot, self._kernel
-        whole = self._named(n.PLATFORM, {q.name: getattr(robot, q.name) for q in n.PLATFORM})
-        whole |= self._named([n.p_1], {n.p_1.name: robot.p[0]})
-        legs = []
-        for i in LEGS:
-            raw = self._named(n.LEG, {q.name: getattr(robot, q.name)[i] for q in n.LEG})
-            legs.append(raw | self._components(kernel.prepare_leg, whole | raw))
-        added = {name: sum(leg.get(name, 0) for leg in legs) for q in ADDED for name in q.names}
-        return whole, legs, self._components(kernel.prepare_platform, whole | legs[0] | added)
-
-    def _named(self, quantities: Iterable[Quantity], values: Mapping[str, Array]) -> Values:
-        """Components by name."""
-        return {
-            name: self.number(quantity.name, np.asarray(values[quantity.name])[key])
-            for quantity in quantities
-            for name, key in zip(quantity.names, quantity.keys, strict=True)
-        }
-
-    def _components(self, block: Block, values: Values) -> Values:
-        """What a block hands out, component by component."""
-        found = block.run(values, self.sqrt)
-        return {
-            name: value
-            for out in block.outputs
-            for name, value in zip(out.quantity.names, found[out.quantity.name], strict=True)
-        }
-
-
 def deviation(F: NDArray[Any], truth: NDArray[np.object_]) -> Array:
     """Errors of forces beside 50-digit ones, N, of their shape, rounded last."""
     difference = [
         float(digits.mpf(float(found)) - true) for found, true in zip(F.flat, truth.flat, strict=True)
     ]
     return np.array(difference).reshape(F.shape)
-
-
-_COLUMN = (*n.H_force.names, *n.H_moment.names)

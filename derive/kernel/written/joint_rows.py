@@ -16,6 +16,7 @@ def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -
     wrench = blank(array(6))
     start = blank(array(6))
     rest = blank(array(24))
+    held = blank(array(6))
     right = blank(array(6))
     A = array(6, 8)
     for i in range(6):
@@ -30,7 +31,8 @@ def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -
     for i in range(3):
         wrench[i] = summed.right_force[i]
         wrench[i + 3] = summed.right_moment[i]
-    row_right(by, force, wrench, start, rest, right)
+    by_rows(by, wrench, held)
+    row_right(by, force, held, start, rest, right)
     for i in range(6):
         A[i][6] = right[i]
         for j in range(6):
@@ -39,7 +41,7 @@ def forward_apart(model: "Model", motion: "Motion", F: "array(6)", by: "Rows") -
     for i in range(6):
         right[i] = A[i][6]
     row_back(by, right, start, out.x)
-    rows_held(legs, by, right, start, rest)
+    rows_held(legs, by, right, start, rest, held)
     out.status = where(legs.status == OK, fault, legs.status)
     for i in range(6):
         out.status = where((out.status != OK) | (size(out.x[i]) <= MAX), out.status, NOT_FINITE)
@@ -57,6 +59,7 @@ def slopes_apart(model: "Model", motion: "Motion", moving: "Motion", F: "array(6
     force = blank(array(24))
     forces_by = array(18, 24)
     wrench = blank(array(6))
+    held = blank(array(6))
     rest = blank(array(24))
     right = blank(array(6))
     apart = forward_apart(model, motion, F, by)
@@ -88,7 +91,8 @@ def slopes_apart(model: "Model", motion: "Motion", moving: "Motion", F: "array(6
             force[i] = forces_by[c][i]
         for i in range(6):
             wrench[i] = out.A[i][c + 6]
-        row_right(by, force, wrench, start, rest, right)
+        by_rows(by, wrench, held)
+        row_right(by, force, held, start, rest, right)
         for i in range(6):
             starts[c][i] = start[i]
             out.A[i][c + 6] = right[i]
@@ -278,15 +282,28 @@ def balance_rows(by: "Rows", force: "array(24)", moved: "array(24)", balanced: "
             moved[3 * b + k] = where(balanced[3 * b + k] > 0.0, moved[3 * b + k] / W[k][k], 0.0)
 
 
+def by_rows(by: "Rows", wrench: "array(6)", held: "array(6)") -> None:
+    """Forces of the six coordinates' rows that add up to a wrench."""
+    for k in range(6):
+        held[k] = wrench[by.column[k]] / where(by.column[k] < 3, 1.0, by.length)
+    for k in range(6):
+        for j in range(k):
+            held[k] = held[k] - by.row[j][k] * held[j]
+        held[k] = held[k] / by.row[k][k]
+    for k in reversed(range(6)):
+        for j in range(k + 1, 6):
+            held[k] = held[k] - by.row[j][k] * held[j]
+
+
 def row_right(
     by: "Rows",
     force: "array(24)",
-    wrench: "array(6)",
+    held: "array(6)",
     start: "array(6)",
     rest: "array(24)",
     right: "array(6)",
 ) -> None:
-    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench.
+    """What the six coordinates' accelerations must balance, of the rows' forces and a wrench, ``held``.
 
     force: of each row, as its generalised force over its size, without accelerations. start: accelerations of
     the coordinates that balance their own large forces, from which the unknown ones are measured; rest: the
@@ -297,7 +314,6 @@ def row_right(
     balance_rows(by, force, moved, balanced)
     for k in range(6):
         start[k] = moved[by.order[k]]
-        right[k] = wrench[by.column[k]] / where(by.column[k] < 3, 1.0, by.length)
     for i in range(24):
         moved[i] = 0.0
         for k in range(6):
@@ -310,13 +326,7 @@ def row_right(
                 less = rest[3 * b + i] - by.weight[3 * b + i][j] * moved[3 * b + j]
                 rest[3 * b + i] = where(own, rest[3 * b + i], less)
     for k in range(6):
-        for j in range(k):
-            right[k] = right[k] - by.row[j][k] * right[j]
-        right[k] = right[k] / by.row[k][k]
-    for k in reversed(range(6)):
-        for j in range(k + 1, 6):
-            right[k] = right[k] - by.row[j][k] * right[j]
-    for k in range(6):
+        right[k] = held[k]
         for i in range(24):
             right[k] = right[k] - by.share[i][k] * rest[i]
 
@@ -336,25 +346,44 @@ def row_back(by: "Rows", found: "array(6)", start: "array(6)", acceleration: "ar
 
 
 def rows_held(
-    legs: "JointRowsLegs", by: "Rows", found: "array(6)", start: "array(6)", rest: "array(24)"
+    legs: "JointRowsLegs",
+    by: "Rows",
+    found: "array(6)",
+    start: "array(6)",
+    rest: "array(24)",
+    held: "array(6)",
 ) -> None:
     """Of each leg the generalised forces, the accelerations that those of the platform give to it, and
     whether it is thin: most of what resists turning by phi is then k3 times its turning by theta. A share
-    between the two would have the rounding of both."""
+    between the two would have the rounding of both.
+
+    The coordinates' rows hold what the other rows leave of the wrench: of a heavy leg's own inertia times its
+    accelerations little may be left.
+    """
     whole = array(24)
+    force = blank(array(24))
     for i in range(24):
         for j in range(6):
             whole[i] = whole[i] + by.share[i][j] * found[j]
+    for b in range(8):
+        for i in range(3):
+            force[3 * b + i] = rest[3 * b + i]
+            for j in range(3):
+                force[3 * b + i] = force[3 * b + i] + by.weight[3 * b + i][j] * whole[3 * b + j]
+    for k in range(6):
+        force[by.order[k]] = 0.0
+    for k in range(6):
+        for i in range(24):
+            held[k] = held[k] - by.share[i][k] * force[i]
+    for k in range(6):
+        force[by.order[k]] = held[k]
     for b in range(6):
         k3 = legs.leg[b].k3
         thin = k3 * by.extent[3 * b + 1] / by.extent[3 * b + 2]
         by.given[b].axial = where((k3 < LEANING) & (thin * thin > 0.5), 0.0, 1.0)
         for i in range(3):
-            force = rest[3 * b + i]
             turned = 0.0
-            for j in range(3):
-                force = force + by.weight[3 * b + i][j] * whole[3 * b + j]
             for j in range(6):
                 turned = turned + by.share[3 * b + i][j] * (found[j] - start[j])
-            by.given[b].net[i] = force * by.extent[3 * b + i]
+            by.given[b].net[i] = force[3 * b + i] * by.extent[3 * b + i]
             by.given[b].turned[i] = turned / by.extent[3 * b + i]

@@ -47,10 +47,8 @@ def sums(model: "Model", motion: "Motion", legs: "Legs", summed: "array(COUNT)")
         add_legs(legs.sum, COUNT, summed)
 
 
-def forces(model: "Model", motion: "Motion") -> "Forces":
+def forces(model: "Model", motion: "Motion", out: "Forces") -> None:
     """Actuator forces."""
-    out = blank(Forces)
     for i in range(6):
         out.F[i] = 0.0
     out.status = kernel_forces(model, motion, out.F)
-    return out

@@ -106,7 +106,7 @@ def solve_pivoted(A: "array(6, WIDTH)") -> "Integer":
             pivot = where(entry > most, i, pivot)
             most = where(entry > most, entry, most)
         if anywhere(pivot != k):
-            for j in range(WIDTH):
+            for j in columns(WIDTH):
                 upper = A[k][j]
                 A[k][j] = A[pivot][j]
                 A[pivot][j] = upper
@@ -118,19 +118,27 @@ def solve_pivoted(A: "array(6, WIDTH)") -> "Integer":
 
 
 def clear_below(A: "array(6, WIDTH)", k: "Integer", inverse: "Real") -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored."""
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = blank(array(WIDTH))
+    for j in columns(WIDTH):
+        row[j] = A[k][j]
     for i in range(k + 1, 6):
         factor = A[i][k] * inverse
-        for j in range(WIDTH):
-            A[i][j] = A[i][j] - factor * A[k][j]
+        for j in columns(WIDTH):
+            A[i][j] = A[i][j] - factor * row[j]
 
 
 def substitute_back(A: "array(6, WIDTH)", inverse: "array(6)") -> None:
     """Back substitution; inverse: of the pivots."""
+    row = blank(array(WIDTH))
     for k in reversed(range(6)):
-        for j in range(6, WIDTH):
-            A[k][j] = A[k][j] * inverse[k]
+        for j in columns(6, WIDTH):
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
         for i in range(k):
             factor = A[i][k]
-            for j in range(6, WIDTH):
-                A[i][j] = A[i][j] - factor * A[k][j]
+            for j in columns(6, WIDTH):
+                A[i][j] = A[i][j] - factor * row[j]

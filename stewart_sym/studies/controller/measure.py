@@ -33,7 +33,7 @@ Progress = Callable[[str], None]
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""
 NEAR_POLE = 1e-3
-"""Sine of the angle between leg and fixed axis: the kernel's other road is taken below 1/64."""
+"""Sine of the angle between leg and fixed axis: the kernel's other road is taken below 1/32."""
 _SELFTEST = "selftest.c"
 _OWN = ("start.c", "count.c", "board.h", "link.ld")
 _HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", "_free_r"})

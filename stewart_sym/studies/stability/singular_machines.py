@@ -1,4 +1,4 @@
-"""Machines that are singular at every pose: twelve families of points in whole numbers, each with its reason.
+"""Machines that are singular at every pose: families of points in whole numbers, each with its reason.
 
 Coordinates are integers below 2^24 times a power of two, exact in double and in float, so det H is exactly 0
 for the stored numbers and every matrix R. Every family is closed under affine maps of the base and of the
@@ -21,6 +21,8 @@ Points = tuple[Whole, Whole]
 
 _GRID = 64
 """Half the width of the grid on which points are drawn."""
+_FINE = 10
+"""Bits by which the grid is finer where legs are nearly alike."""
 _CIRCLE = np.array(
     sorted(
         ((x, y, 0) for x in range(-65, 66) for y in range(-65, 66) if x * x + y * y == 65 * 65),
@@ -38,15 +40,20 @@ def singular_machine(
     The size is met within a factor of two or so.
     """
     base, platform = FAMILIES[family](rng)
+    fine = 2**_FINE if family in NEARLY else 1
     order = rng.permutation(6)
     map_b = _map(rng)
     map_p = map_b if family in ALIKE else _map(rng)
-    b, p = base[order] @ map_b + rng.integers(-_GRID, _GRID, 3), platform[order] @ map_p
-    grain = float(2.0 ** np.round(np.log2(size / (32 * _GRID))))
+    b, p = base[order] @ map_b + fine * rng.integers(-_GRID, _GRID, 3), platform[order] @ map_p
+    grain = float(2.0 ** np.round(np.log2(size / (32 * _GRID)))) / fine
     # The reference point anywhere near; the platform smaller but for equal hexagons, whose points are equal.
-    b, p = (b, p) if family == "equal hexagons" else (2 * b, p + rng.integers(-_GRID, _GRID, 3))
+    b, p = (b, p) if family == "equal hexagons" else (2 * b, p + fine * rng.integers(-_GRID, _GRID, 3))
     machine = random_machine(rng, size, mass, legs)
     points: list[Array] = [grain * each.astype(np.float64) for each in (b, p)]
+    if family in NEARLY:
+        # Some legs longer, those of one base point together.
+        alike = np.unique(b, axis=0, return_inverse=True)[1].ravel()
+        points[0] *= 2.0 ** (rng.integers(14) * rng.integers(2, size=6)[alike, None])
     return dataclasses.replace(machine, b=points[0], p=points[1], name=family)
 
 
@@ -138,6 +145,44 @@ def _two_legs_alike(rng: np.random.Generator) -> Points:
     return _with(rng, _point(rng, 2)), _with(rng, _point(rng, 2))
 
 
+def _nearly_alike(rng: np.random.Generator, points: Points, groups: tuple[tuple[int, ...], ...]) -> Points:
+    """The points on the finer grid, those of a group of legs beside those of its first, at any degree."""
+    base, platform = (2**_FINE * each for each in points)
+    for first, *others in groups:
+        shared = rng.uniform(0, _FINE)
+        for leg in others:
+            # All of a group to one degree, or each to its own.
+            degree = shared if rng.random() < 0.5 else rng.uniform(0, _FINE)
+            reach = int(_GRID * 2 ** (_FINE - degree))
+            for end in (base, platform):
+                end[leg] = end[first] + rng.integers(-reach, reach + 1, 3) // 2
+    return base, platform
+
+
+def _also_nearly(*groups: tuple[int, ...]) -> Callable[[np.random.Generator], Points]:
+    """Legs 0 and 1 alike, and groups of legs nearly so."""
+
+    def points(rng: np.random.Generator) -> Points:
+        base, platform = _nearly_alike(rng, (_any(rng), _any(rng)), groups)
+        base[1], platform[1] = base[0], platform[0]
+        return base, platform
+
+    return points
+
+
+NEARLY: dict[str, Callable[[np.random.Generator], Points]] = {
+    "two legs alike, two nearly": _also_nearly((2, 3)),
+    "two legs alike, two pairs nearly": _also_nearly((2, 3), (4, 5)),
+    "two legs alike, four nearly": _also_nearly((2, 3, 4, 5)),
+    "two legs alike, one beside them": _also_nearly((0, 2)),
+    "two legs alike, three beside them": _also_nearly((0, 2, 3, 4)),
+    "four legs from one base point, two nearly alike": lambda rng: _nearly_alike(
+        rng, (_with(rng, _point(rng, 4)), _any(rng)), ((4, 5),)
+    ),
+}
+"""Singular for one reason and nearly so for others, to any degree that 24 bits have: several pivots are
+small, and none may stand out."""
+
 FAMILIES: dict[str, Callable[[np.random.Generator], Points]] = {
     # All legs meet that line.
     "base points on one line": lambda rng: (_line(rng, 6), _any(rng)),
@@ -164,6 +209,7 @@ FAMILIES: dict[str, Callable[[np.random.Generator], Points]] = {
     "similar hexagons": lambda rng: _twice(_circle(rng)),
     # Without rotation all legs are parallel.
     "equal hexagons": lambda rng: _twice(_circle(rng)),
+    **NEARLY,
 }
 """Base and platform points by family, before the affine maps; why they are singular, above each."""
 
