@@ -207,4 +207,5 @@ HEADERS = (
     "stewart_arithmetic.h",
     "stewart_solve.h",
     "stewart_lanes.h",
+    "stewart_outputs.h",
 )

@@ -12,6 +12,7 @@ import pytest
 from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import FORMULATIONS
 from stewart_sym.derive.generate import generated_files
+from stewart_sym.generated.interface import HEADERS
 
 KERNELS = [form.kernel_name for form in FORMULATIONS]
 SOURCES = [name + kind for name in KERNELS for kind in ("", "_forces")]
@@ -90,6 +91,34 @@ def test_optimised_c_compiles_silently_and_calls_nothing_but_square_roots(
         assert undefined <= every[precision] | {"memcpy", "memset", "_GLOBAL_OFFSET_TABLE_"}
         data = attack_build.ran(["nm", target], tmp_path)
         assert not re.search(r" [bBdDC] ", data), "a global variable"
+
+
+def functions_on_plain_numbers(text: str) -> list[str]:
+    """Static functions of a source in whose text no type of its own occurs."""
+    defined = re.findall(r"^(?:\w+ )*static [^;{}=]*\)\n\{\n.*?^\}$", text, re.M | re.S)
+    types = [*re.findall(r"^\} (\w+);", text, re.M), r"stewart_\w+_(?:leg|model)"]
+    own = re.compile(rf"\b(?:{'|'.join(types)})\b")
+    return [each for each in defined if not own.search(each)]
+
+
+def test_a_function_on_plain_numbers_stands_in_one_source_or_in_a_header() -> None:
+    """Of more than a dozen lines."""
+    places: dict[str, list[str]] = {}
+    for path in sorted(c_folder().glob("*.c")):
+        for each in functions_on_plain_numbers(path.read_text()):
+            places.setdefault(each, []).append(path.name)
+    assert len(places) > 20
+    many = {each: found for each, found in places.items() if len(found) > 1}
+    assert {each: found for each, found in many.items() if each.count("\n") > 12} == {}
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str) -> None:
+    for name in HEADERS:
+        command = [compiler, *LANGUAGES[language], *STRICT, "-fsyntax-only", "-include", name, "/dev/null"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=c_folder())
+        assert (done.returncode, done.stderr) == (0, "")
 
 
 @pytest.mark.parametrize("kernel", KERNELS)

@@ -210,7 +210,7 @@ def test_covering_kits_hold_every_level_and_every_group() -> None:
 def test_kit_holds_only_what_was_asked_for(precision: str) -> None:
     kernels = {
         "forces": {"stewart_exact_pose.h", "stewart_exact_pose.c", SOLVE},
-        "reactions": {"stewart_exact.h", "stewart_exact.c", SOLVE},
+        "reactions": {"stewart_exact.h", "stewart_exact.c", SOLVE, "stewart_outputs.h"},
         "kinematics": {"stewart_kinematics.h", "stewart_kinematics.c"},
     }
     for group, files in kernels.items():

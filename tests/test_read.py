@@ -8,6 +8,7 @@ from stewart_sym.derive.kernel import read
 from stewart_sym.derive.kernel.nodes import (
     Assign,
     Call,
+    Element,
     Field,
     For,
     Function,
@@ -58,6 +59,40 @@ def through(to: "Arrays", from_one: "Pointer(Real)", count: "Count") -> None:  #
     for pose in range(count):
         if from_one is not None and not from_one[pose] > 1.0:
             to.F[pose * 6 + 1] = from_one[pose]
+
+
+def shaped(A: "array(3, 3)", x: "array(3)") -> "Real":  # type: ignore[name-defined]
+    for i in each(2, -1, -1):
+        before(i)
+        for j in each(i, LAST if LAST < 3 and i == 0 else 3):
+            total[i,] = a[i, j] if i == 2 else x[j]
+    return x[0]
+
+
+def divided(i) -> None:
+    """What stands before."""
+    if not ROLLED or LAST == 4:
+        a[i, i] = a[i, i] / x[i]
+
+
+def element(*index: Any) -> Element:
+    return Element(Name("A"), index)
+
+
+def test_one_text_is_read_into_several_shapes() -> None:
+    """Loops, or line after line; entries of an array, or variables; calls replaced by lines."""
+    common = {"before": divided, "LAST": 3}
+    shapes = {"total": lambda *_: Name("sum"), "a": element, "ROLLED": 1, "LAST": 4}
+    rolled = "\n".join(C().function(read.function(shaped, {}, {}, given=common | shapes)))
+    assert "for (i = 2; i >= 0; --i)" in rolled
+    assert "for (j = i; j < 3; ++j)" in rolled
+    assert "A[i][i] = A[i][i]/x[i];" in rolled
+    assert "sum = i == 2 ? A[i][j] : x[j];" in rolled
+    lines = "\n".join(C().function(read.function(shaped, {}, {}, given=common | {"a": element, "ROLLED": 0})))
+    assert "for (" not in lines
+    assert lines.index("A[2][2] = A[2][2]/x[2];") < lines.index("A[0][0] = A[0][0]/x[0];")
+    assert "total_2 = A[2][2];" in lines
+    assert "total_1 = x[1];" in lines
 
 
 def test_conditions_loops_and_registers_are_settled_when_a_text_is_read() -> None:

@@ -9,7 +9,6 @@ from .. import notation as n
 from ..block import Block, Quantity
 from ..formulation import UNIVERSAL
 from ..kernel import prepare as p
-from ..kernel.elimination import ONCE
 from ..kernel.interface import STRUCTS
 from ..kernel.layouts import Place, Written, described, loads, member, names_used, stores
 from ..kernel.lower import steps_of
@@ -42,7 +41,7 @@ from ..kernels import Kernel
 from ..operations import KernelOperations
 from ..print.c import C
 from ..print.template import filled
-from .shared import SOLVE, top
+from .shared import OUTPUTS, top
 
 _NUMBERS = Pointer(Real())
 
@@ -113,11 +112,11 @@ def operations_table(counts: KernelOperations, frictionless: KernelOperations | 
 def source(kernel: Kernel, version: str) -> str:
     """``stewart_<kernel>.c``: the blocks and the code that runs them."""
     made = _Source(kernel)
-    return C(made.texts.functions.values()).source(top(made.name, version, SOLVE), *made.parts)
+    return C(made.texts.functions.values()).source(top(made.name, version, OUTPUTS), *made.parts)
 
 
 def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
-    """A function of the template ``every_output.c``; ``to`` is changed."""
+    """A function of the template ``outputs.h``; ``to`` is changed."""
     given = (Argument(each, kind, each == "to") for each, kind in arguments.items())
     return Function(name, "", tuple(given), result, ())
 
@@ -174,9 +173,7 @@ class _Source:
             function = _block_function(block, structure)
             self.texts.functions[function.name] = function
             yield function
-        yield filled("every_output.c")
         yield read(written.leg_status)
-        yield read(written.solve, given=ONCE)
         yield read(written.pose_forces)
         yield read(written.pose_reactions)
         single: tuple[Callable[..., object], ...] = (written.inverse_dynamics, written.joint_reactions)

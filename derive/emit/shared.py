@@ -6,8 +6,14 @@ from ..kernel.shared import Shared, shared
 from ..print.c import C
 from ..print.template import filled
 
-ARITHMETIC, SOLVE, LANES = "stewart_arithmetic.h", "stewart_solve.h", "stewart_lanes.h"
-INCLUDED = {ARITHMETIC: (ARITHMETIC,), SOLVE: (ARITHMETIC, SOLVE), LANES: (ARITHMETIC, SOLVE, LANES)}
+ARITHMETIC, SOLVE = "stewart_arithmetic.h", "stewart_solve.h"
+LANES, OUTPUTS = "stewart_lanes.h", "stewart_outputs.h"
+INCLUDED = {
+    ARITHMETIC: (ARITHMETIC,),
+    SOLVE: (ARITHMETIC, SOLVE),
+    LANES: (ARITHMETIC, SOLVE, LANES),
+    OUTPUTS: (ARITHMETIC, SOLVE, OUTPUTS),
+}
 """What a source needs beside its own header and ``stewart.h``, by the header that it includes."""
 SIZES = {COUNT: "LANES"}
 
@@ -30,6 +36,7 @@ def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
             solve_block=_printed(found, found.lanes[-1:], "STEWART_NO_COPY "),
             blocks=filled("blocks.c"),
         ),
+        OUTPUTS: filled("outputs.h", version=version, functions=_printed(found, found.outputs)),
     }
 
 

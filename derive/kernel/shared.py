@@ -4,11 +4,11 @@ from dataclasses import dataclass
 from functools import cache
 
 from .constants import LARGEST
-from .elimination import by_rows, in_lanes
+from .elimination import ONCE, by_rows, in_lanes
 from .layouts import Written
 from .nodes import Argument, Array, Count, Function, Integer, Number, Pointer, Real, Type
 from .read import LANES
-from .written import lanes, scale
+from .written import every_output, lanes, scale
 
 _NUMBERS = Pointer(Real())
 _VECTORS = Array(Real(), (3, LANES))
@@ -41,15 +41,18 @@ FORCE = _signature("STEWART_FORCE", Real(), D=Real(), x=Real())
 
 @dataclass(frozen=True)
 class Shared:
-    """Functions around the solve, those with legs or poses in lanes, and what stands in templates."""
+    """Functions around the solve, those with legs or poses in lanes, and those of every output."""
 
     solve: tuple[Function, ...]
     lanes: tuple[Function, ...]
+    outputs: tuple[Function, ...]
 
     @property
     def by_name(self) -> dict[str, Function]:
         """All that a source may call."""
-        return {each.name: each for each in (*self.solve, *self.lanes, SINGULAR_STATUS, *_BLOCKS)}
+        return {
+            each.name: each for each in (*self.solve, *self.lanes, *self.outputs, SINGULAR_STATUS, *_BLOCKS)
+        }
 
 
 @cache
@@ -69,4 +72,5 @@ def shared(about_tip: bool = True) -> Shared:
             read(lanes.scale_pose),
             read(lanes.solve_block, apart=True, given=in_lanes(about_tip)),
         ),
+        (read(every_output.solve, given=ONCE),),
     )

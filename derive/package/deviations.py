@@ -122,7 +122,7 @@ DEVIATIONS = (
 TOGETHER = Deviation(
     "5.9",
     "static names that several sources use",
-    "each source stands alone, and the same helper has the same name in each",
+    "static functions of a header are each source's own, and the same helper has the same name in each",
     tuple(kind for kind in _CODE if kind != "rotation"),
 )
 """What sources depart from only side by side."""

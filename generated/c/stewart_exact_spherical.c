@@ -5,7 +5,7 @@
  */
 #include "stewart_exact_spherical.h"
 
-#include "stewart_solve.h"
+#include "stewart_outputs.h"
 
 typedef struct {
     stewart_real q[3]; /* m: platform point from the reference point, base frame */
@@ -423,75 +423,6 @@ static void leg_reactions(
     out->M_u = REAL(0);
 }
 
-/* The largest of `least` and the sizes of the values. */
-static stewart_real largest(const stewart_real *values, int count, stewart_real least)
-{
-    stewart_real result = least;
-    int i;
-    for (i = 0; i < count; ++i) {
-        if (STEWART_FABS(values[i]) > result) {
-            result = STEWART_FABS(values[i]);
-        }
-    }
-    return result;
-}
-
-static int is_finite(const stewart_real *values, int count)
-{
-    int i;
-    for (i = 0; i < count; ++i) {
-        if (!(STEWART_FABS(values[i]) <= STEWART_MAX)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-static stewart_motions pose_at(const stewart_motions *motions, size_t pose)
-{
-    static const stewart_real no_load[3] = {REAL(0), REAL(0), REAL(0)};
-    stewart_motions at;
-    at.R = &motions->R[9U * pose];
-    at.t = &motions->t[3U * pose];
-    at.omega = &motions->omega[3U * pose];
-    at.v = &motions->v[3U * pose];
-    at.alpha = &motions->alpha[3U * pose];
-    at.a = &motions->a[3U * pose];
-    at.F_ext = motions->F_ext != NULL ? &motions->F_ext[3U * pose] : no_load;
-    at.M_ext = motions->M_ext != NULL ? &motions->M_ext[3U * pose] : no_load;
-    return at;
-}
-
-static stewart_motions motion_as_arrays(const stewart_motion *motion)
-{
-    stewart_motions at;
-    at.R = motion->R;
-    at.t = motion->t;
-    at.omega = motion->omega;
-    at.v = motion->v;
-    at.alpha = motion->alpha;
-    at.a = motion->a;
-    at.F_ext = motion->F_ext;
-    at.M_ext = motion->M_ext;
-    return at;
-}
-
-static int motions_given(const stewart_motions *motions)
-{
-    return motions != NULL && motions->R != NULL && motions->t != NULL && motions->omega != NULL
-        && motions->v != NULL && motions->alpha != NULL && motions->a != NULL ? 1 : 0;
-}
-
-static void copy(stewart_real *to, size_t pose, const stewart_real *from, size_t count)
-{
-    size_t i;
-    if (to != NULL) {
-        for (i = 0; i < count; ++i) {
-            to[pose * count + i] = from[i];
-        }
-    }
-}
-
 /* S = q + t - b is known to within rounding of its largest term, `reach`. */
 static int leg_status(const leg_terms *terms, stewart_real reach)
 {
@@ -502,44 +433,6 @@ static int leg_status(const leg_terms *terms, stewart_real reach)
         return STEWART_SHORT_LEG;
     }
     return STEWART_OK;
-}
-
-/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where
- * a pivot is small, else 0. */
-static int solve(stewart_real A[6][7], stewart_real x[6])
-{
-    int i, j, k;
-    stewart_real inverse[6];
-    int suspect = 0;
-    for (k = 0; k < 6; ++k) {
-        int pivot = k;
-        for (i = k + 1; i < 6; ++i) {
-            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
-                pivot = i;
-            }
-        }
-        for (j = k; j < 7; ++j) {
-            const stewart_real moved = A[k][j];
-            A[k][j] = A[pivot][j];
-            A[pivot][j] = moved;
-        }
-        suspect = STEWART_FABS(A[k][k]) > STEWART_SUSPECT ? suspect : 1;
-        inverse[k] = REAL(1)/A[k][k];
-        for (i = k + 1; i < 6; ++i) {
-            const stewart_real factor = A[i][k]*inverse[k];
-            for (j = k + 1; j < 7; ++j) {
-                A[i][j] = A[i][j] - factor*A[k][j];
-            }
-        }
-    }
-    for (i = 5; i >= 0; --i) {
-        stewart_real total = A[i][6];
-        for (j = i + 1; j < 6; ++j) {
-            total = total - A[i][j]*x[j];
-        }
-        x[i] = total*inverse[i];
-    }
-    return suspect;
 }
 
 /* Inverse dynamics of one pose, (1)-(37). */

@@ -15,7 +15,7 @@ from ..derive import notation
 from ..derive.bake import baked
 from ..derive.emit import lanes, scalar
 from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
-from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, SOLVE, shared_headers
+from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE, shared_headers
 from ..derive.formulation import EXACT
 from ..derive.generate import (
     generator_version,
@@ -175,7 +175,7 @@ def _reactions(robot: Robot, choice: Choice) -> Part:
     ]
     says = f"Inverse dynamics with D, K, H, c and the reactions in the joints, kernel `{name}`."
     file = f"stewart_{name}"
-    return Part(file, _committed(file), tuple(functions), ("reactions",), says, INCLUDED[SOLVE])
+    return Part(file, _committed(file), tuple(functions), ("reactions",), says, INCLUDED[OUTPUTS])
 
 
 def _model(file: str) -> Part:
