@@ -165,6 +165,24 @@ def test_jax_compiles_the_forces_of_mapped_poses() -> None:
     np.testing.assert_array_equal(found.status, 0)
 
 
+@pytest.mark.slow
+def test_a_gradient_compiled_by_jax_is_the_derivative_of_the_force() -> None:
+    import jax
+    import jax.numpy as jnp
+
+    robot = dasgupta()
+    motion = random_motion(np.random.default_rng(38), robot, ())
+    with jax.enable_x64(True):
+        kernel = ss.array_kernel(robot, jnp)
+        given = {name: jnp.asarray(value) for name, value in fields(motion).items()}
+        force = jax.grad(lambda a: kernel.forces(**{**given, "a": a}).F[0])
+        # XLA's fusion takes minutes over the gradient's graph.
+        compiled = jax.jit(force, compiler_options={"xla_disable_hlo_passes": "fusion"})
+        found = compiled(given["a"])
+    expected = ss.force_derivatives(robot, motion).by_acceleration[0, :3]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
+
+
 @pytest.mark.parametrize(
     ("given", "line"),
     [
