@@ -53,7 +53,8 @@ class ArrayKernel(Frozen):
 
     xp: the library's namespace; dtype: its type of real numbers. Arguments of the methods have the shapes of
     ``Motion``'s; what is not given is zero, and leading shapes broadcast. Where a status, a code of
-    ``results.STATUS_TEXT``, is not 0, the other numbers are NaN. Nothing is checked but shapes.
+    ``results.STATUS_TEXT``, is not 0, the other numbers are NaN. Shapes are checked, and that numbers are
+    real; that R is a rotation is not: ``Motion`` checks it.
     """
 
     robot: Robot
@@ -122,20 +123,32 @@ class ArrayKernel(Frozen):
                 f'{function}: expected formulation "exact" and universal base joints, '
                 f'got "{self.formulation}" and {self.robot.base_joint} ones'
             )
-        xp, given = self.xp, {name: value for name, value in fields.items() if value is not None}
-        motion = self._source.motion_of(self._on, **given)
-        shapes = {name: tuple(getattr(motion, name)[0].shape) for name in given}
-        more = []
+        given = {name: self._array(name, value) for name, value in fields.items() if value is not None}
         if function == "forward_dynamics":
-            F = xp.asarray(np.zeros(6) if F is None else F, dtype=self.dtype)
-            if F.ndim == 0 or F.shape[-1] != 6:
-                raise ValueError(f"F: expected shape (..., 6), got {tuple(F.shape)}")
-            more.append([F[..., i] for i in range(6)])
-            shapes["F"] = tuple(F.shape[:-1])
-        shape = leading_shape(shapes)
+            given["F"] = self._array("F", np.zeros(6) if F is None else F)
+        shape = leading_shape({name: tuple(each.shape[: -len(_kind(name))]) for name, each in given.items()})
+        F = given.pop("F", None)
+        more = [] if F is None else [[F[..., i] for i in range(6)]]
+        motion = self._source.motion_of(self._on, **given)
         with np.errstate(all="ignore"):
             found = getattr(self._source, function)(self._on, self._model, motion, *more)
-        return {name: _stacked(xp, getattr(found, name), shape) for name in kind._fields}
+        return {name: _stacked(self.xp, getattr(found, name), shape) for name in kind._fields}
+
+    def _array(self, name: str, value: Any) -> Any:
+        """An argument as the library's array of real numbers, its shape checked."""
+        kind = str(getattr(value, "dtype", None) or np.asarray(value).dtype).rpartition(".")[2]
+        if not kind.startswith(("float", "bfloat", "int", "uint", "bool")):
+            raise ValueError(f"{name}: expected real numbers, got {kind}")
+        array, shape = self.xp.asarray(value, dtype=self.dtype), _kind(name)
+        if tuple(array.shape[-len(shape) :]) != shape:
+            expected = ", ".join(map(str, shape))
+            raise ValueError(f"{name}: expected shape (..., {expected}), got {tuple(array.shape)}")
+        return array
+
+
+def _kind(name: str) -> tuple[int, ...]:
+    """Shape of an argument at one pose."""
+    return {"R": (3, 3), "F": (6,)}.get(name, (3,))
 
 
 def array_kernel(robot: Robot, xp: Any, formulation: Formulation = "exact", dtype: Any = None) -> ArrayKernel:

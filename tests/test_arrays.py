@@ -163,3 +163,40 @@ def test_jax_compiles_the_forces_of_mapped_poses() -> None:
     condition = np.linalg.cond(ss.inverse_dynamics(robot, motion).H).max()
     np.testing.assert_allclose(found.F, expected, rtol=0, atol=1e-14 * condition * np.abs(expected).max())
     np.testing.assert_array_equal(found.status, 0)
+
+
+@pytest.mark.slow
+def test_a_gradient_compiled_by_jax_is_the_derivative_of_the_force() -> None:
+    import jax
+    import jax.numpy as jnp
+
+    robot = dasgupta()
+    motion = random_motion(np.random.default_rng(38), robot, ())
+    with jax.enable_x64(True):
+        kernel = ss.array_kernel(robot, jnp)
+        given = {name: jnp.asarray(value) for name, value in fields(motion).items()}
+        force = jax.grad(lambda a: kernel.forces(**{**given, "a": a}).F[0])
+        # XLA's fusion takes minutes over the gradient's graph.
+        compiled = jax.jit(force, compiler_options={"xla_disable_hlo_passes": "fusion"})
+        found = compiled(given["a"])
+    expected = ss.force_derivatives(robot, motion).by_acceleration[0, :3]
+    np.testing.assert_allclose(found, expected, rtol=0, atol=1e-9 * np.abs(expected).max())
+
+
+@pytest.mark.parametrize(
+    ("given", "line"),
+    [
+        ({"R": np.eye(3) + 0j}, "R: expected real numbers, got complex128"),
+        ({"t": [1j, 0.0, 0.0]}, "t: expected real numbers, got complex128"),
+        ({"t": ["a", "b", "c"]}, "t: expected real numbers, got <U1"),
+        ({"v": np.zeros(3, dtype=object)}, "v: expected real numbers, got object"),
+        ({"R": np.zeros(9)}, r"R: expected shape \(..., 3, 3\), got \(9,\)"),
+    ],
+)
+@pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])
+def test_numbers_that_are_not_real_and_flat_rotations_are_one_line(
+    xp: Any, given: dict[str, Any], line: str
+) -> None:
+    kernel = ss.array_kernel(dasgupta(), xp)
+    with pytest.raises(ValueError, match=f"^{line}$"):
+        kernel.forces(**{"R": np.eye(3), "t": [0.0, 0.0, 0.5], **given})
