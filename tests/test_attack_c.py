@@ -120,14 +120,15 @@ def test_every_kernel_has_an_oracle() -> None:
 def test_the_oracles_tell_a_broken_kernel(old: str, new: str, told: str | None, tmp_path: Path) -> None:
     need(tmp_path, "gcc", SANITIZED)
     stem, kernel = "stewart_exact_massless_static_forces", "exact_massless_static"
-    sound = (attack_build.GENERATED / f"{stem}.c").read_text()
-    assert told is None or sound.count(old) == 1
-    (tmp_path / "broken.c").write_text(sound.replace(old, new) if old else sound)
+    sound = {name: (attack_build.GENERATED / name).read_text() for name in (f"{stem}.c", "stewart_lanes.h")}
+    assert told is None or sum(text.count(old) for text in sound.values()) == 1
+    for name, text in sound.items():
+        (tmp_path / name).write_text(text.replace(old, new) if old else text)
     (tmp_path / "attack_kernels.h").write_text(f"ORACLE(attack_{kernel}_forces)\n")
     sources = [str(attack_build.ATTACK / f"attack{part}.c") for part in ("", "_forces", "_driver")]
     named = [f"-DKERNEL={kernel}", f'-DHEADER="{stem}.h"', "-DKERNELS=1"]
     places = [f"-I{place}" for place in (tmp_path, attack_build.GENERATED, attack_build.ATTACK)]
-    command = ["gcc", *attack_build.STRICT, *SANITIZED, *named, *places, "broken.c", *sources, "-lm"]
+    command = ["gcc", *attack_build.STRICT, *SANITIZED, *named, *places, f"{stem}.c", *sources, "-lm"]
     attack_build.ran(command, tmp_path)
     if told is None:
         attack_build.ran(["./a.out", "2000"], tmp_path)

@@ -1,5 +1,6 @@
 """CasADi functions of one machine: the C's numbers and statuses, our derivatives, and a problem for IPOPT."""
 
+import re
 import sys
 from typing import Any
 
@@ -10,6 +11,7 @@ from machines import MACHINES, dasgupta, random_motion, random_robot
 from near_joint import leaning
 
 import stewart_sym as ss
+from stewart_sym.extras import install
 
 OTHERS = sorted(set(MACHINES) - {"paper"})
 FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
@@ -128,6 +130,6 @@ def test_a_missing_casadi_and_other_names_are_one_line(monkeypatch: pytest.Monke
         ss.casadi_function(dasgupta(), checked="no")
     monkeypatch.setitem(sys.modules, "casadi", None)
     with pytest.raises(
-        ImportError, match=r'^a CasADi function needs CasADi: pip install "stewart-sym\[casadi\]"$'
+        ImportError, match=f"^a CasADi function needs CasADi: {re.escape(install('casadi'))}$"
     ):
         ss.casadi_function(dasgupta())
