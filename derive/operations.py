@@ -29,7 +29,8 @@ NOTHING = Operations()
 
 @dataclass(frozen=True)
 class KernelOperations:
-    """Counts of one pose of inverse dynamics, part by part; moments: of those of legs 2 to 6 made apart."""
+    """Counts of one pose of inverse dynamics, part by part; moments: of one leg; arms: of how many legs
+    they are made."""
 
     leg: Operations
     platform: Operations
@@ -37,11 +38,12 @@ class KernelOperations:
     solve: Operations
     forces: Operations
     moments: Operations = NOTHING
+    arms: int = LEGS - 1
 
     @property
     def total(self) -> Operations:
         """Everything: six legs, the platform's part, moments, the sum of c, the solve, F = D - x."""
-        parts = self.platform + (LEGS - 1) * self.moments + self.sum_c + self.solve + self.forces
+        parts = self.platform + self.arms * self.moments + self.sum_c + self.solve + self.forces
         return LEGS * self.leg + parts
 
     def parts(self) -> dict[str, Operations]:
@@ -89,24 +91,26 @@ def kernel_operations(kernel: Kernel) -> KernelOperations:
     )
 
 
-def force_operations(kernel: ForceKernel, product: bool = False) -> KernelOperations:
+def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOperations:
     """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs.
 
-    What a leg does not have, its part of c or its D, costs nothing to add. product: whether the solve has the
-    product of the pivots.
+    What a leg does not have, its part of c or its D, costs nothing to add. scalar_text: of the function that
+    takes the legs one after the other: leg 1 as the others, and the product of the pivots.
     """
     given = {out.quantity for out in kernel.leg.outputs}
     sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
     moments, shift = Operations(), Operations()
     block = solve_operations("block about tip" if kernel.about_tip else "block")
+    arms = LEGS if scalar_text else LEGS - 1
     if kernel.about_tip:
         moments, shift = kernel.moments.operations(), kernel.shift.operations()
-        sums += (LEGS - 1) * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
+        sums += arms * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
     return KernelOperations(
         leg=kernel.leg.operations(),
         platform=kernel.shared.operations() + shift,
         sum_c=Operations(add=sums),
-        solve=solve_operations("one pose") if product else block,
+        solve=solve_operations("one pose") if scalar_text else block,
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
+        arms=arms,
     )

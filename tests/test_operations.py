@@ -10,14 +10,14 @@ from machines import dasgupta, random_motion, random_robot
 
 from stewart_sym import closed_form
 from stewart_sym.derive.block import Operations
-from stewart_sym.derive.emit import lanes
+from stewart_sym.derive.emit import lanes, scalar
 from stewart_sym.derive.emit.motion import sum_operations
 from stewart_sym.derive.emit.shared import shared_headers
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.outputs import prefix_of
 from stewart_sym.derive.motion import F_LEG
-from stewart_sym.derive.operations import kernel_operations, solve_operations
+from stewart_sym.derive.operations import force_operations, kernel_operations, solve_operations
 from stewart_sym.derive.package.header import common_header
 from stewart_sym.kernel import c_sources, module, robot_numbers
 from stewart_sym.motion import Motion
@@ -86,6 +86,12 @@ BLOCK = """static stewart_@KERNEL@_model model;
     stewart_motions all = {motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, 0, 0};
     counts = Counts();
     int status = stewart_@KERNEL@_forces_batch(&model, 1, &all, F, 0);"""
+
+POSE = """static stewart_@KERNEL@_pose_model model;
+    stewart_@KERNEL@_pose_prepare(&robot, &model);
+    static Real F[6];
+    counts = Counts();
+    int status = stewart_@KERNEL@_pose_forces(&model, &motion, F);"""
 
 
 def sums(kernel: str, given: str) -> str:
@@ -182,6 +188,23 @@ def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path
     }
     counted = executed("exact", "exact_forces", BLOCK, robot, random_motion(rng, robot), tmp_path, sources)
     assert counted == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
+
+
+def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_path: Path) -> None:
+    rng = np.random.default_rng(8)
+    robot = random_robot(rng)
+    kernel = reduced_forces(EXACT, friction=True)
+    sources = {
+        "stewart.h": common_header("test"),
+        **shared_headers("test"),
+        "stewart_exact_pose.h": scalar.header(kernel, None, "test"),
+        "stewart_exact_pose.c": scalar.source(kernel, "test"),
+    }
+    claimed = force_operations(kernel, scalar_text=True).total
+    # Sums of sizes, which checks compare: of t and the machine, and of the forces.
+    checks = 4 + 5
+    counted = executed("exact", "", POSE, robot, random_motion(rng, robot), tmp_path, sources)
+    assert counted == (claimed.mul, claimed.add + checks, claimed.div, claimed.sqrt)
 
 
 @pytest.mark.slow

@@ -73,7 +73,7 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
     """``stewart_<kernel>_pose.h``; before: of a baked kernel, the one without its numbers."""
     folded = ""
     if before is not None:
-        count = force_operations(before, product=True).total.total
+        count = force_operations(before, scalar_text=True).total.total
         folded = f" The machine's numbers are folded in; without, a pose took {count} operations."
     made = _Source(kernel)
     public = [each for each in made.functions if each.public]
@@ -85,7 +85,7 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
         name=kernel.name,
         version=version,
         fidelity=f" * Fidelity: {kernel.meaning or 'everything'}.{folded}",
-        operations=operations_table(force_operations(kernel, product=True), None, " * "),
+        operations=operations_table(force_operations(kernel, scalar_text=True), None, " * "),
         guard=f"STEWART_{kernel.name.upper()}_POSE_H",
         declarations="\n".join("\n".join([*lines, ""]) for lines in parts),
     )
