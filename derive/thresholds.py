@@ -30,7 +30,7 @@ THRESHOLDS = (
     Threshold(
         "SHORT_LEG", "short leg", "within 16 rounding units of the vectors it is the sum of", 6, "1.2e-02"
     ),
-    Threshold("POLE", "pole", "sine below 4096 rounding units", 31, "1.7e-02"),
+    Threshold("POLE", "pole", "sine below 4096 rounding units", 20, "5.4e-02"),
     Threshold(
         "SINGULAR",
         "singular",
