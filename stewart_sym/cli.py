@@ -833,7 +833,7 @@ def _parser() -> argparse.ArgumentParser:
         "forces",
         _forces,
         "actuator forces along a trajectory",
-        "stewart-sym forces hexapod.toml log.csv -o forces.csv --columns time=t,t_x=X --length-unit mm",
+        "stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm --angle-unit deg",
         "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z "
         "(rad) or q_w q_x q_y q_z; optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline "
         "is fitted), F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), "

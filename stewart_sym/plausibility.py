@@ -7,7 +7,7 @@ said.
 
 import itertools
 import warnings
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -81,24 +81,27 @@ def doubts(robot: Robot) -> list[Doubt]:
         # On which side of the base the platform is decides no doubt.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         found = _found(robot)
-    return [doubt for doubt in found if doubt.name not in robot.accept]
+    return found
 
 
 def _found(robot: Robot) -> list[Doubt]:
+    def left(found: Iterable[Doubt]) -> list[Doubt]:
+        return [doubt for doubt in found if doubt.name not in robot.accept]
+
     base, platform = radius(robot.b), radius(robot.p)
     if not np.isfinite(base + platform):
         text = (
             "base or platform points so far out that distances overflow; likely cause: a slip in an exponent"
         )
-        return [Doubt("length-unit", text)]
+        return left([Doubt("length-unit", text)])
     reach = float(max(np.abs(robot.b).max(), np.abs(robot.p).max()))
     collapsed = min(base, platform) <= max(_SAME**2 * max(base, platform), _ROUNDING * reach)
-    found = [] if collapsed else list(_of_numbers(robot))
+    found = [] if collapsed else left(_of_numbers(robot))
     if not found:
-        found = list(_of_geometry(robot))
+        found = left(_of_geometry(robot))
     if not found:
         t = _level_home(robot)
-        found = list(_of_order(robot, t)) or list(_of_home(robot, _home(robot, t)))
+        found = left(_of_order(robot, t)) or left(_of_home(robot, _home(robot, t)))
     return found
 
 

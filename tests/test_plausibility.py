@@ -423,7 +423,8 @@ def test_the_rank_of_singular_machines_is_told_by_the_bound_of_rounding() -> Non
 def test_check_warns_in_one_line_and_the_file_may_accept_it(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    robot = ABSURD["gravity in mm/s^2"][0](sound())
+    # Without limits that a thousandfold weight exceeds, which is a doubt of its own.
+    robot = ABSURD["gravity in mm/s^2"][0](dataclasses.replace(sound(), force_limit=np.full(6, np.inf)))
     path = tmp_path / "robot.toml"
     for accept in ((), ("gravity",)):
         path.write_text(toml(dataclasses.replace(robot, accept=accept)), encoding="utf-8")
@@ -514,3 +515,10 @@ def inline(value: object) -> str:
     if isinstance(value, dict):
         return "{" + ", ".join(f"{key} = {inline(each)}" for key, each in value.items()) + "}"
     return json.dumps(value)
+
+
+def test_an_accepted_doubt_hides_no_other() -> None:
+    robot = ss.robots.dasgupta1998()
+    weak = dataclasses.replace(robot, g=10.0 * robot.g, force_limit=np.full(6, 10.0))
+    assert [doubt.name for doubt in doubts(weak)] == ["gravity"]
+    assert [doubt.name for doubt in doubts(dataclasses.replace(weak, accept=("gravity",)))] == ["force-limit"]
