@@ -43,11 +43,11 @@ STEWART_SHARED void scaled_axis(const stewart_real k[3], stewart_real out[3])
     }
     for (i = 0; i < 64; ++i) {
         stewart_real by = REAL(1);
-        stewart_real largest = STEWART_FABS(out[0]);
-        largest = STEWART_LARGER(STEWART_FABS(out[1]), largest);
-        largest = STEWART_LARGER(STEWART_FABS(out[2]), largest);
-        by = largest > REAL(1048576) ? REAL(1)/REAL(4294967296.0) : by;
-        by = largest < REAL(1)/REAL(1048576) ? REAL(4294967296.0) : by;
+        stewart_real most = STEWART_FABS(out[0]);
+        most = STEWART_LARGER(STEWART_FABS(out[1]), most);
+        most = STEWART_LARGER(STEWART_FABS(out[2]), most);
+        by = most > REAL(1048576) ? REAL(1)/REAL(4294967296.0) : by;
+        by = most < REAL(1)/REAL(1048576) ? REAL(4294967296.0) : by;
         for (j = 0; j < 3; ++j) {
             out[j] = by*out[j];
         }

@@ -38,10 +38,10 @@ def scaled_axis(k: "array(3)", out: "array(3)") -> None:
         out[j] = k[j]
     for i in range(64):
         by = 1.0
-        largest = size(out[0])
-        largest = larger(size(out[1]), largest)
-        largest = larger(size(out[2]), largest)
-        by = where(largest > 1048576.0, 1.0 / 4294967296.0, by)
-        by = where(largest < 1.0 / 1048576.0, 4294967296.0, by)
+        most = size(out[0])
+        most = larger(size(out[1]), most)
+        most = larger(size(out[2]), most)
+        by = where(most > 1048576.0, 1.0 / 4294967296.0, by)
+        by = where(most < 1.0 / 1048576.0, 4294967296.0, by)
         for j in range(3):
             out[j] = by * out[j]
