@@ -186,7 +186,7 @@ def test_good_poses_are_answered() -> None:
 
 @pytest.mark.slow
 def test_a_million_good_poses_are_answered() -> None:
-    assert good_poses_rejected(share(1_000_000)) == {}
+    assert good_poses_rejected(share(1_000_000, 20)) == {}
 
 
 def good_poses_rejected(cases: int) -> dict[tuple[str, str], int]:
