@@ -6,7 +6,7 @@ path, no order of a set. Does not depend on the runtime. A process derives each 
 
 from collections.abc import Callable, Collection
 from dataclasses import replace
-from functools import cache
+from functools import cache, reduce
 from importlib.metadata import version as installed_version
 
 import sympy as sp
@@ -188,13 +188,14 @@ def output_program(
     deep: whether what is for poses that cost digits has been derived.
     """
     of_model = tuple(each for each in outputs if each not in search.PUBLIC)
-    of_robot = [each for each in outputs if each in search.PUBLIC]
-    if not of_model:
-        return search.search_program(reduced_kinematics(), of_robot)
-    built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
-    sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model, deep), deep)
-    made = program(built, sums, of_model, deep)
-    return joined(made, search.search_program(reduced_kinematics(), of_robot)) if of_robot else made
+    parts = []
+    if of_model:
+        built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
+        sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model, deep), deep)
+        parts.append(program(built, sums, of_model, deep))
+    if of_robot := [each for each in outputs if each in search.PUBLIC]:
+        parts.append(search.search_program(reduced_kinematics(), of_robot))
+    return reduce(joined, parts)
 
 
 def motion_files(functions: Collection[str]) -> dict[str, str]:

@@ -126,7 +126,9 @@ class ArrayKernel(Frozen):
         given = {name: self._array(name, value) for name, value in fields.items() if value is not None}
         if function == "forward_dynamics":
             given["F"] = self._array("F", np.zeros(6) if F is None else F)
-        shape = leading_shape({name: tuple(each.shape[: -len(_kind(name))]) for name, each in given.items()})
+        shape = leading_shape(
+            {name: tuple(each.shape[: -len(_shape_of(name))]) for name, each in given.items()}
+        )
         F = given.pop("F", None)
         more = [] if F is None else [[F[..., i] for i in range(6)]]
         motion = self._source.motion_of(self._on, **given)
@@ -139,14 +141,14 @@ class ArrayKernel(Frozen):
         kind = str(getattr(value, "dtype", None) or np.asarray(value).dtype).rpartition(".")[2]
         if not kind.startswith(("float", "bfloat", "int", "uint", "bool")):
             raise ValueError(f"{name}: expected real numbers, got {kind}")
-        array, shape = self.xp.asarray(value, dtype=self.dtype), _kind(name)
+        array, shape = self.xp.asarray(value, dtype=self.dtype), _shape_of(name)
         if tuple(array.shape[-len(shape) :]) != shape:
             expected = ", ".join(map(str, shape))
             raise ValueError(f"{name}: expected shape (..., {expected}), got {tuple(array.shape)}")
         return array
 
 
-def _kind(name: str) -> tuple[int, ...]:
+def _shape_of(name: str) -> tuple[int, ...]:
     """Shape of an argument at one pose."""
     return {"R": (3, 3), "F": (6,)}.get(name, (3,))
 

@@ -2,7 +2,7 @@
 
 ``rotation_error`` bounds how far R is from a rotation, ``solution_error`` the error of a solution with given
 errors of H and c. Every operation is rounded by one unit in the direction that makes the bound smallest; the
-exact value, or that of the worst H and c within their errors, must not be above it. Knows both functions by
+exact value, or that of the worst H and c within their errors, must not be above it. Finds both functions in
 the text of the C.
 """
 

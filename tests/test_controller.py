@@ -154,9 +154,9 @@ def test_a_circle_of_calls_has_no_depth_of_stack(tmp_path: Path) -> None:
 def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     cases = measure.Cases.of(dasgupta(), "massless_static", True, "double")
     cases.tests[3].answers["F"][2] *= 1 + 1e-9
-    refused = cases.refused()
+    refused = cases.rejected()
     monkeypatch.setattr(measure.Cases, "of", lambda *_: cases)
-    monkeypatch.setattr(measure.Cases, "refused", lambda *_: [(refused[0][0], POLE), *refused[1:]])
+    monkeypatch.setattr(measure.Cases, "rejected", lambda *_: [(refused[0][0], POLE), *refused[1:]])
     row = measure.measured(dasgupta(), "massless_static", True, "double")
     assert (row.failed, row.refused_wrongly) == (1, 1)
     assert row.worst > 1

@@ -3,6 +3,7 @@
 import subprocess
 from collections.abc import Sequence
 from pathlib import Path
+from string import Template
 
 import numpy as np
 import pytest
@@ -61,15 +62,15 @@ static Real operator*(Threshold, Threshold) { return Real(1e-130); }
 #define STEWART_SHORTEST Threshold()
 #define STEWART_SUSPECT Threshold()
 #define STEWART_SHORT_SHARE Threshold()
-@INCLUDES@
+${INCLUDES}
 int main() {
     static stewart_robot robot;
     static stewart_motion motion;
-    const double robot_numbers[] = {@ROBOT@};
-    const double motion_numbers[] = {@MOTION@};
+    const double robot_numbers[] = {${ROBOT}};
+    const double motion_numbers[] = {${MOTION}};
     for (size_t i = 0; i < sizeof robot / sizeof(Real); ++i) ((Real *)&robot)[i] = robot_numbers[i];
     for (size_t i = 0; i < sizeof motion / sizeof(Real); ++i) ((Real *)&motion)[i] = motion_numbers[i];
-    @CALL@
+    ${CALL}
     return 0;
 }
 """
@@ -79,19 +80,19 @@ REPORT = r"""
 
 PLAIN = """static stewart_forces forces;
     counts = Counts();
-    int status = stewart_@KERNEL@_inverse_dynamics(&robot, &motion, &forces);"""
-BLOCK = """static stewart_@KERNEL@_model model;
-    stewart_@KERNEL@_prepare(&robot, &model);
+    int status = stewart_${KERNEL}_inverse_dynamics(&robot, &motion, &forces);"""
+BLOCK = """static stewart_${KERNEL}_model model;
+    stewart_${KERNEL}_prepare(&robot, &model);
     static Real F[48];
     stewart_motions all = {motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, 0, 0};
     counts = Counts();
-    int status = stewart_@KERNEL@_forces_batch(&model, 1, &all, F, 0);"""
+    int status = stewart_${KERNEL}_forces_batch(&model, 1, &all, F, 0);"""
 
-POSE = """static stewart_@KERNEL@_pose_model model;
-    stewart_@KERNEL@_pose_prepare(&robot, &model);
+POSE = """static stewart_${KERNEL}_pose_model model;
+    stewart_${KERNEL}_pose_prepare(&robot, &model);
     static Real F[6];
     counts = Counts();
-    int status = stewart_@KERNEL@_pose_forces(&model, &motion, F);"""
+    int status = stewart_${KERNEL}_pose_forces(&model, &motion, F);"""
 
 
 def sums(kernel: str, given: str) -> str:
@@ -133,9 +134,10 @@ def all_executed(
     numbers = np.concatenate([np.ravel(part) for part in parts if part is not None])
     includes = "\n".join(f'#include "{name}"' for name in sorted(texts) if name.endswith(".c"))
     done = "\n".join(f"{{ {call}{REPORT} }}" for call in calls)
-    program = COUNTING.replace("@INCLUDES@", includes).replace("@CALL@", done).replace("@KERNEL@", kernel)
-    for mark, values in (("@ROBOT@", robot_numbers(robot)), ("@MOTION@", numbers)):
-        program = program.replace(mark, ", ".join(repr(float(v)) for v in values))
+    given = {"ROBOT": robot_numbers(robot), "MOTION": numbers}
+    listed = {mark: ", ".join(repr(float(v)) for v in values) for mark, values in given.items()}
+    calls_of_kernel = Template(done).substitute(KERNEL=kernel)
+    program = Template(COUNTING).substitute(INCLUDES=includes, CALL=calls_of_kernel, **listed)
     (folder / "count.cpp").write_text(program)
     subprocess.run(["g++", "-O1", "-w", "count.cpp", "-o", "count"], check=True, cwd=folder)
     lines = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=folder).stdout

@@ -41,6 +41,14 @@ def write_file(path: Path, text: str) -> None:
         stream.write(text)
 
 
+@pytest.fixture
+def at_robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The current folder, with the paper's machine in it as robot.toml."""
+    monkeypatch.chdir(tmp_path)
+    shutil.copy(PAPER, "robot.toml")
+    return tmp_path
+
+
 @pytest.mark.parametrize(
     ("command", "name"),
     [
@@ -54,22 +62,16 @@ def write_file(path: Path, text: str) -> None:
     ],
 )
 def test_a_file_of_others_is_not_replaced_without_force(
-    tmp_path: Path,
-    command: list[str],
-    name: str,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    at_robot: Path, command: list[str], name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    monkeypatch.chdir(tmp_path)
-    shutil.copy(PAPER, "robot.toml")
-    (tmp_path / "swing.toml").write_text(
+    (at_robot / "swing.toml").write_text(
         'schema = 1\nrobot = "robot.toml"\nduration = 0.01\n[state]\nt = [0.2, 0.0, 0.5]\n'
         'theta = [0.0, 0.0, 0.0]\n[legs]\nlaw = "springs"\nstiffness = 2e5\n'
     )
-    (tmp_path / name).write_text("mine")
-    before = folder_state(tmp_path)
+    (at_robot / name).write_text("mine")
+    before = folder_state(at_robot)
     assert error(capsys, *command).endswith(f"{name}: exists with other content; use --force to overwrite")
-    assert folder_state(tmp_path) == before
+    assert folder_state(at_robot) == before
 
 
 def fill_results(path: Path, texts: dict[str, str], **options: Any) -> None:
@@ -108,29 +110,23 @@ def test_an_input_is_never_replaced(tmp_path: Path) -> None:
     ],
 )
 def test_no_file_that_a_subcommand_read_is_replaced_by_force(
-    tmp_path: Path,
-    command: list[str],
-    name: str,
-    capsys: pytest.CaptureFixture[str],
-    monkeypatch: pytest.MonkeyPatch,
+    at_robot: Path, command: list[str], name: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """Files that a scene names are inputs as well."""
-    monkeypatch.chdir(tmp_path)
-    shutil.copy(PAPER, "robot.toml")
-    (tmp_path / name).write_text(
+    (at_robot / name).write_text(
         "time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n"
         + "".join(f"{i / 8},0.2,{i * i / 1024},0.5,0,0,0\n" for i in range(9))
     )
     shared = 'schema = 1\nrobot = "robot.toml"\n'
-    (tmp_path / "track.toml").write_text(
+    (at_robot / "track.toml").write_text(
         f'{shared}duration = 0.01\nstart = "path"\n'
         f'[legs]\nlaw = "tracking"\npath = "{name}"\nk_p = 900.0\nk_d = 60.0\n'
     )
-    (tmp_path / "enough.toml").write_text(f'{shared}motions = ["{name}"]\ntolerance = 0.01\n')
-    before = folder_state(tmp_path)
+    (at_robot / "enough.toml").write_text(f'{shared}motions = ["{name}"]\ntolerance = 0.01\n')
+    before = folder_state(at_robot)
     assert main([*command, "-o", ".", "--force", "--no-pictures"]) == 2
     assert capsys.readouterr().err.endswith(f"error: {name}: is an input, name another folder\n")
-    assert folder_state(tmp_path) == before
+    assert folder_state(at_robot) == before
 
 
 def test_a_budget_names_all_files_that_it_was_read_from(tmp_path: Path) -> None:

@@ -400,7 +400,7 @@ def test_kernels_with_and_without_lanes_stand_side_by_side() -> None:
 
 DRIVER = """#include "stewart_lanes.h"
 #include "stewart_outputs.h"
-@POINTERS@
+#include "by_pointers.h"
 int of_pose(stewart_real A[6][8], stewart_real x[6]);
 int of_pose(stewart_real A[6][8], stewart_real x[6]) { return solve_pose(A, x); }
 int of_outputs(stewart_real A[6][7], stewart_real x[6]);
@@ -432,7 +432,8 @@ def test_every_shape_of_the_elimination_finds_the_solution() -> None:
     text = "\n".join(C(sizes={8: "LANES"}).function(by_pointers))
     sources = {
         **c_sources("exact"),
-        "driver.c": DRIVER.replace("@POINTERS@", text),
+        "by_pointers.h": text,
+        "driver.c": DRIVER,
     }
     made = native.load("shapes", sources, ["-O1", "-ffp-contract=off"])
     made.of_pointers.restype = ctypes.c_double

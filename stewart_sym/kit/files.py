@@ -39,7 +39,7 @@ from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
 from .selection import SHARE, Numbered, selection
-from .vectors import Vector, refused, vectors
+from .vectors import Vector, rejected, vectors
 
 Array = NDArray[np.float64]
 
@@ -165,7 +165,7 @@ def _case(vector: Vector) -> Case:
 
 def _refusals(robot: Robot, choice: Choice) -> list[Refusal]:
     return [
-        Refusal(_motion(inputs), status) for inputs, status in refused(robot, choice.level, choice.precision)
+        Refusal(_motion(inputs), status) for inputs, status in rejected(robot, choice.level, choice.precision)
     ]
 
 

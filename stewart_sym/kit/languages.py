@@ -18,7 +18,7 @@ from ..kernel import kernel_name
 from ..robot import Robot
 from .choice import STEMS, Choice, options
 from .parts import generator, robot_numbers
-from .vectors import Vector, refused, vectors
+from .vectors import Vector, rejected, vectors
 
 GROUPS = {name: STEMS[name] for name in ("forces", "motion", "derivatives", "kinematics")}
 """Outputs of each group of functions."""
@@ -58,7 +58,7 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     if "forces" in outputs:
         tests += [
             Test("forces", _given(program, "forces", inputs), {}, {}, status)
-            for inputs, status in refused(robot, choice.level, choice.precision)
+            for inputs, status in rejected(robot, choice.level, choice.precision)
         ]
     contents = Contents(
         robot.name,

@@ -1,6 +1,6 @@
 """What the functions of a kit compute, in ``Running`` numbers: the kernels that are printed, interpreted.
 
-Linear systems are solved by ``running``, which knows their errors better than a run of the elimination. Every
+Linear systems are solved by ``running``, with smaller errors than a run of the elimination. Every
 reading takes the robot and the motion of one pose as stored and hands out what the C writes, flat, in the
 order of its struct.
 """

@@ -133,7 +133,7 @@ def _made(
     return tuple(found)
 
 
-def refused(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str, Array], int]]:
+def rejected(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str, Array], int]]:
     """Motions for which there are no forces, as ``Vector.inputs``, and the status that says so."""
     first = poses(robot, "exact", 1)[0]
     start = _input(robot, first, _PRECISION[precision])

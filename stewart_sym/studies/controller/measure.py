@@ -20,7 +20,7 @@ from ...kernel import MOTION
 from ...kinematics import inverse_kinematics
 from ...kit import Choice, kit
 from ...kit.poses import sample
-from ...kit.vectors import Vector, knows_axes, refused, vectors
+from ...kit.vectors import Vector, knows_axes, rejected, vectors
 from ...native import CompilerError
 from ...results import NOT_FINITE
 from ...robot import Robot
@@ -33,7 +33,7 @@ Progress = Callable[[str], None]
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""
 NEAR_POLE = 1e-3
-"""Sine of the angle between leg and fixed axis: the kernel's other road is taken below 1/32."""
+"""Sine of a leg's angle to its fixed axis: below 1/32 the code path near the joint singularity is taken."""
 _SELFTEST = "selftest.c"
 _OWN = ("start.c", "count.c", "board.h", "link.ld")
 _HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", "_free_r"})
@@ -135,12 +135,12 @@ class Cases:
             robot, level, precision, vectors(robot, ("forces",), "exact", level, precision, MOTIONS, bake)
         )
 
-    def refused(self) -> list[tuple[dict[str, Array], int]]:
+    def rejected(self) -> list[tuple[dict[str, Array], int]]:
         """Motions without an answer and their status: the self-test's, and numbers none or too large."""
         start = self.tests[0].inputs
         far = {"double": 1e160, "float": 1e25}[self.precision]
         return [
-            *refused(self.robot, self.level, self.precision),
+            *rejected(self.robot, self.level, self.precision),
             (start | {"t": np.full(3, np.nan)}, NOT_FINITE),
             (start | {"t": np.full(3, far)}, NOT_FINITE),
             (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
@@ -273,8 +273,8 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
     symbol: the robot's in C, empty where the kernel holds its numbers.
     """
     epsilon = float(np.finfo(np.float32 if cases.precision == "float" else np.float64).eps)
-    refused = cases.refused()
-    without = _motions(motion for motion, _ in refused)
+    rejected = cases.rejected()
+    without = _motions(motion for motion, _ in rejected)
     names = [f'#include "{kernel}.h"', f"#define FORCES {kernel}_forces"]
     if not symbol:
         names.append("#define BAKED")
@@ -297,13 +297,13 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
             *names,
             "#define REAL(value) ((stewart_real)(value))",
             f"#define MOTIONS {len(cases.tests)}",
-            f"#define REFUSED {len(refused)}",
+            f"#define REFUSED {len(rejected)}",
             f"static const stewart_motion motions[MOTIONS] = {given};",
             f"static const double expected[MOTIONS][6] = {_nested(expected)};",
             f"static const double bounds[MOTIONS][6] = {_nested(bounds)};",
             f"static const stewart_motion refused_motions[REFUSED] = {without};",
             *([] if axes is None else ["#define NEAR_POLES", _axes_text(axes)]),
-            f"static const int refused_status[REFUSED] = {{{', '.join(str(code) for _, code in refused)}}};",
+            f"static const int refused_status[REFUSED] = {{{', '.join(str(code) for _, code in rejected)}}};",
             "",
         ]
     )
