@@ -5,6 +5,7 @@ import functools
 import itertools
 import subprocess
 from pathlib import Path
+from string import Template
 
 import mpmath
 import numpy as np
@@ -218,8 +219,8 @@ def test_turn_is_a_rotation_that_agrees_with_the_exponential_to_second_order() -
         assert (slope - term).applyfunc(sp.simplify).is_zero_matrix
 
 
-COUNTED = """stewart_pose far = @FAR@, exact = @EXACT@;
-    static const Real L[6] = {@LENGTHS@}, rates[6] = {1, 2, 3, 4, 5, 6};
+COUNTED = """stewart_pose far = ${FAR}, exact = ${EXACT};
+    static const Real L[6] = {${LENGTHS}}, rates[6] = {1, 2, 3, 4, 5, 6};
     Real out[12];
     int status;
     COUNT(stewart_inverse_kinematics(&robot, &motion, out, 0));
@@ -247,16 +248,15 @@ def test_header_counts_are_what_the_c_executes(tmp_path: Path) -> None:
     def listed(*values: AnyArray | None) -> str:
         return ", ".join(repr(float(v)) for value in values if value is not None for v in np.ravel(value))
 
-    marks = {
-        "@INCLUDES@": BOUND,
-        "@CALL@": COUNTED + REPORT,
-        "@FAR@": f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",
-        "@EXACT@": f"{{{{{listed(motion.R)}}}, {{{listed(motion.t)}}}}}",
-        "@LENGTHS@": listed(ss.inverse_kinematics(robot, motion).L),
-        "@ROBOT@": listed(robot_numbers(robot)),
-        "@MOTION@": listed(*parts),
+    numbers = {
+        "FAR": f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",
+        "EXACT": f"{{{{{listed(motion.R)}}}, {{{listed(motion.t)}}}}}",
+        "LENGTHS": listed(ss.inverse_kinematics(robot, motion).L),
+        "ROBOT": listed(robot_numbers(robot)),
+        "MOTION": listed(*parts),
     }
-    program = functools.reduce(lambda text, mark: text.replace(*mark), marks.items(), COUNTING)
+    calls = Template(COUNTED + REPORT).substitute(numbers)
+    program = Template(COUNTING).substitute(numbers, INCLUDES=BOUND, CALL=calls)
     for name, text in (c_sources("kinematics") | {"count.cpp": program}).items():
         (tmp_path / name).write_text(text)
     subprocess.run(["g++", "-O1", "-w", "count.cpp", "-o", "count"], check=True, cwd=tmp_path)
