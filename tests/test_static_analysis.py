@@ -15,6 +15,7 @@ from stewart_sym.kit import Choice, kit
 
 SUPPRESSED = {
     "cppcheck": {
+        "ctuuninitvar": "a structure assigned member by member; the analysers of gcc and clang follow it",
         "duplicateValueTernary": "pairs of choices exchange rows; cppcheck takes both rows for the same",
         "variableScope": "declarations stand at the head of a function, as in all of the emitted C",
         "missingIncludeSystem": "system headers are not analysed",
@@ -69,8 +70,6 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def test_cppcheck_finds_nothing(source: str, folder: Path) -> None:
     need("cppcheck")
     command = ["cppcheck", "--enable=warning,style,performance,portability", "--std=c99"]
-    # Of the flow of values through the long solves, what can be told in seconds.
-    command += ["--performance-valueflow-max-time=2"]
     # The macros that choose what is compiled, so that one configuration is checked and not each combination.
     command += ["-D__GNUC__=12", "-USTEWART_REAL", "-USTEWART_FLOAT", "-U__cplusplus", "--quiet"]
     command += [f"--suppress={name}" for name in SUPPRESSED["cppcheck"]]
