@@ -13,16 +13,14 @@ import sympy as sp
 
 from . import motion
 from .block import Block
-from .emit import bounds, c, lanes, numpy
+from .emit import arrays, bounds, c, lanes
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
-from .emit import regressor as regressor_text
 from .emit.shared import shared_headers
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernel import kinematics as search
-from .kernel.constants import STATUS
-from .kernel.nodes import Constant, Program, joined, parts_of
+from .kernel.nodes import Program, joined
 from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
@@ -98,7 +96,6 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     models: dict[str, int] = {}
     headers = {"stewart.h": common_header(version)} | shared_headers(version)
     files = {f"c/{name}": text for name, text in headers.items()} | {
-        "assembly.py": numpy.assembly(version),
         "arithmetic.py": _ARITHMETIC.format(version=version) + python_arithmetic(),
         "__init__.py": _PACKAGE.format(version=version),
     }
@@ -114,16 +111,16 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         files[f"{fast}.h"] = lanes.header(forces, smooth, version)
         files[f"{fast}.c"] = lanes.source(forces, version)
         models[form.kernel_name] = lanes.model_numbers(forces)
-        files[f"{form.kernel_name}.py"] = numpy.module(built, counts, force_counts, version)
-        arrays = output_program(form, OUTPUTS if form == EXACT else (FORCES,))
-        files[f"{form.kernel_name}_arrays.py"] = python_module(arrays, _imported(arrays), version)
+        files[f"{form.kernel_name}.py"] = arrays.every_output(built, counts, force_counts, version)
+        found = output_program(form, OUTPUTS if form == EXACT else (FORCES,))
+        files[f"{form.kernel_name}_arrays.py"] = python_module(found, arrays.imported(found), version)
     progress("bounding the rounding errors of exact_forces")
     files |= _error_bounds(version)
     models[f"{EXACT.kernel_name}_bounds"] = bounds.model_numbers(reduced_forces(EXACT))
     progress("deriving the fidelities")
     files |= _fidelities(version, models)
     progress("deriving exact_regressor")
-    files["exact_regressor.py"] = regressor_text.module(reduced_regressor(), version)
+    files["exact_regressor.py"] = arrays.regressor(reduced_regressor(), version)
     progress("deriving the closed form")
     files |= _closed_form(version)
     progress("deriving the kinematics")
@@ -225,17 +222,6 @@ def _closed_form(version: str) -> dict[str, str]:
         ),
         **{f"c/{file}": text for file, text in sources.items()},
     }
-
-
-def _imported(program: Program) -> str:
-    """The import of what a program on arrays names in the module that they share."""
-    named = {
-        each.name
-        for function in program.functions
-        for each in parts_of(function.body)
-        if isinstance(each, Constant)
-    }
-    return f"from .arithmetic import {', '.join(sorted(named & STATUS.keys()))}, Arithmetic"
 
 
 _ARITHMETIC = '''\

@@ -45,6 +45,7 @@ class Arithmetic:
     def __init__(self, xp: Any, real: Any = None) -> None:
         self.xp = xp
         self.type = xp.asarray(0.0, dtype=xp.float64 if real is None else real).dtype
+        self.whole = xp.int32
         double = float(xp.finfo(self.type).eps) < 2.0**-40
         self.NAN = float("nan")
         vars(self).update(CONSTANTS["double" if double else "float"])
@@ -133,6 +134,9 @@ class Arithmetic:
         """``yes`` where the test holds, else ``no``: of numbers, and of lists and structures part by part."""
         if isinstance(test, bool):
             return yes if test else no
+        kind = getattr(yes, "dtype", None)
+        if kind is not None and kind == getattr(no, "dtype", None):
+            return self.xp.where(test, yes, no)
         if isinstance(yes, list):
             return [self.where(test, one, other) for one, other in zip(yes, no, strict=True)]
         if hasattr(yes, "__dict__") and not hasattr(yes, "shape"):
@@ -140,9 +144,13 @@ class Arithmetic:
             for name, value in vars(yes).items():
                 setattr(made, name, self.where(test, value, getattr(no, name)))
             return made
-        whole = all(isinstance(each, int) or "int" in str(getattr(each, "dtype", "")) for each in (yes, no))
-        kind = self.xp.int32 if whole else self.type
-        return self.xp.where(test, *(self.xp.asarray(each, dtype=kind) for each in (yes, no)))
+        kind = self.whole if self.is_whole(yes) and self.is_whole(no) else self.type
+        return self.xp.where(test, self.xp.asarray(yes, dtype=kind), self.xp.asarray(no, dtype=kind))
+
+    def is_whole(self, value: Any) -> bool:
+        """Whether a number, or those of an array, are whole."""
+        kind = getattr(value, "dtype", None)
+        return isinstance(value, int) or kind == self.whole or (kind != self.type and "int" in str(kind))
 
     def at(self, array: Any, first: Any, *others: Any) -> Any:
         """An element of an array, in which poses may differ."""

@@ -696,12 +696,23 @@ def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
     out.J2_xz = 2.0 * J_xz
     out.dJ_zx = J_zz - J_xx
     out.g_k = g_x * k_unit_x + g_y * k_unit_y + g_z * k_unit_z
-    out.g_x_k = [g_y * k_unit_z - g_z * k_unit_y, g_z * k_unit_x - g_x * k_unit_z, g_x * k_unit_y - g_y * k_unit_x]
+    out.g_x_k = [
+        g_y * k_unit_z - g_z * k_unit_y,
+        g_z * k_unit_x - g_x * k_unit_z,
+        g_x * k_unit_y - g_y * k_unit_x,
+    ]
     out.C_us = C_s + C_u
     out.m_u = m_u
     out.M_add = m_u
     out.h_add = [c11, c12, m_u * p_z]
-    out.J_add = [m_u * (c13 + c14), -c11 * p_y, -c11 * p_z, m_u * (c14 + c15), -c12 * p_z, m_u * (c13 + c15)]
+    out.J_add = [
+        m_u * (c13 + c14),
+        -c11 * p_y,
+        -c11 * p_z,
+        m_u * (c14 + c15),
+        -c12 * p_z,
+        m_u * (c13 + c15),
+    ]
     out.C_add = C_s
     return out
 
@@ -897,14 +908,22 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
         - J_P_zz * alpha_P_z - P_xy * dJ_P_z)
     out = SharedTerms()
     out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
-    out.c_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * fall_x - B_xx * h_base_x - B_xy
-        * h_base_y - B_xz * h_base_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * fall_y - B_yx
-        * h_base_x - B_yy * h_base_y - B_yz * h_base_z, F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P
-        * fall_z - B_zx * h_base_x - B_zy * h_base_y - B_zz * h_base_z]
-    out.c_moment = [M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + fall_z * h_base_y - C_P * omega_x
-        - fall_y * h_base_z, M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + fall_x * h_base_z - C_P
-        * omega_y - fall_z * h_base_x, M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + fall_y * h_base_x
-        - C_P * omega_z - fall_x * h_base_y]
+    out.c_force = [
+        F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * fall_x - B_xx * h_base_x - B_xy * h_base_y
+            - B_xz * h_base_z,
+        F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * fall_y - B_yx * h_base_x - B_yy * h_base_y
+            - B_yz * h_base_z,
+        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P * fall_z - B_zx * h_base_x - B_zy * h_base_y
+            - B_zz * h_base_z,
+    ]
+    out.c_moment = [
+        M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + fall_z * h_base_y - C_P * omega_x - fall_y
+            * h_base_z,
+        M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + fall_x * h_base_z - C_P * omega_y - fall_z
+            * h_base_x,
+        M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + fall_y * h_base_x - C_P * omega_z - fall_x
+            * h_base_y,
+    ]
     return out
 
 
@@ -1252,8 +1271,11 @@ def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
     c_force_x, c_force_y, c_force_z = shared.c_force
     c_moment_x, c_moment_y, c_moment_z = shared.c_moment
     out = ShiftTerms()
-    out.c_tip = [c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y, c_force_z * q_1_x + c_moment_y - c_force_x
-        * q_1_z, c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x]
+    out.c_tip = [
+        c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y,
+        c_force_z * q_1_x + c_moment_y - c_force_x * q_1_z,
+        c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x,
+    ]
     return out
 
 
@@ -1268,10 +1290,16 @@ def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
     arm_y = q_y - q_1_y
     arm_z = q_z - q_1_z
     out = MomentTerms()
-    out.H_moment = [H_force_z * arm_y - H_force_y * arm_z, H_force_x * arm_z - H_force_z * arm_x, H_force_y
-        * arm_x - H_force_x * arm_y]
-    out.arm_c = [arm_y * c_force_z - arm_z * c_force_y, arm_z * c_force_x - arm_x * c_force_z, arm_x * c_force_y
-        - arm_y * c_force_x]
+    out.H_moment = [
+        H_force_z * arm_y - H_force_y * arm_z,
+        H_force_x * arm_z - H_force_z * arm_x,
+        H_force_y * arm_x - H_force_x * arm_y,
+    ]
+    out.arm_c = [
+        arm_y * c_force_z - arm_z * c_force_y,
+        arm_z * c_force_x - arm_x * c_force_z,
+        arm_x * c_force_y - arm_y * c_force_x,
+    ]
     return out
 
 
@@ -1450,12 +1478,23 @@ def equations_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     out.C_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.C_vw = [0.0, w_h_z, -w_h_y, -w_h_z, 0.0, w_h_x, w_h_y, -w_h_x, 0.0]
     out.C_wv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.C_ww = [c8 - c7, J_base_yz * omega_y + c9 - J_base_yy * omega_z, J_base_zz * omega_y - J_base_yz * omega_z
-        - c10, J_base_xx * omega_z - J_base_xz * omega_x - c9, c11 + c7, J_base_xz * omega_z + c12 - J_base_zz
-        * omega_x, J_base_xy * omega_x + c10 - J_base_xx * omega_y, J_base_yy * omega_x - J_base_xy * omega_y
-        - c12, -c11 - c8]
+    out.C_ww = [
+        c8 - c7,
+        J_base_yz * omega_y + c9 - J_base_yy * omega_z,
+        J_base_zz * omega_y - J_base_yz * omega_z - c10,
+        J_base_xx * omega_z - J_base_xz * omega_x - c9,
+        c11 + c7,
+        J_base_xz * omega_z + c12 - J_base_zz * omega_x,
+        J_base_xy * omega_x + c10 - J_base_xx * omega_y,
+        J_base_yy * omega_x - J_base_xy * omega_y - c12,
+        -c11 - c8,
+    ]
     out.g_force = [-M_P * g_x, -M_P * g_y, -M_P * g_z]
-    out.g_moment = [g_y * h_base_z - g_z * h_base_y, g_z * h_base_x - g_x * h_base_z, g_x * h_base_y - g_y * h_base_x]
+    out.g_moment = [
+        g_y * h_base_z - g_z * h_base_y,
+        g_z * h_base_x - g_x * h_base_z,
+        g_x * h_base_y - g_y * h_base_x,
+    ]
     out.friction_force = [0.0, 0.0, 0.0]
     out.friction_moment = [C_P * omega_x, C_P * omega_y, C_P * omega_z]
     return out
@@ -1692,26 +1731,54 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     out = EquationsLeg()
     out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
     out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
-    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
-        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.M_ww = [
+        m_q_yx * q_z - m_q_zx * q_y,
+        m_q_yy * q_z - m_q_zy * q_y,
+        m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z,
+        m_q_zz * q_x - m_q_xz * q_z,
+        m_q_xz * q_y - m_q_yz * q_x,
+    ]
     out.C_vv = [C_tip_xx, C_tip_xy, C_tip_xz, C_tip_yx, C_tip_yy, C_tip_yz, C_tip_zx, C_tip_zy, C_tip_zz]
     out.C_vw = [C_q_xx, C_q_xy, C_q_xz, C_q_yx, C_q_yy, C_q_yz, C_q_zx, C_q_zy, C_q_zz]
-    out.C_wv = [c26 - c20, C_tip_zy * q_y - c19, -C_tip_yz * q_z - c24, c17 - C_tip_zx * q_x, c13 + c27,
-        C_tip_xz * q_z + c25, C_tip_yx * q_x - c18, -C_tip_xy * q_y - c23, -c15 - c21]
-    out.C_ww = [C_q_zx * q_y - C_q_yx * q_z, C_q_zy * q_y - C_q_yy * q_z, C_q_zz * q_y - C_q_yz * q_z,
-        C_q_xx * q_z - C_q_zx * q_x, C_q_xy * q_z - C_q_zy * q_x, C_q_xz * q_z - C_q_zz * q_x, C_q_yx * q_x
-        - C_q_xx * q_y, C_q_yy * q_x - C_q_xy * q_y, C_q_yz * q_x - C_q_xz * q_y]
+    out.C_wv = [
+        c26 - c20,
+        C_tip_zy * q_y - c19,
+        -C_tip_yz * q_z - c24,
+        c17 - C_tip_zx * q_x,
+        c13 + c27,
+        C_tip_xz * q_z + c25,
+        C_tip_yx * q_x - c18,
+        -C_tip_xy * q_y - c23,
+        -c15 - c21,
+    ]
+    out.C_ww = [
+        C_q_zx * q_y - C_q_yx * q_z,
+        C_q_zy * q_y - C_q_yy * q_z,
+        C_q_zz * q_y - C_q_yz * q_z,
+        C_q_xx * q_z - C_q_zx * q_x,
+        C_q_xy * q_z - C_q_zy * q_x,
+        C_q_xz * q_z - C_q_zz * q_x,
+        C_q_yx * q_x - C_q_xx * q_y,
+        C_q_yy * q_x - C_q_xy * q_y,
+        C_q_yz * q_x - C_q_xz * q_y,
+    ]
     out.g_force = [held_x, held_y, held_z]
     out.g_moment = [held_z * q_y - held_y * q_z, held_x * q_z - held_z * q_x, held_y * q_x - held_x * q_y]
     out.friction_force = [rubbed_x, rubbed_y, rubbed_z]
-    out.friction_moment = [q_y * rubbed_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * rubbed_y, q_z * rubbed_x
-        - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * rubbed_z, q_x * rubbed_y - C_s * (k_z * phi_dot + theta_dot
-        * y_z) - q_y * rubbed_x]
+    out.friction_moment = [
+        q_y * rubbed_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * rubbed_y,
+        q_z * rubbed_x - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * rubbed_z,
+        q_x * rubbed_y - C_s * (k_z * phi_dot + theta_dot * y_z) - q_y * rubbed_x,
+    ]
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
     out.H_dot_force = [s_dot_x, s_dot_y, s_dot_z]
-    out.H_dot_moment = [q_y * s_dot_z + s_z * w_q_y - q_z * s_dot_y - s_y * w_q_z, q_z * s_dot_x + s_x * w_q_z
-        - q_x * s_dot_z - s_z * w_q_x, q_x * s_dot_y + s_y * w_q_x - q_y * s_dot_x - s_x * w_q_y]
+    out.H_dot_moment = [
+        q_y * s_dot_z + s_z * w_q_y - q_z * s_dot_y - s_y * w_q_z,
+        q_z * s_dot_x + s_x * w_q_z - q_x * s_dot_z - s_z * w_q_x,
+        q_x * s_dot_y + s_y * w_q_x - q_y * s_dot_x - s_x * w_q_y,
+    ]
     out.q = [q_x, q_y, q_z]
     out.L = L
     out.k3 = k3
@@ -2013,26 +2080,54 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     out = EquationsLeg()
     out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
     out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
-    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
-        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.M_ww = [
+        m_q_yx * q_z - m_q_zx * q_y,
+        m_q_yy * q_z - m_q_zy * q_y,
+        m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z,
+        m_q_zz * q_x - m_q_xz * q_z,
+        m_q_xz * q_y - m_q_yz * q_x,
+    ]
     out.C_vv = [C_tip_xx, C_tip_xy, C_tip_xz, C_tip_yx, C_tip_yy, C_tip_yz, C_tip_zx, C_tip_zy, C_tip_zz]
     out.C_vw = [C_q_xx, C_q_xy, C_q_xz, C_q_yx, C_q_yy, C_q_yz, C_q_zx, C_q_zy, C_q_zz]
-    out.C_wv = [c50 - c44, C_tip_zy * q_y - c43, -C_tip_yz * q_z - c48, c41 - C_tip_zx * q_x, c37 + c51,
-        C_tip_xz * q_z + c49, C_tip_yx * q_x - c42, -C_tip_xy * q_y - c47, -c39 - c45]
-    out.C_ww = [C_q_zx * q_y - C_q_yx * q_z, C_q_zy * q_y - C_q_yy * q_z, C_q_zz * q_y - C_q_yz * q_z,
-        C_q_xx * q_z - C_q_zx * q_x, C_q_xy * q_z - C_q_zy * q_x, C_q_xz * q_z - C_q_zz * q_x, C_q_yx * q_x
-        - C_q_xx * q_y, C_q_yy * q_x - C_q_xy * q_y, C_q_yz * q_x - C_q_xz * q_y]
+    out.C_wv = [
+        c50 - c44,
+        C_tip_zy * q_y - c43,
+        -C_tip_yz * q_z - c48,
+        c41 - C_tip_zx * q_x,
+        c37 + c51,
+        C_tip_xz * q_z + c49,
+        C_tip_yx * q_x - c42,
+        -C_tip_xy * q_y - c47,
+        -c39 - c45,
+    ]
+    out.C_ww = [
+        C_q_zx * q_y - C_q_yx * q_z,
+        C_q_zy * q_y - C_q_yy * q_z,
+        C_q_zz * q_y - C_q_yz * q_z,
+        C_q_xx * q_z - C_q_zx * q_x,
+        C_q_xy * q_z - C_q_zy * q_x,
+        C_q_xz * q_z - C_q_zz * q_x,
+        C_q_yx * q_x - C_q_xx * q_y,
+        C_q_yy * q_x - C_q_xy * q_y,
+        C_q_yz * q_x - C_q_xz * q_y,
+    ]
     out.g_force = [held_x, held_y, held_z]
     out.g_moment = [held_z * q_y - held_y * q_z, held_x * q_z - held_z * q_x, held_y * q_x - held_x * q_y]
     out.friction_force = [rubbed_x, rubbed_y, rubbed_z]
-    out.friction_moment = [q_y * rubbed_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * rubbed_y, q_z * rubbed_x
-        - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * rubbed_z, q_x * rubbed_y - C_s * (k_z * phi_dot + theta_dot
-        * y_z) - q_y * rubbed_x]
+    out.friction_moment = [
+        q_y * rubbed_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * rubbed_y,
+        q_z * rubbed_x - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * rubbed_z,
+        q_x * rubbed_y - C_s * (k_z * phi_dot + theta_dot * y_z) - q_y * rubbed_x,
+    ]
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
     out.H_dot_force = [s_dot_x, s_dot_y, s_dot_z]
-    out.H_dot_moment = [q_y * s_dot_z + s_z * w_q_y - q_z * s_dot_y - s_y * w_q_z, q_z * s_dot_x + s_x * w_q_z
-        - q_x * s_dot_z - s_z * w_q_x, q_x * s_dot_y + s_y * w_q_x - q_y * s_dot_x - s_x * w_q_y]
+    out.H_dot_moment = [
+        q_y * s_dot_z + s_z * w_q_y - q_z * s_dot_y - s_y * w_q_z,
+        q_z * s_dot_x + s_x * w_q_z - q_x * s_dot_z - s_z * w_q_x,
+        q_x * s_dot_y + s_y * w_q_x - q_y * s_dot_x - s_x * w_q_y,
+    ]
     out.q = [q_x, q_y, q_z]
     out.L = L
     out.k3 = k3
@@ -2205,11 +2300,16 @@ def bias_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     B_zz = -omega_xx - omega_yy
     out = BiasPose()
     out.B_0 = [B_xx, omega_xy, omega_xz, omega_xy, B_yy, omega_yz, omega_xz, omega_yz, B_zz]
-    out.bias_force = [omega_y * w_h_z - M_P * g_x - omega_z * w_h_y, omega_z * w_h_x - M_P * g_y - omega_x * w_h_z,
-        omega_x * w_h_y - M_P * g_z - omega_y * w_h_x]
-    out.bias_moment = [C_P * omega_x + J_w_z * omega_y + g_y * h_base_z - J_w_y * omega_z - g_z * h_base_y,
-        C_P * omega_y + J_w_x * omega_z + g_z * h_base_x - J_w_z * omega_x - g_x * h_base_z, C_P * omega_z + J_w_y
-        * omega_x + g_x * h_base_y - J_w_x * omega_y - g_y * h_base_x]
+    out.bias_force = [
+        omega_y * w_h_z - M_P * g_x - omega_z * w_h_y,
+        omega_z * w_h_x - M_P * g_y - omega_x * w_h_z,
+        omega_x * w_h_y - M_P * g_z - omega_y * w_h_x,
+    ]
+    out.bias_moment = [
+        C_P * omega_x + J_w_z * omega_y + g_y * h_base_z - J_w_y * omega_z - g_z * h_base_y,
+        C_P * omega_y + J_w_x * omega_z + g_z * h_base_x - J_w_z * omega_x - g_x * h_base_z,
+        C_P * omega_z + J_w_y * omega_x + g_x * h_base_y - J_w_x * omega_y - g_y * h_base_x,
+    ]
     return out
 
 
@@ -2354,9 +2454,11 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     R_tip_z = D * s_z + K_z
     out = BiasLeg()
     out.bias_force = [R_tip_x, R_tip_y, R_tip_z]
-    out.bias_moment = [R_tip_z * q_y - C_s * (k_x * phi_dot + theta_dot * y_x) - R_tip_y * q_z, R_tip_x * q_z
-        - C_s * (k_y * phi_dot + theta_dot * y_y) - R_tip_z * q_x, R_tip_y * q_x - C_s * (k_z * phi_dot + theta_dot
-        * y_z) - R_tip_x * q_y]
+    out.bias_moment = [
+        R_tip_z * q_y - C_s * (k_x * phi_dot + theta_dot * y_x) - R_tip_y * q_z,
+        R_tip_x * q_z - C_s * (k_y * phi_dot + theta_dot * y_y) - R_tip_z * q_x,
+        R_tip_y * q_x - C_s * (k_z * phi_dot + theta_dot * y_z) - R_tip_x * q_y,
+    ]
     out.q = [q_x, q_y, q_z]
     out.L = L
     out.k3 = k3
@@ -2473,14 +2575,19 @@ def forward_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     out.M_vv = [M_P, 0.0, 0.0, M_P, 0.0, M_P]
     out.M_vw = [0.0, h_base_z, -h_base_y, -h_base_z, 0.0, h_base_x, h_base_y, -h_base_x, 0.0]
     out.M_ww = [J_base_xx, J_base_xy, J_base_xz, J_base_yy, J_base_yz, J_base_zz]
-    out.right_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * g_x + omega_z * w_h_y - omega_y
-        * w_h_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * g_y + omega_x * w_h_z - omega_z * w_h_x,
-        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P * g_z + omega_y * w_h_x - omega_x * w_h_y]
-    out.right_moment = [J_w_y * omega_z + M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz + g_z * h_base_y
-        - C_P * omega_x - J_w_z * omega_y - g_y * h_base_z, J_w_z * omega_x + M_ext_x * R_yx + M_ext_y * R_yy
-        + M_ext_z * R_yz + g_x * h_base_z - C_P * omega_y - J_w_x * omega_z - g_z * h_base_x, J_w_x * omega_y
-        + M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz + g_y * h_base_x - C_P * omega_z - J_w_y * omega_x
-        - g_x * h_base_y]
+    out.right_force = [
+        F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * g_x + omega_z * w_h_y - omega_y * w_h_z,
+        F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * g_y + omega_x * w_h_z - omega_z * w_h_x,
+        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P * g_z + omega_y * w_h_x - omega_x * w_h_y,
+    ]
+    out.right_moment = [
+        J_w_y * omega_z + M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz + g_z * h_base_y - C_P * omega_x
+            - J_w_z * omega_y - g_y * h_base_z,
+        J_w_z * omega_x + M_ext_x * R_yx + M_ext_y * R_yy + M_ext_z * R_yz + g_x * h_base_z - C_P * omega_y
+            - J_w_x * omega_z - g_z * h_base_x,
+        J_w_x * omega_y + M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz + g_y * h_base_x - C_P * omega_z
+            - J_w_y * omega_x - g_x * h_base_y,
+    ]
     return out
 
 
@@ -2663,12 +2770,20 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     out = ForwardLeg()
     out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
     out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
-    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
-        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.M_ww = [
+        m_q_yx * q_z - m_q_zx * q_y,
+        m_q_yy * q_z - m_q_zy * q_y,
+        m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z,
+        m_q_zz * q_x - m_q_xz * q_z,
+        m_q_xz * q_y - m_q_yz * q_x,
+    ]
     out.right_force = [push_x, push_y, push_z]
-    out.right_moment = [C_s * (k_x * phi_dot + theta_dot * y_x) + push_z * q_y - push_y * q_z, C_s * (k_y * phi_dot
-        + theta_dot * y_y) + push_x * q_z - push_z * q_x, C_s * (k_z * phi_dot + theta_dot * y_z) + push_y * q_x
-        - push_x * q_y]
+    out.right_moment = [
+        C_s * (k_x * phi_dot + theta_dot * y_x) + push_z * q_y - push_y * q_z,
+        C_s * (k_y * phi_dot + theta_dot * y_y) + push_x * q_z - push_z * q_x,
+        C_s * (k_z * phi_dot + theta_dot * y_z) + push_y * q_x - push_x * q_y,
+    ]
     out.q = [q_x, q_y, q_z]
     out.L = L
     out.k3 = k3
@@ -2864,14 +2979,19 @@ def joint_rows_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     out.M_vv = [M, 0.0, 0.0, M, 0.0, M]
     out.M_vw = [0.0, h_base_z, -h_base_y, -h_base_z, 0.0, h_base_x, h_base_y, -h_base_x, 0.0]
     out.M_ww = [J_base_xx, J_base_xy, J_base_xz, J_base_yy, J_base_yz, J_base_zz]
-    out.right_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M * g_x + omega_z * w_h_y - omega_y
-        * w_h_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M * g_y + omega_x * w_h_z - omega_z * w_h_x,
-        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M * g_z + omega_y * w_h_x - omega_x * w_h_y]
-    out.right_moment = [J_w_y * omega_z + M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz + g_z * h_base_y
-        - C_P * omega_x - J_w_z * omega_y - g_y * h_base_z, J_w_z * omega_x + M_ext_x * R_yx + M_ext_y * R_yy
-        + M_ext_z * R_yz + g_x * h_base_z - C_P * omega_y - J_w_x * omega_z - g_z * h_base_x, J_w_x * omega_y
-        + M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz + g_y * h_base_x - C_P * omega_z - J_w_y * omega_x
-        - g_x * h_base_y]
+    out.right_force = [
+        F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M * g_x + omega_z * w_h_y - omega_y * w_h_z,
+        F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M * g_y + omega_x * w_h_z - omega_z * w_h_x,
+        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M * g_z + omega_y * w_h_x - omega_x * w_h_y,
+    ]
+    out.right_moment = [
+        J_w_y * omega_z + M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz + g_z * h_base_y - C_P * omega_x
+            - J_w_z * omega_y - g_y * h_base_z,
+        J_w_z * omega_x + M_ext_x * R_yx + M_ext_y * R_yy + M_ext_z * R_yz + g_x * h_base_z - C_P * omega_y
+            - J_w_x * omega_z - g_z * h_base_x,
+        J_w_x * omega_y + M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz + g_y * h_base_x - C_P * omega_z
+            - J_w_y * omega_x - g_x * h_base_y,
+    ]
     return out
 
 
@@ -3028,15 +3148,29 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_ww = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.right_force = [0.0, 0.0, 0.0]
-    out.right_moment = [C_s * (k_x * phi_dot + theta_dot * y_x), C_s * (k_y * phi_dot + theta_dot * y_y),
-        C_s * (k_z * phi_dot + theta_dot * y_z)]
+    out.right_moment = [
+        C_s * (k_x * phi_dot + theta_dot * y_x),
+        C_s * (k_y * phi_dot + theta_dot * y_y),
+        C_s * (k_z * phi_dot + theta_dot * y_z),
+    ]
     out.M_xi = [m_u, h_z, -k3_h, M_theta + c8, M_mixed, M_phi + c4 * c8]
     out.row_v = [s_x, s_y, s_z, row_v_yx, row_v_yy, row_v_yz, row_v_zx, row_v_zy, row_v_zz]
-    out.row_w = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x, q_y * row_v_yz - q_z * row_v_yy,
-        q_z * row_v_yx - q_x * row_v_yz, q_x * row_v_yy - q_y * row_v_yx, q_y * row_v_zz - q_z * row_v_zy,
-        q_z * row_v_zx - q_x * row_v_zz, q_x * row_v_zy - q_y * row_v_zx]
-    out.tau = [C_p * L_dot + fall_T_x * m_u + h_z * theta_ddot - F - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h
-        * phi_ddot, tau_y - c9 * fall_T_z, c9 * fall_T_y * k3 + tau_k]
+    out.row_w = [
+        q_y * s_z - q_z * s_y,
+        q_z * s_x - q_x * s_z,
+        q_x * s_y - q_y * s_x,
+        q_y * row_v_yz - q_z * row_v_yy,
+        q_z * row_v_yx - q_x * row_v_yz,
+        q_x * row_v_yy - q_y * row_v_yx,
+        q_y * row_v_zz - q_z * row_v_zy,
+        q_z * row_v_zx - q_x * row_v_zz,
+        q_x * row_v_zy - q_y * row_v_zx,
+    ]
+    out.tau = [
+        C_p * L_dot + fall_T_x * m_u + h_z * theta_ddot - F - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h * phi_ddot,
+        tau_y - c9 * fall_T_z,
+        c9 * fall_T_y * k3 + tau_k,
+    ]
     out.q = [q_x, q_y, q_z]
     out.L = L
     out.k3 = k3
@@ -3699,23 +3833,41 @@ def derivatives_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     out.M_vw = [0.0, h_base_z, -h_base_y, -h_base_z, 0.0, h_base_x, h_base_y, -h_base_x, 0.0]
     out.M_ww = [J_base_xx, J_base_xy, J_base_xz, J_base_yy, J_base_yz, J_base_zz]
     out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.W_fr = [B_xz * h_base_y - B_xy * h_base_z, B_xx * h_base_z - B_xz * h_base_x - F_load_z, B_xy * h_base_x
-        + F_load_y - B_xx * h_base_y, B_yz * h_base_y + F_load_z - B_yy * h_base_z, B_yx * h_base_z - B_yz * h_base_x,
-        B_yy * h_base_x - B_yx * h_base_y - F_load_x, B_zz * h_base_y - B_zy * h_base_z - F_load_y, B_zx * h_base_z
-        + F_load_x - B_zz * h_base_x, B_zy * h_base_x - B_zx * h_base_y]
+    out.W_fr = [
+        B_xz * h_base_y - B_xy * h_base_z,
+        B_xx * h_base_z - B_xz * h_base_x - F_load_z,
+        B_xy * h_base_x + F_load_y - B_xx * h_base_y,
+        B_yz * h_base_y + F_load_z - B_yy * h_base_z,
+        B_yx * h_base_z - B_yz * h_base_x,
+        B_yy * h_base_x - B_yx * h_base_y - F_load_x,
+        B_zz * h_base_y - B_zy * h_base_z - F_load_y,
+        B_zx * h_base_z + F_load_x - B_zz * h_base_x,
+        B_zy * h_base_x - B_zx * h_base_y,
+    ]
     out.W_mt = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.W_mr = [c40 + omega_y * spin_zx - c37 - c38 - c39 - omega_z * spin_yx, J_alpha_z + c23 + h_base_x * rise_y
-        + omega_y * spin_zy - J_base_xx * alpha_z - M_load_z - omega_z * spin_yy, J_base_xx * alpha_y + M_load_y
-        + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c21 - omega_z * spin_yz, J_base_yy * alpha_z + M_load_z
-        + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c24 - omega_x * spin_zx, c42 + omega_z * spin_xy
-        - c39 - c40 - c41 - omega_x * spin_zy, J_alpha_x + c19 + h_base_y * rise_z + omega_z * spin_xz - J_base_yy
-        * alpha_x - M_load_x - omega_x * spin_zz, J_alpha_y + c22 + h_base_z * rise_x + omega_x * spin_yx - J_base_zz
-        * alpha_y - M_load_y - omega_y * spin_xx, J_base_zz * alpha_x + M_load_x + h_base_z * rise_y + omega_x
-        * spin_yy - J_alpha_x - c20 - omega_y * spin_xy, c37 + omega_x * spin_yz - c38 - c41 - c42 - omega_y
-        * spin_xz]
+    out.W_mr = [
+        c40 + omega_y * spin_zx - c37 - c38 - c39 - omega_z * spin_yx,
+        J_alpha_z + c23 + h_base_x * rise_y + omega_y * spin_zy - J_base_xx * alpha_z - M_load_z - omega_z * spin_yy,
+        J_base_xx * alpha_y + M_load_y + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c21 - omega_z * spin_yz,
+        J_base_yy * alpha_z + M_load_z + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c24 - omega_x * spin_zx,
+        c42 + omega_z * spin_xy - c39 - c40 - c41 - omega_x * spin_zy,
+        J_alpha_x + c19 + h_base_y * rise_z + omega_z * spin_xz - J_base_yy * alpha_x - M_load_x - omega_x * spin_zz,
+        J_alpha_y + c22 + h_base_z * rise_x + omega_x * spin_yx - J_base_zz * alpha_y - M_load_y - omega_y * spin_xx,
+        J_base_zz * alpha_x + M_load_x + h_base_z * rise_y + omega_x * spin_yy - J_alpha_x - c20 - omega_y * spin_xy,
+        c37 + omega_x * spin_yz - c38 - c41 - c42 - omega_y * spin_xz,
+    ]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.W_fw = [c43 + c44, w_h_z - c11, -c9 - w_h_y, -c12 - w_h_z, c44 + c45, w_h_x - c7, w_h_y - c10, -c8 - w_h_x,
-        c43 + c45]
+    out.W_fw = [
+        c43 + c44,
+        w_h_z - c11,
+        -c9 - w_h_y,
+        -c12 - w_h_z,
+        c44 + c45,
+        w_h_x - c7,
+        w_h_y - c10,
+        -c8 - w_h_x,
+        c43 + c45,
+    ]
     out.W_mv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mw = [C_P + c26 - c25, c30, -c35, -c28, C_P + c33, c36, c29, -c34, C_P + c31 - c26]
     return out
@@ -4193,32 +4345,62 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     out = DerivativesLeg()
     out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
     out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
-    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
-        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.M_ww = [
+        m_q_yx * q_z - m_q_zx * q_y,
+        m_q_yy * q_z - m_q_zy * q_y,
+        m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z,
+        m_q_zz * q_x - m_q_xz * q_z,
+        m_q_xz * q_y - m_q_yz * q_x,
+    ]
     out.W_ft = [A_0_xx, A_0_xy, A_0_xz, A_0_yx, A_0_yy, A_0_yz, A_0_zx, A_0_zy, A_0_zz]
     out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
-    out.W_mt = [A_0_zx * q_y - A_0_yx * q_z - f_S_xx, A_0_zy * q_y - A_0_yy * q_z - f_S_xy, A_0_zz * q_y - A_0_yz
-        * q_z - f_S_xz, A_0_xx * q_z - A_0_zx * q_x - f_S_yx, A_0_xy * q_z - A_0_zy * q_x - f_S_yy, A_0_xz * q_z
-        - A_0_zz * q_x - f_S_yz, A_0_yx * q_x - A_0_xx * q_y - f_S_zx, A_0_yy * q_x - A_0_xy * q_y - f_S_zy,
-        A_0_yz * q_x - A_0_xz * q_y - f_S_zz]
-    out.W_mr = [Z_zx * q_y + c93 * q_z - Z_yx * q_z - c90 - c91 - c92 * q_y, R_tip_y * q_x + Z_zy * q_y + c92
-        * q_x - Z_yy * q_z - c94 * q_z, R_tip_z * q_x + Z_zz * q_y + c94 * q_y - Z_yz * q_z - c93 * q_x,
-        R_tip_x * q_y + Z_xx * q_z + c95 * q_z - Z_zx * q_x - c96 * q_y, Z_xy * q_z + c96 * q_x - Z_zy * q_x
-        - c91 - c97 - c98 * q_z, R_tip_z * q_y + Z_xz * q_z + c98 * q_y - Z_zz * q_x - c95 * q_x, R_tip_x * q_z
-        + Z_yx * q_x + c99 * q_z - Z_xx * q_y - c100 * q_y, R_tip_y * q_z + Z_yy * q_x + c100 * q_x - Z_xy * q_y
-        - c101 * q_z, Z_yz * q_x + c101 * q_y - Z_xz * q_y - c90 - c97 - c99 * q_x]
+    out.W_mt = [
+        A_0_zx * q_y - A_0_yx * q_z - f_S_xx,
+        A_0_zy * q_y - A_0_yy * q_z - f_S_xy,
+        A_0_zz * q_y - A_0_yz * q_z - f_S_xz,
+        A_0_xx * q_z - A_0_zx * q_x - f_S_yx,
+        A_0_xy * q_z - A_0_zy * q_x - f_S_yy,
+        A_0_xz * q_z - A_0_zz * q_x - f_S_yz,
+        A_0_yx * q_x - A_0_xx * q_y - f_S_zx,
+        A_0_yy * q_x - A_0_xy * q_y - f_S_zy,
+        A_0_yz * q_x - A_0_xz * q_y - f_S_zz,
+    ]
+    out.W_mr = [
+        Z_zx * q_y + c93 * q_z - Z_yx * q_z - c90 - c91 - c92 * q_y,
+        R_tip_y * q_x + Z_zy * q_y + c92 * q_x - Z_yy * q_z - c94 * q_z,
+        R_tip_z * q_x + Z_zz * q_y + c94 * q_y - Z_yz * q_z - c93 * q_x,
+        R_tip_x * q_y + Z_xx * q_z + c95 * q_z - Z_zx * q_x - c96 * q_y,
+        Z_xy * q_z + c96 * q_x - Z_zy * q_x - c91 - c97 - c98 * q_z,
+        R_tip_z * q_y + Z_xz * q_z + c98 * q_y - Z_zz * q_x - c95 * q_x,
+        R_tip_x * q_z + Z_yx * q_x + c99 * q_z - Z_xx * q_y - c100 * q_y,
+        R_tip_y * q_z + Z_yy * q_x + c100 * q_x - Z_xy * q_y - c101 * q_z,
+        Z_yz * q_x + c101 * q_y - Z_xz * q_y - c90 - c97 - c99 * q_x,
+    ]
     out.W_fv = [A_1_xx, A_1_xy, A_1_xz, A_1_yx, A_1_yy, A_1_yz, A_1_zx, A_1_zy, A_1_zz]
     out.W_fw = [V_xx, V_xy, V_xz, V_yx, V_yy, V_yz, V_zx, V_zy, V_zz]
-    out.W_mv = [A_1_zx * q_y - A_1_yx * q_z - f_S_dot_xx, A_1_zy * q_y - A_1_yy * q_z - f_S_dot_xy, A_1_zz * q_y
-        - A_1_yz * q_z - f_S_dot_xz, A_1_xx * q_z - A_1_zx * q_x - f_S_dot_yx, A_1_xy * q_z - A_1_zy * q_x - f_S_dot_yy,
-        A_1_xz * q_z - A_1_zz * q_x - f_S_dot_yz, A_1_yx * q_x - A_1_xx * q_y - f_S_dot_zx, A_1_yy * q_x - A_1_xy
-        * q_y - f_S_dot_zy, A_1_yz * q_x - A_1_xz * q_y - f_S_dot_zz]
-    out.W_mw = [V_zx * q_y + f_S_dot_xy * q_z - V_yx * q_z - f_S_dot_xz * q_y, V_zy * q_y + f_S_dot_xz * q_x
-        - V_yy * q_z - f_S_dot_xx * q_z, V_zz * q_y + f_S_dot_xx * q_y - V_yz * q_z - f_S_dot_xy * q_x, V_xx
-        * q_z + f_S_dot_yy * q_z - V_zx * q_x - f_S_dot_yz * q_y, V_xy * q_z + f_S_dot_yz * q_x - V_zy * q_x
-        - f_S_dot_yx * q_z, V_xz * q_z + f_S_dot_yx * q_y - V_zz * q_x - f_S_dot_yy * q_x, V_yx * q_x + f_S_dot_zy
-        * q_z - V_xx * q_y - f_S_dot_zz * q_y, V_yy * q_x + f_S_dot_zz * q_x - V_xy * q_y - f_S_dot_zx * q_z,
-        V_yz * q_x + f_S_dot_zx * q_y - V_xz * q_y - f_S_dot_zy * q_x]
+    out.W_mv = [
+        A_1_zx * q_y - A_1_yx * q_z - f_S_dot_xx,
+        A_1_zy * q_y - A_1_yy * q_z - f_S_dot_xy,
+        A_1_zz * q_y - A_1_yz * q_z - f_S_dot_xz,
+        A_1_xx * q_z - A_1_zx * q_x - f_S_dot_yx,
+        A_1_xy * q_z - A_1_zy * q_x - f_S_dot_yy,
+        A_1_xz * q_z - A_1_zz * q_x - f_S_dot_yz,
+        A_1_yx * q_x - A_1_xx * q_y - f_S_dot_zx,
+        A_1_yy * q_x - A_1_xy * q_y - f_S_dot_zy,
+        A_1_yz * q_x - A_1_xz * q_y - f_S_dot_zz,
+    ]
+    out.W_mw = [
+        V_zx * q_y + f_S_dot_xy * q_z - V_yx * q_z - f_S_dot_xz * q_y,
+        V_zy * q_y + f_S_dot_xz * q_x - V_yy * q_z - f_S_dot_xx * q_z,
+        V_zz * q_y + f_S_dot_xx * q_y - V_yz * q_z - f_S_dot_xy * q_x,
+        V_xx * q_z + f_S_dot_yy * q_z - V_zx * q_x - f_S_dot_yz * q_y,
+        V_xy * q_z + f_S_dot_yz * q_x - V_zy * q_x - f_S_dot_yx * q_z,
+        V_xz * q_z + f_S_dot_yx * q_y - V_zz * q_x - f_S_dot_yy * q_x,
+        V_yx * q_x + f_S_dot_zy * q_z - V_xx * q_y - f_S_dot_zz * q_y,
+        V_yy * q_x + f_S_dot_zz * q_x - V_xy * q_y - f_S_dot_zx * q_z,
+        V_yz * q_x + f_S_dot_zx * q_y - V_xz * q_y - f_S_dot_zy * q_x,
+    ]
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
     out.q = [q_x, q_y, q_z]
@@ -4916,32 +5098,62 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     out = DerivativesLeg()
     out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
     out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
-    out.M_ww = [m_q_yx * q_z - m_q_zx * q_y, m_q_yy * q_z - m_q_zy * q_y, m_q_yz * q_z - m_q_zz * q_y,
-        m_q_zy * q_x - m_q_xy * q_z, m_q_zz * q_x - m_q_xz * q_z, m_q_xz * q_y - m_q_yz * q_x]
+    out.M_ww = [
+        m_q_yx * q_z - m_q_zx * q_y,
+        m_q_yy * q_z - m_q_zy * q_y,
+        m_q_yz * q_z - m_q_zz * q_y,
+        m_q_zy * q_x - m_q_xy * q_z,
+        m_q_zz * q_x - m_q_xz * q_z,
+        m_q_xz * q_y - m_q_yz * q_x,
+    ]
     out.W_ft = [A_0_xx, A_0_xy, A_0_xz, A_0_yx, A_0_yy, A_0_yz, A_0_zx, A_0_zy, A_0_zz]
     out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
-    out.W_mt = [A_0_zx * q_y - A_0_yx * q_z - f_S_xx, A_0_zy * q_y - A_0_yy * q_z - f_S_xy, A_0_zz * q_y - A_0_yz
-        * q_z - f_S_xz, A_0_xx * q_z - A_0_zx * q_x - f_S_yx, A_0_xy * q_z - A_0_zy * q_x - f_S_yy, A_0_xz * q_z
-        - A_0_zz * q_x - f_S_yz, A_0_yx * q_x - A_0_xx * q_y - f_S_zx, A_0_yy * q_x - A_0_xy * q_y - f_S_zy,
-        A_0_yz * q_x - A_0_xz * q_y - f_S_zz]
-    out.W_mr = [Z_zx * q_y + c272 * q_z - Z_yx * q_z - c269 - c270 - c271 * q_y, R_tip_y * q_x + Z_zy * q_y
-        + c271 * q_x - Z_yy * q_z - c273 * q_z, R_tip_z * q_x + Z_zz * q_y + c273 * q_y - Z_yz * q_z - c272
-        * q_x, R_tip_x * q_y + Z_xx * q_z + c274 * q_z - Z_zx * q_x - c275 * q_y, Z_xy * q_z + c275 * q_x - Z_zy
-        * q_x - c270 - c276 - c277 * q_z, R_tip_z * q_y + Z_xz * q_z + c277 * q_y - Z_zz * q_x - c274 * q_x,
-        R_tip_x * q_z + Z_yx * q_x + c278 * q_z - Z_xx * q_y - c279 * q_y, R_tip_y * q_z + Z_yy * q_x + c279
-        * q_x - Z_xy * q_y - c280 * q_z, Z_yz * q_x + c280 * q_y - Z_xz * q_y - c269 - c276 - c278 * q_x]
+    out.W_mt = [
+        A_0_zx * q_y - A_0_yx * q_z - f_S_xx,
+        A_0_zy * q_y - A_0_yy * q_z - f_S_xy,
+        A_0_zz * q_y - A_0_yz * q_z - f_S_xz,
+        A_0_xx * q_z - A_0_zx * q_x - f_S_yx,
+        A_0_xy * q_z - A_0_zy * q_x - f_S_yy,
+        A_0_xz * q_z - A_0_zz * q_x - f_S_yz,
+        A_0_yx * q_x - A_0_xx * q_y - f_S_zx,
+        A_0_yy * q_x - A_0_xy * q_y - f_S_zy,
+        A_0_yz * q_x - A_0_xz * q_y - f_S_zz,
+    ]
+    out.W_mr = [
+        Z_zx * q_y + c272 * q_z - Z_yx * q_z - c269 - c270 - c271 * q_y,
+        R_tip_y * q_x + Z_zy * q_y + c271 * q_x - Z_yy * q_z - c273 * q_z,
+        R_tip_z * q_x + Z_zz * q_y + c273 * q_y - Z_yz * q_z - c272 * q_x,
+        R_tip_x * q_y + Z_xx * q_z + c274 * q_z - Z_zx * q_x - c275 * q_y,
+        Z_xy * q_z + c275 * q_x - Z_zy * q_x - c270 - c276 - c277 * q_z,
+        R_tip_z * q_y + Z_xz * q_z + c277 * q_y - Z_zz * q_x - c274 * q_x,
+        R_tip_x * q_z + Z_yx * q_x + c278 * q_z - Z_xx * q_y - c279 * q_y,
+        R_tip_y * q_z + Z_yy * q_x + c279 * q_x - Z_xy * q_y - c280 * q_z,
+        Z_yz * q_x + c280 * q_y - Z_xz * q_y - c269 - c276 - c278 * q_x,
+    ]
     out.W_fv = [A_1_xx, A_1_xy, A_1_xz, A_1_yx, A_1_yy, A_1_yz, A_1_zx, A_1_zy, A_1_zz]
     out.W_fw = [V_xx, V_xy, V_xz, V_yx, V_yy, V_yz, V_zx, V_zy, V_zz]
-    out.W_mv = [A_1_zx * q_y - A_1_yx * q_z - f_S_dot_xx, A_1_zy * q_y - A_1_yy * q_z - f_S_dot_xy, A_1_zz * q_y
-        - A_1_yz * q_z - f_S_dot_xz, A_1_xx * q_z - A_1_zx * q_x - f_S_dot_yx, A_1_xy * q_z - A_1_zy * q_x - f_S_dot_yy,
-        A_1_xz * q_z - A_1_zz * q_x - f_S_dot_yz, A_1_yx * q_x - A_1_xx * q_y - f_S_dot_zx, A_1_yy * q_x - A_1_xy
-        * q_y - f_S_dot_zy, A_1_yz * q_x - A_1_xz * q_y - f_S_dot_zz]
-    out.W_mw = [V_zx * q_y + f_S_dot_xy * q_z - V_yx * q_z - f_S_dot_xz * q_y, V_zy * q_y + f_S_dot_xz * q_x
-        - V_yy * q_z - f_S_dot_xx * q_z, V_zz * q_y + f_S_dot_xx * q_y - V_yz * q_z - f_S_dot_xy * q_x, V_xx
-        * q_z + f_S_dot_yy * q_z - V_zx * q_x - f_S_dot_yz * q_y, V_xy * q_z + f_S_dot_yz * q_x - V_zy * q_x
-        - f_S_dot_yx * q_z, V_xz * q_z + f_S_dot_yx * q_y - V_zz * q_x - f_S_dot_yy * q_x, V_yx * q_x + f_S_dot_zy
-        * q_z - V_xx * q_y - f_S_dot_zz * q_y, V_yy * q_x + f_S_dot_zz * q_x - V_xy * q_y - f_S_dot_zx * q_z,
-        V_yz * q_x + f_S_dot_zx * q_y - V_xz * q_y - f_S_dot_zy * q_x]
+    out.W_mv = [
+        A_1_zx * q_y - A_1_yx * q_z - f_S_dot_xx,
+        A_1_zy * q_y - A_1_yy * q_z - f_S_dot_xy,
+        A_1_zz * q_y - A_1_yz * q_z - f_S_dot_xz,
+        A_1_xx * q_z - A_1_zx * q_x - f_S_dot_yx,
+        A_1_xy * q_z - A_1_zy * q_x - f_S_dot_yy,
+        A_1_xz * q_z - A_1_zz * q_x - f_S_dot_yz,
+        A_1_yx * q_x - A_1_xx * q_y - f_S_dot_zx,
+        A_1_yy * q_x - A_1_xy * q_y - f_S_dot_zy,
+        A_1_yz * q_x - A_1_xz * q_y - f_S_dot_zz,
+    ]
+    out.W_mw = [
+        V_zx * q_y + f_S_dot_xy * q_z - V_yx * q_z - f_S_dot_xz * q_y,
+        V_zy * q_y + f_S_dot_xz * q_x - V_yy * q_z - f_S_dot_xx * q_z,
+        V_zz * q_y + f_S_dot_xx * q_y - V_yz * q_z - f_S_dot_xy * q_x,
+        V_xx * q_z + f_S_dot_yy * q_z - V_zx * q_x - f_S_dot_yz * q_y,
+        V_xy * q_z + f_S_dot_yz * q_x - V_zy * q_x - f_S_dot_yx * q_z,
+        V_xz * q_z + f_S_dot_yx * q_y - V_zz * q_x - f_S_dot_yy * q_x,
+        V_yx * q_x + f_S_dot_zy * q_z - V_xx * q_y - f_S_dot_zz * q_y,
+        V_yy * q_x + f_S_dot_zz * q_x - V_xy * q_y - f_S_dot_zx * q_z,
+        V_yz * q_x + f_S_dot_zx * q_y - V_xz * q_y - f_S_dot_zy * q_x,
+    ]
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
     out.q = [q_x, q_y, q_z]
@@ -5310,23 +5522,41 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     out.M_vw = [0.0, h_base_z, -h_base_y, -h_base_z, 0.0, h_base_x, h_base_y, -h_base_x, 0.0]
     out.M_ww = [J_base_xx, J_base_xy, J_base_xz, J_base_yy, J_base_yz, J_base_zz]
     out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.W_fr = [B_xz * h_base_y - B_xy * h_base_z, B_xx * h_base_z - B_xz * h_base_x - F_load_z, B_xy * h_base_x
-        + F_load_y - B_xx * h_base_y, B_yz * h_base_y + F_load_z - B_yy * h_base_z, B_yx * h_base_z - B_yz * h_base_x,
-        B_yy * h_base_x - B_yx * h_base_y - F_load_x, B_zz * h_base_y - B_zy * h_base_z - F_load_y, B_zx * h_base_z
-        + F_load_x - B_zz * h_base_x, B_zy * h_base_x - B_zx * h_base_y]
+    out.W_fr = [
+        B_xz * h_base_y - B_xy * h_base_z,
+        B_xx * h_base_z - B_xz * h_base_x - F_load_z,
+        B_xy * h_base_x + F_load_y - B_xx * h_base_y,
+        B_yz * h_base_y + F_load_z - B_yy * h_base_z,
+        B_yx * h_base_z - B_yz * h_base_x,
+        B_yy * h_base_x - B_yx * h_base_y - F_load_x,
+        B_zz * h_base_y - B_zy * h_base_z - F_load_y,
+        B_zx * h_base_z + F_load_x - B_zz * h_base_x,
+        B_zy * h_base_x - B_zx * h_base_y,
+    ]
     out.W_mt = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.W_mr = [c46 + omega_y * spin_zx - c43 - c44 - c45 - omega_z * spin_yx, J_alpha_z + c29 + h_base_x * rise_y
-        + omega_y * spin_zy - J_base_xx * alpha_z - M_load_z - omega_z * spin_yy, J_base_xx * alpha_y + M_load_y
-        + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c27 - omega_z * spin_yz, J_base_yy * alpha_z + M_load_z
-        + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c30 - omega_x * spin_zx, c48 + omega_z * spin_xy
-        - c45 - c46 - c47 - omega_x * spin_zy, J_alpha_x + c25 + h_base_y * rise_z + omega_z * spin_xz - J_base_yy
-        * alpha_x - M_load_x - omega_x * spin_zz, J_alpha_y + c28 + h_base_z * rise_x + omega_x * spin_yx - J_base_zz
-        * alpha_y - M_load_y - omega_y * spin_xx, J_base_zz * alpha_x + M_load_x + h_base_z * rise_y + omega_x
-        * spin_yy - J_alpha_x - c26 - omega_y * spin_xy, c43 + omega_x * spin_yz - c44 - c47 - c48 - omega_y
-        * spin_xz]
+    out.W_mr = [
+        c46 + omega_y * spin_zx - c43 - c44 - c45 - omega_z * spin_yx,
+        J_alpha_z + c29 + h_base_x * rise_y + omega_y * spin_zy - J_base_xx * alpha_z - M_load_z - omega_z * spin_yy,
+        J_base_xx * alpha_y + M_load_y + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c27 - omega_z * spin_yz,
+        J_base_yy * alpha_z + M_load_z + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c30 - omega_x * spin_zx,
+        c48 + omega_z * spin_xy - c45 - c46 - c47 - omega_x * spin_zy,
+        J_alpha_x + c25 + h_base_y * rise_z + omega_z * spin_xz - J_base_yy * alpha_x - M_load_x - omega_x * spin_zz,
+        J_alpha_y + c28 + h_base_z * rise_x + omega_x * spin_yx - J_base_zz * alpha_y - M_load_y - omega_y * spin_xx,
+        J_base_zz * alpha_x + M_load_x + h_base_z * rise_y + omega_x * spin_yy - J_alpha_x - c26 - omega_y * spin_xy,
+        c43 + omega_x * spin_yz - c44 - c47 - c48 - omega_y * spin_xz,
+    ]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.W_fw = [c49 + c50, w_h_z - c17, -c15 - w_h_y, -c18 - w_h_z, c50 + c51, w_h_x - c13, w_h_y - c16,
-        -c14 - w_h_x, c49 + c51]
+    out.W_fw = [
+        c49 + c50,
+        w_h_z - c17,
+        -c15 - w_h_y,
+        -c18 - w_h_z,
+        c50 + c51,
+        w_h_x - c13,
+        w_h_y - c16,
+        -c14 - w_h_x,
+        c49 + c51,
+    ]
     out.W_mv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mw = [C_P + c32 - c31, c36, -c41, -c34, C_P + c39, c42, c35, -c40, C_P + c37 - c32]
     return out
@@ -5891,32 +6121,85 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fr = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mt = [-f_S_xx, -f_S_xy, -f_S_xz, -f_S_yx, -f_S_yy, -f_S_yz, -f_S_zx, -f_S_zy, -f_S_zz]
-    out.W_mr = [c225 * q_z - c222 - c223 - c224 * q_y, R_tip_y * q_x + c224 * q_x - c226 * q_z, R_tip_z * q_x
-        + c226 * q_y - c225 * q_x, R_tip_x * q_y + c227 * q_z - c228 * q_y, c228 * q_x - c223 - c229 - c230
-        * q_z, R_tip_z * q_y + c230 * q_y - c227 * q_x, R_tip_x * q_z + c231 * q_z - c232 * q_y, R_tip_y * q_z
-        + c232 * q_x - c233 * q_z, c233 * q_y - c222 - c229 - c231 * q_x]
+    out.W_mr = [
+        c225 * q_z - c222 - c223 - c224 * q_y,
+        R_tip_y * q_x + c224 * q_x - c226 * q_z,
+        R_tip_z * q_x + c226 * q_y - c225 * q_x,
+        R_tip_x * q_y + c227 * q_z - c228 * q_y,
+        c228 * q_x - c223 - c229 - c230 * q_z,
+        R_tip_z * q_y + c230 * q_y - c227 * q_x,
+        R_tip_x * q_z + c231 * q_z - c232 * q_y,
+        R_tip_y * q_z + c232 * q_x - c233 * q_z,
+        c233 * q_y - c222 - c229 - c231 * q_x,
+    ]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
-    out.W_mv = [-f_S_dot_xx, -f_S_dot_xy, -f_S_dot_xz, -f_S_dot_yx, -f_S_dot_yy, -f_S_dot_yz, -f_S_dot_zx,
-        -f_S_dot_zy, -f_S_dot_zz]
-    out.W_mw = [f_S_dot_xy * q_z - f_S_dot_xz * q_y, f_S_dot_xz * q_x - f_S_dot_xx * q_z, f_S_dot_xx * q_y - f_S_dot_xy
-        * q_x, f_S_dot_yy * q_z - f_S_dot_yz * q_y, f_S_dot_yz * q_x - f_S_dot_yx * q_z, f_S_dot_yx * q_y - f_S_dot_yy
-        * q_x, f_S_dot_zy * q_z - f_S_dot_zz * q_y, f_S_dot_zz * q_x - f_S_dot_zx * q_z, f_S_dot_zx * q_y - f_S_dot_zy
-        * q_x]
-    out.tau_t = [tau_place_xx, tau_place_xy, tau_place_xz, tau_place_yx, tau_place_yy, tau_place_yz,
-        tau_place_zx, tau_place_zy, tau_place_zz]
-    out.tau_r = [X_xz * q_y - X_xy * q_z, X_xx * q_z - X_xz * q_x, X_xy * q_x - X_xx * q_y, X_yz * q_y - X_yy
-        * q_z, X_yx * q_z - X_yz * q_x, X_yy * q_x - X_yx * q_y, X_zz * q_y - X_zy * q_z, X_zx * q_z - X_zz
-        * q_x, X_zy * q_x - X_zx * q_y]
-    out.tau_v = [tau_S_dot_xx, tau_S_dot_xy, tau_S_dot_xz, tau_S_dot_yx, tau_S_dot_yy, tau_S_dot_yz,
-        tau_S_dot_zx, tau_S_dot_zy, tau_S_dot_zz]
-    out.tau_w = [Y_xz * q_y + tau_S_ddot_xz * w_q_y - Y_xy * q_z - tau_S_ddot_xy * w_q_z, Y_xx * q_z + tau_S_ddot_xx
-        * w_q_z - Y_xz * q_x - tau_S_ddot_xz * w_q_x, Y_xy * q_x + tau_S_ddot_xy * w_q_x - Y_xx * q_y - tau_S_ddot_xx
-        * w_q_y, Y_yz * q_y + tau_S_ddot_yz * w_q_y - C_s * y_x - Y_yy * q_z - tau_S_ddot_yy * w_q_z, Y_yx * q_z
-        + tau_S_ddot_yx * w_q_z - C_s * y_y - Y_yz * q_x - tau_S_ddot_yz * w_q_x, Y_yy * q_x + tau_S_ddot_yy
-        * w_q_x - C_s * y_z - Y_yx * q_y - tau_S_ddot_yx * w_q_y, Y_zz * q_y + tau_S_ddot_zz * w_q_y - C_s * k_x
-        - Y_zy * q_z - tau_S_ddot_zy * w_q_z, Y_zx * q_z + tau_S_ddot_zx * w_q_z - C_s * k_y - Y_zz * q_x - tau_S_ddot_zz
-        * w_q_x, Y_zy * q_x + tau_S_ddot_zy * w_q_x - C_s * k_z - Y_zx * q_y - tau_S_ddot_zx * w_q_y]
+    out.W_mv = [
+        -f_S_dot_xx,
+        -f_S_dot_xy,
+        -f_S_dot_xz,
+        -f_S_dot_yx,
+        -f_S_dot_yy,
+        -f_S_dot_yz,
+        -f_S_dot_zx,
+        -f_S_dot_zy,
+        -f_S_dot_zz,
+    ]
+    out.W_mw = [
+        f_S_dot_xy * q_z - f_S_dot_xz * q_y,
+        f_S_dot_xz * q_x - f_S_dot_xx * q_z,
+        f_S_dot_xx * q_y - f_S_dot_xy * q_x,
+        f_S_dot_yy * q_z - f_S_dot_yz * q_y,
+        f_S_dot_yz * q_x - f_S_dot_yx * q_z,
+        f_S_dot_yx * q_y - f_S_dot_yy * q_x,
+        f_S_dot_zy * q_z - f_S_dot_zz * q_y,
+        f_S_dot_zz * q_x - f_S_dot_zx * q_z,
+        f_S_dot_zx * q_y - f_S_dot_zy * q_x,
+    ]
+    out.tau_t = [
+        tau_place_xx,
+        tau_place_xy,
+        tau_place_xz,
+        tau_place_yx,
+        tau_place_yy,
+        tau_place_yz,
+        tau_place_zx,
+        tau_place_zy,
+        tau_place_zz,
+    ]
+    out.tau_r = [
+        X_xz * q_y - X_xy * q_z,
+        X_xx * q_z - X_xz * q_x,
+        X_xy * q_x - X_xx * q_y,
+        X_yz * q_y - X_yy * q_z,
+        X_yx * q_z - X_yz * q_x,
+        X_yy * q_x - X_yx * q_y,
+        X_zz * q_y - X_zy * q_z,
+        X_zx * q_z - X_zz * q_x,
+        X_zy * q_x - X_zx * q_y,
+    ]
+    out.tau_v = [
+        tau_S_dot_xx,
+        tau_S_dot_xy,
+        tau_S_dot_xz,
+        tau_S_dot_yx,
+        tau_S_dot_yy,
+        tau_S_dot_yz,
+        tau_S_dot_zx,
+        tau_S_dot_zy,
+        tau_S_dot_zz,
+    ]
+    out.tau_w = [
+        Y_xz * q_y + tau_S_ddot_xz * w_q_y - Y_xy * q_z - tau_S_ddot_xy * w_q_z,
+        Y_xx * q_z + tau_S_ddot_xx * w_q_z - Y_xz * q_x - tau_S_ddot_xz * w_q_x,
+        Y_xy * q_x + tau_S_ddot_xy * w_q_x - Y_xx * q_y - tau_S_ddot_xx * w_q_y,
+        Y_yz * q_y + tau_S_ddot_yz * w_q_y - C_s * y_x - Y_yy * q_z - tau_S_ddot_yy * w_q_z,
+        Y_yx * q_z + tau_S_ddot_yx * w_q_z - C_s * y_y - Y_yz * q_x - tau_S_ddot_yz * w_q_x,
+        Y_yy * q_x + tau_S_ddot_yy * w_q_x - C_s * y_z - Y_yx * q_y - tau_S_ddot_yx * w_q_y,
+        Y_zz * q_y + tau_S_ddot_zz * w_q_y - C_s * k_x - Y_zy * q_z - tau_S_ddot_zy * w_q_z,
+        Y_zx * q_z + tau_S_ddot_zx * w_q_z - C_s * k_y - Y_zz * q_x - tau_S_ddot_zz * w_q_x,
+        Y_zy * q_x + tau_S_ddot_zy * w_q_x - C_s * k_z - Y_zx * q_y - tau_S_ddot_zx * w_q_y,
+    ]
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
     out.q = [q_x, q_y, q_z]

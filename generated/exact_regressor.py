@@ -1,16 +1,16 @@
-"""The regressor of the Stewart platform, formulation `exact`, universal base joints.
+"""The regressor of the Stewart platform on arrays, formulation `exact`, universal base joints.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-``robot`` and ``motion`` as in exact.py; of the robot, the points, the axes and gravity alone are read.
+Columns of Y are in ``force_NAME``, rows 0 to 2, and ``moment_NAME``, rows 3 to 5; of the legs in lists of (6, n),
+one value for each leg and pose. ``robot``, ``motion`` and ``on`` as in exact.py; of the robot, the points, the
+axes and gravity alone are read.
 """
 
 from typing import Any
 
-import numpy as np
-
-from .assembly import NOT_FINITE, OK, Array, leg_status, only_good, stack
+from .arithmetic import NOT_FINITE, OK, POLE, SHORT_LEG, Arithmetic
 
 # Name and unit of each column of one leg and of the platform.
 LEG_PARAMETERS = (
@@ -83,213 +83,291 @@ MERGED = (
 )
 
 
-def regressor(robot: Any, motion: Any) -> dict[str, Array]:
-    """Y (..., 6, 148), the legs' columns before the platform's, and status (...)."""
-    with np.errstate(all="ignore"):
-        leg = regressor_of_leg(robot, motion)
-        of_legs = columns(leg, LEG_PARAMETERS).swapaxes(-2, -3)
-        platform = columns(regressor_of_platform(robot, motion), PLATFORM_PARAMETERS)
-        status = leg_status(robot, motion, leg)
-    joined = of_legs.reshape(*platform.shape[:-1], of_legs.shape[-2] * of_legs.shape[-1])
-    Y = np.concatenate([joined, platform], axis=-1)
-    finite = np.isfinite(Y).all(axis=(-1, -2))
-    status = np.where(finite | (status != OK), status, NOT_FINITE).astype(np.int32)
-    return {"Y": only_good(Y, status), "status": status}
+class Leg:
+    """One leg."""
+
+    def __init__(self) -> None:
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
+        self.m_d: Any = 0.0  # kg: mass of the lower part
+        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.m_u: Any = 0.0  # kg: mass of the upper part
+        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
 
 
-def columns(found: dict[str, Array], parameters: tuple[tuple[str, str], ...]) -> Array:
-    """The columns of ``parameters`` side by side, (..., 6, n)."""
-    return np.stack(
-        [
-            np.concatenate([found[f"force_{name}"], found[f"moment_{name}"]], axis=-1)
-            for name, _ in parameters
-        ],
-        axis=-1,
-    )
+class Robot:
+    """The machine."""
+
+    def __init__(self) -> None:
+        self.M: Any = 0.0  # kg: mass of the platform with its payload
+        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.I_p: Any = [0.0] * 6
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
+        self.leg: Any = Leg()  # the legs, in each number one value for each leg
 
 
-def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
-    """Columns of one leg's parameters.
+class Motion:
+    """Motion of the platform and its load."""
 
-    Operations: 624 (408 mul, 212 add, 2 div, 2 sqrt).
-    """
-    b_x = robot.b[:, 0]
-    b_y = robot.b[:, 1]
-    b_z = robot.b[:, 2]
-    p_x = robot.p[:, 0]
-    p_y = robot.p[:, 1]
-    p_z = robot.p[:, 2]
-    k_x = robot.k[:, 0]
-    k_y = robot.k[:, 1]
-    k_z = robot.k[:, 2]
-    R_xx = motion.R[..., 0, 0, None]
-    R_xy = motion.R[..., 0, 1, None]
-    R_xz = motion.R[..., 0, 2, None]
-    R_yx = motion.R[..., 1, 0, None]
-    R_yy = motion.R[..., 1, 1, None]
-    R_yz = motion.R[..., 1, 2, None]
-    R_zx = motion.R[..., 2, 0, None]
-    R_zy = motion.R[..., 2, 1, None]
-    R_zz = motion.R[..., 2, 2, None]
-    t_x = motion.t[..., 0, None]
-    t_y = motion.t[..., 1, None]
-    t_z = motion.t[..., 2, None]
-    omega_x = motion.omega[..., 0, None]
-    omega_y = motion.omega[..., 1, None]
-    omega_z = motion.omega[..., 2, None]
-    v_x = motion.v[..., 0, None]
-    v_y = motion.v[..., 1, None]
-    v_z = motion.v[..., 2, None]
-    alpha_x = motion.alpha[..., 0, None]
-    alpha_y = motion.alpha[..., 1, None]
-    alpha_z = motion.alpha[..., 2, None]
-    a_x = motion.a[..., 0, None]
-    a_y = motion.a[..., 1, None]
-    a_z = motion.a[..., 2, None]
-    g_x = robot.g[0]
-    g_y = robot.g[1]
-    g_z = robot.g[2]
+    def __init__(self) -> None:
+        self.R: Any = [0.0] * 9  # 1: orientation of the platform, platform frame to base frame
+        self.t: Any = [0.0] * 3  # m: position of the platform's reference point, base frame
+        self.omega: Any = [0.0] * 3  # rad/s: angular velocity of the platform, base frame
+        self.v: Any = [0.0] * 3  # m/s: velocity of the reference point, base frame
+        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration of the platform, base frame
+        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point, base frame
+        self.F_ext: Any = [0.0] * 3  # N: external force at the reference point, platform frame
+        self.M_ext: Any = [0.0] * 3  # N m: external moment about the reference point, platform frame
+
+
+class RegressorOfLegs:
+    """Columns of the legs."""
+
+    def __init__(self) -> None:
+        self.force_m_d: Any = [0.0] * 3  # column of m_d, force rows, base frame
+        self.moment_m_d: Any = [0.0] * 3  # column of m_d, moment rows, base frame
+        self.force_h_d_x: Any = [0.0] * 3  # column of h_d_x, force rows, base frame
+        self.moment_h_d_x: Any = [0.0] * 3  # column of h_d_x, moment rows, base frame
+        self.force_h_d_y: Any = [0.0] * 3  # column of h_d_y, force rows, base frame
+        self.moment_h_d_y: Any = [0.0] * 3  # column of h_d_y, moment rows, base frame
+        self.force_h_d_z: Any = [0.0] * 3  # column of h_d_z, force rows, base frame
+        self.moment_h_d_z: Any = [0.0] * 3  # column of h_d_z, moment rows, base frame
+        self.force_J_d_xx: Any = [0.0] * 3  # column of J_d_xx, force rows, base frame
+        self.moment_J_d_xx: Any = [0.0] * 3  # column of J_d_xx, moment rows, base frame
+        self.force_J_d_xy: Any = [0.0] * 3  # column of J_d_xy, force rows, base frame
+        self.moment_J_d_xy: Any = [0.0] * 3  # column of J_d_xy, moment rows, base frame
+        self.force_J_d_xz: Any = [0.0] * 3  # column of J_d_xz, force rows, base frame
+        self.moment_J_d_xz: Any = [0.0] * 3  # column of J_d_xz, moment rows, base frame
+        self.force_J_d_yy: Any = [0.0] * 3  # column of J_d_yy, force rows, base frame
+        self.moment_J_d_yy: Any = [0.0] * 3  # column of J_d_yy, moment rows, base frame
+        self.force_J_d_yz: Any = [0.0] * 3  # column of J_d_yz, force rows, base frame
+        self.moment_J_d_yz: Any = [0.0] * 3  # column of J_d_yz, moment rows, base frame
+        self.force_J_d_zz: Any = [0.0] * 3  # column of J_d_zz, force rows, base frame
+        self.moment_J_d_zz: Any = [0.0] * 3  # column of J_d_zz, moment rows, base frame
+        self.force_m_u: Any = [0.0] * 3  # column of m_u, force rows, base frame
+        self.moment_m_u: Any = [0.0] * 3  # column of m_u, moment rows, base frame
+        self.force_h_u_x: Any = [0.0] * 3  # column of h_u_x, force rows, base frame
+        self.moment_h_u_x: Any = [0.0] * 3  # column of h_u_x, moment rows, base frame
+        self.force_h_u_y: Any = [0.0] * 3  # column of h_u_y, force rows, base frame
+        self.moment_h_u_y: Any = [0.0] * 3  # column of h_u_y, moment rows, base frame
+        self.force_h_u_z: Any = [0.0] * 3  # column of h_u_z, force rows, base frame
+        self.moment_h_u_z: Any = [0.0] * 3  # column of h_u_z, moment rows, base frame
+        self.force_J_u_xx: Any = [0.0] * 3  # column of J_u_xx, force rows, base frame
+        self.moment_J_u_xx: Any = [0.0] * 3  # column of J_u_xx, moment rows, base frame
+        self.force_J_u_xy: Any = [0.0] * 3  # column of J_u_xy, force rows, base frame
+        self.moment_J_u_xy: Any = [0.0] * 3  # column of J_u_xy, moment rows, base frame
+        self.force_J_u_xz: Any = [0.0] * 3  # column of J_u_xz, force rows, base frame
+        self.moment_J_u_xz: Any = [0.0] * 3  # column of J_u_xz, moment rows, base frame
+        self.force_J_u_yy: Any = [0.0] * 3  # column of J_u_yy, force rows, base frame
+        self.moment_J_u_yy: Any = [0.0] * 3  # column of J_u_yy, moment rows, base frame
+        self.force_J_u_yz: Any = [0.0] * 3  # column of J_u_yz, force rows, base frame
+        self.moment_J_u_yz: Any = [0.0] * 3  # column of J_u_yz, moment rows, base frame
+        self.force_J_u_zz: Any = [0.0] * 3  # column of J_u_zz, force rows, base frame
+        self.moment_J_u_zz: Any = [0.0] * 3  # column of J_u_zz, moment rows, base frame
+        self.force_C_u: Any = [0.0] * 3  # column of C_u, force rows, base frame
+        self.moment_C_u: Any = [0.0] * 3  # column of C_u, moment rows, base frame
+        self.force_C_p: Any = [0.0] * 3  # column of C_p, force rows, base frame
+        self.moment_C_p: Any = [0.0] * 3  # column of C_p, moment rows, base frame
+        self.force_C_s: Any = [0.0] * 3  # column of C_s, force rows, base frame
+        self.moment_C_s: Any = [0.0] * 3  # column of C_s, moment rows, base frame
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+
+
+class RegressorOfPlatform:
+    """Columns of the platform."""
+
+    def __init__(self) -> None:
+        self.force_M: Any = [0.0] * 3  # column of M, force rows, base frame
+        self.moment_M: Any = [0.0] * 3  # column of M, moment rows, base frame
+        self.force_h_P_x: Any = [0.0] * 3  # column of h_P_x, force rows, base frame
+        self.moment_h_P_x: Any = [0.0] * 3  # column of h_P_x, moment rows, base frame
+        self.force_h_P_y: Any = [0.0] * 3  # column of h_P_y, force rows, base frame
+        self.moment_h_P_y: Any = [0.0] * 3  # column of h_P_y, moment rows, base frame
+        self.force_h_P_z: Any = [0.0] * 3  # column of h_P_z, force rows, base frame
+        self.moment_h_P_z: Any = [0.0] * 3  # column of h_P_z, moment rows, base frame
+        self.force_J_P_xx: Any = [0.0] * 3  # column of J_P_xx, force rows, base frame
+        self.moment_J_P_xx: Any = [0.0] * 3  # column of J_P_xx, moment rows, base frame
+        self.force_J_P_xy: Any = [0.0] * 3  # column of J_P_xy, force rows, base frame
+        self.moment_J_P_xy: Any = [0.0] * 3  # column of J_P_xy, moment rows, base frame
+        self.force_J_P_xz: Any = [0.0] * 3  # column of J_P_xz, force rows, base frame
+        self.moment_J_P_xz: Any = [0.0] * 3  # column of J_P_xz, moment rows, base frame
+        self.force_J_P_yy: Any = [0.0] * 3  # column of J_P_yy, force rows, base frame
+        self.moment_J_P_yy: Any = [0.0] * 3  # column of J_P_yy, moment rows, base frame
+        self.force_J_P_yz: Any = [0.0] * 3  # column of J_P_yz, force rows, base frame
+        self.moment_J_P_yz: Any = [0.0] * 3  # column of J_P_yz, moment rows, base frame
+        self.force_J_P_zz: Any = [0.0] * 3  # column of J_P_zz, force rows, base frame
+        self.moment_J_P_zz: Any = [0.0] * 3  # column of J_P_zz, moment rows, base frame
+
+
+class Regressor:
+    """Columns of Y."""
+
+    def __init__(self) -> None:
+        self.legs: Any = RegressorOfLegs()  # of the legs
+        self.platform: Any = RegressorOfPlatform()  # of the platform
+        self.status: Any = 0  # 0, or what is wrong
+
+
+def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
+    """Columns of one leg's parameters: 624 (408 mul, 212 add, 2 div, 2 sqrt)."""
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
+    g_x, g_y, g_z = robot.g
     # (1) platform point from the reference point
-    q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z
-    q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z
-    q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
     # (1) leg vector
     S_x = q_x + t_x - b_x
     S_y = q_y + t_y - b_y
     S_z = q_z + t_z - b_z
     # (10) leg vector along the fixed axis, and normal to both
-    zeta = S_x*k_x + S_y*k_y + S_z*k_z
-    k_cross_S_x = S_z*k_y - S_y*k_z
-    k_cross_S_y = S_x*k_z - S_z*k_x
-    k_cross_S_z = S_y*k_x - S_x*k_y
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
     # (2) leg length, and distance of its tip from the fixed axis
-    L = np.sqrt(S_x*S_x + S_y*S_y + S_z*S_z)
-    inv_L = 1/L
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
     # (3) unit vector along the leg
-    s_x = S_x*inv_L
-    s_y = S_y*inv_L
-    s_z = S_z*inv_L
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
     # (10) along the third axis of the leg
-    s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z
-    s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x
-    s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y
+    s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
+    s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
+    s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
     # (10) leg length, and distance of its tip from the fixed axis
-    rho = (
-        np.sqrt(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-        + s_cross_normal_z*s_cross_normal_z)
-    )
-    inv_rho = 1/rho
+    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
+        * s_cross_normal_z))
+    inv_rho = 1.0 / rho
     # (10) third axis of the leg frame
-    z_x = inv_rho*s_cross_normal_x
-    z_y = inv_rho*s_cross_normal_y
-    z_z = inv_rho*s_cross_normal_z
+    z_x = inv_rho * s_cross_normal_x
+    z_y = inv_rho * s_cross_normal_y
+    z_z = inv_rho * s_cross_normal_z
     # (10) rotating axis of the universal joint
-    y_x = s_z*z_y - s_y*z_z
-    y_y = s_x*z_z - s_z*z_x
-    y_z = s_y*z_x - s_x*z_y
+    y_x = s_z * z_y - s_y * z_z
+    y_y = s_x * z_z - s_z * z_x
+    y_z = s_y * z_x - s_x * z_y
     # (10) k = (k1, 0, k3) in the leg frame
-    k1 = inv_L*zeta
-    k3 = inv_L*rho
+    k1 = inv_L * zeta
+    k3 = inv_L * rho
     # (10) k1 / k3
-    kappa = inv_rho*zeta
+    kappa = inv_rho * zeta
     # (4) omega x q
-    w_q_x = omega_y*q_z - omega_z*q_y
-    w_q_y = omega_z*q_x - omega_x*q_z
-    w_q_z = omega_x*q_y - omega_y*q_x
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
     # (4) velocity of the platform point
     S_dot_x = v_x + w_q_x
     S_dot_y = v_y + w_q_y
     S_dot_z = v_z + w_q_z
     # (7) acceleration of the platform point
-    S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y
-    S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z
-    S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x
+    S_ddot_x = a_x + alpha_y * q_z + omega_y * w_q_z - alpha_z * q_y - omega_z * w_q_y
+    S_ddot_y = a_y + alpha_z * q_x + omega_z * w_q_x - alpha_x * q_z - omega_x * w_q_z
+    S_ddot_z = a_z + alpha_x * q_y + omega_x * w_q_y - alpha_y * q_x - omega_y * w_q_x
     # (5) rates of the joint coordinates: L, phi about k, theta about y
-    L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
-    phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z)
-    theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z)
+    phi_dot = inv_rho * (S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z)
+    theta_dot = -inv_L * (S_dot_x * z_x + S_dot_y * z_y + S_dot_z * z_z)
     # L_dot / L
-    L_share = L_dot*inv_L
-    lean = kappa*theta_dot
-    c1 = theta_dot*theta_dot
+    L_share = L_dot * inv_L
+    lean = kappa * theta_dot
+    c1 = theta_dot * theta_dot
     theta_dot2 = c1
-    c2 = phi_dot*phi_dot
+    c2 = phi_dot * phi_dot
     phi_dot2 = c2
-    c3 = 2*phi_dot
+    c3 = 2.0 * phi_dot
     two_phi_dot = c3
-    c4 = k3*k3
+    c4 = k3 * k3
     k33 = c4
     # (8) accelerations of the joint coordinates
-    L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
-    c5 = 2*theta_dot
+    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    c5 = 2.0 * theta_dot
     # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
-    own_theta_ddot = -L_share*c5 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z)
-    own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot
-    c6 = k1*k3
+    own_theta_ddot = -L_share * c5 - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
+    c6 = k1 * k3
     # (9) accelerations of the joint coordinates
-    theta_ddot = c6*phi_dot2 + own_theta_ddot
-    phi_ddot = own_phi_ddot - lean*two_phi_dot
+    theta_ddot = c6 * phi_dot2 + own_theta_ddot
+    phi_ddot = own_phi_ddot - lean * two_phi_dot
     # gravity along the fixed axis
-    g_k = g_x*k_x + g_y*k_y + g_z*k_z
+    g_k = g_x * k_x + g_y * k_y + g_z * k_z
     # g x k, base frame
-    g_x_k_x = g_y*k_z - g_z*k_y
-    g_x_k_y = g_z*k_x - g_x*k_z
-    g_x_k_z = g_x*k_y - g_y*k_x
+    g_x_k_x = g_y * k_z - g_z * k_y
+    g_x_k_y = g_z * k_x - g_x * k_z
+    g_x_k_z = g_x * k_y - g_y * k_x
     # gravity along k x y and along y
-    gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z
-    gamma_y = g_x*y_x + g_y*y_y + g_z*y_z
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # omega along k x y, y and k
-    w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z
-    w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z
-    c7 = g_k*k3 + gamma_n*k1
-    c8 = -gamma_y*k3
+    w_y_omega = omega_x * y_x + omega_y * y_y + omega_z * y_z
+    w_k_omega = k_x * omega_x + k_y * omega_y + k_z * omega_z
+    c7 = g_k * k3 + gamma_n * k1
+    c8 = -gamma_y * k3
     # (20) torques by h_d_x
     tau_theta_h_d_x = c7
     tau_phi_h_d_x = c8
-    c9 = g_k*k1
+    c9 = g_k * k1
     # (20) torques by h_d_z
-    tau_theta_h_d_z = gamma_n*k3 - c9
-    tau_phi_h_d_z = gamma_y*k1
-    c10 = c2*c4
-    c11 = 2*L
-    c12 = L_dot*c5
-    c13 = c2*c6
-    c14 = c4*phi_ddot
-    c15 = c3*c4
+    tau_theta_h_d_z = gamma_n * k3 - c9
+    tau_phi_h_d_z = gamma_y * k1
+    c10 = c2 * c4
+    c11 = 2.0 * L
+    c12 = L_dot * c5
+    c13 = c2 * c6
+    c14 = c4 * phi_ddot
+    c15 = c3 * c4
     # (20) torques by h_u_x
     tau_L_h_u_x = -c1 - c10
-    tau_theta_h_u_x = c11*theta_ddot + c12 + c7 - c11*c13
-    tau_phi_h_u_x = 4*L*c6*phi_dot*theta_dot + L_dot*c15 + c11*c14 + c8
-    c16 = k3*phi_ddot
-    c17 = k1*phi_ddot
-    c18 = k1*theta_ddot
+    tau_theta_h_u_x = c11 * theta_ddot + c12 + c7 - c11 * c13
+    tau_phi_h_u_x = 4.0 * L * c6 * phi_dot * theta_dot + L_dot * c15 + c11 * c14 + c8
+    c16 = k3 * phi_ddot
+    c17 = k1 * phi_ddot
+    c18 = k1 * theta_ddot
     # (20) torques by h_u_y
     tau_L_h_u_y = -c16
-    tau_theta_h_u_y = -L*c17
-    tau_phi_h_u_y = L*c1*k3 - L*c18 - L_ddot*k3 - c12*k1 - gamma_n
-    c19 = k1*k1
-    c20 = c19*c2
-    c21 = c16*k1
-    c22 = c3*theta_dot
-    c23 = c19*c22
+    tau_theta_h_u_y = -L * c17
+    tau_phi_h_u_y = L * c1 * k3 - L * c18 - L_ddot * k3 - c12 * k1 - gamma_n
+    c19 = k1 * k1
+    c20 = c19 * c2
+    c21 = c16 * k1
+    c22 = c3 * theta_dot
+    c23 = c19 * c22
     # (20) torques by h_u_z
     tau_L_h_u_z = c13 + theta_ddot
-    tau_theta_h_u_z = L*c20 + L_ddot + gamma_n*k3 - L*c10 - c9
-    tau_phi_h_u_z = 2*L*c4*phi_dot*theta_dot + gamma_y*k1 - L*c23 - L_dot*c3*c6 - c11*c21
-    c24 = c14 + c22*c6
+    tau_theta_h_u_z = L * c20 + L_ddot + gamma_n * k3 - L * c10 - c9
+    tau_phi_h_u_z = (2.0 * L * c4 * phi_dot * theta_dot + gamma_y * k1 - L * c23 - L_dot * c3 * c6 - c11 * c21)
+    c24 = c14 + c22 * c6
     # (20) torques by J_u_xx
     tau_theta_J_u_xx = c13
     tau_phi_J_u_xx = phi_ddot - c24
     # (20) torques by J_u_xy
     tau_theta_J_u_xy = c17
-    tau_phi_J_u_xy = c18 - c1*k3
+    tau_phi_J_u_xy = c18 - c1 * k3
     # (20) torques by J_u_xz
     tau_theta_J_u_xz = c10 - c20
-    tau_phi_J_u_xz = 2*c21 + c23 - c15*theta_dot
+    tau_phi_J_u_xz = 2.0 * c21 + c23 - c15 * theta_dot
     # (20) torques by J_u_yz
     tau_theta_J_u_yz = c16
-    tau_phi_J_u_yz = c1*k1 + k3*theta_ddot
+    tau_phi_J_u_yz = c1 * k1 + k3 * theta_ddot
     # (20) torques by J_u_zz
     tau_theta_J_u_zz = -c13
     tau_phi_J_u_zz = c24
@@ -297,273 +375,239 @@ def regressor_of_leg(robot: Any, motion: Any) -> dict[str, Array]:
     tau_theta_C_s = theta_dot - w_y_omega
     tau_phi_C_s = phi_dot - w_k_omega
     # (6) angular velocity of the leg
-    W_x = k_x*phi_dot + theta_dot*y_x
-    W_y = k_y*phi_dot + theta_dot*y_y
-    W_z = k_z*phi_dot + theta_dot*y_z
-    c25 = inv_L*tau_theta_h_d_x
+    W_x = k_x * phi_dot + theta_dot * y_x
+    W_y = k_y * phi_dot + theta_dot * y_y
+    W_z = k_z * phi_dot + theta_dot * y_z
+    c25 = inv_L * tau_theta_h_d_x
     # force at the tip by h_d_x
-    R_h_d_x_x = inv_rho*tau_phi_h_d_x*y_x - c25*z_x
-    R_h_d_x_y = inv_rho*tau_phi_h_d_x*y_y - c25*z_y
-    R_h_d_x_z = inv_rho*tau_phi_h_d_x*y_z - c25*z_z
-    c26 = gamma_n*inv_rho
+    R_h_d_x_x = inv_rho * tau_phi_h_d_x * y_x - c25 * z_x
+    R_h_d_x_y = inv_rho * tau_phi_h_d_x * y_y - c25 * z_y
+    R_h_d_x_z = inv_rho * tau_phi_h_d_x * y_z - c25 * z_z
+    c26 = gamma_n * inv_rho
     # force at the tip by h_d_y
-    R_h_d_y_x = -c26*y_x
-    R_h_d_y_y = -c26*y_y
-    R_h_d_y_z = -c26*y_z
-    c27 = inv_L*tau_theta_h_d_z
+    R_h_d_y_x = -c26 * y_x
+    R_h_d_y_y = -c26 * y_y
+    R_h_d_y_z = -c26 * y_z
+    c27 = inv_L * tau_theta_h_d_z
     # force at the tip by h_d_z
-    R_h_d_z_x = inv_rho*tau_phi_h_d_z*y_x - c27*z_x
-    R_h_d_z_y = inv_rho*tau_phi_h_d_z*y_y - c27*z_y
-    R_h_d_z_z = inv_rho*tau_phi_h_d_z*y_z - c27*z_z
-    c28 = inv_rho*tau_phi_h_u_x
-    c29 = inv_L*tau_theta_h_u_x
+    R_h_d_z_x = inv_rho * tau_phi_h_d_z * y_x - c27 * z_x
+    R_h_d_z_y = inv_rho * tau_phi_h_d_z * y_y - c27 * z_y
+    R_h_d_z_z = inv_rho * tau_phi_h_d_z * y_z - c27 * z_z
+    c28 = inv_rho * tau_phi_h_u_x
+    c29 = inv_L * tau_theta_h_u_x
     # force at the tip by h_u_x
-    R_h_u_x_x = c28*y_x + s_x*tau_L_h_u_x - c29*z_x
-    R_h_u_x_y = c28*y_y + s_y*tau_L_h_u_x - c29*z_y
-    R_h_u_x_z = c28*y_z + s_z*tau_L_h_u_x - c29*z_z
-    c30 = inv_rho*tau_phi_h_u_y
-    c31 = inv_L*tau_theta_h_u_y
+    R_h_u_x_x = c28 * y_x + s_x * tau_L_h_u_x - c29 * z_x
+    R_h_u_x_y = c28 * y_y + s_y * tau_L_h_u_x - c29 * z_y
+    R_h_u_x_z = c28 * y_z + s_z * tau_L_h_u_x - c29 * z_z
+    c30 = inv_rho * tau_phi_h_u_y
+    c31 = inv_L * tau_theta_h_u_y
     # force at the tip by h_u_y
-    R_h_u_y_x = c30*y_x + s_x*tau_L_h_u_y - c31*z_x
-    R_h_u_y_y = c30*y_y + s_y*tau_L_h_u_y - c31*z_y
-    R_h_u_y_z = c30*y_z + s_z*tau_L_h_u_y - c31*z_z
-    c32 = inv_rho*tau_phi_h_u_z
-    c33 = inv_L*tau_theta_h_u_z
+    R_h_u_y_x = c30 * y_x + s_x * tau_L_h_u_y - c31 * z_x
+    R_h_u_y_y = c30 * y_y + s_y * tau_L_h_u_y - c31 * z_y
+    R_h_u_y_z = c30 * y_z + s_z * tau_L_h_u_y - c31 * z_z
+    c32 = inv_rho * tau_phi_h_u_z
+    c33 = inv_L * tau_theta_h_u_z
     # force at the tip by h_u_z
-    R_h_u_z_x = c32*y_x + s_x*tau_L_h_u_z - c33*z_x
-    R_h_u_z_y = c32*y_y + s_y*tau_L_h_u_z - c33*z_y
-    R_h_u_z_z = c32*y_z + s_z*tau_L_h_u_z - c33*z_z
-    c34 = inv_L*tau_theta_J_u_xx
+    R_h_u_z_x = c32 * y_x + s_x * tau_L_h_u_z - c33 * z_x
+    R_h_u_z_y = c32 * y_y + s_y * tau_L_h_u_z - c33 * z_y
+    R_h_u_z_z = c32 * y_z + s_z * tau_L_h_u_z - c33 * z_z
+    c34 = inv_L * tau_theta_J_u_xx
     # force at the tip by J_u_xx
-    R_J_u_xx_x = inv_rho*tau_phi_J_u_xx*y_x - c34*z_x
-    R_J_u_xx_y = inv_rho*tau_phi_J_u_xx*y_y - c34*z_y
-    R_J_u_xx_z = inv_rho*tau_phi_J_u_xx*y_z - c34*z_z
-    c35 = inv_L*tau_theta_J_u_xy
+    R_J_u_xx_x = inv_rho * tau_phi_J_u_xx * y_x - c34 * z_x
+    R_J_u_xx_y = inv_rho * tau_phi_J_u_xx * y_y - c34 * z_y
+    R_J_u_xx_z = inv_rho * tau_phi_J_u_xx * y_z - c34 * z_z
+    c35 = inv_L * tau_theta_J_u_xy
     # force at the tip by J_u_xy
-    R_J_u_xy_x = inv_rho*tau_phi_J_u_xy*y_x - c35*z_x
-    R_J_u_xy_y = inv_rho*tau_phi_J_u_xy*y_y - c35*z_y
-    R_J_u_xy_z = inv_rho*tau_phi_J_u_xy*y_z - c35*z_z
-    c36 = inv_L*tau_theta_J_u_xz
+    R_J_u_xy_x = inv_rho * tau_phi_J_u_xy * y_x - c35 * z_x
+    R_J_u_xy_y = inv_rho * tau_phi_J_u_xy * y_y - c35 * z_y
+    R_J_u_xy_z = inv_rho * tau_phi_J_u_xy * y_z - c35 * z_z
+    c36 = inv_L * tau_theta_J_u_xz
     # force at the tip by J_u_xz
-    R_J_u_xz_x = inv_rho*tau_phi_J_u_xz*y_x - c36*z_x
-    R_J_u_xz_y = inv_rho*tau_phi_J_u_xz*y_y - c36*z_y
-    R_J_u_xz_z = inv_rho*tau_phi_J_u_xz*y_z - c36*z_z
-    c37 = inv_L*theta_ddot
+    R_J_u_xz_x = inv_rho * tau_phi_J_u_xz * y_x - c36 * z_x
+    R_J_u_xz_y = inv_rho * tau_phi_J_u_xz * y_y - c36 * z_y
+    R_J_u_xz_z = inv_rho * tau_phi_J_u_xz * y_z - c36 * z_z
+    c37 = inv_L * theta_ddot
     # force at the tip by J_u_yy
-    R_J_u_yy_x = -c37*z_x
-    R_J_u_yy_y = -c37*z_y
-    R_J_u_yy_z = -c37*z_z
-    c38 = inv_L*tau_theta_J_u_yz
+    R_J_u_yy_x = -c37 * z_x
+    R_J_u_yy_y = -c37 * z_y
+    R_J_u_yy_z = -c37 * z_z
+    c38 = inv_L * tau_theta_J_u_yz
     # force at the tip by J_u_yz
-    R_J_u_yz_x = inv_rho*tau_phi_J_u_yz*y_x - c38*z_x
-    R_J_u_yz_y = inv_rho*tau_phi_J_u_yz*y_y - c38*z_y
-    R_J_u_yz_z = inv_rho*tau_phi_J_u_yz*y_z - c38*z_z
-    c39 = inv_L*tau_theta_J_u_zz
+    R_J_u_yz_x = inv_rho * tau_phi_J_u_yz * y_x - c38 * z_x
+    R_J_u_yz_y = inv_rho * tau_phi_J_u_yz * y_y - c38 * z_y
+    R_J_u_yz_z = inv_rho * tau_phi_J_u_yz * y_z - c38 * z_z
+    c39 = inv_L * tau_theta_J_u_zz
     # force at the tip by J_u_zz
-    R_J_u_zz_x = inv_rho*tau_phi_J_u_zz*y_x - c39*z_x
-    R_J_u_zz_y = inv_rho*tau_phi_J_u_zz*y_y - c39*z_y
-    R_J_u_zz_z = inv_rho*tau_phi_J_u_zz*y_z - c39*z_z
-    c40 = inv_L*theta_dot
+    R_J_u_zz_x = inv_rho * tau_phi_J_u_zz * y_x - c39 * z_x
+    R_J_u_zz_y = inv_rho * tau_phi_J_u_zz * y_y - c39 * z_y
+    R_J_u_zz_z = inv_rho * tau_phi_J_u_zz * y_z - c39 * z_z
+    c40 = inv_L * theta_dot
     # force at the tip by C_u
-    R_C_u_x = inv_rho*phi_dot*y_x - c40*z_x
-    R_C_u_y = inv_rho*phi_dot*y_y - c40*z_y
-    R_C_u_z = inv_rho*phi_dot*y_z - c40*z_z
+    R_C_u_x = inv_rho * phi_dot * y_x - c40 * z_x
+    R_C_u_y = inv_rho * phi_dot * y_y - c40 * z_y
+    R_C_u_z = inv_rho * phi_dot * y_z - c40 * z_z
     # force at the tip by C_p
-    R_C_p_x = L_dot*s_x
-    R_C_p_y = L_dot*s_y
-    R_C_p_z = L_dot*s_z
-    c41 = inv_L*tau_theta_C_s
+    R_C_p_x = L_dot * s_x
+    R_C_p_y = L_dot * s_y
+    R_C_p_z = L_dot * s_z
+    c41 = inv_L * tau_theta_C_s
     # force at the tip by C_s
-    R_C_s_x = inv_rho*tau_phi_C_s*y_x - c41*z_x
-    R_C_s_y = inv_rho*tau_phi_C_s*y_y - c41*z_y
-    R_C_s_z = inv_rho*tau_phi_C_s*y_z - c41*z_z
+    R_C_s_x = inv_rho * tau_phi_C_s * y_x - c41 * z_x
+    R_C_s_y = inv_rho * tau_phi_C_s * y_y - c41 * z_y
+    R_C_s_z = inv_rho * tau_phi_C_s * y_z - c41 * z_z
     # (18) S_ddot - g
     rise_x = S_ddot_x - g_x
     rise_y = S_ddot_y - g_y
     rise_z = S_ddot_z - g_z
-    c42 = R_J_u_xx_z*q_y - R_J_u_xx_y*q_z
-    c43 = R_J_u_xx_x*q_z - R_J_u_xx_z*q_x
-    c44 = R_J_u_xx_y*q_x - R_J_u_xx_x*q_y
-    c45 = R_J_u_xy_z*q_y - R_J_u_xy_y*q_z
-    c46 = R_J_u_xy_x*q_z - R_J_u_xy_z*q_x
-    c47 = R_J_u_xy_y*q_x - R_J_u_xy_x*q_y
-    c48 = R_J_u_xz_z*q_y - R_J_u_xz_y*q_z
-    c49 = R_J_u_xz_x*q_z - R_J_u_xz_z*q_x
-    c50 = R_J_u_xz_y*q_x - R_J_u_xz_x*q_y
-    c51 = R_J_u_yy_z*q_y - R_J_u_yy_y*q_z
-    c52 = R_J_u_yy_x*q_z - R_J_u_yy_z*q_x
-    c53 = R_J_u_yy_y*q_x - R_J_u_yy_x*q_y
-    c54 = R_J_u_yz_z*q_y - R_J_u_yz_y*q_z
-    c55 = R_J_u_yz_x*q_z - R_J_u_yz_z*q_x
-    c56 = R_J_u_yz_y*q_x - R_J_u_yz_x*q_y
-    c57 = R_J_u_zz_z*q_y - R_J_u_zz_y*q_z
-    c58 = R_J_u_zz_x*q_z - R_J_u_zz_z*q_x
-    c59 = R_J_u_zz_y*q_x - R_J_u_zz_x*q_y
-    shape = (*motion.t.shape[:-1], 6)
-    return {
-        "force_m_d": stack(shape, 0, 0, 0),
-        "moment_m_d": stack(shape, 0, 0, 0),
-        "force_h_d_x": stack(shape, R_h_d_x_x, R_h_d_x_y, R_h_d_x_z),
-        "moment_h_d_x": stack(
-            shape,
-            R_h_d_x_z*q_y - R_h_d_x_y*q_z,
-            R_h_d_x_x*q_z - R_h_d_x_z*q_x,
-            R_h_d_x_y*q_x - R_h_d_x_x*q_y,
-        ),
-        "force_h_d_y": stack(shape, R_h_d_y_x, R_h_d_y_y, R_h_d_y_z),
-        "moment_h_d_y": stack(
-            shape,
-            R_h_d_y_z*q_y - R_h_d_y_y*q_z,
-            R_h_d_y_x*q_z - R_h_d_y_z*q_x,
-            R_h_d_y_y*q_x - R_h_d_y_x*q_y,
-        ),
-        "force_h_d_z": stack(shape, R_h_d_z_x, R_h_d_z_y, R_h_d_z_z),
-        "moment_h_d_z": stack(
-            shape,
-            R_h_d_z_z*q_y - R_h_d_z_y*q_z,
-            R_h_d_z_x*q_z - R_h_d_z_z*q_x,
-            R_h_d_z_y*q_x - R_h_d_z_x*q_y,
-        ),
-        "force_J_d_xx": stack(shape, R_J_u_xx_x, R_J_u_xx_y, R_J_u_xx_z),
-        "moment_J_d_xx": stack(shape, c42, c43, c44),
-        "force_J_d_xy": stack(shape, R_J_u_xy_x, R_J_u_xy_y, R_J_u_xy_z),
-        "moment_J_d_xy": stack(shape, c45, c46, c47),
-        "force_J_d_xz": stack(shape, R_J_u_xz_x, R_J_u_xz_y, R_J_u_xz_z),
-        "moment_J_d_xz": stack(shape, c48, c49, c50),
-        "force_J_d_yy": stack(shape, R_J_u_yy_x, R_J_u_yy_y, R_J_u_yy_z),
-        "moment_J_d_yy": stack(shape, c51, c52, c53),
-        "force_J_d_yz": stack(shape, R_J_u_yz_x, R_J_u_yz_y, R_J_u_yz_z),
-        "moment_J_d_yz": stack(shape, c54, c55, c56),
-        "force_J_d_zz": stack(shape, R_J_u_zz_x, R_J_u_zz_y, R_J_u_zz_z),
-        "moment_J_d_zz": stack(shape, c57, c58, c59),
-        "force_m_u": stack(shape, rise_x, rise_y, rise_z),
-        "moment_m_u": stack(
-            shape,
-            q_y*rise_z - q_z*rise_y,
-            q_z*rise_x - q_x*rise_z,
-            q_x*rise_y - q_y*rise_x,
-        ),
-        "force_h_u_x": stack(shape, R_h_u_x_x, R_h_u_x_y, R_h_u_x_z),
-        "moment_h_u_x": stack(
-            shape,
-            R_h_u_x_z*q_y - R_h_u_x_y*q_z,
-            R_h_u_x_x*q_z - R_h_u_x_z*q_x,
-            R_h_u_x_y*q_x - R_h_u_x_x*q_y,
-        ),
-        "force_h_u_y": stack(shape, R_h_u_y_x, R_h_u_y_y, R_h_u_y_z),
-        "moment_h_u_y": stack(
-            shape,
-            R_h_u_y_z*q_y - R_h_u_y_y*q_z,
-            R_h_u_y_x*q_z - R_h_u_y_z*q_x,
-            R_h_u_y_y*q_x - R_h_u_y_x*q_y,
-        ),
-        "force_h_u_z": stack(shape, R_h_u_z_x, R_h_u_z_y, R_h_u_z_z),
-        "moment_h_u_z": stack(
-            shape,
-            R_h_u_z_z*q_y - R_h_u_z_y*q_z,
-            R_h_u_z_x*q_z - R_h_u_z_z*q_x,
-            R_h_u_z_y*q_x - R_h_u_z_x*q_y,
-        ),
-        "force_J_u_xx": stack(shape, R_J_u_xx_x, R_J_u_xx_y, R_J_u_xx_z),
-        "moment_J_u_xx": stack(shape, c42, c43, c44),
-        "force_J_u_xy": stack(shape, R_J_u_xy_x, R_J_u_xy_y, R_J_u_xy_z),
-        "moment_J_u_xy": stack(shape, c45, c46, c47),
-        "force_J_u_xz": stack(shape, R_J_u_xz_x, R_J_u_xz_y, R_J_u_xz_z),
-        "moment_J_u_xz": stack(shape, c48, c49, c50),
-        "force_J_u_yy": stack(shape, R_J_u_yy_x, R_J_u_yy_y, R_J_u_yy_z),
-        "moment_J_u_yy": stack(shape, c51, c52, c53),
-        "force_J_u_yz": stack(shape, R_J_u_yz_x, R_J_u_yz_y, R_J_u_yz_z),
-        "moment_J_u_yz": stack(shape, c54, c55, c56),
-        "force_J_u_zz": stack(shape, R_J_u_zz_x, R_J_u_zz_y, R_J_u_zz_z),
-        "moment_J_u_zz": stack(shape, c57, c58, c59),
-        "force_C_u": stack(shape, R_C_u_x, R_C_u_y, R_C_u_z),
-        "moment_C_u": stack(
-            shape,
-            R_C_u_z*q_y - R_C_u_y*q_z,
-            R_C_u_x*q_z - R_C_u_z*q_x,
-            R_C_u_y*q_x - R_C_u_x*q_y,
-        ),
-        "force_C_p": stack(shape, R_C_p_x, R_C_p_y, R_C_p_z),
-        "moment_C_p": stack(
-            shape,
-            R_C_p_z*q_y - R_C_p_y*q_z,
-            R_C_p_x*q_z - R_C_p_z*q_x,
-            R_C_p_y*q_x - R_C_p_x*q_y,
-        ),
-        "force_C_s": stack(shape, R_C_s_x, R_C_s_y, R_C_s_z),
-        "moment_C_s": stack(
-            shape,
-            R_C_s_z*q_y + omega_x - R_C_s_y*q_z - W_x,
-            R_C_s_x*q_z + omega_y - R_C_s_z*q_x - W_y,
-            R_C_s_y*q_x + omega_z - R_C_s_x*q_y - W_z,
-        ),
-        "q": stack(shape, q_x, q_y, q_z),
-        "L": np.broadcast_to(L, shape),
-        "k3": np.broadcast_to(k3, shape),
-    }
+    c42 = R_J_u_xx_z * q_y - R_J_u_xx_y * q_z
+    c43 = R_J_u_xx_x * q_z - R_J_u_xx_z * q_x
+    c44 = R_J_u_xx_y * q_x - R_J_u_xx_x * q_y
+    c45 = R_J_u_xy_z * q_y - R_J_u_xy_y * q_z
+    c46 = R_J_u_xy_x * q_z - R_J_u_xy_z * q_x
+    c47 = R_J_u_xy_y * q_x - R_J_u_xy_x * q_y
+    c48 = R_J_u_xz_z * q_y - R_J_u_xz_y * q_z
+    c49 = R_J_u_xz_x * q_z - R_J_u_xz_z * q_x
+    c50 = R_J_u_xz_y * q_x - R_J_u_xz_x * q_y
+    c51 = R_J_u_yy_z * q_y - R_J_u_yy_y * q_z
+    c52 = R_J_u_yy_x * q_z - R_J_u_yy_z * q_x
+    c53 = R_J_u_yy_y * q_x - R_J_u_yy_x * q_y
+    c54 = R_J_u_yz_z * q_y - R_J_u_yz_y * q_z
+    c55 = R_J_u_yz_x * q_z - R_J_u_yz_z * q_x
+    c56 = R_J_u_yz_y * q_x - R_J_u_yz_x * q_y
+    c57 = R_J_u_zz_z * q_y - R_J_u_zz_y * q_z
+    c58 = R_J_u_zz_x * q_z - R_J_u_zz_z * q_x
+    c59 = R_J_u_zz_y * q_x - R_J_u_zz_x * q_y
+    out = RegressorOfLegs()
+    out.force_m_d = [0.0, 0.0, 0.0]
+    out.moment_m_d = [0.0, 0.0, 0.0]
+    out.force_h_d_x = [R_h_d_x_x, R_h_d_x_y, R_h_d_x_z]
+    out.moment_h_d_x = [
+        R_h_d_x_z * q_y - R_h_d_x_y * q_z,
+        R_h_d_x_x * q_z - R_h_d_x_z * q_x,
+        R_h_d_x_y * q_x - R_h_d_x_x * q_y,
+    ]
+    out.force_h_d_y = [R_h_d_y_x, R_h_d_y_y, R_h_d_y_z]
+    out.moment_h_d_y = [
+        R_h_d_y_z * q_y - R_h_d_y_y * q_z,
+        R_h_d_y_x * q_z - R_h_d_y_z * q_x,
+        R_h_d_y_y * q_x - R_h_d_y_x * q_y,
+    ]
+    out.force_h_d_z = [R_h_d_z_x, R_h_d_z_y, R_h_d_z_z]
+    out.moment_h_d_z = [
+        R_h_d_z_z * q_y - R_h_d_z_y * q_z,
+        R_h_d_z_x * q_z - R_h_d_z_z * q_x,
+        R_h_d_z_y * q_x - R_h_d_z_x * q_y,
+    ]
+    out.force_J_d_xx = [R_J_u_xx_x, R_J_u_xx_y, R_J_u_xx_z]
+    out.moment_J_d_xx = [c42, c43, c44]
+    out.force_J_d_xy = [R_J_u_xy_x, R_J_u_xy_y, R_J_u_xy_z]
+    out.moment_J_d_xy = [c45, c46, c47]
+    out.force_J_d_xz = [R_J_u_xz_x, R_J_u_xz_y, R_J_u_xz_z]
+    out.moment_J_d_xz = [c48, c49, c50]
+    out.force_J_d_yy = [R_J_u_yy_x, R_J_u_yy_y, R_J_u_yy_z]
+    out.moment_J_d_yy = [c51, c52, c53]
+    out.force_J_d_yz = [R_J_u_yz_x, R_J_u_yz_y, R_J_u_yz_z]
+    out.moment_J_d_yz = [c54, c55, c56]
+    out.force_J_d_zz = [R_J_u_zz_x, R_J_u_zz_y, R_J_u_zz_z]
+    out.moment_J_d_zz = [c57, c58, c59]
+    out.force_m_u = [rise_x, rise_y, rise_z]
+    out.moment_m_u = [q_y * rise_z - q_z * rise_y, q_z * rise_x - q_x * rise_z, q_x * rise_y - q_y * rise_x]
+    out.force_h_u_x = [R_h_u_x_x, R_h_u_x_y, R_h_u_x_z]
+    out.moment_h_u_x = [
+        R_h_u_x_z * q_y - R_h_u_x_y * q_z,
+        R_h_u_x_x * q_z - R_h_u_x_z * q_x,
+        R_h_u_x_y * q_x - R_h_u_x_x * q_y,
+    ]
+    out.force_h_u_y = [R_h_u_y_x, R_h_u_y_y, R_h_u_y_z]
+    out.moment_h_u_y = [
+        R_h_u_y_z * q_y - R_h_u_y_y * q_z,
+        R_h_u_y_x * q_z - R_h_u_y_z * q_x,
+        R_h_u_y_y * q_x - R_h_u_y_x * q_y,
+    ]
+    out.force_h_u_z = [R_h_u_z_x, R_h_u_z_y, R_h_u_z_z]
+    out.moment_h_u_z = [
+        R_h_u_z_z * q_y - R_h_u_z_y * q_z,
+        R_h_u_z_x * q_z - R_h_u_z_z * q_x,
+        R_h_u_z_y * q_x - R_h_u_z_x * q_y,
+    ]
+    out.force_J_u_xx = [R_J_u_xx_x, R_J_u_xx_y, R_J_u_xx_z]
+    out.moment_J_u_xx = [c42, c43, c44]
+    out.force_J_u_xy = [R_J_u_xy_x, R_J_u_xy_y, R_J_u_xy_z]
+    out.moment_J_u_xy = [c45, c46, c47]
+    out.force_J_u_xz = [R_J_u_xz_x, R_J_u_xz_y, R_J_u_xz_z]
+    out.moment_J_u_xz = [c48, c49, c50]
+    out.force_J_u_yy = [R_J_u_yy_x, R_J_u_yy_y, R_J_u_yy_z]
+    out.moment_J_u_yy = [c51, c52, c53]
+    out.force_J_u_yz = [R_J_u_yz_x, R_J_u_yz_y, R_J_u_yz_z]
+    out.moment_J_u_yz = [c54, c55, c56]
+    out.force_J_u_zz = [R_J_u_zz_x, R_J_u_zz_y, R_J_u_zz_z]
+    out.moment_J_u_zz = [c57, c58, c59]
+    out.force_C_u = [R_C_u_x, R_C_u_y, R_C_u_z]
+    out.moment_C_u = [
+        R_C_u_z * q_y - R_C_u_y * q_z,
+        R_C_u_x * q_z - R_C_u_z * q_x,
+        R_C_u_y * q_x - R_C_u_x * q_y,
+    ]
+    out.force_C_p = [R_C_p_x, R_C_p_y, R_C_p_z]
+    out.moment_C_p = [
+        R_C_p_z * q_y - R_C_p_y * q_z,
+        R_C_p_x * q_z - R_C_p_z * q_x,
+        R_C_p_y * q_x - R_C_p_x * q_y,
+    ]
+    out.force_C_s = [R_C_s_x, R_C_s_y, R_C_s_z]
+    out.moment_C_s = [
+        R_C_s_z * q_y + omega_x - R_C_s_y * q_z - W_x,
+        R_C_s_x * q_z + omega_y - R_C_s_z * q_x - W_y,
+        R_C_s_y * q_x + omega_z - R_C_s_x * q_y - W_z,
+    ]
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = k3
+    return out
 
 
-def regressor_of_platform(robot: Any, motion: Any) -> dict[str, Array]:
-    """Columns of the platform's parameters.
-
-    Operations: 255 (150 mul, 105 add, 0 div, 0 sqrt).
-    """
-    R_xx = motion.R[..., 0, 0]
-    R_xy = motion.R[..., 0, 1]
-    R_xz = motion.R[..., 0, 2]
-    R_yx = motion.R[..., 1, 0]
-    R_yy = motion.R[..., 1, 1]
-    R_yz = motion.R[..., 1, 2]
-    R_zx = motion.R[..., 2, 0]
-    R_zy = motion.R[..., 2, 1]
-    R_zz = motion.R[..., 2, 2]
-    omega_x = motion.omega[..., 0]
-    omega_y = motion.omega[..., 1]
-    omega_z = motion.omega[..., 2]
-    alpha_x = motion.alpha[..., 0]
-    alpha_y = motion.alpha[..., 1]
-    alpha_z = motion.alpha[..., 2]
-    a_x = motion.a[..., 0]
-    a_y = motion.a[..., 1]
-    a_z = motion.a[..., 2]
-    g_x = robot.g[0]
-    g_y = robot.g[1]
-    g_z = robot.g[2]
+def regressor_of_platform(on: Arithmetic, robot: Any, motion: Any) -> Any:
+    """Columns of the platform's parameters: 255 (150 mul, 105 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
+    g_x, g_y, g_z = robot.g
     # (33) a - g
     rise_x = a_x - g_x
     rise_y = a_y - g_y
     rise_z = a_z - g_z
     # angular velocity, platform frame
-    omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z
-    omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z
-    omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z
+    omega_P_x = R_xx * omega_x + R_yx * omega_y + R_zx * omega_z
+    omega_P_y = R_xy * omega_x + R_yy * omega_y + R_zy * omega_z
+    omega_P_z = R_xz * omega_x + R_yz * omega_y + R_zz * omega_z
     # angular acceleration, platform frame
-    alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z
-    alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z
-    alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z
+    alpha_P_x = R_xx * alpha_x + R_yx * alpha_y + R_zx * alpha_z
+    alpha_P_y = R_xy * alpha_x + R_yy * alpha_y + R_zy * alpha_z
+    alpha_P_z = R_xz * alpha_x + R_yz * alpha_y + R_zz * alpha_z
     # (31) omega x an axis of the platform
-    w_h_P_x_x = R_zx*omega_y - R_yx*omega_z
-    w_h_P_x_y = R_xx*omega_z - R_zx*omega_x
-    w_h_P_x_z = R_yx*omega_x - R_xx*omega_y
-    w_h_P_y_x = R_zy*omega_y - R_yy*omega_z
-    w_h_P_y_y = R_xy*omega_z - R_zy*omega_x
-    w_h_P_y_z = R_yy*omega_x - R_xy*omega_y
-    w_h_P_z_x = R_zz*omega_y - R_yz*omega_z
-    w_h_P_z_y = R_xz*omega_z - R_zz*omega_x
-    w_h_P_z_z = R_yz*omega_x - R_xz*omega_y
-    c1 = omega_P_x*omega_P_z
-    c2 = omega_P_x*omega_P_y
+    w_h_P_x_x = R_zx * omega_y - R_yx * omega_z
+    w_h_P_x_y = R_xx * omega_z - R_zx * omega_x
+    w_h_P_x_z = R_yx * omega_x - R_xx * omega_y
+    w_h_P_y_x = R_zy * omega_y - R_yy * omega_z
+    w_h_P_y_y = R_xy * omega_z - R_zy * omega_x
+    w_h_P_y_z = R_yy * omega_x - R_xy * omega_y
+    w_h_P_z_x = R_zz * omega_y - R_yz * omega_z
+    w_h_P_z_y = R_xz * omega_z - R_zz * omega_x
+    w_h_P_z_z = R_yz * omega_x - R_xz * omega_y
+    c1 = omega_P_x * omega_P_z
+    c2 = omega_P_x * omega_P_y
     # (34) I alpha + omega x I omega by J_P_xx
     E_J_P_xx_y = c1
     E_J_P_xx_z = -c2
-    c5 = omega_P_y*omega_P_z
-    c6 = omega_P_x*omega_P_x
-    c7 = omega_P_y*omega_P_y
+    c5 = omega_P_y * omega_P_z
+    c6 = omega_P_x * omega_P_x
+    c7 = omega_P_y * omega_P_y
     # (34) I alpha + omega x I omega by J_P_xy
     E_J_P_xy_x = alpha_P_y - c1
     E_J_P_xy_y = alpha_P_x + c5
     E_J_P_xy_z = c6 - c7
-    c8 = -omega_P_z*omega_P_z
+    c8 = -omega_P_z * omega_P_z
     # (34) I alpha + omega x I omega by J_P_xz
     E_J_P_xz_x = alpha_P_z + c2
     E_J_P_xz_y = -c6 - c8
@@ -578,86 +622,109 @@ def regressor_of_platform(robot: Any, motion: Any) -> dict[str, Array]:
     # (34) I alpha + omega x I omega by J_P_zz
     E_J_P_zz_x = c5
     E_J_P_zz_y = -c1
-    shape = motion.t.shape[:-1]
-    return {
-        "force_M": stack(shape, rise_x, rise_y, rise_z),
-        "moment_M": stack(shape, 0, 0, 0),
-        "force_h_P_x": stack(
-            shape,
-            R_zx*alpha_y + omega_y*w_h_P_x_z - R_yx*alpha_z - omega_z*w_h_P_x_y,
-            R_xx*alpha_z + omega_z*w_h_P_x_x - R_zx*alpha_x - omega_x*w_h_P_x_z,
-            R_yx*alpha_x + omega_x*w_h_P_x_y - R_xx*alpha_y - omega_y*w_h_P_x_x,
-        ),
-        "moment_h_P_x": stack(
-            shape,
-            R_yx*rise_z - R_zx*rise_y,
-            R_zx*rise_x - R_xx*rise_z,
-            R_xx*rise_y - R_yx*rise_x,
-        ),
-        "force_h_P_y": stack(
-            shape,
-            R_zy*alpha_y + omega_y*w_h_P_y_z - R_yy*alpha_z - omega_z*w_h_P_y_y,
-            R_xy*alpha_z + omega_z*w_h_P_y_x - R_zy*alpha_x - omega_x*w_h_P_y_z,
-            R_yy*alpha_x + omega_x*w_h_P_y_y - R_xy*alpha_y - omega_y*w_h_P_y_x,
-        ),
-        "moment_h_P_y": stack(
-            shape,
-            R_yy*rise_z - R_zy*rise_y,
-            R_zy*rise_x - R_xy*rise_z,
-            R_xy*rise_y - R_yy*rise_x,
-        ),
-        "force_h_P_z": stack(
-            shape,
-            R_zz*alpha_y + omega_y*w_h_P_z_z - R_yz*alpha_z - omega_z*w_h_P_z_y,
-            R_xz*alpha_z + omega_z*w_h_P_z_x - R_zz*alpha_x - omega_x*w_h_P_z_z,
-            R_yz*alpha_x + omega_x*w_h_P_z_y - R_xz*alpha_y - omega_y*w_h_P_z_x,
-        ),
-        "moment_h_P_z": stack(
-            shape,
-            R_yz*rise_z - R_zz*rise_y,
-            R_zz*rise_x - R_xz*rise_z,
-            R_xz*rise_y - R_yz*rise_x,
-        ),
-        "force_J_P_xx": stack(shape, 0, 0, 0),
-        "moment_J_P_xx": stack(
-            shape,
-            E_J_P_xx_y*R_xy + E_J_P_xx_z*R_xz + R_xx*alpha_P_x,
-            E_J_P_xx_y*R_yy + E_J_P_xx_z*R_yz + R_yx*alpha_P_x,
-            E_J_P_xx_y*R_zy + E_J_P_xx_z*R_zz + R_zx*alpha_P_x,
-        ),
-        "force_J_P_xy": stack(shape, 0, 0, 0),
-        "moment_J_P_xy": stack(
-            shape,
-            E_J_P_xy_x*R_xx + E_J_P_xy_y*R_xy + E_J_P_xy_z*R_xz,
-            E_J_P_xy_x*R_yx + E_J_P_xy_y*R_yy + E_J_P_xy_z*R_yz,
-            E_J_P_xy_x*R_zx + E_J_P_xy_y*R_zy + E_J_P_xy_z*R_zz,
-        ),
-        "force_J_P_xz": stack(shape, 0, 0, 0),
-        "moment_J_P_xz": stack(
-            shape,
-            E_J_P_xz_x*R_xx + E_J_P_xz_y*R_xy + E_J_P_xz_z*R_xz,
-            E_J_P_xz_x*R_yx + E_J_P_xz_y*R_yy + E_J_P_xz_z*R_yz,
-            E_J_P_xz_x*R_zx + E_J_P_xz_y*R_zy + E_J_P_xz_z*R_zz,
-        ),
-        "force_J_P_yy": stack(shape, 0, 0, 0),
-        "moment_J_P_yy": stack(
-            shape,
-            E_J_P_yy_x*R_xx + E_J_P_yy_z*R_xz + R_xy*alpha_P_y,
-            E_J_P_yy_x*R_yx + E_J_P_yy_z*R_yz + R_yy*alpha_P_y,
-            E_J_P_yy_x*R_zx + E_J_P_yy_z*R_zz + R_zy*alpha_P_y,
-        ),
-        "force_J_P_yz": stack(shape, 0, 0, 0),
-        "moment_J_P_yz": stack(
-            shape,
-            E_J_P_yz_x*R_xx + E_J_P_yz_y*R_xy + E_J_P_yz_z*R_xz,
-            E_J_P_yz_x*R_yx + E_J_P_yz_y*R_yy + E_J_P_yz_z*R_yz,
-            E_J_P_yz_x*R_zx + E_J_P_yz_y*R_zy + E_J_P_yz_z*R_zz,
-        ),
-        "force_J_P_zz": stack(shape, 0, 0, 0),
-        "moment_J_P_zz": stack(
-            shape,
-            E_J_P_zz_x*R_xx + E_J_P_zz_y*R_xy + R_xz*alpha_P_z,
-            E_J_P_zz_x*R_yx + E_J_P_zz_y*R_yy + R_yz*alpha_P_z,
-            E_J_P_zz_x*R_zx + E_J_P_zz_y*R_zy + R_zz*alpha_P_z,
-        ),
-    }
+    out = RegressorOfPlatform()
+    out.force_M = [rise_x, rise_y, rise_z]
+    out.moment_M = [0.0, 0.0, 0.0]
+    out.force_h_P_x = [
+        R_zx * alpha_y + omega_y * w_h_P_x_z - R_yx * alpha_z - omega_z * w_h_P_x_y,
+        R_xx * alpha_z + omega_z * w_h_P_x_x - R_zx * alpha_x - omega_x * w_h_P_x_z,
+        R_yx * alpha_x + omega_x * w_h_P_x_y - R_xx * alpha_y - omega_y * w_h_P_x_x,
+    ]
+    out.moment_h_P_x = [
+        R_yx * rise_z - R_zx * rise_y,
+        R_zx * rise_x - R_xx * rise_z,
+        R_xx * rise_y - R_yx * rise_x,
+    ]
+    out.force_h_P_y = [
+        R_zy * alpha_y + omega_y * w_h_P_y_z - R_yy * alpha_z - omega_z * w_h_P_y_y,
+        R_xy * alpha_z + omega_z * w_h_P_y_x - R_zy * alpha_x - omega_x * w_h_P_y_z,
+        R_yy * alpha_x + omega_x * w_h_P_y_y - R_xy * alpha_y - omega_y * w_h_P_y_x,
+    ]
+    out.moment_h_P_y = [
+        R_yy * rise_z - R_zy * rise_y,
+        R_zy * rise_x - R_xy * rise_z,
+        R_xy * rise_y - R_yy * rise_x,
+    ]
+    out.force_h_P_z = [
+        R_zz * alpha_y + omega_y * w_h_P_z_z - R_yz * alpha_z - omega_z * w_h_P_z_y,
+        R_xz * alpha_z + omega_z * w_h_P_z_x - R_zz * alpha_x - omega_x * w_h_P_z_z,
+        R_yz * alpha_x + omega_x * w_h_P_z_y - R_xz * alpha_y - omega_y * w_h_P_z_x,
+    ]
+    out.moment_h_P_z = [
+        R_yz * rise_z - R_zz * rise_y,
+        R_zz * rise_x - R_xz * rise_z,
+        R_xz * rise_y - R_yz * rise_x,
+    ]
+    out.force_J_P_xx = [0.0, 0.0, 0.0]
+    out.moment_J_P_xx = [
+        E_J_P_xx_y * R_xy + E_J_P_xx_z * R_xz + R_xx * alpha_P_x,
+        E_J_P_xx_y * R_yy + E_J_P_xx_z * R_yz + R_yx * alpha_P_x,
+        E_J_P_xx_y * R_zy + E_J_P_xx_z * R_zz + R_zx * alpha_P_x,
+    ]
+    out.force_J_P_xy = [0.0, 0.0, 0.0]
+    out.moment_J_P_xy = [
+        E_J_P_xy_x * R_xx + E_J_P_xy_y * R_xy + E_J_P_xy_z * R_xz,
+        E_J_P_xy_x * R_yx + E_J_P_xy_y * R_yy + E_J_P_xy_z * R_yz,
+        E_J_P_xy_x * R_zx + E_J_P_xy_y * R_zy + E_J_P_xy_z * R_zz,
+    ]
+    out.force_J_P_xz = [0.0, 0.0, 0.0]
+    out.moment_J_P_xz = [
+        E_J_P_xz_x * R_xx + E_J_P_xz_y * R_xy + E_J_P_xz_z * R_xz,
+        E_J_P_xz_x * R_yx + E_J_P_xz_y * R_yy + E_J_P_xz_z * R_yz,
+        E_J_P_xz_x * R_zx + E_J_P_xz_y * R_zy + E_J_P_xz_z * R_zz,
+    ]
+    out.force_J_P_yy = [0.0, 0.0, 0.0]
+    out.moment_J_P_yy = [
+        E_J_P_yy_x * R_xx + E_J_P_yy_z * R_xz + R_xy * alpha_P_y,
+        E_J_P_yy_x * R_yx + E_J_P_yy_z * R_yz + R_yy * alpha_P_y,
+        E_J_P_yy_x * R_zx + E_J_P_yy_z * R_zz + R_zy * alpha_P_y,
+    ]
+    out.force_J_P_yz = [0.0, 0.0, 0.0]
+    out.moment_J_P_yz = [
+        E_J_P_yz_x * R_xx + E_J_P_yz_y * R_xy + E_J_P_yz_z * R_xz,
+        E_J_P_yz_x * R_yx + E_J_P_yz_y * R_yy + E_J_P_yz_z * R_yz,
+        E_J_P_yz_x * R_zx + E_J_P_yz_y * R_zy + E_J_P_yz_z * R_zz,
+    ]
+    out.force_J_P_zz = [0.0, 0.0, 0.0]
+    out.moment_J_P_zz = [
+        E_J_P_zz_x * R_xx + E_J_P_zz_y * R_xy + R_xz * alpha_P_z,
+        E_J_P_zz_x * R_yx + E_J_P_zz_y * R_yy + R_yz * alpha_P_z,
+        E_J_P_zz_x * R_zx + E_J_P_zz_y * R_zy + R_zz * alpha_P_z,
+    ]
+    return out
+
+
+def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
+    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    fault = OK
+    fault = on.where(k3 > on.POLE_SINE, fault, POLE)
+    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
+    return on.where(L <= on.MAX, fault, NOT_FINITE)
+
+
+def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
+    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    reach = 0.0
+    for j in range(3):
+        reach = on.larger(on.size(q[j]), reach)
+        reach = on.larger(on.size(t[j]), reach)
+        reach = on.larger(on.size(b[j]), reach)
+    return reach
+
+
+def first_of(on: Arithmetic, codes: Any) -> Any:
+    """The first code of six legs that is not OK."""
+    found = OK
+    for i in range(6):
+        found = on.where(found == OK, codes[i], found)
+    return found
+
+
+def regressor(on: Arithmetic, robot: Any, motion: Any) -> Any:
+    """Columns of Y, and a status: what is wrong with a leg."""
+    out = Regressor()
+    out.legs = regressor_of_leg(on, robot.leg, robot, motion)
+    out.platform = regressor_of_platform(on, robot, motion)
+    reach = reach_of(on, robot.leg.b, motion.t, out.legs.q)
+    out.status = first_of(on, fault_of(on, out.legs.L, out.legs.k3, reach))
+    return out

@@ -1,10 +1,12 @@
-"""Inverse dynamics and joint reactions of the Stewart platform, formulation and joint `exact_spherical`.
+"""Inverse dynamics and joint reactions of the Stewart platform on arrays, formulation and joint `exact_spherical`.
 
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-``robot`` has the fields of ``stewart_robot`` in stewart.h as arrays, legs first: b (6, 3), I_d0 (6, 3, 3).
-``motion`` has R (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3). Units as in stewart.h.
+Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
+is a list of six. Numbers of ``robot.leg``, and those that a function finds of the legs, have one value for
+each leg along an axis before that of the poses: ``m_d`` is (6, 1), ``F_s`` a list of three (6, n). ``on`` is
+the arithmetic of arithmetic.py. Nothing is checked but what a status says.
 
 Operations of one pose of inverse dynamics, six legs, solve included
          with friction                             without friction
@@ -18,9 +20,7 @@ total    1946 (1087 mul, 841 add, 12 div, 6 sqrt)  1544 (841 mul, 685 add, 12 di
 
 from typing import Any
 
-import numpy as np
-
-from .assembly import Array, solve, stack
+from .arithmetic import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
 
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
@@ -65,471 +65,690 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
 }
 
 
-def inverse_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
-    """F, D, x, c (..., 6), K (..., 6, 3), H (..., 6, 6) and status (...), (1)-(37)."""
-    with np.errstate(all="ignore"):
-        return solve(robot, motion, leg_dynamics(robot, motion), platform_wrench(robot, motion))
+class Leg:
+    """One leg."""
+
+    def __init__(self) -> None:
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
+        self.m_d: Any = 0.0  # kg: mass of the lower part
+        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.m_u: Any = 0.0  # kg: mass of the upper part
+        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
 
 
-def joint_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
-    """F_s, F_u, F_p, F_c, M_p (..., 6, 3) and M_u (..., 6) from x (..., 6); bearing (6,), m."""
-    with np.errstate(all="ignore"):
-        return leg_reactions(robot, motion, x, bearing)
+class Robot:
+    """The machine."""
+
+    def __init__(self) -> None:
+        self.M: Any = 0.0  # kg: mass of the platform with its payload
+        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.I_p: Any = [0.0] * 6
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
+        self.leg: Any = Leg()  # the legs, in each number one value for each leg
 
 
-def leg_dynamics(robot: Any, motion: Any) -> dict[str, Array]:
-    """One leg: D, K, its column of H and its part of c, (1)-(24), (35).
+class Motion:
+    """Motion of the platform and its load."""
 
-    Operations: 248 (143 mul, 103 add, 1 div, 1 sqrt).
+    def __init__(self) -> None:
+        self.R: Any = [0.0] * 9  # 1: orientation of the platform, platform frame to base frame
+        self.t: Any = [0.0] * 3  # m: position of the platform's reference point, base frame
+        self.omega: Any = [0.0] * 3  # rad/s: angular velocity of the platform, base frame
+        self.v: Any = [0.0] * 3  # m/s: velocity of the reference point, base frame
+        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration of the platform, base frame
+        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point, base frame
+        self.F_ext: Any = [0.0] * 3  # N: external force at the reference point, platform frame
+        self.M_ext: Any = [0.0] * 3  # N m: external moment about the reference point, platform frame
+
+
+class Legs:
+    """What the legs have."""
+
+    def __init__(self) -> None:
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.D: Any = 0.0  # N: known part of the actuator force
+        self.K: Any = [0.0] * 3  # N: transverse force on the leg at its spherical joint, base frame
+        self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
+        self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+
+
+class LegReactions:
+    """Forces and moments in a leg's joints."""
+
+    def __init__(self) -> None:
+        self.F_s: Any = [0.0] * 3  # N: force on the leg at the spherical joint, base frame
+        self.F_u: Any = [0.0] * 3  # N: force on the leg at the universal joint, base frame
+        # N: force of the lower part on the upper at the prismatic joint, base frame
+        self.F_p: Any = [0.0] * 3
+        self.F_c: Any = [0.0] * 3  # N: constraint part of F_p, base frame
+        # N m: moment of the lower part on the upper at the prismatic joint, base frame
+        self.M_p: Any = [0.0] * 3
+        self.M_u: Any = 0.0  # N m: constraint moment on the leg at the universal joint
+
+
+class PlatformWrench:
+    """The platform's part of c."""
+
+    def __init__(self) -> None:
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+
+
+class Terms:
+    """Terms of F = D - x, H x = c; moments about the reference point."""
+
+    def __init__(self) -> None:
+        self.D: Any = [0.0] * 6  # N: known part of the actuator force, (24)
+        # N: transverse force on the leg at its spherical joint, (21)
+        self.K: Any = [[0.0] * 3 for _ in range(6)]
+        self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from x to the wrench on the platform, (36)
+        self.c: Any = [0.0] * 6  # N, N m: wrench that the axial forces balance, (36)
+
+
+class Forces:
+    """Actuator forces, and what they are made of."""
+
+    def __init__(self) -> None:
+        self.F: Any = [0.0] * 6  # N: actuator forces, (37)
+        self.x: Any = [0.0] * 6  # N: axial forces of the legs at the platform, (36)
+        self.terms: Any = Terms()  # D, K, H and c
+        self.legs: Any = Legs()  # what the legs have
+        self.reach: Any = 0.0  # m: size of the vectors that each leg is the sum of
+        self.suspect: Any = 0  # 1 where H may be singular to rounding
+        self.status: Any = 0  # 0, or what is wrong
+
+
+def platform_wrench(on: Arithmetic, robot: Any, motion: Any) -> Any:
+    """The platform's own part of c, (33)-(35): 219 (123 mul, 96 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
+    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
+    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
+    M = robot.M
+    R_0_x, R_0_y, R_0_z = robot.R_0
+    I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = robot.I_p
+    g_x, g_y, g_z = robot.g
+    # (30) centre of mass from the reference point, base frame
+    R_G_x = R_0_x * R_xx + R_0_y * R_xy + R_0_z * R_xz
+    R_G_y = R_0_x * R_yx + R_0_y * R_yy + R_0_z * R_yz
+    R_G_z = R_0_x * R_zx + R_0_y * R_zy + R_0_z * R_zz
+    c1 = R_G_y * omega_x - R_G_x * omega_y
+    c2 = R_G_x * omega_z - R_G_z * omega_x
+    c3 = R_G_z * omega_y - R_G_y * omega_z
+    # (31) acceleration of the centre of mass
+    a_G_x = R_G_z * alpha_y + a_x + c1 * omega_y - R_G_y * alpha_z - c2 * omega_z
+    a_G_y = R_G_x * alpha_z + a_y + c3 * omega_z - R_G_z * alpha_x - c1 * omega_x
+    a_G_z = R_G_y * alpha_x + a_z + c2 * omega_x - R_G_x * alpha_y - c3 * omega_y
+    c4 = I_p_xx * R_xx + I_p_xy * R_xy + I_p_xz * R_xz
+    c5 = I_p_xy * R_xx + I_p_yy * R_xy + I_p_yz * R_xz
+    c6 = I_p_xz * R_xx + I_p_yz * R_xy + I_p_zz * R_xz
+    c7 = I_p_xx * R_yx + I_p_xy * R_yy + I_p_xz * R_yz
+    c8 = I_p_xy * R_yx + I_p_yy * R_yy + I_p_yz * R_yz
+    c9 = I_p_xz * R_yx + I_p_yz * R_yy + I_p_zz * R_yz
+    # (32) inertia of the platform, base frame
+    I_xx = R_xx * c4 + R_xy * c5 + R_xz * c6
+    I_xy = R_yx * c4 + R_yy * c5 + R_yz * c6
+    I_xz = R_zx * c4 + R_zy * c5 + R_zz * c6
+    I_yy = R_yx * c7 + R_yy * c8 + R_yz * c9
+    I_yz = R_zx * c7 + R_zy * c8 + R_zz * c9
+    I_zz = (R_zx * (I_p_xx * R_zx + I_p_xy * R_zy + I_p_xz * R_zz) + R_zy * (I_p_xy * R_zx + I_p_yy * R_zy + I_p_yz
+        * R_zz) + R_zz * (I_p_xz * R_zx + I_p_yz * R_zy + I_p_zz * R_zz))
+    # (33) M (g - a_G)
+    N_x = M * (g_x - a_G_x)
+    N_y = M * (g_y - a_G_y)
+    N_z = M * (g_z - a_G_z)
+    c10 = I_xz * omega_x + I_yz * omega_y + I_zz * omega_z
+    c11 = I_xy * omega_x + I_yy * omega_y + I_yz * omega_z
+    c12 = I_xx * omega_x + I_xy * omega_y + I_xz * omega_z
+    # (34) I alpha + omega x I omega
+    E_x = I_xx * alpha_x + I_xy * alpha_y + I_xz * alpha_z + c10 * omega_y - c11 * omega_z
+    E_y = I_xy * alpha_x + I_yy * alpha_y + I_yz * alpha_z + c12 * omega_z - c10 * omega_x
+    E_z = I_xz * alpha_x + I_yz * alpha_y + I_zz * alpha_z + c11 * omega_x - c12 * omega_y
+    # (33) external force, base frame
+    F_load_x = F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz
+    F_load_y = F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz
+    F_load_z = F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz
+    # (34) external moment, base frame
+    M_load_x = M_ext_x * R_xx + M_ext_y * R_xy + M_ext_z * R_xz
+    M_load_y = M_ext_x * R_yx + M_ext_y * R_yy + M_ext_z * R_yz
+    M_load_z = M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz
+    out = PlatformWrench()
+    out.c_force = [F_load_x + N_x, F_load_y + N_y, F_load_z + N_z]
+    out.c_moment = [
+        M_load_x + N_z * R_G_y - E_x - N_y * R_G_z,
+        M_load_y + N_x * R_G_z - E_y - N_z * R_G_x,
+        M_load_z + N_y * R_G_x - E_z - N_x * R_G_y,
+    ]
+    return out
+
+
+def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
+    """One leg: D, K, its column of H and its part of c, (1)-(24), (35): 248 (143 mul, 103 add, 1 div, 1
+    sqrt).
     """
-    b_x = robot.b[:, 0]
-    b_y = robot.b[:, 1]
-    b_z = robot.b[:, 2]
-    p_x = robot.p[:, 0]
-    p_y = robot.p[:, 1]
-    p_z = robot.p[:, 2]
-    m_d = robot.m_d
-    r_d0_x = robot.r_d0[:, 0]
-    I_d0_yy = robot.I_d0[:, 1, 1]
-    m_u = robot.m_u
-    r_u0_x = robot.r_u0[:, 0]
-    I_u0_yy = robot.I_u0[:, 1, 1]
-    C_u = robot.C_u
-    C_p = robot.C_p
-    C_s = robot.C_s
-    g_x = robot.g[0]
-    g_y = robot.g[1]
-    g_z = robot.g[2]
-    R_xx = motion.R[..., 0, 0, None]
-    R_xy = motion.R[..., 0, 1, None]
-    R_xz = motion.R[..., 0, 2, None]
-    R_yx = motion.R[..., 1, 0, None]
-    R_yy = motion.R[..., 1, 1, None]
-    R_yz = motion.R[..., 1, 2, None]
-    R_zx = motion.R[..., 2, 0, None]
-    R_zy = motion.R[..., 2, 1, None]
-    R_zz = motion.R[..., 2, 2, None]
-    t_x = motion.t[..., 0, None]
-    t_y = motion.t[..., 1, None]
-    t_z = motion.t[..., 2, None]
-    omega_x = motion.omega[..., 0, None]
-    omega_y = motion.omega[..., 1, None]
-    omega_z = motion.omega[..., 2, None]
-    v_x = motion.v[..., 0, None]
-    v_y = motion.v[..., 1, None]
-    v_z = motion.v[..., 2, None]
-    alpha_x = motion.alpha[..., 0, None]
-    alpha_y = motion.alpha[..., 1, None]
-    alpha_z = motion.alpha[..., 2, None]
-    a_x = motion.a[..., 0, None]
-    a_y = motion.a[..., 1, None]
-    a_z = motion.a[..., 2, None]
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    m_d = leg.m_d
+    r_d0_x = leg.r_d0[0]
+    I_d0_yy = leg.I_d0[3]
+    m_u = leg.m_u
+    r_u0_x = leg.r_u0[0]
+    I_u0_yy = leg.I_u0[3]
+    C_u, C_p, C_s = leg.C_u, leg.C_p, leg.C_s
+    g_x, g_y, g_z = robot.g
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
     # (1) platform point from the reference point
-    q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z
-    q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z
-    q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
     # (1) leg vector
     S_x = q_x + t_x - b_x
     S_y = q_y + t_y - b_y
     S_z = q_z + t_z - b_z
     # (2) leg length
-    L = np.sqrt(S_x*S_x + S_y*S_y + S_z*S_z)
-    inv_L = 1/L
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
     # (3) unit vector along the leg
-    s_x = S_x*inv_L
-    s_y = S_y*inv_L
-    s_z = S_z*inv_L
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
     # (4) omega x q
-    w_q_x = omega_y*q_z - omega_z*q_y
-    w_q_y = omega_z*q_x - omega_x*q_z
-    w_q_z = omega_x*q_y - omega_y*q_x
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
     # (4) velocity of the platform point
     S_dot_x = v_x + w_q_x
     S_dot_y = v_y + w_q_y
     S_dot_z = v_z + w_q_z
     # (7) acceleration of the platform point
-    S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y
-    S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z
-    S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x
+    S_ddot_x = a_x + alpha_y * q_z + omega_y * w_q_z - alpha_z * q_y - omega_z * w_q_y
+    S_ddot_y = a_y + alpha_z * q_x + omega_z * w_q_x - alpha_x * q_z - omega_x * w_q_z
+    S_ddot_z = a_z + alpha_x * q_y + omega_x * w_q_y - alpha_y * q_x - omega_y * w_q_x
     # part of e along the leg
-    e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    e_x = S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # part of u along the leg
-    u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
+    u_x = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
     # part of gamma along the leg
-    gamma_x = g_x*s_x + g_y*s_y + g_z*s_z
+    gamma_x = g_x * s_x + g_y * s_y + g_z * s_z
     # part of w along the leg
-    w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z
+    w_x = omega_x * s_x + omega_y * s_y + omega_z * s_z
     # part of e across the leg
-    e_across_x = S_ddot_x - e_x*s_x
-    e_across_y = S_ddot_y - e_x*s_y
-    e_across_z = S_ddot_z - e_x*s_z
+    e_across_x = S_ddot_x - e_x * s_x
+    e_across_y = S_ddot_y - e_x * s_y
+    e_across_z = S_ddot_z - e_x * s_z
     # part of u across the leg
-    u_across_x = S_dot_x - s_x*u_x
-    u_across_y = S_dot_y - s_y*u_x
-    u_across_z = S_dot_z - s_z*u_x
+    u_across_x = S_dot_x - s_x * u_x
+    u_across_y = S_dot_y - s_y * u_x
+    u_across_z = S_dot_z - s_z * u_x
     # part of gamma across the leg
-    gamma_across_x = g_x - gamma_x*s_x
-    gamma_across_y = g_y - gamma_x*s_y
-    gamma_across_z = g_z - gamma_x*s_z
-    c1 = s_x*w_x
-    c2 = s_y*w_x
-    c3 = s_z*w_x
+    gamma_across_x = g_x - gamma_x * s_x
+    gamma_across_y = g_y - gamma_x * s_y
+    gamma_across_z = g_z - gamma_x * s_z
+    c1 = s_x * w_x
+    c2 = s_y * w_x
+    c3 = s_z * w_x
     # part of w across the leg
     w_across_x = omega_x - c1
     w_across_y = omega_y - c2
     w_across_z = omega_z - c3
     # square of u across the leg
-    u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z
-    c4 = inv_L*inv_L
-    c5 = m_u*r_u0_x
+    u_square = u_across_x * u_across_x + u_across_y * u_across_y + u_across_z * u_across_z
+    c4 = inv_L * inv_L
+    c5 = m_u * r_u0_x
     # (24) known part of the actuator force
-    D = C_p*u_x + e_x*m_u - c4*c5*u_square - gamma_x*m_u
-    c6 = m_u*L*L
-    c7 = m_d*r_d0_x*r_d0_x
-    c8 = m_u*r_u0_x*r_u0_x
-    c9 = L*m_u
-    K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + c8 + 2*c9*r_u0_x)
-    c10 = 2*inv_L*u_x
-    K_u = (
-        c4*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10 - c10*c6 - c10*c7
-        - c10*c8 - 4*c9*inv_L*r_u0_x*u_x)
-    )
-    K_gamma = -inv_L*(c5 + c9 + m_d*r_d0_x)
-    c11 = C_s*inv_L
+    D = C_p * u_x + e_x * m_u - c4 * c5 * u_square - gamma_x * m_u
+    c6 = m_u * L * L
+    c7 = m_d * r_d0_x * r_d0_x
+    c8 = m_u * r_u0_x * r_u0_x
+    c9 = L * m_u
+    K_e = c4 * (I_d0_yy + I_u0_yy + c6 + c7 + c8 + 2.0 * c9 * r_u0_x)
+    c10 = 2.0 * inv_L * u_x
+    K_u = (c4 * (C_s + C_u + 2.0 * L * m_u * u_x + 2.0 * m_u * r_u0_x * u_x - I_d0_yy * c10 - I_u0_yy * c10
+        - c10 * c6 - c10 * c7 - c10 * c8 - 4.0 * c9 * inv_L * r_u0_x * u_x))
+    K_gamma = -inv_L * (c5 + c9 + m_d * r_d0_x)
+    c11 = C_s * inv_L
     K_s_w = c11
     # K, base frame
-    K_x = K_e*e_across_x + K_gamma*gamma_across_x + K_s_w*(s_y*w_across_z - s_z*w_across_y) + K_u*u_across_x
-    K_y = K_e*e_across_y + K_gamma*gamma_across_y + K_s_w*(s_z*w_across_x - s_x*w_across_z) + K_u*u_across_y
-    K_z = K_e*e_across_z + K_gamma*gamma_across_z + K_s_w*(s_x*w_across_y - s_y*w_across_x) + K_u*u_across_z
+    K_x = (K_e * e_across_x + K_gamma * gamma_across_x + K_s_w * (s_y * w_across_z - s_z * w_across_y) + K_u
+        * u_across_x)
+    K_y = (K_e * e_across_y + K_gamma * gamma_across_y + K_s_w * (s_z * w_across_x - s_x * w_across_z) + K_u
+        * u_across_y)
+    K_z = (K_e * e_across_z + K_gamma * gamma_across_z + K_s_w * (s_x * w_across_y - s_y * w_across_x) + K_u
+        * u_across_z)
     f_s_u = c11
     # f, base frame
-    f_x = f_s_u*(s_y*u_across_z - s_z*u_across_y) - C_s*c1 - C_s*w_across_x
-    f_y = f_s_u*(s_z*u_across_x - s_x*u_across_z) - C_s*c2 - C_s*w_across_y
-    f_z = f_s_u*(s_x*u_across_y - s_y*u_across_x) - C_s*c3 - C_s*w_across_z
-    shape = (*motion.t.shape[:-1], 6)
-    return {
-        "q": stack(shape, q_x, q_y, q_z),
-        "L": np.broadcast_to(L, shape),
-        "D": np.broadcast_to(D, shape),
-        "K": stack(shape, K_x, K_y, K_z),
-        "H_force": stack(shape, s_x, s_y, s_z),
-        "H_moment": stack(shape, q_y*s_z - q_z*s_y, q_z*s_x - q_x*s_z, q_x*s_y - q_y*s_x),
-        "c_force": stack(shape, -K_x, -K_y, -K_z),
-        "c_moment": stack(shape, K_y*q_z + f_x - K_z*q_y, K_z*q_x + f_y - K_x*q_z, K_x*q_y + f_z - K_y*q_x),
-    }
+    f_x = f_s_u * (s_y * u_across_z - s_z * u_across_y) - C_s * c1 - C_s * w_across_x
+    f_y = f_s_u * (s_z * u_across_x - s_x * u_across_z) - C_s * c2 - C_s * w_across_y
+    f_z = f_s_u * (s_x * u_across_y - s_y * u_across_x) - C_s * c3 - C_s * w_across_z
+    out = Legs()
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.D = D
+    out.K = [K_x, K_y, K_z]
+    out.H_force = [s_x, s_y, s_z]
+    out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
+    out.c_force = [-K_x, -K_y, -K_z]
+    out.c_moment = [K_y * q_z + f_x - K_z * q_y, K_z * q_x + f_y - K_x * q_z, K_x * q_y + f_z - K_y * q_x]
+    out.k3 = 1.0
+    return out
 
 
-def platform_wrench(robot: Any, motion: Any) -> dict[str, Array]:
-    """The platform's own part of c, (33)-(35).
-
-    Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt).
-    """
-    R_xx = motion.R[..., 0, 0]
-    R_xy = motion.R[..., 0, 1]
-    R_xz = motion.R[..., 0, 2]
-    R_yx = motion.R[..., 1, 0]
-    R_yy = motion.R[..., 1, 1]
-    R_yz = motion.R[..., 1, 2]
-    R_zx = motion.R[..., 2, 0]
-    R_zy = motion.R[..., 2, 1]
-    R_zz = motion.R[..., 2, 2]
-    omega_x = motion.omega[..., 0]
-    omega_y = motion.omega[..., 1]
-    omega_z = motion.omega[..., 2]
-    alpha_x = motion.alpha[..., 0]
-    alpha_y = motion.alpha[..., 1]
-    alpha_z = motion.alpha[..., 2]
-    a_x = motion.a[..., 0]
-    a_y = motion.a[..., 1]
-    a_z = motion.a[..., 2]
-    F_ext_x = motion.F_ext[..., 0]
-    F_ext_y = motion.F_ext[..., 1]
-    F_ext_z = motion.F_ext[..., 2]
-    M_ext_x = motion.M_ext[..., 0]
-    M_ext_y = motion.M_ext[..., 1]
-    M_ext_z = motion.M_ext[..., 2]
-    M = robot.M
-    R_0_x = robot.R_0[0]
-    R_0_y = robot.R_0[1]
-    R_0_z = robot.R_0[2]
-    I_p_xx = robot.I_p[0, 0]
-    I_p_xy = robot.I_p[0, 1]
-    I_p_xz = robot.I_p[0, 2]
-    I_p_yy = robot.I_p[1, 1]
-    I_p_yz = robot.I_p[1, 2]
-    I_p_zz = robot.I_p[2, 2]
-    g_x = robot.g[0]
-    g_y = robot.g[1]
-    g_z = robot.g[2]
-    # (30) centre of mass from the reference point, base frame
-    R_G_x = R_0_x*R_xx + R_0_y*R_xy + R_0_z*R_xz
-    R_G_y = R_0_x*R_yx + R_0_y*R_yy + R_0_z*R_yz
-    R_G_z = R_0_x*R_zx + R_0_y*R_zy + R_0_z*R_zz
-    c1 = R_G_y*omega_x - R_G_x*omega_y
-    c2 = R_G_x*omega_z - R_G_z*omega_x
-    c3 = R_G_z*omega_y - R_G_y*omega_z
-    # (31) acceleration of the centre of mass
-    a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z
-    a_G_y = R_G_x*alpha_z + a_y + c3*omega_z - R_G_z*alpha_x - c1*omega_x
-    a_G_z = R_G_y*alpha_x + a_z + c2*omega_x - R_G_x*alpha_y - c3*omega_y
-    c4 = I_p_xx*R_xx + I_p_xy*R_xy + I_p_xz*R_xz
-    c5 = I_p_xy*R_xx + I_p_yy*R_xy + I_p_yz*R_xz
-    c6 = I_p_xz*R_xx + I_p_yz*R_xy + I_p_zz*R_xz
-    c7 = I_p_xx*R_yx + I_p_xy*R_yy + I_p_xz*R_yz
-    c8 = I_p_xy*R_yx + I_p_yy*R_yy + I_p_yz*R_yz
-    c9 = I_p_xz*R_yx + I_p_yz*R_yy + I_p_zz*R_yz
-    # (32) inertia of the platform, base frame
-    I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6
-    I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6
-    I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6
-    I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9
-    I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9
-    I_zz = (
-        R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy + I_p_yz*R_zz)
-        + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz)
-    )
-    # (33) M (g - a_G)
-    N_x = M*(g_x - a_G_x)
-    N_y = M*(g_y - a_G_y)
-    N_z = M*(g_z - a_G_z)
-    c10 = I_xz*omega_x + I_yz*omega_y + I_zz*omega_z
-    c11 = I_xy*omega_x + I_yy*omega_y + I_yz*omega_z
-    c12 = I_xx*omega_x + I_xy*omega_y + I_xz*omega_z
-    # (34) I alpha + omega x I omega
-    E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z
-    E_y = I_xy*alpha_x + I_yy*alpha_y + I_yz*alpha_z + c12*omega_z - c10*omega_x
-    E_z = I_xz*alpha_x + I_yz*alpha_y + I_zz*alpha_z + c11*omega_x - c12*omega_y
-    # (33) external force, base frame
-    F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz
-    F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz
-    F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz
-    # (34) external moment, base frame
-    M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz
-    M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz
-    M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz
-    shape = motion.t.shape[:-1]
-    return {
-        "c_force": stack(shape, F_load_x + N_x, F_load_y + N_y, F_load_z + N_z),
-        "c_moment": stack(
-            shape,
-            M_load_x + N_z*R_G_y - E_x - N_y*R_G_z,
-            M_load_y + N_x*R_G_z - E_y - N_z*R_G_x,
-            M_load_z + N_y*R_G_x - E_z - N_x*R_G_y,
-        ),
-    }
-
-
-def leg_reactions(robot: Any, motion: Any, x: Array, bearing: Array) -> dict[str, Array]:
-    """One leg: joint reactions, (21), (26)-(29), (17).
-
-    Operations: 455 (262 mul, 191 add, 1 div, 1 sqrt).
-    """
-    b_x = robot.b[:, 0]
-    b_y = robot.b[:, 1]
-    b_z = robot.b[:, 2]
-    p_x = robot.p[:, 0]
-    p_y = robot.p[:, 1]
-    p_z = robot.p[:, 2]
-    m_d = robot.m_d
-    r_d0_x = robot.r_d0[:, 0]
-    I_d0_yy = robot.I_d0[:, 1, 1]
-    m_u = robot.m_u
-    r_u0_x = robot.r_u0[:, 0]
-    I_u0_yy = robot.I_u0[:, 1, 1]
-    C_u = robot.C_u
-    C_p = robot.C_p
-    C_s = robot.C_s
-    g_x = robot.g[0]
-    g_y = robot.g[1]
-    g_z = robot.g[2]
-    R_xx = motion.R[..., 0, 0, None]
-    R_xy = motion.R[..., 0, 1, None]
-    R_xz = motion.R[..., 0, 2, None]
-    R_yx = motion.R[..., 1, 0, None]
-    R_yy = motion.R[..., 1, 1, None]
-    R_yz = motion.R[..., 1, 2, None]
-    R_zx = motion.R[..., 2, 0, None]
-    R_zy = motion.R[..., 2, 1, None]
-    R_zz = motion.R[..., 2, 2, None]
-    t_x = motion.t[..., 0, None]
-    t_y = motion.t[..., 1, None]
-    t_z = motion.t[..., 2, None]
-    omega_x = motion.omega[..., 0, None]
-    omega_y = motion.omega[..., 1, None]
-    omega_z = motion.omega[..., 2, None]
-    v_x = motion.v[..., 0, None]
-    v_y = motion.v[..., 1, None]
-    v_z = motion.v[..., 2, None]
-    alpha_x = motion.alpha[..., 0, None]
-    alpha_y = motion.alpha[..., 1, None]
-    alpha_z = motion.alpha[..., 2, None]
-    a_x = motion.a[..., 0, None]
-    a_y = motion.a[..., 1, None]
-    a_z = motion.a[..., 2, None]
+def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bearing: Any) -> Any:
+    """One leg: joint reactions, (21), (26)-(29), (17): 455 (262 mul, 191 add, 1 div, 1 sqrt)."""
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    m_d = leg.m_d
+    r_d0_x = leg.r_d0[0]
+    I_d0_yy = leg.I_d0[3]
+    m_u = leg.m_u
+    r_u0_x = leg.r_u0[0]
+    I_u0_yy = leg.I_u0[3]
+    C_u, C_p, C_s = leg.C_u, leg.C_p, leg.C_s
+    g_x, g_y, g_z = robot.g
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
     # (1) platform point from the reference point
-    q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z
-    q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z
-    q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
     # (1) leg vector
     S_x = q_x + t_x - b_x
     S_y = q_y + t_y - b_y
     S_z = q_z + t_z - b_z
     # (2) leg length
-    L = np.sqrt(S_x*S_x + S_y*S_y + S_z*S_z)
-    inv_L = 1/L
+    L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
+    inv_L = 1.0 / L
     # (3) unit vector along the leg
-    s_x = S_x*inv_L
-    s_y = S_y*inv_L
-    s_z = S_z*inv_L
+    s_x = S_x * inv_L
+    s_y = S_y * inv_L
+    s_z = S_z * inv_L
     # (4) omega x q
-    w_q_x = omega_y*q_z - omega_z*q_y
-    w_q_y = omega_z*q_x - omega_x*q_z
-    w_q_z = omega_x*q_y - omega_y*q_x
+    w_q_x = omega_y * q_z - omega_z * q_y
+    w_q_y = omega_z * q_x - omega_x * q_z
+    w_q_z = omega_x * q_y - omega_y * q_x
     # (4) velocity of the platform point
     S_dot_x = v_x + w_q_x
     S_dot_y = v_y + w_q_y
     S_dot_z = v_z + w_q_z
     # (7) acceleration of the platform point
-    S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y
-    S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z
-    S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x
+    S_ddot_x = a_x + alpha_y * q_z + omega_y * w_q_z - alpha_z * q_y - omega_z * w_q_y
+    S_ddot_y = a_y + alpha_z * q_x + omega_z * w_q_x - alpha_x * q_z - omega_x * w_q_z
+    S_ddot_z = a_z + alpha_x * q_y + omega_x * w_q_y - alpha_y * q_x - omega_y * w_q_x
     # part of e along the leg
-    e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
+    e_x = S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # part of u along the leg
-    u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z
+    u_x = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
     # part of gamma along the leg
-    gamma_x = g_x*s_x + g_y*s_y + g_z*s_z
+    gamma_x = g_x * s_x + g_y * s_y + g_z * s_z
     # part of w along the leg
-    w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z
+    w_x = omega_x * s_x + omega_y * s_y + omega_z * s_z
     # part of e across the leg
-    e_across_x = S_ddot_x - e_x*s_x
-    e_across_y = S_ddot_y - e_x*s_y
-    e_across_z = S_ddot_z - e_x*s_z
+    e_across_x = S_ddot_x - e_x * s_x
+    e_across_y = S_ddot_y - e_x * s_y
+    e_across_z = S_ddot_z - e_x * s_z
     # part of u across the leg
-    u_across_x = S_dot_x - s_x*u_x
-    u_across_y = S_dot_y - s_y*u_x
-    u_across_z = S_dot_z - s_z*u_x
+    u_across_x = S_dot_x - s_x * u_x
+    u_across_y = S_dot_y - s_y * u_x
+    u_across_z = S_dot_z - s_z * u_x
     # part of gamma across the leg
-    gamma_across_x = g_x - gamma_x*s_x
-    gamma_across_y = g_y - gamma_x*s_y
-    gamma_across_z = g_z - gamma_x*s_z
+    gamma_across_x = g_x - gamma_x * s_x
+    gamma_across_y = g_y - gamma_x * s_y
+    gamma_across_z = g_z - gamma_x * s_z
     # part of w across the leg
-    w_across_x = omega_x - s_x*w_x
-    w_across_y = omega_y - s_y*w_x
-    w_across_z = omega_z - s_z*w_x
+    w_across_x = omega_x - s_x * w_x
+    w_across_y = omega_y - s_y * w_x
+    w_across_z = omega_z - s_z * w_x
     # square of u across the leg
-    u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z
-    c1 = inv_L*inv_L
-    c2 = m_u*L*L
-    c3 = m_d*r_d0_x*r_d0_x
-    c4 = m_u*r_u0_x*r_u0_x
-    c5 = L*m_u
-    c6 = 2*r_u0_x
-    F_s_e = c1*(I_d0_yy + I_u0_yy + c2 + c3 + c4 + c5*c6)
-    c8 = 2*u_x
-    c7 = I_d0_yy*inv_L
-    c9 = c7*c8
-    c10 = I_u0_yy*inv_L
-    c11 = c5*inv_L
-    c12 = 4*u_x
-    c13 = c2*inv_L
-    c14 = c3*inv_L
-    c15 = c14*c8
-    c16 = c4*inv_L
-    F_s_u = (
-        c1*(C_s + C_u + 2*L*m_u*u_x + 2*m_u*r_u0_x*u_x - c10*c8 - c11*c12*r_u0_x - c13*c8 - c15 - c16*c8
-        - c9)
-    )
-    c17 = m_d*r_d0_x
-    c18 = m_u*r_u0_x
-    F_s_gamma = -inv_L*(c17 + c18 + c5)
-    c19 = C_s*inv_L
+    u_square = u_across_x * u_across_x + u_across_y * u_across_y + u_across_z * u_across_z
+    c1 = inv_L * inv_L
+    c2 = m_u * L * L
+    c3 = m_d * r_d0_x * r_d0_x
+    c4 = m_u * r_u0_x * r_u0_x
+    c5 = L * m_u
+    c6 = 2.0 * r_u0_x
+    F_s_e = c1 * (I_d0_yy + I_u0_yy + c2 + c3 + c4 + c5 * c6)
+    c8 = 2.0 * u_x
+    c7 = I_d0_yy * inv_L
+    c9 = c7 * c8
+    c10 = I_u0_yy * inv_L
+    c11 = c5 * inv_L
+    c12 = 4.0 * u_x
+    c13 = c2 * inv_L
+    c14 = c3 * inv_L
+    c15 = c14 * c8
+    c16 = c4 * inv_L
+    F_s_u = (c1 * (C_s + C_u + 2.0 * L * m_u * u_x + 2.0 * m_u * r_u0_x * u_x - c10 * c8 - c11 * c12 * r_u0_x
+        - c13 * c8 - c15 - c16 * c8 - c9))
+    c17 = m_d * r_d0_x
+    c18 = m_u * r_u0_x
+    F_s_gamma = -inv_L * (c17 + c18 + c5)
+    c19 = C_s * inv_L
     F_s_s_w = c19
-    c20 = s_y*w_across_z - s_z*w_across_y
-    c21 = s_z*w_across_x - s_x*w_across_z
-    c22 = s_x*w_across_y - s_y*w_across_x
+    c20 = s_y * w_across_z - s_z * w_across_y
+    c21 = s_z * w_across_x - s_x * w_across_z
+    c22 = s_x * w_across_y - s_y * w_across_x
     # F_s, base frame
-    F_s_x = F_s_e*e_across_x + F_s_gamma*gamma_across_x + F_s_s_w*c20 + F_s_u*u_across_x + s_x*x
-    F_s_y = F_s_e*e_across_y + F_s_gamma*gamma_across_y + F_s_s_w*c21 + F_s_u*u_across_y + s_y*x
-    F_s_z = F_s_e*e_across_z + F_s_gamma*gamma_across_z + F_s_s_w*c22 + F_s_u*u_across_z + s_z*x
-    c24 = c10 + c11*c6 + c13 + c14 + c16 + c7 - c18 - c5
-    F_u_e = -inv_L*(c24 - c17)
-    c26 = c1*c8
-    c27 = I_d0_yy*c26
-    c28 = I_u0_yy*c26
-    c29 = c1*c12*r_u0_x
-    c30 = c2*c26
-    c31 = c26*c3
-    c32 = c26*c4
-    c33 = (
-        c27 + c28 + c29*c5 + c30 + c31 + c32 + c8*m_u - C_u*inv_L - 4*L*inv_L*m_u*u_x - c19
-        - 4*inv_L*m_u*r_u0_x*u_x
-    )
-    F_u_u = -inv_L*(2*inv_L*m_d*r_d0_x*u_x - c33)
-    c34 = c17*inv_L
-    c35 = c18*inv_L
+    F_s_x = F_s_e * e_across_x + F_s_gamma * gamma_across_x + F_s_s_w * c20 + F_s_u * u_across_x + s_x * x
+    F_s_y = F_s_e * e_across_y + F_s_gamma * gamma_across_y + F_s_s_w * c21 + F_s_u * u_across_y + s_y * x
+    F_s_z = F_s_e * e_across_z + F_s_gamma * gamma_across_z + F_s_s_w * c22 + F_s_u * u_across_z + s_z * x
+    c24 = c10 + c11 * c6 + c13 + c14 + c16 + c7 - c18 - c5
+    F_u_e = -inv_L * (c24 - c17)
+    c26 = c1 * c8
+    c27 = I_d0_yy * c26
+    c28 = I_u0_yy * c26
+    c29 = c1 * c12 * r_u0_x
+    c30 = c2 * c26
+    c31 = c26 * c3
+    c32 = c26 * c4
+    c33 = (c27 + c28 + c29 * c5 + c30 + c31 + c32 + c8 * m_u - C_u * inv_L - 4.0 * L * inv_L * m_u * u_x - c19
+        - 4.0 * inv_L * m_u * r_u0_x * u_x)
+    F_u_u = -inv_L * (2.0 * inv_L * m_d * r_d0_x * u_x - c33)
+    c34 = c17 * inv_L
+    c35 = c18 * inv_L
     c36 = c11 + c34 + c35 - m_u
     F_u_gamma = c36 - m_d
     F_u_s_w = -c19
-    c37 = c1*u_square
-    c38 = c18*c37 + gamma_x*m_u + x - e_x*m_u
-    c39 = -c17*c37 - c38 - gamma_x*m_d
+    c37 = c1 * u_square
+    c38 = c18 * c37 + gamma_x * m_u + x - e_x * m_u
+    c39 = -c17 * c37 - c38 - gamma_x * m_d
     # F_u, base frame
-    F_u_x = F_u_e*e_across_x + F_u_gamma*gamma_across_x + F_u_s_w*c20 + F_u_u*u_across_x + c39*s_x
-    F_u_y = F_u_e*e_across_y + F_u_gamma*gamma_across_y + F_u_s_w*c21 + F_u_u*u_across_y + c39*s_y
-    F_u_z = F_u_e*e_across_z + F_u_gamma*gamma_across_z + F_u_s_w*c22 + F_u_u*u_across_z + c39*s_z
-    c40 = -c24*inv_L
+    F_u_x = F_u_e * e_across_x + F_u_gamma * gamma_across_x + F_u_s_w * c20 + F_u_u * u_across_x + c39 * s_x
+    F_u_y = F_u_e * e_across_y + F_u_gamma * gamma_across_y + F_u_s_w * c21 + F_u_u * u_across_y + c39 * s_y
+    F_u_z = F_u_e * e_across_z + F_u_gamma * gamma_across_z + F_u_s_w * c22 + F_u_u * u_across_z + c39 * s_z
+    c40 = -c24 * inv_L
     F_p_e = c40
-    c41 = c33*inv_L
+    c41 = c33 * inv_L
     F_p_u = c41
     F_p_gamma = c36
     F_p_s_w = -c19
-    c42 = C_p*u_x - c38
+    c42 = C_p * u_x - c38
     # F_p, base frame
-    F_p_x = F_p_e*e_across_x + F_p_gamma*gamma_across_x + F_p_s_w*c20 + F_p_u*u_across_x + c42*s_x
-    F_p_y = F_p_e*e_across_y + F_p_gamma*gamma_across_y + F_p_s_w*c21 + F_p_u*u_across_y + c42*s_y
-    F_p_z = F_p_e*e_across_z + F_p_gamma*gamma_across_z + F_p_s_w*c22 + F_p_u*u_across_z + c42*s_z
+    F_p_x = F_p_e * e_across_x + F_p_gamma * gamma_across_x + F_p_s_w * c20 + F_p_u * u_across_x + c42 * s_x
+    F_p_y = F_p_e * e_across_y + F_p_gamma * gamma_across_y + F_p_s_w * c21 + F_p_u * u_across_y + c42 * s_y
+    F_p_z = F_p_e * e_across_z + F_p_gamma * gamma_across_z + F_p_s_w * c22 + F_p_u * u_across_z + c42 * s_z
     F_c_e = c40
     F_c_u = c41
     F_c_gamma = c36
     F_c_s_w = -c19
     # F_c, base frame
-    F_c_x = F_c_e*e_across_x + F_c_gamma*gamma_across_x + F_c_s_w*c20 + F_c_u*u_across_x
-    F_c_y = F_c_e*e_across_y + F_c_gamma*gamma_across_y + F_c_s_w*c21 + F_c_u*u_across_y
-    F_c_z = F_c_e*e_across_z + F_c_gamma*gamma_across_z + F_c_s_w*c22 + F_c_u*u_across_z
-    c43 = bearing*c5
-    c44 = bearing*c11
-    M_p_s_e = (
-        inv_L*(bearing*c10 + bearing*c13 + bearing*c14 + bearing*c16 + bearing*c7 + c44*c6 - I_d0_yy
-        - bearing*c18 - c3 - c43)
-    )
-    c45 = -bearing*c19
-    M_p_s_u = (
-        inv_L*(C_u*bearing*inv_L + 4*L*bearing*inv_L*m_u*u_x + 4*bearing*inv_L*m_u*r_u0_x*u_x + c15 + c9
-        - C_u - bearing*c27 - bearing*c28 - bearing*c30 - bearing*c31 - bearing*c32 - bearing*c8*m_u
-        - c29*c43 - c45)
-    )
-    M_p_s_gamma = bearing*m_u + c17 - bearing*c34 - bearing*c35 - c44
+    F_c_x = F_c_e * e_across_x + F_c_gamma * gamma_across_x + F_c_s_w * c20 + F_c_u * u_across_x
+    F_c_y = F_c_e * e_across_y + F_c_gamma * gamma_across_y + F_c_s_w * c21 + F_c_u * u_across_y
+    F_c_z = F_c_e * e_across_z + F_c_gamma * gamma_across_z + F_c_s_w * c22 + F_c_u * u_across_z
+    c43 = bearing * c5
+    c44 = bearing * c11
+    M_p_s_e = (inv_L * (bearing * c10 + bearing * c13 + bearing * c14 + bearing * c16 + bearing * c7 + c44 * c6
+        - I_d0_yy - bearing * c18 - c3 - c43))
+    c45 = -bearing * c19
+    M_p_s_u = (inv_L * (C_u * bearing * inv_L + 4.0 * L * bearing * inv_L * m_u * u_x + 4.0 * bearing * inv_L
+        * m_u * r_u0_x * u_x + c15 + c9 - C_u - bearing * c27 - bearing * c28 - bearing * c30 - bearing * c31
+        - bearing * c32 - bearing * c8 * m_u - c29 * c43 - c45))
+    M_p_s_gamma = bearing * m_u + c17 - bearing * c34 - bearing * c35 - c44
     M_p_w = c45
     # M_p, base frame
-    M_p_x = (
-        M_p_s_e*(e_across_z*s_y - e_across_y*s_z) + M_p_s_gamma*(gamma_across_z*s_y - gamma_across_y*s_z)
-        + M_p_s_u*(s_y*u_across_z - s_z*u_across_y) + M_p_w*w_across_x
-    )
-    M_p_y = (
-        M_p_s_e*(e_across_x*s_z - e_across_z*s_x) + M_p_s_gamma*(gamma_across_x*s_z - gamma_across_z*s_x)
-        + M_p_s_u*(s_z*u_across_x - s_x*u_across_z) + M_p_w*w_across_y
-    )
-    M_p_z = (
-        M_p_s_e*(e_across_y*s_x - e_across_x*s_y) + M_p_s_gamma*(gamma_across_y*s_x - gamma_across_x*s_y)
-        + M_p_s_u*(s_x*u_across_y - s_y*u_across_x) + M_p_w*w_across_z
-    )
-    shape = (*motion.t.shape[:-1], 6)
-    return {
-        "F_s": stack(shape, F_s_x, F_s_y, F_s_z),
-        "F_u": stack(shape, F_u_x, F_u_y, F_u_z),
-        "F_p": stack(shape, F_p_x, F_p_y, F_p_z),
-        "F_c": stack(shape, F_c_x, F_c_y, F_c_z),
-        "M_p": stack(shape, M_p_x, M_p_y, M_p_z),
-        "M_u": np.broadcast_to(0, shape),
-    }
+    M_p_x = (M_p_s_e * (e_across_z * s_y - e_across_y * s_z) + M_p_s_gamma * (gamma_across_z * s_y - gamma_across_y
+        * s_z) + M_p_s_u * (s_y * u_across_z - s_z * u_across_y) + M_p_w * w_across_x)
+    M_p_y = (M_p_s_e * (e_across_x * s_z - e_across_z * s_x) + M_p_s_gamma * (gamma_across_x * s_z - gamma_across_z
+        * s_x) + M_p_s_u * (s_z * u_across_x - s_x * u_across_z) + M_p_w * w_across_y)
+    M_p_z = (M_p_s_e * (e_across_y * s_x - e_across_x * s_y) + M_p_s_gamma * (gamma_across_y * s_x - gamma_across_x
+        * s_y) + M_p_s_u * (s_x * u_across_y - s_y * u_across_x) + M_p_w * w_across_z)
+    out = LegReactions()
+    out.F_s = [F_s_x, F_s_y, F_s_z]
+    out.F_u = [F_u_x, F_u_y, F_u_z]
+    out.F_p = [F_p_x, F_p_y, F_p_z]
+    out.F_c = [F_c_x, F_c_y, F_c_z]
+    out.M_p = [M_p_x, M_p_y, M_p_z]
+    out.M_u = 0.0
+    return out
+
+
+def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
+    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    fault = OK
+    fault = on.where(k3 > on.POLE_SINE, fault, POLE)
+    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
+    return on.where(L <= on.MAX, fault, NOT_FINITE)
+
+
+def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
+    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    reach = 0.0
+    for j in range(3):
+        reach = on.larger(on.size(q[j]), reach)
+        reach = on.larger(on.size(t[j]), reach)
+        reach = on.larger(on.size(b[j]), reach)
+    return reach
+
+
+def first_of(on: Arithmetic, codes: Any) -> Any:
+    """The first code of six legs that is not OK."""
+    found = OK
+    for i in range(6):
+        found = on.where(found == OK, codes[i], found)
+    return found
+
+
+def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any:
+    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of.
+    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s),
+    by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the
+    moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k
+    does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room
+    for the errors of Y itself.
+    """
+    Y = [[0.0] * 6 for _ in range(6)]
+    G = [[0.0] * 6 for _ in range(6)]
+    v = [0.0] * 6
+    grown = [0.0] * 6
+    extent = 0.0
+    for i in range(6):
+        v[i] = 1.0
+        for j in range(3):
+            extent = on.larger(on.size(arm[i][j]), extent)
+    lost = 0.0
+    for i in range(6):
+        for j in range(6):
+            lost = lost + 0.0 * H[i][j]
+            H[i][j] = on.where(i < 3, H[i][j], H[i][j] / extent)
+            Y[i][j] = on.where(i == j, 1.0, 0.0)
+    for k in range(6):
+        for i in range(k + 1, 6):
+            larger_below = on.size(H[i][k]) > on.size(H[k][k])
+            for j in range(6):
+                upper_h = H[k][j]
+                upper_y = Y[k][j]
+                H[k][j] = on.where(larger_below, H[i][j], H[k][j])
+                Y[k][j] = on.where(larger_below, Y[i][j], Y[k][j])
+                H[i][j] = on.where(larger_below, upper_h, H[i][j])
+                Y[i][j] = on.where(larger_below, upper_y, Y[i][j])
+        for i in range(6):
+            factor = on.where(i == k, 0.0, H[i][k] / H[k][k])
+            for j in range(6):
+                H[i][j] = H[i][j] - factor * H[k][j]
+                Y[i][j] = Y[i][j] - factor * Y[k][j]
+    for i in range(6):
+        by_moment = on.size(Y[i][3]) + on.size(Y[i][4]) + on.size(Y[i][5])
+        for k in range(6):
+            x = on.size(Y[i][0] + (Y[i][4] * arm[k][2] - Y[i][5] * arm[k][1]) / extent)
+            y = on.size(Y[i][1] + (Y[i][5] * arm[k][0] - Y[i][3] * arm[k][2]) / extent)
+            z = on.size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
+            turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
+            G[i][k] = turned * (4.0 * on.EPSILON) / on.size(H[i][i])
+    least = 1.0
+    for turn in range(4):
+        worst = 0.0
+        greatest = 0.0
+        for i in range(6):
+            total = 0.0
+            for k in range(6):
+                total = total + G[i][k] * v[k]
+            share = total / v[i]
+            worst = on.where(share <= worst, worst, share)
+            greatest = on.larger(total, greatest)
+            grown[i] = total
+        least = on.where(worst <= least, worst, least)
+        for i in range(6):
+            v[i] = on.larger(grown[i] / greatest, on.EPSILON)
+    return on.where(lost == 0.0, on.where(least <= 0.5, OK, SINGULAR), NOT_FINITE)
+
+
+def per_length_of(on: Arithmetic, extent: Any) -> Any:
+    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the
+    least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them.
+    """
+    unit = 1.0
+    for turn in range(100):
+        unit = on.where(unit < extent, 2.0 * unit, unit)
+    for turn in range(100):
+        unit = on.where((extent > 0.0) & (0.5 * unit >= extent), 0.5 * unit, unit)
+    return on.where((extent >= 0.0625) & (extent <= on.LARGEST), 1.0, 1.0 / unit)
+
+
+def largest_of(on: Arithmetic, six: Any) -> Any:
+    """The largest of six numbers."""
+    largest = 0.0
+    for i in range(6):
+        largest = on.larger(six[i], largest)
+    return largest
+
+
+def scale_of(on: Arithmetic, q: Any) -> Any:
+    """By what the solve multiplies moments about the reference point."""
+    extents = on.larger(on.size(q[0]), on.larger(on.size(q[1]), on.larger(on.size(q[2]), 0.0)))
+    extent = largest_of(on, extents)
+    per_length = 1.0
+    if on.anywhere((extent < 0.0625) | (extent > on.LARGEST)):
+        per_length = per_length_of(on, extent)
+    return per_length
+
+
+def eliminate(on: Arithmetic, H: Any, c: Any, x: Any) -> Any:
+    """Solves H x = c by elimination with partial pivoting, (36), the columns of H side by side; replaces
+    H and c. Returns 1 where a pivot is small.
+    """
+    inverse = [0.0] * 6
+    suspect = 0
+    for k in range(6):
+        pivot = k
+        most = on.size(H[k][k])
+        for i in range(k + 1, 6):
+            entry = on.size(H[i][k])
+            pivot = on.where(entry > most, i, pivot)
+            most = on.where(entry > most, entry, most)
+        row = H[k]
+        right = c[k]
+        for i in range(k + 1, 6):
+            here = pivot == i
+            H[k] = on.where(here, H[i], H[k])
+            c[k] = on.where(here, c[i], c[k])
+            H[i] = on.where(here, row, H[i])
+            c[i] = on.where(here, right, c[i])
+        suspect = on.where(on.size(H[k][k]) > on.SUSPECT, suspect, 1)
+        inverse[k] = 1.0 / H[k][k]
+        for i in range(k + 1, 6):
+            factor = H[i][k] * inverse[k]
+            H[i] = H[i] - factor * H[k]
+            c[i] = c[i] - factor * c[k]
+    for i in range(5, -1, -1):
+        total = c[i]
+        for j in range(i + 1, 6):
+            total = total - H[i][j] * x[j]
+        x[i] = total * inverse[i]
+    return suspect
+
+
+def legs_of(on: Arithmetic, robot: Any, motion: Any) -> Any:
+    """The legs side by side."""
+    return leg_dynamics(on, robot.leg, robot, motion)
+
+
+def terms_of(on: Arithmetic, legs: Any, robot: Any, motion: Any) -> Any:
+    """The same, where the legs are known."""
+    out = Terms()
+    pose = platform_wrench(on, robot, motion)
+    for i in range(3):
+        out.c[i] = pose.c_force[i]
+        out.c[i + 3] = pose.c_moment[i]
+    for i in range(6):
+        out.D[i] = legs.D[i]
+        for j in range(3):
+            out.K[i][j] = legs.K[j][i]
+            out.H[j][i] = legs.H_force[j][i]
+            out.H[j + 3][i] = legs.H_moment[j][i]
+            out.c[j] = out.c[j] + legs.c_force[j][i]
+            out.c[j + 3] = out.c[j + 3] + legs.c_moment[j][i]
+    return out
+
+
+def terms(on: Arithmetic, robot: Any, motion: Any) -> Any:
+    """D, K, H and c of (21), (24), (36): H x = c and F = D - x; moments about the reference point."""
+    legs = legs_of(on, robot, motion)
+    return terms_of(on, legs, robot, motion)
+
+
+def solved(on: Arithmetic, robot: Any, motion: Any) -> Any:
+    """The same as `inverse_dynamics`, but `suspect` is 1 where H may be singular to rounding."""
+    out = Forces()
+    H = [0.0] * 6
+    c = [0.0] * 6
+    legs = legs_of(on, robot, motion)
+    known = terms_of(on, legs, robot, motion)
+    reach = reach_of(on, robot.leg.b, motion.t, legs.q)
+    status = first_of(on, fault_of(on, legs.L, legs.k3, reach))
+    close = first_of(on, on.where(legs.L > on.SHORT_SHARE * reach, 0, 1))
+    per_length = scale_of(on, legs.q)
+    for i in range(3):
+        H[i] = legs.H_force[i]
+        H[i + 3] = legs.H_moment[i] * per_length
+        c[i] = known.c[i]
+        c[i + 3] = known.c[i + 3] * per_length
+    small_pivot = eliminate(on, H, c, out.x)
+    out.suspect = on.where((status == OK) & ((close == 1) | (small_pivot == 1)), 1, 0)
+    for i in range(6):
+        out.F[i] = known.D[i] - out.x[i]
+        status = on.where((status != OK) | (on.size(out.F[i]) <= on.MAX), status, NOT_FINITE)
+    out.terms = known
+    out.legs = legs
+    out.reach = reach
+    out.status = status
+    return out
+
+
+def inverse_dynamics(on: Arithmetic, robot: Any, motion: Any) -> Any:
+    """Every output of (1)-(37) and a status; where that is not OK, the numbers mean nothing."""
+    out = solved(on, robot, motion)
+    if on.anywhere(out.suspect == 1):
+        H = [[0.0] * 6 for _ in range(6)]
+        arm = [[0.0] * 3 for _ in range(6)]
+        for i in range(6):
+            for j in range(3):
+                arm[i][j] = out.legs.q[j][i]
+            for j in range(6):
+                H[i][j] = out.terms.H[i][j]
+        found = singular_status(on, H, arm, out.legs.L, out.reach)
+        out.status = on.where((out.suspect == 1) & (found != OK), found, out.status)
+    return out

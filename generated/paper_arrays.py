@@ -228,7 +228,14 @@ def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
     out.m_L2 = m_u
     out.M_add = m_u
     out.h_add = [c11, c12, m_u * p_z]
-    out.J_add = [m_u * (c13 + c14), -c11 * p_y, -c11 * p_z, m_u * (c14 + c15), -c12 * p_z, m_u * (c13 + c15)]
+    out.J_add = [
+        m_u * (c13 + c14),
+        -c11 * p_y,
+        -c11 * p_z,
+        m_u * (c14 + c15),
+        -c12 * p_z,
+        m_u * (c13 + c15),
+    ]
     out.C_add = C_s
     return out
 
@@ -408,14 +415,22 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
         - J_P_zz * alpha_P_z - P_xy * dJ_P_z)
     out = SharedTerms()
     out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
-    out.c_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * fall_x - B_xx * h_base_x - B_xy
-        * h_base_y - B_xz * h_base_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * fall_y - B_yx
-        * h_base_x - B_yy * h_base_y - B_yz * h_base_z, F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P
-        * fall_z - B_zx * h_base_x - B_zy * h_base_y - B_zz * h_base_z]
-    out.c_moment = [M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + fall_z * h_base_y - C_P * omega_x
-        - fall_y * h_base_z, M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + fall_x * h_base_z - C_P
-        * omega_y - fall_z * h_base_x, M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + fall_y * h_base_x
-        - C_P * omega_z - fall_x * h_base_y]
+    out.c_force = [
+        F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * fall_x - B_xx * h_base_x - B_xy * h_base_y
+            - B_xz * h_base_z,
+        F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * fall_y - B_yx * h_base_x - B_yy * h_base_y
+            - B_yz * h_base_z,
+        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P * fall_z - B_zx * h_base_x - B_zy * h_base_y
+            - B_zz * h_base_z,
+    ]
+    out.c_moment = [
+        M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + fall_z * h_base_y - C_P * omega_x - fall_y
+            * h_base_z,
+        M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + fall_x * h_base_z - C_P * omega_y - fall_z
+            * h_base_x,
+        M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + fall_y * h_base_x - C_P * omega_z - fall_x
+            * h_base_y,
+    ]
     return out
 
 
@@ -714,8 +729,11 @@ def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
     c_force_x, c_force_y, c_force_z = shared.c_force
     c_moment_x, c_moment_y, c_moment_z = shared.c_moment
     out = ShiftTerms()
-    out.c_tip = [c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y, c_force_z * q_1_x + c_moment_y - c_force_x
-        * q_1_z, c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x]
+    out.c_tip = [
+        c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y,
+        c_force_z * q_1_x + c_moment_y - c_force_x * q_1_z,
+        c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x,
+    ]
     return out
 
 
@@ -730,10 +748,16 @@ def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
     arm_y = q_y - q_1_y
     arm_z = q_z - q_1_z
     out = MomentTerms()
-    out.H_moment = [H_force_z * arm_y - H_force_y * arm_z, H_force_x * arm_z - H_force_z * arm_x, H_force_y
-        * arm_x - H_force_x * arm_y]
-    out.arm_c = [arm_y * c_force_z - arm_z * c_force_y, arm_z * c_force_x - arm_x * c_force_z, arm_x * c_force_y
-        - arm_y * c_force_x]
+    out.H_moment = [
+        H_force_z * arm_y - H_force_y * arm_z,
+        H_force_x * arm_z - H_force_z * arm_x,
+        H_force_y * arm_x - H_force_x * arm_y,
+    ]
+    out.arm_c = [
+        arm_y * c_force_z - arm_z * c_force_y,
+        arm_z * c_force_x - arm_x * c_force_z,
+        arm_x * c_force_y - arm_y * c_force_x,
+    ]
     return out
 
 

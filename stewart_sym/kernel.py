@@ -7,6 +7,8 @@ stewart.h and nothing of the equations.
 import ctypes
 import functools
 import importlib
+import math
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib.resources import files
 from types import ModuleType, SimpleNamespace
@@ -20,7 +22,7 @@ from .checks import option
 from .frozen import Frozen, read_only
 from .generated.interface import HEADERS, OUTPUTS, STRUCTS
 from .motion import Motion
-from .results import Forces, Reactions
+from .results import OK, Forces, Reactions
 from .robot import Robot
 
 Array = NDArray[np.float64]
@@ -156,6 +158,10 @@ def address(array: NDArray[Any] | None, entries: int = 0) -> ctypes.c_void_p:
     return ctypes.c_void_p(start + entries * array.itemsize)
 
 
+# Poses that the NumPy kernels take at once: arrays of more leave the processor's nearer memory.
+_AT_ONCE = 1024
+
+
 @dataclass(frozen=True, eq=False)
 class NumpyKernel:
     """The NumPy kernel of one formulation with one robot."""
@@ -170,33 +176,123 @@ class NumpyKernel:
 
     def forces(self, motion: Motion) -> Forces:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
-        return Forces(**module(self.name).inverse_dynamics(self.robot, loaded(motion)))
+        source, suspect = module(self.name), np.zeros(math.prod(motion.shape), dtype=np.bool_)
+
+        def solved(on: Any, robot: Any, part: Any, at: slice) -> Any:
+            found = source.solved(on, robot, part)
+            suspect[at] = found.suspect
+            return {**vars(found.terms), **vars(found)}
+
+        def checked(on: Any, robot: Any, part: Any, _: slice) -> Any:
+            return vars(source.inverse_dynamics(on, robot, part))
+
+        found, status = on_arrays(solved, self._robot, motion, OUTPUTS["inverse_dynamics"])
+        if suspect.any():
+            close = suspect.reshape(motion.shape)
+            few = Motion.unchecked(**{name: value[close] for name, value in vars(loaded(motion)).items()})
+            status[close] = on_arrays(checked, self._robot, few, {})[1]
+            _blank(found, status)
+        return Forces(**found, status=status)
 
     def terms(self, motion: Motion) -> dict[str, Array]:
         """D, K, H and c of every pose, nothing solved: numbers where H is singular, no status."""
-        source, pose = module(self.name), loaded(motion)
-        with np.errstate(all="ignore"):
-            leg, platform = source.leg_dynamics(self.robot, pose), source.platform_wrench(self.robot, pose)
-            wrenches = np.concatenate([leg["c_force"], leg["c_moment"]], axis=-1)
-            c = np.concatenate([platform["c_force"], platform["c_moment"]], axis=-1) + wrenches.sum(axis=-2)
-        H = np.concatenate([leg["H_force"], leg["H_moment"]], axis=-1).swapaxes(-1, -2)
-        return {"D": leg["D"], "K": leg["K"], "H": H, "c": c}
+
+        def run(on: Any, robot: Any, part: Any, _: slice) -> Any:
+            return vars(module(self.name).terms(on, robot, part))
+
+        shapes = {name: OUTPUTS["inverse_dynamics"][name] for name in ("D", "K", "H", "c")}
+        return on_arrays(run, self._robot, motion, shapes)[0]
 
     def reactions_of(self, motion: Motion, x: Array, bearing: Array) -> dict[str, Array]:
         """Joint reactions by name under axial forces x, N, (..., 6); ``bearing`` (6,), m. No status."""
-        found: dict[str, Array] = module(self.name).joint_reactions(self.robot, loaded(motion), x, bearing)
-        return found
+        axial = np.broadcast_to(x, (*motion.shape, 6)).reshape(-1, 6)
+
+        def run(on: Any, robot: Any, part: Any, at: slice) -> Any:
+            reactions = module(self.name).leg_reactions
+            found = vars(reactions(on, robot.leg, robot, part, axial[at].T, bearing[:, None]))
+            by_leg = {
+                name: [list(leg) for leg in zip(*value, strict=True)]
+                for name, value in found.items()
+                if isinstance(value, list)
+            }
+            return found | by_leg
+
+        return on_arrays(run, self._robot, motion, OUTPUTS["joint_reactions"])[0]
 
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
         """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
         forces = self.forces(motion)
         found = self.reactions_of(motion, forces.x, bearing)
-        bad = forces.status != 0
-        blank = {
-            name: np.where(bad[(..., *(None,) * (value.ndim - bad.ndim))], np.nan, value)
-            for name, value in found.items()
-        }
-        return Reactions(**blank, status=forces.status)
+        _blank(found, forces.status)
+        return Reactions(**found, status=forces.status)
+
+    @functools.cached_property
+    def _robot(self) -> SimpleNamespace:
+        return legs_side_by_side(self.robot)
+
+
+def on_arrays(
+    run: Callable[[Any, Any, Any, slice], Any],
+    robot: SimpleNamespace,
+    motion: Motion,
+    shapes: Mapping[str, tuple[int, ...]],
+) -> tuple[dict[str, Array], NDArray[np.int32]]:
+    """What a function of a generated module finds for every pose: arrays of these shapes, NaN where the
+    status is not 0, and the status.
+
+    run: from the arithmetic, the robot, a motion and the slice of the poses that it is of to results by name.
+    """
+    count = math.prod(motion.shape)
+    found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
+    status = np.zeros(count, dtype=np.int32)
+    given = {name: _components(value, motion.shape) for name, value in vars(loaded(motion)).items()}
+    for first in range(0, count, _AT_ONCE):
+        at = slice(first, min(first + _AT_ONCE, count))
+        part = SimpleNamespace(**{name: list(rows[:, at]) for name, rows in given.items()})
+        with np.errstate(all="ignore"):
+            made = run(_arithmetic(), robot, part, at)
+        for name, target in found.items():
+            _store(target[at], made[name])
+        status[at] = made.get("status", OK)
+    _blank(found, status)
+    shaped = {name: each.reshape(*motion.shape, *shapes[name]) for name, each in found.items()}
+    return shaped, status.reshape(motion.shape)
+
+
+def _blank(found: Mapping[str, Array], status: NDArray[np.int32]) -> None:
+    """NaN where a status is not 0."""
+    bad = status != OK
+    if bad.any():
+        for values in found.values():
+            values[bad] = np.nan
+
+
+@functools.cache
+def _arithmetic() -> Any:
+    return module("arithmetic").Arithmetic(np)
+
+
+def legs_side_by_side(robot: Robot) -> SimpleNamespace:
+    """The robot as a structure of a generated module, a number of the legs as (6, 1)."""
+    legs = {name: _columns(getattr(robot, name)).T[..., None] for name in _LEG}
+    leg = {name: list(rows) if np.ndim(getattr(robot, name)) > 1 else rows[0] for name, rows in legs.items()}
+    platform = {name: stored(np.asarray(getattr(robot, name))) for name in _PLATFORM}
+    parts = {name: list(each) if each.shape else each for name, each in platform.items()}
+    return SimpleNamespace(leg=SimpleNamespace(**leg), **parts)
+
+
+def _components(value: Array, shape: tuple[int, ...]) -> Array:
+    """Components of an array with a leading shape, (components, poses)."""
+    return np.ascontiguousarray(value.reshape(math.prod(shape), math.prod(value.shape[len(shape) :])).T)
+
+
+def _store(target: Array, value: Any) -> None:
+    """Puts lists of arrays, one for each component, into an array of poses; legs come before poses."""
+    if isinstance(value, list):
+        for i, each in enumerate(value):
+            _store(target[:, i], each)
+    else:
+        target[...] = np.transpose(value)
 
 
 def loaded(motion: Motion) -> SimpleNamespace:

@@ -8,6 +8,7 @@ friction alone. Stands above the generated kernels; knows nothing of which param
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +17,9 @@ from .checks import option
 from .dynamics import need_motion, need_universal, report_faults
 from .faults import ON_FAULT, OnFault
 from .generated import exact_regressor
-from .kernel import loaded
+from .kernel import legs_side_by_side, on_arrays
 from .motion import Motion
+from .results import NOT_FINITE, OK
 from .robot import LEGS, Robot
 
 Array = NDArray[np.float64]
@@ -58,9 +60,26 @@ def regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> A
     need_universal(robot)
     need_motion(robot, motion)
     option(on_singular, ON_FAULT, "on_singular")
-    found = exact_regressor.regressor(robot, loaded(motion))
-    report_faults(found["status"], robot, motion, on_singular, stacklevel=3)
-    return found["Y"]
+    of_leg, of_platform = exact_regressor.LEG_PARAMETERS, exact_regressor.PLATFORM_PARAMETERS
+
+    def run(on: Any, structure: Any, part: Any, _: slice) -> Any:
+        found = exact_regressor.regressor(on, structure, part)
+        legs, platform = _columns(found.legs, of_leg), _columns(found.platform, of_platform)
+        return {"legs": legs, "platform": platform, "status": found.status}
+
+    shapes = {"legs": (len(of_leg), 6, LEGS), "platform": (len(of_platform), 6)}
+    found, status = on_arrays(run, legs_side_by_side(robot), motion, shapes)
+    legs = np.moveaxis(found["legs"], -3, -1).reshape(*motion.shape, 6, LEGS * len(of_leg))
+    Y = np.concatenate([legs, found["platform"].swapaxes(-1, -2)], axis=-1)
+    status[(status == OK) & ~np.isfinite(Y).all(axis=(-1, -2))] = NOT_FINITE
+    Y[status != OK] = np.nan
+    report_faults(status, robot, motion, on_singular, stacklevel=3)
+    return Y
+
+
+def _columns(found: Any, parameters: Sequence[tuple[str, str]]) -> list[list[Any]]:
+    """The columns of parameters, each a list of its rows."""
+    return [[*getattr(found, f"force_{name}"), *getattr(found, f"moment_{name}")] for name, _ in parameters]
 
 
 def inertial_parameters(robot: Robot) -> Parameters:

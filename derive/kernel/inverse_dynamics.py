@@ -1,51 +1,197 @@
-"""Every term of inverse dynamics as a tree: D, K, H, c and joint reactions of one pose or of many."""
+"""Every output of the inverse dynamics, and the regressor, as trees of one pose or of many side by side.
+
+Numbers of the six legs are one after the other, for interpreters, or side by side, for arrays.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from types import MappingProxyType
+
+import sympy as sp
 
 from .. import notation as n
-from ..block import Block, Quantity
+from ..block import Block, Output
 from ..kernels import Kernel
+from ..regressor import Regressor
 from . import read
-from .lower import block_function, structure
-from .nodes import Array, Field, Program, Real, Record, Structure
+from .elimination import ONCE
+from .layouts import Written
+from .lower import Arguments, Place, block_function, each_number, structure
+from .model import STATUS_FIELD, machine_structures
+from .nodes import (
+    Array,
+    Assign,
+    Element,
+    Expression,
+    Field,
+    Function,
+    Integer,
+    Name,
+    Number,
+    Program,
+    Real,
+    Record,
+    Statement,
+    Structure,
+    Type,
+)
+from .prepare import ABOUT_REFERENCE
+from .written import forces, legs, solve
 from .written import inverse_dynamics as written
+
+Text = Callable[..., object]
 
 TERMS, REACTIONS = "terms", "leg_reactions"
 
+_OF_LEG: Arguments = {"leg": ("Leg", n.LEG)}
+_OF_POSE: Arguments = {"robot": ("Robot", n.PLATFORM), "motion": ("Motion", n.MOTION)}
+_AXIAL: Arguments = {"x": ("", (n.x,)), "bearing": ("", (n.bearing,))}
+_TERMS = Structure(
+    "Terms",
+    "Terms of F = D - x, H x = c; moments about the reference point.",
+    (
+        Field("D", Array(Real(), (6,)), "N: known part of the actuator force, (24)"),
+        Field("K", Array(Real(), (6, 3)), "N: transverse force on the leg at its spherical joint, (21)"),
+        Field("H", Array(Real(), (6, 6)), "1 and m: from x to the wrench on the platform, (36)"),
+        Field("c", Array(Real(), (6,)), "N, N m: wrench that the axial forces balance, (36)"),
+    ),
+)
+_FORCES = Structure(
+    "Forces",
+    "Actuator forces, and what they are made of.",
+    (
+        Field("F", Array(Real(), (6,)), "N: actuator forces, (37)"),
+        Field("x", Array(Real(), (6,)), "N: axial forces of the legs at the platform, (36)"),
+        Field("terms", Record("Terms"), "D, K, H and c"),
+        Field("legs", Record("Legs"), "what the legs have"),
+        Field("reach", Real(), "m: size of the vectors that each leg is the sum of"),
+        Field("suspect", Integer(), "1 where H may be singular to rounding"),
+        STATUS_FIELD,
+    ),
+)
+
+
+def _column(row: Expression, column: Expression) -> Expression:
+    """An entry of [H | c]: columns of H are side by side in its rows."""
+    return Element(Name("c"), (row,)) if column == Number(6) else Element(Name("H"), (row, column))
+
+
+_ELIMINATION: Mapping[str, read.Given] = {
+    **ONCE,
+    "a": _column,
+    "begin": written.first_pivot,
+    "exchange": written.look_below,
+    "weigh": written.exchange_once,
+    "update": written.by_whole_rows,
+}
+_CHECKS: tuple[Text, ...] = (legs.fault_of, legs.reach_of, written.first_of)
+"""What can be wrong with the legs."""
+_SMALLEST: Mapping[str, read.Given] = {"SMALLEST": Number(ABOUT_REFERENCE[0])}
+
 
 def terms_program(kernel: Kernel) -> Program:
-    """A kernel's leg and platform with their sums, and a leg's reactions; nothing is solved or checked."""
-    leg = {"leg": ("Leg", n.LEG)}
-    axial = {"x": ("", (n.x,)), "bearing": ("", (n.bearing,))}
-    robot = {"robot": ("Robot", n.PLATFORM), "motion": ("Motion", n.MOTION)}
+    """A kernel's leg and platform with their sums, and a leg's reactions, the legs one after the other;
+    nothing is solved or checked."""
+    found, of_legs = _outputs("LegDynamics", "What a leg has.", kernel.leg), Name("leg")
+    held = (replace(each, type=_of_six(each.type)) for each in found.members)
     structures = [
-        structure("Leg", "One leg.", n.LEG),
-        structure("Robot", "The machine.", n.PLATFORM, Field("leg", Array(Record("Leg"), (6,)), "the legs")),
-        structure("Motion", "Motion of the platform and its load.", n.MOTION),
-        structure("LegDynamics", "What a leg has.", _outputs(kernel.leg)),
-        structure("LegReactions", "Forces and moments in a leg's joints.", _outputs(kernel.reactions)),
-        structure("PlatformWrench", "The platform's part of c.", [n.c_force, n.c_moment]),
-        Structure(
-            "Terms",
-            "Terms of F = D - x, H x = c; moments about the reference point.",
-            (
-                Field("D", Array(Real(), (6,)), "N: known part of the actuator force, (24)"),
-                Field(
-                    "K", Array(Real(), (6, 3)), "N: transverse force on the leg at its spherical joint, (21)"
-                ),
-                Field("H", Array(Real(), (6, 6)), "1 and m: from x to the wrench on the platform, (36)"),
-                Field("c", Array(Real(), (6,)), "N, N m: wrench that the axial forces balance, (36)"),
-            ),
-        ),
+        *machine_structures(),
+        found,
+        Structure("Legs", "What the legs have.", tuple(held)),
+        *_results(kernel),
+        _TERMS,
     ]
-    blocks = [
-        block_function(kernel.platform, "platform_wrench", "PlatformWrench", robot),
-        block_function(kernel.leg, "leg_dynamics", "LegDynamics", leg | robot),
-        block_function(kernel.reactions, REACTIONS, "LegReactions", leg | robot | axial),
-    ]
-    known = {each.name: each for each in structures}
-    functions = {each.name: each for each in blocks}
-    terms = read.function(written.terms, known, functions, TERMS, True)
-    return Program(kernel.formulation.kernel_name, tuple(structures), (*blocks, terms))
+
+    def copied(at: Place) -> Statement:
+        value, to = at(Name("found")), at(Name("out"))
+        to = Element(to.array, (*to.index, of_legs)) if isinstance(to, Element) else Element(to, (of_legs,))
+        return Assign(to, value)
+
+    texts = _texts(structures, [*_blocks(kernel, kernel.leg)])
+    turn = {"COPIED": tuple(each_number(found, copied))}
+    texts.function(written.legs_in_turn, "legs_of", given=turn)
+    texts.function(written.terms_of)
+    texts.function(written.terms, TERMS, public=True)
+    return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
 
 
-def _outputs(block: Block) -> list[Quantity]:
-    return [out.quantity for out in block.outputs]
+def arrays_program(kernel: Kernel) -> Program:
+    """Inverse dynamics and joint reactions with legs side by side."""
+    leg = kernel.leg
+    if all(out.quantity != n.k3 for out in leg.outputs):
+        leg = replace(leg, outputs=(*leg.outputs, Output(n.k3, (sp.S.One,))))
+    legs_ = _outputs("Legs", "What the legs have.", leg)
+    structures = [*_machine(), legs_, *_results(kernel), _TERMS, _FORCES]
+    texts = _texts(structures, _blocks(kernel, leg, "Legs"))
+    _add(texts, *_CHECKS, solve.singular_status)
+    _add(texts, forces.per_length_of, written.largest_of, written.scale_of, given=_SMALLEST)
+    _add(texts, written.eliminate, given=_ELIMINATION)
+    texts.function(written.legs_side_by_side, "legs_of")
+    _add(texts, written.terms_of, written.terms, written.solved, written.inverse_dynamics)
+    return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
+
+
+def regressor_program(blocks: Regressor) -> Program:
+    """Columns of the regressor with legs side by side."""
+    of_legs = _outputs("RegressorOfLegs", "Columns of the legs.", blocks.leg)
+    of_platform = _outputs("RegressorOfPlatform", "Columns of the platform.", blocks.platform)
+    members = (
+        Field("legs", Record(of_legs.name), "of the legs"),
+        Field("platform", Record(of_platform.name), "of the platform"),
+        STATUS_FIELD,
+    )
+    structures = [
+        *_machine(),
+        of_legs,
+        of_platform,
+        Structure("Regressor", "Columns of Y.", members),
+    ]
+    texts = _texts(
+        structures,
+        [
+            block_function(blocks.leg, blocks.leg.name, of_legs.name, _OF_LEG | _OF_POSE),
+            block_function(blocks.platform, blocks.platform.name, of_platform.name, _OF_POSE),
+        ],
+    )
+    _add(texts, *_CHECKS, written.regressor)
+    return Program("regressor", tuple(structures), tuple(texts.functions.values()))
+
+
+def _machine() -> list[Structure]:
+    """The robot with its legs side by side, and the motion."""
+    leg, robot, motion = machine_structures()
+    side_by_side = Field("leg", Record("Leg"), "the legs, in each number one value for each leg")
+    return [leg, replace(robot, members=(*robot.members[:-1], side_by_side)), motion]
+
+
+def _blocks(kernel: Kernel, leg: Block, result: str = "LegDynamics") -> list[Function]:
+    return [
+        block_function(kernel.platform, "platform_wrench", "PlatformWrench", _OF_POSE),
+        block_function(leg, "leg_dynamics", result, _OF_LEG | _OF_POSE),
+        block_function(kernel.reactions, REACTIONS, "LegReactions", _OF_LEG | _OF_POSE | _AXIAL),
+    ]
+
+
+def _results(kernel: Kernel) -> list[Structure]:
+    return [
+        _outputs("LegReactions", "Forces and moments in a leg's joints.", kernel.reactions),
+        _outputs("PlatformWrench", "The platform's part of c.", kernel.platform),
+    ]
+
+
+def _outputs(name: str, meaning: str, block: Block) -> Structure:
+    return structure(name, meaning, (out.quantity for out in block.outputs))
+
+
+def _of_six(kind: Type) -> Array:
+    """The type of as many numbers for each of six legs."""
+    return Array(Real(), (*(kind.dims if isinstance(kind, Array) else ()), 6))
+
+
+def _texts(structures: Sequence[Structure], blocks: Sequence[Function]) -> Written:
+    return Written({each.name: each for each in structures}, {}, {each.name: each for each in blocks})
+
+
+def _add(texts: Written, *functions: Text, given: Mapping[str, read.Given] = MappingProxyType({})) -> None:
+    for each in functions:
+        texts.function(each, given=given)

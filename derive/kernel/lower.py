@@ -108,7 +108,9 @@ def stored_type(quantity: Quantity) -> Type:
 
 def structure(name: str, meaning: str, quantities: Iterable[Quantity], *more: Field) -> Structure:
     """A structure with one member for each quantity, and ``more``."""
-    members = tuple(Field(q.name, stored_type(q), f"{q.unit}: {q.meaning}") for q in quantities)
+    members = tuple(
+        Field(q.name, stored_type(q), f"{q.unit}: {q.meaning}".removeprefix(": ")) for q in quantities
+    )
     return Structure(name, meaning, (*members, *more))
 
 

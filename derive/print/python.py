@@ -144,7 +144,13 @@ class Python(Printer):
             return [line] if len(line) <= WIDTH else []
         if not whole or array is None or {*names_in(array)} & {*names_in(tuple(values))}:
             return []
-        return super().lines(before, f"{self.text(array)} = [{text}]")
+        line = f"{before}{self.text(array)} = [{text}]"
+        if len(line) <= WIDTH:
+            return [line]
+        parts: list[str] = []
+        for each in values:
+            parts += super().lines(before + self.indent, f"{self.text(each)},")
+        return [f"{before}{self.text(array)} = [", *parts, f"{before}]"]
 
     def _is_whole(self, array: Expression, elements: list[Element | None]) -> bool:
         """Whether these are all elements of a structure's member, in their order."""

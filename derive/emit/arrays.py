@@ -1,0 +1,91 @@
+"""Python on arrays: every output of the inverse dynamics, and the regressor, one module each."""
+
+import sympy as sp
+
+from ..block import Quantity, component_name
+from ..kernel.constants import STATUS
+from ..kernel.inverse_dynamics import arrays_program, regressor_program
+from ..kernel.lower import expression
+from ..kernel.nodes import Constant, Program, parts_of
+from ..kernels import Kernel
+from ..operations import KernelOperations
+from ..print.c import C
+from ..print.python import Python
+from ..print.template import filled
+from ..regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, dependencies
+from .c import operations_table
+
+Counts = tuple[KernelOperations, KernelOperations]
+"""Operations with friction and without."""
+
+
+def every_output(kernel: Kernel, counts: Counts, force_counts: Counts, version: str) -> str:
+    """``<kernel>.py``; counts, force_counts: of this kernel and of the one of the forces alone."""
+    program = arrays_program(kernel)
+    return filled(
+        "every_output.py",
+        name=kernel.formulation.kernel_name,
+        version=version,
+        operations=operations_table(*counts, ""),
+        imported=imported(program),
+        table=_operations("OPERATIONS", counts),
+        force_table=_operations("FORCE_OPERATIONS", force_counts),
+        program=Python(program).source().rstrip(),
+    )
+
+
+def regressor(blocks: Regressor, version: str) -> str:
+    """``exact_regressor.py``."""
+    program = regressor_program(blocks)
+    return filled(
+        "regressor.py",
+        version=version,
+        imported=imported(program),
+        leg_parameters=_literal("LEG_PARAMETERS", LEG_PARAMETERS),
+        platform_parameters=_literal("PLATFORM_PARAMETERS", PLATFORM_PARAMETERS),
+        dependent=_rows("DEPENDENT", [f'"{name}"' for name in dependencies()]),
+        formulas=_rows("MERGED", [f'("{base}", "{text}")' for base, text in merged()]),
+        program=Python(program).source().rstrip(),
+    )
+
+
+def imported(program: Program) -> str:
+    """The import of what a program on arrays names in the module that they share."""
+    named = {
+        each.name
+        for function in program.functions
+        for each in parts_of(function.body)
+        if isinstance(each, Constant)
+    }
+    return f"from .arithmetic import {', '.join(sorted(named & STATUS.keys()))}, Arithmetic"
+
+
+def merged() -> list[tuple[str, str]]:
+    """Base parameters that others are merged into, with their formulas; ``sum`` runs over the legs."""
+    own = [component_name(q.name, key) for q in PLATFORM_PARAMETERS for key in q.keys]
+    formulas: dict[str, str] = {}
+    for lost, shares in dependencies().items():
+        for base, share in shares.items():
+            text = C().text(expression(sp.Symbol(lost, real=True) * share))
+            formulas[base] = f"{base} + {f'sum({text})' if base in own else text}"
+    return list(formulas.items())
+
+
+def _operations(name: str, both: Counts) -> str:
+    lines = [f"{name}: dict[str, dict[str, tuple[int, int, int, int]]] = {{"]
+    for label, counts in zip(("friction", "frictionless"), both, strict=True):
+        lines.append(f'    "{label}": {{')
+        for part, count in counts.parts().items():
+            lines.append(f'        "{part}": ({count.mul}, {count.add}, {count.div}, {count.sqrt}),')
+        lines.append("    },")
+    return "\n".join([*lines, "}"])
+
+
+def _literal(name: str, parameters: tuple[Quantity, ...]) -> str:
+    return _rows(
+        name, [f'("{component_name(q.name, key)}", "{q.unit}")' for q in parameters for key in q.keys]
+    )
+
+
+def _rows(name: str, rows: list[str]) -> str:
+    return "\n".join([f"{name} = (", *(f"    {row}," for row in rows), ")"])
