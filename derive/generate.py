@@ -13,9 +13,11 @@ import sympy as sp
 
 from . import motion
 from .block import Block
-from .emit import arrays, bounds, c, lanes
+from .emit import arrays, bounds, c, fidelity_table, lanes
 from .emit import kinematics as kinematics_text
 from .emit import motion as motion_text
+from .emit.header import common_header
+from .emit.layout import layout
 from .emit.shared import shared_headers
 from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
 from .formulation import EXACT, FORMULATIONS, Formulation
@@ -25,11 +27,7 @@ from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .kernels import Kernel, kernel
 from .kinematics import Kinematics, kinematics
 from .operations import force_operations, kernel_operations
-from .package import fidelity_table
-from .package.header import common_header
-from .package.languages import python_arithmetic, python_module
-from .package.layout import layout
-from .package.words import template
+from .print.template import filled
 from .reduce import share
 from .regressor import Regressor, regressor
 from .regroup import ForceKernel, force_kernel, with_numbers
@@ -96,8 +94,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     models: dict[str, int] = {}
     headers = {"stewart.h": common_header(version)} | shared_headers(version)
     files = {f"c/{name}": text for name, text in headers.items()} | {
-        "arithmetic.py": _ARITHMETIC.format(version=version) + python_arithmetic(),
-        "__init__.py": _PACKAGE.format(version=version),
+        "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),
+        "__init__.py": filled("package.py", version=version),
     }
     for form in FORMULATIONS:
         progress(f"deriving {form.kernel_name}")
@@ -113,7 +111,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         models[form.kernel_name] = lanes.model_numbers(forces)
         files[f"{form.kernel_name}.py"] = arrays.every_output(built, counts, force_counts, version)
         found = output_program(form, OUTPUTS if form == EXACT else (FORCES,))
-        files[f"{form.kernel_name}_arrays.py"] = python_module(found, arrays.imported(found), version)
+        files[f"{form.kernel_name}_arrays.py"] = arrays.module(found, arrays.imported(found), version)
     progress("bounding the rounding errors of exact_forces")
     files |= _error_bounds(version)
     models[f"{EXACT.kernel_name}_bounds"] = bounds.model_numbers(reduced_forces(EXACT))
@@ -217,28 +215,6 @@ def _closed_form(version: str) -> dict[str, str]:
     sources = _motion_files(model, version, motion_text.FUNCTIONS)
     rows = [f'    "{each.name}": {motion_text.sum_operations(each).total},' for each in built]
     return {
-        f"{EXACT.kernel_name}_operations.py": template(
-            "python_operations.py", {"version": version, "rows": "\n".join(rows)}
-        ),
+        f"{EXACT.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
         **{f"c/{file}": text for file, text in sources.items()},
     }
-
-
-_ARITHMETIC = '''\
-"""What the modules on arrays share: status codes, constants, and the functions of an array namespace.
-
-Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
-SPDX-License-Identifier: 0BSD
-"""
-
-from typing import Any
-
-'''
-
-_PACKAGE = '''\
-"""Kernels that ``stewart_sym.derive`` wrote: C below ``c/``, NumPy beside this file.
-
-Written by stewart-sym {version}; do not edit. Regenerate with ``stewart-sym derive``.
-SPDX-License-Identifier: 0BSD
-"""
-'''

@@ -8,11 +8,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from .emit import lanes
+from .emit.header import common_header
 from .emit.shared import shared_headers
 from .formulation import EXACT
 from .generate import generator_version, prepared_model, shared_blocks
 from .operations import force_operations
-from .package.header import common_header
 from .regroup import ForceKernel, elimination_kernel, force_kernel, regrouped, with_shared_pose
 
 

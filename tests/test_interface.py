@@ -9,11 +9,11 @@ from pathlib import Path
 import pytest
 
 from stewart_sym import native, results
+from stewart_sym.derive.emit.layout import layout
 from stewart_sym.derive.generate import generator_version
 from stewart_sym.derive.kernel.constants import STATUS as OF_TREES
 from stewart_sym.derive.kernel.interface import CALLS, STATUS, STRUCTS
 from stewart_sym.derive.package.functions import MODEL, NOTHING, ROBOT, Function
-from stewart_sym.derive.package.layout import layout
 from stewart_sym.generated import interface
 from stewart_sym.kit.choice import STEMS
 

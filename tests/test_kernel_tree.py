@@ -319,7 +319,7 @@ def test_a_language_is_one_module_and_one_registration(
     class Shouting(languages.PythonKit):
         name, title = "shouting", "Python in capitals"
 
-        def files(self, kit: languages.Contents) -> dict[str, str]:
+        def files(self, kit: languages.contents.Contents) -> dict[str, str]:
             return {name.upper(): text for name, text in super().files(kit).items()}
 
     monkeypatch.setitem(languages.LANGUAGES, "shouting", Shouting())

@@ -43,7 +43,8 @@ copy, folder = map(Path, sys.argv[1:])
 derive.__path__[:] = [str(copy)]
 from stewart_sym.derive.formulation import EXACT
 from stewart_sym.derive.generate import motion_files, output_program
-from stewart_sym.derive.package.languages import LANGUAGES, Contents, Test
+from stewart_sym.derive.package.languages import LANGUAGES
+from stewart_sym.derive.package.languages.contents import Contents, Test
 given = json.loads(sys.stdin.read())
 answers, bounds = ({"momentum": given[each]} for each in ("answer", "bound"))
 test = Test("momentum", {"motion": given["motion"]}, answers, bounds)

@@ -21,6 +21,7 @@ from stewart_sym import fidelity, native
 from stewart_sym.derive import notation as n
 from stewart_sym.derive.bake import baked
 from stewart_sym.derive.emit import scalar
+from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.emit.shared import shared_headers
 from stewart_sym.derive.fidelity import FIDELITIES, fidelity_kernel
 from stewart_sym.derive.formulation import FORMULATIONS
@@ -28,7 +29,6 @@ from stewart_sym.derive.generate import shared_blocks
 from stewart_sym.derive.kernel import read
 from stewart_sym.derive.kernel.elimination import BY_POINTERS
 from stewart_sym.derive.kernel.written import scalar as written_scalar
-from stewart_sym.derive.package.header import common_header
 from stewart_sym.derive.print.c import C
 from stewart_sym.kernel import MOTION, c_sources, kernel_name, loaded, robot_numbers
 from stewart_sym.motion import Motion

@@ -1,9 +1,11 @@
-"""Python on arrays: every output of the inverse dynamics, and the regressor, one module each."""
+"""Python on arrays: the modules of ``generated/``, and what they share with the kits in Python."""
+
+from collections.abc import Mapping
 
 import sympy as sp
 
 from ..block import Quantity, component_name
-from ..kernel.constants import STATUS
+from ..kernel.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.inverse_dynamics import arrays_program, regressor_program
 from ..kernel.lower import expression
 from ..kernel.nodes import Constant, Program, parts_of
@@ -46,6 +48,29 @@ def regressor(blocks: Regressor, version: str) -> str:
         dependent=_rows("DEPENDENT", [f'"{name}"' for name in dependencies()]),
         formulas=_rows("MERGED", [f'("{base}", "{text}")' for base, text in merged()]),
         program=Python(program).source().rstrip(),
+    )
+
+
+def arithmetic(numbers: Mapping[str, tuple[int, str]] = STATUS) -> str:
+    """Status codes, constants and the class ``Arithmetic`` of modules on arrays."""
+    found = {name: constants(name) for name in PRECISIONS}
+    return filled(
+        "arithmetic.py",
+        statuses="\n".join(f"{name} = {code}  # {says}" for name, (code, says) in numbers.items()),
+        constants="\n".join(f"    {name!r}: {values!r}," for name, values in found.items()),
+        declared="\n".join(f"    {name}: float" for name in NAMES),
+    )
+
+
+def module(program: Program, names: str, version: str) -> str:
+    """A program as a module on arrays; names: text that defines or imports what ``arithmetic`` does."""
+    has_pose = any(each.name == "Pose" for each in program.structures)
+    return filled(
+        "arrays.py",
+        arithmetic=names,
+        program=Python(program).source(),
+        version=version,
+        poses=filled("pose.py") if has_pose else "",
     )
 
 

@@ -10,7 +10,8 @@ from ..derive.formulation import FORMULATIONS
 from ..derive.generate import output_program
 from ..derive.kernel.nodes import Program, Record
 from ..derive.package import licence
-from ..derive.package.languages import LANGUAGES, Contents, Test, Value, compared
+from ..derive.package.languages import LANGUAGES
+from ..derive.package.languages.contents import Contents, Test, Value, compared
 from ..derive.package.robot import robot_toml
 from ..derive.package.words import robot_symbol
 from ..fidelity import resolved

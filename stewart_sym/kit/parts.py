@@ -14,6 +14,7 @@ from .. import fidelity
 from ..derive import notation
 from ..derive.bake import baked
 from ..derive.emit import lanes, scalar
+from ..derive.emit.header import common_header
 from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE, shared_headers
 from ..derive.formulation import EXACT
@@ -27,7 +28,6 @@ from ..derive.generate import (
 from ..derive.kernel.kinematics import search_operations
 from ..derive.operations import force_operations
 from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
-from ..derive.package.header import common_header
 from ..derive.package.words import Numbers, robot_symbol
 from ..derive.regroup import ForceKernel
 from ..kernel import c_sources, kernel_name, module

@@ -5,17 +5,17 @@ Prints names, meanings and counts; the kernels themselves are C.
 
 from collections.abc import Mapping
 
-from ..emit.c import wrap_list
 from ..fidelity import Fidelity
 from ..operations import force_operations
+from ..print.template import filled
 from ..regroup import ForceKernel
-from .words import template
+from .c import wrap_list
 
 
 def module(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
     """The module's text."""
     entries = "\n".join(_entry(level, kernel) for level, kernel in kernels.items())
-    return template("fidelities.py", {"version": version, "entries": entries})
+    return filled("fidelities.py", version=version, entries=entries)
 
 
 def _entry(level: Fidelity, kernel: ForceKernel) -> str:

@@ -2,8 +2,8 @@
 
 from ..kernel.interface import STATUS, STRUCTS, Member
 from ..notation import LEG, MOTION, PLATFORM
+from ..print.template import filled
 from ..thresholds import comment
-from .words import template
 
 _MATRICES = {q.name: q for q in (*LEG, *PLATFORM, *MOTION) if len(q.shape) == 2}
 
@@ -12,18 +12,16 @@ def common_header(version: str, precision: str = "double") -> str:
     """``stewart.h``; precision: "float" where it asks for float by itself, as that of a float kit does."""
     structs = {name: "\n".join(map(_member, members)) for name, members in STRUCTS.items()}
     arrays = {f"{name}_arrays": _pointers(name) for name in ("forces", "reactions")}
-    return template(
+    return filled(
         "stewart.h",
-        {
-            "version": version,
-            "release": version.partition(" ")[0],
-            "thresholds": comment(),
-            "status": "\n".join(f"#define STEWART_{name} {code} /* {text} */" for name, code, text in STATUS),
-            "motions": _pointers("motion", "const "),
-            "own_type": template("float.h") if precision == "float" else "",
-            **structs,
-            **arrays,
-        },
+        version=version,
+        release=version.partition(" ")[0],
+        thresholds=comment(),
+        status="\n".join(f"#define STEWART_{name} {code} /* {text} */" for name, code, text in STATUS),
+        motions=_pointers("motion", "const "),
+        own_type=filled("float.h") if precision == "float" else "",
+        **structs,
+        **arrays,
     )
 
 

@@ -1,0 +1,113 @@
+"""What the kits of all languages share: the README, calls as examples show them, tables of constants."""
+
+import textwrap
+from abc import ABC, abstractmethod
+from collections.abc import Iterable, Mapping, Sequence
+
+from ... import notation as n
+from ...block import Quantity
+from ..words import in_markdown, template
+from .contents import Contents, Test, stored
+
+
+class Language(ABC):
+    """The files of a kit in one language."""
+
+    name: str
+    title: str
+    precisions: tuple[str, ...] = ("double",)
+    run: str
+    """Command that runs the self-test, then the example."""
+    example: str
+    """File name of the example."""
+
+    prepare: str
+    """The call that prepares the constants."""
+    robot: str
+    """The robot as an argument."""
+    notes: str
+    """What is peculiar to the language, for the README."""
+
+    @abstractmethod
+    def files(self, kit: Contents) -> dict[str, str]:
+        """File name -> text, without README."""
+
+    @abstractmethod
+    def call(self, function: str, arguments: Sequence[str]) -> str:
+        """Statement that calls a function and names its result ``found``."""
+
+    def calls(self, kit: Contents) -> dict[str, str]:
+        """The call of each output that has a test, as README and example show it."""
+        names = {each: each for each in kit.given} | {"model": "model", "robot": self.robot}
+        return {
+            output: self.call(
+                output, [names.get(each.name, each.name) for each in kit.program.function(output).arguments]
+            )
+            for output in kit.outputs
+            if output in kit.shown
+        }
+
+    def readme(self, kit: Contents) -> str:
+        """The README of a kit."""
+        calls = [*([self.prepare] if kit.prepared else []), *self.calls(kit).values()]
+        table = [(name, of) for name, of in kit.whole_numbers.items() if name != "MAX_STEPS"]
+        return template(
+            "readme.md",
+            {
+                "robot": in_markdown(kit.name),
+                "title": textwrap.fill(f"{self.title}; functions: {kit.says}.", 110),
+                "version": kit.version,
+                "options": kit.options,
+                "language": self.name,
+                "run": self.run,
+                "example": self.example,
+                "calls": "\n    ".join(calls),
+                "statuses": "\n".join(f"| {code} | `{name}` | {says} |" for name, (code, says) in table),
+                "guess": _GUESS if "forward_kinematics" in kit.outputs else "",
+                "notes": self.notes,
+            },
+        )
+
+    def values(self, kit: Contents, **more: str) -> dict[str, str]:
+        """What every template takes."""
+        return {
+            "robot": kit.name,
+            "outputs": kit.says,
+            "version": kit.version,
+            "crate": kit.symbol,
+            **more,
+        }
+
+    def assignments(self, kit: Contents, made: str, leg: str, indent: str, one: str) -> str:
+        """Statements that fill a robot, one line a quantity."""
+        lines = [_assigned(indent, made, q, stored(kit.numbers, q), one) for q in n.PLATFORM]
+        for i in range(6):
+            owner = leg.format(i, i + 1)
+            lines += [_assigned(indent, f"{made}.{owner}", q, stored(kit.numbers, q, i), one) for q in n.LEG]
+        return "\n".join(lines)
+
+
+_GUESS = """
+`forward_kinematics` finds the pose beside its guess, whose R must be near a rotation; from afar another one
+may come out, or none."""
+_READ = ("R", "t")
+"""Members of a structure that every function reads."""
+
+
+def spoilt(test: Test) -> list[tuple[str, str]]:
+    """Argument and member, "" for none, of the arrays that every function reads."""
+    return [
+        (name, member)
+        for name, value in test.given.items()
+        for member in (_READ if isinstance(value, Mapping) else ("",))
+    ]
+
+
+def _assigned(indent: str, owner: str, quantity: Quantity, values: Sequence[float], one: str) -> str:
+    text = one.format(", ".join(map(repr, values))) if quantity.shape else repr(values[0])
+    return f"{indent}{owner}.{quantity.name} = {text}{';' if one.endswith('.') else ''}".replace("].;", "];")
+
+
+def array(values: Iterable[float]) -> str:
+    """Numbers as a list in brackets."""
+    return f"[{', '.join(map(repr, values))}]"

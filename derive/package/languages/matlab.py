@@ -1,0 +1,91 @@
+"""A kit in MATLAB: a package of functions."""
+
+from collections.abc import Mapping, Sequence
+
+from ...kernel.constants import constants
+from ...kernel.settle import of_one_pose
+from ...print.matlab import Matlab
+from ..words import template
+from .contents import Contents, Test, Value, compared
+from .language import Language, array, spoilt
+
+
+class MatlabKit(Language):
+    """A package of functions."""
+
+    name, title = "matlab", "MATLAB and Octave"
+    run = 'octave-cli --eval "assert(self_test() == 0)" && octave-cli one_pose.m'
+    example = "one_pose.m"
+    prepare = "model = stewart.prepare(stewart.robot());"
+    robot = "stewart.robot()"
+    notes = template("matlab_notes.md").strip()
+
+    def files(self, kit: Contents) -> dict[str, str]:
+        shown = set(map(id, kit.shown.values()))
+        tests = "\n".join(line for test in kit.tests for line in self._test(kit, test, id(test) in shown))
+        calls = "\n".join(self.calls(kit).values())
+        fill = self.assignments(kit, "made", "leg({1})", "    ", "[{}].")
+        made = {f"+stewart/{name}": text for name, text in Matlab(of_one_pose(kit.program)).files().items()}
+        values = self.values(
+            kit,
+            statuses="\n".join(
+                f"    made.{name} = {code}; % {says}" for name, (code, says) in kit.whole_numbers.items()
+            ),
+            constants="\n".join(
+                f"    made.{name} = {value!r};" for name, value in constants("double").items()
+            ),
+        )
+        helpers = ["where", "larger", "constants", "numbers", "motion_of"]
+        helpers += ["pose_at"] if any(each.name == "Pose" for each in kit.program.structures) else []
+        for name in helpers:
+            made[f"+stewart/{name}.m"] = template(f"matlab_{name}.m", values)
+        prepare = self.prepare if kit.prepared else ""
+        return {
+            **made,
+            "+stewart/robot.m": template("matlab_robot.m", self.values(kit, numbers=fill)),
+            "self_test.m": template("matlab_test.m", self.values(kit, prepare=prepare, tests=tests)),
+            self.example: template(
+                "matlab_example.m",
+                self.values(kit, prepare=prepare, given="\n".join(_matlab_given(kit.given, "")), calls=calls),
+            ),
+        }
+
+    def _test(self, kit: Contents, test: Test, wrong: bool) -> list[str]:
+        names = [*test.given]
+        subject = {"robot": "stewart.robot()"}.get(kit.subject(test.function), "model")
+        lines = [
+            *_matlab_given(test.given, "    "),
+            f"    {self.call(test.function, [subject, *names])};",
+            f"    failed = failed + (found.status ~= {test.status});",
+        ]
+        lines += [
+            f"    failed = failed + close(found.{name}, [{', '.join(map(repr, test.answers[name]))}], "
+            f"[{', '.join(map(repr, test.bounds[name]))}]);"
+            for name in (compared(kit.program, test.function) if test.answers else ())
+        ]
+        for name, member in spoilt(test) if wrong else ():
+            place = f"wrong.{member}" if member else "wrong"
+            wrong_call = self.call(
+                test.function, [subject, *("wrong" if each == name else each for each in names)]
+            )
+            lines += [
+                f"    wrong = {name};",
+                f"    {place}(1) = NaN;",
+                f"    {wrong_call};",
+                "    failed = failed + (found.status ~= 1);",
+            ]
+        return lines
+
+    def call(self, function: str, arguments: Sequence[str]) -> str:
+        return f"found = stewart.{function}({', '.join(arguments)})"
+
+
+def _matlab_given(given: Mapping[str, Value], indent: str) -> list[str]:
+    lines = []
+    for name, value in given.items():
+        if isinstance(value, Mapping):
+            lines.append(f"{indent}{name} = stewart.zero_{'motion' if name == 'motion' else 'pose'}();")
+            lines += [f"{indent}{name}.{key} = {array(numbers)};" for key, numbers in value.items()]
+        else:
+            lines.append(f"{indent}{name} = {array(value)};")
+    return lines

@@ -1,0 +1,73 @@
+"""A kit in Python: one module on arrays."""
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from ...emit.arrays import arithmetic, module
+from ..words import template
+from .contents import Contents, Value, compared
+from .language import Language
+
+
+class PythonKit(Language):
+    """One module on arrays."""
+
+    name, title = "python", "Python, on arrays of NumPy, JAX, PyTorch and others"
+    run = "python self_test.py && python example.py"
+    example = "example.py"
+    prepare = "model = stewart_arrays.prepare(on, machine)"
+    robot = "machine"
+    notes = template("python_notes.md").strip()
+
+    def files(self, kit: Contents) -> dict[str, str]:
+        tests = "".join(
+            f"    [\n        {test.function!r},\n        {kit.subject(test.function)!r},\n"
+            f"        {_plain(test.given)!r},\n        {test.status},\n"
+            f"        {_plain(test.answers)!r},\n        {_plain(test.bounds)!r},\n    ],\n"
+            for test in kit.tests
+        )
+        fill = self.assignments(kit, "made", "leg[{0}]", "    ", "[{}]")
+        made = {
+            "robot": kit.name.replace("\\", "\\\\").replace('"', '\\"'),
+            "prepare": self.prepare if kit.prepared else "model = None",
+        }
+        calls = [
+            line
+            for output, call in self.calls(kit).items()
+            for line in (
+                call,
+                f'print("{output}")',
+                *(f'print("{path}", np.array(found.{path}))' for path in compared(kit.program, output)),
+            )
+        ]
+        return {
+            "stewart_arrays.py": module(kit.program, arithmetic(kit.whole_numbers), kit.version),
+            "robot.py": template("python_robot.py", self.values(kit, **made, numbers=fill)),
+            "self_test.py": template("python_test.py", self.values(kit, **made, tests=tests)),
+            "example.py": template(
+                "python_example.py",
+                self.values(kit, **made, given=_python_given(kit.given), calls="\n".join(calls)),
+            ),
+        }
+
+    def call(self, function: str, arguments: Sequence[str]) -> str:
+        return f"found = stewart_arrays.{function}({', '.join(['on', *arguments])})"
+
+
+def _plain(values: Mapping[str, Value]) -> dict[str, Any]:
+    return {
+        name: {key: list(each) for key, each in value.items()} if isinstance(value, Mapping) else list(value)
+        for name, value in values.items()
+    }
+
+
+def _python_given(given: Mapping[str, Value]) -> str:
+    lines = []
+    for name, value in given.items():
+        if isinstance(value, Mapping):
+            maker = "motion_of" if name == "motion" else "pose_at"
+            fields = [f"    {key}={list(numbers)!r}," for key, numbers in value.items()]
+            lines += [f"{name} = stewart_arrays.{maker}(", "    on,", *fields, ")"]
+        else:
+            lines.append(f"{name} = {list(value)!r}")
+    return "\n".join(lines)

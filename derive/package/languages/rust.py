@@ -1,0 +1,122 @@
+"""A kit in Rust: a crate without dependencies."""
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from ... import notation as n
+from ...block import Quantity
+from ...kernel.constants import constants
+from ...kernel.settle import of_one_pose
+from ...print.rust import Rust
+from ..words import Numbers, template
+from .contents import Contents, Test, Value, compared, stored
+from .language import Language, array, spoilt
+
+
+class RustKit(Language):
+    """A crate without dependencies."""
+
+    name, title = "rust", "Rust, without its standard library if need be"
+    precisions = ("double", "float")
+    run = "cargo test && cargo run --example example"
+    example = "examples/example.rs"
+    prepare = "let model = prepare(&ROBOT);"
+    robot = "&ROBOT"
+    notes = template("rust_notes.md").strip()
+
+    def files(self, kit: Contents) -> dict[str, str]:
+        real, root = ("f64", "sqrt") if kit.precision == "double" else ("f32", "sqrtf")
+        shown = set(map(id, kit.shown.values()))
+        tests = "".join(self._test(kit, i, test, id(test) in shown) for i, test in enumerate(kit.tests))
+        tests += template("rust_test_model.rs") if kit.prepared else ""
+        calls = "\n".join(
+            f'    {call}\n    println!("{output} {{:?}}", found);' for output, call in self.calls(kit).items()
+        )
+        program = Rust(of_one_pose(kit.program)).source()
+        return {
+            "Cargo.toml": template("rust_cargo.toml", self.values(kit)),
+            "src/lib.rs": template(
+                "rust_lib.rs",
+                self.values(
+                    kit,
+                    program=program,
+                    real=real,
+                    root=root,
+                    statuses="\n".join(self._numbers(kit)),
+                    constants="\n".join(
+                        f"const {name}: Real = {value!r};" for name, value in constants(kit.precision).items()
+                    ),
+                ),
+            ),
+            "src/robot.rs": template("rust_robot.rs", self.values(kit, numbers=_rust_robot(kit.numbers))),
+            "tests/self_test.rs": template("rust_test.rs", self.values(kit, tests=tests)),
+            self.example: template(
+                "rust_example.rs",
+                self.values(
+                    kit,
+                    prepare=self.prepare if kit.prepared else "",
+                    given="\n".join(_rust_given(kit.given)),
+                    calls=calls,
+                ),
+            ),
+        }
+
+    def _numbers(self, kit: Contents) -> Iterable[str]:
+        """Statuses and limits."""
+        for name, (code, says) in kit.whole_numbers.items():
+            yield f"/// {says if name == 'MAX_STEPS' else f'Status: {says}'}."
+            yield f"pub const {name}: usize = {code};"
+
+    def _test(self, kit: Contents, number: int, test: Test, wrong: bool) -> str:
+        subject = {"robot": "&ROBOT"}.get(kit.subject(test.function), "&prepare(&ROBOT)")
+        lines = [
+            "",
+            "#[test]",
+            f"fn {test.function}_{number + 1}() {{",
+            *_rust_given(test.given),
+            f"    {self.call(test.function, [subject, *test.given])}",
+            f"    assert_eq!(found.status, {test.status});",
+        ]
+        for name, dims in compared(kit.program, test.function).items() if test.answers else ():
+            rows = [(name, 0)] if len(dims) == 1 else [(f"{name}[{i}]", i) for i in range(dims[0])]
+            for part, i in rows:
+                numbers = [
+                    array(list(values[name])[i * dims[-1] : (i + 1) * dims[-1]])
+                    for values in (test.answers, test.bounds)
+                ]
+                lines += [f'    close("{part}", &found.{part}, &{numbers[0]}, &{numbers[1]});']
+        for name, member in spoilt(test) if wrong else ():
+            arguments = ["wrong" if each == name else each for each in test.given]
+            lines += [
+                f"    let mut wrong = {name};",
+                f"    wrong{f'.{member}' if member else ''}[0] = Real::NAN;",
+                f"    {self.call(test.function, [subject, *arguments])}",
+                "    assert_eq!(found.status, NOT_FINITE);",
+            ]
+        return "\n".join([*lines, "}", ""])
+
+    def call(self, function: str, arguments: Sequence[str]) -> str:
+        passed = [each if each.startswith("&") else f"&{each}" for each in arguments]
+        return f"let found = {function}({', '.join(passed)});"
+
+
+def _rust_members(pairs: Iterable[tuple[Quantity, Sequence[float]]], indent: str) -> list[str]:
+    return [f"{indent}{q.name}: {array(values) if q.shape else repr(values[0])}," for q, values in pairs]
+
+
+def _rust_given(given: Mapping[str, Value]) -> list[str]:
+    lines = []
+    for name, value in given.items():
+        if isinstance(value, Mapping):
+            members = [f"        {key}: {array(numbers)}," for key, numbers in value.items()]
+            lines += [f"    let {name} = {'Motion' if name == 'motion' else 'Pose'} {{", *members, "    };"]
+        else:
+            lines.append(f"    let {name}: [Real; {len(value)}] = {array(value)};")
+    return lines
+
+
+def _rust_robot(numbers: Numbers) -> str:
+    lines = ["Robot {", *_rust_members(((q, stored(numbers, q)) for q in n.PLATFORM), "    "), "    leg: ["]
+    for i in range(6):
+        legs = _rust_members(((q, stored(numbers, q, i)) for q in n.LEG), " " * 12)
+        lines += ["        Leg {", *legs, "        },"]
+    return "\n".join([*lines, "    ],", "}"])
