@@ -1,30 +1,33 @@
-"""What the functions of a kit compute, in ``Running`` numbers: the kernels that are printed, interpreted.
+"""What the functions of a kit compute, in ``Running`` numbers.
 
-Linear systems are solved by ``running``, with smaller errors than a run of the elimination. Every
-reading takes the robot and the motion of one pose as stored and hands out what the C writes, flat, in the
-order of its struct.
+The forces of a level and the kinematics are trees that are interpreted; every output and the closed form, of
+which there is one kernel, are modules of ``generated``, trees that are printed, run on these numbers. Linear
+systems are solved by ``running``, with smaller errors than a run of the elimination. Every function takes the
+motion of one pose as stored and returns what the C writes, flat, in the order of its struct.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property, partial
-from types import SimpleNamespace
+from functools import cache, cached_property
+from importlib.util import find_spec, module_from_spec
+from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from ..derive import notation as n
-from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.generate import output_program, reduced, reduced_kinematics, reduced_rotation
+from ..derive.formulation import EXACT
+from ..derive.generate import reduced_kinematics, reduced_rotation
 from ..derive.kernel.constants import constants
 from ..derive.kernel.interpret import Arithmetic, Interpreter
-from ..derive.kernel.inverse_dynamics import REACTIONS, TERMS, terms_program
 from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from ..derive.kernel.nodes import Program
 from ..derive.kernel.outputs import FORCES, program
-from ..kernel import kernel_name
+from ..generated.arithmetic import Arithmetic as OnArrays
+from ..kernel import kernel_name, module
 from ..results import OK
+from ..robot import LEGS
 from ..studies.truth import ON_DIGITS, number_of_digits
 from ..trees import robot_structure, structure
 from .parts import plain_kernel
@@ -49,9 +52,6 @@ PLATFORM_FIELDS = tuple(q.name for q in n.PLATFORM)
 NEAR_POLE = constants("double")["NEAR_POLE"]
 """Sine of the angle between a leg and its fixed axis below which a third axis takes the place of that one."""
 
-# Outputs of the closed form in two programs: derivatives take longest to derive.
-_EQUATIONS = ("equations", "bias", "forward_dynamics", "joint_inertia")
-_SLOPES = ("derivatives", "linearisation")
 # Rotations and axes are of length one only to rounding; other forms of the equations use that they are.
 _ORTHONORMAL = ("R", "k")
 # What repeated turns and one rounding leave of R's orthonormality, in rounding units.
@@ -62,6 +62,25 @@ ON = Arithmetic(
     {name: Running(value) for name, value in (constants("double") | {"NAN": np.nan}).items()},
     Running.sqrt,
 )
+
+
+class _OnArrays(OnArrays):
+    """The same for modules of ``generated``: of one pose, the legs of which may be side by side."""
+
+    def __init__(self) -> None:
+        vars(self).update(ON.constants)
+
+    def arrays(self, value: Any) -> Any:
+        return value
+
+    def checked(self, made: Any, name: str, value: Any) -> Any:
+        return value
+
+    def sqrt(self, value: Any) -> Any:
+        return np.frompyfunc(lambda each: Running.of(each).sqrt(), 1, 1)(value)
+
+
+ON_ARRAYS = _OnArrays()
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,17 +106,16 @@ class Readings:
 
     def inverse_dynamics(self, at: Numbers) -> Found:
         """F, D, x, K, H, c of (20)-(37)."""
-        found = self._terms.run(TERMS, self._robot, _motion(at))
+        found = self._every_output.terms(ON_ARRAYS, self._legs_side_by_side, _motion(at))
         D, H, c = array(found.D), array(found.H), array(found.c)
         x = solve(H, c[:, None])[:, 0]
         return _flat({"F": D - x, "D": D, "x": x, "K": found.K, "H": H, "c": c})
 
     def joint_reactions(self, at: Numbers) -> Found:
         """F_s, F_u, F_p, F_c, M_p, M_u of (21), (26)-(29), (17); ``at`` also has bearing (6,)."""
-        x, motion = self.inverse_dynamics(at)["x"], _motion(at)
-        legs = zip(self._robot.leg, x, array(at["bearing"]), strict=True)
-        found = [self._terms.run(REACTIONS, leg, self._robot, motion, *own) for leg, *own in legs]
-        return _flat({name: [getattr(leg, name) for leg in found] for name in vars(found[0])})
+        robot, axial = self._legs_side_by_side, (self.inverse_dynamics(at)["x"], array(at["bearing"]))
+        found = self._every_output.leg_reactions(ON_ARRAYS, robot.leg, robot, _motion(at), *axial)
+        return _flat({name: _by_leg(value) for name, value in vars(found).items()})
 
     def equations(self, at: Numbers) -> Found:
         """M, C, g, friction, bias, H, H_dot."""
@@ -165,16 +183,15 @@ class Readings:
     def _of_model(self, what: str, at: Numbers, *more: Any, **given: Any) -> Found:
         """A function of the closed form."""
         motion = SimpleNamespace(**vars(_motion(at)), **given)
-        run = _closed_form(_SLOPES if what in _SLOPES else _EQUATIONS)
-        return _flat(run.run(what, self._model, motion, *more))
+        return _flat(getattr(_closed_form(), what)(ON_ARRAYS, self._model, motion, *more))
 
     @property
     def _forces(self) -> Interpreter:
         return _of_level(self.base_joint, self.formulation, self.fidelity)
 
     @property
-    def _terms(self) -> Interpreter:
-        return _terms(kernel_name(self.formulation, self.base_joint))
+    def _every_output(self) -> ModuleType:
+        return module(kernel_name(self.formulation, self.base_joint))
 
     @cached_property
     def _forces_model(self) -> SimpleNamespace:
@@ -183,10 +200,15 @@ class Readings:
         return _rounded_once(model) if self.folded else model
 
     @cached_property
-    def _model(self) -> SimpleNamespace:
-        run = _of_level(EXACT.base_joint, EXACT.name, "general")
-        model: SimpleNamespace = run.run("prepare", self._robot)
-        return model
+    def _model(self) -> Any:
+        return _closed_form().prepare(ON_ARRAYS, self._robot)
+
+    @cached_property
+    def _legs_side_by_side(self) -> SimpleNamespace:
+        robot = self._robot
+        legs = {name: [getattr(leg, name) for leg in robot.leg] for name in LEG_FIELDS}
+        leg = {name: [*array(of).T] if isinstance(of[0], list) else array(of) for name, of in legs.items()}
+        return SimpleNamespace(**vars(robot) | {"leg": SimpleNamespace(**leg)})
 
     @cached_property
     def _robot(self) -> SimpleNamespace:
@@ -199,11 +221,6 @@ class Readings:
 @cache
 def _of_level(base_joint: str, formulation: str, fidelity: str) -> Interpreter:
     return _solving(program(plain_kernel(base_joint, formulation, fidelity)))
-
-
-@cache
-def _terms(name: str) -> Interpreter:
-    return Interpreter(terms_program(reduced(next(f for f in FORMULATIONS if f.kernel_name == name))), ON)
 
 
 @cache
@@ -222,16 +239,17 @@ def _kinematics() -> Interpreter:
 
 
 @cache
-def _closed_form(outputs: tuple[str, ...], deep: bool = False) -> Interpreter:
-    """Some of its functions; those for poses that cost digits are derived where one is met."""
-    found = output_program(EXACT, outputs, deep=deep)
-    later = (each.name for each in found.functions if not each.body)
-    derived = {name: partial(_derived, outputs, name) for name in later}
-    return _solving(found, forces=lambda _, motion: motion.acting, **derived)
-
-
-def _derived(outputs: tuple[str, ...], name: str, *given: Any) -> Any:
-    return _closed_form(outputs, deep=True).run(name, *given)
+def _closed_form() -> ModuleType:
+    """A copy of the generated module of the closed form that solves by ``running``; forces are given."""
+    spec = find_spec(module(f"{EXACT.kernel_name}_arrays").__name__)
+    assert spec is not None
+    assert spec.loader is not None
+    found = module_from_spec(spec)
+    spec.loader.exec_module(found)
+    instead = _solvers(vars(found)) | {"forces": lambda _, motion: motion.acting}
+    for name, function in instead.items():
+        setattr(found, name, lambda on, *given, function=function: function(*given))
+    return found
 
 
 def _rotated(function: str, at: Numbers) -> Found:
@@ -243,15 +261,20 @@ def _rotated(function: str, at: Numbers) -> Found:
 # ---------------------------------------------------------------- linear systems
 
 
-def _solving(found: Program, **instead: Callable[..., Any]) -> Interpreter:
-    """An interpreter that solves by ``running``; near its joint singularity no leg is short."""
+def _solving(found: Program) -> Interpreter:
+    """An interpreter that solves by ``running``."""
+    return Interpreter(found, ON, _solvers(each.name for each in found.functions))
+
+
+def _solvers(names: Iterable[str]) -> dict[str, Callable[..., Any]]:
+    """What takes the place of functions that solve; near its joint singularity no leg is short."""
     known: dict[str, Callable[..., Any]] = {"eliminate": _eliminate, "singular_status": lambda *_: OK}
-    for each in found.functions:
-        if each.name.startswith("solve_pivoted"):
-            known[each.name] = _solve_pivoted
-        if each.name.startswith("solve_definite"):
-            known[each.name] = _solve_definite
-    return Interpreter(found, ON, known | instead)
+    for name in names:
+        if name.startswith("solve_pivoted"):
+            known[name] = _solve_pivoted
+        if name.startswith("solve_definite"):
+            known[name] = _solve_definite
+    return known
 
 
 def _eliminate(A: list[list[Running]], x: list[Running]) -> int:
@@ -297,6 +320,13 @@ def _rounded_once(held: Any) -> Any:
     if isinstance(held, list):
         return [_rounded_once(part) for part in held]
     return held if isinstance(held, int) else Running(held.value, rounded=True)
+
+
+def _by_leg(value: Any) -> Objects:
+    """Numbers of the legs side by side, leg after leg."""
+    if isinstance(value, list):
+        return np.array([array(each, (LEGS,)) for each in value]).T
+    return array(value, (LEGS,))
 
 
 def _with_errors(numbers: Objects, bound: Array) -> Objects:
