@@ -159,35 +159,28 @@ def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
 
 
 def reduced_motion(
-    friction: bool = True, names: Collection[str] = motion.NAMES, near: bool = True
+    friction: bool = True, names: Collection[str] = motion.NAMES
 ) -> tuple[motion.SumKernel, ...]:
     """The kernels of the closed form as they are emitted; names: out of ``motion.NAMES``."""
-    return tuple(_reduced_sums(name, friction, near) for name in motion.NAMES if name in names)
+    return tuple(_reduced_sums(name, friction) for name in motion.NAMES if name in names)
 
 
 @cache
-def _reduced_sums(name: str, friction: bool, near: bool) -> motion.SumKernel:
-    raw = motion.kernel(name, friction, near)
-    if raw.near is not None:
-        return replace(_reduced_sums(name, friction, False), near=share(raw.near))
+def _reduced_sums(name: str, friction: bool) -> motion.SumKernel:
+    raw = motion.kernel(name, friction)
     return replace(raw, pose=share(raw.pose)).changed(share)
 
 
 @cache
-def output_program(
-    form: Formulation, outputs: tuple[str, ...], level: str = "general", deep: bool = True
-) -> Program:
+def output_program(form: Formulation, outputs: tuple[str, ...], level: str = "general") -> Program:
     """Some of ``kernel.outputs.OUTPUTS`` and of the kinematics as one program; what of the former is not of
-    the forces is of ``exact`` alone.
-
-    deep: whether what is for poses that cost digits has been derived.
-    """
+    the forces is of ``exact`` alone."""
     of_model = tuple(each for each in outputs if each not in search.PUBLIC)
     parts = []
     if of_model:
         built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
-        sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model, deep), deep)
-        parts.append(program(built, sums, of_model, deep))
+        sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model))
+        parts.append(program(built, sums, of_model))
     if of_robot := [each for each in outputs if each in search.PUBLIC]:
         parts.append(search.search_program(reduced_kinematics(), of_robot))
     return reduce(joined, parts)

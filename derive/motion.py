@@ -144,11 +144,8 @@ def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
 
 
 @cache
-def kernel(name: str, friction: bool, near: bool = True) -> SumKernel:
-    """One of ``NAMES``, derived once; near: with the leg's second block where there is one."""
-    if near and name in OF_TWO_FORMS:
-        leg = {"equations": _equations_of_leg, "derivatives": _derivatives_of_leg}[name]
-        return replace(kernel(name, friction, False), near=from_difference(leg(friction, near=True)))
+def kernel(name: str, friction: bool) -> SumKernel:
+    """One of ``NAMES``, derived once."""
     derive = {
         "equations": equations_kernel,
         "bias": bias_kernel,
@@ -157,7 +154,11 @@ def kernel(name: str, friction: bool, near: bool = True) -> SumKernel:
         "joint_rows": joint_rows_kernel,
         "joint_slopes": joint_slopes_kernel,
     }[name]
-    return derive(friction).changed(from_difference)
+    found = derive(friction)
+    if name in OF_TWO_FORMS:
+        leg = {"equations": _equations_of_leg, "derivatives": _derivatives_of_leg}[name]
+        found = replace(found, near=leg(friction, near=True))
+    return found.changed(from_difference)
 
 
 # ---------------------------------------------------------------- the platform's own part

@@ -49,20 +49,17 @@ def program(
     kernel: ForceKernel,
     sums: Collection[m.SumKernel] = (),
     outputs: Collection[str] = (FORCES,),
-    deep: bool = True,
 ) -> Program:
     """Preparation and some of ``OUTPUTS``, of one pose or of many side by side.
 
-    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. deep: whether
-    the closed form's functions for poses that cost digits have bodies. Raises ValueError for an output that
-    is not one of ``OUTPUTS``.
+    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. Raises
+    ValueError for an output that is not one of ``OUTPUTS``.
     """
     unknown = [each for each in outputs if each not in OUTPUTS]
     if unknown:
         raise ValueError(f"outputs: expected some of {', '.join(OUTPUTS)}, got {unknown[0]}")
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _of_forces(kernel) | _NAMED
-    known |= {} if deep else _WITHOUT_BODIES
     for each in sums:
         known |= _of_sums(kernel, each)
     functions = {each.name: each for each in model_functions(kernel, of_model)}
@@ -282,15 +279,9 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
             closed_form.sums_of_two_forms if sums.name in m.OF_TWO_FORMS else closed_form.sums, given
         ),
     }
-    if sums.near is None:
-        found[f"{prefix}_near"] = _without_body(f"{prefix}_near", of_leg)
     for part, (block, result, reads) in blocks.items():
         found[f"{prefix}_{part}"] = partial(block_function, block, f"{prefix}_{part}", result, reads)
     return found
-
-
-def _without_body(name: str, result: str, *arguments: Argument) -> Definition:
-    return partial(Function, name, "", arguments, Record(result), ())
 
 
 def _result(name: str, meaning: str, *members: Field) -> Structure:
@@ -375,7 +366,3 @@ _STRUCTURES = (
 )
 _NAMED: dict[str, Definition] = {each.name: each for each in (*RESULTS.values(), *_STRUCTURES)}
 _NAMED |= {f"check_{of}": partial(check_function, f"check_{of}", each) for of, each in RESULTS.items()}
-_WITHOUT_BODIES: dict[str, Definition] = {
-    name: _without_body(name, result, Argument("by", Record("Rows")))
-    for name, result in (("forward_apart", "Apart"), ("slopes_apart", "SlopesApart"))
-}

@@ -263,7 +263,7 @@ class _Reader:
         kinds = ast.Constant | ast.Name | ast.BoolOp | ast.UnaryOp | ast.BinOp | ast.Compare | ast.IfExp
         parts = (each for each in ast.walk(node) if isinstance(each, ast.expr))
         known = {name: self.given[name] for name in names if isinstance(self.given.get(name), int)}
-        if any(value is False for value in known.values()):
+        if (names and not known) or any(value is False for value in known.values()):
             return None
         if not all(isinstance(each, kinds) for each in parts):
             return None

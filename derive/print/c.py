@@ -175,9 +175,6 @@ class C(Printer):
     def name(self, name: str) -> str:
         return f"*{name}" if name in self.numbers else name
 
-    def element(self, array: str, index: list[str]) -> str:
-        return array + "".join(f"[{each}]" for each in index)
-
     def _text(self, node: Expression) -> tuple[str, int]:
         match node:
             case Name(name) if name in self.numbers:

@@ -1,6 +1,7 @@
 """MATLAB and Octave: a package of functions, arguments that a function changes are handed back."""
 
 import math
+import textwrap
 
 from ..kernel.nodes import (
     Array,
@@ -184,9 +185,6 @@ class Matlab(Printer):
             return f"for {node.index} = {first}:-1:{_plus(last, 1)}"
         return f"for {node.index} = {first}:{_plus(last, -1)}"
 
-    def condition(self, test: str) -> str:
-        return f"if {test}"
-
     def returned(self, value: Expression | None) -> str:
         if value is None:
             return "return;"
@@ -224,15 +222,10 @@ class Matlab(Printer):
 
 
 def _help(function: Function) -> list[str]:
-    words = f"{function.name.upper()} {function.meaning}".split()
-    lines, line = [], "%" + words[0]
-    for word in words[1:]:
-        if len(line) + 1 + len(word) > 100:
-            lines.append(line)
-            line = "% " + word
-        else:
-            line = f"{line} {word}"
-    return [*lines, line]
+    text = " ".join([function.name.upper(), *function.meaning.split()])
+    return textwrap.wrap(
+        text, 100, initial_indent="%", subsequent_indent="% ", break_long_words=False, break_on_hyphens=False
+    )
 
 
 def _named(prefix: str, name: str) -> str:

@@ -92,9 +92,6 @@ class Python(Printer):
     def constant(self, name: str) -> str:
         return name if name in INTEGERS else f"on.{name}"
 
-    def element(self, array: str, index: list[str]) -> str:
-        return array + "".join(f"[{each}]" for each in index)
-
     def _text(self, node: Expression) -> tuple[str, int]:
         if isinstance(node, Element) and self.varies(node):
             return f"on.at({', '.join(map(self.text, (node.array, *node.index)))})", ATOM
@@ -179,9 +176,6 @@ class Python(Printer):
         if node.down:
             return f"for {node.index} in range({first}, {last}, -1)"
         return f"for {node.index} in range({last if first == '0' else f'{first}, {last}'})"
-
-    def condition(self, test: str) -> str:
-        return f"if {test}"
 
     def function(self, function: Function) -> list[str]:
         loops = {each.index for each in statements(function.body) if isinstance(each, For)}

@@ -98,9 +98,6 @@ class Rust(Printer):
     def constant(self, name: str) -> str:
         return name
 
-    def element(self, array: str, index: list[str]) -> str:
-        return array + "".join(f"[{each}]" for each in index)
-
     select_level = SUM
 
     def select(self, node: Select) -> str:
@@ -138,9 +135,6 @@ class Rust(Printer):
         if node.down:
             return f"for {index} in (0..{self.text(node.first)} + 1).rev()"
         return f"for {index} in {self.text(node.first)}..{self.text(node.last)}"
-
-    def condition(self, test: str) -> str:
-        return f"if {test}"
 
     def function(self, function: Function) -> list[str]:
         self.borrowed = frozenset(each.name for each in function.arguments if not _by_value(each.type))

@@ -62,10 +62,6 @@ class Printer(ABC):
         """A constant of the arithmetic or a status."""
 
     @abstractmethod
-    def element(self, array: str, index: list[str]) -> str:
-        """An element of an array, counted from zero."""
-
-    @abstractmethod
     def select(self, node: Select) -> str:
         """A selection as an expression."""
 
@@ -84,10 +80,6 @@ class Printer(ABC):
     @abstractmethod
     def loop(self, node: For) -> str:
         """The head of a loop."""
-
-    @abstractmethod
-    def condition(self, test: str) -> str:
-        """The head of a condition."""
 
     @abstractmethod
     def function(self, function: Function) -> list[str]:
@@ -136,6 +128,10 @@ class Printer(ABC):
         """A variable's name."""
         return name
 
+    def element(self, array: str, index: list[str]) -> str:
+        """An element of an array, counted from zero."""
+        return array + "".join(f"[{each}]" for each in index)
+
     # ------------------------------------------------------------ statements
 
     def body(self, statements: Iterable[Statement], depth: int = 1) -> list[str]:
@@ -178,6 +174,10 @@ class Printer(ABC):
         closing = 1 if self.closing else 0
         others = self.nested(before, "", node.otherwise, depth)[1:]
         return [*lines[: len(lines) - closing], before + self.alternative, *others]
+
+    def condition(self, test: str) -> str:
+        """The head of a condition."""
+        return f"if {test}"
 
     def nested(self, before: str, head: str, body: Iterable[Statement], depth: int) -> list[str]:
         """A loop or a condition."""
