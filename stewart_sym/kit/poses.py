@@ -55,9 +55,9 @@ def sample(robot: Robot, formulation: str) -> tuple[Motion, Forces, float]:
     The pose is a slight turn away from home, where the middle of the platform points is straight above the
     middle of the base points, on the side of ``platform_side``, 1.1 times the machine's radius away, and the
     frames are parallel; everything moves and is loaded. A machine on a wall or with another frame on its
-    platform gets another axis, distance or quarter turns: the first, in a fixed order, that solves with a good condition
-    number, clear of the legs' universal axes and, if possible, within their length limits. Raises ValueError
-    if there is none.
+    platform gets another axis, distance or quarter turns: the first, in a fixed order, that solves with a
+    good condition number, clear of the legs' universal axes and, if possible, within their length limits.
+    Raises ValueError if there is none.
     """
     # NumPy, as it rounds like the C and is there without a compiler.
     poses, condition, clear, within = _judged(robot, _candidates(robot), formulation)
