@@ -1,8 +1,9 @@
 """The command ``stewart-sym``: one subcommand for each job.
 
 Reads arguments, calls the library, prints, and turns errors into one line and an exit code: 0 success,
-1 ``derive --check`` found differences, 2 anything that could not be done, 130 interrupted. What one needs
-is imported when it runs, so that none pays for SymPy, SciPy or Matplotlib but those that use them.
+1 ``derive --check`` found differences, 2 anything that could not be done, 128 + n ended by signal n: 130 by
+Ctrl-C, 143 by SIGTERM, 129 by SIGHUP. What one needs is imported when it runs, so that none pays for SymPy,
+SciPy or Matplotlib but those that use them.
 """
 
 import argparse
@@ -21,9 +22,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, NoReturn, TextIO, cast
 
+from .blas import take_work_area
 from .extras import need, needed_for
 from .faults import SingularPoseWarning
-from .interrupts import as_interrupts
+from .interrupts import as_interrupts, exit_code
 from .native import CompilerError
 from .publish import named
 
@@ -43,6 +45,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one subcommand; ``argv``: without the program's name, None for this process's. Returns the code."""
     try:
         arguments = _parser().parse_args(argv)
+        take_work_area()
         # An error of the system that names no file is one of printing: all that write files name theirs.
         with named("standard output"):
             with _warnings_in_lines(), as_interrupts(), needed_for(arguments.subcommand):
@@ -53,7 +56,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         _give_up_stdout()
         return 2
     except KeyboardInterrupt:
-        return 130
+        return exit_code()
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
         print(f"{PROGRAM}: error: {_one_line(error)}", file=sys.stderr)
         try:
