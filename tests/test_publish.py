@@ -175,6 +175,46 @@ def test_the_longest_file_name_and_what_a_killed_run_left_behind_are_no_hindranc
         assert (tmp_path / name).read_text() == "whole"
 
 
+WRITING = """
+import sys, time
+from pathlib import Path
+from stewart_sym.publish import replaced_file, staged_folder
+with replaced_file(Path(sys.argv[1]) / "file"), staged_folder(Path(sys.argv[1])) as staged:
+    (staged / "x").write_text("x")
+    print("writing", flush=True)
+    time.sleep(60)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no locks that end with a process")
+def test_what_killed_runs_left_behind_is_removed_and_what_others_write_is_not(tmp_path: Path) -> None:
+    def temporary() -> list[Path]:
+        found = sorted(tmp_path.glob(".stewart-sym-*"))
+        for path in found:
+            os.utime(path, (0.0, 0.0))
+        return found
+
+    command = [sys.executable, "-c", WRITING, str(tmp_path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout is not None
+            assert process.stdout.readline() == "writing\n"
+            made = temporary()
+            assert [path.is_dir() for path in sorted(made, key=Path.is_dir)] == [False, True]
+            write_file(tmp_path / "own", "1")
+            assert temporary() == made
+        finally:
+            process.kill()
+    kept = tmp_path / ".stewart-sym-abcdefgh"
+    (kept / "old").mkdir(parents=True)
+    (kept / "old" / "0").write_text("the only copy")
+    temporary()
+    with publish.staged_folder(tmp_path):
+        pass
+    assert temporary() == [kept]
+    assert (kept / "old" / "0").read_text() == "the only copy"
+
+
 def test_out_of_memory_is_one_line(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
