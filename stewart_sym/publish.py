@@ -188,10 +188,10 @@ def _kind(path: Path) -> str:
 def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
     """Give an empty folder whose files move into ``directory``, made if missing, when the block ends well.
 
-    Files of the same names are replaced, those of the names ``gone`` are removed, others stay. All that
-    happens or, whatever goes wrong, nothing: if a file can't be moved, or on an interrupt, those that were
-    are put back. Raises OSError naming ``directory`` before the block when it can't be written, and the file
-    or folder that is in the way.
+    Files of the same names are replaced, those of the names ``gone`` are removed with the folders that this
+    leaves empty, others stay. All that happens or, whatever goes wrong, nothing: if a file can't be moved, or
+    on an interrupt, those that were are put back. Raises OSError naming ``directory`` before the block if it
+    can't be written, and the file or folder that is in the way.
     """
     target = directory.resolve()
     place = target
@@ -212,6 +212,8 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
                 with interrupts.held(False), named(directory):
                     yield staged
                 _move_all(staged, target, replaced, gone)
+                for folder in {parent for name in gone for parent in name.parents[:-1]}:
+                    _remove_empty(target / folder)
         finally:
             shutil.rmtree(temporary, ignore_errors=True)
 
