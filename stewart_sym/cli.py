@@ -214,7 +214,7 @@ def _generate(arguments: argparse.Namespace) -> int:
     if made.operations is not None:
         after = made.baked_operations
         folded = "" if after is None else f", with the numbers folded in {after}"
-        print(f"operations of a pose: {made.operations}{folded}")
+        print(f"operations per pose: {made.operations}{folded}")
     return 0
 
 
@@ -666,7 +666,7 @@ def _operations(module: str) -> str:
         if isinstance(node, ast.AnnAssign) and ast.unparse(node.target) == "OPERATIONS" and node.value:
             counts = ast.literal_eval(node.value)
             with_friction, without = (sum(counts[key]["total"]) for key in ("friction", "frictionless"))
-            return f"operations of a pose: {with_friction} with friction, {without} without"
+            return f"operations per pose: {with_friction} with friction, {without} without"
     return ""
 
 
@@ -871,10 +871,10 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "singularities",
         _singularities,
-        "where a path crosses singular poses, between samples too, and which motion is lost there",
+        "where a path crosses singular poses, between samples too, and which twist is unconstrained there",
         "stewart-sym singularities hexapod.toml trajectory.csv -o singularities",
         "Writes a report, tables of events and of the path, and pictures of forces and of the machine with "
-        "the lost motion. Between the rows of a trajectory the path is the quintic through their poses, "
+        "the unconstrained twist. Between the rows of a trajectory the path is the quintic through their poses, "
         "rates and accelerations. SI units.",
     )
     _robot(verb)
@@ -988,7 +988,7 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "chart",
         _chart,
-        "draw time a pose over error, of the model and of rounding: pictures, CSV, JSON, table",
+        "draw time per pose over error, of the model and of rounding: pictures, CSV, JSON, table",
         "stewart-sym chart enough.toml -o chart",
         "chart.png: every fidelity and implementation is a point; scales.png: rounding over size and mass of "
         "machines like this one; bounds.png: rounding and its bound. Each as SVG and CSV, too. The scene is "
@@ -1136,15 +1136,15 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "stability",
         _stability,
-        "walk into every failure with every method: the failure atlas, tables, CSV, JSON, pictures",
+        "approach every degenerate configuration with every method: tables, CSV, JSON, pictures",
         "stewart-sym stability -o stability",
-        "Errors stand beside 50-digit arithmetic. With --cases and no -o only the sweep of random cases near "
-        "failure is made; it exits with 1 if an answer is wrong with status ok or a good pose is refused. "
-        "Needs a compiler with __float128. The atlas takes about two minutes, a million cases another.",
+        "Errors are against 50-digit arithmetic. With --cases and no -o only the sweep of random cases near "
+        "failure is made; it exits with 1 if an answer is wrong with status ok or a good pose is rejected. "
+        "Needs a compiler with __float128. The families take about two minutes, a million cases another.",
     )
     _output(verb, "DIR", "folder to write to", "stability")
     verb.add_argument(
-        "--cases", metavar="N", type=_whole, help=f"random cases near failure; in the atlas {ATLAS_CASES:,}"
+        "--cases", metavar="N", type=_whole, help=f"random cases near failure; with -o {ATLAS_CASES:,}"
     )
     verb.add_argument("--seed", type=_whole, default=0, help="of the random cases; default: 0")
     verb.add_argument(

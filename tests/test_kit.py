@@ -522,9 +522,9 @@ def test_folder_in_the_place_of_a_file_is_refused_even_with_force(tmp_path: Path
         (Choice(("force",)), "random", "functions: expected some of forces, .*, got 'force'"),
         (Choice(("motion",), "paper"), "random", "functions: motion: expected exact with universal .*"),
         (Choice(("derivatives",)), "spherical", "functions: derivatives: expected exact with universal .*"),
-        (Choice(("reactions",), bake=True), "random", "bake: goes with the function forces, got reactions"),
-        (Choice(("motion",), fidelity="slender"), "random", "fidelity: goes with the function forces, .*"),
-        (Choice(("kinematics",), fmu=True), "random", "fmu: goes with the function forces, .*"),
+        (Choice(("reactions",), bake=True), "random", "bake: applies to the function forces, got reactions"),
+        (Choice(("motion",), fidelity="slender"), "random", "fidelity: applies to the function forces, .*"),
+        (Choice(("kinematics",), fmu=True), "random", "fmu: applies to the function forces, .*"),
         (Choice(fidelity="rigid"), "random", "fidelity: expected one of general, .*"),
     ],
 )
