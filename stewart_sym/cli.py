@@ -874,8 +874,8 @@ def _parser() -> argparse.ArgumentParser:
         "where a path crosses singular poses, between samples too, and which twist is unconstrained there",
         "stewart-sym singularities hexapod.toml trajectory.csv -o singularities",
         "Writes a report, tables of events and of the path, and pictures of forces and of the machine with "
-        "the unconstrained twist. Between the rows of a trajectory the path is the quintic through their poses, "
-        "rates and accelerations. SI units.",
+        "the unconstrained twist. Between the rows of a trajectory the path is the quintic through their "
+        "poses, rates and accelerations. SI units.",
     )
     _robot(verb)
     verb.add_argument("path", metavar="PATH", help="I, II or III of the paper, or a CSV file as for forces")
