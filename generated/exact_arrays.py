@@ -1365,6 +1365,7 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
+    on.agree(motion=motion)
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]
@@ -2131,6 +2132,7 @@ def equations(on: Arithmetic, model: Any, motion: Any) -> Any:
     """
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
+    on.agree(motion=motion)
     out = Equations()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -2408,6 +2410,7 @@ def bias(on: Arithmetic, model: Any, motion: Any) -> Any:
     """C [v; omega] + g + friction without C."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
+    on.agree(motion=motion)
     out = Bias()
     legs = BiasLegs()
     summed = BiasSums()
@@ -3399,6 +3402,7 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     F = on.arrays(on.checked([0.0] * 6, "F", F))
+    on.agree(motion=motion, F=F)
     out = Accelerations()
     legs = ForwardLegs()
     summed = ForwardSums()
@@ -3540,6 +3544,7 @@ def joint_inertia(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Inertia that the actuators feel, H^-1 M H^-T."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
+    on.agree(motion=motion)
     out = JointInertia()
     legs = EquationsLegs()
     summed = EquationsSums()
@@ -5086,6 +5091,7 @@ def derivatives(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
+    on.agree(motion=motion)
     out = Derivatives()
     legs = DerivativesLegs()
     summed = DerivativesSums()
@@ -6048,6 +6054,7 @@ def linearisation(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
     F = on.arrays(on.checked([0.0] * 6, "F", F))
+    on.agree(motion=motion, F=F)
     out = Linearisation()
     legs = DerivativesLegs()
     summed = DerivativesSums()

@@ -666,6 +666,7 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
+    on.agree(motion=motion)
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]
