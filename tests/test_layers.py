@@ -25,6 +25,7 @@ FLOORS = (
         "frozen",
         "interrupts",
         "logs",
+        "log_faults",
         "publish",
         "results",
         "rotation",
