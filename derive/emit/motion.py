@@ -59,7 +59,6 @@ from ..kernel.nodes import (
     Variable,
 )
 from ..kernel.settle import settled
-from ..kernel.shared import SINGULAR_STATUS
 from ..kernel.written import motion_lanes as written
 from ..motion import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
 from ..print.c import C
@@ -328,7 +327,7 @@ class _Source:
         for function in self.program.functions:
             if function.name.endswith("_sums"):
                 yield from self._kernel(function.name.removesuffix("_sums"))
-            elif function.name == SINGULAR_STATUS.name:
+            elif function.name == "singular_status":
                 continue
             elif function.name == "forces":
                 yield self._forces()
