@@ -690,14 +690,17 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
     return suspect
 
 
+def largest(on: Arithmetic, vector: Any, least: Any) -> Any:
+    """The largest of ``least`` and the sizes of a vector's components."""
+    most = least
+    for j in range(3):
+        most = on.larger(on.size(vector[j]), most)
+    return most
+
+
 def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
     """Size of the vectors q, t and b that a leg is the sum of, m."""
-    reach = 0.0
-    for j in range(3):
-        reach = on.larger(on.size(q[j]), reach)
-        reach = on.larger(on.size(t[j]), reach)
-        reach = on.larger(on.size(b[j]), reach)
-    return reach
+    return largest(on, b, largest(on, t, largest(on, q, 0.0)))
 
 
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:

@@ -7,8 +7,13 @@ from .constants import LARGEST
 from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
 from .layouts import Written
 from .nodes import Argument, Array, Count, Function, Number, Pointer, Real, Type
-from .read import LANES
-from .written import every_output, lanes, scale, solve
+from .read import LANES, Given
+from .written import every_output, lanes, legs, scale, solve
+
+ABOUT_REFERENCE: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus, "ABOUT_TIP": 0}
+"""How a leg is added to the platform's equations."""
+WITH_ERRORS: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus_error, "ABOUT_TIP": 1}
+"""The same about platform point 1, with rounding errors."""
 
 _NUMBERS = Pointer(Real())
 _VECTORS = Array(Real(), (3, LANES))
@@ -55,6 +60,8 @@ def shared(about_tip: bool = True) -> Shared:
         (
             read(scale.per_length_of, given={"LARGEST": Number(LARGEST)}, largest=f"{LARGEST:g}"),
             read(scale.scaled_axis),
+            read(legs.largest),
+            read(legs.fault_of, apart=True),
             read(solve.singular_status, apart=True, given={**INVERSE, **RETURNED}),
         ),
         (

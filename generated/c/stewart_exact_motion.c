@@ -137,10 +137,7 @@ static int legs_status(const leg_checks *checked)
     int i;
     for (i = 0; i < 6; ++i) {
         if (checked->bad[i] > REAL(0)) {
-            if (!(checked->L[i] <= STEWART_MAX)) {
-                return STEWART_NOT_FINITE;
-            }
-            return checked->L[i] > STEWART_ROUNDING*checked->reach[i] ? STEWART_POLE : STEWART_SHORT_LEG;
+            return fault_of(checked->L[i], checked->k3[i], checked->reach[i]);
         }
     }
     return STEWART_OK;

@@ -50,19 +50,6 @@ STEWART_SHARED int solve(stewart_real A[6][7], stewart_real x[6])
     return suspect;
 }
 
-/* The largest of `least` and the sizes of the values. */
-STEWART_SHARED stewart_real largest(const stewart_real *values, int count, stewart_real least)
-{
-    stewart_real result = least;
-    int i;
-    for (i = 0; i < count; ++i) {
-        if (STEWART_FABS(values[i]) > result) {
-            result = STEWART_FABS(values[i]);
-        }
-    }
-    return result;
-}
-
 STEWART_SHARED int is_finite(const stewart_real *values, int count)
 {
     int i;

@@ -54,6 +54,26 @@ STEWART_SHARED void scaled_axis(const stewart_real k[3], stewart_real out[3])
     }
 }
 
+/* The largest of ``least`` and the sizes of a vector's components. */
+STEWART_SHARED stewart_real largest(const stewart_real vector[3], stewart_real least)
+{
+    int j;
+    stewart_real most = least;
+    for (j = 0; j < 3; ++j) {
+        most = STEWART_LARGER(STEWART_FABS(vector[j]), most);
+    }
+    return most;
+}
+
+/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
+{
+    int fault = STEWART_OK;
+    fault = k3 > STEWART_POLE_SINE ? fault : STEWART_POLE;
+    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_SHORT_LEG;
+    return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
+}
+
 /* Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
  *
  * arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of. The
