@@ -815,15 +815,6 @@ static void shared_of_pose(
     out->q_1[2] = q_1_z;
 }
 
-/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
-static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
-{
-    int fault = STEWART_OK;
-    fault = k3 > STEWART_POLE_SINE ? fault : STEWART_POLE;
-    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_SHORT_LEG;
-    return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
-}
-
 /* One leg in joint coordinates: D, its column of H and its part of c. */
 static void leg_of_pose(
     const stewart_exact_bounds_platform *platform, const stewart_exact_bounds_leg *leg,

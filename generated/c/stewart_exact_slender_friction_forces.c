@@ -46,18 +46,6 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
 } leg_lanes;
 
-/* Status of the leg in one lane. */
-static int leg_status(const leg_lanes *leg, int l)
-{
-    if (!(leg->L[l] <= STEWART_MAX)) {
-        return STEWART_NOT_FINITE;
-    }
-    if (!(leg->L[l] > STEWART_ROUNDING*leg->reach[l])) {
-        return STEWART_SHORT_LEG;
-    }
-    return leg->k3[l] > STEWART_POLE_SINE ? STEWART_OK : STEWART_POLE;
-}
-
 typedef struct {
     stewart_real b[3];
     stewart_real p[3];
@@ -786,7 +774,7 @@ int stewart_exact_slender_friction_forces(
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
         if (legs.bad[i] > REAL(0)) {
-            const int status = leg_status(&legs, i);
+            const int status = fault_of(legs.L[i], legs.k3[i], legs.reach[i]);
             if (status != STEWART_OK) {
                 return status;
             }

@@ -45,18 +45,6 @@ typedef struct {
     stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
 } leg_lanes;
 
-/* Status of the leg in one lane. */
-static int leg_status(const leg_lanes *leg, int l)
-{
-    if (!(leg->L[l] <= STEWART_MAX)) {
-        return STEWART_NOT_FINITE;
-    }
-    if (!(leg->L[l] > STEWART_ROUNDING*leg->reach[l])) {
-        return STEWART_SHORT_LEG;
-    }
-    return STEWART_OK;
-}
-
 typedef struct {
     stewart_real b[3];
     stewart_real p[3];
@@ -601,7 +589,7 @@ int stewart_exact_spherical_forces(
     legs_of_pose(model, motion, &shared, &legs);
     for (i = 0; i < 6; ++i) {
         if (legs.bad[i] > REAL(0)) {
-            const int status = leg_status(&legs, i);
+            const int status = fault_of(legs.L[i], REAL(1), legs.reach[i]);
             if (status != STEWART_OK) {
                 return status;
             }
