@@ -694,22 +694,25 @@ def regressor_of_platform(on: Arithmetic, robot: Any, motion: Any) -> Any:
     return out
 
 
+def largest(on: Arithmetic, vector: Any, least: Any) -> Any:
+    """The largest of ``least`` and the sizes of a vector's components."""
+    most = least
+    for j in range(3):
+        most = on.larger(on.size(vector[j]), most)
+    return most
+
+
+def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
+    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    return largest(on, b, largest(on, t, largest(on, q, 0.0)))
+
+
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
     fault = OK
     fault = on.where(k3 > on.POLE_SINE, fault, POLE)
     fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
     return on.where(L <= on.MAX, fault, NOT_FINITE)
-
-
-def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
-    """Size of the vectors q, t and b that a leg is the sum of, m."""
-    reach = 0.0
-    for j in range(3):
-        reach = on.larger(on.size(q[j]), reach)
-        reach = on.larger(on.size(t[j]), reach)
-        reach = on.larger(on.size(b[j]), reach)
-    return reach
 
 
 def first_of(on: Arithmetic, codes: Any) -> Any:

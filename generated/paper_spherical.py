@@ -529,22 +529,25 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     return out
 
 
+def largest(on: Arithmetic, vector: Any, least: Any) -> Any:
+    """The largest of ``least`` and the sizes of a vector's components."""
+    most = least
+    for j in range(3):
+        most = on.larger(on.size(vector[j]), most)
+    return most
+
+
+def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
+    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    return largest(on, b, largest(on, t, largest(on, q, 0.0)))
+
+
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
     fault = OK
     fault = on.where(k3 > on.POLE_SINE, fault, POLE)
     fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
     return on.where(L <= on.MAX, fault, NOT_FINITE)
-
-
-def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
-    """Size of the vectors q, t and b that a leg is the sum of, m."""
-    reach = 0.0
-    for j in range(3):
-        reach = on.larger(on.size(q[j]), reach)
-        reach = on.larger(on.size(t[j]), reach)
-        reach = on.larger(on.size(b[j]), reach)
-    return reach
 
 
 def first_of(on: Arithmetic, codes: Any) -> Any:
@@ -559,42 +562,51 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
     """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
 
     arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of.
-    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s),
-    by that through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the
-    moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k
-    does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room
-    for the errors of Y itself.
+    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number
+    that goes in and of each operation, and what the elimination adds. Its column of H, (s, arm x s),
+    errs by that through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken
+    about, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v <
+    v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more.
+    Powers of G make v; 1/2 leaves room for the errors of Y itself.
     """
     Y = [[0.0] * 6 for _ in range(6)]
     G = [[0.0] * 6 for _ in range(6)]
     v = [0.0] * 6
     grown = [0.0] * 6
     extent = 0.0
+    least = 1.0
+    status = OK
     for i in range(6):
         v[i] = 1.0
         for j in range(3):
             extent = on.larger(on.size(arm[i][j]), extent)
-    lost = 0.0
     for i in range(6):
         for j in range(6):
-            lost = lost + 0.0 * H[i][j]
+            status = on.where((status != OK) | (on.size(H[i][j]) <= on.MAX), status, NOT_FINITE)
             H[i][j] = on.where(i < 3, H[i][j], H[i][j] / extent)
             Y[i][j] = on.where(i == j, 1.0, 0.0)
     for k in range(6):
+        pivot = k
+        most = on.size(H[k][k])
         for i in range(k + 1, 6):
-            larger_below = on.size(H[i][k]) > on.size(H[k][k])
+            entry = on.size(H[i][k])
+            pivot = on.where(entry > most, i, pivot)
+            most = on.where(entry > most, entry, most)
+        if on.anywhere(pivot != k):
             for j in range(6):
-                upper_h = H[k][j]
-                upper_y = Y[k][j]
-                H[k][j] = on.where(larger_below, H[i][j], H[k][j])
-                Y[k][j] = on.where(larger_below, Y[i][j], Y[k][j])
-                H[i][j] = on.where(larger_below, upper_h, H[i][j])
-                Y[i][j] = on.where(larger_below, upper_y, Y[i][j])
+                moved = H[k][j]
+                H[k][j] = on.at(H, pivot, j)
+                on.put(H, moved, pivot, j)
+                beside = Y[k][j]
+                Y[k][j] = on.at(Y, pivot, j)
+                on.put(Y, beside, pivot, j)
+        status = on.where((status != OK) | (on.size(H[k][k]) > 0.0), status, SINGULAR)
         for i in range(6):
-            factor = on.where(i == k, 0.0, H[i][k] / H[k][k])
-            for j in range(6):
-                H[i][j] = H[i][j] - factor * H[k][j]
-                Y[i][j] = Y[i][j] - factor * Y[k][j]
+            if i != k:
+                factor = H[i][k] / H[k][k]
+                for j in range(6):
+                    H[i][j] = H[i][j] - factor * H[k][j]
+                    Y[i][j] = Y[i][j] - factor * Y[k][j]
     for i in range(6):
         by_moment = on.size(Y[i][3]) + on.size(Y[i][4]) + on.size(Y[i][5])
         for k in range(6):
@@ -603,22 +615,25 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
             z = on.size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
             turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
             G[i][k] = turned * (4.0 * on.EPSILON) / on.size(H[i][i])
-    least = 1.0
     for turn in range(4):
-        worst = 0.0
-        greatest = 0.0
-        for i in range(6):
-            total = 0.0
-            for k in range(6):
-                total = total + G[i][k] * v[k]
-            share = total / v[i]
-            worst = on.where(share <= worst, worst, share)
-            greatest = on.larger(total, greatest)
-            grown[i] = total
-        least = on.where(worst <= least, worst, least)
-        for i in range(6):
-            v[i] = on.larger(grown[i] / greatest, on.EPSILON)
-    return on.where(lost == 0.0, on.where(least <= 0.5, OK, SINGULAR), NOT_FINITE)
+        if on.anywhere(least > 0.5):
+            worst = 0.0
+            greatest = 0.0
+            for i in range(6):
+                total = 0.0
+                for k in range(6):
+                    total = total + G[i][k] * v[k]
+                share = total / v[i]
+                worst = on.where(share <= worst, worst, share)
+                greatest = on.larger(total, greatest)
+                grown[i] = total
+            least = on.where(worst <= least, worst, least)
+            for i in range(6):
+                v[i] = on.larger(grown[i] / greatest, on.EPSILON)
+        else:
+            break
+    status = on.where((status != OK) | (least <= 0.5), status, SINGULAR)
+    return status
 
 
 def per_length_of(on: Arithmetic, extent: Any) -> Any:
@@ -633,18 +648,17 @@ def per_length_of(on: Arithmetic, extent: Any) -> Any:
     return on.where((extent >= 0.0625) & (extent <= on.LARGEST), 1.0, 1.0 / unit)
 
 
-def largest_of(on: Arithmetic, six: Any) -> Any:
-    """The largest of six numbers."""
-    largest = 0.0
+def largest_of(on: Arithmetic, sizes: Any) -> Any:
+    """The largest of six sizes."""
+    most = 0.0
     for i in range(6):
-        largest = on.larger(six[i], largest)
-    return largest
+        most = on.larger(sizes[i], most)
+    return most
 
 
 def scale_of(on: Arithmetic, q: Any) -> Any:
     """By what the solve multiplies moments about the reference point."""
-    extents = on.larger(on.size(q[0]), on.larger(on.size(q[1]), on.larger(on.size(q[2]), 0.0)))
-    extent = largest_of(on, extents)
+    extent = largest_of(on, largest(on, q, 0.0))
     per_length = 1.0
     if on.anywhere((extent < 0.0625) | (extent > on.LARGEST)):
         per_length = per_length_of(on, extent)
@@ -691,6 +705,18 @@ def legs_of(on: Arithmetic, robot: Any, motion: Any) -> Any:
     return leg_dynamics(on, robot.leg, robot, motion)
 
 
+def leg_of(on: Arithmetic, legs: Any, i: Any) -> Any:
+    """One of the legs."""
+    out = Legs()
+    out.D = legs.D[i]
+    out.K = [legs.K[0][i], legs.K[1][i], legs.K[2][i]]
+    out.H_force = [legs.H_force[0][i], legs.H_force[1][i], legs.H_force[2][i]]
+    out.H_moment = [legs.H_moment[0][i], legs.H_moment[1][i], legs.H_moment[2][i]]
+    out.c_force = [legs.c_force[0][i], legs.c_force[1][i], legs.c_force[2][i]]
+    out.c_moment = [legs.c_moment[0][i], legs.c_moment[1][i], legs.c_moment[2][i]]
+    return out
+
+
 def terms_of(on: Arithmetic, legs: Any, robot: Any, motion: Any) -> Any:
     """The same, where the legs are known."""
     out = Terms()
@@ -699,13 +725,14 @@ def terms_of(on: Arithmetic, legs: Any, robot: Any, motion: Any) -> Any:
         out.c[i] = pose.c_force[i]
         out.c[i + 3] = pose.c_moment[i]
     for i in range(6):
-        out.D[i] = legs.D[i]
+        leg = leg_of(on, legs, i)
+        out.D[i] = leg.D
         for j in range(3):
-            out.K[i][j] = legs.K[j][i]
-            out.H[j][i] = legs.H_force[j][i]
-            out.H[j + 3][i] = legs.H_moment[j][i]
-            out.c[j] = out.c[j] + legs.c_force[j][i]
-            out.c[j + 3] = out.c[j + 3] + legs.c_moment[j][i]
+            out.K[i][j] = leg.K[j]
+            out.H[j][i] = leg.H_force[j]
+            out.H[j + 3][i] = leg.H_moment[j]
+            out.c[j] = out.c[j] + leg.c_force[j]
+            out.c[j + 3] = out.c[j + 3] + leg.c_moment[j]
     return out
 
 

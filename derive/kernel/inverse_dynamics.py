@@ -3,7 +3,7 @@
 Numbers of the six legs are one after the other, for interpreters, or side by side, for arrays.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from types import MappingProxyType
 
@@ -14,9 +14,9 @@ from ..block import Block, Output
 from ..kernels import Kernel
 from ..regressor import Regressor
 from . import read
-from .elimination import ONCE
+from .elimination import CARRIED, INVERSE, ONCE
 from .layouts import Written
-from .lower import Arguments, Place, block_function, each_number, structure
+from .lower import Arguments, block_function, component, structure
 from .model import STATUS_FIELD, machine_structures
 from .nodes import (
     Array,
@@ -33,9 +33,9 @@ from .nodes import (
     Record,
     Statement,
     Structure,
-    Type,
 )
-from .prepare import ABOUT_REFERENCE
+from .prepare import ABOUT_REFERENCE as SIZES
+from .shared import ABOUT_REFERENCE
 from .written import forces, legs, solve
 from .written import inverse_dynamics as written
 
@@ -79,38 +79,25 @@ def _column(row: Expression, column: Expression) -> Expression:
 _ELIMINATION: Mapping[str, read.Given] = {
     **ONCE,
     "a": _column,
-    "begin": written.first_pivot,
-    "exchange": written.look_below,
-    "weigh": written.exchange_once,
+    "bring": written.exchange_rows,
     "update": written.by_whole_rows,
 }
-_CHECKS: tuple[Text, ...] = (legs.fault_of, legs.reach_of, written.first_of)
+_CHECKS: tuple[Text, ...] = (legs.largest, legs.reach_of, legs.fault_of, written.first_of)
 """What can be wrong with the legs."""
-_SMALLEST: Mapping[str, read.Given] = {"SMALLEST": Number(ABOUT_REFERENCE[0])}
+_SMALLEST: Mapping[str, read.Given] = {"SMALLEST": Number(SIZES[0])}
 
 
 def terms_program(kernel: Kernel) -> Program:
     """A kernel's leg and platform with their sums, and a leg's reactions, the legs one after the other;
     nothing is solved or checked."""
-    found, of_legs = _outputs("LegDynamics", "What a leg has.", kernel.leg), Name("leg")
-    held = (replace(each, type=_of_six(each.type)) for each in found.members)
-    structures = [
-        *machine_structures(),
-        found,
-        Structure("Legs", "What the legs have.", tuple(held)),
-        *_results(kernel),
-        _TERMS,
-    ]
-
-    def copied(at: Place) -> Statement:
-        value, to = at(Name("found")), at(Name("out"))
-        to = Element(to.array, (*to.index, of_legs)) if isinstance(to, Element) else Element(to, (of_legs,))
-        return Assign(to, value)
-
-    texts = _texts(structures, [*_blocks(kernel, kernel.leg)])
-    turn = {"COPIED": tuple(each_number(found, copied))}
-    texts.function(written.legs_in_turn, "legs_of", given=turn)
-    texts.function(written.terms_of)
+    of_leg = _outputs("LegDynamics", "What a leg has.", kernel.leg)
+    held = Field("leg", Array(Record(of_leg.name), (6,)), "each of them")
+    of_legs = Structure("Legs", "What the legs have.", (held,))
+    structures = [*machine_structures(), of_leg, of_legs, *_results(kernel), _TERMS]
+    texts = _texts(structures, _blocks(kernel, kernel.leg, of_leg.name))
+    texts.function(written.legs_in_turn, "legs_of")
+    texts.function(written.leg_of_array, "leg_of")
+    texts.function(written.terms_of, given=ABOUT_REFERENCE)
     texts.function(written.terms, TERMS, public=True)
     return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
 
@@ -120,15 +107,28 @@ def arrays_program(kernel: Kernel) -> Program:
     leg = kernel.leg
     if all(out.quantity != n.k3 for out in leg.outputs):
         leg = replace(leg, outputs=(*leg.outputs, Output(n.k3, (sp.S.One,))))
-    legs_ = _outputs("Legs", "What the legs have.", leg)
-    structures = [*_machine(), legs_, *_results(kernel), _TERMS, _FORCES]
-    texts = _texts(structures, _blocks(kernel, leg, "Legs"))
-    _add(texts, *_CHECKS, solve.singular_status)
+    of_legs = _outputs("Legs", "What the legs have.", leg)
+    structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
+    texts = _texts(structures, _blocks(kernel, leg, of_legs.name))
+    _add(texts, *_CHECKS)
+    _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
     _add(texts, forces.per_length_of, written.largest_of, written.scale_of, given=_SMALLEST)
     _add(texts, written.eliminate, given=_ELIMINATION)
     texts.function(written.legs_side_by_side, "legs_of")
-    _add(texts, written.terms_of, written.terms, written.solved, written.inverse_dynamics)
+    texts.function(written.leg_of_lanes, "leg_of", given={"COPIED": tuple(_one_leg())})
+    _add(texts, written.terms_of, given=ABOUT_REFERENCE)
+    _add(texts, written.terms, written.solved, written.inverse_dynamics)
     return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
+
+
+def _one_leg() -> Iterable[Statement]:
+    """Puts what the sums need of leg ``i`` of ``legs`` into ``out``."""
+    for q in (n.D, n.K, n.H_force, n.H_moment, n.c_force, n.c_moment):
+        for part in range(len(q.keys)):
+            held = component(Name("legs"), q, part)
+            where = (*held.index, Name("i")) if isinstance(held, Element) else (Name("i"),)
+            array = held.array if isinstance(held, Element) else held
+            yield Assign(component(Name("out"), q, part), Element(array, where))
 
 
 def regressor_program(blocks: Regressor) -> Program:
@@ -164,7 +164,7 @@ def _machine() -> list[Structure]:
     return [leg, replace(robot, members=(*robot.members[:-1], side_by_side)), motion]
 
 
-def _blocks(kernel: Kernel, leg: Block, result: str = "LegDynamics") -> list[Function]:
+def _blocks(kernel: Kernel, leg: Block, result: str) -> list[Function]:
     return [
         block_function(kernel.platform, "platform_wrench", "PlatformWrench", _OF_POSE),
         block_function(leg, "leg_dynamics", result, _OF_LEG | _OF_POSE),
@@ -181,11 +181,6 @@ def _results(kernel: Kernel) -> list[Structure]:
 
 def _outputs(name: str, meaning: str, block: Block) -> Structure:
     return structure(name, meaning, (out.quantity for out in block.outputs))
-
-
-def _of_six(kind: Type) -> Array:
-    """The type of as many numbers for each of six legs."""
-    return Array(Real(), (*(kind.dims if isinstance(kind, Array) else ()), 6))
 
 
 def _texts(structures: Sequence[Structure], blocks: Sequence[Function]) -> Written:

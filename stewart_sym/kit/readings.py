@@ -70,6 +70,9 @@ class _OnArrays(OnArrays):
     def __init__(self) -> None:
         vars(self).update(ON.constants)
 
+    def agree(self, **given: Any) -> None:
+        pass
+
     def arrays(self, value: Any) -> Any:
         return value
 

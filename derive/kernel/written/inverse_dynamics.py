@@ -8,15 +8,26 @@ well: then numbers of ``robot.leg`` and of ``Legs`` hold a value for each leg, a
 def legs_in_turn(robot: "Robot", motion: "Motion") -> "Legs":
     """The legs one after the other."""
     out = Legs()
-    for leg in range(6):
-        found = leg_dynamics(robot.leg[leg], robot, motion)
-        COPIED
+    for i in range(6):
+        out.leg[i] = leg_dynamics(robot.leg[i], robot, motion)
     return out
+
+
+def leg_of_array(legs: "Legs", i: "Integer") -> "LegDynamics":
+    """One of the legs."""
+    return legs.leg[i]
 
 
 def legs_side_by_side(robot: "Robot", motion: "Motion") -> "Legs":
     """The legs side by side."""
     return leg_dynamics(robot.leg, robot, motion)
+
+
+def leg_of_lanes(legs: "Legs", i: "Integer") -> "Legs":
+    """One of the legs."""
+    out = Legs()
+    COPIED
+    return out
 
 
 def terms(robot: "Robot", motion: "Motion") -> "Terms":
@@ -33,13 +44,11 @@ def terms_of(legs: "Legs", robot: "Robot", motion: "Motion") -> "Terms":
         out.c[i] = pose.c_force[i]
         out.c[i + 3] = pose.c_moment[i]
     for i in range(6):
-        out.D[i] = legs.D[i]
+        leg = leg_of(legs, i)
+        out.D[i] = leg.D
         for j in range(3):
-            out.K[i][j] = legs.K[j][i]
-            out.H[j][i] = legs.H_force[j][i]
-            out.H[j + 3][i] = legs.H_moment[j][i]
-            out.c[j] = out.c[j] + legs.c_force[j][i]
-            out.c[j + 3] = out.c[j + 3] + legs.c_moment[j][i]
+            out.K[i][j] = leg.K[j]
+            add_leg(i, j, out, leg)
     return out
 
 
@@ -107,20 +116,19 @@ def first_of(codes: "array(6)") -> "Integer":
 
 def scale_of(q: "array(3, 6)") -> "Real":
     """By what the solve multiplies moments about the reference point."""
-    extents = larger(size(q[0]), larger(size(q[1]), larger(size(q[2]), 0.0)))
-    extent = largest_of(extents)
+    extent = largest_of(largest(q, 0.0))
     per_length = 1.0
     if anywhere((extent < SMALLEST) | (extent > LARGEST)):
         per_length = per_length_of(extent)
     return per_length
 
 
-def largest_of(six: "array(6)") -> "Real":
-    """The largest of six numbers."""
-    largest = 0.0
+def largest_of(sizes: "array(6)") -> "Real":
+    """The largest of six sizes."""
+    most = 0.0
     for i in range(6):
-        largest = larger(six[i], largest)
-    return largest
+        most = larger(sizes[i], most)
+    return most
 
 
 def eliminate(H: "array(6)", c: "array(6)", x: "array(6)") -> "Integer":
@@ -135,20 +143,7 @@ def eliminate(H: "array(6)", c: "array(6)", x: "array(6)") -> "Integer":
 # ---------------------------------------------------------------- steps of the elimination
 
 
-def first_pivot(k) -> None:
-    """The row of the pivot is looked for."""
-    pivot = k
-    most = size(a[k, k])
-
-
-def look_below(k, i) -> None:
-    """Whether this row has a larger entry."""
-    entry = size(a[i, k])
-    pivot = where(entry > most, i, pivot)
-    most = where(entry > most, entry, most)
-
-
-def exchange_once(k) -> None:
+def exchange_rows(k) -> None:
     """The row of the pivot comes to its place."""
     row = H[k]
     right = c[k]
@@ -158,7 +153,6 @@ def exchange_once(k) -> None:
         c[k] = where(here, c[i], c[k])
         H[i] = where(here, row, H[i])
         c[i] = where(here, right, c[i])
-    suspect = where(size(a[k, k]) > SUSPECT, suspect, 1)
 
 
 def by_whole_rows(k) -> None:

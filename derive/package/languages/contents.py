@@ -75,10 +75,22 @@ class Contents:
         return self.program.function(function).arguments[0].name
 
     @property
+    def read(self) -> set[str]:
+        """Names of the statuses and limits that the program reads."""
+        return {each.name for each in parts_of(self.program.functions) if isinstance(each, Constant)}
+
+    @property
     def whole_numbers(self) -> dict[str, tuple[int, str]]:
         """Value and meaning of each status and limit of the program, by name."""
-        read = {each.name for each in parts_of(self.program.functions) if isinstance(each, Constant)}
-        return {name: of for name, of in INTEGERS.items() if name in STATUS or name in read}
+        return {name: of for name, of in INTEGERS.items() if name in {*STATUS, *self.read}}
+
+    @property
+    def returned(self) -> dict[str, tuple[int, str]]:
+        """Value and meaning of each status that a function may return, by name."""
+        possible = {"OK", *self.read} - {"MAX_STEPS"}
+        if not self.prepared:
+            possible.discard("POLE")  # kinematics alone needs no joint axes
+        return {name: of for name, of in INTEGERS.items() if name in possible}
 
 
 def compared(program: Program, function: str) -> dict[str, tuple[int, ...]]:

@@ -37,7 +37,7 @@ class Language(ABC):
         """Statement that calls a function and names its result ``found``."""
 
     def calls(self, kit: Contents) -> dict[str, str]:
-        """The call of each output that has a test, as README and example show it."""
+        """The call of each output that has a test."""
         names = {each: each for each in kit.given} | {"model": "model", "robot": self.robot}
         return {
             output: self.call(
@@ -47,10 +47,8 @@ class Language(ABC):
             if output in kit.shown
         }
 
-    def readme(self, kit: Contents) -> str:
-        """The README of a kit."""
-        calls = [*([self.prepare] if kit.prepared else []), *self.calls(kit).values()]
-        table = [(name, of) for name, of in kit.whole_numbers.items() if name != "MAX_STEPS"]
+    def readme(self, kit: Contents, program: str) -> str:
+        """The README of a kit; ``program``: text of the example."""
         return template(
             "readme.md",
             {
@@ -61,8 +59,10 @@ class Language(ABC):
                 "language": self.name,
                 "run": self.run,
                 "example": self.example,
-                "calls": "\n    ".join(calls),
-                "statuses": "\n".join(f"| {code} | `{name}` | {says} |" for name, (code, says) in table),
+                "program": textwrap.indent(program.strip(), "    "),
+                "statuses": "\n".join(
+                    f"| {code} | `{name}` | {says} |" for name, (code, says) in kit.returned.items()
+                ),
                 "guess": _GUESS if "forward_kinematics" in kit.outputs else "",
                 "notes": self.notes,
             },
