@@ -1,12 +1,18 @@
 """C, NumPy and the vector reference agree on machines and motions of every kind."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from machines import random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
+from stewart_sym import kernel
+from stewart_sym.motion import Motion
 from stewart_sym.results import Forces, Reactions
+from stewart_sym.robot import Robot
+from stewart_sym.rotation import rotation_from_vector
 
 FORCES = ("F", "D", "x", "K", "H", "c")
 REACTIONS = ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")
@@ -51,6 +57,50 @@ def test_backends_agree_to_rounding(formulation, backend, base_joint: str) -> No
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_backends_agree_to_rounding_on_many_machines(formulation, backend, base_joint: str) -> None:
     check_agreement(np.random.default_rng(200), 400, formulation, backend, base_joint)
+
+
+# Degrees of points in circles: turned by 90 degrees about its axis, this flat machine has a singular H.
+BASE, PLATE = (-12, 12, 108, 132, 228, 252), (-45, 45, 75, 165, 195, 285)
+
+
+def hexagon(degrees: tuple[int, ...]) -> NDArray[np.float64]:
+    """Points on the unit circle."""
+    angles = np.radians(degrees)
+    return np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
+
+
+def doubtful(rng: np.random.Generator, robot: Robot) -> Motion:
+    """Random poses, among them turns about z to and through a singular one, in which pivots are equally large
+    but for the last digits; short legs, legs along their axes, numbers that are not finite or overflow."""
+    motion = random_motion(rng, robot, (60,))
+    parts = {name: getattr(motion, name).copy() for name in kernel.MOTION}
+    R, t = parts["R"], parts["t"]
+    turns = np.pi / 2 + np.concatenate([[0.0], np.logspace(-16, -1, 31)])
+    R[:32], t[:32] = rotation_from_vector(turns[:, None] * [0.0, 0.0, 1.0]), (0.0, 0.0, np.abs(robot.b).max())
+    t[32:35] = robot.b[:3] - np.einsum("nij,nj->ni", R[32:35], robot.p[:3])
+    t[35:38] = robot.b[:3] + robot.k[:3] - np.einsum("nij,nj->ni", R[35:38], robot.p[:3])
+    t[38], parts["alpha"][39], parts["F_ext"][40] = 1e200, np.nan, np.inf
+    return Motion.unchecked(**parts)
+
+
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 100.0])
+def test_numpy_has_every_bit_and_status_of_c_however_many_poses_it_takes_at_once(
+    formulation, base_joint: str, scale: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rng = np.random.default_rng(17)
+    robot = random_robot(rng, base_joint, scale=scale)
+    b, p = (size * scale * hexagon(turns) for size, turns in ((1.0, BASE), (0.5, PLATE)))
+    for machine in (robot, replace(robot, b=b, p=p)):
+        motion = doubtful(rng, machine)
+        expected = kernel.CKernel.prepare(machine, formulation).forces(motion)
+        for at_once in (1024, 7):
+            monkeypatch.setattr(kernel, "_AT_ONCE", at_once)
+            found = kernel.NumpyKernel.prepare(machine, formulation).forces(motion)
+            for name in (*FORCES, "status"):
+                np.testing.assert_array_equal(getattr(found, name), getattr(expected, name), name)
+    assert {1, 2, 4} <= set(expected.status)
 
 
 @pytest.mark.parametrize("backend", ["c", "numpy", "reference"])
