@@ -26,7 +26,7 @@ In the order of the flow, each knowing only what stands before it:
     thresholds      where each status begins, and why there
     kernel          whole functions as trees: blocks, and what is written around them
     print           trees as C, Python, MATLAB and Rust
-    emit            kernels as files of C and NumPy
+    emit            files of generated/: kernels in C and Python, and what they share
     package         what surrounds kernels: a kit for one robot, from files of ``templates``
     generate        all of it, written to files
     passes          what each reduction is worth

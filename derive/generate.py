@@ -94,6 +94,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     models: dict[str, int] = {}
     headers = {"stewart.h": common_header(version)} | shared_headers(version)
     files = {f"c/{name}": text for name, text in headers.items()} | {
+        "every_output.py": arrays.shared_module(version),
         "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),
         "__init__.py": filled("package.py", version=version),
     }

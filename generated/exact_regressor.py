@@ -3,14 +3,14 @@
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-Columns of Y are in ``force_NAME``, rows 0 to 2, and ``moment_NAME``, rows 3 to 5; of the legs in lists of (6, n),
-one value for each leg and pose. ``robot``, ``motion`` and ``on`` as in exact.py; of the robot, the points, the
-axes and gravity alone are read.
+Columns of Y are in ``force_NAME``, rows 0 to 2, and ``moment_NAME``, rows 3 to 5. Arguments and results as
+every_output.py says; of the robot, the points, the axes and gravity alone are read.
 """
 
 from typing import Any
 
-from .arithmetic import NOT_FINITE, OK, POLE, SHORT_LEG, Arithmetic
+from .arithmetic import Arithmetic
+from .every_output import fault_of, first_of, reach_of
 
 # Name and unit of each column of one leg and of the platform.
 LEG_PARAMETERS = (
@@ -81,50 +81,6 @@ MERGED = (
     ("J_u_yz", "J_u_yz + J_d_yz"),
     ("J_u_zz", "J_u_zz + J_d_zz"),
 )
-
-
-class Leg:
-    """One leg."""
-
-    def __init__(self) -> None:
-        self.b: Any = [0.0] * 3  # m: base point, base frame
-        self.p: Any = [0.0] * 3  # m: platform point, platform frame
-        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
-        self.m_d: Any = 0.0  # kg: mass of the lower part
-        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
-        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
-        self.m_u: Any = 0.0  # kg: mass of the upper part
-        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
-        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
-        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
-        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
-        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-
-
-class Robot:
-    """The machine."""
-
-    def __init__(self) -> None:
-        self.M: Any = 0.0  # kg: mass of the platform with its payload
-        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
-        # kg m^2: inertia of the platform about its centre of mass, platform frame
-        self.I_p: Any = [0.0] * 6
-        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
-        self.leg: Any = Leg()  # the legs, in each number one value for each leg
-
-
-class Motion:
-    """Motion of the platform and its load."""
-
-    def __init__(self) -> None:
-        self.R: Any = [0.0] * 9  # 1: orientation of the platform, platform frame to base frame
-        self.t: Any = [0.0] * 3  # m: position of the platform's reference point, base frame
-        self.omega: Any = [0.0] * 3  # rad/s: angular velocity of the platform, base frame
-        self.v: Any = [0.0] * 3  # m/s: velocity of the reference point, base frame
-        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration of the platform, base frame
-        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point, base frame
-        self.F_ext: Any = [0.0] * 3  # N: external force at the reference point, platform frame
-        self.M_ext: Any = [0.0] * 3  # N m: external moment about the reference point, platform frame
 
 
 class RegressorOfLegs:
@@ -692,35 +648,6 @@ def regressor_of_platform(on: Arithmetic, robot: Any, motion: Any) -> Any:
         E_J_P_zz_x * R_zx + E_J_P_zz_y * R_zy + R_zz * alpha_P_z,
     ]
     return out
-
-
-def largest(on: Arithmetic, vector: Any, least: Any) -> Any:
-    """The largest of ``least`` and the sizes of a vector's components."""
-    most = least
-    for j in range(3):
-        most = on.larger(on.size(vector[j]), most)
-    return most
-
-
-def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
-    """Size of the vectors q, t and b that a leg is the sum of, m."""
-    return largest(on, b, largest(on, t, largest(on, q, 0.0)))
-
-
-def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
-    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
-    fault = OK
-    fault = on.where(k3 > on.POLE_SINE, fault, POLE)
-    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
-    return on.where(L <= on.MAX, fault, NOT_FINITE)
-
-
-def first_of(on: Arithmetic, codes: Any) -> Any:
-    """The first code of six legs that is not OK."""
-    found = OK
-    for i in range(6):
-        found = on.where(found == OK, codes[i], found)
-    return found
 
 
 def regressor(on: Arithmetic, robot: Any, motion: Any) -> Any:

@@ -1,14 +1,15 @@
 """Python on arrays: the modules of ``generated/``, and what they share with the kits in Python."""
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import sympy as sp
 
 from ..block import Quantity, component_name
 from ..kernel.constants import NAMES, PRECISIONS, STATUS, constants
-from ..kernel.inverse_dynamics import arrays_program, regressor_program
+from ..kernel.inverse_dynamics import arrays_program, regressor_program, shared_program
 from ..kernel.lower import expression
-from ..kernel.nodes import Constant, Program, parts_of
+from ..kernel.nodes import Constant, Program, calls_in, parts_of
 from ..kernels import Kernel
 from ..operations import KernelOperations
 from ..print.c import C
@@ -29,11 +30,37 @@ def every_output(kernel: Kernel, counts: Counts, force_counts: Counts, version: 
         name=kernel.formulation.kernel_name,
         version=version,
         operations=operations_table(*counts, ""),
-        imported=imported(program),
+        imported=_imported(program),
         table=_operations("OPERATIONS", counts),
         force_table=_operations("FORCE_OPERATIONS", force_counts),
-        program=Python(program).source().rstrip(),
+        program=_own(program),
     )
+
+
+def shared_module(version: str) -> str:
+    """``every_output.py``: what the modules of every output share."""
+    program = shared_program()
+    source = Python(program).source().rstrip()
+    return filled("shared_outputs.py", version=version, imported=imported(program), program=source)
+
+
+def _own(program: Program) -> str:
+    """The program without what all share."""
+    return Python(program).source(_shared_names()).rstrip()
+
+
+def _imported(program: Program) -> str:
+    """The imports of such a module."""
+    shared = _shared_names()
+    own = [each for each in program.functions if each.name not in shared]
+    called = {call.function for each in own for call in calls_in(each.body)}
+    lines = [imported(replace(program, functions=tuple(own)))]
+    return "\n".join([*lines, f"from .every_output import {', '.join(sorted(called & shared))}"])
+
+
+def _shared_names() -> set[str]:
+    program = shared_program()
+    return {each.name for each in (*program.structures, *program.functions)}
 
 
 def regressor(blocks: Regressor, version: str) -> str:
@@ -42,12 +69,12 @@ def regressor(blocks: Regressor, version: str) -> str:
     return filled(
         "regressor.py",
         version=version,
-        imported=imported(program),
+        imported=_imported(program),
         leg_parameters=_literal("LEG_PARAMETERS", LEG_PARAMETERS),
         platform_parameters=_literal("PLATFORM_PARAMETERS", PLATFORM_PARAMETERS),
         dependent=_rows("DEPENDENT", [f'"{name}"' for name in dependencies()]),
         formulas=_rows("MERGED", [f'("{base}", "{text}")' for base, text in merged()]),
-        program=Python(program).source().rstrip(),
+        program=_own(program),
     )
 
 
@@ -82,7 +109,7 @@ def imported(program: Program) -> str:
         for each in parts_of(function.body)
         if isinstance(each, Constant)
     }
-    return f"from .arithmetic import {', '.join(sorted(named & STATUS.keys()))}, Arithmetic"
+    return f"from .arithmetic import {', '.join([*sorted(named & STATUS.keys()), 'Arithmetic'])}"
 
 
 def merged() -> list[tuple[str, str]]:

@@ -5,6 +5,7 @@ Numbers of the six legs are one after the other, for interpreters, or side by si
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
+from functools import cache
 from types import MappingProxyType
 
 import sympy as sp
@@ -82,8 +83,6 @@ _ELIMINATION: Mapping[str, read.Given] = {
     "bring": written.exchange_rows,
     "update": written.by_whole_rows,
 }
-_CHECKS: tuple[Text, ...] = (legs.largest, legs.reach_of, legs.fault_of, written.first_of)
-"""What can be wrong with the legs."""
 _SMALLEST: Mapping[str, read.Given] = {"SMALLEST": Number(SIZES[0])}
 
 
@@ -109,16 +108,24 @@ def arrays_program(kernel: Kernel) -> Program:
         leg = replace(leg, outputs=(*leg.outputs, Output(n.k3, (sp.S.One,))))
     of_legs = _outputs("Legs", "What the legs have.", leg)
     structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
-    texts = _texts(structures, _blocks(kernel, leg, of_legs.name))
-    _add(texts, *_CHECKS)
-    _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
-    _add(texts, forces.per_length_of, written.largest_of, written.scale_of, given=_SMALLEST)
-    _add(texts, written.eliminate, given=_ELIMINATION)
+    texts = _texts(structures, [*shared_program().functions, *_blocks(kernel, leg, of_legs.name)])
     texts.function(written.legs_side_by_side, "legs_of")
     texts.function(written.leg_of_lanes, "leg_of", given={"COPIED": tuple(_one_leg())})
     _add(texts, written.terms_of, given=ABOUT_REFERENCE)
     _add(texts, written.terms, written.solved, written.inverse_dynamics)
     return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
+
+
+@cache
+def shared_program() -> Program:
+    """What the programs with legs side by side have in common: robot and motion, checks, the solve."""
+    structures = _machine()
+    texts = _texts(structures, [])
+    _add(texts, legs.largest, legs.reach_of, legs.fault_of, written.first_of)
+    _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
+    _add(texts, forces.per_length_of, written.largest_of, written.scale_of, given=_SMALLEST)
+    _add(texts, written.eliminate, given=_ELIMINATION)
+    return Program("every_output", tuple(structures), tuple(texts.functions.values()))
 
 
 def _one_leg() -> Iterable[Statement]:
@@ -149,11 +156,12 @@ def regressor_program(blocks: Regressor) -> Program:
     texts = _texts(
         structures,
         [
+            *shared_program().functions,
             block_function(blocks.leg, blocks.leg.name, of_legs.name, _OF_LEG | _OF_POSE),
             block_function(blocks.platform, blocks.platform.name, of_platform.name, _OF_POSE),
         ],
     )
-    _add(texts, *_CHECKS, written.regressor)
+    _add(texts, written.regressor)
     return Program("regressor", tuple(structures), tuple(texts.functions.values()))
 
 

@@ -1,6 +1,6 @@
 """Python on arrays of the array API: every number may be an array of one value for each pose."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
 from itertools import groupby
 from types import MappingProxyType
 
@@ -45,13 +45,13 @@ class Python(Printer):
     def __init__(self, program: Program) -> None:
         self.program = program
 
-    def source(self) -> str:
-        """Structures and functions."""
-        lines = [line for each in self.program.structures for line in ("", "", *self.structure(each))]
-        return "\n".join([*lines, *self.functions(self.program), ""])
-
-    def functions(self, program: Program) -> list[str]:
-        return [line for each in program.functions for line in ("", "", *self.function(each))]
+    def source(self, without: Collection[str] = ()) -> str:
+        """Structures and functions, but those of some names."""
+        parts: list[list[str]] = [
+            self.structure(each) for each in self.program.structures if each.name not in without
+        ]
+        parts += [self.function(each) for each in self.program.functions if each.name not in without]
+        return "\n".join([*(line for part in parts for line in ("", "", *part)), ""])
 
     def structure(self, structure: Structure) -> list[str]:
         """A class whose members are zero at first."""
