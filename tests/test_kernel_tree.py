@@ -318,7 +318,7 @@ def test_a_language_is_one_module_and_one_registration(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     class Shouting(languages.PythonKit):
-        name, title = "shouting", "Python in capitals"
+        name, title, example = "shouting", "Python in capitals", "EXAMPLE.PY"
 
         def files(self, kit: languages.contents.Contents) -> dict[str, str]:
             return {name.upper(): text for name, text in super().files(kit).items()}

@@ -9,7 +9,7 @@ _MATRICES = {q.name: q for q in (*LEG, *PLATFORM, *MOTION) if len(q.shape) == 2}
 
 
 def common_header(version: str, precision: str = "double") -> str:
-    """``stewart.h``; precision: "float" where it asks for float by itself, as that of a float kit does."""
+    """``stewart.h``; precision: "float" where it defines float by itself, as that of a float kit does."""
     structs = {name: "\n".join(map(_member, members)) for name, members in STRUCTS.items()}
     arrays = {f"{name}_arrays": _pointers(name) for name in ("forces", "reactions")}
     return filled(

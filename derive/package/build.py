@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from .words import template
 
 CONFIG_IN = "Config.cmake.in"
-"""File name of ``config_in`` in a kit: its CMakeLists.txt asks for it."""
+"""File name of ``config_in`` in a kit: its CMakeLists.txt reads it."""
 WRAPPER = "stewart.hpp"
 """File name of the C++ wrapper in a kit."""
 EXAMPLE, SELFTEST = "example/main.c", "test/selftest.c"
@@ -25,8 +25,8 @@ class Package:
 
     symbol: C identifier, name of library, package and CMake target. version: of the generator.
     sources: ``.c`` files of the library; headers: those that callers include; shared: others, that sources
-    include. has_cpp: whether ``stewart.hpp`` is among the kit's files. precision: "double" or "float", told
-    in the files alone, as stewart.h of a float kit asks for float by itself. example, selftest: files with a
+    include. has_cpp: whether ``stewart.hpp`` is among the kit's files. precision: "double" or "float", in
+    the files alone, as stewart.h of a float kit defines float by itself. example, selftest: files with a
     main of their own.
     """
 

@@ -15,7 +15,7 @@ PER_LINE = 4
 
 
 @dataclass(frozen=True)
-class Refusal:
+class Rejected:
     """A motion without forces, R as (3, 3), and the status that says so."""
 
     motion: Numbers
@@ -39,13 +39,13 @@ def selftest(
     robot: Sequence[float],
     functions: Sequence[Function],
     cases: Mapping[str, Sequence[Case]],
-    refusals: Sequence[Refusal],
+    rejected: Sequence[Rejected],
     version: str,
 ) -> str:
     """``selftest.c``.
 
     name: the robot's; symbol: its constants in C; robot: their numbers, flat, in the order of
-    ``stewart_robot``. cases: by the functions' stems. refusals: of the forces, where they are among the
+    ``stewart_robot``. cases: by the functions' stems. rejected: of the forces, where they are among the
     functions.
 
     Raises ValueError naming what is not a finite number.
@@ -63,7 +63,7 @@ def selftest(
         "pointers": template("kit/selftest_pointers.c") if any(f.batch for f in functions) else "",
         "calls": "\n".join(text for function in functions for text in (_call(function), _batch(function))),
         "vectors": "\n".join(_arrays(function, cases[function.stem], table) for function in functions),
-        "rejected": _rejected(refusals) if any(f.stem == "forces" for f in functions) else "",
+        "rejected": _rejected_motions(rejected) if any(f.stem == "forces" for f in functions) else "",
         "functions": str(len(functions)),
         "most": str(max(function.call.count for function in functions)),
         "most_inputs": str(max(1, *(each.call.taken for each in functions))),
@@ -176,7 +176,7 @@ def _places(array: str, members: Iterable[Member]) -> dict[Member, str]:
 
 
 def _batch(function: Function) -> str:
-    """The function's batch, of one pose: what it computes stands apart from what one pose computes."""
+    """The function's batch, of one pose: other code than that of one pose."""
     if not function.batch:
         return ""
     call = function.call
@@ -195,11 +195,11 @@ def _batch(function: Function) -> str:
     return _called(function, "batch", [], lines)
 
 
-def _rejected(refusals: Sequence[Refusal]) -> str:
+def _rejected_motions(rejected: Sequence[Rejected]) -> str:
     values = {
-        "count": str(len(refusals)),
-        "motions": _initialisers([each.motion for each in refusals]),
-        "statuses": ", ".join(str(each.status) for each in refusals),
+        "count": str(len(rejected)),
+        "motions": _initialisers([each.motion for each in rejected]),
+        "statuses": ", ".join(str(each.status) for each in rejected),
     }
     return template("kit/selftest_rejected.c", values)
 

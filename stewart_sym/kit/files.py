@@ -26,7 +26,7 @@ from ..derive.package.functions import Function
 from ..derive.package.readme import Figures, readme
 from ..derive.package.readme import Kit as ReadmeKit
 from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files, robot_toml
-from ..derive.package.selftest import Case, Refusal, selftest
+from ..derive.package.selftest import Case, Rejected, selftest
 from ..derive.package.words import robot_symbol
 from ..home import home_pose
 from ..kernel import MOTION
@@ -83,7 +83,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     texts = _sources(robot, choice, made)
     symbol = robot_symbol(robot.name)
     texts[build.SELFTEST] = selftest(
-        robot.name, symbol, _numbers(robot), tested, cases, _refusals(robot, choice), generator()
+        robot.name, symbol, _numbers(robot), tested, cases, _rejected(robot, choice), generator()
     )
     texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
@@ -163,9 +163,10 @@ def _case(vector: Vector) -> Case:
     )
 
 
-def _refusals(robot: Robot, choice: Choice) -> list[Refusal]:
+def _rejected(robot: Robot, choice: Choice) -> list[Rejected]:
     return [
-        Refusal(_motion(inputs), status) for inputs, status in rejected(robot, choice.level, choice.precision)
+        Rejected(_motion(inputs), status)
+        for inputs, status in rejected(robot, choice.level, choice.precision)
     ]
 
 
