@@ -60,7 +60,7 @@ def _imported(program: Program) -> str:
 
 def _shared_names() -> set[str]:
     program = shared_program()
-    return {each.name for each in (*program.structures, *program.functions)}
+    return {each.name for each in program.structures} | {each.name for each in program.functions}
 
 
 def regressor(blocks: Regressor, version: str) -> str:
