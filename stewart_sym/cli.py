@@ -1045,9 +1045,8 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
     verb.add_argument(
         "--language",
-        choices=("c", "python", "matlab", "rust"),
         default="c",
-        help="python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
+        help="c; python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
         "Octave as well; rust: a crate, without its standard library as well; each with the robot's "
         "constants, self-test, example and README, of forces, motion, derivatives, kinematics; default: c",
     )

@@ -433,19 +433,47 @@ def test_python_takes_integers_for_what_they_are(kind: Any, kit_of: Callable[[st
     np.testing.assert_array_equal(found.F, arrays.forces(on, model, motion).F)
 
 
-OCTAVE_SHAPES = {
-    "stewart.forward_dynamics(model, motion, zeros(5, 1))": "F: expected 6 real numbers, got 5 of double",
-    "stewart.forward_dynamics(model, motion, eye(6))": "F: expected 6 real numbers, got 36 of double",
-    "stewart.forward_dynamics(model, motion, 'abcdef')": "F: expected 6 real numbers, got 6 of char",
-    "stewart.linearisation(model, motion, 1i * ones(6, 1))": "F: expected 6 real numbers, got 6 of double",
-    "stewart.forward_kinematics(robot, 1, guess)": "L: expected 6 real numbers, got 1 of double",
-    "stewart.forward_velocity(robot, guess, {1})": "L_dot: expected 6 real numbers, got 1 of cell",
-    "stewart.forces(model, setfield(motion, 't', [1 2]))": "t: expected 3 real numbers, got 2 of double",
-    "stewart.prepare(setfield(robot, 'M', [1 2]))": "M: expected 1 real numbers, got 2 of double",
-    "stewart.prepare(setfield(robot, 'leg', robot.leg(1:5)))": "leg: expected 6, got 5",
-    "stewart.motion_of(eye(3), [0 0])": "t: expected 3 real numbers, got 2 of double",
-    "stewart.motion_of(eye(2))": "R: expected 3 x 3, got 2 x 2",
-}
+OCTAVE_SHAPES = [
+    (
+        "stewart.forward_dynamics(model, motion, zeros(5, 1))",
+        "F: expected a vector of 6 real numbers, got 5 x 1 of double",
+    ),
+    (
+        "stewart.forward_dynamics(model, motion, eye(6))",
+        "F: expected a vector of 6 real numbers, got 6 x 6 of double",
+    ),
+    (
+        "stewart.forward_dynamics(model, motion, 'abcdef')",
+        "F: expected a vector of 6 real numbers, got 1 x 6 of char",
+    ),
+    (
+        "stewart.linearisation(model, motion, 1i * ones(6, 1))",
+        "F: expected a vector of 6 real numbers, got 6 x 1 of double",
+    ),
+    (
+        "stewart.forward_kinematics(robot, 1, guess)",
+        "L: expected a vector of 6 real numbers, got 1 x 1 of double",
+    ),
+    (
+        "stewart.forward_velocity(robot, guess, {1})",
+        "L_dot: expected a vector of 6 real numbers, got 1 x 1 of cell",
+    ),
+    (
+        "stewart.forces(model, setfield(motion, 't', [1 2]))",
+        "t: expected a vector of 3 real numbers, got 1 x 2 of double",
+    ),
+    (
+        "stewart.prepare(setfield(robot, 'M', [1 2]))",
+        "M: expected a vector of 1 real numbers, got 1 x 2 of double",
+    ),
+    ("stewart.prepare(setfield(robot, 'leg', robot.leg(1:5)))", "leg: expected 6, got 5"),
+    ("stewart.motion_of(eye(3), [0 0])", "t: expected a vector of 3 real numbers, got 1 x 2 of double"),
+    (
+        "stewart.forces(model, setfield(motion, 'R', eye(3)))",
+        "R: expected a vector of 9 real numbers, got 3 x 3 of double",
+    ),
+    ("stewart.motion_of(eye(2))", "R: expected 3 x 3, got 2 x 2"),
+]
 
 
 def test_matlab_names_the_argument_that_does_not_fit_and_takes_integers(
@@ -454,14 +482,14 @@ def test_matlab_names_the_argument_that_does_not_fit_and_takes_integers(
     lines = [
         "robot = stewart.robot(); model = stewart.prepare(robot);",
         "motion = stewart.motion_of(eye(3), [0; 0; 1]); guess = stewart.pose_at(eye(3), [0 0 1]);",
-        *(f"try, {call}; disp('none'); catch e, disp(e.message); end" for call in OCTAVE_SHAPES),
+        *(f"try, {call}; disp('none'); catch e, disp(e.message); end" for call, _ in OCTAVE_SHAPES),
         "one = stewart.forward_dynamics(model, motion, int8([1 -2 3 0 5 0]));",
         "motion.t = single([0 0 1]);",
         "other = stewart.forward_dynamics(model, motion, [1 -2 3 0 5 0]');",
         "disp(isequal(one, other)); disp(class(other.a));",
     ]
     done = ran(["octave-cli", "--eval", "\n".join(lines)], kit_of("matlab"))
-    assert done.splitlines() == [*OCTAVE_SHAPES.values(), "1", "double"]
+    assert done.splitlines() == [*(said for _, said in OCTAVE_SHAPES), "1", "double"]
 
 
 # ---------------------------------------------------------------- README

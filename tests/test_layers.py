@@ -26,6 +26,7 @@ FLOORS = (
         "frozen",
         "interrupts",
         "logs",
+        "log_faults",
         "publish",
         "results",
         "rotation",
