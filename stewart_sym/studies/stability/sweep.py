@@ -237,8 +237,10 @@ def report(found: Sweep) -> str:
         )
         for count in found.counts
     ]
-    header = ("near failure", "cases", "ok", "worst", "at distance", "wrong")
-    header += ("least rejected", "good rejected")
+    header = (
+        *("near failure", "cases", "ok", "worst", "at distance", "wrong"),
+        *("least rejected", "good rejected"),
+    )
     head = (
         f"{found.cases} random cases near failure, each put to {len(KERNELS)} kernels, a part of them to "
         f"{len(CLOSED)} more: {found.wrong} wrong "
