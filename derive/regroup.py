@@ -8,6 +8,8 @@ Each change leaves the forces as they are:
 - ``exact`` legs are written in the coordinates of their joints (``joint_leg``), `paper` legs in their frame
   (``printed_leg``); legs with spherical base joints stay as ``kernels`` has them;
 - the force K on the leg may carry any part along s, since x takes up the rest: F = D - x with D to match;
+- the platform's inertia is about the centre of mass of all that it moves, so that a reference point far away
+  costs no digits;
 - moments are taken about platform point 1, so that leg 1 has none, elimination begins with three rows, and
   no moment is larger than the platform, however long the legs are.
 

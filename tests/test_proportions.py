@@ -13,6 +13,8 @@ from stewart_sym.studies.stability.judge import judge_poses
 
 UNITS = 10.0
 """Largest error in rounding units of the largest force, times the condition number."""
+WIDEST = 50.0
+"""Largest bound in the same units: all errors of one pose with the signs that add up."""
 
 
 def proportioned(rng: np.random.Generator) -> tuple[ss.Robot, ss.Motion]:
@@ -82,6 +84,14 @@ def test_nor_with_the_distance_of_the_reference_point(precision: str) -> None:
     error = judged_from_afar(precision, range(40))
     assert np.isfinite(error).all()
     assert error.max() <= UNITS
+
+
+def test_bounds_are_no_wider_from_a_far_reference_point() -> None:
+    for seed in range(12):
+        robot, motion, far_robot, far_motion = far_off(np.random.default_rng(seed))
+        near, far = judge_poses([robot, far_robot], [motion, far_motion])
+        unit = np.finfo(float).eps * far["size"] * max(far["own"], near["scaled"])
+        assert ss.forces_with_bounds(far_robot, far_motion).bound.max() <= WIDEST * unit
 
 
 @pytest.mark.slow

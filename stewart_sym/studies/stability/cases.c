@@ -252,10 +252,11 @@ static double length_of(const double *numbers)
     return largest * sqrt(square / 6);
 }
 
-/* The same machine and motion seen from a reference point up to 1e4 platform radii away. */
-static void far_reference(double *numbers, double *motion, double *distance, uint64_t *seed)
+/* The same machine and motion seen from a reference point up to 1e4 platform radii away; in float up to 100, as
+ * rounding R puts the inertia about it off by a share of its square. */
+static void far_reference(double *numbers, double *motion, int in_float, double *distance, uint64_t *seed)
 {
-    const double times = pow(10, 4 * uniform(seed)), far = times * length_of(numbers);
+    const double times = pow(10, (in_float ? 2 : 4) * uniform(seed)), far = times * length_of(numbers);
     double d[3], r[3], turn[3], twice[3], moment[3], size;
     int leg, i;
     normals(d, 1, seed);
@@ -288,7 +289,8 @@ static void far_reference(double *numbers, double *motion, double *distance, uin
 
 /* A platform smaller by up to 1e5, with its body and the load's arm or without; legs longer by up to 1e4; one
  * in four with a reference point far from the platform. */
-static void out_of_proportion(double *numbers, double *motion, double *distance, uint64_t *seed)
+static void out_of_proportion(
+    double *numbers, double *motion, int in_float, double *distance, uint64_t *seed)
 {
     const int which = (int)(next(seed) % 3);
     const double smaller = which == 0 ? 1 : pow(10, -5 * uniform(seed));
@@ -312,7 +314,7 @@ static void out_of_proportion(double *numbers, double *motion, double *distance,
         *distance = fmin(*distance, 1 / longer);
     }
     if (next(seed) % 4 == 0) {
-        far_reference(numbers, motion, distance, seed);
+        far_reference(numbers, motion, in_float, distance, seed);
     }
 }
 
@@ -353,7 +355,7 @@ int make_case(
         near_pole(leg, pow(10, -3 * uniform(&seed)), motion, &seed);
     }
     if (kind == PROPORTIONS) {
-        out_of_proportion(numbers, motion, distance, &seed);
+        out_of_proportion(numbers, motion, in_float, distance, &seed);
     }
     if (kind == MACHINE) {
         /* Singular at every pose: one in three without a turn, the others turned up to any angle. */
