@@ -26,6 +26,7 @@ FLOORS = (
         "interrupts",
         "logs",
         "log_faults",
+        "log_sampling",
         "publish",
         "results",
         "rotation",
