@@ -75,6 +75,20 @@ def divided(i) -> None:
         a[i, i] = a[i, i] / x[i]
 
 
+def checked(x: "array(3)", most: "Real") -> "Integer":  # type: ignore[name-defined]
+    for i in each(3):
+        begin(i)
+    for i in each(3):
+        reject(x[i] <= 2.0 * most, i + 1)
+    return 0
+
+
+def returned(holds, code) -> None:
+    """An early return."""
+    if not holds:
+        return code
+
+
 def element(*index: Any) -> Element:
     return Element(Name("A"), index)
 
@@ -93,6 +107,18 @@ def test_one_text_is_read_into_several_shapes() -> None:
     assert lines.index("A[2][2] = A[2][2]/x[2];") < lines.index("A[0][0] = A[0][0]/x[0];")
     assert "total_2 = A[2][2];" in lines
     assert "total_1 = x[1];" in lines
+
+
+def test_lines_of_another_text_take_what_it_is_called_with() -> None:
+    """Expressions as well; a call for which nothing is given leaves nothing, nor does a loop around it."""
+    given = {"ROLLED": 1, "begin": (), "reject": returned}
+    rolled = "\n".join(C().function(read.function(checked, {}, {}, given=given)))
+    assert rolled.count("for (") == 1
+    assert "if (!(x[i] <= REAL(2)*most)) {\n            return i + 1;" in rolled
+    assert read.used(checked, given={"reject": shaped}) == [
+        *("array(3)", "Real", "Integer", "array(3, 3)", "each", "before"),
+        *("begin", "reject"),
+    ]
 
 
 def test_conditions_loops_and_registers_are_settled_when_a_text_is_read() -> None:

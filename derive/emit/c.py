@@ -35,7 +35,7 @@ from ..kernel.nodes import (
     of,
 )
 from ..kernel.read import Given
-from ..kernel.shared import shared
+from ..kernel.shared import ABOUT_REFERENCE, shared
 from ..kernel.written import every_output as written
 from ..kernels import Kernel
 from ..operations import KernelOperations
@@ -123,7 +123,6 @@ def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
 
 _MOTIONS = Record("stewart_motions")
 _FIXED = (
-    _signature("largest", Real(), values=_NUMBERS, count=Integer(), least=Real()),
     _signature("is_finite", Integer(), values=_NUMBERS, count=Integer()),
     _signature("pose_at", _MOTIONS, motions=_MOTIONS, pose=Count()),
     _signature("motion_as_arrays", _MOTIONS, motion=Record("stewart_motion")),
@@ -173,8 +172,7 @@ class _Source:
             function = _block_function(block, structure)
             self.texts.functions[function.name] = function
             yield function
-        yield read(written.leg_status)
-        yield read(written.pose_forces)
+        yield read(written.pose_forces, given=ABOUT_REFERENCE)
         yield read(written.pose_reactions)
         single: tuple[Callable[..., object], ...] = (written.inverse_dynamics, written.joint_reactions)
         for one in single:

@@ -240,7 +240,6 @@ class _Source:
         kernel, read, name = self.kernel, self.texts.function, f"stewart_{self.kernel.name}"
         made = self.structures
         yield from (made[each] for each in ("MotionLanes", "SharedTerms", "SharedLanes", "LegLanes"))
-        yield read(written.leg_status)
         if self.baked:
             yield p.literals(kernel)
             yield self._table()
@@ -337,7 +336,7 @@ class _Source:
             *reach(terms),
             Assign(at(of("out", "reach"), "l"), Name("reach")),
             *(Assign(at(of("out", q.name), "l"), expression(exprs[q][0])) for q in checked),
-            *suspicion(leg, Number(0.0), at(of("out", "bad"), "l"), least),
+            *suspicion(leg, Number(0.0), at(of("out", "bad"), "l"), "SHORT_SHARE", least),
         )
         given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body}
         return self.texts.function(written.legs_of_pose, name, given=given, says=says, count=leg.operations())
@@ -393,6 +392,7 @@ class _Source:
                 leg,
                 at("bad", "l"),
                 at("bad", "l"),
+                "SHORT_SHARE",
                 "POLE_SINE" if kernel.leg_near_pole is None else "NEAR_POLE",
             ),
         )

@@ -25,6 +25,7 @@ from ..kernel.layouts import (
     set_in_order,
     stored,
     stores,
+    suspicion,
 )
 from ..kernel.legs_in_lanes import Layout
 from ..kernel.lower import expression, steps_of
@@ -59,7 +60,7 @@ from ..kernel.nodes import (
     Variable,
 )
 from ..kernel.settle import settled
-from ..kernel.shared import SINGULAR_STATUS
+from ..kernel.shared import shared
 from ..kernel.written import motion_lanes as written
 from ..motion import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
 from ..print.c import C
@@ -313,7 +314,7 @@ class _Source:
             _PARTS,
             {each: f"find_{each}" for each in o.OUTPUTS},
         )
-        self.functions: dict[str, Function] = {"add_legs": _ADD_LEGS}
+        self.functions = {"add_legs": _ADD_LEGS, "fault_of": shared().by_name["fault_of"]}
 
     def parts(self) -> Iterator[str | Structure | Function]:
         """Structures, functions and texts."""
@@ -328,7 +329,7 @@ class _Source:
         for function in self.program.functions:
             if function.name.endswith("_sums"):
                 yield from self._kernel(function.name.removesuffix("_sums"))
-            elif function.name == SINGULAR_STATUS.name:
+            elif function.name == "singular_status":
                 continue
             elif function.name == "forces":
                 yield self._forces()
@@ -520,20 +521,14 @@ def _sums(kernel: SumKernel, block: Block) -> list[sp.Expr]:
 
 def _checks(block: Block) -> tuple[Statement, ...]:
     """What is wrong with a leg, in its lane."""
-    given, checked, fault = exprs_of(block), Member(Name("out"), "checked"), Name("fault")
-    L, k3, one = expression(given[n.L][0]), expression(given[n.k3][0]), Number(1.0)
-    share = Binary("*", Constant("ROUNDING"), Name("reach"))
+    given, checked = exprs_of(block), Member(Name("out"), "checked")
 
-    def put(name: str, value: Expression) -> Statement:
-        return Assign(Element(Member(checked, name), (LANE,)), value)
+    def of_lane(name: str) -> Expression:
+        return Element(Member(checked, name), (LANE,))
 
     return (
         *reach([*given[n.q], *n.t.symbols, *n.b.symbols]),
-        put("reach", Name("reach")),
-        put("L", L),
-        put("k3", k3),
-        Variable("fault", Real(), Select(Compare("<=", L, Constant("MAX")), Number(0.0), one)),
-        Assign(fault, Select(Compare(">", L, share), fault, one)),
-        Assign(fault, Select(Compare(">", k3, Constant("POLE_SINE")), fault, one)),
-        put("bad", fault),
+        Assign(of_lane("reach"), Name("reach")),
+        *(Assign(of_lane(q.name), expression(given[q][0])) for q in (n.L, n.k3)),
+        *suspicion(block, Number(0.0), of_lane("bad"), "ROUNDING", "POLE_SINE"),
     )

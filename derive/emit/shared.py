@@ -23,12 +23,7 @@ def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
     found = shared(about_tip)
     return {
         ARITHMETIC: filled("arithmetic.h", version=version),
-        SOLVE: filled(
-            "solve.h",
-            version=version,
-            functions=_printed(found, found.solve),
-            singular_status=filled("singular_status.c"),
-        ),
+        SOLVE: filled("solve.h", version=version, functions=_printed(found, found.solve)),
         LANES: filled(
             "lanes.h",
             version=version,

@@ -46,9 +46,8 @@ from .nodes import (
     Type,
 )
 from .read import Given
-from .shared import shared
+from .shared import WITH_ERRORS, shared
 from .written import bounds as written
-from .written import legs
 
 _ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
 _ARM = ("arm_x", "arm_y", "arm_z")
@@ -179,7 +178,6 @@ class BoundedForces:
         public = self.structures["Model"].name.removesuffix("model") + "prepare"
         yield read(written.prepare, public, public=True, given=_sums())
         yield read(written.shared_of_pose, given={"BODY": self._values(self.shared)})
-        yield read(legs.fault_of)
         for end, leg in self.legs.items():
             yield read(written.leg_of_pose, f"leg_of_pose{end}", given=self._leg(leg))
         yield read(written.stretch_error)
@@ -189,7 +187,7 @@ class BoundedForces:
         yield read(written.shared_errors, given=self._shared_errors())
         for end, leg in self.legs.items():
             yield read(written.leg_errors, f"leg_errors{end}", given=self._leg_errors(leg))
-        yield read(written.equations_of_pose)
+        yield read(written.equations_of_pose, given=WITH_ERRORS)
         yield read(written.pose_status)
         yield read(written.solution)
         slopes = Element(Member(Name("slopes"), "force"), (Name("i"),))

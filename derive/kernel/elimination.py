@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 from .nodes import Element, Expression, Name, Number
 from .read import Given
 from .written import elimination as text
+from .written import faults
 
 
 def _entries(name: str) -> Callable[..., Expression]:
@@ -26,11 +27,20 @@ def _whole(row: Expression, column: Expression | None = None) -> Expression:
     return Name(f"a_{row.value}") if column in (None, row) else Element(Name("A"), (row, column))
 
 
+RETURNED: Mapping[str, Given] = {"reject": faults.returned, "CARRIED": 0}
+"""A fault ends the function."""
+CARRIED: Mapping[str, Given] = {"reject": faults.carried, "CARRIED": 1}
+"""A fault is a status that is carried on."""
+
 _COMMON: Mapping[str, Given] = {
     "elimination": text.elimination,
-    "begin": text.nothing,
-    "weigh": text.nothing,
+    "begin": (),
+    "exchange": (),
+    "bring": (),
+    "weigh_pivot": (),
+    "invert": text.inverted,
     "update": text.by_entries,
+    "substitute": text.one_by_one,
     "ROLLED": 0,
     "IN_ROWS": 0,
     "DIVIDES": 1,
@@ -42,27 +52,59 @@ _LOOPS: Mapping[str, Given] = {
     "a": _entries("A"),
     "upper": _entries("A"),
     "x": _entries("x"),
+    "inverse": _entries("inverse"),
     "factor": _one("factor"),
     "total": _one("total"),
+}
+_EXCHANGED_ONCE: Mapping[str, Given] = {
+    **_LOOPS,
+    "begin": text.first_pivot,
+    "exchange": text.look_below,
+    "bring": text.exchange_once,
+    "exchange_more": (),
+    "weigh_pivot": text.suspicion,
 }
 
 IN_ARRAYS: Mapping[str, Given] = {
     **_LOOPS,
     "inverse": _entries("x"),
     "exchange": text.exchange_selected,
-    "weigh": text.suspicion,
+    "weigh_pivot": text.suspicion,
 }
 """Loops over rows and columns, for poses side by side in arrays."""
 
-ONCE: Mapping[str, Given] = {
-    **_LOOPS,
-    "DIVIDES": 0,
-    "inverse": _entries("inverse"),
-    "begin": text.first_pivot,
-    "exchange": text.look_below,
-    "weigh": text.exchange_once,
-}
+ONCE: Mapping[str, Given] = {**_EXCHANGED_ONCE, "DIVIDES": 0, "WIDTH": 7, "LONG": 0}
 """Loops for one pose, small in code."""
+
+LONG_ROWS: Mapping[str, Given] = {
+    **_EXCHANGED_ONCE,
+    "update": text.by_long_rows,
+    "substitute": text.row_by_row,
+}
+"""Many right sides."""
+
+DEFINITE: Mapping[str, Given] = {
+    **LONG_ROWS,
+    "begin": (),
+    "exchange": (),
+    "bring": (),
+    "weigh_pivot": text.definite,
+}
+"""The same of a symmetric definite matrix, L D L^T: no rows change places."""
+
+INVERSE: Mapping[str, Given] = {
+    **_EXCHANGED_ONCE,
+    "WIDTH": 6,
+    "LONG": 0,
+    "a": _entries("H"),
+    "A": Name("H"),
+    "exchange_more": text.exchange_beside,
+    "weigh_pivot": text.regular,
+    "invert": (),
+    "update": text.above_as_well,
+    "substitute": (),
+}
+"""The inverse, each row times its pivot, beside H."""
 
 
 def in_lanes(about_tip: bool) -> dict[str, Given]:
@@ -72,7 +114,7 @@ def in_lanes(about_tip: bool) -> dict[str, Given]:
         "FIRST": 3 if about_tip else 6,
         "upper": lambda i, j: Name(f"a_{i.value}_{j.value}"),
         "exchange": text.exchange_in_lanes,
-        "weigh": text.fault_in_lanes,
+        "weigh_pivot": text.fault_in_lanes,
     }
 
 
@@ -97,6 +139,6 @@ BY_POINTERS: Mapping[str, Given] = {
     "x": _entries("x"),
     "begin": text.largest_of_column,
     "exchange": text.exchange_pointers,
-    "weigh": text.product,
+    "weigh_pivot": text.product,
 }
 """One pose without vector registers: rows change places by their addresses, an upper one is read once."""

@@ -6,6 +6,7 @@ from ..kernels import Kernel
 from . import read
 from .lower import block_function, structure
 from .nodes import Array, Field, Program, Real, Record, Structure
+from .shared import ABOUT_REFERENCE
 from .written import inverse_dynamics as written
 
 TERMS, REACTIONS = "terms", "leg_reactions"
@@ -43,7 +44,7 @@ def terms_program(kernel: Kernel) -> Program:
     ]
     known = {each.name: each for each in structures}
     functions = {each.name: each for each in blocks}
-    terms = read.function(written.terms, known, functions, TERMS, True)
+    terms = read.function(written.terms, known, functions, TERMS, True, ABOUT_REFERENCE)
     return Program(kernel.formulation.kernel_name, tuple(structures), (*blocks, terms))
 
 

@@ -141,11 +141,13 @@ def reach(terms: Iterable[sp.Expr]) -> tuple[Statement, ...]:
     return (*found, *(Assign(REACH, Call("larger", (size, REACH))) for size in sizes))
 
 
-def suspicion(leg: Block, before: Expression, after: Expression, least_sine: str) -> tuple[Statement, ...]:
+def suspicion(
+    leg: Block, before: Expression, after: Expression, least_share: str, least_sine: str
+) -> tuple[Statement, ...]:
     """1 in ``after`` where a leg is not finite, short, or too near its joint singularity, else ``before``."""
     given = exprs_of(leg)
     length = expression(given[n.L][0])
-    share = Binary("*", Constant("SHORT_SHARE"), REACH)
+    share = Binary("*", Constant(least_share), REACH)
     tests = [(Compare("<=", length, Constant("MAX")), before), (Compare(">", length, share), FAULT)]
     if n.k3 in given:
         tests.append((Compare(">", expression(given[n.k3][0]), Constant(least_sine)), FAULT))

@@ -13,7 +13,7 @@ from .. import prepared as p
 from ..block import Block, Output, Quantity
 from ..regroup import ForceKernel
 from . import read
-from .elimination import IN_ARRAYS
+from .elimination import CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
 from .lower import Arguments, block_function, stored_type, structure
 from .model import (
     STATUS_FIELD,
@@ -24,7 +24,7 @@ from .model import (
     model_structures,
 )
 from .nodes import Argument, Array, Field, Function, Integer, Program, Real, Record, Structure, Type
-from .shared import SINGULAR_STATUS
+from .shared import shared
 from .written import closed_form, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
@@ -89,7 +89,7 @@ def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs
         out = Argument("out", Record(result.name), changed=True)
         known[f"check_{of}"] = partial(Function, f"check_{of}", "", (out,), None, ())
     known["forces"] = partial(Function, "forces", "", (model, motion), Record("Forces"), ())
-    known["singular_status"] = lambda: replace(SINGULAR_STATUS, result=Integer())
+    known["singular_status"] = lambda: shared().by_name["singular_status"]
     needed = _Needed(known, tuple(outputs), of_model, {})
     for name in outputs:
         needed.add(name)
@@ -130,7 +130,7 @@ class _Needed:
             self._add_types(member.type for member in found.members)
             self.structures[name] = found
         elif isinstance(found, Text):
-            for each in read.used(found.written, found.names):
+            for each in read.used(found.written, found.names, found.given):
                 if each != name:
                     self.add(each)
             public = name in self.public
@@ -154,7 +154,7 @@ class _Needed:
         text, _, width = name.rpartition("_")
         found = self.known.get(text)
         if name not in self.known and width.isdigit() and isinstance(found, Text):
-            return Text(found.written, {"WIDTH": int(width)})
+            return replace(found, names={"WIDTH": int(width)})
         return self.known.get(name)
 
 
@@ -167,6 +167,9 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
         name: Text(text) for module in _MODULES for name, text in vars(module).items() if callable(text)
     }
     found["eliminate"] = Text(solve.eliminate, given=IN_ARRAYS)
+    found["solve_pivoted"] = Text(solve.solve_pivoted, given=LONG_ROWS)
+    found["solve_definite"] = Text(solve.solve_definite, given=DEFINITE)
+    found["singular_status"] = Text(solve.singular_status, given={**INVERSE, **CARRIED})
     if kernel.leg_near_pole is None:
         found["find_legs"] = Text(forces.find_legs_of_one_form)
     return found

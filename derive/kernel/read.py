@@ -102,16 +102,22 @@ def function(
     ValueError for what is not allowed.
     """
     tree = _parsed(written, names)
-    return _Reader(structures, functions, tree, given or {}).function(name or tree.name, public)
+    return _Reader(structures, functions, tree, given or {}, names).function(name or tree.name, public)
 
 
-def used(written: Callable[..., Any], names: Names = MappingProxyType({})) -> list[str]:
-    """Names of the structures and functions that a text uses, in its order."""
+def used(
+    written: Callable[..., Any],
+    names: Names = MappingProxyType({}),
+    given: Mapping[str, Given] = MappingProxyType({}),
+) -> list[str]:
+    """Names of the structures and functions that a text and those given to it use, in their order."""
     tree = _parsed(written, names)
     typed = [each.annotation for each in tree.args.args] + [tree.returns]
     quoted = [node.value for node in typed if isinstance(node, ast.Constant) and isinstance(node.value, str)]
     called = [_called(node) for node in ast.walk(tree) if isinstance(node, ast.Call)]
-    return list(dict.fromkeys([*quoted, *called]))
+    texts = (text for each in called if inspect.isfunction(text := given.get(each)))
+    inside = [each for text in texts for each in used(text, names, given)]
+    return list(dict.fromkeys([*quoted, *inside, *called]))
 
 
 def _parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
@@ -149,6 +155,17 @@ class _Renamed(ast.NodeTransformer):
         return ast.Name(name, node.ctx)
 
 
+class _Filled(ast.NodeTransformer):
+    """Puts expressions in the place of names."""
+
+    def __init__(self, values: Mapping[str, ast.expr]) -> None:
+        self.values = values
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        """An expression in its place."""
+        return self.values.get(node.id, node)
+
+
 class _Reader:
     def __init__(
         self,
@@ -156,8 +173,10 @@ class _Reader:
         functions: Mapping[str, Function],
         tree: ast.FunctionDef,
         given: Mapping[str, Given],
+        names: Names,
     ) -> None:
         self.structures, self.functions, self.tree, self.given = structures, functions, tree, dict(given)
+        self.names = names
         self.types: dict[str, Type] = {}
         self.whole: ast.expr | None = None
 
@@ -227,14 +246,21 @@ class _Reader:
             case ast.If() if (holds := self.settled(node.test)) is not None:
                 return self.body(node.body if holds else node.orelse)
             case ast.For(target=ast.Name(id=index)) if _called(node.iter) == "each":
-                return [self.loop(node, index)] if self.given.get("ROLLED") else self.repeated(node, index)
+                return self.rolled(node, index) if self.given.get("ROLLED") else self.repeated(node, index)
             case ast.Expr(value=ast.Call() as call) if callable(text := self.given.get(_called(call))):
                 return self.inlined(text, call)
+            case ast.Expr(value=ast.Call(func=ast.Name(id=name))) if self.given.get(name) == ():
+                return []
             case ast.Expr(value=ast.Name(id=name)) if isinstance(self.given.get(name), tuple):
                 return cast("tuple[Statement, ...]", self.given[name])
             case ast.Expr(value=ast.Constant(value=str(text))):
                 return [Comment(text)]
         return [self.statement(node)]
+
+    def rolled(self, node: ast.For, index: str) -> list[Statement]:
+        """A loop, unless nothing is left in it."""
+        loop = self.loop(node, index)
+        return [loop] if loop.body else []
 
     def repeated(self, node: ast.For, index: str) -> list[Statement]:
         assert isinstance(node.iter, ast.Call)
@@ -245,17 +271,14 @@ class _Reader:
         return found
 
     def inlined(self, text: Callable[..., Any], call: ast.Call) -> tuple[Statement, ...]:
-        """The lines of another text, its arguments indices that are settled or have the names of its own."""
-        tree = _parsed(text, {})
-        found = {
-            each.arg: i
-            for each, arg in zip(tree.args.args, call.args, strict=True)
-            if (i := self.settled(arg)) is not None
-        }
-        outside, self.given = self.given, {**self.given, **found}
-        read = self.body(tree.body[ast.get_docstring(tree) is not None :])
-        self.given = outside
-        return read
+        """The lines of another text with what it is called with in place of its arguments."""
+        tree = _parsed(text, self.names)
+        names = (each.arg for each in tree.args.args)
+        settled = (self.settled(arg) for arg in call.args)
+        values = (arg if i is None else ast.Constant(i) for arg, i in zip(call.args, settled, strict=True))
+        filled = _Filled(dict(zip(names, values, strict=True)))
+        lines = tree.body[ast.get_docstring(tree) is not None :]
+        return self.body([filled.visit(each) for each in lines])
 
     def settled(self, node: ast.expr) -> int | None:
         """A value that is known now, None where it is not."""
@@ -338,7 +361,7 @@ class _Reader:
             first, last = _less_one(last), _less_one(first)
         step = self.expression(call.args[2]) if len(call.args) == 3 else Number(1)
         step = As(Count(), step) if kind == Count() and step != Number(1) else step
-        kept = _called(call) == "columns"
+        kept = _called(call) == "columns" and self.given.get("LONG") != 0
         return For(index, first, last, self.inner(node.body), down, kind, step, kept)
 
     # ------------------------------------------------------------ expressions

@@ -4,11 +4,16 @@ from dataclasses import dataclass
 from functools import cache
 
 from .constants import LARGEST
-from .elimination import ONCE, by_rows, in_lanes
+from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
 from .layouts import Written
-from .nodes import Argument, Array, Count, Function, Integer, Number, Pointer, Real, Type
-from .read import LANES
-from .written import every_output, lanes, scale
+from .nodes import Argument, Array, Count, Function, Number, Pointer, Real, Type
+from .read import LANES, Given
+from .written import every_output, lanes, legs, scale, solve
+
+ABOUT_REFERENCE: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus, "ABOUT_TIP": 0}
+"""How a leg is added to the platform's equations."""
+WITH_ERRORS: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus_error, "ABOUT_TIP": 1}
+"""The same about platform point 1, with rounding errors."""
 
 _NUMBERS = Pointer(Real())
 _VECTORS = Array(Real(), (3, LANES))
@@ -20,14 +25,6 @@ def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
     return Function(name, "", tuple(given), result, ())
 
 
-SINGULAR_STATUS = _signature(
-    "singular_status",
-    Integer(),
-    H=Array(Real(), (6, 6)),
-    arm=Array(Real(), (6, 3)),
-    L=Array(Real(), (6,)),
-    reach=Array(Real(), (6,)),
-)
 _BLOCKS = (
     _signature(
         "whole", _NUMBERS, source=_NUMBERS, width=Count(), first=Count(), count=Count(), padded=_NUMBERS
@@ -50,9 +47,7 @@ class Shared:
     @property
     def by_name(self) -> dict[str, Function]:
         """All that a source may call."""
-        return {
-            each.name: each for each in (*self.solve, *self.lanes, *self.outputs, SINGULAR_STATUS, *_BLOCKS)
-        }
+        return {each.name: each for each in (*self.solve, *self.lanes, *self.outputs, *_BLOCKS)}
 
 
 @cache
@@ -65,6 +60,9 @@ def shared(about_tip: bool = True) -> Shared:
         (
             read(scale.per_length_of, given={"LARGEST": Number(LARGEST)}, largest=f"{LARGEST:g}"),
             read(scale.scaled_axis),
+            read(legs.largest),
+            read(legs.fault_of, apart=True),
+            read(solve.singular_status, apart=True, given={**INVERSE, **RETURNED}),
         ),
         (
             *(read(each) for each in rows),

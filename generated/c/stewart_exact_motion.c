@@ -8,7 +8,7 @@
 #include "stewart_solve.h"
 
 /* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
-#define STEWART_KEPT ((stewart_real)0.03125)
+#define STEWART_KEPT ((stewart_real)0.0625)
 
 /* Below this sine of the angle between a leg and its fixed axis the shorter formulas of C and derivatives
  * lose digits. */
@@ -137,10 +137,7 @@ static int legs_status(const leg_checks *checked)
     int i;
     for (i = 0; i < 6; ++i) {
         if (checked->bad[i] > REAL(0)) {
-            if (!(checked->L[i] <= STEWART_MAX)) {
-                return STEWART_NOT_FINITE;
-            }
-            return checked->L[i] > STEWART_ROUNDING*checked->reach[i] ? STEWART_POLE : STEWART_SHORT_LEG;
+            return fault_of(checked->L[i], checked->k3[i], checked->reach[i]);
         }
     }
     return STEWART_OK;
@@ -2840,9 +2837,9 @@ static int solve_pivoted_12(stewart_real A[72])
         }
         if (pivot != k) {
             STEWART_LOOP for (j = 0; j < 12; ++j) {
-                const stewart_real upper = A[12*k + j];
+                const stewart_real moved = A[12*k + j];
                 A[12*k + j] = A[12*pivot + j];
-                A[12*pivot + j] = upper;
+                A[12*pivot + j] = moved;
             }
         }
         suspect = STEWART_FABS(A[12*k + k]) > STEWART_SUSPECT ? suspect : 1;
@@ -4695,9 +4692,9 @@ static int solve_pivoted_24(stewart_real A[144])
         }
         if (pivot != k) {
             for (j = 0; j < 24; ++j) {
-                const stewart_real upper = A[24*k + j];
+                const stewart_real moved = A[24*k + j];
                 A[24*k + j] = A[24*pivot + j];
-                A[24*pivot + j] = upper;
+                A[24*pivot + j] = moved;
             }
         }
         suspect = STEWART_FABS(A[24*k + k]) > STEWART_SUSPECT ? suspect : 1;

@@ -165,17 +165,21 @@ static small_turn turned_by(const stewart_real turn[3])
     return out;
 }
 
+/* The largest of ``least`` and the sizes of a vector's components. */
+static stewart_real largest(const stewart_real vector[3], stewart_real least)
+{
+    int j;
+    stewart_real most = least;
+    for (j = 0; j < 3; ++j) {
+        most = STEWART_LARGER(STEWART_FABS(vector[j]), most);
+    }
+    return most;
+}
+
 /* Size of the vectors q, t and b that a leg is the sum of, m. */
 static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], const stewart_real q[3])
 {
-    int j;
-    stewart_real reach = REAL(0);
-    for (j = 0; j < 3; ++j) {
-        reach = STEWART_LARGER(STEWART_FABS(q[j]), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t[j]), reach);
-        reach = STEWART_LARGER(STEWART_FABS(b[j]), reach);
-    }
-    return reach;
+    return largest(b, largest(t, largest(q, REAL(0))));
 }
 
 /* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */

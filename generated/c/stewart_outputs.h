@@ -18,15 +18,18 @@ STEWART_SHARED int solve(stewart_real A[6][7], stewart_real x[6])
     int suspect = 0;
     for (k = 0; k < 6; ++k) {
         int pivot = k;
+        stewart_real most = STEWART_FABS(A[k][k]);
         for (i = k + 1; i < 6; ++i) {
-            if (STEWART_FABS(A[i][k]) > STEWART_FABS(A[pivot][k])) {
-                pivot = i;
-            }
+            const stewart_real entry = STEWART_FABS(A[i][k]);
+            pivot = entry > most ? i : pivot;
+            most = entry > most ? entry : most;
         }
-        for (j = k; j < 7; ++j) {
-            const stewart_real moved = A[k][j];
-            A[k][j] = A[pivot][j];
-            A[pivot][j] = moved;
+        if (pivot != k) {
+            for (j = 0; j < 7; ++j) {
+                const stewart_real moved = A[k][j];
+                A[k][j] = A[pivot][j];
+                A[pivot][j] = moved;
+            }
         }
         suspect = STEWART_FABS(A[k][k]) > STEWART_SUSPECT ? suspect : 1;
         inverse[k] = REAL(1)/A[k][k];
@@ -45,19 +48,6 @@ STEWART_SHARED int solve(stewart_real A[6][7], stewart_real x[6])
         x[i] = total*inverse[i];
     }
     return suspect;
-}
-
-/* The largest of `least` and the sizes of the values. */
-STEWART_SHARED stewart_real largest(const stewart_real *values, int count, stewart_real least)
-{
-    stewart_real result = least;
-    int i;
-    for (i = 0; i < count; ++i) {
-        if (STEWART_FABS(values[i]) > result) {
-            result = STEWART_FABS(values[i]);
-        }
-    }
-    return result;
 }
 
 STEWART_SHARED int is_finite(const stewart_real *values, int count)

@@ -465,21 +465,6 @@ static void leg_reactions(
     out->M_u = C_x;
 }
 
-/* S = q + t - b is known to within rounding of its largest term, `reach`. */
-static int leg_status(const leg_terms *terms, stewart_real reach)
-{
-    if (!(STEWART_FABS(terms->L) <= STEWART_MAX)) {
-        return STEWART_NOT_FINITE;
-    }
-    if (!(terms->L > STEWART_ROUNDING*reach && terms->L > STEWART_SHORTEST)) {
-        return STEWART_SHORT_LEG;
-    }
-    if (!(terms->k3 > STEWART_POLE_SINE)) {
-        return STEWART_POLE;
-    }
-    return STEWART_OK;
-}
-
 /* Inverse dynamics of one pose, (1)-(37). */
 static int pose_forces(const stewart_robot *robot, const stewart_motions *at, stewart_forces *out)
 {
@@ -499,11 +484,11 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     }
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
-        reach[i] = largest(terms.q, 3, REAL(0));
+        reach[i] = largest(terms.q, REAL(0));
         extent = STEWART_LARGER(reach[i], extent);
-        reach[i] = largest(robot->leg[i].b, 3, largest(at->t, 3, reach[i]));
+        reach[i] = largest(robot->leg[i].b, largest(at->t, reach[i]));
         L[i] = terms.L;
-        const int status = leg_status(&terms, reach[i]);
+        const int status = fault_of(terms.L, terms.k3, reach[i]);
         if (status != STEWART_OK) {
             return status;
         }

@@ -54,25 +54,49 @@ STEWART_SHARED void scaled_axis(const stewart_real k[3], stewart_real out[3])
     }
 }
 
-/* Whether H is singular to rounding: STEWART_OK, STEWART_SINGULAR or STEWART_NOT_FINITE. H is replaced by its
- * inverse Y. `arm`: of the moments; `L`: lengths of the legs; `reach`: size of the vectors that a leg is the
- * sum of.
- *
- * The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
- * and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
- * Y_force + Y_moment x arm, wherever moments are taken about, and by the rounding of the moment. Where H less
- * its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
- * spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself. */
-STEWART_APART STEWART_SHARED int singular_status(
-    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real *L, const stewart_real *reach)
+/* The largest of ``least`` and the sizes of a vector's components. */
+STEWART_SHARED stewart_real largest(const stewart_real vector[3], stewart_real least)
 {
-    stewart_real Y[6][6], G[6][6], v[6], grown[6];
-    stewart_real size = REAL(0), worst = REAL(1);
+    int j;
+    stewart_real most = least;
+    for (j = 0; j < 3; ++j) {
+        most = STEWART_LARGER(STEWART_FABS(vector[j]), most);
+    }
+    return most;
+}
+
+/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
+{
+    int fault = STEWART_OK;
+    fault = k3 > STEWART_POLE_SINE ? fault : STEWART_POLE;
+    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_SHORT_LEG;
+    return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
+}
+
+/* Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+ *
+ * arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of. The
+ * direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes
+ * in and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that
+ * through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken about, and by the
+ * rounding of the moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error
+ * of column k does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2
+ * leaves room for the errors of Y itself. */
+STEWART_APART STEWART_SHARED int singular_status(
+    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real L[6], const stewart_real reach[6])
+{
     int i, j, k, turn;
+    stewart_real Y[6][6];
+    stewart_real G[6][6];
+    stewart_real v[6];
+    stewart_real grown[6];
+    stewart_real extent = REAL(0);
+    stewart_real least = REAL(1);
     for (i = 0; i < 6; ++i) {
         v[i] = REAL(1);
         for (j = 0; j < 3; ++j) {
-            size = STEWART_LARGER(STEWART_FABS(arm[i][j]), size);
+            extent = STEWART_LARGER(STEWART_FABS(arm[i][j]), extent);
         }
     }
     for (i = 0; i < 6; ++i) {
@@ -80,62 +104,77 @@ STEWART_APART STEWART_SHARED int singular_status(
             if (!(STEWART_FABS(H[i][j]) <= STEWART_MAX)) {
                 return STEWART_NOT_FINITE;
             }
-            H[i][j] = i < 3 ? H[i][j] : H[i][j] / size;
+            H[i][j] = i < 3 ? H[i][j] : H[i][j]/extent;
             Y[i][j] = i == j ? REAL(1) : REAL(0);
         }
     }
     for (k = 0; k < 6; ++k) {
         int pivot = k;
+        stewart_real most = STEWART_FABS(H[k][k]);
         for (i = k + 1; i < 6; ++i) {
-            pivot = STEWART_FABS(H[i][k]) > STEWART_FABS(H[pivot][k]) ? i : pivot;
+            const stewart_real entry = STEWART_FABS(H[i][k]);
+            pivot = entry > most ? i : pivot;
+            most = entry > most ? entry : most;
         }
-        if (!(STEWART_FABS(H[pivot][k]) > REAL(0))) {
+        if (pivot != k) {
+            for (j = 0; j < 6; ++j) {
+                const stewart_real moved = H[k][j];
+                H[k][j] = H[pivot][j];
+                H[pivot][j] = moved;
+                const stewart_real beside = Y[k][j];
+                Y[k][j] = Y[pivot][j];
+                Y[pivot][j] = beside;
+            }
+        }
+        if (!(STEWART_FABS(H[k][k]) > REAL(0))) {
             return STEWART_SINGULAR;
         }
-        for (j = 0; j < 6; ++j) {
-            const stewart_real h = H[k][j], y = Y[k][j];
-            H[k][j] = H[pivot][j];
-            H[pivot][j] = h;
-            Y[k][j] = Y[pivot][j];
-            Y[pivot][j] = y;
-        }
         for (i = 0; i < 6; ++i) {
-            const stewart_real factor = H[i][k] / H[k][k];
-            for (j = 0; i != k && j < 6; ++j) {
-                H[i][j] = H[i][j] - factor * H[k][j];
-                Y[i][j] = Y[i][j] - factor * Y[k][j];
+            if (i != k) {
+                const stewart_real factor = H[i][k]/H[k][k];
+                for (j = 0; j < 6; ++j) {
+                    H[i][j] = H[i][j] - factor*H[k][j];
+                    Y[i][j] = Y[i][j] - factor*Y[k][j];
+                }
             }
         }
     }
     for (i = 0; i < 6; ++i) {
         const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
         for (k = 0; k < 6; ++k) {
-            stewart_real turned = REAL(0);
-            for (j = 0; j < 3; ++j) {
-                const int next = (j + 1) % 3, last = (j + 2) % 3;
-                turned = turned + STEWART_FABS(Y[i][j]
-                    + (Y[i][3 + next] * arm[k][last] - Y[i][3 + last] * arm[k][next]) / size);
-            }
-            G[i][k] = (turned * (reach[k] / L[k] + REAL(2)) + REAL(2) * by_moment)
-                * (REAL(4) * STEWART_EPSILON) / STEWART_FABS(H[i][i]);
+            const stewart_real x = STEWART_FABS(Y[i][0] + (Y[i][4]*arm[k][2] - Y[i][5]*arm[k][1])/extent);
+            const stewart_real y = STEWART_FABS(Y[i][1] + (Y[i][5]*arm[k][0] - Y[i][3]*arm[k][2])/extent);
+            const stewart_real z = STEWART_FABS(Y[i][2] + (Y[i][3]*arm[k][1] - Y[i][4]*arm[k][0])/extent);
+            const stewart_real turned = (x + y + z)*(reach[k]/L[k] + REAL(2)) + REAL(2)*by_moment;
+            G[i][k] = turned*(REAL(4)*STEWART_EPSILON)/STEWART_FABS(H[i][i]);
         }
     }
-    for (turn = 0; turn < 4 && worst > STEWART_HALF; ++turn) {
-        stewart_real greatest = REAL(0);
-        worst = REAL(0);
-        for (i = 0; i < 6; ++i) {
-            grown[i] = REAL(0);
-            for (k = 0; k < 6; ++k) {
-                grown[i] = grown[i] + G[i][k] * v[k];
+    for (turn = 0; turn < 4; ++turn) {
+        if (least > STEWART_HALF) {
+            stewart_real worst = REAL(0);
+            stewart_real greatest = REAL(0);
+            for (i = 0; i < 6; ++i) {
+                stewart_real total = REAL(0);
+                for (k = 0; k < 6; ++k) {
+                    total = total + G[i][k]*v[k];
+                }
+                const stewart_real share = total/v[i];
+                worst = share <= worst ? worst : share;
+                greatest = STEWART_LARGER(total, greatest);
+                grown[i] = total;
             }
-            worst = grown[i] / v[i] <= worst ? worst : grown[i] / v[i];
-            greatest = STEWART_LARGER(grown[i], greatest);
-        }
-        for (i = 0; i < 6; ++i) {
-            v[i] = STEWART_LARGER(grown[i] / greatest, STEWART_EPSILON);
+            least = worst <= least ? worst : least;
+            for (i = 0; i < 6; ++i) {
+                v[i] = STEWART_LARGER(grown[i]/greatest, STEWART_EPSILON);
+            }
+        } else {
+            break;
         }
     }
-    return worst <= STEWART_HALF ? STEWART_OK : STEWART_SINGULAR;
+    if (!(least <= STEWART_HALF)) {
+        return STEWART_SINGULAR;
+    }
+    return STEWART_OK;
 }
 
 #endif

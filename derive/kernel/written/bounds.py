@@ -276,12 +276,7 @@ def equations_of_pose(
         out.reach[i] = leg.reach
         for j in range(3):
             out.arm[i][j] = leg.arm[j]
-            out.H[j][i] = leg.H_force[j]
-            out.H[j + 3][i] = where(i > 0, leg.H_moment[j], 0.0)
-            add(out.c[j], out.c_own[j], leg.c_force[j], 0.0)
-            add(out.c[j + 3], out.c_own[j + 3], leg.c_moment[j], 0.0)
-            if i > 0:
-                add(out.c[j + 3], out.c_own[j + 3], leg.arm_c[j], 0.0)
+            add_leg(i, j, out, leg)
     return OK
 
 

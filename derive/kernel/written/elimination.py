@@ -1,35 +1,30 @@
-"""The elimination with partial pivoting of H x = c, (36), in the part of Python that ``read`` reads.
+"""The elimination with partial pivoting of six equations, (36), in the part of Python that ``read`` reads.
 
-One text for all kernels. ``a[i, j]`` is an entry of [H | c], ``upper[k, j]`` one of the row of a pivot; where
-they are, and what the calls that stand alone in a line do, is in ``kernel.elimination``. In column 0 the rows
-from ``FIRST`` on are zero where moments are about platform point 1.
+One text for all kernels. ``a[i, k]`` is an entry of the matrix, ``upper[k, j]`` one of the row of a pivot;
+where they are, and what the calls that stand alone in a line do, is in ``kernel.elimination``. In column 0
+the rows from ``FIRST`` on are zero where moments are about platform point 1.
 """
 
 
 def elimination() -> None:
-    """The row with the largest entry of each column comes to its place, then those below lose the column."""
+    """The row with the largest entry of each column comes to its place, then others lose the column."""
     for k in each(6):
         begin(k)
         for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
             exchange(k, i)
-        weigh(k)
-        if ROLLED or IN_ROWS or k < 5:
-            inverse[k,] = 1.0 / a[k, k]
-        if IN_ROWS:
-            a[k, k] = inverse[k,]
+        bring(k)
+        weigh_pivot(k)
+        invert(k)
         update(k)
-    for i in each(5, -1, -1):
-        total[i,] = a[i, 6]
-        for j in each(i + 1, 6):
-            total[i,] = total[i,] - a[i, j] * x[j,]
-        if DIVIDES:
-            x[i,] = total[i,] / a[i, i] if i == 5 else total[i,] * inverse[i,]
-        else:
-            x[i,] = total[i,] * (a[i, i] if IN_ROWS else inverse[i,])
+    substitute()
 
 
-def nothing(k) -> None:
-    """Where a step has nothing to do."""
+def inverted(k) -> None:
+    """One over the pivot."""
+    if ROLLED or IN_ROWS or k < 5:
+        inverse[k,] = 1.0 / a[k, k]
+    if IN_ROWS:
+        a[k, k] = inverse[k,]
 
 
 # ---------------------------------------------------------------- rows that lose a column
@@ -54,6 +49,41 @@ def by_rows(k) -> None:
         a[i,] = A[i][k + 1] if k == 0 and i >= FIRST else A[i][k + 1] - factor[i, k] * A[k][k + 1]
     for i in each(k + 1, FIRST if FIRST < 6 and k == 0 else 6):
         subtract_row(A[i], factor[i, k], A[k])
+
+
+def by_long_rows(k) -> None:
+    """Rows with many right sides."""
+    clear_below_WIDTH(A, k, inverse[k])
+
+
+def above_as_well(k) -> None:
+    """All rows but that of the pivot, those of the inverse beside them."""
+    for i in each(6):
+        if i != k:
+            factor[i, k] = a[i, k] / a[k, k]
+            for j in each(6):
+                a[i, j] = a[i, j] - factor[i, k] * a[k, j]
+                Y[i][j] = Y[i][j] - factor[i, k] * Y[k][j]
+
+
+# ---------------------------------------------------------------- the solution
+
+
+def one_by_one() -> None:
+    """Of one right side, the last unknown first."""
+    for i in each(5, -1, -1):
+        total[i,] = a[i, 6]
+        for j in each(i + 1, 6):
+            total[i,] = total[i,] - a[i, j] * x[j,]
+        if DIVIDES:
+            x[i,] = total[i,] / a[i, i] if i == 5 else total[i,] * inverse[i,]
+        else:
+            x[i,] = total[i,] * (a[i, i] if IN_ROWS else inverse[i,])
+
+
+def row_by_row() -> None:
+    """Of many."""
+    substitute_back_WIDTH(A, inverse)
 
 
 # ---------------------------------------------------------------- pivots
@@ -107,21 +137,31 @@ def exchange_pointers(k, i) -> None:
 def first_pivot(k) -> None:
     """The pivot is looked for, and exchanged when it is found."""
     pivot = k
+    most = size(a[k, k])
 
 
 def look_below(k, i) -> None:
     """Whether this row has a larger entry."""
-    if size(a[i, k]) > size(A[pivot][k]):
-        pivot = i
+    entry = size(a[i, k])
+    pivot = where(entry > most, i, pivot)
+    most = where(entry > most, entry, most)
 
 
 def exchange_once(k) -> None:
     """The row of the pivot comes to its place."""
-    for j in each(k, 7):
-        moved = a[k, j]
-        a[k, j] = A[pivot][j]
-        A[pivot][j] = moved
-    suspect = where(size(a[k, k]) > SUSPECT, suspect, 1)
+    if anywhere(pivot != k):
+        for j in columns(WIDTH):
+            moved = a[k, j]
+            a[k, j] = A[pivot][j]
+            A[pivot][j] = moved
+            exchange_more(k, j)
+
+
+def exchange_beside(k, j) -> None:
+    """With what stands beside it."""
+    beside = Y[k][j]
+    Y[k][j] = Y[pivot][j]
+    Y[pivot][j] = beside
 
 
 def suspicion(k) -> None:
@@ -137,3 +177,15 @@ def fault_in_lanes(k) -> None:
 def product(k) -> None:
     """Of the pivots: without vector registers it takes fewer instructions than a look at each."""
     pivots = a[k, k] if k == 0 else pivots * a[k, k]
+
+
+def regular(k) -> None:
+    """Without a pivot there is no inverse."""
+    reject(size(a[k, k]) > 0.0, SINGULAR)
+
+
+def definite(k) -> None:
+    """Of a symmetric matrix, whose rows stay where they are: what is left of its diagonal number."""
+    fault = where(size(a[k, k]) <= MAX, INDEFINITE, NOT_FINITE)
+    fault = where(a[k, k] > kept * scale[k], OK, fault)
+    status = where(status == OK, fault, status)

@@ -1,18 +1,6 @@
 """Every output of the inverse dynamics around its blocks, in the part of Python that ``read`` reads."""
 
 
-def leg_status(terms: "LegTerms", reach: "Real") -> "Integer":
-    """S = q + t - b is known to within rounding of its largest term, `reach`."""
-    if not size(terms.L) <= MAX:
-        return NOT_FINITE
-    if not (terms.L > ROUNDING * reach and terms.L > SHORTEST):
-        return SHORT_LEG
-    if HAS_SINE:
-        if not terms.k3 > POLE_SINE:
-            return POLE
-    return OK
-
-
 def solve(A: "array(6, 7)", x: "array(6)") -> "Integer":
     """Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where a
     pivot is small, else 0."""
@@ -38,11 +26,11 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
         out.c[j + 3] = own.c_moment[j]
     for i in range(6):
         leg_dynamics(robot, robot.leg[i], at, terms)
-        reach[i] = largest(terms.q, 3, 0.0)
+        reach[i] = largest(terms.q, 0.0)
         extent = larger(reach[i], extent)
-        reach[i] = largest(robot.leg[i].b, 3, largest(at.t, 3, reach[i]))
+        reach[i] = largest(robot.leg[i].b, largest(at.t, reach[i]))
         L[i] = terms.L
-        status = leg_status(terms, reach[i])
+        status = fault_of(terms.L, terms.k3 if HAS_SINE else 1.0, reach[i])
         if status != OK:
             return status
         close = where(L[i] > SHORT_SHARE * reach[i], close, 1)
@@ -50,10 +38,7 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
         for j in range(3):
             arm[i][j] = terms.q[j]
             out.K[i][j] = terms.K[j]
-            out.H[j][i] = terms.H_force[j]
-            out.H[j + 3][i] = terms.H_moment[j]
-            out.c[j] = out.c[j] + terms.c_force[j]
-            out.c[j + 3] = out.c[j + 3] + terms.c_moment[j]
+            add_leg(i, j, out, terms)
     for i in range(6):
         for j in range(6):
             A[i][j] = out.H[i][j]

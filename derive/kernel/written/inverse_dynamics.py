@@ -13,8 +13,5 @@ def terms(robot: "Robot", motion: "Motion") -> "Terms":
         out.D[i] = leg.D
         for j in range(3):
             out.K[i][j] = leg.K[j]
-            out.H[j][i] = leg.H_force[j]
-            out.H[j + 3][i] = leg.H_moment[j]
-            out.c[j] = out.c[j] + leg.c_force[j]
-            out.c[j + 3] = out.c[j + 3] + leg.c_moment[j]
+            add_leg(i, j, out, leg)
     return out

@@ -32,15 +32,6 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
     return OK
 
 
-def leg_status(leg: "LegLanes", l: "Integer") -> "Integer":
-    """Status of the leg in one lane."""
-    if not leg.L[l] <= MAX:
-        return NOT_FINITE
-    if not leg.L[l] > ROUNDING * leg.reach[l]:
-        return SHORT_LEG
-    return where(leg.k3[l] > POLE_SINE, OK, POLE) if HAS_SINE else OK
-
-
 def shared_of_pose(model: "Model", at: "Motion", out: "SharedTerms") -> None:
     """What one pose has for all legs: $count operations."""
     SHARED
@@ -138,7 +129,7 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
     legs_of_pose(model, motion, shared, legs)
     for i in range(6):
         if legs.bad[i] > 0.0:
-            status = leg_status(legs, i)
+            status = fault_of(legs.L[i], legs.k3[i] if HAS_SINE else 1.0, legs.reach[i])
             if status != OK:
                 return status
             close = where(legs.L[i] > SHORT_SHARE * legs.reach[i], close, 1)

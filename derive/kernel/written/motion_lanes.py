@@ -19,9 +19,7 @@ def legs_status(checked: "Checked") -> "Integer":
     """What is wrong with the first leg that is not fit."""
     for i in range(6):
         if checked.bad[i] > 0.0:
-            if not checked.L[i] <= MAX:
-                return NOT_FINITE
-            return where(checked.L[i] > ROUNDING * checked.reach[i], POLE, SHORT_LEG)
+            return fault_of(checked.L[i], checked.k3[i], checked.reach[i])
     return OK
 
 

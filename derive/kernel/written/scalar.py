@@ -68,11 +68,9 @@ def short_status(model: "Model", leg: "Leg", at: "Motion", pose: "PoseTerms") ->
     sizes = blank(LegSizes)
     "Any vector will do for q_1: the arm and the column are not read."
     leg_closely(model, leg, at, at.t, sizes)
-    if not sizes.L <= MAX:
-        return NOT_FINITE
     if not sizes.L > SHORT_SHARE * sizes.reach:
         pose.close = 1
-    return where(sizes.L > ROUNDING * sizes.reach, OK, SHORT_LEG)
+    return fault_of(sizes.L, 1.0, sizes.reach)
 
 
 def shift_of(q: "array(3)", A: "array(6, 7)") -> None:
@@ -102,7 +100,7 @@ def leg_of(
             if HAS_NEAR and not NEAR:
                 return leg_near_pole(model, leg, at, pose, column, A, known)
             else:
-                return where(LENGTH <= MAX, POLE, NOT_FINITE)
+                return fault_of(LENGTH, SINE, 0.0)
     AFTER
     if column == 0:
         FIRST

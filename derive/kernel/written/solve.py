@@ -12,41 +12,31 @@ def singular_status(H: "array(6, 6)", arm: "array(6, 3)", L: "array(6)", reach: 
     """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
 
     arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of. The
-    direction s of a leg errs by 4 epsilon (reach / L + 2) at most, its column of H, (s, arm x s), by that
-    through Y_force + Y_moment x arm with Y the inverse of H, and by the rounding of the moment. Where H less
-    its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to row i of Y H: the
-    spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of Y itself.
+    direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
+    and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
+    Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken about, and by the rounding of
+    the moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k does
+    to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors
+    of Y itself.
     """
-    Y = array(6, 6)
-    G = array(6, 6)
-    v = array(6)
-    grown = array(6)
+    Y = blank(array(6, 6))
+    G = blank(array(6, 6))
+    v = blank(array(6))
+    grown = blank(array(6))
     extent = 0.0
+    least = 1.0
+    if CARRIED:
+        status = OK
     for i in range(6):
         v[i] = 1.0
         for j in range(3):
             extent = larger(size(arm[i][j]), extent)
-    lost = 0.0
     for i in range(6):
         for j in range(6):
-            lost = lost + 0.0 * H[i][j]
+            reject(size(H[i][j]) <= MAX, NOT_FINITE)
             H[i][j] = where(i < 3, H[i][j], H[i][j] / extent)
             Y[i][j] = where(i == j, 1.0, 0.0)
-    for k in range(6):
-        for i in range(k + 1, 6):
-            larger_below = size(H[i][k]) > size(H[k][k])
-            for j in range(6):
-                upper_h = H[k][j]
-                upper_y = Y[k][j]
-                H[k][j] = where(larger_below, H[i][j], H[k][j])
-                Y[k][j] = where(larger_below, Y[i][j], Y[k][j])
-                H[i][j] = where(larger_below, upper_h, H[i][j])
-                Y[i][j] = where(larger_below, upper_y, Y[i][j])
-        for i in range(6):
-            factor = where(i == k, 0.0, H[i][k] / H[k][k])
-            for j in range(6):
-                H[i][j] = H[i][j] - factor * H[k][j]
-                Y[i][j] = Y[i][j] - factor * Y[k][j]
+    elimination()
     for i in range(6):
         by_moment = size(Y[i][3]) + size(Y[i][4]) + size(Y[i][5])
         for k in range(6):
@@ -55,22 +45,25 @@ def singular_status(H: "array(6, 6)", arm: "array(6, 3)", L: "array(6)", reach: 
             z = size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
             turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
             G[i][k] = turned * (4.0 * EPSILON) / size(H[i][i])
-    least = 1.0
     for turn in range(4):
-        worst = 0.0
-        greatest = 0.0
-        for i in range(6):
-            total = 0.0
-            for k in range(6):
-                total = total + G[i][k] * v[k]
-            share = total / v[i]
-            worst = where(share <= worst, worst, share)
-            greatest = larger(total, greatest)
-            grown[i] = total
-        least = where(worst <= least, worst, least)
-        for i in range(6):
-            v[i] = larger(grown[i] / greatest, EPSILON)
-    return where(lost == 0.0, where(least <= 0.5, OK, SINGULAR), NOT_FINITE)
+        if anywhere(least > 0.5):
+            worst = 0.0
+            greatest = 0.0
+            for i in range(6):
+                total = 0.0
+                for k in range(6):
+                    total = total + G[i][k] * v[k]
+                share = total / v[i]
+                worst = where(share <= worst, worst, share)
+                greatest = larger(total, greatest)
+                grown[i] = total
+            least = where(worst <= least, worst, least)
+            for i in range(6):
+                v[i] = larger(grown[i] / greatest, EPSILON)
+        else:
+            break
+    reject(least <= 0.5, SINGULAR)
+    return status if CARRIED else OK
 
 
 def solve_definite(A: "array(6, WIDTH)", kept: "Real") -> "Integer":
@@ -83,13 +76,7 @@ def solve_definite(A: "array(6, WIDTH)", kept: "Real") -> "Integer":
     status = OK
     for k in range(6):
         scale[k] = A[k][k]
-    for k in range(6):
-        fault = where(size(A[k][k]) <= MAX, INDEFINITE, NOT_FINITE)
-        fault = where(A[k][k] > kept * scale[k], OK, fault)
-        status = where(status == OK, fault, status)
-        inverse[k] = 1.0 / A[k][k]
-        clear_below_WIDTH(A, k, inverse[k])
-    substitute_back_WIDTH(A, inverse)
+    elimination()
     return status
 
 
@@ -98,22 +85,7 @@ def solve_pivoted(A: "array(6, WIDTH)") -> "Integer":
     where a pivot is small."""
     inverse = blank(array(6))
     suspect = 0
-    for k in range(6):
-        pivot = k
-        most = size(A[k][k])
-        for i in range(k + 1, 6):
-            entry = size(A[i][k])
-            pivot = where(entry > most, i, pivot)
-            most = where(entry > most, entry, most)
-        if anywhere(pivot != k):
-            for j in columns(WIDTH):
-                upper = A[k][j]
-                A[k][j] = A[pivot][j]
-                A[pivot][j] = upper
-        suspect = where(size(A[k][k]) > SUSPECT, suspect, 1)
-        inverse[k] = 1.0 / A[k][k]
-        clear_below_WIDTH(A, k, inverse[k])
-    substitute_back_WIDTH(A, inverse)
+    elimination()
     return suspect
 
 
