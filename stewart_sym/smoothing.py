@@ -58,8 +58,8 @@ _MEANS, _LEAST_MEANS = (2, 3, 4, 6, 8, 12, 16, 24, 32), 60
 # noise does not have: over all, and from single samples to means of two.
 _NOISE_LIKE, _CORRELATED, _AT_ONCE = 0.75, 1.4, 1.1
 # Growth, for each sample of the means, that noise has at most; share of the numbers that are to change;
-# columns that tell.
-_STEEPEST, _CHANGING, _FEWEST_COLUMNS = 1.3, 0.7, 3
+# columns that tell; noise beyond that of rounding.
+_STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
 _CHUNK = 1 << 16
 
 
@@ -155,7 +155,7 @@ def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
     """
     rounding = (rounding_steps(values) if step is None else step) / math.sqrt(12.0)
     runs = 1 + np.count_nonzero(np.diff(values, axis=0), axis=0)
-    white, correlation = white_noise(time, values), _correlation(time, values)
+    white, correlation = white_noise(time, values), _correlation(time, values, rounding)
     sigma = np.maximum(rounding * np.sqrt(len(values) / runs), correlation * white)
     # The residuals of correlated noise show less than what slow changes are made of.
     known = (correlation > 1.0) & (white > 0.0)
@@ -217,14 +217,15 @@ def _noisy_columns(low: Array, high: Array, values: Array) -> Array:
     return np.where(noisy, high, 0.0)
 
 
-def _correlation(time: Array, values: Array) -> float:
+def _correlation(time: Array, values: Array, rounding: Array) -> float:
     """How much larger the noise of slow changes is in most columns (n, c); 1 for white noise and for none.
 
-    Of each column the longest means count whose differences still look like noise, not like motion.
+    Of each column with more noise than rounding makes, the longest means count whose differences still look
+    like noise, not like motion.
     """
     first = white_noise(time, values)
     changing = np.count_nonzero(np.diff(values, axis=0), axis=0) >= _CHANGING * (len(values) - 1)
-    noisy = np.flatnonzero((first > 0.0) & changing)
+    noisy = np.flatnonzero((first > _BEYOND * rounding) & changing)
     if len(noisy) < _FEWEST_COLUMNS:
         return 1.0
     found = np.ones(len(noisy))

@@ -588,7 +588,9 @@ def _warn_of_angles(log: _Log) -> None:
                 "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last?"
             )
             warnings.warn(
-                f"{log.source}: {text} (--columns q_w=q_z,q_x=q_w,q_y=q_x,q_z=q_y)", LogWarning, stacklevel=6
+                f"{log.source}: {text} (--columns with q_w=q_z,q_x=q_w,q_y=q_x,q_z=q_y)",
+                LogWarning,
+                stacklevel=6,
             )
 
 

@@ -240,9 +240,7 @@ def singular_pose() -> Poses:
     return motion.R, motion.t
 
 
-def test_rates_are_found_up_to_a_condition_number() -> (
-    None
-):
+def test_rates_are_found_up_to_a_condition_number() -> None:
     robot, (R, t) = dasgupta(), singular_pose()
     away = np.logspace(-9.0, 0.0, 2000)
     R, t = np.broadcast_to(R, (len(away), 3, 3)), t + np.multiply.outer(away, [0.3, -0.2, 0.1])

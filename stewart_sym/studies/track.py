@@ -191,7 +191,7 @@ class Digest:
         shares = [_share(self.robot, limit, leg, kept) for leg in legs]
         worst = legs[int(np.argmax(shares))]
         names = f"{'leg' if len(legs) == 1 else 'legs'} {', '.join(str(leg + 1) for leg in legs)}"
-        most = "" if len(legs) == 1 else f"leg {worst + 1}: "
+        most = "" if len(legs) == 1 else f"worst leg {worst + 1}: "
         text = f"{what} by {names}: {most}{_worst(self.robot, limit, worst, kept)}"
         if self.count[k, worst]:
             share = f"at {int(self.count[k, worst])} of {len(self.time)} instants"
