@@ -428,6 +428,8 @@ def read_csv(
     ``theta_ddot_*``; optionally ``F_ext_*`` (N) and ``M_ext_*`` (N m), platform frame.  Without derivatives,
     columns that show rounding or noise are smoothed, which a ``LogWarning`` tells, and all others
     interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
+    Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
+    or interpolate those of a slower sensor don't count; gaps in time are named.
 
     form: names, units and marks of the file. smoothing: what is known of the noise.
 
