@@ -56,7 +56,7 @@ _ALIKE = 3.0
 _MEANS, _LEAST_MEANS = (2, 3, 4, 6, 8, 12, 16, 24, 32), 60
 # Share of what differences of order 5 show that those of order 8 show of noise, and growths that white
 # noise does not have: over all, and from single samples to means of two.
-_NOISE_LIKE, _CORRELATED, _AT_ONCE = 0.75, 1.4, 1.1
+_NOISE_LIKE, _CORRELATED, _AT_ONCE = 0.75, 1.6, 1.1
 # Growth, for each sample of the means, that noise has at most; share of the numbers that are to change;
 # columns that tell; noise beyond that of rounding.
 _STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
@@ -184,11 +184,11 @@ def rounding_step(values: Array) -> float:
     decades = np.floor(np.log10(np.abs(some)))
     found = [0.0]
     for digits in range(-1, _EXACT_DIGITS):
-        if _written(values, np.full(len(values), 10.0 ** (digits - decade))):
+        if _written(values, digits, decade):
             found.append(10.0 ** (decade - digits))
             break
     for digits in range(1, _EXACT_DIGITS - 1):
-        if _written(some, 10.0 ** (digits - decades)):
+        if _written(some, digits, decades):
             found.append(float(np.sqrt(np.mean(10.0 ** (2.0 * (decades - digits))))))
             break
     return max(found)
@@ -245,12 +245,13 @@ def _correlation(time: Array, values: Array, rounding: Array) -> float:
     return slow if slow > _CORRELATED else 1.0
 
 
-def _written(values: Array, per_step: Array) -> bool:
-    """Whether all numbers are decimal fractions with as many steps in one; a few are tried first."""
-    return all(
-        bool((np.rint(values[part] * per_step[part]) / per_step[part] == values[part]).all())
-        for part in (slice(100), slice(None))
-    )
+def _written(values: Array, digits: int, decades: Array | int) -> bool:
+    """Whether all numbers end so many digits after their decade, or one for all; a few are tried first."""
+    for part in (slice(100), slice(None)):
+        per_step = 10.0 ** (digits - (decades if isinstance(decades, int) else decades[part]))
+        if not (np.rint(values[part] * per_step) / per_step == values[part]).all():
+            return False
+    return True
 
 
 def _difference_level(time: Array, values: Array, order: int) -> Array:

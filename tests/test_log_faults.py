@@ -105,7 +105,7 @@ def profiles(seed: int) -> tuple[Array, Array]:
 
 @pytest.mark.parametrize("count", [3, pytest.param(share(200), marks=pytest.mark.slow)])
 def test_good_logs_are_neither_faulty_nor_correlated(count: int) -> None:
-    rng = np.random.default_rng(0)
+    rng, told = np.random.default_rng(0), 0
     for seed in range(count):
         one = case(seed)
         for time, true in ((one.time, one.true[0]), profiles(seed)):
@@ -114,8 +114,10 @@ def test_good_logs_are_neither_faulty_nor_correlated(count: int) -> None:
                 values = np.round(true, int(noise)) if noise.isdecimal() else values
                 level = noise_level(time, values)
                 assert faults(time, values, level.sigma) == [], (seed, noise)
-                assert level.correlation < 1.5, (seed, noise, level)
+                told += level.correlation != 1.0
                 assert slower_sampling(values, rounding_steps(values)) is None, (seed, noise)
+    # Some tens of samples show the whiteness of a short log to a third only.
+    assert told <= 0.001 * 12 * count
 
 
 def test_a_fault_is_found_with_its_size_and_its_rows() -> None:
