@@ -105,6 +105,7 @@ def _forces(arguments: argparse.Namespace) -> int:
     from .studies.output import csv_lines
     from .studies.singularities import crossing_warning
     from .studies.track import Digest, in_parts
+    from .trajectory import noise_text
 
     _refuse_overwrite(arguments.output, arguments.robot, arguments.trajectory)
     robot = _robot_of(arguments.robot)
@@ -131,7 +132,10 @@ def _forces(arguments: argparse.Namespace) -> int:
     for line in digest.doubts(arguments.noise_share):
         warnings.warn(line, stacklevel=2)
     if str(arguments.output) != "-":
-        print(f"{digest.summary()}\nWritten to {arguments.output}")
+        print(digest.summary())
+        if trajectory.noise is not None and trajectory.noise.sigma.any():
+            print(f"{noise_text(trajectory.noise)}: F_sd is what it leaves")
+        print(f"Written to {arguments.output}")
     return 0
 
 
@@ -524,6 +528,10 @@ def _form(arguments: argparse.Namespace) -> "LogFormat":
     return LogFormat(**{name: getattr(arguments, name) for name in names})
 
 
+# Instants that show on which side of the base a platform is.
+_SOME = 64
+
+
 def _poses(
     robot: "Robot",
     log: "Trajectory | PoseLog | JointTrajectory",
@@ -535,7 +543,7 @@ def _poses(
 
     from .joint_space import on_platform
     from .rotation import rotation_from_rpy
-    from .studies.track import length_doubt
+    from .studies.track import length_doubt, side_doubt
     from .trajectory import JointTrajectory, PoseLog
 
     if isinstance(log, JointTrajectory):
@@ -552,6 +560,10 @@ def _poses(
         return on_platform(robot, log, guess)
     if start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
+    some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
+    below = side_doubt(robot, log.at(some))
+    if below is not None:
+        warnings.warn(f"{log.source}: {below}", stacklevel=2)
     return log
 
 

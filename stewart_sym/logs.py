@@ -255,7 +255,10 @@ def _add_rows(
 
 def _row(cells: list[str], header: list[str | None], where: str, decimal: str) -> list[float]:
     if len(cells) != len(header):
-        raise ValueError(f"{where}expected {len(header)} columns, got {len(cells)}")
+        cause = ""
+        if decimal == "." and len(header) < len(cells) <= 2 * len(header):
+            cause = ": are commas its decimal marks too? then columns need another delimiter, or quotes"
+        raise ValueError(f"{where}expected {len(header)} columns, got {len(cells)}{cause}")
     return [
         _cell(cell.strip(), where + name, decimal)
         for cell, name in zip(cells, header, strict=True)
@@ -269,5 +272,6 @@ def _cell(text: str, where: str, decimal: str) -> float:
     except ValueError:
         found = math.nan
     if not math.isfinite(found):
-        raise ValueError(f"{where}: expected a finite number, got {text[:40]!r}")
+        cause = ": is its decimal mark a comma (--decimal comma)?" if "," in text and decimal == "." else ""
+        raise ValueError(f"{where}: expected a finite number, got {text[:40]!r}{cause}")
     return found

@@ -286,8 +286,11 @@ def _check_rotation(R: Array, tolerance: float) -> None:
         bad = ~(off <= tolerance)
     if np.any(bad):
         where = tuple(int(i) for i in np.argwhere(bad)[0])
+        cause = ""
+        if off[where] <= FLOAT_TOLERANCE and np.array_equal(R[where], R[where].astype(np.float32)):
+            cause = ": these are numbers of single precision, give R as an array of float32"
         raise ValueError(
-            f"R{_at(where)}: expected a rotation matrix, R^T R differs from E by {off[where]:.2g}"
+            f"R{_at(where)}: expected a rotation matrix, R^T R differs from E by {off[where]:.2g}{cause}"
         )
     mirrored = np.linalg.det(R) < 0.0
     if np.any(mirrored):

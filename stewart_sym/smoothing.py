@@ -52,6 +52,14 @@ _EXACT_DIGITS = 12
 _SEEN = 1e-6
 # How far columns of one sensor differ in noise.
 _ALIKE = 3.0
+# Samples of which means are taken to see correlated noise, and the fewest means.
+_MEANS, _LEAST_MEANS = (2, 3, 4, 6, 8, 12, 16, 24, 32), 60
+# Share of what differences of order 5 show that those of order 8 show of noise, and growths that white
+# noise does not have: over all, and from single samples to means of two.
+_NOISE_LIKE, _CORRELATED, _AT_ONCE = 0.75, 1.6, 1.1
+# Growth, for each sample of the means, that noise has at most; share of the numbers that are to change;
+# columns that tell; noise beyond that of rounding.
+_STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
 _CHUNK = 1 << 16
 
 
@@ -72,10 +80,15 @@ class Smooth(NamedTuple):
 
 
 class Level(NamedTuple):
-    """Standard deviations of the noise of columns, (c,): as counted for white, and the least it can be."""
+    """Standard deviations of the noise of columns, (c,): as counted for white, and the least it can be.
+
+    correlation: how much larger the noise of slow changes, which ``sigma`` is for, is than that from one
+    sample to the next; 1 for white noise.
+    """
 
     sigma: Array
     least: Array
+    correlation: float = 1.0
 
 
 def smooth(
@@ -134,14 +147,19 @@ def stated(sigma: Array) -> Level:
 def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
     """Noise of each column of (n, c); 0 where there is none.
 
-    That of rounding to ``step``, (c,), None: ``rounding_step``, or that of white noise where larger: high
-    divided differences of a smooth motion shrink with their order, those of white noise do not. A number that
-    stays the same over several samples counts as one observation.
+    That of rounding to ``step``, (c,), None: ``rounding_step``, or that of noise where larger: high divided
+    differences of a smooth motion shrink with their order, those of white noise do not. Noise that means of
+    several samples show more of than white noise leaves them is correlated: what the slowest of these that
+    still look like noise show is taken for white. A number that stays the same over several samples counts as
+    one observation.
     """
     rounding = (rounding_steps(values) if step is None else step) / math.sqrt(12.0)
     runs = 1 + np.count_nonzero(np.diff(values, axis=0), axis=0)
-    white = np.maximum(rounding * np.sqrt(len(values) / runs), white_noise(time, values))
-    return Level(white, rounding)
+    white, correlation = white_noise(time, values), _correlation(time, values, rounding)
+    sigma = np.maximum(rounding * np.sqrt(len(values) / runs), correlation * white)
+    # The residuals of correlated noise show less than what slow changes are made of.
+    known = (correlation > 1.0) & (white > 0.0)
+    return Level(sigma, np.where(known, sigma, rounding), correlation)
 
 
 def _scaled(unit: Smooth, columns: Array) -> Smooth:
@@ -177,10 +195,19 @@ def rounding_step(values: Array) -> float:
 
 
 def white_noise(time: Array, values: Array) -> Array:
-    """Standard deviation of white noise, (c,), from divided differences; 0 where they show none."""
+    """Standard deviation of noise from one sample to the next, (c,), from divided differences; 0 for none."""
     if len(time) < LEAST_SAMPLES:
         return np.zeros(values.shape[1])
+    return _noisy_columns(*_levels(time, values), values)
+
+
+def _levels(time: Array, values: Array) -> tuple[Array, Array]:
+    """Noise as differences of low and of high order show it, (c,) each."""
     low, high = (_difference_level(time, values, order) for order in (5, 8))
+    return low, high
+
+
+def _noisy_columns(low: Array, high: Array, values: Array) -> Array:
     counts = high > 10.0**-_EXACT_DIGITS * np.abs(values).max(axis=0)
     noisy = (high > 0.6 * low) & counts
     if 2 * np.count_nonzero(noisy) >= len(noisy):
@@ -188,6 +215,34 @@ def white_noise(time: Array, values: Array) -> Array:
         usual = float(np.median(high[noisy]))
         noisy |= counts & (high > usual / _ALIKE) & (low < usual * _ALIKE)
     return np.where(noisy, high, 0.0)
+
+
+def _correlation(time: Array, values: Array, rounding: Array) -> float:
+    """How much larger the noise of slow changes is in most columns (n, c); 1 for white noise and for none.
+
+    Of each column with more noise than rounding makes, the longest means count whose differences still look
+    like noise, not like motion.
+    """
+    first = white_noise(time, values)
+    changing = np.count_nonzero(np.diff(values, axis=0), axis=0) >= _CHANGING * (len(values) - 1)
+    noisy = np.flatnonzero((first > _BEYOND * rounding) & changing)
+    if len(noisy) < _FEWEST_COLUMNS:
+        return 1.0
+    found = np.ones(len(noisy))
+    like = np.ones(len(noisy), dtype=bool)
+    for length in _MEANS:
+        count = len(time) // length
+        if count < _LEAST_MEANS or not like.any():
+            break
+        whole = values[: count * length, noisy].reshape(count, length, -1).mean(axis=1)
+        low, high = _levels(time[: count * length].reshape(count, length).mean(axis=1), whole)
+        growth = high / first[noisy] * math.sqrt(length)
+        like &= (high > _NOISE_LIKE * low) & (growth < _STEEPEST * length)
+        found = np.where(like, growth, found)
+        if length == _MEANS[0] and np.quantile(found, 1 / 3) < _AT_ONCE:
+            return 1.0
+    slow = float(np.quantile(found, 1 / 3))
+    return slow if slow > _CORRELATED else 1.0
 
 
 def _written(values: Array, digits: int, decades: Array | int) -> bool:

@@ -23,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from .checks import finite_array, instance, real_array, shown
 from .extras import need, needed_for
 from .log_faults import Fault, faults, offsets
+from .log_sampling import slower_sampling, spread
 from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat, read_columns
 from .motion import Motion
 from .rotation import rotation_about_axes, rotation_from_quaternion, rpy_from_rotation
@@ -427,6 +428,8 @@ def read_csv(
     ``theta_ddot_*``; optionally ``F_ext_*`` (N) and ``M_ext_*`` (N m), platform frame.  Without derivatives,
     columns that show rounding or noise are smoothed, which a ``LogWarning`` tells, and all others
     interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
+    Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
+    or interpolate those of a slower sensor don't count; gaps in time are named.
 
     form: names, units and marks of the file. smoothing: what is known of the noise.
 
@@ -569,9 +572,8 @@ _MOST_TILT, _MOST_TURN = math.pi, 2.0 * math.pi
 _MOST_ACCELERATION, _LEAST_ACCELERATION, _LONG_STEP = 1e5, 1e-4, 0.5
 
 
-def _warn_of_units(log: _Log, coordinates: Array) -> None:
-    """Warn of angles and times, (3, n, 6), that no machine makes."""
-    in_joints = "L" in log.written
+def _warn_of_angles(log: _Log) -> None:
+    """Warn of angles that no machine makes, and of quaternions whose scalar seems to come last."""
     if "theta" in log.written:
         spans = np.ptp(log.vector("theta"), axis=0) / (_MOST_TILT, _MOST_TILT, _MOST_TURN)
         axis = int(np.argmax(spans))
@@ -579,6 +581,24 @@ def _warn_of_units(log: _Log, coordinates: Array) -> None:
             span = np.ptp(log.vector("theta")[:, axis])
             text = f"theta_{'xyz'[axis]} over {span:.4g} rad: are angles in degrees (--angle-unit deg)?"
             warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+    if "q" in log.written:
+        q = np.abs(log.vector("q"))
+        if (np.median(q, axis=0) @ (-1.0, 0.0, 0.0, 1.0)) > 0.5 * float(
+            np.median(np.linalg.norm(q, axis=-1))
+        ):
+            text = (
+                "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last?"
+            )
+            warnings.warn(
+                f"{log.source}: {text} (--columns with q_w=q_z,q_x=q_w,q_y=q_x,q_z=q_y)",
+                LogWarning,
+                stacklevel=6,
+            )
+
+
+def _warn_of_units(log: _Log, coordinates: Array) -> None:
+    """Warn of times and lengths, (3, n, 6), that no machine makes."""
+    in_joints = "L" in log.written
     largest = float(np.abs(coordinates[2, :, : 6 if in_joints else 3]).max())
     step = float(np.median(np.diff(log.time))) if len(log.time) > 1 else 0.0
     moves = float(np.ptp(coordinates[0], axis=0).max()) > 0.0
@@ -632,6 +652,7 @@ def _joint_trajectory(log: _Log) -> JointTrajectory:
 
 
 def _pose_log(log: _Log) -> PoseLog:
+    _warn_of_angles(log)
     theta, step = log.angles()
     steps = np.concatenate([log.steps("t"), step])
     if "v" in log.written:
@@ -754,8 +775,24 @@ _CHANGED = 0.02
 def _differentiate(log: _Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
     """Coordinates, (n, 6), with rates and second rates, (3, n, 6), smoothed where there is noise.
 
-    Rows of poses that no motion makes are replaced, which is told; what that changes counts as a deviation.
+    Poses that a log repeats or interpolates from those of a slower sensor don't count. Rows of poses that no
+    motion makes are replaced, which is told; what that changes counts as a deviation.
     """
+    _warn_of_gap(log)
+    slower = slower_sampling(values, steps) if log.smoothing.on and "L" not in log.written else None
+    if slower is None:
+        return _replaced(log, values, steps)
+    rows, kind = slower
+    text = f"{len(log.time)} rows are {kind} between {len(rows)} measured ones, each taken for its first row"
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+    measured = dataclasses.replace(log, time=log.time[rows], rows=[log.rows[i] for i in rows])
+    few, noise = _replaced(measured, values[rows], steps)
+    found = spread(log.time, rows, few)
+    return found, None if noise is None else noise._replace(coordinates=found)
+
+
+def _replaced(log: _Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
+    """``_differentiate`` of rows that were measured."""
     level = _level(log, values, steps)
     bad = [] if "L" in log.written else faults(log.time, values, level.sigma)
     if bad:
@@ -764,7 +801,7 @@ def _differentiate(log: _Log, values: Array, steps: Array) -> tuple[Array, Uncer
         return _derivatives(log, values, level)
     good = values - offsets(bad, values.shape)
     found, noise = _derivatives(log, good, _level(log, good, steps))
-    changed = found - _derivatives(log, values, level)[0]
+    changed = found - _derivatives(log, values, level, tell=False)[0]
     return found, _with_changes(log.time, found, noise, changed)
 
 
@@ -787,7 +824,9 @@ def _with_changes(time: Array, found: Array, noise: Uncertainty | None, changed:
     return noise._replace(grid=grid, covariance=covariance)
 
 
-def _derivatives(log: _Log, values: Array, level: Level) -> tuple[Array, Uncertainty | None]:
+def _derivatives(
+    log: _Log, values: Array, level: Level, tell: bool = True
+) -> tuple[Array, Uncertainty | None]:
     """``_differentiate`` of numbers with a level of noise."""
     noisy = level.sigma > 0.0
     if log.smoothing.cutoff is not None:
@@ -805,13 +844,46 @@ def _derivatives(log: _Log, values: Array, level: Level) -> tuple[Array, Uncerta
                 found[order, part][:, ~noisy] = spline(since[part], order)
     if not noisy.any():
         return found, None
-    level = Level(level.sigma[noisy], level.least[noisy])
-    smooth = smoothed(log.time, values[:, noisy], level if level.sigma.all() else None, log.smoothing.cutoff)
+    own = Level(level.sigma[noisy], level.least[noisy])
+    smooth = smoothed(log.time, values[:, noisy], own if own.sigma.all() else None, log.smoothing.cutoff)
     found[..., noisy] = [smooth.values, smooth.rates, smooth.second_rates]
     covariance, sigma = np.zeros((len(smooth.grid), 6, 6)), np.zeros(6)
     covariance[:, noisy], sigma[noisy] = smooth.covariance, smooth.sigma
-    _tell_noise(log, sigma, "L" in log.written, "smoothed")
-    return found, Uncertainty(found, smooth.grid, covariance, sigma)
+    noise = Uncertainty(found, smooth.grid, covariance, sigma, "L" in log.written)
+    if tell and _matters(noise):
+        more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
+        warnings.warn(f"{log.source}: {noise_text(noise)}: smoothed{more}", LogWarning, stacklevel=8)
+    return found, noise
+
+
+# Noise that is not told: shares of the largest acceleration, gravity's at least, and of the path.
+_LITTLE, _PATH = 1e-3, 1e-6
+_GRAVITY = 9.81
+_CORRELATED = (
+    "; it is correlated, {:.2g} times as large in slow changes as white noise is, which the deviations hold "
+    "as far as it shows beside the motion"
+)
+
+
+def _matters(noise: Uncertainty) -> bool:
+    """Whether noise in the log is beyond a small share of the path or of the accelerations."""
+    second = np.sqrt(np.max(noise.covariance[:, :, 5], axis=0))
+    for part in (slice(6),) if noise.in_joints else (slice(3), slice(3, 6)):
+        values, _, seconds = noise.coordinates[..., part]
+        largest = max(float(np.abs(seconds).max()), _GRAVITY)
+        path = float(np.ptp(values, axis=0).max())
+        if second[part].max() > _LITTLE * largest or noise.sigma[part].max() > _PATH * path:
+            return True
+    return False
+
+
+def noise_text(noise: Uncertainty) -> str:
+    """The noise found in a log, in words."""
+    parts = [(slice(6), "m")] if noise.in_joints else [(slice(3), "m"), (slice(3, 6), "rad")]
+    text = " and ".join(
+        f"{noise.sigma[part].max():.2g} {unit}" for part, unit in parts if noise.sigma[part].any()
+    )
+    return f"noise of {text} in the log"
 
 
 def _level(log: _Log, values: Array, steps: Array) -> Level:
@@ -822,7 +894,9 @@ def _level(log: _Log, values: Array, steps: Array) -> Level:
     if log.smoothing.cutoff is not None:
         return stated(known)
     return Level(
-        np.where(known > 0.0, known, shown_noise.sigma), np.where(known > 0.0, known, shown_noise.least)
+        np.where(known > 0.0, known, shown_noise.sigma),
+        np.where(known > 0.0, known, shown_noise.least),
+        1.0 if known.all() else shown_noise.correlation,
     )
 
 
@@ -839,18 +913,34 @@ def _as_given(log: _Log, found: Array, steps: Sequence[Array]) -> Uncertainty | 
     return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0])
 
 
-def _tell_noise(log: _Log, sigma: Array, in_joints: bool, what: str) -> None:
-    parts = [(sigma, "m")] if in_joints else [(sigma[:3], "m"), (sigma[3:], "rad")]
-    text = " and ".join(f"{part.max():.2g} {unit}" for part, unit in parts if part.any())
-    warnings.warn(f"{log.source}: noise of {text} in the log: {what}", LogWarning, stacklevel=7)
+# A step in time that is this many times the usual one, and of nine in ten steps, is a gap.
+_GAP = 5.0
 
 
-# Rows that one line names at most.
-_MOST_NAMED = 4
+def _warn_of_gap(log: _Log) -> None:
+    """Warn of the longest gap in time, which a curve bridges."""
+    step = np.diff(log.time)
+    if len(step) < _MIN_SPLINE_POINTS:
+        return
+    usual, most = (float(x) for x in np.quantile(step, (0.5, 0.9)))
+    gaps = np.flatnonzero(step > _GAP * max(usual, most))
+    if not gaps.size:
+        return
+    i = int(gaps[np.argmax(step[gaps])])
+    text = (
+        f"rows {log.rows[i]} and {log.rows[i + 1]}: nothing from {log.time[i]:.6g} s "
+        f"to {log.time[i + 1]:.6g} s, {step[i] / usual:.3g} times the usual step of {usual:.3g} s"
+    )
+    more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
+    warnings.warn(f"{log.source}: {text}{more}: bridged by a smooth curve", LogWarning, stacklevel=7)
+
+
+# Rows that one line names at most; coordinates of a row that point to the row itself.
+_MOST_NAMED, _MANY = 4, 3
 
 
 def _tell_faults(log: _Log, found: Sequence[Fault]) -> None:
-    """Warn of rows that no motion makes: where, which columns and by how much."""
+    """Warn of rows that no motion makes: when, which columns and by how much."""
     by_rows: dict[tuple[int, int | None], list[str]] = {}
     for fault in found:
         names = ("t", "t", "t", "theta", "theta", "theta")
@@ -867,8 +957,9 @@ def _tell_faults(log: _Log, found: Sequence[Fault]) -> None:
     more = len(by_rows) - len(lines)
     ending = f"; and {more} more" if more > 0 else ""
     done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
+    cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
     warnings.warn(
-        f"{log.source}: numbers are off as no motion makes them: {'; '.join(lines)}{ending}: {done}",
+        f"{log.source}: numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}",
         LogWarning,
         stacklevel=7,
     )

@@ -258,7 +258,7 @@ def test_forces_takes_formulation_backend_and_reactions(
     np.testing.assert_array_equal(values[0][:, header.index("M_u5")], reactions.M_u[:, 4])
 
 
-def test_forces_warns_of_the_worst_of_each_limit_and_leg(
+def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
     robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     limits = "[leg_defaults]\nlength_limits = [0.45, 5]\nforce_limit = 1000\nspeed_limit = 0.01\n"
@@ -269,9 +269,11 @@ def test_forces_warns_of_the_worst_of_each_limit_and_leg(
     time = np.array([float(row["time"]) for row in rows])
     F = np.array([[float(row[f"F{leg}"]) for leg in range(1, 7)] for row in rows])
     over = np.flatnonzero((np.abs(F) > 1000.0).any(axis=0))
+    legs = f"leg{'s' if len(over) > 1 else ''} {', '.join(str(leg + 1) for leg in over)}"
     assert [line.split(": warning: ")[1].split(":")[0] for line in lines if "force_limit" in line] == [
-        f"force_limit exceeded by leg {leg + 1}" for leg in over
+        f"force_limit exceeded by {legs}"
     ]
+    assert len(lines) == 3
     i, leg = np.unravel_index(np.argmax(np.abs(F)), F.shape)
     held = np.gradient(time)[np.abs(F[:, leg]) > 1000.0].sum()
     worst = f"leg {leg + 1}: {F[i, leg]:.6g} N at {time[i]:g} s, limit 1000 N; beyond it for {held:.3g} s"

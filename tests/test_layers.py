@@ -27,6 +27,7 @@ FLOORS = (
         "interrupts",
         "logs",
         "log_faults",
+        "log_sampling",
         "publish",
         "results",
         "rotation",

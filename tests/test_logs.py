@@ -1,19 +1,21 @@
 """Logs as other programs write them: names, units, marks, Euler orders; doubtful units are warned of."""
 
+import dataclasses
+import re
 import warnings
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from machines import dasgupta
+from machines import dasgupta, home_position, machine_size, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.cli import main
 from stewart_sym.logs import EULER_ORDERS, LogFormat
 from stewart_sym.rotation import quaternion_from_rotation, rotation_from_rpy
-from stewart_sym.studies.track import length_doubt
+from stewart_sym.studies.track import length_doubt, peak_noise, side_doubt, track
 from stewart_sym.trajectory import Trajectory, read_any_csv, read_csv
 
 Array = NDArray[np.float64]
@@ -158,6 +160,40 @@ def test_millimetres_are_told_by_the_machines_size() -> None:
     assert "those of the robot file in metres" in str(length_doubt(robot, 1e-3 * t))
 
 
+def test_quaternions_with_their_scalar_last_under_other_names_are_warned_of(tmp_path: Path) -> None:
+    table = poses()
+    e = quaternion_from_rotation(rotation_from_rpy(table[:, 4:]))
+    names = [*NAMES[:4], "q_w", "q_x", "q_y", "q_z"]
+    with pytest.warns(ss.LogWarning, match="quaternions whose scalar comes last"):
+        read_csv(write(tmp_path / "q.csv", names, np.hstack([table[:, :4], np.roll(e, -1, axis=1)])))
+
+
+@pytest.mark.parametrize(
+    ("mark", "words"),
+    [("", "expected 7 columns, got 14: are commas its decimal marks too"), ('"', "--decimal comma")],
+)
+def test_decimal_commas_between_commas_are_named(tmp_path: Path, mark: str, words: str) -> None:
+    rows = [",".join(mark + f"{x:.6f}".replace(".", ",") + mark for x in row) for row in poses()]
+    path = tmp_path / "comma.csv"
+    path.write_text("\n".join([",".join(NAMES), *rows]) + "\n")
+    with pytest.raises(ValueError, match=f"comma.csv: row 2: .*{words}"):
+        read_csv(path)
+
+
+def test_poses_below_the_base_are_doubted() -> None:
+    rng = np.random.default_rng(8)
+    for _ in range(5):
+        robot = random_robot(rng, scale=float(rng.choice([0.2, 1.0, 3.0])))
+        robot = dataclasses.replace(robot, g=[0.0, 0.0, -9.81])
+        above = home_position(robot.b, machine_size(robot)) - robot.p.mean(axis=0)
+        t = above + 0.01 * machine_size(robot) * rng.normal(size=(9, 3))
+        below = t - [0.0, 0.0, 2.2 * machine_size(robot)]
+        still = np.zeros((9, 3))
+        up, down = (ss.Motion.from_rpy(place, still, still, still) for place in (t, below))
+        assert side_doubt(robot, up) is None
+        assert "does z point down in the log" in str(side_doubt(robot, down))
+
+
 @pytest.fixture
 def robot(tmp_path: Path) -> Path:
     text = (Path(ss.__file__).parent / "robots" / "dasgupta1998.toml").read_text(encoding="utf-8")
@@ -200,6 +236,34 @@ def test_a_limit_within_the_noise_is_not_decided(
     log = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))
     assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")]) == 0
     assert "force_limit not decided at this noise by leg" in capsys.readouterr().err
+
+
+def test_the_share_that_noise_leaves_open_follows_from_the_numbers_beside_it(tmp_path: Path) -> None:
+    table = poses(400)
+    rough = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))
+    with pytest.warns(ss.LogWarning, match="smoothed"):
+        trajectory = read_csv(rough)
+    (line,) = (text for text in track(dasgupta(), trajectory, noise_share=1e-4).doubts if "open" in text)
+    pattern = (
+        r"leaves (\S+) of .*: (\S+) N and 3 deviations of (\S+) N at .* reach (\S+) N, the peak is (\S+) N"
+    )
+    share, force, sd, possible, peak = map(float, re.findall(pattern, line)[0])
+    assert abs(force) + 3.0 * sd == pytest.approx(possible, rel=1e-3)
+    assert (possible - peak) / peak == pytest.approx(share, rel=0.02)
+    F = ss.inverse_dynamics(dasgupta(), trajectory.motion).F
+    assert share == pytest.approx(peak_noise(F, ss.force_deviations(dasgupta(), trajectory)).max(), rel=0.01)
+
+
+def test_noise_that_no_force_shows_is_a_line_of_the_summary(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    limited(robot, 1e5)
+    table = poses(400)
+    log = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 9)]))
+    assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")]) == 0
+    told = capsys.readouterr()
+    assert "noise" not in told.err
+    assert "noise of 2.9e-10 m and" in told.out
 
 
 @pytest.mark.parametrize(

@@ -67,6 +67,8 @@ def test_rotations_in_float_are_taken_to_the_nearest_rotation_in_double() -> Non
     for bad in (rounded.astype(np.float64), rounded * np.float32(1.0 + 1e-5), -rounded):
         with pytest.raises(ValueError, match=r"R.*: expected a rotation matrix"):
             Motion(bad, *np.zeros((3, 3)))
+    with pytest.raises(ValueError, match=r"numbers of single precision, give R as an array of float32$"):
+        Motion(rounded.tolist(), *np.zeros((3, 3)))
 
 
 @pytest.mark.parametrize("size", [5e-324, 1e-200, 1e200, 4e307])

@@ -22,6 +22,7 @@ from ..faults import SingularPoseWarning
 from ..force_noise import deviations_in_parts
 from ..kinematics import LegKinematics, inverse_kinematics
 from ..motion import Motion
+from ..mounting import platform_side
 from ..results import NOT_FINITE, OK, SHORT_LEG, Reactions
 from ..robot import Robot
 from ..trajectory import PoseLog, Trajectory
@@ -172,21 +173,30 @@ class Digest:
         return self.exceeded() + noisy
 
     def exceeded(self) -> list[str]:
-        """One line for each limit and leg: its worst value, when and how long."""
+        """One line for each limit: which legs go beyond it, the worst of them, when and how long."""
         kept = self._joined()
-        verdicts = force_verdicts(self.robot, kept.F, kept.F_sd)
+        forces = force_verdicts(self.robot, kept.F, kept.F_sd)
         lines = []
         for k, limit in enumerate(_LIMITS):
             force = limit.name == "force_limit"
-            for leg in range(6):
-                what = verdicts[leg] if force else EXCEEDED if self.count[k, leg] else WITHIN
-                if what != WITHIN:
-                    text = _worst(self.robot, limit, f"{limit.name} {what}", leg, kept)
-                    if self.count[k, leg]:
-                        share = f"at {int(self.count[k, leg])} of {len(self.time)} instants"
-                        text += f"; beyond it for {self.span[k, leg]:.3g} s, {share}"
-                    lines.append(text)
+            verdicts = forces if force else [EXCEEDED if n else WITHIN for n in self.count[k]]
+            for verdict in (EXCEEDED, NOT_DECIDED):
+                legs = [leg for leg in range(6) if verdicts[leg] == verdict]
+                if legs:
+                    lines.append(self._of_legs(k, limit, f"{limit.name} {verdict}", legs, kept))
         return lines
+
+    def _of_legs(self, k: int, limit: "_Limit", what: str, legs: list[int], kept: Part) -> str:
+        """One line about a limit and the legs in question."""
+        shares = [_share(self.robot, limit, leg, kept) for leg in legs]
+        worst = legs[int(np.argmax(shares))]
+        names = f"{'leg' if len(legs) == 1 else 'legs'} {', '.join(str(leg + 1) for leg in legs)}"
+        most = "" if len(legs) == 1 else f"worst leg {worst + 1}: "
+        text = f"{what} by {names}: {most}{_worst(self.robot, limit, worst, kept)}"
+        if self.count[k, worst]:
+            share = f"at {int(self.count[k, worst])} of {len(self.time)} instants"
+            text += f"; beyond it for {self.span[k, worst]:.3g} s, {share}"
+        return text
 
     def summary(self) -> str:
         """What it comes to, lines of text."""
@@ -246,7 +256,7 @@ _LIMITS = (
 def exceeded(
     robot: Robot, time: Array, F: Array, L: Array, L_dot: Array, F_sd: Array | None = None
 ) -> list[str]:
-    """One line for each limit and leg: its worst value, when and how long; arrays (n, 6).
+    """One line for each limit, as ``Digest.exceeded``; arrays (n, 6).
 
     With deviations F_sd a force limit is exceeded where the force is beyond it by ``SURE`` of them, and not
     decided where it is nearer.
@@ -268,6 +278,18 @@ def length_doubt(robot: Robot, lengths: Array) -> str | None:
     return f"lengths of {typical:.4g} m beside a machine of {size:.4g} m: are {cause}?"
 
 
+def side_doubt(robot: Robot, motion: Motion) -> str | None:
+    """One line about poses (n,) that are all on the other side of the base than gravity says; None else."""
+    side = platform_side(robot)
+    centre = motion.t + motion.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    if not side.by_gravity or np.any(centre @ side.direction >= 0.0):
+        return None
+    return (
+        "the platform is below the base, where gravity pulls, at every instant: does z point down in the "
+        "log, and up in the robot file? (forces are right as they are for a machine that hangs)"
+    )
+
+
 # Shares of the size of a machine between which distances from its base lie; units differ by a thousand.
 _NEAR, _FAR = 1.0 / 200.0, 20.0
 WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
@@ -281,13 +303,29 @@ def force_verdicts(robot: Robot, F: Array, F_sd: Array | None = None) -> list[st
     return [EXCEEDED if sure[i] else NOT_DECIDED if maybe[i] else WITHIN for i in range(6)]
 
 
-def _worst(robot: Robot, limit: _Limit, what: str, leg: int, part: Part) -> str:
-    excess, values = limit.excess(robot, part)[:, leg], limit.values(part)
+def _excess(robot: Robot, limit: _Limit, leg: int, part: Part) -> tuple[int, float]:
+    """Instant at which a leg is farthest beyond its limit, by noise if by nothing else; how far."""
+    excess = limit.excess(robot, part)[:, leg]
+    if limit.name == "force_limit" and part.F_sd is not None and not (excess > 0.0).any():
+        excess = excess + SURE * part.F_sd[:, leg]
+    i = int(np.nanargmax(excess))
+    return i, float(excess[i])
+
+
+def _share(robot: Robot, limit: _Limit, leg: int, part: Part) -> float:
+    """By what share of its limit a leg is beyond it."""
+    return _excess(robot, limit, leg, part)[1] / max(
+        abs(float(limit.bound(robot)[leg])), np.finfo(float).tiny
+    )
+
+
+def _worst(robot: Robot, limit: _Limit, leg: int, part: Part) -> str:
+    """The value of a leg that is farthest beyond its limit, and when."""
+    i, _ = _excess(robot, limit, leg, part)
     sd = part.F_sd if limit.name == "force_limit" else None
-    i = int(np.nanargmax(excess if sd is None or (excess > 0.0).any() else excess + SURE * sd[:, leg]))
     spread = "" if sd is None else f" +- {sd[i, leg]:.3g}"
-    value = f"{values[i, leg]:.6g}{spread} {limit.unit} at {part.time[i]:g} s"
-    return f"{what} by leg {leg + 1}: {value}, limit {limit.bound(robot)[leg]:g} {limit.unit}"
+    value = f"{limit.values(part)[i, leg]:.6g}{spread} {limit.unit} at {part.time[i]:g} s"
+    return f"{value}, limit {limit.bound(robot)[leg]:g} {limit.unit}"
 
 
 def _weights(time: Array) -> Array:
@@ -313,10 +351,12 @@ def _noisy(time: Array, F: Array, F_sd: Array, share: float) -> list[str]:
     leg = int(np.argmax(ratio))
     if not ratio[leg] > share:
         return []
-    i = int(np.argmax(np.nan_to_num(np.abs(F) + SURE * F_sd)[:, leg]))
+    largest, possible = (np.nan_to_num(x[:, leg]) for x in (np.abs(F), np.abs(F) + SURE * F_sd))
+    i, peak = int(np.argmax(possible)), int(np.argmax(largest))
     return [
-        f"noise in the log leaves {ratio[leg]:.2g} of leg {leg + 1}'s peak force open, more than {share:g} "
-        f"({SURE:g} deviations): {F[i, leg]:.6g} +- {F_sd[i, leg]:.3g} N at {time[i]:g} s; "
+        f"noise in the log leaves {ratio[leg]:.2g} of leg {leg + 1}'s peak force open, more than {share:g}: "
+        f"{F[i, leg]:.6g} N and {SURE:g} deviations of {F_sd[i, leg]:.3g} N at {time[i]:g} s reach "
+        f"{possible[i]:.6g} N, the peak is {largest[peak]:.6g} N at {time[peak]:g} s; "
         f"so for {np.count_nonzero(ratio > share)} of 6 legs"
     ]
 
