@@ -108,7 +108,7 @@ def _rounded(coarse: mpf, fine: mpf) -> mpf:
 def _run(kernel: ForceKernel, robot: Numbers, digits: int) -> _Constants:
     """Both preparations in the given digits."""
     with mp.workdps(digits):
-        of_all = _components(n.PLATFORM, robot)
+        of_all = _components((*n.PLATFORM, n.p_1), {**robot, n.p_1.name: robot[n.p.name][0]})
         given = [
             of_all | _components(n.LEG, {q.name: robot[q.name][leg] for q in n.LEG}) for leg in range(LEGS)
         ]

@@ -175,17 +175,14 @@ def _platform_alone(friction: bool) -> Block:
     fall = build.vector("fall", n.g.value - n.a.value, "(33)", "g - a")
     fall_P = build.vector("fall_P", R.T * fall, "(33)", f"g - a {meaning}")
     turn = regroup.rotary(build, omega, alpha)
-    load = build.vector(
-        "F_P_load",
-        n.F_ext.value + p.M_P.value * fall_P - turn * p.h_P.value,
-        "(33)",
-        f"external force less inertia, {meaning}",
-    )
+    center = p.r_C.value
+    N = build.vector("N_P", p.M_P.value * (fall_P - turn * center), "(33)", f"M_P (g - a_C) {meaning}")
+    load = build.vector("F_P_load", n.F_ext.value + N, "(33)", f"external force less inertia, {meaning}")
     torque = build.vector(
         "M_P_load",
         n.M_ext.value
-        - regroup.euler(build, p.J_P.value, p.dJ_P.value, omega, alpha, turn)
-        + cross(p.h_P.value, fall_P),
+        - regroup.euler(build, p.J_C.value, p.dJ_C.value, omega, alpha, turn)
+        + cross(center, N),
         "(34)",
         f"external moment less I alpha + omega x I omega, {meaning}",
     )
@@ -196,6 +193,6 @@ def _platform_alone(friction: bool) -> Block:
     return build.block(
         "shared_terms",
         "the platform's part of c, (30)-(35)",
-        (*n.MOTION, p.M_P, p.h_P, p.J_P, p.dJ_P, p.C_P, n.g),
+        (*n.MOTION, p.M_P, p.r_C, p.J_C, p.dJ_C, p.C_P, n.g),
         outputs,
     )

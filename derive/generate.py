@@ -59,7 +59,7 @@ def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
 def prepared_model(form: Formulation) -> ForceKernel:
     """The same with all constants that are prepared for it and, of ``exact``, for the closed form."""
     kernel = force_kernel(form)
-    return shared_blocks(with_numbers(kernel, motion.OWN_MASSES) if form == EXACT else kernel)
+    return shared_blocks(with_numbers(kernel, motion.PREPARED) if form == EXACT else kernel)
 
 
 def shared_blocks(raw: ForceKernel) -> ForceKernel:

@@ -208,6 +208,9 @@ def _external() -> tuple[sp.Matrix, sp.Matrix]:
 OWN_MASSES = (n.M, n.R_0, n.I_p, n.m_u)
 """Numbers of the robot for what takes the platform and the upper parts apart."""
 
+PREPARED = (*OWN_MASSES, p.h_P, p.J_P)
+"""What the closed form reads of a prepared model besides what the forces do."""
+
 _POSE_INPUTS = (*n.MOTION, p.M_P, p.h_P, p.J_P, p.C_P, n.g, *OWN_MASSES[:3])
 
 

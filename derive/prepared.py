@@ -47,8 +47,8 @@ COMBINED: dict[Quantity, sp.Expr] = {
 
 # What one leg hands to the platform's constants.
 M_add = Quantity("M_add", (), "kg", "mass that rides on the platform")
-h_add = Quantity("h_add", (3,), "kg m", "its first moment, platform frame")
-J_add = Quantity("J_add", (3, 3), "kg m^2", "its inertia about the reference point, platform frame", True)
+h_add = Quantity("h_add", (3,), "kg m", "its first moment about platform point 1, platform frame")
+J_add = Quantity("J_add", (3, 3), "kg m^2", "its inertia about platform point 1, platform frame", True)
 C_add = Quantity("C_add", (), "N m s", "friction of the leg's spherical joint")
 ADDED = (M_add, h_add, J_add, C_add)
 
@@ -57,7 +57,9 @@ M_P = Quantity("M_P", (), "kg", "mass of the platform with the upper parts")
 W_P = Quantity("W_P", (3,), "N", "weight of the platform with the upper parts, base frame")
 h_P = Quantity("h_P", (3,), "kg m", "its first moment, platform frame")
 J_P = Quantity("J_P", (3, 3), "kg m^2", "its inertia about the reference point, platform frame", True)
-dJ_P = Quantity("dJ_P", (3,), "kg m^2", "J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx")
+r_C = Quantity("r_C", (3,), "m", "its centre of mass, platform frame")
+J_C = Quantity("J_C", (3, 3), "kg m^2", "its inertia about its centre of mass, platform frame", True)
+dJ_C = Quantity("dJ_C", (3,), "kg m^2", "J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx")
 C_P = Quantity("C_P", (), "N m s", "friction of all spherical joints")
 
 # What the pose hands to the legs.
@@ -125,16 +127,18 @@ def prepare_leg(needed: Iterable[Quantity], riding: Riding) -> Block:
         **_axial(first, both, tensor),
     }
     mass = m_u if riding.mass else sp.S.Zero
+    # Not from the reference point: however far off that lies, no digits of the platform's own size are lost.
+    arm = build.vector("arm", n.p.value - n.p_1.value, "", "platform point from platform point 1")
     added = [
         (M_add, mass),
-        (h_add, mass * n.p.value),
-        (J_add, point_inertia(mass, n.p.value)),
+        (h_add, mass * arm),
+        (J_add, point_inertia(mass, arm)),
         (C_add, n.C_s.value if riding.friction else sp.S.Zero),
     ]
     return build.block(
         "prepare_leg",
         "constants of one leg, and what it adds to the platform",
-        (*n.LEG, n.g),
+        (*n.LEG, n.p_1, n.g),
         [*((q, values[q]) for q in needed if q in values), *added],
     )
 
@@ -155,19 +159,36 @@ def _axial(first: sp.Matrix, both: sp.Matrix, tensor: sp.Matrix) -> dict[Quantit
 def prepare_platform(needed: Iterable[Quantity]) -> Block:
     """The platform's constants in ``needed``, from the robot's numbers and from sums over the legs."""
     build = Builder()
-    M, R_0 = n.M.value, n.R_0.value
-    tensor = build.tensor("J_P", n.I_p.value + point_inertia(M, R_0) + J_add.value)
+    M, R_0, h = n.M.value, n.R_0.value, h_add.value
+    mass = build.scalar("M_P", M + M_add.value)
+    arm = build.vector(
+        "arm", R_0 - n.p_1.value, "", "the platform's own centre of mass from platform point 1"
+    )
+    e = build.vector("e", h - M_add.value * arm, "", "first moment of what rides on it about that centre")
+    center = build.vector("r_C", R_0 + e / mass)
+    # Not the inertia about a given point less M_P r r: that cancels where nothing rides.
+    r = build.vector("r", h / mass)
+    u = build.vector("u", M / mass * (h + e) / 2)
+    tensor = build.tensor(
+        "J_C",
+        n.I_p.value
+        + J_add.value
+        - (2 * arm.dot(u) * sp.eye(3) - arm * u.T - u * arm.T)
+        - (h.dot(r) * sp.eye(3) - h * r.T),
+    )
     values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in n.PLATFORM} | {
-        M_P: M + M_add.value,
-        W_P: (M + M_add.value) * n.g.value,
-        h_P: M * R_0 + h_add.value,
-        J_P: tensor,
-        dJ_P: differences(tensor),
+        M_P: mass,
+        W_P: mass * n.g.value,
+        r_C: center,
+        J_C: tensor,
+        dJ_C: differences(tensor),
+        h_P: mass * center,
+        J_P: tensor + point_inertia(mass, center),
         C_P: C_add.value,
     }
     return build.block(
         "prepare_platform",
         "constants of the platform",
-        (*n.PLATFORM, *ADDED),
+        (*n.PLATFORM, n.p_1, *ADDED),
         [(q, values[q]) for q in needed if q in values],
     )

@@ -264,9 +264,8 @@ def _whole(kernel: ForceKernel) -> ForceKernel:
     pose = replace(pose, outputs=(*pose.outputs, Output(p.q_1, p.q_1.symbols)))
     near = None if kernel.leg_near_pole is None else joined(kernel.leg_near_pole, kernel.moments)
     before = kernel.prepare_platform
-    given = replace(
-        before, inputs=(*before.inputs, n.p_1), outputs=(*before.outputs, Output(n.p_1, n.p_1.symbols))
-    )
+    inputs = tuple(dict.fromkeys((*before.inputs, n.p_1)))
+    given = replace(before, inputs=inputs, outputs=(*before.outputs, Output(n.p_1, n.p_1.symbols)))
     leg = joined(kernel.leg, kernel.moments)
     return replace(kernel, shared=pose, leg=leg, leg_near_pole=near, prepare_platform=given, about_tip=False)
 
@@ -365,24 +364,24 @@ def shared(friction: bool) -> Block:
     build = Builder()
     R, omega, alpha = n.R.value, n.omega.value, n.alpha.value
     turn = rotary(build, omega, alpha)
-    moment_arm = build.vector("h_base", R * p.h_P.value, "(30)", "first moment of the platform, base frame")
-    fall = build.vector("fall", n.g.value - n.a.value, "(33)", "g - a")
-    force = R * n.F_ext.value + p.M_P.value * fall - turn * moment_arm
+    R_C = build.vector("R_C", R * p.r_C.value, "(30)", "centre of mass from the reference point, base frame")
+    N = build.vector("N", p.M_P.value * (n.g.value - n.a.value - turn * R_C), "(33)", "M_P (g - a_C)")
+    force = R * n.F_ext.value + N
     omega_P = build.vector("omega_P", R.T * omega, "", "angular velocity, platform frame")
     alpha_P = build.vector("alpha_P", R.T * alpha, "", "angular acceleration, platform frame")
     load = build.vector(
         "M_P_load",
-        n.M_ext.value - euler(build, p.J_P.value, p.dJ_P.value, omega_P, alpha_P),
+        n.M_ext.value - euler(build, p.J_C.value, p.dJ_C.value, omega_P, alpha_P),
         "(34)",
         "external moment less I alpha + omega x I omega, platform frame",
     )
-    moment = cross(moment_arm, fall) + R * load
+    moment = cross(R_C, N) + R * load
     if friction:
         moment -= p.C_P.value * omega
     return build.block(
         "shared_terms",
         "B and the platform's part of c, (7), (30)-(35)",
-        (*n.MOTION, p.M_P, p.h_P, p.J_P, p.dJ_P, p.C_P, n.g),
+        (*n.MOTION, p.M_P, p.r_C, p.J_C, p.dJ_C, p.C_P, n.g),
         [(p.B, turn), (n.c_force, force), (n.c_moment, moment)],
     )
 

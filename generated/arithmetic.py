@@ -14,8 +14,8 @@ SINGULAR = 4  # H is singular: no leg forces can hold the platform
 INDEFINITE = 6  # the inertia matrix M is not positive definite: no body has such inertias
 
 CONSTANTS = {
-    'double': {'EPSILON': 2.220446049250313e-16, 'MAX': 1.7976931348623157e+308, 'ROUNDING': 3.552713678800501e-15, 'POLE_SINE': 9.094947017729282e-13, 'NEAR_POLE': 0.03125, 'SHORTEST': 5.0052077379577523e-147, 'SUSPECT': 0.0001220703125, 'SHORT_SHARE': 9.5367431640625e-07, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},
-    'float': {'EPSILON': 1.1920928955078125e-07, 'MAX': 3.4028234663852886e+38, 'ROUNDING': 1.9073486328125e-06, 'POLE_SINE': 0.00048828125, 'NEAR_POLE': 0.03125, 'SHORTEST': 1.5700925054761787e-16, 'SUSPECT': 0.0078125, 'SHORT_SHARE': 0.0625, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.03125, 'LEANING': 0.125},
+    'double': {'EPSILON': 2.220446049250313e-16, 'MAX': 1.7976931348623157e+308, 'ROUNDING': 3.552713678800501e-15, 'POLE_SINE': 9.094947017729282e-13, 'NEAR_POLE': 0.03125, 'SHORTEST': 5.0052077379577523e-147, 'SUSPECT': 0.0001220703125, 'SHORT_SHARE': 9.5367431640625e-07, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.0625, 'LEANING': 0.125},
+    'float': {'EPSILON': 1.1920928955078125e-07, 'MAX': 3.4028234663852886e+38, 'ROUNDING': 1.9073486328125e-06, 'POLE_SINE': 0.00048828125, 'NEAR_POLE': 0.03125, 'SHORTEST': 1.5700925054761787e-16, 'SUSPECT': 0.0078125, 'SHORT_SHARE': 0.0625, 'SMALLEST': 0.125, 'LARGEST': 16.0, 'KEPT': 0.0625, 'LEANING': 0.125},
 }
 
 
@@ -105,6 +105,29 @@ class Arithmetic:
             raise ValueError(f"{name}: expected shape (..., {count}), got {tuple(array.shape)}")
         return [array[..., i] for i in range(count)]
 
+    def agree(self, **given: Any) -> None:
+        """Raises ValueError with the name of an argument or member whose shape does not broadcast with others."""
+        shape: tuple[int, ...] = ()
+        for name, each in self.parts(given.items()):
+            own = tuple(getattr(each, "shape", ()))
+            if own in (shape, ()):
+                continue
+            count = max(len(own), len(shape))
+            pairs = [*zip((1,) * (count - len(own)) + own, (1,) * (count - len(shape)) + shape, strict=True)]
+            if any(one != other and 1 not in (one, other) for one, other in pairs):
+                raise ValueError(f"{name}: expected a leading shape that broadcasts with {shape}, got {own}")
+            shape = tuple(other if one == 1 else one for one, other in pairs)
+
+    def parts(self, named: Any) -> Any:
+        """Every number of structures and lists, with the name of its member or argument."""
+        for name, value in named:
+            if isinstance(value, list):
+                yield from self.parts((name, each) for each in value)
+            elif hasattr(value, "__dict__") and not hasattr(value, "shape"):
+                yield from self.parts(vars(value).items())
+            else:
+                yield name, value
+
     def fill(self, made: Any, fields: Any) -> None:
         """Members of a structure from arrays, whose components are along the last axis; R may be (..., 3, 3)."""
         if "R" not in fields:
@@ -112,7 +135,10 @@ class Arithmetic:
         for name, value in fields.items():
             if name not in vars(made):
                 raise ValueError(f"{name}: expected one of {', '.join(vars(made))}")
-            array = self.xp.asarray(value, dtype=self.type)
+            try:
+                array = self.xp.asarray(value, dtype=self.type)
+            except (TypeError, ValueError) as error:
+                raise ValueError(f"{name}: expected real numbers, {error}") from None
             if name == "R" and tuple(array.shape[-2:]) == (3, 3):
                 array = self.xp.reshape(array, (*array.shape[:-2], 9))
             setattr(made, name, self.components(name, array, len(getattr(made, name))))

@@ -73,8 +73,8 @@ class LegConstants:
         self.C_us: Any = 0.0  # N m s: C_u + C_s
         self.m_L2: Any = 0.0  # kg: m_u, which (16) counts twice
         self.M_add: Any = 0.0  # kg: mass that rides on the platform
-        self.h_add: Any = [0.0] * 3  # kg m: its first moment, platform frame
-        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -83,8 +83,8 @@ class Added:
 
     def __init__(self) -> None:
         self.M_add: Any = 0.0  # kg: mass that rides on the platform
-        self.h_add: Any = [0.0] * 3  # kg m: its first moment, platform frame
-        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
 
 
@@ -93,9 +93,9 @@ class Platform:
 
     def __init__(self) -> None:
         self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
-        self.h_P: Any = [0.0] * 3  # kg m: its first moment, platform frame
-        self.J_P: Any = [0.0] * 6  # kg m^2: its inertia about the reference point, platform frame
-        self.dJ_P: Any = [0.0] * 3  # kg m^2: J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx
+        self.r_C: Any = [0.0] * 3  # m: its centre of mass, platform frame
+        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its centre of mass, platform frame
+        self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
         self.C_P: Any = 0.0  # N m s: friction of all spherical joints
         self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
 
@@ -168,8 +168,8 @@ class MomentTerms:
         self.arm_c: Any = [0.0] * 3
 
 
-def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
-    """Constants of one leg, and what it adds to the platform: 77 (42 mul, 33 add, 1 div, 1 sqrt)."""
+def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
+    """Constants of one leg, and what it adds to the platform: 80 (42 mul, 36 add, 1 div, 1 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -179,9 +179,8 @@ def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
     m_u = leg.m_u
     r_u0_x, r_u0_y, r_u0_z = leg.r_u0
     I_u0_xx, I_u0_xy, I_u0_xz, I_u0_yy, I_u0_yz, I_u0_zz = leg.I_u0
-    C_u = leg.C_u
-    C_p = leg.C_p
-    C_s = leg.C_s
+    C_u, C_p, C_s = leg.C_u, leg.C_p, leg.C_s
+    p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
     k_size = on.sqrt(k_x * k_x + k_y * k_y + k_z * k_z)
     inv_k_size = 1.0 / k_size
     # fixed axis, of length one
@@ -210,11 +209,15 @@ def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
     J_yy = I_d0_yy + I_u0_yy + m_d * (c6 + c9) + m_u * (c10 + c8)
     J_yz = I_d0_yz + I_u0_yz - c2 * r_u0_z - c4 * r_d0_z
     J_zz = I_d0_zz + I_u0_zz + m_d * (c5 + c9) + m_u * (c10 + c7)
-    c11 = m_u * p_x
-    c12 = m_u * p_y
-    c13 = p_y * p_y
-    c14 = p_z * p_z
-    c15 = p_x * p_x
+    # platform point from platform point 1
+    arm_x = p_x - p_1_x
+    arm_y = p_y - p_1_y
+    arm_z = p_z - p_1_z
+    c11 = arm_x * m_u
+    c12 = arm_y * m_u
+    c13 = arm_y * arm_y
+    c14 = arm_z * arm_z
+    c15 = arm_x * arm_x
     out = LegConstants()
     out.b = [b_x, b_y, b_z]
     out.p = [p_x, p_y, p_z]
@@ -227,14 +230,15 @@ def prepare_leg(on: Arithmetic, robot: Any, leg: Any) -> Any:
     out.C_us = C_s + C_u
     out.m_L2 = m_u
     out.M_add = m_u
-    out.h_add = [c11, c12, m_u * p_z]
-    out.J_add = [m_u * (c13 + c14), -c11 * p_y, -c11 * p_z, m_u * (c14 + c15), -c12 * p_z, m_u * (c13 + c15)]
+    out.h_add = [c11, c12, arm_z * m_u]
+    out.J_add = [m_u * (c13 + c14), -arm_y * c11, -arm_z * c11, m_u * (c14 + c15), -arm_z * c12, m_u * (c13
+        + c15)]
     out.C_add = C_s
     return out
 
 
-def prepare_platform(on: Arithmetic, robot: Any, total: Any) -> Any:
-    """Constants of the platform: 34 (12 mul, 22 add, 0 div, 0 sqrt)."""
+def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
+    """Constants of the platform: 73 (32 mul, 40 add, 1 div, 0 sqrt)."""
     M = robot.M
     R_0_x, R_0_y, R_0_z = robot.R_0
     I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = robot.I_p
@@ -243,22 +247,41 @@ def prepare_platform(on: Arithmetic, robot: Any, total: Any) -> Any:
     h_add_x, h_add_y, h_add_z = total.h_add
     J_add_xx, J_add_xy, J_add_xz, J_add_yy, J_add_yz, J_add_zz = total.J_add
     C_add = total.C_add
-    c1 = R_0_y * R_0_y
-    c2 = R_0_z * R_0_z
-    J_P_xx = I_p_xx + J_add_xx + M * (c1 + c2)
-    c3 = M * R_0_x
-    J_P_xy = I_p_xy + J_add_xy - R_0_y * c3
-    J_P_xz = I_p_xz + J_add_xz - R_0_z * c3
-    c4 = R_0_x * R_0_x
-    J_P_yy = I_p_yy + J_add_yy + M * (c2 + c4)
-    c5 = M * R_0_y
-    J_P_yz = I_p_yz + J_add_yz - R_0_z * c5
-    J_P_zz = I_p_zz + J_add_zz + M * (c1 + c4)
+    p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
+    M_P = M + M_add
+    # the platform's own centre of mass from platform point 1
+    arm_x = R_0_x - p_1_x
+    arm_y = R_0_y - p_1_y
+    arm_z = R_0_z - p_1_z
+    # first moment of what rides on it about that centre
+    e_x = h_add_x - M_add * arm_x
+    e_y = h_add_y - M_add * arm_y
+    e_z = h_add_z - M_add * arm_z
+    c1 = 1.0 / M_P
+    r_C_x = R_0_x + c1 * e_x
+    r_C_y = R_0_y + c1 * e_y
+    r_C_z = R_0_z + c1 * e_z
+    r_x = c1 * h_add_x
+    r_y = c1 * h_add_y
+    r_z = c1 * h_add_z
+    c2 = 0.5 * M * c1
+    u_x = c2 * (e_x + h_add_x)
+    u_y = c2 * (e_y + h_add_y)
+    u_z = c2 * (e_z + h_add_z)
+    c3 = 2.0 * arm_z * u_z + h_add_z * r_z
+    c4 = 2.0 * arm_y * u_y + h_add_y * r_y
+    J_C_xx = I_p_xx + J_add_xx - c3 - c4
+    J_C_xy = I_p_xy + J_add_xy + arm_x * u_y + arm_y * u_x + h_add_x * r_y
+    J_C_xz = I_p_xz + J_add_xz + arm_x * u_z + arm_z * u_x + h_add_x * r_z
+    c5 = 2.0 * arm_x * u_x + h_add_x * r_x
+    J_C_yy = I_p_yy + J_add_yy - c3 - c5
+    J_C_yz = I_p_yz + J_add_yz + arm_y * u_z + arm_z * u_y + h_add_y * r_z
+    J_C_zz = I_p_zz + J_add_zz - c4 - c5
     out = Platform()
-    out.M_P = M + M_add
-    out.h_P = [c3 + h_add_x, c5 + h_add_y, M * R_0_z + h_add_z]
-    out.J_P = [J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz]
-    out.dJ_P = [J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx]
+    out.M_P = M_P
+    out.r_C = [r_C_x, r_C_y, r_C_z]
+    out.J_C = [J_C_xx, J_C_xy, J_C_xz, J_C_yy, J_C_yz, J_C_zz]
+    out.dJ_C = [J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx]
     out.C_P = C_add
     out.g = [g_x, g_y, g_z]
     return out
@@ -304,11 +327,11 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
         lost = lost + 0.0 * model.leg[leg].C_add
     lost = lost + 0.0 * model.platform.M_P
     for i in range(3):
-        lost = lost + 0.0 * model.platform.h_P[i]
+        lost = lost + 0.0 * model.platform.r_C[i]
     for i in range(6):
-        lost = lost + 0.0 * model.platform.J_P[i]
+        lost = lost + 0.0 * model.platform.J_C[i]
     for i in range(3):
-        lost = lost + 0.0 * model.platform.dJ_P[i]
+        lost = lost + 0.0 * model.platform.dJ_C[i]
     lost = lost + 0.0 * model.platform.C_P
     for i in range(3):
         lost = lost + 0.0 * model.platform.g[i]
@@ -333,10 +356,10 @@ def prepare(on: Arithmetic, robot: Any) -> Any:
     model = Model()
     total = Added()
     for i in range(6):
-        found = prepare_leg(on, robot, robot.leg[i])
+        found = prepare_leg(on, robot, robot.leg[0].p, robot.leg[i])
         model.leg[i] = found
         total = add_up(on, total, found)
-    model.platform = prepare_platform(on, robot, total)
+    model.platform = prepare_platform(on, robot, robot.leg[0].p, total)
     extent = 0.0
     for i in range(6):
         for j in range(3):
@@ -355,9 +378,9 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     F_ext_x, F_ext_y, F_ext_z = motion.F_ext
     M_ext_x, M_ext_y, M_ext_z = motion.M_ext
     M_P = platform.M_P
-    h_P_x, h_P_y, h_P_z = platform.h_P
-    J_P_xx, J_P_xy, J_P_xz, J_P_yy, J_P_yz, J_P_zz = platform.J_P
-    dJ_P_x, dJ_P_y, dJ_P_z = platform.dJ_P
+    r_C_x, r_C_y, r_C_z = platform.r_C
+    J_C_xx, J_C_xy, J_C_xz, J_C_yy, J_C_yz, J_C_zz = platform.J_C
+    dJ_C_x, dJ_C_y, dJ_C_z = platform.dJ_C
     C_P = platform.C_P
     g_x, g_y, g_z = platform.g
     # products of omega
@@ -377,14 +400,14 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     B_zx = omega_xz - alpha_y
     B_zy = alpha_x + omega_yz
     B_zz = -omega_xx - omega_yy
-    # (30) first moment of the platform, base frame
-    h_base_x = R_xx * h_P_x + R_xy * h_P_y + R_xz * h_P_z
-    h_base_y = R_yx * h_P_x + R_yy * h_P_y + R_yz * h_P_z
-    h_base_z = R_zx * h_P_x + R_zy * h_P_y + R_zz * h_P_z
-    # (33) g - a
-    fall_x = g_x - a_x
-    fall_y = g_y - a_y
-    fall_z = g_z - a_z
+    # (30) centre of mass from the reference point, base frame
+    R_C_x = R_xx * r_C_x + R_xy * r_C_y + R_xz * r_C_z
+    R_C_y = R_yx * r_C_x + R_yy * r_C_y + R_yz * r_C_z
+    R_C_z = R_zx * r_C_x + R_zy * r_C_y + R_zz * r_C_z
+    # (33) M_P (g - a_C)
+    N_x = M_P * (g_x - B_xx * R_C_x - B_xy * R_C_y - B_xz * R_C_z - a_x)
+    N_y = M_P * (g_y - B_yx * R_C_x - B_yy * R_C_y - B_yz * R_C_z - a_y)
+    N_z = M_P * (g_z - B_zx * R_C_x - B_zy * R_C_y - B_zz * R_C_z - a_z)
     # angular velocity, platform frame
     omega_P_x = R_xx * omega_x + R_yx * omega_y + R_zx * omega_z
     omega_P_y = R_xy * omega_x + R_yy * omega_y + R_zy * omega_z
@@ -400,22 +423,20 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     P_yy = omega_P_y * omega_P_y
     P_zz = omega_P_z * omega_P_z
     # (34) external moment less I alpha + omega x I omega, platform frame
-    M_P_load_x = (J_P_xy * (P_xz - alpha_P_y) + M_ext_x - J_P_xx * alpha_P_x - J_P_xz * (P_xy + alpha_P_z) - J_P_yz
-        * (P_yy - P_zz) - P_yz * dJ_P_x)
-    M_P_load_y = (J_P_yz * (P_xy - alpha_P_z) + M_ext_y - J_P_xy * (P_yz + alpha_P_x) - J_P_xz * (P_zz - P_xx)
-        - J_P_yy * alpha_P_y - P_xz * dJ_P_y)
-    M_P_load_z = (J_P_xz * (P_yz - alpha_P_x) + M_ext_z - J_P_xy * (P_xx - P_yy) - J_P_yz * (P_xz + alpha_P_y)
-        - J_P_zz * alpha_P_z - P_xy * dJ_P_z)
+    M_P_load_x = (J_C_xy * (P_xz - alpha_P_y) + M_ext_x - J_C_xx * alpha_P_x - J_C_xz * (P_xy + alpha_P_z) - J_C_yz
+        * (P_yy - P_zz) - P_yz * dJ_C_x)
+    M_P_load_y = (J_C_yz * (P_xy - alpha_P_z) + M_ext_y - J_C_xy * (P_yz + alpha_P_x) - J_C_xz * (P_zz - P_xx)
+        - J_C_yy * alpha_P_y - P_xz * dJ_C_y)
+    M_P_load_z = (J_C_xz * (P_yz - alpha_P_x) + M_ext_z - J_C_xy * (P_xx - P_yy) - J_C_yz * (P_xz + alpha_P_y)
+        - J_C_zz * alpha_P_z - P_xy * dJ_C_z)
     out = SharedTerms()
     out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
-    out.c_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + M_P * fall_x - B_xx * h_base_x - B_xy
-        * h_base_y - B_xz * h_base_z, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + M_P * fall_y - B_yx
-        * h_base_x - B_yy * h_base_y - B_yz * h_base_z, F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + M_P
-        * fall_z - B_zx * h_base_x - B_zy * h_base_y - B_zz * h_base_z]
-    out.c_moment = [M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + fall_z * h_base_y - C_P * omega_x
-        - fall_y * h_base_z, M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + fall_x * h_base_z - C_P
-        * omega_y - fall_z * h_base_x, M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + fall_y * h_base_x
-        - C_P * omega_z - fall_x * h_base_y]
+    out.c_force = [F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + N_x, F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z
+        * R_yz + N_y, F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + N_z]
+    out.c_moment = [M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + N_z * R_C_y - C_P * omega_x
+        - N_y * R_C_z, M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + N_x * R_C_z - C_P * omega_y
+        - N_z * R_C_x, M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + N_y * R_C_x - C_P * omega_z
+        - N_x * R_C_y]
     return out
 
 
@@ -842,6 +863,7 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
     model = on.arrays(on.checked(Model(), "model", model))
     motion = on.arrays(on.checked(Motion(), "motion", motion))
+    on.agree(motion=motion)
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]

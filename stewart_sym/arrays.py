@@ -138,7 +138,10 @@ class ArrayKernel(Frozen):
 
     def _array(self, name: str, value: Any) -> Any:
         """An argument as the library's array of real numbers, its shape checked."""
-        kind = str(getattr(value, "dtype", None) or np.asarray(value).dtype).rpartition(".")[2]
+        try:
+            kind = str(getattr(value, "dtype", None) or np.asarray(value).dtype).rpartition(".")[2]
+        except ValueError as error:
+            raise ValueError(f"{name}: expected real numbers, {error}") from None
         if not kind.startswith(("float", "bfloat", "int", "uint", "bool")):
             raise ValueError(f"{name}: expected real numbers, got {kind}")
         array, shape = self.xp.asarray(value, dtype=self.dtype), _shape_of(name)

@@ -1,8 +1,9 @@
 """The command ``stewart-sym``: one subcommand for each job.
 
 Reads arguments, calls the library, prints, and turns errors into one line and an exit code: 0 success,
-1 ``derive --check`` found differences, 2 anything that could not be done, 130 interrupted. What one needs
-is imported when it runs, so that none pays for SymPy, SciPy or Matplotlib but those that use them.
+1 ``derive --check`` found differences, 2 anything that could not be done, 128 + n ended by signal n: 130 by
+Ctrl-C, 143 by SIGTERM, 129 by SIGHUP. What one needs is imported when it runs, so that none pays for SymPy,
+SciPy or Matplotlib but those that use them.
 """
 
 import argparse
@@ -21,9 +22,10 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING, NoReturn, TextIO, cast
 
+from .blas import take_work_area
 from .extras import need, needed_for
 from .faults import SingularPoseWarning
-from .interrupts import as_interrupts
+from .interrupts import as_interrupts, exit_code
 from .native import CompilerError
 from .publish import named
 
@@ -43,6 +45,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     """Run one subcommand; ``argv``: without the program's name, None for this process's. Returns the code."""
     try:
         arguments = _parser().parse_args(argv)
+        take_work_area()
         # An error of the system that names no file is one of printing: all that write files name theirs.
         with named("standard output"):
             with _warnings_in_lines(), as_interrupts(), needed_for(arguments.subcommand):
@@ -53,7 +56,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         _give_up_stdout()
         return 2
     except KeyboardInterrupt:
-        return 130
+        return exit_code()
     except (ValueError, OSError, ImportError, CompilerError, MemoryError, Warning) as error:
         print(f"{PROGRAM}: error: {_one_line(error)}", file=sys.stderr)
         try:
@@ -211,7 +214,7 @@ def _generate(arguments: argparse.Namespace) -> int:
     if made.operations is not None:
         after = made.baked_operations
         folded = "" if after is None else f", with the numbers folded in {after}"
-        print(f"operations of a pose: {made.operations}{folded}")
+        print(f"operations per pose: {made.operations}{folded}")
     return 0
 
 
@@ -663,7 +666,7 @@ def _operations(module: str) -> str:
         if isinstance(node, ast.AnnAssign) and ast.unparse(node.target) == "OPERATIONS" and node.value:
             counts = ast.literal_eval(node.value)
             with_friction, without = (sum(counts[key]["total"]) for key in ("friction", "frictionless"))
-            return f"operations of a pose: {with_friction} with friction, {without} without"
+            return f"operations per pose: {with_friction} with friction, {without} without"
     return ""
 
 
@@ -868,11 +871,11 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "singularities",
         _singularities,
-        "where a path crosses singular poses, between samples too, and which motion is lost there",
+        "where a path crosses singular poses, between samples too, and which twist is unconstrained there",
         "stewart-sym singularities hexapod.toml trajectory.csv -o singularities",
         "Writes a report, tables of events and of the path, and pictures of forces and of the machine with "
-        "the lost motion. Between the rows of a trajectory the path is the quintic through their poses, "
-        "rates and accelerations. SI units.",
+        "the unconstrained twist. Between the rows of a trajectory the path is the quintic through their "
+        "poses, rates and accelerations. SI units.",
     )
     _robot(verb)
     verb.add_argument("path", metavar="PATH", help="I, II or III of the paper, or a CSV file as for forces")
@@ -985,7 +988,7 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "chart",
         _chart,
-        "draw time a pose over error, of the model and of rounding: pictures, CSV, JSON, table",
+        "draw time per pose over error, of the model and of rounding: pictures, CSV, JSON, table",
         "stewart-sym chart enough.toml -o chart",
         "chart.png: every fidelity and implementation is a point; scales.png: rounding over size and mass of "
         "machines like this one; bounds.png: rounding and its bound. Each as SVG and CSV, too. The scene is "
@@ -1042,9 +1045,8 @@ def _parser() -> argparse.ArgumentParser:
     verb.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
     verb.add_argument(
         "--language",
-        choices=("c", "python", "matlab", "rust"),
         default="c",
-        help="python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
+        help="c; python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
         "Octave as well; rust: a crate, without its standard library as well; each with the robot's "
         "constants, self-test, example and README, of forces, motion, derivatives, kinematics; default: c",
     )
@@ -1133,15 +1135,15 @@ def _parser() -> argparse.ArgumentParser:
         verbs,
         "stability",
         _stability,
-        "walk into every failure with every method: the failure atlas, tables, CSV, JSON, pictures",
+        "approach every degenerate configuration with every method: tables, CSV, JSON, pictures",
         "stewart-sym stability -o stability",
-        "Errors stand beside 50-digit arithmetic. With --cases and no -o only the sweep of random cases near "
-        "failure is made; it exits with 1 if an answer is wrong with status ok or a good pose is refused. "
-        "Needs a compiler with __float128. The atlas takes about two minutes, a million cases another.",
+        "Errors are against 50-digit arithmetic. With --cases and no -o only the sweep of random cases near "
+        "failure is made; it exits with 1 if an answer is wrong with status ok or a good pose is rejected. "
+        "Needs a compiler with __float128. The families take about two minutes, a million cases another.",
     )
     _output(verb, "DIR", "folder to write to", "stability")
     verb.add_argument(
-        "--cases", metavar="N", type=_whole, help=f"random cases near failure; in the atlas {ATLAS_CASES:,}"
+        "--cases", metavar="N", type=_whole, help=f"random cases near failure; with -o {ATLAS_CASES:,}"
     )
     verb.add_argument("--seed", type=_whole, default=0, help="of the random cases; default: 0")
     verb.add_argument(

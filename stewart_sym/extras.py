@@ -9,6 +9,8 @@ from pathlib import Path
 from urllib.parse import urlsplit
 from urllib.request import url2pathname
 
+from .blas import take_work_area
+
 EXTRAS = {
     "casadi": ("CasADi", "casadi"),
     "dask": ("Dask", "cluster"),
@@ -51,6 +53,8 @@ def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
     ------
     MissingExtraError
         In one line: ``<what> needs <package>: pip install "stewart-sym[<extra>]"``, as ``install`` has it.
+    MemoryError
+        Without room for the work area of SciPy's BLAS.
     """
     try:
         yield
@@ -59,6 +63,7 @@ def needed_for(what: str, otherwise: str = "") -> Iterator[None]:
         if package not in EXTRAS:
             raise
         raise _missing(package, what, otherwise) from None
+    take_work_area()
 
 
 def install(extra: str) -> str:

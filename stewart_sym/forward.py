@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import faults
 from .checks import finite_array, instance, leading_shape, option, truth
-from .conditioning import characteristic_length, scaled_condition_number
+from .conditioning import characteristic_length, condition_number, moments_over
 from .faults import ON_FAULT, OnFault
 from .kinematics import ROUNDING, leg_vectors, legs_or_overflow
 from .motion import Motion
@@ -239,8 +239,14 @@ def _rates(
 
 def _unsettled(robot: Robot, R: Array, t: Array) -> NDArray[np.bool_]:
     """Where H is so near to singular that lengths known to rounding leave the pose open."""
-    H = np.swapaxes(jacobian(robot, R, t), -1, -2)
-    return np.asarray(~(scaled_condition_number(H, _length(robot)) <= _MOST_CONDITION))
+    H = moments_over(np.swapaxes(jacobian(robot, R, t), -1, -2), _length(robot))
+    size = np.linalg.norm(H, axis=(-2, -1))
+    # The smallest singular value is at least |det H| over the fifth power of the mean of the others.
+    with np.errstate(all="ignore"):
+        most = np.asarray(size * (size**2 / 5.0) ** 2.5 / np.abs(np.linalg.det(H)))
+    doubtful = np.asarray(~(most <= 0.5 * _MOST_CONDITION))
+    doubtful[doubtful] = ~(condition_number(H[doubtful]) <= _MOST_CONDITION)
+    return doubtful
 
 
 def solve(A: Array, y: Array) -> tuple[Array, NDArray[np.bool_]]:

@@ -42,6 +42,11 @@ def check() -> None:
         raise KeyboardInterrupt
 
 
+def exit_code() -> int:
+    """Of a run that KeyboardInterrupt ended, as shells have it: 128 and the number of the first signal."""
+    return 128 + (_received[0] if _received else signal.SIGINT)
+
+
 class held:  # noqa: N801 - a context manager
     """Let signals wait in this block, where ``check`` tells of them; ``hold=False``: raise in a block inside.
 

@@ -292,7 +292,7 @@ def _check_rotation(R: Array, tolerance: float) -> None:
     mirrored = np.linalg.det(R) < 0.0
     if np.any(mirrored):
         where = tuple(int(i) for i in np.argwhere(mirrored)[0])
-        raise ValueError(f"R{_at(where)}: expected a rotation matrix, this one mirrors (det R = -1)")
+        raise ValueError(f"R{_at(where)}: expected a rotation matrix, this one is a reflection (det R = -1)")
 
 
 def _at(where: tuple[int, ...]) -> str:

@@ -187,7 +187,7 @@ class _Recipe:
         for where, words in (("CC", self.compiler.command), ("flags", self.flags)):
             for flag in _REFUSED.intersection(words):
                 raise ValueError(
-                    f"{where}: {flag} is refused, it changes the arithmetic of the whole process"
+                    f"{where}: {flag} is rejected, it changes the arithmetic of the whole process"
                 )
 
     def key(self) -> str:

@@ -8,7 +8,7 @@ said.
 import itertools
 import warnings
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import NamedTuple
 
 import numpy as np
@@ -32,10 +32,17 @@ LEAST_SIZE = 1e-4
 MOST_PROPORTION = (2.5, 200.0)
 """Platform over base: an exchange of the two, and points in another unit."""
 STRAY = 50.0
-MOST_DENSITY = 1e5
-"""kg/m^3: more than four times the densest metal's, all over a ball around the platform points."""
+DENSEST = 22590.0
+"""kg/m^3: of osmium, all over a ball around the platform points. In grams light platforms exceed it too."""
+LEAST_DENSITY = 0.01
+"""kg/m^3: a hundredth of air's. In millimetres a platform is a thousand million times too large."""
 MOST_GYRATION = 5.0
 """Radius of gyration over the machine's size: kg cm^2 for kg m^2 makes it 100 times too large."""
+LEAST_GYRATION = (0.02, 0.002)
+"""The same of the platform over its own size, and of a leg's part: rods have 0.1, a factor of 1e-6 makes it
+1000 times too small."""
+MOST_FRICTION = 1e3
+"""Viscous friction over the machine's weight, at the speed that it falls its own size with."""
 MOST_SPEED = 50.0
 """m/s."""
 GOOD_CONDITION, MISPAIRED, TWISTED = 12.0, 6.0, np.radians(75.0)
@@ -43,11 +50,17 @@ GOOD_CONDITION, MISPAIRED, TWISTED = 12.0, 6.0, np.radians(75.0)
 order have 15 and more, 6 times and more of what they have in the right order, or a platform twisted by 120
 degrees."""
 MOST_CONDITION = 1e3
+EXCHANGED = -0.5
+"""Of two legs, the way between their base points times that between their platform points, over both radii,
+seen along the machine's axis: negative where they cross, and no sound machine's are below this."""
 SINGULAR_SHARE = 1e-3
 """Least singular value over the largest: of sound machines it is above this at some of the random poses."""
 LEAST_SINE, LEAST_SINES = 0.03, 0.1
 """Of the angle between a leg and its universal axis at the home pose, of any leg where length
 limits say where home is, and of all six."""
+MOST_OFFSET = (0.5, 0.15, 5.0)
+"""Distance of a centre of mass from the leg's axis, over the leg, and over the leg where it is also this many
+times its place along the axis."""
 MOST_OVERLAP = 1.25
 """Distances of both centres of mass from their joints, over the leg: parts that just slide past each other
 have 1 when the leg is shortest."""
@@ -112,6 +125,23 @@ def _of_numbers(robot: Robot) -> Iterator[Doubt]:
     gravity = float(np.linalg.norm(robot.g))
     if gravity > MOST_GRAVITY:
         yield Doubt("gravity", f"gravity: {gravity:g} m/s^2; likely cause: given in mm/s^2 or cm/s^2")
+    lengths = list(_of_lengths(robot))
+    yield from lengths
+    if not lengths:
+        size = radius(robot.b) + radius(robot.p)
+        yield from _of_masses(robot, size)
+        yield from _of_friction(robot, size)
+    fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))
+    if fast.size:
+        yield Doubt(
+            "speed-limit",
+            f"speed_limit of {legs_text(fast.tolist())}: {robot.speed_limit[fast].max():g} m/s; likely "
+            "cause: "
+            f"given in mm/s",
+        )
+
+
+def _of_lengths(robot: Robot) -> Iterator[Doubt]:
     base, platform = radius(robot.b), radius(robot.p)
     sizes = f"base points {base:.3g} m, platform points {platform:.3g} m in RMS radius"
     strays = [
@@ -131,16 +161,7 @@ def _of_numbers(robot: Robot) -> Iterator[Doubt]:
     elif 0.0 < max(base, platform) < LEAST_SIZE:
         yield Doubt("length-unit", f"{sizes}; likely cause: points in kilometres, expected metres")
     elif platform > 0.0 and base > 0.0:
-        yield from _of_proportion(platform / base, sizes)
-    yield from _of_masses(robot, base + platform)
-    fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))
-    if fast.size:
-        yield Doubt(
-            "speed-limit",
-            f"speed_limit of {legs_text(fast.tolist())}: {robot.speed_limit[fast].max():g} m/s; likely "
-            "cause: "
-            f"given in mm/s",
-        )
+        yield from list(_of_proportion(platform / base, sizes)) or _of_lightness(robot, sizes)
 
 
 def _strays(points: Array) -> list[int]:
@@ -167,34 +188,74 @@ def _of_proportion(ratio: float, sizes: str) -> Iterator[Doubt]:
         )
 
 
+def _of_lightness(robot: Robot, sizes: str) -> Iterator[Doubt]:
+    density = _density(robot.M, _reach(robot))
+    if density < LEAST_DENSITY:
+        yield Doubt(
+            "length-unit",
+            f"{sizes}, platform {robot.M:g} kg, {density:.2g} kg/m^3 all over a ball around its points; "
+            "likely cause: points in millimetres or centimetres, expected metres",
+        )
+
+
+def _reach(robot: Robot) -> float:
+    """Distance of the farthest platform point from their middle, m."""
+    return float(np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=-1).max())
+
+
+def _density(mass: float, r: float) -> float:
+    """Of a ball, kg/m^3."""
+    return float(mass / (4.0 / 3.0 * np.pi * np.float64(r) ** 3))
+
+
+def _of_friction(robot: Robot, size: float) -> Iterator[Doubt]:
+    """Viscous friction that would stop the machine at once, N s/m or N m s."""
+    weight = 9.81 * (robot.M + robot.m_d.sum() + robot.m_u.sum())
+    most = MOST_FRICTION * weight / np.sqrt(9.81 * size) if size > 0.0 else np.inf
+    turning, sliding = ("N m s", size**2), ("N s/m", 1.0)
+    joints = (("C_u", robot.C_u, *turning), ("C_p", robot.C_p, *sliding), ("C_s", robot.C_s, *turning))
+    for name, values, unit, lever in joints:
+        legs = np.flatnonzero(values > most * lever).tolist()
+        if legs:
+            yield Doubt(
+                "friction",
+                f"{name} of {legs_text(legs)}: {values[legs].max():.3g} {unit}, {MOST_FRICTION:g} times the "
+                f"weight and more at {np.sqrt(9.81 * size):.2g} m/s; likely cause: another unit, or dry "
+                "friction given, expected viscous friction",
+            )
+
+
 def _of_masses(robot: Robot, size: float) -> Iterator[Doubt]:
     bodies = [("platform", np.array([robot.M]), robot.I_p[None])]
     bodies += [("lower part", robot.m_d, robot.I_d0), ("upper part", robot.m_u, robot.I_u0)]
     for name, masses, inertias in bodies:
         largest = np.linalg.eigvalsh(inertias)[:, -1].clip(min=0.0)
         gyration = np.sqrt(largest / masses)
-        wide = np.flatnonzero(gyration > MOST_GYRATION * size)
-        where = f"{name}: " if name == "platform" else f"{name} of {legs_text(wide.tolist())}: "
-        if wide.size and size > 0.0:
-            i = int(wide[0])
+        least = LEAST_GYRATION[0] * _reach(robot) if name == "platform" else LEAST_GYRATION[1] * size
+        wide, narrow = gyration > MOST_GYRATION * size, (0.0 < gyration) & (gyration < least)
+        legs = np.flatnonzero(wide if wide.any() else narrow).tolist()
+        where = f"{name}: " if name == "platform" else f"{name} of {legs_text(legs)}: "
+        cause = (
+            "inertia in kg mm^2, g cm^2 or kg cm^2, or about a point that is not the centre of mass"
+            if wide.any()
+            else "inertia converted from kg mm^2 twice, or masses in grams"
+        )
+        reach = max(_reach(robot), 2.0 * float(gyration[0]))
+        density = _density(robot.M, reach)
+        if name == "platform" and density > DENSEST and reach > 0.0 and not wide.any():
+            yield Doubt(
+                "mass",
+                f"platform: {robot.M:g} kg within {reach:.3g} m, {density / DENSEST:.2g} times as dense as "
+                "the densest metal; likely cause: mass in grams",
+            )
+            return
+        if legs and size > 0.0:
             yield Doubt(
                 "inertia-size",
-                f"{where}inertia {largest[i]:.3g} kg m^2 at {masses[i]:g} kg is that of a body "
-                f"{gyration[i]:.3g} m in radius of gyration, on a machine of {size:.3g} m; likely "
-                "cause: inertia "
-                f"in kg mm^2, g cm^2 or kg cm^2, or about a point that is not the centre of mass",
+                f"{where}inertia {largest[legs[0]]:.3g} kg m^2 at {masses[legs[0]]:g} kg is that of a body "
+                f"{gyration[legs[0]]:.3g} m in radius of gyration, on a machine of {size:.3g} m; likely "
+                f"cause: {cause}",
             )
-        elif name == "platform":
-            reach = np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=-1).max()
-            reach = max(float(reach), 2.0 * float(gyration[0]))
-            density = robot.M / (4.0 / 3.0 * np.pi * reach**3) if reach > 0.0 else 0.0
-            if density > MOST_DENSITY:
-                yield Doubt(
-                    "mass",
-                    f"platform: {robot.M:g} kg within {reach:.3g} m, {density / 22590:.2g} times as "
-                    "dense as the "
-                    f"densest metal; likely cause: mass in grams",
-                )
     far = np.linalg.norm(robot.R_0 - robot.p.mean(axis=0))
     if far > 10.0 * size > 0.0:
         yield Doubt(
@@ -369,6 +430,10 @@ def _of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
     axis = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
     axis /= np.linalg.norm(axis)
     around_b, around_p = (_around(points, axis) for points in (robot.b, robot.p))
+    crossed = _crossed(around_b, around_p)
+    if crossed is not None and crossed.undone:
+        yield _crossing(*crossed.legs)
+        return
     order = np.argsort(np.angle(around_b), kind="stable")
     b, p, heights = robot.b[order], robot.p[order], _heights(robot, axis)
     ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
@@ -397,12 +462,47 @@ def _of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
         )
     for i, j in itertools.combinations(range(LEGS), 2):
         if _cross(robot, t, i, j):
-            yield Doubt(
-                "crossing",
-                f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: their platform points "
-                "exchanged",
-            )
+            yield _crossing(i, j)
             return
+    if crossed is not None:
+        yield _crossing(*crossed.legs, cause="platform points in another order than base points, or mirrored")
+
+
+def _crossing(i: int, j: int, cause: str = "their platform points exchanged") -> Doubt:
+    return Doubt("crossing", f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: {cause}")
+
+
+class _Crossed(NamedTuple):
+    """Two legs that cross; undone: by an exchange of their platform points, and not as well by a reversal of
+    the order of all."""
+
+    legs: tuple[int, int]
+    undone: bool
+
+
+def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> _Crossed | None:
+    """Legs that cross as seen along the machine's axis, b and p as points of a plane, or None."""
+    pairs = list(itertools.combinations(range(LEGS), 2))
+    first, second = np.array(pairs).T
+    sizes = np.sqrt(np.mean(np.abs(b) ** 2) * np.mean(np.abs(p) ** 2))
+
+    def ways(p: NDArray[np.complex128]) -> Array:
+        return np.asarray(((b[first] - b[second]) * np.conj(p[first] - p[second])).real / sizes)
+
+    given = ways(p)
+    if not given.min() < EXCHANGED:
+        return None
+    order = np.argsort(np.angle(b))
+    reversed_ = [ways(p[order][np.roll(range(LEGS), k)[::-1]][np.argsort(order)]).min() for k in range(LEGS)]
+    undone = []
+    for i, j in pairs:
+        other = p.copy()
+        other[[i, j]] = other[[j, i]]
+        undone.append(ways(other).min())
+    best = int(np.argmax(undone))
+    if undone[best] > max(EXCHANGED, *reversed_):
+        return _Crossed(pairs[best], True)
+    return _Crossed(pairs[int(np.argmin(given))], False)
 
 
 def _level(condition: float) -> str:
@@ -478,8 +578,9 @@ def _of_limits(robot: Robot, home: _Home) -> Doubt:
     low, high = robot.length_limits.T
     finite = np.isfinite(high)
     ratio = float(np.mean(high[finite]) / np.mean(home.L[finite]))
-    if ratio > MOST_SIZE:
-        cause = "limits in millimetres"
+    unit = next((unit for unit, share in _UNITS if _fits(robot, robot.length_limits * share)), "")
+    if unit or ratio > MOST_SIZE:
+        cause = f"limits in {unit or 'millimetres'}"
     elif ratio < 0.9:
         cause = "the stroke given, expected the length from joint to joint"
     else:
@@ -491,6 +592,15 @@ def _of_limits(robot: Robot, home: _Home) -> Doubt:
         f"within them, {home.L.min():.4g} to {home.L.max():.4g} m long at the home pose; likely cause: "
         f"{cause}",
     )
+
+
+_UNITS = (("millimetres", 1e-3), ("centimetres", 1e-2))
+
+
+def _fits(robot: Robot, limits: Array) -> bool:
+    """Whether a pose has all legs within other limits."""
+    other = replace(robot, length_limits=limits)
+    return _home(other, _level_home(other)).fits
 
 
 def _pose_within(robot: Robot, t: Array, low: Array, high: Array) -> tuple[Array, Array] | None:
@@ -525,6 +635,10 @@ def _of_parts(robot: Robot, home: _Home) -> Iterator[Doubt]:
         ("lower", -robot.r_d0[:, 0], "positive", -0.25),
     ):
         away = np.linalg.norm(robot.r_u0 if part == "upper" else robot.r_d0, axis=-1)
+        off, least_off, times = MOST_OFFSET
+        across = np.linalg.norm((robot.r_u0 if part == "upper" else robot.r_d0)[:, 1:], axis=-1)
+        beside = (across > least_off * home.L) & (across > times * np.abs(along))
+        beside |= across > off * home.L
         far = np.flatnonzero(away > 3.0 * home.L).tolist()
         wrong = np.flatnonzero(-along / home.L < least).tolist()
         joint = "platform joint" if part == "upper" else "base joint"
@@ -534,6 +648,14 @@ def _of_parts(robot: Robot, home: _Home) -> Iterator[Doubt]:
                 f"{part} part of {legs_text(far)}: center_of_mass {away[far].max():.3g} m from the "
                 f"{joint}, legs "
                 f"{home.L[far].max():.3g} m long; likely cause: given in millimetres or in the base frame",
+            )
+        elif beside.any():
+            legs = np.flatnonzero(beside).tolist()
+            yield Doubt(
+                "center-of-mass",
+                f"{part} part of {legs_text(legs)}: center_of_mass {across[legs].max():.3g} m off the leg's "
+                f"axis, legs {home.L[legs].max():.3g} m long; likely cause: components in another order or "
+                "in the base frame, expected the first along the leg",
             )
         elif wrong:
             yield Doubt(

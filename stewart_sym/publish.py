@@ -8,9 +8,12 @@ import contextlib
 import hashlib
 import json
 import os
+import re
 import shutil
+import stat
 import sys
 import tempfile
+import time
 from collections.abc import Iterable, Iterator, Mapping
 from errno import EISDIR, ENOTDIR
 from importlib.metadata import version
@@ -21,6 +24,11 @@ from . import interrupts
 
 RECORD = ".stewart-sym.json"
 """Names and SHA-256 of the files that this program wrote into a folder."""
+
+_PREFIX = ".stewart-sym-"
+_TEMPORARY = re.compile(re.escape(_PREFIX) + "[a-z0-9_]{8}")
+# Within which a temporary file is locked once it is made.
+_UNLOCKED_SECONDS = 60.0
 
 
 @contextlib.contextmanager
@@ -42,20 +50,22 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
             yield stream
         return
     with interrupts.held():
+        _remove_left_behind(target.parent)
         with _blamed_on(path):
-            descriptor, name = tempfile.mkstemp(prefix=".stewart-sym-", dir=target.parent)
+            descriptor, name = tempfile.mkstemp(prefix=_PREFIX, dir=target.parent)
         temporary = Path(name)
         try:
-            with (
-                interrupts.held(False),
-                named(path),
-                open(descriptor, "w", encoding="utf-8", newline="\n") as stream,
-            ):
-                yield stream
-            interrupts.check()
-            with _blamed_on(path):
-                temporary.chmod(_mode(target))
-                os.replace(temporary, target)
+            with _locked(temporary):
+                with (
+                    interrupts.held(False),
+                    named(path),
+                    open(descriptor, "w", encoding="utf-8", newline="\n") as stream,
+                ):
+                    yield stream
+                interrupts.check()
+                with _blamed_on(path):
+                    temporary.chmod(_mode(target))
+                    os.replace(temporary, target)
         except BaseException:
             temporary.unlink(missing_ok=True)
             raise
@@ -178,10 +188,10 @@ def _kind(path: Path) -> str:
 def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
     """Give an empty folder whose files move into ``directory``, made if missing, when the block ends well.
 
-    Files of the same names are replaced, those of the names ``gone`` are removed, others stay. All that
-    happens or, whatever goes wrong, nothing: if a file can't be moved, or on an interrupt, those that were
-    are put back. Raises OSError naming ``directory`` before the block when it can't be written, and the file
-    or folder that is in the way.
+    Files of the same names are replaced, those of the names ``gone`` are removed with the folders that this
+    leaves empty, others stay. All that happens or, whatever goes wrong, nothing: if a file can't be moved, or
+    on an interrupt, those that were are put back. Raises OSError naming ``directory`` before the block if it
+    can't be written, and the file or folder that is in the way.
     """
     target = directory.resolve()
     place = target
@@ -190,18 +200,66 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
     if not place.is_dir():
         raise NotADirectoryError(ENOTDIR, f"expected a folder, but {place} is none", str(directory))
     with interrupts.held():
+        _remove_left_behind(place)
         with _blamed_on(directory):
             # Inside, as a folder may be a mount point or stand in one that is closed to us.
-            temporary = Path(tempfile.mkdtemp(prefix=".stewart-sym-", dir=place))
+            temporary = Path(tempfile.mkdtemp(prefix=_PREFIX, dir=place))
         try:
             staged, replaced = temporary / "new", temporary / "old"
-            staged.mkdir()
-            replaced.mkdir()
-            with interrupts.held(False), named(directory):
-                yield staged
-            _move_all(staged, target, replaced, gone)
+            with _locked(temporary):
+                staged.mkdir()
+                replaced.mkdir()
+                with interrupts.held(False), named(directory):
+                    yield staged
+                _move_all(staged, target, replaced, gone)
+                for folder in {parent for name in gone for parent in name.parents[:-1]}:
+                    _remove_empty(target / folder)
         finally:
             shutil.rmtree(temporary, ignore_errors=True)
+
+
+@contextlib.contextmanager
+def _locked(path: Path) -> Iterator[bool]:
+    """Lock a file or folder in this block or until the process ends; yields whether it could be locked.
+
+    Yields False where there are no such locks.
+    """
+    if sys.platform == "win32":
+        yield False
+        return
+    import fcntl
+
+    descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+    ours = False
+    try:
+        with contextlib.suppress(OSError):
+            fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            ours = True
+        yield ours
+    finally:
+        os.close(descriptor)
+
+
+def _remove_left_behind(folder: Path) -> None:
+    """Remove temporary files and folders of killed processes, but no file that was moved out of its place."""
+    with contextlib.suppress(OSError):
+        for name in filter(_TEMPORARY.fullmatch, os.listdir(folder)):
+            with contextlib.suppress(OSError):
+                _remove_if_left(folder / name)
+
+
+def _remove_if_left(path: Path) -> None:
+    status = path.lstat()
+    if time.time() - status.st_mtime < _UNLOCKED_SECONDS:
+        return
+    if stat.S_ISREG(status.st_mode):
+        with _locked(path) as ours:
+            if ours:
+                path.unlink()
+    elif stat.S_ISDIR(status.st_mode):
+        with _locked(path) as ours:
+            if ours and not any((path / "old").glob("*")):
+                shutil.rmtree(path)
 
 
 def _move_all(staged: Path, target: Path, replaced: Path, gone: Iterable[Path]) -> None:

@@ -36,7 +36,16 @@ _LEG_KEYS = ("base_point", "platform_point", "universal_axis", *_SHARED_KEYS)
 
 DOUBTS = (
     *("platform-inertia", "lower-inertia", "upper-inertia"),
-    *("gravity", "length-unit", "stray-point", "proportion", "mass", "inertia-size", "center-of-mass"),
+    *(
+        "gravity",
+        "length-unit",
+        "stray-point",
+        "proportion",
+        "mass",
+        "inertia-size",
+        "center-of-mass",
+        "friction",
+    ),
     *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity", "overlap"),
     *("length-limits", "force-limit", "speed-limit"),
 )

@@ -43,11 +43,15 @@ _FREE = 1.0 / 3.0
 # Of a penalty of weight 1: periods of eight knot intervals are halved.
 _EDGE = 2.0 * math.sin(math.pi / 8.0)
 _WEIGHTS = 10.0 ** np.linspace(-9.0, 12.0, 127)
-_PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
+PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
+"""Of value, rate and second rate in a covariance."""
+
 # Digits of a number that is taken for exact, and noise below that share of the largest value for none.
 _EXACT_DIGITS = 12
 # Least part that the samples have in a mode whose noise is counted.
 _SEEN = 1e-6
+# How far columns of one sensor differ in noise.
+_ALIKE = 3.0
 _CHUNK = 1 << 16
 
 
@@ -162,11 +166,11 @@ def rounding_step(values: Array) -> float:
     decades = np.floor(np.log10(np.abs(some)))
     found = [0.0]
     for digits in range(-1, _EXACT_DIGITS):
-        if _written(values, np.full(len(values), 10.0 ** (digits - decade))):
+        if _written(values, digits, decade):
             found.append(10.0 ** (decade - digits))
             break
     for digits in range(1, _EXACT_DIGITS - 1):
-        if _written(some, 10.0 ** (digits - decades)):
+        if _written(some, digits, decades):
             found.append(float(np.sqrt(np.mean(10.0 ** (2.0 * (decades - digits))))))
             break
     return max(found)
@@ -177,16 +181,22 @@ def white_noise(time: Array, values: Array) -> Array:
     if len(time) < LEAST_SAMPLES:
         return np.zeros(values.shape[1])
     low, high = (_difference_level(time, values, order) for order in (5, 8))
-    noisy = (high > 0.6 * low) & (high > 10.0**-_EXACT_DIGITS * np.abs(values).max(axis=0))
+    counts = high > 10.0**-_EXACT_DIGITS * np.abs(values).max(axis=0)
+    noisy = (high > 0.6 * low) & counts
+    if 2 * np.count_nonzero(noisy) >= len(noisy):
+        # Short logs show it too little in some of the columns of a sensor.
+        usual = float(np.median(high[noisy]))
+        noisy |= counts & (high > usual / _ALIKE) & (low < usual * _ALIKE)
     return np.where(noisy, high, 0.0)
 
 
-def _written(values: Array, per_step: Array) -> bool:
-    """Whether all numbers are decimal fractions with as many steps in one; a few are tried first."""
-    return all(
-        bool((np.rint(values[part] * per_step[part]) / per_step[part] == values[part]).all())
-        for part in (slice(100), slice(None))
-    )
+def _written(values: Array, digits: int, decades: Array | int) -> bool:
+    """Whether all numbers end so many digits after their decade, or one for all; a few are tried first."""
+    for part in (slice(100), slice(None)):
+        per_step = 10.0 ** (digits - (decades if isinstance(decades, int) else decades[part]))
+        if not (np.rint(values[part] * per_step) / per_step == values[part]).all():
+            return False
+    return True
 
 
 def _difference_level(time: Array, values: Array, order: int) -> Array:
@@ -412,7 +422,7 @@ def _smoothed(
     since = time - time[0]
     coefficients = np.zeros((knots.cells + DEGREE, count))
     grid = np.arange(2 * knots.cells + 1) / 2.0
-    covariance = np.zeros((len(grid), count, len(_PAIRS)))
+    covariance = np.zeros((len(grid), count, len(PAIRS)))
     for start in knots.windows():
         window = _Window.of(since, values, knots, start)
         inside = slice(2 * start, 2 * (start + knots.width) + 1)
@@ -426,7 +436,7 @@ def _smoothed(
             fit = window.columns(own).likeliest(int(order), sigma[own], weight)
             coefficients[start : start + window.size, own] += blend[:, None] * (fit.modes @ fit.mean)
             rows = [base @ fit.modes / knots.step**rate for rate, base in enumerate(bases)]
-            for k, (i, j) in enumerate(_PAIRS):
+            for k, (i, j) in enumerate(PAIRS):
                 covariance[inside, own, k] += share[:, None] * ((rows[i] * rows[j]) @ fit.variance)
     found = np.empty((3, *values.shape))
     for part in (slice(i, i + _CHUNK) for i in range(0, len(time), _CHUNK)):

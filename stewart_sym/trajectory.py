@@ -7,6 +7,7 @@ forces or backends; SciPy is needed only to differentiate a trajectory that come
 from __future__ import annotations
 
 import dataclasses
+import itertools
 import math
 import os
 import warnings
@@ -21,10 +22,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from .checks import finite_array, instance, real_array, shown
 from .extras import need, needed_for
+from .log_faults import Fault, faults, offsets
 from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat, read_columns
 from .motion import Motion
 from .rotation import rotation_about_axes, rotation_from_quaternion, rpy_from_rotation
-from .smoothing import Level, LogWarning, noise_level, rounding_step, smoothed, stated
+from .smoothing import PAIRS, Level, LogWarning, noise_level, rounding_step, smoothed, stated
 from .tables import file_name, number, opened
 
 Array = NDArray[np.float64]
@@ -745,9 +747,48 @@ def interpolated(trajectory: Trajectory) -> Callable[[float], Motion]:
     return motion
 
 
+# Share of the largest change of a second rate beyond which one counts.
+_CHANGED = 0.02
+
+
 def _differentiate(log: _Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
-    """Coordinates, (n, 6), with rates and second rates, (3, n, 6), smoothed where there is noise."""
+    """Coordinates, (n, 6), with rates and second rates, (3, n, 6), smoothed where there is noise.
+
+    Rows of poses that no motion makes are replaced, which is told; what that changes counts as a deviation.
+    """
     level = _level(log, values, steps)
+    bad = [] if "L" in log.written else faults(log.time, values, level.sigma)
+    if bad:
+        _tell_faults(log, bad)
+    if not bad or not log.smoothing.on:
+        return _derivatives(log, values, level)
+    good = values - offsets(bad, values.shape)
+    found, noise = _derivatives(log, good, _level(log, good, steps))
+    changed = found - _derivatives(log, values, level)[0]
+    return found, _with_changes(log.time, found, noise, changed)
+
+
+def _with_changes(time: Array, found: Array, noise: Uncertainty | None, changed: Array) -> Uncertainty:
+    """Uncertainty in which changes of coordinates and rates, (3, n, 6), count as a deviation each."""
+    if noise is None:
+        noise = Uncertainty(found, time[[0, -1]], np.zeros((2, 6, len(PAIRS))), np.zeros(6))
+    size = np.abs(changed[2])
+    near = (size > _CHANGED * size.max(axis=0)).any(axis=1)
+    rows = np.flatnonzero(np.convolve(near, np.ones(3), "same"))
+    squares = np.stack([changed[i, rows] * changed[j, rows] for i, j in PAIRS], axis=-1)
+    squares *= near[rows, None, None]
+    grid = np.union1d(noise.grid, time[rows])
+
+    def on_grid(times: Array, covariance: Array) -> Array:
+        flat = covariance.reshape(len(times), -1)
+        return np.stack([np.interp(grid, times, x) for x in flat.T], axis=-1).reshape(-1, 6, len(PAIRS))
+
+    covariance = on_grid(noise.grid, noise.covariance) + on_grid(time[rows], squares)
+    return noise._replace(grid=grid, covariance=covariance)
+
+
+def _derivatives(log: _Log, values: Array, level: Level) -> tuple[Array, Uncertainty | None]:
+    """``_differentiate`` of numbers with a level of noise."""
     noisy = level.sigma > 0.0
     if log.smoothing.cutoff is not None:
         noisy[:] = True
@@ -802,6 +843,35 @@ def _tell_noise(log: _Log, sigma: Array, in_joints: bool, what: str) -> None:
     parts = [(sigma, "m")] if in_joints else [(sigma[:3], "m"), (sigma[3:], "rad")]
     text = " and ".join(f"{part.max():.2g} {unit}" for part, unit in parts if part.any())
     warnings.warn(f"{log.source}: noise of {text} in the log: {what}", LogWarning, stacklevel=7)
+
+
+# Rows that one line names at most.
+_MOST_NAMED = 4
+
+
+def _tell_faults(log: _Log, found: Sequence[Fault]) -> None:
+    """Warn of rows that no motion makes: where, which columns and by how much."""
+    by_rows: dict[tuple[int, int | None], list[str]] = {}
+    for fault in found:
+        names = ("t", "t", "t", "theta", "theta", "theta")
+        unit = "m" if fault.column < 3 else "rad"
+        text = f"{names[fault.column]}_{'xyz'[fault.column % 3]} by {fault.size:.3g} {unit}"
+        by_rows.setdefault((fault.first, fault.end), []).append(text)
+    lines = []
+    for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
+        last = len(log.rows) if end is None else min(end, len(log.rows))
+        rows = f"row {log.rows[first]}"
+        if last - first > 1:
+            rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
+        lines.append(f"{rows} ({log.time[first]:.6g} s): {', '.join(texts)}")
+    more = len(by_rows) - len(lines)
+    ending = f"; and {more} more" if more > 0 else ""
+    done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
+    warnings.warn(
+        f"{log.source}: numbers are off as no motion makes them: {'; '.join(lines)}{ending}: {done}",
+        LogWarning,
+        stacklevel=7,
+    )
 
 
 def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:

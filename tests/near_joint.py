@@ -214,7 +214,7 @@ def _library() -> ctypes.CDLL:
     return native.load("stewart_near_joint", sources, _FLAGS, _MACROS)
 
 
-PLAIN = {"STEWART_LEANING": "0.125", "STEWART_KEPT": "0.03125"}
+PLAIN = {"STEWART_LEANING": "0.125", "STEWART_KEPT": "0.0625"}
 """Macros of the thresholds at which the code paths for lost digits begin."""
 
 

@@ -1,6 +1,7 @@
 """Forward kinematics and joint-space trajectories: what is found has the legs asked for, and else says so."""
 
 import dataclasses
+import math
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -237,6 +238,18 @@ def singular_pose() -> Poses:
         low, high = (middle, high) if sign(middle) == sign(low) else (low, middle)
     motion = path.sample(low)
     return motion.R, motion.t
+
+
+def test_rates_are_found_up_to_a_condition_number() -> None:
+    robot, (R, t) = dasgupta(), singular_pose()
+    away = np.logspace(-9.0, 0.0, 2000)
+    R, t = np.broadcast_to(R, (len(away), 3, 3)), t + np.multiply.outer(away, [0.3, -0.2, 0.1])
+    size = ss.conditioning.characteristic_length(robot)
+    condition = ss.conditioning.scaled_condition_number(np.swapaxes(jacobian(robot, R, t), -1, -2), size)
+    v, _ = ss.forward_velocity(robot, R, t, np.ones(6), "nan")
+    settled = np.isfinite(v[:, 0])
+    assert settled.tolist() == (condition <= 1.0 / (16.0 * math.sqrt(EPS))).tolist()
+    assert 100 < settled.sum() < 1900
 
 
 def test_a_singular_pose_has_a_status_and_leaves_its_neighbours_alone() -> None:

@@ -523,7 +523,7 @@ def test_command_names_bad_options_in_one_line(
 @pytest.mark.slow
 def test_hundred_experiments_with_noisy_poses() -> None:
     """The paper's machine every tenth time, else machines of 0.1 to 5 m; noise 0.1 mm, 0.1 mrad and 1 N."""
-    inside, consistent, agreeing, count = [], 0, 0, share(100)
+    inside, consistent, agreeing, count = [], 0, 0, share(100, 10)
     largest, unnamed = [], []
     always = 0.0
     for seed in range(count):

@@ -113,7 +113,7 @@ def test_every_crossing_is_named_and_no_other_path(rates: str) -> None:
 
 
 @pytest.mark.parametrize("rates", ["L_ddot", "time"])
-@pytest.mark.parametrize("count", [3, pytest.param(share(100), marks=pytest.mark.slow)])
+@pytest.mark.parametrize("count", [3, pytest.param(share(100, 10), marks=pytest.mark.slow)])
 def test_a_path_that_crosses_and_returns_between_two_samples_is_named(count: int, rates: str) -> None:
     for seed in range(count):
         robot, path, samples = dipping_case(np.random.default_rng(seed))
@@ -135,7 +135,7 @@ def test_every_crossing_of_many_random_paths_is_named_and_no_other_path(rates: s
 
 @pytest.mark.parametrize("rates", ["log", "given"])
 @pytest.mark.parametrize(
-    ("count", "most"), [(10, 100), pytest.param(share(200), 300, marks=pytest.mark.slow)]
+    ("count", "most"), [(10, 100), pytest.param(share(200, 5), 300, marks=pytest.mark.slow)]
 )
 def test_of_rounded_lengths_no_crossing_is_missed_and_no_healthy_path_rejected(
     rates: str, count: int, most: int, tmp_path: Path

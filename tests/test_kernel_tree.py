@@ -15,6 +15,7 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
+from stewart_sym.cli import main
 from stewart_sym.derive import notation as n
 from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
@@ -323,6 +324,7 @@ def test_a_language_is_one_module_and_one_registration(
             return {name.upper(): text for name, text in super().files(kit).items()}
 
     monkeypatch.setitem(languages.LANGUAGES, "shouting", Shouting())
-    kit, _ = write_kit(dasgupta(), tmp_path, Choice(language="shouting"))
-    assert "SELF_TEST.PY" in kit.files
-    assert "Python in capitals" in kit.files["README.md"].decode()
+    robot = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
+    assert main(["generate", str(robot), "-o", str(tmp_path), "--language", "shouting"]) == 0
+    assert (tmp_path / "SELF_TEST.PY").exists()
+    assert "Python in capitals" in (tmp_path / "README.md").read_text()

@@ -223,6 +223,7 @@ def test_kit_holds_only_what_was_asked_for(precision: str) -> None:
     [
         ("REAL(40.0)", "REAL(40.1)", "stewart_robot.c"),
         ("REAL(-9.81)", "REAL(9.81)", "stewart_robot.c"),
+        ("REAL(-9.81)", "(stewart_real)NAN", "stewart_robot.c"),
         ("{REAL(0.0696)", "{(stewart_real)NAN", "test/selftest.c"),
         ("REAL(0.3)", "REAL(0.3000001)", "test/selftest.c"),
     ],
@@ -236,8 +237,10 @@ def test_selftest_fails_with_other_constants_or_motions(
     if good not in text:
         pytest.fail(f"{good} is not in {file}")
     path.write_text("#include <math.h>\n" + text.replace(good, bad), encoding="utf-8")
-    code, _ = run(build(tmp_path / "kit", "gcc")["selftest"])
+    code, output = run(build(tmp_path / "kit", "gcc")["selftest"])
     assert code == 1
+    right, checks = map(int, re.findall(r"^selftest +(\d+) of (\d+) right", output, re.M)[0])
+    assert right < checks
 
 
 def test_selftest_without_stdio_prints_nothing_and_needs_no_printf(tmp_path: Path) -> None:
@@ -519,9 +522,9 @@ def test_folder_in_the_place_of_a_file_is_refused_even_with_force(tmp_path: Path
         (Choice(("force",)), "random", "functions: expected some of forces, .*, got 'force'"),
         (Choice(("motion",), "paper"), "random", "functions: motion: expected exact with universal .*"),
         (Choice(("derivatives",)), "spherical", "functions: derivatives: expected exact with universal .*"),
-        (Choice(("reactions",), bake=True), "random", "bake: goes with the function forces, got reactions"),
-        (Choice(("motion",), fidelity="slender"), "random", "fidelity: goes with the function forces, .*"),
-        (Choice(("kinematics",), fmu=True), "random", "fmu: goes with the function forces, .*"),
+        (Choice(("reactions",), bake=True), "random", "bake: applies to the function forces, got reactions"),
+        (Choice(("motion",), fidelity="slender"), "random", "fidelity: applies to the function forces, .*"),
+        (Choice(("kinematics",), fmu=True), "random", "fmu: applies to the function forces, .*"),
         (Choice(fidelity="rigid"), "random", "fidelity: expected one of general, .*"),
     ],
 )

@@ -113,6 +113,16 @@ def test_the_command_of_a_readme_run_in_its_folder_changes_nothing(tmp_path: Pat
     assert {path: path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()} == before
 
 
+def test_another_language_in_the_same_folder_leaves_no_empty_folders(tmp_path: Path) -> None:
+    (tmp_path / "example").mkdir()
+    (tmp_path / "example" / "own").touch()
+    for language in ("c", "rust", "matlab", "c"):
+        put(made(Choice(language=language)), tmp_path)
+        folders = {path.name: any(path.iterdir()) for path in tmp_path.iterdir() if path.is_dir()}
+        assert all(folders.values())
+        assert folders["example"]
+
+
 def test_names_of_sources_headers_and_macros_begin_with_the_prefix() -> None:
     """So that none clashes with a user's own; example and self-test stand in folders.
 

@@ -18,6 +18,7 @@ FOLDERS = {PACKAGE: PACKAGE, "derive": f"{PACKAGE}.derive", "generated": f"{PACK
 # Every module of the runtime by floor, lowest first: one imports from its own floor or from those below it.
 FLOORS = (
     {
+        "blas",
         "chart",
         "checks",
         "extras",
@@ -25,6 +26,7 @@ FLOORS = (
         "frozen",
         "interrupts",
         "logs",
+        "log_faults",
         "publish",
         "results",
         "rotation",

@@ -250,10 +250,13 @@ BAD: list[tuple[dict[str, Any], str]] = [
     ({"alpha": None}, "alpha: expected both accelerations"),
     ({"a": None}, "a: expected both accelerations"),
     ({"R": 1.00001 * E}, "R: expected a rotation matrix, R^T R differs from E by 2e-05"),
-    ({"R": -E}, "R: expected a rotation matrix, this one mirrors"),
+    ({"R": -E}, "R: expected a rotation matrix, this one is a reflection"),
     ({"R": 1e300 * E}, "R: expected a rotation matrix"),
     ({"R": np.stack([E, np.zeros((3, 3))])}, "R[1]: expected a rotation matrix, R^T R differs from E by 1"),
-    ({"R": np.stack([E, E, np.diag([1, 1, -1])])}, "R[2]: expected a rotation matrix, this one mirrors"),
+    (
+        {"R": np.stack([E, E, np.diag([1, 1, -1])])},
+        "R[2]: expected a rotation matrix, this one is a reflection",
+    ),
     (
         {"t": np.zeros((2, 3)), "v": np.zeros((3, 3))},
         "v: expected a leading shape that broadcasts with (2,), got (3,)",

@@ -87,7 +87,8 @@ def inertia(found: dict[str, mp.matrix]) -> mp.matrix:
 
 
 def inputs(robot: Robot, motion: Motion) -> list[Values]:
-    return [block_inputs(robot, motion, leg) | named("b_1", robot.b[0]) for leg in range(6)]
+    first = named("b_1", robot.b[0]) | named("p_1", robot.p[0])
+    return [block_inputs(robot, motion, leg) | first for leg in range(6)]
 
 
 def vector(values: Values, *names: str) -> mp.matrix:

@@ -17,6 +17,7 @@ import stewart_sym as ss
 from stewart_sym.budget import read_budget
 from stewart_sym.cli import main
 from stewart_sym.home import home_pose
+from stewart_sym.kit.poses import sample
 from stewart_sym.mounting import platform_side, upright
 from stewart_sym.paths import PATHS, path_for
 from stewart_sym.rotation import rpy_from_rotation
@@ -311,3 +312,12 @@ def test_upright_turns_z_to_the_side() -> None:
         np.testing.assert_allclose(R.T @ R, np.eye(3), atol=1e-15)
         np.testing.assert_allclose(R[:, 2], Q[:, 2], atol=1e-15)
         assert np.linalg.det(R) > 0.0
+
+
+def test_the_poses_of_a_kit_are_on_the_side_of_the_platform() -> None:
+    robot = random_robot(np.random.default_rng(5))
+    above, _, _ = sample(robot, "exact")
+    below, _, _ = sample(dataclasses.replace(robot, g=-robot.g), "exact")
+    side = ss.up_direction(robot)
+    assert (above.t + above.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ side > 0.0
+    assert (below.t + below.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ side < 0.0

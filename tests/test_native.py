@@ -589,10 +589,10 @@ def test_flags_are_strict_arithmetic(cache: Path, compiler: LoggedCompiler) -> N
 def test_fast_math_is_refused_wherever_it_stands(
     compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with pytest.raises(ValueError, match=r"^flags: -ffast-math is refused"):
+    with pytest.raises(ValueError, match=r"^flags: -ffast-math is rejected"):
         load_adder(flags=("-ffast-math",))
     monkeypatch.setenv("CC", f"{compiler.path} -Ofast")
-    with pytest.raises(ValueError, match=r"^CC: -Ofast is refused"):
+    with pytest.raises(ValueError, match=r"^CC: -Ofast is rejected"):
         load_adder()
     assert compiler.calls == []
 

@@ -84,6 +84,14 @@ def test_what_turns_and_moves_a_heavy_leg_leaves_a_light_platform_its_digits(
     assert worst(given, truth(*given), backend) <= MOST
 
 
+@pytest.mark.parametrize(("kind", "index"), [("heavy", 295), ("two lean", 411), ("two lean", 1035)])
+@pytest.mark.parametrize("backend", FORMS)
+def test_what_several_pivots_of_M_lose_does_not_add_up(kind: str, index: int, backend: str) -> None:
+    """Each pivot keeps more than a thirty-second of its diagonal entry, three or four of them a sixteenth."""
+    given = case(1, kind, index)
+    assert worst(given, truth(*given, ENOUGH), backend) <= MOST / 4
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", KINDS)
 def test_every_output_is_as_good_as_the_machine_allows_in_10_000_cases(kind: str) -> None:

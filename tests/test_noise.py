@@ -77,7 +77,7 @@ def smoothed(time: Array, values: Array) -> Trajectory:
         return from_poses(time, values[:, :3], values[:, 3:])
 
 
-@pytest.fixture(scope="module", params=[pytest.param(4), pytest.param(share(200), marks=pytest.mark.slow)])
+@pytest.fixture(scope="module", params=[pytest.param(4), pytest.param(share(200, 5), marks=pytest.mark.slow)])
 def sweep(request: pytest.FixtureRequest) -> dict[str, list[tuple[Case, Array, Array]]]:
     """Cases with smoothed forces and their deviations, (n, 6), for each kind of noise."""
     found: dict[str, list[tuple[Case, Array, Array]]] = {noise: [] for noise in NOISES}

@@ -75,7 +75,7 @@ def machine_of(
         r_u0=np.column_stack([-upper / 2, np.zeros((6, 2))]),
         I_u0=rods(masses[1], upper, L / 40),
         C_u=np.zeros(6),
-        C_p=rng.uniform(0.0, 10.0, 6),
+        C_p=M * np.sqrt(9.81 / size) * rng.uniform(0.0, 1.0, 6),
         C_s=np.zeros(6),
     )
     if not limited:
@@ -235,6 +235,17 @@ def of(**changes: Callable[[Array], object]) -> Callable[[Robot], Robot]:
     )
 
 
+def aside(leg: int, centers: str, across: float) -> Callable[[Robot], Robot]:
+    """The centre of mass of one part moved off the leg's axis, m."""
+
+    def changed(robot: Robot) -> Robot:
+        values = getattr(robot, centers).copy()
+        values[leg, 1] += across
+        return dataclasses.replace(robot, **{centers: values})
+
+    return changed
+
+
 def one_leg(name: str, leg: int, factor: float) -> Callable[[Robot], Robot]:
     def changed(values: Array) -> Array:
         values = values.copy()
@@ -244,7 +255,7 @@ def one_leg(name: str, leg: int, factor: float) -> Callable[[Robot], Robot]:
     return of(**{name: changed})
 
 
-MIRROR, SECOND = [0, 5, 4, 3, 2, 1], [1, 0, 2, 3, 4, 5]
+MIRROR, SECOND, OPPOSITE = [0, 5, 4, 3, 2, 1], [1, 0, 2, 3, 4, 5], [0, 4, 2, 3, 1, 5]
 ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
     # what is wrong: change of a sound machine, name of the doubt, words of its cause
     "millimetres": (of(b=lambda b: 1e3 * b, p=lambda p: 1e3 * p), "length-unit", "points in millimetres"),
@@ -258,6 +269,27 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
     ),
     "gravity in mm/s^2": (of(g=lambda g: 1e3 * g), "gravity", "given in mm/s^2"),
     "mass in grams": (of(M=lambda M: 1e3 * M, m_d=lambda m: 1e3 * m, m_u=lambda m: 1e3 * m), "", "grams"),
+    "mass of the platform in grams": (of(M=lambda M: 1e3 * M, I_p=lambda I_p: 1e3 * I_p), "mass", "in grams"),
+    "a robot of 20 mm in millimetres": (
+        of(b=lambda b: 20.0 * b, p=lambda p: 20.0 * p, M=lambda M: 1e-5 * M),
+        "length-unit",
+        "points in millimetres",
+    ),
+    "platform's inertia 1e-6 of what it is": (
+        of(I_p=lambda inertia: 1e-6 * inertia),
+        "inertia-size",
+        "converted from kg mm^2 twice",
+    ),
+    "lower parts' inertia 1e-6 of what it is": (
+        of(I_d0=lambda inertia: 1e-6 * inertia),
+        "inertia-size",
+        "converted from kg mm^2 twice",
+    ),
+    "one upper part's inertia 1e-6 of what it is": (
+        one_leg("I_u0", 3, 1e-6),
+        "inertia-size",
+        "converted from kg mm^2 twice",
+    ),
     "platform's inertia in kg mm^2": (
         of(I_p=lambda inertia: 1e6 * inertia),
         "inertia-size",
@@ -290,18 +322,45 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "center-of-mass",
         "wrong sign, expected a positive",
     ),
+    "lower centre of mass off the leg's axis": (
+        aside(2, "r_d0", 0.6),
+        "center-of-mass",
+        "lower part of leg 3: center_of_mass 0.6 m off the leg's axis",
+    ),
+    "upper centres of mass along the third axis": (
+        of(r_u0=lambda r: r[:, [2, 1, 0]]),
+        "center-of-mass",
+        "expected the first along the leg",
+    ),
+    "friction of the legs in another unit": (of(C_p=lambda C: 1e5 * C), "friction", "C_p of all legs"),
+    "friction of one base joint in another unit": (
+        lambda robot: dataclasses.replace(robot, C_u=1e6 * np.eye(6)[1] * robot.M),
+        "friction",
+        "C_u of leg 2",
+    ),
+    "friction of the platform's joints in another unit": (
+        lambda robot: dataclasses.replace(robot, C_s=np.full(6, 1e6 * robot.M)),
+        "friction",
+        "C_s of all legs",
+    ),
     "platform points shifted by one": (of(p=lambda p: np.roll(p, 1, axis=0)), "leg-order", "shifted by 1"),
     "platform points shifted by two": (of(p=lambda p: np.roll(p, 2, axis=0)), "leg-order", "shifted by 2"),
     "platform points shifted by three": (of(p=lambda p: np.roll(p, 3, axis=0)), "leg-order", "shifted by 3"),
     "platform points numbered the other way": (of(p=lambda p: p[MIRROR]), "", "mirrored"),
     "platform points of a left-handed frame": (of(p=lambda p: p[MIRROR] * [1, -1, 1]), "", ""),
     "two platform points exchanged": (of(p=lambda p: p[SECOND]), "crossing", "legs 1, 2 cross"),
+    "platform points of opposite legs exchanged": (
+        of(p=lambda p: p[OPPOSITE]),
+        "crossing",
+        "legs 2, 5 cross",
+    ),
     "universal axis along the leg": (
         lambda robot: dataclasses.replace(robot, k=robot.p + np.array([0, 0, 0.7]) - robot.b),
         "joint-singularity",
         "across the leg",
     ),
     "limits in millimetres": (of(length_limits=lambda x: 1e3 * x), "length-limits", "in millimetres"),
+    "limits in centimetres": (of(length_limits=lambda x: 1e2 * x), "length-limits", "in centimetres"),
     "the stroke for limits": (
         lambda robot: dataclasses.replace(robot, length_limits=np.tile([0.0, 0.2], (6, 1))),
         "length-limits",
@@ -378,8 +437,33 @@ def test_absurd_machines_are_doubted_with_their_likely_cause(wrong: str) -> None
     assert "\n" not in said[0].text
 
 
+def test_any_two_platform_points_exchanged_are_doubted_unless_they_are_close() -> None:
+    rng, named, count = np.random.default_rng(9), 0, 0
+    for _ in range(12):
+        robot = sound_machine(rng)
+        size = np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=-1).max()
+        for i, j in itertools.combinations(range(6), 2):
+            apart = (robot.b[i] - robot.b[j]) @ (robot.p[i] - robot.p[j])
+            if apart > 0.9 * size * np.linalg.norm(robot.b - robot.b.mean(axis=0), axis=-1).max():
+                p = robot.p.copy()
+                p[[i, j]] = p[[j, i]]
+                (said,) = doubts(dataclasses.replace(robot, p=p))
+                named += f"legs {i + 1}, {j + 1} cross" in said.text
+                count += 1
+    assert count > 60
+    assert named > 0.8 * count
+
+
+@pytest.mark.parametrize("limited", [True, False])
+@pytest.mark.parametrize("size", [0.005, 0.02, 20.0])
+def test_a_machine_of_that_size_is_not_doubted(size: float, limited: bool) -> None:
+    rng = np.random.default_rng(10)
+    b, p, t = ring(size, BASE), ring(0.6 * size, PLATFORM), np.array([0.0, 0.0, 1.4 * size])
+    assert doubts(machine_of(rng, b, p, t, limited=limited)) == []
+
+
 # Without limits nothing says where the machine stands and what it carries.
-BY_LIMITS = {"parts that overlap", "mass in grams", "universal axis along the leg"}
+BY_LIMITS = {"parts that overlap", "universal axis along the leg"}
 BY_LIMITS |= {wrong for wrong, (_, name, _) in ABSURD.items() if name.endswith("-limit") or "limits" in name}
 
 
@@ -496,7 +580,7 @@ def test_every_name_is_one_that_a_file_may_accept() -> None:
     seen = {doubts(change(sound()))[0].name for change, _, _ in ABSURD.values()}
     inertias = {"platform-inertia", "lower-inertia", "upper-inertia"}
     assert seen <= set(DOUBTS) - inertias
-    assert set(DOUBTS) - inertias - seen <= {"condition", "mass"}
+    assert set(DOUBTS) - inertias - seen <= {"condition"}
 
 
 def toml(robot: Robot) -> str:

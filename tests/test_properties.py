@@ -23,7 +23,7 @@ from stewart_sym.robot import Robot
 Array = NDArray[np.float64]
 
 FEW = settings(derandomize=True, deadline=None, max_examples=12, suppress_health_check=[HealthCheck.too_slow])
-MANY = settings(FEW, max_examples=share(300))
+MANY = settings(FEW, max_examples=share(300, 10))
 NAMES = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 BACKENDS = ("c", "numpy", "reference")
 seeds = st.integers(0, 2**32 - 1)

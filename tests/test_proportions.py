@@ -8,6 +8,7 @@ from machines import random_motion, random_robot
 from sweeps import share
 
 import stewart_sym as ss
+from stewart_sym.conditioning import characteristic_length
 from stewart_sym.studies.stability.judge import judge_poses
 
 UNITS = 10.0
@@ -31,6 +32,35 @@ def proportioned(rng: np.random.Generator) -> tuple[ss.Robot, ss.Motion]:
     return robot, motion
 
 
+def far_off(
+    rng: np.random.Generator, farthest: float = 4.0
+) -> tuple[ss.Robot, ss.Motion, ss.Robot, ss.Motion]:
+    """A machine, and the same from a reference point up to 1e4 platform radii away."""
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    d = rng.normal(size=3)
+    d *= 10 ** rng.uniform(0, 4) * characteristic_length(robot) / np.linalg.norm(d)
+    r = motion.R @ d
+    a = motion.a - np.cross(motion.alpha, r) - np.cross(motion.omega, np.cross(motion.omega, r))
+    moved = dataclasses.replace(
+        motion,
+        t=motion.t - r,
+        v=motion.v - np.cross(motion.omega, r),
+        a=a,
+        M_ext=motion.M_ext + np.cross(d, motion.F_ext),
+    )
+    return robot, motion, dataclasses.replace(robot, p=robot.p + d, R_0=robot.R_0 + d), moved
+
+
+def judged_from_afar(precision: str, seeds: range) -> np.ndarray:
+    """The same with a far reference point; the condition number of H is that from the platform itself."""
+    cases = [far_off(np.random.default_rng(seed)) for seed in seeds]
+    robots, motions, far_robots, far_motions = zip(*cases, strict=True)
+    near, far = judge_poses(robots, motions, precision), judge_poses(far_robots, far_motions, precision)
+    assert (far["truth"] == 0).all()
+    return np.asarray(far["error"] / np.maximum(far["own"], near["scaled"])[:, None])
+
+
 def judged(precision: str, seeds: range) -> np.ndarray:
     """Largest error of each kernel over the condition number, (cases, kernels)."""
     robots, motions = zip(*(proportioned(np.random.default_rng(seed)) for seed in seeds), strict=True)
@@ -47,7 +77,16 @@ def test_no_kernel_loses_digits_with_the_proportions(precision: str) -> None:
     assert error.max() <= UNITS
 
 
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_nor_with_the_distance_of_the_reference_point(precision: str) -> None:
+    error = judged_from_afar(precision, range(40))
+    assert np.isfinite(error).all()
+    assert error.max() <= UNITS
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_nor_in_ten_thousand_cases(precision: str) -> None:
-    assert np.nanmax(judged(precision, range(100, 100 + share(10_000)))) <= UNITS
+    seeds = range(100, 100 + share(10_000))
+    assert np.nanmax(judged(precision, seeds)) <= UNITS
+    assert np.nanmax(judged_from_afar(precision, seeds)) <= UNITS

@@ -175,6 +175,46 @@ def test_the_longest_file_name_and_what_a_killed_run_left_behind_are_no_hindranc
         assert (tmp_path / name).read_text() == "whole"
 
 
+WRITING = """
+import sys, time
+from pathlib import Path
+from stewart_sym.publish import replaced_file, staged_folder
+with replaced_file(Path(sys.argv[1]) / "file"), staged_folder(Path(sys.argv[1])) as staged:
+    (staged / "x").write_text("x")
+    print("writing", flush=True)
+    time.sleep(60)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no locks that end with a process")
+def test_what_killed_runs_left_behind_is_removed_and_what_others_write_is_not(tmp_path: Path) -> None:
+    def temporary() -> list[Path]:
+        found = sorted(tmp_path.glob(".stewart-sym-*"))
+        for path in found:
+            os.utime(path, (0.0, 0.0))
+        return found
+
+    command = [sys.executable, "-c", WRITING, str(tmp_path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            assert process.stdout is not None
+            assert process.stdout.readline() == "writing\n"
+            made = temporary()
+            assert [path.is_dir() for path in sorted(made, key=Path.is_dir)] == [False, True]
+            write_file(tmp_path / "own", "1")
+            assert temporary() == made
+        finally:
+            process.kill()
+    kept = tmp_path / ".stewart-sym-abcdefgh"
+    (kept / "old").mkdir(parents=True)
+    (kept / "old" / "0").write_text("the only copy")
+    temporary()
+    with publish.staged_folder(tmp_path):
+        pass
+    assert temporary() == [kept]
+    assert (kept / "old" / "0").read_text() == "the only copy"
+
+
 def test_out_of_memory_is_one_line(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -184,6 +224,34 @@ def test_out_of_memory_is_one_line(
     monkeypatch.setattr(Robot, "from_toml", exhausted)
     line = error(capsys, "check", PAPER)
     assert line.endswith("error: out of memory: Unable to allocate 4 GiB")
+
+
+NO_ROOM = """
+import resource, sys
+import numpy as np
+import scipy.interpolate, scipy.linalg, stewart_sym.logs
+from stewart_sym.cli import main
+from stewart_sym.trajectory import _spline
+
+used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
+resource.setrlimit(resource.RLIMIT_AS, (used + (16 << 20), resource.RLIM_INFINITY))
+if sys.argv[1] == "cli":
+    sys.exit(main(["check", "robot.toml"]))
+try:
+    _spline(np.arange(2000.0), np.ones((2000, 6)), "log")
+except MemoryError:
+    print("no room", file=sys.stderr)
+    sys.exit(2)
+"""
+
+
+@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="needs /proc")
+@pytest.mark.parametrize(("where", "line"), [("cli", "out of memory"), ("spline", "no room")])
+def test_no_room_for_the_work_area_of_blas_is_an_error_and_no_endless_loop(where: str, line: str) -> None:
+    """OpenBLAS tries for ever, where no signal is handled."""
+    done = subprocess.run([sys.executable, "-c", NO_ROOM, where], capture_output=True, text=True, timeout=120)
+    assert (done.returncode, len(done.stderr.splitlines())) == (2, 1)
+    assert line in done.stderr
 
 
 def test_warnings_turned_into_errors_are_one_line() -> None:
@@ -224,7 +292,8 @@ def test_a_signal_ends_a_run_even_where_a_library_swallows_it_and_an_ignored_one
     target = tmp_path / "out"
     command = [sys.executable, "-c", SIGNALLED, str(target), name]
     done = subprocess.run(command, preexec_fn=ignore, capture_output=True, text=True)
-    assert (done.returncode, done.stderr) == ((0, "") if ignored else (130, ""))
+    code = 0 if ignored else 128 + getattr(signal, name)
+    assert (done.returncode, done.stderr) == (code, "")
     assert target.exists() == ignored
 
 

@@ -13,7 +13,7 @@ import machines
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from sweeps import FULL
+from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym import closed_form, kernel, native, reference
@@ -515,7 +515,7 @@ def test_the_c_of_every_level_keeps_within_the_bounds() -> None:
 def test_the_c_keeps_within_the_bounds_on_machines_of_any_size() -> None:
     """Sizes from 1 mm to 10 m; prints how far below their bounds the errors are."""
     found: dict[str, list[Array]] = {}
-    for seed in range(20 if FULL else 8):
+    for seed in range(share(20, 5)):
         rng = np.random.default_rng(1000 + seed)
         robot = machines.random_robot(
             rng, "spherical" if seed % 3 == 2 else "universal", scale=10.0 ** rng.uniform(-3, 1)

@@ -48,7 +48,7 @@ def constants(precision: str) -> dict[str, float]:
         "SHORT_SHARE": 64 * sqrt(epsilon) if double else 2.0**-4,
         "SMALLEST": SMALLEST,
         "LARGEST": LARGEST,
-        "KEPT": 2.0**-5,
+        "KEPT": 2.0**-4,
         "LEANING": 2.0**-3,
     }
 

@@ -69,7 +69,7 @@ def model_structures(kernel: ForceKernel) -> list[Structure]:
 
 def model_functions(kernel: ForceKernel, structures: dict[str, Structure]) -> list[Function]:
     """What ``written.forces.prepare`` calls."""
-    robot: Arguments = {"robot": ("Robot", n.PLATFORM)}
+    robot: Arguments = {"robot": ("Robot", n.PLATFORM), "p_1": ("", (n.p_1,))}
     return [
         block_function(kernel.prepare_leg, "prepare_leg", "LegConstants", robot | {"leg": ("Leg", n.LEG)}),
         block_function(

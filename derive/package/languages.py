@@ -83,10 +83,22 @@ class Contents:
         return self.program.function(function).arguments[0].name
 
     @property
+    def read(self) -> set[str]:
+        """Names of the statuses and limits that the program reads."""
+        return {each.name for each in parts_of(self.program.functions) if isinstance(each, Constant)}
+
+    @property
     def whole_numbers(self) -> dict[str, tuple[int, str]]:
         """Value and meaning of each status and limit of the program, by name."""
-        read = {each.name for each in parts_of(self.program.functions) if isinstance(each, Constant)}
-        return {name: of for name, of in INTEGERS.items() if name in STATUS or name in read}
+        return {name: of for name, of in INTEGERS.items() if name in {*STATUS, *self.read}}
+
+    @property
+    def returned(self) -> dict[str, tuple[int, str]]:
+        """Value and meaning of each status that a function may return, by name."""
+        possible = {"OK", *self.read} - {"MAX_STEPS"}
+        if not self.prepared:
+            possible.discard("POLE")  # kinematics alone needs no joint axes
+        return {name: of for name, of in INTEGERS.items() if name in possible}
 
 
 def compared(program: Program, function: str) -> dict[str, tuple[int, ...]]:
@@ -158,7 +170,7 @@ class Language(ABC):
         """Statement that calls a function and names its result ``found``."""
 
     def calls(self, kit: Contents) -> dict[str, str]:
-        """The call of each output that has a test, as README and example show it."""
+        """The call of each output that has a test."""
         names = {each: each for each in kit.given} | {"model": "model", "robot": self.robot}
         return {
             output: self.call(
@@ -168,10 +180,8 @@ class Language(ABC):
             if output in kit.shown
         }
 
-    def readme(self, kit: Contents) -> str:
-        """The README of a kit."""
-        calls = [*([self.prepare] if kit.prepared else []), *self.calls(kit).values()]
-        table = {name: of for name, of in kit.whole_numbers.items() if name != "MAX_STEPS"}
+    def readme(self, kit: Contents, program: str) -> str:
+        """The README of a kit; ``program``: text of the example."""
         return template(
             "readme.md",
             {
@@ -182,8 +192,8 @@ class Language(ABC):
                 "language": self.name,
                 "run": self.run,
                 "example": self.example,
-                "calls": "\n    ".join(calls),
-                "statuses": statuses("| {code} | `{name}` | {meaning} |", table),
+                "program": textwrap.indent(program.strip(), "    "),
+                "statuses": statuses("| {code} | `{name}` | {meaning} |", kit.returned),
                 "guess": _GUESS if "forward_kinematics" in kit.outputs else "",
                 "notes": self.notes,
             },

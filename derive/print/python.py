@@ -190,6 +190,8 @@ class Python(Printer):
             for each in function.arguments
             if function.public
         ]
+        if taken := [f"{each.name}={each.name}" for each in function.arguments[1:] if function.public]:
+            given.append(f"    on.agree({', '.join(taken)})")
         return [
             *self.lines("", f"def {function.name}({arguments}) -> {result}:"),
             *_docstring(function.meaning),

@@ -24,7 +24,7 @@ from .spelling import SUM, WIDTH, Printer, remark
 
 
 class Rust(Printer):
-    """Spells one program; ``Real`` is ``f64``, or ``f32`` with the feature ``single``."""
+    """Spells one program; ``Real`` is ``f64``, or ``f32`` in kits of single precision."""
 
     comment = "// {}"
 

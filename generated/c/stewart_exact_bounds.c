@@ -206,9 +206,8 @@ static void prepare_leg(
     const stewart_real C_u = leg->C_u;
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
+    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1], p_1_z = robot->leg[0].p[2];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
-    const stewart_real p_y_max = STEWART_FABS(p_y);
-    const stewart_real p_z_max = STEWART_FABS(p_z);
     const stewart_real k_x_max = STEWART_FABS(k_x);
     const stewart_real k_y_max = STEWART_FABS(k_y);
     const stewart_real k_z_max = STEWART_FABS(k_z);
@@ -308,18 +307,30 @@ static void prepare_leg(
     const stewart_real J_zz = I_d0_zz + I_u0_zz + m_d*(c5 + c9) + m_u*(c10 + c7);
     const stewart_real J_zz_err = c10_err*m_u_max + c5_err*m_d_max + c7_err*m_u_max + c9_err*m_d_max + STEWART_UNIT*(REAL(2)*I_d0_zz_max
         + REAL(2)*I_u0_zz_max + REAL(3)*m_d_max*(c5_max + c9_max) + REAL(2)*m_u_max*(c10_max + c7_max) + STEWART_FABS(J_zz));
-    const stewart_real c11 = m_u*p_x;
-    const stewart_real c11_err = STEWART_UNIT*STEWART_FABS(c11);
-    const stewart_real c12 = m_u*p_y;
-    const stewart_real c12_err = STEWART_UNIT*STEWART_FABS(c12);
-    const stewart_real c13 = p_y*p_y;
-    const stewart_real c13_err = STEWART_UNIT*STEWART_FABS(c13);
+    /* platform point from platform point 1 */
+    const stewart_real arm_x = p_x - p_1_x;
+    const stewart_real arm_x_err = STEWART_UNIT*STEWART_FABS(arm_x);
+    const stewart_real arm_x_max = STEWART_FABS(arm_x) + arm_x_err;
+    const stewart_real arm_y = p_y - p_1_y;
+    const stewart_real arm_y_err = STEWART_UNIT*STEWART_FABS(arm_y);
+    const stewart_real arm_y_max = STEWART_FABS(arm_y) + arm_y_err;
+    const stewart_real arm_z = p_z - p_1_z;
+    const stewart_real arm_z_err = STEWART_UNIT*STEWART_FABS(arm_z);
+    const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
+    const stewart_real c11 = arm_x*m_u;
+    const stewart_real c11_err = arm_x_err*m_u_max + STEWART_UNIT*STEWART_FABS(c11);
+    const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
+    const stewart_real c12 = arm_y*m_u;
+    const stewart_real c12_err = arm_y_err*m_u_max + STEWART_UNIT*STEWART_FABS(c12);
+    const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
+    const stewart_real c13 = arm_y*arm_y;
+    const stewart_real c13_err = REAL(2)*arm_y_err*arm_y_max + STEWART_UNIT*STEWART_FABS(c13);
     const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
-    const stewart_real c14 = p_z*p_z;
-    const stewart_real c14_err = STEWART_UNIT*STEWART_FABS(c14);
+    const stewart_real c14 = arm_z*arm_z;
+    const stewart_real c14_err = REAL(2)*arm_z_err*arm_z_max + STEWART_UNIT*STEWART_FABS(c14);
     const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
-    const stewart_real c15 = p_x*p_x;
-    const stewart_real c15_err = STEWART_UNIT*STEWART_FABS(c15);
+    const stewart_real c15 = arm_x*arm_x;
+    const stewart_real c15_err = REAL(2)*arm_x_err*arm_x_max + STEWART_UNIT*STEWART_FABS(c15);
     const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
     /* 2 h_x */
     const stewart_real h2_x = REAL(2)*h_x;
@@ -353,22 +364,22 @@ static void prepare_leg(
     /* C_u + C_s */
     const stewart_real C_us = C_s + C_u;
     const stewart_real C_us_err = STEWART_UNIT*STEWART_FABS(C_us);
-    /* its first moment, platform frame */
-    const stewart_real h_add_z = m_u*p_z;
-    const stewart_real h_add_z_err = STEWART_UNIT*STEWART_FABS(h_add_z);
-    /* its inertia about the reference point, platform frame */
+    /* its first moment about platform point 1, platform frame */
+    const stewart_real h_add_z = arm_z*m_u;
+    const stewart_real h_add_z_err = arm_z_err*m_u_max + STEWART_UNIT*STEWART_FABS(h_add_z);
+    /* its inertia about platform point 1, platform frame */
     const stewart_real J_add_xx = m_u*(c13 + c14);
     const stewart_real J_add_xx_err = c13_err*m_u_max + c14_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max + c14_max)
         + STEWART_FABS(J_add_xx));
-    const stewart_real J_add_xy = -c11*p_y;
-    const stewart_real J_add_xy_err = c11_err*p_y_max + STEWART_UNIT*STEWART_FABS(J_add_xy);
-    const stewart_real J_add_xz = -c11*p_z;
-    const stewart_real J_add_xz_err = c11_err*p_z_max + STEWART_UNIT*STEWART_FABS(J_add_xz);
+    const stewart_real J_add_xy = -arm_y*c11;
+    const stewart_real J_add_xy_err = arm_y_err*c11_max + arm_y_max*c11_err + STEWART_UNIT*STEWART_FABS(J_add_xy);
+    const stewart_real J_add_xz = -arm_z*c11;
+    const stewart_real J_add_xz_err = arm_z_err*c11_max + arm_z_max*c11_err + STEWART_UNIT*STEWART_FABS(J_add_xz);
     const stewart_real J_add_yy = m_u*(c14 + c15);
     const stewart_real J_add_yy_err = c14_err*m_u_max + c15_err*m_u_max + STEWART_UNIT*(m_u_max*(c14_max + c15_max)
         + STEWART_FABS(J_add_yy));
-    const stewart_real J_add_yz = -c12*p_z;
-    const stewart_real J_add_yz_err = c12_err*p_z_max + STEWART_UNIT*STEWART_FABS(J_add_yz);
+    const stewart_real J_add_yz = -arm_z*c12;
+    const stewart_real J_add_yz_err = arm_z_err*c12_max + arm_z_max*c12_err + STEWART_UNIT*STEWART_FABS(J_add_yz);
     const stewart_real J_add_zz = m_u*(c13 + c15);
     const stewart_real J_add_zz_err = c13_err*m_u_max + c15_err*m_u_max + STEWART_UNIT*(m_u_max*(c13_max + c15_max)
         + STEWART_FABS(J_add_zz));
@@ -463,6 +474,7 @@ static void prepare_platform(
     const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2], I_p_yy = robot->I_p[3],
         I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1], p_1_z = robot->leg[0].p[2];
     const stewart_real M_add = added->M_add;
     const stewart_real M_add_err = added->M_add_err;
     const stewart_real h_add_x = added->h_add[0], h_add_y = added->h_add[1], h_add_z = added->h_add[2];
@@ -473,98 +485,146 @@ static void prepare_platform(
         J_add_yy_err = added->J_add_err[3], J_add_yz_err = added->J_add_err[4], J_add_zz_err = added->J_add_err[5];
     const stewart_real C_add = added->C_add;
     const stewart_real C_add_err = added->C_add_err;
-    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1], p_1_z = robot->leg[0].p[2];
     const stewart_real M_max = STEWART_FABS(M);
-    const stewart_real R_0_y_max = STEWART_FABS(R_0_y);
-    const stewart_real R_0_z_max = STEWART_FABS(R_0_z);
     const stewart_real I_p_xx_max = STEWART_FABS(I_p_xx);
     const stewart_real I_p_xy_max = STEWART_FABS(I_p_xy);
     const stewart_real I_p_xz_max = STEWART_FABS(I_p_xz);
     const stewart_real I_p_yy_max = STEWART_FABS(I_p_yy);
     const stewart_real I_p_yz_max = STEWART_FABS(I_p_yz);
     const stewart_real I_p_zz_max = STEWART_FABS(I_p_zz);
+    const stewart_real M_add_max = STEWART_FABS(M_add) + M_add_err;
+    const stewart_real h_add_x_max = STEWART_FABS(h_add_x) + h_add_x_err;
+    const stewart_real h_add_y_max = STEWART_FABS(h_add_y) + h_add_y_err;
+    const stewart_real h_add_z_max = STEWART_FABS(h_add_z) + h_add_z_err;
     const stewart_real J_add_xx_max = STEWART_FABS(J_add_xx) + J_add_xx_err;
     const stewart_real J_add_xy_max = STEWART_FABS(J_add_xy) + J_add_xy_err;
     const stewart_real J_add_xz_max = STEWART_FABS(J_add_xz) + J_add_xz_err;
     const stewart_real J_add_yy_max = STEWART_FABS(J_add_yy) + J_add_yy_err;
     const stewart_real J_add_yz_max = STEWART_FABS(J_add_yz) + J_add_yz_err;
     const stewart_real J_add_zz_max = STEWART_FABS(J_add_zz) + J_add_zz_err;
-    const stewart_real c1 = R_0_y*R_0_y;
-    const stewart_real c1_err = STEWART_UNIT*STEWART_FABS(c1);
-    const stewart_real c1_max = STEWART_FABS(c1) + c1_err;
-    const stewart_real c2 = R_0_z*R_0_z;
-    const stewart_real c2_err = STEWART_UNIT*STEWART_FABS(c2);
-    const stewart_real c2_max = STEWART_FABS(c2) + c2_err;
-    const stewart_real J_P_xx = I_p_xx + J_add_xx + M*(c1 + c2);
-    const stewart_real J_P_xx_err = J_add_xx_err + M_max*c1_err + M_max*c2_err + STEWART_UNIT*(I_p_xx_max + J_add_xx_max
-        + REAL(2)*M_max*(c1_max + c2_max) + STEWART_FABS(J_P_xx));
-    const stewart_real c3 = M*R_0_x;
-    const stewart_real c3_err = STEWART_UNIT*STEWART_FABS(c3);
-    const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
-    const stewart_real J_P_xy = I_p_xy + J_add_xy - R_0_y*c3;
-    const stewart_real J_P_xy_err = J_add_xy_err + R_0_y_max*c3_err + STEWART_UNIT*(I_p_xy_max + J_add_xy_max
-        + R_0_y_max*c3_max + STEWART_FABS(J_P_xy));
-    const stewart_real J_P_xz = I_p_xz + J_add_xz - R_0_z*c3;
-    const stewart_real J_P_xz_err = J_add_xz_err + R_0_z_max*c3_err + STEWART_UNIT*(I_p_xz_max + J_add_xz_max
-        + R_0_z_max*c3_max + STEWART_FABS(J_P_xz));
-    const stewart_real c4 = R_0_x*R_0_x;
-    const stewart_real c4_err = STEWART_UNIT*STEWART_FABS(c4);
-    const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
-    const stewart_real J_P_yy = I_p_yy + J_add_yy + M*(c2 + c4);
-    const stewart_real J_P_yy_err = J_add_yy_err + M_max*c2_err + M_max*c4_err + STEWART_UNIT*(I_p_yy_max + J_add_yy_max
-        + REAL(2)*M_max*(c2_max + c4_max) + STEWART_FABS(J_P_yy));
-    const stewart_real c5 = M*R_0_y;
-    const stewart_real c5_err = STEWART_UNIT*STEWART_FABS(c5);
-    const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
-    const stewart_real J_P_yz = I_p_yz + J_add_yz - R_0_z*c5;
-    const stewart_real J_P_yz_err = J_add_yz_err + R_0_z_max*c5_err + STEWART_UNIT*(I_p_yz_max + J_add_yz_max
-        + R_0_z_max*c5_max + STEWART_FABS(J_P_yz));
-    const stewart_real J_P_zz = I_p_zz + J_add_zz + M*(c1 + c4);
-    const stewart_real J_P_zz_err = J_add_zz_err + M_max*c1_err + M_max*c4_err + STEWART_UNIT*(I_p_zz_max + J_add_zz_max
-        + REAL(2)*M_max*(c1_max + c4_max) + STEWART_FABS(J_P_zz));
-    /* mass of the platform with the upper parts */
     const stewart_real M_P = M + M_add;
     const stewart_real M_P_err = M_add_err + STEWART_UNIT*STEWART_FABS(M_P);
-    /* its first moment, platform frame */
-    const stewart_real h_P_x = c3 + h_add_x;
-    const stewart_real h_P_x_err = c3_err + h_add_x_err + STEWART_UNIT*STEWART_FABS(h_P_x);
-    const stewart_real h_P_y = c5 + h_add_y;
-    const stewart_real h_P_y_err = c5_err + h_add_y_err + STEWART_UNIT*STEWART_FABS(h_P_y);
-    const stewart_real h_P_z = M*R_0_z + h_add_z;
-    const stewart_real h_P_z_err = h_add_z_err + STEWART_UNIT*(M_max*R_0_z_max + STEWART_FABS(h_P_z));
-    /* J_P_zz - J_P_yy, J_P_xx - J_P_zz, J_P_yy - J_P_xx */
-    const stewart_real dJ_P_x = J_P_zz - J_P_yy;
-    const stewart_real dJ_P_x_err = J_P_yy_err + J_P_zz_err + STEWART_UNIT*STEWART_FABS(dJ_P_x);
-    const stewart_real dJ_P_y = J_P_xx - J_P_zz;
-    const stewart_real dJ_P_y_err = J_P_xx_err + J_P_zz_err + STEWART_UNIT*STEWART_FABS(dJ_P_y);
-    const stewart_real dJ_P_z = J_P_yy - J_P_xx;
-    const stewart_real dJ_P_z_err = J_P_xx_err + J_P_yy_err + STEWART_UNIT*STEWART_FABS(dJ_P_z);
+    /* the platform's own centre of mass from platform point 1 */
+    const stewart_real arm_x = R_0_x - p_1_x;
+    const stewart_real arm_x_err = STEWART_UNIT*STEWART_FABS(arm_x);
+    const stewart_real arm_x_max = STEWART_FABS(arm_x) + arm_x_err;
+    const stewart_real arm_y = R_0_y - p_1_y;
+    const stewart_real arm_y_err = STEWART_UNIT*STEWART_FABS(arm_y);
+    const stewart_real arm_y_max = STEWART_FABS(arm_y) + arm_y_err;
+    const stewart_real arm_z = R_0_z - p_1_z;
+    const stewart_real arm_z_err = STEWART_UNIT*STEWART_FABS(arm_z);
+    const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
+    /* first moment of what rides on it about that centre */
+    const stewart_real e_x = h_add_x - M_add*arm_x;
+    const stewart_real e_x_err = M_add_err*arm_x_max + M_add_max*arm_x_err + h_add_x_err + STEWART_UNIT*(M_add_max*arm_x_max
+        + STEWART_FABS(e_x));
+    const stewart_real e_x_max = STEWART_FABS(e_x) + e_x_err;
+    const stewart_real e_y = h_add_y - M_add*arm_y;
+    const stewart_real e_y_err = M_add_err*arm_y_max + M_add_max*arm_y_err + h_add_y_err + STEWART_UNIT*(M_add_max*arm_y_max
+        + STEWART_FABS(e_y));
+    const stewart_real e_y_max = STEWART_FABS(e_y) + e_y_err;
+    const stewart_real e_z = h_add_z - M_add*arm_z;
+    const stewart_real e_z_err = M_add_err*arm_z_max + M_add_max*arm_z_err + h_add_z_err + STEWART_UNIT*(M_add_max*arm_z_max
+        + STEWART_FABS(e_z));
+    const stewart_real e_z_max = STEWART_FABS(e_z) + e_z_err;
+    const stewart_real c1 = REAL(1)/M_P;
+    const stewart_real c1_err = reciprocal_error(c1, M_P, M_P_err);
+    const stewart_real c1_max = STEWART_FABS(c1) + c1_err;
+    const stewart_real r_C_x = R_0_x + c1*e_x;
+    const stewart_real r_C_x_err = c1_err*e_x_max + c1_max*e_x_err + STEWART_UNIT*(c1_max*e_x_max + STEWART_FABS(r_C_x));
+    const stewart_real r_C_y = R_0_y + c1*e_y;
+    const stewart_real r_C_y_err = c1_err*e_y_max + c1_max*e_y_err + STEWART_UNIT*(c1_max*e_y_max + STEWART_FABS(r_C_y));
+    const stewart_real r_C_z = R_0_z + c1*e_z;
+    const stewart_real r_C_z_err = c1_err*e_z_max + c1_max*e_z_err + STEWART_UNIT*(c1_max*e_z_max + STEWART_FABS(r_C_z));
+    const stewart_real r_x = c1*h_add_x;
+    const stewart_real r_x_err = c1_err*h_add_x_max + c1_max*h_add_x_err + STEWART_UNIT*STEWART_FABS(r_x);
+    const stewart_real r_x_max = STEWART_FABS(r_x) + r_x_err;
+    const stewart_real r_y = c1*h_add_y;
+    const stewart_real r_y_err = c1_err*h_add_y_max + c1_max*h_add_y_err + STEWART_UNIT*STEWART_FABS(r_y);
+    const stewart_real r_y_max = STEWART_FABS(r_y) + r_y_err;
+    const stewart_real r_z = c1*h_add_z;
+    const stewart_real r_z_err = c1_err*h_add_z_max + c1_max*h_add_z_err + STEWART_UNIT*STEWART_FABS(r_z);
+    const stewart_real r_z_max = STEWART_FABS(r_z) + r_z_err;
+    const stewart_real c2 = STEWART_HALF*M*c1;
+    const stewart_real c2_err = STEWART_HALF*M_max*c1_err + STEWART_UNIT*STEWART_FABS(c2);
+    const stewart_real c2_max = STEWART_FABS(c2) + c2_err;
+    const stewart_real u_x = c2*(e_x + h_add_x);
+    const stewart_real u_x_err = c2_err*(e_x_max + h_add_x_max) + c2_max*e_x_err + c2_max*h_add_x_err + STEWART_UNIT*(c2_max*(e_x_max
+        + h_add_x_max) + STEWART_FABS(u_x));
+    const stewart_real u_x_max = STEWART_FABS(u_x) + u_x_err;
+    const stewart_real u_y = c2*(e_y + h_add_y);
+    const stewart_real u_y_err = c2_err*(e_y_max + h_add_y_max) + c2_max*e_y_err + c2_max*h_add_y_err + STEWART_UNIT*(c2_max*(e_y_max
+        + h_add_y_max) + STEWART_FABS(u_y));
+    const stewart_real u_y_max = STEWART_FABS(u_y) + u_y_err;
+    const stewart_real u_z = c2*(e_z + h_add_z);
+    const stewart_real u_z_err = c2_err*(e_z_max + h_add_z_max) + c2_max*e_z_err + c2_max*h_add_z_err + STEWART_UNIT*(c2_max*(e_z_max
+        + h_add_z_max) + STEWART_FABS(u_z));
+    const stewart_real u_z_max = STEWART_FABS(u_z) + u_z_err;
+    const stewart_real c3 = REAL(2)*arm_z*u_z + h_add_z*r_z;
+    const stewart_real c3_err = REAL(2)*arm_z_err*u_z_max + REAL(2)*arm_z_max*u_z_err + h_add_z_err*r_z_max
+        + h_add_z_max*r_z_err + STEWART_UNIT*(REAL(2)*arm_z_max*u_z_max + h_add_z_max*r_z_max + STEWART_FABS(c3));
+    const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
+    const stewart_real c4 = REAL(2)*arm_y*u_y + h_add_y*r_y;
+    const stewart_real c4_err = REAL(2)*arm_y_err*u_y_max + REAL(2)*arm_y_max*u_y_err + h_add_y_err*r_y_max
+        + h_add_y_max*r_y_err + STEWART_UNIT*(REAL(2)*arm_y_max*u_y_max + h_add_y_max*r_y_max + STEWART_FABS(c4));
+    const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
+    const stewart_real J_C_xx = I_p_xx + J_add_xx - c3 - c4;
+    const stewart_real J_C_xx_err = J_add_xx_err + c3_err + c4_err + STEWART_UNIT*(REAL(2)*I_p_xx_max + REAL(2)*J_add_xx_max
+        + c3_max + STEWART_FABS(J_C_xx));
+    const stewart_real J_C_xy = I_p_xy + J_add_xy + arm_x*u_y + arm_y*u_x + h_add_x*r_y;
+    const stewart_real J_C_xy_err = J_add_xy_err + arm_x_err*u_y_max + arm_x_max*u_y_err + arm_y_err*u_x_max
+        + arm_y_max*u_x_err + h_add_x_err*r_y_max + h_add_x_max*r_y_err + STEWART_UNIT*(REAL(3)*I_p_xy_max + REAL(3)*J_add_xy_max
+        + REAL(3)*arm_x_max*u_y_max + REAL(2)*arm_y_max*u_x_max + h_add_x_max*r_y_max + STEWART_FABS(J_C_xy));
+    const stewart_real J_C_xz = I_p_xz + J_add_xz + arm_x*u_z + arm_z*u_x + h_add_x*r_z;
+    const stewart_real J_C_xz_err = J_add_xz_err + arm_x_err*u_z_max + arm_x_max*u_z_err + arm_z_err*u_x_max
+        + arm_z_max*u_x_err + h_add_x_err*r_z_max + h_add_x_max*r_z_err + STEWART_UNIT*(REAL(3)*I_p_xz_max + REAL(3)*J_add_xz_max
+        + REAL(3)*arm_x_max*u_z_max + REAL(2)*arm_z_max*u_x_max + h_add_x_max*r_z_max + STEWART_FABS(J_C_xz));
+    const stewart_real c5 = REAL(2)*arm_x*u_x + h_add_x*r_x;
+    const stewart_real c5_err = REAL(2)*arm_x_err*u_x_max + REAL(2)*arm_x_max*u_x_err + h_add_x_err*r_x_max
+        + h_add_x_max*r_x_err + STEWART_UNIT*(REAL(2)*arm_x_max*u_x_max + h_add_x_max*r_x_max + STEWART_FABS(c5));
+    const stewart_real J_C_yy = I_p_yy + J_add_yy - c3 - c5;
+    const stewart_real J_C_yy_err = J_add_yy_err + c3_err + c5_err + STEWART_UNIT*(REAL(2)*I_p_yy_max + REAL(2)*J_add_yy_max
+        + c3_max + STEWART_FABS(J_C_yy));
+    const stewart_real J_C_yz = I_p_yz + J_add_yz + arm_y*u_z + arm_z*u_y + h_add_y*r_z;
+    const stewart_real J_C_yz_err = J_add_yz_err + arm_y_err*u_z_max + arm_y_max*u_z_err + arm_z_err*u_y_max
+        + arm_z_max*u_y_err + h_add_y_err*r_z_max + h_add_y_max*r_z_err + STEWART_UNIT*(REAL(3)*I_p_yz_max + REAL(3)*J_add_yz_max
+        + REAL(3)*arm_y_max*u_z_max + REAL(2)*arm_z_max*u_y_max + h_add_y_max*r_z_max + STEWART_FABS(J_C_yz));
+    const stewart_real J_C_zz = I_p_zz + J_add_zz - c4 - c5;
+    const stewart_real J_C_zz_err = J_add_zz_err + c4_err + c5_err + STEWART_UNIT*(REAL(2)*I_p_zz_max + REAL(2)*J_add_zz_max
+        + c4_max + STEWART_FABS(J_C_zz));
+    /* J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
+    const stewart_real dJ_C_x = J_C_zz - J_C_yy;
+    const stewart_real dJ_C_x_err = J_C_yy_err + J_C_zz_err + STEWART_UNIT*STEWART_FABS(dJ_C_x);
+    const stewart_real dJ_C_y = J_C_xx - J_C_zz;
+    const stewart_real dJ_C_y_err = J_C_xx_err + J_C_zz_err + STEWART_UNIT*STEWART_FABS(dJ_C_y);
+    const stewart_real dJ_C_z = J_C_yy - J_C_xx;
+    const stewart_real dJ_C_z_err = J_C_xx_err + J_C_yy_err + STEWART_UNIT*STEWART_FABS(dJ_C_z);
     out->M_P = M_P;
     out->M_P_err = M_P_err;
-    out->h_P[0] = h_P_x;
-    out->h_P_err[0] = h_P_x_err;
-    out->h_P[1] = h_P_y;
-    out->h_P_err[1] = h_P_y_err;
-    out->h_P[2] = h_P_z;
-    out->h_P_err[2] = h_P_z_err;
-    out->J_P[0] = J_P_xx;
-    out->J_P_err[0] = J_P_xx_err;
-    out->J_P[1] = J_P_xy;
-    out->J_P_err[1] = J_P_xy_err;
-    out->J_P[2] = J_P_xz;
-    out->J_P_err[2] = J_P_xz_err;
-    out->J_P[3] = J_P_yy;
-    out->J_P_err[3] = J_P_yy_err;
-    out->J_P[4] = J_P_yz;
-    out->J_P_err[4] = J_P_yz_err;
-    out->J_P[5] = J_P_zz;
-    out->J_P_err[5] = J_P_zz_err;
-    out->dJ_P[0] = dJ_P_x;
-    out->dJ_P_err[0] = dJ_P_x_err;
-    out->dJ_P[1] = dJ_P_y;
-    out->dJ_P_err[1] = dJ_P_y_err;
-    out->dJ_P[2] = dJ_P_z;
-    out->dJ_P_err[2] = dJ_P_z_err;
+    out->r_C[0] = r_C_x;
+    out->r_C_err[0] = r_C_x_err;
+    out->r_C[1] = r_C_y;
+    out->r_C_err[1] = r_C_y_err;
+    out->r_C[2] = r_C_z;
+    out->r_C_err[2] = r_C_z_err;
+    out->J_C[0] = J_C_xx;
+    out->J_C_err[0] = J_C_xx_err;
+    out->J_C[1] = J_C_xy;
+    out->J_C_err[1] = J_C_xy_err;
+    out->J_C[2] = J_C_xz;
+    out->J_C_err[2] = J_C_xz_err;
+    out->J_C[3] = J_C_yy;
+    out->J_C_err[3] = J_C_yy_err;
+    out->J_C[4] = J_C_yz;
+    out->J_C_err[4] = J_C_yz_err;
+    out->J_C[5] = J_C_zz;
+    out->J_C_err[5] = J_C_zz_err;
+    out->dJ_C[0] = dJ_C_x;
+    out->dJ_C_err[0] = dJ_C_x_err;
+    out->dJ_C[1] = dJ_C_y;
+    out->dJ_C_err[1] = dJ_C_y_err;
+    out->dJ_C[2] = dJ_C_z;
+    out->dJ_C_err[2] = dJ_C_z_err;
     out->C_P = C_add;
     out->C_P_err = C_add_err;
     out->g[0] = g_x;
@@ -662,10 +722,10 @@ static void shared_of_pose(
     const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
     const stewart_real M_P = platform->M_P;
-    const stewart_real h_P_x = platform->h_P[0], h_P_y = platform->h_P[1], h_P_z = platform->h_P[2];
-    const stewart_real J_P_xx = platform->J_P[0], J_P_xy = platform->J_P[1], J_P_xz = platform->J_P[2],
-        J_P_yy = platform->J_P[3], J_P_yz = platform->J_P[4], J_P_zz = platform->J_P[5];
-    const stewart_real dJ_P_x = platform->dJ_P[0], dJ_P_y = platform->dJ_P[1], dJ_P_z = platform->dJ_P[2];
+    const stewart_real r_C_x = platform->r_C[0], r_C_y = platform->r_C[1], r_C_z = platform->r_C[2];
+    const stewart_real J_C_xx = platform->J_C[0], J_C_xy = platform->J_C[1], J_C_xz = platform->J_C[2],
+        J_C_yy = platform->J_C[3], J_C_yz = platform->J_C[4], J_C_zz = platform->J_C[5];
+    const stewart_real dJ_C_x = platform->dJ_C[0], dJ_C_y = platform->dJ_C[1], dJ_C_z = platform->dJ_C[2];
     const stewart_real C_P = platform->C_P;
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real p_1_x = platform->p_1[0], p_1_y = platform->p_1[1], p_1_z = platform->p_1[2];
@@ -686,14 +746,14 @@ static void shared_of_pose(
     const stewart_real B_zx = omega_xz - alpha_y;
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
-    /* (30) first moment of the platform, base frame */
-    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-    /* (33) g - a */
-    const stewart_real fall_x = g_x - a_x;
-    const stewart_real fall_y = g_y - a_y;
-    const stewart_real fall_z = g_z - a_z;
+    /* (30) centre of mass from the reference point, base frame */
+    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
+    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
+    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    /* (33) M_P (g - a_C) */
+    const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
+    const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
+    const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
     /* angular velocity, platform frame */
     const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
     const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
@@ -709,24 +769,21 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy + alpha_P_z)
-        - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
-        - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
-    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_yz*(P_xz
-        + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y
-        - B_xz*h_base_z;
-    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y
-        - B_yz*h_base_z;
-    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y
-        - B_zz*h_base_z;
-    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x
-        - fall_y*h_base_z;
-    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y
-        - fall_z*h_base_x;
-    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z
-        - fall_x*h_base_y;
+    const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy + alpha_P_z)
+        - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
+    const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
+        - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
+    const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
+        + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
+    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
+    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
+    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
+    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - C_P*omega_x
+        - N_y*R_C_z;
+    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - C_P*omega_y
+        - N_z*R_C_x;
+    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - C_P*omega_z
+        - N_x*R_C_y;
     /* (1) platform point 1 from the reference point, base frame */
     const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
     const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
@@ -1305,14 +1362,14 @@ static void shared_errors(
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
     const stewart_real M_P = platform->M_P;
     const stewart_real M_P_err = platform->M_P_err;
-    const stewart_real h_P_x = platform->h_P[0], h_P_y = platform->h_P[1], h_P_z = platform->h_P[2];
-    const stewart_real h_P_x_err = platform->h_P_err[0], h_P_y_err = platform->h_P_err[1], h_P_z_err = platform->h_P_err[2];
-    const stewart_real J_P_xx = platform->J_P[0], J_P_xy = platform->J_P[1], J_P_xz = platform->J_P[2],
-        J_P_yy = platform->J_P[3], J_P_yz = platform->J_P[4], J_P_zz = platform->J_P[5];
-    const stewart_real J_P_xx_err = platform->J_P_err[0], J_P_xy_err = platform->J_P_err[1], J_P_xz_err = platform->J_P_err[2],
-        J_P_yy_err = platform->J_P_err[3], J_P_yz_err = platform->J_P_err[4], J_P_zz_err = platform->J_P_err[5];
-    const stewart_real dJ_P_x = platform->dJ_P[0], dJ_P_y = platform->dJ_P[1], dJ_P_z = platform->dJ_P[2];
-    const stewart_real dJ_P_x_err = platform->dJ_P_err[0], dJ_P_y_err = platform->dJ_P_err[1], dJ_P_z_err = platform->dJ_P_err[2];
+    const stewart_real r_C_x = platform->r_C[0], r_C_y = platform->r_C[1], r_C_z = platform->r_C[2];
+    const stewart_real r_C_x_err = platform->r_C_err[0], r_C_y_err = platform->r_C_err[1], r_C_z_err = platform->r_C_err[2];
+    const stewart_real J_C_xx = platform->J_C[0], J_C_xy = platform->J_C[1], J_C_xz = platform->J_C[2],
+        J_C_yy = platform->J_C[3], J_C_yz = platform->J_C[4], J_C_zz = platform->J_C[5];
+    const stewart_real J_C_xx_err = platform->J_C_err[0], J_C_xy_err = platform->J_C_err[1], J_C_xz_err = platform->J_C_err[2],
+        J_C_yy_err = platform->J_C_err[3], J_C_yz_err = platform->J_C_err[4], J_C_zz_err = platform->J_C_err[5];
+    const stewart_real dJ_C_x = platform->dJ_C[0], dJ_C_y = platform->dJ_C[1], dJ_C_z = platform->dJ_C[2];
+    const stewart_real dJ_C_x_err = platform->dJ_C_err[0], dJ_C_y_err = platform->dJ_C_err[1], dJ_C_z_err = platform->dJ_C_err[2];
     const stewart_real C_P = platform->C_P;
     const stewart_real C_P_err = platform->C_P_err;
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
@@ -1332,6 +1389,9 @@ static void shared_errors(
     const stewart_real alpha_x_max = STEWART_FABS(alpha_x);
     const stewart_real alpha_y_max = STEWART_FABS(alpha_y);
     const stewart_real alpha_z_max = STEWART_FABS(alpha_z);
+    const stewart_real a_x_max = STEWART_FABS(a_x);
+    const stewart_real a_y_max = STEWART_FABS(a_y);
+    const stewart_real a_z_max = STEWART_FABS(a_z);
     const stewart_real F_ext_x_max = STEWART_FABS(F_ext_x);
     const stewart_real F_ext_y_max = STEWART_FABS(F_ext_y);
     const stewart_real F_ext_z_max = STEWART_FABS(F_ext_z);
@@ -1339,19 +1399,22 @@ static void shared_errors(
     const stewart_real M_ext_y_max = STEWART_FABS(M_ext_y);
     const stewart_real M_ext_z_max = STEWART_FABS(M_ext_z);
     const stewart_real M_P_max = STEWART_FABS(M_P) + M_P_err;
-    const stewart_real h_P_x_max = STEWART_FABS(h_P_x) + h_P_x_err;
-    const stewart_real h_P_y_max = STEWART_FABS(h_P_y) + h_P_y_err;
-    const stewart_real h_P_z_max = STEWART_FABS(h_P_z) + h_P_z_err;
-    const stewart_real J_P_xx_max = STEWART_FABS(J_P_xx) + J_P_xx_err;
-    const stewart_real J_P_xy_max = STEWART_FABS(J_P_xy) + J_P_xy_err;
-    const stewart_real J_P_xz_max = STEWART_FABS(J_P_xz) + J_P_xz_err;
-    const stewart_real J_P_yy_max = STEWART_FABS(J_P_yy) + J_P_yy_err;
-    const stewart_real J_P_yz_max = STEWART_FABS(J_P_yz) + J_P_yz_err;
-    const stewart_real J_P_zz_max = STEWART_FABS(J_P_zz) + J_P_zz_err;
-    const stewart_real dJ_P_x_max = STEWART_FABS(dJ_P_x) + dJ_P_x_err;
-    const stewart_real dJ_P_y_max = STEWART_FABS(dJ_P_y) + dJ_P_y_err;
-    const stewart_real dJ_P_z_max = STEWART_FABS(dJ_P_z) + dJ_P_z_err;
+    const stewart_real r_C_x_max = STEWART_FABS(r_C_x) + r_C_x_err;
+    const stewart_real r_C_y_max = STEWART_FABS(r_C_y) + r_C_y_err;
+    const stewart_real r_C_z_max = STEWART_FABS(r_C_z) + r_C_z_err;
+    const stewart_real J_C_xx_max = STEWART_FABS(J_C_xx) + J_C_xx_err;
+    const stewart_real J_C_xy_max = STEWART_FABS(J_C_xy) + J_C_xy_err;
+    const stewart_real J_C_xz_max = STEWART_FABS(J_C_xz) + J_C_xz_err;
+    const stewart_real J_C_yy_max = STEWART_FABS(J_C_yy) + J_C_yy_err;
+    const stewart_real J_C_yz_max = STEWART_FABS(J_C_yz) + J_C_yz_err;
+    const stewart_real J_C_zz_max = STEWART_FABS(J_C_zz) + J_C_zz_err;
+    const stewart_real dJ_C_x_max = STEWART_FABS(dJ_C_x) + dJ_C_x_err;
+    const stewart_real dJ_C_y_max = STEWART_FABS(dJ_C_y) + dJ_C_y_err;
+    const stewart_real dJ_C_z_max = STEWART_FABS(dJ_C_z) + dJ_C_z_err;
     const stewart_real C_P_max = STEWART_FABS(C_P) + C_P_err;
+    const stewart_real g_x_max = STEWART_FABS(g_x);
+    const stewart_real g_y_max = STEWART_FABS(g_y);
+    const stewart_real g_z_max = STEWART_FABS(g_z);
     const stewart_real p_1_x_max = STEWART_FABS(p_1_x);
     const stewart_real p_1_y_max = STEWART_FABS(p_1_y);
     const stewart_real p_1_z_max = STEWART_FABS(p_1_z);
@@ -1411,38 +1474,47 @@ static void shared_errors(
     const stewart_real B_zz_own = STEWART_UNIT*STEWART_FABS(B_zz);
     const stewart_real B_zz_err = omega_xx_err + omega_yy_err + B_zz_own;
     const stewart_real B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
-    /* (30) first moment of the platform, base frame */
-    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-    const stewart_real h_base_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*h_P_x_max + REAL(2)*R_xy_max*h_P_y_max
-        + R_xz_max*h_P_z_max + STEWART_FABS(h_base_x));
-    const stewart_real h_base_x_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_xx_max*h_P_x_err + R_xy_max*h_P_y_err
-        + R_xz_max*h_P_z_err + h_base_x_own;
-    const stewart_real h_base_x_max = STEWART_FABS(h_base_x) + h_base_x_err;
-    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-    const stewart_real h_base_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*h_P_x_max + REAL(2)*R_yy_max*h_P_y_max
-        + R_yz_max*h_P_z_max + STEWART_FABS(h_base_y));
-    const stewart_real h_base_y_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_yx_max*h_P_x_err + R_yy_max*h_P_y_err
-        + R_yz_max*h_P_z_err + h_base_y_own;
-    const stewart_real h_base_y_max = STEWART_FABS(h_base_y) + h_base_y_err;
-    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-    const stewart_real h_base_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*h_P_x_max + REAL(2)*R_zy_max*h_P_y_max
-        + R_zz_max*h_P_z_max + STEWART_FABS(h_base_z));
-    const stewart_real h_base_z_err = R_err*(h_P_x_max + h_P_y_max + h_P_z_max) + R_zx_max*h_P_x_err + R_zy_max*h_P_y_err
-        + R_zz_max*h_P_z_err + h_base_z_own;
-    const stewart_real h_base_z_max = STEWART_FABS(h_base_z) + h_base_z_err;
-    /* (33) g - a */
-    const stewart_real fall_x = g_x - a_x;
-    const stewart_real fall_x_own = STEWART_UNIT*STEWART_FABS(fall_x);
-    const stewart_real fall_x_err = fall_x_own;
-    const stewart_real fall_x_max = STEWART_FABS(fall_x) + fall_x_err;
-    const stewart_real fall_y = g_y - a_y;
-    const stewart_real fall_y_own = STEWART_UNIT*STEWART_FABS(fall_y);
-    const stewart_real fall_y_err = fall_y_own;
-    const stewart_real fall_y_max = STEWART_FABS(fall_y) + fall_y_err;
-    const stewart_real fall_z = g_z - a_z;
-    const stewart_real fall_z_own = STEWART_UNIT*STEWART_FABS(fall_z);
-    const stewart_real fall_z_err = fall_z_own;
-    const stewart_real fall_z_max = STEWART_FABS(fall_z) + fall_z_err;
+    /* (30) centre of mass from the reference point, base frame */
+    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
+    const stewart_real R_C_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*r_C_x_max + REAL(2)*R_xy_max*r_C_y_max + R_xz_max*r_C_z_max
+        + STEWART_FABS(R_C_x));
+    const stewart_real R_C_x_err = R_err*(r_C_x_max + r_C_y_max + r_C_z_max) + R_xx_max*r_C_x_err + R_xy_max*r_C_y_err
+        + R_xz_max*r_C_z_err + R_C_x_own;
+    const stewart_real R_C_x_max = STEWART_FABS(R_C_x) + R_C_x_err;
+    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
+    const stewart_real R_C_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*r_C_x_max + REAL(2)*R_yy_max*r_C_y_max + R_yz_max*r_C_z_max
+        + STEWART_FABS(R_C_y));
+    const stewart_real R_C_y_err = R_err*(r_C_x_max + r_C_y_max + r_C_z_max) + R_yx_max*r_C_x_err + R_yy_max*r_C_y_err
+        + R_yz_max*r_C_z_err + R_C_y_own;
+    const stewart_real R_C_y_max = STEWART_FABS(R_C_y) + R_C_y_err;
+    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    const stewart_real R_C_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*r_C_x_max + REAL(2)*R_zy_max*r_C_y_max + R_zz_max*r_C_z_max
+        + STEWART_FABS(R_C_z));
+    const stewart_real R_C_z_err = R_err*(r_C_x_max + r_C_y_max + r_C_z_max) + R_zx_max*r_C_x_err + R_zy_max*r_C_y_err
+        + R_zz_max*r_C_z_err + R_C_z_own;
+    const stewart_real R_C_z_max = STEWART_FABS(R_C_z) + R_C_z_err;
+    /* (33) M_P (g - a_C) */
+    const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
+    const stewart_real N_x_own = STEWART_UNIT*(M_P_max*(REAL(5)*B_xx_max*R_C_x_max + REAL(4)*B_xy_max*R_C_y_max
+        + REAL(3)*B_xz_max*R_C_z_max + a_x_max + REAL(4)*g_x_max) + STEWART_FABS(N_x));
+    const stewart_real N_x_err = B_xx_err*M_P_max*R_C_x_max + B_xx_max*M_P_max*R_C_x_err + B_xy_err*M_P_max*R_C_y_max
+        + B_xy_max*M_P_max*R_C_y_err + B_xz_err*M_P_max*R_C_z_max + B_xz_max*M_P_max*R_C_z_err + M_P_err*(B_xx_max*R_C_x_max
+        + B_xy_max*R_C_y_max + B_xz_max*R_C_z_max + a_x_max + g_x_max) + N_x_own;
+    const stewart_real N_x_max = STEWART_FABS(N_x) + N_x_err;
+    const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
+    const stewart_real N_y_own = STEWART_UNIT*(M_P_max*(REAL(5)*B_yx_max*R_C_x_max + REAL(4)*B_yy_max*R_C_y_max
+        + REAL(3)*B_yz_max*R_C_z_max + a_y_max + REAL(4)*g_y_max) + STEWART_FABS(N_y));
+    const stewart_real N_y_err = B_yx_err*M_P_max*R_C_x_max + B_yx_max*M_P_max*R_C_x_err + B_yy_err*M_P_max*R_C_y_max
+        + B_yy_max*M_P_max*R_C_y_err + B_yz_err*M_P_max*R_C_z_max + B_yz_max*M_P_max*R_C_z_err + M_P_err*(B_yx_max*R_C_x_max
+        + B_yy_max*R_C_y_max + B_yz_max*R_C_z_max + a_y_max + g_y_max) + N_y_own;
+    const stewart_real N_y_max = STEWART_FABS(N_y) + N_y_err;
+    const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
+    const stewart_real N_z_own = STEWART_UNIT*(M_P_max*(REAL(5)*B_zx_max*R_C_x_max + REAL(4)*B_zy_max*R_C_y_max
+        + REAL(3)*B_zz_max*R_C_z_max + a_z_max + REAL(4)*g_z_max) + STEWART_FABS(N_z));
+    const stewart_real N_z_err = B_zx_err*M_P_max*R_C_x_max + B_zx_max*M_P_max*R_C_x_err + B_zy_err*M_P_max*R_C_y_max
+        + B_zy_max*M_P_max*R_C_y_err + B_zz_err*M_P_max*R_C_z_max + B_zz_max*M_P_max*R_C_z_err + M_P_err*(B_zx_max*R_C_x_max
+        + B_zy_max*R_C_y_max + B_zz_max*R_C_z_max + a_z_max + g_z_max) + N_z_own;
+    const stewart_real N_z_max = STEWART_FABS(N_z) + N_z_err;
     /* angular velocity, platform frame */
     const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
     const stewart_real omega_P_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*omega_x_max + REAL(2)*R_yx_max*omega_y_max
@@ -1500,89 +1572,77 @@ static void shared_errors(
     const stewart_real P_zz_err = REAL(2)*omega_P_z_err*omega_P_z_max + P_zz_own;
     const stewart_real P_zz_max = STEWART_FABS(P_zz) + P_zz_err;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy + alpha_P_z)
-        - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-    const stewart_real M_P_load_x_own = STEWART_UNIT*(REAL(4)*J_P_xx_max*alpha_P_x_max + REAL(6)*J_P_xy_max*(P_xz_max
-        + alpha_P_y_max) + REAL(4)*J_P_xz_max*(P_xy_max + alpha_P_z_max) + REAL(3)*J_P_yz_max*(P_yy_max + P_zz_max)
-        + REAL(4)*M_ext_x_max + P_yz_max*dJ_P_x_max + STEWART_FABS(M_P_load_x));
-    const stewart_real M_P_load_x_err = J_P_xx_err*alpha_P_x_max + J_P_xx_max*alpha_P_x_err + J_P_xy_err*(P_xz_max
-        + alpha_P_y_max) + J_P_xy_max*P_xz_err + J_P_xy_max*alpha_P_y_err + J_P_xz_err*(P_xy_max + alpha_P_z_max)
-        + J_P_xz_max*P_xy_err + J_P_xz_max*alpha_P_z_err + J_P_yz_err*(P_yy_max + P_zz_max) + J_P_yz_max*P_yy_err
-        + J_P_yz_max*P_zz_err + P_yz_err*dJ_P_x_max + P_yz_max*dJ_P_x_err + M_P_load_x_own;
+    const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy + alpha_P_z)
+        - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
+    const stewart_real M_P_load_x_own = STEWART_UNIT*(REAL(4)*J_C_xx_max*alpha_P_x_max + REAL(6)*J_C_xy_max*(P_xz_max
+        + alpha_P_y_max) + REAL(4)*J_C_xz_max*(P_xy_max + alpha_P_z_max) + REAL(3)*J_C_yz_max*(P_yy_max + P_zz_max)
+        + REAL(4)*M_ext_x_max + P_yz_max*dJ_C_x_max + STEWART_FABS(M_P_load_x));
+    const stewart_real M_P_load_x_err = J_C_xx_err*alpha_P_x_max + J_C_xx_max*alpha_P_x_err + J_C_xy_err*(P_xz_max
+        + alpha_P_y_max) + J_C_xy_max*P_xz_err + J_C_xy_max*alpha_P_y_err + J_C_xz_err*(P_xy_max + alpha_P_z_max)
+        + J_C_xz_max*P_xy_err + J_C_xz_max*alpha_P_z_err + J_C_yz_err*(P_yy_max + P_zz_max) + J_C_yz_max*P_yy_err
+        + J_C_yz_max*P_zz_err + P_yz_err*dJ_C_x_max + P_yz_max*dJ_C_x_err + M_P_load_x_own;
     const stewart_real M_P_load_x_max = STEWART_FABS(M_P_load_x) + M_P_load_x_err;
-    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
-        - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
-    const stewart_real M_P_load_y_own = STEWART_UNIT*(REAL(5)*J_P_xy_max*(P_yz_max + alpha_P_x_max) + REAL(4)*J_P_xz_max*(P_xx_max
-        + P_zz_max) + REAL(2)*J_P_yy_max*alpha_P_y_max + REAL(6)*J_P_yz_max*(P_xy_max + alpha_P_z_max) + REAL(4)*M_ext_y_max
-        + P_xz_max*dJ_P_y_max + STEWART_FABS(M_P_load_y));
-    const stewart_real M_P_load_y_err = J_P_xy_err*(P_yz_max + alpha_P_x_max) + J_P_xy_max*P_yz_err + J_P_xy_max*alpha_P_x_err
-        + J_P_xz_err*(P_xx_max + P_zz_max) + J_P_xz_max*P_xx_err + J_P_xz_max*P_zz_err + J_P_yy_err*alpha_P_y_max
-        + J_P_yy_max*alpha_P_y_err + J_P_yz_err*(P_xy_max + alpha_P_z_max) + J_P_yz_max*P_xy_err + J_P_yz_max*alpha_P_z_err
-        + P_xz_err*dJ_P_y_max + P_xz_max*dJ_P_y_err + M_P_load_y_own;
+    const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
+        - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
+    const stewart_real M_P_load_y_own = STEWART_UNIT*(REAL(5)*J_C_xy_max*(P_yz_max + alpha_P_x_max) + REAL(4)*J_C_xz_max*(P_xx_max
+        + P_zz_max) + REAL(2)*J_C_yy_max*alpha_P_y_max + REAL(6)*J_C_yz_max*(P_xy_max + alpha_P_z_max) + REAL(4)*M_ext_y_max
+        + P_xz_max*dJ_C_y_max + STEWART_FABS(M_P_load_y));
+    const stewart_real M_P_load_y_err = J_C_xy_err*(P_yz_max + alpha_P_x_max) + J_C_xy_max*P_yz_err + J_C_xy_max*alpha_P_x_err
+        + J_C_xz_err*(P_xx_max + P_zz_max) + J_C_xz_max*P_xx_err + J_C_xz_max*P_zz_err + J_C_yy_err*alpha_P_y_max
+        + J_C_yy_max*alpha_P_y_err + J_C_yz_err*(P_xy_max + alpha_P_z_max) + J_C_yz_max*P_xy_err + J_C_yz_max*alpha_P_z_err
+        + P_xz_err*dJ_C_y_max + P_xz_max*dJ_C_y_err + M_P_load_y_own;
     const stewart_real M_P_load_y_max = STEWART_FABS(M_P_load_y) + M_P_load_y_err;
-    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_yz*(P_xz
-        + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
-    const stewart_real M_P_load_z_own = STEWART_UNIT*(REAL(5)*J_P_xy_max*(P_xx_max + P_yy_max) + REAL(6)*J_P_xz_max*(P_yz_max
-        + alpha_P_x_max) + REAL(4)*J_P_yz_max*(P_xz_max + alpha_P_y_max) + REAL(2)*J_P_zz_max*alpha_P_z_max
-        + REAL(4)*M_ext_z_max + P_xy_max*dJ_P_z_max + STEWART_FABS(M_P_load_z));
-    const stewart_real M_P_load_z_err = J_P_xy_err*(P_xx_max + P_yy_max) + J_P_xy_max*P_xx_err + J_P_xy_max*P_yy_err
-        + J_P_xz_err*(P_yz_max + alpha_P_x_max) + J_P_xz_max*P_yz_err + J_P_xz_max*alpha_P_x_err + J_P_yz_err*(P_xz_max
-        + alpha_P_y_max) + J_P_yz_max*P_xz_err + J_P_yz_max*alpha_P_y_err + J_P_zz_err*alpha_P_z_max + J_P_zz_max*alpha_P_z_err
-        + P_xy_err*dJ_P_z_max + P_xy_max*dJ_P_z_err + M_P_load_z_own;
+    const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
+        + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
+    const stewart_real M_P_load_z_own = STEWART_UNIT*(REAL(5)*J_C_xy_max*(P_xx_max + P_yy_max) + REAL(6)*J_C_xz_max*(P_yz_max
+        + alpha_P_x_max) + REAL(4)*J_C_yz_max*(P_xz_max + alpha_P_y_max) + REAL(2)*J_C_zz_max*alpha_P_z_max
+        + REAL(4)*M_ext_z_max + P_xy_max*dJ_C_z_max + STEWART_FABS(M_P_load_z));
+    const stewart_real M_P_load_z_err = J_C_xy_err*(P_xx_max + P_yy_max) + J_C_xy_max*P_xx_err + J_C_xy_max*P_yy_err
+        + J_C_xz_err*(P_yz_max + alpha_P_x_max) + J_C_xz_max*P_yz_err + J_C_xz_max*alpha_P_x_err + J_C_yz_err*(P_xz_max
+        + alpha_P_y_max) + J_C_yz_max*P_xz_err + J_C_yz_max*alpha_P_y_err + J_C_zz_err*alpha_P_z_max + J_C_zz_max*alpha_P_z_err
+        + P_xy_err*dJ_C_z_max + P_xy_max*dJ_C_z_err + M_P_load_z_own;
     const stewart_real M_P_load_z_max = STEWART_FABS(M_P_load_z) + M_P_load_z_err;
-    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y
-        - B_xz*h_base_z;
-    const stewart_real c_force_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*h_base_x_max + REAL(2)*B_xy_max*h_base_y_max
-        + B_xz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_xx_max + REAL(6)*F_ext_y_max*R_xy_max + REAL(5)*F_ext_z_max*R_xz_max
-        + REAL(4)*M_P_max*fall_x_max + STEWART_FABS(c_force_x));
-    const stewart_real c_force_x_err = B_xx_err*h_base_x_max + B_xx_max*h_base_x_err + B_xy_err*h_base_y_max
-        + B_xy_max*h_base_y_err + B_xz_err*h_base_z_max + B_xz_max*h_base_z_err + M_P_err*fall_x_max + M_P_max*fall_x_err
-        + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_x_own;
+    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
+    const stewart_real c_force_x_own = STEWART_UNIT*(REAL(3)*F_ext_x_max*R_xx_max + REAL(3)*F_ext_y_max*R_xy_max
+        + REAL(2)*F_ext_z_max*R_xz_max + STEWART_FABS(c_force_x));
+    const stewart_real c_force_x_err = N_x_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_x_own;
     const stewart_real c_force_x_max = STEWART_FABS(c_force_x) + c_force_x_err;
-    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y
-        - B_yz*h_base_z;
-    const stewart_real c_force_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*h_base_x_max + REAL(2)*B_yy_max*h_base_y_max
-        + B_yz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_yx_max + REAL(6)*F_ext_y_max*R_yy_max + REAL(5)*F_ext_z_max*R_yz_max
-        + REAL(4)*M_P_max*fall_y_max + STEWART_FABS(c_force_y));
-    const stewart_real c_force_y_err = B_yx_err*h_base_x_max + B_yx_max*h_base_x_err + B_yy_err*h_base_y_max
-        + B_yy_max*h_base_y_err + B_yz_err*h_base_z_max + B_yz_max*h_base_z_err + M_P_err*fall_y_max + M_P_max*fall_y_err
-        + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_y_own;
+    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
+    const stewart_real c_force_y_own = STEWART_UNIT*(REAL(3)*F_ext_x_max*R_yx_max + REAL(3)*F_ext_y_max*R_yy_max
+        + REAL(2)*F_ext_z_max*R_yz_max + STEWART_FABS(c_force_y));
+    const stewart_real c_force_y_err = N_y_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_y_own;
     const stewart_real c_force_y_max = STEWART_FABS(c_force_y) + c_force_y_err;
-    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y
-        - B_zz*h_base_z;
-    const stewart_real c_force_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*h_base_x_max + REAL(2)*B_zy_max*h_base_y_max
-        + B_zz_max*h_base_z_max + REAL(6)*F_ext_x_max*R_zx_max + REAL(6)*F_ext_y_max*R_zy_max + REAL(5)*F_ext_z_max*R_zz_max
-        + REAL(4)*M_P_max*fall_z_max + STEWART_FABS(c_force_z));
-    const stewart_real c_force_z_err = B_zx_err*h_base_x_max + B_zx_max*h_base_x_err + B_zy_err*h_base_y_max
-        + B_zy_max*h_base_y_err + B_zz_err*h_base_z_max + B_zz_max*h_base_z_err + M_P_err*fall_z_max + M_P_max*fall_z_err
-        + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_z_own;
+    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
+    const stewart_real c_force_z_own = STEWART_UNIT*(REAL(3)*F_ext_x_max*R_zx_max + REAL(3)*F_ext_y_max*R_zy_max
+        + REAL(2)*F_ext_z_max*R_zz_max + STEWART_FABS(c_force_z));
+    const stewart_real c_force_z_err = N_z_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_z_own;
     const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
-    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x
-        - fall_y*h_base_z;
+    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - C_P*omega_x
+        - N_y*R_C_z;
     const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_x_max + REAL(5)*M_P_load_x_max*R_xx_max
-        + REAL(5)*M_P_load_y_max*R_xy_max + REAL(4)*M_P_load_z_max*R_xz_max + fall_y_max*h_base_z_max + REAL(3)*fall_z_max*h_base_y_max
+        + REAL(5)*M_P_load_y_max*R_xy_max + REAL(4)*M_P_load_z_max*R_xz_max + N_y_max*R_C_z_max + REAL(3)*N_z_max*R_C_y_max
         + STEWART_FABS(c_moment_x));
     const stewart_real c_moment_x_err = C_P_err*omega_x_max + M_P_load_x_err*R_xx_max + M_P_load_y_err*R_xy_max
-        + M_P_load_z_err*R_xz_max + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + fall_y_err*h_base_z_max
-        + fall_y_max*h_base_z_err + fall_z_err*h_base_y_max + fall_z_max*h_base_y_err + c_moment_x_own;
+        + M_P_load_z_err*R_xz_max + N_y_err*R_C_z_max + N_y_max*R_C_z_err + N_z_err*R_C_y_max + N_z_max*R_C_y_err
+        + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + c_moment_x_own;
     const stewart_real c_moment_x_max = STEWART_FABS(c_moment_x) + c_moment_x_err;
-    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y
-        - fall_z*h_base_x;
+    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - C_P*omega_y
+        - N_z*R_C_x;
     const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_y_max + REAL(5)*M_P_load_x_max*R_yx_max
-        + REAL(5)*M_P_load_y_max*R_yy_max + REAL(4)*M_P_load_z_max*R_yz_max + REAL(3)*fall_x_max*h_base_z_max
-        + fall_z_max*h_base_x_max + STEWART_FABS(c_moment_y));
+        + REAL(5)*M_P_load_y_max*R_yy_max + REAL(4)*M_P_load_z_max*R_yz_max + REAL(3)*N_x_max*R_C_z_max + N_z_max*R_C_x_max
+        + STEWART_FABS(c_moment_y));
     const stewart_real c_moment_y_err = C_P_err*omega_y_max + M_P_load_x_err*R_yx_max + M_P_load_y_err*R_yy_max
-        + M_P_load_z_err*R_yz_max + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + fall_x_err*h_base_z_max
-        + fall_x_max*h_base_z_err + fall_z_err*h_base_x_max + fall_z_max*h_base_x_err + c_moment_y_own;
+        + M_P_load_z_err*R_yz_max + N_x_err*R_C_z_max + N_x_max*R_C_z_err + N_z_err*R_C_x_max + N_z_max*R_C_x_err
+        + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + c_moment_y_own;
     const stewart_real c_moment_y_max = STEWART_FABS(c_moment_y) + c_moment_y_err;
-    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z
-        - fall_x*h_base_y;
+    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - C_P*omega_z
+        - N_x*R_C_y;
     const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_z_max + REAL(5)*M_P_load_x_max*R_zx_max
-        + REAL(5)*M_P_load_y_max*R_zy_max + REAL(4)*M_P_load_z_max*R_zz_max + fall_x_max*h_base_y_max + REAL(3)*fall_y_max*h_base_x_max
+        + REAL(5)*M_P_load_y_max*R_zy_max + REAL(4)*M_P_load_z_max*R_zz_max + N_x_max*R_C_y_max + REAL(3)*N_y_max*R_C_x_max
         + STEWART_FABS(c_moment_z));
     const stewart_real c_moment_z_err = C_P_err*omega_z_max + M_P_load_x_err*R_zx_max + M_P_load_y_err*R_zy_max
-        + M_P_load_z_err*R_zz_max + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + fall_x_err*h_base_y_max
-        + fall_x_max*h_base_y_err + fall_y_err*h_base_x_max + fall_y_max*h_base_x_err + c_moment_z_own;
+        + M_P_load_z_err*R_zz_max + N_x_err*R_C_y_max + N_x_max*R_C_y_err + N_y_err*R_C_x_max + N_y_max*R_C_x_err
+        + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + c_moment_z_own;
     const stewart_real c_moment_z_max = STEWART_FABS(c_moment_z) + c_moment_z_err;
     /* (1) platform point 1 from the reference point, base frame */
     const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
@@ -1746,62 +1806,62 @@ static void shared_errors(
                 + STEWART_UNIT*(REAL(2)*R_xx_max*Y_moment_x_max + REAL(2)*R_yx_max*Y_moment_y_max + R_zx_max*Y_moment_z_max
                 + STEWART_FABS(M_P_load_x_bar));
             const stewart_real M_P_load_x_bar_max = STEWART_FABS(M_P_load_x_bar) + M_P_load_x_bar_err;
-            const stewart_real c1 = J_P_xz*M_P_load_y_bar;
-            const stewart_real c1_err = J_P_xz_err*M_P_load_y_bar_max + J_P_xz_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c1);
-            const stewart_real c2 = -J_P_yz*M_P_load_x_bar;
-            const stewart_real c2_err = J_P_yz_err*M_P_load_x_bar_max + J_P_yz_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c2);
+            const stewart_real c1 = J_C_xz*M_P_load_y_bar;
+            const stewart_real c1_err = J_C_xz_err*M_P_load_y_bar_max + J_C_xz_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c1);
+            const stewart_real c2 = -J_C_yz*M_P_load_x_bar;
+            const stewart_real c2_err = J_C_yz_err*M_P_load_x_bar_max + J_C_yz_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c2);
             const stewart_real P_zz_bar = -c1 - c2;
             const stewart_real P_zz_bar_err = c1_err + c2_err + STEWART_UNIT*STEWART_FABS(P_zz_bar);
             const stewart_real P_zz_bar_max = STEWART_FABS(P_zz_bar) + P_zz_bar_err;
-            const stewart_real c3 = J_P_xy*M_P_load_z_bar;
-            const stewart_real c3_err = J_P_xy_err*M_P_load_z_bar_max + J_P_xy_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c3);
+            const stewart_real c3 = J_C_xy*M_P_load_z_bar;
+            const stewart_real c3_err = J_C_xy_err*M_P_load_z_bar_max + J_C_xy_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c3);
             const stewart_real P_yy_bar = c2 + c3;
             const stewart_real P_yy_bar_err = c2_err + c3_err + STEWART_UNIT*STEWART_FABS(P_yy_bar);
             const stewart_real P_yy_bar_max = STEWART_FABS(P_yy_bar) + P_yy_bar_err;
             const stewart_real P_xx_bar = c1 - c3;
             const stewart_real P_xx_bar_err = c1_err + c3_err + STEWART_UNIT*STEWART_FABS(P_xx_bar);
             const stewart_real P_xx_bar_max = STEWART_FABS(P_xx_bar) + P_xx_bar_err;
-            const stewart_real c4 = J_P_xy*M_P_load_y_bar;
-            const stewart_real c4_err = J_P_xy_err*M_P_load_y_bar_max + J_P_xy_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c4);
+            const stewart_real c4 = J_C_xy*M_P_load_y_bar;
+            const stewart_real c4_err = J_C_xy_err*M_P_load_y_bar_max + J_C_xy_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c4);
             const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
-            const stewart_real c5 = J_P_xz*M_P_load_z_bar;
-            const stewart_real c5_err = J_P_xz_err*M_P_load_z_bar_max + J_P_xz_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c5);
+            const stewart_real c5 = J_C_xz*M_P_load_z_bar;
+            const stewart_real c5_err = J_C_xz_err*M_P_load_z_bar_max + J_C_xz_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c5);
             const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
-            const stewart_real P_yz_bar = c5 - M_P_load_x_bar*dJ_P_x - c4;
-            const stewart_real P_yz_bar_err = M_P_load_x_bar_err*dJ_P_x_max + M_P_load_x_bar_max*dJ_P_x_err
-                + c4_err + c5_err + STEWART_UNIT*(REAL(2)*M_P_load_x_bar_max*dJ_P_x_max + c5_max + STEWART_FABS(P_yz_bar));
+            const stewart_real P_yz_bar = c5 - M_P_load_x_bar*dJ_C_x - c4;
+            const stewart_real P_yz_bar_err = M_P_load_x_bar_err*dJ_C_x_max + M_P_load_x_bar_max*dJ_C_x_err
+                + c4_err + c5_err + STEWART_UNIT*(REAL(2)*M_P_load_x_bar_max*dJ_C_x_max + c5_max + STEWART_FABS(P_yz_bar));
             const stewart_real P_yz_bar_max = STEWART_FABS(P_yz_bar) + P_yz_bar_err;
-            const stewart_real c6 = J_P_yz*M_P_load_z_bar;
-            const stewart_real c6_err = J_P_yz_err*M_P_load_z_bar_max + J_P_yz_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c6);
+            const stewart_real c6 = J_C_yz*M_P_load_z_bar;
+            const stewart_real c6_err = J_C_yz_err*M_P_load_z_bar_max + J_C_yz_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c6);
             const stewart_real c6_max = STEWART_FABS(c6) + c6_err;
-            const stewart_real c7 = J_P_xy*M_P_load_x_bar;
-            const stewart_real c7_err = J_P_xy_err*M_P_load_x_bar_max + J_P_xy_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c7);
+            const stewart_real c7 = J_C_xy*M_P_load_x_bar;
+            const stewart_real c7_err = J_C_xy_err*M_P_load_x_bar_max + J_C_xy_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c7);
             const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
-            const stewart_real P_xz_bar = c7 - M_P_load_y_bar*dJ_P_y - c6;
-            const stewart_real P_xz_bar_err = M_P_load_y_bar_err*dJ_P_y_max + M_P_load_y_bar_max*dJ_P_y_err
-                + c6_err + c7_err + STEWART_UNIT*(REAL(2)*M_P_load_y_bar_max*dJ_P_y_max + c7_max + STEWART_FABS(P_xz_bar));
+            const stewart_real P_xz_bar = c7 - M_P_load_y_bar*dJ_C_y - c6;
+            const stewart_real P_xz_bar_err = M_P_load_y_bar_err*dJ_C_y_max + M_P_load_y_bar_max*dJ_C_y_err
+                + c6_err + c7_err + STEWART_UNIT*(REAL(2)*M_P_load_y_bar_max*dJ_C_y_max + c7_max + STEWART_FABS(P_xz_bar));
             const stewart_real P_xz_bar_max = STEWART_FABS(P_xz_bar) + P_xz_bar_err;
-            const stewart_real c8 = J_P_xz*M_P_load_x_bar;
-            const stewart_real c8_err = J_P_xz_err*M_P_load_x_bar_max + J_P_xz_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c8);
+            const stewart_real c8 = J_C_xz*M_P_load_x_bar;
+            const stewart_real c8_err = J_C_xz_err*M_P_load_x_bar_max + J_C_xz_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c8);
             const stewart_real c8_max = STEWART_FABS(c8) + c8_err;
-            const stewart_real c9 = J_P_yz*M_P_load_y_bar;
-            const stewart_real c9_err = J_P_yz_err*M_P_load_y_bar_max + J_P_yz_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c9);
+            const stewart_real c9 = J_C_yz*M_P_load_y_bar;
+            const stewart_real c9_err = J_C_yz_err*M_P_load_y_bar_max + J_C_yz_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c9);
             const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
-            const stewart_real P_xy_bar = c9 - M_P_load_z_bar*dJ_P_z - c8;
-            const stewart_real P_xy_bar_err = M_P_load_z_bar_err*dJ_P_z_max + M_P_load_z_bar_max*dJ_P_z_err
-                + c8_err + c9_err + STEWART_UNIT*(REAL(2)*M_P_load_z_bar_max*dJ_P_z_max + c9_max + STEWART_FABS(P_xy_bar));
+            const stewart_real P_xy_bar = c9 - M_P_load_z_bar*dJ_C_z - c8;
+            const stewart_real P_xy_bar_err = M_P_load_z_bar_err*dJ_C_z_max + M_P_load_z_bar_max*dJ_C_z_err
+                + c8_err + c9_err + STEWART_UNIT*(REAL(2)*M_P_load_z_bar_max*dJ_C_z_max + c9_max + STEWART_FABS(P_xy_bar));
             const stewart_real P_xy_bar_max = STEWART_FABS(P_xy_bar) + P_xy_bar_err;
-            const stewart_real alpha_P_z_bar = -J_P_zz*M_P_load_z_bar - c8 - c9;
-            const stewart_real alpha_P_z_bar_err = J_P_zz_err*M_P_load_z_bar_max + J_P_zz_max*M_P_load_z_bar_err
-                + c8_err + c9_err + STEWART_UNIT*(REAL(2)*J_P_zz_max*M_P_load_z_bar_max + c8_max + STEWART_FABS(alpha_P_z_bar));
+            const stewart_real alpha_P_z_bar = -J_C_zz*M_P_load_z_bar - c8 - c9;
+            const stewart_real alpha_P_z_bar_err = J_C_zz_err*M_P_load_z_bar_max + J_C_zz_max*M_P_load_z_bar_err
+                + c8_err + c9_err + STEWART_UNIT*(REAL(2)*J_C_zz_max*M_P_load_z_bar_max + c8_max + STEWART_FABS(alpha_P_z_bar));
             const stewart_real alpha_P_z_bar_max = STEWART_FABS(alpha_P_z_bar) + alpha_P_z_bar_err;
-            const stewart_real alpha_P_y_bar = -J_P_yy*M_P_load_y_bar - c6 - c7;
-            const stewart_real alpha_P_y_bar_err = J_P_yy_err*M_P_load_y_bar_max + J_P_yy_max*M_P_load_y_bar_err
-                + c6_err + c7_err + STEWART_UNIT*(REAL(2)*J_P_yy_max*M_P_load_y_bar_max + c6_max + STEWART_FABS(alpha_P_y_bar));
+            const stewart_real alpha_P_y_bar = -J_C_yy*M_P_load_y_bar - c6 - c7;
+            const stewart_real alpha_P_y_bar_err = J_C_yy_err*M_P_load_y_bar_max + J_C_yy_max*M_P_load_y_bar_err
+                + c6_err + c7_err + STEWART_UNIT*(REAL(2)*J_C_yy_max*M_P_load_y_bar_max + c6_max + STEWART_FABS(alpha_P_y_bar));
             const stewart_real alpha_P_y_bar_max = STEWART_FABS(alpha_P_y_bar) + alpha_P_y_bar_err;
-            const stewart_real alpha_P_x_bar = -J_P_xx*M_P_load_x_bar - c4 - c5;
-            const stewart_real alpha_P_x_bar_err = J_P_xx_err*M_P_load_x_bar_max + J_P_xx_max*M_P_load_x_bar_err
-                + c4_err + c5_err + STEWART_UNIT*(REAL(2)*J_P_xx_max*M_P_load_x_bar_max + c4_max + STEWART_FABS(alpha_P_x_bar));
+            const stewart_real alpha_P_x_bar = -J_C_xx*M_P_load_x_bar - c4 - c5;
+            const stewart_real alpha_P_x_bar_err = J_C_xx_err*M_P_load_x_bar_max + J_C_xx_max*M_P_load_x_bar_err
+                + c4_err + c5_err + STEWART_UNIT*(REAL(2)*J_C_xx_max*M_P_load_x_bar_max + c4_max + STEWART_FABS(alpha_P_x_bar));
             const stewart_real alpha_P_x_bar_max = STEWART_FABS(alpha_P_x_bar) + alpha_P_x_bar_err;
             const stewart_real omega_P_z_bar = P_xz_bar*omega_P_x + P_yz_bar*omega_P_y + REAL(2)*P_zz_bar*omega_P_z;
             const stewart_real omega_P_z_bar_err = P_xz_bar_err*omega_P_x_max + P_xz_bar_max*omega_P_x_err + P_yz_bar_err*omega_P_y_max
@@ -1821,80 +1881,83 @@ static void shared_errors(
                 + STEWART_UNIT*(REAL(4)*P_xx_bar_max*omega_P_x_max + REAL(2)*P_xy_bar_max*omega_P_y_max + P_xz_bar_max*omega_P_z_max
                 + STEWART_FABS(omega_P_x_bar));
             const stewart_real omega_P_x_bar_max = STEWART_FABS(omega_P_x_bar) + omega_P_x_bar_err;
-            const stewart_real fall_z_bar = M_P*c_force_z_bar + Y_moment_y*h_base_x - Y_moment_x*h_base_y;
-            const stewart_real fall_z_bar_err = M_P_err*c_force_z_bar_max + M_P_max*c_force_z_bar_err + Y_moment_x_max*h_base_y_err
-                + Y_moment_y_max*h_base_x_err + STEWART_UNIT*(REAL(2)*M_P_max*c_force_z_bar_max + Y_moment_x_max*h_base_y_max
-                + REAL(2)*Y_moment_y_max*h_base_x_max + STEWART_FABS(fall_z_bar));
-            const stewart_real fall_z_bar_max = STEWART_FABS(fall_z_bar) + fall_z_bar_err;
-            const stewart_real fall_y_bar = M_P*c_force_y_bar + Y_moment_x*h_base_z - Y_moment_z*h_base_x;
-            const stewart_real fall_y_bar_err = M_P_err*c_force_y_bar_max + M_P_max*c_force_y_bar_err + Y_moment_x_max*h_base_z_err
-                + Y_moment_z_max*h_base_x_err + STEWART_UNIT*(REAL(2)*M_P_max*c_force_y_bar_max + REAL(2)*Y_moment_x_max*h_base_z_max
-                + Y_moment_z_max*h_base_x_max + STEWART_FABS(fall_y_bar));
-            const stewart_real fall_y_bar_max = STEWART_FABS(fall_y_bar) + fall_y_bar_err;
-            const stewart_real fall_x_bar = M_P*c_force_x_bar + Y_moment_z*h_base_y - Y_moment_y*h_base_z;
-            const stewart_real fall_x_bar_err = M_P_err*c_force_x_bar_max + M_P_max*c_force_x_bar_err + Y_moment_y_max*h_base_z_err
-                + Y_moment_z_max*h_base_y_err + STEWART_UNIT*(REAL(2)*M_P_max*c_force_x_bar_max + Y_moment_y_max*h_base_z_max
-                + REAL(2)*Y_moment_z_max*h_base_y_max + STEWART_FABS(fall_x_bar));
-            const stewart_real fall_x_bar_max = STEWART_FABS(fall_x_bar) + fall_x_bar_err;
-            const stewart_real h_base_z_bar = Y_moment_x*fall_y - B_xz*c_force_x_bar - B_yz*c_force_y_bar - B_zz*c_force_z_bar
-                - Y_moment_y*fall_x;
-            const stewart_real h_base_z_bar_err = B_xz_err*c_force_x_bar_max + B_xz_max*c_force_x_bar_err + B_yz_err*c_force_y_bar_max
-                + B_yz_max*c_force_y_bar_err + B_zz_err*c_force_z_bar_max + B_zz_max*c_force_z_bar_err + Y_moment_x_max*fall_y_err
-                + Y_moment_y_max*fall_x_err + STEWART_UNIT*(REAL(4)*B_xz_max*c_force_x_bar_max + REAL(3)*B_yz_max*c_force_y_bar_max
-                + REAL(2)*B_zz_max*c_force_z_bar_max + REAL(4)*Y_moment_x_max*fall_y_max + Y_moment_y_max*fall_x_max
-                + STEWART_FABS(h_base_z_bar));
-            const stewart_real h_base_z_bar_max = STEWART_FABS(h_base_z_bar) + h_base_z_bar_err;
-            const stewart_real h_base_y_bar = Y_moment_z*fall_x - B_xy*c_force_x_bar - B_yy*c_force_y_bar - B_zy*c_force_z_bar
-                - Y_moment_x*fall_z;
-            const stewart_real h_base_y_bar_err = B_xy_err*c_force_x_bar_max + B_xy_max*c_force_x_bar_err + B_yy_err*c_force_y_bar_max
-                + B_yy_max*c_force_y_bar_err + B_zy_err*c_force_z_bar_max + B_zy_max*c_force_z_bar_err + Y_moment_x_max*fall_z_err
-                + Y_moment_z_max*fall_x_err + STEWART_UNIT*(REAL(4)*B_xy_max*c_force_x_bar_max + REAL(3)*B_yy_max*c_force_y_bar_max
-                + REAL(2)*B_zy_max*c_force_z_bar_max + Y_moment_x_max*fall_z_max + REAL(4)*Y_moment_z_max*fall_x_max
-                + STEWART_FABS(h_base_y_bar));
-            const stewart_real h_base_y_bar_max = STEWART_FABS(h_base_y_bar) + h_base_y_bar_err;
-            const stewart_real h_base_x_bar = Y_moment_y*fall_z - B_xx*c_force_x_bar - B_yx*c_force_y_bar - B_zx*c_force_z_bar
-                - Y_moment_z*fall_y;
-            const stewart_real h_base_x_bar_err = B_xx_err*c_force_x_bar_max + B_xx_max*c_force_x_bar_err + B_yx_err*c_force_y_bar_max
-                + B_yx_max*c_force_y_bar_err + B_zx_err*c_force_z_bar_max + B_zx_max*c_force_z_bar_err + Y_moment_y_max*fall_z_err
-                + Y_moment_z_max*fall_y_err + STEWART_UNIT*(REAL(4)*B_xx_max*c_force_x_bar_max + REAL(3)*B_yx_max*c_force_y_bar_max
-                + REAL(2)*B_zx_max*c_force_z_bar_max + REAL(4)*Y_moment_y_max*fall_z_max + Y_moment_z_max*fall_y_max
-                + STEWART_FABS(h_base_x_bar));
-            const stewart_real h_base_x_bar_max = STEWART_FABS(h_base_x_bar) + h_base_x_bar_err;
-            const stewart_real B_zz_bar = B_legs_zz - c_force_z_bar*h_base_z;
-            const stewart_real B_zz_bar_err = B_legs_zz_err + c_force_z_bar_err*h_base_z_max + c_force_z_bar_max*h_base_z_err
-                + STEWART_UNIT*(c_force_z_bar_max*h_base_z_max + STEWART_FABS(B_zz_bar));
+            const stewart_real N_z_bar = R_C_x*Y_moment_y + c_force_z_bar - R_C_y*Y_moment_x;
+            const stewart_real N_z_bar_err = R_C_x_err*Y_moment_y_max + R_C_y_err*Y_moment_x_max + c_force_z_bar_err
+                + STEWART_UNIT*(REAL(2)*R_C_x_max*Y_moment_y_max + R_C_y_max*Y_moment_x_max + c_force_z_bar_max
+                + STEWART_FABS(N_z_bar));
+            const stewart_real N_z_bar_max = STEWART_FABS(N_z_bar) + N_z_bar_err;
+            const stewart_real N_y_bar = R_C_z*Y_moment_x + c_force_y_bar - R_C_x*Y_moment_z;
+            const stewart_real N_y_bar_err = R_C_x_err*Y_moment_z_max + R_C_z_err*Y_moment_x_max + c_force_y_bar_err
+                + STEWART_UNIT*(R_C_x_max*Y_moment_z_max + REAL(2)*R_C_z_max*Y_moment_x_max + c_force_y_bar_max
+                + STEWART_FABS(N_y_bar));
+            const stewart_real N_y_bar_max = STEWART_FABS(N_y_bar) + N_y_bar_err;
+            const stewart_real N_x_bar = R_C_y*Y_moment_z + c_force_x_bar - R_C_z*Y_moment_y;
+            const stewart_real N_x_bar_err = R_C_y_err*Y_moment_z_max + R_C_z_err*Y_moment_y_max + c_force_x_bar_err
+                + STEWART_UNIT*(REAL(2)*R_C_y_max*Y_moment_z_max + R_C_z_max*Y_moment_y_max + c_force_x_bar_max
+                + STEWART_FABS(N_x_bar));
+            const stewart_real N_x_bar_max = STEWART_FABS(N_x_bar) + N_x_bar_err;
+            const stewart_real c10 = M_P*N_x_bar;
+            const stewart_real c10_err = M_P_err*N_x_bar_max + M_P_max*N_x_bar_err + STEWART_UNIT*STEWART_FABS(c10);
+            const stewart_real c10_max = STEWART_FABS(c10) + c10_err;
+            const stewart_real c11 = M_P*N_y_bar;
+            const stewart_real c11_err = M_P_err*N_y_bar_max + M_P_max*N_y_bar_err + STEWART_UNIT*STEWART_FABS(c11);
+            const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
+            const stewart_real c12 = M_P*N_z_bar;
+            const stewart_real c12_err = M_P_err*N_z_bar_max + M_P_max*N_z_bar_err + STEWART_UNIT*STEWART_FABS(c12);
+            const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
+            const stewart_real R_C_z_bar = N_y*Y_moment_x - B_xz*c10 - B_yz*c11 - B_zz*c12 - N_x*Y_moment_y;
+            const stewart_real R_C_z_bar_err = B_xz_err*c10_max + B_xz_max*c10_err + B_yz_err*c11_max + B_yz_max*c11_err
+                + B_zz_err*c12_max + B_zz_max*c12_err + N_x_err*Y_moment_y_max + N_y_err*Y_moment_x_max + STEWART_UNIT*(REAL(4)*B_xz_max*c10_max
+                + REAL(3)*B_yz_max*c11_max + REAL(2)*B_zz_max*c12_max + N_x_max*Y_moment_y_max + REAL(4)*N_y_max*Y_moment_x_max
+                + STEWART_FABS(R_C_z_bar));
+            const stewart_real R_C_z_bar_max = STEWART_FABS(R_C_z_bar) + R_C_z_bar_err;
+            const stewart_real R_C_y_bar = N_x*Y_moment_z - B_xy*c10 - B_yy*c11 - B_zy*c12 - N_z*Y_moment_x;
+            const stewart_real R_C_y_bar_err = B_xy_err*c10_max + B_xy_max*c10_err + B_yy_err*c11_max + B_yy_max*c11_err
+                + B_zy_err*c12_max + B_zy_max*c12_err + N_x_err*Y_moment_z_max + N_z_err*Y_moment_x_max + STEWART_UNIT*(REAL(4)*B_xy_max*c10_max
+                + REAL(3)*B_yy_max*c11_max + REAL(2)*B_zy_max*c12_max + REAL(4)*N_x_max*Y_moment_z_max + N_z_max*Y_moment_x_max
+                + STEWART_FABS(R_C_y_bar));
+            const stewart_real R_C_y_bar_max = STEWART_FABS(R_C_y_bar) + R_C_y_bar_err;
+            const stewart_real R_C_x_bar = N_z*Y_moment_y - B_xx*c10 - B_yx*c11 - B_zx*c12 - N_y*Y_moment_z;
+            const stewart_real R_C_x_bar_err = B_xx_err*c10_max + B_xx_max*c10_err + B_yx_err*c11_max + B_yx_max*c11_err
+                + B_zx_err*c12_max + B_zx_max*c12_err + N_y_err*Y_moment_z_max + N_z_err*Y_moment_y_max + STEWART_UNIT*(REAL(4)*B_xx_max*c10_max
+                + REAL(3)*B_yx_max*c11_max + REAL(2)*B_zx_max*c12_max + N_y_max*Y_moment_z_max + REAL(4)*N_z_max*Y_moment_y_max
+                + STEWART_FABS(R_C_x_bar));
+            const stewart_real R_C_x_bar_max = STEWART_FABS(R_C_x_bar) + R_C_x_bar_err;
+            const stewart_real B_zz_bar = B_legs_zz - R_C_z*c12;
+            const stewart_real B_zz_bar_err = B_legs_zz_err + R_C_z_err*c12_max + R_C_z_max*c12_err + STEWART_UNIT*(R_C_z_max*c12_max
+                + STEWART_FABS(B_zz_bar));
             const stewart_real B_zz_bar_max = STEWART_FABS(B_zz_bar) + B_zz_bar_err;
-            const stewart_real B_zy_bar = B_legs_zy - c_force_z_bar*h_base_y;
-            const stewart_real B_zy_bar_err = B_legs_zy_err + c_force_z_bar_err*h_base_y_max + c_force_z_bar_max*h_base_y_err
-                + STEWART_UNIT*(c_force_z_bar_max*h_base_y_max + STEWART_FABS(B_zy_bar));
+            const stewart_real B_zy_bar = B_legs_zy - R_C_y*c12;
+            const stewart_real B_zy_bar_err = B_legs_zy_err + R_C_y_err*c12_max + R_C_y_max*c12_err + STEWART_UNIT*(R_C_y_max*c12_max
+                + STEWART_FABS(B_zy_bar));
             const stewart_real B_zy_bar_max = STEWART_FABS(B_zy_bar) + B_zy_bar_err;
-            const stewart_real B_zx_bar = B_legs_zx - c_force_z_bar*h_base_x;
-            const stewart_real B_zx_bar_err = B_legs_zx_err + c_force_z_bar_err*h_base_x_max + c_force_z_bar_max*h_base_x_err
-                + STEWART_UNIT*(c_force_z_bar_max*h_base_x_max + STEWART_FABS(B_zx_bar));
+            const stewart_real B_zx_bar = B_legs_zx - R_C_x*c12;
+            const stewart_real B_zx_bar_err = B_legs_zx_err + R_C_x_err*c12_max + R_C_x_max*c12_err + STEWART_UNIT*(R_C_x_max*c12_max
+                + STEWART_FABS(B_zx_bar));
             const stewart_real B_zx_bar_max = STEWART_FABS(B_zx_bar) + B_zx_bar_err;
-            const stewart_real B_yz_bar = B_legs_yz - c_force_y_bar*h_base_z;
-            const stewart_real B_yz_bar_err = B_legs_yz_err + c_force_y_bar_err*h_base_z_max + c_force_y_bar_max*h_base_z_err
-                + STEWART_UNIT*(c_force_y_bar_max*h_base_z_max + STEWART_FABS(B_yz_bar));
+            const stewart_real B_yz_bar = B_legs_yz - R_C_z*c11;
+            const stewart_real B_yz_bar_err = B_legs_yz_err + R_C_z_err*c11_max + R_C_z_max*c11_err + STEWART_UNIT*(R_C_z_max*c11_max
+                + STEWART_FABS(B_yz_bar));
             const stewart_real B_yz_bar_max = STEWART_FABS(B_yz_bar) + B_yz_bar_err;
-            const stewart_real B_yy_bar = B_legs_yy - c_force_y_bar*h_base_y;
-            const stewart_real B_yy_bar_err = B_legs_yy_err + c_force_y_bar_err*h_base_y_max + c_force_y_bar_max*h_base_y_err
-                + STEWART_UNIT*(c_force_y_bar_max*h_base_y_max + STEWART_FABS(B_yy_bar));
+            const stewart_real B_yy_bar = B_legs_yy - R_C_y*c11;
+            const stewart_real B_yy_bar_err = B_legs_yy_err + R_C_y_err*c11_max + R_C_y_max*c11_err + STEWART_UNIT*(R_C_y_max*c11_max
+                + STEWART_FABS(B_yy_bar));
             const stewart_real B_yy_bar_max = STEWART_FABS(B_yy_bar) + B_yy_bar_err;
-            const stewart_real B_yx_bar = B_legs_yx - c_force_y_bar*h_base_x;
-            const stewart_real B_yx_bar_err = B_legs_yx_err + c_force_y_bar_err*h_base_x_max + c_force_y_bar_max*h_base_x_err
-                + STEWART_UNIT*(c_force_y_bar_max*h_base_x_max + STEWART_FABS(B_yx_bar));
+            const stewart_real B_yx_bar = B_legs_yx - R_C_x*c11;
+            const stewart_real B_yx_bar_err = B_legs_yx_err + R_C_x_err*c11_max + R_C_x_max*c11_err + STEWART_UNIT*(R_C_x_max*c11_max
+                + STEWART_FABS(B_yx_bar));
             const stewart_real B_yx_bar_max = STEWART_FABS(B_yx_bar) + B_yx_bar_err;
-            const stewart_real B_xz_bar = B_legs_xz - c_force_x_bar*h_base_z;
-            const stewart_real B_xz_bar_err = B_legs_xz_err + c_force_x_bar_err*h_base_z_max + c_force_x_bar_max*h_base_z_err
-                + STEWART_UNIT*(c_force_x_bar_max*h_base_z_max + STEWART_FABS(B_xz_bar));
+            const stewart_real B_xz_bar = B_legs_xz - R_C_z*c10;
+            const stewart_real B_xz_bar_err = B_legs_xz_err + R_C_z_err*c10_max + R_C_z_max*c10_err + STEWART_UNIT*(R_C_z_max*c10_max
+                + STEWART_FABS(B_xz_bar));
             const stewart_real B_xz_bar_max = STEWART_FABS(B_xz_bar) + B_xz_bar_err;
-            const stewart_real B_xy_bar = B_legs_xy - c_force_x_bar*h_base_y;
-            const stewart_real B_xy_bar_err = B_legs_xy_err + c_force_x_bar_err*h_base_y_max + c_force_x_bar_max*h_base_y_err
-                + STEWART_UNIT*(c_force_x_bar_max*h_base_y_max + STEWART_FABS(B_xy_bar));
+            const stewart_real B_xy_bar = B_legs_xy - R_C_y*c10;
+            const stewart_real B_xy_bar_err = B_legs_xy_err + R_C_y_err*c10_max + R_C_y_max*c10_err + STEWART_UNIT*(R_C_y_max*c10_max
+                + STEWART_FABS(B_xy_bar));
             const stewart_real B_xy_bar_max = STEWART_FABS(B_xy_bar) + B_xy_bar_err;
-            const stewart_real B_xx_bar = B_legs_xx - c_force_x_bar*h_base_x;
-            const stewart_real B_xx_bar_err = B_legs_xx_err + c_force_x_bar_err*h_base_x_max + c_force_x_bar_max*h_base_x_err
-                + STEWART_UNIT*(c_force_x_bar_max*h_base_x_max + STEWART_FABS(B_xx_bar));
+            const stewart_real B_xx_bar = B_legs_xx - R_C_x*c10;
+            const stewart_real B_xx_bar_err = B_legs_xx_err + R_C_x_err*c10_max + R_C_x_max*c10_err + STEWART_UNIT*(R_C_x_max*c10_max
+                + STEWART_FABS(B_xx_bar));
             const stewart_real B_xx_bar_max = STEWART_FABS(B_xx_bar) + B_xx_bar_err;
             const stewart_real omega_zz_bar = -B_xx_bar - B_yy_bar;
             const stewart_real omega_zz_bar_err = B_xx_bar_err + B_yy_bar_err + STEWART_UNIT*STEWART_FABS(omega_zz_bar);
@@ -1914,160 +1977,164 @@ static void shared_errors(
             const stewart_real omega_xx_bar = -B_yy_bar - B_zz_bar;
             const stewart_real omega_xx_bar_err = B_yy_bar_err + B_zz_bar_err + STEWART_UNIT*STEWART_FABS(omega_xx_bar);
             const stewart_real omega_xx_bar_max = STEWART_FABS(omega_xx_bar) + omega_xx_bar_err;
-            const stewart_real R_xx_bar = F_ext_x*c_force_x_bar + R_legs_xx + alpha_P_x_bar*alpha_x + h_P_x*h_base_x_bar
+            const stewart_real R_xx_bar = F_ext_x*c_force_x_bar + R_C_x_bar*r_C_x + R_legs_xx + alpha_P_x_bar*alpha_x
                 + omega_P_x_bar*omega_x + p_1_x*q_1_x_bar - M_P_load_x*Y_moment_x;
             const stewart_real R_xx_bar_err = F_ext_x_max*c_force_x_bar_err + M_P_load_x_err*Y_moment_x_max
-                + R_legs_xx_err + alpha_P_x_bar_err*alpha_x_max + h_P_x_err*h_base_x_bar_max + h_P_x_max*h_base_x_bar_err
+                + R_C_x_bar_err*r_C_x_max + R_C_x_bar_max*r_C_x_err + R_legs_xx_err + alpha_P_x_bar_err*alpha_x_max
                 + omega_P_x_bar_err*omega_x_max + p_1_x_max*q_1_x_bar_err + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_x_bar_max
-                + M_P_load_x_max*Y_moment_x_max + REAL(5)*R_legs_xx_max + REAL(5)*alpha_P_x_bar_max*alpha_x_max
-                + REAL(4)*h_P_x_max*h_base_x_bar_max + REAL(3)*omega_P_x_bar_max*omega_x_max + REAL(2)*p_1_x_max*q_1_x_bar_max
-                + STEWART_FABS(R_xx_bar));
-            const stewart_real R_xy_bar = F_ext_y*c_force_x_bar + R_legs_xy + alpha_P_y_bar*alpha_x + h_P_y*h_base_x_bar
+                + M_P_load_x_max*Y_moment_x_max + REAL(6)*R_C_x_bar_max*r_C_x_max + REAL(4)*R_legs_xx_max + REAL(4)*alpha_P_x_bar_max*alpha_x_max
+                + REAL(3)*omega_P_x_bar_max*omega_x_max + REAL(2)*p_1_x_max*q_1_x_bar_max + STEWART_FABS(R_xx_bar));
+            const stewart_real R_xy_bar = F_ext_y*c_force_x_bar + R_C_x_bar*r_C_y + R_legs_xy + alpha_P_y_bar*alpha_x
                 + omega_P_y_bar*omega_x + p_1_y*q_1_x_bar - M_P_load_y*Y_moment_x;
             const stewart_real R_xy_bar_err = F_ext_y_max*c_force_x_bar_err + M_P_load_y_err*Y_moment_x_max
-                + R_legs_xy_err + alpha_P_y_bar_err*alpha_x_max + h_P_y_err*h_base_x_bar_max + h_P_y_max*h_base_x_bar_err
+                + R_C_x_bar_err*r_C_y_max + R_C_x_bar_max*r_C_y_err + R_legs_xy_err + alpha_P_y_bar_err*alpha_x_max
                 + omega_P_y_bar_err*omega_x_max + p_1_y_max*q_1_x_bar_err + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_x_bar_max
-                + M_P_load_y_max*Y_moment_x_max + REAL(5)*R_legs_xy_max + REAL(5)*alpha_P_y_bar_max*alpha_x_max
-                + REAL(4)*h_P_y_max*h_base_x_bar_max + REAL(3)*omega_P_y_bar_max*omega_x_max + REAL(2)*p_1_y_max*q_1_x_bar_max
-                + STEWART_FABS(R_xy_bar));
-            const stewart_real R_xz_bar = F_ext_z*c_force_x_bar + R_legs_xz + alpha_P_z_bar*alpha_x + h_P_z*h_base_x_bar
+                + M_P_load_y_max*Y_moment_x_max + REAL(6)*R_C_x_bar_max*r_C_y_max + REAL(4)*R_legs_xy_max + REAL(4)*alpha_P_y_bar_max*alpha_x_max
+                + REAL(3)*omega_P_y_bar_max*omega_x_max + REAL(2)*p_1_y_max*q_1_x_bar_max + STEWART_FABS(R_xy_bar));
+            const stewart_real R_xz_bar = F_ext_z*c_force_x_bar + R_C_x_bar*r_C_z + R_legs_xz + alpha_P_z_bar*alpha_x
                 + omega_P_z_bar*omega_x + p_1_z*q_1_x_bar - M_P_load_z*Y_moment_x;
             const stewart_real R_xz_bar_err = F_ext_z_max*c_force_x_bar_err + M_P_load_z_err*Y_moment_x_max
-                + R_legs_xz_err + alpha_P_z_bar_err*alpha_x_max + h_P_z_err*h_base_x_bar_max + h_P_z_max*h_base_x_bar_err
+                + R_C_x_bar_err*r_C_z_max + R_C_x_bar_max*r_C_z_err + R_legs_xz_err + alpha_P_z_bar_err*alpha_x_max
                 + omega_P_z_bar_err*omega_x_max + p_1_z_max*q_1_x_bar_err + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_x_bar_max
-                + M_P_load_z_max*Y_moment_x_max + REAL(5)*R_legs_xz_max + REAL(5)*alpha_P_z_bar_max*alpha_x_max
-                + REAL(4)*h_P_z_max*h_base_x_bar_max + REAL(3)*omega_P_z_bar_max*omega_x_max + REAL(2)*p_1_z_max*q_1_x_bar_max
-                + STEWART_FABS(R_xz_bar));
-            const stewart_real R_yx_bar = F_ext_x*c_force_y_bar + R_legs_yx + alpha_P_x_bar*alpha_y + h_P_x*h_base_y_bar
+                + M_P_load_z_max*Y_moment_x_max + REAL(6)*R_C_x_bar_max*r_C_z_max + REAL(4)*R_legs_xz_max + REAL(4)*alpha_P_z_bar_max*alpha_x_max
+                + REAL(3)*omega_P_z_bar_max*omega_x_max + REAL(2)*p_1_z_max*q_1_x_bar_max + STEWART_FABS(R_xz_bar));
+            const stewart_real R_yx_bar = F_ext_x*c_force_y_bar + R_C_y_bar*r_C_x + R_legs_yx + alpha_P_x_bar*alpha_y
                 + omega_P_x_bar*omega_y + p_1_x*q_1_y_bar - M_P_load_x*Y_moment_y;
             const stewart_real R_yx_bar_err = F_ext_x_max*c_force_y_bar_err + M_P_load_x_err*Y_moment_y_max
-                + R_legs_yx_err + alpha_P_x_bar_err*alpha_y_max + h_P_x_err*h_base_y_bar_max + h_P_x_max*h_base_y_bar_err
+                + R_C_y_bar_err*r_C_x_max + R_C_y_bar_max*r_C_x_err + R_legs_yx_err + alpha_P_x_bar_err*alpha_y_max
                 + omega_P_x_bar_err*omega_y_max + p_1_x_max*q_1_y_bar_err + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_y_bar_max
-                + M_P_load_x_max*Y_moment_y_max + REAL(5)*R_legs_yx_max + REAL(5)*alpha_P_x_bar_max*alpha_y_max
-                + REAL(4)*h_P_x_max*h_base_y_bar_max + REAL(3)*omega_P_x_bar_max*omega_y_max + REAL(2)*p_1_x_max*q_1_y_bar_max
-                + STEWART_FABS(R_yx_bar));
-            const stewart_real R_yy_bar = F_ext_y*c_force_y_bar + R_legs_yy + alpha_P_y_bar*alpha_y + h_P_y*h_base_y_bar
+                + M_P_load_x_max*Y_moment_y_max + REAL(6)*R_C_y_bar_max*r_C_x_max + REAL(4)*R_legs_yx_max + REAL(4)*alpha_P_x_bar_max*alpha_y_max
+                + REAL(3)*omega_P_x_bar_max*omega_y_max + REAL(2)*p_1_x_max*q_1_y_bar_max + STEWART_FABS(R_yx_bar));
+            const stewart_real R_yy_bar = F_ext_y*c_force_y_bar + R_C_y_bar*r_C_y + R_legs_yy + alpha_P_y_bar*alpha_y
                 + omega_P_y_bar*omega_y + p_1_y*q_1_y_bar - M_P_load_y*Y_moment_y;
             const stewart_real R_yy_bar_err = F_ext_y_max*c_force_y_bar_err + M_P_load_y_err*Y_moment_y_max
-                + R_legs_yy_err + alpha_P_y_bar_err*alpha_y_max + h_P_y_err*h_base_y_bar_max + h_P_y_max*h_base_y_bar_err
+                + R_C_y_bar_err*r_C_y_max + R_C_y_bar_max*r_C_y_err + R_legs_yy_err + alpha_P_y_bar_err*alpha_y_max
                 + omega_P_y_bar_err*omega_y_max + p_1_y_max*q_1_y_bar_err + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_y_bar_max
-                + M_P_load_y_max*Y_moment_y_max + REAL(5)*R_legs_yy_max + REAL(5)*alpha_P_y_bar_max*alpha_y_max
-                + REAL(4)*h_P_y_max*h_base_y_bar_max + REAL(3)*omega_P_y_bar_max*omega_y_max + REAL(2)*p_1_y_max*q_1_y_bar_max
-                + STEWART_FABS(R_yy_bar));
-            const stewart_real R_yz_bar = F_ext_z*c_force_y_bar + R_legs_yz + alpha_P_z_bar*alpha_y + h_P_z*h_base_y_bar
+                + M_P_load_y_max*Y_moment_y_max + REAL(6)*R_C_y_bar_max*r_C_y_max + REAL(4)*R_legs_yy_max + REAL(4)*alpha_P_y_bar_max*alpha_y_max
+                + REAL(3)*omega_P_y_bar_max*omega_y_max + REAL(2)*p_1_y_max*q_1_y_bar_max + STEWART_FABS(R_yy_bar));
+            const stewart_real R_yz_bar = F_ext_z*c_force_y_bar + R_C_y_bar*r_C_z + R_legs_yz + alpha_P_z_bar*alpha_y
                 + omega_P_z_bar*omega_y + p_1_z*q_1_y_bar - M_P_load_z*Y_moment_y;
             const stewart_real R_yz_bar_err = F_ext_z_max*c_force_y_bar_err + M_P_load_z_err*Y_moment_y_max
-                + R_legs_yz_err + alpha_P_z_bar_err*alpha_y_max + h_P_z_err*h_base_y_bar_max + h_P_z_max*h_base_y_bar_err
+                + R_C_y_bar_err*r_C_z_max + R_C_y_bar_max*r_C_z_err + R_legs_yz_err + alpha_P_z_bar_err*alpha_y_max
                 + omega_P_z_bar_err*omega_y_max + p_1_z_max*q_1_y_bar_err + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_y_bar_max
-                + M_P_load_z_max*Y_moment_y_max + REAL(5)*R_legs_yz_max + REAL(5)*alpha_P_z_bar_max*alpha_y_max
-                + REAL(4)*h_P_z_max*h_base_y_bar_max + REAL(3)*omega_P_z_bar_max*omega_y_max + REAL(2)*p_1_z_max*q_1_y_bar_max
-                + STEWART_FABS(R_yz_bar));
-            const stewart_real R_zx_bar = F_ext_x*c_force_z_bar + R_legs_zx + alpha_P_x_bar*alpha_z + h_P_x*h_base_z_bar
+                + M_P_load_z_max*Y_moment_y_max + REAL(6)*R_C_y_bar_max*r_C_z_max + REAL(4)*R_legs_yz_max + REAL(4)*alpha_P_z_bar_max*alpha_y_max
+                + REAL(3)*omega_P_z_bar_max*omega_y_max + REAL(2)*p_1_z_max*q_1_y_bar_max + STEWART_FABS(R_yz_bar));
+            const stewart_real R_zx_bar = F_ext_x*c_force_z_bar + R_C_z_bar*r_C_x + R_legs_zx + alpha_P_x_bar*alpha_z
                 + omega_P_x_bar*omega_z + p_1_x*q_1_z_bar - M_P_load_x*Y_moment_z;
             const stewart_real R_zx_bar_err = F_ext_x_max*c_force_z_bar_err + M_P_load_x_err*Y_moment_z_max
-                + R_legs_zx_err + alpha_P_x_bar_err*alpha_z_max + h_P_x_err*h_base_z_bar_max + h_P_x_max*h_base_z_bar_err
+                + R_C_z_bar_err*r_C_x_max + R_C_z_bar_max*r_C_x_err + R_legs_zx_err + alpha_P_x_bar_err*alpha_z_max
                 + omega_P_x_bar_err*omega_z_max + p_1_x_max*q_1_z_bar_err + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_z_bar_max
-                + M_P_load_x_max*Y_moment_z_max + REAL(5)*R_legs_zx_max + REAL(5)*alpha_P_x_bar_max*alpha_z_max
-                + REAL(4)*h_P_x_max*h_base_z_bar_max + REAL(3)*omega_P_x_bar_max*omega_z_max + REAL(2)*p_1_x_max*q_1_z_bar_max
-                + STEWART_FABS(R_zx_bar));
-            const stewart_real R_zy_bar = F_ext_y*c_force_z_bar + R_legs_zy + alpha_P_y_bar*alpha_z + h_P_y*h_base_z_bar
+                + M_P_load_x_max*Y_moment_z_max + REAL(6)*R_C_z_bar_max*r_C_x_max + REAL(4)*R_legs_zx_max + REAL(4)*alpha_P_x_bar_max*alpha_z_max
+                + REAL(3)*omega_P_x_bar_max*omega_z_max + REAL(2)*p_1_x_max*q_1_z_bar_max + STEWART_FABS(R_zx_bar));
+            const stewart_real R_zy_bar = F_ext_y*c_force_z_bar + R_C_z_bar*r_C_y + R_legs_zy + alpha_P_y_bar*alpha_z
                 + omega_P_y_bar*omega_z + p_1_y*q_1_z_bar - M_P_load_y*Y_moment_z;
             const stewart_real R_zy_bar_err = F_ext_y_max*c_force_z_bar_err + M_P_load_y_err*Y_moment_z_max
-                + R_legs_zy_err + alpha_P_y_bar_err*alpha_z_max + h_P_y_err*h_base_z_bar_max + h_P_y_max*h_base_z_bar_err
+                + R_C_z_bar_err*r_C_y_max + R_C_z_bar_max*r_C_y_err + R_legs_zy_err + alpha_P_y_bar_err*alpha_z_max
                 + omega_P_y_bar_err*omega_z_max + p_1_y_max*q_1_z_bar_err + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_z_bar_max
-                + M_P_load_y_max*Y_moment_z_max + REAL(5)*R_legs_zy_max + REAL(5)*alpha_P_y_bar_max*alpha_z_max
-                + REAL(4)*h_P_y_max*h_base_z_bar_max + REAL(3)*omega_P_y_bar_max*omega_z_max + REAL(2)*p_1_y_max*q_1_z_bar_max
-                + STEWART_FABS(R_zy_bar));
-            const stewart_real R_zz_bar = F_ext_z*c_force_z_bar + R_legs_zz + alpha_P_z_bar*alpha_z + h_P_z*h_base_z_bar
+                + M_P_load_y_max*Y_moment_z_max + REAL(6)*R_C_z_bar_max*r_C_y_max + REAL(4)*R_legs_zy_max + REAL(4)*alpha_P_y_bar_max*alpha_z_max
+                + REAL(3)*omega_P_y_bar_max*omega_z_max + REAL(2)*p_1_y_max*q_1_z_bar_max + STEWART_FABS(R_zy_bar));
+            const stewart_real R_zz_bar = F_ext_z*c_force_z_bar + R_C_z_bar*r_C_z + R_legs_zz + alpha_P_z_bar*alpha_z
                 + omega_P_z_bar*omega_z + p_1_z*q_1_z_bar - M_P_load_z*Y_moment_z;
             const stewart_real R_zz_bar_err = F_ext_z_max*c_force_z_bar_err + M_P_load_z_err*Y_moment_z_max
-                + R_legs_zz_err + alpha_P_z_bar_err*alpha_z_max + h_P_z_err*h_base_z_bar_max + h_P_z_max*h_base_z_bar_err
+                + R_C_z_bar_err*r_C_z_max + R_C_z_bar_max*r_C_z_err + R_legs_zz_err + alpha_P_z_bar_err*alpha_z_max
                 + omega_P_z_bar_err*omega_z_max + p_1_z_max*q_1_z_bar_err + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_z_bar_max
-                + M_P_load_z_max*Y_moment_z_max + REAL(5)*R_legs_zz_max + REAL(5)*alpha_P_z_bar_max*alpha_z_max
-                + REAL(4)*h_P_z_max*h_base_z_bar_max + REAL(3)*omega_P_z_bar_max*omega_z_max + REAL(2)*p_1_z_max*q_1_z_bar_max
-                + STEWART_FABS(R_zz_bar));
-            const stewart_real M_P_bar = c_force_x_bar*fall_x + c_force_y_bar*fall_y + c_force_z_bar*fall_z;
-            const stewart_real M_P_bar_err = c_force_x_bar_err*fall_x_max + c_force_x_bar_max*fall_x_err + c_force_y_bar_err*fall_y_max
-                + c_force_y_bar_max*fall_y_err + c_force_z_bar_err*fall_z_max + c_force_z_bar_max*fall_z_err
-                + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*fall_x_max + REAL(2)*c_force_y_bar_max*fall_y_max
-                + c_force_z_bar_max*fall_z_max + STEWART_FABS(M_P_bar));
+                + M_P_load_z_max*Y_moment_z_max + REAL(6)*R_C_z_bar_max*r_C_z_max + REAL(4)*R_legs_zz_max + REAL(4)*alpha_P_z_bar_max*alpha_z_max
+                + REAL(3)*omega_P_z_bar_max*omega_z_max + REAL(2)*p_1_z_max*q_1_z_bar_max + STEWART_FABS(R_zz_bar));
+            const stewart_real M_P_bar = N_x_bar*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x) + N_y_bar*(g_y
+                - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y) + N_z_bar*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z
+                - a_z);
+            const stewart_real M_P_bar_err = B_xx_err*N_x_bar_max*R_C_x_max + B_xy_err*N_x_bar_max*R_C_y_max
+                + B_xz_err*N_x_bar_max*R_C_z_max + B_yx_err*N_y_bar_max*R_C_x_max + B_yy_err*N_y_bar_max*R_C_y_max
+                + B_yz_err*N_y_bar_max*R_C_z_max + B_zx_err*N_z_bar_max*R_C_x_max + B_zy_err*N_z_bar_max*R_C_y_max
+                + B_zz_err*N_z_bar_max*R_C_z_max + N_x_bar_err*(B_xx_max*R_C_x_max + B_xy_max*R_C_y_max + B_xz_max*R_C_z_max
+                + a_x_max + g_x_max) + N_y_bar_err*(B_yx_max*R_C_x_max + B_yy_max*R_C_y_max + B_yz_max*R_C_z_max
+                + a_y_max + g_y_max) + N_z_bar_err*(B_zx_max*R_C_x_max + B_zy_max*R_C_y_max + B_zz_max*R_C_z_max
+                + a_z_max + g_z_max) + R_C_x_err*(B_xx_max*N_x_bar_max + B_yx_max*N_y_bar_max + B_zx_max*N_z_bar_max)
+                + R_C_y_err*(B_xy_max*N_x_bar_max + B_yy_max*N_y_bar_max + B_zy_max*N_z_bar_max) + R_C_z_err*(B_xz_max*N_x_bar_max
+                + B_yz_max*N_y_bar_max + B_zz_max*N_z_bar_max) + STEWART_UNIT*(REAL(2)*N_x_bar_max*(B_xx_max*R_C_x_max
+                + B_xy_max*R_C_y_max + B_xz_max*R_C_z_max + a_x_max + g_x_max) + N_x_bar_max*(REAL(5)*B_xx_max*R_C_x_max
+                + REAL(4)*B_xy_max*R_C_y_max + REAL(3)*B_xz_max*R_C_z_max + a_x_max + REAL(4)*g_x_max) + REAL(2)*N_y_bar_max*(B_yx_max*R_C_x_max
+                + B_yy_max*R_C_y_max + B_yz_max*R_C_z_max + a_y_max + g_y_max) + N_y_bar_max*(REAL(5)*B_yx_max*R_C_x_max
+                + REAL(4)*B_yy_max*R_C_y_max + REAL(3)*B_yz_max*R_C_z_max + a_y_max + REAL(4)*g_y_max) + N_z_bar_max*(B_zx_max*R_C_x_max
+                + B_zy_max*R_C_y_max + B_zz_max*R_C_z_max + a_z_max + g_z_max) + N_z_bar_max*(REAL(5)*B_zx_max*R_C_x_max
+                + REAL(4)*B_zy_max*R_C_y_max + REAL(3)*B_zz_max*R_C_z_max + a_z_max + REAL(4)*g_z_max) + STEWART_FABS(M_P_bar));
             const stewart_real M_P_bar_max = STEWART_FABS(M_P_bar) + M_P_bar_err;
-            const stewart_real h_P_x_bar = R_xx*h_base_x_bar + R_yx*h_base_y_bar + R_zx*h_base_z_bar;
-            const stewart_real h_P_x_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
-                + R_xx_max*h_base_x_bar_err + R_yx_max*h_base_y_bar_err + R_zx_max*h_base_z_bar_err + STEWART_UNIT*(REAL(2)*R_xx_max*h_base_x_bar_max
-                + REAL(2)*R_yx_max*h_base_y_bar_max + R_zx_max*h_base_z_bar_max + STEWART_FABS(h_P_x_bar));
-            const stewart_real h_P_x_bar_max = STEWART_FABS(h_P_x_bar) + h_P_x_bar_err;
-            const stewart_real h_P_y_bar = R_xy*h_base_x_bar + R_yy*h_base_y_bar + R_zy*h_base_z_bar;
-            const stewart_real h_P_y_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
-                + R_xy_max*h_base_x_bar_err + R_yy_max*h_base_y_bar_err + R_zy_max*h_base_z_bar_err + STEWART_UNIT*(REAL(2)*R_xy_max*h_base_x_bar_max
-                + REAL(2)*R_yy_max*h_base_y_bar_max + R_zy_max*h_base_z_bar_max + STEWART_FABS(h_P_y_bar));
-            const stewart_real h_P_y_bar_max = STEWART_FABS(h_P_y_bar) + h_P_y_bar_err;
-            const stewart_real h_P_z_bar = R_xz*h_base_x_bar + R_yz*h_base_y_bar + R_zz*h_base_z_bar;
-            const stewart_real h_P_z_bar_err = R_err*(h_base_x_bar_max + h_base_y_bar_max + h_base_z_bar_max)
-                + R_xz_max*h_base_x_bar_err + R_yz_max*h_base_y_bar_err + R_zz_max*h_base_z_bar_err + STEWART_UNIT*(REAL(2)*R_xz_max*h_base_x_bar_max
-                + REAL(2)*R_yz_max*h_base_y_bar_max + R_zz_max*h_base_z_bar_max + STEWART_FABS(h_P_z_bar));
-            const stewart_real h_P_z_bar_max = STEWART_FABS(h_P_z_bar) + h_P_z_bar_err;
-            const stewart_real J_P_xx_bar = -M_P_load_x_bar*alpha_P_x;
-            const stewart_real J_P_xx_bar_err = M_P_load_x_bar_err*alpha_P_x_max + M_P_load_x_bar_max*alpha_P_x_err
-                + STEWART_UNIT*STEWART_FABS(J_P_xx_bar);
-            const stewart_real J_P_xx_bar_max = STEWART_FABS(J_P_xx_bar) + J_P_xx_bar_err;
-            const stewart_real J_P_xy_bar = M_P_load_x_bar*(P_xz - alpha_P_y) + M_P_load_y_bar*(-P_yz - alpha_P_x)
+            const stewart_real r_C_x_bar = R_C_x_bar*R_xx + R_C_y_bar*R_yx + R_C_z_bar*R_zx;
+            const stewart_real r_C_x_bar_err = R_C_x_bar_err*R_xx_max + R_C_y_bar_err*R_yx_max + R_C_z_bar_err*R_zx_max
+                + R_err*(R_C_x_bar_max + R_C_y_bar_max + R_C_z_bar_max) + STEWART_UNIT*(REAL(2)*R_C_x_bar_max*R_xx_max
+                + REAL(2)*R_C_y_bar_max*R_yx_max + R_C_z_bar_max*R_zx_max + STEWART_FABS(r_C_x_bar));
+            const stewart_real r_C_x_bar_max = STEWART_FABS(r_C_x_bar) + r_C_x_bar_err;
+            const stewart_real r_C_y_bar = R_C_x_bar*R_xy + R_C_y_bar*R_yy + R_C_z_bar*R_zy;
+            const stewart_real r_C_y_bar_err = R_C_x_bar_err*R_xy_max + R_C_y_bar_err*R_yy_max + R_C_z_bar_err*R_zy_max
+                + R_err*(R_C_x_bar_max + R_C_y_bar_max + R_C_z_bar_max) + STEWART_UNIT*(REAL(2)*R_C_x_bar_max*R_xy_max
+                + REAL(2)*R_C_y_bar_max*R_yy_max + R_C_z_bar_max*R_zy_max + STEWART_FABS(r_C_y_bar));
+            const stewart_real r_C_y_bar_max = STEWART_FABS(r_C_y_bar) + r_C_y_bar_err;
+            const stewart_real r_C_z_bar = R_C_x_bar*R_xz + R_C_y_bar*R_yz + R_C_z_bar*R_zz;
+            const stewart_real r_C_z_bar_err = R_C_x_bar_err*R_xz_max + R_C_y_bar_err*R_yz_max + R_C_z_bar_err*R_zz_max
+                + R_err*(R_C_x_bar_max + R_C_y_bar_max + R_C_z_bar_max) + STEWART_UNIT*(REAL(2)*R_C_x_bar_max*R_xz_max
+                + REAL(2)*R_C_y_bar_max*R_yz_max + R_C_z_bar_max*R_zz_max + STEWART_FABS(r_C_z_bar));
+            const stewart_real r_C_z_bar_max = STEWART_FABS(r_C_z_bar) + r_C_z_bar_err;
+            const stewart_real J_C_xx_bar = -M_P_load_x_bar*alpha_P_x;
+            const stewart_real J_C_xx_bar_err = M_P_load_x_bar_err*alpha_P_x_max + M_P_load_x_bar_max*alpha_P_x_err
+                + STEWART_UNIT*STEWART_FABS(J_C_xx_bar);
+            const stewart_real J_C_xx_bar_max = STEWART_FABS(J_C_xx_bar) + J_C_xx_bar_err;
+            const stewart_real J_C_xy_bar = M_P_load_x_bar*(P_xz - alpha_P_y) + M_P_load_y_bar*(-P_yz - alpha_P_x)
                 + M_P_load_z_bar*(P_yy - P_xx);
-            const stewart_real J_P_xy_bar_err = M_P_load_x_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_x_bar_max*P_xz_err
+            const stewart_real J_C_xy_bar_err = M_P_load_x_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_x_bar_max*P_xz_err
                 + M_P_load_x_bar_max*alpha_P_y_err + M_P_load_y_bar_err*(P_yz_max + alpha_P_x_max) + M_P_load_y_bar_max*P_yz_err
                 + M_P_load_y_bar_max*alpha_P_x_err + M_P_load_z_bar_err*(P_xx_max + P_yy_max) + M_P_load_z_bar_max*P_xx_err
                 + M_P_load_z_bar_max*P_yy_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xz_max + alpha_P_y_max)
                 + REAL(3)*M_P_load_y_bar_max*(P_yz_max + alpha_P_x_max) + REAL(2)*M_P_load_z_bar_max*(P_xx_max
-                + P_yy_max) + STEWART_FABS(J_P_xy_bar));
-            const stewart_real J_P_xy_bar_max = STEWART_FABS(J_P_xy_bar) + J_P_xy_bar_err;
-            const stewart_real J_P_xz_bar = M_P_load_x_bar*(-P_xy - alpha_P_z) + M_P_load_y_bar*(P_xx - P_zz)
+                + P_yy_max) + STEWART_FABS(J_C_xy_bar));
+            const stewart_real J_C_xy_bar_max = STEWART_FABS(J_C_xy_bar) + J_C_xy_bar_err;
+            const stewart_real J_C_xz_bar = M_P_load_x_bar*(-P_xy - alpha_P_z) + M_P_load_y_bar*(P_xx - P_zz)
                 + M_P_load_z_bar*(P_yz - alpha_P_x);
-            const stewart_real J_P_xz_bar_err = M_P_load_x_bar_err*(P_xy_max + alpha_P_z_max) + M_P_load_x_bar_max*P_xy_err
+            const stewart_real J_C_xz_bar_err = M_P_load_x_bar_err*(P_xy_max + alpha_P_z_max) + M_P_load_x_bar_max*P_xy_err
                 + M_P_load_x_bar_max*alpha_P_z_err + M_P_load_y_bar_err*(P_xx_max + P_zz_max) + M_P_load_y_bar_max*P_xx_err
                 + M_P_load_y_bar_max*P_zz_err + M_P_load_z_bar_err*(P_yz_max + alpha_P_x_max) + M_P_load_z_bar_max*P_yz_err
                 + M_P_load_z_bar_max*alpha_P_x_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xy_max + alpha_P_z_max)
                 + REAL(3)*M_P_load_y_bar_max*(P_xx_max + P_zz_max) + REAL(2)*M_P_load_z_bar_max*(P_yz_max + alpha_P_x_max)
-                + STEWART_FABS(J_P_xz_bar));
-            const stewart_real J_P_xz_bar_max = STEWART_FABS(J_P_xz_bar) + J_P_xz_bar_err;
-            const stewart_real J_P_yy_bar = -M_P_load_y_bar*alpha_P_y;
-            const stewart_real J_P_yy_bar_err = M_P_load_y_bar_err*alpha_P_y_max + M_P_load_y_bar_max*alpha_P_y_err
-                + STEWART_UNIT*STEWART_FABS(J_P_yy_bar);
-            const stewart_real J_P_yy_bar_max = STEWART_FABS(J_P_yy_bar) + J_P_yy_bar_err;
-            const stewart_real J_P_yz_bar = M_P_load_x_bar*(P_zz - P_yy) + M_P_load_y_bar*(P_xy - alpha_P_z)
+                + STEWART_FABS(J_C_xz_bar));
+            const stewart_real J_C_xz_bar_max = STEWART_FABS(J_C_xz_bar) + J_C_xz_bar_err;
+            const stewart_real J_C_yy_bar = -M_P_load_y_bar*alpha_P_y;
+            const stewart_real J_C_yy_bar_err = M_P_load_y_bar_err*alpha_P_y_max + M_P_load_y_bar_max*alpha_P_y_err
+                + STEWART_UNIT*STEWART_FABS(J_C_yy_bar);
+            const stewart_real J_C_yy_bar_max = STEWART_FABS(J_C_yy_bar) + J_C_yy_bar_err;
+            const stewart_real J_C_yz_bar = M_P_load_x_bar*(P_zz - P_yy) + M_P_load_y_bar*(P_xy - alpha_P_z)
                 + M_P_load_z_bar*(-P_xz - alpha_P_y);
-            const stewart_real J_P_yz_bar_err = M_P_load_x_bar_err*(P_yy_max + P_zz_max) + M_P_load_x_bar_max*P_yy_err
+            const stewart_real J_C_yz_bar_err = M_P_load_x_bar_err*(P_yy_max + P_zz_max) + M_P_load_x_bar_max*P_yy_err
                 + M_P_load_x_bar_max*P_zz_err + M_P_load_y_bar_err*(P_xy_max + alpha_P_z_max) + M_P_load_y_bar_max*P_xy_err
                 + M_P_load_y_bar_max*alpha_P_z_err + M_P_load_z_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_z_bar_max*P_xz_err
                 + M_P_load_z_bar_max*alpha_P_y_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_yy_max + P_zz_max)
                 + REAL(3)*M_P_load_y_bar_max*(P_xy_max + alpha_P_z_max) + REAL(2)*M_P_load_z_bar_max*(P_xz_max
-                + alpha_P_y_max) + STEWART_FABS(J_P_yz_bar));
-            const stewart_real J_P_yz_bar_max = STEWART_FABS(J_P_yz_bar) + J_P_yz_bar_err;
-            const stewart_real J_P_zz_bar = -M_P_load_z_bar*alpha_P_z;
-            const stewart_real J_P_zz_bar_err = M_P_load_z_bar_err*alpha_P_z_max + M_P_load_z_bar_max*alpha_P_z_err
-                + STEWART_UNIT*STEWART_FABS(J_P_zz_bar);
-            const stewart_real J_P_zz_bar_max = STEWART_FABS(J_P_zz_bar) + J_P_zz_bar_err;
-            const stewart_real dJ_P_x_bar = -M_P_load_x_bar*P_yz;
-            const stewart_real dJ_P_x_bar_err = M_P_load_x_bar_err*P_yz_max + M_P_load_x_bar_max*P_yz_err + STEWART_UNIT*STEWART_FABS(dJ_P_x_bar);
-            const stewart_real dJ_P_x_bar_max = STEWART_FABS(dJ_P_x_bar) + dJ_P_x_bar_err;
-            const stewart_real dJ_P_y_bar = -M_P_load_y_bar*P_xz;
-            const stewart_real dJ_P_y_bar_err = M_P_load_y_bar_err*P_xz_max + M_P_load_y_bar_max*P_xz_err + STEWART_UNIT*STEWART_FABS(dJ_P_y_bar);
-            const stewart_real dJ_P_y_bar_max = STEWART_FABS(dJ_P_y_bar) + dJ_P_y_bar_err;
-            const stewart_real dJ_P_z_bar = -M_P_load_z_bar*P_xy;
-            const stewart_real dJ_P_z_bar_err = M_P_load_z_bar_err*P_xy_max + M_P_load_z_bar_max*P_xy_err + STEWART_UNIT*STEWART_FABS(dJ_P_z_bar);
-            const stewart_real dJ_P_z_bar_max = STEWART_FABS(dJ_P_z_bar) + dJ_P_z_bar_err;
+                + alpha_P_y_max) + STEWART_FABS(J_C_yz_bar));
+            const stewart_real J_C_yz_bar_max = STEWART_FABS(J_C_yz_bar) + J_C_yz_bar_err;
+            const stewart_real J_C_zz_bar = -M_P_load_z_bar*alpha_P_z;
+            const stewart_real J_C_zz_bar_err = M_P_load_z_bar_err*alpha_P_z_max + M_P_load_z_bar_max*alpha_P_z_err
+                + STEWART_UNIT*STEWART_FABS(J_C_zz_bar);
+            const stewart_real J_C_zz_bar_max = STEWART_FABS(J_C_zz_bar) + J_C_zz_bar_err;
+            const stewart_real dJ_C_x_bar = -M_P_load_x_bar*P_yz;
+            const stewart_real dJ_C_x_bar_err = M_P_load_x_bar_err*P_yz_max + M_P_load_x_bar_max*P_yz_err + STEWART_UNIT*STEWART_FABS(dJ_C_x_bar);
+            const stewart_real dJ_C_x_bar_max = STEWART_FABS(dJ_C_x_bar) + dJ_C_x_bar_err;
+            const stewart_real dJ_C_y_bar = -M_P_load_y_bar*P_xz;
+            const stewart_real dJ_C_y_bar_err = M_P_load_y_bar_err*P_xz_max + M_P_load_y_bar_max*P_xz_err + STEWART_UNIT*STEWART_FABS(dJ_C_y_bar);
+            const stewart_real dJ_C_y_bar_max = STEWART_FABS(dJ_C_y_bar) + dJ_C_y_bar_err;
+            const stewart_real dJ_C_z_bar = -M_P_load_z_bar*P_xy;
+            const stewart_real dJ_C_z_bar_err = M_P_load_z_bar_err*P_xy_max + M_P_load_z_bar_max*P_xy_err + STEWART_UNIT*STEWART_FABS(dJ_C_z_bar);
+            const stewart_real dJ_C_z_bar_max = STEWART_FABS(dJ_C_z_bar) + dJ_C_z_bar_err;
             const stewart_real C_P_bar = Y_moment_x*omega_x + Y_moment_y*omega_y + Y_moment_z*omega_z;
             const stewart_real C_P_bar_err = STEWART_UNIT*(REAL(2)*Y_moment_x_max*omega_x_max + REAL(2)*Y_moment_y_max*omega_y_max
                 + Y_moment_z_max*omega_z_max + STEWART_FABS(C_P_bar));
             const stewart_real C_P_bar_max = STEWART_FABS(C_P_bar) + C_P_bar_err;
-            error[i] = error[i] + M_P_bar_max*M_P_err + h_P_x_bar_max*h_P_x_err + h_P_y_bar_max*h_P_y_err + h_P_z_bar_max*h_P_z_err
-                + J_P_xx_bar_max*J_P_xx_err + J_P_xy_bar_max*J_P_xy_err + J_P_xz_bar_max*J_P_xz_err + J_P_yy_bar_max*J_P_yy_err
-                + J_P_yz_bar_max*J_P_yz_err + J_P_zz_bar_max*J_P_zz_err + dJ_P_x_bar_max*dJ_P_x_err + dJ_P_y_bar_max*dJ_P_y_err
-                + dJ_P_z_bar_max*dJ_P_z_err + C_P_bar_max*C_P_err + omega_xx_bar_max*omega_xx_own + omega_xy_bar_max*omega_xy_own
+            error[i] = error[i] + M_P_bar_max*M_P_err + r_C_x_bar_max*r_C_x_err + r_C_y_bar_max*r_C_y_err + r_C_z_bar_max*r_C_z_err
+                + J_C_xx_bar_max*J_C_xx_err + J_C_xy_bar_max*J_C_xy_err + J_C_xz_bar_max*J_C_xz_err + J_C_yy_bar_max*J_C_yy_err
+                + J_C_yz_bar_max*J_C_yz_err + J_C_zz_bar_max*J_C_zz_err + dJ_C_x_bar_max*dJ_C_x_err + dJ_C_y_bar_max*dJ_C_y_err
+                + dJ_C_z_bar_max*dJ_C_z_err + C_P_bar_max*C_P_err + omega_xx_bar_max*omega_xx_own + omega_xy_bar_max*omega_xy_own
                 + omega_xz_bar_max*omega_xz_own + omega_yy_bar_max*omega_yy_own + omega_yz_bar_max*omega_yz_own
                 + omega_zz_bar_max*omega_zz_own + B_xx_bar_max*B_xx_own + B_xy_bar_max*B_xy_own + B_xz_bar_max*B_xz_own
                 + B_yx_bar_max*B_yx_own + B_yy_bar_max*B_yy_own + B_yz_bar_max*B_yz_own + B_zx_bar_max*B_zx_own
-                + B_zy_bar_max*B_zy_own + B_zz_bar_max*B_zz_own + h_base_x_bar_max*h_base_x_own + h_base_y_bar_max*h_base_y_own
-                + h_base_z_bar_max*h_base_z_own + fall_x_bar_max*fall_x_own + fall_y_bar_max*fall_y_own + fall_z_bar_max*fall_z_own
+                + B_zy_bar_max*B_zy_own + B_zz_bar_max*B_zz_own + R_C_x_bar_max*R_C_x_own + R_C_y_bar_max*R_C_y_own
+                + R_C_z_bar_max*R_C_z_own + N_x_bar_max*N_x_own + N_y_bar_max*N_y_own + N_z_bar_max*N_z_own
                 + omega_P_x_bar_max*omega_P_x_own + omega_P_y_bar_max*omega_P_y_own + omega_P_z_bar_max*omega_P_z_own
                 + alpha_P_x_bar_max*alpha_P_x_own + alpha_P_y_bar_max*alpha_P_y_own + alpha_P_z_bar_max*alpha_P_z_own
                 + P_xy_bar_max*P_xy_own + P_xz_bar_max*P_xz_own + P_yz_bar_max*P_yz_own + P_xx_bar_max*P_xx_own

@@ -72,8 +72,7 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
 }
 
 typedef struct {
-    stewart_real h_P[3];
-    stewart_real g[3];
+    stewart_real r_C[3];
     stewart_real W_P[3];
 } prepared_platform;
 
@@ -83,18 +82,28 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real M = robot->M;
     const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1], p_1_z = robot->leg[0].p[2];
     const stewart_real M_add = sum->M_add;
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
-    const stewart_real c1 = M + M_add;
-    out->h_P[0] = M*R_0_x + h_add_x;
-    out->h_P[1] = M*R_0_y + h_add_y;
-    out->h_P[2] = M*R_0_z + h_add_z;
-    out->g[0] = g_x;
-    out->g[1] = g_y;
-    out->g[2] = g_z;
-    out->W_P[0] = c1*g_x;
-    out->W_P[1] = c1*g_y;
-    out->W_P[2] = c1*g_z;
+    const stewart_real M_P = M + M_add;
+    /* the platform's own centre of mass from platform point 1 */
+    const stewart_real arm_x = R_0_x - p_1_x;
+    const stewart_real arm_y = R_0_y - p_1_y;
+    const stewart_real arm_z = R_0_z - p_1_z;
+    /* first moment of what rides on it about that centre */
+    const stewart_real e_x = h_add_x - M_add*arm_x;
+    const stewart_real e_y = h_add_y - M_add*arm_y;
+    const stewart_real e_z = h_add_z - M_add*arm_z;
+    const stewart_real c1 = REAL(1)/M_P;
+    const stewart_real r_C_x = R_0_x + c1*e_x;
+    const stewart_real r_C_y = R_0_y + c1*e_y;
+    const stewart_real r_C_z = R_0_z + c1*e_z;
+    out->r_C[0] = r_C_x;
+    out->r_C[1] = r_C_y;
+    out->r_C[2] = r_C_z;
+    out->W_P[0] = M_P*g_x;
+    out->W_P[1] = M_P*g_y;
+    out->W_P[2] = M_P*g_z;
 }
 
 /* Largest coordinate of the arms of moments about platform point 1, m. */
@@ -155,18 +164,15 @@ int stewart_exact_massless_static_prepare(
         }
     }
     prepare_platform(robot, &sum, &platform);
-    made.h_P[0] = platform.h_P[0];
-    made.h_P[1] = platform.h_P[1];
-    made.h_P[2] = platform.h_P[2];
-    made.g[0] = platform.g[0];
-    made.g[1] = platform.g[1];
-    made.g[2] = platform.g[2];
+    made.r_C[0] = platform.r_C[0];
+    made.r_C[1] = platform.r_C[1];
+    made.r_C[2] = platform.r_C[2];
     made.W_P[0] = platform.W_P[0];
     made.W_P[1] = platform.W_P[1];
     made.W_P[2] = platform.W_P[2];
     made.per_length = per_length_of(size_of(&made), REAL(0.125));
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 58; ++i) {
+    for (i = 0; i < 55; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -183,19 +189,22 @@ static void shared_of_pose(
         R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
     const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
-    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
     const stewart_real W_P_x = model->W_P[0], W_P_y = model->W_P[1], W_P_z = model->W_P[2];
-    /* (30) first moment of the platform, base frame */
-    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + W_P_x;
-    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + W_P_y;
-    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + W_P_z;
-    out->c_moment[0] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - g_y*h_base_z;
-    out->c_moment[1] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - g_z*h_base_x;
-    out->c_moment[2] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - g_x*h_base_y;
+    /* (30) centre of mass from the reference point, base frame */
+    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
+    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
+    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    /* (33) M_P (g - a_C) */
+    const stewart_real N_x = W_P_x;
+    const stewart_real N_y = W_P_y;
+    const stewart_real N_z = W_P_z;
+    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
+    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
+    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
+    out->c_moment[0] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + N_z*R_C_y - N_y*R_C_z;
+    out->c_moment[1] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + N_x*R_C_z - N_z*R_C_x;
+    out->c_moment[2] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + N_y*R_C_x - N_x*R_C_y;
 }
 
 /* The legs of one pose side by side: 31 (15 mul, 14 add, 1 div, 1 sqrt) operations each. */
@@ -381,24 +390,27 @@ static void shared_of_block(
 {
     int l;
     (void)out;
-    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
     const stewart_real W_P_x = model->W_P[0], W_P_y = model->W_P[1], W_P_z = model->W_P[2];
     for (l = 0; l < LANES; ++l) {
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
         const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
         const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
-        /* (30) first moment of the platform, base frame */
-        const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-        const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-        const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + W_P_x;
-        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + W_P_y;
-        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + W_P_z;
-        c[3][l] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - g_y*h_base_z;
-        c[4][l] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - g_z*h_base_x;
-        c[5][l] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - g_x*h_base_y;
+        /* (30) centre of mass from the reference point, base frame */
+        const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
+        const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
+        const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+        /* (33) M_P (g - a_C) */
+        const stewart_real N_x = W_P_x;
+        const stewart_real N_y = W_P_y;
+        const stewart_real N_z = W_P_z;
+        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
+        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
+        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
+        c[3][l] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + N_z*R_C_y - N_y*R_C_z;
+        c[4][l] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + N_x*R_C_z - N_z*R_C_x;
+        c[5][l] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + N_y*R_C_x - N_x*R_C_y;
     }
 }
 

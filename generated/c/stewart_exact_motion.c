@@ -8,7 +8,7 @@
 #include "stewart_solve.h"
 
 /* Where elimination leaves less than this of a diagonal number of M, digits are lost that the machine has. */
-#define STEWART_KEPT ((stewart_real)0.03125)
+#define STEWART_KEPT ((stewart_real)0.0625)
 
 /* Below this sine of the angle between a leg and its fixed axis the shorter formulas of C and derivatives
  * lose digits. */

@@ -81,6 +81,7 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     const stewart_real C_u = leg->C_u;
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
+    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1], p_1_z = robot->leg[0].p[2];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     const stewart_real k_size = STEWART_SQRT(k_x*k_x + k_y*k_y + k_z*k_z);
     const stewart_real inv_k_size = REAL(1)/k_size;
@@ -94,11 +95,15 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     const stewart_real c2 = r_u0_x*r_u0_x;
     const stewart_real J_yy = I_d0_yy + I_u0_yy + m_d*(c1 + r_d0_z*r_d0_z) + m_u*(c2 + r_u0_z*r_u0_z);
     const stewart_real J_zz = I_d0_zz + I_u0_zz + m_d*(c1 + r_d0_y*r_d0_y) + m_u*(c2 + r_u0_y*r_u0_y);
-    const stewart_real c3 = m_u*p_x;
-    const stewart_real c4 = m_u*p_y;
-    const stewart_real c5 = p_y*p_y;
-    const stewart_real c6 = p_z*p_z;
-    const stewart_real c7 = p_x*p_x;
+    /* platform point from platform point 1 */
+    const stewart_real arm_x = p_x - p_1_x;
+    const stewart_real arm_y = p_y - p_1_y;
+    const stewart_real arm_z = p_z - p_1_z;
+    const stewart_real c3 = arm_x*m_u;
+    const stewart_real c4 = arm_y*m_u;
+    const stewart_real c5 = arm_y*arm_y;
+    const stewart_real c6 = arm_z*arm_z;
+    const stewart_real c7 = arm_x*arm_x;
     out->b[0] = b_x;
     out->b[1] = b_y;
     out->b[2] = b_z;
@@ -121,21 +126,21 @@ static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prep
     out->M_add = m_u;
     out->h_add[0] = c3;
     out->h_add[1] = c4;
-    out->h_add[2] = m_u*p_z;
+    out->h_add[2] = arm_z*m_u;
     out->J_add[0] = m_u*(c5 + c6);
-    out->J_add[1] = -c3*p_y;
-    out->J_add[2] = -c3*p_z;
+    out->J_add[1] = -arm_y*c3;
+    out->J_add[2] = -arm_z*c3;
     out->J_add[3] = m_u*(c6 + c7);
-    out->J_add[4] = -c4*p_z;
+    out->J_add[4] = -arm_z*c4;
     out->J_add[5] = m_u*(c5 + c7);
     out->C_add = C_s;
 }
 
 typedef struct {
     stewart_real M_P;
-    stewart_real h_P[3];
-    stewart_real J_P[6];
-    stewart_real dJ_P[3];
+    stewart_real r_C[3];
+    stewart_real J_C[6];
+    stewart_real dJ_C[3];
     stewart_real C_P;
     stewart_real g[3];
 } prepared_platform;
@@ -148,35 +153,54 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2], I_p_yy = robot->I_p[3],
         I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1], p_1_z = robot->leg[0].p[2];
     const stewart_real M_add = sum->M_add;
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
     const stewart_real J_add_xx = sum->J_add[0], J_add_xy = sum->J_add[1], J_add_xz = sum->J_add[2],
         J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
     const stewart_real C_add = sum->C_add;
-    const stewart_real c1 = R_0_y*R_0_y;
-    const stewart_real c2 = R_0_z*R_0_z;
-    const stewart_real J_P_xx = I_p_xx + J_add_xx + M*(c1 + c2);
-    const stewart_real c3 = M*R_0_x;
-    const stewart_real J_P_xy = I_p_xy + J_add_xy - R_0_y*c3;
-    const stewart_real J_P_xz = I_p_xz + J_add_xz - R_0_z*c3;
-    const stewart_real c4 = R_0_x*R_0_x;
-    const stewart_real J_P_yy = I_p_yy + J_add_yy + M*(c2 + c4);
-    const stewart_real c5 = M*R_0_y;
-    const stewart_real J_P_yz = I_p_yz + J_add_yz - R_0_z*c5;
-    const stewart_real J_P_zz = I_p_zz + J_add_zz + M*(c1 + c4);
-    out->M_P = M + M_add;
-    out->h_P[0] = c3 + h_add_x;
-    out->h_P[1] = c5 + h_add_y;
-    out->h_P[2] = M*R_0_z + h_add_z;
-    out->J_P[0] = J_P_xx;
-    out->J_P[1] = J_P_xy;
-    out->J_P[2] = J_P_xz;
-    out->J_P[3] = J_P_yy;
-    out->J_P[4] = J_P_yz;
-    out->J_P[5] = J_P_zz;
-    out->dJ_P[0] = J_P_zz - J_P_yy;
-    out->dJ_P[1] = J_P_xx - J_P_zz;
-    out->dJ_P[2] = J_P_yy - J_P_xx;
+    const stewart_real M_P = M + M_add;
+    /* the platform's own centre of mass from platform point 1 */
+    const stewart_real arm_x = R_0_x - p_1_x;
+    const stewart_real arm_y = R_0_y - p_1_y;
+    const stewart_real arm_z = R_0_z - p_1_z;
+    /* first moment of what rides on it about that centre */
+    const stewart_real e_x = h_add_x - M_add*arm_x;
+    const stewart_real e_y = h_add_y - M_add*arm_y;
+    const stewart_real e_z = h_add_z - M_add*arm_z;
+    const stewart_real c1 = REAL(1)/M_P;
+    const stewart_real r_C_x = R_0_x + c1*e_x;
+    const stewart_real r_C_y = R_0_y + c1*e_y;
+    const stewart_real r_C_z = R_0_z + c1*e_z;
+    const stewart_real r_x = c1*h_add_x;
+    const stewart_real r_y = c1*h_add_y;
+    const stewart_real r_z = c1*h_add_z;
+    const stewart_real c2 = STEWART_HALF*M*c1;
+    const stewart_real u_x = c2*(e_x + h_add_x);
+    const stewart_real u_y = c2*(e_y + h_add_y);
+    const stewart_real u_z = c2*(e_z + h_add_z);
+    const stewart_real c3 = REAL(2)*arm_z*u_z + h_add_z*r_z;
+    const stewart_real c4 = REAL(2)*arm_y*u_y + h_add_y*r_y;
+    const stewart_real J_C_xx = I_p_xx + J_add_xx - c3 - c4;
+    const stewart_real J_C_xy = I_p_xy + J_add_xy + arm_x*u_y + arm_y*u_x + h_add_x*r_y;
+    const stewart_real J_C_xz = I_p_xz + J_add_xz + arm_x*u_z + arm_z*u_x + h_add_x*r_z;
+    const stewart_real c5 = REAL(2)*arm_x*u_x + h_add_x*r_x;
+    const stewart_real J_C_yy = I_p_yy + J_add_yy - c3 - c5;
+    const stewart_real J_C_yz = I_p_yz + J_add_yz + arm_y*u_z + arm_z*u_y + h_add_y*r_z;
+    const stewart_real J_C_zz = I_p_zz + J_add_zz - c4 - c5;
+    out->M_P = M_P;
+    out->r_C[0] = r_C_x;
+    out->r_C[1] = r_C_y;
+    out->r_C[2] = r_C_z;
+    out->J_C[0] = J_C_xx;
+    out->J_C[1] = J_C_xy;
+    out->J_C[2] = J_C_xz;
+    out->J_C[3] = J_C_yy;
+    out->J_C[4] = J_C_yz;
+    out->J_C[5] = J_C_zz;
+    out->dJ_C[0] = J_C_zz - J_C_yy;
+    out->dJ_C[1] = J_C_xx - J_C_zz;
+    out->dJ_C[2] = J_C_yy - J_C_xx;
     out->C_P = C_add;
     out->g[0] = g_x;
     out->g[1] = g_y;
@@ -255,18 +279,18 @@ int stewart_exact_slender_friction_prepare(
     }
     prepare_platform(robot, &sum, &platform);
     made.M_P = platform.M_P;
-    made.h_P[0] = platform.h_P[0];
-    made.h_P[1] = platform.h_P[1];
-    made.h_P[2] = platform.h_P[2];
-    made.J_P[0] = platform.J_P[0];
-    made.J_P[1] = platform.J_P[1];
-    made.J_P[2] = platform.J_P[2];
-    made.J_P[3] = platform.J_P[3];
-    made.J_P[4] = platform.J_P[4];
-    made.J_P[5] = platform.J_P[5];
-    made.dJ_P[0] = platform.dJ_P[0];
-    made.dJ_P[1] = platform.dJ_P[1];
-    made.dJ_P[2] = platform.dJ_P[2];
+    made.r_C[0] = platform.r_C[0];
+    made.r_C[1] = platform.r_C[1];
+    made.r_C[2] = platform.r_C[2];
+    made.J_C[0] = platform.J_C[0];
+    made.J_C[1] = platform.J_C[1];
+    made.J_C[2] = platform.J_C[2];
+    made.J_C[3] = platform.J_C[3];
+    made.J_C[4] = platform.J_C[4];
+    made.J_C[5] = platform.J_C[5];
+    made.dJ_C[0] = platform.dJ_C[0];
+    made.dJ_C[1] = platform.dJ_C[1];
+    made.dJ_C[2] = platform.dJ_C[2];
     made.C_P = platform.C_P;
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
@@ -294,10 +318,10 @@ static void shared_of_pose(
     const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
     const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
     const stewart_real M_P = model->M_P;
-    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2], J_P_yy = model->J_P[3],
-        J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
-    const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
+    const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
+    const stewart_real J_C_xx = model->J_C[0], J_C_xy = model->J_C[1], J_C_xz = model->J_C[2], J_C_yy = model->J_C[3],
+        J_C_yz = model->J_C[4], J_C_zz = model->J_C[5];
+    const stewart_real dJ_C_x = model->dJ_C[0], dJ_C_y = model->dJ_C[1], dJ_C_z = model->dJ_C[2];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* products of omega */
@@ -317,14 +341,14 @@ static void shared_of_pose(
     const stewart_real B_zx = omega_xz - alpha_y;
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
-    /* (30) first moment of the platform, base frame */
-    const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-    const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-    const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-    /* (33) g - a */
-    const stewart_real fall_x = g_x - a_x;
-    const stewart_real fall_y = g_y - a_y;
-    const stewart_real fall_z = g_z - a_z;
+    /* (30) centre of mass from the reference point, base frame */
+    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
+    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
+    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    /* (33) M_P (g - a_C) */
+    const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
+    const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
+    const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
     /* angular velocity, platform frame */
     const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
     const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
@@ -340,12 +364,12 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy + alpha_P_z)
-        - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-    const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
-        - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
-    const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_yz*(P_xz
-        + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+    const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy + alpha_P_z)
+        - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
+    const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
+        - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
+    const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
+        + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -355,15 +379,12 @@ static void shared_of_pose(
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y
-        - B_xz*h_base_z;
-    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y
-        - B_yz*h_base_z;
-    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y
-        - B_zz*h_base_z;
-    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x - fall_y*h_base_z;
-    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y - fall_z*h_base_x;
-    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z - fall_x*h_base_y;
+    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
+    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
+    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
+    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - C_P*omega_x - N_y*R_C_z;
+    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - C_P*omega_y - N_z*R_C_x;
+    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - C_P*omega_z - N_x*R_C_y;
 }
 
 /* The legs of one pose side by side: 223 (135 mul, 84 add, 2 div, 2 sqrt) operations each. */
@@ -828,10 +849,10 @@ static void shared_of_block(
 {
     int l;
     const stewart_real M_P = model->M_P;
-    const stewart_real h_P_x = model->h_P[0], h_P_y = model->h_P[1], h_P_z = model->h_P[2];
-    const stewart_real J_P_xx = model->J_P[0], J_P_xy = model->J_P[1], J_P_xz = model->J_P[2], J_P_yy = model->J_P[3],
-        J_P_yz = model->J_P[4], J_P_zz = model->J_P[5];
-    const stewart_real dJ_P_x = model->dJ_P[0], dJ_P_y = model->dJ_P[1], dJ_P_z = model->dJ_P[2];
+    const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
+    const stewart_real J_C_xx = model->J_C[0], J_C_xy = model->J_C[1], J_C_xz = model->J_C[2], J_C_yy = model->J_C[3],
+        J_C_yz = model->J_C[4], J_C_zz = model->J_C[5];
+    const stewart_real dJ_C_x = model->dJ_C[0], dJ_C_y = model->dJ_C[1], dJ_C_z = model->dJ_C[2];
     const stewart_real C_P = model->C_P;
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     for (l = 0; l < LANES; ++l) {
@@ -859,14 +880,14 @@ static void shared_of_block(
         const stewart_real B_zx = omega_xz - alpha_y;
         const stewart_real B_zy = alpha_x + omega_yz;
         const stewart_real B_zz = -omega_xx - omega_yy;
-        /* (30) first moment of the platform, base frame */
-        const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-        const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-        const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-        /* (33) g - a */
-        const stewart_real fall_x = g_x - a_x;
-        const stewart_real fall_y = g_y - a_y;
-        const stewart_real fall_z = g_z - a_z;
+        /* (30) centre of mass from the reference point, base frame */
+        const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
+        const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
+        const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+        /* (33) M_P (g - a_C) */
+        const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
+        const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
+        const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
         /* angular velocity, platform frame */
         const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
         const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
@@ -882,12 +903,12 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = J_P_xy*(P_xz - alpha_P_y) + M_ext_x - J_P_xx*alpha_P_x - J_P_xz*(P_xy
-            + alpha_P_z) - J_P_yz*(P_yy - P_zz) - P_yz*dJ_P_x;
-        const stewart_real M_P_load_y = J_P_yz*(P_xy - alpha_P_z) + M_ext_y - J_P_xy*(P_yz + alpha_P_x) - J_P_xz*(P_zz
-            - P_xx) - J_P_yy*alpha_P_y - P_xz*dJ_P_y;
-        const stewart_real M_P_load_z = J_P_xz*(P_yz - alpha_P_x) + M_ext_z - J_P_xy*(P_xx - P_yy) - J_P_yz*(P_xz
-            + alpha_P_y) - J_P_zz*alpha_P_z - P_xy*dJ_P_z;
+        const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy
+            + alpha_P_z) - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
+        const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
+            - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
+        const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
+            + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
         out->B[2][l] = B_xz;
@@ -897,12 +918,12 @@ static void shared_of_block(
         out->B[6][l] = B_zx;
         out->B[7][l] = B_zy;
         out->B[8][l] = B_zz;
-        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*fall_x - B_xx*h_base_x - B_xy*h_base_y - B_xz*h_base_z;
-        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*fall_y - B_yx*h_base_x - B_yy*h_base_y - B_yz*h_base_z;
-        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*fall_z - B_zx*h_base_x - B_zy*h_base_y - B_zz*h_base_z;
-        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + fall_z*h_base_y - C_P*omega_x - fall_y*h_base_z;
-        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + fall_x*h_base_z - C_P*omega_y - fall_z*h_base_x;
-        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + fall_y*h_base_x - C_P*omega_z - fall_x*h_base_y;
+        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
+        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
+        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
+        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - C_P*omega_x - N_y*R_C_z;
+        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - C_P*omega_y - N_z*R_C_x;
+        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - C_P*omega_z - N_x*R_C_y;
     }
 }
 

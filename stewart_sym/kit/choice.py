@@ -73,7 +73,7 @@ def check(choice: Choice, robot: Robot) -> None:
             raise ValueError(f"functions: {name}: expected exact with universal base joints, got {what}")
     for name in (*_OF_FORCES, "fmu"):
         if getattr(choice, name) and "forces" not in choice.functions:
-            raise ValueError(f"{name}: goes with the function forces, got {', '.join(choice.functions)}")
+            raise ValueError(f"{name}: applies to the function forces, got {', '.join(choice.functions)}")
 
 
 def options(choice: Choice) -> str:

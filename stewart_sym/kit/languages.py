@@ -72,7 +72,7 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
         generator(),
     )
     made = language.files(contents)
-    made["README.md"] = language.readme(contents)
+    made["README.md"] = language.readme(contents, made[language.example])
     made["LICENSE"] = licence.TEXT
     made["robot.toml"] = robot_toml(robot.to_dict(), options(choice))
     return made

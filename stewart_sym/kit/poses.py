@@ -15,6 +15,7 @@ from ..conditioning import characteristic_length, scaled_condition_number
 from ..dynamics import Formulation, inverse_dynamics
 from ..kinematics import clear_of_poles, inverse_kinematics
 from ..motion import Motion
+from ..mounting import platform_side
 from ..results import Forces
 from ..robot import Robot
 
@@ -22,7 +23,7 @@ Array = NDArray[np.float64]
 
 GOOD_CONDITION = 50.0
 MAX_CONDITION = 1000.0
-_DIRECTIONS = ((0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0))
+_DIRECTIONS = np.array([(0, 0, 1), (0, 0, -1), (1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0)])
 # The rotation of the quaternion (20, 1, -2, 1) / sqrt(406), some 14 degrees, is this over that.
 _SLIGHT_TURN, WHOLE = np.array([[396, -44, -78], [36, 402, -44], [82, 36, 396]]), 406
 
@@ -52,11 +53,11 @@ def sample(robot: Robot, formulation: str) -> tuple[Motion, Forces, float]:
     """The motion of the example, its forces and the condition number of H, moments over a length.
 
     The pose is a slight turn away from home, where the middle of the platform points is straight above the
-    middle of the base points, 1.1 times the machine's radius away, and the frames are parallel; everything
-    moves and is loaded. A machine that hangs, stands on a wall or has another frame on its platform gets
-    another axis, distance or quarter turns: the first, in a fixed order, that solves with a good condition
-    number, clear of the legs' universal axes and, if possible, within their length limits. Raises ValueError
-    if there is none.
+    middle of the base points, on the side of ``platform_side``, 1.1 times the machine's radius away, and the
+    frames are parallel; everything moves and is loaded. A machine on a wall or with another frame on its
+    platform gets another axis, distance or quarter turns: the first, in a fixed order, that solves with a
+    good condition number, clear of the legs' universal axes and, if possible, within their length limits.
+    Raises ValueError if there is none.
     """
     # NumPy, as it rounds like the C and is there without a compiler.
     poses, condition, clear, within = _judged(robot, _candidates(robot), formulation)
@@ -132,9 +133,13 @@ def _candidates(robot: Robot) -> Motion:
     """Motions around the base, (n,), the likeliest first, in numbers of few digits."""
     size = size_of(robot)
     distances = [1.1 * size * 1.15**n for n in sorted(range(-8, 11), key=abs)]
-    places = list(itertools.product(_quarter_turns(), _DIRECTIONS, distances))
+    # The side that the platform is on first, the opposite one last.
+    directions = _DIRECTIONS[
+        np.argsort(-np.round(_DIRECTIONS @ platform_side(robot).direction, 6), kind="stable")
+    ]
+    places = list(itertools.product(_quarter_turns(), directions, distances))
     R = np.array([_SLIGHT_TURN / WHOLE @ turn for turn, _, _ in places])
-    off = np.array([distance * np.array(direction) for _, direction, distance in places])
+    off = np.array([distance * direction for _, direction, distance in places])
     return _motion(robot, R, off, np.ones(1), np.ones(1))
 
 

@@ -184,8 +184,7 @@ class Readings:
 
     @cached_property
     def _model(self) -> SimpleNamespace:
-        run = _of_level(EXACT.base_joint, EXACT.name, "general")
-        model: SimpleNamespace = run.run("prepare", self._robot)
+        model: SimpleNamespace = _closed_form(_EQUATIONS).run("prepare", self._robot)
         return model
 
     @cached_property

@@ -69,7 +69,7 @@ def _rounded(kernel: ForceKernel, robot: Numbers) -> Constants:
             {name: RunningArrays(value, 0.0, rounded=True) for name, value in found.platform.items()},
         )
     raw = _raw(robot)
-    given = {name: RunningArrays(value) for name, value in (raw.leg | raw.platform).items()}
+    given = {name: RunningArrays(value) for name, value in (raw.leg | raw.platform | _first(raw)).items()}
     leg = _run(kernel.prepare_leg, given, RunningArrays.sqrt)
     none = RunningArrays(np.zeros((LEGS, 1)))
     added: dict[str, Any] = {}
@@ -122,18 +122,24 @@ def _raw(robot: Numbers) -> Constants:
     return Constants(leg, _components_of(n.PLATFORM, robot))
 
 
+def _first(raw: Constants) -> dict[str, Any]:
+    """Platform point 1, from which what rides on the platform is measured: no constant depends on it."""
+    return {name: raw.leg[own][0, 0] for name, own in zip(n.p_1.names, n.p.names, strict=True)}
+
+
 def _components_of(quantities: tuple[Quantity, ...], values: Numbers) -> dict[str, Any]:
     return {name: values[q.name][key] for q in quantities for name, key in zip(q.names, q.keys, strict=True)}
 
 
 def _prepared(kernel: ForceKernel, raw: Constants, others: Constants | None = None) -> Constants:
     """Prepared constants; others: the numbers of the legs that are not changed when one of them is."""
-    leg = _run(kernel.prepare_leg, raw.leg | raw.platform)
-    rest = leg if others is None else _run(kernel.prepare_leg, others.leg | others.platform)
+    first = _first(others or raw)
+    leg = _run(kernel.prepare_leg, raw.leg | raw.platform | first)
+    rest = leg if others is None else _run(kernel.prepare_leg, others.leg | others.platform | first)
     added = {name: _sum_with(leg[name], rest[name]) for q in ADDED for name in q.names}
     if others is None:
         added = {name: np.sum(np.broadcast_to(leg[name], (LEGS, 1))) for name in added}
-    platform = _run(kernel.prepare_platform, raw.platform | added)
+    platform = _run(kernel.prepare_platform, raw.platform | first | added)
     return Constants({name: np.broadcast_to(value, (LEGS, 1)) for name, value in leg.items()}, platform)
 
 

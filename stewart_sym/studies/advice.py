@@ -160,7 +160,7 @@ def _mark(entry: Entry, found: Advice) -> str:
 
 
 def _limits(budget: Budget) -> str:
-    rate = "" if budget.rate is None else f", {1e9 / budget.rate:.4g} ns a pose at {budget.rate:g} Hz"
+    rate = "" if budget.rate is None else f", {1e9 / budget.rate:.4g} ns per pose at {budget.rate:g} Hz"
     return (
         f"tolerance {budget.tolerance:.3g}, margin {budget.margin:g}: "
         f"good enough up to an error of {budget.tolerance / budget.margin:.2e}{rate}"

@@ -200,7 +200,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     progress("preparing the poses")
     poses = bench_poses(robot, MANY)
     few = poses.resized(FEW)
-    progress("compiling the contestants")
+    progress("compiling the baselines")
     compared = [each for each in COMPARED if not (quick and each in SLOW_TO_COMPILE)]
     missing = absent(*compared)
     pinocchio = None if "pinocchio" in missing else _pinocchio(few)
@@ -372,7 +372,7 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
         robot = paper_machine()
         R, t, omega, v, alpha, a = _near_the_paths(rng, count)
     elif robot.base_joint != "universal":
-        raise ValueError(f"{robot.name}: expected universal base joints, the peers know no others")
+        raise ValueError(f"{robot.name}: expected universal base joints, the baselines have no others")
     else:
         R, t, omega, v, alpha, a = _near_the_middle(rng, count, robot)
     weight = robot.M * 9.81

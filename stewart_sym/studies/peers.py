@@ -132,7 +132,7 @@ def forces_loop() -> dict[str, str]:
 def succeed(status: int) -> None:
     """Raise ValueError for a status other than 0."""
     if status:
-        raise ValueError(f"a contestant failed with status {status}")
+        raise ValueError(f"a baseline failed with status {status}")
 
 
 # --- the reference and CasADi -----------------------------------------------------------------

@@ -29,7 +29,7 @@ DISTANCES = tuple(10.0**-n for n in range(1, 8))
 """From a crossing at which the forces on both sides are computed, s."""
 
 NEAREST = ("least held", "dearest wrench", "idlest forces")
-"""What is called lost motion, lost wrench and idle forces at a singular pose, where a pose is none."""
+"""Labels of unconstrained twist, lost wrench and idle forces where a pose is not singular."""
 
 _EVEN = 401
 _NEAR = 150
@@ -88,8 +88,8 @@ def crossing_warning(robot: Robot, trajectory: Trajectory | PoseLog, path: Path)
     return (
         f"{trajectory.source}: the path crosses a singular pose at {first.time:.9f} s, between rows "
         f"{rows[0]} and {rows[1]}: det H goes from {_sign(first.before)} to {_sign(first.after)}, scaled "
-        f"condition number {float(first.at.condition):.3g}, leg forces grow without bound; lost motion "
-        f"{twist_text(first.at)}{more}"
+        f"condition number {float(first.at.condition):.3g}, leg forces grow without bound; unconstrained "
+        f"twist {twist_text(first.at)}{more}"
     )
 
 
@@ -179,7 +179,7 @@ def curves(found: Examination) -> Columns:
 
 
 def twist_text(at: Singularity) -> str:
-    """The lost motion in words: [v; omega]."""
+    """The unconstrained twist in words: [v; omega]."""
     return f"v = {_triple(at.twist[:3])} m/s, omega = {_triple(at.twist[3:])} rad/s"
 
 
@@ -228,7 +228,7 @@ def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> lis
 
 def _pose_lines(at: Singularity) -> list[str]:
     pitch, axis = float(at.pitch), _triple(at.axis)
-    motion, wrench, idle = ("lost motion", "lost wrench", "idle forces") if at.lost else NEAREST
+    motion, wrench, idle = ("unconstrained", "lost wrench", "idle forces") if at.lost else NEAREST
     screw = f"translation along {axis}"
     if np.isfinite(pitch):
         screw = f"turn about {axis} through {_triple(at.point)} m, pitch {pitch:.6g} m/rad"
@@ -241,7 +241,7 @@ def _pose_lines(at: Singularity) -> list[str]:
         f"  {idle:<14} {_triple(at.forces)} N",
     ]
     if int(at.lost) > 1:
-        lines.append(f"  freedoms lost  {int(at.lost)}; the motion is one of them")
+        lines.append(f"  degrees of freedom lost  {int(at.lost)}; the twist is one of them")
     return lines
 
 

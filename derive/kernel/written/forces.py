@@ -86,10 +86,10 @@ def prepare(robot: "Robot") -> "Model":
     model = Model()
     total = Added()
     for i in range(6):
-        found = prepare_leg(robot, robot.leg[i])
+        found = prepare_leg(robot, robot.leg[0].p, robot.leg[i])
         model.leg[i] = found
         total = add_up(total, found)
-    model.platform = prepare_platform(robot, total)
+    model.platform = prepare_platform(robot, robot.leg[0].p, total)
     extent = 0.0
     for i in range(6):
         for j in range(3):

@@ -45,7 +45,7 @@ def atlas(progress: Callable[[str], None] = lambda _: None) -> Atlas:
     """Walk into every failure; takes about a minute. Raises native.CompilerError without ``__float128``."""
     found: list[Family] = []
     for name, families in PARTS.items():
-        progress(f"walking into {name}")
+        progress(f"approaching {name}")
         found += families()
     progress("looking for the basins of Newton's steps")
     return Atlas(tuple(found), basins())
@@ -54,10 +54,10 @@ def atlas(progress: Callable[[str], None] = lambda _: None) -> Atlas:
 def report(found: Atlas) -> str:
     """Every family's verdicts as text."""
     parts = [
-        "Failure atlas: errors beside 50 digits along families of poses that walk into a failure.\n"
+        "Errors against 50 digits along families of poses that approach a degenerate configuration.\n"
         "worst: largest error in rounding units over the problem's own condition number, with status ok.\n"
-        "digits: left at the worst answer with status ok. refused at: condition number of the first status.\n"
-        f"silent: poses with a wrong answer (above {WRONG:g}) and status ok; * shipped, else a candidate."
+        "digits: left at the worst answer with status ok. rejected at: condition number of first status.\n"
+        f"undetected: poses with a wrong answer (above {WRONG:g}) and status ok; * shipped, else a candidate."
     ]
     for family in found.families:
         rows = [
@@ -73,7 +73,7 @@ def report(found: Atlas) -> str:
             )
             for curve, each in ((curve, verdict(curve, family.distance)) for curve in family.curves)
         ]
-        header = ("method", "worst", "at", "digits", "last answer at", "refused at", "silent", "status")
+        header = ("method", "worst", "at", "digits", "last answer at", "rejected at", "undetected", "status")
         lines = [f"{family.title}\n({family.axis})", aligned(header, rows), *family.notes]
         parts.append("\n".join(lines))
     parts.append(basins_report(found.basins))

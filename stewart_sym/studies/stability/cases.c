@@ -234,7 +234,60 @@ static void scaled(double *values, int count, double factor)
     }
 }
 
-/* A platform smaller by up to 1e5, with its body and the load's arm or without; legs longer by up to 1e4. */
+static double length_of(const double *numbers)
+{
+    double square = 0, largest = 0;
+    int i, j;
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 3; ++j) {
+            largest = fmax(largest, fabs(numbers[LEG * i + P + j]));
+        }
+    }
+    /* Squares of lengths may leave the range. */
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 3; ++j) {
+            square += pow(numbers[LEG * i + P + j] / largest, 2);
+        }
+    }
+    return largest * sqrt(square / 6);
+}
+
+/* The same machine and motion seen from a reference point up to 1e4 platform radii away. */
+static void far_reference(double *numbers, double *motion, double *distance, uint64_t *seed)
+{
+    const double times = pow(10, 4 * uniform(seed)), far = times * length_of(numbers);
+    double d[3], r[3], turn[3], twice[3], moment[3], size;
+    int leg, i;
+    normals(d, 1, seed);
+    size = size_of(d);
+    for (i = 0; i < 3; ++i) {
+        d[i] *= far / size;
+    }
+    for (i = 0; i < 3; ++i) {
+        r[i] = motion[3 * i] * d[0] + motion[3 * i + 1] * d[1] + motion[3 * i + 2] * d[2];
+        numbers[BODY + i] += d[i];
+        for (leg = 0; leg < 6; ++leg) {
+            numbers[LEG * leg + P + i] += d[i];
+        }
+    }
+    cross(motion + OMEGA, r, turn);
+    cross(motion + OMEGA, turn, twice);
+    cross(d, motion + FORCE, moment);
+    for (i = 0; i < 3; ++i) {
+        motion[POSITION + i] -= r[i];
+        motion[VELOCITY + i] -= turn[i];
+        motion[ACCELERATION + i] -= twice[i];
+        motion[MOMENT + i] += moment[i];
+    }
+    cross(motion + ALPHA, r, turn);
+    for (i = 0; i < 3; ++i) {
+        motion[ACCELERATION + i] -= turn[i];
+    }
+    *distance = fmin(*distance, 1 / times);
+}
+
+/* A platform smaller by up to 1e5, with its body and the load's arm or without; legs longer by up to 1e4; one
+ * in four with a reference point far from the platform. */
 static void out_of_proportion(double *numbers, double *motion, double *distance, uint64_t *seed)
 {
     const int which = (int)(next(seed) % 3);
@@ -257,6 +310,9 @@ static void out_of_proportion(double *numbers, double *motion, double *distance,
             numbers[LEG * leg + B + i] -= (longer - 1) * S[i];
         }
         *distance = fmin(*distance, 1 / longer);
+    }
+    if (next(seed) % 4 == 0) {
+        far_reference(numbers, motion, distance, seed);
     }
 }
 
@@ -317,24 +373,6 @@ int make_case(
         calm[i] = (double)(float)calm[i];
     }
     return 1;
-}
-
-static double length_of(const double *numbers)
-{
-    double square = 0, largest = 0;
-    int i, j;
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            largest = fmax(largest, fabs(numbers[LEG * i + P + j]));
-        }
-    }
-    /* Squares of lengths may leave the range. */
-    for (i = 0; i < 6; ++i) {
-        for (j = 0; j < 3; ++j) {
-            square += pow(numbers[LEG * i + P + j] / largest, 2);
-        }
-    }
-    return largest * sqrt(square / 6);
 }
 
 static double units(const double *F, const verdict *truth, double epsilon)

@@ -135,7 +135,7 @@ def sweep(
     in_quad = 0
     for precision, share in (("double", 1), ("float", FLOAT_SHARE)):
         for kind in kinds:
-            progress(f"judging {kind}, {precision}")
+            progress(f"computing {kind}, {precision}")
             wanted = -(-cases // (share * len(kinds)))
             each = min(PER_MACHINE, max(1, wanted // 20))
             rng = np.random.default_rng([seed, KINDS.index(kind)])
@@ -237,16 +237,19 @@ def report(found: Sweep) -> str:
         )
         for count in found.counts
     ]
-    header = ("near failure", "cases", "ok", "worst", "at distance", "wrong", "least refused", "good refused")
+    header = (
+        *("near failure", "cases", "ok", "worst", "at distance", "wrong"),
+        *("least rejected", "good rejected"),
+    )
     head = (
         f"{found.cases} random cases near failure, each put to {len(KERNELS)} kernels, a part of them to "
         f"{len(CLOSED)} more: {found.wrong} wrong "
         f"answers with status ok, {found.refused_good} statuses on good poses.\n"
         f"worst: error in rounding units over the problem's own condition number; wrong: above {WRONG:g}, or "
         "with a singular machine.\n"
-        "least refused: least condition number of a case with a status; good: below "
+        "least rejected: least condition number of a case with a status; good: below "
         + ", ".join(f"{limit:.0e} in {precision}" for precision, limit in GOOD.items())
-        + f".\n{found.in_quad} doubtful cases were judged again in quadruple precision.\n\n"
+        + f".\n{found.in_quad} doubtful cases were computed again in quadruple precision.\n\n"
     )
     lines = [case.text for case in found.shown]
     return head + aligned(header, rows) + ("\n\n" + "\n".join(lines) if lines else "")

@@ -1,0 +1,192 @@
+"""Rows of a log that no motion makes: samples that are off for a few rows, and steps that stay.
+
+Blocks of samples, of several lengths, are fitted by polynomials. Where one offset explains what these leave,
+and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault of the log.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+# Lengths of blocks, samples, and the degrees of their polynomials.
+_BLOCKS = ((8, 3), (16, 5), (32, 5), (64, 5), (128, 5))
+# Rows that are off by the same amount before the numbers are right again.
+_LONGEST = 4
+# An offset explains squares of so many variances of the noise, and so many times what it leaves.
+_SURE, _MOST_LEFT = 100.0, 6.0
+# What jumps of derivatives leave is more than this many times what the offset leaves, and so many variances.
+_BETTER, _BETTER_BY = 4.0, 40.0
+# Second differences of the motion that an offset exceeds.
+_BENDS = 0.5
+# Part of an offset that a polynomial must leave for it to be seen.
+_LEAST_SEEN = 0.02
+# Numbers are read to this share of the largest.
+_DIGITS = 1e-13
+_ROUNDS, _CHUNK = 6, 1 << 14
+
+
+class Fault(NamedTuple):
+    """Samples of one column that are off: rows ``first`` to before ``end`` (None: all later) by ``size``."""
+
+    column: int
+    first: int
+    end: int | None
+    size: float
+
+    @property
+    def rows(self) -> slice:
+        """The samples."""
+        return slice(self.first, self.end)
+
+
+def faults(time: Array, values: Array, sigma: Array) -> list[Fault]:
+    """Return the faults of columns (n, c) with white noise sigma, (c,), 0 for none, in order of time.
+
+    An offset is seen from about nine deviations of the noise divided by the root of the samples that tell it,
+    and, without noise, from about what an acceleration of the motion moves between two samples.
+    """
+    found: list[Fault] = []
+    corrected = values
+    for _ in range(_ROUNDS):
+        more = _separate(_scan(time, corrected, sigma))
+        if not more:
+            break
+        corrected = corrected - offsets(more, values.shape)
+        found += more
+    return sorted(found, key=lambda fault: (fault.first, fault.column))
+
+
+def offsets(found: list[Fault], shape: tuple[int, ...]) -> Array:
+    """By how much the samples of columns are off, of a shape (n, c)."""
+    off = np.zeros(shape)
+    for fault in found:
+        off[fault.rows, fault.column] += fault.size
+    return off
+
+
+class _Seen(NamedTuple):
+    """A fault, by how much it is sure and how long the block is that shows it."""
+
+    sureness: float
+    length: int
+    fault: Fault
+
+
+def _separate(seen: list[_Seen]) -> list[Fault]:
+    """The surest faults of each column that no surer one disturbs."""
+    kept: list[_Seen] = []
+    for each in sorted(seen, key=lambda one: -one.sureness):
+        if all(
+            abs(each.fault.first - other.fault.first) > max(each.length, other.length)
+            for other in kept
+            if other.fault.column == each.fault.column
+        ):
+            kept.append(each)
+    return [each.fault for each in kept]
+
+
+def _scan(time: Array, values: Array, sigma: Array) -> list[_Seen]:
+    found: list[_Seen] = []
+    even = np.ptp(np.diff(time)) <= 1e-6 * np.median(np.diff(time)) if len(time) > 1 else True
+    floor = np.maximum(sigma, _DIGITS * np.abs(values).max(axis=0, initial=0.0))
+    for length, degree in _BLOCKS:
+        for starts in _starts(len(time), length):
+            at = starts[:, None] + np.arange(length)
+            t = time[at[:1] if even else at]
+            t = 2.0 * (t - t[:, :1]) / (t[:, -1:] - t[:, :1]) - 1.0
+            found += _in_blocks(t, values[at], floor, degree, starts, len(time))
+    return found
+
+
+def _starts(count: int, length: int) -> Iterator[NDArray[np.int64]]:
+    """First samples of blocks that overlap by half, and of one that ends with the log."""
+    if count < length:
+        return
+    every = np.unique(np.append(np.arange(0, count - length + 1, length // 2), count - length))
+    per_chunk = max(1, _CHUNK // length)
+    yield from (every[i : i + per_chunk] for i in range(0, len(every), per_chunk))
+
+
+def _in_blocks(
+    t: Array, y: Array, sigma: Array, degree: int, starts: NDArray[np.int64], count: int
+) -> list[_Seen]:
+    """Faults in blocks of samples, (b, l, c), at times from -1 to 1, (b, l) or (1, l)."""
+    blocks, length, columns = y.shape
+    B = np.linalg.qr(np.polynomial.legendre.legvander(t, degree))[0]
+    y = y - y.mean(axis=1, keepdims=True)
+    r = y - B @ (np.swapaxes(B, -1, -2) @ y)
+    squares = np.sum(r**2, axis=1)
+    # A motion that the polynomial follows leaves noise alone: nothing is to be explained.
+    if not np.any(squares > _SURE * sigma**2):
+        return []
+    explained, size, last = _offset_gains(B, r)
+    first, end = starts == 0, starts + length == count
+    place, quarter = np.arange(length), length // 4
+    own = (place >= quarter) | first[:, None]
+    own &= (place < length - quarter) | end[:, None]
+    explained = np.where(own[:, None, :, None], explained, 0.0).reshape(blocks, -1, columns)
+    best = np.argmax(explained, axis=1)
+    gain = np.take_along_axis(explained, best[:, None], axis=1)[:, 0]
+    left = np.maximum(squares - gain, 0.0)
+    dof = length - degree - 2
+    excess = np.maximum(left - (dof + 4.0 * np.sqrt(2.0 * dof)) * sigma**2, 0.0)
+    variance = np.maximum(sigma**2, left / dof)
+    sure = gain > _SURE * variance + _MOST_LEFT * excess
+    if not sure.any():
+        return []
+    other = squares - _jump_gains(t, B, r)
+    sure &= other > _BETTER * excess + left + _BETTER_BY * variance
+    found = []
+    for block, column in np.argwhere(sure):
+        kind, at = divmod(int(best[block, column]), length)
+        run = last[kind]
+        row = int(starts[block]) + at
+        amount = float(size[block, kind, at, column])
+        plain = y[block, :, column].copy()
+        plain[at : at + run if run else None] -= amount
+        bend = float(np.abs(np.diff(plain, n=2)).max())
+        if abs(amount) < _BENDS * (bend - 10.0 * sigma[column]):
+            continue
+        weight = float(gain[block, column] / variance[block, column])
+        found.append(_Seen(weight, length, Fault(int(column), row, row + run if run else None, amount)))
+    return found
+
+
+def _offset_gains(B: Array, r: Array) -> tuple[Array, Array, tuple[int, ...]]:
+    """Squares that offsets explain and their sizes, (b, kinds, l, c); rows of each kind, 0 for all later."""
+    length = r.shape[1]
+    sums = np.concatenate([np.cumsum(r[:, ::-1], axis=1)[:, ::-1], np.zeros_like(r[:, :1])], axis=1)
+    bases = np.concatenate([np.cumsum(B[:, ::-1], axis=1)[:, ::-1], np.zeros_like(B[:, :1])], axis=1)
+    lasts = (0, *range(1, _LONGEST + 1))
+    gains, sizes = np.zeros((2, r.shape[0], len(lasts), *r.shape[1:]))
+    for kind, last in enumerate(lasts):
+        end = np.full(length, length) if last == 0 else np.arange(length) + last
+        at = np.flatnonzero(end <= length) if last else np.arange(1, length)
+        end = end[at]
+        product = sums[:, at] - sums[:, end]
+        norm = (end - at) - np.sum((bases[:, at] - bases[:, end]) ** 2, axis=-1)
+        seen = norm > _LEAST_SEEN * np.minimum(end - at, at + length - end)
+        scale = np.where(seen, norm, 1.0)[..., None]
+        gains[:, kind, at] = np.where(seen[..., None], product**2 / scale, 0.0)
+        sizes[:, kind, at] = product / scale
+    return gains, sizes, lasts
+
+
+def _jump_gains(t: Array, B: Array, r: Array) -> Array:
+    """Squares that the best jump of velocity, acceleration or jerk at any sample explains, (b, c)."""
+    best = np.zeros((r.shape[0], r.shape[2]))
+    apart = np.maximum(t[:, :, None] - t[:, None, :], 0.0)  # (b, sample, jump)
+    for power in (1, 2, 3):
+        h = apart**power
+        product = np.swapaxes(h, -1, -2) @ r
+        norm = np.sum(h**2, axis=1) - np.sum((np.swapaxes(B, -1, -2) @ h) ** 2, axis=1)
+        seen = norm > 1e-9 * np.maximum(np.sum(h**2, axis=1), 1e-300)
+        gain = np.where(seen[..., None], product**2 / np.where(seen, norm, 1.0)[..., None], 0.0)
+        best = np.maximum(best, gain.max(axis=1))
+    return best
