@@ -25,8 +25,7 @@ def source(kernel: ForceKernel, version: str) -> str:
     name = kernel.formulation.kernel_name
     top = filled("bounds_top.c", name=name, version=version, header=LANES) + filled("bounds_macros.c")
     made = BoundedForces(kernel)
-    parts = [top, *made.parts(), filled("bounds.c", name=name)]
-    return C(made.texts.functions.values(), SIZES).source(*parts)
+    return C(made.texts.functions.values(), SIZES).source(top, *made.parts())
 
 
 def model_numbers(kernel: ForceKernel) -> int:

@@ -9,30 +9,20 @@ from .. import notation as n
 from ..block import Block, Quantity
 from ..formulation import UNIVERSAL
 from ..kernel import prepare as p
+from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
 from ..kernel.layouts import Place, Written, described, loads, member, names_used, stores
 from ..kernel.lower import steps_of
 from ..kernel.nodes import (
     Argument,
     Array,
-    Call,
-    Count,
-    Do,
-    Expression,
     Field,
-    From,
     Function,
-    Integer,
-    Name,
     Number,
-    Pointer,
     Real,
     Record,
     Statement,
     Structure,
-    Type,
-    at,
-    of,
 )
 from ..kernel.read import Given
 from ..kernel.shared import ABOUT_REFERENCE, shared
@@ -42,8 +32,6 @@ from ..operations import KernelOperations
 from ..print.c import C
 from ..print.template import filled
 from .shared import OUTPUTS, top
-
-_NUMBERS = Pointer(Real())
 
 
 def header(
@@ -115,22 +103,6 @@ def source(kernel: Kernel, version: str) -> str:
     return C(made.texts.functions.values()).source(top(made.name, version, OUTPUTS), *made.parts)
 
 
-def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
-    """A function of the template ``outputs.h``; ``to`` is changed."""
-    given = (Argument(each, kind, each == "to") for each, kind in arguments.items())
-    return Function(name, "", tuple(given), result, ())
-
-
-_MOTIONS = Record("stewart_motions")
-_FIXED = (
-    _signature("is_finite", Integer(), values=_NUMBERS, count=Integer()),
-    _signature("pose_at", _MOTIONS, motions=_MOTIONS, pose=Count()),
-    _signature("motion_as_arrays", _MOTIONS, motion=Record("stewart_motion")),
-    _signature("motions_given", Integer(), motions=_MOTIONS),
-    _signature("copy", None, to=_NUMBERS, pose=Count(), source=_NUMBERS, count=Count()),
-)
-
-
 class _Source:
     """The functions of one kernel; ``parts`` in their order, with structures and fixed texts."""
 
@@ -147,7 +119,7 @@ class _Source:
             "Robot": p.ROBOT,
             "Leg": p.LEG,
             "Motion": p.MOTION,
-            "Motions": Structure("stewart_motions", "", tuple(Field(q.name, _NUMBERS) for q in n.MOTION)),
+            "Motions": MOTIONS,
             "Forces": _results("forces"),
             "ForcesArrays": _pointers("forces"),
             "Reactions": _results("reactions"),
@@ -161,7 +133,7 @@ class _Source:
             "COUNT": sum(each.count for each in STRUCTS["reactions"]),
             "SMALLEST": Number(p.ABOUT_REFERENCE[0]),
         }
-        self.texts = Written(structures, flags, shared().by_name | {each.name: each for each in _FIXED})
+        self.texts = Written(structures, flags, shared().by_name)
         self.parts = list(self._parts())
         self.functions = [each for each in self.parts if isinstance(each, Function)]
 
@@ -177,13 +149,14 @@ class _Source:
         single: tuple[Callable[..., object], ...] = (written.inverse_dynamics, written.joint_reactions)
         for one in single:
             yield read(one, f"{self.name}_{one.__name__}", public=True)
-        batches: dict[str, Callable[..., object]] = {
-            "forces": written.inverse_dynamics_batch,
-            "reactions": written.joint_reactions_batch,
+        batches: dict[str, tuple[Callable[..., object], Callable[..., object]]] = {
+            "forces": (written.inverse_dynamics_batch, written.one_forces),
+            "reactions": (written.joint_reactions_batch, written.one_reactions),
         }
-        for results, batch in batches.items():
-            given: dict[str, Given] = {"COPIED": _copied(results)}
-            yield read(batch, f"{self.name}_{batch.__name__}", public=True, given=given)
+        needed = [q for q in n.MOTION if q not in LOADS]
+        for results, (many, one) in batches.items():
+            given = missing(("robot", "motions", results), needed) | batch(one, _copied(results))
+            yield read(many, f"{self.name}_{many.__name__}", public=True, given=given)
 
 
 def block_text(block: Block, result: str) -> str:
@@ -202,18 +175,15 @@ def _results(name: str) -> Structure:
 
 
 def _pointers(name: str) -> Structure:
-    members = (Field(each.name, _NUMBERS) for each in STRUCTS[name])
+    members = (Field(each.name, NUMBERS) for each in STRUCTS[name])
     return Structure(f"stewart_{name}_arrays", "", tuple(members))
 
 
 def _copied(name: str) -> tuple[Statement, ...]:
     """Results of one pose to where the caller wants them."""
-    found = []
-    for each in STRUCTS[name]:
-        values: Expression = of("result", each.name)
-        values = From(at(values, 0), Number(0)) if len(each.stored) > 1 else values
-        found.append(Do(Call("copy", (of(name, each.name), Name("pose"), values, Number(each.count)))))
-    return tuple(found)
+    counts = {each.name: each.count for each in STRUCTS[name]}
+    rows = [each.name for each in STRUCTS[name] if len(each.stored) > 1]
+    return copies(name, counts, rows)
 
 
 def _block_function(block: Block, made: Structure) -> Function:

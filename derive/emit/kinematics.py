@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 from ..block import Block
 from ..kernel.constants import SEARCH
-from ..kernel.kinematics import legs_program, rotation_program, search_operations, search_program
+from ..kernel.kinematics import legs_batch, rotation_program, search_operations, search_program
 from ..kernel.nodes import Program
 from ..kernel.settle import of_one_pose
 from ..kinematics import Kinematics
@@ -20,7 +20,7 @@ STEPS = {"double": (3, 4, 6), "float": (2, 3, 5)}
 """Steps from near, middling and far guesses, as the header says; the tests hold the kernel to them."""
 
 _OF_STEWART_H = {"Leg": "stewart_leg", "Robot": "stewart_robot", "Motion": "stewart_motion"}
-_OF_ARRAYS = _OF_STEWART_H | {"Motion": "stewart_motions"}
+_OF_ARRAYS = _OF_STEWART_H | {"Motion": "stewart_motions", "LegsArrays": "stewart_legs_arrays"}
 _OF_POSES = _OF_STEWART_H | {"Pose": "stewart_pose"}
 
 
@@ -41,7 +41,7 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
 def legs_files(blocks: Kinematics, version: str) -> dict[str, str]:
     """``stewart_legs``: the legs of many poses."""
     operations = f" * Operations, six legs: {6 * blocks.second.operations()}."
-    return _files("legs", legs_program(blocks), _OF_ARRAYS, version, operations=operations)
+    return _files("legs", legs_batch(blocks), _OF_ARRAYS, version, False, operations=operations)
 
 
 def rotation_files(blocks: Iterable[Block], version: str) -> dict[str, str]:
@@ -54,15 +54,21 @@ def _listed(numbers: tuple[int, int, int]) -> str:
 
 
 def _files(
-    name: str, program: Program, records: dict[str, str], version: str, **said: object
+    name: str,
+    program: Program,
+    records: dict[str, str],
+    version: str,
+    brackets: bool = True,
+    **said: object,
 ) -> dict[str, str]:
     """Header and source by name; records: structures that a header has, by their names in the tree."""
     file = f"stewart_{name}"
     snake = {
         each.name: re.sub(r"(?<=[a-z])([A-Z])", r"_\1", each.name).lower() for each in program.structures
     }
-    printer = C(program.functions, None, True, snake | records, program.structures)
+    printer = C(program.functions, None, brackets, snake | records, program.structures)
     own = (each for each in program.structures if each.name not in records)
     before = top(file, version, ARITHMETIC)
-    source = printer.source(before, *own, *program.functions, filled(f"{name}.c"))
+    after = [] if program.functions[-1].public else [filled(f"{name}.c")]
+    source = printer.source(before, *own, *program.functions, *after)
     return {f"{file}.h": filled(f"{name}.h", version=version, **said), f"{file}.c": source}

@@ -6,13 +6,13 @@ portable C where they don't.
 """
 
 from collections.abc import Iterable
-from functools import reduce
 
 import sympy as sp
 
 from .. import notation as n
 from ..block import Block, Quantity
 from ..kernel import prepare as p
+from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_one, missing
 from ..kernel.constants import SMALLEST
 from ..kernel.layouts import (
     LANE,
@@ -44,7 +44,6 @@ from ..kernel.nodes import (
     Constant,
     Count,
     Do,
-    Either,
     Expression,
     Field,
     Function,
@@ -52,7 +51,6 @@ from ..kernel.nodes import (
     Let,
     Name,
     Number,
-    Pointer,
     Real,
     Select,
     Statement,
@@ -63,6 +61,7 @@ from ..kernel.nodes import (
 )
 from ..kernel.read import LANES, Given
 from ..kernel.shared import shared
+from ..kernel.written import batch
 from ..kernel.written import lanes as written
 from ..operations import force_operations
 from ..prepared import ADDED, arm_c, q_1
@@ -76,8 +75,6 @@ from .shared import SIZES, top
 RIGHT_SIDE = (n.c_force, n.c_moment)
 CHECKED = (n.q, n.L, n.k3)
 """Outputs of a leg by which it is checked; they are not stored as they are."""
-LOADS = (n.F_ext, n.M_ext)
-_NUMBERS = Pointer(Real())
 _WITHOUT_D = "#define STEWART_FORCE(D, x) (-(x))\n"
 
 
@@ -192,7 +189,7 @@ class _Source:
         )
         return {
             "Model": model,
-            "Motions": Structure("stewart_motions", "", tuple(Field(q.name, _NUMBERS) for q in n.MOTION)),
+            "Motions": MOTIONS,
             "MotionLanes": Structure(
                 "motion_lanes",
                 "Motions of eight poses, component by component.",
@@ -268,11 +265,15 @@ class _Source:
     def _prepared(self) -> dict[str, Given]:
         of_leg, of_platform = self.kernel.leg_constants(), self.kernel.platform_constants()
         found, platform = p.numbers("found", of_leg), p.numbers("platform", of_platform)
-        return p.sums(ADDED) | {
-            "COPIED": p.copied(p.numbers("made", of_leg, Name("i")), found),
-            "COPIED_PLATFORM": p.copied(p.numbers("made", of_platform), platform),
-            "COUNT": model_numbers(self.kernel),
-        }
+        return (
+            p.sums(ADDED)
+            | p.HANDED_OVER
+            | {
+                "COPIED": p.copied(p.numbers("made", of_leg, Name("i")), found),
+                "COPIED_PLATFORM": p.copied(p.numbers("made", of_platform), platform),
+                "COUNT": model_numbers(self.kernel),
+            }
+        )
 
     def _table(self) -> Table:
         """The constants of a baked kernel; the last two lanes repeat leg 6."""
@@ -281,15 +282,10 @@ class _Source:
         row = tuple(value for values in columns for value in (*values, values[-1], values[-1]))
         return Table("numbers", self.structures["Model"], (row,))
 
-    def _public(self, *pointers: str | Expression) -> dict[str, Given]:
+    def _public(self, *needed: str, quantities: Iterable[Quantity] = ()) -> dict[str, Given]:
         """What the interface's functions reject, and that baked ones have no model."""
-        missing = [*([] if self.baked else ["model"]), *pointers]
-        tests = (
-            Compare("==", Name(each) if isinstance(each, str) else each, Constant("NULL")) for each in missing
-        )
-        absent: Expression = reduce(Either, list[Expression](tests))
-        given: dict[str, Given] = {"MISSING": absent}
-        return given | ({"model": False} if self.baked else {})
+        pointers = needed if self.baked else ("model", *needed)
+        return missing(pointers, tuple(quantities)) | self._without()
 
     def _place(self, motion: str, *lane: Expression, leg: Expression | None = None) -> Layout:
         """Where blocks find what they read.
@@ -438,8 +434,9 @@ class _Source:
         kernel, read = self.kernel, self.texts.function
         about_tip, has_d = kernel.about_tip, n.D in self.given
         given = kernel.used_motion()
-        needed = [of("motions", q.name) for q in given if q not in LOADS]
+        needed = [q for q in given if q not in LOADS]
         first = Compare("==", Name("i"), Number(0))
+        one: dict[str, Given] = {"load_pose": batch.load_pose, **loaded_one(given[1:], LOADS)}
         of_block: dict[str, Given] = {
             "OWN": Select(first, Name("first"), Name("other")) if about_tip else False,
             "C": False if about_tip else at(of("out", "column"), 6),
@@ -448,12 +445,12 @@ class _Source:
         }
         yield read(written.load_block, given={"LOADS": tuple(map(_transposed, given))})
         yield read(written.forces_of_block, given=of_block)
-        yield read(written.forces_of, given=self._without() | {"ONE": tuple(map(_copied, given[1:]))})
+        yield read(written.forces_of, given=one | self._without())
         yield read(
             written.forces_batch,
             f"{name}_forces_batch",
             public=True,
-            given=self._public("motions", "F", *needed),
+            given=self._public("motions", "F", quantities=needed) | BATCH,
         )
 
     def _without(self) -> dict[str, Given]:
@@ -481,12 +478,3 @@ def _transposed(q: Quantity) -> Statement:
     if q not in LOADS:
         return spread
     return If(Compare("!=", pointer, Constant("NULL")), (spread,), (Do(Call("clear", (to,))),))
-
-
-def _copied(q: Quantity) -> Statement:
-    """One component of one pose of a batch."""
-    pointer = of("motions", q.name)
-    value: Expression = at(pointer, "at")
-    if q in LOADS:
-        value = Select(Compare("!=", pointer, Constant("NULL")), value, Number(0.0))
-    return Assign(at(of("one", q.name), "i"), value)

@@ -12,8 +12,9 @@ import sympy as sp
 
 from .. import notation as n
 from ..block import Block, Operations, Quantity
+from ..kernel import batches, read
 from ..kernel import outputs as o
-from ..kernel import read
+from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_one, missing
 from ..kernel.layouts import (
     LANE,
     Place,
@@ -29,6 +30,7 @@ from ..kernel.layouts import (
 )
 from ..kernel.legs_in_lanes import Layout
 from ..kernel.lower import expression, steps_of
+from ..kernel.model import STATUS_FIELD
 from ..kernel.nodes import (
     Argument,
     Array,
@@ -59,8 +61,10 @@ from ..kernel.nodes import (
     Structure,
     Variable,
 )
+from ..kernel.prepare import MOTION
 from ..kernel.settle import settled
 from ..kernel.shared import shared
+from ..kernel.written import batch
 from ..kernel.written import motion_lanes as written
 from ..motion import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
 from ..print.c import C
@@ -131,8 +135,7 @@ def header(
     for i, what in enumerate(structs):
         says = "The same of `count` poses. Any pointer may be null: not wanted." if i == 0 else ""
         texts.append(printer.structure(_arrays(what, says)))
-    public = [_public(name, what) for what in asked]
-    batches = [_batch_of(name, what) for what in _ORDER if what in asked]
+    public = {what: _interface(name, what) for what in asked}
     return filled(
         "motion.h",
         name=name,
@@ -141,9 +144,11 @@ def header(
         read="are read by\n * `derivatives` alone." if "derivatives" in asked else "are not read.",
         operations="\n".join(rows),
         structs="\n".join("\n".join([*lines, ""]) for lines in texts),
-        one_pose="\n".join(line for each in public for line in printer.declaration(each)),
+        one_pose="\n".join(line for what in asked for line in printer.declaration(public[what][0])),
         forced="F is [count][6]. " if set(asked) & set(o.FORCED) else "",
-        batches="\n".join(line for each in batches for line in printer.declaration(each)),
+        batches="\n".join(
+            line for what in _ORDER if what in asked for line in printer.declaration(public[what][1])
+        ),
     )
 
 
@@ -212,81 +217,65 @@ def _arrays(what: str, says: str) -> Structure:
     return Structure(f"stewart_{what}_arrays", says, fields)
 
 
-def _public(name: str, what: str) -> Function:
-    says = "Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths."
-    ((out, count), *_) = members(what).items()
-    target = Argument("out", Record(f"stewart_{what}"), changed=True)
-    if what not in _STRUCTS:
-        target = Argument(out, Array(Real(), (count,)), changed=True)
-    return Function(
+def _interface(name: str, what: str) -> tuple[Function, Function]:
+    """The functions of one pose and of many."""
+    struct, counts = what in _STRUCTS, members(what)
+    ((first, count), *_) = counts.items()
+    forced = ["F"] if what in o.FORCED else []
+    given: dict[str, read.Given] = {} if forced else {"F": False}
+    held = {"Model": Structure(f"stewart_{name}_model", "", ()), "Motion": MOTION, "Motions": MOTIONS}
+    found, out, i = Name("found"), Name("out"), Name("i")
+    whole = Field("of", Record(f"stewart_{what}")) if struct else Field(first, Array(Real(), (count,)))
+    held["Found"] = Structure(f"{what}_found", "", (whole, STATUS_FIELD))
+    arguments = (
+        Argument(each, Record(""), each == "found") for each in ("model", "motion", *forced, "found")
+    )
+    find = Function(f"find_{what}", "", tuple(arguments), None, ())
+    taken: Statement = Assign(out, Member(found, "of"))
+    if struct:
+        held |= {"Result": _struct(what)}
+    else:
+        number = Assign(Element(Name(first), (i,)), Element(Member(found, first), (i,)))
+        taken = For("i", Number(0), Number(count), (number,))
+    own = {} if struct else {"out": first, "Result": f"array({count})"}
+    needed = missing(("model", "motion", *forced, own.get("out", "out")))
+    one = read.function(
+        batch.closed_form,
+        held,
+        {find.name: find},
         f"stewart_{name}_{what}",
-        says if what == "joint_inertia" else "",
-        (
-            Argument("model", Record(f"stewart_{name}_model")),
-            Argument("motion", Record("stewart_motion")),
-            *([Argument("F", Array(Real(), (LEGS,)))] if what in o.FORCED else []),
-            target,
-        ),
-        Integer(),
-        (),
-        public=True,
+        True,
+        given | needed | {"COPIED": (taken,)},
+        {"find": find.name, **own},
     )
-
-
-def _batch_of(name: str, what: str) -> Function:
-    target = Argument("out", Pointer(Real()), changed=True)
-    return Function(
-        f"stewart_{name}_{what}_batch",
-        "",
-        (
-            Argument("model", Record(f"stewart_{name}_model")),
-            Argument("count", Count()),
-            Argument("motions", Record("stewart_motions")),
-            *([Argument("F", Pointer(Real()))] if what in o.FORCED else []),
-            Argument("out", Record(f"stewart_{what}_arrays")) if what in _STRUCTS else target,
-            Argument("status", Pointer(Integer()), changed=True),
-        ),
-        Integer(),
-        (),
-        public=True,
+    if struct:
+        held |= {"Found": _struct(what), "ResultArrays": _arrays(what, "")}
+    own = {} if struct else {"Found": f"array({count})", "ResultArrays": "Pointer(Real)"}
+    motions = (n.R, n.t, n.omega, n.v, *((n.alpha, n.a) if what == "derivatives" else ()))
+    done = copies("out", counts) if struct else (copied(out, found, count),)
+    needed = missing(("model", "motions", "out", *forced), motions)
+    many = read.function(
+        batch.closed_form_batch,
+        held,
+        {each.name: each for each in (one, *_OF_BATCHES)},
+        f"{one.name}_batch",
+        True,
+        given | needed | batches.batch(batch.one_closed_form, done),
+        {"of_pose": one.name, **own},
     )
+    says = "Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths."
+    return replace(one, meaning=says if what == "joint_inertia" else ""), replace(many, meaning="")
 
 
-def _one(name: str, what: str, record: str) -> str:
-    function = _public(name, what)
-    out, forced = function.arguments[-1].name, what in o.FORCED
-    count = sum(members(what).values())
-    return filled(
-        "motion_one.c",
-        head="\n".join(C().head("", function, "")),
-        record=record,
-        missing="F == NULL || " if forced else "",
-        out=out,
-        what=what,
-        force=", F" if forced else "",
-        store="*out = found.of;" if what in _STRUCTS else f"copy(found.{out}, {count}, {out});",
-    )
-
-
-def _batch(name: str, what: str) -> str:
-    forced, found = what in o.FORCED, members(what)
-    struct = what in _STRUCTS
-    copies = [
-        f"            copy_to({f'found.{each}' if struct else 'found'}, {count}, pose, "
-        f"{f'out->{each}' if struct else 'out'});"
-        for each, count in found.items()
-    ]
-    needed = ["F"] if forced else ["motions->alpha", "motions->a"] if what == "derivatives" else []
-    return filled(
-        "motion_batch.c",
-        head="\n".join(C().head("", _batch_of(name, what), "")),
-        declared=f"stewart_{what} found;" if struct else f"stewart_real found[{sum(found.values())}];",
-        missing="".join(f" || {each} == NULL" for each in needed),
-        function=f"stewart_{name}_{what}",
-        force="&F[pose * 6U], " if forced else "",
-        target="&found" if struct else "found",
-        copies="\n".join(copies),
-    )
+_OF_BATCHES = (
+    read.function(batch.copy, {}, {}),
+    read.function(
+        batch.load_pose,
+        {"Motion": MOTION, "Motions": MOTIONS},
+        {},
+        given=loaded_one(n.MOTION[1:], (n.alpha, n.a, *LOADS)),
+    ),
+)
 
 
 # ---------------------------------------------------------------- what they need
@@ -314,6 +303,7 @@ class _Source:
             _PARTS,
             {each: f"find_{each}" for each in o.OUTPUTS},
         )
+        self.public = {what: _interface(self.name, what) for what in asked}
         self.functions = {"add_legs": _ADD_LEGS, "fault_of": shared().by_name["fault_of"]}
 
     def parts(self) -> Iterator[str | Structure | Function]:
@@ -322,6 +312,7 @@ class _Source:
         for each in self.program.structures:
             if each.name not in _MODEL_ONLY and not each.name.endswith(skipped):
                 yield self.layout.structure(each.name)
+        yield from _OF_BATCHES
         yield _CHECKS
         yield self._read(written.legs_status)
         if any(kernel.near is not None for prefix, kernel in self.kernels.items() if self._uses(prefix)):
@@ -338,12 +329,8 @@ class _Source:
             else:
                 yield self.layout.function(function)
             if function.name in self.asked:
-                result = self.layout.records[o.RESULTS[function.name].name]
-                yield _one(self.name, function.name, result)
-        yield filled("motion_load.c")
-        for what in _ORDER:
-            if what in self.asked:
-                yield _batch(self.name, what)
+                yield self.public[function.name][0]
+        yield from (self.public[what][1] for what in _ORDER if what in self.asked)
 
     def _uses(self, prefix: str) -> bool:
         return any(each.name == f"{prefix}_sums" for each in self.program.functions)

@@ -18,7 +18,9 @@ from ..block import Output, Quantity
 from ..prepared import ADDED, B, arm_c, c_tip, q_1
 from ..regroup import ForceKernel
 from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
+from . import batches
 from . import prepare as p
+from .batches import LOADS, MOTIONS, missing, parts_at, parts_of_one
 from .constants import SMALLEST
 from .layouts import Place, Written, described, loads, member, names_used, reach, stored, stores
 from .lower import expression, steps_of
@@ -47,6 +49,7 @@ from .nodes import (
 )
 from .read import Given
 from .shared import WITH_ERRORS, shared
+from .written import batch
 from .written import bounds as written
 
 _ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
@@ -88,7 +91,8 @@ class BoundedForces:
         self.structures = {
             "Robot": p.ROBOT,
             "RawLeg": p.LEG,
-            "Motion": replace(p.MOTION, name="stewart_motions"),
+            "Motion": p.MOTION,
+            "Motions": MOTIONS,
         } | self._structures()
         named = self.structures | {each.name: each for each in self.structures.values()}
         flags = _FLAGS | {"COUNT": self.model_numbers(), "SMALLEST": Number(SMALLEST)}
@@ -176,7 +180,7 @@ class BoundedForces:
         yield read(written.prepare_platform, given={"BODY": self._prepared(self.prepare_platform)})
         yield p.size_of(self.texts, by_legs=True)
         public = self.structures["Model"].name.removesuffix("model") + "prepare"
-        yield read(written.prepare, public, public=True, given=_sums())
+        yield read(written.prepare, public, public=True, given=_sums() | p.HANDED_OVER)
         yield read(written.shared_of_pose, given={"BODY": self._values(self.shared)})
         for end, leg in self.legs.items():
             yield read(written.leg_of_pose, f"leg_of_pose{end}", given=self._leg(leg))
@@ -197,6 +201,14 @@ class BoundedForces:
         )
         yield read(written.bound_of_pose, given={"CLEARED": zeros})
         yield read(written.forces_of_pose)
+        name = self.structures["Model"].name.removesuffix("_bounds_model")
+        needed = [q for q in n.MOTION if q not in LOADS]
+        yield read(batch.pose_at, given=parts_at(LOADS))
+        yield read(batch.motion_as_arrays, given=parts_of_one())
+        given = missing(("model", "motion", "F"))
+        yield read(batch.forces_bounded, f"{name}_forces_bounded", public=True, given=given)
+        given = missing(("model", "motions", "F"), needed) | batches.batch(batch.one_bounded)
+        yield read(batch.forces_bounded_batch, f"{name}_forces_bounded_batch", public=True, given=given)
 
     # ------------------------------------------------------------ blocks
 

@@ -4,18 +4,34 @@ import itertools
 import random
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import replace
+from math import prod
 from typing import Any
 
 from .. import kinematics as k
 from .. import notation as n
 from ..block import Block, Operations, Quantity
-from . import read
+from . import batches, read
+from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
 from .counted import counted
+from .layouts import Written
 from .lower import Arguments, block_function, structure
 from .model import STATUS_FIELD, machine_structures
-from .nodes import Array, Field, Function, Program, Real, Record, Structure
+from .nodes import (
+    Array,
+    Both,
+    Compare,
+    Constant,
+    Either,
+    Field,
+    Function,
+    Program,
+    Real,
+    Record,
+    Structure,
+    of,
+)
+from .written import batch, legs
 from .written import kinematics as written
-from .written import legs
 
 _LEG: Arguments = {"leg": ("Leg", n.LEG)}
 _POSE: Arguments = {"pose": ("Pose", (n.R, n.t))}
@@ -28,6 +44,26 @@ def legs_program(blocks: k.Kinematics) -> Program:
     held = [structure("LegMotion", "A leg.", _outputs(blocks.second)), _LEG_MOTIONS]
     made = [_read(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
     return _program("legs", held, made, (legs.largest, legs.reach_of, legs.fault_of, written.motions_of))
+
+
+def legs_batch(blocks: k.Kinematics) -> Program:
+    """``stewart_legs_batch``: the same of many poses, for C."""
+    program = legs_program(blocks)
+    dims = {each.name: each.type.dims for each in _LEG_MOTIONS.members if isinstance(each.type, Array)}
+    arrays = Structure("LegsArrays", "", tuple(Field(name, NUMBERS) for name in dims))
+    structures = (*program.structures, arrays)
+    named = {each.name: each for each in structures} | {"Motions": MOTIONS}
+    texts = Written(named, {}, {each.name: each for each in program.functions})
+    texts.function(batch.copy)
+    texts.function(batch.pose_at, given=parts_at((n.alpha, n.a), LOADS))
+    second = Compare("!=", of("legs", "L_ddot"), Constant("NULL"))
+    without = Either(*(is_null(of("motions", q.name)) for q in (n.alpha, n.a)))
+    given = missing(("robot", "motions", "legs"), (n.R, n.t, n.omega, n.v), Both(second, without))
+    rows = [name for name, size in dims.items() if len(size) == 2]
+    found = copies("legs", {name: prod(size) for name, size in dims.items()}, rows)
+    given |= batches.batch(batch.one_kinematics, found)
+    texts.function(batch.legs_batch, "stewart_legs_batch", public=True, given=given)
+    return replace(program, structures=structures, functions=tuple(dict.fromkeys(texts.functions.values())))
 
 
 def search_program(blocks: k.Kinematics, public: Collection[str] = ()) -> Program:

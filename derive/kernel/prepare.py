@@ -56,6 +56,10 @@ LEG = Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.LEG)
 MOTION = Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
 
 
+HANDED_OVER: dict[str, Given] = {"hand_over": scale.handed_over}
+"""How the texts of preparation end."""
+
+
 def per_length(size: float) -> float:
     """What ``written.scale.per_length_of`` returns."""
     if SMALLEST <= size <= LARGEST or size == 0.0:

@@ -125,6 +125,7 @@ def _parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
     assert isinstance(tree, ast.FunctionDef)
     for each in tree.args.args:
         each.annotation = _quoted(each.annotation, names)
+        each.arg = str(names.get(each.arg, each.arg))
     tree.returns = _quoted(tree.returns, names)
     made = _Renamed(names).visit(tree)
     assert isinstance(made, ast.FunctionDef)
@@ -152,7 +153,7 @@ class _Renamed(ast.NodeTransformer):
         for key, number in self.names.items():
             if isinstance(number, int) and name.endswith(f"_{key}"):
                 name = f"{name.removesuffix(key)}{number}"
-        return ast.Name(name, node.ctx)
+        return ast.Name(name, node.ctx) if name.isidentifier() else ast.parse(name, mode="eval").body
 
 
 class _Filled(ast.NodeTransformer):
@@ -547,8 +548,11 @@ def _is_none(node: ast.expr | None) -> bool:
 
 
 def _root(node: Expression) -> str:
-    while isinstance(node, Member | Element | From):
-        node = node.owner if isinstance(node, Member) else node.array
+    while isinstance(node, Member | Element | From | Select):
+        if isinstance(node, Select):
+            node = node.yes
+        else:
+            node = node.owner if isinstance(node, Member) else node.array
     return node.name if isinstance(node, Name) else ""
 
 

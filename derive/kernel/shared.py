@@ -3,12 +3,14 @@
 from dataclasses import dataclass
 from functools import cache
 
+from .batches import LOADS, MOTIONS, parts_at, parts_of_one
 from .constants import LARGEST
 from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
 from .layouts import Written
 from .nodes import Argument, Array, Count, Function, Number, Pointer, Real, Type
+from .prepare import MOTION
 from .read import LANES, Given
-from .written import every_output, lanes, legs, scale, solve
+from .written import batch, every_output, lanes, legs, scale, solve
 
 ABOUT_REFERENCE: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus, "ABOUT_TIP": 0}
 """How a leg is added to the platform's equations."""
@@ -53,7 +55,7 @@ class Shared:
 @cache
 def shared(about_tip: bool = True) -> Shared:
     """The functions; about_tip: of kernels whose moments are about platform point 1."""
-    texts = Written({}, {}, {FORCE.name: FORCE})
+    texts = Written({"Motions": MOTIONS, "Motion": MOTION}, {}, {FORCE.name: FORCE})
     read = texts.function
     rows = (lanes.exchange_rows, lanes.subtract_row)
     return Shared(
@@ -70,5 +72,11 @@ def shared(about_tip: bool = True) -> Shared:
             read(lanes.scale_pose),
             read(lanes.solve_block, apart=True, given=in_lanes(about_tip)),
         ),
-        (read(every_output.solve, given=ONCE),),
+        (
+            read(every_output.solve, given=ONCE),
+            read(batch.is_finite),
+            read(batch.pose_at, given=parts_at(LOADS)),
+            read(batch.motion_as_arrays, given=parts_of_one()),
+            read(batch.copy),
+        ),
     )

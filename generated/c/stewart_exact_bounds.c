@@ -5026,14 +5026,25 @@ static int forces_of_pose(
     return STEWART_OK;
 }
 
-int stewart_exact_forces_bounded(
-    const stewart_exact_bounds_model *model, const stewart_motion *motion, stewart_real F[6],
-    stewart_real bound[6], stewart_real *rcond)
+/* One pose of a batch; zeros for what may be null and is. */
+static stewart_motions pose_at(const stewart_motions *motions, size_t pose, const stewart_real zeros[3])
 {
     stewart_motions at;
-    if (!model || !motion || !F) {
-        return STEWART_BAD_ARGUMENT;
-    }
+    at.R = &motions->R[9U*pose];
+    at.t = &motions->t[3U*pose];
+    at.omega = &motions->omega[3U*pose];
+    at.v = &motions->v[3U*pose];
+    at.alpha = &motions->alpha[3U*pose];
+    at.a = &motions->a[3U*pose];
+    at.F_ext = motions->F_ext != NULL ? &motions->F_ext[3U*pose] : zeros;
+    at.M_ext = motions->M_ext != NULL ? &motions->M_ext[3U*pose] : zeros;
+    return at;
+}
+
+/* A pose that is one of many. */
+static stewart_motions motion_as_arrays(const stewart_motion *motion)
+{
+    stewart_motions at;
     at.R = motion->R;
     at.t = motion->t;
     at.omega = motion->omega;
@@ -5042,35 +5053,36 @@ int stewart_exact_forces_bounded(
     at.a = motion->a;
     at.F_ext = motion->F_ext;
     at.M_ext = motion->M_ext;
-    return forces_of_pose(model, &at, F, bound, rcond);
+    return at;
 }
 
-static const stewart_real no_load[3] = {0, 0, 0};
+int stewart_exact_forces_bounded(
+    const stewart_exact_bounds_model *model, const stewart_motion *motion, stewart_real F[6],
+    stewart_real bound[6], stewart_real *rcond)
+{
+    if (model == NULL || motion == NULL || F == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    const stewart_motions at = motion_as_arrays(motion);
+    return forces_of_pose(model, &at, F, bound, rcond);
+}
 
 int stewart_exact_forces_bounded_batch(
     const stewart_exact_bounds_model *model, size_t count, const stewart_motions *motions, stewart_real *F,
     stewart_real *bound, stewart_real *rcond, int *status)
 {
     size_t pose;
-    int result = STEWART_OK;
-    if (!model || !motions || !F || !motions->R || !motions->t || !motions->omega || !motions->v
-        || !motions->alpha || !motions->a) {
+    stewart_real zeros[3] = {0, 0, 0};
+    if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
-        stewart_motions at;
-        int code;
-        at.R = motions->R + 9 * pose;
-        at.t = motions->t + 3 * pose;
-        at.omega = motions->omega + 3 * pose;
-        at.v = motions->v + 3 * pose;
-        at.alpha = motions->alpha + 3 * pose;
-        at.a = motions->a + 3 * pose;
-        at.F_ext = motions->F_ext ? motions->F_ext + 3 * pose : no_load;
-        at.M_ext = motions->M_ext ? motions->M_ext + 3 * pose : no_load;
-        code = forces_of_pose(
-            model, &at, F + 6 * pose, bound ? bound + 6 * pose : NULL, rcond ? rcond + pose : NULL);
-        if (status) {
+        const stewart_motions at = pose_at(motions, pose, zeros);
+        const int code = forces_of_pose(model, &at, &F[pose*6U], bound != NULL ? &bound[pose*6U] : NULL,
+            rcond != NULL ? &rcond[pose] : NULL);
+        if (status != NULL) {
             status[pose] = code;
         }
         result = result == STEWART_OK ? code : result;

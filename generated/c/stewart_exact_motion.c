@@ -39,14 +39,6 @@ STEWART_APART static void add_legs(
     }
 }
 
-static void copy(const stewart_real *from, int count, stewart_real *to)
-{
-    int i;
-    for (i = 0; i < count; ++i) {
-        to[i] = from[i];
-    }
-}
-
 /* M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]. */
 typedef struct {
     stewart_equations of;
@@ -122,6 +114,36 @@ typedef struct {
     stewart_real A[144]; /* the rows solved */
     int status; /* 0, or what is wrong */
 } slopes_found;
+
+/* The numbers of a pose in an array of all poses, if there is one. */
+static void copy(stewart_real *to, size_t pose, const stewart_real *values, size_t count)
+{
+    size_t i;
+    if (to != NULL) {
+        for (i = 0; i < count; ++i) {
+            to[pose*count + i] = values[i];
+        }
+    }
+}
+
+/* One pose of a batch, number by number; zeros for what may be null and is. */
+static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
+{
+    int i;
+    for (i = 0; i < 9; ++i) {
+        one->R[i] = motions->R[pose*9U + (size_t)i];
+    }
+    for (i = 0; i < 3; ++i) {
+        const size_t at = pose*3U + (size_t)i;
+        one->t[i] = motions->t[at];
+        one->omega[i] = motions->omega[at];
+        one->v[i] = motions->v[at];
+        one->alpha[i] = motions->alpha != NULL ? motions->alpha[at] : REAL(0);
+        one->a[i] = motions->a != NULL ? motions->a[at] : REAL(0);
+        one->F_ext[i] = motions->F_ext != NULL ? motions->F_ext[at] : REAL(0);
+        one->M_ext[i] = motions->M_ext != NULL ? motions->M_ext[at] : REAL(0);
+    }
+}
 
 /* What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0. */
 typedef struct {
@@ -1426,13 +1448,16 @@ static void find_bias(const stewart_exact_model *model, const stewart_motion *mo
 
 int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *motion, stewart_real bias[6])
 {
+    int i;
     bias_found found;
     if (model == NULL || motion == NULL || bias == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     find_bias(model, motion, &found);
     if (found.status == STEWART_OK) {
-        copy(found.bias, 6, bias);
+        for (i = 0; i < 6; ++i) {
+            bias[i] = found.bias[i];
+        }
     }
     return found.status;
 }
@@ -2729,13 +2754,16 @@ int stewart_exact_forward_dynamics(
     const stewart_exact_model *model, const stewart_motion *motion, const stewart_real F[6],
     stewart_real acceleration[6])
 {
+    int i;
     forward_dynamics_found found;
     if (model == NULL || motion == NULL || F == NULL || acceleration == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     find_forward_dynamics(model, motion, F, &found);
     if (found.status == STEWART_OK) {
-        copy(found.acceleration, 6, acceleration);
+        for (i = 0; i < 6; ++i) {
+            acceleration[i] = found.acceleration[i];
+        }
     }
     return found.status;
 }
@@ -2936,13 +2964,16 @@ static void find_joint_inertia(
 int stewart_exact_joint_inertia(
     const stewart_exact_model *model, const stewart_motion *motion, stewart_real inertia[36])
 {
+    int i;
     joint_inertia_found found;
     if (model == NULL || motion == NULL || inertia == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
     find_joint_inertia(model, motion, &found);
     if (found.status == STEWART_OK) {
-        copy(found.inertia, 36, inertia);
+        for (i = 0; i < 36; ++i) {
+            inertia[i] = found.inertia[i];
+        }
     }
     return found.status;
 }
@@ -6015,59 +6046,29 @@ int stewart_exact_linearisation(
     return found.status;
 }
 
-/* Numbers of one pose to their place in an array of all poses, if there is one. */
-static void copy_to(const stewart_real *from, int count, size_t pose, stewart_real *to)
-{
-    if (to != NULL) {
-        copy(from, count, &to[pose * (size_t)count]);
-    }
-}
-
-static void load_three(const stewart_real *from, size_t pose, stewart_real *to)
-{
-    int i;
-    for (i = 0; i < 3; ++i) {
-        to[i] = from != NULL ? from[pose * 3U + (size_t)i] : REAL(0);
-    }
-}
-
-/* One pose of a batch; what is not given is zero. */
-static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
-{
-    copy(&motions->R[pose * 9U], 9, one->R);
-    load_three(motions->t, pose, one->t);
-    load_three(motions->omega, pose, one->omega);
-    load_three(motions->v, pose, one->v);
-    load_three(motions->alpha, pose, one->alpha);
-    load_three(motions->a, pose, one->a);
-    load_three(motions->F_ext, pose, one->F_ext);
-    load_three(motions->M_ext, pose, one->M_ext);
-}
-
 int stewart_exact_equations_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     const stewart_equations_arrays *out, int *status)
 {
+    size_t pose;
     stewart_motion one;
     stewart_equations found;
-    size_t pose;
-    int result = STEWART_OK;
-    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
-        || motions->omega == NULL || motions->v == NULL) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
-        int code;
         load_pose(motions, pose, &one);
-        code = stewart_exact_equations(model, &one, &found);
+        const int code = stewart_exact_equations(model, &one, &found);
         if (code == STEWART_OK) {
-            copy_to(found.M, 36, pose, out->M);
-            copy_to(found.C, 36, pose, out->C);
-            copy_to(found.g, 6, pose, out->g);
-            copy_to(found.friction, 6, pose, out->friction);
-            copy_to(found.bias, 6, pose, out->bias);
-            copy_to(found.H, 36, pose, out->H);
-            copy_to(found.H_dot, 36, pose, out->H_dot);
+            copy(out->M, pose, found.M, 36U);
+            copy(out->C, pose, found.C, 36U);
+            copy(out->g, pose, found.g, 6U);
+            copy(out->friction, pose, found.friction, 6U);
+            copy(out->bias, pose, found.bias, 6U);
+            copy(out->H, pose, found.H, 36U);
+            copy(out->H_dot, pose, found.H_dot, 36U);
         }
         if (status != NULL) {
             status[pose] = code;
@@ -6081,23 +6082,22 @@ int stewart_exact_derivatives_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions,
     const stewart_derivatives_arrays *out, int *status)
 {
+    size_t pose;
     stewart_motion one;
     stewart_derivatives found;
-    size_t pose;
-    int result = STEWART_OK;
-    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
-        || motions->omega == NULL || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
-        int code;
         load_pose(motions, pose, &one);
-        code = stewart_exact_derivatives(model, &one, &found);
+        const int code = stewart_exact_derivatives(model, &one, &found);
         if (code == STEWART_OK) {
-            copy_to(found.F, 6, pose, out->F);
-            copy_to(found.by_pose, 36, pose, out->by_pose);
-            copy_to(found.by_twist, 36, pose, out->by_twist);
-            copy_to(found.by_acceleration, 36, pose, out->by_acceleration);
+            copy(out->F, pose, found.F, 6U);
+            copy(out->by_pose, pose, found.by_pose, 36U);
+            copy(out->by_twist, pose, found.by_twist, 36U);
+            copy(out->by_acceleration, pose, found.by_acceleration, 36U);
         }
         if (status != NULL) {
             status[pose] = code;
@@ -6111,22 +6111,21 @@ int stewart_exact_linearisation_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions, const stewart_real *F,
     const stewart_linearisation_arrays *out, int *status)
 {
+    size_t pose;
     stewart_motion one;
     stewart_linearisation found;
-    size_t pose;
-    int result = STEWART_OK;
-    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
-        || motions->omega == NULL || motions->v == NULL || F == NULL) {
+    if (model == NULL || motions == NULL || out == NULL || F == NULL || motions->R == NULL || motions->t == NULL
+        || motions->omega == NULL || motions->v == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
-        int code;
         load_pose(motions, pose, &one);
-        code = stewart_exact_linearisation(model, &one, &F[pose * 6U], &found);
+        const int code = stewart_exact_linearisation(model, &one, &F[pose*6U], &found);
         if (code == STEWART_OK) {
-            copy_to(found.acceleration, 6, pose, out->acceleration);
-            copy_to(found.A, 144, pose, out->A);
-            copy_to(found.B, 72, pose, out->B);
+            copy(out->acceleration, pose, found.acceleration, 6U);
+            copy(out->A, pose, found.A, 144U);
+            copy(out->B, pose, found.B, 72U);
         }
         if (status != NULL) {
             status[pose] = code;
@@ -6140,20 +6139,19 @@ int stewart_exact_bias_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
     int *status)
 {
+    size_t pose;
     stewart_motion one;
     stewart_real found[6];
-    size_t pose;
-    int result = STEWART_OK;
-    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
-        || motions->omega == NULL || motions->v == NULL) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
-        int code;
         load_pose(motions, pose, &one);
-        code = stewart_exact_bias(model, &one, found);
+        const int code = stewart_exact_bias(model, &one, found);
         if (code == STEWART_OK) {
-            copy_to(found, 6, pose, out);
+            copy(out, pose, found, 6U);
         }
         if (status != NULL) {
             status[pose] = code;
@@ -6167,20 +6165,19 @@ int stewart_exact_forward_dynamics_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions, const stewart_real *F,
     stewart_real *out, int *status)
 {
+    size_t pose;
     stewart_motion one;
     stewart_real found[6];
-    size_t pose;
-    int result = STEWART_OK;
-    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
-        || motions->omega == NULL || motions->v == NULL || F == NULL) {
+    if (model == NULL || motions == NULL || out == NULL || F == NULL || motions->R == NULL || motions->t == NULL
+        || motions->omega == NULL || motions->v == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
-        int code;
         load_pose(motions, pose, &one);
-        code = stewart_exact_forward_dynamics(model, &one, &F[pose * 6U], found);
+        const int code = stewart_exact_forward_dynamics(model, &one, &F[pose*6U], found);
         if (code == STEWART_OK) {
-            copy_to(found, 6, pose, out);
+            copy(out, pose, found, 6U);
         }
         if (status != NULL) {
             status[pose] = code;
@@ -6194,20 +6191,19 @@ int stewart_exact_joint_inertia_batch(
     const stewart_exact_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
     int *status)
 {
+    size_t pose;
     stewart_motion one;
     stewart_real found[36];
-    size_t pose;
-    int result = STEWART_OK;
-    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL
-        || motions->omega == NULL || motions->v == NULL) {
+    if (model == NULL || motions == NULL || out == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
-        int code;
         load_pose(motions, pose, &one);
-        code = stewart_exact_joint_inertia(model, &one, found);
+        const int code = stewart_exact_joint_inertia(model, &one, found);
         if (code == STEWART_OK) {
-            copy_to(found, 36, pose, out);
+            copy(out, pose, found, 36U);
         }
         if (status != NULL) {
             status[pose] = code;

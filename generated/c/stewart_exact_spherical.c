@@ -556,28 +556,30 @@ int stewart_exact_spherical_inverse_dynamics_batch(
     const stewart_forces_arrays *forces, int *status)
 {
     size_t pose;
-    stewart_forces result;
-    int first = STEWART_OK;
-    if (robot == NULL || motions_given(motions) == 0 || forces == NULL) {
+    stewart_real zeros[3] = {0, 0, 0};
+    stewart_forces found;
+    if (robot == NULL || motions == NULL || forces == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
-        const stewart_motions at = pose_at(motions, pose);
-        const int code = pose_forces(robot, &at, &result);
+        const stewart_motions at = pose_at(motions, pose, zeros);
+        const int code = pose_forces(robot, &at, &found);
         if (code == STEWART_OK) {
-            copy(forces->F, pose, result.F, 6);
-            copy(forces->D, pose, result.D, 6);
-            copy(forces->x, pose, result.x, 6);
-            copy(forces->K, pose, &result.K[0][0], 18);
-            copy(forces->H, pose, &result.H[0][0], 36);
-            copy(forces->c, pose, result.c, 6);
+            copy(forces->F, pose, found.F, 6U);
+            copy(forces->D, pose, found.D, 6U);
+            copy(forces->x, pose, found.x, 6U);
+            copy(forces->K, pose, &found.K[0][0], 18U);
+            copy(forces->H, pose, &found.H[0][0], 36U);
+            copy(forces->c, pose, found.c, 6U);
         }
         if (status != NULL) {
             status[pose] = code;
         }
-        first = first == STEWART_OK ? code : first;
+        result = result == STEWART_OK ? code : result;
     }
-    return first;
+    return result;
 }
 
 int stewart_exact_spherical_joint_reactions_batch(
@@ -585,30 +587,32 @@ int stewart_exact_spherical_joint_reactions_batch(
     const stewart_reactions_arrays *reactions, int *status)
 {
     size_t pose;
+    stewart_real zeros[3] = {0, 0, 0};
     stewart_forces forces;
-    stewart_reactions result;
-    int first = STEWART_OK;
-    if (robot == NULL || motions_given(motions) == 0 || reactions == NULL) {
+    stewart_reactions found;
+    if (robot == NULL || motions == NULL || reactions == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
-        const stewart_motions at = pose_at(motions, pose);
+        const stewart_motions at = pose_at(motions, pose, zeros);
         int code = pose_forces(robot, &at, &forces);
         if (code == STEWART_OK) {
-            code = pose_reactions(robot, &at, bearing, forces.x, &result);
+            code = pose_reactions(robot, &at, bearing, forces.x, &found);
         }
         if (code == STEWART_OK) {
-            copy(reactions->F_s, pose, &result.F_s[0][0], 18);
-            copy(reactions->F_u, pose, &result.F_u[0][0], 18);
-            copy(reactions->F_p, pose, &result.F_p[0][0], 18);
-            copy(reactions->F_c, pose, &result.F_c[0][0], 18);
-            copy(reactions->M_p, pose, &result.M_p[0][0], 18);
-            copy(reactions->M_u, pose, result.M_u, 6);
+            copy(reactions->F_s, pose, &found.F_s[0][0], 18U);
+            copy(reactions->F_u, pose, &found.F_u[0][0], 18U);
+            copy(reactions->F_p, pose, &found.F_p[0][0], 18U);
+            copy(reactions->F_c, pose, &found.F_c[0][0], 18U);
+            copy(reactions->M_p, pose, &found.M_p[0][0], 18U);
+            copy(reactions->M_u, pose, found.M_u, 6U);
         }
         if (status != NULL) {
             status[pose] = code;
         }
-        first = first == STEWART_OK ? code : first;
+        result = result == STEWART_OK ? code : result;
     }
-    return first;
+    return result;
 }

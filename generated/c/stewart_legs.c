@@ -41,41 +41,41 @@ static leg_motion motion_of(const stewart_leg *leg, const stewart_motions *motio
     const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
     const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = (R_xx*p_x) + (R_xy*p_y) + (R_xz*p_z);
-    const stewart_real q_y = (R_yx*p_x) + (R_yy*p_y) + (R_yz*p_z);
-    const stewart_real q_z = (R_zx*p_x) + (R_zy*p_y) + (R_zz*p_z);
+    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
+    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
+    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
     /* (1) leg vector */
-    const stewart_real S_x = (q_x + t_x) - b_x;
-    const stewart_real S_y = (q_y + t_y) - b_y;
-    const stewart_real S_z = (q_z + t_z) - b_z;
+    const stewart_real S_x = q_x + t_x - b_x;
+    const stewart_real S_y = q_y + t_y - b_y;
+    const stewart_real S_z = q_z + t_z - b_z;
     /* (2) leg length */
-    const stewart_real L = STEWART_SQRT((S_x*S_x) + (S_y*S_y) + (S_z*S_z));
+    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
     /* (4) omega x q */
-    const stewart_real w_q_x = (omega_y*q_z) - (omega_z*q_y);
-    const stewart_real w_q_y = (omega_z*q_x) - (omega_x*q_z);
-    const stewart_real w_q_z = (omega_x*q_y) - (omega_y*q_x);
+    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
+    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
+    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = v_x + w_q_x;
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = (a_x + (alpha_y*q_z) + (omega_y*w_q_z)) - (alpha_z*q_y) - (omega_z*w_q_y);
-    const stewart_real S_ddot_y = (a_y + (alpha_z*q_x) + (omega_z*w_q_x)) - (alpha_x*q_z) - (omega_x*w_q_z);
-    const stewart_real S_ddot_z = (a_z + (alpha_x*q_y) + (omega_x*w_q_y)) - (alpha_y*q_x) - (omega_y*w_q_x);
+    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
+    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
+    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
     /* (5) sliding velocity */
-    const stewart_real rate = (S_dot_x*s_x) + (S_dot_y*s_y) + (S_dot_z*s_z);
+    const stewart_real rate = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
     /* part of S_dot across the leg, of length L |W| */
-    const stewart_real across_x = S_dot_x - (rate*s_x);
-    const stewart_real across_y = S_dot_y - (rate*s_y);
-    const stewart_real across_z = S_dot_z - (rate*s_z);
+    const stewart_real across_x = S_dot_x - rate*s_x;
+    const stewart_real across_y = S_dot_y - rate*s_y;
+    const stewart_real across_z = S_dot_z - rate*s_z;
     /* (8) */
-    const stewart_real second = (S_ddot_x*s_x) + (S_ddot_y*s_y) + (S_ddot_z*s_z) + (inv_L*((across_x*across_x)
-        + (across_y*across_y) + (across_z*across_z)));
+    const stewart_real second = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z + inv_L*(across_x*across_x + across_y*across_y
+        + across_z*across_z);
     leg_motion out;
     out.L = L;
     out.L_dot = rate;
@@ -113,27 +113,25 @@ static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], c
 static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
     int fault = STEWART_OK;
-    fault = (k3 > STEWART_POLE_SINE) ? fault : STEWART_POLE;
-    fault = (L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST)) ? fault : STEWART_SHORT_LEG;
-    return (L <= STEWART_MAX) ? fault : STEWART_NOT_FINITE;
+    fault = k3 > STEWART_POLE_SINE ? fault : STEWART_POLE;
+    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_SHORT_LEG;
+    return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
 }
 
 /* Lengths of the legs, their rates and second rates, their directions and vectors, and a status. */
 static leg_motions motions_of(const stewart_robot *robot, const stewart_motions *motion)
 {
-    int i;
-    int j;
+    int i, j;
     leg_motions out = {{0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {0, 0, 0, 0, 0, 0}, {{0, 0, 0}, {0, 0, 0},
         {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0}, {0, 0, 0},
         {0, 0, 0}}, 0};
     int status = STEWART_OK;
     for (i = 0; i < 6; ++i) {
-        leg_motion leg;
-        leg = motion_of(&robot->leg[i], motion);
+        const leg_motion leg = motion_of(&robot->leg[i], motion);
         int fault = fault_of(leg.L, REAL(1), reach_of(robot->leg[i].b, motion->t, leg.q));
-        fault = ((fault != STEWART_OK) || (STEWART_FABS(leg.L_dot) <= STEWART_MAX)) ? fault : STEWART_NOT_FINITE;
-        fault = ((fault != STEWART_OK) || (STEWART_FABS(leg.L_ddot) <= STEWART_MAX)) ? fault : STEWART_NOT_FINITE;
-        status = (status == STEWART_OK) ? fault : status;
+        fault = (fault != STEWART_OK || STEWART_FABS(leg.L_dot) <= STEWART_MAX) ? fault : STEWART_NOT_FINITE;
+        fault = (fault != STEWART_OK || STEWART_FABS(leg.L_ddot) <= STEWART_MAX) ? fault : STEWART_NOT_FINITE;
+        status = status == STEWART_OK ? fault : status;
         out.L[i] = leg.L;
         out.L_dot[i] = leg.L_dot;
         out.L_ddot[i] = leg.L_ddot;
@@ -146,57 +144,58 @@ static leg_motions motions_of(const stewart_robot *robot, const stewart_motions 
     return out;
 }
 
-/* Copies the numbers of a pose into a batch's array, or nothing if it is null. */
-static void copy(stewart_real *array, size_t pose, const stewart_real *values, size_t count)
+/* The numbers of a pose in an array of all poses, if there is one. */
+static void copy(stewart_real *to, size_t pose, const stewart_real *values, size_t count)
 {
     size_t i;
-    if (array != NULL) {
+    if (to != NULL) {
         for (i = 0; i < count; ++i) {
-            array[(pose * count) + i] = values[i];
+            to[pose*count + i] = values[i];
         }
     }
 }
 
-/* One pose of a batch; `zeros` (3) for accelerations that are not given. */
-static stewart_motions pose_at(const stewart_motions *motions, size_t pose, const stewart_real *zeros)
+/* One pose of a batch; zeros for what may be null and is. */
+static stewart_motions pose_at(const stewart_motions *motions, size_t pose, const stewart_real zeros[3])
 {
-    stewart_motions at = *motions;
-    at.R = &motions->R[pose * 9U];
-    at.t = &motions->t[pose * 3U];
-    at.omega = &motions->omega[pose * 3U];
-    at.v = &motions->v[pose * 3U];
-    at.alpha = (motions->alpha != NULL) ? &motions->alpha[pose * 3U] : zeros;
-    at.a = (motions->a != NULL) ? &motions->a[pose * 3U] : zeros;
+    stewart_motions at;
+    at.R = &motions->R[9U*pose];
+    at.t = &motions->t[3U*pose];
+    at.omega = &motions->omega[3U*pose];
+    at.v = &motions->v[3U*pose];
+    at.alpha = motions->alpha != NULL ? &motions->alpha[3U*pose] : zeros;
+    at.a = motions->a != NULL ? &motions->a[3U*pose] : zeros;
+    at.F_ext = motions->F_ext;
+    at.M_ext = motions->M_ext;
     return at;
 }
 
 int stewart_legs_batch(
-    const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,
-    int *status)
+    const stewart_robot *robot, size_t count, const stewart_motions *motions,
+    const stewart_legs_arrays *legs, int *status)
 {
-    const stewart_real zeros[3] = {REAL(0), REAL(0), REAL(0)};
-    int first = STEWART_OK;
     size_t pose;
-    if ((robot == NULL) || (motions == NULL) || (legs == NULL) || (motions->R == NULL) || (motions->t == NULL)
-        || (motions->omega == NULL) || (motions->v == NULL)
-        || ((legs->L_ddot != NULL) && ((motions->alpha == NULL) || (motions->a == NULL)))) {
+    stewart_real zeros[3] = {0, 0, 0};
+    if (robot == NULL || motions == NULL || legs == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL || (legs->L_ddot != NULL && (motions->alpha == NULL || motions->a == NULL))) {
         return STEWART_BAD_ARGUMENT;
     }
+    int result = STEWART_OK;
     for (pose = 0; pose < count; ++pose) {
         const stewart_motions at = pose_at(motions, pose, zeros);
         const leg_motions found = motions_of(robot, &at);
         const int code = found.status;
         if (code == STEWART_OK) {
-            copy(legs->L, pose, found.L, 6);
-            copy(legs->L_dot, pose, found.L_dot, 6);
-            copy(legs->L_ddot, pose, found.L_ddot, 6);
-            copy(legs->s, pose, found.s[0], 18);
-            copy(legs->S, pose, found.S[0], 18);
+            copy(legs->L, pose, found.L, 6U);
+            copy(legs->L_dot, pose, found.L_dot, 6U);
+            copy(legs->L_ddot, pose, found.L_ddot, 6U);
+            copy(legs->s, pose, &found.s[0][0], 18U);
+            copy(legs->S, pose, &found.S[0][0], 18U);
         }
         if (status != NULL) {
             status[pose] = code;
         }
-        first = (first == STEWART_OK) ? code : first;
+        result = result == STEWART_OK ? code : result;
     }
-    return first;
+    return result;
 }

@@ -50,6 +50,7 @@ STEWART_SHARED int solve(stewart_real A[6][7], stewart_real x[6])
     return suspect;
 }
 
+/* 1 where all numbers are finite, else 0. */
 STEWART_SHARED int is_finite(const stewart_real *values, int count)
 {
     int i;
@@ -61,21 +62,23 @@ STEWART_SHARED int is_finite(const stewart_real *values, int count)
     return 1;
 }
 
-STEWART_SHARED stewart_motions pose_at(const stewart_motions *motions, size_t pose)
+/* One pose of a batch; zeros for what may be null and is. */
+STEWART_SHARED stewart_motions pose_at(
+    const stewart_motions *motions, size_t pose, const stewart_real zeros[3])
 {
-    static const stewart_real no_load[3] = {REAL(0), REAL(0), REAL(0)};
     stewart_motions at;
-    at.R = &motions->R[9U * pose];
-    at.t = &motions->t[3U * pose];
-    at.omega = &motions->omega[3U * pose];
-    at.v = &motions->v[3U * pose];
-    at.alpha = &motions->alpha[3U * pose];
-    at.a = &motions->a[3U * pose];
-    at.F_ext = motions->F_ext != NULL ? &motions->F_ext[3U * pose] : no_load;
-    at.M_ext = motions->M_ext != NULL ? &motions->M_ext[3U * pose] : no_load;
+    at.R = &motions->R[9U*pose];
+    at.t = &motions->t[3U*pose];
+    at.omega = &motions->omega[3U*pose];
+    at.v = &motions->v[3U*pose];
+    at.alpha = &motions->alpha[3U*pose];
+    at.a = &motions->a[3U*pose];
+    at.F_ext = motions->F_ext != NULL ? &motions->F_ext[3U*pose] : zeros;
+    at.M_ext = motions->M_ext != NULL ? &motions->M_ext[3U*pose] : zeros;
     return at;
 }
 
+/* A pose that is one of many. */
 STEWART_SHARED stewart_motions motion_as_arrays(const stewart_motion *motion)
 {
     stewart_motions at;
@@ -90,18 +93,13 @@ STEWART_SHARED stewart_motions motion_as_arrays(const stewart_motion *motion)
     return at;
 }
 
-STEWART_SHARED int motions_given(const stewart_motions *motions)
-{
-    return motions != NULL && motions->R != NULL && motions->t != NULL && motions->omega != NULL
-        && motions->v != NULL && motions->alpha != NULL && motions->a != NULL ? 1 : 0;
-}
-
-STEWART_SHARED void copy(stewart_real *to, size_t pose, const stewart_real *from, size_t count)
+/* The numbers of a pose in an array of all poses, if there is one. */
+STEWART_SHARED void copy(stewart_real *to, size_t pose, const stewart_real *values, size_t count)
 {
     size_t i;
     if (to != NULL) {
         for (i = 0; i < count; ++i) {
-            to[pose * count + i] = from[i];
+            to[pose*count + i] = values[i];
         }
     }
 }

@@ -91,21 +91,15 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
             squares = squares + robot.leg[i].p[j] * robot.leg[i].p[j]
     prepare_platform(robot, sum, made.platform)
     made.length = sqrt(squares / 6.0)
-    made.per_length = per_length_of(size_of(made), SMALLEST)
-    numbers = numbers_of(made)
-    for i in range(COUNT):
-        if not size(numbers[i]) <= MAX:
-            return NOT_FINITE
-    model = made
-    return OK
+    hand_over()
 
 
-def shared_of_pose(platform: "Platform", at: "Motion", out: "Shared") -> None:
+def shared_of_pose(platform: "Platform", at: "Motions", out: "Shared") -> None:
     """What one pose has for all legs."""
     BODY
 
 
-def leg_of_pose(platform: "Platform", leg: "Leg", at: "Motion", shared: "Shared", out: "LegTerms") -> None:
+def leg_of_pose(platform: "Platform", leg: "Leg", at: "Motions", shared: "Shared", out: "LegTerms") -> None:
     """One leg in joint coordinates: D, its column of H and its part of c."""
     BODY
     REACH
@@ -114,7 +108,7 @@ def leg_of_pose(platform: "Platform", leg: "Leg", at: "Motion", shared: "Shared"
 
 def shared_errors(
     platform: "Platform",
-    at: "Motion",
+    at: "Motions",
     R_err: "Real",
     rows: "Rows",
     weighed: "Integer",
@@ -134,7 +128,7 @@ def shared_errors(
 def leg_errors(
     platform: "Platform",
     leg: "Leg",
-    at: "Motion",
+    at: "Motions",
     shared: "Shared",
     R_err: "Real",
     rows: "Rows",
@@ -248,7 +242,7 @@ def reciprocal_condition(H: "array(6, 6)", Y: "array(6, 6)", q: "array(3)", leng
 
 
 def equations_of_pose(
-    model: "Model", at: "Motion", shared: "Shared", near: "Integer", D: "array(6)", out: "Equations"
+    model: "Model", at: "Motions", shared: "Shared", near: "Integer", D: "array(6)", out: "Equations"
 ) -> "Integer":
     """The legs and the platform of one pose: D and the platform's equations. Returns a status. `near`: with
     the legs' code path near the joint singularity, legs having been found to be neither at it nor too
@@ -318,7 +312,7 @@ def solution(of: "Equations", per_length: "Real", x: "array(6)", Y: "array(6, 6)
 
 def bound_of_pose(
     model: "Model",
-    at: "Motion",
+    at: "Motions",
     x: "array(6)",
     Y: "array(6, 6)",
     F: "array(6)",
@@ -372,7 +366,7 @@ def bound_of_pose(
 
 
 def forces_of_pose(
-    model: "Model", at: "Motion", F: "array(6)", bound: "array(6)", rcond: "Pointer(Real)"
+    model: "Model", at: "Motions", F: "array(6)", bound: "array(6)", rcond: "Pointer(Real)"
 ) -> "Integer":
     """Forces, bound and reciprocal condition of one pose; the last two may be null. Returns a status."""
     shared = blank(Shared)

@@ -116,19 +116,17 @@ def inverse_dynamics_batch(
 ) -> "Integer":
     """The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first
     code other than STEWART_OK, or STEWART_OK."""
-    result = blank(Forces)
-    first = OK
-    if robot is None or motions_given(motions) == 0 or forces is None:
+    zeros = array(3)
+    found = blank(Forces)
+    if MISSING:
         return BAD_ARGUMENT
-    for pose in range(count):
-        at = pose_at(motions, pose)
-        code = pose_forces(robot, at, result)
-        if code == OK:
-            COPIED
-        if status is not None:
-            status[pose] = code
-        first = where(first == OK, code, first)
-    return first
+    batch()
+
+
+def one_forces() -> None:
+    """Of one pose."""
+    at = pose_at(motions, pose, zeros)
+    code = pose_forces(robot, at, found)
 
 
 def joint_reactions_batch(
@@ -140,19 +138,17 @@ def joint_reactions_batch(
     status: "Pointer(Integer)",
 ) -> "Integer":
     """Joint reactions of `count` poses, as above."""
+    zeros = array(3)
     forces = blank(Forces)
-    result = blank(Reactions)
-    first = OK
-    if robot is None or motions_given(motions) == 0 or reactions is None:
+    found = blank(Reactions)
+    if MISSING:
         return BAD_ARGUMENT
-    for pose in range(count):
-        at = pose_at(motions, pose)
-        code = pose_forces(robot, at, forces)
-        if code == OK:
-            code = pose_reactions(robot, at, bearing, forces.x, result)
-        if code == OK:
-            COPIED
-        if status is not None:
-            status[pose] = code
-        first = where(first == OK, code, first)
-    return first
+    batch()
+
+
+def one_reactions() -> None:
+    """Of one pose."""
+    at = pose_at(motions, pose, zeros)
+    code = pose_forces(robot, at, forces)
+    if code == OK:
+        code = pose_reactions(robot, at, bearing, forces.x, found)

@@ -23,13 +23,7 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
             SUMMED
     prepare_platform(robot, sum, platform)
     COPIED_PLATFORM
-    made.per_length = per_length_of(size_of(made), SMALLEST)
-    numbers = numbers_of(made)
-    for i in range(COUNT):
-        if not size(numbers[i]) <= MAX:
-            return NOT_FINITE
-    model = made
-    return OK
+    hand_over()
 
 
 def shared_of_pose(model: "Model", at: "Motion", out: "SharedTerms") -> None:
@@ -287,11 +281,7 @@ def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
 def forces_of(model: "Model", motions: "Motions", pose: "Count", F: "Pointer(Real)") -> "Integer":
     """Forces and status of one pose of a batch."""
     one = blank(Motion)
-    for i in range(9):
-        one.R[i] = motions.R[pose * 9 + i]
-    for i in range(3):
-        at = pose * 3 + i
-        ONE
+    load_pose(motions, pose, one)
     return forces(model, one, F)
 
 
@@ -323,7 +313,5 @@ def forces_batch(
             else:
                 for i in range(6):
                     F[pose * 6 + i] = done.F[i][l]
-            if status is not None:
-                status[pose] = code
-            result = where(result == OK, code, result)
+            note_status()
     return result

@@ -45,3 +45,14 @@ def scaled_axis(k: "array(3)", out: "array(3)") -> None:
         by = where(most < 1.0 / 1048576.0, 4294967296.0, by)
         for j in range(3):
             out[j] = by * out[j]
+
+
+def handed_over() -> None:
+    """The end of a preparation: the model is written only if its numbers are finite."""
+    made.per_length = per_length_of(size_of(made), SMALLEST)
+    numbers = numbers_of(made)
+    for i in range(COUNT):
+        if not size(numbers[i]) <= MAX:
+            return NOT_FINITE
+    model = made
+    return OK

@@ -1,0 +1,158 @@
+"""Poses of a batch one after the other, and one pose that is handed over, for ``read``.
+
+Each kernel has its functions with these lines; ``one_pose`` stands for what it does with a pose.
+"""
+
+
+def batch() -> None:
+    """Pose after pose; the first fault is returned."""
+    result = OK
+    for pose in range(count):
+        one_pose()
+        if COPIES:
+            if code == OK:
+                COPIED
+        note_status()
+    return result
+
+
+def noted() -> None:
+    """The status of a pose in its place, and the first fault of all."""
+    if status is not None:
+        status[pose] = code
+    result = where(result == OK, code, result)
+
+
+def copy(to: "Pointer(Real)", pose: "Count", values: "Pointer(Real)", count: "Count") -> None:
+    """The numbers of a pose in an array of all poses, if there is one."""
+    if to is not None:
+        for i in range(count):
+            to[pose * count + i] = values[i]
+
+
+def is_finite(values: "Pointer(Real)", count: "Integer") -> "Integer":
+    """1 where all numbers are finite, else 0."""
+    for i in range(count):
+        if not size(values[i]) <= MAX:
+            return 0
+    return 1
+
+
+def pose_at(motions: "Motions", pose: "Count", zeros: "array(3)") -> "Motions":
+    """One pose of a batch; zeros for what may be null and is."""
+    at = blank(Motions)
+    PARTS
+    return at
+
+
+def motion_as_arrays(motion: "Motion") -> "Motions":
+    """A pose that is one of many."""
+    at = blank(Motions)
+    PARTS
+    return at
+
+
+def load_pose(motions: "Motions", pose: "Count", one: "Motion") -> None:
+    """One pose of a batch, number by number; zeros for what may be null and is."""
+    for i in range(9):
+        one.R[i] = motions.R[pose * 9 + i]
+    for i in range(3):
+        at = pose * 3 + i
+        ONE
+
+
+# ---------------------------------------------------------------- legs
+
+
+def legs_batch(
+    robot: "Robot", count: "Count", motions: "Motions", legs: "LegsArrays", status: "Pointer(Integer)"
+) -> "Integer":
+    """Kinematics of the legs of many poses."""
+    zeros = array(3)
+    if MISSING:
+        return BAD_ARGUMENT
+    batch()
+
+
+def one_kinematics() -> None:
+    """Of one pose."""
+    at = pose_at(motions, pose, zeros)
+    found = motions_of(robot, at)
+    code = found.status
+
+
+# ---------------------------------------------------------------- bounds
+
+
+def forces_bounded(
+    model: "Model", motion: "Motion", F: "array(6)", bound: "array(6)", rcond: "Pointer(Real)"
+) -> "Integer":
+    """Forces of one pose with their bounds."""
+    if MISSING:
+        return BAD_ARGUMENT
+    at = motion_as_arrays(motion)
+    return forces_of_pose(model, at, F, bound, rcond)
+
+
+def forces_bounded_batch(
+    model: "Model",
+    count: "Count",
+    motions: "Motions",
+    F: "Pointer(Real)",
+    bound: "Pointer(Real)",
+    rcond: "Pointer(Real)",
+    status: "Pointer(Integer)",
+) -> "Integer":
+    """Forces of many poses with their bounds."""
+    zeros = array(3)
+    if MISSING:
+        return BAD_ARGUMENT
+    batch()
+
+
+def one_bounded() -> None:
+    """Of one pose."""
+    at = pose_at(motions, pose, zeros)
+    code = forces_of_pose(
+        model,
+        at,
+        F[pose * 6 :],
+        where(bound is not None, bound[pose * 6 :], None),
+        where(rcond is not None, rcond[pose:], None),
+    )
+
+
+# ---------------------------------------------------------------- closed form
+
+
+def closed_form(model: "Model", motion: "Motion", F: "array(6)", out: "Result") -> "Integer":
+    """One output of the closed form."""
+    found = blank(Found)
+    if MISSING:
+        return BAD_ARGUMENT
+    find(model, motion, F, found)
+    if found.status == OK:
+        COPIED
+    return found.status
+
+
+def closed_form_batch(
+    model: "Model",
+    count: "Count",
+    motions: "Motions",
+    F: "Pointer(Real)",
+    out: "ResultArrays",
+    status: "Pointer(Integer)",
+) -> "Integer":
+    """The same of many poses."""
+    one = blank(Motion)
+    found = blank(Found)
+    if MISSING:
+        return BAD_ARGUMENT
+    batch()
+
+
+def one_closed_form() -> None:
+    """Of one pose."""
+    load_pose(motions, pose, one)
+    code = of_pose(model, one, F[pose * 6 :], found)
