@@ -51,7 +51,7 @@ _ORDER: tuple[tuple[str, str, Callable[[bool], ForceKernel]], ...] = (
     ),
     (
         "shared pose",
-        "S_ddot = B q + a, the platform's inertia about its reference point",
+        "S_ddot = B q + a, the platform's inertia about its centre of mass",
         lambda friction: shared_blocks(with_shared_pose(EXACT, friction)),
     ),
     (
