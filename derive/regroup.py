@@ -26,7 +26,14 @@ from . import notation as n
 from . import prepared as p
 from .block import Block, Builder, Output, Quantity, Step, rebuilt
 from .formulation import SPHERICAL, Formulation
-from .joint_leg import friction_moment, joint_accelerations, joint_forces, joint_frame, joint_rates, tip_force
+from .joint_leg import (
+    friction_moment,
+    joint_accelerations,
+    joint_forces,
+    joint_frame,
+    joint_rates,
+    tip_force,
+)
 from .kernels import leg_block
 from .leg import cross
 from .platform import LegShare, platform

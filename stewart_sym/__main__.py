@@ -9,7 +9,7 @@ def main() -> int:
     # Before NumPy is imported: of matrices as small as ours, threads of OpenBLAS wait more than they work.
     os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
     try:
-        from .cli import main as run
+        from .cli.main import main as run
 
         return run()
     except KeyboardInterrupt:

@@ -12,13 +12,14 @@ from pathlib import Path
 
 import atheris
 
-with atheris.instrument_imports(include=["tomllib", "stewart_sym.tables", "stewart_sym.robot"]):
-    import stewart_sym.robot
-with atheris.instrument_imports(include=["stewart_sym.scene", "stewart_sym.trajectory"]):
-    from stewart_sym import scene, trajectory
+with atheris.instrument_imports(include=["tomllib", "stewart_sym.io.tables", "stewart_sym.robot.robot"]):
+    import stewart_sym.robot.robot
+with atheris.instrument_imports(include=["stewart_sym.simulation.scene", "stewart_sym.motion.trajectory"]):
+    from stewart_sym.motion import trajectory
+    from stewart_sym.simulation import scene
 
 READERS = (
-    stewart_sym.robot.Robot.from_toml,
+    stewart_sym.robot.robot.Robot.from_toml,
     scene.read_scene,
     trajectory.read_any_csv,
     trajectory.read_forces_csv,
@@ -38,8 +39,8 @@ def check(path: Path, data: bytes) -> None:
         assert text.isprintable(), text
         assert len(text) - len(str(path)) < LONGEST, text
         return
-    if isinstance(found, stewart_sym.robot.Robot):
-        again = stewart_sym.robot.Robot.from_dict(found.to_dict())
+    if isinstance(found, stewart_sym.robot.robot.Robot):
+        again = stewart_sym.robot.robot.Robot.from_dict(found.to_dict())
         assert again.to_dict() == found.to_dict()
 
 

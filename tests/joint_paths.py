@@ -10,8 +10,8 @@ from machines import dasgupta, home_position, machine_size, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.conditioning import characteristic_length
-from stewart_sym.rotation import angular_motion_from_vector, rotation_from_vector
+from stewart_sym.kinematics.conditioning import characteristic_length
+from stewart_sym.motion.rotation import angular_motion_from_vector, rotation_from_vector
 
 Array = NDArray[np.float64]
 

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stewart_sym import robots
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 

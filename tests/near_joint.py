@@ -15,11 +15,11 @@ import numpy as np
 from machines import Array, random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym import native
-from stewart_sym.closed_form import OUTPUTS, c_sources
-from stewart_sym.kernel import MOTION, address, loaded, robot_numbers
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION, address, loaded, robot_numbers
+from stewart_sym.dynamics.closed_form import OUTPUTS, c_sources
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 EPSILON = np.finfo(np.float64).eps
 KINDS = (

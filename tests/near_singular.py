@@ -9,8 +9,8 @@ from collections.abc import Callable
 import numpy as np
 from machines import MIN_SIN_POLE, Array, machine_size, random_motion, rotation
 
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 NEAREST = 1e-4
 """Share of the way back from the singular pose, at least."""

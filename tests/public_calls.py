@@ -12,7 +12,7 @@ import sympy as sp
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym.trajectory import Trajectory
+from stewart_sym.motion.trajectory import Trajectory
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
 RECORDS = {

@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import Any
 
-from stewart_sym.extras import install
+from stewart_sym.io.extras import install
 
 BEGIN = "<!-- from .docs/bench.json by `python tests/test_readme.py` -->\n"
 END = "<!-- end -->\n"

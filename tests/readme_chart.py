@@ -7,8 +7,8 @@ from typing import Any
 
 from readme_bench import paragraph, table
 
-from stewart_sym import fidelity
-from stewart_sym.budget import MARGIN
+from stewart_sym.backend import fidelity
+from stewart_sym.studies.accuracy.budget import MARGIN
 
 BEGIN = "<!-- from .docs/chart.json by `python tests/test_readme.py` -->\n"
 END = "<!-- end of chart -->\n"

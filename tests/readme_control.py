@@ -7,8 +7,8 @@ from typing import Any
 
 from readme_bench import paragraph, table
 
-from stewart_sym.studies.control import Settings
-from stewart_sym.studies.control_report import NAMES, vector
+from stewart_sym.studies.control.control import Settings
+from stewart_sym.studies.control.report import NAMES, vector
 
 BEGIN = "<!-- from .docs/control.json by `python tests/test_readme.py` -->\n"
 END = "<!-- end of control -->\n"

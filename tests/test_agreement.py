@@ -8,11 +8,11 @@ from machines import random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym import kernel
-from stewart_sym.motion import Motion
+from stewart_sym.backend import kernel
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.results import Forces, Reactions
-from stewart_sym.robot import Robot
-from stewart_sym.rotation import rotation_from_vector
+from stewart_sym.robot.robot import Robot
 
 FORCES = ("F", "D", "x", "K", "H", "c")
 REACTIONS = ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")

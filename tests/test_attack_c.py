@@ -14,7 +14,7 @@ from machines import dasgupta
 from sweeps import FULL, share
 
 from stewart_sym import results
-from stewart_sym.kernel import address, library, robot_numbers
+from stewart_sym.backend.kernel import address, library, robot_numbers
 
 SANITIZED = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 MEMORY = ["-fsanitize=memory", "-fno-sanitize-recover=all"]

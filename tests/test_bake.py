@@ -12,15 +12,15 @@ from mpmath import mpf
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym import fidelity, native
+from stewart_sym.backend import fidelity, native
+from stewart_sym.backend.kernel import MOTION, address
 from stewart_sym.derive.bake import _Constants
 from stewart_sym.derive.notation import Quantity
 from stewart_sym.derive.package.words import robot_symbol
-from stewart_sym.kernel import MOTION, address
 from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import Parts, parts
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 EPSILON = np.finfo(np.float64).eps
 Array = NDArray[np.float64]
@@ -94,7 +94,7 @@ def test_baking_the_papers_machine_saves_operations(level: str) -> None:
     assert made.baked_operations < made.operations
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
 def test_terms_that_are_zero_for_a_robot_disappear_from_its_kernel() -> None:
     robot = simple_robot()
     cost = functools.partial(_baked_operations, robot)

@@ -12,9 +12,9 @@ from test_readme import row
 
 import stewart_sym as ss
 from stewart_sym.derive.regressor import dependencies
-from stewart_sym.identifiable import MERGED
-from stewart_sym.parameters import leg_name
-from stewart_sym.robot import Robot
+from stewart_sym.identification.base_parameters import MERGED
+from stewart_sym.identification.parameters import leg_name
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 EVERY = 148

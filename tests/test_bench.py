@@ -20,19 +20,20 @@ from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym import forces
-from stewart_sym.cli import main
-from stewart_sym.extras import EXTRAS, install
+from stewart_sym.backend.kernel import c_sources, module
+from stewart_sym.cli.main import main
+from stewart_sym.dynamics import forces
 from stewart_sym.generated.interface import MODELS
-from stewart_sym.kernel import c_sources, module
-from stewart_sym.robot import Robot
-from stewart_sym.studies import bench, bench_compile, bench_motion, bench_passes, host, timing
-from stewart_sym.studies.bench_figures import FORWARD, MOST
-from stewart_sym.studies.bench_plot import motion_picture, picture, report
-from stewart_sym.studies.peers import CASADI, JAX, PEERS, Contestant, Poses, Runner, multiply_add
-from stewart_sym.studies.peers_constraints import engines
-from stewart_sym.studies.peers_pinocchio import PinocchioMachine
-from stewart_sym.studies.peers_tree import tensors_of_bodies, tree
+from stewart_sym.io.extras import EXTRAS, install
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
+from stewart_sym.studies.benchmark.figures import FORWARD, MOST
+from stewart_sym.studies.benchmark.peers import CASADI, JAX, PEERS, Contestant, Poses, Runner, multiply_add
+from stewart_sym.studies.benchmark.peers_constraints import engines
+from stewart_sym.studies.benchmark.peers_pinocchio import PinocchioMachine
+from stewart_sym.studies.benchmark.peers_tree import tensors_of_bodies, tree
+from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
+from stewart_sym.studies.common import host, timing
 
 Array = NDArray[np.float64]
 
@@ -125,8 +126,8 @@ def reduced() -> bench.Benchmark:
     with pytest.MonkeyPatch.context() as patch:
         shorten(patch)
         patch.setattr(bench, "QUICK_SIZES", (8, 10**12))
-        patch.setattr(bench_passes, "stages", lambda _: ())
-        patch.setattr(bench_compile, "text_size", lambda: None)
+        patch.setattr(reductions, "stages", lambda _: ())
+        patch.setattr(compile_times, "text_size", lambda: None)
         patch.setattr(host, "_work_of_others", lambda: next(at))
         return bench.bench(quick=True)
 
@@ -249,7 +250,7 @@ def test_every_derived_pass_computes_the_forces_of_any_machine(stranger: Poses) 
 
 def stages_compute_the_forces_of(stranger: Poses) -> None:
     F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
-    for stage in bench_passes.stages():
+    for stage in reductions.stages():
         for contestant in stage.contestants:
             runner = contestant.make(stranger)
             runner.run(1)
@@ -259,9 +260,9 @@ def stages_compute_the_forces_of(stranger: Poses) -> None:
 @pytest.mark.usefixtures("small")
 @pytest.mark.parametrize("kind", ["one_pose", "batch"])
 def test_a_pass_with_wrong_forces_stops_the_run(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    first, *others = bench_passes.stages()
+    first, *others = reductions.stages()
     bad = dataclasses.replace(first, **{kind: off(getattr(first, kind), 1e-9)})
-    monkeypatch.setattr(bench_passes, "stages", lambda _: (bad, *others))
+    monkeypatch.setattr(reductions, "stages", lambda _: (bad, *others))
     monkeypatch.setattr(bench, "measured", None)
     with pytest.raises(ValueError, match=r"^as derived, .*: forces differ"):
         bench.bench(quick=True)
@@ -274,11 +275,11 @@ def test_a_pass_with_wrong_forces_stops_the_run(kind: str, monkeypatch: pytest.M
 def test_all_of_the_second_group_agree_on_any_machine(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng, friction=seed % 2 == 0)
-    group = bench_motion.motion_group(poses_of(robot, random_motion(rng, robot, (20,))))
+    group = equation_kernels.motion_group(poses_of(robot, random_motion(rng, robot, (20,))))
     assert all(np.array_equal(getattr(group.robot, name), getattr(robot, name)) for name in TENSORS)
     peers = [engine.name for engine in group.engines]
-    assert [*group.differences] == [*(each.name for each in bench_motion.FUNCTIONS), *peers]
-    assert len(group.tasks) == len(bench_motion.FUNCTIONS) + 2 * len(peers)
+    assert [*group.differences] == [*(each.name for each in equation_kernels.FUNCTIONS), *peers]
+    assert len(group.tasks) == len(equation_kernels.FUNCTIONS) + 2 * len(peers)
     assert all(group.differences[name] < 1e-6 for name in peers)
 
 
@@ -299,7 +300,7 @@ def test_a_peer_feels_rates_friction_load_and_gravity(number: int, change: str, 
     truth = np.concatenate([a, alpha], axis=-1)
     found = engines(robot, tree(robot, other, F))[number].accelerations()
     assert np.abs(found - truth).max() <= 1e-5 * np.abs(truth).max()
-    assert np.abs(truth - bench_motion.acceleration(motion)).max() > 1e-2 * np.abs(truth).max()
+    assert np.abs(truth - equation_kernels.acceleration(motion)).max() > 1e-2 * np.abs(truth).max()
 
 
 def test_tensors_of_bodies_stay_and_others_become_possible(stranger: Poses) -> None:
@@ -308,40 +309,40 @@ def test_tensors_of_bodies_stay_and_others_become_possible(stranger: Poses) -> N
         np.testing.assert_array_equal(tensors_of_bodies(tensors), tensors)
     printed = dasgupta()
     assert printed.physicality()
-    possible = bench_motion.robot_of_bodies(printed)
+    possible = equation_kernels.robot_of_bodies(printed)
     assert not possible.physicality()
     for name in TENSORS:
         once = getattr(possible, name)
         np.testing.assert_array_equal(tensors_of_bodies(once), once)
 
 
-@pytest.mark.parametrize("function", bench_motion.FUNCTIONS, ids=lambda function: function.name)
+@pytest.mark.parametrize("function", equation_kernels.FUNCTIONS, ids=lambda function: function.name)
 def test_a_wrong_answer_of_the_second_group_stops_the_run(
-    function: bench_motion.Function, monkeypatch: pytest.MonkeyPatch, stranger: Poses
+    function: equation_kernels.Function, monkeypatch: pytest.MonkeyPatch, stranger: Poses
 ) -> None:
     def wrong(robot: Robot, motion: ss.Motion, F: Array) -> list[Array]:
         *others, last = function.expected(robot, motion, F)
         return [*others, last * (1 + 2 * function.tolerance)]
 
-    monkeypatch.setattr(bench_motion, "FUNCTIONS", (dataclasses.replace(function, expected=wrong),))
+    monkeypatch.setattr(equation_kernels, "FUNCTIONS", (dataclasses.replace(function, expected=wrong),))
     with pytest.raises(ValueError, match=f"^{re.escape(function.name)}: numbers differ"):
-        bench_motion.motion_group(stranger)
+        equation_kernels.motion_group(stranger)
 
 
 def test_a_wrong_peer_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: Poses) -> None:
     def heavier(robot: Robot, *rest: Any) -> Any:
         return engines(dataclasses.replace(robot, M=1.01 * robot.M), *rest)
 
-    monkeypatch.setattr(bench_motion, "engines", heavier)
+    monkeypatch.setattr(equation_kernels, "engines", heavier)
     with pytest.raises(ValueError, match=r"^Pinocchio: numbers differ"):
-        bench_motion.motion_group(stranger)
+        equation_kernels.motion_group(stranger)
 
 
 def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], written: Path) -> None:
     motion, text = figures["motion"], (written / "bench.txt").read_text()
     inverse, peers = motion["ours"][0], motion["peers"]
     forward = next(entry for entry in motion["ours"] if entry["name"] == FORWARD)
-    assert [entry["name"] for entry in motion["ours"]] == [each.name for each in bench_motion.FUNCTIONS]
+    assert [entry["name"] for entry in motion["ours"]] == [each.name for each in equation_kernels.FUNCTIONS]
     assert [entry["name"] for entry in peers] == ["Pinocchio", "MuJoCo"]
     for entry in (*motion["ours"], *peers):
         assert len(entry["raw"]) == figures["rounds"]
@@ -439,17 +440,17 @@ def test_text_is_of_the_functions_of_one_pose(figures: dict[str, Any], written: 
 @pytest.mark.parametrize("command", ["gcc", "clang"])
 def test_text_is_found_with_either_compiler(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("CC", command)
-    size = bench_compile.text_size()
+    size = compile_times.text_size()
     assert size is not None
     assert {"stewart_exact_prepare", "stewart_exact_forces"} <= size.functions.keys()
 
 
 def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(bench_compile, "_LINK_FLAGS", ("-Wl,--no-such-option",))
-    assert bench_compile.text_size() is None
+    monkeypatch.setattr(compile_times, "_LINK_FLAGS", ("-Wl,--no-such-option",))
+    assert compile_times.text_size() is None
     monkeypatch.undo()
     monkeypatch.setattr(shutil, "which", lambda name: None if "nm" in name else f"/usr/bin/{name}")
-    assert bench_compile.text_size() is None
+    assert compile_times.text_size() is None
 
 
 def test_tables_without_passes_and_text_are_left_out(reduced: bench.Benchmark) -> None:
@@ -524,7 +525,8 @@ def test_the_command_takes_any_robot_file(figures: dict[str, Any], reduced: benc
 
 
 def test_without_matplotlib_one_line_says_what_to_install(tmp_path: Path) -> None:
-    code = "import sys; sys.modules['matplotlib'] = None; from stewart_sym.cli import main; sys.exit(main())"
+    code = "import sys; sys.modules['matplotlib'] = None; "
+    code += "from stewart_sym.cli.main import main; sys.exit(main())"
     command = [sys.executable, "-c", code, "bench", "-o", str(tmp_path / "out")]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode == 2

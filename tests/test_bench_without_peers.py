@@ -10,14 +10,15 @@ from typing import Any
 import pytest
 import readme_bench
 
-from stewart_sym.extras import install
+from stewart_sym.io.extras import install
 
 BENCH = """
 import json, sys
 folder, hidden = sys.argv[1], sys.argv[2:]
 sys.modules.update(dict.fromkeys(hidden))
-from stewart_sym.cli import main
-from stewart_sym.studies import bench, bench_compile, bench_passes, timing
+from stewart_sym.cli.main import main
+from stewart_sym.studies.benchmark import bench, compile_times as bench_compile, reductions as bench_passes
+from stewart_sym.studies.common import timing
 
 # Samples so short that the figures mean nothing; what compares nothing with others is left out.
 timing.SHORTEST, bench.QUICK_ROUNDS, bench.QUICK_SIZES = 1e-5, 3, (8, 64)

@@ -24,16 +24,17 @@ from test_bad_poses import singular
 from test_precision import block_inputs, truth
 
 import stewart_sym as ss
-from stewart_sym import bounds, native
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION, address, c_sources, library
 from stewart_sym.derive.adjoint import adjoint
 from stewart_sym.derive.block import Builder, Quantity, run
 from stewart_sym.derive.formulation import EXACT
-from stewart_sym.kernel import MOTION, address, c_sources, library
-from stewart_sym.motion import Motion
+from stewart_sym.dynamics import bounds
+from stewart_sym.motion.motion import Motion
+from stewart_sym.precision.quad import error, quad_forces
 from stewart_sym.results import BAD_ARGUMENT, OK, SINGULAR
-from stewart_sym.robot import Robot
-from stewart_sym.studies.bound_plot import bounds_study, csv_rows, figure, summary
-from stewart_sym.studies.quad import error, quad_forces
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.accuracy.bound_plot import bounds_study, csv_rows, figure, summary
 
 Array = NDArray[Any]
 

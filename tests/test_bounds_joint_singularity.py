@@ -11,10 +11,10 @@ from sweeps import share
 from test_bounds import DTYPE, PRECISIONS
 
 import stewart_sym as ss
-from stewart_sym.motion import Motion
+from stewart_sym.motion.motion import Motion
+from stewart_sym.precision.quad import error, quad_forces
 from stewart_sym.results import OK, POLE
-from stewart_sym.robot import Robot
-from stewart_sym.studies.quad import error, quad_forces
+from stewart_sym.robot.robot import Robot
 
 LEAST = 4096
 """Rounding units of the sine below which a leg is at its joint singularity."""

@@ -18,19 +18,20 @@ import pytest
 from numpy.typing import NDArray
 from sweeps import FULL
 
-from stewart_sym import cli, fixed_step, laws
+from stewart_sym.backend.kernel import c_sources
+from stewart_sym.cli import main as cli
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.package import build as kit_build
 from stewart_sym.derive.package import cpp as kit_cpp
 from stewart_sym.derive.package.functions import MODEL, NOTHING, Function
 from stewart_sym.derive.package.functions import ROBOT as OF_ROBOT
-from stewart_sym.equations import ForwardDynamics
+from stewart_sym.dynamics.equations import ForwardDynamics
 from stewart_sym.generated.interface import HEADERS
-from stewart_sym.kernel import c_sources
 from stewart_sym.kit import Choice, kit
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
-from stewart_sym.rotation import rotation_from_vector, vector_from_rotation
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation
+from stewart_sym.robot.robot import Robot
+from stewart_sym.simulation import actuator_models, fixed_step
 
 Array = NDArray[np.float64]
 
@@ -62,7 +63,7 @@ GENERATOR = """\
 #!{python}
 # A kit of the same robot and choice is made once: when it is asked for is what is tested here.
 import hashlib, pathlib, pickle, sys
-from stewart_sym import cli
+from stewart_sym.cli import main as cli
 from stewart_sym.kit import write
 
 made = write.kit
@@ -179,7 +180,7 @@ def test_client_runs_the_law_of_the_library_and_keeps_to_its_path(tmp_path: Path
 
 def python_loop(robot: Robot, cycles: int) -> Motion:
     """What loop.c does: the state after so many cycles."""
-    law = laws.ComputedTorque(robot, wanted, 900.0, 60.0)
+    law = actuator_models.ComputedTorque(robot, wanted, 900.0, 60.0)
     plant = ForwardDynamics(robot)
     begin = wanted(0.0)
     off = np.full(3, 1e-4)

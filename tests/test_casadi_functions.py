@@ -11,7 +11,7 @@ from machines import MACHINES, dasgupta, random_motion, random_robot
 from near_joint import leaning
 
 import stewart_sym as ss
-from stewart_sym.extras import install
+from stewart_sym.io.extras import install
 
 OTHERS = sorted(set(MACHINES) - {"paper"})
 FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")

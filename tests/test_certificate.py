@@ -9,10 +9,10 @@ from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.forward import newton
-from stewart_sym.rotation import rotation_from_vector
-from stewart_sym.studies.stability.poses import _exact_pose
-from stewart_sym.studies.stability.singular import path_III
+from stewart_sym.kinematics.forward import newton
+from stewart_sym.motion.rotation import rotation_from_vector
+from stewart_sym.studies.robustness.poses import _exact_pose
+from stewart_sym.studies.robustness.singular import path_III
 
 Array = NDArray[np.float64]
 

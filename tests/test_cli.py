@@ -15,14 +15,15 @@ import numpy as np
 import pytest
 
 import stewart_sym as ss
-from stewart_sym import cli, kernel
-from stewart_sym.cli import main
-from stewart_sym.extras import install
-from stewart_sym.publish import RECORD, replaced_file, staged_folder
-from stewart_sym.rotation import rpy_from_rotation
-from stewart_sym.studies import track
-from stewart_sym.studies.output import csv_lines
-from stewart_sym.trajectory import read_csv
+from stewart_sym.backend import kernel
+from stewart_sym.cli import main as cli
+from stewart_sym.cli.main import main
+from stewart_sym.io.extras import install
+from stewart_sym.io.writing import RECORD, replaced_file, staged_folder
+from stewart_sym.motion.rotation import rpy_from_rotation
+from stewart_sym.motion.trajectory import read_csv
+from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.reports import track
 
 POSES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
 
@@ -51,7 +52,7 @@ def trajectory(tmp_path: Path) -> Path:
 
 
 def run(*arguments: object, **options: object) -> "subprocess.CompletedProcess[str]":
-    command = [sys.executable, "-m", "stewart_sym.cli", *map(str, arguments)]
+    command = [sys.executable, "-m", "stewart_sym.cli.main", *map(str, arguments)]
     return subprocess.run(command, capture_output=True, text=True, **options)  # type: ignore[call-overload, no-any-return]
 
 
@@ -108,8 +109,8 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
 def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.delitem(sys.modules, "stewart_sym.studies.plots", raising=False)
-    monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
+    monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
+    monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     line = fails_in_one_line(capsys, "reproduce", "-o", tmp_path / "out")
     assert f"{install('plot')}, or give --no-pictures" in line
@@ -122,7 +123,7 @@ def test_reproduce_refuses_a_folder_it_cannot_write_before_computing(
     def unreachable(*_: object) -> None:
         raise AssertionError("computed before the folder was tried")
 
-    monkeypatch.setattr("stewart_sym.studies.reproduce.reproduce", unreachable)
+    monkeypatch.setattr("stewart_sym.studies.paper.reproduce.reproduce", unreachable)
     (tmp_path / "file").write_text("x")
     line = fails_in_one_line(capsys, "reproduce", "--no-pictures", "-o", tmp_path / "file" / "out")
     assert str(tmp_path / "file" / "out") in line
@@ -135,7 +136,7 @@ def test_reproduce_interrupted_is_quiet_and_leaves_nothing(
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("stewart_sym.studies.reproduce.reproduce", interrupted)
+    monkeypatch.setattr("stewart_sym.studies.paper.reproduce.reproduce", interrupted)
     assert main(["reproduce", "--no-pictures", "-o", str(tmp_path / "out")]) == 130
     captured = capsys.readouterr()
     assert (captured.out, captured.err) == ("", "")
@@ -367,7 +368,16 @@ def test_a_standard_output_that_takes_nothing_is_one_line(
 ) -> None:
     verb, *options = arguments
     inputs = [robot, trajectory][: 1 if verb == "check" else 2]
-    command = [sys.executable, "-W", "ignore", "-m", "stewart_sym.cli", verb, *map(str, inputs), *options]
+    command = [
+        sys.executable,
+        "-W",
+        "ignore",
+        "-m",
+        "stewart_sym.cli.main",
+        verb,
+        *map(str, inputs),
+        *options,
+    ]
     with open("/dev/full", "w") as full:
         done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
     lines = [line for line in done.stderr.splitlines() if "warning" not in line]
@@ -442,7 +452,7 @@ def test_a_failed_run_keeps_the_earlier_output(
 
 
 def test_a_reader_that_goes_away_is_no_traceback(robot: Path) -> None:
-    command = f"'{sys.executable}' -W ignore -m stewart_sym.cli check '{robot}' | true"
+    command = f"'{sys.executable}' -W ignore -m stewart_sym.cli.main check '{robot}' | true"
     done = subprocess.run(["sh", "-c", command], capture_output=True, text=True)
     assert done.stderr == ""
 
@@ -558,7 +568,7 @@ def test_generate_lists_the_files_and_writes_none(robot: Path, capsys: pytest.Ca
 def test_generate_that_is_told_to_end_leaves_the_old_kit_whole(robot: Path) -> None:
     """Whenever the signal comes: every file is of one kit or every file is of the other."""
     target = robot.parent / "kit"
-    command = [sys.executable, "-m", "stewart_sym.cli", "generate", str(robot), "-o", str(target)]
+    command = [sys.executable, "-m", "stewart_sym.cli.main", "generate", str(robot), "-o", str(target)]
     states = []
     for options in (["--scalar"], ["--bake"]):
         subprocess.run([*command, *options], check=True, capture_output=True)
@@ -698,7 +708,7 @@ def test_version(capsys: pytest.CaptureFixture[str]) -> None:
 
 
 def test_checking_a_robot_loads_nothing_heavy(robot: Path) -> None:
-    code = "import sys; from stewart_sym.cli import main; main(sys.argv[1:]); print(*sys.modules)"
+    code = "import sys; from stewart_sym.cli.main import main; main(sys.argv[1:]); print(*sys.modules)"
     done = subprocess.run(
         [sys.executable, "-c", code, "check", str(robot)], capture_output=True, text=True, check=True
     )

@@ -19,9 +19,9 @@ from distributed import Client, LocalCluster
 from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym import native
-from stewart_sym.motion import Motion
-from stewart_sym.studies.workspace import grid, map_block, workspace_map
+from stewart_sym.backend import native
+from stewart_sym.motion.motion import Motion
+from stewart_sym.studies.reports.workspace import grid, map_block, workspace_map
 
 WAIT = 25
 CHUNK = 12_500

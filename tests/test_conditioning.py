@@ -10,11 +10,15 @@ from machines import random_robot
 from numpy.typing import NDArray
 
 from stewart_sym import robots
-from stewart_sym.conditioning import characteristic_length, condition_number, scaled_condition_number
-from stewart_sym.kinematics import inverse_kinematics
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
-from stewart_sym.trajectory import PATHS
+from stewart_sym.kinematics.conditioning import (
+    characteristic_length,
+    condition_number,
+    scaled_condition_number,
+)
+from stewart_sym.kinematics.inverse import inverse_kinematics
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.trajectory import PATHS
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 

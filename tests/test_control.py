@@ -15,10 +15,10 @@ from sweeps import FULL
 from test_cli import fails_in_one_line, folder_state
 
 import stewart_sym as ss
-from stewart_sym.cli import main
-from stewart_sym.laws import GravityCompensation, ModelTorque, along
-from stewart_sym.studies import control
-from stewart_sym.studies.control import CONTROLLERS, Figures, PreparedModel, Run, Settings, follow
+from stewart_sym.cli.main import main
+from stewart_sym.simulation.actuator_models import GravityCompensation, ModelTorque, along
+from stewart_sym.studies.control import control
+from stewart_sym.studies.control.control import CONTROLLERS, Figures, PreparedModel, Run, Settings, follow
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(3)

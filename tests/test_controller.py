@@ -11,11 +11,11 @@ import readme_controller
 from machines import dasgupta, random_robot
 from sweeps import FULL
 
-from stewart_sym.cli import main
-from stewart_sym.native import CompilerError
+from stewart_sym.backend.native import CompilerError
+from stewart_sym.cli.main import main
 from stewart_sym.results import POLE
-from stewart_sym.studies.controller import measure, report, toolchain
-from stewart_sym.studies.controller.measure import Figures, Study
+from stewart_sym.studies.microcontroller import measure, report, toolchain
+from stewart_sym.studies.microcontroller.measure import Figures, Study
 
 INSTRUCTIONS = {False: 3700, True: 3400}
 """Of a general and of a baked kit at the kit's own flags, at most."""

@@ -8,8 +8,8 @@ import pytest
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import stewart_sym as ss
-from stewart_sym.cli import main
-from stewart_sym.studies.conventions import figure
+from stewart_sym.cli.main import main
+from stewart_sym.studies.paper.conventions import figure
 
 REPOSITORY = Path(__file__).parent.parent
 PAGE = REPOSITORY / ".docs" / "conventions.md"

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from test_bad_poses import BACKENDS, at_rest, leg_along_its_axis, short_leg, singular
 
 import stewart_sym as ss
-from stewart_sym.damping import SHARE, damped_solution
+from stewart_sym.dynamics.damping import SHARE, damped_solution
 from stewart_sym.results import OK, POLE, SHORT_LEG, SINGULAR
 
 Array = NDArray[np.float64]

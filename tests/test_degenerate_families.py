@@ -14,18 +14,22 @@ from sweeps import share
 from test_scalar import prepared
 
 import stewart_sym as ss
-from stewart_sym import forces as force_kernels
-from stewart_sym import native
-from stewart_sym.closed_form import OUTPUTS, NumpyClosedForm
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION, address, c_sources, robot_numbers
+from stewart_sym.backend.native import CompilerError
 from stewart_sym.derive.kernel.constants import constants
-from stewart_sym.kernel import MOTION, address, c_sources, robot_numbers
-from stewart_sym.native import CompilerError
+from stewart_sym.dynamics import forces as force_kernels
+from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
+from stewart_sym.precision.truth import Truth, digits
 from stewart_sym.results import OK
-from stewart_sym.studies.stability import judge
-from stewart_sym.studies.stability.machines import LEGS, random_machine, random_motion
-from stewart_sym.studies.stability.singular_machines import FAMILIES, exact_determinant, singular_machine
-from stewart_sym.studies.stability.sweep import GOOD, condition_of, random_machines, sweep
-from stewart_sym.studies.truth import Truth, digits
+from stewart_sym.studies.robustness.sweep import judge
+from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine, random_motion
+from stewart_sym.studies.robustness.sweep.singular_machines import (
+    FAMILIES,
+    exact_determinant,
+    singular_machine,
+)
+from stewart_sym.studies.robustness.sweep.sweep import GOOD, condition_of, random_machines, sweep
 
 Array = NDArray[np.float64]
 

@@ -23,24 +23,36 @@ from test_fidelity import as_simple_as
 from test_precision import truth as eliminated
 
 import stewart_sym as ss
-from stewart_sym import fidelity, reference
-from stewart_sym.budget import MARGIN, Budget, papers_motions, read_budget
-from stewart_sym.cli import main
+from stewart_sym.backend import fidelity
+from stewart_sym.cli.main import main
 from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import FORMULATIONS
-from stewart_sym.extras import install
 from stewart_sym.generated import exact, paper
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
-from stewart_sym.studies import bound_plot, scales, timing
-from stewart_sym.studies import economy as study
-from stewart_sym.studies.advice import TERMS, Advice, advice, answer, as_json, closest, excess, report, terms
-from stewart_sym.studies.charts import charts
-from stewart_sym.studies.economy import Candidate, Economy, Entry, Errors, economy
-from stewart_sym.studies.output import csv_lines
-from stewart_sym.studies.truth import Truth, deviation
-from stewart_sym.trajectory import read_csv
+from stewart_sym.io.extras import install
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.trajectory import read_csv
+from stewart_sym.precision.truth import Truth, deviation
+from stewart_sym.reference import newton_euler
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.accuracy import bound_plot, scales
+from stewart_sym.studies.accuracy import cost as study
+from stewart_sym.studies.accuracy.advice import (
+    TERMS,
+    Advice,
+    advice,
+    answer,
+    as_json,
+    closest,
+    excess,
+    report,
+    terms,
+)
+from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions, read_budget
+from stewart_sym.studies.accuracy.charts import charts
+from stewart_sym.studies.accuracy.cost import Candidate, Economy, Entry, Errors, economy
+from stewart_sym.studies.common import timing
+from stewart_sym.studies.common.output import csv_lines
 
 FRICTIONLESS = TABLE["frictionless"]["operations"]["total"]
 
@@ -252,13 +264,13 @@ def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: Econo
 def model_errors(robot: Robot, motion: Motion) -> dict[str, tuple[float, float]]:
     """Largest and RMS errors of some fidelities and of `paper`, from the slow reference alone."""
     smooth = dataclasses.replace(robot, **dict.fromkeys(("C_u", "C_p", "C_s"), np.zeros(6)))
-    true = reference.inverse_dynamics(robot, motion).F
+    true = newton_euler.inverse_dynamics(robot, motion).F
     forces = {
-        "paper": reference.inverse_dynamics(robot, motion, reference.PAPER).F,
-        "frictionless": reference.inverse_dynamics(smooth, motion).F,
-        "general_static": reference.inverse_dynamics(smooth, at_rest(motion)).F,
-        "massless": reference.massless_forces(robot, motion),
-        "massless_static": reference.massless_forces(robot, at_rest(motion)),
+        "paper": newton_euler.inverse_dynamics(robot, motion, newton_euler.PAPER).F,
+        "frictionless": newton_euler.inverse_dynamics(smooth, motion).F,
+        "general_static": newton_euler.inverse_dynamics(smooth, at_rest(motion)).F,
+        "massless": newton_euler.massless_forces(robot, motion),
+        "massless_static": newton_euler.massless_forces(robot, at_rest(motion)),
     }
     peak = np.abs(true).max()
     return {
@@ -305,7 +317,7 @@ def test_rounding_in_float_is_the_worst_of_all_poses(found: Economy) -> None:
 
 def test_peaks_are_the_largest_forces(found: Economy) -> None:
     for name, motion in papers_motions().items():
-        F = reference.inverse_dynamics(dasgupta(), motion).F
+        F = newton_euler.inverse_dynamics(dasgupta(), motion).F
         assert found.peaks[name] == pytest.approx(np.abs(F).max(), rel=1e-9)
         assert found.poses[name] == 61
 
@@ -371,7 +383,7 @@ def test_one_pose_and_batch_run_the_kernel_they_are_named_after() -> None:
 def brute_force(tolerance: float) -> tuple[str, str, str]:
     """The cheapest good enough kernel on Path I, from forces, the reference and the generated counts."""
     robot, motion = dasgupta(), papers_motions()["I"]
-    true = reference.inverse_dynamics(robot, motion).F
+    true = newton_euler.inverse_dynamics(robot, motion).F
     peak = np.abs(true).max()
     best: tuple[int, int] | None = None
     chosen = ("", "", "")
@@ -684,8 +696,8 @@ def test_chart_writes_tables_without_matplotlib(
     scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few(monkeypatch)
-    monkeypatch.delitem(sys.modules, "stewart_sym.studies.plots", raising=False)
-    monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
+    monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
+    monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     output = scene.parent / "out"
     before = folder_state(scene.parent)

@@ -17,8 +17,8 @@ from matplotlib.figure import Figure
 from matplotlib.text import Annotation, Text
 from matplotlib.transforms import Bbox
 
-from stewart_sym.studies.economy import Candidate, Economy, Entry, Errors, Implementation
-from stewart_sym.studies.economy_plot import (
+from stewart_sym.studies.accuracy.cost import Candidate, Economy, Entry, Errors, Implementation
+from stewart_sym.studies.accuracy.cost_plot import (
     ROUNDING,
     TOTAL,
     Point,
@@ -28,7 +28,7 @@ from stewart_sym.studies.economy_plot import (
     points,
     save,
 )
-from stewart_sym.studies.labels import Label, place
+from stewart_sym.studies.common.labels import Label, place
 
 LEVELS = (
     ("exact massless_static", 475, 0.46),

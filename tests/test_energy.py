@@ -12,13 +12,13 @@ import pytest
 from machines import dasgupta, path_period, random_path, random_robot
 from numpy.typing import NDArray
 
-from stewart_sym import reference
-from stewart_sym.dynamics import Formulation, inverse_dynamics
-from stewart_sym.forces import prepare
-from stewart_sym.motion import Motion
-from stewart_sym.reference import EXACT, PAPER
-from stewart_sym.robot import Robot
-from stewart_sym.trajectory import PATHS
+from stewart_sym.dynamics.forces import prepare
+from stewart_sym.dynamics.inverse import Formulation, inverse_dynamics
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.trajectory import PATHS
+from stewart_sym.reference import newton_euler
+from stewart_sym.reference.newton_euler import EXACT, PAPER
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 Path = Callable[[Array], Motion]
@@ -94,7 +94,7 @@ def test_power_of_a_load_is_taken_in_the_platform_frame() -> None:
     x, y, z = np.eye(3)
     motion = Motion(quarter_turn, 0 * x, 2 * z, 3 * y, 0 * x, 0 * x, F_ext=5 * x, M_ext=7 * z)
     robot = random_robot(np.random.default_rng(0))
-    assert reference.external_power(robot, motion) == 3 * 5 + 2 * 7
+    assert newton_euler.external_power(robot, motion) == 3 * 5 + 2 * 7
 
 
 def _balance(robot: Robot, path: Path, breaks: Array, faults: frozenset[int]) -> Balance:
@@ -106,16 +106,18 @@ def _balance(robot: Robot, path: Path, breaks: Array, faults: frozenset[int]) ->
     if faults in FORMULATIONS:
         F = inverse_dynamics(robot, motion, FORMULATIONS[faults], backend="c").F
         fast = prepare(robot, FORMULATIONS[faults]).forces(motion)
-        assert np.abs(reference.actuator_power(robot, motion, fast - F)).max() <= RELATIVE * np.abs(F).max()
+        assert (
+            np.abs(newton_euler.actuator_power(robot, motion, fast - F)).max() <= RELATIVE * np.abs(F).max()
+        )
         F = fast
     else:
-        forces = reference.inverse_dynamics(robot, motion, faults)
+        forces = newton_euler.inverse_dynamics(robot, motion, faults)
         assert np.all(forces.status == 0)
         F = forces.F
-    actuators = reference.actuator_power(robot, motion, F)
-    load = reference.external_power(robot, motion)
-    friction = reference.friction_power(robot, motion)
-    ends = reference.energy(robot, path(breaks[[0, -1]]))
+    actuators = newton_euler.actuator_power(robot, motion, F)
+    load = newton_euler.external_power(robot, motion)
+    friction = newton_euler.friction_power(robot, motion)
+    ends = newton_euler.energy(robot, path(breaks[[0, -1]]))
     return Balance(
         actuators=float(weights @ actuators),
         load=float(weights @ load),

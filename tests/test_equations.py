@@ -9,9 +9,9 @@ from machines import machine_size, random_motion, random_robot, rotation
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym import reference
-from stewart_sym.equations import solve_positive
-from stewart_sym.reference_equations import equations_of_motion as oracle
+from stewart_sym.dynamics.equations import solve_positive
+from stewart_sym.reference import newton_euler
+from stewart_sym.reference.equations_of_motion import equations_of_motion as oracle
 
 Array = NDArray[np.float64]
 
@@ -72,7 +72,7 @@ def test_the_terms_add_up_to_inverse_dynamics(backend: Any, formulation: Any, ba
 @pytest.mark.parametrize("formulation", FORMULATIONS)
 @pytest.mark.parametrize("backend", ["c", "numpy"])
 def test_backends_agree_with_the_oracle(backend: Any, formulation: Any, base_joint: str) -> None:
-    faults = reference.PAPER if formulation == "paper" else reference.EXACT
+    faults = newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
     for seed in range(5):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng, base_joint)
@@ -99,7 +99,7 @@ def test_exact_M_is_symmetric_positive_definite_and_makes_the_kinetic_energy(
         np.testing.assert_allclose(M, np.swapaxes(M, -1, -2), rtol=1e-12, atol=1e-13 * np.abs(M).max())
         assert np.linalg.eigvalsh(M).min() > 0
         rest = ss.Motion(motion.R, motion.t, 0 * motion.omega, 0 * motion.v)
-        kinetic = reference.energy(robot, motion) - reference.energy(robot, rest)
+        kinetic = newton_euler.energy(robot, motion) - newton_euler.energy(robot, rest)
         of_M = np.einsum("ni,nij,nj->n", twist(motion), M, twist(motion)) / 2
         np.testing.assert_allclose(of_M, kinetic, rtol=1e-10)
 
@@ -118,12 +118,12 @@ def test_paper_M_is_symmetric_positive_definite_and_too_large(backend: Any, base
         M = ss.equations_of_motion(robot, motion, "paper", backend).M
         np.testing.assert_allclose(M, np.swapaxes(M, -1, -2), rtol=1e-12, atol=1e-13 * np.abs(M).max())
         assert np.linalg.eigvalsh(M).min() > 0
-        more = M - oracle(robot, motion, reference.PAPER - {reference.TRANSPORT}).M
+        more = M - oracle(robot, motion, newton_euler.PAPER - {newton_euler.TRANSPORT}).M
         assert np.linalg.eigvalsh(more).min() > -1e-9 * np.abs(M).max()
         assert np.abs(more).max() > 1e-3 * np.abs(M).max()
 
 
-@pytest.mark.parametrize("fault", [reference.SPIN, reference.MOMENT])
+@pytest.mark.parametrize("fault", [newton_euler.SPIN, newton_euler.MOMENT])
 def test_one_of_the_faults_1_and_2_without_the_other_makes_M_unsymmetric(fault: int) -> None:
     rng = np.random.default_rng(0)
     robot = random_robot(rng)
@@ -159,10 +159,10 @@ def test_g_is_the_slope_of_the_potential_and_friction_takes_its_power(backend: A
     motion = random_motion(rng, robot, (4,))
     e = ss.equations_of_motion(robot, motion, backend=backend)
     power = np.einsum("ni,ni->n", e.friction, twist(motion))
-    np.testing.assert_allclose(power, reference.friction_power(robot, motion), rtol=1e-10)
+    np.testing.assert_allclose(power, newton_euler.friction_power(robot, motion), rtol=1e-10)
     h = 1e-4
     ends = [
-        reference.energy(
+        newton_euler.energy(
             robot,
             ss.Motion(
                 np.array([rotation(x * w) @ R for w, R in zip(motion.omega, motion.R, strict=True)]),

@@ -11,8 +11,8 @@ from types import SimpleNamespace
 import pytest
 
 import stewart_sym as ss
-from stewart_sym import extras
-from stewart_sym.extras import EXTRAS, install
+from stewart_sym.io import extras
+from stewart_sym.io.extras import EXTRAS, install
 
 PACKAGE = Path(ss.__file__).parent
 MODULES = sorted(
@@ -73,9 +73,9 @@ RUN_ALL = """
 import contextlib, io, json, sys
 hidden, commands = json.loads(sys.argv[1])
 sys.modules.update(dict.fromkeys(hidden))
-from stewart_sym import native
-from stewart_sym.cli import main
-from stewart_sym.studies import identify, run, track
+from stewart_sym.backend import native
+from stewart_sym.cli.main import main
+from stewart_sym.studies.reports import identify, run, track
 def work(*_, **__):
     raise AssertionError("work began")
 for module, name in ((track, "in_parts"), (identify, "from_measurement"), (run, "run_columns")):
@@ -146,7 +146,7 @@ IDENTIFY = """
 import sys
 sys.modules["scipy"] = None
 import numpy as np, stewart_sym as ss
-from stewart_sym import identification
+from stewart_sym.identification import estimation as identification
 robot = ss.robots.dasgupta1998()
 path = ss.PATHS["I"].path
 motion = path.sample(np.linspace(0.0, 6.0, 50))

@@ -11,11 +11,11 @@ from test_precision import truth
 from test_regroup import forces
 
 import stewart_sym as ss
-from stewart_sym import fidelity
+from stewart_sym.backend import fidelity
 from stewart_sym.derive.fidelity import AXISYMMETRIC, FIDELITIES, POINT_MASSES, Fidelity, fidelity_kernel
 from stewart_sym.derive.formulation import EXACT, PAPER
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 EPSILON = np.finfo(np.float64).eps
 UNITS = 100
@@ -58,7 +58,7 @@ def level(request: pytest.FixtureRequest) -> Fidelity:
     return request.param
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
 def test_reduction_equals_the_general_kernel_where_the_machine_is_that_simple(level: Fidelity) -> None:
     rng = np.random.default_rng(11)
     for _ in range(20):
@@ -72,7 +72,7 @@ def test_reduction_equals_the_general_kernel_where_the_machine_is_that_simple(le
         assert np.abs(found - expected.F).max() <= UNITS * EPSILON * condition * size
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
 def test_reduced_blocks_are_the_elimination_at_50_digits(level: Fidelity) -> None:
     rng = np.random.default_rng(5)
     robot = as_simple_as(random_robot(rng), level)

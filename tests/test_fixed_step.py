@@ -8,9 +8,9 @@ from machines import home_position, machine_size, random_robot
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.equations import ForwardDynamics
-from stewart_sym.fixed_step import advance
-from stewart_sym.rotation import rotation_from_vector, vector_from_rotation
+from stewart_sym.dynamics.equations import ForwardDynamics
+from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation
+from stewart_sym.simulation.fixed_step import advance
 
 DURATION = 0.1
 

@@ -19,7 +19,7 @@ from test_forces import FIELDS
 from test_generated import c_folder
 
 import stewart_sym as ss
-from stewart_sym import units
+from stewart_sym.backend.kernel import c_sources
 from stewart_sym.derive import notation as n
 from stewart_sym.derive.bake import baked
 from stewart_sym.derive.emit import lanes
@@ -30,11 +30,11 @@ from stewart_sym.derive.generate import shared_blocks
 from stewart_sym.generated import arithmetic, every_output
 from stewart_sym.generated.fidelities import FIDELITIES
 from stewart_sym.generated.interface import MODELS
-from stewart_sym.kernel import c_sources
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
-from stewart_sym.studies import scales
-from stewart_sym.units import Units
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot import units
+from stewart_sym.robot.robot import Robot
+from stewart_sym.robot.units import Units
+from stewart_sym.studies.accuracy import scales
 
 SOURCES = sorted(path.name for path in c_folder().glob("*.c"))
 FORCES = [name for name in SOURCES if name.endswith("_forces.c")]

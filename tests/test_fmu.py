@@ -33,16 +33,17 @@ from fmpy.fmi2 import (
 from fmpy.validation import validate_fmu
 from numpy.typing import NDArray
 
-from stewart_sym import PATHS, inverse_dynamics, native
+from stewart_sym import PATHS, inverse_dynamics
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.derive.package import fmu as texts
 from stewart_sym.derive.package.words import robot_symbol
-from stewart_sym.home import home_pose
-from stewart_sym.kernel import MOTION, robot_numbers
+from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.fmu import UnitKernel, binary_folder, fmu_unit
 from stewart_sym.kit.poses import sample
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 

@@ -15,10 +15,10 @@ from machines import dasgupta, random_motion, random_robot
 from test_bad_poses import CASES, at_rest
 
 import stewart_sym as ss
-from stewart_sym import forces
+from stewart_sym.backend.kernel import address, c_sources, robot_numbers
+from stewart_sym.dynamics import forces
 from stewart_sym.generated.interface import MODELS
-from stewart_sym.kernel import address, c_sources, robot_numbers
-from stewart_sym.motion import Motion
+from stewart_sym.motion.motion import Motion
 
 FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 

@@ -16,11 +16,11 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.cli import main
-from stewart_sym.forward import jacobian, solve
-from stewart_sym.rotation import rotation_from_rpy, rotation_from_vector
-from stewart_sym.studies.output import csv_lines
-from stewart_sym.trajectory import JointTrajectory, read_any_csv, read_csv
+from stewart_sym.cli.main import main
+from stewart_sym.kinematics.forward import jacobian, solve
+from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
+from stewart_sym.motion.trajectory import JointTrajectory, read_any_csv, read_csv
+from stewart_sym.studies.common.output import csv_lines
 
 Array = NDArray[np.float64]
 Poses = tuple[Array, Array]
@@ -244,8 +244,10 @@ def test_rates_are_found_up_to_a_condition_number() -> None:
     robot, (R, t) = dasgupta(), singular_pose()
     away = np.logspace(-9.0, 0.0, 2000)
     R, t = np.broadcast_to(R, (len(away), 3, 3)), t + np.multiply.outer(away, [0.3, -0.2, 0.1])
-    size = ss.conditioning.characteristic_length(robot)
-    condition = ss.conditioning.scaled_condition_number(np.swapaxes(jacobian(robot, R, t), -1, -2), size)
+    size = ss.kinematics.conditioning.characteristic_length(robot)
+    condition = ss.kinematics.conditioning.scaled_condition_number(
+        np.swapaxes(jacobian(robot, R, t), -1, -2), size
+    )
     v, _ = ss.forward_velocity(robot, R, t, np.ones(6), "nan")
     settled = np.isfinite(v[:, 0])
     assert settled.tolist() == (condition <= 1.0 / (16.0 * math.sqrt(EPS))).tolist()

@@ -11,9 +11,9 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym.frozen import Frozen
-from stewart_sym.kernel import CKernel
-from stewart_sym.laws import GravityCompensation
+from stewart_sym.backend.kernel import CKernel
+from stewart_sym.io.frozen import Frozen
+from stewart_sym.simulation.actuator_models import GravityCompensation
 
 COPIES: dict[str, Callable[[Any], Any]] = {
     "itself": lambda record: record,

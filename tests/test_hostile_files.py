@@ -24,10 +24,10 @@ from hypothesis import strategies as st
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.cli import main
-from stewart_sym.robot import Robot
-from stewart_sym.scene import read_scene
-from stewart_sym.trajectory import read_any_csv, read_csv, read_forces_csv
+from stewart_sym.cli.main import main
+from stewart_sym.motion.trajectory import read_any_csv, read_csv, read_forces_csv
+from stewart_sym.robot.robot import Robot
+from stewart_sym.simulation.scene import read_scene
 
 ROBOT = (files("stewart_sym.robots") / "dasgupta1998.toml").read_bytes()
 SCENE = b"""schema = 1
@@ -57,7 +57,7 @@ NAME = b'name = "x"\n'
 MASS = b"mass = 40.0"
 MILLIONS = 5_000_000
 
-pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.robot.PhysicalityWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
 
 
 def refused(read: Callable[[Any], Any], path: Path) -> str:
@@ -187,8 +187,8 @@ def test_ten_megabytes_are_refused_in_seconds_and_little_memory(data: bytes, tmp
     path = written(tmp_path, data)
     code = (
         "import sys, warnings\nwarnings.simplefilter('ignore')\n"
-        "from stewart_sym.robot import Robot\nfrom stewart_sym.scene import read_scene\n"
-        "from stewart_sym.trajectory import read_any_csv, read_forces_csv\n"
+        "from stewart_sym.robot.robot import Robot\nfrom stewart_sym.simulation.scene import read_scene\n"
+        "from stewart_sym.motion.trajectory import read_any_csv, read_forces_csv\n"
         "for read in (Robot.from_toml, read_scene, read_any_csv, read_forces_csv):\n"
         "    try:\n        read(sys.argv[1])\n    except ValueError as error:\n        print(error)\n"
     )
@@ -296,7 +296,7 @@ def test_what_is_no_name_of_a_file_is_named(name: str, path: object) -> None:
 
 
 def test_a_pipe_is_read_to_its_end_and_no_further_than_a_file(tmp_path: Path) -> None:
-    script = "from stewart_sym.robot import Robot; print(Robot.from_toml('/dev/stdin').M)"
+    script = "from stewart_sym.robot.robot import Robot; print(Robot.from_toml('/dev/stdin').M)"
     command = [sys.executable, "-W", "ignore", "-c", script]
     assert subprocess.run(command, input=ROBOT, capture_output=True).stdout == b"40.0\n"
     done = subprocess.run(command, input=b"#" * 3 * MILLIONS, capture_output=True)

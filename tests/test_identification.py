@@ -12,13 +12,13 @@ from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.cli import main
-from stewart_sym.conditioning import characteristic_length
-from stewart_sym.home import home_pose
-from stewart_sym.kinematics import inverse_kinematics
-from stewart_sym.robot import Robot
-from stewart_sym.studies.identify import NORMAL
-from stewart_sym.trajectory import read_any_csv
+from stewart_sym.cli.main import main
+from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.kinematics.conditioning import characteristic_length
+from stewart_sym.kinematics.inverse import inverse_kinematics
+from stewart_sym.motion.trajectory import read_any_csv
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.reports.identify import NORMAL
 
 Array = NDArray[np.float64]
 SIGMA = 0.5

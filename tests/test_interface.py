@@ -8,7 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from stewart_sym import native, results
+from stewart_sym import results
+from stewart_sym.backend import native
 from stewart_sym.derive.emit.layout import layout
 from stewart_sym.derive.generate import generator_version
 from stewart_sym.derive.kernel.constants import STATUS as OF_TREES

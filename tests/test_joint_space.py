@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym import joint_space
-from stewart_sym.cli import main
-from stewart_sym.joint_space import on_platform
-from stewart_sym.leg_steps import accelerations, times_from_rates
-from stewart_sym.trajectory import JointTrajectory, read_any_csv
+from stewart_sym.cli.main import main
+from stewart_sym.kinematics.leg_steps import accelerations, times_from_rates
+from stewart_sym.motion.trajectory import JointTrajectory, read_any_csv
+from stewart_sym.singularities import joint_space
+from stewart_sym.singularities.joint_space import on_platform
 
 Array = NDArray[np.float64]
 

@@ -15,7 +15,7 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym.cli import main
+from stewart_sym.cli.main import main
 from stewart_sym.derive import notation as n
 from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS

@@ -8,17 +8,17 @@ import pytest
 from machines import dasgupta, random_robot
 from numpy.typing import NDArray
 
-from stewart_sym.dynamics import inverse_dynamics
-from stewart_sym.kinematics import (
+from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.kinematics.inverse import (
     MIN_SIN_POLE,
     clear_of_poles,
     inverse_kinematics,
     wrench_matrix,
     wrench_matrix_rate,
 )
-from stewart_sym.motion import Motion
-from stewart_sym.rotation import rotation_from_rpy
-from stewart_sym.trajectory import PATHS
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.rotation import rotation_from_rpy
+from stewart_sym.motion.trajectory import PATHS
 
 Array = NDArray[np.float64]
 

@@ -17,17 +17,18 @@ from test_forward_kinematics import lengths, nudged, paper_poses
 from test_operations import COUNTING, REPORT
 
 import stewart_sym as ss
-from stewart_sym import native, results
-from stewart_sym.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym import results
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import address, c_sources, robot_numbers
 from stewart_sym.derive import notation as n
 from stewart_sym.derive.block import Operations
 from stewart_sym.derive.emit.kinematics import STEPS
 from stewart_sym.derive.generate import reduced_kinematics
 from stewart_sym.derive.kernel.kinematics import search_operations
 from stewart_sym.derive.kinematics import kinematics, turn
-from stewart_sym.forward import jacobian
-from stewart_sym.kernel import address, c_sources, robot_numbers
-from stewart_sym.rotation import rotation_from_vector
+from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym.kinematics.forward import jacobian
+from stewart_sym.motion.rotation import rotation_from_vector
 
 Array = NDArray[np.float64]
 AnyArray = NDArray[np.floating]

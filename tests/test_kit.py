@@ -20,7 +20,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from stewart_sym import fidelity, inverse_kinematics, kernel, native
+from stewart_sym import inverse_kinematics
+from stewart_sym.backend import fidelity, kernel, native
 from stewart_sym.derive import notation
 from stewart_sym.derive.package.robot import robot_files
 from stewart_sym.derive.package.words import robot_symbol
@@ -28,7 +29,7 @@ from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import FUNCTIONS, Choice, Kit, kit, kit_names, put, write_kit
 from stewart_sym.kit.choice import DEFAULT, check
 from stewart_sym.kit.poses import sample
-from stewart_sym.robot import Robot
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 

@@ -13,15 +13,15 @@ import machines
 import numpy as np
 import pytest
 
-from stewart_sym import kernel, native
-from stewart_sym.cli import main
+from stewart_sym.backend import kernel, native
+from stewart_sym.cli.main import main
 from stewart_sym.derive.package.licence import SPDX
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.generated.interface import HEADERS
 from stewart_sym.kit import Choice, Kit, kit, put
 from stewart_sym.kit.poses import sample
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 GENERATED = Path(kernel.__file__).parent.parent / "generated"
 EVERYTHING = Choice(("forces", "reactions", "motion", "kinematics"), fmu=True)

@@ -22,11 +22,11 @@ from sweeps import FULL
 from test_kinematics_c import library
 
 import stewart_sym as ss
-from stewart_sym import closed_form
+from stewart_sym.backend.kernel import MOTION, address, robot_numbers
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.package.languages import LANGUAGES
+from stewart_sym.dynamics import closed_form
 from stewart_sym.generated.interface import MODELS
-from stewart_sym.kernel import MOTION, address, robot_numbers
 from stewart_sym.kit import Choice, kit, write_kit
 from stewart_sym.results import NOT_CONVERGED, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR
 

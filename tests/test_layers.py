@@ -1,90 +1,16 @@
-"""Who may know whom: imports as the source states them, against the house rules of the design."""
+"""Imports as the source states them; who may import whom is in the contracts of pyproject.toml."""
 
 import ast
 import graphlib
-import sys
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
-import pytest
-
 import stewart_sym as package
 
-REPOSITORY = Path(__file__).parent.parent
+REPOSITORY = Path(__file__).parents[1]
 PACKAGE = "stewart_sym"
 FOLDERS = {PACKAGE: PACKAGE, "derive": f"{PACKAGE}.derive", "generated": f"{PACKAGE}.generated"}
-
-# Every module of the runtime by floor, lowest first: one imports from its own floor or from those below it.
-FLOORS = (
-    {
-        "blas",
-        "chart",
-        "checks",
-        "extras",
-        "faults",
-        "frozen",
-        "interrupts",
-        "logs",
-        "log_faults",
-        "log_sampling",
-        "publish",
-        "results",
-        "rotation",
-        "search",
-        "smoothing",
-        "tables",
-        "generated",
-    },
-    {"robot", "motion", "native"},
-    {
-        "robots",
-        "reference",
-        "reference_equations",
-        "conditioning",
-        "kinematics",
-        "smooth_motion",
-        "leg_steps",
-        "mounting",
-        "trajectory",
-        "kernel",
-        "damping",
-    },
-    {"forward", "fidelity", "certificate", "interpolation", "singular_poses", "units", "paths"},
-    {"dynamics", "forces", "force_noise", "passage"},
-    {"closed_form", "bounds", "joint_space", "arrays", "typesetting", "trees"},
-    {"symbols"},
-    {"equations", "laws", "casadi_functions"},
-    {"simulation", "fixed_step"},
-    {"scene", "budget"},
-    {"parameters", "home"},
-    {"identifiable", "plausibility"},
-    {"excitation", "physical"},
-    {"identification"},
-    {"studies", "kit"},
-    {"cli"},
-    {"__main__"},
-)
-GENERATE_ON_COMMAND = {
-    f"{PACKAGE}.{name}"
-    for name in (
-        "casadi_functions",
-        "cli",
-        "symbols",
-        "trees",
-        "kit.files",
-        "kit.languages",
-        "kit.fmu",
-        "kit.parts",
-        "kit.readings",
-        "kit.selection",
-        "kit.sensitivity",
-        "kit.vectors",
-        "studies.bench_passes",
-        "studies.controller.measure",
-        "studies.truth",
-    )
-}
 
 
 def sources() -> dict[str, Path]:
@@ -131,60 +57,6 @@ def targets(module: str, node: ast.Import | ast.ImportFrom) -> Iterator[str]:
         yield submodule if submodule in SOURCES else base
 
 
-def outside(name: str) -> str:
-    """The top package of an import, or "" for what Python itself brings."""
-    top = name.partition(".")[0]
-    return "" if top in sys.stdlib_module_names else top
-
-
-def below(prefix: str) -> list[str]:
-    return [name for name in SOURCES if name == prefix or name.startswith(f"{prefix}.")]
-
-
-def floor(module: str) -> int:
-    room = module.split(".")[1]
-    found = [number for number, rooms in enumerate(FLOORS) if room in rooms]
-    assert found, f"{module}: put it on a floor"
-    return found[0]
-
-
-def runtime() -> list[str]:
-    derive = set(below(f"{PACKAGE}.derive"))
-    return [name for name in SOURCES if name != PACKAGE and name not in derive]
-
-
-@pytest.mark.parametrize(("room", "library"), [("derive", ("sympy", "mpmath")), ("generated", ("numpy",))])
-def test_derive_and_generated_know_one_library_and_themselves(room: str, library: tuple[str, ...]) -> None:
-    """SymPy brings mpmath, in which it computes numbers."""
-    for module in below(f"{PACKAGE}.{room}"):
-        for name in imports(module):
-            at_home = name.startswith(f"{PACKAGE}.{room}")
-            assert at_home or outside(name) in ("", *library), f"{module} imports {name}"
-
-
-def test_the_reference_shares_nothing_with_what_it_checks() -> None:
-    allowed = {f"{PACKAGE}.{name}" for name in ("robot", "motion", "results", "rotation")}
-    oracles = {f"{PACKAGE}.reference", f"{PACKAGE}.reference_equations"}
-    for oracle in sorted(oracles):
-        for name in imports(oracle):
-            known = name in allowed | oracles or outside(name) in ("", "numpy", "mpmath")
-            assert known, f"{oracle} imports {name}"
-
-
-def test_only_commands_know_the_derivation_and_the_command_line_asks_for_it_when_it_runs() -> None:
-    for module in runtime():
-        derivation = [name for name in imports(module) if name.startswith(f"{PACKAGE}.derive")]
-        assert not derivation or module in GENERATE_ON_COMMAND, f"{module} imports {derivation}"
-    assert any(name.startswith(f"{PACKAGE}.derive") for name in imports(f"{PACKAGE}.cli"))
-    for module in (
-        f"{PACKAGE}.cli",
-        *(f"{PACKAGE}{name}" for name in sorted(set(package._public().values()))),
-    ):
-        reached = reachable(module)
-        assert not [name for name in reached if name.startswith(f"{PACKAGE}.derive")], module
-        assert not {"sympy", "scipy", "matplotlib"} & {outside(name) for name in reached}, module
-
-
 def reachable(module: str) -> set[str]:
     """All that importing a module imports."""
     found, waiting = set(), [module]
@@ -196,12 +68,15 @@ def reachable(module: str) -> set[str]:
     return found
 
 
-def test_nobody_imports_from_a_floor_above() -> None:
-    for module in runtime():
-        for name in imports(module):
-            if name.startswith(f"{PACKAGE}.") and not name.startswith(f"{PACKAGE}.derive"):
-                assert floor(name) <= floor(module), f"{module} imports {name}"
-            assert name != PACKAGE, f"{module} imports the package that holds it"
+def test_what_is_imported_at_once_is_numpy_alone() -> None:
+    """The derivation, SymPy, SciPy and Matplotlib are imported by what needs them, when it runs."""
+    for module in (
+        f"{PACKAGE}.cli.main",
+        *(f"{PACKAGE}{name}" for name in sorted(set(package._public().values()))),
+    ):
+        reached = reachable(module)
+        assert not [name for name in reached if name.startswith(f"{PACKAGE}.derive")], module
+        assert not {"sympy", "scipy", "matplotlib"} & {name.partition(".")[0] for name in reached}, module
 
 
 def test_imports_run_in_no_circles() -> None:

@@ -9,11 +9,14 @@ import pytest
 from machines import dasgupta, home_position, machine_size, random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym import kinematics, native, results, rotation
-from stewart_sym.kernel import MOTION, address, contiguous, library, robot_numbers
+from stewart_sym import results
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION, address, contiguous, library, robot_numbers
+from stewart_sym.kinematics import inverse
+from stewart_sym.motion import rotation
 
 HUGE = [1.7e308, -1.7e308, 1.7e308]
-MANY = kinematics.BLOCK + 3
+MANY = inverse.BLOCK + 3
 ERROR = 64 * np.finfo(np.float64).eps
 
 
@@ -23,7 +26,7 @@ def numpy_alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         raise native.CompilerError("none")
 
     with monkeypatch.context() as patch:
-        patch.setattr(kinematics, "library", nothing)
+        patch.setattr(inverse, "library", nothing)
         yield
 
 
@@ -37,7 +40,7 @@ def test_many_poses_are_those_of_numpy(
     motion = random_motion(rng, robot, (3, MANY // 3 + 1))
     if not accelerations:
         motion = ss.Motion(motion.R, motion.t, motion.omega, motion.v)
-    assert kinematics._compiled_legs(robot, motion) is not None
+    assert inverse._compiled_legs(robot, motion) is not None
     found = ss.inverse_kinematics(robot, motion)
     with numpy_alone(monkeypatch):
         expected = ss.inverse_kinematics(robot, motion)
@@ -82,13 +85,13 @@ def test_each_output_may_be_left_out_and_each_status_is_its_pose_s() -> None:
     arrays[1] = t
     numbers = robot_numbers(robot)
     expected = ss.inverse_kinematics(robot, motion[:2])
-    for name, shape in kinematics._SHAPES.items():
+    for name, shape in inverse._SHAPES.items():
         out, status = np.full((4, *shape), -1.0), np.full(4, -1, dtype=np.int32)
         first = library("legs").stewart_legs_batch(
             address(numbers),
             ctypes.c_size_t(4),
             (ctypes.c_void_p * len(arrays))(*[address(array) for array in arrays]),
-            (ctypes.c_void_p * 5)(*[address(out if name == other else None) for other in kinematics._SHAPES]),
+            (ctypes.c_void_p * 5)(*[address(out if name == other else None) for other in inverse._SHAPES]),
             address(status),
         )
         assert first == results.NOT_FINITE
@@ -117,10 +120,11 @@ def test_null_pointers_that_are_needed_are_rejected() -> None:
 def test_from_rpy_takes_rotations_made_of_angles_as_rotations(monkeypatch: pytest.MonkeyPatch) -> None:
     """R is a rotation by construction, and each array is looked at once."""
     seen: list[str] = []
-    monkeypatch.setattr("stewart_sym.motion._check_rotation", lambda *_: seen.append("R"))
-    finite = ss.motion.finite_array
+    monkeypatch.setattr("stewart_sym.motion.motion._check_rotation", lambda *_: seen.append("R"))
+    finite = ss.motion.motion.finite_array
     monkeypatch.setattr(
-        "stewart_sym.motion.finite_array", lambda x, core, name: seen.append(name) or finite(x, core, name)
+        "stewart_sym.motion.motion.finite_array",
+        lambda x, core, name: seen.append(name) or finite(x, core, name),
     )
     ss.Motion.from_rpy(*np.zeros((6, 5, 3)))
     assert sorted(seen) == ["a", "t", "theta", "theta_ddot", "theta_dot", "v"]

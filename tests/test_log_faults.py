@@ -11,10 +11,10 @@ from sweeps import share
 from test_noise import WHITE, Case, case, coordinates, logged, motion
 
 import stewart_sym as ss
-from stewart_sym.log_faults import Fault, faults, offsets
-from stewart_sym.log_sampling import slower_sampling, spread
-from stewart_sym.smoothing import noise_level, rounding_steps
-from stewart_sym.trajectory import Trajectory, from_poses
+from stewart_sym.motion.log_faults import Fault, faults, offsets
+from stewart_sym.motion.log_sampling import slower_sampling, spread
+from stewart_sym.motion.smoothing import noise_level, rounding_steps
+from stewart_sym.motion.trajectory import Trajectory, from_poses
 
 Array = NDArray[np.float64]
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")

@@ -12,11 +12,11 @@ from machines import dasgupta, home_position, machine_size, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.cli import main
-from stewart_sym.logs import EULER_ORDERS, LogFormat
-from stewart_sym.rotation import quaternion_from_rotation, rotation_from_rpy
-from stewart_sym.studies.track import length_doubt, peak_noise, side_doubt, track
-from stewart_sym.trajectory import Trajectory, read_any_csv, read_csv
+from stewart_sym.cli.main import main
+from stewart_sym.motion.logs import EULER_ORDERS, LogFormat
+from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
+from stewart_sym.motion.trajectory import Trajectory, read_any_csv, read_csv
+from stewart_sym.studies.reports.track import length_doubt, peak_noise, side_doubt, track
 
 Array = NDArray[np.float64]
 NAMES = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]

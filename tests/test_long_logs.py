@@ -12,14 +12,14 @@ import numpy as np
 import pytest
 
 import stewart_sym as ss
-from stewart_sym import joint_space, passage
-from stewart_sym.cli import main
-from stewart_sym.interpolation import between
-from stewart_sym.logs import LogFormat, read_columns
+from stewart_sym.cli.main import main
+from stewart_sym.motion.interpolation import between
+from stewart_sym.motion.logs import LogFormat, read_columns
+from stewart_sym.motion.trajectory import Trajectory, read_csv
 from stewart_sym.robots import dasgupta1998
-from stewart_sym.studies import track
-from stewart_sym.studies.output import csv_lines
-from stewart_sym.trajectory import Trajectory, read_csv
+from stewart_sym.singularities import along_path, joint_space
+from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.reports import track
 
 
 def peak(action: object) -> tuple[object, int]:
@@ -237,7 +237,7 @@ def joint_log(path: Path, count: int) -> Path:
 def test_forces_of_leg_lengths_take_a_few_numbers_of_room_for_each_row(
     robot_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    for module, name in ((joint_space, "_PART"), (track, "_PART"), (passage, "_CHUNK")):
+    for module, name in ((joint_space, "_PART"), (track, "_PART"), (along_path, "_CHUNK")):
         monkeypatch.setattr(module, name, 256)
     # Of some ten thousand samples at most, whatever the number of rows.
     monkeypatch.setattr(joint_space, "_noise", lambda time, L: np.broadcast_to(np.zeros(6), L.shape))

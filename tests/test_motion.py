@@ -9,8 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from stewart_sym.motion import Motion
-from stewart_sym.rotation import (
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.rotation import (
     angular_acceleration_from_rpy,
     angular_velocity_from_rpy,
     quaternion_from_rotation,

@@ -12,8 +12,8 @@ from test_regroup import by_name
 from stewart_sym.derive.formulation import EXACT
 from stewart_sym.derive.motion import SumKernel, kernels
 from stewart_sym.derive.prepared import ADDED, Riding, prepare_leg, prepare_platform
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 STEP = mp.mpf(10) ** -15
 Values = dict[str, mp.mpf]

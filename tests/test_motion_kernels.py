@@ -13,11 +13,11 @@ from test_motion_equations import blocks, inertia, inputs, moved, nothing, stack
 from test_precision import DIGITS, truth
 
 import stewart_sym as ss
-from stewart_sym.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
 from stewart_sym.derive.formulation import EXACT
-from stewart_sym.motion import Motion
+from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
+from stewart_sym.motion.motion import Motion
 from stewart_sym.results import INDEFINITE, NOT_FINITE, POLE, SHORT_LEG, SINGULAR
-from stewart_sym.robot import Robot
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 EPSILON = np.finfo(np.float64).eps

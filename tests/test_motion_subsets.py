@@ -8,7 +8,13 @@ import attack_build
 import pytest
 
 from stewart_sym.derive.emit import motion as emitted
-from stewart_sym.derive.generate import EXACT, generator_version, motion_files, prepared_model, reduced_motion
+from stewart_sym.derive.generate import (
+    EXACT,
+    generator_version,
+    motion_files,
+    prepared_model,
+    reduced_motion,
+)
 from stewart_sym.derive.motion import NAMES
 
 KIT = [

@@ -14,16 +14,16 @@ from machines import dasgupta, machine_size, path_period, random_motion, random_
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.budget import read_budget
-from stewart_sym.cli import main
-from stewart_sym.home import home_pose
+from stewart_sym.cli.main import main
+from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.kinematics.mounting import platform_side, upright
+from stewart_sym.kinematics.paths import PATHS, path_for
 from stewart_sym.kit.poses import sample
-from stewart_sym.mounting import platform_side, upright
-from stewart_sym.paths import PATHS, path_for
-from stewart_sym.rotation import rpy_from_rotation
-from stewart_sym.scene import read_scene
-from stewart_sym.studies import control
-from stewart_sym.studies.output import csv_lines
+from stewart_sym.motion.rotation import rpy_from_rotation
+from stewart_sym.simulation.scene import read_scene
+from stewart_sym.studies.accuracy.budget import read_budget
+from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.control import control
 
 Array = NDArray[np.float64]
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from stewart_sym import native
+from stewart_sym.backend import native
 
 ADD = {
     "adder.c": '#include "adder.h"\nint add(int a, int b) { return a + b; }\n',
@@ -21,7 +21,7 @@ ADD = {
 }
 
 CHILD = f"""
-from stewart_sym import native
+from stewart_sym.backend import native
 library = native.load("adder", {ADD!r})
 assert library.add(2, 3) == 5
 print(library._name)
@@ -234,7 +234,7 @@ def test_processes_starting_at_once_on_an_empty_cache(
     cache: Path, tmp_path: Path, compiler: LoggedCompiler
 ) -> None:
     code = (
-        "import pathlib, sys, time\nfrom stewart_sym import native\n"
+        "import pathlib, sys, time\nfrom stewart_sym.backend import native\n"
         "folder = pathlib.Path(sys.argv[1])\n(folder / sys.argv[2]).touch()\n"
         "while not (folder / 'go').exists(): time.sleep(0.001)\n" + CHILD
     )
@@ -430,7 +430,7 @@ def test_no_temporary_folder_outlives_the_load_in_forked_pools_neither(
     temporary: Path, compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setenv("STEWART_SYM_CACHE", "/dev/null/x")
-    run_child(f"from stewart_sym import native\nSOURCES = {ADD!r}\n{POOL}")
+    run_child(f"from stewart_sym.backend import native\nSOURCES = {ADD!r}\n{POOL}")
     assert compiler.calls
     assert list(temporary.iterdir()) == []
 
@@ -454,7 +454,7 @@ print("/")
 def test_a_child_forked_while_a_thread_compiles_can_load(cache: Path, tmp_path: Path) -> None:
     started = tmp_path / "started"
     slow = LoggedCompiler(tmp_path, f'case "$*" in *--version*) ;; *) touch {started}; sleep 0.3 ;; esac')
-    code = f"import os\nos.environ['CC'] = {str(slow.path)!r}\nfrom stewart_sym import native\n"
+    code = f"import os\nos.environ['CC'] = {str(slow.path)!r}\nfrom stewart_sym.backend import native\n"
     run_child(f"{code}SOURCES, STARTED = {ADD!r}, {str(started)!r}\n{FORKED_WHILE_COMPILING}")
 
 

@@ -10,8 +10,8 @@ from near_joint import BLOCKS, KINDS, Truth, blocks, excess, of_reference, outpu
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym import reference_equations
-from stewart_sym.closed_form import CClosedForm, NumpyClosedForm
+from stewart_sym.dynamics.closed_form import CClosedForm, NumpyClosedForm
+from stewart_sym.reference import equations_of_motion
 from stewart_sym.results import OK, POLE, SHORT_LEG
 
 MOST = 10.0
@@ -117,7 +117,7 @@ def test_the_truth_does_not_depend_on_the_code_paths_for_lost_digits(kind: str) 
 @pytest.mark.parametrize("kind", KINDS)
 def test_50_digits_of_the_vector_reference_agree_with_the_truth(kind: str) -> None:
     for robot, motion, F in cases(5, kind, 1):
-        x = reference_equations.forward_dynamics(robot, motion, F)
+        x = equations_of_motion.forward_dynamics(robot, motion, F)
         found = {"forward_dynamics.acceleration": x}
         assert excess(truth(robot, motion, F, ENOUGH), found).popitem()[1] <= 1.0
 

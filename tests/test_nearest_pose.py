@@ -8,8 +8,8 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.forward import distance
-from stewart_sym.rotation import rotation_from_rpy, rotation_from_vector
+from stewart_sym.kinematics.forward import distance
+from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
 
 Array = NDArray[np.float64]
 Poses = tuple[Array, Array]

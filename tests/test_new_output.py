@@ -12,9 +12,11 @@ import pytest
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym import closed_form, derive, kernel, native
+from stewart_sym import derive
+from stewart_sym.backend import kernel, native
+from stewart_sym.backend.kernel import MOTION
+from stewart_sym.dynamics import closed_form
 from stewart_sym.generated.interface import MODELS
-from stewart_sym.kernel import MOTION
 from stewart_sym.kit.parts import robot_numbers
 
 WRITTEN = '''

@@ -16,7 +16,7 @@ import pytest
 from installed import REPOSITORY, install
 from nbclient import NotebookClient
 
-from stewart_sym.extras import EXTRAS
+from stewart_sym.io.extras import EXTRAS
 
 NOTEBOOK = resources.files("stewart_sym.derive") / "derivation.ipynb"
 REWRITE = "run `python tests/test_notebook.py` and look at the notebook"

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from test_singularity import hexagons
 
 import stewart_sym as ss
-from stewart_sym.passage import crossings, force_pole, singularities_along
+from stewart_sym.singularities.along_path import crossings, force_pole, singularities_along
 
 Array = NDArray[np.float64]
 Path = Callable[[Array], ss.Motion]

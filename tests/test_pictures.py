@@ -16,23 +16,17 @@ from test_economy_plot import made_up
 
 import stewart_sym as ss
 from stewart_sym.robots import dasgupta1998
-from stewart_sym.studies import (
-    bound_plot,
-    control_report,
-    economy_plot,
-    energy_drift,
-    run,
-    singularities,
-    singularities_plot,
-)
-from stewart_sym.studies.drawing import legend_below, log_numbers
+from stewart_sym.studies.accuracy import bound_plot, cost_plot
+from stewart_sym.studies.common.drawing import legend_below, log_numbers
+from stewart_sym.studies.control import report
+from stewart_sym.studies.reports import energy_drift, run, singularities, singularities_plot
 
 
 def _control() -> Figure:
     time = np.linspace(0.0, 1.0, 20)
     errors = {"position": 1e-3 * (2.0 + time), "orientation": 1e-3 * (3.0 + time), "largest_force": 9 + time}
-    runs = {name: SimpleNamespace(time=time, **errors) for name in control_report.NAMES}
-    return control_report.figure(SimpleNamespace(runs={"I": runs}, robot=dasgupta1998()))  # type: ignore[arg-type]
+    runs = {name: SimpleNamespace(time=time, **errors) for name in report.NAMES}
+    return report.figure(SimpleNamespace(runs={"I": runs}, robot=dasgupta1998()))  # type: ignore[arg-type]
 
 
 def _drift() -> Figure:
@@ -54,7 +48,7 @@ def _path() -> Figure:
 
 PICTURES: dict[str, Callable[[], Figure]] = {
     "bounds": lambda: bound_plot.figure(bound_plot.bounds_study(cases=20)),
-    "chart": lambda: economy_plot.figure(made_up()),
+    "chart": lambda: cost_plot.figure(made_up()),
     "control": _control,
     "drift": _drift,
     "run": _run,

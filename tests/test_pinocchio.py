@@ -8,10 +8,10 @@ from machines import random_motion, random_robot
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
 
 import stewart_sym as ss
-from stewart_sym import reference
-from stewart_sym.motion import Motion
-from stewart_sym.reference import EXACT, PAPER
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.reference import newton_euler
+from stewart_sym.reference.newton_euler import EXACT, PAPER
+from stewart_sym.robot.robot import Robot
 
 RELATIVE = 1e-10
 POSES = 3
@@ -69,7 +69,7 @@ def test_legs_with_two_spherical_joints_agree_with_pinocchio(faults: frozenset[i
         robot, motion, truth = _case(seed, "spherical", False)
         errors = _errors(robot, motion, truth, faults)
         assert max(errors[name] for name in QUANTITIES if name != "M_u") < RELATIVE, (seed, errors)
-        assert np.all(reference.joint_reactions(robot, motion, faults).M_u == 0)
+        assert np.all(newton_euler.joint_reactions(robot, motion, faults).M_u == 0)
         scale = max(np.abs(answer.M_p).max() for answer in truth)
         assert max(np.abs(answer.M_u).max() for answer in truth) < RELATIVE * scale
 
@@ -97,8 +97,8 @@ def _case(seed: int, base_joint: str, friction: bool) -> tuple[Robot, Motion, li
 
 def _errors(robot: Robot, motion: Motion, truth: list[Answer], faults: frozenset[int]) -> dict[str, float]:
     """Largest error of each quantity over the poses, relative to the largest entry of the pose."""
-    forces = reference.inverse_dynamics(robot, motion, faults)
-    reactions = reference.joint_reactions(robot, motion, faults)
+    forces = newton_euler.inverse_dynamics(robot, motion, faults)
+    reactions = newton_euler.joint_reactions(robot, motion, faults)
     assert np.all(forces.status == 0)
     errors = {}
     for name in QUANTITIES:

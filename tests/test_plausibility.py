@@ -12,11 +12,11 @@ from machines import random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym import plausibility
-from stewart_sym.cli import main
-from stewart_sym.plausibility import doubts
-from stewart_sym.robot import DOUBTS, Robot
-from stewart_sym.rotation import rotation_from_quaternion
+from stewart_sym.cli.main import main
+from stewart_sym.motion.rotation import rotation_from_quaternion
+from stewart_sym.plausibility import plausibility
+from stewart_sym.plausibility.plausibility import doubts
+from stewart_sym.robot.robot import DOUBTS, Robot
 
 Array = NDArray[np.float64]
 

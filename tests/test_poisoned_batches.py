@@ -15,13 +15,13 @@ from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym import forces
-from stewart_sym.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
-from stewart_sym.fidelity import available
-from stewart_sym.kernel import CKernel, NumpyKernel
-from stewart_sym.motion import Motion
+from stewart_sym.backend.fidelity import available
+from stewart_sym.backend.kernel import CKernel, NumpyKernel
+from stewart_sym.dynamics import forces
+from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
+from stewart_sym.motion.motion import Motion
 from stewart_sym.results import NOT_FINITE, POLE, SHORT_LEG, SINGULAR
-from stewart_sym.robot import Robot
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 NAMES = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")

@@ -10,12 +10,12 @@ from test_fidelity import as_simple_as, at_rest
 from test_precision import truth
 
 import stewart_sym as ss
-from stewart_sym import fidelity
+from stewart_sym.backend import fidelity
 from stewart_sym.derive.fidelity import FIDELITIES
 from stewart_sym.derive.formulation import EXACT, FORMULATIONS
-from stewart_sym.motion import Motion
+from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK, POLE
-from stewart_sym.robot import Robot
+from stewart_sym.robot.robot import Robot
 
 EPSILON = np.finfo(np.float64).eps
 UNITS = 1000

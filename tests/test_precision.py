@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym.derive.formulation import FORMULATIONS, Formulation
 from stewart_sym.derive.kernels import kernel
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 DIGITS = 50
 UNITS = 40

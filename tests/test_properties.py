@@ -17,8 +17,8 @@ from public_calls import RECORDS, Call, calls, public
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 

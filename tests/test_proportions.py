@@ -8,8 +8,8 @@ from machines import random_motion, random_robot
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.conditioning import characteristic_length
-from stewart_sym.studies.stability.judge import judge_poses
+from stewart_sym.kinematics.conditioning import characteristic_length
+from stewart_sym.studies.robustness.sweep.judge import judge_poses
 
 UNITS = 10.0
 """Largest error in rounding units of the largest force, times the condition number."""

@@ -13,7 +13,7 @@ import pytest
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym.cli import main
+from stewart_sym.cli.main import main
 from stewart_sym.results import Accelerations, DampedSolution, Velocities
 
 
@@ -80,7 +80,7 @@ sys.exit(main())
 
 
 @pytest.mark.parametrize(
-    "module", ["stewart_sym.cli", "argparse", "stewart_sym.extras", "importlib.metadata"]
+    "module", ["stewart_sym.cli.main", "argparse", "stewart_sym.io.extras", "importlib.metadata"]
 )
 def test_an_interrupt_while_the_command_line_is_imported_is_a_clean_exit(module: str) -> None:
     done = run(f"""

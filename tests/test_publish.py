@@ -16,11 +16,12 @@ from typing import Any
 import pytest
 from sweeps import FULL
 
-from stewart_sym import interrupts, publish
-from stewart_sym.budget import read_budget
-from stewart_sym.cli import main
-from stewart_sym.publish import RECORD, replaced_file, result_folder
-from stewart_sym.robot import Robot
+from stewart_sym.cli.main import main
+from stewart_sym.io import interrupts
+from stewart_sym.io import writing as publish
+from stewart_sym.io.writing import RECORD, replaced_file, result_folder
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.accuracy.budget import read_budget
 
 PAPER = Path(str(files("stewart_sym.robots") / "dasgupta1998.toml"))
 
@@ -178,7 +179,7 @@ def test_the_longest_file_name_and_what_a_killed_run_left_behind_are_no_hindranc
 WRITING = """
 import sys, time
 from pathlib import Path
-from stewart_sym.publish import replaced_file, staged_folder
+from stewart_sym.io.writing import replaced_file, staged_folder
 with replaced_file(Path(sys.argv[1]) / "file"), staged_folder(Path(sys.argv[1])) as staged:
     (staged / "x").write_text("x")
     print("writing", flush=True)
@@ -229,9 +230,9 @@ def test_out_of_memory_is_one_line(
 NO_ROOM = """
 import resource, sys
 import numpy as np
-import scipy.interpolate, scipy.linalg, stewart_sym.logs
-from stewart_sym.cli import main
-from stewart_sym.trajectory import _spline
+import scipy.interpolate, scipy.linalg, stewart_sym.motion.logs
+from stewart_sym.cli.main import main
+from stewart_sym.motion.trajectory import _spline
 
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + (16 << 20), resource.RLIM_INFINITY))
@@ -255,7 +256,7 @@ def test_no_room_for_the_work_area_of_blas_is_an_error_and_no_endless_loop(where
 
 
 def test_warnings_turned_into_errors_are_one_line() -> None:
-    command = [sys.executable, "-W", "error", "-m", "stewart_sym.cli", "check", str(PAPER)]
+    command = [sys.executable, "-W", "error", "-m", "stewart_sym.cli.main", "check", str(PAPER)]
     done = subprocess.run(command, capture_output=True, text=True)
     assert done.returncode in (0, 2)
     assert len(done.stderr.splitlines()) == (done.returncode == 2)
@@ -264,7 +265,8 @@ def test_warnings_turned_into_errors_are_one_line() -> None:
 SIGNALLED = """
 import os, signal, sys, warnings
 from pathlib import Path
-from stewart_sym import cli, publish
+from stewart_sym.cli import main as cli
+from stewart_sym.io import writing as publish
 
 def run(arguments):
     with publish.staged_folder(Path(sys.argv[1])) as folder:

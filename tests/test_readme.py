@@ -28,14 +28,18 @@ from numpy.typing import NDArray
 from pinocchio_model import pinocchio_inverse_dynamics
 
 import stewart_sym as ss
-from stewart_sym import cli, fidelity, reference
-from stewart_sym.budget import papers_motions, read_budget
-from stewart_sym.kernel import module
-from stewart_sym.scene import Scene, read_scene
-from stewart_sym.studies import control, control_report, energy_drift
-from stewart_sym.studies.bench_figures import Figure, MotionFigures
-from stewart_sym.studies.host import DISTURBED
-from stewart_sym.studies.reproduce import work_energy
+from stewart_sym.backend import fidelity
+from stewart_sym.backend.kernel import module
+from stewart_sym.cli import main
+from stewart_sym.reference import newton_euler
+from stewart_sym.simulation.scene import Scene, read_scene
+from stewart_sym.studies.accuracy.budget import papers_motions, read_budget
+from stewart_sym.studies.benchmark.figures import Figure, MotionFigures
+from stewart_sym.studies.common.host import DISTURBED
+from stewart_sym.studies.control import control
+from stewart_sym.studies.control import report as control_report
+from stewart_sym.studies.paper.reproduce import work_energy
+from stewart_sym.studies.reports import energy_drift
 
 PUBLISHED = (
     *("bench.json", "bench.png", "bench_motion.png"),
@@ -77,7 +81,7 @@ def test_work_differs_from_energy_by_what_the_readme_says(name: str) -> None:
     robot = dasgupta(friction=False)
     paper, exact = (
         100 * (found.work - found.gain) / found.gain
-        for found in (work_energy(robot, name, faults) for faults in (reference.PAPER, reference.EXACT))
+        for found in (work_energy(robot, name, faults) for faults in (newton_euler.PAPER, newton_euler.EXACT))
     )
     assert row(name)[2:] == [f"{paper:.2f} %", "below 1e-10 %"]
     assert abs(exact) < 1e-10
@@ -102,8 +106,8 @@ def test_fault_2_costs_at_rest_what_the_readme_says() -> None:
     moving = path.sample(path.times(step))
     zero = np.zeros_like(moving.t)
     rest = ss.Motion(moving.R, moving.t, zero, zero, zero, zero)
-    truth = reference.inverse_dynamics(robot, rest).F
-    error = rms(reference.inverse_dynamics(robot, rest, frozenset({2})).F - truth, truth)
+    truth = newton_euler.inverse_dynamics(robot, rest).F
+    error = rms(newton_euler.inverse_dynamics(robot, rest, frozenset({2})).F - truth, truth)
     assert f"Fault 2 acts even at rest: {error:.2f} %" in README
 
 
@@ -301,7 +305,7 @@ def test_the_committed_chart_is_what_the_code_computes() -> None:
         how = each["formulation"], each["fidelity"]
         assert each["operations"] == fidelity.operations(robot, *how)
         for path, motion in motions.items():
-            true = reference.inverse_dynamics(robot, motion).F
+            true = newton_euler.inverse_dynamics(robot, motion).F
             off = np.abs(ss.prepare(robot, how[0], "double", how[1]).forces(motion) - true).max()
             assert off / np.abs(true).max() == pytest.approx(
                 each["errors"][path]["model"], rel=1e-6, abs=1e-12
@@ -394,7 +398,7 @@ def written_files() -> set[str]:
 
 
 def subcommands() -> dict[str, argparse.ArgumentParser]:
-    parsers = [a for a in cli._parser()._actions if isinstance(a, argparse._SubParsersAction)]
+    parsers = [a for a in main._parser()._actions if isinstance(a, argparse._SubParsersAction)]
     return dict(parsers[0].choices)
 
 

@@ -8,12 +8,12 @@ import pytest
 from machines import dasgupta, machine_size, path_period, random_motion, random_path, random_robot, rotation
 from numpy.typing import NDArray
 
-from stewart_sym import reference
-from stewart_sym.motion import Motion
-from stewart_sym.reference import EXACT, PAPER
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.trajectory import PATHS
+from stewart_sym.reference import newton_euler
+from stewart_sym.reference.newton_euler import EXACT, PAPER
 from stewart_sym.results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Forces
-from stewart_sym.robot import Robot
-from stewart_sym.trajectory import PATHS
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 FORMULATIONS = pytest.mark.parametrize("faults", [EXACT, PAPER], ids=["exact", "paper"])
@@ -23,7 +23,7 @@ FORMULATIONS = pytest.mark.parametrize("faults", [EXACT, PAPER], ids=["exact", "
 
 
 def test_paper_gives_the_known_forces_at_the_start_of_path_I() -> None:
-    F = reference.inverse_dynamics(dasgupta(), PATHS["I"].path.sample(0.0), PAPER).F
+    F = newton_euler.inverse_dynamics(dasgupta(), PATHS["I"].path.sample(0.0), PAPER).F
     np.testing.assert_allclose(F, [388.20, -1118.99, 1419.36, -618.53, -75.55, 386.97], atol=0.005)
 
 
@@ -69,11 +69,11 @@ def test_at_rest_only_the_direction_of_the_constraint_moment_matters() -> None:
     none = np.zeros_like(moving.t)
     rest = Motion(moving.R, moving.t, none, none, none, none)
     robot = dasgupta()
-    exact = reference.inverse_dynamics(robot, rest).F
+    exact = newton_euler.inverse_dynamics(robot, rest).F
     for fault in (1, 3):
-        F = reference.inverse_dynamics(robot, rest, frozenset({fault})).F
+        F = newton_euler.inverse_dynamics(robot, rest, frozenset({fault})).F
         np.testing.assert_allclose(F, exact, atol=1e-10 * np.abs(exact).max())
-    faulty = reference.inverse_dynamics(robot, rest, frozenset({2})).F
+    faulty = newton_euler.inverse_dynamics(robot, rest, frozenset({2})).F
     assert _rms(faulty - exact) / _rms(exact) == pytest.approx(0.0193, rel=0.01)
 
 
@@ -90,8 +90,8 @@ def test_reactions_satisfy_the_equations_of_both_leg_parts(
     robot = random_robot(rng, base_joint, friction=base_joint == "universal")
     motion = random_motion(rng, robot, (4,))
     bearing = rng.uniform(-1, 1, 6)
-    leg = reference.legs(robot, motion, faults)
-    j = reference.joint_reactions(robot, motion, faults, bearing)
+    leg = newton_euler.legs(robot, motion, faults)
+    j = newton_euler.joint_reactions(robot, motion, faults, bearing)
     g, r = robot.g, bearing[:, None] * leg.s
     m_d, m_u = robot.m_d[:, None], robot.m_u[:, None]
     r_x_F_p = np.cross(r, j.F_p)
@@ -117,7 +117,7 @@ def test_reactions_satisfy_the_equations_of_both_leg_parts(
     lower_force = [-m_d * (leg.a_d - g), -j.F_p, j.F_u, prismatic]  # (25)
     for terms in (lower_moment, upper_moment, upper_force, lower_force):
         _assert_sums_to_zero(terms)
-    F = reference.inverse_dynamics(robot, motion, faults).F
+    F = newton_euler.inverse_dynamics(robot, motion, faults).F
     np.testing.assert_allclose(np.sum(leg.s * j.F_p, axis=-1), F, atol=1e-12 * np.abs(F).max())
     np.testing.assert_allclose(np.sum(leg.s * j.F_c, axis=-1), 0, atol=1e-12 * np.abs(F).max())
 
@@ -128,8 +128,8 @@ def test_reactions_satisfy_the_platforms_equations(faults: frozenset[int], seed:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng)
     motion = random_motion(rng, robot, (4,))
-    leg = reference.legs(robot, motion, faults)
-    F_s = reference.joint_reactions(robot, motion, faults).F_s
+    leg = newton_euler.legs(robot, motion, faults)
+    F_s = newton_euler.joint_reactions(robot, motion, faults).F_s
     assert motion.F_ext is not None
     assert motion.M_ext is not None
     assert motion.alpha is not None
@@ -158,7 +158,7 @@ def test_leg_rates_are_the_derivatives_of_the_leg_frame(base_joint: str, seed: i
     robot = random_robot(rng, base_joint)
     h = 1e-4 * path_period(robot)
     time = rng.uniform(0, path_period(robot))
-    leg = reference.legs(robot, random_path(rng, robot)(time + h * np.array([-2.0, -1.0, 0.0, 1.0, 2.0])))
+    leg = newton_euler.legs(robot, random_path(rng, robot)(time + h * np.array([-2.0, -1.0, 0.0, 1.0, 2.0])))
 
     def derivative(value: Array) -> Array:
         stencil = np.array([1.0, -8.0, 0.0, 8.0, -1.0]) / (12 * h)
@@ -177,10 +177,10 @@ def test_leg_rates_are_the_derivatives_of_the_leg_frame(base_joint: str, seed: i
 
 def test_moment_at_the_prismatic_joint_moves_with_the_bearing() -> None:
     robot, motion = _random_case()
-    at_base = reference.joint_reactions(robot, motion)
-    at_bearing = reference.joint_reactions(robot, motion, bearing=0.7)
-    one_each = reference.joint_reactions(robot, motion, bearing=np.full(6, 0.7))
-    r = 0.7 * reference.legs(robot, motion).s
+    at_base = newton_euler.joint_reactions(robot, motion)
+    at_bearing = newton_euler.joint_reactions(robot, motion, bearing=0.7)
+    one_each = newton_euler.joint_reactions(robot, motion, bearing=np.full(6, 0.7))
+    r = 0.7 * newton_euler.legs(robot, motion).s
     _assert_close(at_bearing.M_p, at_base.M_p - np.cross(r, at_base.F_p), tolerance=1e-12)
     np.testing.assert_array_equal(at_bearing.M_p, one_each.M_p)
 
@@ -193,14 +193,14 @@ def test_massless_forces_are_the_limit_of_light_legs_without_friction() -> None:
     light = dataclasses.replace(
         robot, m_d=tiny * robot.m_d, m_u=tiny * robot.m_u, I_d0=tiny * robot.I_d0, I_u0=tiny * robot.I_u0
     )
-    F = reference.inverse_dynamics(light, motion).F
-    _assert_close(reference.massless_forces(robot, motion), F, tolerance=1e-11)
+    F = newton_euler.inverse_dynamics(light, motion).F
+    _assert_close(newton_euler.massless_forces(robot, motion), F, tolerance=1e-11)
 
 
 def test_printed_row_33_changes_only_the_sign_of_the_legs_forces() -> None:
     robot, motion = _random_case()
-    right = reference.inverse_dynamics(robot, motion, PAPER)
-    printed = reference.inverse_dynamics(robot, motion, PAPER | {4})
+    right = newton_euler.inverse_dynamics(robot, motion, PAPER)
+    printed = newton_euler.inverse_dynamics(robot, motion, PAPER | {4})
     _assert_close(printed.c[..., :3] - right.c[..., :3], 2 * right.K.sum(axis=-2), tolerance=1e-10)
     np.testing.assert_array_equal(printed.c[..., 3:], right.c[..., 3:])
 
@@ -209,8 +209,10 @@ def test_faults_1_and_2_say_nothing_of_a_spherical_base_joint() -> None:
     rng = np.random.default_rng(6)
     robot = random_robot(rng, "spherical")
     motion = random_motion(rng, robot, (3,))
-    exact = reference.joint_reactions(robot, motion)
-    np.testing.assert_array_equal(reference.joint_reactions(robot, motion, frozenset({1, 2})).F_u, exact.F_u)
+    exact = newton_euler.joint_reactions(robot, motion)
+    np.testing.assert_array_equal(
+        newton_euler.joint_reactions(robot, motion, frozenset({1, 2})).F_u, exact.F_u
+    )
     assert np.all(exact.M_u == 0)
 
 
@@ -220,8 +222,8 @@ def test_spherical_base_joint_is_any_universal_joint_that_does_not_spin_or_hold(
     spherical = random_robot(rng, "spherical", friction=False)
     universal = dataclasses.replace(spherical, base_joint="universal", k=rng.normal(size=(6, 3)))
     motion = random_motion(rng, spherical, (3,))
-    expected = reference.inverse_dynamics(spherical, motion).F
-    _assert_close(reference.inverse_dynamics(universal, motion, frozenset({1, 2})).F, expected, 1e-11)
+    expected = newton_euler.inverse_dynamics(spherical, motion).F
+    _assert_close(newton_euler.inverse_dynamics(universal, motion, frozenset({1, 2})).F, expected, 1e-11)
 
 
 # Shapes, loads and arguments
@@ -231,26 +233,26 @@ def test_a_batch_is_its_poses_one_by_one() -> None:
     rng = np.random.default_rng(8)
     robot = random_robot(rng)
     motion = random_motion(rng, robot, (2, 3))
-    forces, j = reference.inverse_dynamics(robot, motion), reference.joint_reactions(robot, motion)
+    forces, j = newton_euler.inverse_dynamics(robot, motion), newton_euler.joint_reactions(robot, motion)
     assert forces.F.shape == (2, 3, 6)
     assert forces.status.shape == (2, 3)
     assert j.M_p.shape == (2, 3, 6, 3)
     for index in np.ndindex(2, 3):
-        one = reference.inverse_dynamics(robot, motion[index])
+        one = newton_euler.inverse_dynamics(robot, motion[index])
         assert one.F.shape == (6,)
         assert one.H.shape == (6, 6)
         assert one.status.shape == ()
         _assert_close(one.F, forces.F[index], tolerance=1e-12)
-        _assert_close(reference.joint_reactions(robot, motion[index]).M_p, j.M_p[index], tolerance=1e-12)
+        _assert_close(newton_euler.joint_reactions(robot, motion[index]).M_p, j.M_p[index], tolerance=1e-12)
 
 
 def test_an_empty_batch_is_allowed() -> None:
     rng = np.random.default_rng(9)
     robot = random_robot(rng)
     motion = random_motion(rng, robot, (3,))[:0]
-    assert reference.inverse_dynamics(robot, motion).F.shape == (0, 6)
-    assert reference.joint_reactions(robot, motion).F_u.shape == (0, 6, 3)
-    assert reference.energy(robot, motion).shape == (0,)
+    assert newton_euler.inverse_dynamics(robot, motion).F.shape == (0, 6)
+    assert newton_euler.joint_reactions(robot, motion).F_u.shape == (0, 6, 3)
+    assert newton_euler.energy(robot, motion).shape == (0,)
 
 
 def test_no_load_is_a_load_of_zero() -> None:
@@ -258,17 +260,21 @@ def test_no_load_is_a_load_of_zero() -> None:
     none = dataclasses.replace(motion, F_ext=None, M_ext=None)
     zero = dataclasses.replace(motion, F_ext=0 * motion.t, M_ext=0 * motion.t)
     np.testing.assert_array_equal(
-        reference.inverse_dynamics(robot, none).F, reference.inverse_dynamics(robot, zero).F
+        newton_euler.inverse_dynamics(robot, none).F, newton_euler.inverse_dynamics(robot, zero).F
     )
-    assert np.all(reference.external_power(robot, none) == 0)
+    assert np.all(newton_euler.external_power(robot, none) == 0)
 
 
 def test_energy_and_powers_need_no_accelerations_but_forces_do() -> None:
     robot, motion = _random_case()
     slow = dataclasses.replace(motion, alpha=None, a=None)
-    np.testing.assert_array_equal(reference.energy(robot, slow), reference.energy(robot, motion))
-    assert np.all(reference.friction_power(robot, slow) > 0)
-    for function in (reference.inverse_dynamics, reference.joint_reactions, reference.massless_forces):
+    np.testing.assert_array_equal(newton_euler.energy(robot, slow), newton_euler.energy(robot, motion))
+    assert np.all(newton_euler.friction_power(robot, slow) > 0)
+    for function in (
+        newton_euler.inverse_dynamics,
+        newton_euler.joint_reactions,
+        newton_euler.massless_forces,
+    ):
         with pytest.raises(ValueError, match=r"^motion: accelerations expected"):
             function(robot, slow)
 
@@ -277,13 +283,13 @@ def test_energy_and_powers_need_no_accelerations_but_forces_do() -> None:
 def test_bearing_must_be_one_number_or_six(bearing: object) -> None:
     robot, motion = _random_case()
     with pytest.raises(ValueError, match=r"^bearing: expected"):
-        reference.joint_reactions(robot, motion, bearing=bearing)  # type: ignore[arg-type]
+        newton_euler.joint_reactions(robot, motion, bearing=bearing)  # type: ignore[arg-type]
 
 
 def test_unknown_faults_are_refused() -> None:
     robot, motion = _random_case()
     with pytest.raises(ValueError, match=r"^faults: expected numbers from 1 to 4, got \[5\]"):
-        reference.inverse_dynamics(robot, motion, frozenset({5}))
+        newton_euler.inverse_dynamics(robot, motion, frozenset({5}))
 
 
 # Poses without an answer
@@ -345,10 +351,10 @@ def test_a_pose_without_an_answer_is_nan_with_a_status_and_spares_its_neighbours
     )
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        alone = reference.inverse_dynamics(robot, bad, faults)
-        forces = reference.inverse_dynamics(robot, batch, faults)
-        j = reference.joint_reactions(robot, batch, faults)
-        neighbour = reference.inverse_dynamics(robot, good, faults)
+        alone = newton_euler.inverse_dynamics(robot, bad, faults)
+        forces = newton_euler.inverse_dynamics(robot, batch, faults)
+        j = newton_euler.joint_reactions(robot, batch, faults)
+        neighbour = newton_euler.inverse_dynamics(robot, good, faults)
     assert alone.status == status
     np.testing.assert_array_equal(forces.status, [OK, status, OK])
     np.testing.assert_array_equal(j.status, forces.status)
@@ -369,8 +375,8 @@ def test_equal_hexagons_on_a_circle_are_singular_in_every_pose_though_no_pivot_i
     hexagon = machine_size(robot) * np.column_stack([np.cos(angle), np.sin(angle), np.zeros(6)])
     good = random_motion(rng, robot, (20,))
     equal = dataclasses.replace(robot, b=hexagon, p=hexagon)
-    assert np.all(reference.inverse_dynamics(robot, good).status == OK)
-    assert np.all(reference.inverse_dynamics(equal, good).status == SINGULAR)
+    assert np.all(newton_euler.inverse_dynamics(robot, good).status == OK)
+    assert np.all(newton_euler.inverse_dynamics(equal, good).status == SINGULAR)
 
 
 @pytest.mark.parametrize("make", [_short_leg, _parallel_legs])
@@ -378,9 +384,9 @@ def test_massless_forces_without_an_answer_are_nan(make: object) -> None:
     robot, motion = make()  # type: ignore[operator]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert np.all(np.isnan(reference.massless_forces(robot, motion)))
-        reference.energy(robot, motion)
-        reference.friction_power(robot, motion)
+        assert np.all(np.isnan(newton_euler.massless_forces(robot, motion)))
+        newton_euler.energy(robot, motion)
+        newton_euler.friction_power(robot, motion)
 
 
 def _at_rest(t: object) -> Motion:
@@ -399,7 +405,7 @@ def _times(name: str) -> Array:
 
 
 def _on_path(name: str, faults: frozenset[int], friction: bool = True) -> Forces:
-    return reference.inverse_dynamics(dasgupta(friction), PATHS[name].path.sample(_times(name)), faults)
+    return newton_euler.inverse_dynamics(dasgupta(friction), PATHS[name].path.sample(_times(name)), faults)
 
 
 def _rms(value: Array) -> float:

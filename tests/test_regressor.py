@@ -13,8 +13,8 @@ from test_precision import DIGITS, truth
 import stewart_sym as ss
 from stewart_sym.derive import regressor as derived
 from stewart_sym.derive.formulation import EXACT
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 Column = mp.matrix

@@ -15,8 +15,8 @@ from stewart_sym.derive.operations import force_operations
 from stewart_sym.derive.prepared import ADDED
 from stewart_sym.derive.reduce import share
 from stewart_sym.derive.regroup import ForceKernel, force_kernel
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 ROUNDING = 1e-13
 derived = functools.cache(force_kernel)
@@ -69,7 +69,7 @@ def test_forces_are_those_of_the_elimination(form: Formulation, friction: bool, 
 
 
 def test_regrouping_saves_operations_in_every_formulation() -> None:
-    from stewart_sym.kernel import module
+    from stewart_sym.backend.kernel import module
 
     for form in FORMULATIONS:
         for label, friction in (("friction", True), ("frictionless", False)):

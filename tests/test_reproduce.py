@@ -9,11 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from stewart_sym.dynamics import inverse_dynamics
-from stewart_sym.kernel import FORMULATIONS
-from stewart_sym.reference import EXACT, PAPER
-from stewart_sym.studies import plots
-from stewart_sym.studies.claims import (
+from stewart_sym.backend.kernel import FORMULATIONS
+from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.motion.trajectory import PATHS
+from stewart_sym.reference.newton_euler import EXACT, PAPER
+from stewart_sym.studies.paper import plots
+from stewart_sym.studies.paper.claims import (
     FAILS,
     HOLDS,
     PAPER_FLOPS,
@@ -24,8 +25,8 @@ from stewart_sym.studies.claims import (
     crossing_legs,
     rank_correlation,
 )
-from stewart_sym.studies.report import WIDTH, report
-from stewart_sym.studies.reproduce import (
+from stewart_sym.studies.paper.report import WIDTH, report
+from stewart_sym.studies.paper.reproduce import (
     Reproduction,
     paper_machine,
     reproduce,
@@ -33,7 +34,6 @@ from stewart_sym.studies.reproduce import (
     singular_time,
     work_energy,
 )
-from stewart_sym.trajectory import PATHS
 
 
 @pytest.fixture(scope="module")
@@ -109,7 +109,7 @@ def test_work_is_that_of_the_compiled_forces(monkeypatch: pytest.MonkeyPatch) ->
 
     robot = paper_machine()
     before = [work_energy(robot, "I", faults).work for faults in (EXACT, PAPER, frozenset({2}))]
-    monkeypatch.setattr("stewart_sym.studies.reproduce.inverse_dynamics", doubled)
+    monkeypatch.setattr("stewart_sym.studies.paper.reproduce.inverse_dynamics", doubled)
     after = [work_energy(robot, "I", faults).work for faults in (EXACT, PAPER, frozenset({2}))]
     np.testing.assert_allclose(np.divide(after, before), [2, 2, 1])
 
@@ -184,7 +184,7 @@ def test_the_command_draws_the_pictures_and_their_svg_is_reproducible(
     found: Reproduction, tmp_path: Path
 ) -> None:
     folders = [tmp_path / "one", tmp_path / "two"]
-    command = [sys.executable, "-m", "stewart_sym.cli", "reproduce", "-o", str(folders[0])]
+    command = [sys.executable, "-m", "stewart_sym.cli.main", "reproduce", "-o", str(folders[0])]
     env = {**os.environ, "MPLBACKEND": "Agg"}
     done = subprocess.run(command, env=env, capture_output=True, text=True)
     assert (done.returncode, done.stderr) == (0, "")

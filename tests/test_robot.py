@@ -16,7 +16,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from stewart_sym import robots
-from stewart_sym.robot import PhysicalityWarning, Robot
+from stewart_sym.robot.robot import PhysicalityWarning, Robot
 
 Tables = dict[str, Any]
 
@@ -447,7 +447,7 @@ def paper_text() -> str:
     return (Path(robots.__file__).parent / "dasgupta1998.toml").read_text(encoding="utf-8")
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
 def test_file_error_begins_with_the_path(tmp_path: Path) -> None:
     path = tmp_path / "hexapod.toml"
     path.write_text(
@@ -457,7 +457,7 @@ def test_file_error_begins_with_the_path(tmp_path: Path) -> None:
     assert message == f"{path}: leg 4: universal_axis: expected a non-zero direction, got (0, 0, 0)"
 
 
-@pytest.mark.filterwarnings("ignore::stewart_sym.robot.PhysicalityWarning")
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
 def test_byte_order_mark_and_windows_lines_are_read(tmp_path: Path) -> None:
     path = tmp_path / "win.toml"
     path.write_bytes(b"\xef\xbb\xbf" + paper_text().replace("\n", "\r\n").encode())

@@ -17,7 +17,8 @@ from test_float import BOUND, any_machine
 from test_pole import leaning
 
 import stewart_sym as ss
-from stewart_sym import fidelity, native
+from stewart_sym.backend import fidelity, native
+from stewart_sym.backend.kernel import MOTION, c_sources, kernel_name, loaded, robot_numbers
 from stewart_sym.derive import notation as n
 from stewart_sym.derive.bake import baked
 from stewart_sym.derive.emit import scalar
@@ -30,10 +31,9 @@ from stewart_sym.derive.kernel import read
 from stewart_sym.derive.kernel.elimination import BY_POINTERS
 from stewart_sym.derive.kernel.written import scalar as written_scalar
 from stewart_sym.derive.print.c import C
-from stewart_sym.kernel import MOTION, c_sources, kernel_name, loaded, robot_numbers
-from stewart_sym.motion import Motion
+from stewart_sym.motion.motion import Motion
 from stewart_sym.results import BAD_ARGUMENT, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR
-from stewart_sym.robot import Robot
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}

@@ -10,12 +10,12 @@ import pytest
 from test_cli import fails_in_one_line, folder_state, read
 
 import stewart_sym as ss
-from stewart_sym.cli import main
-from stewart_sym.extras import install
-from stewart_sym.rotation import rotation_from_rpy, rpy_from_rotation
-from stewart_sym.scene import read_scene
-from stewart_sym.studies.output import csv_lines
-from stewart_sym.trajectory import interpolated, read_csv
+from stewart_sym.cli.main import main
+from stewart_sym.io.extras import install
+from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
+from stewart_sym.motion.trajectory import interpolated, read_csv
+from stewart_sym.simulation.scene import read_scene
+from stewart_sym.studies.common.output import csv_lines
 
 SWING = """
 schema = 1
@@ -104,8 +104,8 @@ def test_energy_drift_is_written_and_drawn(scene: Path, capsys: pytest.CaptureFi
 def test_tables_need_no_matplotlib(
     scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.delitem(sys.modules, "stewart_sym.studies.plots", raising=False)
-    monkeypatch.delattr("stewart_sym.studies.plots", raising=False)
+    monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
+    monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     before = folder_state(scene.parent)
     assert install("plot") in fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")

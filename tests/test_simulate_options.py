@@ -10,13 +10,13 @@ import pytest
 from machines import dasgupta, home_position, machine_size, random_robot
 
 import stewart_sym as ss
-from stewart_sym import chart
-from stewart_sym.cli import main
-from stewart_sym.laws import along
-from stewart_sym.rotation import rotation_from_vector, vector_rate
-from stewart_sym.scene import read_scene
-from stewart_sym.studies import energy_drift
-from stewart_sym.studies.run import figure, summary
+from stewart_sym.cli.main import main
+from stewart_sym.motion import rotation_vector
+from stewart_sym.motion.rotation import rotation_from_vector, vector_rate
+from stewart_sym.simulation.actuator_models import along
+from stewart_sym.simulation.scene import read_scene
+from stewart_sym.studies.reports import energy_drift
+from stewart_sym.studies.reports.run import figure, summary
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
 ZERO = np.zeros(3)
@@ -64,8 +64,12 @@ def test_plain_numbers_turn_as_arrays_do(size: float) -> None:
     phi, omega = rng.normal(size=(2, 3))
     phi *= size / np.linalg.norm(phi)
     R = rotation_from_vector(rng.normal(size=3))
-    np.testing.assert_allclose(chart.turned(phi, R), rotation_from_vector(phi) @ R, rtol=0.0, atol=1e-15)
-    np.testing.assert_allclose(chart.rate(phi, omega), vector_rate(phi, omega), rtol=0.0, atol=5e-15)
+    np.testing.assert_allclose(
+        rotation_vector.turned(phi, R), rotation_from_vector(phi) @ R, rtol=0.0, atol=1e-15
+    )
+    np.testing.assert_allclose(
+        rotation_vector.rate(phi, omega), vector_rate(phi, omega), rtol=0.0, atol=5e-15
+    )
 
 
 @pytest.mark.parametrize("rate", [None, 200.0])
@@ -179,7 +183,7 @@ def test_a_sampled_run_asks_the_machine_a_dozen_times_a_sample_and_each_instant_
     """The cost of a sampled law: evaluations a sample, and instants looked up once whatever their number."""
     robot, state = machine()
     asked = 0
-    solve = ss.equations._one_state
+    solve = ss.dynamics.equations._one_state
 
     def counted(closed: object) -> object:
         inner = solve(closed)
@@ -191,7 +195,7 @@ def test_a_sampled_run_asks_the_machine_a_dozen_times_a_sample_and_each_instant_
 
         return count
 
-    monkeypatch.setattr(ss.equations, "_one_state", counted)
+    monkeypatch.setattr(ss.dynamics.equations, "_one_state", counted)
     run = ss.simulate(robot, state, np.zeros(6), 0.02, rate=1000.0)
     # A first step is found from nothing; the others are a sample long.
     assert run.steps <= 20 + 2

@@ -9,11 +9,11 @@ from machines import dasgupta, home_position, machine_size, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym import reference
-from stewart_sym.laws import along
-from stewart_sym.rotation import rotation_from_vector, vector_from_rotation, vector_rate
-from stewart_sym.studies import energy_drift
-from stewart_sym.studies.run import summary as run_summary
+from stewart_sym.motion.rotation import rotation_from_vector, vector_from_rotation, vector_rate
+from stewart_sym.reference import newton_euler
+from stewart_sym.simulation.actuator_models import along
+from stewart_sym.studies.reports import energy_drift
+from stewart_sym.studies.reports.run import summary as run_summary
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(3)
@@ -64,7 +64,9 @@ def test_friction_and_dampers_take_the_energy_they_should() -> None:
     run = ss.simulate(robot, state, springs, 0.5)
     nodes, weights = np.polynomial.legendre.leggauss(60)
     at = run.at(0.25 * (nodes + 1))
-    taken = reference.friction_power(robot, at.motion) - reference.actuator_power(robot, at.motion, at.F)
+    taken = newton_euler.friction_power(robot, at.motion) - newton_euler.actuator_power(
+        robot, at.motion, at.F
+    )
     lost = run.energy[0] - run.energy[-1]
     assert 0.25 * weights @ taken == pytest.approx(lost, rel=1e-7, abs=1e-8 * run.kinetic.max())
 

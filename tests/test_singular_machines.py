@@ -11,8 +11,8 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.conditioning import characteristic_length, scaled_condition_number
-from stewart_sym.kinematics import wrench_matrix
+from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym.kinematics.inverse import wrench_matrix
 
 Array = NDArray[np.float64]
 Points = tuple[Array, Array]

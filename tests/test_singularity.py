@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 from test_bad_poses import semiregular
 
 import stewart_sym as ss
-from stewart_sym.passage import crossings
-from stewart_sym.singular_poses import screw
+from stewart_sym.singularities.along_path import crossings
+from stewart_sym.singularities.singular_poses import screw
 
 Array = NDArray[np.float64]
 EPSILON = np.finfo(np.float64).eps

@@ -12,18 +12,19 @@ from machines import random_motion, random_robot
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.cli import main
+from stewart_sym.backend.kernel import robot_numbers
+from stewart_sym.backend.native import CompilerError
+from stewart_sym.cli.main import main
 from stewart_sym.derive.thresholds import CASES, THRESHOLDS
-from stewart_sym.kernel import robot_numbers
-from stewart_sym.native import CompilerError
+from stewart_sym.precision.quad import quad_forces
+from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.results import OK
-from stewart_sym.studies.quad import quad_forces
-from stewart_sym.studies.stability import attitude, judge, leg_frame, lengths, poses, singular
-from stewart_sym.studies.stability.family import Curve, verdict
-from stewart_sym.studies.stability.machines import LEGS, random_machine
-from stewart_sym.studies.stability.solves import CANDIDATES
-from stewart_sym.studies.stability.sweep import sweep
-from stewart_sym.studies.truth import Truth, deviation
+from stewart_sym.studies.robustness import attitude, leg_frame, lengths, poses, singular
+from stewart_sym.studies.robustness.family import Curve, verdict
+from stewart_sym.studies.robustness.solves import CANDIDATES
+from stewart_sym.studies.robustness.sweep import judge
+from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine
+from stewart_sym.studies.robustness.sweep.sweep import sweep
 
 REPOSITORY = Path(__file__).parent.parent
 
@@ -84,7 +85,7 @@ def test_long_double_and_quadruple_precision_find_the_same() -> None:
 def test_the_condition_of_a_leg_frame_is_one_over_the_sine() -> None:
     robots, motions = leg_frame._walk(2, LEGS[1], rest=True)
     frames = judge.judge_poses(robots[8:30], motions[8:30])["frames"]
-    from stewart_sym.studies.stability.family import distances
+    from stewart_sym.studies.robustness.family import distances
 
     assert frames == pytest.approx(1.0 / np.sin(distances()[8:30]), rel=1e-4)
 
@@ -110,8 +111,8 @@ def test_candidate_solves_solve(name: str) -> None:
 
 def test_near_a_singular_pose_every_kernel_is_right_or_says_so() -> None:
     robots, motions = singular.path_III()
-    from stewart_sym.studies.stability import shipped
-    from stewart_sym.studies.stability.family import distances
+    from stewart_sym.studies.robustness import shipped
+    from stewart_sym.studies.robustness.family import distances
 
     for curve in shipped.curves(robots[::4], motions[::4]):
         found = verdict(curve, distances()[::4])

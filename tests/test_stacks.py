@@ -10,14 +10,14 @@ import machines
 import numpy as np
 import pytest
 
-from stewart_sym import fidelity
+from stewart_sym.backend import fidelity
 from stewart_sym.generated.fidelities import FIDELITIES
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.files import stack_key
 from stewart_sym.kit.parts import parts
-from stewart_sym.robot import Robot
-from stewart_sym.studies.controller import toolchain
-from stewart_sym.studies.controller.stacks import as_text, stacks
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.microcontroller import toolchain
+from stewart_sym.studies.microcontroller.stacks import as_text, stacks
 
 TABLE = Path(__file__).parent.parent / "stewart_sym" / "kit" / "stack.json"
 REWRITE = "run `python tests/test_stacks.py`"

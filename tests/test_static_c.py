@@ -11,8 +11,8 @@ from pathlib import Path
 import pytest
 
 from stewart_sym.derive import package
-from stewart_sym.studies import quad
-from stewart_sym.studies.stability import judge
+from stewart_sym.precision import quad
+from stewart_sym.studies.robustness.sweep import judge
 
 REPOSITORY = Path(__file__).parent.parent
 STRICT = ("-std=gnu99", "-fsyntax-only", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror")

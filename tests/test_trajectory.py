@@ -12,10 +12,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from stewart_sym.extras import install
-from stewart_sym.motion import Motion
-from stewart_sym.rotation import rotation_from_rpy, rpy_from_rotation
-from stewart_sym.trajectory import PATHS, StraightLinePath, read_csv
+from stewart_sym.io.extras import install
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
+from stewart_sym.motion.trajectory import PATHS, StraightLinePath, read_csv
 
 Array = NDArray[np.float64]
 POSE = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]

@@ -16,19 +16,21 @@ from numpy.typing import NDArray
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym import closed_form, kernel, native, reference
-from stewart_sym.conditioning import characteristic_length, scaled_condition_number
-from stewart_sym.fidelity import FIDELITIES
-from stewart_sym.forces import prepare
-from stewart_sym.kernel import MOTION, address, kernel_name, robot_numbers
-from stewart_sym.kinematics import clear_of_poles
+from stewart_sym.backend import kernel, native
+from stewart_sym.backend.fidelity import FIDELITIES
+from stewart_sym.backend.kernel import MOTION, address, kernel_name, robot_numbers
+from stewart_sym.dynamics import closed_form
+from stewart_sym.dynamics.forces import prepare
+from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym.kinematics.inverse import clear_of_poles
 from stewart_sym.kit.poses import MAX_CONDITION, poses, sample
 from stewart_sym.kit.readings import LEG_FIELDS, PLATFORM_FIELDS, Readings
 from stewart_sym.kit.running import Running
 from stewart_sym.kit.vectors import CLOSED_FORM, FEW, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
-from stewart_sym.studies.truth import Truth
+from stewart_sym.motion.motion import Motion
+from stewart_sym.precision.truth import Truth
+from stewart_sym.reference import newton_euler
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
 
@@ -354,10 +356,10 @@ def test_numbers_of_float_vectors_fit_into_floats_and_answers_are_of_these() -> 
             np.testing.assert_array_equal(values, values.astype(np.float32))
     vector = vectors(robot, ("forces",), precision="float", count=1)[0]
     shaped = {name: vector.inputs[name].reshape(shape) for name, shape in MOTION.items()}
-    F = reference.inverse_dynamics(rounded, Motion.unchecked(**shaped), reference.EXACT).F
+    F = newton_euler.inverse_dynamics(rounded, Motion.unchecked(**shaped), newton_euler.EXACT).F
     np.testing.assert_allclose(vector.answers["F"], F, rtol=0, atol=1e-6 * np.abs(F).max())
     baked = vectors(robot, ("forces",), precision="float", count=1, baked=True)[0]
-    F = reference.inverse_dynamics(robot, Motion.unchecked(**shaped), reference.EXACT).F
+    F = newton_euler.inverse_dynamics(robot, Motion.unchecked(**shaped), newton_euler.EXACT).F
     assert np.abs(baked.answers["F"] - F).max() < np.abs(vector.answers["F"] - F).max()
 
 

@@ -21,9 +21,9 @@ from sweeps import share
 from test_bounds import PRECISIONS, case, wild
 from test_bounds_joint_singularity import PATH, drawn
 
-from stewart_sym.kernel import c_sources
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.backend.kernel import c_sources
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 MEDIAN = 1.6
 FAR = {"double": 2.0, "float": 12.0}

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from sweeps import FULL
 
-from stewart_sym import native
+from stewart_sym.backend import native
 from stewart_sym.derive import notation as n
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import Choice, kit
@@ -19,7 +19,7 @@ from stewart_sym.kit.parts import folded_kernel
 from stewart_sym.kit.running import FORCES_MARGIN
 from stewart_sym.kit.selection import SHARE, Numbered, selection
 from stewart_sym.kit.sensitivity import Forces, changes
-from stewart_sym.robot import Robot
+from stewart_sym.robot.robot import Robot
 
 MACHINES = {
     "dasgupta": machines.dasgupta(),

@@ -19,9 +19,9 @@ import numpy as np
 from bound_statements import mutants, split
 from numpy.typing import NDArray
 
-from stewart_sym.kernel import MOTION, c_sources, robot_numbers
-from stewart_sym.motion import Motion
-from stewart_sym.robot import Robot
+from stewart_sym.backend.kernel import MOTION, c_sources, robot_numbers
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
 
 Array = NDArray[Any]
 Real = np.longdouble

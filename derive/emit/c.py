@@ -13,17 +13,7 @@ from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
 from ..kernel.layouts import Place, Written, described, loads, member, names_used, stores
 from ..kernel.lower import steps_of
-from ..kernel.nodes import (
-    Argument,
-    Array,
-    Field,
-    Function,
-    Number,
-    Real,
-    Record,
-    Statement,
-    Structure,
-)
+from ..kernel.nodes import Argument, Array, Field, Function, Number, Real, Record, Statement, Structure
 from ..kernel.read import Given
 from ..kernel.shared import ABOUT_REFERENCE, shared
 from ..kernel.written import every_output as written

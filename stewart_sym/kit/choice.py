@@ -5,8 +5,8 @@ The bottom of the kit; knows which wishes go together, and nothing of sources.
 
 from dataclasses import dataclass
 
-from ..checks import option, shown
-from ..robot import Robot
+from ..io.arguments import option, shown
+from ..robot.robot import Robot
 
 FUNCTIONS = ("forces", "reactions", "motion", "derivatives", "kinematics")
 """Groups of functions that a kit may hold, in the order in which it lists them."""

@@ -15,7 +15,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import fidelity
+from ..backend import fidelity
+from ..backend.kernel import MOTION
 from ..derive import notation
 from ..derive.generate import generator_version
 from ..derive.kernel.interface import CALLS
@@ -28,11 +29,10 @@ from ..derive.package.readme import Kit as ReadmeKit
 from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files, robot_toml
 from ..derive.package.selftest import Case, Rejected, selftest
 from ..derive.package.words import robot_symbol
-from ..home import home_pose
-from ..kernel import MOTION
-from ..motion import Motion
+from ..dynamics.home_pose import home_pose
+from ..motion.motion import Motion
 from ..results import OK
-from ..robot import Robot
+from ..robot.robot import Robot
 from . import languages
 from .choice import DEFAULT, Choice, check, options
 from .fmu import UnitKernel, fmu_unit

@@ -12,7 +12,7 @@ import zipfile
 from collections.abc import Mapping
 from pathlib import Path
 
-from .. import native
+from ..backend import native
 from ..derive.package import fmu as texts
 from ..derive.package.fmu import UnitKernel
 from ..derive.package.words import Numbers

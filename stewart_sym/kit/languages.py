@@ -5,7 +5,8 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from ..checks import option, shown
+from ..backend.fidelity import resolved
+from ..backend.kernel import kernel_name
 from ..derive.formulation import FORMULATIONS
 from ..derive.generate import output_program
 from ..derive.kernel.nodes import Program, Record
@@ -14,9 +15,8 @@ from ..derive.package.languages import LANGUAGES
 from ..derive.package.languages.contents import Contents, Test, Value, compared
 from ..derive.package.robot import robot_toml
 from ..derive.package.words import robot_symbol
-from ..fidelity import resolved
-from ..kernel import kernel_name
-from ..robot import Robot
+from ..io.arguments import option, shown
+from ..robot.robot import Robot
 from .choice import STEMS, Choice, options
 from .parts import generator, robot_numbers
 from .vectors import Vector, rejected, vectors

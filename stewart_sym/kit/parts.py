@@ -10,7 +10,8 @@ from importlib.metadata import version
 
 import numpy as np
 
-from .. import fidelity
+from ..backend import fidelity
+from ..backend.kernel import c_sources, kernel_name, module
 from ..derive import notation
 from ..derive.bake import baked
 from ..derive.emit import lanes, scalar
@@ -30,9 +31,8 @@ from ..derive.operations import force_operations
 from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.words import Numbers, robot_symbol
 from ..derive.regroup import ForceKernel
-from ..kernel import c_sources, kernel_name, module
-from ..robot import Robot
-from ..studies.truth import derived_kernel
+from ..precision.truth import derived_kernel
+from ..robot.robot import Robot
 from .choice import STEMS, Choice
 
 _KINEMATICS = "kinematics"

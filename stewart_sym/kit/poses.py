@@ -11,13 +11,13 @@ from typing import cast
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..conditioning import characteristic_length, scaled_condition_number
-from ..dynamics import Formulation, inverse_dynamics
-from ..kinematics import clear_of_poles, inverse_kinematics
-from ..motion import Motion
-from ..mounting import platform_side
+from ..dynamics.inverse import Formulation, inverse_dynamics
+from ..kinematics.conditioning import characteristic_length, scaled_condition_number
+from ..kinematics.inverse import clear_of_poles, inverse_kinematics
+from ..kinematics.mounting import platform_side
+from ..motion.motion import Motion
 from ..results import Forces
-from ..robot import Robot
+from ..robot.robot import Robot
 
 Array = NDArray[np.float64]
 

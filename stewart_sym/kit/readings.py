@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ..backend.kernel import kernel_name, module
 from ..derive import notation as n
 from ..derive.formulation import EXACT
 from ..derive.generate import reduced_kinematics, reduced_rotation
@@ -24,24 +25,13 @@ from ..derive.kernel.interpret import Arithmetic, Interpreter
 from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
 from ..derive.kernel.nodes import Program
 from ..derive.kernel.outputs import FORCES, program
+from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
-from ..kernel import kernel_name, module
+from ..precision.truth import ON_DIGITS, number_of_digits
 from ..results import OK
-from ..robot import LEGS
-from ..studies.truth import ON_DIGITS, number_of_digits
-from ..trees import robot_structure, structure
+from ..robot.robot import LEGS
 from .parts import plain_kernel
-from .running import (
-    HALF_UNIT,
-    Objects,
-    Running,
-    array,
-    errors,
-    inverse_sizes,
-    sizes,
-    solve,
-    solve_definite,
-)
+from .running import HALF_UNIT, Objects, Running, array, errors, inverse_sizes, sizes, solve, solve_definite
 
 Array = NDArray[np.float64]
 Numbers = Mapping[str, Array]

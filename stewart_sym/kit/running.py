@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..studies.truth import digits
+from ..precision.truth import digits
 
 Objects = NDArray[Any]
 Sizes = NDArray[np.float64]

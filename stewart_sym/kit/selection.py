@@ -16,12 +16,12 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import NDArray
 
-from ..conditioning import characteristic_length, scaled_condition_number
+from ..backend.kernel import MOTION
 from ..derive.regroup import ForceKernel
-from ..kernel import MOTION
-from ..kinematics import inverse_kinematics, wrench_matrix
-from ..motion import Motion
-from ..robot import Robot
+from ..kinematics.conditioning import characteristic_length, scaled_condition_number
+from ..kinematics.inverse import inverse_kinematics, wrench_matrix
+from ..motion.motion import Motion
+from ..robot.robot import Robot
 from .parts import folded_kernel, plain_kernel
 from .poses import MAX_CONDITION, WHOLE, sample, significant, size_of, whole_turn
 from .readings import LEG_FIELDS, NEAR_POLE, PLATFORM_FIELDS

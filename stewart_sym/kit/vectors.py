@@ -15,17 +15,17 @@ from functools import lru_cache, partial
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import fidelity as fidelities
-from ..checks import instance, option
-from ..conditioning import characteristic_length, moments_over
-from ..forward import forward_kinematics
+from ..backend import fidelity as fidelities
+from ..backend.kernel import MOTION, need_held
 from ..generated.fidelities import FIDELITIES
-from ..kernel import MOTION, need_held
-from ..kinematics import wrench_matrix
-from ..motion import Motion
+from ..io.arguments import instance, option
+from ..kinematics.conditioning import characteristic_length, moments_over
+from ..kinematics.forward import forward_kinematics
+from ..kinematics.inverse import wrench_matrix
+from ..motion.motion import Motion
+from ..motion.rotation import orthonormal
 from ..results import POLE, SHORT_LEG, SINGULAR
-from ..robot import Robot
-from ..rotation import orthonormal
+from ..robot.robot import Robot
 from .poses import neighbour, poses, significant
 from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
 from .running import FORCES_MARGIN, MARGIN, errors, values

@@ -6,8 +6,8 @@ Stands above ``files``; what a manifest says of the files there tells ours from 
 from collections.abc import Iterable
 from pathlib import Path
 
-from ..publish import digest, must_replace, recorded, staged_folder
-from ..robot import Robot
+from ..io.writing import digest, must_replace, recorded, staged_folder
+from ..robot.robot import Robot
 from .choice import DEFAULT, Choice
 from .files import MANIFEST, Kit, kit
 

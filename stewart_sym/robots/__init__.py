@@ -2,7 +2,7 @@
 
 from importlib import resources
 
-from ..robot import Robot
+from ..robot.robot import Robot
 
 
 def dasgupta1998() -> Robot:

@@ -1,0 +1,1 @@
+"""Kernels as they run: compiled C through ctypes, NumPy, and which fidelities there are."""

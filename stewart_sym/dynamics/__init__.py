@@ -1,0 +1,1 @@
+"""Actuator forces, joint reactions and equations of motion of one machine."""

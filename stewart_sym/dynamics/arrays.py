@@ -1,0 +1,204 @@
+"""The generated modules on arrays, bound to a robot and to an array library: NumPy, JAX, PyTorch and others.
+
+Arrays come and go as the library's own; ``jit``, ``vmap`` and ``grad`` work on every method.
+"""
+
+from dataclasses import dataclass, field
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..backend.kernel import kernel_name, module, overflows, stored
+from ..io.arguments import instance, leading_shape
+from ..io.frozen import Frozen
+from ..results import OK
+from ..robot.robot import Robot
+from .inverse import Formulation
+
+
+class ArrayForces(NamedTuple):
+    """F: actuator forces, N, (..., 6), (37); status (...)."""
+
+    F: Any
+    status: Any
+
+
+class ArrayEquations(NamedTuple):
+    """M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext], and status (...).
+
+    M, C, H: (..., 6, 6); g, friction, bias = C [v; omega] + g + friction: (..., 6). N and N m, base frame.
+    """
+
+    M: Any
+    C: Any
+    g: Any
+    friction: Any
+    bias: Any
+    H: Any
+    status: Any
+
+
+class ArrayAccelerations(NamedTuple):
+    """a, m/s^2, and alpha, rad/s^2, (..., 3); status (...)."""
+
+    a: Any
+    alpha: Any
+    status: Any
+
+
+@dataclass(frozen=True, eq=False)
+class ArrayKernel(Frozen):
+    """A robot's constants prepared for one array library.
+
+    xp: the library's namespace; dtype: its type of real numbers. Arguments of the methods have the shapes of
+    ``Motion``'s; what is not given is zero, and leading shapes broadcast. Where a status, a code of
+    ``results.STATUS_TEXT``, is not 0, the other numbers are NaN. Shapes are checked, and that numbers are
+    real; that R is a rotation is not: ``Motion`` checks it.
+    """
+
+    robot: Robot
+    xp: Any
+    formulation: Formulation = "exact"
+    dtype: Any = None
+    _source: ModuleType = field(init=False, repr=False)
+    _on: Any = field(init=False, repr=False)
+    _model: Any = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Prepare the constants in double, whatever the type of the kernel."""
+        instance(self.robot, Robot, "robot")
+        name = kernel_name(self.formulation, self.robot.base_joint)
+        if not hasattr(self.xp, "asarray"):
+            got = type(self.xp).__name__
+            raise ValueError(f"xp: expected an array namespace such as numpy or jax.numpy, got {got}")
+        source, on_numpy = module(f"{name}_arrays"), module("arithmetic").Arithmetic(np)
+        on = module("arithmetic").Arithmetic(self.xp, self.dtype)
+        with np.errstate(all="ignore"):
+            model = source.prepare(on_numpy, _numbers(source.Robot(), self.robot))
+        if model.status != OK:
+            raise overflows(self.robot, "double")
+        made = {"_source": source, "_on": on, "_model": _converted(model, on), "dtype": on.type}
+        for attribute, value in made.items():
+            object.__setattr__(self, attribute, value)
+
+    def forces(
+        self,
+        R: Any,
+        t: Any,
+        omega: Any = None,
+        v: Any = None,
+        alpha: Any = None,
+        a: Any = None,
+        F_ext: Any = None,
+        M_ext: Any = None,
+    ) -> ArrayForces:
+        """Actuator forces F, N, (..., 6)."""
+        given = {"R": R, "t": t, "omega": omega, "v": v, "alpha": alpha, "a": a}
+        return ArrayForces(**self._run("forces", ArrayForces, given | {"F_ext": F_ext, "M_ext": M_ext}))
+
+    def equations(self, R: Any, t: Any, omega: Any = None, v: Any = None) -> ArrayEquations:
+        """M, C, g, friction, bias and H; `exact` with universal base joints alone."""
+        return ArrayEquations(
+            **self._run("equations", ArrayEquations, {"R": R, "t": t, "omega": omega, "v": v})
+        )
+
+    def forward_dynamics(
+        self,
+        R: Any,
+        t: Any,
+        omega: Any = None,
+        v: Any = None,
+        F: Any = None,
+        F_ext: Any = None,
+        M_ext: Any = None,
+    ) -> ArrayAccelerations:
+        """a and alpha under actuator forces F, N, (..., 6); `exact` with universal base joints alone."""
+        given = {"R": R, "t": t, "omega": omega, "v": v, "F_ext": F_ext, "M_ext": M_ext}
+        return ArrayAccelerations(**self._run("forward_dynamics", ArrayAccelerations, given, F))
+
+    def _run(self, function: str, kind: Any, fields: dict[str, Any], F: Any = None) -> dict[str, Any]:
+        if not hasattr(self._source, function):
+            raise ValueError(
+                f'{function}: expected formulation "exact" and universal base joints, '
+                f'got "{self.formulation}" and {self.robot.base_joint} ones'
+            )
+        given = {name: self._array(name, value) for name, value in fields.items() if value is not None}
+        if function == "forward_dynamics":
+            given["F"] = self._array("F", np.zeros(6) if F is None else F)
+        shape = leading_shape(
+            {name: tuple(each.shape[: -len(_shape_of(name))]) for name, each in given.items()}
+        )
+        F = given.pop("F", None)
+        more = [] if F is None else [[F[..., i] for i in range(6)]]
+        motion = self._source.motion_of(self._on, **given)
+        with np.errstate(all="ignore"):
+            found = getattr(self._source, function)(self._on, self._model, motion, *more)
+        return {name: _stacked(self.xp, getattr(found, name), shape) for name in kind._fields}
+
+    def _array(self, name: str, value: Any) -> Any:
+        """An argument as the library's array of real numbers, its shape checked."""
+        try:
+            kind = str(getattr(value, "dtype", None) or np.asarray(value).dtype).rpartition(".")[2]
+        except ValueError as error:
+            raise ValueError(f"{name}: expected real numbers, {error}") from None
+        if not kind.startswith(("float", "bfloat", "int", "uint", "bool")):
+            raise ValueError(f"{name}: expected real numbers, got {kind}")
+        array, shape = self.xp.asarray(value, dtype=self.dtype), _shape_of(name)
+        if tuple(array.shape[-len(shape) :]) != shape:
+            expected = ", ".join(map(str, shape))
+            raise ValueError(f"{name}: expected shape (..., {expected}), got {tuple(array.shape)}")
+        return array
+
+
+def _shape_of(name: str) -> tuple[int, ...]:
+    """Shape of an argument at one pose."""
+    return {"R": (3, 3), "F": (6,)}.get(name, (3,))
+
+
+def array_kernel(robot: Robot, xp: Any, formulation: Formulation = "exact", dtype: Any = None) -> ArrayKernel:
+    """Forces, equations of motion and forward dynamics on the arrays of a library.
+
+    xp: an array namespace: ``numpy``, ``jax.numpy``, ``torch``, or another that follows the array API
+    standard. dtype: its type of real numbers; None for ``xp.float64`` or what the library puts in its place,
+    as JAX without ``jax_enable_x64`` does.
+
+    Raises ValueError for an unknown formulation, for no namespace, and for constants whose products
+    overflow.
+    """
+    return ArrayKernel(robot, xp, formulation, dtype)
+
+
+def _numbers(made: Any, robot: Robot) -> Any:
+    """The robot as the generated module stores it."""
+    for name in vars(made):
+        if name == "leg":
+            for i, leg in enumerate(made.leg):
+                for part in vars(leg):
+                    setattr(leg, part, stored(np.asarray(getattr(robot, part)[i])).tolist())
+        else:
+            setattr(made, name, stored(np.asarray(getattr(robot, name))).tolist())
+    return made
+
+
+def _converted(value: Any, on: Any) -> Any:
+    """Numbers of a model as arrays of another library."""
+    if isinstance(value, list):
+        return [_converted(each, on) for each in value]
+    if hasattr(value, "__dict__"):
+        made = type(value)()
+        for name, each in vars(value).items():
+            setattr(made, name, int(each) if name == "status" else _converted(each, on))
+        return made
+    return on.real(float(value))
+
+
+def _stacked(xp: Any, value: Any, shape: tuple[int, ...]) -> Any:
+    """Lists of arrays, one for each component, as one array (*shape, ...)."""
+    dims: tuple[int, ...] = ()
+    parts = [value]
+    while isinstance(parts[0], list):
+        dims = (*dims, len(parts[0]))
+        parts = [each for row in parts for each in row]
+    parts = [xp.broadcast_to(xp.asarray(each), shape) for each in parts]
+    return xp.reshape(xp.stack(parts, axis=-1), (*shape, *dims)) if dims else parts[0]

@@ -1,0 +1,108 @@
+"""Actuator forces with a bound of their rounding error, and how near each pose is to a singular one.
+
+Stands beside ``forces``, whose forces it hands back to the last bit. Lays arrays out for the C of
+``stewart_exact_bounds.h``, where all bounding is done; knows no equation.
+"""
+
+import ctypes
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..backend.kernel import MOTION, address, kernel_name, library, overflows, robot_numbers
+from ..generated.interface import MODELS
+from ..io.arguments import option
+from ..io.error_policy import ON_FAULT, OnFault
+from ..motion.motion import Motion
+from ..results import OK
+from ..robot.robot import Robot
+from .forces import Precision
+from .inverse import need_motion, need_universal, report_faults
+
+Array = NDArray[Any]
+
+KERNEL = kernel_name("exact", "universal")
+
+
+@dataclass(frozen=True, eq=False)
+class ForceBounds:
+    """Forces of one or many poses and what can be said of their rounding; ``(...)`` is the motion's shape.
+
+    F: actuator forces, N, (..., 6), positive when they extend the leg, (37).
+    bound: no force is farther than this from the exact one of the same numbers, N, (..., 6); inf where H is
+    so near to singular that none can be had in this precision.
+    rcond: reciprocal condition of H, (...), in the norm of largest column sums, moments about the reference
+    point over the characteristic length: 1 at best.
+    status: 0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
+
+    Of the precision's type; NaN where the status is not 0.
+    """
+
+    F: Array
+    bound: Array
+    rcond: Array
+    status: NDArray[np.int32]
+
+
+def forces_with_bounds(
+    robot: Robot, motion: Motion, precision: Precision = "double", on_singular: OnFault = "raise"
+) -> ForceBounds:
+    """Actuator forces of ``motion`` by the ``exact`` kernel, each with a bound of its rounding error.
+
+    The bound is rigorous, short of overflow and underflow. It counts every operation from the robot's numbers
+    on (running error analysis: Higham, Accuracy and Stability of Numerical Algorithms, 3.3), each by the
+    slope of the force along its result, and it encloses the solution of H x = c (Rump, Acta Numerica 19
+    (2010), 10). Inputs are taken as given, after they have been rounded to the precision, but for R, which
+    stands for the rotation nearest to it.
+
+    precision: "double" or "float". on_singular: "raise" ValueError, "warn" and return NaN, or return "nan"
+    for poses without an answer; ``status`` tells.
+
+    Raises ValueError for unknown options, a robot without universal base joints or with constants that the
+    precision can't hold, a motion without accelerations, and poses without an answer; native.CompilerError
+    without a C compiler.
+    """
+    option(precision, ("double", "float"), "precision")
+    option(on_singular, ON_FAULT, "on_singular")
+    need_universal(robot)
+    need_motion(robot, motion)
+    found = _run(_prepared(robot, precision), motion, precision)
+    report_faults(found.status, robot, motion, on_singular, stacklevel=3)
+    return found
+
+
+def _run(model: Array, motion: Motion, precision: Precision) -> ForceBounds:
+    inputs = [_laid_out(getattr(motion, name), model.dtype) for name in MOTION]
+    F, bound = (np.full((*motion.shape, 6), np.nan, dtype=model.dtype) for _ in range(2))
+    rcond = np.full(motion.shape, np.nan, dtype=model.dtype)
+    status = np.zeros(motion.shape, dtype=np.int32)
+    _function(precision, "forces_bounded_batch")(
+        address(model),
+        ctypes.c_size_t(status.size),
+        (ctypes.c_void_p * len(inputs))(*map(address, inputs)),
+        *map(address, (F, bound, rcond, status)),
+    )
+    return ForceBounds(F, bound, rcond, status)
+
+
+def _prepared(robot: Robot, precision: Precision) -> Array:
+    """The numbers of the C's ``stewart_exact_bounds_model``."""
+    dtype = np.float64 if precision == "double" else np.float32
+    with np.errstate(over="ignore"):
+        numbers = robot_numbers(robot).astype(dtype)
+    model = np.zeros(MODELS[f"{KERNEL}_bounds"], dtype=dtype)
+    if _function(precision, "bounds_prepare")(address(numbers), address(model)) != OK:
+        raise overflows(robot, precision)
+    return model
+
+
+def _laid_out(array: Array | None, dtype: Any) -> Array | None:
+    with np.errstate(over="ignore"):
+        return None if array is None else np.ascontiguousarray(array, dtype=dtype)
+
+
+def _function(precision: Precision, what: str) -> Any:
+    defines = ("STEWART_FLOAT",) if precision == "float" else ()
+    return getattr(library(f"{KERNEL}_bounds", defines), f"stewart_{KERNEL}_{what}")

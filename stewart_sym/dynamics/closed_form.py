@@ -1,0 +1,164 @@
+"""The closed form's kernels bound to a robot: equations of motion, forward dynamics, derivatives; C or NumPy.
+
+Stands beside ``forces``, whose prepared model the C uses. Takes checked robots and motions, hands arrays to
+the generated code and its results back. Formulation `exact` with universal base joints. Knows the layout of
+the emitted headers and no equation.
+"""
+
+import ctypes
+import functools
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any, Literal, Protocol, get_args
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..backend import kernel, native
+from ..backend.kernel import MOTION, address, contiguous, loaded, module, stored
+from ..generated.interface import OUTPUTS as _OUTPUTS
+from ..generated.interface import STRUCTS
+from ..motion.motion import Motion
+from ..robot.robot import Robot
+from .forces import ForceKernel, prepare
+
+Array = NDArray[np.float64]
+What = Literal["equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation"]
+
+NAME = "exact"
+OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {what: _OUTPUTS[what] for what in get_args(What)}
+"""What each function hands out, with the shape of a pose's part."""
+
+
+class ClosedForm(Protocol):
+    """A robot bound to the closed form's functions."""
+
+    def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
+        """Results by name and status (...), NaN where that is not 0; F (..., 6), of the motion's shape."""
+
+
+def c_sources() -> dict[str, str]:
+    """File name -> text of the generated C of the closed form and of the force kernel it stands on."""
+    return kernel.c_sources(f"{NAME}_forces") | kernel.c_sources(f"{NAME}_motion")
+
+
+@functools.cache
+def library() -> ctypes.CDLL:
+    """The compiled C. Raises native.CompilerError where there is no working compiler."""
+    return native.load(f"stewart_{NAME}_motion", c_sources())
+
+
+@dataclass(frozen=True, eq=False)
+class CClosedForm:
+    """The C of the closed form with one robot's prepared constants. Calls release the interpreter lock."""
+
+    robot: Robot
+    _forces: ForceKernel = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Compile or find the kernels and prepare the robot's constants."""
+        library()
+        object.__setattr__(self, "_forces", prepare(self.robot, "exact"))
+
+    def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
+        """See ``ClosedForm``."""
+        outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[what].items()}
+        status = np.zeros(motion.shape, dtype=np.int32)
+        inputs = [contiguous(getattr(motion, name)) for name in MOTION]
+        forces = [] if F is None else [contiguous(F)]
+        targets = [address(array) for array in outputs.values()]
+        getattr(library(), f"stewart_{NAME}_{what}_batch")(
+            address(self._forces.model),
+            ctypes.c_size_t(status.size),
+            (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
+            *(address(array) for array in forces),
+            (ctypes.c_void_p * len(targets))(*targets) if what in STRUCTS else targets[0],
+            address(status),
+        )
+        return {**outputs, "status": status}
+
+    def one_pose(self) -> "OneState":
+        """Buffers for the forward dynamics of one state at a time, for loops."""
+        return OneState(self)
+
+
+@dataclass(frozen=True, eq=False)
+class OneState:
+    """Buffers of one state under forces: fill ``numbers`` and ``F``, ``solve``, read ``acceleration``.
+
+    numbers: R (9), t, omega, v (3 each), alpha, a (3 each, not read), F_ext, M_ext (3 each), (30,); F: N,
+    (6,); acceleration: [a; alpha], (6,). ``solve`` returns the status and leaves the acceleration as it was
+    if that is not 0.
+    """
+
+    kernel: CClosedForm
+    numbers: Array = field(default_factory=lambda: np.zeros(30))
+    F: Array = field(default_factory=lambda: np.zeros(6))
+    acceleration: Array = field(default_factory=lambda: np.full(6, np.nan))
+
+    def __post_init__(self) -> None:
+        """Look the function and the addresses up once; the buffers live as long as this object."""
+        arrays = (self.kernel._forces.model, self.numbers, self.F, self.acceleration)
+        object.__setattr__(self, "_call", getattr(library(), f"stewart_{NAME}_forward_dynamics"))
+        object.__setattr__(self, "_addresses", tuple(address(array) for array in arrays))
+
+    def solve(self) -> int:
+        """Compute the acceleration from the numbers in place; returns the status."""
+        return int(self._call(*self._addresses))  # type: ignore[attr-defined]
+
+
+@dataclass(frozen=True, eq=False)
+class NumpyClosedForm:
+    """The NumPy kernels of the closed form with one robot: those of arrays, with the C's bits.
+
+    real: type of real numbers.
+    """
+
+    robot: Robot
+    real: type[np.floating[Any]] = np.float64
+    _on: Any = field(init=False, repr=False)
+    _model: Any = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Prepare the robot's constants."""
+        source, on = module(f"{NAME}_arrays"), module("arithmetic").Arithmetic(np, self.real)
+        with np.errstate(all="ignore"):
+            model = source.prepare(on, robot_structure(source.Robot(), self.robot))
+        object.__setattr__(self, "_on", on)
+        object.__setattr__(self, "_model", model)
+
+    def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
+        """See ``ClosedForm``."""
+        source = module(f"{NAME}_arrays")
+        given = source.motion_of(self._on, **vars(loaded(motion)))
+        forces = [] if F is None else [[F[..., i] for i in range(6)]]
+        with np.errstate(all="ignore"):
+            result = getattr(source, what)(self._on, self._model, given, *forces)
+        shape = motion.t.shape[:-1]
+        found = {name: _stacked(value, shape) for name, value in vars(result).items()}
+        if "alpha" in found:
+            found["acceleration"] = np.concatenate([found.pop("a"), found.pop("alpha")], axis=-1)
+        return {name: found[name] for name in OUTPUTS[what]} | {"status": found["status"].astype(np.int32)}
+
+
+def robot_structure(made: Any, robot: Any) -> Any:
+    """A generated module's structure filled with a robot's numbers, legs first; (6,) of symmetric tensors."""
+    for i, leg in enumerate(made.leg):
+        for name in vars(leg):
+            setattr(leg, name, _parts(getattr(robot, name)[i]))
+    for name in vars(made).keys() - {"leg"}:
+        setattr(made, name, _parts(getattr(robot, name)))
+    return made
+
+
+def _parts(value: Any) -> Any:
+    """A quantity of no or one index as it is stored, a number or a list of them."""
+    held = stored(np.asarray(value))
+    return list(held) if held.shape else held[()]
+
+
+def _stacked(value: Any, shape: tuple[int, ...]) -> NDArray[Any]:
+    """Lists of arrays, one for each component, as one array (*shape, ...)."""
+    if isinstance(value, list):
+        return np.stack([_stacked(each, shape) for each in value], axis=len(shape))
+    return np.broadcast_to(value, shape)

@@ -1,0 +1,142 @@
+"""What noise in a log does to actuator forces: their standard deviation at every instant.
+
+The deviations of the six coordinates and their rates, as smoothing or rounding leave them, are carried
+through kinematics and dynamics one after another, so every formulation and every machine is served.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..io.arguments import instance
+from ..kinematics.forward import forward_acceleration, forward_velocity, jacobian, solve
+from ..motion.motion import Motion
+from ..motion.rotation import (
+    angular_acceleration_from_rpy,
+    angular_velocity_from_rpy,
+    orthonormal,
+    rotation_from_rpy,
+    rotation_from_vector,
+)
+from ..motion.trajectory import PoseLog, Trajectory, Uncertainty, need_trajectory
+from ..robot.robot import Robot
+from .forces import prepare
+from .inverse import Backend, Formulation, inverse_dynamics, with_compiler
+
+Array = NDArray[np.float64]
+
+# Instants at a time: their eighteen deviations fit into memory whatever the length of the log.
+_CHUNK = 16_384
+
+
+def force_deviations(
+    robot: Robot, trajectory: Trajectory | PoseLog, formulation: Formulation = "exact", backend: Backend = "c"
+) -> Array:
+    """Return the standard deviation of each actuator force, N, (n, 6), from the noise of a log.
+
+    To first order in the noise; 0 for a trajectory without noise, NaN where a pose is unsolvable, infinite
+    where one within the noise is. Raises ValueError for unknown options.
+    """
+    instance(robot, Robot, "robot")
+    need_trajectory(trajectory)
+    deviations = deviations_in_parts(robot, trajectory, formulation, backend)
+    count = len(trajectory.time)
+    parts = [deviations(slice(i, i + _CHUNK)) for i in range(0, count, _CHUNK)]
+    return np.concatenate(parts) if parts else np.empty((0, 6))
+
+
+def deviations_in_parts(
+    robot: Robot, trajectory: Trajectory | PoseLog, formulation: Formulation = "exact", backend: Backend = "c"
+) -> Callable[[slice], Array]:
+    """Return ``force_deviations`` as a function of some of the instants, at best 16,384 or fewer."""
+    forces = _forces(robot, formulation, backend)
+
+    def deviations(part: slice) -> Array:
+        F = forces(trajectory.at(part))
+        variance = np.where(np.isfinite(F), 0.0, np.nan)
+        if trajectory.noise is not None:
+            L = _deviations(trajectory.noise, trajectory.time[part])
+            for other in _displaced(robot, trajectory, part, L):
+                moved = forces(other)
+                variance += np.where(np.isfinite(moved), (moved - F) ** 2, np.inf)
+        return np.asarray(np.sqrt(variance))
+
+    return deviations
+
+
+def _forces(robot: Robot, formulation: Formulation, backend: Backend) -> Callable[[Motion], Array]:
+    """Forces of motions, (n, 6), NaN for unsolvable poses, by the fastest kernel of the backend."""
+
+    def full(motion: Motion) -> Array:
+        return inverse_dynamics(robot, motion, formulation, backend, on_singular="nan").F
+
+    if not isinstance(backend, str) or backend != "c":
+        return full  # which checks the options
+    kernel = with_compiler(lambda: prepare(robot, formulation), lambda: None)
+    return full if kernel is None else lambda motion: kernel.forces_and_status(motion)[0]
+
+
+def _deviations(noise: Uncertainty, time: Array) -> Array:
+    """Lower Cholesky factors of the covariances of value, rate and second rate, (n, 6, 3, 3)."""
+    flat = noise.covariance.reshape(len(noise.grid), -1)
+    at = np.clip(np.searchsorted(noise.grid, time, side="right") - 1, 0, len(noise.grid) - 2)
+    share = np.clip((time - noise.grid[at]) / (noise.grid[at + 1] - noise.grid[at]), 0.0, 1.0)[:, None]
+    c = np.moveaxis((flat[at] + share * (flat[at + 1] - flat[at])).reshape(len(time), 6, 6), -1, 0)
+    L = np.zeros((len(time), 6, 3, 3))
+    L[..., 0, 0] = np.sqrt(np.maximum(c[0], 0.0))
+    L[..., 1, 0] = _quotient(c[1], L[..., 0, 0])
+    L[..., 1, 1] = np.sqrt(np.maximum(c[2] - L[..., 1, 0] ** 2, 0.0))
+    L[..., 2, 0] = _quotient(c[3], L[..., 0, 0])
+    L[..., 2, 1] = _quotient(c[4] - L[..., 2, 0] * L[..., 1, 0], L[..., 1, 1])
+    L[..., 2, 2] = np.sqrt(np.maximum(c[5] - L[..., 2, 0] ** 2 - L[..., 2, 1] ** 2, 0.0))
+    return L
+
+
+def _quotient(x: Array, y: Array) -> Array:
+    return np.divide(x, y, out=np.zeros_like(x), where=y > 0.0)
+
+
+def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: Array) -> Iterator[Motion]:
+    """Motions displaced by each column of the factors that is not 0 throughout."""
+    assert trajectory.noise is not None
+    motion = trajectory.at(part)
+    coordinates = trajectory.noise.coordinates[:, part]
+    J = jacobian(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
+    for i in range(6):
+        for k in range(3):
+            if not L[:, i, :, k].any():
+                continue
+            moved = coordinates.copy()
+            moved[:, :, i] += L[:, i, :, k].T
+            if J is not None:
+                yield _on_legs(robot, motion, J, moved - coordinates, moved)
+            elif i < 3:
+                yield _moved(motion, t=moved[0, :, :3], v=moved[1, :, :3], a=moved[2, :, :3])
+            else:
+                yield _turned(motion, *moved[..., 3:])
+
+
+def _turned(motion: Motion, theta: Array, theta_dot: Array, theta_ddot: Array) -> Motion:
+    return _moved(
+        motion,
+        R=rotation_from_rpy(theta),
+        omega=angular_velocity_from_rpy(theta, theta_dot),
+        alpha=angular_acceleration_from_rpy(theta, theta_dot, theta_ddot),
+    )
+
+
+def _on_legs(robot: Robot, motion: Motion, J: Array, shift: Array, legs: Array) -> Motion:
+    """The motion whose leg lengths are shifted, (3, n, 6); the pose to first order."""
+    step, _ = solve(J, shift[0])
+    R, t = orthonormal(rotation_from_vector(step[:, 3:]) @ motion.R), motion.t + step[:, :3]
+    v, omega = forward_velocity(robot, R, t, legs[1], on_failure="nan")
+    a, alpha = forward_acceleration(robot, R, t, v, omega, legs[2], on_failure="nan")
+    return _moved(motion, R=R, t=t, v=v, omega=omega, a=a, alpha=alpha)
+
+
+def _moved(motion: Motion, **changes: Array) -> Motion:
+    names = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+    return Motion.unchecked(**{name: changes.get(name, getattr(motion, name)) for name in names})

@@ -1,0 +1,286 @@
+"""Actuator forces alone, from a robot prepared once: the fast road of the C kernels.
+
+Stands beside ``dynamics``, which also hands back D, K, H and c. Knows the layout of the emitted headers,
+batches and threads, and no equation.
+"""
+
+import ctypes
+import functools
+import itertools
+import math
+import os
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..backend.fidelity import force_kernel_name, model_numbers
+from ..backend.kernel import FORMULATIONS, MOTION, address, library, overflows, robot_numbers
+from ..io.arguments import instance, option, shown
+from ..io.error_policy import ON_SINGULAR, OnSingular
+from ..io.frozen import Frozen
+from ..motion.motion import Motion
+from ..results import OK, SINGULAR
+from ..robot.robot import Robot
+from .inverse import Formulation, damped_terms, need_motion, report_faults
+
+Array = NDArray[Any]
+Precision = Literal["double", "float"]
+
+LANES = 8
+LEAST_SHARE = 4_000
+"""Poses that a thread gets at least: waking one takes 0.12 ms (2 virtual cores), as long as 1,200 poses."""
+
+CONVERTED = 32_768
+"""Poses whose arrays are converted at a time where they don't lie as the C takes them."""
+
+CORES = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+"""Cores that this process may run on."""
+
+_WIDTHS = tuple(math.prod(shape) for shape in MOTION.values())
+_NUMBERS = sum(_WIDTHS)
+
+
+@dataclass(frozen=True, eq=False)
+class ForceKernel(Frozen):
+    """A robot's constants prepared for one formulation, precision and level of fidelity.
+
+    Safe to share between threads.
+
+    In float the solve takes its moments over a length, a power of two near the size of the platform, so that
+    pivots are as good on a machine of a millimetre as on one of ten metres; motions and forces are in SI
+    units.
+
+    model: the numbers of the C's ``stewart_<kernel>_model``.
+    """
+
+    robot: Robot
+    formulation: Formulation = "exact"
+    precision: Precision = "double"
+    fidelity: str = "general"
+    model: Array = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Check the options and let the C prepare its constants."""
+        instance(self.robot, Robot, "robot")
+        option(self.formulation, FORMULATIONS, "formulation")
+        option(self.precision, ("double", "float"), "precision")
+        with np.errstate(over="ignore"):
+            numbers = robot_numbers(self.robot).astype(self.dtype)
+        model = np.zeros(model_numbers(self.robot, self.formulation, self.fidelity), dtype=self.dtype)
+        if self.function("prepare")(address(numbers, 0), address(model, 0)) != OK:
+            raise overflows(self.robot, self.precision)
+        self._set({"model": model})
+
+    @property
+    def dtype(self) -> type[np.floating[Any]]:
+        """Type of the numbers that the kernel computes with."""
+        return np.float64 if self.precision == "double" else np.float32
+
+    def forces(self, motion: Motion, threads: int = 1, on_singular: OnSingular = "raise") -> Array:
+        """Actuator forces, N, (..., 6), of every pose of ``motion``, (37).
+
+        threads: how many share the work at most, the caller one of them; the result does not depend on it,
+        and a batch too small to gain is not shared. on_singular: "raise" ValueError,
+        "warn" and return NaN, or return "nan" for poses without an answer; "damped" as for
+        ``inverse_dynamics``, whose ``wrench_error`` tells what F leaves wanting, with fidelity "general"
+        alone.
+        """
+        option(on_singular, ON_SINGULAR, "on_singular")
+        if on_singular == "damped" and self.fidelity != "general":
+            raise ValueError(f'on_singular: "damped" needs fidelity "general", this one is "{self.fidelity}"')
+        need_motion(self.robot, motion)
+        F, status = self.forces_and_status(motion, threads)
+        if on_singular == "damped" and (singular := status == SINGULAR).any():
+            F[singular] = damped_terms(self.robot, motion[singular], self.formulation)["F"]
+            status = np.where(np.isfinite(F).all(axis=-1), OK, status).astype(np.int32)
+        report_faults(status, self.robot, motion, on_singular, stacklevel=3)
+        return F
+
+    def status(self, motion: Motion, threads: int = 1) -> NDArray[np.int32]:
+        """Status of every pose, (...), a code of ``results.STATUS_TEXT``."""
+        need_motion(self.robot, motion)
+        return self.forces_and_status(motion, threads)[1]
+
+    def one_pose(self) -> "OnePose":
+        """Buffers for one pose at a time, for loops where every microsecond counts."""
+        return OnePose(self, np.full(6, np.nan, dtype=self.dtype), np.zeros(_NUMBERS, dtype=self.dtype))
+
+    def forces_into(
+        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], threads: int = 1
+    ) -> None:
+        """The same into given arrays, nothing checked but their layout: F (n, 6) and status (n,).
+
+        arrays: R (n, 3, 3), t, omega, v, alpha, a, F_ext, M_ext (n, 3), the last two None for no load; all
+        C-contiguous and of the kernel's ``dtype``. Poses without an answer keep the F they had.
+
+        Raises ValueError naming the array whose type or layout is another.
+        """
+        wanted = np.dtype(self.dtype)
+        if not isinstance(status, np.ndarray) or status.dtype != np.int32 or not status.flags.carray:
+            raise ValueError("status: expected a writeable C-contiguous array of int32")
+        if len(arrays) != len(MOTION):
+            raise ValueError(f"arrays: expected {len(MOTION)}, {', '.join(MOTION)}, got {len(arrays)}")
+        count = status.size
+        for name, array, width in (*zip(MOTION, arrays, _WIDTHS, strict=True), ("F", F, 6)):
+            if array is None and name in ("F_ext", "M_ext"):
+                continue
+            if not (isinstance(array, np.ndarray) and array.dtype == wanted and _lies_plainly(array)):
+                raise ValueError(f"{name}: expected a C-contiguous array of {wanted}")
+            if array.size != count * width or (count and array.shape[-1] not in (3, width)):
+                raise ValueError(
+                    f"{name}: expected {width} numbers for each of {count} poses, got {array.size}"
+                )
+        if not F.flags.writeable:
+            raise ValueError("F: expected a writeable array")
+        threads = min(_thread_count(threads), max(1, count // LEAST_SHARE))
+        parts = _parts(count, threads)
+        turn = itertools.count()
+
+        def work() -> None:
+            while (part := next(turn)) < len(parts):
+                self._run(arrays, F, status, *parts[part])
+
+        others = min(threads, len(parts), CORES) - 1 if threads > 1 else 0
+        waiting = [_pool(others, os.getpid()).submit(work) for _ in range(others)]
+        work()
+        for other in waiting:
+            other.result()
+
+    def forces_and_status(self, motion: Motion, threads: int = 1) -> tuple[Array, NDArray[np.int32]]:
+        """F, N, (..., 6), NaN where the status (...), a code of ``results.STATUS_TEXT``, is not 0."""
+        need_motion(self.robot, motion)
+        F = np.full((*motion.shape, 6), np.nan, dtype=self.dtype)
+        status = np.zeros(motion.shape, dtype=np.int32)
+        for part in self._parts_to_convert(motion):
+            arrays = [self._laid_out(getattr(motion, name), part) for name in MOTION]
+            self.forces_into(arrays, F[part], status[part], threads)
+        return F, status
+
+    def _parts_to_convert(self, motion: Motion) -> list[Any]:
+        """All poses where the arrays can be taken as they lie, else parts, so that copies stay small."""
+        arrays = [array for array in (getattr(motion, name) for name in MOTION) if array is not None]
+        ready = all(array.dtype == self.dtype and _lies_plainly(array) for array in arrays)
+        if ready or len(motion.shape) != 1:
+            return [...]
+        return [slice(start, start + CONVERTED) for start in range(0, motion.shape[0], CONVERTED)]
+
+    def _laid_out(self, array: Array | None, part: Any) -> Array | None:
+        return None if array is None else np.ascontiguousarray(array[part], dtype=self.dtype)
+
+    def _run(
+        self, arrays: Sequence[Array | None], F: Array, status: NDArray[np.int32], start: int, count: int
+    ) -> None:
+        pointers = [address(array, start * width) for array, width in zip(arrays, _WIDTHS, strict=True)]
+        self.function("forces_batch")(
+            address(self.model, 0),
+            ctypes.c_size_t(count),
+            (ctypes.c_void_p * len(pointers))(*pointers),
+            address(F, start * 6),
+            address(status, start),
+        )
+
+    @property
+    def name(self) -> str:
+        """Name of the generated kernel, as in ``stewart_<name>_forces.c``."""
+        return force_kernel_name(self.robot, self.formulation, self.fidelity)
+
+    def function(self, what: str) -> Any:
+        """The C function ``stewart_<name>_<what>`` of the compiled library."""
+        return _function(self.name, self.precision, what)
+
+
+@dataclass(frozen=True, eq=False)
+class OnePose:
+    """Buffers of one pose: fill R, t, omega, v, alpha, a, F_ext, M_ext in place, ``solve``, read ``F``.
+
+    numbers: all thirty inputs as one array, (30,), in the order of ``stewart_motion``; the named views write
+    into it. ``solve`` returns the status and leaves F as it was if that is not 0.
+    """
+
+    kernel: ForceKernel
+    F: Array
+    numbers: Array
+
+    def __post_init__(self) -> None:
+        """Look the function and the addresses up once; the buffers live as long as this object.
+
+        Raises ValueError naming the buffer whose type, size or layout is another.
+        """
+        for name, array, size in (("F", self.F, 6), ("numbers", self.numbers, _NUMBERS)):
+            wanted = np.dtype(self.kernel.dtype)
+            if array.dtype != wanted or array.shape != (size,) or not array.flags.carray:
+                raise ValueError(f"{name}: expected {size} writeable numbers of {wanted}")
+        addresses = tuple(address(array, 0) for array in (self.kernel.model, self.numbers, self.F))
+        object.__setattr__(self, "_call", self.kernel.function("forces"))
+        object.__setattr__(self, "_addresses", addresses)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Copies and pickles get buffers, and so addresses, of their own."""
+        return OnePose, (self.kernel, self.F.copy(), self.numbers.copy())
+
+    def solve(self) -> int:
+        """Compute F from the numbers in place; returns the status."""
+        return int(self._call(*self._addresses))
+
+    def __getattr__(self, name: str) -> Any:
+        """View of one input by name."""
+        if name not in MOTION:
+            raise AttributeError(name)
+        start = 0
+        for other, shape in MOTION.items():
+            width = math.prod(shape)
+            if other == name:
+                return self.numbers[start : start + width].reshape(shape)
+            start += width
+        raise AttributeError(name)
+
+
+def prepare(
+    robot: Robot,
+    formulation: Formulation = "exact",
+    precision: Precision = "double",
+    fidelity: str = "general",
+) -> ForceKernel:
+    """Prepare a robot's constants for the fast force kernel, compiling it on first use.
+
+    fidelity: how much of the legs' physics, one of ``fidelity.FIDELITIES``. Raises ValueError for an unknown
+    formulation, precision or fidelity, native.CompilerError without a C compiler.
+    """
+    return ForceKernel(robot, formulation, precision, fidelity)
+
+
+@functools.cache
+def _function(name: str, precision: Precision, what: str) -> Any:
+    defines = ("STEWART_FLOAT",) if precision == "float" else ()
+    return getattr(library(f"{name}_forces", defines), f"stewart_{name}_{what}")
+
+
+def _parts(count: int, threads: int) -> list[tuple[int, int]]:
+    """First pose and number of poses of each part of a batch.
+
+    Several parts for each thread, so that one whose core is disturbed keeps nobody waiting for long.
+    """
+    pieces = 1 if threads == 1 else max(threads, min(4 * threads, count // LEAST_SHARE))
+    share = max(LANES, -(-count // (pieces * LANES)) * LANES)
+    return [(start, min(share, count - start)) for start in range(0, count, share)]
+
+
+@functools.cache
+def _pool(threads: int, process: int) -> ThreadPoolExecutor:
+    """Threads of a process that wait for work; starting them anew costs more than a small batch."""
+    return ThreadPoolExecutor(threads, thread_name_prefix="stewart-sym")
+
+
+def _lies_plainly(array: Array) -> bool:
+    """Whether C can take the array as it lies."""
+    return array.flags.c_contiguous and array.flags.aligned
+
+
+def _thread_count(threads: int) -> int:
+    if isinstance(threads, bool) or not isinstance(threads, int | np.integer) or threads < 1:
+        raise ValueError(f"threads: expected a whole number of at least 1, got {shown(threads)}")
+    return int(threads)

@@ -1,0 +1,71 @@
+"""A home pose: the level platform above the base, where studies and excitations start from.
+
+Stands above ``dynamics``, whose H says which height is good; knows nothing of what is done there.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
+from ..kinematics.mounting import Side, level_positions, platform_side, radius, up_direction, upright
+from ..motion.motion import Motion
+from ..robot.robot import Robot
+from .inverse import inverse_dynamics
+
+Array = NDArray[np.float64]
+
+__all__ = ["HomePose", "home_pose", "platform_side", "radius", "up_direction", "upright"]
+
+
+@dataclass(frozen=True, eq=False)
+class HomePose:
+    """The level platform at rest, its points centred above the base points.
+
+    side: which side of the base that is. rule: how the height was chosen. t: position of the reference
+    point, m, (3,). L: leg lengths, m, (6,). F: forces that hold it there, N, (6,), NaN if none can.
+    condition, scaled_condition: of H. status: a code of ``STATUS_TEXT``.
+    """
+
+    side: Side
+    rule: str
+    t: Array
+    L: Array
+    F: Array
+    condition: float
+    scaled_condition: float
+    status: int
+
+
+def home_pose(robot: Robot) -> HomePose:
+    """Choose a height: legs in the middle of their length limits, or where there are none H at its best."""
+    t = level_positions(robot, up_direction(robot))
+    L = _lengths(robot, t)
+    forces = inverse_dynamics(robot, _resting(t), backend="numpy", on_singular="nan")
+    scaled = scaled_condition_number(forces.H, characteristic_length(robot))
+    if np.all(np.isfinite(robot.length_limits)):
+        rule = "the height that puts the legs, on average, in the middle of their length limits"
+        best = int(np.argmin(np.abs(L.mean(axis=-1) - robot.length_limits.mean())))
+    else:
+        rule = "no length limits are given: the height with the least scaled condition number"
+        best = int(np.argmin(np.nan_to_num(scaled, nan=np.inf)))
+    return HomePose(
+        side=platform_side(robot),
+        rule=rule,
+        t=t[best],
+        L=L[best],
+        F=forces.F[best],
+        condition=float(condition_number(forces.H[best])),
+        scaled_condition=float(scaled[best]),
+        status=int(forces.status[best]),
+    )
+
+
+def _lengths(robot: Robot, t: Array) -> Array:
+    return np.asarray(np.linalg.norm(t[:, None, :] + robot.p - robot.b, axis=-1))
+
+
+def _resting(t: Array) -> Motion:
+    zero = np.zeros(3)
+    return Motion(np.eye(3), t, zero, zero, zero, zero)

@@ -1,0 +1,287 @@
+"""Inverse dynamics and joint reactions as users call them: any backend, either formulation, checked results.
+
+Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller asks. Knows no
+equation.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import warnings
+from collections.abc import Callable
+from typing import Any, Literal, Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..backend.kernel import FORMULATIONS, CKernel, NumpyKernel, kernel_name
+from ..backend.native import CompilerError
+from ..io import error_policy
+from ..io.arguments import instance, option, real_array
+from ..io.error_policy import ON_SINGULAR, OnSingular
+from ..kinematics.conditioning import characteristic_length
+from ..motion.motion import Motion
+from ..reference import newton_euler
+from ..results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, STATUS_TEXT, Forces, Reactions
+from ..robot.robot import Robot
+from .damping import damped_solution
+
+Array = NDArray[np.float64]
+Formulation = Literal["exact", "paper"]
+Backend = Literal["c", "numpy", "reference"]
+
+
+class DynamicsKernel(Protocol):
+    """What every backend can do with its robot; NaN where the status is not 0."""
+
+    def forces(self, motion: Motion) -> Forces:
+        """Inverse dynamics of every pose."""
+
+    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """Joint reactions of every pose; bearing (6,), m."""
+
+
+class _Reference:
+    """The vector reference behind the interface of the kernels."""
+
+    def __init__(self, robot: Robot, formulation: str) -> None:
+        kernel_name(formulation, robot.base_joint)
+        self.robot = robot
+        self.faults = newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
+
+    def forces(self, motion: Motion) -> Forces:
+        return newton_euler.inverse_dynamics(self.robot, motion, self.faults)
+
+    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        return newton_euler.joint_reactions(self.robot, motion, self.faults, bearing)
+
+
+def inverse_dynamics(
+    robot: Robot,
+    motion: Motion,
+    formulation: Formulation = "exact",
+    backend: Backend = "c",
+    on_singular: OnSingular = "raise",
+) -> Forces:
+    """Actuator forces that make the platform follow ``motion``, with D, x, K, H, c, (1)-(37).
+
+    formulation: "exact", or "paper" for the equations as printed. backend: "c" (compiled on first use; NumPy
+    serves where there is no compiler), "numpy" or "reference". on_singular: what to do about poses without
+    an answer: "raise" ValueError, "warn" and return NaN there, or return "nan" silently; ``status`` tells.
+    "damped": where H is singular, F by damped least squares (``damped_solution``) with the status as it is,
+    and ``wrench_error`` says what F leaves wanting. Legs of length zero or along their universal axis have
+    no such answer: NaN, and a warning. All other poses are the same bits as without it.
+
+    Returns Forces; shapes and units there. Raises ValueError for unknown options, for a motion without
+    accelerations, and for poses without an answer.
+    """
+    kernel = _prepared(robot, motion, formulation, backend, on_singular)
+    found = kernel.forces(motion)
+    if on_singular == "damped":
+        found = _damped_forces(found, robot, motion, formulation)
+    return _checked(found, found.F, robot, motion, on_singular)
+
+
+def joint_reactions(
+    robot: Robot,
+    motion: Motion,
+    formulation: Formulation = "exact",
+    backend: Backend = "c",
+    bearing: ArrayLike | None = None,
+    on_singular: OnSingular = "raise",
+) -> Reactions:
+    """Forces and moments in the joints, (21), (26)-(29) and M_p of (17).
+
+    bearing: where M_p is taken, distance along each leg from its base point, m, scalar or (6,); None: at the
+    base point. Other arguments, errors: as for ``inverse_dynamics``; a pose whose reactions overflow has no
+    answer either. Damped, they are those of the damped forces. Returns Reactions.
+    """
+    kernel = _prepared(robot, motion, formulation, backend, on_singular)
+    where = _bearing(bearing)
+    found = _without_overflow(kernel.reactions(motion, where))
+    if on_singular == "damped":
+        found = _damped_reactions(found, robot, motion, formulation, where)
+    return _checked(found, found.M_u, robot, motion, on_singular)
+
+
+def massless_forces(robot: Robot, motion: Motion) -> Array:
+    """F0 of (41): actuator forces if legs had no mass and joints no friction, N, (..., 6).
+
+    NaN where H is singular, a leg has length zero or a force overflows.
+    """
+    need_motion(robot, motion)
+    F0 = newton_euler.massless_forces(robot, motion)
+    return np.where(np.isfinite(F0).all(axis=-1, keepdims=True), F0, np.nan)
+
+
+def dynamic_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
+    """F_d / F of (42) and section 4.4, (..., 6): the share of leg inertia, leg weight and friction in F.
+
+    F: actuator forces along the motion, N, of its shape, (..., 6). NaN or infinite where F is 0 or F0 is NaN.
+    Raises ValueError for any other shape.
+    """
+    F0 = massless_forces(robot, motion)
+    forces = real_array(F, "F", f"forces of shape {F0.shape}")
+    if forces.shape != F0.shape:
+        raise ValueError(f"F: expected forces of shape {F0.shape}, got {forces.shape}")
+    with np.errstate(all="ignore"):
+        return (forces - F0) / forces
+
+
+def _prepared(
+    robot: Robot, motion: Motion, formulation: str, backend: str, on_singular: str
+) -> DynamicsKernel:
+    need_motion(robot, motion)
+    option(on_singular, ON_SINGULAR, "on_singular")
+    return prepared_kernel(robot, formulation, backend)
+
+
+def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKernel:
+    """The kernel of a formulation and backend with the robot's numbers; ValueError for unknown options."""
+    option(formulation, FORMULATIONS, "formulation")
+    kernels: dict[str, Callable[[Robot, str], DynamicsKernel]] = {
+        "c": _compiled_or_numpy,
+        "numpy": NumpyKernel.prepare,
+        "reference": _Reference,
+    }
+    option(backend, tuple(kernels), "backend")
+    return kernels[backend](robot, formulation)
+
+
+def need_motion(robot: Robot, motion: Motion) -> None:
+    """Refuse, by ValueError, what is no robot and no motion with accelerations."""
+    instance(robot, Robot, "robot")
+    instance(motion, Motion, "motion")
+    if motion.alpha is None or motion.a is None:
+        raise ValueError("motion: expected accelerations alpha and a, got none")
+
+
+def need_universal(robot: Robot) -> None:
+    """Refuse, by ValueError, what is no robot with universal base joints."""
+    instance(robot, Robot, "robot")
+    if robot.base_joint != "universal":
+        raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
+
+
+def _compiled_or_numpy(robot: Robot, formulation: str) -> DynamicsKernel:
+    kernel_name(formulation, robot.base_joint)
+    found: DynamicsKernel = with_compiler(
+        lambda: CKernel.prepare(robot, formulation), lambda: NumpyKernel.prepare(robot, formulation)
+    )
+    return found
+
+
+def with_compiler(compiled: Callable[[], Any], other: Callable[[], Any]) -> Any:
+    """``compiled()``, or ``other()`` and one warning where there is no working compiler."""
+    try:
+        return compiled()
+    except CompilerError as error:
+        _say_once(f"the NumPy kernels serve instead of C: {error}")
+        return other()
+
+
+@functools.cache
+def _say_once(text: str) -> None:
+    warnings.warn(text, RuntimeWarning, stacklevel=6)
+
+
+def _bearing(bearing: ArrayLike | None) -> Array:
+    expected = "one finite distance or six"
+    values = np.zeros(6) if bearing is None else real_array(bearing, "bearing", expected)
+    if values.shape not in ((), (6,)):
+        raise ValueError(f"bearing: expected {expected}, got shape {values.shape}")
+    if not np.isfinite(values).all():
+        raise ValueError(f"bearing: expected {expected}, got {values[~np.isfinite(values)][0]}")
+    return np.broadcast_to(values, (6,))
+
+
+def _without_overflow(found: Reactions) -> Reactions:
+    """Give poses whose reactions overflow, though the forces did not, a status and NaN like any other."""
+    values = {name: getattr(found, name) for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")}
+    lead = found.status.ndim
+    finite = [np.isfinite(value).all(axis=tuple(range(lead, value.ndim))) for value in values.values()]
+    overflown = (found.status == OK) & ~np.logical_and.reduce(finite)
+    if not overflown.any():
+        return found
+    for name, value in values.items():
+        values[name] = np.where(overflown[(..., *(None,) * (value.ndim - lead))], np.nan, value)
+    return Reactions(**values, status=np.where(overflown, NOT_FINITE, found.status).astype(np.int32))
+
+
+def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
+    """F, D, x, K, H, c and wrench_error by ``damped_solution``, of poses that may be singular; no status.
+
+    By the NumPy kernel, whatever backend refused the poses. NaN where a leg has no direction.
+    """
+    terms = NumpyKernel.prepare(robot, formulation).terms(motion)
+    with np.errstate(over="ignore", invalid="ignore"):
+        x, error = damped_solution(terms["H"], terms["c"], characteristic_length(robot) or 1.0)
+        F = terms["D"] - x
+    return terms | {"F": F, "x": x, "wrench_error": error}
+
+
+def _damped_forces(found: Forces, robot: Robot, motion: Motion, formulation: str) -> Forces:
+    error = np.where((found.status == OK)[..., None], np.zeros(6), np.nan)
+    singular = found.status == SINGULAR
+    if not singular.any():
+        return dataclasses.replace(found, wrench_error=error)
+    values = {name: getattr(found, name).copy() for name in ("F", "D", "x", "K", "H", "c")}
+    values["wrench_error"] = error
+    for name, value in damped_terms(robot, motion[singular], formulation).items():
+        values[name][singular] = value
+    return dataclasses.replace(found, **values)
+
+
+def _damped_reactions(
+    found: Reactions, robot: Robot, motion: Motion, formulation: str, bearing: Array
+) -> Reactions:
+    singular = found.status == SINGULAR
+    if not singular.any():
+        return found
+    poses = motion[singular]
+    x = damped_terms(robot, poses, formulation)["x"]
+    reactions = NumpyKernel.prepare(robot, formulation).reactions_of(poses, x, bearing)
+    values = {name: getattr(found, name).copy() for name in reactions}
+    for name, value in reactions.items():
+        values[name][singular] = value
+    return dataclasses.replace(found, **values)
+
+
+Result = TypeVar("Result", Forces, Reactions)
+
+
+def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_singular: str) -> Result:
+    """The result, once its poses without an answer are told of; values (..., 6) are finite where damped."""
+    status = result.status
+    if on_singular == "damped":
+        status = np.where(np.isfinite(values).all(axis=-1), OK, status).astype(np.int32)
+    report_faults(status, robot, motion, on_singular)
+    return result
+
+
+def report_faults(
+    status: NDArray[np.int32], robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4
+) -> None:
+    """Raise or warn, as ``on_singular`` says, if a pose has no answer; stacklevel: of the user's call."""
+    error_policy.report(
+        status, "motion", lambda: first_fault(status, robot, motion), on_singular, stacklevel + 1
+    )
+
+
+def first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
+    """Index of the first pose without an answer, and in one line why it has none.
+
+    status: codes of ``STATUS_TEXT``, one at least not 0, of the motion's shape.
+    """
+    where, others = error_policy.first(status)
+    code = int(status[where])
+    leg = f" (leg {_worst_leg(code, robot, motion[where]) + 1})" if code in (SHORT_LEG, POLE) else ""
+    return where, f"{STATUS_TEXT[code]}{leg}{others}"
+
+
+def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:
+    """Index of the shortest leg, or of the one nearest to its universal axis."""
+    S = robot.p @ motion.R.T + motion.t - robot.b
+    L = np.linalg.norm(S, axis=-1)
+    return int(np.argmin(L if code == SHORT_LEG else np.linalg.norm(np.cross(robot.k, S), axis=-1) / L))

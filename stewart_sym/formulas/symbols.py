@@ -1,0 +1,215 @@
+"""The equations of one machine as SymPy expressions, their named steps kept.
+
+Derives when it is called.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..backend.kernel import kernel_name, overflows
+from ..dynamics.inverse import Formulation
+from ..io.arguments import finite_array, instance, option, shown
+from ..results import OK
+from ..robot.robot import Robot
+
+# SymPy's, which ships no types.
+Matrix = Any
+Symbol = Any
+Expression = Any
+
+FUNCTIONS = {
+    "F": "forces",
+    **dict.fromkeys(("D", "K", "H", "c"), "terms"),
+    **dict.fromkeys(("M", "C", "g", "friction", "bias"), "equations"),
+    **dict.fromkeys(("a", "alpha"), "forward_dynamics"),
+}
+"""What there are formulas of, and the function of the kernel trees that computes it."""
+
+
+_REQUIRED = ("R", "t", "F")
+"""Arguments that have no value by default."""
+
+
+@dataclass(frozen=True, eq=False)
+class Symbolic:
+    """A matrix of one machine as formulas.
+
+    result: in the symbols of arguments, constants and steps. steps: (symbol, expression) in order, each in
+    arguments, constants and earlier steps; those of leg 1 end in _1. constants: the machine's prepared
+    numbers by symbol: sums and products of the robot's own, M_P and J_P with what of the legs moves as the
+    platform does, unlike the inertial parameters of these names. meanings: unit and meaning of each, by its
+    name without leg and axis. arguments: R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3, 1), and F (6, 1)
+    of forward dynamics.
+    """
+
+    name: str
+    result: Matrix
+    steps: tuple[tuple[Symbol, Expression], ...]
+    constants: Mapping[Symbol, float]
+    arguments: Mapping[str, Matrix]
+    meanings: Mapping[str, tuple[str, str]]
+
+    def whole(self) -> Matrix:
+        """The matrix in the arguments alone: numbers for the constants, every step substituted back.
+
+        Expressions grow with every step: F takes half a minute, a and alpha longer. To print them or to
+        compute with them keep the steps, as the other methods do.
+        """
+        known: dict[Any, Any] = dict(self.constants)
+        for symbol, expr in self.steps:
+            known[symbol] = expr.xreplace(known)
+        return self.result.xreplace(known)
+
+    def derivative(self, by: Symbol) -> "Symbolic":
+        """The derivative by a component of an argument or by a constant; its steps are named d_...
+
+        Raises ValueError for what is neither.
+        """
+        import sympy as sp
+
+        arguments = (symbol for given in self.arguments.values() for symbol in given)
+        if not isinstance(by, sp.Symbol) or by not in {*arguments, *self.constants}:
+            expected = "a symbol of the arguments or the constants"
+            raise ValueError(f"by: expected {expected}, got {shown(by)}")
+        slopes: dict[Any, Any] = {by: sp.Integer(1)}
+        steps = []
+        for symbol, expr in self.steps:
+            steps.append((symbol, expr))
+            if slope := _chained(expr, slopes):
+                slopes[symbol] = sp.Symbol(f"d_{symbol.name}", real=True)
+                steps.append((slopes[symbol], slope))
+        result = self.result.applyfunc(lambda expr: _chained(expr, slopes))
+        return replace(self, name=f"d_{self.name}", result=result, steps=tuple(steps))
+
+    def function(self) -> Callable[..., NDArray[np.float64]]:
+        """A NumPy function of one pose's arguments by name: (6,), (6, 3) or (6, 6).
+
+        R, t and F, where they are arguments, must be given; others are zero where not given. The function
+        raises ValueError for other names and shapes. It has no status: near a singularity digits are lost
+        unnoticed, and ``prepare(robot).status(motion)`` says where that is.
+        """
+        import sympy as sp
+
+        constants = dict(self.constants)
+        steps = [(symbol, expr.xreplace(constants)) for symbol, expr in self.steps]
+        result = self.result.xreplace(constants)
+        flat = [symbol for given in self.arguments.values() for symbol in given]
+        made = sp.lambdify(flat, result, "numpy", cse=lambda exprs: (steps, exprs))
+        shape = result.shape if result.shape[1] > 1 else (result.shape[0],)
+
+        def evaluated(**given: Any) -> NDArray[np.float64]:
+            for argument in given:
+                option(argument, tuple(self.arguments), "argument")
+            for argument in _REQUIRED:
+                if argument in self.arguments and argument not in given:
+                    raise ValueError(f"{argument}: expected a value, got none")
+            numbers = [
+                np.zeros(len(of))
+                if argument not in given
+                else _of_one_pose(argument, given[argument], of.shape)
+                for argument, of in self.arguments.items()
+            ]
+            return np.asarray(made(*np.concatenate(numbers)), dtype=np.float64).reshape(shape)
+
+        return evaluated
+
+    def latex(self) -> str:
+        r"""The matrix with its steps, for a document with ``amsmath``.
+
+        Steps that are the same for each leg but for its number stand there once, with the number i, and sums
+        over the legs as one. The constants follow, with their units and meanings.
+        """
+        from .typesetting import typeset
+
+        return typeset(self.name, self.result, self.steps, self.constants, self.meanings)
+
+
+def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Symbolic:
+    """One matrix of one machine's equations as formulas, with their steps.
+
+    what: "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction" or "bias" of the
+    equations of motion; "a" or "alpha" of forward dynamics. Those of the last two are of `exact` and
+    universal base joints. The formulas are those of a regular pose: no leg near the fixed axis of its
+    universal joint, status 0, and no exchange of rows in the solves for F, a and alpha, so that F has a zero
+    divisor where a leading minor of H vanishes.
+
+    Raises ValueError for other names and an unknown formulation.
+    """
+    option(what, tuple(FUNCTIONS), "what")
+    from ..derive.kernel.trace import described, needed, renamed, trace
+
+    found = trace(*prepared(robot, what, FUNCTIONS[what], formulation))
+    steps = needed(found.steps, found.results[what])
+    names = renamed(steps)
+    steps = tuple((symbol.xreplace(names), expr.xreplace(names)) for symbol, expr in steps)
+    result = found.results[what].xreplace(names)
+    used = set().union(result.free_symbols, *(expr.free_symbols for _, expr in steps))
+    constants = {symbol: value for symbol, value in found.constants.items() if symbol in used}
+    meanings = described(symbol.name for symbol in constants)
+    return Symbolic(what, result, steps, constants, found.arguments, meanings)
+
+
+def _of_one_pose(name: str, value: Any, shape: tuple[int, ...]) -> NDArray[np.float64]:
+    """The numbers of an argument; ValueError that names it for other shapes and what is not finite."""
+    expected = shape if shape[1] > 1 else shape[:1]
+    found = finite_array(value, expected, name)
+    if found.shape != expected:
+        raise ValueError(f"{name}: expected shape {expected}, of one pose, got {found.shape}")
+    return found.ravel()
+
+
+def prepared(
+    robot: Robot, what: str, function: str, formulation: Formulation
+) -> tuple[Any, str, SimpleNamespace]:
+    """A function's tree, its name, and what is its first argument: constants prepared, or the robot's own.
+
+    what: the user's word for the function.
+    """
+    from ..derive.kernel.constants import constants
+    from ..derive.kernel.interpret import Arithmetic, Interpreter
+
+    instance(robot, Robot, "robot")
+    name = kernel_name(formulation, robot.base_joint)
+    if name != "exact" and function in ("equations", "forward_dynamics"):
+        raise ValueError(
+            f'{what}: expected formulation "exact" and universal base joints, '
+            f'got "{formulation}" and {robot.base_joint} ones'
+        )
+    program = _program(name, function)
+    if function == "terms":
+        return program, function, _numbers(robot)
+    on = Arithmetic(np.float64, constants("double"), np.sqrt)
+    with np.errstate(all="ignore"):
+        model = Interpreter(program, on).run("prepare", _numbers(robot))
+    if model.status != OK:
+        raise overflows(robot, "double")
+    return program, function, model
+
+
+@cache
+def _program(name: str, function: str) -> Any:
+    from ..derive.formulation import FORMULATIONS
+    from ..derive.generate import output_program, reduced
+    from ..derive.kernel.inverse_dynamics import terms_program
+
+    form = next(form for form in FORMULATIONS if form.kernel_name == name)
+    return terms_program(reduced(form)) if function == "terms" else output_program(form, (function,))
+
+
+def _numbers(robot: Robot) -> SimpleNamespace:
+    """The robot as kernel trees take it."""
+    from .trees import robot_structure
+
+    return robot_structure(robot, lambda _, value: np.float64(value))
+
+
+def _chained(expr: Expression, slopes: Mapping[Any, Any]) -> Expression:
+    import sympy as sp
+
+    return sp.Add(*(expr.diff(symbol) * slopes[symbol] for symbol in expr.free_symbols & slopes.keys()))

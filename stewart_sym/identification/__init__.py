@@ -1,0 +1,1 @@
+"""Inertial parameters from measured forces: base parameters, excitation, estimates."""

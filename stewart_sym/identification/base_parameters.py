@@ -1,0 +1,199 @@
+"""Base parameters: which combinations of a machine's inertial parameters its forces can tell.
+
+On every machine the mass of a lower part is never felt, the two inertias of a leg act as their sum, and the
+mass of an upper part acts as a point fixed to the platform at p: 100 of the 148 columns of Y are independent
+(``MERGED`` holds the formulas). All six components of a leg's inertia are felt, since the universal joint
+spins the leg. A machine may tell less, such as no h_d_y where the axes point along gravity, and a given
+motion less still; the rank of Y over a stack of poses decides. Stands above ``parameters``; knows nothing of
+measured forces.
+"""
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from types import MappingProxyType
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dynamics.home_pose import home_pose, radius, upright
+from ..dynamics.inverse import need_universal
+from ..generated import exact_regressor
+from ..io.arguments import instance, truth
+from ..kinematics.conditioning import characteristic_length
+from ..kinematics.inverse import inverse_kinematics
+from ..motion.motion import Motion
+from ..motion.rotation import rotation_from_rpy
+from ..robot.robot import LEGS, Robot
+from .parameters import is_friction, leg_name, parameter_names, regressor
+
+Array = NDArray[np.float64]
+
+MERGED: Mapping[str, str] = MappingProxyType(dict(exact_regressor.MERGED))
+"""Base parameters of every machine that take up others, with formulas; sum runs over the legs."""
+
+# Below this share of the largest, a singular value or a column is rounding error: far above what rounding
+# leaves (1e-15), far below what the slowest of the paper's paths excites (1e-7).
+_ROUNDING = 1e-11
+# A coefficient below this share of its terms is rounding error.
+_NOTHING = 1e-9
+# A parameter can be given up if this share of some direction that is not felt lies along it.
+_CLEAR = 1e-2
+_POSES = 100
+_MOST_DRAWS = 20
+# Sine of the least angle between a leg and its universal axis, and the least length beside the base's radius.
+_REGULAR = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class BaseParameters:
+    """The combinations of pi that a machine's wrench depends on: Y pi = Y[..., kept] (matrix pi).
+
+    rank: how many there are. kept: columns of Y that stay, int, (rank,). matrix: from pi to the base
+    parameters, (rank, 148); 1 at the kept ones. names: of the kept parameters. formulas: each base parameter
+    as text, coefficients to six digits. units: of each. singular_values: of the stack with columns of length
+    1, falling, (148,). gap: ratio of the last that counts to the first that is rounding error; below about
+    1e3 the rank is not to be trusted.
+    """
+
+    rank: int
+    kept: NDArray[np.intp]
+    matrix: Array
+    names: tuple[str, ...]
+    formulas: tuple[str, ...]
+    units: tuple[str, ...]
+    singular_values: Array
+    gap: float
+
+
+def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool = True) -> BaseParameters:
+    """Find the base parameters by the singular values of Y, stacked over many poses.
+
+    motion: with accelerations; all its instants are taken: what this motion excites. None: random
+    poses about the home pose with random rates and accelerations, fixed seed: what any motion can excite.
+    friction: False for a model whose joints have none.
+
+    Parameters that merge on every machine are given up first (m_d, J_d, m_u of each leg), so that the names
+    left stand for the formulas of ``MERGED``. Raises ValueError for spherical base joints, for poses without
+    a regressor, and for a machine about whose home pose no regular pose is found.
+    """
+    need_universal(robot)
+    truth(friction, "friction")
+    if motion is not None:
+        instance(motion, Motion, "motion")
+    stack = _stacked(robot, _random_motion(robot) if motion is None else motion)
+    names, units = parameter_names()
+    if not friction:
+        stack[:, is_friction(names)] = 0.0
+    lengths = _lengths(stack, units)
+    values, directions = _singular(stack / np.where(lengths > 0.0, lengths, np.inf))
+    rank = int(np.count_nonzero(values > _ROUNDING * values[0])) if values[0] > 0.0 else 0
+    unfelt = directions[rank:].T
+    lost = _given_up(unfelt, _preferred(names))
+    kept = np.setdiff1d(np.arange(len(names)), lost)
+    shares = np.linalg.solve(unfelt[lost].T, -unfelt[kept].T).T
+    shares = np.where(np.abs(shares) > _NOTHING, shares, 0.0)
+    matrix = np.zeros((rank, len(names)))
+    matrix[np.arange(rank), kept] = 1.0
+    matrix[:, lost] = shares * lengths[lost] / lengths[kept, None]
+    return BaseParameters(
+        rank=rank,
+        kept=kept,
+        matrix=matrix,
+        names=tuple(names[i] for i in kept),
+        formulas=tuple(_formula(i, row, names) for i, row in zip(kept.tolist(), matrix, strict=True)),
+        units=tuple(units[i] for i in kept),
+        singular_values=values,
+        gap=_gap(values, rank),
+    )
+
+
+def _stacked(robot: Robot, motion: Motion) -> Array:
+    """Y of all instants below each other, moments over the machine's length."""
+    length = characteristic_length(robot) or 1.0
+    scale = np.array([1.0, 1.0, 1.0, length, length, length])
+    Y = regressor(robot, motion) / scale[:, None]
+    return np.asarray(Y.reshape(-1, Y.shape[-1]))
+
+
+def _lengths(stack: Array, units: Sequence[str]) -> Array:
+    """Length of each column, 0 where it is rounding error beside the longest of its unit."""
+    lengths = np.linalg.norm(stack, axis=0)
+    kinds = np.array(units)
+    longest = np.array([np.max(lengths[kinds == unit]) for unit in units])
+    return np.where(lengths > _ROUNDING * longest, lengths, 0.0)
+
+
+def _singular(stack: Array) -> tuple[Array, Array]:
+    """All singular values by columns, zeros where rows lack, and right singular vectors as rows."""
+    short = stack.shape[1] - stack.shape[0]
+    padded = np.pad(stack, ((0, max(short, 0)), (0, 0)))
+    # R of QR has the singular values and vectors of the stack, however many poses there are.
+    _, values, directions = np.linalg.svd(np.linalg.qr(padded, mode="r"))
+    return values, directions
+
+
+def _preferred(names: Sequence[str]) -> NDArray[np.intp]:
+    dependent = {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
+    return np.array([i for i, name in enumerate(names) if name in dependent])
+
+
+def _given_up(unfelt: Array, preferred: NDArray[np.intp]) -> NDArray[np.intp]:
+    """As many parameters as there are directions that are not felt, (148, n), so that these fix them.
+
+    Each is the one along which most of what remains of the directions lies, among the preferred ones as long
+    as one of them is clear.
+    """
+    left = unfelt.copy()
+    chosen: list[int] = []
+    for _ in range(unfelt.shape[1]):
+        size = np.linalg.norm(left, axis=1)
+        best = int(preferred[np.argmax(size[preferred])])
+        pick = best if size[best] > _CLEAR else int(np.argmax(size))
+        row = left[pick] / size[pick]
+        left = left - np.outer(left @ row, row)
+        chosen.append(pick)
+    return np.sort(np.array(chosen, dtype=np.intp))
+
+
+def _gap(values: Array, rank: int) -> float:
+    if rank in (0, len(values)) or values[rank] == 0.0:
+        return math.inf
+    return float(values[rank - 1] / values[rank])
+
+
+def _formula(own: int, row: Array, names: Sequence[str]) -> str:
+    text = names[own]
+    for i in np.flatnonzero(row).tolist():
+        if i != own:
+            size = f"{abs(row[i]):.6g}"
+            factor = "" if size == "1" else f"{size}*"
+            text += f" {'-' if row[i] < 0.0 else '+'} {factor}{names[i]}"
+    return text
+
+
+def _random_motion(robot: Robot) -> Motion:
+    """Regular poses about the home pose with rates in proportion to gravity and size."""
+    rng = np.random.default_rng(0)
+    size, home = radius(robot.b), home_pose(robot).t
+    rate = math.sqrt(float(np.linalg.norm(robot.g)) / size) or 1.0
+    for _ in range(_MOST_DRAWS):
+        theta, t, omega, v, alpha, a = rng.normal(size=(6, 2 * _POSES, 3)) @ upright(robot).T
+        motion = Motion(
+            rotation_from_rpy(0.2 * theta),
+            home + 0.15 * size * t,
+            0.5 * rate * omega,
+            0.5 * rate * size * v,
+            0.5 * rate**2 * alpha,
+            0.5 * rate**2 * size * a,
+        )
+        regular = motion[_regular(robot, motion, size)]
+        if regular.shape[0] >= _POSES:
+            return regular[:_POSES]
+    raise ValueError("robot: found too few regular poses about its home pose, give a motion")
+
+
+def _regular(robot: Robot, motion: Motion, size: float) -> NDArray[np.bool_]:
+    legs = inverse_kinematics(robot, motion)
+    off_axis = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
+    return np.asarray(np.all((off_axis > _REGULAR) & (legs.L > _REGULAR * size), axis=-1))

@@ -1,0 +1,222 @@
+"""Excitation: a periodic motion within the machine's limits in whose forces its base parameters show.
+
+Stands above ``identifiable``; knows nothing of measured forces.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..dynamics.home_pose import home_pose, radius, upright
+from ..dynamics.inverse import inverse_dynamics, need_universal
+from ..io.arguments import finite_array, real_array, shown
+from ..io.frozen import Frozen
+from ..kinematics.conditioning import characteristic_length, scaled_condition_number
+from ..kinematics.inverse import inverse_kinematics
+from ..motion.motion import Motion
+from ..robot.robot import Robot
+from .base_parameters import BaseParameters, base_parameters
+from .parameters import regressor
+
+Array = NDArray[np.float64]
+
+# Widths of the first harmonic's coefficients: share of the base's radius, and rad.
+_WIDTH = np.array([0.1, 0.1, 0.1, 0.2, 0.2, 0.2])
+# Of samples, harmonics and candidates.
+_MOST = 10_000_000
+# A candidate is made smaller by this factor, so often at most, until it keeps within the limits.
+_SMALLER, _TIMES = 0.8, 16
+# Scaled condition number of H along the way, beside that at the home pose.
+_REGULAR = 3.0
+
+
+@dataclass(frozen=True, eq=False)
+class FourierPath(Frozen):
+    """A periodic motion: position and roll-pitch-yaw angles as sums of sines and cosines about a middle.
+
+    t0, theta0: position, m, and angles, rad, (3,), about which it swings. sine, cosine: coefficients, (n, 6),
+    of the harmonics 1 to n: columns 0-2 position, m, 3-5 angles, rad. period: s.
+
+    Raises ValueError naming the argument.
+    """
+
+    t0: Array
+    theta0: Array
+    sine: Array
+    cosine: Array
+    period: float
+
+    def __post_init__(self) -> None:
+        """Check every argument."""
+        for name, core in (("t0", (3,)), ("theta0", (3,)), ("sine", (6,)), ("cosine", (6,))):
+            value = finite_array(getattr(self, name), core, name)
+            if value.ndim != (1 if core == (3,) else 2):
+                raise ValueError(
+                    f"{name}: expected {'(3,)' if core == (3,) else '(n, 6)'}, got {value.shape}"
+                )
+            self._set({name: value})
+        if self.sine.shape != self.cosine.shape:
+            raise ValueError(f"cosine: expected the shape {self.sine.shape} of sine, got {self.cosine.shape}")
+        _positive(self.period, "period", "a duration > 0 s")
+
+    def times(self, samples: int) -> Array:
+        """Instants of one period, s, equally spaced, (samples,); at most ten million."""
+        _count(samples, "samples")
+        return np.arange(samples) * self.period / samples
+
+    def sample(self, tau: ArrayLike) -> Motion:
+        """Return the motion at times tau, s, of any shape; no external load.
+
+        Raises ValueError for times that are not finite, and where a harmonic overflows.
+        """
+        x = self.coordinates(tau)
+        return Motion.from_rpy(*(part for y in x for part in (y[..., :3], y[..., 3:])))
+
+    def coordinates(self, tau: ArrayLike) -> tuple[Array, Array, Array]:
+        """Position, m, and angles, rad, side by side, (..., 6), and their first and second derivatives."""
+        time = real_array(tau, "tau", "finite times")[..., None]
+        if not np.isfinite(time).all():
+            raise ValueError(f"tau: expected finite times, got {time[~np.isfinite(time)][0]}")
+        rate = 2.0 * math.pi / self.period * np.arange(1, len(self.sine) + 1)
+        sin, cos = np.sin(rate * time), np.cos(rate * time)
+        return (
+            np.concatenate([self.t0, self.theta0]) + sin @ self.sine + cos @ self.cosine,
+            (rate * cos) @ self.sine - (rate * sin) @ self.cosine,
+            -(rate**2 * sin) @ self.sine - (rate**2 * cos) @ self.cosine,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Excitation:
+    """The best of the candidates.
+
+    path: the motion over time. time: instants of one period, s, (n,). motion: at these, (n,). base: the
+    machine's base parameters. condition: condition number of the forces' regressor H^-1 Y over these
+    instants, its columns of length 1.
+    """
+
+    path: FourierPath
+    time: Array
+    motion: Motion
+    base: BaseParameters
+    condition: float
+
+
+def choose_excitation(
+    robot: Robot,
+    period: float | None = None,
+    harmonics: int = 5,
+    samples: int = 200,
+    candidates: int = 50,
+    seed: int = 0,
+) -> Excitation:
+    """Draw Fourier series about the home pose and keep the one that tells the base parameters best apart.
+
+    period: s; None: 8 sqrt(size / g), with the radius of the base points as size, in which accelerations are
+    of the order of gravity. harmonics, samples (of one period), candidates: counts. seed: of the draws.
+
+    Every candidate is made small enough for the robot's limits of length, speed and force (the last with the
+    robot's own parameters) and stays where the scaled condition number of H is at most three times that of
+    the home pose. Raises ValueError naming the argument, and if no candidate keeps within the limits.
+    """
+    need_universal(robot)
+    for name, value in (("harmonics", harmonics), ("samples", samples), ("candidates", candidates)):
+        _count(value, name)
+    need_seed(seed)
+    period = _own_period(robot) if period is None else _positive(period, "period", "a duration > 0 s")
+    base, home, size = base_parameters(robot), home_pose(robot), radius(robot.b)
+    width = _WIDTH * np.array([size, size, size, 1.0, 1.0, 1.0]) / np.arange(1, harmonics + 1)[:, None]
+    rng, turn = np.random.default_rng(seed), upright(robot)
+    best: Excitation | None = None
+    for _ in range(candidates):
+        # The same draw means the same motion of the machine in whatever axes its file is written.
+        draws = (width * rng.normal(size=(2, harmonics, 6))).reshape(2, harmonics, 2, 3) @ turn.T
+        sine, cosine = draws.reshape(2, harmonics, 6)
+        path = _within_limits(robot, home.t, sine, cosine, period, samples, _REGULAR * home.scaled_condition)
+        if path is None:
+            continue
+        motion = path.sample(path.times(samples))
+        condition = _condition(force_regressor(robot, motion, base))
+        if best is None or condition < best.condition:
+            best = Excitation(path, path.times(samples), motion, base, condition)
+    if best is None:
+        raise ValueError("robot: found no motion about its home pose within the limits of its legs")
+    return best
+
+
+def force_regressor(robot: Robot, motion: Motion, base: BaseParameters) -> Array:
+    """H^-1 Y of the base parameters, (..., 6, rank): the actuator forces of each, without load.
+
+    Raises ValueError for poses in which H is singular.
+    """
+    H = inverse_dynamics(robot, motion).H
+    return np.asarray(np.linalg.solve(H, regressor(robot, motion)[..., base.kept]))
+
+
+def _within_limits(
+    robot: Robot, t: Array, sine: Array, cosine: Array, period: float, samples: int, condition: float
+) -> FourierPath | None:
+    """The candidate, smaller if need be; None if it still is not within the limits."""
+    for scale in _SMALLER ** np.arange(_TIMES):
+        path = FourierPath(t, np.zeros(3), scale * sine, scale * cosine, period)
+        if _allowed(robot, path.sample(path.times(samples)), condition):
+            return path
+    return None
+
+
+def _allowed(robot: Robot, motion: Motion, condition: float) -> bool:
+    found = inverse_dynamics(robot, motion, on_singular="nan")
+    if np.any(found.status):
+        return False
+    scaled = scaled_condition_number(found.H, characteristic_length(robot) or 1.0)
+    legs = inverse_kinematics(robot, motion)
+    shortest, longest = robot.length_limits.T
+    return bool(
+        np.all((legs.L >= shortest) & (legs.L <= longest))
+        and np.all(np.abs(legs.L_dot) <= robot.speed_limit)
+        and np.all(np.abs(found.F) <= robot.force_limit)
+        and np.all(scaled <= condition)
+        and abs(np.sum(np.sign(np.linalg.det(found.H)))) == len(scaled)
+    )
+
+
+def _condition(A: Array) -> float:
+    """Of the stacked columns, each of length 1; inf if they are dependent to about half of all digits."""
+    stack = A.reshape(-1, A.shape[-1])
+    lengths = np.linalg.norm(stack, axis=0)
+    if not np.all(lengths > 0.0):
+        return math.inf
+    # Squares are enough to compare by, and a small matrix is much sooner taken apart than a tall one.
+    squares = np.linalg.eigvalsh(np.asarray((stack / lengths).T @ (stack / lengths)))
+    rounding = len(squares) * np.finfo(np.float64).eps * squares[-1]
+    return math.sqrt(squares[-1] / squares[0]) if squares[0] > rounding else math.inf
+
+
+def _own_period(robot: Robot) -> float:
+    gravity = float(np.linalg.norm(robot.g))
+    if gravity == 0.0:
+        raise ValueError("period: expected a duration > 0 s for a machine without gravity, got None")
+    return 8.0 * math.sqrt(radius(robot.b) / gravity)
+
+
+def _positive(value: object, name: str, expected: str) -> float:
+    number = real_array(value, name, expected)
+    if number.shape != () or not (np.isfinite(number) and number > 0.0):
+        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
+    return float(number)
+
+
+def need_seed(value: object) -> None:
+    """Refuse, by ValueError, what is no whole number >= 0."""
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 0:
+        raise ValueError(f"seed: expected a whole number >= 0, got {type(value).__name__}")
+
+
+def _count(value: object, name: str) -> None:
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not whole or not 0 < value <= _MOST:  # type: ignore[operator]
+        raise ValueError(f"{name}: expected a whole number > 0 and at most {_MOST:,}, got {shown(value)}")

@@ -1,0 +1,163 @@
+"""The regressor: the platform's equations of motion as a matrix times the machine's inertial parameters.
+
+    H F + [R F_ext; R M_ext] = Y pi
+
+Y depends on the points, the axes, gravity and the motion alone, pi on masses, centres of mass, inertias and
+friction alone. Stands above the generated kernels; knows nothing of which parameters can be told apart.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..backend.kernel import legs_side_by_side, on_arrays
+from ..dynamics.inverse import need_motion, need_universal, report_faults
+from ..generated import exact_regressor
+from ..io.arguments import option
+from ..io.error_policy import ON_FAULT, OnFault
+from ..motion.motion import Motion
+from ..results import NOT_FINITE, OK
+from ..robot.robot import LEGS, Robot
+
+Array = NDArray[np.float64]
+
+_UPPER = np.triu_indices(3)
+# Parameters of a body: mass, first moment, inertia.
+_BODY = 10
+
+
+@dataclass(frozen=True, eq=False)
+class Parameters:
+    """Inertial and friction parameters of the thirteen bodies, in the order of the columns of Y.
+
+    Leg after leg, 23 each: m_d, first moment h_d = m_d r_d0 and inertia J_d (xx, xy, xz, yy, yz, zz) of the
+    lower part about the base point, frame D; m_u, h_u, J_u of the upper part about the platform point, frame
+    U; C_u, C_p, C_s. Then 10 of the platform: M, h_P = M R_0 and J_P about its reference point, platform
+    frame.
+
+    values: (148,), SI. names: as in the robot's fields, with the number of the leg: ``h_d1_x``, ``J_P_xy``.
+    units: of each.
+    """
+
+    values: Array
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+
+
+def regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> Array:
+    """Y of H F + [R F_ext; R M_ext] = Y pi, (..., 6, 148); formulation `exact`, universal base joints.
+
+    Rows 0-2 are forces, N, rows 3-5 moments about the reference point, N m, base frame, each over the unit of
+    its parameter; columns as in ``Parameters``. Equal and zero columns are meant (``base_parameters``). The
+    load of the motion has no part in Y. on_singular: as for ``inverse_dynamics``, but singular H is no fault.
+
+    Raises ValueError for spherical base joints, for a motion without accelerations, and for poses in which a
+    leg has length zero or lies along its universal axis.
+    """
+    need_universal(robot)
+    need_motion(robot, motion)
+    option(on_singular, ON_FAULT, "on_singular")
+    of_leg, of_platform = exact_regressor.LEG_PARAMETERS, exact_regressor.PLATFORM_PARAMETERS
+
+    def run(on: Any, structure: Any, part: Any, _: slice) -> Any:
+        found = exact_regressor.regressor(on, structure, part)
+        legs, platform = _columns(found.legs, of_leg), _columns(found.platform, of_platform)
+        return {"legs": legs, "platform": platform, "status": found.status}
+
+    shapes = {"legs": (len(of_leg), 6, LEGS), "platform": (len(of_platform), 6)}
+    found, status = on_arrays(run, legs_side_by_side(robot), motion, shapes)
+    legs = np.moveaxis(found["legs"], -3, -1).reshape(*motion.shape, 6, LEGS * len(of_leg))
+    Y = np.concatenate([legs, found["platform"].swapaxes(-1, -2)], axis=-1)
+    status[(status == OK) & ~np.isfinite(Y).all(axis=(-1, -2))] = NOT_FINITE
+    Y[status != OK] = np.nan
+    report_faults(status, robot, motion, on_singular, stacklevel=3)
+    return Y
+
+
+def _columns(found: Any, parameters: Sequence[tuple[str, str]]) -> list[list[Any]]:
+    """The columns of parameters, each a list of its rows."""
+    return [[*getattr(found, f"force_{name}"), *getattr(found, f"moment_{name}")] for name, _ in parameters]
+
+
+def inertial_parameters(robot: Robot) -> Parameters:
+    """The robot's pi, by Steiner's theorem about each part's joint point.
+
+    Raises ValueError for spherical base joints.
+    """
+    need_universal(robot)
+    lower = body_parameters(robot.m_d, robot.r_d0, robot.I_d0)
+    upper = body_parameters(robot.m_u, robot.r_u0, robot.I_u0)
+    friction = np.column_stack([robot.C_u, robot.C_p, robot.C_s])
+    platform = body_parameters(np.array([robot.M]), robot.R_0[None], robot.I_p[None])
+    legs = np.hstack([lower, upper, friction])
+    names, units = parameter_names()
+    return Parameters(np.concatenate([legs.ravel(), platform.ravel()]), names, units)
+
+
+def with_parameters(robot: Robot, values: Array) -> Robot:
+    """The robot with inertial and friction parameters, (148,), as in ``Parameters``, in place of its own.
+
+    Raises ValueError as ``Robot`` for masses not > 0 and friction < 0; inertias are not checked.
+    """
+    legs, platform = values[:-_BODY].reshape(LEGS, -1), values[-_BODY:]
+    m_d, r_d0, I_d0 = _about_centre(legs[:, :_BODY])
+    m_u, r_u0, I_u0 = _about_centre(legs[:, _BODY : 2 * _BODY])
+    M, R_0, I_p = (part[0] for part in _about_centre(platform[None]))
+    C_u, C_p, C_s = legs[:, 2 * _BODY :].T
+    return replace(
+        robot,
+        M=float(M), R_0=R_0, I_p=I_p,
+        m_d=m_d, r_d0=r_d0, I_d0=I_d0,
+        m_u=m_u, r_u0=r_u0, I_u0=I_u0,
+        C_u=C_u, C_p=C_p, C_s=C_s,
+    )  # fmt: skip
+
+
+def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """Names and units of the columns of Y."""
+    rows = [
+        (leg_name(name, leg), unit)
+        for leg in range(1, LEGS + 1)
+        for name, unit in exact_regressor.LEG_PARAMETERS
+    ]
+    rows += exact_regressor.PLATFORM_PARAMETERS
+    return tuple(name for name, _ in rows), tuple(unit for _, unit in rows)
+
+
+def is_friction(names: Sequence[str]) -> NDArray[np.bool_]:
+    """Which names are of friction coefficients, (n,)."""
+    return np.array([name.startswith("C_") for name in names], dtype=np.bool_)
+
+
+def leg_name(name: str, leg: int) -> str:
+    """``h_d_x`` of leg 1 is ``h_d1_x``."""
+    head, under, axes = name.rpartition("_")
+    return f"{head}{leg}_{axes}" if under and set(axes) <= set("xyz") else f"{name}{leg}"
+
+
+def symmetric(six: Array) -> Array:
+    """Matrices of (xx, xy, xz, yy, yz, zz), (..., 6) to (..., 3, 3)."""
+    full = np.empty((*six.shape[:-1], 3, 3))
+    full[..., *_UPPER] = six
+    full[..., _UPPER[1], _UPPER[0]] = six
+    return full
+
+
+def _about_centre(bodies: Array) -> tuple[Array, Array, Array]:
+    """Masses, centres of mass and inertias about them of bodies as in ``Parameters``, (n, 10)."""
+    m = bodies[:, 0]
+    r = bodies[:, 1:4] / m[:, None]
+    at_point = body_parameters(m, r, np.zeros((len(m), 3, 3)))[:, 4:]
+    return m, r, symmetric(bodies[:, 4:] - at_point)
+
+
+def body_parameters(m: Array, r: Array, inertia: Array) -> Array:
+    """Mass, first moment and inertia about the point from which r (n, 3) is measured, (n, 10)."""
+    outer = np.einsum("ni,nj->nij", r, r)
+    about = inertia + m[:, None, None] * (
+        np.trace(outer, axis1=1, axis2=2)[:, None, None] * np.eye(3) - outer
+    )
+    return np.hstack([m[:, None], m[:, None] * r, about[:, *_UPPER]])

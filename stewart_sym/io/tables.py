@@ -1,0 +1,234 @@
+"""Text files read within bounds, and tables of TOML checked key by key; each refusal is one line.
+
+The prefix or place handed in begins every message: ``file: key: what was expected``. Stands at the bottom,
+below the readers of robots, scenes and trajectories; knows nothing of what the keys mean.
+"""
+
+import codecs
+import contextlib
+import difflib
+import math
+import os
+import re
+import stat
+import tempfile
+import tomllib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .arguments import shown
+
+Array = NDArray[np.float64]
+
+MOST_BYTES = 1 << 18
+"""Of a TOML file: thirty times what a robot takes with every number of every leg."""
+_CHUNK = 1 << 24
+
+# Time and memory of tomllib grow with the square of a dotted key's parts: 300,000 of them take all there is.
+_STRING = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
+_LONG_STRING = r"""\"{3}(?:[^"\\]|\\(?s:.)|"(?!""))*+"{3,5}+|'{3}(?:[^']|'(?!''))*+'{3,5}+"""
+_PART = rf"(?:{_STRING}|[\w-]++)"
+_LONG_KEY = rf"(?P<long_key>(?<![\w\\-]){_PART}(?:[ \t]*+\.[ \t]*+{_PART}){{15}})"
+# Comments and strings are passed over as wholes: what they hold is no key.
+_TOKEN = re.compile(rf"#[^\n]*+|{_LONG_STRING}|{_LONG_KEY}|{_STRING}")
+
+
+def file_name(path: object) -> str:
+    """A path as text; ValueError for what is none."""
+    try:
+        return os.fsdecode(path)  # type: ignore[arg-type]
+    except TypeError:
+        raise ValueError(f"path: expected the name of a file, got {type(path).__name__}") from None
+
+
+@contextlib.contextmanager
+def opened(source: str, what: str, most: int) -> Iterator[BinaryIO]:
+    """A file of ``most`` bytes or fewer, open for reading more than once; ``what`` it is, for messages.
+
+    A pipe is copied to its end; a device is rejected, since some have no end. Raises ValueError of one line,
+    for what goes wrong in the block's reading too.
+    """
+    cannot = f"{source}: cannot read the {what}"
+    with contextlib.ExitStack() as stack:
+        try:
+            stream = _again(source, most, stack)
+        except (OSError, ValueError) as error:
+            raise ValueError(f"{cannot}: {getattr(error, 'strerror', None) or error}") from None
+        try:
+            yield stream
+        except OSError as error:
+            raise ValueError(f"{cannot}: {error.strerror or error}") from None
+
+
+def _again(source: str, most: int, stack: contextlib.ExitStack) -> BinaryIO:
+    """A file as a stream that can be read again, to be closed by the stack."""
+    mode = os.stat(source).st_mode
+    if stat.S_ISBLK(mode) or stat.S_ISCHR(mode):
+        raise ValueError("it is a device")
+    stream: BinaryIO = stack.enter_context(open(source, "rb"))  # noqa: SIM115 # the stack closes it
+    if not stat.S_ISREG(mode):
+        pipe, stream = stream, stack.enter_context(tempfile.TemporaryFile())  # noqa: SIM115
+        while stream.tell() <= most and (chunk := pipe.read(_CHUNK)):
+            stream.write(chunk)
+    if stream.seek(0, os.SEEK_END) > most:
+        raise ValueError(f"longer than {most:,} bytes")
+    stream.seek(0)
+    return stream
+
+
+def read_text(source: str, what: str, most: int) -> str:
+    """Text of a UTF-8 file as ``opened``; a byte order mark is dropped."""
+    with opened(source, what, most) as stream, as_utf8(stream, source):
+        return stream.read().decode("utf-8-sig")
+
+
+@contextlib.contextmanager
+def as_utf8(stream: BinaryIO, source: str) -> Iterator[None]:
+    """Let an error in decoding the stream be a ValueError that names the first byte that is no UTF-8."""
+    try:
+        yield
+    except UnicodeDecodeError:
+        stream.seek(0)
+        decoder, start = codecs.getincrementaldecoder("utf-8")(), 0
+        while True:
+            chunk = stream.read(_CHUNK)
+            pending = len(decoder.getstate()[0])
+            try:
+                decoder.decode(chunk, final=not chunk)
+            except UnicodeDecodeError as error:
+                place = start - pending + error.start
+                raise ValueError(f"{source}: expected UTF-8 text, byte {place} is not") from None
+            start += len(chunk)
+
+
+_KINDS = {
+    "robot file": {"platform", "leg"},
+    "scene of simulate": {"duration", "legs"},
+    "scene of advise": {"motions", "tolerance"},
+}
+"""Files that this program reads, by keys that each must have and no other has."""
+
+
+def read_toml(source: str, what: str) -> dict[str, Any]:
+    """Tables of a TOML file; ``what``: of ``_KINDS``. Raises ValueError for a file of another kind too."""
+    text = read_text(source, what, MOST_BYTES)
+    if not text.strip():
+        raise ValueError(f"{source}: cannot read the {what}: the file is empty")
+    if any(token["long_key"] for token in _TOKEN.finditer(text)):
+        raise ValueError(f"{source}: not valid TOML: nested too deeply")
+    try:
+        top = tomllib.loads(text)
+    except RecursionError:
+        raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
+    except ValueError as error:
+        raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
+    found = [kind for kind, keys in _KINDS.items() if keys <= top.keys()]
+    if found and what not in found:
+        raise ValueError(f"{source}: expected a {what}, got a {found[0]}")
+    return top
+
+
+def checked_table(
+    value: object, prefix: str, known: Sequence[str], required: Sequence[str] = ()
+) -> dict[str, Any]:
+    """A table whose keys are all known and that has those required."""
+    if not isinstance(value, Mapping):
+        raise ValueError(f"{prefix.rstrip('.: ')}: expected a table, got {shown(value)}")
+    for key in value:
+        if key not in known:
+            near = difflib.get_close_matches(str(key), known, n=1, cutoff=0.5)
+            hint = f'did you mean "{near[0]}"?' if near else f"expected one of {', '.join(known)}"
+            plain = isinstance(key, str) and key.isprintable() and len(key) <= 60
+            text = key if plain else shown(key)
+            raise ValueError(f"{prefix}{text}: unknown key, {hint}")
+    require(value, required, prefix, "missing")
+    return dict(value)
+
+
+def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: str) -> None:
+    """Refuse a table that lacks one of the keys, with a reason."""
+    for key in keys:
+        if key not in table:
+            raise ValueError(f"{prefix}{key}: {reason}")
+
+
+# Single values
+
+
+def one_line(value: object, where: str) -> str:
+    """A text of one line that is not blank."""
+    if not isinstance(value, str) or not value.strip() or not value.isprintable():
+        raise ValueError(f"{where}: expected one line of text, got {shown(value)}")
+    return value
+
+
+def need_schema(value: object, known: int, where: str) -> None:
+    """Refuse the number of a schema that is not the known one."""
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer) or value != known:
+        raise ValueError(f"{where}: expected {known}, got {shown(value)}")
+
+
+def number(value: object, where: str, expected: str = "a finite number") -> float:
+    """A finite number and no truth value."""
+    if isinstance(value, int | float | np.integer | np.floating) and not isinstance(value, bool):
+        try:
+            given = float(value)
+        except OverflowError:
+            given = math.inf
+        if math.isfinite(given):
+            return given
+    raise ValueError(f"{where}: expected {expected}, got {shown(value)}")
+
+
+def numbers(value: object, shape: tuple[int, ...], where: str) -> Array:
+    """Return nested lists of finite numbers as a new float64 array of just that shape."""
+    expected = " x ".join(str(n) for n in shape) + " finite numbers"
+    return np.array(_flat(value, shape, where, expected)).reshape(shape)
+
+
+def _flat(value: object, shape: tuple[int, ...], where: str, expected: str) -> list[float]:
+    if not shape:
+        return [number(value, where, expected)]
+    items = value.tolist() if isinstance(value, np.ndarray) else value
+    if not isinstance(items, list | tuple) or len(items) != shape[0]:
+        raise ValueError(f"{where}: expected {expected}, got {shown(items)}")
+    return [entry for item in items for entry in _flat(item, shape[1:], where, expected)]
+
+
+def vector(value: object, where: str) -> Array:
+    """Three finite numbers, (3,)."""
+    return numbers(value, (3,), where)
+
+
+def positive(value: object, where: str) -> float:
+    """A finite number > 0."""
+    given = number(value, where)
+    if given <= 0.0:
+        raise ValueError(f"{where}: expected a number > 0, got {given:g}")
+    return given
+
+
+def not_negative(value: object, where: str) -> float:
+    """A finite number >= 0."""
+    given = number(value, where)
+    if given < 0.0:
+        raise ValueError(f"{where}: expected a number >= 0, got {given:g}")
+    return given
+
+
+def per_leg(value: object, where: str) -> Array:
+    """One finite number for all six legs or six, as (6,)."""
+    if isinstance(value, list | tuple | np.ndarray):
+        return numbers(value, (6,), where)
+    return np.full(6, number(value, where, "one finite number or six"))
+
+
+def choice(value: object, options: Sequence[str], where: str) -> str:
+    """One of the options."""
+    if not isinstance(value, str) or value not in options:
+        quoted = [f'"{text}"' for text in options]
+        raise ValueError(f"{where}: expected {', '.join(quoted[:-1])} or {quoted[-1]}, got {shown(value)}")
+    return value

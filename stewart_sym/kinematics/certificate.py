@@ -1,0 +1,243 @@
+"""Proof that a pose near a computed one has exactly the given leg lengths, by Kantorovich's theorem.
+
+Stands beside ``forward``, whose answers it proves, and takes nothing from it on trust: every number at the
+pose is computed in exact rational arithmetic from the doubles as they are stored, and every bound is rounded
+upward. Knows nothing of how the pose was found.
+
+With z = (dt, l dphi), R = exp([dphi]x) R_0 and g_i(z) = (|S_i|^2 - L_i^2) / 2 the map z - A g(z), A about the
+inverse of the derivative of g at the pose, takes the ball |z| <= r into itself and contracts it if
+
+    Y + Z r + Z_2 r^2 / 2 <= r,    Z + Z_2 r < 1,
+
+where Y >= |A g(0)|, Z >= |E - A g'(0)|, and |A g''(z) d d| <= Z_2 |d|^2 in the ball: then one pose in the
+ball has these lengths, and only one. |d/dtau exp([phi + tau d]x) q| <= |d| |q|, and twice derived
+<= |d|^2 |q|, bound the second derivative: |g_i''| <= 1 + (|q_i|/l)^2 + |S_i| |q_i|/l^2.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import instance, leading_shape
+from ..motion.motion import Motion
+from ..robot.robot import Robot
+from .conditioning import characteristic_length
+from .forward import checked_lengths, jacobian
+from .inverse import leg_vectors
+
+Array = NDArray[np.float64]
+Rational = Fraction
+Vector = list[Rational]
+
+
+@dataclass(frozen=True, eq=False)
+class Certificate:
+    """What is proven of poses; a leading shape ``(...)`` is that of the poses and lengths.
+
+    proven: whether a pose with exactly these lengths lies within the error below; bool, (...).
+    position: its distance from the given t is at most this, m, (...).
+    angle: it is turned from the given R by at most this, rad, (...), besides what R itself is off a rotation.
+    alone: no other pose with these lengths has position error / length and angle together, as the root of the
+        sum of squares, below this, (...); length: see ``characteristic_length``.
+    All are nan where nothing is proven.
+    """
+
+    proven: NDArray[np.bool_]
+    position: Array
+    angle: Array
+    alone: Array
+
+
+def certify_pose(robot: Robot, L: ArrayLike, pose: tuple[ArrayLike, ArrayLike]) -> Certificate:
+    """Prove, if it can be proven, that a pose with exactly the leg lengths L lies next to the given one.
+
+    L: m, (..., 6).  pose: (R, t), (..., 3, 3) and (..., 3), as of ``forward_kinematics``; nan for no pose,
+    which proves nothing.  No proof means neither that there is such a pose nor that there is none: near a
+    singular pose, where two poses meet, none can be had.
+
+    Raises ``ValueError`` naming the argument for lengths not > 0 and finite, and for what is no pose.
+    """
+    instance(robot, Robot, "robot")
+    lengths = checked_lengths(L)
+    R, t = _pose(pose)
+    shape = leading_shape({"L": lengths.shape[:-1], "pose": t.shape[:-1]})
+    results = np.full((4, *shape), np.nan)
+    lengths = np.broadcast_to(lengths, (*shape, 6))
+    R, t = np.broadcast_to(R, (*shape, 3, 3)), np.broadcast_to(t, (*shape, 3))
+    for where in np.ndindex(shape):
+        found = None if np.isnan(t[where]).any() else _prove(robot, lengths[where], R[where], t[where])
+        results[(0, *where)] = found is not None
+        if found is not None:
+            results[(slice(1, None), *where)] = found
+    return Certificate(results[0] == 1.0, results[1], results[2], results[3])
+
+
+def _pose(pose: object) -> tuple[Array, Array]:
+    if not isinstance(pose, tuple | list) or len(pose) != 2:
+        raise ValueError(f"pose: expected a pose (R, t), got {type(pose).__name__}")
+    R, t = (np.array(part, dtype=np.float64) for part in pose)
+    if R.shape[-2:] != (3, 3) or t.shape[-1:] != (3,):
+        raise ValueError(f"pose: expected shapes (..., 3, 3) and (..., 3), got {R.shape} and {t.shape}")
+    shape = leading_shape({"R": R.shape[:-2], "t": t.shape[:-1]})
+    R, t = np.broadcast_to(R, (*shape, 3, 3)), np.broadcast_to(t, (*shape, 3))
+    none = np.asarray(np.isnan(t).any(axis=-1) | np.isnan(R).any(axis=(-2, -1)))
+    zero = np.zeros(3)
+    try:
+        Motion(np.where(none[..., None, None], np.eye(3), R), np.where(none[..., None], 0.0, t), zero, zero)
+    except ValueError as error:
+        raise ValueError(f"pose: {error}") from None
+    return R, np.where(none[..., None], np.nan, t)
+
+
+def _prove(robot: Robot, L: Array, R: Array, t: Array) -> tuple[float, float, float] | None:
+    """Bounds of position, angle and solitude of one pose, None without a proof."""
+    length = Fraction(characteristic_length(robot) or 1.0)
+    A = _about_inverse(robot, R, t, float(length))
+    if A is None:
+        return None
+    legs = [_Leg.of(robot, i, L[i], R, t, length) for i in range(6)]
+    # Whatever A is, the proof holds if the numbers below do.
+    residual = [leg.g for leg in legs]
+    Y = _norm([_dot(row, residual) for row in A])
+    Y += _norm(
+        [sum((abs(a) * leg.g_off for a, leg in zip(row, legs, strict=True)), Rational(0)) for row in A]
+    )
+    defect = [
+        (Rational(int(i == j)) - sum((A[i][m] * legs[m].row[j] for m in range(6)), Rational(0)))
+        for i in range(6)
+        for j in range(6)
+    ]
+    Z = _norm(defect)
+    Z += _norm(
+        [sum((abs(a) * leg.row_off for a, leg in zip(row, legs, strict=True)), Rational(0)) for row in A]
+    )
+    if Z >= 1:
+        return None
+    # The ball within which second derivatives are bounded; the smallest that may do is tried.
+    radius = 4 * Y / (1 - Z)
+    radius = max(radius, length * Rational(1, 2**60))
+    bound = _curvature(A, legs, length, radius)
+    if not _holds(Y, Z, bound, radius):
+        return None
+    r = max(Rational(_above(float(2 * Y / (1 - Z)))), Rational(1, 2**1000))
+    proven = r if r <= radius and _holds(Y, Z, bound, r) else radius
+    alone = _alone(A, legs, length, Y, Z, proven)
+    return _above(float(proven)), _above(float(proven / length)), _below(float(alone / length))
+
+
+@dataclass(frozen=True)
+class _Leg:
+    """One leg at the pose, exact but for R's own distance from a rotation, which is in the ``_off`` bounds.
+
+    g: (|S|^2 - L^2) / 2. row: derivative of g by (dt, l dphi). q, S: bounds of their lengths.
+    """
+
+    g: Rational
+    g_off: Rational
+    row: Vector
+    row_off: Rational
+    q: Rational
+    S: Rational
+
+    @classmethod
+    def of(cls, robot: Robot, i: int, L: float, R: Array, t: Array, length: Rational) -> _Leg:
+        turn = [_rationals(row) for row in R]
+        p, b = _rationals(robot.p[i]), _rationals(robot.b[i])
+        q = [_dot(row, p) for row in turn]
+        S = [x + y - z for x, y, z in zip(q, _rationals(t), b, strict=True)]
+        # A rotation lies within |R^T R - E| of R (Frobenius): q is off by at most that share of |p|.
+        gram = [
+            sum((turn[m][j] * turn[m][k] for m in range(3)), Rational(0)) - int(j == k)
+            for j in range(3)
+            for k in range(3)
+        ]
+        off = _norm(gram) * _norm(p)
+        size_q, size_S = _norm(q) + off, _norm(S) + off
+        return cls(
+            g=(_dot(S, S) - Rational(L) ** 2) / 2,
+            g_off=off * size_S + off * off / 2,
+            row=[*S, *(x / length for x in _cross(q, S))],
+            row_off=off * (1 + (size_q + size_S) / length),
+            q=size_q,
+            S=size_S,
+        )
+
+
+def _about_inverse(robot: Robot, R: Array, t: Array, length: float) -> list[Vector] | None:
+    """About the inverse of g' at the pose; None where there is none."""
+    with np.errstate(all="ignore"):
+        L = leg_vectors(robot, R, t)[2]
+        G = jacobian(robot, R, t) * L[:, None] / np.repeat([1.0, length], 3)
+        try:
+            A = np.linalg.inv(G)
+        except np.linalg.LinAlgError:
+            return None
+    return [_rationals(row) for row in A] if np.isfinite(A).all() else None
+
+
+def _curvature(A: list[Vector], legs: Sequence[_Leg], length: Rational, radius: Rational) -> Rational:
+    """Bound of |A g''| over the ball of a radius."""
+    second = []
+    for leg in legs:
+        arm = leg.q / length
+        speed = 1 + arm * arm
+        # |S| grows by at most sqrt(1 + (|q|/l)^2) r <= (1 + |q|/l) r.
+        second.append(speed + (leg.S + (1 + arm) * radius) * leg.q / length**2)
+    return _norm([sum((abs(a) * k for a, k in zip(row, second, strict=True)), Rational(0)) for row in A])
+
+
+def _holds(Y: Rational, Z: Rational, bound: Rational, r: Rational) -> bool:
+    return Y + Z * r + bound * r * r / 2 <= r and Z + bound * r < 1
+
+
+def _alone(
+    A: list[Vector], legs: Sequence[_Leg], length: Rational, Y: Rational, Z: Rational, proven: Rational
+) -> Rational:
+    """The largest of the radii proven, 2 proven, 4 proven, ... in whose ball there is one pose alone."""
+    radius = proven
+    while radius < length:
+        wider = 2 * radius
+        if not _holds(Y, Z, _curvature(A, legs, length, wider), wider):
+            break
+        radius = wider
+    return radius
+
+
+def _rationals(values: Array) -> Vector:
+    return [Rational(float(x)) for x in values]
+
+
+def _dot(a: Vector, b: Vector) -> Rational:
+    return sum((x * y for x, y in zip(a, b, strict=True)), Rational(0))
+
+
+def _cross(a: Vector, b: Vector) -> Vector:
+    return [a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3] for i in range(3)]
+
+
+def _norm(values: Vector) -> Rational:
+    """No less than the Euclidean norm, and hardly more; rounded to few digits, so that bounds stay short."""
+    square = _dot(values, values)
+    if square == 0:
+        return Rational(0)
+    # Powers of four bring the square to where a double has all its digits.
+    shift = (square.numerator.bit_length() - square.denominator.bit_length()) // 2
+    scaled = square / Rational(4) ** shift
+    root = Rational(math.sqrt(float(scaled))) * (1 + Rational(1, 2**50))
+    while root * root < scaled:
+        root *= 1 + Rational(1, 2**50)
+    return root * Rational(2) ** shift
+
+
+def _above(value: float) -> float:
+    return math.nextafter(value, math.inf)
+
+
+def _below(value: float) -> float:
+    return max(0.0, math.nextafter(value, 0.0))

@@ -1,0 +1,64 @@
+"""Condition number of H: how near the platform is to a singular pose, section 4.2.
+
+Stands beside the kernels that make H; knows nothing of how H came about.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import instance, real_array, shown
+from ..robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+
+def condition_number(H: ArrayLike) -> Array:
+    """Return the ratio of the largest to the smallest singular value, (...), of H, (..., 6, 6).
+
+    This is the paper's number; it mixes unitless rows with rows in metres, so it changes with the unit of
+    length.  inf where H is singular to rounding (smallest <= 6 eps largest), nan where H is not finite.
+    """
+    H = _matrices(H)
+    finite = np.all(np.isfinite(H), axis=(-2, -1))
+    values = np.linalg.svd(np.where(finite[..., None, None], H, 0.0), compute_uv=False)
+    largest, smallest = values[..., 0], values[..., -1]
+    singular = smallest <= 6.0 * np.finfo(np.float64).eps * largest
+    ratio = largest / np.where(singular, 1.0, smallest)
+    return np.asarray(np.where(finite, np.where(singular, math.inf, ratio), math.nan))
+
+
+def scaled_condition_number(H: ArrayLike, length: float) -> Array:
+    """Return the condition number, (...), of H with its moment rows divided by a length, m.
+
+    It has no units.  H: (..., 6, 6), forces in rows 0-2 and moments in rows 3-5.  length: see
+    ``characteristic_length``; must be > 0.
+    """
+    return condition_number(moments_over(H, length))
+
+
+def moments_over(H: ArrayLike, length: float) -> Array:
+    """Return H, (..., 6, 6), with its moment rows divided by a length, m; all of it without units then.
+
+    Raises ValueError naming the argument.
+    """
+    scale = real_array(length, "length", "a finite length > 0 m")
+    if scale.shape != () or not (math.isfinite(scale) and scale > 0.0):
+        raise ValueError(f"length: expected a finite length > 0 m, got {shown(length)}")
+    return np.asarray(_matrices(H) / np.array([1.0, 1.0, 1.0, scale, scale, scale])[:, None])
+
+
+def characteristic_length(robot: Robot) -> float:
+    """Return the root mean square distance of the platform points from the reference point, m."""
+    instance(robot, Robot, "robot")
+    return float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1))))
+
+
+def _matrices(H: ArrayLike) -> Array:
+    H = real_array(H, "H", "real numbers of shape (..., 6, 6)")
+    if H.shape[-2:] != (6, 6):
+        raise ValueError(f"H: expected shape (..., 6, 6), got {H.shape}")
+    return H

@@ -1,0 +1,226 @@
+"""Inverse kinematics of the legs, (1)-(5) and (8), and H of (36) with its rate, from the platform's motion.
+
+Stands beside ``reference`` and above ``Robot`` and ``Motion``; knows nothing of forces.
+"""
+
+import ctypes
+import functools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..backend.kernel import MOTION, address, contiguous, library, robot_numbers
+from ..backend.native import CompilerError
+from ..generated.interface import STRUCTS
+from ..io.arguments import instance
+from ..motion.motion import Motion
+from ..motion.rotation import cross
+from ..results import OK
+from ..robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+MIN_SIN_POLE = 0.3
+"""Sine of the angle between a leg and its universal axis from which on the leg is clear of it."""
+
+ROUNDING = 16 * np.finfo(np.float64).eps
+"""A leg no longer than this share of the terms it is the sum of is rounding error and nothing else."""
+
+
+BLOCK = 2048
+"""Poses whose legs are computed at a time: their numbers stay in the processor's second cache. From so many
+on the C computes them, where there is a compiler."""
+
+
+@dataclass(frozen=True, eq=False)
+class LegKinematics:
+    """Kinematics of the six legs; a leading shape ``(...)`` is that of the motion.
+
+    L: lengths, m, (..., 6), (2).
+    L_dot: rates, m/s, (..., 6), positive when the leg extends, (5).
+    L_ddot: accelerations, m/s^2, (..., 6), (8); None when the motion has no accelerations.
+    s: unit vectors from base point to platform point, base frame, (..., 6, 3), (3).
+    S: leg vectors, m, base frame, (..., 6, 3), (1).
+    """
+
+    L: Array
+    L_dot: Array
+    L_ddot: Array | None
+    s: Array
+    S: Array
+
+
+def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
+    """Return lengths, rates and directions of the legs.
+
+    The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
+    for either base joint.  Raises ``ValueError`` naming the leg when one has length zero: no more than 16
+    rounding units of the largest component of the terms of S = q + t - b, (1); and when a result overflows.
+    """
+    legs = legs_or_overflow(robot, motion)
+    _refuse_overflow(legs.L, legs.L_dot, legs.L_ddot)
+    return legs
+
+
+def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
+    """As ``inverse_kinematics``, but with infinities and NaN where a result overflows."""
+    instance(robot, Robot, "robot")
+    instance(motion, Motion, "motion")
+    found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK else None
+    return LegKinematics(**(found or _legs(robot, motion, tuple(_SHAPES))))
+
+
+_SHAPES = STRUCTS["legs"]
+
+
+def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
+    """Quantities of all legs by name from the C; None without a compiler and where a pose has a fault."""
+    try:
+        code = library("legs")
+    except CompilerError:
+        return None
+    wanted = {name: shape for name, shape in _SHAPES.items() if name != "L_ddot" or motion.a is not None}
+    found = {name: np.empty((*motion.shape, *shape)) for name, shape in wanted.items()}
+    # Held by names until the call is done: an address alone keeps no array alive.
+    numbers, inputs = robot_numbers(robot), [contiguous(getattr(motion, name)) for name in MOTION]
+    status = code.stewart_legs_batch(
+        address(numbers),
+        ctypes.c_size_t(math.prod(motion.shape)),
+        (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
+        (ctypes.c_void_p * len(_SHAPES))(*[address(found.get(name)) for name in _SHAPES]),
+        None,
+    )
+    return dict.fromkeys(_SHAPES) | found if status == OK else None
+
+
+def wrench_matrix(robot: Robot, motion: Motion) -> Array:
+    """Return H of (36), (..., 6, 6): column i is [s_i; q_i x s_i], the wrench of a unit force of leg i.
+
+    Rows 0-2 have no unit, rows 3-5 are m. Leg rates are L_dot = H^T [v; omega], actuator forces push with the
+    wrench H F.  Raises ``ValueError`` as ``inverse_kinematics``.
+    """
+    legs = _legs(robot, motion, ("L", "q", "s"))
+    _refuse_overflow(legs["L"])
+    return _columns(legs["s"], cross(legs["q"], legs["s"]))
+
+
+def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
+    """Return the time derivative of H along the motion, (..., 6, 6), 1/s and m/s.
+
+    With it L_ddot = H^T [a; alpha] + H_dot^T [v; omega].  Raises ``ValueError`` as ``inverse_kinematics``.
+    """
+    legs = _legs(robot, motion, ("L", "L_dot", "q", "s", "S_dot"))
+    q, s = legs["q"], legs["s"]
+    with np.errstate(all="ignore"):
+        s_dot = (legs["S_dot"] - legs["L_dot"][..., None] * s) / legs["L"][..., None]
+        q_dot = cross(motion.omega[..., None, :], q)
+        H_dot = _columns(s_dot, cross(q_dot, s) + cross(q, s_dot))
+    _refuse_overflow(legs["L"], H_dot)
+    return H_dot
+
+
+def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
+    """Return q and S of (1), m, base frame, (..., 6, 3), and the lengths of S, m, (..., 6), zero or not."""
+    q = np.einsum("...jk,ik->...ij", R, robot.p)
+    S = q + t[..., None, :] - robot.b
+    return q, S, np.linalg.norm(S, axis=-1)
+
+
+def tip_velocities(motion: Motion, q: Array) -> Array:
+    """Return S_dot of (4), m/s, base frame, (..., 6, 3), of platform points at q (..., 6, 3)."""
+    return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
+
+
+def clear_of_poles(robot: Robot, legs: LegKinematics) -> NDArray[np.bool_]:
+    """Whether all six legs are clear of their universal axes k, (...,); always with spherical base joints.
+
+    Clear: the sine of the angle between k and s is ``MIN_SIN_POLE`` or more.
+    """
+    sines = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
+    return np.asarray((sines >= MIN_SIN_POLE).all(axis=-1) | (robot.base_joint == "spherical"))
+
+
+def _legs(robot: Robot, motion: Motion, wanted: Sequence[str]) -> dict[str, Any]:
+    """Quantities of all legs by name: L, L_dot, L_ddot (..., 6), None without accelerations; q, S, s, S_dot
+    (..., 6, 3).
+
+    Computed for blocks of poses, component by component: ten times as fast as on arrays whose last axis has
+    three numbers.
+    """
+    instance(robot, Robot, "robot")
+    instance(motion, Motion, "motion")
+    count = math.prod(motion.shape)
+    flat = {
+        name: array.reshape(count, 9 if name == "R" else 3)
+        for name in ("R", "t", "omega", "v", "alpha", "a")
+        if (array := getattr(motion, name)) is not None
+    }
+    shapes = {name: (6,) if name.startswith("L") else (6, 3) for name in wanted}
+    if motion.a is None:
+        shapes.pop("L_ddot", None)
+    found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
+    for start in range(0, count, BLOCK):
+        part = slice(start, start + BLOCK)
+        with np.errstate(all="ignore"):
+            block = _block(robot, {name: array[part].T.copy() for name, array in flat.items()})
+        _refuse_short(block["L"][0], ROUNDING * block["reach"][0], motion.shape, start)
+        for name, array in found.items():
+            # As rows of six or eighteen numbers: copies of long rows are the fast ones.
+            rows = np.stack(block[name], axis=1).reshape(array[0].size, -1)
+            array.reshape(count, -1)[part] = rows.T
+    arrays: dict[str, Any] = {
+        name: array.reshape(*motion.shape, *shapes[name]) for name, array in found.items()
+    }
+    return dict.fromkeys(wanted) | arrays
+
+
+def _block(robot: Robot, at: dict[str, Array]) -> dict[str, list[Array]]:
+    """The same for n poses, component by component, (6, n); ``at``: components first, (3, n) or (9, n)."""
+    R, t = at["R"], at["t"]
+    (p_x, p_y, p_z), b = (column[:, None] for column in robot.p.T), robot.b.T[:, :, None]
+    q = [R[3 * i] * p_x + R[3 * i + 1] * p_y + R[3 * i + 2] * p_z for i in range(3)]
+    S = [q[i] + t[i] - b[i] for i in range(3)]
+    reach = functools.reduce(np.maximum, (np.abs(x) for terms in (q, t, b) for x in terms))
+    L = np.sqrt(_dot(S, S))
+    s = [x / L for x in S]
+    S_dot = [x + v for x, v in zip(_cross(at["omega"], q), at["v"], strict=True)]
+    L_dot = _dot(s, S_dot)
+    found = {"q": q, "S": S, "L": [L], "reach": [reach], "s": s, "S_dot": S_dot, "L_dot": [L_dot]}
+    if "a" in at:
+        turned = _cross(at["omega"], _cross(at["omega"], q))
+        own = _cross(at["alpha"], q)
+        S_ddot = [x + y + a for x, y, a in zip(own, turned, at["a"], strict=True)]
+        # L W.W of (8) from the part of S_dot across the leg: |W x S| = L |W|.
+        across = [x - L_dot * y for x, y in zip(S_dot, s, strict=True)]
+        found["L_ddot"] = [_dot(s, S_ddot) + _dot(across, across) / L]
+    return found
+
+
+def _cross(x: Sequence[Array] | Array, y: Sequence[Array] | Array) -> list[Array]:
+    return [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+
+
+def _dot(x: Sequence[Array], y: Sequence[Array]) -> Array:
+    return x[0] * y[0] + x[1] * y[1] + x[2] * y[2]
+
+
+def _columns(force: Array, moment: Array) -> Array:
+    return np.swapaxes(np.concatenate([force, moment], axis=-1), -1, -2)
+
+
+def _refuse_short(L: Array, rounding: Array, shape: tuple[int, ...], start: int) -> None:
+    """Name the first leg, (6, n), of length zero; ``start``: number of the first pose of ``shape``."""
+    short = np.argwhere((rounding >= L).T)
+    if short.size:
+        pose, leg = (int(i) for i in short[0])
+        where = ", ".join(str(int(i)) for i in np.unravel_index(start + pose, shape)) if shape else ""
+        raise ValueError(f"motion: leg {leg + 1} has length zero{f' at motion[{where}]' if where else ''}")
+
+
+def _refuse_overflow(*results: Array | None) -> None:
+    if not all(values is None or np.isfinite(values).all() for values in results):
+        raise ValueError("motion: the kinematics of its legs overflow")

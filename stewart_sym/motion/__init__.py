@@ -1,0 +1,1 @@
+"""Motions of the platform: rotations, paths, logs and what smooths them."""

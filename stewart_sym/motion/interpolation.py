@@ -1,0 +1,125 @@
+"""A trajectory between its instants: the quintic that keeps their poses, rates and accelerations.
+
+Stands on ``trajectory``; needs NumPy alone. Between instants whose rates come from a spline of degree 5, as
+those of ``read_csv``, positions are that spline.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import real_array
+from ..io.tables import positive
+from .motion import Motion
+from .rotation import (
+    angular_motion_from_vector,
+    orthonormal,
+    rotation_from_vector,
+    vector_from_rotation,
+    vector_rate,
+    vector_second_rate,
+)
+from .trajectory import MOST_STEPS, PoseLog, Trajectory, need_trajectory
+
+Array = NDArray[np.float64]
+Path = Callable[[Array], Motion]
+"""Times, s, (n,) -> the motion there, of shape (n,)."""
+
+
+def between(trajectory: Trajectory | PoseLog) -> Path:
+    """Return the trajectory as a motion at any times from its first instant to its last, s, (...).
+
+    Positions and, from each instant to the next, the rotation vector are polynomials of degree 5 in time;
+    loads change linearly. Raises ValueError for fewer than two instants, and the function for times outside.
+    """
+    need_trajectory(trajectory)
+    time = trajectory.time
+    if len(time) < 2:
+        raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
+
+    def at(times: ArrayLike) -> Motion:
+        when = real_array(times, "times")
+        outside = ~((when >= time[0]) & (when <= time[-1]))
+        if np.any(outside):
+            raise ValueError(
+                f"times: expected times in [{time[0]:g}, {time[-1]:g}] s, got {when[outside][0]:g}"
+            )
+        i, share, h = _steps(time, when)
+        if np.all((share == 0.0) | (share == 1.0)):
+            return trajectory.at(np.asarray(i + (share[..., 0] == 1.0)))
+        # The polynomials of the steps in question alone: those of all would take as much room as the motion.
+        start, end = trajectory.at(i), trajectory.at(i + 1)
+        places = _quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
+        t, *rates = _values(places, share, h)
+        phi, phi_dot, phi_ddot = _values(_turning(h, start, end), share, h)
+        turning = angular_motion_from_vector(phi, phi_dot, phi_ddot)
+        R = orthonormal(rotation_from_vector(phi) @ start.R)
+        loads = {
+            name: None if load is None or after is None else load + share * (after - load)
+            for name, load, after in (("F_ext", start.F_ext, end.F_ext), ("M_ext", start.M_ext, end.M_ext))
+        }
+        return Motion(R, t, turning[0], rates[0], turning[1], rates[1], **loads)
+
+    return at
+
+
+def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
+    """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
+
+    Each takes the row of the instant before it. Raises ValueError for a rate that is not > 0 or makes too
+    many instants, and as ``between``.
+    """
+    need_trajectory(trajectory)
+    rate = positive(rate, "rate")
+    time = trajectory.time
+    count = float(time[-1] - time[0]) * rate * (1.0 + 1e-12)
+    if not count < MOST_STEPS:
+        raise ValueError(f"rate: expected > 0 Hz and at most {MOST_STEPS:,} instants, got {rate:g}")
+    path = between(trajectory)
+    when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])
+    i, share, h = _steps(time, when)
+    rows = tuple(trajectory.rows[int(k)] for k in i)
+    noise = trajectory.noise
+    if noise is not None:
+        start, end = noise.coordinates[:, :-1], noise.coordinates[:, 1:]
+        c = _quintic(np.diff(time)[:, None], tuple(start), tuple(end))
+        noise = noise._replace(coordinates=np.stack(_values(c[:, i], share, h)))
+    return Trajectory(when, path(when), trajectory.source, rows, noise)
+
+
+def _steps(time: Array, when: Array) -> tuple[NDArray[np.int64], Array, Array]:
+    """Step in which each time lies, the share of it that has passed, and its length, s, (..., 1)."""
+    i = np.minimum(np.searchsorted(time, when, side="right") - 1, len(time) - 2)
+    h = np.diff(time)[i][..., None]
+    return i, (when - time[i])[..., None] / h, h
+
+
+Ends = tuple[Array, Array, Array]
+
+
+def _turning(h: Array, start: Motion, end: Motion) -> Array:
+    """Coefficients as of ``_quintic`` of the rotation vector from the start of each step on."""
+    assert start.alpha is not None
+    assert end.alpha is not None
+    turn = vector_from_rotation(end.R @ np.swapaxes(start.R, -1, -2))
+    rates = vector_rate(turn, end.omega), vector_second_rate(turn, end.omega, end.alpha)
+    return _quintic(h, (np.zeros_like(turn), start.omega, start.alpha), (turn, *rates))
+
+
+def _quintic(h: Array, first: Ends, last: Ends) -> Array:
+    """Coefficients, (6, ..., 3), of powers of the share of a step h, from values, rates and second rates."""
+    c_0, c_1, c_2 = first[0], h * first[1], 0.5 * h**2 * first[2]
+    d, e, f = last[0] - c_0 - c_1 - c_2, h * last[1] - c_1 - 2.0 * c_2, h**2 * last[2] - 2.0 * c_2
+    c_3, c_4, c_5 = 10.0 * d - 4.0 * e + 0.5 * f, -15.0 * d + 7.0 * e - f, 6.0 * d - 3.0 * e + 0.5 * f
+    return np.stack([c_0, c_1, c_2, c_3, c_4, c_5])
+
+
+def _values(c: Array, share: Array, h: Array) -> Ends:
+    """Value, rate and second rate at shares of steps h, s, of coefficients (6, ..., 3)."""
+    x = c[0] + share * (c[1] + share * (c[2] + share * (c[3] + share * (c[4] + share * c[5]))))
+    rate = c[1] + share * (2.0 * c[2] + share * (3.0 * c[3] + share * (4.0 * c[4] + share * 5.0 * c[5])))
+    second = 2.0 * c[2] + share * (6.0 * c[3] + share * (12.0 * c[4] + share * 20.0 * c[5]))
+    return x, rate / h, second / h**2

@@ -1,0 +1,302 @@
+"""Motion of the platform at one or many instants: pose, velocities, accelerations and external load.
+
+Stands beside ``Robot`` at the start of the flow; whoever receives a ``Motion`` may trust its shapes and its
+rotations.  Knows nothing of robots, of time or of how the motion came about.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import finite_array, leading_shape
+from ..io.frozen import Frozen, read_only
+from .rotation import (
+    angular_acceleration_from_quaternion,
+    angular_acceleration_from_rpy,
+    angular_motion_from_vector,
+    angular_velocity_from_quaternion,
+    angular_velocity_from_rpy,
+    orthonormal,
+    rotation_from_quaternion,
+    rotation_from_rpy,
+    rotation_from_vector,
+    rpy_from_rotation,
+    rpy_motion,
+)
+
+__all__ = [
+    "Motion",
+    "angular_acceleration_from_rpy",
+    "angular_velocity_from_rpy",
+    "rotation_from_rpy",
+    "rpy_from_rotation",
+]
+
+Array = NDArray[np.float64]
+
+ROTATION_TOLERANCE = 1e-9
+FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)
+"""Of R given as float32: its own rounding and that of the few operations that made it."""
+
+
+@dataclass(frozen=True, eq=False)
+class Motion(Frozen):
+    """Motion of the platform's reference point and frame; SI units, base frame unless said otherwise.
+
+    R: orientation, platform to base, (..., 3, 3).
+    t: position of the reference point, m, (..., 3).
+    omega, v: angular velocity, rad/s, and velocity of the reference point, m/s, (..., 3).
+    alpha, a: angular acceleration, rad/s^2, and acceleration of the reference point, m/s^2, (..., 3);
+        both None when the motion has no accelerations, as for forward dynamics.
+    F_ext, M_ext: external force, N, and moment, N m, at the reference point, in the platform frame,
+        (..., 3); None for no load.
+
+    Leading shapes broadcast, as in NumPy, to one ``shape``; every array is a read-only private copy of that
+    shape.  ``motion[index]`` slices it.
+
+    R given as float32 is a rotation only to float32's rounding (R^T R = E to 2e-6): it is made orthonormal
+    in double, by the nearest rotation, and stored so.
+
+    Raises ``ValueError`` naming the argument: shapes that do not fit, entries that are no finite numbers,
+    R that is no rotation (R^T R = E to 1e-9 and det R > 0), one of alpha and a without the other.
+    """
+
+    R: Array
+    t: Array
+    omega: Array
+    v: Array
+    alpha: Array | None = None
+    a: Array | None = None
+    F_ext: Array | None = None
+    M_ext: Array | None = None
+
+    def __post_init__(self) -> None:
+        """Check every array and broadcast it."""
+        if (self.alpha is None) != (self.a is None):
+            missing = "alpha" if self.alpha is None else "a"
+            raise ValueError(f"{missing}: expected both accelerations, alpha and a, or neither")
+        arrays: dict[str, Array] = {}
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if value is not None or field.name in ("R", "t", "omega", "v"):
+                arrays[field.name] = finite_array(value, (3, 3) if field.name == "R" else (3,), field.name)
+        in_float = np.asarray(self.R).dtype == np.float32
+        _check_rotation(arrays["R"], FLOAT_TOLERANCE if in_float else ROTATION_TOLERANCE)
+        if in_float:
+            # Newton's step squares what is off: twice, and only rounding of a double is left.
+            arrays["R"] = orthonormal(orthonormal(arrays["R"]))
+        self._spread(arrays)
+
+    def _spread(self, arrays: dict[str, Array]) -> None:
+        """Set checked arrays, which nobody else holds, broadcast to one leading shape."""
+        order = [field.name for field in fields(self) if field.name in arrays]
+        shape = _leading_shape({name: arrays[name] for name in order})
+        for name in order:
+            core = arrays[name].shape[-2:] if name == "R" else arrays[name].shape[-1:]
+            object.__setattr__(self, name, np.broadcast_to(read_only(arrays[name]), (*shape, *core)))
+
+    @classmethod
+    def _sound(cls, arrays: dict[str, Array]) -> Motion:
+        """Make a motion of arrays already known to be finite, R a rotation, which nobody else holds."""
+        motion = cls.unchecked(*(np.empty(0),) * 4)
+        motion._spread(arrays)
+        return motion
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The leading shape: () for one instant."""
+        return self.t.shape[:-1]
+
+    def __getitem__(self, index: Any) -> Motion:
+        """Slice the leading shape, as a NumPy array of ``shape`` would be sliced."""
+        index = index if isinstance(index, tuple) else (index,)
+        # The vectors' own axes are spelt out, so that no index can reach them.
+        rest = () if any(item is Ellipsis for item in index) else (Ellipsis,)
+        picked: dict[str, Any] = {}
+        for field in fields(self):
+            value = getattr(self, field.name)
+            own = (slice(None),) * (2 if field.name == "R" else 1)
+            picked[field.name] = None if value is None else value[(*index, *rest, *own)]
+        return Motion(**picked)
+
+    def in_axes(self, Q: Array) -> Motion:
+        """Return the motion in base and platform frames turned by a rotation Q, (3, 3): x becomes Q x."""
+        vectors = {
+            field.name: value @ Q.T
+            for field in fields(self)
+            if field.name != "R" and (value := getattr(self, field.name)) is not None
+        }
+        return Motion(R=Q @ self.R @ Q.T, **vectors)
+
+    def __iter__(self) -> Iterator[Motion]:
+        """Go along the first axis of ``shape``."""
+        if not self.shape:
+            raise TypeError("a motion of shape () is one instant and cannot be iterated over")
+        return (self[i] for i in range(self.shape[0]))
+
+    @classmethod
+    def unchecked(
+        cls,
+        R: Array,
+        t: Array,
+        omega: Array,
+        v: Array,
+        alpha: Array | None = None,
+        a: Array | None = None,
+        F_ext: Array | None = None,
+        M_ext: Array | None = None,
+    ) -> Motion:
+        """Make a motion of arrays already known to be sound and of one leading shape; nothing is copied.
+
+        For inner loops, where the checks would cost more than the dynamics.
+        """
+        motion = object.__new__(cls)
+        motion.__dict__.update(R=R, t=t, omega=omega, v=v, alpha=alpha, a=a, F_ext=F_ext, M_ext=M_ext)
+        return motion
+
+    @classmethod
+    def from_rpy(
+        cls,
+        t: ArrayLike,
+        theta: ArrayLike,
+        v: ArrayLike,
+        theta_dot: ArrayLike,
+        a: ArrayLike | None = None,
+        theta_ddot: ArrayLike | None = None,
+        F_ext: ArrayLike | None = None,
+        M_ext: ArrayLike | None = None,
+    ) -> Motion:
+        """Make a motion from roll-pitch-yaw angles, (38), and their rates.
+
+        t, v, a: position, velocity and acceleration of the reference point, m, m/s, m/s^2, (..., 3).
+        theta, theta_dot, theta_ddot: (theta_x, theta_y, theta_z) and rates, rad, rad/s, rad/s^2, (..., 3).
+        a and theta_ddot are given together or not at all.  F_ext, M_ext as in ``Motion``.
+        """
+        if (a is None) != (theta_ddot is None):
+            missing = "a" if a is None else "theta_ddot"
+            raise ValueError(f"{missing}: expected both accelerations, a and theta_ddot, or neither")
+        angles = {
+            "theta": finite_array(theta, (3,), "theta"),
+            "theta_dot": finite_array(theta_dot, (3,), "theta_dot"),
+        }
+        if theta_ddot is not None:
+            angles["theta_ddot"] = finite_array(theta_ddot, (3,), "theta_ddot")
+        shape = _leading_shape(angles)
+        theta, theta_dot, *second = (np.broadcast_to(array, (*shape, 3)) for array in angles.values())
+        R, omega, alpha = rpy_motion(theta, theta_dot, second[0] if second else None)
+        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
+        checked = {
+            name: finite_array(value, (3,), name) for name, value in given.items() if value is not None
+        }
+        turned = {"R": R, "omega": omega} | ({} if alpha is None else {"alpha": alpha})
+        for name, array in turned.items():
+            if not np.isfinite(array).all():
+                finite_array(array, array.shape[len(shape) :], name)
+        return cls._sound(turned | checked)
+
+    @classmethod
+    def from_quaternion(
+        cls,
+        t: ArrayLike,
+        e: ArrayLike,
+        v: ArrayLike,
+        e_dot: ArrayLike,
+        a: ArrayLike | None = None,
+        e_ddot: ArrayLike | None = None,
+        F_ext: ArrayLike | None = None,
+        M_ext: ArrayLike | None = None,
+    ) -> Motion:
+        """Make a motion from quaternions, platform to base, and their rates: no orientation is special.
+
+        e: scalar first, (..., 4), of any length but zero; e_dot, e_ddot: its rates, 1/s and 1/s^2, (..., 4).
+        The rest as in ``from_rpy``.
+        """
+        turns = _turns((4,), {"e": e, "e_dot": e_dot, "e_ddot": e_ddot}, a)
+        alpha = None if a is None else angular_acceleration_from_quaternion(*turns)
+        omega = angular_velocity_from_quaternion(*turns[:2])
+        return cls._turned(rotation_from_quaternion(turns[0]), omega, alpha, t, v, a, F_ext, M_ext)
+
+    @classmethod
+    def from_rotation_vector(
+        cls,
+        t: ArrayLike,
+        phi: ArrayLike,
+        v: ArrayLike,
+        phi_dot: ArrayLike,
+        a: ArrayLike | None = None,
+        phi_ddot: ArrayLike | None = None,
+        F_ext: ArrayLike | None = None,
+        M_ext: ArrayLike | None = None,
+    ) -> Motion:
+        """Make a motion from rotation vectors, R = exp([phi]x), and their rates.
+
+        phi, phi_dot, phi_ddot: rad, rad/s, rad/s^2, (..., 3): turns by |phi| about phi; phi may be zero. The
+        rest as in ``from_rpy``.
+        """
+        turns = _turns((3,), {"phi": phi, "phi_dot": phi_dot, "phi_ddot": phi_ddot}, a)
+        second = np.zeros(3) if a is None else turns[2]
+        omega, alpha = angular_motion_from_vector(turns[0], turns[1], second)
+        R = rotation_from_vector(turns[0])
+        return cls._turned(R, omega, None if a is None else alpha, t, v, a, F_ext, M_ext)
+
+    @classmethod
+    def _turned(
+        cls,
+        R: Array,
+        omega: Array,
+        alpha: Array | None,
+        t: ArrayLike,
+        v: ArrayLike,
+        a: ArrayLike | None,
+        F_ext: ArrayLike | None,
+        M_ext: ArrayLike | None,
+    ) -> Motion:
+        given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
+        checked = {
+            name: None if value is None else finite_array(value, (3,), name) for name, value in given.items()
+        }
+        return cls(R=R, omega=omega, alpha=alpha, **checked)  # type: ignore[arg-type]
+
+
+def _turns(core: tuple[int, ...], given: dict[str, ArrayLike | None], a: ArrayLike | None) -> list[Array]:
+    """An orientation and its rates, checked; the second rate only along with a."""
+    second = list(given)[-1]
+    if (a is None) != (given[second] is None):
+        missing = "a" if a is None else second
+        raise ValueError(f"{missing}: expected both accelerations, a and {second}, or neither")
+    checked = {name: finite_array(value, core, name) for name, value in given.items() if value is not None}
+    _leading_shape(checked)
+    return list(checked.values())
+
+
+def _leading_shape(arrays: dict[str, Array]) -> tuple[int, ...]:
+    return leading_shape({name: x.shape[: -2 if name == "R" else -1] for name, x in arrays.items()})
+
+
+def _check_rotation(R: Array, tolerance: float) -> None:
+    if R.size == 0:
+        return
+    with np.errstate(over="ignore", invalid="ignore"):
+        off = np.max(np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)), axis=(-2, -1))
+        bad = ~(off <= tolerance)
+    if np.any(bad):
+        where = tuple(int(i) for i in np.argwhere(bad)[0])
+        cause = ""
+        if off[where] <= FLOAT_TOLERANCE and np.array_equal(R[where], R[where].astype(np.float32)):
+            cause = ": these are numbers of single precision, give R as an array of float32"
+        raise ValueError(
+            f"R{_at(where)}: expected a rotation matrix, R^T R differs from E by {off[where]:.2g}{cause}"
+        )
+    mirrored = np.linalg.det(R) < 0.0
+    if np.any(mirrored):
+        where = tuple(int(i) for i in np.argwhere(mirrored)[0])
+        raise ValueError(f"R{_at(where)}: expected a rotation matrix, this one is a reflection (det R = -1)")
+
+
+def _at(where: tuple[int, ...]) -> str:
+    return f"[{', '.join(str(i) for i in where)}]" if where else ""

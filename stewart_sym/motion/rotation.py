@@ -1,0 +1,371 @@
+"""Rotations by roll, pitch and yaw, (38), and by rotation vectors: matrices, rates and second rates.
+
+Plain vectorised functions; angles are ``theta = (theta_x, theta_y, theta_z)``, a rotation vector is the axis
+times the angle, base axes.  They know nothing of robots or motions.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.polynomial import polynomial
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import real_array
+
+Array = NDArray[np.float64]
+_Trig = tuple[Array, Array, Array, Array, Array, Array]
+
+BLOCK = 2048
+"""Poses computed at a time."""
+
+# Series by |phi|^2 of (1 - cos |phi|) / |phi|^2 and of (|phi| - sin |phi|) / |phi|^3.
+_A = np.array([(-1.0) ** k / math.factorial(2 * k + 2) for k in range(11)])
+_B = np.array([(-1.0) ** k / math.factorial(2 * k + 3) for k in range(11)])
+
+
+def rotation_from_rpy(theta: ArrayLike) -> Array:
+    """Return R = Rz(theta_z) Ry(theta_y) Rx(theta_x), platform to base, (38).
+
+    theta: rad, (..., 3).  Result: (..., 3, 3).
+    """
+    theta = _angles(theta, "theta")
+    R = np.empty((*theta.shape, 3))
+    _set_rotation(_trig(theta), R)
+    return R
+
+
+def rpy_motion(theta: Array, theta_dot: Array, theta_ddot: Array | None) -> tuple[Array, Array, Array | None]:
+    """Return R (..., 3, 3), omega (..., 3) and alpha (..., 3), or None, of angles and rates of one shape.
+
+    As ``rotation_from_rpy``, ``angular_velocity_from_rpy`` and ``angular_acceleration_from_rpy`` do, with one
+    evaluation of the sines, in blocks whose numbers stay in the processor's second cache.
+    """
+    R, omega = np.empty((*theta.shape, 3)), np.empty(theta.shape)
+    alpha = None if theta_ddot is None else np.empty(theta.shape)
+    angles, rates, rotations = theta.reshape(-1, 3), theta_dot.reshape(-1, 3), R.reshape(-1, 3, 3)
+    for start in range(0, len(angles), BLOCK):
+        part = slice(start, start + BLOCK)
+        trig, rate = _trig(angles[part]), _split(rates[part])
+        _set_rotation(trig, rotations[part])
+        _set_rows(_on_axes(trig, *rate), omega.reshape(-1, 3)[part])
+        if alpha is not None and theta_ddot is not None:
+            second = _split(theta_ddot.reshape(-1, 3)[part])
+            _set_rows(_acceleration(trig, rate, second), alpha.reshape(-1, 3)[part])
+    return R, omega, alpha
+
+
+def rotation_about_axes(theta: ArrayLike, order: str) -> Array:
+    """Return the product of the turns about the axes of ``order``: "zyx" for Rz Ry Rx, (38).
+
+    theta: (theta_x, theta_y, theta_z), rad, (..., 3), whatever the order.  Result: (..., 3, 3).
+    """
+    theta = _angles(theta, "theta")
+    R = np.eye(3)
+    for axis in order:
+        i = "xyz".index(axis)
+        R = R @ rotation_from_rpy(theta * np.eye(3)[i])
+    return np.asarray(R)
+
+
+def rpy_from_rotation(R: ArrayLike) -> Array:
+    """Return angles with R = Rz(theta_z) Ry(theta_y) Rx(theta_x) and |theta_y| <= pi/2; the inverse of (38).
+
+    R: rotations, (..., 3, 3).  Result: rad, (..., 3).  theta_x is read off Rz^T R, so the angles give R back
+    to rounding through theta_y = +-pi/2 too, where only theta_x -+ theta_z is determined.
+    """
+    R = real_array(R, "R", "real numbers of shape (..., 3, 3)")
+    if R.shape[-2:] != (3, 3):
+        raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}")
+    theta = np.empty(R.shape[:-1])
+    theta[..., 2] = np.arctan2(R[..., 1, 0], R[..., 0, 0])
+    s, c = np.sin(theta[..., 2]), np.cos(theta[..., 2])
+    theta[..., 1] = np.arctan2(-R[..., 2, 0], np.hypot(R[..., 0, 0], R[..., 1, 0]))
+    theta[..., 0] = np.arctan2(s * R[..., 0, 2] - c * R[..., 1, 2], c * R[..., 1, 1] - s * R[..., 0, 1])
+    return theta
+
+
+def angular_velocity_from_rpy(theta: ArrayLike, theta_dot: ArrayLike) -> Array:
+    """Return omega, rad/s, base frame, (..., 3), from angles (rad) and rates (rad/s), both (..., 3).
+
+    The three turns of (38) happen about e_x = Rz Ry x, e_y = Rz y and e_z = z, seen from the base, and
+    angular velocities about moving axes add up:  omega = e_x theta_x' + e_y theta_y' + e_z theta_z'.
+    """
+    theta, theta_dot = _angles(theta, "theta"), _angles(theta_dot, "theta_dot")
+    return _rows(_on_axes(_trig(theta), *_split(theta_dot)))
+
+
+def angular_acceleration_from_rpy(theta: ArrayLike, theta_dot: ArrayLike, theta_ddot: ArrayLike) -> Array:
+    """Return alpha, rad/s^2, base frame, (..., 3), from angles, rates and second rates (SI), all (..., 3).
+
+    The time derivative of omega = sum e_j theta_j'.  Each axis is carried by the turns outside of its own:
+    e_z' = 0,  e_y' = (e_z theta_z') x e_y,  e_x' = (e_z theta_z' + e_y theta_y') x e_x.  Hence
+    alpha = sum e_j theta_j'' + e_x' theta_x' + e_y' theta_y'.
+    """
+    theta, theta_dot = _angles(theta, "theta"), _angles(theta_dot, "theta_dot")
+    theta_ddot = _angles(theta_ddot, "theta_ddot")
+    return _rows(_acceleration(_trig(theta), _split(theta_dot), _split(theta_ddot)))
+
+
+def rotation_from_vector(phi: ArrayLike) -> Array:
+    """Return exp([phi]x): the turn by the angle |phi| about the direction of phi, base axes.
+
+    phi: rad, (..., 3).  Result: (..., 3, 3).
+    """
+    phi = _angles(phi, "phi")
+    half = 0.5 * np.linalg.norm(phi, axis=-1)[..., None, None]
+    N = cross_matrix(phi)
+    # sin(x)/x in both terms of Rodrigues' formula, as nothing cancels in it.
+    return np.asarray(np.eye(3) + _sinc(2.0 * half) * N + 0.5 * _sinc(half) ** 2 * N @ N)
+
+
+def vector_from_rotation(R: ArrayLike) -> Array:
+    """Return the rotation vector, rad, (..., 3), of rotations R (..., 3, 3), its length at most pi.
+
+    By the quaternion, which is the largest eigenvector of a symmetric matrix linear in R: good to rounding at
+    angles of 0 and of pi too, where only the sign of the vector is open.
+    """
+    quaternion = quaternion_from_rotation(R)
+    sine = np.linalg.norm(quaternion[..., 1:], axis=-1, keepdims=True)
+    angle = 2.0 * np.arctan2(sine, quaternion[..., :1])
+    ratio = np.where(sine > 0.0, angle / np.where(sine > 0.0, sine, 1.0), 2.0)
+    return np.asarray(ratio * quaternion[..., 1:])
+
+
+def rotation_from_quaternion(e: ArrayLike) -> Array:
+    """Return the rotation, (..., 3, 3), of a quaternion (..., 4), scalar first, of any length but zero.
+
+    R x = e x e^-1. Raises ``ValueError`` for a quaternion of length zero.
+    """
+    e = _unit_quaternion(_quaternions(e, "e"))
+    N = cross_matrix(e[..., 1:])
+    return np.asarray(np.eye(3) + 2.0 * e[..., :1, None] * N + 2.0 * N @ N)
+
+
+def angular_velocity_from_quaternion(e: ArrayLike, e_dot: ArrayLike) -> Array:
+    """Return omega, rad/s, base frame, (..., 3), from a quaternion and its rate, (..., 4), scalar first.
+
+    omega is the vector of 2 e' e^-1; what only changes the length of e has no part in it.
+    """
+    e, e_dot = _shares(_quaternions(e, "e"), _quaternions(e_dot, "e_dot"))
+    return np.asarray(2.0 * quaternion_product(e_dot, _inverse(e))[..., 1:])
+
+
+def angular_acceleration_from_quaternion(e: ArrayLike, e_dot: ArrayLike, e_ddot: ArrayLike) -> Array:
+    """Return alpha, rad/s^2, base frame, (..., 3): the vector of 2 (e'' e^-1 - (e' e^-1)^2)."""
+    given = _quaternions(e, "e"), _quaternions(e_dot, "e_dot"), _quaternions(e_ddot, "e_ddot")
+    e, e_dot, e_ddot = _shares(*given)
+    inverse = _inverse(e)
+    rate = quaternion_product(e_dot, inverse)
+    second = quaternion_product(e_ddot, inverse)
+    return np.asarray(2.0 * (second - quaternion_product(rate, rate))[..., 1:])
+
+
+def quaternion_product(one: Array, other: Array) -> Array:
+    """Return the product of quaternions (..., 4), scalar first."""
+    scalar = one[..., :1] * other[..., :1] - np.sum(one[..., 1:] * other[..., 1:], axis=-1, keepdims=True)
+    vector = (
+        one[..., :1] * other[..., 1:] + other[..., :1] * one[..., 1:] + cross(one[..., 1:], other[..., 1:])
+    )
+    return np.concatenate([scalar, vector], axis=-1)
+
+
+def quaternion_from_rotation(R: ArrayLike) -> Array:
+    """Return the unit quaternion, (..., 4), scalar first and not negative, of rotations R (..., 3, 3).
+
+    The largest eigenvector of a symmetric matrix linear in R: good to rounding at every rotation.
+    """
+    R = real_array(R, "R", "real numbers of shape (..., 3, 3)")
+    if R.shape[-2:] != (3, 3):
+        raise ValueError(f"R: expected shape (..., 3, 3), got {R.shape}")
+    skew = np.stack(
+        [R[..., 2, 1] - R[..., 1, 2], R[..., 0, 2] - R[..., 2, 0], R[..., 1, 0] - R[..., 0, 1]], axis=-1
+    )
+    trace = np.trace(R, axis1=-2, axis2=-1)
+    K = np.empty((*R.shape[:-2], 4, 4))
+    K[..., 0, 0] = trace
+    K[..., 0, 1:] = K[..., 1:, 0] = skew
+    K[..., 1:, 1:] = R + np.swapaxes(R, -1, -2) - trace[..., None, None] * np.eye(3)
+    quaternion = np.linalg.eigh(K)[1][..., -1]
+    return np.where(quaternion[..., :1] < 0.0, -quaternion, quaternion)
+
+
+def vector_rate(phi: ArrayLike, omega: ArrayLike) -> Array:
+    """Return the rate of phi, rad/s, (..., 3), where exp([phi]x) turns with omega, rad/s, base axes.
+
+    phi' = omega - phi x omega / 2 + c phi x (phi x omega),  c = (1 - (|phi|/2) cot(|phi|/2)) / |phi|^2;
+    needs |phi| < 2 pi.
+    """
+    phi, omega = _angles(phi, "phi"), _angles(omega, "omega")
+    square = np.sum(phi * phi, axis=-1, keepdims=True)
+    half = 0.5 * np.sqrt(square)
+    # Below 0.05 rad the two terms of c cancel; its series is then good to 1e-17.
+    small = half < 0.025
+    safe = np.where(small, 1.0, half)
+    series = (1.0 + square / 60.0 * (1.0 + square / 42.0 * (1.0 + square / 40.0))) / 12.0
+    c = np.where(small, series, (1.0 - safe / np.tan(safe)) / (4.0 * safe * safe))
+    across = cross(phi, omega)
+    return np.asarray(omega - 0.5 * across + c * cross(phi, across))
+
+
+def angular_motion_from_vector(
+    phi: ArrayLike, phi_dot: ArrayLike, phi_ddot: ArrayLike
+) -> tuple[Array, Array]:
+    """Return omega, rad/s, and alpha, rad/s^2, (..., 3), base axes, of exp([phi]x) and its rates, (..., 3).
+
+    omega = phi' + a phi x phi' + b phi x (phi x phi'),  a = (1 - cos |phi|) / |phi|^2,
+    b = (|phi| - sin |phi|) / |phi|^3; alpha is its time derivative.
+    """
+    phi, phi_dot = _angles(phi, "phi"), _angles(phi_dot, "phi_dot")
+    phi_ddot = _angles(phi_ddot, "phi_ddot")
+    a, b, _, _ = _vector_factors(phi)
+    once = cross(phi, phi_dot)
+    omega = phi_dot + a * once + b * cross(phi, once)
+    second = cross(phi, phi_ddot)
+    alpha = phi_ddot + a * second + b * cross(phi, second) + _turning(phi, phi_dot)
+    return omega, alpha
+
+
+def vector_second_rate(phi: ArrayLike, omega: ArrayLike, alpha: ArrayLike) -> Array:
+    """Return phi'', rad/s^2, (..., 3), where exp([phi]x) turns with omega, rad/s, and alpha, rad/s^2.
+
+    Needs |phi| < 2 pi.
+    """
+    phi, alpha = _angles(phi, "phi"), _angles(alpha, "alpha")
+    return vector_rate(phi, alpha - _turning(phi, vector_rate(phi, omega)))
+
+
+def orthonormal(R: Array) -> Array:
+    """Return R, (..., 3, 3), without the rounding of one product: Newton's step to the nearest rotation."""
+    return np.asarray(R @ (3.0 * np.eye(3) - np.swapaxes(R, -1, -2) @ R) / 2.0)
+
+
+def cross(x: Array, y: Array) -> Array:
+    """Return x x y, (..., 3): the vector product at a fraction of np.cross's cost for a few vectors."""
+    z = np.empty(np.broadcast_shapes(x.shape, y.shape))
+    (x0, x1, x2), (y0, y1, y2) = _split(x), _split(y)
+    z[..., 0], z[..., 1], z[..., 2] = x1 * y2 - x2 * y1, x2 * y0 - x0 * y2, x0 * y1 - x1 * y0
+    return z
+
+
+def cross_matrix(vector: Array) -> Array:
+    """Return [vector]x, (..., 3, 3), the matrix of the vector product from the left."""
+    x, y, z = _split(vector)
+    N = np.zeros((*vector.shape, 3))
+    N[..., 0, 1], N[..., 0, 2], N[..., 1, 2] = -z, y, -x
+    N[..., 1, 0], N[..., 2, 0], N[..., 2, 1] = z, -y, x
+    return N
+
+
+def _turning(phi: Array, phi_dot: Array) -> Array:
+    """What alpha has of phi' alone."""
+    _, b, a_slope, b_slope = _vector_factors(phi)
+    growth = 2.0 * np.sum(phi * phi_dot, axis=-1, keepdims=True)
+    once = cross(phi, phi_dot)
+    return np.asarray(growth * (a_slope * once + b_slope * cross(phi, once)) + b * cross(phi_dot, once))
+
+
+def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
+    """a and b of ``angular_motion_from_vector`` and their derivatives by |phi|^2, (..., 1)."""
+    square = np.sum(phi * phi, axis=-1, keepdims=True)
+    # Below 1 rad the closed forms cancel; eleven terms of the series are then good to rounding.
+    small = np.minimum(square, 1.0)
+    x = np.sqrt(np.maximum(square, 1.0))
+    sine, cosine = np.sin(x), np.cos(x)
+    closed = (
+        (1.0 - cosine) / x**2,
+        (x - sine) / x**3,
+        (x * sine - 2.0 * (1.0 - cosine)) / (2.0 * x**4),
+        (3.0 * sine - x * (2.0 + cosine)) / (2.0 * x**5),
+    )
+    series = (_A, _B, polynomial.polyder(_A), polynomial.polyder(_B))
+    pairs = zip(closed, series, strict=True)
+    a, b, a_slope, b_slope = (
+        np.where(square < 1.0, polynomial.polyval(small, terms), far) for far, terms in pairs
+    )
+    return a, b, a_slope, b_slope
+
+
+def _unit_quaternion(e: Array) -> Array:
+    (share,) = _shares(e)
+    return np.asarray(share / np.linalg.norm(share, axis=-1, keepdims=True))
+
+
+def _inverse(e: Array) -> Array:
+    return np.asarray(e * np.array([1.0, -1.0, -1.0, -1.0]) / np.sum(e * e, axis=-1, keepdims=True))
+
+
+def _shares(e: Array, *rates: Array) -> list[Array]:
+    """A quaternion and its rates over its largest component: squares then neither overflow nor vanish."""
+    largest = np.max(np.abs(e), axis=-1, keepdims=True)
+    return [each / largest for each in (e, *rates)]
+
+
+def _quaternions(value: ArrayLike, name: str) -> Array:
+    numbers = real_array(value, name, "real numbers of shape (..., 4)")
+    if numbers.shape[-1:] != (4,):
+        raise ValueError(f"{name}: expected shape (..., 4), got {numbers.shape}")
+    if name == "e" and not np.all(np.any(numbers != 0.0, axis=-1)):
+        raise ValueError("e: expected a quaternion of a length other than zero")
+    return numbers
+
+
+def _sinc(x: Array) -> Array:
+    return np.asarray(np.sinc(x / np.pi))
+
+
+def _trig(theta: Array) -> _Trig:
+    """Sines and cosines of the angles: sx, sy, sz, cx, cy, cz."""
+    x, y, z = _split(theta)
+    return np.sin(x), np.sin(y), np.sin(z), np.cos(x), np.cos(y), np.cos(z)
+
+
+def _set_rotation(trig: _Trig, R: Array) -> None:
+    sx, sy, sz, cx, cy, cz = trig
+    R[..., 0, 0], R[..., 0, 1], R[..., 0, 2] = cz * cy, cz * sy * sx - sz * cx, cz * sy * cx + sz * sx
+    R[..., 1, 0], R[..., 1, 1], R[..., 1, 2] = sz * cy, sz * sy * sx + cz * cx, sz * sy * cx - cz * sx
+    R[..., 2, 0], R[..., 2, 1], R[..., 2, 2] = -sy, cy * sx, cy * cx
+
+
+def _acceleration(
+    trig: _Trig, rates: Sequence[Array], seconds: Sequence[Array]
+) -> tuple[Array, Array, Array]:
+    x, y, z = rates
+    about_x = _on_axes(trig, x, 0.0, 0.0)
+    about_y = _on_axes(trig, 0.0, y, 0.0)
+    alpha = _on_axes(trig, *seconds)
+    # e_z z x (e_y y + e_x x) and e_y y x e_x x, component by component; e_y has no part along z.
+    return (
+        alpha[0] - z * (about_y[1] + about_x[1]) + about_y[1] * about_x[2],
+        alpha[1] + z * (about_y[0] + about_x[0]) - about_y[0] * about_x[2],
+        alpha[2] + about_y[0] * about_x[1] - about_y[1] * about_x[0],
+    )
+
+
+def _on_axes(trig: _Trig, x: Any, y: Any, z: Any) -> tuple[Array, Array, Array]:
+    """Components of e_x x + e_y y + e_z z with the axes of ``angular_velocity_from_rpy``."""
+    _, sy, sz, _, cy, cz = trig
+    return cz * cy * x - sz * y, sz * cy * x + cz * y, z - sy * x
+
+
+def _set_rows(components: tuple[Array, Array, Array], rows: Array) -> None:
+    rows[..., 0], rows[..., 1], rows[..., 2] = components
+
+
+def _rows(components: tuple[Array, Array, Array]) -> Array:
+    """Vectors, (..., 3), of their components."""
+    return np.stack(np.broadcast_arrays(*components), axis=-1)
+
+
+def _split(vector: Array) -> tuple[Array, Array, Array]:
+    return vector[..., 0], vector[..., 1], vector[..., 2]
+
+
+def _angles(value: ArrayLike, name: str) -> Array:
+    angles = real_array(value, name, "real numbers of shape (..., 3)")
+    if angles.shape[-1:] != (3,):
+        raise ValueError(f"{name}: expected shape (..., 3), got {angles.shape}")
+    return angles

@@ -1,0 +1,260 @@
+"""Smooth motions fitted to measured poses: Fourier series or splines, linear in their coefficients.
+
+The coordinates are position and roll-pitch-yaw angles, q(t) = basis(t) c. Differentiating the basis in place
+of the measured poses keeps their noise out of the accelerations; ``chain`` says what each coefficient moves.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import instance, real_array, shown
+from ..io.extras import needed_for
+from .motion import Motion
+from .rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
+
+Array = NDArray[np.float64]
+
+WITHOUT_PERIOD = "a smooth motion without a period"
+"""What needs SciPy, in words."""
+
+
+# Pitch angles beyond this, rad, leave roll and yaw too poorly determined to be smoothed.
+_STEEPEST = 1.4
+_DEGREE = 5
+# Larger bases tried without a gain before the search for a basis ends.
+_IN_VAIN = 4
+
+
+@dataclass(frozen=True, eq=False)
+class PoseNoise:
+    """How the poses of a motion were measured.
+
+    time: instants, s, (n,), increasing. position, angle: standard deviation of each coordinate of the
+    measured position, m, and of the rotation about each axis, rad; independent from instant to instant.
+    period: of a periodic motion, s, which is then a Fourier series; None: of any other, which is then a
+    spline of degree 5.
+    harmonics: of the series; None: as many as the measurement calls for.
+
+    Raises ValueError naming the argument.
+    """
+
+    time: Array
+    position: float
+    angle: float
+    period: float | None = None
+    harmonics: int | None = None
+
+    def __post_init__(self) -> None:
+        """Check every argument."""
+        time = real_array(self.time, "time", "increasing instants, s, (n,)")
+        if time.ndim != 1 or not np.isfinite(time).all() or not np.all(np.diff(time) > 0.0):
+            raise ValueError(f"time: expected increasing instants, s, (n,), got {shown(self.time)}")
+        time.setflags(write=False)
+        object.__setattr__(self, "time", time)
+        for name, unit in (("position", "m"), ("angle", "rad")):
+            _need_positive(getattr(self, name), name, f"a standard deviation > 0 {unit}")
+        if self.period is not None:
+            _need_positive(self.period, "period", "a duration > 0 s or None")
+        if self.harmonics is None:
+            return
+        if self.period is None:
+            raise ValueError("harmonics: expected None for a motion without a period")
+        if not isinstance(self.harmonics, int | np.integer) or isinstance(self.harmonics, bool):
+            raise ValueError(f"harmonics: expected a whole number or None, got {shown(self.harmonics)}")
+        most = (len(time) - 1) // 2
+        if not 1 <= self.harmonics <= most:
+            raise ValueError(
+                f"harmonics: expected 1 to {most} for {len(time)} instants, got {shown(self.harmonics)}"
+            )
+
+    @property
+    def weights(self) -> Array:
+        """One over the deviation of each coordinate, (6,)."""
+        return 1.0 / np.repeat([self.position, self.angle], 3)
+
+
+class Basis(NamedTuple):
+    """Functions of time and their first two derivatives at n instants, (n, m) each."""
+
+    value: Array
+    first: Array
+    second: Array
+
+    @property
+    def size(self) -> int:
+        """How many functions, m."""
+        return int(self.value.shape[1])
+
+    def motion(self, c: Array, load: Motion) -> Motion:
+        """The motion of the coefficients c, (m, 6), under the load of another, (n,)."""
+        q, q_dot, q_ddot = (part @ c for part in self)
+        t, v, a = (y[:, :3] for y in (q, q_dot, q_ddot))
+        theta, theta_dot, theta_ddot = (y[:, 3:] for y in (q, q_dot, q_ddot))
+        return Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot, load.F_ext, load.M_ext)
+
+
+def estimated_noise(
+    time: ArrayLike, motion: Motion, period: float | None = None, harmonics: int | None = None
+) -> PoseNoise:
+    """Estimate the noise of measured poses from their scatter about the smooth motion fitted to them.
+
+    Arguments: as for ``PoseNoise``; motion: its poses count, (n,). The fit has as many functions as lower the
+    residual by more than noise would. Raises ValueError naming the argument, and for poses without scatter.
+    """
+    scale = PoseNoise(time, 1.0, 1.0, period, harmonics)  # type: ignore[arg-type]
+    q = coordinates(motion, scale)
+    least, best = math.inf, (0.0, 0.0)
+    for basis in bases(scale):
+        squares = np.sum((q - basis.value @ pose_fit(basis, q)) ** 2, axis=0).reshape(2, 3).sum(axis=1)
+        spare = 3 * (len(q) - basis.size)
+        with np.errstate(divide="ignore"):
+            criterion = float(1.5 * len(q) * np.sum(np.log(squares)) + 6 * basis.size)
+        if criterion < least:
+            least, best = criterion, tuple(np.sqrt(squares / spare).tolist())
+    if not min(best) > 1e-12 * (1.0 + np.max(np.abs(q))):
+        raise ValueError("motion: expected measured poses that scatter about a smooth motion, got exact ones")
+    return PoseNoise(scale.time, *best, period, harmonics)
+
+
+def coordinates(motion: Motion, noise: PoseNoise) -> Array:
+    """Position and unwrapped angles of the measured poses, (n, 6).
+
+    Raises ValueError for another number of instants, and for pitch angles near a right angle.
+    """
+    instance(motion, Motion, "motion")
+    if motion.shape != noise.time.shape:
+        raise ValueError(f"motion: expected {len(noise.time)} instants as in time, got shape {motion.shape}")
+    theta = rpy_from_rotation(motion.R)
+    steepest = float(np.max(np.abs(theta[:, 1]), initial=0.0))
+    if steepest > _STEEPEST:
+        raise ValueError(f"motion: expected theta_y within {_STEEPEST:g} rad of 0, got {steepest:.3g}")
+    return np.concatenate([motion.t, np.unwrap(theta, axis=0)], axis=1)
+
+
+def from_best(noise: PoseNoise, q: Array) -> Iterator[Basis]:
+    """The bases from that on which explains measured coordinates, (n, 6), best for its size (Akaike)."""
+    found: list[tuple[float, Basis]] = []
+    for basis in bases(noise):
+        off = (q - basis.value @ pose_fit(basis, q)) * noise.weights
+        found.append((float(np.sum(off**2)) + 2.0 * 6 * basis.size, basis))
+        best = min(range(len(found)), key=lambda i: found[i][0])
+        if len(found) > best + _IN_VAIN:
+            break
+    yield from (basis for _, basis in found[best:])
+
+
+def smoothed(motion: Motion, noise: PoseNoise) -> Motion:
+    """The smooth motion that explains the measured poses alone best, under the load of the measured one.
+
+    Raises ValueError as ``coordinates``.
+    """
+    q = coordinates(motion, noise)
+    basis = next(from_best(noise, q))
+    return basis.motion(pose_fit(basis, q), motion)
+
+
+def pose_fit(basis: Basis, q: Array) -> Array:
+    """Coefficients by least squares, (m, 6)."""
+    return np.asarray(np.linalg.lstsq(basis.value, q, rcond=None)[0])
+
+
+def bases(noise: PoseNoise) -> Iterator[Basis]:
+    """Bases to choose from, by rising size, at most three quarters as many functions as instants."""
+    if noise.harmonics is not None and noise.period is not None:
+        yield _fourier(noise.time, noise.period, noise.harmonics)
+        return
+    size, most = 3, max(3 * len(noise.time) // 4, 7)
+    while size <= most:
+        if noise.period is not None:
+            yield _fourier(noise.time, noise.period, (size - 1) // 2)
+        elif size > _DEGREE:
+            yield _spline(noise.time, size)
+        size = max(size + 2, int(1.2 * size))
+
+
+def residual(basis: Basis, c: Array, motion: Motion, noise: PoseNoise) -> Array:
+    """Measured poses less those of the coefficients, over their deviations, (n, 6); turns as vectors."""
+    smooth = basis.motion(c, motion)
+    turn = vector_from_rotation(motion.R @ np.swapaxes(smooth.R, -1, -2))
+    return np.concatenate([motion.t - smooth.t, turn], axis=1) * noise.weights
+
+
+def chain(
+    basis: Basis, c: Array, motion: Motion
+) -> tuple[tuple[Array, ...], tuple[Array, ...], tuple[Array, ...]]:
+    """What the coordinates and their derivatives move: maps to pose, twist and acceleration.
+
+    motion: of the coefficients. Returns for the pose [dt; dphi], twist and acceleration the matrices (n, 6,
+    6) by q; by q, q_dot; and by q, q_dot, q_ddot. A turn dphi = E dq changes the angular velocity by
+    d(dphi)/dt - omega x dphi, and this in turn the angular acceleration by its rate.
+    """
+    q, q_dot, q_ddot = (part @ c for part in basis)
+    E, E_dot, E_ddot = _turns(q[:, 3:], q_dot[:, 3:], q_ddot[:, 3:])
+    W, A = cross_matrix(motion.omega), cross_matrix(np.asarray(motion.alpha))
+    one, zero = np.broadcast_to(np.eye(3), E.shape), np.zeros(E.shape)
+
+    def both(position: Array, turn: Array) -> Array:
+        return np.block([[position, zero], [zero, turn]])
+
+    pose = (both(one, E),)
+    twist = (both(zero, E_dot - W @ E), both(one, E))
+    second = (
+        both(zero, E_ddot - A @ E - W @ E_dot),
+        both(zero, 2.0 * E_dot - W @ E),
+        both(one, E),
+    )
+    return pose, twist, second
+
+
+def _turns(theta: Array, rate: Array, second: Array) -> tuple[Array, Array, Array]:
+    """E of omega = E theta_dot and its first two derivatives by time, (n, 3, 3)."""
+    e_z = np.broadcast_to([0.0, 0.0, 1.0], theta.shape)
+    (sin_y, sin_z), (cos_y, cos_z) = (f(theta[:, 1:]).T for f in (np.sin, np.cos))
+    e_y = np.stack([-sin_z, cos_z, np.zeros_like(sin_z)], axis=-1)
+    e_x = np.stack([cos_y * cos_z, cos_y * sin_z, -sin_y], axis=-1)
+    about_y = rate[:, 2:] * e_z
+    about_x = about_y + rate[:, 1:2] * e_y
+    about_y_dot = second[:, 2:] * e_z
+    about_x_dot = about_y_dot + second[:, 1:2] * e_y + rate[:, 1:2] * np.cross(about_y, e_y)
+    columns = [
+        (e, np.cross(w, e), np.cross(w_dot, e) + np.cross(w, np.cross(w, e)))
+        for e, w, w_dot in ((e_x, about_x, about_x_dot), (e_y, about_y, about_y_dot))
+    ]
+    columns.append((e_z, np.zeros(e_z.shape), np.zeros(e_z.shape)))
+    E, E_dot, E_ddot = (np.stack(parts, axis=-1) for parts in zip(*columns, strict=True))
+    return E, E_dot, E_ddot
+
+
+def _fourier(time: Array, period: float, harmonics: int) -> Basis:
+    rate = 2.0 * math.pi / period * np.arange(1, harmonics + 1)
+    sin, cos = np.sin(rate * time[:, None]), np.cos(rate * time[:, None])
+    one, zero = np.ones((len(time), 1)), np.zeros((len(time), 1))
+    return Basis(
+        np.hstack([one, sin, cos]),
+        np.hstack([zero, rate * cos, -rate * sin]),
+        np.hstack([zero, -(rate**2) * sin, -(rate**2) * cos]),
+    )
+
+
+def _spline(time: Array, size: int) -> Basis:
+    """B-splines whose knots lie among the instants as densely as these do."""
+    with needed_for(WITHOUT_PERIOD):
+        from scipy.interpolate import BSpline
+    since = time - time[0]
+    inner = np.interp(np.linspace(0.0, len(time) - 1.0, size - _DEGREE + 1), np.arange(len(time)), since)
+    knots = np.concatenate([np.repeat(since[0], _DEGREE), inner, np.repeat(since[-1], _DEGREE)])
+    functions = BSpline(knots, np.eye(size), _DEGREE)
+    return Basis(*(np.asarray(functions(since, order)) for order in range(3)))
+
+
+def _need_positive(value: object, name: str, expected: str) -> None:
+    number = real_array(value, name, expected)
+    if number.shape != () or not (np.isfinite(number) and number > 0.0):
+        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")

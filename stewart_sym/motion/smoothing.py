@@ -1,0 +1,535 @@
+"""Smoothing splines of noisy samples: values, rates, second rates and their covariance; NumPy alone.
+
+A spline of degree 5 on even knots minimises squared residuals over the noise's variance plus the squared
+differences of order d of its coefficients over a variance of their own: a Gaussian prior. Marginal likelihood
+chooses that variance and d, so the spread of the posterior is what noise and unresolved motion leave open.
+The knots are refined until the penalty alone limits the resolution. Long series are smoothed in windows that
+overlap by half, so time and memory grow with their length alone.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import real_array
+from ..io.tables import positive
+
+Array = NDArray[np.float64]
+
+DEGREE = 5
+
+
+class LogWarning(UserWarning):
+    """Noise in a log, or numbers in it that no machine makes."""
+
+
+ORDERS = (3, 4, 6, 8)
+"""Orders of the differences that the penalty may be of: from jerks that jump to band-limited motion."""
+CUTOFF_ORDER = 4
+WINDOW = 96
+"""Knot intervals of a window."""
+LEAST_SAMPLES = 40
+"""Below which noise is not estimated from the samples themselves."""
+
+_FEWEST_CELLS = 24
+# Samples of a chosen few windows settle knots and order for all of them.
+_TRIAL_WINDOWS = 8
+# Resolution is limited by the penalty where it leaves less than this share of the coefficients free.
+_FREE = 1.0 / 3.0
+# Of a penalty of weight 1: periods of eight knot intervals are halved.
+_EDGE = 2.0 * math.sin(math.pi / 8.0)
+_WEIGHTS = 10.0 ** np.linspace(-9.0, 12.0, 127)
+PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
+"""Of value, rate and second rate in a covariance."""
+
+# Digits of a number that is taken for exact, and noise below that share of the largest value for none.
+_EXACT_DIGITS = 12
+# Least part that the samples have in a mode whose noise is counted.
+_SEEN = 1e-6
+# How far columns of one sensor differ in noise.
+_ALIKE = 3.0
+# Samples of which means are taken to see correlated noise, and the fewest means.
+_MEANS, _LEAST_MEANS = (2, 3, 4, 6, 8, 12, 16, 24, 32), 60
+# Share of what differences of order 5 show that those of order 8 show of noise, and growths that white
+# noise does not have: over all, and from single samples to means of two.
+_NOISE_LIKE, _CORRELATED, _AT_ONCE = 0.75, 1.6, 1.1
+# Growth, for each sample of the means, that noise has at most; share of the numbers that are to change;
+# columns that tell; noise beyond that of rounding.
+_STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
+_CHUNK = 1 << 16
+
+
+class Smooth(NamedTuple):
+    """Columns of samples smoothed: (n, c) each, and what noise leaves open.
+
+    values, rates, second_rates: of the spline at the samples' times. sigma: standard deviation of the noise,
+    (c,). grid: times, (g,), at which covariance, (g, c, 6), is given: of value, rate and second rate, the
+    lower triangle row by row.
+    """
+
+    values: Array
+    rates: Array
+    second_rates: Array
+    sigma: Array
+    grid: Array
+    covariance: Array
+
+
+class Level(NamedTuple):
+    """Standard deviations of the noise of columns, (c,): as counted for white, and the least it can be.
+
+    correlation: how much larger the noise of slow changes, which ``sigma`` is for, is than that from one
+    sample to the next; 1 for white noise.
+    """
+
+    sigma: Array
+    least: Array
+    correlation: float = 1.0
+
+
+def smooth(
+    time: ArrayLike, values: ArrayLike, sigma: ArrayLike | None = None, cutoff: float | None = None
+) -> Smooth:
+    """Smooth columns of samples, zero phase, right up to both ends.
+
+    time: increasing, s, (n,), n > 3. values: (n, c). sigma: standard deviation of the noise of each column,
+    (c,) or one for all, > 0; None: as ``noise_level`` and the samples show it. cutoff: frequency, Hz, at
+    which the amplitude is halved; None: the likeliest. With a cut-off and no sigma the noise is that of the
+    residuals. A column without noise is rejected: interpolate it.
+
+    Raises ValueError naming the argument.
+    """
+    when, columns = real_array(time, "time"), real_array(values, "values")
+    if when.ndim != 1 or len(when) < 4 or not (np.diff(when) > 0.0).all():
+        raise ValueError(f"time: expected at least 4 increasing times, got shape {when.shape}")
+    if columns.ndim != 2 or len(columns) != len(when) or not np.isfinite(columns).all():
+        raise ValueError(f"values: expected finite columns ({len(when)}, c), got shape {columns.shape}")
+    cutoff = None if cutoff is None else positive(cutoff, "cutoff")
+    level = noise_level(when, columns)
+    if sigma is not None:
+        given = real_array(sigma, "sigma")
+        if given.shape not in ((), columns.shape[1:]):
+            raise ValueError(f"sigma: expected one number or {columns.shape[1]}, got shape {given.shape}")
+        level = stated(np.array(np.broadcast_to(given, columns.shape[1:])))
+    if sigma is not None or cutoff is None:
+        bad = ~(np.isfinite(level.sigma) & (level.sigma > 0.0))
+        if bad.any():
+            raise ValueError(f"sigma: expected deviations > 0, got {level.sigma[bad][0]:g}")
+    return smoothed(when, columns, None if sigma is None and cutoff is not None else level, cutoff)
+
+
+def smoothed(time: Array, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
+    """``smooth`` of checked arrays; without a level the noise is that of the residuals about the cut-off."""
+    since = time - time[0]
+    ones = np.ones(columns.shape[1])
+    if cutoff is not None:
+        knots, orders = _knots_of_cutoff(since, cutoff), np.full(len(ones), CUTOFF_ORDER)
+        weight = float(np.sinc(0.125) ** (2 * DEGREE + 2))
+        found = _smoothed(time, columns, ones if level is None else level.sigma, knots, orders, weight)
+        return _scaled(found, columns) if level is None else found
+    assert level is not None
+    knots, orders, seen = _resolve(since, columns, level.sigma)
+    # Modes that show less than rounding makes are those of numbers that stay the same.
+    likely = np.where(seen < 0.5 * level.least, level.sigma, np.clip(seen, level.least, 1.5 * level.sigma))
+    known = level.least == level.sigma
+    return _smoothed(time, columns, np.where(known, level.sigma, likely), knots, orders, None)
+
+
+def stated(sigma: Array) -> Level:
+    """A level that is known."""
+    return Level(sigma, sigma)
+
+
+def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
+    """Noise of each column of (n, c); 0 where there is none.
+
+    That of rounding to ``step``, (c,), None: ``rounding_step``, or that of noise where larger: high divided
+    differences of a smooth motion shrink with their order, those of white noise do not. Noise that means of
+    several samples show more of than white noise leaves them is correlated: what the slowest of these that
+    still look like noise show is taken for white. A number that stays the same over several samples counts as
+    one observation.
+    """
+    rounding = (rounding_steps(values) if step is None else step) / math.sqrt(12.0)
+    runs = 1 + np.count_nonzero(np.diff(values, axis=0), axis=0)
+    white, correlation = white_noise(time, values), _correlation(time, values, rounding)
+    sigma = np.maximum(rounding * np.sqrt(len(values) / runs), correlation * white)
+    # The residuals of correlated noise show less than what slow changes are made of.
+    known = (correlation > 1.0) & (white > 0.0)
+    return Level(sigma, np.where(known, sigma, rounding), correlation)
+
+
+def _scaled(unit: Smooth, columns: Array) -> Smooth:
+    """A fit under noise of deviation 1 with the deviation that its residuals show."""
+    leverage = np.mean(unit.covariance[..., 0], axis=0)
+    left = np.mean((columns - unit.values) ** 2, axis=0) / np.maximum(1.0 - leverage, 1.0 / len(columns))
+    return unit._replace(sigma=np.sqrt(left), covariance=unit.covariance * left[:, None])
+
+
+def rounding_steps(values: Array) -> Array:
+    """``rounding_step`` of each column of (n, c), (c,)."""
+    return np.array([rounding_step(column) for column in values.T])
+
+
+def rounding_step(values: Array) -> float:
+    """Step to which the numbers, (n,), are rounded: by decimals or significant digits; 0 for none found."""
+    largest = float(np.abs(values).max(initial=0.0))
+    if largest == 0.0:
+        return 0.0
+    decade = math.floor(math.log10(largest))
+    some = values[np.abs(values) > 1e-9 * largest]
+    decades = np.floor(np.log10(np.abs(some)))
+    found = [0.0]
+    for digits in range(-1, _EXACT_DIGITS):
+        if _written(values, digits, decade):
+            found.append(10.0 ** (decade - digits))
+            break
+    for digits in range(1, _EXACT_DIGITS - 1):
+        if _written(some, digits, decades):
+            found.append(float(np.sqrt(np.mean(10.0 ** (2.0 * (decades - digits))))))
+            break
+    return max(found)
+
+
+def white_noise(time: Array, values: Array) -> Array:
+    """Standard deviation of noise from one sample to the next, (c,), from divided differences; 0 for none."""
+    if len(time) < LEAST_SAMPLES:
+        return np.zeros(values.shape[1])
+    return _noisy_columns(*_levels(time, values), values)
+
+
+def _levels(time: Array, values: Array) -> tuple[Array, Array]:
+    """Noise as differences of low and of high order show it, (c,) each."""
+    low, high = (_difference_level(time, values, order) for order in (5, 8))
+    return low, high
+
+
+def _noisy_columns(low: Array, high: Array, values: Array) -> Array:
+    counts = high > 10.0**-_EXACT_DIGITS * np.abs(values).max(axis=0)
+    noisy = (high > 0.6 * low) & counts
+    if 2 * np.count_nonzero(noisy) >= len(noisy):
+        # Short logs show it too little in some of the columns of a sensor.
+        usual = float(np.median(high[noisy]))
+        noisy |= counts & (high > usual / _ALIKE) & (low < usual * _ALIKE)
+    return np.where(noisy, high, 0.0)
+
+
+def _correlation(time: Array, values: Array, rounding: Array) -> float:
+    """How much larger the noise of slow changes is in most columns (n, c); 1 for white noise and for none.
+
+    Of each column with more noise than rounding makes, the longest means count whose differences still look
+    like noise, not like motion.
+    """
+    first = white_noise(time, values)
+    changing = np.count_nonzero(np.diff(values, axis=0), axis=0) >= _CHANGING * (len(values) - 1)
+    noisy = np.flatnonzero((first > _BEYOND * rounding) & changing)
+    if len(noisy) < _FEWEST_COLUMNS:
+        return 1.0
+    found = np.ones(len(noisy))
+    like = np.ones(len(noisy), dtype=bool)
+    for length in _MEANS:
+        count = len(time) // length
+        if count < _LEAST_MEANS or not like.any():
+            break
+        whole = values[: count * length, noisy].reshape(count, length, -1).mean(axis=1)
+        low, high = _levels(time[: count * length].reshape(count, length).mean(axis=1), whole)
+        growth = high / first[noisy] * math.sqrt(length)
+        like &= (high > _NOISE_LIKE * low) & (growth < _STEEPEST * length)
+        found = np.where(like, growth, found)
+        if length == _MEANS[0] and np.quantile(found, 1 / 3) < _AT_ONCE:
+            return 1.0
+    slow = float(np.quantile(found, 1 / 3))
+    return slow if slow > _CORRELATED else 1.0
+
+
+def _written(values: Array, digits: int, decades: Array | int) -> bool:
+    """Whether all numbers end so many digits after their decade, or one for all; a few are tried first."""
+    for part in (slice(100), slice(None)):
+        per_step = 10.0 ** (digits - (decades if isinstance(decades, int) else decades[part]))
+        if not (np.rint(values[part] * per_step) / per_step == values[part]).all():
+            return False
+    return True
+
+
+def _difference_level(time: Array, values: Array, order: int) -> Array:
+    """Size of divided differences, (c,), over that for white noise of deviation 1.
+
+    Of the smallest fifth of them, in which there is no jump of an acceleration.
+    """
+    count = len(time) - order
+    at = np.arange(0, count, max(1, count // 20_000))[:, None] + np.arange(order + 1)
+    apart = (time[at][:, :, None] - time[at][:, None, :]) / (time[at[:, -1]] - time[at[:, 0]])[:, None, None]
+    apart[:, np.arange(order + 1), np.arange(order + 1)] = 1.0
+    factors = 1.0 / apart.prod(axis=-1)
+    factors /= np.linalg.norm(factors, axis=-1, keepdims=True)
+    return np.asarray(np.quantile(np.abs(np.einsum("nk,nkc->nc", factors, values[at])), 0.2, axis=0) / 0.2533)
+
+
+# Knots
+
+
+class _Knots(NamedTuple):
+    """Even knots: their distance, s, the number of intervals between them, and samples in each on average."""
+
+    step: float
+    cells: int
+    density: float
+
+    def windows(self) -> list[int]:
+        """First cell of every window; a single one takes all."""
+        return list(range(0, max(1, self.cells - WINDOW // 2), WINDOW // 2)) if self.cells > WINDOW else [0]
+
+    @property
+    def width(self) -> int:
+        """Cells of a window."""
+        return min(self.cells, WINDOW)
+
+    def share(self, start: int, places: Array) -> Array:
+        """Weight of the window from cell ``start`` at places in cells: those of all windows add up to 1.
+
+        It is 0 next to an end that another window overlaps, where the one knows less than the other.
+        """
+        margin = WINDOW / 6.0
+        last = start + self.width >= self.cells
+        rise = np.ones_like(places) if start == 0 else (places - start) / margin - 1.0
+        fall = np.ones_like(places) if last else (start + self.width - places) / margin - 1.0
+        return np.clip(np.minimum(rise, fall), 0.0, 1.0)
+
+
+def _whole(cells: int) -> int:
+    """At least as many cells, such that windows fill them."""
+    half = WINDOW // 2
+    return cells if cells <= WINDOW else -(-cells // half) * half
+
+
+def _knots_of_cutoff(since: Array, cutoff: float) -> _Knots:
+    nyquist = 0.5 / float(np.median(np.diff(since)))
+    if not 0.0 < cutoff < nyquist:
+        raise ValueError(
+            f"cutoff: expected a frequency > 0 and < {nyquist:g} Hz, half the rate, got {cutoff:g}"
+        )
+    step = 0.125 / cutoff
+    cells = since[-1] / step
+    return _Knots(step, _whole(max(1, math.ceil(cells))), len(since) / cells)
+
+
+def _resolve(since: Array, values: Array, sigma: Array) -> tuple[_Knots, NDArray[np.int64], Array]:
+    """Knots so fine that the penalty limits the resolution, and the likeliest order and noise, (c,)."""
+    orders = [order for order in ORDERS if order < len(since)]
+    cells = min(_FEWEST_CELLS, len(since))
+    while True:
+        knots = _Knots(float(since[-1]) / cells, cells, len(since) / cells)
+        starts = knots.windows()
+        trial = {starts[int(i)] for i in np.linspace(0, len(starts) - 1, min(len(starts), _TRIAL_WINDOWS))}
+        cost, free, squares, count = np.zeros((4, len(orders), values.shape[1]))
+        for start in trial:
+            window = _Window.of(since, values, knots, start)
+            for i, order in enumerate(orders):
+                found = window.likeliest(order, sigma)
+                cost[i] += found.cost
+                free[i] = np.maximum(free[i], found.free / window.size)
+                squares[i] += found.noise[0]
+                count[i] += found.noise[1]
+        best = np.argmin(cost, axis=0)
+        pick = (best, np.arange(len(best)))
+        finer = _whole(2 * cells)
+        if free[pick].max() <= _FREE or finer > len(since):
+            seen = np.sqrt(squares[pick] / np.maximum(count[pick], 1.0))
+            return knots, np.array(orders)[best], np.where(count[pick] > 0.0, seen, sigma)
+        cells = finer
+
+
+# One window
+
+
+class _Fit(NamedTuple):
+    """Columns in the modes, (p, p), of one window and order: mean and variance of each mode, (p, c).
+
+    cost: -2 log likelihood, (c,). free: effective number of coefficients, (c,). noise: sum of squares and
+    number of the modes just beyond the resolution, which hold noise alone, (c,) each.
+    """
+
+    modes: Array
+    mean: Array
+    variance: Array
+    cost: Array
+    free: Array
+    noise: tuple[Array, Array]
+
+
+class _Window(NamedTuple):
+    """Samples in a window as the spline's coefficients see them; B: the B-splines at the samples.
+
+    G = B^T B, (p, p). pilot: coefficients of a fit, (p, c); what differs from it is as small as the noise, so
+    nothing cancels. rest: B^T times its residuals, (p, c). residual, spread: sums of squares, (c,), of the
+    residuals and about the mean. density: as of the knots.
+    """
+
+    G: Array
+    pilot: Array
+    rest: Array
+    residual: Array
+    spread: Array
+    density: float
+
+    @property
+    def size(self) -> int:
+        """Number of coefficients."""
+        return len(self.G)
+
+    @classmethod
+    def of(cls, since: Array, values: Array, knots: _Knots, start: int) -> _Window:
+        """The window that begins with a cell."""
+        first, last = np.searchsorted(since, knots.step * np.array([start, start + knots.width]))
+        end = len(since) if start + knots.width >= knots.cells else int(last)
+        cell, u = _places(since[first:end], knots.step, start, knots.width)
+        N, y = _b_splines(u, DEGREE), values[first:end]
+        size, inner = knots.width + DEGREE, range(DEGREE + 1)
+        # Samples lie in order of time, those of a cell side by side.
+        filled, starts = np.unique(cell, return_index=True)
+
+        def sums(x: Array) -> Array:
+            return np.add.reduceat(x, starts, axis=0) if len(starts) else x
+
+        def project(x: Array) -> Array:
+            total = np.zeros((size, x.shape[1]))
+            for i in inner:
+                total[filled + i] += sums(N[:, i, None] * x)
+            return total
+
+        G = np.zeros((size, size))
+        for i in inner:
+            products = sums(N[:, i, None] * N)
+            for j in inner:
+                G[filled + i, filled + j] += products[:, j]
+        M = G + _penalty(size, ORDERS[0], knots.density)[0]
+        pilot, rest = np.zeros((size, y.shape[1])), y
+        for _ in range(2):
+            pilot = pilot + np.linalg.solve(M, project(rest))
+            rest = y - _along(N, cell, pilot)
+        spread = np.sum((y - y.sum(axis=0) / max(1, len(y))) ** 2, axis=0)
+        return cls(G, pilot, project(rest), np.sum(rest**2, axis=0), spread, knots.density)
+
+    def columns(self, own: NDArray[np.int64]) -> _Window:
+        """The window of some columns alone."""
+        return self._replace(
+            pilot=self.pilot[:, own],
+            rest=self.rest[:, own],
+            residual=self.residual[own],
+            spread=self.spread[own],
+        )
+
+    def likeliest(self, order: int, sigma: Array, weight: float | None = None) -> _Fit:
+        """Posterior of the coefficients under noise sigma, (c,), with the likeliest weight or a given one."""
+        regular, P = _penalty(self.size, order, self.density)
+        M = self.G + regular
+        inverse = np.linalg.inv(np.linalg.cholesky(M))
+        rho, V = np.linalg.eigh(inverse @ P @ inverse.T)
+        rho = np.clip(rho, 0.0, 1.0)[:, None]
+        rho[:order] = 0.0
+        gamma, X = 1.0 - rho, inverse.T @ V
+        z, bent = X.T @ self.rest, X.T @ (M @ self.pilot)
+        weights = _WEIGHTS if weight is None else np.array([weight])
+        pull = weights[:, None, None] * rho
+        A = gamma + pull
+        squares = self.residual + np.sum(pull * bent**2 - (z - pull * bent) ** 2 / A, axis=1)
+        loose = sigma**2 / np.maximum(self.spread, sigma**2)
+        cost = np.sum(np.log1p(gamma / (pull + loose)), axis=1) + squares / sigma**2
+        best = np.argmin(cost, axis=0)
+        pull, A = pull[best, :, 0].T, A[best, :, 0].T
+        idle = (pull > 10.0 * gamma) & (gamma > _SEEN)
+        seen = np.maximum(gamma, _SEEN)
+        noise = np.where(idle, (gamma * bent + z) ** 2 / seen, 0.0)
+        # Expected square of the error: the noise's, and that of smoothing as far as the samples show it.
+        steep = (np.maximum(rho, 1e-300) / seen) ** (2.0 / order) * (pull / A) ** 2 * (pull < 3.0 * gamma)
+        square = np.sum(steep * (((gamma * bent + z) / seen) ** 2 - sigma**2 / seen), axis=0)
+        prior = np.sum(steep * sigma**2 / np.maximum(pull, 1e-300), axis=0)
+        bias = np.clip(square / np.maximum(prior, 1e-300), 0.0, 1.0)
+        return _Fit(
+            modes=X,
+            mean=bent + (z - pull * bent) / A,
+            variance=sigma**2 * (gamma + bias * pull) / A**2,
+            cost=np.take_along_axis(cost, best[None], axis=0)[0],
+            free=np.sum(gamma / A, axis=0),
+            noise=(noise.sum(axis=0), np.count_nonzero(idle, axis=0).astype(np.float64)),
+        )
+
+
+def _penalty(size: int, order: int, density: float) -> tuple[Array, Array]:
+    """The penalty of weight 1, (size, size), with what keeps a gap in the log regular, and without."""
+    rough = np.diff(np.eye(size), order, axis=0)
+    P = density / _EDGE ** (2 * order) * rough.T @ rough
+    return P + 1e-12 * density * np.eye(size), P
+
+
+def _smoothed(
+    time: Array,
+    values: Array,
+    sigma: Array,
+    knots: _Knots,
+    orders: NDArray[np.int64],
+    weight: float | None,
+) -> Smooth:
+    count = values.shape[1]
+    since = time - time[0]
+    coefficients = np.zeros((knots.cells + DEGREE, count))
+    grid = np.arange(2 * knots.cells + 1) / 2.0
+    covariance = np.zeros((len(grid), count, len(PAIRS)))
+    for start in knots.windows():
+        window = _Window.of(since, values, knots, start)
+        inside = slice(2 * start, 2 * (start + knots.width) + 1)
+        cell, u = _places(grid[inside], 1.0, start, knots.width)
+        bases = [_dense(cell, _b_splines(u, DEGREE, rate), knots) for rate in range(3)]
+        share = knots.share(start, grid[inside])
+        centres = np.clip(np.arange(window.size) - DEGREE // 2, 0, knots.width)
+        blend = knots.share(start, (start + centres).astype(np.float64))
+        for order in np.unique(orders):
+            own = np.flatnonzero(orders == order)
+            fit = window.columns(own).likeliest(int(order), sigma[own], weight)
+            coefficients[start : start + window.size, own] += blend[:, None] * (fit.modes @ fit.mean)
+            rows = [base @ fit.modes / knots.step**rate for rate, base in enumerate(bases)]
+            for k, (i, j) in enumerate(PAIRS):
+                covariance[inside, own, k] += share[:, None] * ((rows[i] * rows[j]) @ fit.variance)
+    found = np.empty((3, *values.shape))
+    for part in (slice(i, i + _CHUNK) for i in range(0, len(time), _CHUNK)):
+        cell, u = _places(since[part], knots.step, 0, knots.cells)
+        for rate in range(3):
+            N = _b_splines(u, DEGREE, rate) / knots.step**rate
+            found[rate, part] = _along(N, cell, coefficients)
+    return Smooth(found[0], found[1], found[2], sigma, time[0] + knots.step * grid, covariance)
+
+
+def _places(since: Array, step: float, start: int, cells: int) -> tuple[NDArray[np.int64], Array]:
+    """Cell of each time, counted from ``start``, and the place in it, 0 to 1."""
+    place = since / step - start
+    cell = np.clip(place.astype(np.int64), 0, cells - 1)
+    return cell, place - cell
+
+
+def _b_splines(u: Array, degree: int, rate: int = 0) -> Array:
+    """The degree + 1 B-splines on knots 1 apart that are not 0 at u in [0, 1], (n, degree + 1), or rates."""
+    N = np.ones((len(u), 1))
+    for k in range(1, degree - rate + 1):
+        starts = np.arange(1 - k, 1)
+        rise, fall = (u[:, None] - starts) / k * N, (starts + k - u[:, None]) / k * N
+        N = np.pad(rise, ((0, 0), (1, 0))) + np.pad(fall, ((0, 0), (0, 1)))
+    for _ in range(rate):
+        N = np.pad(N, ((0, 0), (1, 0))) - np.pad(N, ((0, 0), (0, 1)))
+    return N
+
+
+def _along(N: Array, cell: NDArray[np.int64], coefficients: Array) -> Array:
+    """Spline of coefficients (p, c) where the B-splines of the cells are N, (n, c)."""
+    total = np.zeros((len(cell), coefficients.shape[1]))
+    for i in range(N.shape[1]):
+        total += N[:, i, None] * coefficients[cell + i]
+    return total
+
+
+def _dense(cell: NDArray[np.int64], N: Array, knots: _Knots) -> Array:
+    B = np.zeros((len(cell), knots.width + DEGREE))
+    B[np.arange(len(cell))[:, None], cell[:, None] + np.arange(DEGREE + 1)] = N
+    return B

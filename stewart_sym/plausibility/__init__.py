@@ -1,0 +1,1 @@
+"""Whether a robot file describes a machine that can exist."""

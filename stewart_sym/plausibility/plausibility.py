@@ -1,0 +1,682 @@
+"""Doubts about a robot's numbers: what the schema allows and hardly any machine has, with the likely cause.
+
+Above ``home``, at whose pose forces, legs and joints are examined; for ``check``. Every threshold lies
+between what machines have and what the mistake makes of it; where a machine may well be right, nothing is
+said.
+"""
+
+import itertools
+import warnings
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dynamics.home_pose import home_pose, radius
+from ..dynamics.inverse import inverse_dynamics
+from ..kinematics.conditioning import scaled_condition_number
+from ..kinematics.mounting import AssemblyModeWarning
+from ..motion.motion import Motion
+from ..motion.rotation import rotation_from_quaternion, rotation_from_vector
+from ..robot.robot import LEGS, Robot, legs_text
+
+Array = NDArray[np.float64]
+
+MOST_GRAVITY = 50.0
+"""m/s^2: twice Jupiter's; in mm/s^2 or cm/s^2 the Moon's is 1,620 or 162."""
+MOST_SIZE = 50.0
+"""m, RMS radius of points: larger machines are rarer than files in millimetres."""
+LEAST_SIZE = 1e-4
+MOST_PROPORTION = (2.5, 200.0)
+"""Platform over base: an exchange of the two, and points in another unit."""
+STRAY = 50.0
+DENSEST = 22590.0
+"""kg/m^3: of osmium, all over a ball around the platform points. In grams light platforms exceed it too."""
+LEAST_DENSITY = 0.01
+"""kg/m^3: a hundredth of air's. In millimetres a platform is a thousand million times too large."""
+MOST_GYRATION = 5.0
+"""Radius of gyration over the machine's size: kg cm^2 for kg m^2 makes it 100 times too large."""
+LEAST_GYRATION = (0.02, 0.002)
+"""The same of the platform over its own size, and of a leg's part: rods have 0.1, a factor of 1e-6 makes it
+1000 times too small."""
+MOST_FRICTION = 1e3
+"""Viscous friction over the machine's weight, at the speed that it falls its own size with."""
+MOST_SPEED = 50.0
+"""m/s."""
+GOOD_CONDITION, MISPAIRED, TWISTED = 12.0, 6.0, np.radians(75.0)
+"""Level poses of machines have scaled condition numbers of 1.5 to 3, of unusual ones up to 30; legs in wrong
+order have 15 and more, 6 times and more of what they have in the right order, or a platform twisted by 120
+degrees."""
+MOST_CONDITION = 1e3
+EXCHANGED = -0.5
+"""Of two legs, the way between their base points times that between their platform points, over both radii,
+seen along the machine's axis: negative where they cross, and no sound machine's are below this."""
+SINGULAR_SHARE = 1e-3
+"""Least singular value over the largest: of sound machines it is above this at some of the random poses."""
+LEAST_SINE, LEAST_SINES = 0.03, 0.1
+"""Of the angle between a leg and its universal axis at the home pose, of any leg where length
+limits say where home is, and of all six."""
+MOST_OFFSET = (0.5, 0.15, 5.0)
+"""Distance of a centre of mass from the leg's axis, over the leg, and over the leg where it is also this many
+times its place along the axis."""
+MOST_OVERLAP = 1.25
+"""Distances of both centres of mass from their joints, over the leg: parts that just slide past each other
+have 1 when the leg is shortest."""
+
+
+class Doubt(NamedTuple):
+    """One line about a robot: name, as ``accept`` takes it, and text with the likely cause."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True, eq=False)
+class _Home:
+    """A pose at rest: R, t, L, m, and F, N; ``fits``: whether the legs are within their limits."""
+
+    R: Array
+    t: Array
+    L: Array
+    F: Array
+    fits: bool
+
+
+def doubts(robot: Robot) -> list[Doubt]:
+    """Doubts about a robot but those that it accepts; impossible inertias are not among them.
+
+    A doubt that explains others stands for them: where a unit is wrong or all poses are singular, nothing is
+    said of poses.
+    """
+    with np.errstate(all="ignore"), warnings.catch_warnings():
+        # On which side of the base the platform is decides no doubt.
+        warnings.simplefilter("ignore", AssemblyModeWarning)
+        found = _found(robot)
+    return found
+
+
+def _found(robot: Robot) -> list[Doubt]:
+    def left(found: Iterable[Doubt]) -> list[Doubt]:
+        return [doubt for doubt in found if doubt.name not in robot.accept]
+
+    base, platform = radius(robot.b), radius(robot.p)
+    if not np.isfinite(base + platform):
+        text = (
+            "base or platform points so far out that distances overflow; likely cause: a slip in an exponent"
+        )
+        return left([Doubt("length-unit", text)])
+    reach = float(max(np.abs(robot.b).max(), np.abs(robot.p).max()))
+    collapsed = min(base, platform) <= max(_SAME**2 * max(base, platform), _ROUNDING * reach)
+    found = [] if collapsed else left(_of_numbers(robot))
+    if not found:
+        found = left(_of_geometry(robot))
+    if not found:
+        t = _level_home(robot)
+        found = left(_of_order(robot, t)) or left(_of_home(robot, _home(robot, t)))
+    return found
+
+
+# Single numbers
+
+
+def _of_numbers(robot: Robot) -> Iterator[Doubt]:
+    gravity = float(np.linalg.norm(robot.g))
+    if gravity > MOST_GRAVITY:
+        yield Doubt("gravity", f"gravity: {gravity:g} m/s^2; likely cause: given in mm/s^2 or cm/s^2")
+    lengths = list(_of_lengths(robot))
+    yield from lengths
+    if not lengths:
+        size = radius(robot.b) + radius(robot.p)
+        yield from _of_masses(robot, size)
+        yield from _of_friction(robot, size)
+    fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))
+    if fast.size:
+        yield Doubt(
+            "speed-limit",
+            f"speed_limit of {legs_text(fast.tolist())}: {robot.speed_limit[fast].max():g} m/s; likely "
+            "cause: "
+            f"given in mm/s",
+        )
+
+
+def _of_lengths(robot: Robot) -> Iterator[Doubt]:
+    base, platform = radius(robot.b), radius(robot.p)
+    sizes = f"base points {base:.3g} m, platform points {platform:.3g} m in RMS radius"
+    strays = [
+        f"{what} of leg {i + 1}"
+        for what, points in (("base_point", robot.b), ("platform_point", robot.p))
+        for i in _strays(points)
+    ]
+    if strays:
+        yield Doubt(
+            "stray-point",
+            f"{', '.join(strays)}: more than {STRAY:g} times as far out as the others; likely cause: "
+            "given in "
+            f"millimetres, or a decimal point lost",
+        )
+    elif max(base, platform) > MOST_SIZE and min(base, platform) * MOST_PROPORTION[1] > max(base, platform):
+        yield Doubt("length-unit", f"{sizes}; likely cause: points in millimetres, expected metres")
+    elif 0.0 < max(base, platform) < LEAST_SIZE:
+        yield Doubt("length-unit", f"{sizes}; likely cause: points in kilometres, expected metres")
+    elif platform > 0.0 and base > 0.0:
+        yield from list(_of_proportion(platform / base, sizes)) or _of_lightness(robot, sizes)
+
+
+def _strays(points: Array) -> list[int]:
+    """Points that lie far from the middle of the others beside those."""
+    found = []
+    for i in range(LEGS):
+        others = np.delete(points, i, axis=0)
+        size = radius(others)
+        if size > 0.0 and np.linalg.norm(points[i] - others.mean(axis=0)) > STRAY * size:
+            found.append(i)
+    return found
+
+
+def _of_proportion(ratio: float, sizes: str) -> Iterator[Doubt]:
+    exchanged, unit = MOST_PROPORTION
+    if ratio > unit:
+        yield Doubt("proportion", f"{sizes}; likely cause: platform points in millimetres")
+    elif ratio < 1.0 / unit:
+        yield Doubt("proportion", f"{sizes}; likely cause: base points in millimetres")
+    elif ratio > exchanged:
+        yield Doubt(
+            "proportion",
+            f"{sizes}; likely cause: base_point and platform_point exchanged (the base is fixed)",
+        )
+
+
+def _of_lightness(robot: Robot, sizes: str) -> Iterator[Doubt]:
+    density = _density(robot.M, _reach(robot))
+    if density < LEAST_DENSITY:
+        yield Doubt(
+            "length-unit",
+            f"{sizes}, platform {robot.M:g} kg, {density:.2g} kg/m^3 all over a ball around its points; "
+            "likely cause: points in millimetres or centimetres, expected metres",
+        )
+
+
+def _reach(robot: Robot) -> float:
+    """Distance of the farthest platform point from their middle, m."""
+    return float(np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=-1).max())
+
+
+def _density(mass: float, r: float) -> float:
+    """Of a ball, kg/m^3."""
+    return float(mass / (4.0 / 3.0 * np.pi * np.float64(r) ** 3))
+
+
+def _of_friction(robot: Robot, size: float) -> Iterator[Doubt]:
+    """Viscous friction that would stop the machine at once, N s/m or N m s."""
+    weight = 9.81 * (robot.M + robot.m_d.sum() + robot.m_u.sum())
+    most = MOST_FRICTION * weight / np.sqrt(9.81 * size) if size > 0.0 else np.inf
+    turning, sliding = ("N m s", size**2), ("N s/m", 1.0)
+    joints = (("C_u", robot.C_u, *turning), ("C_p", robot.C_p, *sliding), ("C_s", robot.C_s, *turning))
+    for name, values, unit, lever in joints:
+        legs = np.flatnonzero(values > most * lever).tolist()
+        if legs:
+            yield Doubt(
+                "friction",
+                f"{name} of {legs_text(legs)}: {values[legs].max():.3g} {unit}, {MOST_FRICTION:g} times the "
+                f"weight and more at {np.sqrt(9.81 * size):.2g} m/s; likely cause: another unit, or dry "
+                "friction given, expected viscous friction",
+            )
+
+
+def _of_masses(robot: Robot, size: float) -> Iterator[Doubt]:
+    bodies = [("platform", np.array([robot.M]), robot.I_p[None])]
+    bodies += [("lower part", robot.m_d, robot.I_d0), ("upper part", robot.m_u, robot.I_u0)]
+    for name, masses, inertias in bodies:
+        largest = np.linalg.eigvalsh(inertias)[:, -1].clip(min=0.0)
+        gyration = np.sqrt(largest / masses)
+        least = LEAST_GYRATION[0] * _reach(robot) if name == "platform" else LEAST_GYRATION[1] * size
+        wide, narrow = gyration > MOST_GYRATION * size, (0.0 < gyration) & (gyration < least)
+        legs = np.flatnonzero(wide if wide.any() else narrow).tolist()
+        where = f"{name}: " if name == "platform" else f"{name} of {legs_text(legs)}: "
+        cause = (
+            "inertia in kg mm^2, g cm^2 or kg cm^2, or about a point that is not the centre of mass"
+            if wide.any()
+            else "inertia converted from kg mm^2 twice, or masses in grams"
+        )
+        reach = max(_reach(robot), 2.0 * float(gyration[0]))
+        density = _density(robot.M, reach)
+        if name == "platform" and density > DENSEST and reach > 0.0 and not wide.any():
+            yield Doubt(
+                "mass",
+                f"platform: {robot.M:g} kg within {reach:.3g} m, {density / DENSEST:.2g} times as dense as "
+                "the densest metal; likely cause: mass in grams",
+            )
+            return
+        if legs and size > 0.0:
+            yield Doubt(
+                "inertia-size",
+                f"{where}inertia {largest[legs[0]]:.3g} kg m^2 at {masses[legs[0]]:g} kg is that of a body "
+                f"{gyration[legs[0]]:.3g} m in radius of gyration, on a machine of {size:.3g} m; likely "
+                f"cause: {cause}",
+            )
+    far = np.linalg.norm(robot.R_0 - robot.p.mean(axis=0))
+    if far > 10.0 * size > 0.0:
+        yield Doubt(
+            "center-of-mass",
+            f"platform: center_of_mass {far:.3g} m from the middle of the platform points, on a machine of "
+            f"{size:.3g} m; likely cause: given in millimetres or in the base frame",
+        )
+
+
+# Geometry in all poses
+
+
+def _of_geometry(robot: Robot) -> Iterator[Doubt]:
+    shares, rounding = _singular_shares(robot)
+    if np.max(shares) < SINGULAR_SHARE:
+        exact = bool(np.all(shares <= rounding))
+        how = (
+            "singular in every pose" if exact else "singular in every pose but for a few digits of its points"
+        )
+        yield Doubt(
+            "singular-everywhere",
+            f"{how}: at {len(shares)} random poses the least singular value of H is at most "
+            f"{np.max(shares):.1g} of the largest; likely cause: {_why_singular(robot)}",
+        )
+
+
+def _singular_shares(robot: Robot) -> tuple[Array, Array]:
+    """Least over largest singular value of H at random poses, (n,), and what rounding may make of a zero.
+
+    A product of analytic functions: det H vanishes everywhere or almost nowhere, so a few random poses tell.
+    Moments are taken about the middle of the platform points, over their radius. An entry of H errs by some
+    units of the coordinates that cancel in S = q + t - b, over L; sixty-four of them are more than enough.
+    """
+    rng = np.random.default_rng(0)
+    count = 16
+    size = radius(robot.b) + radius(robot.p)
+    R = rotation_from_quaternion(rng.normal(size=(count, 4)))
+    middle = robot.b.mean(axis=0) + size * rng.normal(size=(count, 3))
+    t = middle - R @ robot.p.mean(axis=0)
+    H, L = _centred_H(robot.b, robot.p, R, t)
+    values = np.linalg.svd(H, compute_uv=False)
+    reach = np.abs(t).max(axis=-1) + np.abs(robot.p).max() + np.abs(robot.b).max()
+    shares = np.nan_to_num(values[:, -1] / values[:, 0])
+    return shares, 64.0 * np.finfo(np.float64).eps * reach / L.min(axis=-1)
+
+
+def _centred_H(b: Array, p: Array, R: Array, t: Array) -> tuple[Array, Array]:
+    """H with moments about the middle of the platform points over their radius, (n, 6, 6), and L, (n, 6)."""
+    q = p @ np.swapaxes(R, -1, -2)
+    S = q + t[..., None, :] - b
+    L = np.linalg.norm(S, axis=-1)
+    s = S / np.where(L > 0.0, L, 1.0)[..., None]
+    arm = (q - q.mean(axis=-2, keepdims=True)) / (radius(p) or 1.0)
+    return np.swapaxes(np.concatenate([s, np.cross(arm, s)], axis=-1), -1, -2), L
+
+
+def _why_singular(robot: Robot) -> str:
+    sets = (("base points", robot.b), ("platform points", robot.p))
+    ends = np.concatenate([points / (radius(points) or 1.0) for _, points in sets], axis=-1)
+    for i in range(LEGS):
+        same = _near(ends, i)
+        if len(same) > 1:
+            return f"{legs_text(same)} coincide"
+    for what, points in sets:
+        scaled = points / (radius(points) or 1.0)
+        groups = [group for i in range(LEGS) if len(group := _near(scaled, i)) > 3]
+        if groups:
+            return f"{what} of {legs_text(groups[0])} in one place"
+        spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
+        if spread[1] < _SAME * spread[0]:
+            return f"{what} on one line"
+    known = np.column_stack([robot.p, np.ones(LEGS)])
+    image = known @ np.linalg.lstsq(known, robot.b, rcond=_SAME)[0]
+    if np.abs(image - robot.b).max() < _SAME * radius(robot.b):
+        return (
+            "base and platform points form similar hexagons; pairs of the one belong over gaps of the other"
+        )
+    return "points of no independent legs, in wrong order or on a surface of the second degree"
+
+
+_SAME = 1e-3
+# A radius below this share of the coordinates is made of their rounding errors.
+_ROUNDING = 1e-12
+
+
+def _near(points: Array, i: int) -> list[int]:
+    return np.flatnonzero(np.linalg.norm(points - points[i], axis=-1) < _SAME).tolist()
+
+
+# Level poses
+
+
+def _level_home(robot: Robot) -> Array:
+    """Position of the home pose, or of a better one of the level poses beside it.
+
+    Along the base's normal where ``home_pose`` does not suit the machine, as one on a wall; and where there
+    are no length limits, whose home pose is a guess, at the best height at which the legs' parts do not
+    overlap.
+    """
+    t = home_pose(robot).t
+    condition = float(_level_conditions(robot.b, robot.p, t[None])[0])
+    limited = np.all(np.isfinite(robot.length_limits))
+    towards = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    directions = [towards / np.linalg.norm(towards)]
+    if not condition <= GOOD_CONDITION:
+        normal = np.linalg.svd(robot.b - robot.b.mean(axis=0))[2][2]
+        directions += [normal, -normal]
+    others = np.concatenate([_heights(robot, direction) for direction in directions])
+    found = _level_conditions(robot.b, robot.p, others)
+    lengths = _lengths(robot, others)
+    if limited:
+        score = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
+        score[found > max(GOOD_CONDITION, found.min())] = np.inf
+    else:
+        passing = np.all(lengths >= _parts(robot), axis=-1)
+        score = np.where(passing | ~passing.any(), found, np.inf)
+    best = int(np.argmin(score))
+    if not limited or MISPAIRED * found[best] < condition:
+        return np.asarray(others[best])
+    return t
+
+
+def _home(robot: Robot, t: Array) -> _Home:
+    """The level pose at t, or one beside it where the legs are within their limits."""
+    low, high = robot.length_limits.T
+    margin = np.where(np.isfinite(high), 0.25 * (high - low), 0.0)
+    R, L, fits = np.eye(3), _lengths(robot, t), False
+    for inner in (margin, 0.0 * margin):
+        pose = _pose_within(robot, t, low + inner, high - inner)
+        if pose is not None:
+            (R, t), fits = pose, True
+            L = np.linalg.norm(t + robot.p @ R.T - robot.b, axis=-1)
+            break
+    zero = np.zeros(3)
+    rest = Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero)
+    forces = inverse_dynamics(robot, rest, backend="numpy", on_singular="nan")
+    return _Home(R, t, L, forces.F, fits)
+
+
+def _lengths(robot: Robot, t: Array) -> Array:
+    """Legs of level poses at t (..., 3), (..., 6)."""
+    return np.asarray(np.linalg.norm(t[..., None, :] + robot.p - robot.b, axis=-1))
+
+
+def _parts(robot: Robot) -> Array:
+    """Distances of both centres of mass from their joints along each leg, together, m, (6,)."""
+    return np.asarray(robot.r_d0[:, 0] - robot.r_u0[:, 0])
+
+
+def _heights(robot: Robot, direction: Array) -> Array:
+    """Positions of the level platform, its middle along a direction from the base's, (50, 3)."""
+    middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
+    size = radius(robot.b) + radius(robot.p)
+    return np.asarray(middle + np.linspace(0.05, 3.0, 50)[:, None] * size * direction)
+
+
+def _level_conditions(b: Array, p: Array, t: Array) -> Array:
+    """Scaled condition numbers of level poses at t (n, 3), (n,); infinity where H is singular."""
+    H, _ = _centred_H(b, p, np.broadcast_to(np.eye(3), (len(t), 3, 3)), t)
+    return scaled_condition_number(H, 1.0)
+
+
+# The order of legs
+
+
+def _of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
+    """Doubts about which base point belongs to which platform point.
+
+    Legs are sorted by the angle of their base points; platform points are paired with these in their own
+    order and shifted or reversed, twelve ways in all.
+    """
+    axis = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    axis /= np.linalg.norm(axis)
+    around_b, around_p = (_around(points, axis) for points in (robot.b, robot.p))
+    crossed = _crossed(around_b, around_p)
+    if crossed is not None and crossed.undone:
+        yield _crossing(*crossed.legs)
+        return
+    order = np.argsort(np.angle(around_b), kind="stable")
+    b, p, heights = robot.b[order], robot.p[order], _heights(robot, axis)
+    ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
+    best = {way: float(_level_conditions(b, paired, heights).min()) for way, paired in ways.items()}
+    given, (turn, k) = best[1, 0], min(best, key=lambda way: best[way])
+    ratio = given / best[turn, k] if np.isfinite(given) else np.inf
+    turned = np.sum(around_p * np.conj(around_b))
+    clear = abs(turned) > 0.5 * np.sum(np.abs(around_p) * np.abs(around_b))
+    twisted = clear and abs(np.angle(turned)) > TWISTED and ratio > 2.0
+    if (given > GOOD_CONDITION and ratio > MISPAIRED) or twisted:
+        shift = min(k, LEGS - k)
+        cause = "in the opposite sense (mirrored)" if turn < 0 else f"shifted by {shift} of six places"
+        yield Doubt(
+            "leg-order",
+            f"{_level(given)} with the platform parallel to the base, {best[turn, k]:.2g} with its points in "
+            f"another order; likely cause: platform points {cause} against the base points, or a "
+            "platform frame "
+            f"turned about its normal",
+        )
+        return
+    if given > MOST_CONDITION:
+        yield Doubt(
+            "condition",
+            f"{_level(given)} with the platform parallel to the base, at any height; likely cause: points of "
+            f"wrong legs, or nearly parallel or concurrent legs",
+        )
+    for i, j in itertools.combinations(range(LEGS), 2):
+        if _cross(robot, t, i, j):
+            yield _crossing(i, j)
+            return
+    if crossed is not None:
+        yield _crossing(*crossed.legs, cause="platform points in another order than base points, or mirrored")
+
+
+def _crossing(i: int, j: int, cause: str = "their platform points exchanged") -> Doubt:
+    return Doubt("crossing", f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: {cause}")
+
+
+class _Crossed(NamedTuple):
+    """Two legs that cross; undone: by an exchange of their platform points, and not as well by a reversal of
+    the order of all."""
+
+    legs: tuple[int, int]
+    undone: bool
+
+
+def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> _Crossed | None:
+    """Legs that cross as seen along the machine's axis, b and p as points of a plane, or None."""
+    pairs = list(itertools.combinations(range(LEGS), 2))
+    first, second = np.array(pairs).T
+    sizes = np.sqrt(np.mean(np.abs(b) ** 2) * np.mean(np.abs(p) ** 2))
+
+    def ways(p: NDArray[np.complex128]) -> Array:
+        return np.asarray(((b[first] - b[second]) * np.conj(p[first] - p[second])).real / sizes)
+
+    given = ways(p)
+    if not given.min() < EXCHANGED:
+        return None
+    order = np.argsort(np.angle(b))
+    reversed_ = [ways(p[order][np.roll(range(LEGS), k)[::-1]][np.argsort(order)]).min() for k in range(LEGS)]
+    undone = []
+    for i, j in pairs:
+        other = p.copy()
+        other[[i, j]] = other[[j, i]]
+        undone.append(ways(other).min())
+    best = int(np.argmax(undone))
+    if undone[best] > max(EXCHANGED, *reversed_):
+        return _Crossed(pairs[best], True)
+    return _Crossed(pairs[int(np.argmin(given))], False)
+
+
+def _level(condition: float) -> str:
+    return f"scaled condition number {condition:.2g}" if np.isfinite(condition) else "H is singular"
+
+
+def _around(points: Array, axis: Array) -> NDArray[np.complex128]:
+    """Points about their middle as complex numbers of a plane across an axis."""
+    plane = np.linalg.svd(axis[None])[2][1:]
+    plane = plane if np.linalg.det(np.vstack([axis, plane])) > 0.0 else plane[::-1]
+    x, y = plane @ (points - points.mean(axis=0)).T
+    return np.asarray(x + 1j * y)
+
+
+def _cross(robot: Robot, t: Array, i: int, j: int) -> bool:
+    """Whether two legs of a level pose meet away from their joints."""
+    a, b = robot.b[[i, j]]
+    u, v = t + robot.p[[i, j]] - robot.b[[i, j]]
+    normal = np.cross(u, v)
+    square = float(normal @ normal)
+    if square < 1e-6 * float(u @ u) * float(v @ v):
+        return False
+    along = [float(np.cross(b - a, other) @ normal) / square for other in (v, u)]
+    apart = abs(float((b - a) @ normal)) / np.sqrt(square)
+    inner = all(0.02 < share < 0.98 for share in along)
+    return inner and apart < 1e-4 * (radius(robot.b) + radius(robot.p))
+
+
+# The home pose
+
+
+def _of_home(robot: Robot, home: _Home) -> Iterator[Doubt]:
+    if robot.base_joint == "universal":
+        yield from _of_axes(robot, home)
+    if not home.fits:
+        yield _of_limits(robot, home)
+        return
+    parts = list(_of_parts(robot, home)) or list(_of_overlap(robot, home))
+    if parts:
+        yield from parts
+        return
+    with np.errstate(invalid="ignore"):
+        weak = np.flatnonzero(np.abs(home.F) > robot.force_limit).tolist()
+    if weak:
+        worst = max(weak, key=lambda i: abs(home.F[i]) / robot.force_limit[i])
+        yield Doubt(
+            "force-limit",
+            f"force_limit of {legs_text(weak)}: {robot.force_limit[worst]:.4g} N, but "
+            f"{abs(home.F[worst]):.4g} N "
+            "hold the machine at rest at the home pose; likely cause: force_limit in kN, masses in "
+            "grams, or "
+            f"actuators too weak",
+        )
+
+
+def _of_axes(robot: Robot, home: _Home) -> Iterator[Doubt]:
+    s = (home.t + robot.p @ home.R.T - robot.b) / home.L[:, None]
+    limited = bool(np.all(np.isfinite(robot.length_limits)))
+    sine = np.linalg.norm(np.cross(s, robot.k), axis=-1)
+    along = np.flatnonzero((sine < LEAST_SINE) & limited | np.all(sine < LEAST_SINES)).tolist()
+    if along:
+        yield Doubt(
+            "joint-singularity",
+            f"universal_axis of {legs_text(along)}: {np.degrees(np.arcsin(sine[along].min())):.2g} "
+            "degrees from "
+            "the leg at the home pose, a joint singularity; likely cause: the leg's direction given, "
+            "expected "
+            f"the axis fixed in the base, across the leg",
+        )
+
+
+def _of_limits(robot: Robot, home: _Home) -> Doubt:
+    low, high = robot.length_limits.T
+    finite = np.isfinite(high)
+    ratio = float(np.mean(high[finite]) / np.mean(home.L[finite]))
+    unit = next((unit for unit, share in _UNITS if _fits(robot, robot.length_limits * share)), "")
+    if unit or ratio > MOST_SIZE:
+        cause = f"limits in {unit or 'millimetres'}"
+    elif ratio < 0.9:
+        cause = "the stroke given, expected the length from joint to joint"
+    else:
+        cause = "limits measured between other points than the joints, or points of another machine"
+    return Doubt(
+        "length-limits",
+        f"length_limits {low[finite].min():.4g} to {high[finite].max():.4g} m: no pose was found with "
+        "all legs "
+        f"within them, {home.L.min():.4g} to {home.L.max():.4g} m long at the home pose; likely cause: "
+        f"{cause}",
+    )
+
+
+_UNITS = (("millimetres", 1e-3), ("centimetres", 1e-2))
+
+
+def _fits(robot: Robot, limits: Array) -> bool:
+    """Whether a pose has all legs within other limits."""
+    other = replace(robot, length_limits=limits)
+    return _home(other, _level_home(other)).fits
+
+
+def _pose_within(robot: Robot, t: Array, low: Array, high: Array) -> tuple[Array, Array] | None:
+    """A pose (R, t) with legs between low and high, m, (6,), by damped Newton steps from level poses."""
+    middle, offset = robot.b.mean(axis=0), robot.p.mean(axis=0)
+    reach = robot.p - offset
+    unit = np.repeat([1.0, radius(robot.p)], 3)
+    for share in (1.0, 0.7, 1.4):
+        R, r = np.eye(3), (t + offset - middle) * share + middle
+        for _ in range(_MOST_STEPS):
+            q = reach @ R.T
+            S = r + q - robot.b
+            L = np.linalg.norm(S, axis=-1)
+            miss = np.clip(L, low, high) - L
+            if np.abs(miss).max() <= 1e-9 * L.max():
+                return R, r - R @ offset
+            s = S / np.where(L > 0.0, L, 1.0)[:, None]
+            J = np.concatenate([s, np.cross(q, s)], axis=-1) / unit
+            step = np.linalg.solve(J.T @ J + 1e-4 * np.eye(6), J.T @ miss) / unit
+            step *= min(1.0, 0.3 / max(float(np.abs(step[3:]).max()), 0.3))
+            R, r = rotation_from_vector(step[3:]) @ R, r + step[:3]
+    return None
+
+
+_MOST_STEPS = 100
+
+
+def _of_parts(robot: Robot, home: _Home) -> Iterator[Doubt]:
+    """Centres of mass of a leg's parts that lie beyond the leg, on the wrong side or far away."""
+    for part, along, sign, least in (
+        ("upper", robot.r_u0[:, 0], "negative", -0.05),
+        ("lower", -robot.r_d0[:, 0], "positive", -0.25),
+    ):
+        away = np.linalg.norm(robot.r_u0 if part == "upper" else robot.r_d0, axis=-1)
+        off, least_off, times = MOST_OFFSET
+        across = np.linalg.norm((robot.r_u0 if part == "upper" else robot.r_d0)[:, 1:], axis=-1)
+        beside = (across > least_off * home.L) & (across > times * np.abs(along))
+        beside |= across > off * home.L
+        far = np.flatnonzero(away > 3.0 * home.L).tolist()
+        wrong = np.flatnonzero(-along / home.L < least).tolist()
+        joint = "platform joint" if part == "upper" else "base joint"
+        if far:
+            yield Doubt(
+                "center-of-mass",
+                f"{part} part of {legs_text(far)}: center_of_mass {away[far].max():.3g} m from the "
+                f"{joint}, legs "
+                f"{home.L[far].max():.3g} m long; likely cause: given in millimetres or in the base frame",
+            )
+        elif beside.any():
+            legs = np.flatnonzero(beside).tolist()
+            yield Doubt(
+                "center-of-mass",
+                f"{part} part of {legs_text(legs)}: center_of_mass {across[legs].max():.3g} m off the leg's "
+                f"axis, legs {home.L[legs].max():.3g} m long; likely cause: components in another order or "
+                "in the base frame, expected the first along the leg",
+            )
+        elif wrong:
+            yield Doubt(
+                "center-of-mass",
+                f"{part} part of {legs_text(wrong)}: center_of_mass {np.abs(along[wrong]).max():.3g} m "
+                "beyond the "
+                f"{joint}; likely cause: wrong sign, expected a {sign} first component",
+            )
+
+
+def _of_overlap(robot: Robot, home: _Home) -> Iterator[Doubt]:
+    lower, upper = robot.r_d0[:, 0], -robot.r_u0[:, 0]
+    over = _parts(robot) > MOST_OVERLAP * home.L
+    legs = np.flatnonzero(over).tolist()
+    if legs:
+        i = max(legs, key=lambda leg: float(_parts(robot)[leg] / home.L[leg]))
+        yield Doubt(
+            "overlap",
+            f"lower and upper parts overlap at the home pose in {legs_text(legs)}: centres of mass "
+            f"{lower[i]:.3g} "
+            f"m above the base joint and {upper[i]:.3g} m below the platform joint, leg "
+            f"{home.L[i]:.3g} m; likely "
+            f"cause: both measured from one end, expected lower from the base, upper from the platform point",
+        )

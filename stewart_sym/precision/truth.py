@@ -1,0 +1,109 @@
+"""Forces at 50 digits: the derived equations of a fidelity, run before they are shared, printed or rounded.
+
+What rounding errors are measured against; the numbers of robot and motion are taken as they are stored. Asks
+``derive`` for the equations and SymPy's mpmath for the digits; knows no generated code.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cache, cached_property, lru_cache
+from types import SimpleNamespace
+from typing import Any
+
+import mpmath
+import numpy as np
+from numpy.typing import NDArray
+
+from ..backend.kernel import kernel_name, loaded
+from ..derive import notation as n
+from ..derive.fidelity import FIDELITIES, fidelity_kernel
+from ..derive.formulation import EXACT, FORMULATIONS
+from ..derive.kernel.constants import unchecked
+from ..derive.kernel.interpret import Arithmetic, Interpreter
+from ..derive.kernel.outputs import FORCES, program
+from ..derive.regroup import ForceKernel
+from ..formulas.trees import robot_structure, structure
+from ..motion.motion import Motion
+from ..robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+DIGITS = 50
+
+digits = mpmath.MPContext()
+digits.dps = DIGITS
+"""Arithmetic of 50 digits, nobody else's."""
+
+
+ON_DIGITS = Arithmetic(
+    digits.mpf, {name: digits.mpf(value) for name, value in unchecked(1e-45).items()}, digits.sqrt
+)
+"""The same for kernel trees."""
+
+
+def number_of_digits(_: str, value: Any) -> Any:
+    """A quantity's component as it is stored."""
+    return digits.mpf(value)
+
+
+@lru_cache(maxsize=16)
+def _forces(kernel: ForceKernel) -> Interpreter:
+    return Interpreter(program(kernel), ON_DIGITS)
+
+
+@dataclass(frozen=True, eq=False)
+class Truth:
+    """The equations of one fidelity of a formulation with a robot's numbers, at 50 digits."""
+
+    robot: Robot
+    formulation: str = "exact"
+    fidelity: str = "general"
+
+    def forces(self, motion: Motion) -> NDArray[np.object_]:
+        """Actuator forces, N, of every pose of ``motion``, (..., 6), as 50-digit numbers."""
+        poses = loaded(motion)
+        F = np.empty((*motion.shape, 6), dtype=object)
+        for where in np.ndindex(motion.shape):
+            F[where] = self._pose({q.name: getattr(poses, q.name)[where] for q in n.MOTION})
+        return F
+
+    def deviation(self, F: NDArray[Any], motion: Motion) -> Array:
+        """Errors, N, of forces, (..., 6), that somebody computed for ``motion``."""
+        return deviation(F, self.forces(motion))
+
+    def _pose(self, motion: Mapping[str, NDArray[Any]]) -> list[Any]:
+        """F = D - x with H x = c, (35)-(37)."""
+        given = structure(n.MOTION, motion, number_of_digits)
+        found: list[Any] = self._interpreter.run(FORCES, self._model, given).F
+        return found
+
+    @cached_property
+    def _model(self) -> SimpleNamespace:
+        robot = robot_structure(self.robot, number_of_digits)
+        model: SimpleNamespace = self._interpreter.run("prepare", robot)
+        return model
+
+    @cached_property
+    def _interpreter(self) -> Interpreter:
+        return _forces(derived_kernel(self.robot.base_joint, self.formulation, self.fidelity))
+
+
+def derived_kernel(base_joint: str, formulation: str, fidelity: str) -> ForceKernel:
+    """The blocks of the forces alone, before sharing."""
+    # Reduced legs are those of EXACT on any base joint: there are none that know another.
+    name = kernel_name(formulation, base_joint if fidelity == "general" else EXACT.base_joint)
+    return _derived(name, fidelity)
+
+
+@cache
+def _derived(name: str, fidelity: str) -> ForceKernel:
+    form = next(form for form in FORMULATIONS if form.kernel_name == name)
+    return fidelity_kernel(form, FIDELITIES[fidelity])
+
+
+def deviation(F: NDArray[Any], truth: NDArray[np.object_]) -> Array:
+    """Errors of forces beside 50-digit ones, N, of their shape, rounded last."""
+    difference = [
+        float(digits.mpf(float(found)) - true) for found, true in zip(F.flat, truth.flat, strict=True)
+    ]
+    return np.array(difference).reshape(F.shape)

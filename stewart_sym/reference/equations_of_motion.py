@@ -1,0 +1,216 @@
+"""The oracle of the equations of motion: M, C, g and friction, drawn from inverse dynamics by its linearity.
+
+The wrench H F that the actuators must give is affine in the accelerations, quadratic in the rates, and linear
+in gravity and in friction, each on its own. So differences of inverse dynamics, none of them small, give each
+term to rounding, whatever the inverse dynamics is made of; here it is the vector reference. Knows robots and
+motions; must know nothing of the derivation or of the generated kernels.
+"""
+
+import dataclasses
+import functools
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..motion.motion import Motion
+from ..results import NOT_FINITE, OK, EquationsOfMotion
+from ..robot.robot import Robot
+from . import newton_euler
+
+Array = NDArray[np.float64]
+Codes = NDArray[np.int32]
+ActuatorWrench = Callable[[Robot, Motion], tuple[Array, Codes]]
+"""H F (..., 6) that makes a robot follow a motion, and the status of every pose."""
+
+
+def equations_of_motion(
+    robot: Robot, motion: Motion, faults: frozenset[int] = newton_euler.EXACT
+) -> EquationsOfMotion:
+    """M, C, g, friction and bias of the vector reference; any load and accelerations don't count.
+
+    faults: numbers of the printed faults to keep, as for ``reference.inverse_dynamics``.
+    """
+
+    def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
+        return newton_euler.actuator_wrench(robot, motion, faults)
+
+    return by_linearity(wrench, robot, motion)
+
+
+def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> EquationsOfMotion:
+    """M, C, g, friction and bias of whatever inverse dynamics ``wrench`` computes."""
+    with np.errstate(all="ignore"):
+        parts, status = _terms(wrench, robot, motion)
+    lead = status.ndim
+    finite = [np.isfinite(value).all(axis=tuple(range(lead, value.ndim))) for value in parts.values()]
+    overflown = (status == OK) & ~np.logical_and.reduce(finite)
+    status = np.where(overflown, NOT_FINITE, status).astype(np.int32)
+    bad = status != OK
+    blank = {name: _blank(value, bad) for name, value in parts.items()}
+    return EquationsOfMotion(**blank, status=status)
+
+
+def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[str, Array], Codes]:
+    M, bias, status = inertia_and_bias(wrench, robot, motion)
+    zero = np.zeros_like(motion.t)
+    g, _ = wrench(robot, _with(motion, zero, zero, zero, zero))
+    # Of rates so slow that no inertial force, their square, is left beside the friction.
+    slow = _with(motion, motion.v * _SLOWLY, motion.omega * _SLOWLY, zero, zero)
+    resisted, inertial = (wrench(machine, slow)[0] for machine in (_weightless(robot), _bare(robot)))
+    C = _coriolis(wrench, robot, motion, M)
+    return {"M": M, "C": C, "g": g, "friction": (resisted - inertial) / _SLOWLY, "bias": bias}, status
+
+
+_SLOWLY = 2.0**-100
+
+
+def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[Array, Array, Codes]:
+    """M, (..., 6, 6), bias, (..., 6), and status, (...): seven evaluations a pose."""
+    zero = np.zeros_like(motion.t)
+    still = np.zeros((*motion.shape, 6, 3))
+    unit = np.broadcast_to(np.eye(6), (*motion.shape, 6, 6))
+    columns, of_columns = wrench(_bare(robot), _with(motion, still, still, unit[..., :3], unit[..., 3:]))
+    bias, status = wrench(robot, _with(motion, motion.v, motion.omega, zero, zero))
+    status = np.where(status == OK, of_columns.max(axis=-1), status).astype(np.int32)
+    return np.swapaxes(columns, -1, -2), bias, status
+
+
+def forward_dynamics(
+    robot: Robot, motion: Motion, F: Array, faults: frozenset[int] = newton_euler.EXACT
+) -> Array:
+    """[a; alpha], (6,), of one pose under F, (6,), at 50 digits; NaN where M is not positive definite.
+
+    For poses where M in double precision has lost digits that the machine has: near a joint singularity, of
+    very short and of very heavy legs.
+    """
+    machine, moving = _wide_robot(robot), _wide_motion(motion)
+    leg, H, c = newton_euler.balance(machine, moving, faults)
+    rest = H @ (_wide(F) - leg.D[..., 0]) + c
+    M = _digits().matrix(inertia_and_bias(_wide_wrench(faults), machine, moving)[0].tolist())
+    try:
+        return np.array([float(x) for x in _digits().cholesky_solve(M, _digits().matrix(rest.tolist()))])
+    except ValueError:
+        return np.full(6, np.nan)
+
+
+def at_50_digits(
+    robot: Robot, motion: Motion, faults: frozenset[int] = newton_euler.EXACT
+) -> dict[str, Array]:
+    """M, C, g, friction and bias of one pose by 50 digits, rounded: where double precision loses its own."""
+    parts, _ = _terms(_wide_wrench(faults), _wide_robot(robot), _wide_motion(motion))
+    return {name: value.astype(np.float64) for name, value in parts.items()}
+
+
+def _wide_wrench(faults: frozenset[int]) -> ActuatorWrench:
+    def wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
+        leg, H, c = newton_euler.balance(robot, motion, faults)
+        return (H @ leg.D)[..., 0] - c, np.zeros(motion.shape, dtype=np.int32)
+
+    return wrench
+
+
+def _wide_robot(robot: Robot) -> Any:
+    wide = SimpleNamespace(
+        base_joint=robot.base_joint, **{name: _wide(getattr(robot, name)) for name in _NUMBERS}
+    )
+    if robot.base_joint == "universal":
+        wide.k = wide.k / np.sqrt(np.sum(wide.k**2, axis=-1, keepdims=True))
+    return wide
+
+
+def _wide_motion(motion: Motion) -> Motion:
+    """Pose, rates and load at 50 digits, without accelerations."""
+    none = np.zeros_like(motion.t)
+    R, t, omega, v = (_wide(value) for value in (motion.R, motion.t, motion.omega, motion.v))
+    load = (None if value is None else _wide(value) for value in (motion.F_ext, motion.M_ext))
+    return Motion.unchecked(R, t, omega, v, none, none, *load)
+
+
+@functools.cache
+def _digits() -> Any:
+    """Arithmetic at 50 digits; SymPy brings it, and it is loaded only where it is needed."""
+    import mpmath
+
+    context = mpmath.MPContext()
+    context.dps = 50
+    return context
+
+
+def _wide(values: Any) -> Any:
+    """The same numbers at 50 digits."""
+    return np.vectorize(_digits().mpf, otypes=[object])(values)
+
+
+_NUMBERS = (
+    *("g", "M", "R_0", "I_p", "b", "p", "k"),
+    *("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s"),
+)
+
+
+def _coriolis(wrench: ActuatorWrench, robot: Robot, motion: Motion, M: Array) -> Array:
+    """C, (..., 6, 6), of the Levi-Civita connection of M in the frame of twists [v; omega].
+
+    The quadratic wrench h of the rates gives by polarisation the part of C that is symmetric in twist and
+    direction. Twists are no rates of coordinates: the fields of two constant twists have the Lie bracket
+    [0; -omega_1 x omega_2], base axes, and half of it goes through M. With that dM/dt = C + C^T.
+    """
+    length = float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1)))) or 1.0
+    speed = _size(motion.omega) + _size(motion.v) / length
+    # Directions as large as the twist itself lose no digits in the differences.
+    step = np.where(speed > 0.0, speed, 1.0)[..., None] * np.repeat([length, 1.0], 3)
+    twist = np.concatenate([motion.v, motion.omega], axis=-1)[..., None, :]
+    direction = step[..., None] * np.eye(6)
+    bare = _bare(robot)
+    still = np.zeros((*motion.shape, 6, 3))
+
+    def h(twists: Array) -> Array:
+        return wrench(bare, _with(motion, twists[..., :3], twists[..., 3:], still, still))[0]
+
+    symmetric = (h(twist + direction) - h(twist - direction)) / (4 * step[..., None])
+    bracket = -np.cross(motion.omega[..., None, :], np.eye(3), axisc=-2)
+    of_bracket = np.zeros_like(M)
+    of_bracket[..., 3:] = M[..., 3:] @ bracket
+    return np.asarray(np.swapaxes(symmetric, -1, -2) + of_bracket / 2)
+
+
+def _with(motion: Motion, v: Array, omega: Array, a: Array, alpha: Array) -> Motion:
+    """The motion's poses with other rates and accelerations, (..., 3) or (..., 6, 3), and without a load."""
+    R, t = motion.R, motion.t
+    if v.ndim > t.ndim:
+        R = np.broadcast_to(R[..., None, :, :], (*v.shape, 3))
+        t = np.broadcast_to(t[..., None, :], v.shape)
+    return Motion.unchecked(R, t, omega, v, alpha, a)
+
+
+def _size(vectors: Array) -> Array:
+    return np.asarray(np.sqrt(np.sum(vectors * vectors, axis=-1)))
+
+
+def _weightless(robot: Robot) -> Robot:
+    return _without(robot, ("g",))
+
+
+def _bare(robot: Robot) -> Robot:
+    """The robot without gravity and friction."""
+    return _without(robot, ("g", "C_u", "C_p", "C_s"))
+
+
+def _without(robot: Robot, names: tuple[str, ...]) -> Robot:
+    """The robot, or one of wider numbers, with zeros in these places."""
+    if isinstance(robot, Robot):
+        return _zeroed(robot, names)
+    wide: Any = SimpleNamespace(**{**vars(robot), **{name: 0 * getattr(robot, name) for name in names}})
+    return wide
+
+
+@functools.lru_cache(maxsize=16)
+def _zeroed(robot: Robot, names: tuple[str, ...]) -> Robot:
+    return dataclasses.replace(robot, **{name: np.zeros_like(getattr(robot, name)) for name in names})
+
+
+def _blank(value: Array, bad: NDArray[np.bool_]) -> Array:
+    wide = bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim))
+    return np.where(wide, np.nan, value)

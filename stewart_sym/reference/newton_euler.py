@@ -1,0 +1,492 @@
+"""The oracle: the printed equations (1)-(37) and their corrections, in plain vectors of the base frame.
+
+Written to be read beside the paper: its symbols, its order, one line for each equation. A fault of the
+printed equations is a number in `faults`; the set says which lines are taken as printed, and the empty set is
+the right mechanics. Knows robots and motions; must know nothing of the derivation or of the generated
+kernels, which work in components of the leg frame: their agreement means something only while they share no
+formula.
+
+Shapes: `(...)` is the motion's leading shape; a quantity of the legs is (..., 6, 3) as a vector and
+(..., 6, 1) as a scalar, so that scalars multiply vectors as in the paper. SI units.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..motion.motion import Motion
+from ..results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Forces, Reactions
+from ..robot.robot import Robot
+
+Array = NDArray[np.float64]
+Codes = NDArray[np.int32]
+
+SPIN = 1
+"""Fault 1, (6), (8), (9): s.W = 0 and s.A = 0, where the universal joint makes the leg spin."""
+MOMENT = 2
+"""Fault 2, (17), (19), (20): the joint's constraint moment along s, where it is along n = k x y."""
+TRANSPORT = 3
+"""Fault 3, (16): m_u L^2 diag(0, 1, 1) in I_u, though m_u r_u x a_u carries it already."""
+SIGN = 4
+"""Fault 4, (33): + sum K_i, where (35) has - sum K_i."""
+
+EXACT: frozenset[int] = frozenset()
+"""Formulation `exact`: no fault."""
+PAPER: frozenset[int] = frozenset({SPIN, MOMENT, TRANSPORT})
+"""Formulation `paper`: the printed equations, with (35) and not (33) for the force rows."""
+
+ROUNDING = 16 * np.finfo(np.float64).eps
+"""Share at which a leg's length (of the terms of S), the sine of its angle with k or a singular value of H is
+rounding error and counts as zero."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Positions:
+    """Leg vectors, (1)-(5): what follows from the platform alone."""
+
+    q: Array
+    S: Array
+    L: Array
+    s: Array
+    Sdot: Array
+    Ldot: Array
+
+
+@dataclass(frozen=True, eq=False)
+class _Velocities(_Positions):
+    """The leg as a body, (6) and (10)-(16); `axis` carries M_u, `n` the normal to the joint's two axes."""
+
+    T: Array
+    y: Array
+    n: Array
+    axis: Array
+    W: Array
+    r_d: Array
+    r_u: Array
+    I_d: Array
+    I_u: Array
+    sin_pole: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Legs(_Velocities):
+    """Everything known of the legs before x: adds (7)-(9), (13), (14), (20), (21), (24) and (29).
+
+    Base frame, vectors (..., 6, 3), scalars (..., 6, 1), inertias (..., 6, 3, 3); names are the paper's.
+    """
+
+    Lddot: Array
+    A: Array
+    a_d: Array
+    a_u: Array
+    f: Array
+    M_u: Array
+    K: Array
+    D: Array
+
+
+def inverse_dynamics(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Forces:
+    """Actuator forces of the prescribed motion, (1)-(24) and (30)-(37).
+
+    robot: any machine; with base joint "spherical" the legs don't spin and faults 1 and 2 say nothing.
+    motion: poses, rates, accelerations and loads of leading shape (...).
+    faults: numbers of the printed faults to keep, of 1 to 4; `EXACT` or `PAPER` as a rule.
+
+    Returns `Forces`; where `status` is not 0 every number of the pose is NaN.
+    Raises ValueError when the motion has no accelerations or a fault has an unknown number.
+    """
+    with np.errstate(all="ignore"):
+        return _solve(robot, motion, faults)[1]
+
+
+def joint_reactions(
+    robot: Robot, motion: Motion, faults: frozenset[int] = EXACT, bearing: ArrayLike | None = None
+) -> Reactions:
+    """Forces and moments in the joints, by (21), (25)-(29) and (17).
+
+    robot, motion, faults: as for `inverse_dynamics`.
+    bearing: where M_p is taken, m along the leg from its base point, one number or (6,); None is 0.
+
+    Returns `Reactions`, base frame; M_u is along s with fault 2 and along n = k x y without.
+    Raises ValueError when the motion has no accelerations, a fault has an unknown number, or `bearing` is
+    neither a finite number nor six.
+    """
+    l = _bearing(bearing)  # noqa: E741
+    with np.errstate(all="ignore"):
+        leg, forces = _solve(robot, motion, faults)
+        g, s = robot.g, leg.s
+        m_d, m_u = robot.m_d[:, None], robot.m_u[:, None]
+        C_u, C_p = robot.C_u[:, None], robot.C_p[:, None]
+        F, x = forces.F[..., None], forces.x[..., None]
+        r = l * s
+
+        F_s = x * s + leg.K  # (21)
+        F_p = m_u * (leg.a_u - g) - F_s + C_p * leg.Ldot * s  # (26)
+        F_u = m_d * leg.a_d + m_u * leg.a_u - (m_d + m_u) * g - F_s  # (27)
+        F_c = F_p - s * F  # (28)
+        M_p = (  # (17)
+            -m_d * _cross(leg.r_d, leg.a_d)
+            + m_d * _cross(leg.r_d, g)
+            - _mul(leg.I_d, leg.A)
+            - _cross(leg.W, _mul(leg.I_d, leg.W))
+            + leg.M_u * leg.axis
+            - _cross(r, F_p)
+            - C_u * leg.W
+        )
+        bad = forces.status != OK
+        return Reactions(
+            F_s=_blank(F_s, bad),
+            F_u=_blank(F_u, bad),
+            F_p=_blank(F_p, bad),
+            F_c=_blank(F_c, bad),
+            M_p=_blank(M_p, bad),
+            M_u=_blank(leg.M_u[..., 0], bad),
+            status=forces.status,
+        )
+
+
+def legs(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> Legs:
+    """Motion, inertia and known forces of the six legs, (1)-(24) and (29), for reading and for tests.
+
+    Arguments and errors as for `inverse_dynamics`. No status: what is undefined is NaN or infinite.
+    """
+    with np.errstate(all="ignore"):
+        return _legs(robot, motion, _known(faults))
+
+
+def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Array, Codes]:
+    """Wrench H F = H D - c of the actuators that make the platform follow the motion, (..., 6), and status.
+
+    Arguments and errors as for `inverse_dynamics`. No equation is solved for it, so there is an answer where
+    H is singular too; NaN where the status, (...), is not 0.
+    """
+    with np.errstate(all="ignore"):
+        leg, H, c, status = _equations(robot, motion, faults)
+        wrench = _mul(H, leg.D[..., 0]) - c
+        return _blank(wrench, status != OK), status
+
+
+def massless_forces(robot: Robot, motion: Motion) -> Array:
+    """Actuator forces F0 with legs without mass and joints without friction, N, (..., 6), (41).
+
+    NaN where H is singular or a leg has length zero. Raises ValueError without accelerations.
+    """
+    with np.errstate(all="ignore"):
+        leg = _positions(robot, motion)
+        H = _H(leg)
+        c_0 = _platform_wrench(robot, motion)
+        finite = _finite(H, 2) & _finite(c_0, 1)
+        status = _status(_leg_faults(robot, motion, leg), finite)
+        x_0, _ = _solve_linear(robot, H, c_0, status)
+        return -x_0
+
+
+def energy(robot: Robot, motion: Motion) -> Array:
+    """Kinetic and potential energy of the platform and the twelve leg parts, J, (...).
+
+    Always with the exact kinematics of the legs. The potential energy is zero at the base frame's origin.
+    NaN where a leg's direction or spin is undefined.
+    """
+    with np.errstate(all="ignore"):
+        leg = _velocities(robot, motion)
+        W, omega = leg.W, motion.omega
+        v_d = _cross(W, leg.r_d)
+        v_u = leg.Ldot * leg.s + _cross(W, leg.r_u)
+        kinetic_legs = (
+            robot.m_d[:, None] * _dot(v_d, v_d)
+            + robot.m_u[:, None] * _dot(v_u, v_u)
+            + _dot(W, _mul(leg.I_d, W))
+            + _dot(W, _mul(leg.I_u, W))
+        ) / 2
+        potential_legs = -_dot(
+            robot.m_d[:, None] * (robot.b + leg.r_d) + robot.m_u[:, None] * (robot.b + leg.r_u), robot.g
+        )
+        R, I = _platform_inertia(robot, motion)  # noqa: E741
+        v_platform = motion.v + _cross(omega, R)
+        kinetic_platform = (robot.M * _dot(v_platform, v_platform) + _dot(omega, _mul(I, omega))) / 2
+        potential_platform = -robot.M * _dot(motion.t + R, robot.g)
+        total = np.sum(kinetic_legs + potential_legs, axis=(-2, -1))
+        total = total + (kinetic_platform + potential_platform)[..., 0]
+        return _blank(total, ~np.isfinite(total))
+
+
+def friction_power(robot: Robot, motion: Motion) -> Array:
+    """Power that friction in the eighteen joints takes, W, (...), never negative.
+
+    Always with the exact kinematics of the legs. NaN where a leg's direction or spin is undefined.
+    """
+    with np.errstate(all="ignore"):
+        leg = _velocities(robot, motion)
+        slip = leg.W - motion.omega[..., None, :]
+        power = (
+            robot.C_u[:, None] * _dot(leg.W, leg.W)
+            + robot.C_p[:, None] * leg.Ldot**2
+            + robot.C_s[:, None] * _dot(slip, slip)
+        )
+        total: Array = np.sum(power, axis=(-2, -1))
+        return _blank(total, ~np.isfinite(total))
+
+
+def actuator_power(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
+    """Power that the actuator forces F (..., 6), N, put into the machine, W, (...)."""
+    with np.errstate(all="ignore"):
+        Ldot = _positions(robot, motion).Ldot[..., 0]
+        total: Array = np.sum(np.asarray(F, dtype=np.float64) * Ldot, axis=-1)
+        return total
+
+
+def external_power(robot: Robot, motion: Motion) -> Array:
+    """Power that the load F_ext, M_ext puts into the platform, W, (...); zero without a load."""
+    F, M = _load(motion)
+    return (_dot(F, motion.v) + _dot(M, motion.omega))[..., 0]
+
+
+def _positions(robot: Robot, motion: Motion) -> _Positions:
+    q = _mul(motion.R[..., None, :, :], robot.p)  # (1)
+    S = motion.t[..., None, :] + q - robot.b  # (2)
+    L = np.sqrt(_dot(S, S))
+    s = S / L  # (3)
+    Sdot = _cross(motion.omega[..., None, :], q) + motion.v[..., None, :]  # (4)
+    Ldot = _dot(s, Sdot)  # (5)
+    return _Positions(q=q, S=S, L=L, s=s, Sdot=Sdot, Ldot=Ldot)
+
+
+def _velocities(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> _Velocities:
+    leg = _positions(robot, motion)
+    s, L = leg.s, leg.L
+    spherical = robot.base_joint == "spherical"
+
+    # A leg between two spherical joints is axisymmetric: any y across s will do.
+    k = np.eye(3)[np.argmin(np.abs(s), axis=-1)] if spherical else np.broadcast_to(robot.k, s.shape)
+    k_x_s = _cross(k, s)
+    sin_pole = np.sqrt(_dot(k_x_s, k_x_s))
+    y = k_x_s / sin_pole
+    z = _cross(s, y)
+    T = np.stack([s, y, z], axis=-1)  # (10)
+    n = _cross(k, y)
+    if spherical:
+        axis = np.zeros_like(s)
+    elif MOMENT in faults:
+        axis = s
+    else:
+        axis = n
+
+    W = _cross(s, leg.Sdot) / L  # (6)
+    if not spherical and SPIN not in faults:
+        W = W - _dot(W, n) / _dot(s, n) * s  # (6) corrected: W.n = 0
+
+    r_d = _mul(T, robot.r_d0)  # (11)
+    v = L * np.array([1.0, 0.0, 0.0])
+    r_u = _mul(T, v + robot.r_u0)  # (12)
+    I_u0 = np.broadcast_to(robot.I_u0, T.shape)
+    if TRANSPORT in faults:
+        I_u0 = I_u0 + (robot.m_u[:, None] * L**2)[..., None] * np.diag([0.0, 1.0, 1.0])
+    I_d = T @ robot.I_d0 @ _transpose(T)  # (15)
+    I_u = T @ I_u0 @ _transpose(T)  # (16)
+    return _Velocities(
+        **vars(leg), T=T, y=y, n=n, axis=axis, W=W, r_d=r_d, r_u=r_u, I_d=I_d, I_u=I_u, sin_pole=sin_pole
+    )
+
+
+def _legs(robot: Robot, motion: Motion, faults: frozenset[int]) -> Legs:
+    a, alpha = _accelerations(motion)
+    leg = _velocities(robot, motion, faults)
+    s, L, Ldot, W, q, n = leg.s, leg.L, leg.Ldot, leg.W, leg.q, leg.n
+    omega, alpha = motion.omega[..., None, :], alpha[..., None, :]
+    g = robot.g
+    m_d, m_u = robot.m_d[:, None], robot.m_u[:, None]
+    spherical = robot.base_joint == "spherical"
+
+    Sddot = _cross(alpha, q) + _cross(omega, _cross(omega, q)) + a[..., None, :]  # (7)
+    W_s = _dot(s, W)  # 0 as printed, in (8) and (9)
+    W_t = W - W_s * s
+    Lddot = _dot(s, Sddot) + L * _dot(W_t, W_t)  # (8)
+    A = (_cross(s, Sddot) - 2 * Ldot * W_t) / L - W_s * _cross(s, W)  # (9)
+    if not spherical and SPIN not in faults:
+        ndot = _cross(robot.k, _cross(W, leg.y))
+        A = A - (_dot(A, n) + _dot(W, ndot)) / _dot(s, n) * s  # (9) corrected: d/dt (W.n) = 0
+
+    a_d = _cross(A, leg.r_d) + _cross(W, _cross(W, leg.r_d))  # (13)
+    a_u = (  # (14)
+        Lddot * s + _cross(A, leg.r_u) + _cross(W, _cross(W, leg.r_u)) + 2 * Ldot * _cross(W, s)
+    )
+    f = robot.C_s[:, None] * (W - omega)  # friction in (18)
+    I_du = leg.I_d + leg.I_u
+    C = (  # right side of (20)
+        m_d * _cross(leg.r_d, a_d)
+        + m_u * _cross(leg.r_u, a_u)
+        - _cross(m_d * leg.r_d + m_u * leg.r_u, g)
+        + _mul(I_du, A)
+        + _cross(W, _mul(I_du, W))
+        + robot.C_u[:, None] * W
+        + f
+    )
+    # (29): the product of s with M_u axis + S x F_s = C, (20); then (21): the vector product of the two.
+    M_u = np.zeros_like(L) if spherical else _dot(s, C) / _dot(s, leg.axis)
+    K = _cross(C - M_u * leg.axis, s) / L
+    D = m_u * _dot(s, a_u - g) + robot.C_p[:, None] * Ldot  # (24)
+    return Legs(**vars(leg), Lddot=Lddot, A=A, a_d=a_d, a_u=a_u, f=f, M_u=M_u, K=K, D=D)
+
+
+def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Forces]:
+    """The legs and then the platform's six equations, (33)-(37)."""
+    leg, H, c, status = _equations(robot, motion, faults)
+    x, status = _solve_linear(robot, H, c, status)  # (36)
+    F = leg.D[..., 0] - x  # (37)
+    bad = status != OK
+    return leg, Forces(
+        F=_blank(F, bad),
+        D=_blank(leg.D[..., 0], bad),
+        x=_blank(x, bad),
+        K=_blank(leg.K, bad),
+        H=_blank(H, bad),
+        c=_blank(c, bad),
+        status=status,
+    )
+
+
+def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Array, Array, Codes]:
+    """The legs, then H and c of (36) and a status that does not judge H."""
+    leg, H, c = balance(robot, motion, faults)
+    D, K = leg.D[..., 0], leg.K
+    faults_of_legs = _leg_faults(robot, motion, leg)
+    at_pole = (faults_of_legs == OK) & ~(leg.sin_pole[..., 0] > ROUNDING)
+    finite = _finite(H, 2) & _finite(c, 1) & _finite(D, 1) & _finite(K, 2)
+    return leg, H, c, _status(np.where(at_pole, POLE, faults_of_legs), finite)
+
+
+def balance(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Legs, Array, Array]:
+    """The legs, H and c of (36), unchecked. Arrays may hold numbers of any kind, such as mpmath's."""
+    leg = _legs(robot, motion, _known(faults))
+    sum_K = np.sum(leg.K, axis=-2)
+    sum_qK_f = np.sum(_cross(leg.q, leg.K) - leg.f, axis=-2)
+
+    force_rows = sum_K if SIGN in faults else -sum_K  # (33) as printed, else (35)
+    c = _platform_wrench(robot, motion) + np.concatenate([force_rows, -sum_qK_f], axis=-1)  # (35)
+    return leg, _H(leg), c
+
+
+def _H(leg: _Positions) -> Array:
+    """H of (36), (..., 6, 6): row blocks s and q x s, one column for each leg."""
+    return _transpose(np.concatenate([leg.s, _cross(leg.q, leg.s)], axis=-1))
+
+
+def _platform_inertia(robot: Robot, motion: Motion) -> tuple[Array, Array]:
+    """Centre of mass from the reference point and inertia, base axes."""
+    R = _mul(motion.R, robot.R_0)  # (30)
+    I = motion.R @ robot.I_p @ _transpose(motion.R)  # (32)  # noqa: E741
+    return R, I
+
+
+def _platform_wrench(robot: Robot, motion: Motion) -> Array:
+    """c_0 of (41): the wrench on the platform without what the legs' masses and friction add, (..., 6)."""
+    a_t, alpha = _accelerations(motion)
+    omega, g, M = motion.omega, robot.g, robot.M
+    R, I = _platform_inertia(robot, motion)  # noqa: E741
+    F_ext, M_ext = _load(motion)
+    a = _cross(alpha, R) + _cross(omega, _cross(omega, R)) + a_t  # (31)
+    force = F_ext + M * (g - a)  # (33)
+    moment = M * _cross(R, g - a) - _mul(I, alpha) - _cross(omega, _mul(I, omega)) + M_ext  # (34)
+    return np.concatenate([force, moment], axis=-1)
+
+
+def _load(motion: Motion) -> tuple[Array, Array]:
+    """External force and moment, turned from the platform frame into the base frame, each (..., 3)."""
+    none = np.zeros_like(motion.t)
+    F = none if motion.F_ext is None else _mul(motion.R, motion.F_ext)
+    M = none if motion.M_ext is None else _mul(motion.R, motion.M_ext)
+    return F, M
+
+
+def _accelerations(motion: Motion) -> tuple[Array, Array]:
+    if motion.a is None or motion.alpha is None:
+        raise ValueError("motion: accelerations expected, but alpha or a is None")
+    return motion.a, motion.alpha
+
+
+def _known(faults: frozenset[int]) -> frozenset[int]:
+    if not faults <= {SPIN, MOMENT, TRANSPORT, SIGN}:
+        raise ValueError(f"faults: expected numbers from 1 to 4, got {sorted(faults)}")
+    return faults
+
+
+def _bearing(bearing: ArrayLike | None) -> Array:
+    """Distance of the bearing from the base point as a column of legs, (6, 1)."""
+    if bearing is None:
+        return np.zeros((6, 1))
+    try:
+        value = np.asarray(bearing, dtype=np.float64)
+    except (TypeError, ValueError):
+        value = np.array(np.nan)
+    if value.shape not in ((), (6,)) or not np.all(np.isfinite(value)):
+        raise ValueError("bearing: expected a finite number of metres, or six, one for each leg")
+    return np.broadcast_to(value, 6)[:, None]
+
+
+def _leg_faults(robot: Robot, motion: Motion, leg: _Positions) -> Codes:
+    """Codes of the legs, (..., 6): a length that overflows, or is rounding beside the terms of S, (2)."""
+    L = leg.L[..., 0]
+    reach = np.max(np.abs(np.broadcast_arrays(leg.q, motion.t[..., None, :], robot.b)), axis=(0, -1))
+    return np.where(np.isfinite(L), np.where(ROUNDING * reach >= L, SHORT_LEG, OK), NOT_FINITE)
+
+
+def _status(faults_of_legs: Codes, finite: NDArray[np.bool_]) -> Codes:
+    """Of each pose: the first faulty leg's code, (..., 6); if there is none, whether all is finite."""
+    first = np.argmax(faults_of_legs != OK, axis=-1)[..., None]
+    of_legs = np.take_along_axis(faults_of_legs, first, axis=-1)[..., 0]
+    return np.where((of_legs == OK) & ~finite, NOT_FINITE, of_legs).astype(np.int32)
+
+
+def _solve_linear(robot: Robot, H: Array, c: Array, status: Codes) -> tuple[Array, Codes]:
+    """x of H x = c at the poses whose status is 0, NaN at the others; and the status with what came of it."""
+    x = np.full_like(c, np.nan)
+    status = status.copy()
+    ok = status == OK
+    status[ok] = np.where(is_singular(robot, H[ok]), SINGULAR, OK)
+    ok = status == OK
+    x[ok] = np.linalg.solve(H[ok], c[ok][..., None])[..., 0]
+    status[ok & ~_finite(x, 1)] = NOT_FINITE
+    return x, status
+
+
+def is_singular(robot: Robot, H: Array) -> NDArray[np.bool_]:
+    """Where H, (..., 6, 6), moments over the platform's size, is singular to rounding, (...)."""
+    length = np.linalg.norm(robot.p, axis=-1).max() or 1.0
+    sigma = np.linalg.svd(H / np.repeat([1.0, length], 3)[:, None], compute_uv=False)
+    # `solve` rejects a whole batch for one zero pivot; slogdet, the same elimination, tells whose it is.
+    return np.asarray((sigma[..., -1] <= ROUNDING * sigma[..., 0]) | (np.linalg.slogdet(H)[0] == 0))
+
+
+def _finite(value: Array, axes: int) -> NDArray[np.bool_]:
+    """Whether all numbers along the last `axes` axes are finite."""
+    finite: NDArray[np.bool_] = np.all(np.isfinite(value), axis=tuple(range(-axes, 0)))
+    return finite
+
+
+def _blank(value: Array, bad: NDArray[np.bool_]) -> Array:
+    """`value` with NaN at the bad poses."""
+    wide = bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim))
+    return np.where(wide, np.nan, value)
+
+
+def _dot(a: Array, b: Array) -> Array:
+    """Scalar product of vectors (..., 3), kept as (..., 1)."""
+    product: Array = np.sum(a * b, axis=-1, keepdims=True)
+    return product
+
+
+def _cross(a: Array, b: Array) -> Array:
+    """Vector product of vectors (..., 3)."""
+    return np.cross(a, b)
+
+
+def _mul(A: Array, v: Array) -> Array:
+    """Matrices (..., 3, 3) times vectors (..., 3)."""
+    return (A @ v[..., None])[..., 0]
+
+
+def _transpose(A: Array) -> Array:
+    return np.swapaxes(A, -1, -2)

@@ -1,0 +1,440 @@
+"""The machine: geometry, masses, friction and limits, as read from a robot file and checked once.
+
+Stands at the start of the flow, before motions and kernels; everything after it may trust what a ``Robot``
+holds.  It knows nothing of poses, equations or backends.
+"""
+
+import math
+import os
+import warnings
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..io import tables
+from ..io.arguments import shown
+from ..io.frozen import Frozen
+
+Array = NDArray[np.float64]
+
+SCHEMA = 1
+LEGS = 6
+DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
+BASE_JOINTS = ("universal", "spherical")
+SYMMETRY_TOLERANCE = 1e-9
+
+_TOP_KEYS = ("schema", "name", "base_joint", "gravity", "accept", "platform", "leg_defaults", "leg")
+_BODY_KEYS = ("mass", "center_of_mass", "inertia")
+_FRICTION_KEYS = ("universal", "prismatic", "spherical")
+_SHARED_KEYS = ("lower", "upper", "friction", "length_limits", "force_limit", "speed_limit")
+_NO_LIMITS = {"length_limits": (0.0, math.inf), "force_limit": math.inf, "speed_limit": math.inf}
+_LEG_KEYS = ("base_point", "platform_point", "universal_axis", *_SHARED_KEYS)
+
+
+DOUBTS = (
+    *("platform-inertia", "lower-inertia", "upper-inertia"),
+    *(
+        "gravity",
+        "length-unit",
+        "stray-point",
+        "proportion",
+        "mass",
+        "inertia-size",
+        "center-of-mass",
+        "friction",
+    ),
+    *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity", "overlap"),
+    *("length-limits", "force-limit", "speed-limit"),
+)
+"""Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
+loading, the others by ``plausibility.doubts``."""
+
+
+class PhysicalityWarning(UserWarning):
+    """Numbers that no machine, or hardly one, can have; the robot is loaded all the same."""
+
+
+@dataclass(frozen=True, eq=False)
+class Robot(Frozen):
+    """A Stewart platform with six legs, all of them distinct if need be.  SI units; arrays are read-only.
+
+    name: one line of text.
+    base_joint: ``"universal"`` (the paper's machine) or ``"spherical"`` (joints of that kind at both ends).
+    g: gravity, m/s^2, base frame, (3,).
+    M: platform mass with payload, kg.
+    R_0: centre of mass of the platform, m, platform frame, (3,).
+    I_p: its inertia about that centre of mass, kg m^2, platform frame, (3, 3).
+    b: base points, m, base frame, (6, 3).
+    p: platform points, m, platform frame, (6, 3).
+    k: unit fixed axes of the universal joints, base frame, (6, 3); zeros when ``base_joint`` is spherical.
+    m_d, m_u: masses of the lower and upper parts, kg, (6,).
+    r_d0: centres of mass of the lower parts, m, frame D (origin at the base point), (6, 3).
+    r_u0: centres of mass of the upper parts, m, frame U (origin at the platform point), (6, 3).
+    I_d0, I_u0: inertias about those centres of mass, kg m^2, frames D and U, (6, 3, 3).
+    C_u, C_p, C_s: viscous friction of the base joint (N m s), prismatic joint (N s/m) and spherical joint
+        (N m s), (6,).
+    length_limits: shortest and longest leg, m, (6, 2); a row (0, inf) means no limit.
+    force_limit, speed_limit: of the actuators, N and m/s, (6,); inf means no limit.
+    accept: names, of ``DOUBTS``, of warnings that are known of this robot and not given.
+
+    Raises ``ValueError`` naming the field when a value breaks a rule of the robot file.
+    ``dataclasses.replace`` makes a changed copy and checks it again.
+    """
+
+    name: str
+    base_joint: str
+    g: Array
+    M: float
+    R_0: Array
+    I_p: Array
+    b: Array
+    p: Array
+    k: Array
+    m_d: Array
+    r_d0: Array
+    I_d0: Array
+    m_u: Array
+    r_u0: Array
+    I_u0: Array
+    C_u: Array
+    C_p: Array
+    C_s: Array
+    length_limits: Array = field(default_factory=lambda: np.tile([0.0, math.inf], (LEGS, 1)))
+    force_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
+    speed_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
+    accept: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Check every field and freeze private float64 copies of the arrays."""
+        tables.one_line(self.name, "robot: name")
+        _base_joint(self.base_joint, "robot: base_joint")
+        checked: dict[str, float | Array | tuple[str, ...]] = {
+            "accept": _accepted(self.accept, "robot: accept"),
+            "g": tables.vector(self.g, "robot: g"),
+            "M": tables.positive(self.M, "robot: M"),
+            "R_0": tables.vector(self.R_0, "robot: R_0"),
+            "I_p": _inertia(self.I_p, "robot: I_p"),
+            "k": self._per_leg("k", _direction if self.base_joint == "universal" else _no_direction),
+        }
+        for name, check in _LEG_FIELDS.items():
+            checked[name] = self._per_leg(name, check)
+        self._set(checked)
+        if self.base_joint == "spherical":
+            for i in range(LEGS):
+                where = f"robot: leg {i + 1}: "
+                _axisymmetric(self.r_d0[i], self.I_d0[i], f"{where}r_d0", f"{where}I_d0")
+                _axisymmetric(self.r_u0[i], self.I_u0[i], f"{where}r_u0", f"{where}I_u0")
+
+    def _per_leg(self, name: str, check: Callable[[object, str], float | Array]) -> Array:
+        given = getattr(self, name)
+        rows = given.tolist() if isinstance(given, np.ndarray) else given
+        if not isinstance(rows, list | tuple) or len(rows) != LEGS:
+            raise ValueError(f"robot: {name}: expected one entry for each of six legs")
+        return np.array([check(row, f"robot: leg {i}: {name}") for i, row in enumerate(rows, 1)])
+
+    @classmethod
+    def from_toml(cls, path: str | os.PathLike[str]) -> "Robot":
+        """Read a robot file (TOML, schema 1).
+
+        Raises ``ValueError`` of one line, ``file: key: what was expected``, for a file that cannot be read
+        and for every break of the schema; legs are numbered from 1.  Warns with ``PhysicalityWarning`` about
+        inertias that no body can have, unless the file accepts them.
+        """
+        source = tables.file_name(path)
+        robot = _from_table(cls, tables.read_toml(source, "robot file"), source)
+        _warn(robot, source)
+        return robot
+
+    @classmethod
+    def from_dict(cls, d: Mapping[str, Any]) -> "Robot":
+        """Make a robot from the tables of a robot file as plain Python dicts and lists.
+
+        Raises and warns as ``from_toml``, with ``robot`` in place of the file's name.
+        """
+        robot = _from_table(cls, d, "robot")
+        _warn(robot, "robot")
+        return robot
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the robot as the tables of a robot file, schema 1; ``from_dict`` undoes it to the bit."""
+        return {
+            "schema": SCHEMA,
+            "name": self.name,
+            "base_joint": self.base_joint,
+            "gravity": self.g.tolist(),
+            **({"accept": list(self.accept)} if self.accept else {}),
+            "platform": _body_table(self.M, self.R_0, self.I_p),
+            "leg": [self._leg_table(i) for i in range(LEGS)],
+        }
+
+    def _leg_table(self, i: int) -> dict[str, Any]:
+        leg: dict[str, Any] = {"base_point": self.b[i].tolist(), "platform_point": self.p[i].tolist()}
+        if self.base_joint == "universal":
+            leg["universal_axis"] = self.k[i].tolist()
+        leg["lower"] = _body_table(self.m_d[i], self.r_d0[i], self.I_d0[i])
+        leg["upper"] = _body_table(self.m_u[i], self.r_u0[i], self.I_u0[i])
+        coefficients = (self.C_u[i], self.C_p[i], self.C_s[i])
+        leg["friction"] = {key: float(C) for key, C in zip(_FRICTION_KEYS, coefficients, strict=True)}
+        if np.isfinite(self.length_limits[i, 1]):
+            leg["length_limits"] = self.length_limits[i].tolist()
+        for key, limit in (("force_limit", self.force_limit[i]), ("speed_limit", self.speed_limit[i])):
+            if np.isfinite(limit):
+                leg[key] = float(limit)
+        return leg
+
+    def physicality(self) -> list[str]:
+        """Return one line for each part whose inertia no rigid body can have; empty when all are possible.
+
+        Principal moments A <= B <= C of a body satisfy A >= 0 and A + B >= C.  Legs with the same tensor
+        share a line.  What the robot accepts is told as well.
+        """
+        return [message for _, message in _impossible_inertias(self)]
+
+
+def _body_table(mass: float, center: Array, inertia: Array) -> dict[str, Any]:
+    return {"mass": float(mass), "center_of_mass": center.tolist(), "inertia": inertia.tolist()}
+
+
+# Physicality
+
+
+def _impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
+    """Name, of ``DOUBTS``, and line of each impossible inertia."""
+    found = [("platform-inertia", f"platform: inertia: {fault}") for fault in _inertia_fault(robot.I_p)]
+    for part, tensors in (("lower", robot.I_d0), ("upper", robot.I_u0)):
+        alike: dict[bytes, list[int]] = {}
+        for i, tensor in enumerate(tensors):
+            alike.setdefault(tensor.tobytes(), []).append(i)
+        for legs in alike.values():
+            for fault in _inertia_fault(tensors[legs[0]]):
+                found.append((f"{part}-inertia", f"{part} part of {legs_text(legs)}: inertia: {fault}"))
+    return found
+
+
+def _inertia_fault(inertia: Array) -> list[str]:
+    A, B, C = (float(moment) for moment in np.linalg.eigvalsh(inertia))
+    tolerance = SYMMETRY_TOLERANCE * max(abs(A), abs(C))
+    moments = f"principal moments {A:.3g}, {B:.3g}, {C:.3g} kg m^2"
+    # A thin rod has A = 0: the limit of possible bodies is let pass.
+    if A + tolerance < 0.0:
+        return [f"physically impossible: {moments} are not all positive"]
+    if A + B + tolerance < C:
+        return [f"physically impossible: {moments} break A + B >= C"]
+    return []
+
+
+def legs_text(legs: Sequence[int]) -> str:
+    """Legs, counted from 0, as a message names them."""
+    if len(legs) == LEGS:
+        return "all legs"
+    return ("leg " if len(legs) == 1 else "legs ") + ", ".join(str(i + 1) for i in legs)
+
+
+def _warn(robot: Robot, source: str) -> None:
+    for name, message in _impossible_inertias(robot):
+        if name not in robot.accept:
+            warnings.warn(f"{source}: {message} [{name}]", PhysicalityWarning, stacklevel=3)
+
+
+# From tables to a Robot
+
+
+def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
+    """Check the tables of a robot file; ``source: `` begins every message."""
+    file = f"{source}: "
+    top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "name", "platform", "leg"))
+    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    joint = _base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
+    platform = _body(top["platform"], f"{file}platform.")
+    tables.require(platform, _BODY_KEYS, f"{file}platform.", "missing")
+    defaults = tables.checked_table(top.get("leg_defaults", {}), f"{file}leg_defaults.", _SHARED_KEYS)
+    shared = _shared(defaults, f"{file}leg_defaults.")
+    given = top["leg"]
+    if not isinstance(given, list | tuple):
+        raise ValueError(f"{file}leg: expected six [[leg]] tables, got {shown(given)}")
+    if len(given) != LEGS:
+        raise ValueError(f"{file}leg: expected exactly six [[leg]] tables, got {len(given)}")
+    legs = [_leg(table, shared, joint, f"{file}leg {i}: ") for i, table in enumerate(given, 1)]
+
+    def column(key: str) -> Array:
+        return np.array([leg[key] for leg in legs])
+
+    def parts(part: str, key: str) -> Array:
+        return np.array([leg[part][key] for leg in legs])
+
+    return cls(
+        name=tables.one_line(top["name"], f"{file}name"),
+        base_joint=joint,
+        g=tables.vector(top.get("gravity", DEFAULT_GRAVITY), f"{file}gravity"),
+        M=platform["mass"],
+        R_0=platform["center_of_mass"],
+        I_p=platform["inertia"],
+        b=column("base_point"),
+        p=column("platform_point"),
+        k=column("universal_axis"),
+        m_d=parts("lower", "mass"),
+        r_d0=parts("lower", "center_of_mass"),
+        I_d0=parts("lower", "inertia"),
+        m_u=parts("upper", "mass"),
+        r_u0=parts("upper", "center_of_mass"),
+        I_u0=parts("upper", "inertia"),
+        C_u=parts("friction", "universal"),
+        C_p=parts("friction", "prismatic"),
+        C_s=parts("friction", "spherical"),
+        length_limits=column("length_limits"),
+        force_limit=column("force_limit"),
+        speed_limit=column("speed_limit"),
+        accept=_accepted(top.get("accept", ()), f"{file}accept"),
+    )
+
+
+def _leg(value: object, shared: Mapping[str, Any], joint: str, prefix: str) -> dict[str, Any]:
+    """Check one leg's table and fill it up from the defaults, key by key."""
+    table = tables.checked_table(value, prefix, _LEG_KEYS, ("base_point", "platform_point"))
+    leg = {**_NO_LIMITS, **shared, **_shared(table, prefix)}
+    for part, keys in (("lower", _BODY_KEYS), ("upper", _BODY_KEYS), ("friction", _FRICTION_KEYS)):
+        leg[part] = {**shared.get(part, {}), **leg.get(part, {})}
+        tables.require(leg[part], keys, f"{prefix}{part}.", "missing, here and in leg_defaults")
+    for key in ("base_point", "platform_point"):
+        leg[key] = tables.vector(table[key], prefix + key)
+    if joint == "universal":
+        tables.require(table, ("universal_axis",), prefix, "missing")
+        leg["universal_axis"] = _direction(table["universal_axis"], f"{prefix}universal_axis")
+        return leg
+    if "universal_axis" in table:
+        raise ValueError(f'{prefix}universal_axis: expected none when base_joint is "spherical"')
+    leg["universal_axis"] = np.zeros(3)
+    for part in ("lower", "upper"):
+        center, inertia = leg[part]["center_of_mass"], leg[part]["inertia"]
+        _axisymmetric(center, inertia, f"{prefix}{part}.center_of_mass", f"{prefix}{part}.inertia")
+    return leg
+
+
+def _shared(table: Mapping[str, Any], prefix: str) -> dict[str, Any]:
+    """Check those keys of a leg that may also stand in ``leg_defaults``; any of them may be absent."""
+    checked: dict[str, Any] = {}
+    for part in ("lower", "upper"):
+        if part in table:
+            checked[part] = _body(table[part], f"{prefix}{part}.")
+    if "friction" in table:
+        friction = tables.checked_table(table["friction"], f"{prefix}friction.", _FRICTION_KEYS)
+        checked["friction"] = {
+            key: tables.not_negative(C, f"{prefix}friction.{key}") for key, C in friction.items()
+        }
+    if "length_limits" in table:
+        checked["length_limits"] = _limits(table["length_limits"], f"{prefix}length_limits")
+    for key in ("force_limit", "speed_limit"):
+        if key in table:
+            checked[key] = tables.positive(table[key], prefix + key)
+    return checked
+
+
+def _body(value: object, prefix: str) -> dict[str, Any]:
+    table = tables.checked_table(value, prefix, _BODY_KEYS)
+    checks = {"mass": tables.positive, "center_of_mass": tables.vector, "inertia": _inertia}
+    return {key: checks[key](given, prefix + key) for key, given in table.items()}
+
+
+# Single values
+
+
+def _vector_text(vector: Array) -> str:
+    return "(" + ", ".join(f"{x:g}" for x in vector) + ")"
+
+
+def _base_joint(value: object, where: str) -> str:
+    if not isinstance(value, str) or value not in BASE_JOINTS:
+        raise ValueError(f'{where}: expected "universal" or "spherical", got {shown(value)}')
+    return value
+
+
+def _accepted(value: object, where: str) -> tuple[str, ...]:
+    if not isinstance(value, list | tuple):
+        raise ValueError(f"{where}: expected a list of names of warnings, got {shown(value)}")
+    return tuple(tables.choice(name, DOUBTS, where) for name in value)
+
+
+def _limits(value: object, where: str) -> Array:
+    limits = tables.numbers(value, (2,), where)
+    if not 0.0 <= limits[0] < limits[1]:
+        raise ValueError(f"{where}: expected [min, max] with 0 <= min < max, got {shown(limits.tolist())}")
+    return limits
+
+
+# A robot file says "no limit" by leaving the key out, so infinity is for robots in memory only.
+
+
+def _limits_or_none(value: object, where: str) -> Array:
+    row = value.tolist() if isinstance(value, np.ndarray) else value
+    if isinstance(row, list | tuple) and tuple(row) == _NO_LIMITS["length_limits"]:
+        return np.array(row)
+    return _limits(row, where)
+
+
+def _limit_or_none(value: object, where: str) -> float:
+    return math.inf if isinstance(value, float) and value == math.inf else tables.positive(value, where)
+
+
+def _direction(value: object, where: str) -> Array:
+    vector = tables.vector(value, where)
+    largest = float(np.max(np.abs(vector)))
+    if largest == 0.0:
+        raise ValueError(f"{where}: expected a non-zero direction, got {_vector_text(vector)}")
+    norm = math.sqrt(float(vector @ vector)) if 1e-100 < largest < 1e100 else 0.0
+    # A vector that is unit to rounding is left alone: reading what to_dict wrote must change no bit.
+    if abs(norm - 1.0) <= 4.0 * np.finfo(np.float64).eps:
+        return vector
+    scaled = vector / largest
+    return np.asarray(scaled / math.sqrt(float(scaled @ scaled)))
+
+
+def _no_direction(value: object, where: str) -> Array:
+    vector = tables.vector(value, where)
+    if np.any(vector != 0.0):
+        raise ValueError(
+            f'{where}: expected (0, 0, 0) when base_joint is "spherical", got {_vector_text(vector)}'
+        )
+    return vector
+
+
+def _inertia(value: object, where: str) -> Array:
+    inertia = tables.numbers(value, (3, 3), where)
+    skew = np.abs(inertia - inertia.T)
+    if np.max(skew) > SYMMETRY_TOLERANCE * np.max(np.abs(inertia)):
+        i, j = divmod(int(np.argmax(skew)), 3)
+        raise ValueError(
+            f"{where}: expected a symmetric tensor, got {inertia[i, j]:g} at ({i + 1}, {j + 1}) "
+            f"and {inertia[j, i]:g} at ({j + 1}, {i + 1})"
+        )
+    return np.asarray(0.5 * inertia + 0.5 * inertia.T)
+
+
+def _axisymmetric(center: Array, inertia: Array, where_center: str, where_inertia: str) -> None:
+    """Refuse a part that is no body of revolution about the leg: spherical joints leave its spin free."""
+    if np.any(np.abs(center[1:]) > SYMMETRY_TOLERANCE * np.max(np.abs(center))):
+        got = _vector_text(center)
+        raise ValueError(f'{where_center}: expected (x, 0, 0) when base_joint is "spherical", got {got}')
+    wanted = np.diag([inertia[0, 0], inertia[1, 1], inertia[1, 1]])
+    if np.any(np.abs(inertia - wanted) > SYMMETRY_TOLERANCE * np.max(np.abs(inertia))):
+        raise ValueError(f'{where_inertia}: expected diag(Ia, It, It) when base_joint is "spherical"')
+
+
+_LEG_FIELDS: dict[str, Callable[[object, str], float | Array]] = {
+    "b": tables.vector,
+    "p": tables.vector,
+    "m_d": tables.positive,
+    "r_d0": tables.vector,
+    "I_d0": _inertia,
+    "m_u": tables.positive,
+    "r_u0": tables.vector,
+    "I_u0": _inertia,
+    "C_u": tables.not_negative,
+    "C_p": tables.not_negative,
+    "C_s": tables.not_negative,
+    "length_limits": _limits_or_none,
+    "force_limit": _limit_or_none,
+    "speed_limit": _limit_or_none,
+}

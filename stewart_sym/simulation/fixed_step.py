@@ -1,0 +1,74 @@
+"""Fixed steps: states under held forces carried on by a Runge-Kutta method on rotations, many side by side.
+
+Stands on ``equations`` beside ``simulation``, for loops in which a controller sets the pace: no step is
+rejected, no limit is watched, and nothing is interpolated. Needs NumPy alone.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dynamics.equations import ForwardDynamics
+from ..io.arguments import shown
+from ..motion.motion import Motion
+from ..motion.rotation import orthonormal, rotation_from_vector, vector_rate
+
+Array = NDArray[np.float64]
+Codes = NDArray[np.int32]
+
+
+def advance(
+    plant: ForwardDynamics, state: Motion, F: Array, duration: float, steps: int = 1
+) -> tuple[Motion, Codes]:
+    """Carry states (...) on for a duration, s, under constant actuator forces F, N, (..., 6).
+
+    The classical method of fourth order; each step writes its rotations as vectors from the R it begins with
+    (Munthe-Kaas), so R stays orthonormal to rounding. A load of the state stays on, in the platform frame.
+    steps: how many equal steps the duration is cut into, at least 1.
+
+    Returns states without accelerations, with the load, and the status of each, (...), 0 or the first
+    code of ``results.STATUS_TEXT`` that forward dynamics met; such a state is NaN.
+
+    Raises ValueError for steps below 1.
+    """
+    if steps < 1:
+        raise ValueError(f"steps: expected at least 1, got {shown(steps)}")
+    h = duration / steps
+    first = np.zeros(state.shape, dtype=np.int32)
+    # The status of a state that diverges says so.
+    with np.errstate(over="ignore", invalid="ignore"):
+        for _ in range(steps):
+            state, status = _step(plant, state, F, h)
+            first = np.where(first == 0, status, first)
+    return state, first
+
+
+def _step(plant: ForwardDynamics, start: Motion, F: Array, h: float) -> tuple[Motion, Codes]:
+    """One step; numbers of a state: [t; phi; v; omega], (..., 12), with R = exp([phi]x) R_start."""
+    first = np.zeros(start.shape, dtype=np.int32)
+
+    def rates(y: Array) -> Array:
+        nonlocal first
+        state = _state(start, y)
+        a, alpha, status = plant.solve(state, F)
+        first = np.where(first == 0, status, first)
+        return np.concatenate([state.v, vector_rate(y[..., 3:6], state.omega), a, alpha], axis=-1)
+
+    y = np.concatenate([start.t, np.zeros_like(start.t), start.v, start.omega], axis=-1)
+    k_1 = rates(y)
+    k_2 = rates(y + 0.5 * h * k_1)
+    k_3 = rates(y + 0.5 * h * k_2)
+    k_4 = rates(y + h * k_3)
+    end = _state(start, y + h / 6.0 * (k_1 + 2.0 * (k_2 + k_3) + k_4))
+    R = orthonormal(end.R)
+    return Motion.unchecked(R, end.t, end.omega, end.v, F_ext=start.F_ext, M_ext=start.M_ext), first
+
+
+def _state(start: Motion, y: Array) -> Motion:
+    return Motion.unchecked(
+        rotation_from_vector(y[..., 3:6]) @ start.R,
+        y[..., :3],
+        omega=y[..., 9:],
+        v=y[..., 6:9],
+        F_ext=start.F_ext,
+        M_ext=start.M_ext,
+    )

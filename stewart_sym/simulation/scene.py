@@ -1,0 +1,250 @@
+"""Scenes: a simulation as a TOML file says it, read and checked into what ``simulate`` takes.
+
+Stands above ``simulation`` and the laws of the legs; the command line runs what is read here. Knows files and
+keys, no mechanics.
+"""
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..backend.kernel import FORMULATIONS
+from ..dynamics.inverse import Formulation
+from ..io import tables
+from ..io.arguments import shown
+from ..kinematics.paths import PATHS, path_for
+from ..motion.motion import Motion
+from ..motion.rotation import rotation_from_rpy
+from ..motion.trajectory import interpolated, read_csv
+from ..robot.robot import Robot
+from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Wanted, along
+from .simulation import (
+    METHODS,
+    ON_FORCE_LIMIT,
+    Method,
+    OnForceLimit,
+    Progress,
+    Simulation,
+    Thresholds,
+    check_output_step,
+    check_rtol,
+    simulate,
+)
+
+Array = NDArray[np.float64]
+
+SCHEMA = 1
+LAWS = ("forces", "springs", "tracking")
+STARTS = ("path",)
+
+_TOP_KEYS = (
+    "schema",
+    "robot",
+    "formulation",
+    "duration",
+    "output_step",
+    "method",
+    "rtol",
+    "start",
+    "on_force_limit",
+    "state",
+    "load",
+    "legs",
+    "thresholds",
+)
+_STATE_KEYS = ("t", "theta", "v", "omega")
+_LOAD_KEYS = ("F_ext", "M_ext")
+_THRESHOLD_KEYS = ("max_condition", "min_length", "min_pole_sine")
+_LAW_KEYS = {
+    "forces": ("law", "forces"),
+    "springs": ("law", "stiffness", "rest_length", "damping"),
+    "tracking": ("law", "path", "k_p", "k_d", "model", "rate"),
+}
+_LAW_NEEDS = {"forces": ("forces",), "springs": ("stiffness",), "tracking": ("path", "k_p", "k_d")}
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """A simulation to be run; names and units are those of ``simulate``.
+
+    law: with ``rate``, Hz, its forces are held between samples. files: from which it was read.
+    """
+
+    robot: Robot
+    state: Motion
+    law: ForceLaw
+    rate: float | None
+    formulation: Formulation
+    duration: float
+    output_step: float | None
+    method: Method
+    rtol: float
+    thresholds: Thresholds
+    on_force_limit: OnForceLimit = "stop"
+    files: tuple[Path, ...] = ()
+
+    def run(self, progress: Progress | None = None) -> Simulation:
+        """Run the simulation; progress and what is raised: as for ``simulate``."""
+        return simulate(
+            self.robot,
+            self.state,
+            self.law,
+            self.duration,
+            rate=self.rate,
+            formulation=self.formulation,
+            method=self.method,
+            rtol=self.rtol,
+            output_step=self.output_step,
+            thresholds=self.thresholds,
+            on_force_limit=self.on_force_limit,
+            progress=progress,
+        )
+
+
+def read_scene(path: str | os.PathLike[str]) -> Scene:
+    """Read a scene file (TOML, schema 1); the files that it names are looked for beside it.
+
+    Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read and for
+    every break of the schema, of this file or of one it names; ImportError where a spline needs SciPy.
+    """
+    source = tables.file_name(path)
+    file = f"{source}: "
+    top = tables.checked_table(
+        tables.read_toml(source, "scene of simulate"),
+        file,
+        _TOP_KEYS,
+        ("schema", "robot", "duration", "legs"),
+    )
+    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    folder = Path(source).parent
+    # What is wrong in this file comes before what is wrong in another.
+    legs = _legs(top["legs"], f"{file}legs.")
+    numbers = {
+        key: tables.positive(top[key], file + key) if key in top else default
+        for key, default in (("duration", None), ("output_step", None), ("rtol", 1e-9))
+    }
+    try:
+        check_rtol(numbers["rtol"])
+        check_output_step(numbers["output_step"], cast(float, numbers["duration"]))
+    except ValueError as error:
+        raise ValueError(f"{file}{error}") from None
+    method = tables.choice(top.get("method", METHODS[0]), METHODS, f"{file}method")
+    formulation = tables.choice(top.get("formulation", FORMULATIONS[0]), FORMULATIONS, f"{file}formulation")
+    thresholds = _thresholds(top.get("thresholds", {}), f"{file}thresholds.")
+    load = _vectors(top.get("load", {}), _LOAD_KEYS, (), f"{file}load.")
+    limit = tables.choice(
+        top.get("on_force_limit", ON_FORCE_LIMIT[0]), ON_FORCE_LIMIT, f"{file}on_force_limit"
+    )
+    _check_start(top, legs["law"], file)
+    given = _vectors(top["state"], _STATE_KEYS, ("t", "theta"), f"{file}state.") if "state" in top else None
+    read = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
+    robot = Robot.from_toml(read[1])
+    tracked = legs["path"] if legs["law"] == "tracking" else None
+    if tracked is not None and tracked not in PATHS:
+        read.append(folder / tracked)
+    wanted = None if tracked is None else _wanted(robot, tracked, folder)
+    state = _state(given, wanted, load)
+    try:
+        law = _law(robot, legs, state, wanted)
+    except ValueError as error:
+        raise ValueError(f"{file}legs: {error}") from None
+    return Scene(
+        robot=robot,
+        state=state,
+        law=law,
+        rate=legs.get("rate"),
+        formulation=cast(Formulation, formulation),
+        duration=cast(float, numbers["duration"]),
+        output_step=numbers["output_step"],
+        method=cast(Method, method),
+        rtol=cast(float, numbers["rtol"]),
+        thresholds=thresholds,
+        on_force_limit=cast(OnForceLimit, limit),
+        files=tuple(read),
+    )
+
+
+def _check_start(top: Mapping[str, Any], law: str, file: str) -> None:
+    """Reject a scene that starts nowhere or in two places; a tracking one starts on its path by itself."""
+    if "start" in top:
+        start = tables.choice(top["start"], STARTS, f"{file}start")
+        if law != "tracking":
+            raise ValueError(f'{file}start: expected [legs] law = "tracking" with "{start}", got "{law}"')
+        if "state" in top:
+            raise ValueError(f'{file}start: expected no [state] beside "{start}"')
+    elif "state" not in top and law != "tracking":
+        raise ValueError(f"{file}state: missing")
+
+
+def _legs(value: object, prefix: str) -> dict[str, Any]:
+    """The law of the legs, its numbers checked; which keys there may be depends on the law."""
+    every = tuple(dict.fromkeys(key for keys in _LAW_KEYS.values() for key in keys))
+    law = tables.choice(tables.checked_table(value, prefix, every, ("law",))["law"], LAWS, f"{prefix}law")
+    legs = tables.checked_table(value, prefix, _LAW_KEYS[law], _LAW_NEEDS[law])
+    checks: dict[str, Callable[[object, str], Any]] = {
+        "law": tables.one_line,
+        "forces": lambda value, where: tables.numbers(value, (6,), where),
+        "stiffness": _not_negative,
+        "rest_length": tables.per_leg,
+        "damping": _not_negative,
+        "path": tables.one_line,
+        "k_p": tables.not_negative,
+        "k_d": tables.not_negative,
+        "model": lambda value, where: tables.choice(value, FORMULATIONS, where),
+        "rate": tables.positive,
+    }
+    return {key: checks[key](given, prefix + key) for key, given in legs.items()}
+
+
+def _not_negative(value: object, where: str) -> Any:
+    numbers = tables.per_leg(value, where)
+    if (np.asarray(numbers) < 0.0).any():
+        raise ValueError(f"{where}: expected numbers >= 0, got {shown(value)}")
+    return numbers
+
+
+def _thresholds(value: object, prefix: str) -> Thresholds:
+    table = tables.checked_table(value, prefix, _THRESHOLD_KEYS)
+    numbers = {key: tables.positive(given, prefix + key) for key, given in table.items()}
+    try:
+        return Thresholds(**numbers)
+    except ValueError as error:
+        raise ValueError(f"{prefix}{error}") from None
+
+
+def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], prefix: str) -> dict[str, Array]:
+    table = tables.checked_table(value, prefix, keys, needed)
+    return {key: tables.vector(given, prefix + key) for key, given in table.items()}
+
+
+def _wanted(robot: Robot, path: str, folder: Path) -> Wanted:
+    return along(path_for(robot, path).path) if path in PATHS else interpolated(read_csv(folder / path))
+
+
+def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mapping[str, Array]) -> Motion:
+    """The state to start from; without one, the start of the path."""
+    if given is None:
+        assert wanted is not None
+        start = wanted(0.0)
+        return Motion(start.R, start.t, start.omega, start.v, **load)
+    zero = np.zeros(3)
+    R = rotation_from_rpy(given["theta"])
+    return Motion(R, given["t"], given.get("omega", zero), given.get("v", zero), **load)
+
+
+def _law(robot: Robot, legs: Mapping[str, Any], state: Motion, wanted: Wanted | None) -> ForceLaw:
+    if legs["law"] == "forces":
+        constant: Array = legs["forces"]
+        return lambda time, state: constant
+    if legs["law"] == "springs":
+        stiffness, damping = legs["stiffness"], legs.get("damping", 0.0)
+        if "rest_length" in legs:
+            return LegSprings(robot, stiffness, legs["rest_length"], damping)
+        return LegSprings.balanced(robot, state, stiffness, damping)
+    assert wanted is not None
+    return ComputedTorque(robot, wanted, legs["k_p"], legs["k_d"], legs.get("model", FORMULATIONS[0]))

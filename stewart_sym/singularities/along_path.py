@@ -1,0 +1,420 @@
+"""How a path passes the machine's singular poses and limits, found between its samples.
+
+Stands on ``singular_poses``, ``search`` and the kernels' terms; takes any function of time. det H is a smooth
+function of time, so its roots are found from its sign at all its turning points. Which intervals are searched
+is settled by the rate of H: no singular value changes faster than H does (Weyl).
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..backend.kernel import FORMULATIONS, NumpyKernel
+from ..dynamics.inverse import Formulation, need_motion
+from ..io.arguments import instance, option, real_array
+from ..kinematics.conditioning import characteristic_length, moments_over
+from ..kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix_rate
+from ..motion.interpolation import Path
+from ..motion.motion import Motion
+from ..motion.rotation import cross
+from ..robot.robot import Robot
+from .search import minimum, root, turning_points
+from .singular_poses import Singularity, last_directions, singularity
+
+Array = NDArray[np.float64]
+# Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.
+_CARE = 2.0
+# Intervals are passed over unseen only where bounds of them exceed four times that, and what H changes.
+_SURE = 4.0 * _CARE
+# A smallest singular value below this share of the largest is rounding error along a path.
+_NOTHING = 1e-13
+# What elimination leaves of det H = 0, beside the product of the columns' sizes.
+_FLOOR = 1e-14
+# A leg shorter than this share of the longest turns its direction round, and with it the sign of det H.
+_SHORT = 1e-9
+# Minima shallower than this share are rounding error.
+_SHALLOW = 1e-12
+_INSTANTS = 512
+_CHUNK = 1 << 13
+
+
+@dataclass(frozen=True, eq=False)
+class Crossing:
+    """A time at which det H changes its sign, between or at the samples of a path.
+
+    time: s. uncertainty: what rounding in H leaves open of it, s; inf where the path rests there.
+    before, after: sign of det H, -1 or 1. at: the singular pose there.
+    """
+
+    time: float
+    uncertainty: float
+    before: int
+    after: int
+    at: Singularity
+
+
+@dataclass(frozen=True, eq=False)
+class Approach:
+    """A time at which the smallest singular value of the scaled H is least, s, and the pose there."""
+
+    time: float
+    at: Singularity
+
+
+class LegExtreme(NamedTuple):
+    """Where along a path something of each leg is extreme: times, s, (6,), and values, (6,)."""
+
+    time: Array
+    value: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Passage:
+    """How a path passes singular poses and limits.
+
+    start, end: s. crossings: where det H changes its sign, in order of time. approaches: the other local
+    minima of the smallest singular value, in order of time. spans: times (from, to), s, through which H
+    is singular to rounding. nearest: of all times, ends and crossings included, the one with the smallest
+    singular value. pole: least sine of the angle between each leg and its universal joint's fixed axis;
+    1 with spherical base joints. shortest, longest: least and greatest length of each leg, m.
+    """
+
+    start: float
+    end: float
+    crossings: tuple[Crossing, ...]
+    approaches: tuple[Approach, ...]
+    spans: tuple[tuple[float, float], ...]
+    nearest: Approach
+    pole: LegExtreme
+    shortest: LegExtreme
+    longest: LegExtreme
+
+
+def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...]:
+    """Return the times at which a path crosses singular poses, in order, each to rounding.
+
+    path: times, s, (n,) -> Motion of shape (n,), such as ``StraightLinePath.sample`` or ``between``; its
+    rates must be those of its poses. times: where to begin, s, (n,), increasing, at least two: the first and
+    the last, and between them the samples or wherever an acceleration jumps. An even number of crossings
+    between two times is found as well. Raises ValueError naming the argument.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        return _Search(robot, path, _checked(robot, path, times), everywhere=False).crossings
+
+
+def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> Passage:
+    """Return how a path passes singular poses, the poles of the universal joints and the legs' limits.
+
+    Arguments and errors as for ``crossings``. Times of minima are known as well as values tell them, to about
+    1e-8 of the interval between two times.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        search = _Search(robot, path, _checked(robot, path, times))
+        approaches = search.approaches()
+    ends = [Approach(time, search.at(time)) for time in (float(search.times[0]), float(search.times[-1]))]
+    known = [*ends, *approaches, *(Approach(found.time, found.at) for found in search.crossings)]
+    pole, shortest, longest = _leg_extremes(robot, path, search.times)
+    return Passage(
+        start=ends[0].time,
+        end=ends[1].time,
+        crossings=search.crossings,
+        approaches=approaches,
+        spans=search.spans,
+        nearest=min(known, key=lambda approach: float(approach.at.smallest)),
+        pole=pole,
+        shortest=shortest,
+        longest=longest,
+    )
+
+
+def force_pole(robot: Robot, motion: Motion, formulation: Formulation = "exact") -> Array:
+    """Return the actuator forces' residue, N s, (..., 6), where ``motion`` crosses a singular pose.
+
+    Within a crossing at time t_0 they go as F = force_pole / (t - t_0): to one infinity before and to the
+    other after. It is -v_6 (u_6 . c) / (u_6 . H' v_6), see ``Singularity``; not finite where the motion rests
+    or moves along singular poses, 0 where nothing loads the lost motion. Raises ValueError as
+    ``inverse_dynamics``.
+    """
+    need_motion(robot, motion)
+    option(formulation, FORMULATIONS, "formulation")
+    length = characteristic_length(robot) or 1.0
+    terms = NumpyKernel.prepare(robot, formulation).terms(motion)
+    u, _, v = last_directions(moments_over(terms["H"], length))
+    rate = np.einsum("...i,...ij,...j->...", u, _scaled_rate(robot, motion, length), v)
+    load = np.sum(u / np.repeat([1.0, length], 3) * terms["c"], axis=-1)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(-v * (load / rate)[..., None])
+
+
+# The search
+
+
+class _Samples(NamedTuple):
+    """At times (n,): det of the scaled H times lengths over reach, smallest and largest singular value."""
+
+    determinant: Array
+    smallest: Array
+    largest: Array
+
+
+class _Search:
+    """A path's singular poses: the points looked at, then what lies between them."""
+
+    def __init__(self, robot: Robot, path: Path, times: Array, everywhere: bool = True) -> None:
+        """everywhere: whether singular values count at all times, or only where one may vanish."""
+        self.robot, self.path, self.times = robot, path, times
+        self.length = characteristic_length(robot) or 1.0
+        ends = path(times[[0, -1]])
+        self.reach = float(leg_vectors(robot, *_pose(ends))[2].max()) or 1.0
+        at_times = _in_chunks(self._look_about, times) if everywhere else self._look_where_near()
+        inner = np.setdiff1d(self._inner_points(at_times), times)
+        order = np.argsort(np.concatenate([times, inner]))
+        self.points = np.concatenate([times, inner])[order]
+        looks = [at_times[:, :3], *([self._look(inner)] if len(inner) else [])]
+        self.samples = _Samples(*np.concatenate(looks)[order].T)
+        self.singular = self.samples.smallest <= _NOTHING * self.samples.largest
+        runs = _runs(self.singular)
+        self.spans = tuple((float(self.points[i]), float(self.points[j])) for i, j in runs)
+        self.crossings = tuple(self._crossings())
+
+    def at(self, time: float) -> Singularity:
+        """The pose at a time; a leg of length zero has no direction there."""
+        return singularity(self.robot, self.path(np.array([time]))[0])
+
+    def approaches(self) -> tuple[Approach, ...]:
+        """Local minima of the smallest singular value that are no crossings and in no singular span."""
+        times = np.array([found.time for found in self.crossings])
+        order = np.argsort(np.concatenate([self.points, times]), kind="stable")
+        points = np.concatenate([self.points, times])[order]
+        values = np.concatenate([self.samples.smallest, np.zeros(len(times))])[order]
+        found = []
+        for before, i, after in _minima(values):
+            low, high = float(points[before]), float(points[after])
+            crossed = np.any((times > low) & (times < high))
+            inside = any(start <= points[i] <= end for start, end in self.spans)
+            if not crossed and not inside:
+                time = minimum(self._smallest, low, high)
+                found.append(Approach(time, self.at(time)))
+        return tuple(found)
+
+    def _inner_points(self, at_times: Array) -> Array:
+        """Points inside those intervals in which the smallest singular value may vanish or turn."""
+        times, (_, smallest, _, rate, speed) = self.times, at_times.T
+        may_vanish = smallest[:-1] + smallest[1:] <= _CARE * np.maximum(speed[:-1], speed[1:]) * np.diff(
+            times
+        )
+        may_turn = (rate[:-1] < 0.0) & (rate[1:] > 0.0)
+        unknown = ~np.isfinite(smallest[:-1] + smallest[1:] + speed[:-1] + speed[1:])
+        chosen = np.flatnonzero(may_vanish | may_turn | unknown)
+        edges = np.stack([times[chosen], times[chosen + 1]], axis=-1)
+        return turning_points(self._determinants, edges, np.full(len(edges), _FLOOR * self._size))
+
+    def _look_where_near(self) -> Array:
+        """``_look_about`` beside steps in which a singular value may vanish; bounds and no rate elsewhere.
+
+        The smallest singular value is at least |det H| over the fifth power of the mean of the five others.
+        """
+        n = len(self.times)
+        parts = [slice(i, min(i + _CHUNK, n - 1) + 1) for i in range(0, n - 1, _CHUNK)]
+        looks, steps = zip(*(self._look_coarsely(self.times[part]) for part in parts), strict=True)
+        found = np.concatenate([looks[0], *(look[1:] for look in looks[1:])])
+        _, least, _, _, speed = found.T
+        change = _SURE * np.maximum(
+            np.maximum(speed[:-1], speed[1:]) * np.diff(self.times), np.concatenate(steps)
+        )
+        near = ~(least[:-1] + least[1:] > change)
+        chosen = np.flatnonzero(np.append(near, False) | np.append(False, near))
+        if chosen.size:
+            found[chosen] = _in_chunks(self._look_about, self.times[chosen])
+        return found
+
+    def _look_coarsely(self, times: Array) -> tuple[Array, Array]:
+        """As ``_look_about`` with bounds in place of singular values; changes of H from time to time."""
+        motion = self.path(times)
+        H, L = self._scaled_H(motion)
+        good = _known(H)
+        found = np.full((len(times), 5), np.nan)
+        found[:, 0] = self._determinant(H, L)
+        found[:, 2] = np.linalg.norm(H, axis=(-2, -1))
+        with np.errstate(divide="ignore"):
+            volume = np.abs(found[:, 0]) / np.prod(L / self.reach, axis=-1)
+        found[:, 1] = volume / (found[:, 2] ** 2 / 5.0) ** 2.5
+        H_dot = _scaled_rate(self.robot, motion[good], self.length)
+        found[good, 4] = np.linalg.norm(H_dot, axis=(-2, -1))
+        return found, np.linalg.norm(np.diff(H, axis=0), axis=(-2, -1))
+
+    def _look_about(self, times: Array) -> Array:
+        """A sample, the rate of its smallest singular value and a bound of any's, 1/s, (n, 5)."""
+        motion = self.path(times)
+        H, L = self._scaled_H(motion)
+        good = _known(H)
+        u, s, v = last_directions(np.where(good[:, None, None], H, 0.0))
+        found = np.full((len(times), 5), np.nan)
+        found[:, :3] = self._sample(H, L, s)
+        H_dot = _scaled_rate(self.robot, motion[good], self.length)
+        found[good, 3] = np.einsum("ni,nij,nj->n", u[good], H_dot, v[good])
+        found[good, 4] = np.linalg.norm(H_dot, axis=(-2, -1))
+        return found
+
+    def _crossings(self) -> list[Crossing]:
+        """One in each change of sign between points; points where H is singular tell no sign."""
+        known = np.flatnonzero(~self.singular & np.isfinite(self.samples.determinant))
+        signs = np.sign(self.samples.determinant[known])
+        found = []
+        for i in np.flatnonzero(signs[:-1] * signs[1:] < 0.0):
+            low, high = float(self.points[known[i]]), float(self.points[known[i + 1]])
+            if any(low <= start and end <= high for start, end in self.spans):
+                continue
+            ends = root(self._determinants, low, high)
+            time = ends[int(np.argmin(self._smallest(np.array(ends))))]
+            if not self._short(time):
+                found.append(self._crossing(time, ends[1] - ends[0], int(signs[i])))
+        return found
+
+    def _crossing(self, time: float, width: float, before: int) -> Crossing:
+        motion = self.path(np.array([time]))
+        u, s, v = last_directions(self._scaled_H(motion)[0])
+        rate = abs(float(u[0] @ _scaled_rate(self.robot, motion, self.length)[0] @ v[0]))
+        open_ = ROUNDING * float(s[0, 0]) / rate if rate else np.inf
+        return Crossing(time, max(width, open_), before, -before, singularity(self.robot, motion[0]))
+
+    def _short(self, time: float) -> bool:
+        L = leg_vectors(self.robot, *_pose(self.path(np.array([time]))))[2]
+        return bool(np.min(L) <= _SHORT * self.reach)
+
+    def _look(self, times: Array) -> Array:
+        return _in_chunks(self._look_once, times)
+
+    def _look_once(self, times: Array) -> Array:
+        H, L = self._scaled_H(self.path(times))
+        good = _known(H)
+        s: Array = np.linalg.svd(np.where(good[:, None, None], H, 0.0), compute_uv=False).astype(np.float64)
+        return self._sample(H, L, s)
+
+    def _sample(self, H: Array, L: Array, s: Array) -> Array:
+        """``_Samples`` as columns, (n, 3), of singular values s, (n, 6); inf where a leg has no direction."""
+        smallest, largest = (np.where(_known(H), s[:, i], np.inf) for i in (-1, 0))
+        return np.stack([self._determinant(H, L), smallest, largest], axis=-1)
+
+    def _determinants(self, times: Array) -> Array:
+        return _in_chunks(lambda part: self._determinant(*self._scaled_H(self.path(part))), times)
+
+    def _smallest(self, times: Array) -> Array:
+        return np.asarray(self._look(times)[:, 1])
+
+    def _determinant(self, H: Array, L: Array) -> Array:
+        """Smooth where a leg passes through length zero too: its column is S and not s."""
+        return np.asarray(np.linalg.det(np.nan_to_num(H) * (L / self.reach)[:, None, :]))
+
+    @property
+    def _size(self) -> float:
+        """Bound of the determinant: product of the sizes of the columns at leg lengths up to reach."""
+        arms = np.linalg.norm(self.robot.p, axis=-1) / self.length
+        return float(np.prod(np.sqrt(1.0 + arms**2)))
+
+    def _scaled_H(self, motion: Motion) -> tuple[Array, Array]:
+        """H without units, (n, 6, 6), nan at a leg without a direction, and the lengths, m, (n, 6)."""
+        q, S, L = leg_vectors(self.robot, *_pose(motion))
+        s = S / np.where(_SHORT * self.reach < L, L, np.nan)[..., None]
+        rows = np.concatenate([s, cross(q, s) / self.length], axis=-1)
+        return np.swapaxes(rows, -1, -2), L
+
+
+def _scaled_rate(robot: Robot, motion: Motion, length: float) -> Array:
+    """Rate of H without units along the motion, 1/s, (..., 6, 6)."""
+    return moments_over(wrench_matrix_rate(robot, motion), length)
+
+
+def _known(H: Array) -> NDArray[np.bool_]:
+    """Which matrices, (n, 6, 6), belong to legs that all have a direction, (n,)."""
+    return np.asarray(np.isfinite(H).all(axis=(-2, -1)))
+
+
+def _pose(motion: Motion) -> tuple[Array, Array]:
+    return motion.R, motion.t
+
+
+def _minima(values: Array) -> list[tuple[int, int, int]]:
+    """Inner entries less than what surrounds them: indices of the first larger one before, it, and after."""
+    found: list[tuple[int, int, int]] = []
+    for i in np.flatnonzero((values[:-2] >= values[1:-1]) & (values[2:] >= values[1:-1])) + 1:
+        if found and i < found[-1][2]:
+            continue
+        # Rounding alone makes no minimum of an entry: what counts is where the values leave it.
+        higher = (values > values[i] * (1.0 + _SHALLOW)) & np.isfinite(values)
+        before, after = np.flatnonzero(higher[:i]), np.flatnonzero(higher[i:])
+        if before.size and after.size:
+            flat = values[before[-1] + 1 : i + after[0]]
+            if np.all(flat >= values[i] * (1.0 - _SHALLOW)):
+                found.append((int(before[-1]), int(i), int(i + after[0])))
+    return found
+
+
+def _runs(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last index of each run of at least three flags; fewer are a crossing looked at closely."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
+    return [(int(i), int(j) - 1) for i, j in edges.reshape(-1, 2) if j - i >= 3]
+
+
+# The legs
+
+
+def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, LegExtreme, LegExtreme]:
+    """Least pole sine, least and greatest length of each leg."""
+    filled = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
+
+    def sine(when: Array) -> Array:
+        if robot.base_joint == "spherical":
+            return np.ones((len(when), 6))
+        _, S, L = leg_vectors(robot, *_pose(path(when)))
+        across = np.linalg.norm(cross(robot.k, S), axis=-1)
+        return np.asarray(across / np.where(L > 0.0, L, 1.0))
+
+    def length(when: Array) -> Array:
+        return leg_vectors(robot, *_pose(path(when)))[2]
+
+    least = [_extreme(function, filled) for function in (sine, length, lambda when: -length(when))]
+    return least[0], least[1], LegExtreme(least[2].time, -least[2].value)
+
+
+def _extreme(function: Callable[[Array], Array], points: Array) -> LegExtreme:
+    """Least of each column of a function of times, (n, 6)."""
+    values = _in_chunks(function, points)
+    time = np.empty(6)
+    for leg, i in enumerate(np.argmin(values, axis=0)):
+        low, high = points[max(i - 1, 0)], points[min(i + 1, len(points) - 1)]
+        of_leg = functools.partial(_column, function, leg)
+        refined = minimum(of_leg, float(low), float(high))
+        given, better = function(np.array([points[i], refined]))[:, leg]
+        time[leg] = refined if better < given - _SHALLOW * abs(given) else points[i]
+    return LegExtreme(time, np.array([function(time[leg : leg + 1])[0, leg] for leg in range(6)]))
+
+
+def _column(function: Callable[[Array], Array], column: int, times: Array) -> Array:
+    return np.asarray(function(times)[:, column])
+
+
+def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:
+    """The function's values at many times without all its arrays in memory at once."""
+    parts = [function(times[i : i + _CHUNK]) for i in range(0, len(times), _CHUNK)]
+    return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+
+def _checked(robot: Robot, path: Path, times: ArrayLike) -> Array:
+    instance(robot, Robot, "robot")
+    if not callable(path):
+        raise ValueError(f"path: expected a function of times, got {type(path).__name__}")
+    when = real_array(times, "times", "increasing times")
+    if when.ndim != 1 or len(when) < 2 or not np.all(np.isfinite(when)) or np.any(np.diff(when) <= 0.0):
+        raise ValueError("times: expected at least two finite times, increasing, of shape (n,)")
+    first = path(when[:1])
+    instance(first, Motion, "path")
+    if first.shape != (1,):
+        raise ValueError(f"path: expected a motion of shape (n,) at times (n,), got {first.shape} at (1,)")
+    return when

@@ -1,0 +1,131 @@
+"""Singular poses as objects: how near a pose is to one, the motion that is lost there, and as a screw.
+
+Stands on ``kinematics``, whose H it takes apart, and ``conditioning``; knows nothing of time or forces.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import instance
+from ..kinematics.conditioning import characteristic_length, condition_number, moments_over
+from ..kinematics.inverse import ROUNDING, wrench_matrix
+from ..motion.motion import Motion
+from ..robot.robot import Robot
+
+Array = NDArray[np.float64]
+Pose = Motion | tuple[ArrayLike, ArrayLike]
+
+# A twist that turns by less than this share of what it moves does not turn: rounding leaves no more digits.
+_TRANSLATION = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Singularity:
+    """How near poses are to a singular one, and what is lost; a leading shape ``(...)`` is that of the poses.
+
+    With the moment rows of H divided by ``length``, H = sum s_i u_i v_i^T, s_1 >= ... >= s_6. Base frame,
+    wrenches and twists about the platform's reference point. Twist and wrench have the sign that makes the
+    entry of u_6 of largest magnitude positive.
+
+    length: characteristic length, m, a float.
+    condition: scaled condition number s_1 / s_6, (...); inf where H is singular to rounding.
+    smallest: s_6, no unit, (...).
+    determinant: of the scaled H, no unit, (...); its sign is that of det H and tells the side.
+    lost: number of freedoms lost to rounding, int, (...); with several, the twist is one of them.
+    twist: [v; omega], m/s and rad/s, (..., 6), with |v|^2 + |length omega|^2 = 1: of all such twists the one
+        that moves the legs least, by rates H^T twist of magnitude s_6; at a singular pose the lost motion.
+    wrench: [force; moment], N and N m, (..., 6), with |force|^2 + |moment / length|^2 = 1: the one that costs
+        the largest leg forces, 1 / s_6 N; at a singular pose no leg forces hold it.
+    forces: v_6, leg forces, N, (..., 6), of magnitude 1 whose wrench is least; at a singular pose it is none.
+    pitch: of the twist as a screw, m/rad, (...); 0 for a turn, inf where it does not turn.
+    axis: direction of the screw, (..., 3), along omega, along v where it does not turn.
+    point: of its axis the one nearest to the reference point, m, (..., 3); that point itself where the twist
+        does not turn.
+    """
+
+    length: float
+    condition: Array
+    smallest: Array
+    determinant: Array
+    lost: NDArray[np.int64]
+    twist: Array
+    wrench: Array
+    forces: Array
+    pitch: Array
+    axis: Array
+    point: Array
+
+
+def singularity(robot: Robot, pose: Pose) -> Singularity:
+    """Return how near poses are to a singular one and the motion that is lost there.
+
+    pose: a Motion, whose rates, accelerations and loads don't count, or (R, t), (..., 3, 3) and m, (..., 3).
+    Raises ValueError naming the argument, as ``inverse_kinematics`` for a leg of length zero.
+    """
+    instance(robot, Robot, "robot")
+    motion = _motion(pose)
+    length = characteristic_length(robot) or 1.0
+    H = moments_over(wrench_matrix(robot, motion), length)
+    unit = np.repeat([1.0, length], 3)
+    u, s, v = last_directions(H)
+    twist = u / unit
+    pitch, axis, arm = screw(twist, length)
+    return Singularity(
+        length=length,
+        condition=condition_number(H),
+        smallest=s[..., -1],
+        determinant=np.asarray(np.linalg.det(H)),
+        lost=np.count_nonzero(s <= ROUNDING * s[..., :1], axis=-1),
+        twist=twist,
+        wrench=u * unit,
+        forces=v,
+        pitch=pitch,
+        axis=axis,
+        point=motion.t + arm,
+    )
+
+
+def last_directions(H: Array) -> tuple[Array, Array, Array]:
+    """Return u_6, (..., 6), all singular values, (..., 6), and v_6, (..., 6), of scaled matrices (..., 6, 6).
+
+    The entry of u_6 of largest magnitude is positive; H v_6 = s_6 u_6.
+    """
+    U, s, V_T = np.linalg.svd(H)
+    u, v = U[..., -1], V_T[..., -1, :]
+    largest = np.take_along_axis(u, np.argmax(np.abs(u), axis=-1)[..., None], axis=-1)
+    side = np.where(largest < 0.0, -1.0, 1.0)
+    return side * u, s, side * v
+
+
+def screw(twist: Array, length: float) -> tuple[Array, Array, Array]:
+    """Return pitch, m/rad, (...), axis, (..., 3), and the arm to it from the reference point, m, (..., 3).
+
+    twist: [v; omega], m/s and rad/s, (..., 6). length: what a turn is measured by, m. As in ``Singularity``.
+    """
+    v, omega = twist[..., :3], twist[..., 3:]
+    turns = length * _size(omega) > _TRANSLATION * _size(v)
+    square = np.where(turns, _size(omega) ** 2, 1.0)
+    pitch = np.where(turns, np.sum(v * omega, axis=-1, keepdims=True) / square, np.inf)
+    along = np.where(turns, omega, v)
+    arm = np.where(turns, np.cross(omega, v) / square, 0.0)
+    return pitch[..., 0], along / _size(along), arm
+
+
+def _size(vector: Array) -> Array:
+    return np.asarray(np.linalg.norm(vector, axis=-1, keepdims=True))
+
+
+def _motion(pose: object) -> Motion:
+    if isinstance(pose, Motion):
+        return pose
+    if not isinstance(pose, tuple | list) or len(pose) != 2:
+        raise ValueError(f"pose: expected a Motion or a pose (R, t), got {type(pose).__name__}")
+    try:
+        R, t = pose
+        return Motion(R, t, np.zeros(3), np.zeros(3))
+    except ValueError as error:
+        raise ValueError(f"pose: {error}") from None

@@ -1,0 +1,1 @@
+"""Cost and accuracy of every kernel on a machine's motions."""

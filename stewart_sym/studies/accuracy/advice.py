@@ -1,0 +1,229 @@
+"""Advice: the cheapest kernel that keeps a budget, and what physics forbids a cheaper one.
+
+Takes the figures of ``economy`` and the budget they are held against. Cost is operations, then precision:
+counts, and no times, so that the same scene gets the same answer on every run and machine; times count only
+where the budget names a rate. Knows what each fidelity leaves out, in words; measures nothing.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from ..common.table import aligned
+from .budget import Budget
+from .cost import SAMPLED, Candidate, Economy, Entry, finite
+
+TERMS: Mapping[str, str] = {
+    "friction": "joint friction",
+    "off-axis": "centres of mass off the legs' axes and unequal transverse inertias",
+    "axial": "the legs' inertia about their own axes",
+    "rods": "the legs' inertia as rods",
+    "masses": "the legs' masses",
+    "rates": "velocities and accelerations",
+    "joint": "the right equations of joint and inertia",
+    "digits": "double precision",
+}
+"""What a kernel may leave out, in words; ``joint`` is what `paper` has not, faults 1 to 3."""
+
+_LEGS: Mapping[str, frozenset[str]] = {
+    "general": frozenset({"off-axis", "axial", "rods", "masses"}),
+    "axisymmetric": frozenset({"axial", "rods", "masses"}),
+    "slender": frozenset({"rods", "masses"}),
+    "point_masses": frozenset({"masses"}),
+    "massless": frozenset(),
+}
+
+_INERTIA = frozenset({"axial", "rods"})
+"""Terms that have no effect at rest."""
+
+
+@dataclass(frozen=True)
+class Advice:
+    """What to take. chosen: None where nothing keeps the budget; closest: what comes nearest to it then."""
+
+    budget: Budget
+    economy: Economy
+    chosen: Entry | None
+    closest: Entry
+
+    def needed(self) -> tuple[tuple[frozenset[str], Entry], ...]:
+        """The terms of the choice that no cheaper kernel may leave out, one by one or a few together.
+
+        With each, the next cheaper kernel that leaves out these and nothing that others don't.
+        """
+        if self.chosen is None:
+            return ()
+        kept = terms(self.chosen.candidate)
+        if "rates" not in kept:
+            kept -= _INERTIA
+        cheaper = self.economy.entries[: self.economy.entries.index(self.chosen)]
+        dropped: dict[frozenset[str], Entry] = {}
+        for entry in cheaper:
+            # The last is the dearest, the next cheaper one.
+            dropped[kept - terms(entry.candidate)] = entry
+        return tuple(
+            (left_out, entry)
+            for left_out, entry in reversed(dropped.items())
+            if left_out and not any(other and other < left_out for other in dropped)
+        )
+
+
+def advice(economy: Economy, budget: Budget) -> Advice:
+    """Choose the first good enough candidate of those that ``economy`` lists by cost."""
+    chosen = next((entry for entry in economy.entries if excess(entry, budget) <= 1.0), None)
+    closest = min(economy.entries, key=lambda entry: excess(entry, budget))
+    return Advice(budget, economy, chosen, closest)
+
+
+def excess(entry: Entry, budget: Budget) -> float:
+    """How many times a candidate exceeds the budget, in error or in time; good enough up to 1."""
+    return max(_misses(entry, budget))
+
+
+def _misses(entry: Entry, budget: Budget) -> tuple[float, float]:
+    """Error and time over what is allowed; no time is too long where the budget names no rate."""
+    error = entry.total * budget.margin / budget.tolerance
+    return error, 0.0 if budget.rate is None else entry.ns * 1e-9 * budget.rate
+
+
+def terms(candidate: Candidate) -> frozenset[str]:
+    """The terms, keys of TERMS, that a kernel has."""
+    fidelity = candidate.fidelity
+    kept = set(_LEGS["general" if fidelity == "frictionless" else _legs(fidelity)])
+    if not fidelity.endswith("_static"):
+        kept.add("rates")
+    if fidelity == "general" or fidelity.endswith("_friction"):
+        kept.add("friction")
+    if candidate.formulation == "exact":
+        kept.add("joint")
+    if candidate.precision == "double":
+        kept.add("digits")
+    return frozenset(kept)
+
+
+def _legs(fidelity: str) -> str:
+    return fidelity.removesuffix("_friction").removesuffix("_static")
+
+
+# --- words ------------------------------------------------------------------------------------
+
+
+def report(found: Advice) -> str:
+    """Machine, budget, a table of all candidates and the answer, as one text."""
+    economy = found.economy
+    motions = ", ".join(
+        f"{name} ({economy.poses[name]} poses, peak force {peak:.4g} N)"
+        for name, peak in economy.peaks.items()
+    )
+    head = f"{economy.robot}: {motions}\n{_limits(found.budget)}"
+    return "\n\n".join([head, table(economy, found), "\n".join(answer(found))])
+
+
+_WHERE = (
+    f"Rounding is measured at {SAMPLED} poses spread over each motion and at its hardest, "
+    "the model at all poses."
+)
+
+_COLUMNS = (
+    *("kernel", "operations", "ns a pose", "in a batch", "bytes"),
+    *("model error", "RMS", "rounding", "total"),
+)
+
+
+def table(economy: Economy, found: Advice | None = None) -> str:
+    """All candidates, the cheapest first; with advice, the choice is marked."""
+    header = [*_COLUMNS, *([] if found is None else [""])]
+    rows = [
+        (
+            entry.candidate.name,
+            str(entry.operations),
+            f"{entry.ns:.0f}",
+            f"{entry.batch_ns:.0f}",
+            "" if entry.text is None else str(entry.text),
+            *map(_share, (entry.model, entry.model_rms, entry.rounding, entry.total)),
+            *([] if found is None else [_mark(entry, found)]),
+        )
+        for entry in economy.entries
+    ]
+    note = "Errors are shares of the peak force of their motion, the worst motion counts."
+    return f"{aligned(header, rows)}\n\n{note}\n{_WHERE}"
+
+
+def _share(error: float) -> str:
+    return f"{error:.1e}" if error else "0"
+
+
+def _mark(entry: Entry, found: Advice) -> str:
+    if entry is found.chosen:
+        return "chosen"
+    return "good" if excess(entry, found.budget) <= 1.0 else ""
+
+
+def _limits(budget: Budget) -> str:
+    rate = "" if budget.rate is None else f", {1e9 / budget.rate:.4g} ns per pose at {budget.rate:g} Hz"
+    return (
+        f"tolerance {budget.tolerance:.3g}, margin {budget.margin:g}: "
+        f"good enough up to an error of {budget.tolerance / budget.margin:.2e}{rate}"
+    )
+
+
+def answer(found: Advice) -> list[str]:
+    """The choice, and one line for each reason why it is none of the cheaper ones."""
+    if found.chosen is None:
+        return [f"Nothing keeps the budget; closest: {closest(found)}."]
+    lines = [
+        f"Cheapest that is good enough: {found.chosen.candidate.name}: {found.chosen.operations} operations, "
+        f"error {found.chosen.total:.1e}."
+    ]
+    reasons = found.needed()
+    if found.chosen is found.economy.entries[0]:
+        lines.append("Nothing is cheaper.")
+    elif not reasons:
+        lines.append("Cheaper ones leave nothing out that it has, yet err more.")
+    return lines + [f"Forced by {_named(left_out)}: {_costs(entry, found)}." for left_out, entry in reasons]
+
+
+def closest(found: Advice) -> str:
+    """What comes nearest to the budget, and by how much it is missed."""
+    entry = found.closest
+    return f"{entry.candidate.name}, {_beyond(entry, found.budget)}"
+
+
+def _named(left_out: frozenset[str]) -> str:
+    return " and ".join(words for term, words in TERMS.items() if term in left_out)
+
+
+def _costs(entry: Entry, found: Advice) -> str:
+    it = entry.candidate.name
+    return f"without ({it}: {entry.operations} operations) {_beyond(entry, found.budget)}"
+
+
+def _beyond(entry: Entry, budget: Budget) -> str:
+    """How a candidate misses the budget, the larger miss first."""
+    error, time = _misses(entry, budget)
+    said = [
+        (error, f"the error is {entry.total:.1e}, {error:.3g} times what is allowed"),
+        (time, f"a pose takes {entry.ns:.0f} ns, {time:.3g} times what is allowed"),
+    ]
+    largest, *others = sorted(said, key=lambda miss: -miss[0])
+    return "; ".join(text for _, text in [largest, *(miss for miss in others if miss[0] > 1.0)])
+
+
+# --- for programs -----------------------------------------------------------------------------
+
+
+def as_json(found: Advice) -> dict[str, Any]:
+    """The budget, all figures, the choice and the reasons for it."""
+    budget, chosen = found.budget, found.chosen
+    return {
+        **found.economy.as_json(),
+        "tolerance": budget.tolerance,
+        "margin": budget.margin,
+        "rate_Hz": budget.rate,
+        "chosen": None if chosen is None else vars(chosen.candidate),
+        "closest": vars(found.closest.candidate),
+        "needed": [
+            {"terms": sorted(left_out), "without": vars(entry.candidate), "error": finite(entry.total)}
+            for left_out, entry in found.needed()
+        ],
+    }

@@ -1,0 +1,190 @@
+"""True rounding error of the forces against the bound that comes with them, double and float, on one machine.
+
+Takes a robot, draws random motions around its home pose and returns records; draws them if asked (extra
+``plot``). Truth is quadruple precision (``quad``). Writes no file.
+"""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.bounds import forces_with_bounds
+from ...dynamics.forces import Precision
+from ...dynamics.home_pose import radius
+from ...motion.motion import Motion
+from ...precision.quad import error, quad_forces
+from ...results import OK
+from ...robot.robot import Robot
+from ..common.draws import Spread, random_motions
+from ..common.output import csv_text
+from ..paper.reproduce import paper_machine
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+CASES = 2000
+SPREAD = Spread(0.3, 0.5, 0.5)
+"""Of the motions; a machine without gravity takes a second to fall its own size."""
+
+FAR = 1000.0
+"""Times the error that a bound should not exceed."""
+
+_PRECISIONS: dict[Precision, type[np.floating[Any]]] = {"double": np.float64, "float": np.float32}
+_MARKS = {"double": ("#1f4e9c", "o"), "float": ("#c1440e", "^")}
+
+
+@dataclass(frozen=True, eq=False)
+class Precise:
+    """What one precision says of n poses; those without an answer or without a bound are left out.
+
+    error: largest error of the six forces, N, (n,). bound: largest bound, N, (n,). rcond: reciprocal
+    condition of H, (n,). covered: whether every force lies within its own bound, (n,). robot: its name.
+    left_out: how many poses.
+    """
+
+    error: Array
+    bound: Array
+    rcond: Array
+    covered: NDArray[np.bool_]
+    robot: str
+    left_out: int
+
+    @property
+    def ratio(self) -> Array:
+        """Bound over error, (n,); inf where no force errs."""
+        with np.errstate(divide="ignore"):
+            return np.asarray(self.bound / self.error)
+
+
+Bounds = Mapping[Precision, Precise]
+
+
+def bounds_study(
+    progress: Callable[[str], None] = lambda _: None,
+    cases: int = CASES,
+    robot: Robot | None = None,
+    seed: int = 0,
+) -> Bounds:
+    """Errors and bounds at random motions of a robot, by precision.
+
+    cases: how many motions. robot: with universal base joints; None: the paper's machine.
+
+    Raises ValueError for a robot that the bounds do not serve; native.CompilerError where no compiler has
+    quadruple precision.
+    """
+    robot = paper_machine() if robot is None else robot
+    gravity = float(np.linalg.norm(robot.g)) or radius(robot.b)
+    motion = random_motions(np.random.default_rng(seed), robot, cases, SPREAD, gravity)
+    found: dict[Precision, Precise] = {}
+    for precision, dtype in _PRECISIONS.items():
+        progress(f"bounding the rounding errors of {precision}")
+        found[precision] = _compared(robot, motion, precision, dtype)
+    return found
+
+
+def _compared(robot: Robot, motion: Motion, precision: Precision, dtype: type[np.floating[Any]]) -> Precise:
+    given = forces_with_bounds(robot, motion, precision, on_singular="nan")
+    errors = np.abs(error(given.F, quad_forces(robot, motion, dtype)))
+    bound = given.bound.astype(np.float64)
+    kept = (given.status == OK) & np.isfinite(bound).all(axis=-1) & np.isfinite(errors).all(axis=-1)
+    errors, bound = errors[kept], bound[kept]
+    return Precise(
+        error=errors.max(axis=-1),
+        bound=bound.max(axis=-1),
+        rcond=given.rcond[kept].astype(np.float64),
+        covered=(errors <= bound).all(axis=-1),
+        robot=robot.name,
+        left_out=int(np.count_nonzero(~kept)),
+    )
+
+
+def summary(data: Bounds) -> str:
+    """One line for each precision: whether the bounds hold, and how far above the errors they lie."""
+    return "\n".join(
+        f"{precision:<6}  {found.error.size} poses: bound over error at least {found.ratio.min():.1f}, "
+        f"{np.median(found.ratio):.0f} in the median, {np.percentile(found.ratio, 95):.0f} at 95 %; "
+        f"{np.count_nonzero(~found.covered)} forces beyond their bound"
+        for precision, found in data.items()
+    )
+
+
+def csv_rows(data: Bounds) -> str:
+    """The poses as CSV, precision, error and bound in N and rcond, with all their digits."""
+    rows = [
+        (precision, *row)
+        for precision, found in data.items()
+        for row in zip(found.error.tolist(), found.bound.tolist(), found.rcond.tolist(), strict=True)
+    ]
+    return csv_text([("precision", "error", "bound", "rcond"), *rows])
+
+
+def figure(data: Bounds) -> "Figure":
+    """Bound over true error of every pose, with the lines of 1 and of 1000 times the error."""
+    from matplotlib.figure import Figure
+
+    from ..common.drawing import legend_below, log_numbers
+
+    picture = Figure(figsize=(6.4, 5.6), layout="constrained")
+    axes = picture.subplots()
+    for precision, found in data.items():
+        color, mark = _MARKS[precision]
+        seen = found.error > 0.0
+        axes.loglog(
+            found.error[seen],
+            found.bound[seen],
+            mark,
+            color=color,
+            markersize=2.6,
+            markeredgewidth=0.0,
+            alpha=0.45,
+            label=f"{precision}: bound {np.median(found.ratio):.0f} times the error in the median\n"
+            + _undrawn(found),
+        )
+    _draw_limits(axes, data)
+    axes.set_xlabel("true rounding error, largest of six forces, N")
+    axes.set_ylabel("bound, largest of six, N")
+    (name,) = {found.robot for found in data.values()}
+    axes.set_title(f"Rounding error of the forces and its bound\n{name}", fontsize=10.0)
+    axes.grid(alpha=0.35, linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+    for axis in (axes.xaxis, axes.yaxis):
+        log_numbers(axis)
+    legend_below(picture, fontsize=8.0, markerscale=2.5)
+    return picture
+
+
+def _undrawn(found: Precise) -> str:
+    """How many poses the picture leaves out; its axes have no place for an error of zero either."""
+    count = found.left_out + int(np.count_nonzero(found.error == 0.0))
+    return f"{count} of {found.left_out + found.error.size} poses left out: no force, bound or error"
+
+
+def _draw_limits(axes: "Axes", data: Bounds) -> None:
+    """The lines between which the points should lie, named on their outer sides, midway."""
+    errors = np.concatenate([found.error[found.error > 0.0] for found in data.values()])
+    ends = np.array([errors.min() / 3, errors.max() * 3])
+    middle = float(np.sqrt(ends[0] * ends[1]))
+    for times, text, dash, sides in (
+        (1.0, "bound = error", "-", ("left", "top")),
+        (FAR, f"{FAR:.0f} times the error", "--", ("right", "bottom")),
+    ):
+        axes.loglog(ends, times * ends, dash, color="#3a3a3a", linewidth=1.0, zorder=1)
+        across, up = sides
+        offset = (5, -2) if across == "left" else (-5, 2)
+        axes.annotate(
+            text,
+            (middle, times * middle),
+            xytext=offset,
+            textcoords="offset points",
+            ha=across,
+            va=up,
+            fontsize=8.5,
+            color="#3a3a3a",
+        )
+    axes.set_xlim(*ends)

@@ -1,0 +1,123 @@
+"""Budgets: the error and the time that a machine's motions allow, as a TOML file says it, read and checked.
+
+Stands above the readers of robots and trajectories; the study of economy takes what is read here. Knows files
+and keys, no kernel.
+"""
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.inverse import first_fault
+from ...io import tables
+from ...io.arguments import shown
+from ...kinematics.paths import PATHS, path_for
+from ...motion.motion import Motion
+from ...motion.trajectory import JointTrajectory, Trajectory, read_any_csv
+from ...reference.newton_euler import inverse_dynamics
+from ...robot.robot import Robot
+from ...singularities.joint_space import on_platform
+
+Array = NDArray[np.float64]
+
+SCHEMA = 1
+MARGIN = 3.0
+"""Default of ``margin``: between and beside the poses given a kernel may err more than on them."""
+
+_KEYS = ("schema", "robot", "motions", "tolerance", "margin", "rate")
+
+
+@dataclass(frozen=True, eq=False)
+class Budget:
+    """What a kernel has to do, and how well.
+
+    motions: by name, each of shape (n,), with an answer at every pose. tolerance: of the forces, share of a
+    motion's peak force; a kernel is good enough if its error times ``margin`` is within it. rate: poses a
+    second that one core must manage one by one, Hz; None for any. files: from which it was read.
+    """
+
+    robot: Robot
+    motions: Mapping[str, Motion]
+    tolerance: float
+    margin: float = MARGIN
+    rate: float | None = None
+    files: tuple[Path, ...] = ()
+
+
+def read_budget(path: str | os.PathLike[str]) -> Budget:
+    """Read a scene file of ``advise`` (TOML, schema 1); the files that it names are looked for beside it.
+
+    Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``read_any_csv``),
+    ``tolerance``, and if you like ``margin`` (>= 1) and ``rate`` (Hz).
+
+    Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read, for every
+    break of the schema, of this file or of one it names, and for a pose without an answer; ImportError where
+    a spline needs SciPy.
+    """
+    source = os.fspath(path)
+    file = f"{source}: "
+    needed = ("schema", "robot", "motions", "tolerance")
+    top = tables.checked_table(tables.read_toml(source, "scene of advise"), file, _KEYS, needed)
+    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    names = _names(top["motions"], f"{file}motions")
+    tolerance = tables.positive(top["tolerance"], f"{file}tolerance")
+    margin = tables.number(top.get("margin", MARGIN), f"{file}margin")
+    if margin < 1.0:
+        raise ValueError(f"{file}margin: expected a number >= 1, got {margin:g}")
+    rate = tables.positive(top["rate"], f"{file}rate") if "rate" in top else None
+    folder = Path(source).parent
+    robot_file = folder / tables.one_line(top["robot"], f"{file}robot")
+    robot = Robot.from_toml(robot_file)
+    motions = {name: _motion(robot, name, folder, f"{file}motions: ") for name in names}
+    read = (Path(source), robot_file, *(folder / name for name in names if name not in PATHS))
+    return Budget(robot, motions, tolerance, margin, rate, read)
+
+
+def papers_motions() -> dict[str, Motion]:
+    """Paths I, II and III of the paper at its own time steps, by name."""
+    return {name: path.sample(path.times(dtau)) for name, (path, dtau) in PATHS.items()}
+
+
+def _names(value: object, where: str) -> list[str]:
+    expected = f"one or more of {', '.join(PATHS)} or CSV files"
+    if not isinstance(value, list) or not value:
+        raise ValueError(f"{where}: expected a list of {expected}, got {shown(value)}")
+    names = [tables.one_line(name, where) for name in value]
+    for name in names:
+        if names.count(name) > 1:
+            raise ValueError(f"{where}: expected each motion once, {shown(name)} is given twice")
+    return names
+
+
+def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
+    if name in PATHS:
+        path, dtau = path_for(robot, name)
+        motion = path.sample(path.times(dtau))
+        found = _fault(robot, motion)
+        if found is not None:
+            raise ValueError(f"{prefix}path {name}: instant {found[0]}: {found[1]}")
+        return motion
+    trajectory = read_any_csv(folder / name)
+    if isinstance(trajectory, JointTrajectory):
+        trajectory = on_platform(robot, trajectory, None)
+    _refuse_faults(robot, trajectory)
+    return trajectory.motion
+
+
+def _refuse_faults(robot: Robot, trajectory: Trajectory) -> None:
+    found = _fault(robot, trajectory.motion)
+    if found is not None:
+        raise ValueError(f"{trajectory.source}: row {trajectory.rows[found[0]]}: {found[1]}")
+
+
+def _fault(robot: Robot, motion: Motion) -> tuple[int, str] | None:
+    """Index of the first pose without an answer, and why it has none."""
+    status = inverse_dynamics(robot, motion).status
+    if not status.any():
+        return None
+    where, reason = first_fault(status, robot, motion)
+    return where[0], reason

@@ -1,0 +1,492 @@
+"""What each kernel costs and how far it is off on a machine's motions, in every fidelity and precision.
+
+Cost is operations, time and bytes of code; error is told apart into that of the model, beside `exact` general
+in double, and that of rounding, beside the kernel's own equations at 50 digits. All errors are shares of the
+largest actuator force of their motion. ``advice`` chooses by these figures, ``economy_plot`` draws them; this
+module prints and writes nothing.
+"""
+
+import ctypes
+import math
+import statistics
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...backend import fidelity, native
+from ...backend.kernel import FORMULATIONS, MOTION, address, loaded
+from ...dynamics.forces import CORES, ForceKernel, Precision, prepare
+from ...dynamics.inverse import Backend, prepared_kernel
+from ...kinematics.conditioning import characteristic_length, scaled_condition_number
+from ...kinematics.inverse import wrench_matrix
+from ...motion.motion import Motion
+from ...precision.truth import Truth, deviation
+from ...robot.robot import Robot
+from ..benchmark.compile_times import text_size
+from ..common import host
+from ..common.timing import Progress, Task, measured
+
+Array = NDArray[np.float64]
+
+PRECISIONS: tuple[Precision, ...] = ("float", "double")
+"""The cheaper first."""
+
+ROUNDS, QUICK_ROUNDS = 21, 9
+FEW, SLOW, MANY = 64, 1_024, 4_096
+"""Poses of a C loop over one-pose calls, of a batch in NumPy, of a batch in C."""
+
+SAMPLED = 12
+"""Poses of a motion at which rounding is measured, spread evenly; the hardest ones come on top."""
+
+_ROUNDING = 100 * float(np.finfo(np.float64).eps)
+"""Of force and condition number: what two double kernels of the same model may differ by."""
+
+
+# --- figures ----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One kernel that a scene might do with."""
+
+    formulation: str
+    fidelity: str
+    precision: str
+
+    @property
+    def name(self) -> str:
+        """The three in words."""
+        return f"{self.formulation} {self.fidelity}, {self.precision}"
+
+
+@dataclass(frozen=True)
+class Errors:
+    """Errors on one motion, shares of its largest force; infinite where there are poses without an answer.
+
+    model, model_rms: largest, and RMS over poses and legs, of the difference to `exact` general; 0 where two
+    double kernels of the same equations might differ by as much. rounding: largest at the sampled poses.
+    """
+
+    model: float
+    model_rms: float
+    rounding: float
+
+    @property
+    def total(self) -> float:
+        """Bound of the largest error: the two add up at worst."""
+        return self.model + self.rounding
+
+    def as_json(self) -> dict[str, float | None]:
+        """Every field, ready for ``json``."""
+        return {name: finite(error) for name, error in vars(self).items()}
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A candidate's figures.
+
+    operations: of a pose. one_pose, batch: raw ns a pose, round by round. text: bytes of code of a program
+    that computes one pose at a time, None where no tool can tell. errors: by motion.
+    """
+
+    candidate: Candidate
+    operations: int
+    one_pose: tuple[float, ...]
+    batch: tuple[float, ...]
+    text: int | None
+    errors: Mapping[str, Errors]
+
+    @property
+    def ns(self) -> float:
+        """Median time of one pose, ns."""
+        return statistics.median(self.one_pose)
+
+    @property
+    def batch_ns(self) -> float:
+        """Median time of a pose in a batch, ns."""
+        return statistics.median(self.batch)
+
+    @property
+    def model(self) -> float:
+        """Largest error of the model on any motion."""
+        return max(errors.model for errors in self.errors.values())
+
+    @property
+    def model_rms(self) -> float:
+        """RMS error of the model on the motion where it is largest."""
+        return max(errors.model_rms for errors in self.errors.values())
+
+    @property
+    def rounding(self) -> float:
+        """Largest rounding error on any motion."""
+        return max(errors.rounding for errors in self.errors.values())
+
+    @property
+    def total(self) -> float:
+        """Bound of the largest error on any motion."""
+        return max(errors.total for errors in self.errors.values())
+
+    def as_json(self) -> dict[str, Any]:
+        """Every field, times with their medians, ready for ``json``."""
+        return {
+            **vars(self.candidate),
+            "operations": self.operations,
+            "one_pose_ns": self.ns,
+            "one_pose_raw_ns": self.one_pose,
+            "batch_ns": self.batch_ns,
+            "batch_raw_ns": self.batch,
+            "text_bytes": self.text,
+            "errors": {name: errors.as_json() for name, errors in self.errors.items()},
+        }
+
+
+@dataclass(frozen=True)
+class Implementation:
+    """Another way to compute the forces of `exact` general: raw ns a pose, rounding error by motion."""
+
+    name: str
+    raw: tuple[float, ...]
+    rounding: Mapping[str, float]
+
+    @property
+    def ns(self) -> float:
+        """Median time of a pose, ns."""
+        return statistics.median(self.raw)
+
+    def as_json(self) -> dict[str, Any]:
+        """Every field and the median, ready for ``json``."""
+        rounding = {name: finite(error) for name, error in self.rounding.items()}
+        return {"name": self.name, "ns": self.ns, "raw_ns": self.raw, "rounding": rounding}
+
+
+@dataclass(frozen=True)
+class Economy:
+    """All figures of one machine.
+
+    peaks: largest actuator force, N, and poses: how many, by motion. entries: the cheapest first, by
+    operations, then precision. implementations: empty unless they were asked for. taken_by_others, load: of
+    the cores' time while times were taken, 0 to 1, and busy processes in the last minute of it; None where
+    the system doesn't tell.
+    """
+
+    robot: str
+    peaks: Mapping[str, float]
+    poses: Mapping[str, int]
+    entries: tuple[Entry, ...]
+    implementations: tuple[Implementation, ...] = ()
+    taken_by_others: float | None = None
+    load: float | None = None
+
+    def entry(self, formulation: str, fidelity: str, precision: str) -> Entry:
+        """Figures of one candidate."""
+        wanted = Candidate(formulation, fidelity, precision)
+        return next(entry for entry in self.entries if entry.candidate == wanted)
+
+    def as_json(self) -> dict[str, Any]:
+        """All figures, ready for ``json``; errors are null where poses have no answer."""
+        return {
+            "robot": self.robot,
+            "taken_by_others": self.taken_by_others,
+            "load": self.load,
+            "motions": {
+                name: {"poses": self.poses[name], "peak_force_N": peak} for name, peak in self.peaks.items()
+            },
+            "candidates": [entry.as_json() for entry in self.entries],
+            "implementations": [each.as_json() for each in self.implementations],
+        }
+
+
+def finite(error: float) -> float | None:
+    """JSON knows no infinity."""
+    return error if math.isfinite(error) else None
+
+
+# --- the study --------------------------------------------------------------------------------
+
+
+def economy(
+    robot: Robot,
+    motions: Mapping[str, Motion],
+    implementations: bool = False,
+    rounds: int = QUICK_ROUNDS,
+    progress: Progress = lambda _: None,
+) -> Economy:
+    """Measure every candidate on the motions, each of shape (n,), with an answer at every pose.
+
+    implementations: also other ways to compute `exact` general, for comparison. rounds: of timing.
+
+    A precision that can't hold the robot's constants is left out. Raises ValueError where all forces of a
+    motion are zero, native.CompilerError without a C compiler.
+    """
+    progress("compiling the kernels")
+    kernels, texts = _compiled(robot)
+    progress("comparing the models")
+    cases = {name: _Case.of(robot, motion, name) for name, motion in motions.items()}
+    ways = _ways(robot) if implementations else {}
+    errors: dict[Candidate, dict[str, Errors]] = {candidate: {} for candidate in kernels}
+    rounding: dict[str, dict[str, float]] = {way: {} for way in ways}
+    for name, case in cases.items():
+        progress(f"computing {name} at 50 digits")
+        for candidates in _by_model(kernels):
+            errors_of = case.errors({each: kernels[each] for each in candidates})
+            for candidate, found in errors_of.items():
+                errors[candidate][name] = found
+        for way, forces in ways.items():
+            rounding[way][name] = case.rounding_of(forces)
+    tasks = _tasks(tuple(motions.values()), kernels, ways)
+    others = host.Others()
+    raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
+    taken, load = others.share(), host.load_average()
+    entries = [
+        Entry(
+            candidate,
+            fidelity.operations(robot, candidate.formulation, candidate.fidelity),
+            raw[candidate, "one pose"],
+            raw[candidate, "batch"],
+            texts[candidate],
+            errors[candidate],
+        )
+        for candidate in kernels
+    ]
+    return Economy(
+        robot.name,
+        {name: case.peak for name, case in cases.items()},
+        {name: len(case.F) for name, case in cases.items()},
+        tuple(sorted(entries, key=_cost)),
+        tuple(Implementation(way, raw[way, ""], rounding[way]) for way in ways),
+        taken,
+        None if load is None else load[0],
+    )
+
+
+def candidates(robot: Robot) -> list[Candidate]:
+    """Every fidelity of every formulation that there is for a robot, in either precision."""
+    return [
+        Candidate(formulation, level, precision)
+        for formulation in FORMULATIONS
+        for level in fidelity.available(robot, formulation)
+        for precision in PRECISIONS
+    ]
+
+
+def _cost(entry: Entry) -> tuple[int, int, int, int]:
+    """The same on every run, other than times: operations, width of the numbers; then the richer model."""
+    candidate = entry.candidate
+    return (
+        entry.operations,
+        PRECISIONS.index(cast(Precision, candidate.precision)),
+        FORMULATIONS.index(candidate.formulation),
+        fidelity.FIDELITIES.index(candidate.fidelity),
+    )
+
+
+def _by_model(kernels: Iterable[Candidate]) -> list[list[Candidate]]:
+    """Candidates of the same equations, which share their truth, together."""
+    groups: dict[tuple[str, str], list[Candidate]] = {}
+    for candidate in kernels:
+        groups.setdefault((candidate.formulation, candidate.fidelity), []).append(candidate)
+    return list(groups.values())
+
+
+# --- compiling --------------------------------------------------------------------------------
+
+
+def _compiled(robot: Robot) -> tuple[dict[Candidate, ForceKernel], dict[Candidate, int | None]]:
+    """Kernels, and bytes of their code, compiled side by side."""
+    every = candidates(robot)
+    with ThreadPoolExecutor(CORES) as pool:
+        made = [pool.submit(_kernel, robot, candidate) for candidate in every]
+        sizes = [pool.submit(_text, robot, candidate) for candidate in every]
+        kernels = {each: future.result() for each, future in zip(every, made, strict=True)}
+        texts = {each: future.result() for each, future in zip(every, sizes, strict=True)}
+    return {each: kernel for each, kernel in kernels.items() if kernel is not None}, texts
+
+
+def _kernel(robot: Robot, candidate: Candidate) -> ForceKernel | None:
+    """The kernel with the robot's constants, None if its precision can't hold them."""
+    formulation, precision = cast(Any, candidate.formulation), cast(Precision, candidate.precision)
+    try:
+        return prepare(robot, formulation, precision, candidate.fidelity)
+    except ValueError:
+        if precision == "double":
+            raise
+        return None
+
+
+def _text(robot: Robot, candidate: Candidate) -> int | None:
+    name = fidelity.force_kernel_name(robot, candidate.formulation, candidate.fidelity)
+    size = text_size(name, ("STEWART_FLOAT",) if candidate.precision == "float" else ())
+    return None if size is None else size.total
+
+
+# --- errors -----------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True, eq=False)
+class _Case:
+    """One motion: forces (n, 6) of `exact` general, their peak, the forces' accuracy in double (n, 1), and
+    poses that are hard to compute.
+    """
+
+    robot: Robot
+    motion: Motion
+    F: Array
+    peak: float
+    accuracy: Array
+    sample: Sequence[int]
+
+    @classmethod
+    def of(cls, robot: Robot, motion: Motion, name: str) -> "_Case":
+        F = prepare(robot).forces(motion)
+        peak = float(np.abs(F).max())
+        if peak == 0.0:
+            raise ValueError(f"{name}: all forces are zero, errors can't be shares of them")
+        condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
+        largest = np.abs(F).max(axis=-1)
+        spread = np.linspace(0, len(F) - 1, min(SAMPLED, len(F))).round().astype(int).tolist()
+        sample = {*spread, int(largest.argmax()), int(condition.argmax())}
+        accuracy = (_ROUNDING * condition * largest)[:, None]
+        return cls(robot, motion, F, peak, accuracy, sorted(sample))
+
+    def errors(self, kernels: Mapping[Candidate, ForceKernel]) -> dict[Candidate, Errors]:
+        """Of kernels of the same equations, one of them in double."""
+        F = {each: kernel.forces(self.motion, on_singular="nan") for each, kernel in kernels.items()}
+        in_double = next(forces for each, forces in F.items() if each.precision == "double")
+        off = _or_infinite(in_double - self.F)
+        off[off <= self.accuracy] = 0.0
+        # Rounding is largest where precisions differ most.
+        worst = {int(np.argmax(_or_infinite(forces - in_double).max(axis=-1))) for forces in F.values()}
+        sample = sorted({*self.sample, *worst})
+        candidate = next(iter(kernels))
+        truth = Truth(self.robot, candidate.formulation, candidate.fidelity).forces(self.motion[sample])
+        return {
+            each: Errors(
+                float(off.max()) / self.peak,
+                float(np.sqrt(np.mean(off**2))) / self.peak,
+                float(_or_infinite(deviation(forces[sample], truth)).max()) / self.peak,
+            )
+            for each, forces in F.items()
+        }
+
+    def rounding_of(self, forces: Callable[[Motion], Array]) -> float:
+        """Rounding error of another way to compute `exact` general."""
+        motion = self.motion[list(self.sample)]
+        off = deviation(forces(motion), Truth(self.robot).forces(motion))
+        return float(_or_infinite(off).max()) / self.peak
+
+
+def _or_infinite(difference: NDArray[Any]) -> Array:
+    """Sizes of differences; infinite where there is no answer."""
+    return np.abs(np.nan_to_num(np.asarray(difference, dtype=np.float64), nan=np.inf))
+
+
+# --- time -------------------------------------------------------------------------------------
+
+
+def _ways(robot: Robot) -> dict[str, Callable[[Motion], Array]]:
+    """Other implementations of `exact` general: F, (n, 6), of a motion."""
+    backends: dict[str, Backend] = {
+        "every output": "c",
+        "NumPy kernel": "numpy",
+        "vector reference": "reference",
+    }
+
+    def way(backend: Backend) -> Callable[[Motion], Array]:
+        prepared = prepared_kernel(robot, "exact", backend)
+        return lambda motion: prepared.forces(motion).F
+
+    return {name: way(backend) for name, backend in backends.items()}
+
+
+def _tasks(
+    motions: Sequence[Motion],
+    kernels: Mapping[Candidate, ForceKernel],
+    ways: Mapping[str, Callable[[Motion], Array]],
+) -> dict[tuple[Candidate | str, str], Task]:
+    """What is timed: each kernel's "one pose" and "batch", and the other ways, key ""."""
+    few, slow, many = (_poses(motions, count) for count in (FEW, SLOW, MANY))
+    tasks: dict[tuple[Candidate | str, str], Task] = {}
+    for candidate, kernel in kernels.items():
+        tasks[candidate, "one pose"] = Task(_one_pose(kernel, few), FEW)
+        tasks[candidate, "batch"] = Task(_batch(kernel, many), MANY)
+    motion = Motion(*slow)
+    for name, forces in ways.items():
+        tasks[name, ""] = Task(_repeated(forces, motion), SLOW)
+    return tasks
+
+
+def _poses(motions: Sequence[Motion], count: int) -> list[Array]:
+    """The fields of a motion, (count, ...): poses of all motions, over and over."""
+    parts = [loaded(motion) for motion in motions]
+    arrays = [np.concatenate([getattr(part, name) for part in parts]) for name in MOTION]
+    # Few of many poses are taken all along the motions.
+    every = np.linspace(0, len(arrays[0]) - 1, min(count, len(arrays[0]))).round().astype(int)
+    return [np.resize(array[every], (count, *array.shape[1:])) for array in arrays]
+
+
+_LOOP = """\
+#include <stddef.h>
+
+typedef int forces_of(const void *model, const void *motion, void *F);
+
+int drive(
+    forces_of *forces, const void *model, size_t count, size_t repeats, const char *motions, size_t size,
+    void *F)
+{
+    size_t n, i;
+    int status = 0;
+    for (n = 0; n < repeats; ++n) {
+        for (i = 0; i < count; ++i) {
+            status |= forces(model, motions + size * i, F);
+        }
+    }
+    return status;
+}
+"""
+"""Calls a kernel of either precision for one pose after the other, each ``size`` bytes."""
+
+
+def _one_pose(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], object]:
+    loop = native.load("economy_loop", {"loop.c": _LOOP})
+    count = len(poses[0])
+    rows = np.concatenate([array.reshape(count, -1) for array in poses], axis=1).astype(kernel.dtype)
+    F = np.zeros(6, dtype=kernel.dtype)
+    function = ctypes.cast(kernel.function("forces"), ctypes.c_void_p)
+    row_bytes = ctypes.c_size_t(rows.strides[0])
+
+    def run(repeats: int) -> object:
+        return loop.drive(
+            function,
+            address(kernel.model),
+            ctypes.c_size_t(count),
+            ctypes.c_size_t(repeats),
+            address(rows),
+            row_bytes,
+            address(F),
+        )
+
+    return run
+
+
+def _batch(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], object]:
+    arrays = [np.ascontiguousarray(array, dtype=kernel.dtype) for array in poses]
+    F = np.zeros((len(arrays[0]), 6), dtype=kernel.dtype)
+    status = np.zeros(len(arrays[0]), dtype=np.int32)
+
+    def run(repeats: int) -> None:
+        for _ in range(repeats):
+            kernel.forces_into(arrays, F, status)
+
+    return run
+
+
+def _repeated(forces: Callable[[Motion], Array], motion: Motion) -> Callable[[int], object]:
+    def run(repeats: int) -> None:
+        for _ in range(repeats):
+            forces(motion)
+
+    return run

@@ -1,0 +1,274 @@
+"""Speed against accuracy as a picture and as rows: time a pose over error, total and of rounding alone.
+
+Takes what ``economy`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from ..common.host import DISTURBED
+from ..common.output import csv_text
+from .cost import Economy, Entry
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_STYLE: Any = {
+    "svg.hashsalt": "stewart-sym",
+    "svg.fonttype": "none",
+    "font.size": 9.0,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.alpha": 0.35,
+    "grid.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+}
+_EXACT, _PAPER, _FLOAT, _OTHER, _FRONT = "#1f4e9c", "#c1440e", "#2e7d32", "#5a5a5a", "#9a9a9a"
+_MARKERS = "os^vDPX*"
+_FILLED: Any = {"markersize": 4.5, "markeredgewidth": 0.0}
+_HOLLOW: Any = {"markersize": 4.2, "markeredgewidth": 0.8, "markerfacecolor": "white"}
+
+TOTAL, ROUNDING = "total", "rounding"
+
+
+@dataclass(frozen=True)
+class Point:
+    """A way to compute the forces in one panel: its time, ns, and its errors by motion.
+
+    beside: the name of the point that it belongs to, drawn hollow and without a name of its own.
+    """
+
+    panel: str
+    name: str
+    ns: float
+    errors: Mapping[str, float]
+    color: str
+    beside: str = ""
+
+    @property
+    def worst(self) -> float:
+        """Largest error on any motion."""
+        return max(self.errors.values())
+
+
+def points(found: Economy) -> list[Point]:
+    """Total errors of every fidelity, one pose in both precisions; rounding of every implementation."""
+    fidelities = [_of_fidelity(entry) for entry in found.entries]
+    general = [entry for entry in found.entries if entry.candidate.fidelity == "general"]
+    kernels = [
+        Point(
+            ROUNDING,
+            f"{kind}, {entry.candidate.precision}",
+            ns,
+            {name: errors.rounding for name, errors in entry.errors.items()},
+            _EXACT if entry.candidate.precision == "double" else _FLOAT,
+        )
+        for entry in general
+        if entry.candidate.formulation == "exact"
+        for kind, ns in (("one pose", entry.ns), ("batch", entry.batch_ns))
+    ]
+    others = [Point(ROUNDING, each.name, each.ns, each.rounding, _OTHER) for each in found.implementations]
+    return [*fidelities, *kernels, *others]
+
+
+def _of_fidelity(entry: Entry) -> Point:
+    candidate = entry.candidate
+    in_double, exact = candidate.precision == "double", candidate.formulation == "exact"
+    name = candidate.fidelity if exact else "paper"
+    return Point(
+        TOTAL,
+        name if in_double else f"{name}, {candidate.precision}",
+        entry.ns,
+        {motion: errors.total for motion, errors in entry.errors.items()},
+        (_EXACT if exact else _PAPER) if in_double else _FLOAT,
+        "" if in_double else name,
+    )
+
+
+def front(given: Sequence[Point]) -> list[Point]:
+    """The Pareto front, the fastest first: no other point is as fast and errs less."""
+    best: list[Point] = []
+    for point in sorted(given, key=lambda point: (point.ns, point.worst)):
+        if not best or point.worst < best[-1].worst:
+            best.append(point)
+    return best
+
+
+# --- rows -------------------------------------------------------------------------------------
+
+_COLUMNS = ("error", "name", "ns", "motion", "largest", "pareto")
+
+
+def csv_rows(found: Economy) -> str:
+    """Every point of the picture and motion as CSV, all digits."""
+    every = points(found)
+    best = [point for panel in (TOTAL, ROUNDING) for point in front(_of(every, panel))]
+    rows = [
+        (point.panel, point.name, point.ns, motion, error, int(point in best))
+        for point in every
+        for motion, error in point.errors.items()
+    ]
+    return csv_text([_COLUMNS, *rows])
+
+
+def _of(every: Sequence[Point], panel: str) -> list[Point]:
+    return [point for point in every if point.panel == panel]
+
+
+# --- the picture ------------------------------------------------------------------------------
+
+
+def figure(found: Economy) -> "Figure":
+    """Two panels, time a pose over the errors: of model and rounding together, and of rounding."""
+    import matplotlib
+    from matplotlib.figure import Figure
+
+    every = points(found)
+    marks = dict(zip(found.peaks, _MARKERS * len(found.peaks), strict=False))
+    with matplotlib.rc_context(_STYLE):
+        picture = Figure(figsize=(12.4, 7.8), layout="constrained")
+        left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
+        picture.suptitle("\n".join([f"Speed against accuracy: {found.robot}", *_disturbance(found)]))
+        _draw(left, _of(every, TOTAL), marks)
+        _draw(right, _of(every, ROUNDING), marks)
+        left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
+        right.set_title("error of rounding: exact, general", fontsize="medium")
+        left.set_ylabel("largest error, share of the motion's peak force")
+        _legend(picture, left, marks)
+        for axes, panel in ((left, TOTAL), (right, ROUNDING)):
+            _name(axes, _of(every, panel))
+    return picture
+
+
+def save(picture: "Figure", path: Path) -> None:
+    """Write a picture as PNG and as SVG, with their endings, the same bytes for the same picture."""
+    import matplotlib
+
+    with matplotlib.rc_context(_STYLE):
+        picture.savefig(path.with_suffix(".png"), dpi=160, metadata={"Software": None})
+        picture.savefig(path.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
+
+
+def _disturbance(found: Economy) -> list[str]:
+    """What others did to the times, a line; nothing if they did little or the system doesn't tell."""
+    taken = found.taken_by_others
+    if taken is None or taken <= DISTURBED:
+        return []
+    load = "" if found.load is None else f", load {found.load:.1f}"
+    return [f"times disturbed: other processes took {100 * taken:.0f} % of the cores' time{load}"]
+
+
+def _draw(axes: "Axes", given: Sequence[Point], marks: Mapping[str, str]) -> None:
+    """Each point's errors, joined by a line from motion to motion, and the front."""
+    height = _heights(given)
+    axes.set_xscale("log")
+    axes.set_yscale("log")
+    for point in given:
+        heights = {motion: height(error) for motion, error in point.errors.items()}
+        ends = min(heights.values()), max(heights.values())
+        axes.plot([point.ns, point.ns], ends, color=point.color, linewidth=0.9, alpha=0.45)
+        look = _HOLLOW if point.beside else _FILLED
+        for motion, y in heights.items():
+            axes.plot(point.ns, y, marks[motion], color=point.color, **look)
+    named = {point.name: point for point in given}
+    for point, other in ((point, named[point.beside]) for point in given if point.beside in named):
+        both = [height(point.worst), height(other.worst)]
+        axes.plot([point.ns, other.ns], both, ":", color=point.color, linewidth=0.9, alpha=0.7, zorder=1.5)
+    best = front(given)
+    axes.step(
+        [point.ns for point in best],
+        [height(point.worst) for point in best],
+        where="post",
+        color=_FRONT,
+        linewidth=4.0,
+        alpha=0.35,
+        solid_joinstyle="round",
+        zorder=1.0,
+    )
+    _limits(axes, given, height)
+    axes.set_xlabel("time a pose, ns, median")
+
+
+def _heights(given: Sequence[Point]) -> Callable[[float], float]:
+    """Where an error is drawn: those that are zero in a band below all others, infinite ones above."""
+    drawn = [e for point in given for e in point.errors.values() if 0.0 < e < math.inf] or [1.0]
+    none = 10.0 ** (math.floor(math.log10(min(drawn))) - 1)
+    beyond = 10.0 ** (math.ceil(math.log10(max(drawn))) + 1)
+    return lambda error: none if error == 0.0 else min(error, beyond)
+
+
+def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], float]) -> None:
+    """Room for the labels, ticks at decades, and the band of errors that are zero."""
+    from matplotlib.ticker import FixedLocator, FuncFormatter, LogLocator, NullFormatter, NullLocator
+
+    times = [point.ns for point in given]
+    room = max((max(times) / min(times)) ** 0.2, 1.2)
+    axes.set_xlim(min(times) / room, max(times) * room**1.5)
+    errors = [error for point in given for error in point.errors.values()]
+    heights = [height(error) for error in errors]
+    low, high = math.floor(math.log10(min(heights))), math.ceil(math.log10(max(heights)))
+    ticks = {10.0**power: f"$10^{{{power}}}$" for power in range(low, high + 1)}
+    if 0.0 in errors:
+        none = height(0.0)
+        axes.axhspan(none / 10**0.5, none * 10**0.5, color="#e8eef7", zorder=0.0)
+        ticks = {y: text for y, text in ticks.items() if y > 3.0 * none} | {none: "none"}
+    if math.inf in errors:
+        ticks[height(math.inf)] = "no answer"
+    axes.yaxis.set_major_locator(FixedLocator(sorted(ticks)))
+    axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: ticks.get(y, "")))
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.set_ylim(10.0 ** (low - 0.7), 10.0 ** (high + 2.3))
+    decades = math.log10(axes.get_xlim()[1] / axes.get_xlim()[0])
+    axes.xaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0) if decades < 1.5 else (1.0,)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda x, _: f"{x:,.0f}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
+
+
+def _legend(picture: "Figure", axes: "Axes", marks: Mapping[str, str]) -> None:
+    from matplotlib.lines import Line2D
+
+    from ..common.drawing import legend_below
+
+    handles = [
+        Line2D([], [], color=_OTHER, marker=mark, linestyle="", markersize=5.0, label=_motion_name(name))
+        for name, mark in marks.items()
+    ]
+    colors = (
+        ("exact, double", _EXACT),
+        ("paper, double", _PAPER),
+        ("float", _FLOAT),
+    )
+    handles += [
+        Line2D([], [], color=color, linewidth=3.0, label=label)
+        for label, color in (*colors, ("other code", _OTHER))
+    ]
+    handles.append(
+        Line2D([], [], color=_FLOAT, linestyle=":", marker="o", label="the same in float", **_HOLLOW)
+    )
+    handles.append(
+        Line2D([], [], color=_FRONT, linewidth=4.0, alpha=0.35, label="Pareto front, worst motion")
+    )
+    legend_below(picture, handles)
+
+
+def _motion_name(name: str) -> str:
+    from ...motion.trajectory import PATHS
+
+    return f"Path {name}" if name in PATHS else name
+
+
+def _name(axes: "Axes", given: Sequence[Point]) -> None:
+    from ..common.labels import Label, place
+
+    height = _heights(given)
+    labels = [
+        Label(point.name, point.ns, height(point.worst), point.color) for point in given if not point.beside
+    ]
+    markers = [[(point.ns, height(error)) for error in point.errors.values()] for point in given]
+    bars = [(min(of_point), max(of_point)) for of_point in markers]
+    place(axes, labels, [marker for of_point in markers for marker in of_point], bars)

@@ -1,0 +1,356 @@
+"""Rounding error of the force kernels over size and mass of the machine, in double and in float.
+
+Takes a robot, makes similar machines of every size and mass, and compares each arithmetic with one of more
+digits that is given the same numbers; float with the unit of length for its moments and without. Returns
+records; draws them if asked (extra ``plot``). Writes no file.
+"""
+
+import ctypes
+import dataclasses
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ... import robots
+from ...backend import native
+from ...backend.kernel import MOTION, address, c_sources, kernel_name, loaded, robot_numbers
+from ...dynamics.home_pose import radius
+from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...generated.interface import MODELS
+from ...kinematics.conditioning import characteristic_length, scaled_condition_number
+from ...kinematics.inverse import clear_of_poles, inverse_kinematics
+from ...motion.motion import Motion
+from ...results import OK
+from ...robot.robot import Robot
+from ...robot.units import rescaled
+from ..common.draws import Spread, random_motions
+from ..common.output import csv_text
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[Any]
+
+DOUBLE, FLOAT = "double", "float"
+SIZES = tuple(10.0**power for power in range(-4, 4))
+"""Radii of the base, m."""
+MASSES = tuple(10.0**power for power in range(-6, 7, 3))
+"""Masses of the platform, and of the heaviest part of a leg, kg."""
+MEANT = (1e-3, 10.0)
+"""Sizes of the machines that float is meant for, m."""
+BOUND = 100.0
+"""Error, in rounding units times condition number, that no arithmetic is to exceed."""
+
+MAX_CONDITION = 60.0
+_DRAWS = 40
+_SPREAD = Spread(0.15, 0.2, 0.5)
+_COPIES = 50
+_STANDARD_GRAVITY = 9.81
+_RAGGED = 0.08
+
+
+@dataclass(frozen=True)
+class _Arithmetic:
+    """How the C is compiled, and the type of its numbers."""
+
+    dtype: type[np.floating[Any]]
+    defines: Mapping[str, str | int]
+    flags: tuple[str, ...] = ()
+
+
+_ARITHMETIC: Mapping[str, _Arithmetic] = {
+    DOUBLE: _Arithmetic(np.float64, {}),
+    FLOAT: _Arithmetic(np.float32, {"STEWART_FLOAT": 1}),
+}
+_WIDE = _Arithmetic(
+    np.longdouble,
+    {
+        "STEWART_REAL": "long double",
+        "STEWART_SQRT(value)": "sqrtl(value)",
+        "STEWART_FABS(value)": "fabsl(value)",
+        "STEWART_EPSILON": "LDBL_EPSILON",
+        "STEWART_MAX": "LDBL_MAX",
+    },
+    ("-include", "float.h", "-include", "math.h"),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Scales:
+    """Errors of the forces over size and mass.
+
+    robot, formulation: what was scaled and how it was computed. sizes: m, (s,). platform_masses, leg_masses:
+    kg, (p,) and (l,). errors: (s, p, l, n) by arithmetic, of n poses each, in rounding units of that
+    arithmetic, times the scaled condition number of H, times the largest of |F|, |D| and |x|; ``double`` is
+    missing where the C has no wider type to judge it by. faults: poses without an answer by arithmetic; their
+    errors are infinite.
+    """
+
+    robot: str
+    formulation: Formulation
+    sizes: Array
+    platform_masses: Array
+    leg_masses: Array
+    errors: Mapping[str, Array]
+
+    @property
+    def faults(self) -> dict[str, int]:
+        """How many poses have no answer, by arithmetic."""
+        return {name: int(np.isinf(errors).sum()) for name, errors in self.errors.items()}
+
+    def meant(self, name: str) -> Array:
+        """Errors of one arithmetic on machines of the sizes that float is meant for."""
+        low, high = MEANT
+        return self.errors[name][(self.sizes >= 0.999 * low) & (self.sizes <= 1.001 * high)]
+
+    @property
+    def text(self) -> str:
+        """A line for each arithmetic: median and largest error, and the largest of the sizes meant."""
+        lines = [
+            f"{name:<30} median {np.median(errors):.2f}, largest {errors.max():.3g}; "
+            f"from {MEANT[0]:g} to {MEANT[1]:g} m {self.meant(name).max():.3g}"
+            for name, errors in self.errors.items()
+        ]
+        return "\n".join(lines)
+
+
+def scales_study(
+    progress: Callable[[str], None] = lambda _: None,
+    robot: Robot | None = None,
+    formulation: Formulation = "exact",
+    sizes: Sequence[float] = SIZES,
+    masses: Sequence[float] = MASSES,
+    machines: int = 16,
+    poses: int = 16,
+    seed: int = 1,
+) -> Scales:
+    """Measure the errors on machines similar to a robot but for their size and masses.
+
+    robot: None for the paper's. sizes: radii of the base, m; masses: of the platform, and of the heaviest
+    part of a leg, kg, each with each. machines: how many of such masses, the robot itself and copies with
+    their joints moved by ``_RAGGED`` of the radius or so. poses: of each, drawn around its home, with rates,
+    accelerations and loads of the order that gravity sets. ``progress`` is told the masses at hand.
+
+    Raises ValueError if the robot has too few poses with a scaled condition number below ``MAX_CONDITION``
+    and with sines of the angles between legs and universal axes above ``MIN_SIN_POLE``,
+    native.CompilerError without a C compiler.
+    """
+    robot = robots.dasgupta1998() if robot is None else robot
+    rng = np.random.default_rng(seed)
+    judged = {name: how for name, how in _ARITHMETIC.items() if name != DOUBLE or _is_wider()}
+    shape = (len(sizes), len(masses), len(masses), machines, poses)
+    errors = {name: np.empty(shape) for name in judged}
+    for p, leg in np.ndindex(len(masses), len(masses)):
+        progress(f"platform of {masses[p]:g} kg, legs of {masses[leg]:g} kg")
+        for k in range(machines):
+            kind, motion = _case(rng, robot, k > 0, poses)
+            for s, size in enumerate(sizes):
+                case = _scaled(kind, motion, size, masses[p], masses[leg])
+                for name, found in _errors(*case, formulation, judged).items():
+                    errors[name][s, p, leg, k] = found
+    return Scales(
+        robot.name,
+        formulation,
+        np.array(sizes),
+        np.array(masses),
+        np.array(masses),
+        {name: values.reshape(*shape[:3], machines * poses) for name, values in errors.items()},
+    )
+
+
+# --- machines and poses -----------------------------------------------------------------------
+
+
+def _case(rng: np.random.Generator, robot: Robot, ragged: bool, poses: int) -> tuple[Robot, Motion]:
+    """The robot, or a copy with its joints moved that has poses enough, and its motions, (poses,)."""
+    for _ in range(_COPIES if ragged else 1):
+        kind = _ragged(rng, robot) if ragged else robot
+        motion = _motions(rng, kind, poses)
+        if motion.shape == (poses,):
+            return kind, motion
+    raise ValueError(
+        f"robot {robot.name!r}: too few poses around its home with a condition number below "
+        f"{MAX_CONDITION:g} and legs clear of their universal axes"
+    )
+
+
+def _ragged(rng: np.random.Generator, robot: Robot) -> Robot:
+    size = radius(robot.b)
+    b, p = (points + _RAGGED * size * rng.normal(size=(6, 3)) for points in (robot.b, robot.p))
+    return dataclasses.replace(robot, b=b, p=p)
+
+
+def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
+    """Well-posed motions, ``count`` or fewer, as fast as gravity makes them, loads for a platform of 1 kg."""
+    motion = random_motions(rng, robot, _DRAWS * count, _SPREAD, _STANDARD_GRAVITY, 1.0)
+    found = inverse_dynamics(robot, motion, on_singular="nan")
+    condition = scaled_condition_number(found.H, characteristic_length(robot))
+    clear = clear_of_poles(robot, inverse_kinematics(robot, motion))
+    good = np.flatnonzero((found.status == OK) & (condition < MAX_CONDITION) & clear)[:count]
+    return motion[good]
+
+
+def _scaled(
+    robot: Robot, motion: Motion, size: float, platform: float, heaviest: float
+) -> tuple[Robot, Motion]:
+    """The machine with its base of a radius, its platform and its legs of a mass; rounded to float."""
+    longer = size / radius(robot.b)
+    slower = np.sqrt(longer)
+    heavier = platform / robot.M
+    similar = rescaled(robot, longer, heavier, float(slower))
+    legs = heaviest / float(max(similar.m_d.max(), similar.m_u.max()))
+    parts = {name: getattr(similar, name) * legs for name in ("m_d", "m_u", "I_d0", "I_u0")}
+    given = loaded(motion)
+    moved = Motion.unchecked(
+        R=motion.R,
+        t=motion.t * longer,
+        omega=motion.omega / slower,
+        v=motion.v * slower,
+        alpha=given.alpha / longer,
+        a=given.a,
+        F_ext=given.F_ext * platform,
+        M_ext=given.M_ext * platform * longer,
+    )
+    rounded = {name: _rounded(getattr(moved, name)) for name in MOTION}
+    return dataclasses.replace(similar, **parts), Motion.unchecked(**rounded)
+
+
+def _rounded(array: Array) -> Array:
+    return array.astype(np.float32).astype(np.float64)
+
+
+# --- kernels ----------------------------------------------------------------------------------
+
+
+def _is_wider() -> bool:
+    """Whether the C's long double has more digits than double."""
+    return bool(np.finfo(np.longdouble).eps < np.finfo(np.float64).eps / 64)
+
+
+def _errors(
+    robot: Robot, motion: Motion, formulation: Formulation, judged: Mapping[str, _Arithmetic]
+) -> dict[str, Array]:
+    """Errors, (n,), by arithmetic, all of them given the same numbers, which float can hold."""
+    numbers = _rounded(robot_numbers(robot))
+    name = kernel_name(formulation, robot.base_joint)
+    truth = _forces(name, _WIDE if _is_wider() else _ARITHMETIC[DOUBLE], numbers, motion)
+    full = inverse_dynamics(robot, motion, formulation, on_singular="nan")
+    condition = scaled_condition_number(full.H, characteristic_length(robot))
+    largest = np.max([np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x)], axis=0)
+    return {
+        each: _error(_forces(name, how, numbers, motion), truth)
+        / (float(np.finfo(how.dtype).eps) * condition * largest)
+        for each, how in judged.items()
+    }
+
+
+def _error(found: Array, truth: Array) -> Array:
+    error = np.abs(found.astype(truth.dtype) - truth).max(axis=-1).astype(np.float64)
+    return np.where(np.isfinite(error), error, np.inf)
+
+
+def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Array:
+    """Forces, N, (n, 6), NaN where there is no answer, of a robot's numbers."""
+    sources = c_sources(f"{name}_forces")
+    functions = native.load(f"stewart_{name}_forces", sources, how.flags, how.defines)
+    given = numbers.astype(how.dtype)
+    model = np.zeros(MODELS[name], dtype=how.dtype)
+    count = motion.t.shape[0]
+    F = np.full((count, 6), np.nan, dtype=how.dtype)
+    if getattr(functions, f"stewart_{name}_prepare")(address(given), address(model)) == OK:
+        arrays = [np.ascontiguousarray(getattr(motion, field), dtype=how.dtype) for field in MOTION]
+        getattr(functions, f"stewart_{name}_forces_batch")(
+            address(model),
+            ctypes.c_size_t(count),
+            (ctypes.c_void_p * len(arrays))(*map(address, arrays)),
+            address(F),
+            address(np.zeros(count, dtype=np.int32)),
+        )
+    return F
+
+
+# --- table and picture ------------------------------------------------------------------------
+
+
+def csv_rows(data: Scales) -> str:
+    """A table as CSV, all digits: size, masses, and each arithmetic's median and largest error there."""
+    header = ["size_m", "platform_mass_kg", "leg_mass_kg"]
+    for name in data.errors:
+        header += [f"{name}_median", f"{name}_largest"]
+    rows: list[tuple[str | float, ...]] = [tuple(header)]
+    for s, size in enumerate(data.sizes.tolist()):
+        for p, platform in enumerate(data.platform_masses.tolist()):
+            for leg, heaviest in enumerate(data.leg_masses.tolist()):
+                row = [size, platform, heaviest]
+                for errors in data.errors.values():
+                    row += [float(np.median(errors[s, p, leg])), float(errors[s, p, leg].max())]
+                rows.append(tuple(row))
+    return csv_text(rows)
+
+
+# Okabe and Ito's colours, told apart by marks and dashes as well.
+_STYLE: Mapping[str, Mapping[str, Any]] = {
+    FLOAT: {"color": "#0072b2", "marker": "o", "linestyle": "-"},
+    DOUBLE: {"color": "#555555", "marker": "s", "linestyle": (0, (1.2, 1.2))},
+}
+
+
+def figure(data: Scales) -> "Figure":
+    """Largest and median error over size, over the platform's mass and over the legs', in three panels.
+
+    Each panel takes its largest and median over all that it does not show; infinite errors are left out.
+    """
+    from matplotlib.figure import Figure
+    from matplotlib.ticker import LogLocator
+
+    from ..common.drawing import legend_below, log_numbers
+
+    picture = Figure(figsize=(10.0, 4.4), layout="constrained")
+    picture.suptitle(
+        f"Rounding error of the leg forces, {data.formulation}, machines similar to {data.robot}:\n"
+        r"rounding units of each arithmetic $\times$ scaled condition number $\times$ largest force",
+        fontsize=10.0,
+    )
+    panels = picture.subplots(1, 3, sharey=True, width_ratios=(1.3, 1.0, 1.0))
+    labels = ("radius of the base, m", "mass of the platform, kg", "heaviest part of a leg, kg")
+    steps = (data.sizes, data.platform_masses, data.leg_masses)
+    for axis, (axes, label, places) in enumerate(zip(panels, labels, steps, strict=True)):
+        _panel(axes, data, axis, places)
+        axes.set_xlabel(label)
+        axes.xaxis.set_major_locator(LogLocator(numticks=8))
+        axes.grid(alpha=0.35, linewidth=0.6)
+        axes.spines[["top", "right"]].set_visible(False)
+    low, high = panels[0].get_ylim()
+    panels[0].set_ylim(0.5 * low, 2.0 * high)
+    panels[0].axvspan(*MEANT, color="#0072b2", alpha=0.07, linewidth=0.0)
+    panels[0].set_ylabel("error: largest (thick), median (thin)")
+    panels[0].annotate(
+        "1 mm to 10 m",
+        (float(np.sqrt(MEANT[0] * MEANT[1])), 0.0),
+        xycoords=("data", "axes fraction"),
+        xytext=(0, 4),
+        textcoords="offset points",
+        ha="center",
+        fontsize=8.0,
+    )
+    log_numbers(panels[0].yaxis)
+    legend_below(picture, fontsize=9.0)
+    return picture
+
+
+def _panel(axes: "Axes", data: Scales, axis: int, places: Array) -> None:
+    """Largest errors as lines with marks, medians as thin lines, the bound across."""
+    for name, style in _STYLE.items():
+        if name not in data.errors:
+            continue
+        errors = np.moveaxis(data.errors[name], axis, 0).reshape(len(places), -1)
+        finite = np.where(np.isfinite(errors), errors, np.nan)
+        label = f"{name}: largest {np.nanmax(finite):.3g}"
+        axes.loglog(places, np.nanmax(finite, axis=1), label=label, linewidth=1.6, markersize=4.5, **style)
+        plain = {**style, "marker": ""}
+        axes.loglog(places, np.nanmedian(finite, axis=1), linewidth=1.0, alpha=0.7, **plain)
+    axes.axhline(BOUND, color="black", linewidth=0.8, label=f"bound, {BOUND:g}")

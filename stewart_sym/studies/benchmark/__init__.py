@@ -1,0 +1,1 @@
+"""Times of the kernels and of the baselines, alternating, as medians."""

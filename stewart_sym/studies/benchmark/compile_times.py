@@ -1,0 +1,117 @@
+"""How long a C compiler works on the kernels, and how many bytes of code a controller is left with.
+
+The part of ``bench`` that times the compiler and not the code. Knows linkers and ``nm``, nothing of what the
+kernels compute.
+"""
+
+import functools
+import shutil
+import sys
+import time
+from collections.abc import Callable, Mapping, Sequence
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+from ...backend import kernel, native
+from .figures import CompileTime, TextSize
+from .peers import NAME
+
+COMPILED = (NAME, f"{NAME}_forces")
+"""Kernels whose compilation is timed: every output, and the forces alone."""
+
+SIZE_FLAGS = ("-O2", "-std=c99", "-fno-math-errno", "-ffunction-sections")
+_LINK_FLAGS = ("-Wl,--gc-sections",)
+
+_PROGRAM = """\
+#include "stewart_{name}_forces.h"
+
+int main(int count, char **words)
+{{
+    stewart_{name}_model model;
+    stewart_real F[6];
+    stewart_{name}_prepare((const stewart_robot *)(const void *)words[0], &model);
+    return stewart_{name}_forces(&model, (const stewart_motion *)(const void *)words[count], F);
+}}
+"""
+"""Calls what a control loop calls. It is linked and never run."""
+
+_EMPTY = "int main(void)\n{\n    return 0;\n}\n"
+
+
+def compile_times(times: int, progress: Callable[[str], None] = lambda _: None) -> tuple[CompileTime, ...]:
+    """Compile each kernel anew ``times`` times, by turns, with the flags that all libraries are built with.
+
+    Raises native.CompilerError.
+    """
+    raw: dict[str, list[float]] = {name: [] for name in COMPILED}
+    for number in range(times):
+        progress(f"compiling, {number + 1} of {times}")
+        for name in COMPILED:
+            raw[name].append(_seconds(name))
+    return tuple(CompileTime(f"stewart_{name}.c", tuple(values)) for name, values in raw.items())
+
+
+def _seconds(name: str) -> float:
+    sources = kernel.c_sources(name)
+    with _folder() as folder:
+        start = time.perf_counter()
+        native.compiled(Path(folder), f"stewart_{name}", sources)
+        return time.perf_counter() - start
+
+
+def text_size(name: str = NAME, defines: Sequence[str] = ()) -> TextSize | None:
+    """Bytes of the functions left of a kernel's forces in a program that prepares and computes one pose.
+
+    name: of the kernel; defines: macros. Linked without the functions that nobody calls; counted by ``nm``,
+    less what an empty program holds too.
+    None where that can't be done: no ELF system, no ``nm``, a linker without ``--gc-sections``. Raises
+    native.CompilerError without a compiler.
+    """
+    compiler = native.find_compiler()
+    if compiler is None:
+        raise native.CompilerError("no C compiler found")
+    if sys.platform in ("win32", "darwin"):
+        return None
+    flags = (*SIZE_FLAGS, *(f"-D{macro}" for macro in defines))
+    sources = {**kernel.c_sources(f"{name}_forces"), "main.c": _PROGRAM.format(name=name)}
+    try:
+        left, empty = _functions(compiler, sources, flags), _empty_functions(compiler)
+    except (native.CompilerError, FileNotFoundError):
+        return None
+    functions = {name: size for name, size in left.items() if name not in empty}
+    return TextSize(f"stewart_{name}_forces.c", flags, functions)
+
+
+@functools.cache
+def _empty_functions(compiler: native.Compiler) -> dict[str, int]:
+    return _functions(compiler, {"main.c": _EMPTY}, SIZE_FLAGS)
+
+
+def _functions(compiler: native.Compiler, sources: Mapping[str, str], flags: Sequence[str]) -> dict[str, int]:
+    """Bytes of every function in the program that the sources make."""
+    with _folder() as name:
+        folder = Path(name)
+        for file, text in sources.items():
+            (folder / file).write_text(text, encoding="utf-8", newline="\n")
+        files = sorted(file for file in sources if file.endswith(".c"))
+        native.ran((*compiler.command, *flags, *_LINK_FLAGS, *files, "-o", "program", "-lm"), folder)
+        return _sizes(native.ran((*_nm(compiler, folder), "-S", "program"), folder))
+
+
+def _nm(compiler: native.Compiler, folder: Path) -> Sequence[str]:
+    """The ``nm`` that belongs to the compiler, or else the system's."""
+    asked = native.ran((*compiler.command, "-print-prog-name=nm"), folder).strip()
+    found = shutil.which(asked) or shutil.which("nm") or shutil.which("llvm-nm")
+    if found is None:
+        raise FileNotFoundError("nm")
+    return (found,)
+
+
+def _sizes(table: str) -> dict[str, int]:
+    """Bytes by name from lines of address, size, kind and name; other lines have no size."""
+    rows = [line.split() for line in table.splitlines()]
+    return {row[3]: int(row[1], 16) for row in rows if len(row) == 4 and row[2] in "tTwW"}
+
+
+def _folder() -> "TemporaryDirectory[str]":
+    return TemporaryDirectory(prefix="stewart-sym-", ignore_cleanup_errors=True)

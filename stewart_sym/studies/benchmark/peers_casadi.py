@@ -1,0 +1,254 @@
+"""CasADi as a contestant of ``bench``: the `exact` equations in its symbols, emitted by it as C.
+
+The equations are written out here again, plainly; shared terms and the linear solve are CasADi's own. Takes
+the order in which a robot's and a motion's numbers lie and hands over C text; must know nothing of the
+derivation and of the generated kernels. The text is compiled and timed elsewhere.
+"""
+
+import tempfile
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ...io.extras import needed_for
+from ..common.loops import loop_source
+
+with needed_for("the comparison with CasADi"):
+    import casadi
+
+LEG_NUMBERS = 32
+ROBOT_NUMBERS = 6 * LEG_NUMBERS + 13
+MOTION_NUMBERS = 30
+
+Matrix = Any
+"""CasADi's SX: it ships no types."""
+
+_SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
+_FREE = ("INPUT", "OUTPUT", "PARAMETER", "CONST", "ASSIGN", "NEG")
+
+
+@dataclass(frozen=True)
+class Program:
+    """C files by name, with a loop ``drive`` over many poses; operations of one pose, counted in CasADi."""
+
+    sources: Mapping[str, str]
+    operations: int
+
+
+@dataclass(frozen=True)
+class _Leg:
+    """One leg's numbers."""
+
+    b: Matrix
+    p: Matrix
+    k: Matrix
+    m_d: Matrix
+    r_d0: Matrix
+    I_d0: Matrix
+    m_u: Matrix
+    r_u0: Matrix
+    I_u0: Matrix
+    C_u: Matrix
+    C_p: Matrix
+    C_s: Matrix
+
+
+@dataclass(frozen=True)
+class _Motion:
+    """The platform's motion and load, with gravity."""
+
+    R: Matrix
+    t: Matrix
+    omega: Matrix
+    v: Matrix
+    alpha: Matrix
+    a: Matrix
+    F_ext: Matrix
+    M_ext: Matrix
+    g: Matrix
+
+
+@dataclass(frozen=True)
+class _LegResult:
+    """What a leg says to the platform: q, s, K, D of (1), (3), (21), (24), friction moment f of (18)."""
+
+    q: Matrix
+    s: Matrix
+    K: Matrix
+    D: Matrix
+    f: Matrix
+
+
+LegEquations = Callable[[_Leg, _Motion], _LegResult]
+
+
+def program(equations: LegEquations) -> Program:
+    """Return the C of `exact` inverse dynamics with ``base_frame`` or ``leg_frame`` as the leg's equations.
+
+    The robot's numbers are those of ``struct stewart_robot``, an input; a motion's those of
+    ``struct stewart_motion``.
+    """
+    robot, motion = casadi.SX.sym("robot", ROBOT_NUMBERS), casadi.SX.sym("motion", MOTION_NUMBERS)
+    F = casadi.cse(_forces(robot, motion, equations))
+    function = casadi.Function("casadi_forces", [robot, motion], [F])
+    body = (
+        f"const double *arg[{function.sz_arg()}] = {{machine, motion->numbers}}; "
+        f"double *res[{function.sz_res()}] = {{F}}; "
+        f"long long int iw[{function.sz_iw()} + 1]; double w[{function.sz_w()} + 1]; "
+        "return casadi_forces(arg, res, iw, w, 0);"
+    )
+    header = (
+        "#include <stddef.h>\n"
+        f"typedef struct {{ double numbers[{MOTION_NUMBERS}]; }} pose_numbers;\n"
+        "int casadi_forces(const double **arg, double **res, long long int *iw, double *w, int mem);\n"
+    )
+    loop = loop_source("casadi.h", body, "pose_numbers", "double")
+    return Program({"casadi_forces.c": _emitted(function), "casadi.h": header, **loop}, _operations(function))
+
+
+def _emitted(function: Any) -> str:
+    generator = casadi.CodeGenerator("casadi_forces.c")
+    generator.add(function)
+    with tempfile.TemporaryDirectory(prefix="stewart-sym-") as folder:
+        return Path(generator.generate(f"{folder}/")).read_text(encoding="utf-8")
+
+
+def _operations(function: Any) -> int:
+    """Instructions that compute: all but moves and changes of sign."""
+    free = {getattr(casadi, f"OP_{name}") for name in _FREE}
+    return sum(function.instruction_id(i) not in free for i in range(function.n_instructions()))
+
+
+def _forces(robot: Matrix, numbers: Matrix, equations: LegEquations) -> Matrix:
+    """F, (30)-(37)."""
+    legs, (M, R_0, I_p, g) = _read_robot(robot)
+    at = _read_motion(numbers, g)
+    done = [equations(leg, at) for leg in legs]
+    R, omega, alpha = at.R, at.omega, at.alpha
+
+    R_c = R @ R_0  # (30)
+    a = casadi.cross(alpha, R_c) + casadi.cross(omega, casadi.cross(omega, R_c)) + at.a  # (31)
+    I = R @ I_p @ R.T  # (32)  # noqa: E741
+    force = R @ at.F_ext + M * (g - a)  # (33)
+    moment = M * casadi.cross(R_c, g - a) - I @ alpha - casadi.cross(omega, I @ omega) + R @ at.M_ext  # (34)
+    for leg in done:  # (35)
+        force -= leg.K
+        moment -= casadi.cross(leg.q, leg.K) - leg.f
+    H = casadi.horzcat(*(casadi.vertcat(leg.s, casadi.cross(leg.q, leg.s)) for leg in done))  # (36)
+    D = casadi.vertcat(*(leg.D for leg in done))
+    # For SX, CasADi's own solve is a QR factorisation written out. Faster than its inverse by minors and
+    # than its run-time QR; its LDL^T takes symmetric matrices only.
+    return D - casadi.solve(H, casadi.vertcat(force, moment))  # (37)
+
+
+def base_frame(leg: _Leg, at: _Motion) -> _LegResult:
+    """Equations (1)-(24), corrected, in vectors of the base frame."""
+    cross, dot = casadi.cross, casadi.dot
+    omega, alpha, g = at.omega, at.alpha, at.g
+    q = at.R @ leg.p  # (1)
+    S = at.t + q - leg.b  # (2)
+    L = casadi.sqrt(dot(S, S))
+    s = S / L  # (3)
+    Sdot = cross(omega, q) + at.v  # (4)
+    Ldot = dot(s, Sdot)  # (5)
+    Sddot = cross(alpha, q) + cross(omega, cross(omega, q)) + at.a  # (7)
+
+    k_x_s = cross(leg.k, s)
+    y = k_x_s / casadi.sqrt(dot(k_x_s, k_x_s))
+    T = casadi.horzcat(s, y, cross(s, y))  # (10)
+    n = cross(leg.k, y)
+    W = cross(s, Sdot) / L
+    W = W - dot(W, n) / dot(s, n) * s  # (6): W.n = 0
+    W_s = dot(s, W)
+    W_t = W - W_s * s
+    Lddot = dot(s, Sddot) + L * dot(W_t, W_t)  # (8)
+    A = (cross(s, Sddot) - 2 * Ldot * W_t) / L - W_s * cross(s, W)
+    A = A - (dot(A, n) + dot(W, cross(leg.k, cross(W, y)))) / dot(s, n) * s  # (9): d/dt (W.n) = 0
+
+    r_d = T @ leg.r_d0  # (11)
+    r_u = T @ (casadi.vertcat(L, 0, 0) + leg.r_u0)  # (12)
+    I = T @ (leg.I_d0 + leg.I_u0) @ T.T  # (15), (16)  # noqa: E741
+    a_d = cross(A, r_d) + cross(W, cross(W, r_d))  # (13)
+    a_u = Lddot * s + cross(A, r_u) + cross(W, cross(W, r_u)) + 2 * Ldot * cross(W, s)  # (14)
+    f = leg.C_s * (W - omega)  # in (18)
+    C = (  # right side of (20)
+        leg.m_d * cross(r_d, a_d - g)
+        + leg.m_u * cross(r_u, a_u - g)
+        + I @ A
+        + cross(W, I @ W)
+        + leg.C_u * W
+        + f
+    )
+    M_u = dot(s, C) / dot(s, n)  # (29)
+    K = cross(C - M_u * n, s) / L  # (21)
+    D = leg.m_u * dot(s, a_u - g) + leg.C_p * Ldot  # (24)
+    return _LegResult(q, s, K, D, f)
+
+
+def leg_frame(leg: _Leg, at: _Motion) -> _LegResult:
+    """The same leg in components of its own frame T, where the inertias are constant and S = (L, 0, 0)."""
+    cross, dot = casadi.cross, casadi.dot
+    q = at.R @ leg.p
+    S = at.t + q - leg.b
+    L = casadi.sqrt(dot(S, S))
+    s = S / L
+    k_x_s = cross(leg.k, s)
+    k1, k3 = dot(leg.k, s), casadi.sqrt(dot(k_x_s, k_x_s))
+    kappa = k1 / k3
+    y = k_x_s / k3
+    T = casadi.horzcat(s, y, cross(s, y))
+    u = T.T @ (cross(at.omega, q) + at.v)
+    e = T.T @ (cross(at.alpha, q) + cross(at.omega, cross(at.omega, q)) + at.a)
+    g = T.T @ at.g
+
+    Ldot, Wy, Wz = u[0], -u[2] / L, u[1] / L
+    W = casadi.vertcat(kappa * Wz, Wy, Wz)
+    Lddot = e[0] + L * (Wy**2 + Wz**2)
+    Ay = -(e[2] + 2 * Ldot * Wy) / L + W[0] * Wz
+    Az = (e[1] - 2 * Ldot * Wz) / L - W[0] * Wy
+    A = casadi.vertcat(kappa * Az - Wy * Wz / k3**2, Ay, Az)
+
+    x = casadi.SX([1, 0, 0])
+    r_d, r_u = leg.r_d0, L * x + leg.r_u0
+    I = leg.I_d0 + leg.I_u0  # noqa: E741
+    a_d = cross(A, r_d) + cross(W, cross(W, r_d))
+    a_u = Lddot * x + cross(A, r_u) + cross(W, cross(W, r_u)) + 2 * Ldot * cross(W, x)
+    f = leg.C_s * (W - T.T @ at.omega)
+    C = (
+        leg.m_d * cross(r_d, a_d - g)
+        + leg.m_u * cross(r_u, a_u - g)
+        + I @ A
+        + cross(W, I @ W)
+        + leg.C_u * W
+        + f
+    )
+    K = T @ casadi.vertcat(0, (C[2] + kappa * C[0]) / L, -C[1] / L)
+    D = leg.m_u * (a_u[0] - g[0]) + leg.C_p * Ldot
+    return _LegResult(q, s, K, D, T @ f)
+
+
+def _read_robot(numbers: Matrix) -> tuple[list[_Leg], tuple[Matrix, Matrix, Matrix, Matrix]]:
+    legs = []
+    for leg in casadi.vertsplit(numbers[: 6 * LEG_NUMBERS], LEG_NUMBERS):
+        b, p, k, m_d, r_d0, I_d0, m_u, r_u0, I_u0, C_u, C_p, C_s = _split(
+            leg, (3, 3, 3, 1, 3, 6, 1, 3, 6, 1, 1, 1)
+        )
+        legs.append(_Leg(b, p, k, m_d, r_d0, _tensor(I_d0), m_u, r_u0, _tensor(I_u0), C_u, C_p, C_s))
+    M, R_0, I_p, g = _split(numbers[6 * LEG_NUMBERS :], (1, 3, 6, 3))
+    return legs, (M, R_0, _tensor(I_p), g)
+
+
+def _read_motion(numbers: Matrix, g: Matrix) -> _Motion:
+    R, t, omega, v, alpha, a, F_ext, M_ext = _split(numbers, (9, *7 * (3,)))
+    return _Motion(casadi.reshape(R, 3, 3).T, t, omega, v, alpha, a, F_ext, M_ext, g)
+
+
+def _split(numbers: Matrix, sizes: tuple[int, ...]) -> list[Matrix]:
+    ends = [sum(sizes[:i]) for i in range(len(sizes) + 1)]
+    return [*casadi.vertsplit(numbers, ends)]
+
+
+def _tensor(stored: Matrix) -> Matrix:
+    """A symmetric matrix from its components xx xy xz yy yz zz."""
+    return casadi.reshape(stored[list(_SYMMETRIC)], 3, 3)

@@ -1,0 +1,113 @@
+"""Forward dynamics by MuJoCo's ``mj_forward``, for ``peers_constraints``."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...io.extras import needed_for
+from ...motion.rotation import quaternion_from_rotation
+from ...robot.robot import Robot
+from .peers_tree import CARRIER, Engine, Tree, base_frames
+
+with needed_for("the comparison with MuJoCo"):
+    import mujoco
+
+Array = NDArray[np.float64]
+
+STIFFNESS = 1e7
+"""1/s^2: MuJoCo's acceleration of a closed point for each metre that it is open.
+
+So large that nanometres hold the loops together, so small that rounding of joint coordinates doesn't matter.
+"""
+
+_CORRECTIONS = 3
+"""Corrections of MuJoCo's joint coordinates; each leaves a small share of what was missing."""
+
+
+def mujoco_engine(robot: Robot, tree: Tree) -> Engine:
+    """``mj_forward`` with five ``connect`` constraints, one step of Newton's method on dense matrices.
+
+    Its constraints give way in proportion to their force. That is made up for: the legs are moved by
+    nanometres, beforehand, so that the constraints' springs push as much as is missing.
+    """
+    model = mujoco.MjModel.from_xml_string(_xml(robot))
+    nothing = mujoco.MjModel.from_xml_string(f"<mujoco>{_option(np.zeros(3))}</mujoco>")
+    quaternions = quaternion_from_rotation(tree.relative)
+    datas = [mujoco.MjData(model) for _ in quaternions]
+    empty = [mujoco.MjData(nothing) for _ in quaternions]
+    for data, quaternion, rates, forces in zip(datas, quaternions, tree.rates, tree.forces, strict=True):
+        data.qpos[-4:] = quaternion
+        data.qvel[:] = rates
+        data.qfrc_applied[:] = forces
+
+    def joints() -> Array:
+        _forward(1, model, datas)
+        return np.array([data.qacc for data in datas])
+
+    moves = np.zeros((len(datas), CARRIER, 3))
+    for correction in range(1 + _CORRECTIONS):
+        if correction:
+            moves += tree.gaps(joints()) / STIFFNESS
+        for data, coordinates in zip(datas, tree.moved(moves), strict=True):
+            data.qpos[:-4] = coordinates.ravel()
+    return Engine(
+        "MuJoCo",
+        "mj_forward, 5 loops",
+        lambda repeats: _forward(repeats, model, datas),
+        lambda repeats: _forward(repeats, nothing, empty),
+        lambda: tree.accelerations(joints()),
+        1e-4,
+        float(np.linalg.norm(moves, axis=-1).max()),
+    )
+
+
+def _forward(repeats: int, model: Any, datas: Sequence[Any]) -> None:
+    forward = mujoco.mj_forward
+    for _ in range(repeats):
+        for data in datas:
+            forward(model, data)
+
+
+def _xml(robot: Robot) -> str:
+    """The machine in MuJoCo's format; sites are the points to be closed."""
+    carried = robot.p[CARRIER]
+    points = (f'<site name="point{i}" pos="{_text(robot.p[i] - carried)}"/>' for i in range(CARRIER))
+    platform = _body('<joint type="ball"/>', robot.M, robot.R_0 - carried, robot.I_p, "".join(points))
+    quaternions = quaternion_from_rotation(base_frames(robot))
+    legs = ""
+    for i, quaternion in enumerate(quaternions):
+        tip = platform if i == CARRIER else f'<site name="tip{i}"/>'
+        slide = '<joint type="slide" axis="1 0 0"/>'
+        upper = _body(slide, robot.m_u[i], robot.r_u0[i], robot.I_u0[i], tip)
+        hinges = '<joint type="hinge" axis="1 0 0"/><joint type="hinge" axis="0 1 0"/>'
+        place = f' pos="{_text(robot.b[i])}" quat="{_text(quaternion)}"'
+        legs += _body(hinges, robot.m_d[i], robot.r_d0[i], robot.I_d0[i], upper, place)
+    soft = f'solref="{-STIFFNESS:g} 0" solimp="{mujoco.mjMAXIMP} {mujoco.mjMAXIMP} 1"'
+    closed = "".join(f'<connect site1="tip{i}" site2="point{i}" {soft}/>' for i in range(CARRIER))
+    return (
+        f'<mujoco><compiler angle="radian"/>{_option(robot.g)}<worldbody>{legs}</worldbody>'
+        f"<equality>{closed}</equality></mujoco>"
+    )
+
+
+def _option(gravity: Array) -> str:
+    """The solver that is fastest here, nothing from the last call, nothing that isn't asked for."""
+    off = " ".join(f'{name}="disable"' for name in ("contact", "sensor", "warmstart", "island"))
+    return (
+        f'<option gravity="{_text(gravity)}" solver="Newton" jacobian="dense" iterations="1" tolerance="0">'
+        f'<flag {off}/></option><size memory="1M"/>'
+    )
+
+
+def _body(joints: str, mass: float, center: Array, inertia: Array, inside: str, place: str = "") -> str:
+    tensor = inertia[[0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2]]
+    return (
+        f'<body{place}>{joints}<inertial mass="{_text(mass)}" pos="{_text(center)}" '
+        f'fullinertia="{_text(tensor)}"/>{inside}</body>'
+    )
+
+
+def _text(numbers: Any) -> str:
+    return " ".join(repr(float(number)) for number in np.ravel(numbers))

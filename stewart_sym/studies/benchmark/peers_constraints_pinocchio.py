@@ -1,0 +1,89 @@
+"""Forward dynamics by Pinocchio's ``constraintDynamics``, for ``peers_constraints``."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...io.extras import needed_for
+from ...motion.rotation import quaternion_from_rotation
+from ...robot.robot import Robot
+from .peers_tree import CARRIER, Engine, Tree, base_frames
+
+with needed_for("the comparison with Pinocchio"):
+    import pinocchio as pin
+
+Array = NDArray[np.float64]
+
+_QUATERNION_W_LAST = [1, 2, 3, 0]
+
+
+def pinocchio_engine(robot: Robot, tree: Tree) -> Engine:
+    """``constraintDynamics``: the five points as rigid constraints, one step of its proximal solver."""
+    machine = _constrained(*_pinocchio_model(robot))
+    nothing = _constrained(pin.Model(), [])
+    quaternions = quaternion_from_rotation(tree.relative)[:, _QUATERNION_W_LAST]
+    joints = tree.angles_and_length.reshape(len(quaternions), -1)
+    states = list(zip(np.hstack([joints, quaternions]), tree.rates, tree.forces, strict=True))
+    none = [3 * (np.zeros(0),) for _ in states]
+
+    def found() -> Array:
+        solve, (model, data, *rest) = pin.constraintDynamics, machine
+        return tree.accelerations(np.array([solve(model, data, *state, *rest) for state in states]))
+
+    return Engine(
+        "Pinocchio",
+        "constraintDynamics, 5 loops",
+        lambda repeats: _solved(repeats, machine, states),
+        lambda repeats: _solved(repeats, nothing, none),
+        found,
+        1e-6,
+    )
+
+
+def _solved(repeats: int, machine: tuple[Any, ...], states: Sequence[tuple[Array, ...]]) -> None:
+    solve, (model, data, constraints, found, settings) = pin.constraintDynamics, machine
+    for _ in range(repeats):
+        for q, v, tau in states:
+            solve(model, data, q, v, tau, constraints, found, settings)
+
+
+def _constrained(model: Any, constraints: Sequence[Any]) -> tuple[Any, ...]:
+    """Arguments of ``constraintDynamics`` but for the state."""
+    models, datas = pin.StdVec_RigidConstraintModel(), pin.StdVec_RigidConstraintData()
+    for constraint in constraints:
+        models.append(constraint)
+        datas.append(constraint.createData())
+    data = model.createData()
+    pin.initConstraintDynamics(model, data, models, datas)
+    return model, data, models, datas, pin.ProximalSettings(1e-12, 1e-12, 1)
+
+
+def _pinocchio_model(robot: Robot) -> tuple[Any, list[Any]]:
+    model, here = pin.Model(), pin.SE3.Identity()
+    model.gravity = pin.Motion(robot.g, np.zeros(3))
+    uppers = []
+    for i, frame in enumerate(base_frames(robot)):
+        first = model.addJoint(0, pin.JointModelRX(), pin.SE3(frame, robot.b[i]), f"fixed axis {i + 1}")
+        lower = model.addJoint(first, pin.JointModelRY(), here, f"moving axis {i + 1}")
+        upper = model.addJoint(lower, pin.JointModelPX(), here, f"actuator {i + 1}")
+        model.appendBodyToJoint(lower, pin.Inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]), here)
+        model.appendBodyToJoint(upper, pin.Inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]), here)
+        uppers.append(upper)
+    platform = model.addJoint(uppers[CARRIER], pin.JointModelSpherical(), here, "platform")
+    carried = robot.p[CARRIER]
+    model.appendBodyToJoint(platform, pin.Inertia(robot.M, robot.R_0 - carried, robot.I_p), here)
+    constraints = [
+        pin.RigidConstraintModel(
+            pin.ContactType.CONTACT_3D,
+            model,
+            upper,
+            here,
+            platform,
+            pin.SE3(np.eye(3), point - carried),
+            pin.ReferenceFrame.LOCAL,
+        )
+        for upper, point in zip(uppers[:CARRIER], robot.p, strict=False)
+    ]
+    return model, constraints

@@ -1,0 +1,193 @@
+"""The machine as a tree of joints for engines of rigid bodies, and from their joints back to the platform.
+
+Six legs, each revolute about k, revolute about y, prismatic along s; the platform hangs on the last leg by a
+spherical joint, and five points remain to be closed. Joint coordinates, rates and generalised forces are
+prepared for ``peers_constraints``, whose engines share no equation with the generated kernels. Knows robots
+and motions and no engine.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...motion.motion import Motion
+from ...robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+CARRIER = 5
+"""The leg that carries the platform."""
+
+ROUNDING = 1e-9
+"""Second moments of mass below this share of the largest count as none."""
+
+
+def tensors_of_bodies(inertia: Array, least: float = 1e-2) -> Array:
+    """The tensors that bodies can have near these, (..., 3, 3); those that bodies can have are unchanged.
+
+    A body's second moments of mass, tr(I)/2 - I for a tensor I, are not negative. Where one is, all below
+    ``least`` of the largest are raised to it.
+    """
+    unit = np.eye(3)
+    moments, axes = np.linalg.eigh(_trace(inertia) / 2 * unit - inertia)
+    raised = np.maximum(moments, least * moments[..., -1:])
+    second = np.einsum("...ij,...j,...kj->...ik", axes, raised, axes)
+    impossible = moments[..., :1, None] <= ROUNDING * moments[..., -1:, None]
+    return np.where(impossible, _trace(second) * unit - second, inertia)
+
+
+def base_frames(robot: Robot) -> Array:
+    """Frames of the first joints, (6, 3, 3): x axis along k; columns are the axes in the base frame."""
+    k = robot.k
+    across = np.cross(k, np.eye(3)[np.argmin(np.abs(k), axis=-1)])
+    across /= np.linalg.norm(across, axis=-1, keepdims=True)
+    return np.stack([k, across, np.cross(k, across)], axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class Engine:
+    """One peer: ``run(n)`` computes all poses n times, ``empty(n)`` calls as often over nothing.
+
+    accelerations: [a; alpha] of the platform that it found, (poses, 6). tolerance: of them, share of a pose's
+    largest. opened: by how much the loops are open, m; None where constraints are rigid.
+    """
+
+    name: str
+    what: str
+    run: Callable[[int], object]
+    empty: Callable[[int], object]
+    accelerations: Callable[[], Array]
+    tolerance: float
+    opened: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Tree:
+    """Poses (n,) in joint coordinates.
+
+    angles_and_length: (n, 6, 3), the legs'. relative: (n, 3, 3), the platform's orientation against the upper
+    part that carries it. rates: (n, 21), three of each leg, in order, then the platform's angular velocity
+    against its leg, platform frame. forces: (n, 21), actuators, friction of all joints and load.
+    """
+
+    angles_and_length: Array
+    relative: Array
+    rates: Array
+    forces: Array
+    _leg: "_Legs"
+    _R: Array
+    _omega: Array
+    _q: Array
+
+    def accelerations(self, joints: Array) -> Array:
+        """[a; alpha] of the platform, (n, 6), that the accelerations of the joints, (n, 21), mean."""
+        tips, turns = self._leg.accelerations(joints[:, :-3].reshape(-1, 6, 3))
+        omega, q, W = self._omega, self._q[:, CARRIER], self._leg.W[:, CARRIER]
+        alpha = turns[:, CARRIER] + _turned(self._R, joints[:, -3:]) + np.cross(W, omega)
+        a = tips[:, CARRIER] - np.cross(alpha, q) - np.cross(omega, np.cross(omega, q))
+        return np.concatenate([a, alpha], axis=-1)
+
+    def gaps(self, joints: Array) -> Array:
+        """Accelerations, (n, 5, 3), of the tips of the other legs from the platform's points, base frame."""
+        tips, _ = self._leg.accelerations(joints[:, :-3].reshape(-1, 6, 3))
+        platform = self.accelerations(joints)[:, None]
+        a, alpha, omega = platform[..., :3], platform[..., 3:], self._omega[:, None]
+        points = a + np.cross(alpha, self._q) + np.cross(omega, np.cross(omega, self._q))
+        return (tips - points)[:, :CARRIER]
+
+    def moved(self, tips: Array) -> Array:
+        """``angles_and_length`` after small moves of the tips of the other legs, (n, 5, 3), base frame."""
+        found = self.angles_and_length.copy()
+        found[:, :CARRIER] += np.linalg.solve(self._leg.jacobian[:, :CARRIER], tips[..., None])[..., 0]
+        return found
+
+
+@dataclass(frozen=True, eq=False)
+class _Legs:
+    """Kinematics of the legs, base frame, (n, 6, ...).
+
+    jacobian: of the tip by the joints. axes: of both revolute joints, in columns. W: angular velocity.
+    """
+
+    S: Array
+    jacobian: Array
+    axes: Array
+    rates: Array
+    W: Array
+
+    def accelerations(self, joints: Array) -> tuple[Array, Array]:
+        """Accelerations of the tips and of the legs' rotation, both (n, 6, 3)."""
+        k, y = self.axes[..., 0], self.axes[..., 1]
+        along = self.jacobian[..., 2]
+        moving = np.cross(self.rates[..., :1] * k, self.rates[..., 1:2] * y)
+        turn = _turned(self.axes, joints[..., :2]) + moving
+        spin = np.cross(self.W, np.cross(self.W, self.S)) + np.cross(moving, self.S)
+        tip = _turned(self.jacobian, joints) + spin + 2 * self.rates[..., 2:] * np.cross(self.W, along)
+        return tip, turn
+
+
+def tree(robot: Robot, motion: Motion, F: Array) -> Tree:
+    """Joint coordinates of poses (n,) under actuator forces F, N, (n, 6); base joints must be universal."""
+    R, omega = motion.R, motion.omega
+    q = np.einsum("nij,kj->nki", R, robot.p)
+    S = motion.t[:, None] + q - robot.b
+    Sdot = motion.v[:, None] + np.cross(omega[:, None], q)
+    frames = base_frames(robot)
+    coordinates = _coordinates(frames, S)
+    legs, upper = _legs(frames, coordinates, S, Sdot)
+    relative = np.swapaxes(upper[:, CARRIER], -1, -2) @ R
+    turning = _turned(np.swapaxes(R, -1, -2), omega - legs.W[:, CARRIER])
+    rates = np.concatenate([legs.rates.reshape(len(S), -1), turning], axis=-1)
+    return Tree(coordinates, relative, rates, _forces(robot, motion, F, legs, q), legs, R, omega, q)
+
+
+def _coordinates(frames: Array, S: Array) -> Array:
+    """Angles and length of the legs: s = frame Rx(q1) Ry(q2) e_x."""
+    L = np.linalg.norm(S, axis=-1)
+    along, second, third = np.moveaxis(np.einsum("kji,nkj->nki", frames, S) / L[..., None], -1, 0)
+    return np.stack([np.arctan2(second, -third), np.arccos(along), L], axis=-1)
+
+
+def _legs(frames: Array, coordinates: Array, S: Array, Sdot: Array) -> tuple[_Legs, Array]:
+    """Kinematics of the legs, and the orientation of their upper parts, (n, 6, 3, 3)."""
+    (sin_1, sin_2), (cos_1, cos_2) = (np.moveaxis(f(coordinates[..., :2]), -1, 0) for f in (np.sin, np.cos))
+    zero = np.zeros_like(sin_1)
+    x = np.stack([cos_2, sin_1 * sin_2, -cos_1 * sin_2], axis=-1)
+    y = np.stack([zero, cos_1, sin_1], axis=-1)
+    upper = frames @ np.stack([x, y, np.cross(x, y)], axis=-1)
+    axes = np.stack([np.broadcast_to(frames[..., 0], S.shape), upper[..., 1]], axis=-1)
+    sideways = np.cross(np.swapaxes(axes, -1, -2), S[..., None, :])
+    jacobian = np.concatenate([np.swapaxes(sideways, -1, -2), upper[..., :1]], axis=-1)
+    rates = np.linalg.solve(jacobian, Sdot[..., None])[..., 0]
+    return _Legs(S, jacobian, axes, rates, _turned(axes, rates[..., :2])), upper
+
+
+def _forces(robot: Robot, motion: Motion, F: Array, legs: _Legs, q: Array) -> Array:
+    """Generalised forces of the joints, (n, 21)."""
+    R, omega = motion.R, motion.omega
+    friction = robot.C_s[:, None] * (legs.W - omega[:, None])
+    joints = np.concatenate([-robot.C_u[:, None] * legs.rates[..., :2], np.zeros_like(F)[..., None]], axis=-1)
+    joints[..., 2] = F - robot.C_p * legs.rates[..., 2]
+    joints[..., :2] -= np.einsum("nkij,nki->nkj", legs.axes, friction)
+
+    def load(vector: Array | None) -> Array:
+        return np.zeros_like(motion.t) if vector is None else _turned(R, vector)
+
+    # The load at the reference point, taken to the point that the last leg carries.
+    force = load(motion.F_ext)
+    moment = load(motion.M_ext) + friction.sum(axis=1) - np.cross(q[:, CARRIER], force)
+    joints[:, CARRIER] += np.einsum("nij,ni->nj", legs.jacobian[:, CARRIER], force)
+    joints[:, CARRIER, :2] += np.einsum("nij,ni->nj", legs.axes[:, CARRIER], moment)
+    return np.concatenate([joints.reshape(len(F), -1), _turned(np.swapaxes(R, -1, -2), moment)], axis=-1)
+
+
+def _turned(matrix: Array, vector: Array) -> Array:
+    """Products of matrices and vectors."""
+    return np.asarray(np.einsum("...ij,...j->...i", matrix, vector))
+
+
+def _trace(matrix: Array) -> Array:
+    """Traces, (..., 1, 1)."""
+    return np.asarray(np.trace(matrix, axis1=-2, axis2=-1))[..., None, None]

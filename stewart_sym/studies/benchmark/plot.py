@@ -1,0 +1,419 @@
+"""What ``bench`` measured, as tables for the terminal and as a picture.
+
+Computes nothing but the layout. The picture needs Matplotlib, the extra ``bench``.
+"""
+
+import textwrap
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from ...io.extras import install, needed_for
+from ..common.host import DISTURBED
+from ..common.table import aligned
+from .figures import MOST, TIMES_FASTER, Benchmark, Figure, MotionFigures, Samples
+
+with needed_for("drawing"):
+    import matplotlib
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure as Canvas
+
+WIDTH = 110
+
+_STYLE: Any = {
+    "svg.hashsalt": "stewart-sym",
+    "svg.fonttype": "none",
+    "font.size": 9.0,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.alpha": 0.35,
+    "grid.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "legend.frameon": False,
+}
+_OURS, _PEER, _LIMIT = "#1f4e9c", "#5a5a5a", "#c1440e"
+_SOFTWARE = {
+    "casadi": "CasADi",
+    "pin": "Pinocchio",
+    "mujoco": "MuJoCo",
+    "numpy": "NumPy",
+    "python": "Python",
+}
+_MARKERS, _COLORS = "osD", (_OURS, "#7a9cc6", "#2e7d32")
+
+
+# --- tables -----------------------------------------------------------------------------------
+
+
+def report(found: Benchmark) -> str:
+    """All figures with units and how they were taken, as one text."""
+    machine, software = found.machine, found.software
+    sets = ", ".join(machine["instruction_sets"]) or "unknown instruction sets"
+    head = [
+        f"Inverse dynamics of {found.robot}, exact, one pose: F with friction, load and solve",
+        "",
+        f"{machine['processor']}, {machine['cores']} cores, {sets}; {software['compiler']}",
+        *_others(machine["taken_by_others"]),
+        " ".join(software["flags"]),
+        ", ".join(f"{name} {software[key]}" for key, name in _SOFTWARE.items() if key in software),
+    ]
+    if found.left_out:
+        missing = ", ".join(found.left_out)
+        head.append(f"not installed and left out: {missing}; {install('bench')}")
+    parts = ["\n".join(head), _contestants(found), _cores(found), _notes(found), _calls(found)]
+    parts += [_sizes(found), _motion(found.motion)]
+    if found.passes:
+        parts.append(_passes(found))
+    parts.append(_compiling(found))
+    return "\n\n".join(parts) + "\n"
+
+
+def _others(share: float | None) -> list[str]:
+    """How far other processes disturbed the run; nothing where the system doesn't tell."""
+    if share is None:
+        return []
+    verdict = ": the figures are disturbed, above all those of several cores" if share > DISTURBED else ""
+    return [f"other processes took {100 * share:.0f} % of the cores' time{verdict}"]
+
+
+def _contestants(found: Benchmark) -> str:
+    ratio = "" if found.casadi is None else "x CasADi"
+    header = ("contestant", "what", "poses", "operations", "ns a pose", "quartiles", ratio)
+    rows = [_row(found, figure, f"ours: {figure.name}") for figure in found.ours]
+    rows += [_row(found, figure, figure.name) for figure in found.peers]
+    rows += [
+        (name, "one core", "", _count(found.ours[0]), _number(value), "", _ratio(found, value))
+        for name, value in found.limits.items()
+    ]
+    return aligned(header, rows, left=2)
+
+
+def _row(found: Benchmark, figure: Figure, name: str) -> tuple[str, ...]:
+    loop = {"one pose": "1, C loop", "call": "1"}.get(figure.kind, str(figure.poses))
+    ratio = _ratio(found, figure.median)
+    return name, figure.what, loop, _count(figure), _number(figure.median), _spread(figure), ratio
+
+
+def _ratio(found: Benchmark, time: float) -> str:
+    """Share of CasADi's time; empty where CasADi is left out."""
+    ratio = found.ratio(time)
+    return "" if ratio is None else f"{ratio:.3f}"
+
+
+def _cores(found: Benchmark) -> str:
+    cores = found.cores
+    low, high = cores.quartiles
+    return (
+        f"{cores.cores} cores over one core: {cores.median:.2f} times, quartiles {low:.2f} - {high:.2f}; "
+        f"{cores.poses} poses, round by round;\nmultiply-adds alone, which is what the machine had to give: "
+        f"{found.arithmetic.median:.2f} times"
+    )
+
+
+def _notes(found: Benchmark) -> str:
+    rate = 1 / found.multiply_add.median
+    worst = max(found.differences.values())
+    return textwrap.fill(
+        f"Medians and quartiles of {found.rounds} rounds; in each round every contestant takes its turn, for "
+        f"{1e3 * found.shortest_sample:g} ms or more, after a run of its own that isn't timed. Ratios are of "
+        f"medians. All found the same forces first, to {worst:.0e} of a pose's largest. "
+        f"{_casadi_note(found)}{_pinocchio_note(found)}Limit: our operations "
+        f"at the rate of fused multiply-adds measured in the same rounds, {rate:.3g} 10^9 numbers a second "
+        f"in vectors of {found.lanes}: each operation filling the place of one, or two of them in each.",
+        WIDTH,
+    )
+
+
+def _casadi_note(found: Benchmark) -> str:
+    if found.casadi is None:
+        return ""
+    return (
+        "CasADi: the same equations written plainly, in vectors, or as the closed form in the leg frame, its "
+        "cse() and its solve(), same compiler and flags, called from the same kind of C loop; it gives F "
+        "alone and checks nothing. "
+    )
+
+
+def _pinocchio_note(found: Benchmark) -> str:
+    if not found.parts:
+        return ""
+    rnea, empty, solve = (_number(figure.median) for figure in found.parts)
+    return (
+        f"Pinocchio: rnea over the tree of all 13 bodies, called from Python ({rnea} ns), less a call for a "
+        f"model without joints ({empty} ns), and LAPACK's solve ({solve} ns); joint angles, rates, "
+        "accelerations and Jacobians are given to it. "
+    )
+
+
+def _calls(found: Benchmark) -> str:
+    header = ("one pose from Python", "us a call", "quartiles", "us over C")
+    rows = [
+        (
+            figure.name,
+            f"{figure.median / 1e3:.2f}",
+            " - ".join(f"{value / 1e3:.2f}" for value in figure.quartiles),
+            f"{found.overhead(figure) / 1e3:.2f}",
+        )
+        for figure in found.calls
+    ]
+    return aligned(header, rows)
+
+
+def _sizes(found: Benchmark) -> str:
+    sizes = sorted({figure.poses for figure in found.sweep})
+    names = dict.fromkeys(figure.name for figure in found.sweep)
+    medians = {(figure.name, figure.poses): _number(figure.median) for figure in found.sweep}
+    header = (
+        "ns a pose, batch of",
+        *(f"{size:.0e}".replace("e+0", "e") for size in sizes),
+        "longest/shortest",
+    )
+    rows = [
+        (f"ours: {name}", *(medians.get((name, size), "") for size in sizes), f"{found.flatness(name):.2f}")
+        for name in names
+    ]
+    rounds = {figure.poses: len(figure.raw) for figure in found.sweep}
+    rows.append(("rounds", *(str(rounds[size]) for size in sizes), ""))
+    return aligned(header, rows)
+
+
+def _motion(found: MotionFigures) -> str:
+    header = ("equations of motion, one pose in a C loop", "ns a pose", "quartiles", "x inverse", "target")
+    rows = [(f"ours: {each.name}", *_motion_cells(found, each), _target(each.name)) for each in found.ours]
+    rows += [(f"{each.name}, {each.what}", *_motion_cells(found, each), "") for each in found.peers]
+    return "\n\n".join(filter(None, [aligned(header, rows), _faster(found), _motion_notes(found)]))
+
+
+def _motion_cells(found: MotionFigures, figure: Figure) -> tuple[str, str, str]:
+    return _number(figure.median), _spread(figure), f"{found.ratio(figure):.2f}"
+
+
+def _target(name: str) -> str:
+    return ", goal ".join(f"{limit:g}" for limit in MOST.get(name, ()))
+
+
+def _faster(found: MotionFigures) -> str:
+    """Forward dynamics beside the faster peer; empty without any."""
+    if found.better is None:
+        return ""
+    which = f"the better of the two, {found.better.name}" if len(found.peers) > 1 else found.better.name
+    return f"forward dynamics: {found.times_faster:.1f} x faster than {which} (target {TIMES_FASTER:g})"
+
+
+def _motion_notes(found: MotionFigures) -> str:
+    ours = max(found.differences[each.name] for each in found.ours)
+    return textwrap.fill(
+        f"{found.robot} with inertia tensors that bodies can have, for everybody here; same "
+        f"rounds and turns, {found.ours[0].poses} poses. All were compared with the vector reference and its "
+        f"differences first, ours to {ours:.0e} of a pose's largest number."
+        f"{_peers_note(found)}{_opened_note(found)}",
+        WIDTH,
+        break_on_hyphens=False,
+    )
+
+
+def _peers_note(found: MotionFigures) -> str:
+    if not found.peers:
+        return ""
+    taken = ", ".join(
+        f"{call.name} {_number(call.median)} less {_number(empty.median)} ns"
+        for call, empty in zip(found.calls, found.empty, strict=True)
+    )
+    peers = ", ".join(f"{each.name} {found.differences[each.name]:.0e}" for each in found.peers)
+    return (
+        " Peers: forward dynamics over a tree of all 13 bodies, five points closed by constraints, same "
+        "friction, load and gravity; called from Python, less a call over a model without bodies "
+        f"({taken}); joint coordinates, rates and generalised forces are given to them. Their accelerations "
+        f"agree with the motion's to {peers} of a pose's largest."
+    )
+
+
+def _opened_note(found: MotionFigures) -> str:
+    if found.opened is None:
+        return ""
+    return (
+        " MuJoCo's constraints are the stiffest it has and still give way: their springs make up for it, "
+        f"with the loops open by {1e9 * found.opened:.0f} nm."
+    )
+
+
+def _passes(found: Benchmark) -> str:
+    header = (
+        "after the pass",
+        "operations",
+        "with friction",
+        "one pose, ns",
+        "quartiles",
+        f"batch of {found.passes[0].batch.poses}",
+        "quartiles",
+    )
+    rows = [
+        (
+            each.name,
+            *map(str, each.operations),
+            _number(each.one_pose.median),
+            _spread(each.one_pose),
+            _number(each.batch.median),
+            _spread(each.batch),
+        )
+        for each in found.passes
+    ]
+    meanings = "\n".join(f"{each.name}: {each.meaning}" for each in found.passes)
+    return f"{aligned(header, rows)}\n\n{meanings}"
+
+
+def _compiling(found: Benchmark) -> str:
+    header = ("compiling and size", "", "quartiles", "")
+    flags = " ".join(found.software["flags"])
+    rows = [
+        (
+            each.source,
+            f"{each.median:.2f} s",
+            " - ".join(f"{value:.2f}" for value in each.quartiles),
+            f"median of {len(each.raw)}",
+        )
+        for each in found.compiling
+    ]
+    notes = f"Compiled past the cache with {flags}."
+    if found.text is not None:
+        parts = ", ".join(f"{name} {size}" for name, size in found.text.functions.items())
+        rows.append(("text for one pose", f"{found.text.total} bytes", "", ""))
+        notes += (
+            f" Text: functions of {found.text.source} that a program which prepares a robot and computes one "
+            f"pose is left with ({parts}), {' '.join(found.text.flags)}, linked with --gc-sections."
+        )
+    return f"{aligned(header, rows)}\n\n{textwrap.fill(notes, WIDTH, break_on_hyphens=False)}"
+
+
+def _count(figure: Figure) -> str:
+    return "" if figure.operations is None else str(figure.operations)
+
+
+def _spread(figure: Samples) -> str:
+    return " - ".join(map(_number, figure.quartiles))
+
+
+def _number(value: float) -> str:
+    return f"{value:.1f}" if value < 1000 else f"{value:.0f}"
+
+
+# --- the picture ------------------------------------------------------------------------------
+
+
+def draw(found: Benchmark, directory: Path) -> list[Path]:
+    """Write ``bench`` and ``bench_motion`` as png and svg into ``directory``; returns the paths."""
+    paths = []
+    with matplotlib.rc_context(_STYLE):
+        for name, canvas in (("bench", picture(found)), ("bench_motion", motion_picture(found))):
+            png, svg = directory / f"{name}.png", directory / f"{name}.svg"
+            canvas.savefig(png, dpi=160, metadata={"Software": None})
+            canvas.savefig(svg, metadata={"Date": None, "Creator": None})
+            paths += [png, svg]
+    return paths
+
+
+def picture(found: Benchmark) -> Canvas:
+    """Every contestant's time on a log axis, with the ratio to CasADi; below, time over batch size."""
+    rows = len(found.ours) + len(found.peers)
+    heights = [0.36 * rows + 1.0, 2.3]
+    canvas = Canvas(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
+    canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
+    above, below = canvas.subplots(2, 1, height_ratios=heights)
+    canvas.suptitle(f"Inverse dynamics of a Stewart platform, ns a pose: {found.machine['processor']}", x=0.5)
+    _draw_contestants(above, found)
+    _draw_sizes(below, found)
+    return canvas
+
+
+def _draw_contestants(axes: Axes, found: Benchmark) -> None:
+    rows = [(figure, f"ours: {figure.name} ({figure.what})", _OURS) for figure in found.ours]
+    rows += [(figure, f"{figure.name} ({figure.what})", _PEER) for figure in found.peers]
+    rows.sort(key=lambda row: row[0].median)
+    limits = found.limits
+    low = 0.6 * min(*limits.values(), rows[0][0].median)
+    for place, (figure, _, color) in enumerate(rows):
+        ratio = found.ratio(figure.median)
+        _draw_row(axes, low, place, figure, color, "" if ratio is None else _times(ratio))
+    for (name, value), dash in zip(limits.items(), ("--", ":"), strict=True):
+        label = f"{name}: {_number(value)} ns"
+        axes.axvline(value, color=_LIMIT, linestyle=dash, linewidth=1.2, label=label, zorder=1.5)
+    _name_rows(axes, low, rows)
+    share = "" if found.casadi is None else r"; $\times$: share of CasADi's time"
+    axes.set_xlabel(f"ns a pose, median (thick: quartiles){share}")
+    axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2, ncols=2)
+
+
+def _draw_row(axes: Axes, low: float, place: int, figure: Figure, color: str, share: str) -> None:
+    first, third = figure.quartiles
+    axes.plot([low, figure.median], [place, place], color=color, linewidth=1.0, alpha=0.5)
+    axes.plot([first, third], [place, place], color=color, linewidth=3.0, solid_capstyle="butt")
+    axes.plot(figure.median, place, "o", color=color, markersize=7)
+    axes.annotate(
+        f"{_number(figure.median)} ns   {share}",
+        (max(figure.median, third), place),
+        (9, 0),
+        textcoords="offset points",
+        va="center",
+        color=color,
+        bbox={"facecolor": "white", "edgecolor": "none", "pad": 1.0},
+    )
+
+
+def _name_rows(axes: Axes, low: float, rows: Sequence[tuple[Figure, str, str]]) -> None:
+    """Labels of the rows, and a log axis with room for their numbers."""
+    axes.set_yticks(range(len(rows)), [label for _, label, _ in rows])
+    axes.set_xscale("log")
+    axes.set_xlim(low, 10 * max(figure.median for figure, _, _ in rows))
+    axes.set_ylim(len(rows) - 0.4, -0.6)
+    axes.grid(visible=False, axis="y")
+    axes.tick_params(axis="y", length=0)
+
+
+def _times(ratio: float) -> str:
+    return rf"$\times${ratio:.2f}" if ratio < 10 else rf"$\times${ratio:.1f}"
+
+
+def _draw_sizes(axes: Axes, found: Benchmark) -> None:
+    names = dict.fromkeys(figure.name for figure in found.sweep)
+    for name, marker, color in zip(names, _MARKERS, _COLORS, strict=False):
+        figures = [figure for figure in found.sweep if figure.name == name]
+        sizes, medians = [figure.poses for figure in figures], [figure.median for figure in figures]
+        ends = zip(medians, (figure.quartiles for figure in figures), strict=True)
+        spread = [(median - low, high - median) for median, (low, high) in ends]
+        label = f"ours: {name} (longest/shortest {found.flatness(name):.2f})"
+        axes.errorbar(
+            sizes,
+            medians,
+            list(zip(*spread, strict=True)),
+            color=color,
+            marker=marker,
+            markersize=5,
+            label=label,
+            capsize=2,
+        )
+    axes.set_xscale("log")
+    axes.set_ylim(0, 1.35 * max((figure.quartiles[1] for figure in found.sweep), default=1.0))
+    axes.set(xlabel="poses in a batch", ylabel="ns a pose")
+    axes.legend(loc="upper right", ncols=2)
+
+
+def motion_picture(found: Benchmark) -> Canvas:
+    """Equations of motion and the peers of forward dynamics, with the ratio to our inverse dynamics."""
+    motion = found.motion
+    rows = [(figure, f"ours: {figure.name}", _OURS) for figure in motion.ours]
+    rows += [(figure, f"{figure.name}: forward dynamics", _PEER) for figure in motion.peers]
+    rows.sort(key=lambda row: row[0].median)
+    canvas = Canvas(figsize=(8.6, 0.36 * len(rows) + 1.7), layout="constrained")
+    canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
+    axes = canvas.subplots()
+    canvas.suptitle(f"Equations of motion, one pose, ns: {found.machine['processor']}", x=0.5)
+    low = 0.6 * min(figure.quartiles[0] for figure, _, _ in rows)
+    for place, (figure, _, color) in enumerate(rows):
+        limit = MOST.get(figure.name)
+        text = rf"   (target: $\times${limit[0]:g} at most)" if limit else ""
+        _draw_row(axes, low, place, figure, color, _times(motion.ratio(figure)) + text)
+    _name_rows(axes, low, rows)
+    axes.set_xlabel(r"ns a pose, median (thick: quartiles); $\times$: of our inverse dynamics")
+    axes.set_title(_faster(motion), fontsize="medium")
+    return canvas

@@ -1,0 +1,100 @@
+"""The derivation's reduction passes as contestants of ``bench``: the kernel as each pass leaves it.
+
+Takes the C that ``derive.passes`` writes after every pass, gives each a library of its own, and hands back
+one contestant for a pose in a C loop and one for a batch. The derivation runs when asked. Times nothing.
+"""
+
+import ctypes
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...backend import kernel, native
+from ...backend.kernel import address
+from ...robot.robot import Robot
+from .peers import FEW, MANY, NAME, Contestant, Poses, Runner, c_loop, forces_loop, repeated, succeed
+
+if TYPE_CHECKING:
+    from ...derive.passes import Pass
+
+
+@dataclass(frozen=True)
+class Stage:
+    """The kernel after one pass; operations: of a pose, without and with friction."""
+
+    name: str
+    meaning: str
+    operations: tuple[int, int]
+    one_pose: Contestant
+    batch: Contestant
+
+    @property
+    def contestants(self) -> tuple[Contestant, Contestant]:
+        """Both."""
+        return self.one_pose, self.batch
+
+
+def stages(progress: Callable[[str], None] = lambda _: None) -> tuple[Stage, ...]:
+    """Derive the kernel after every pass, in their order."""
+    from ...derive.passes import passes
+
+    progress("deriving the passes")
+    return tuple(_stage(number, each) for number, each in enumerate(passes(), 1))
+
+
+def _stage(number: int, source: "Pass") -> Stage:
+    build = _Build(f"bench_pass_{number}", {**source.sources, **forces_loop()}, source.model_numbers)
+    one_pose = Contestant(
+        f"{source.name}, one pose",
+        source.meaning,
+        "one pose",
+        FEW,
+        build.one_pose,
+        operations=lambda: source.operations[1],
+    )
+    batch = Contestant(
+        f"{source.name}, batch",
+        source.meaning,
+        "batch",
+        MANY,
+        build.batch,
+        operations=lambda: source.operations[1],
+    )
+    return Stage(source.name, source.meaning, source.operations, one_pose, batch)
+
+
+@dataclass(frozen=True)
+class _Build:
+    """Sources of one pass, and how their functions are called; the layout of the model differs by pass."""
+
+    name: str
+    sources: dict[str, str]
+    model_numbers: int
+
+    def one_pose(self, poses: Poses) -> Runner:
+        """``stewart_exact_forces`` called from a C loop."""
+        return c_loop(self._library(), self._model(poses.robot), poses)
+
+    def batch(self, poses: Poses) -> Runner:
+        """``stewart_exact_forces_batch`` on one core, called from Python with given arrays."""
+        F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
+        model, function = self._model(poses.robot), getattr(self._library(), f"stewart_{NAME}_forces_batch")
+        motions = (ctypes.c_void_p * len(poses.arrays))(*(array.ctypes.data for array in poses.arrays))
+        arguments = (address(model), ctypes.c_size_t(len(poses)), motions, address(F), address(status))
+
+        def found() -> NDArray[np.float64]:
+            succeed(int(status.max()))
+            return F
+
+        return repeated(lambda: function(*arguments), found, (model, poses, status))
+
+    def _model(self, robot: Robot) -> NDArray[np.float64]:
+        numbers, model = kernel.robot_numbers(robot), np.zeros(self.model_numbers)
+        succeed(getattr(self._library(), f"stewart_{NAME}_prepare")(address(numbers), address(model)))
+        return model
+
+    def _library(self) -> ctypes.CDLL:
+        return native.load(self.name, self.sources)

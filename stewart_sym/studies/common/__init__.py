@@ -1,0 +1,1 @@
+"""What the studies share: tables, pictures, timing and loops in C."""

@@ -1,0 +1,92 @@
+"""Where a study ran: processor, system, compiler and versions, and what others took of it meanwhile.
+
+Knows nothing of what was measured.
+"""
+
+import contextlib
+import os
+import platform
+import time
+from importlib.metadata import version
+from pathlib import Path
+from typing import Any
+
+from ...backend import native
+
+_VECTORS = ("avx512f", "avx2", "asimd")
+"""Instruction sets that name the widest vectors, widest first."""
+
+
+DISTURBED = 0.03
+"""Share of the cores' time in others' hands from which on what was timed is called disturbed."""
+
+
+def machine() -> dict[str, Any]:
+    """Processor, cores, widest vectors, system and its load."""
+    sets = set(_cpuinfo("flags").split())
+    return {
+        "processor": _cpuinfo("model name") or platform.processor() or platform.machine(),
+        "instruction_sets": sorted({*_VECTORS, "fma"} & sets),
+        "architecture": platform.machine(),
+        "vectors": next((name for name in _VECTORS if name in sets), ""),
+        "cores": os.cpu_count(),
+        "system": platform.platform(),
+        "load_average": load_average(),
+    }
+
+
+def load_average() -> tuple[float, float, float] | None:
+    """Mean number of busy processes in the last 1, 5 and 15 minutes; None where the system doesn't tell."""
+    return os.getloadavg() if hasattr(os, "getloadavg") else None
+
+
+def software(*packages: str) -> dict[str, Any]:
+    """Compiler, flags, Python, and versions of this package, NumPy and others.
+
+    Raises native.CompilerError without a compiler.
+    """
+    compiler = native.find_compiler()
+    if compiler is None:
+        raise native.CompilerError("no C compiler found")
+    return {
+        "compiler": compiler.version,
+        "command": list(compiler.command),
+        "flags": list(native.FLAGS),
+        "python": platform.python_version(),
+        **{name: version(name) for name in ("stewart-sym", "numpy", *packages)},
+    }
+
+
+class Others:
+    """What other processes, and a hypervisor, take of all cores from now on."""
+
+    def __init__(self) -> None:
+        """Begin."""
+        self._start, self._work = time.perf_counter(), _work_of_others()
+
+    def share(self) -> float | None:
+        """Share of the cores' time so far, 0 to 1; None where the system doesn't tell."""
+        seconds, work = time.perf_counter() - self._start, _work_of_others()
+        if self._work is None or work is None or seconds <= 0:
+            return None
+        return min(1.0, max(0.0, (work - self._work) / ((os.cpu_count() or 1) * seconds)))
+
+
+def _work_of_others() -> float | None:
+    """Core seconds since the machine started, but for this process's own and its children's."""
+    with contextlib.suppress(OSError, ValueError):
+        first, *_ = Path("/proc/stat").read_text(encoding="utf-8").splitlines()
+        # user, nice, system, idle, waiting for a disk, two kinds of interrupts, stolen by the hypervisor
+        user, nice, system, _, _, hard, soft, stolen = map(int, first.split()[1:9])
+        ticks = user + nice + system + hard + soft + stolen
+        return ticks / os.sysconf("SC_CLK_TCK") - sum(os.times()[:4])
+    return None
+
+
+def _cpuinfo(line: str) -> str:
+    with contextlib.suppress(OSError):
+        for text in Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines():
+            name, _, value = text.partition(":")
+            if name.strip() in (line, {"flags": "Features"}.get(line)):
+                return value.strip()
+    return ""

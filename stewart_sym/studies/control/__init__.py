@@ -1,0 +1,1 @@
+"""Controllers that differ in nothing but their model of the machine."""

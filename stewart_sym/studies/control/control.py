@@ -1,0 +1,296 @@
+"""Control: the paper's paths tracked by controllers that differ in nothing but their model of the machine.
+
+The plant is `exact` with friction, carried on in fixed steps between the samples of a controller that holds
+its forces. Takes robots and paths, returns records of errors and forces. Writes no file, draws nothing.
+"""
+
+import dataclasses
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.equations import ForwardDynamics, equations_of_motion
+from ...dynamics.forces import OnePose, prepare
+from ...dynamics.inverse import Formulation, massless_forces
+from ...kinematics.inverse import inverse_kinematics
+from ...kinematics.paths import path_for
+from ...motion.motion import Motion
+from ...motion.rotation import rotation_from_vector, vector_from_rotation
+from ...motion.trajectory import StraightLinePath
+from ...results import OK, STATUS_TEXT
+from ...robot.robot import Robot
+from ...robots import dasgupta1998
+from ...simulation.actuator_models import ForceLaw, GravityCompensation, Model, ModelTorque, Wanted
+from ...simulation.fixed_step import advance
+from ..reports.track import exceeded
+
+Array = NDArray[np.float64]
+
+CONTROLLERS = ("exact", "paper", "massless", "gravity")
+TRACKED = ("I", "II")
+"""Paths that can be tracked: Path III leads through singular poses."""
+
+FRICTION = {"C_u": 0.1, "C_p": 100.0, "C_s": 0.1}
+"""Friction of a machine with seals and bearings, N m s, N s/m and N m s, the same in every leg."""
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What all controllers and runs have in common.
+
+    rate: samples of the controllers, Hz. k_p, 1/s^2, and k_d, 1/s: gains of the errors. offset_t, m, and
+    offset_phi, rotation vector, rad, both in the path's axes: where the platform starts, seen from the path's
+    start.
+    step: longest of the integration, s.
+    """
+
+    rate: float = 1000.0
+    k_p: float = 900.0
+    k_d: float = 60.0
+    offset_t: tuple[float, float, float] = (1e-4, 1e-4, 1e-4)
+    offset_phi: tuple[float, float, float] = (1e-4, 1e-4, 1e-4)
+    step: float = 1e-3
+
+    @property
+    def steps(self) -> int:
+        """How many steps of the integration lie between two samples."""
+        return math.ceil(1.0 / (self.rate * self.step) * (1.0 - 1e-12))
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """One controller on one path, n samples.
+
+    time: s, (n,). t: positions, m, (n, 3). R: (n, 3, 3). F: forces given at each sample, N, (n, 6).
+    position, orientation: distance from the path, m, and angle from it, rad, (n,).
+    """
+
+    time: Array
+    t: Array
+    R: Array
+    F: Array
+    position: Array
+    orientation: Array
+
+    @property
+    def largest_force(self) -> Array:
+        """Magnitude of the force of whichever leg works hardest at each sample, N, (n,)."""
+        return np.asarray(np.abs(self.F).max(axis=-1))
+
+
+@dataclass(frozen=True)
+class Figures:
+    """One run in numbers. Settled: over the second half of the path, when the start is forgotten."""
+
+    position_rms_mm: float
+    position_max_mm: float
+    position_settled_rms_mm: float
+    orientation_rms_mrad: float
+    orientation_max_mrad: float
+    orientation_settled_rms_mrad: float
+    force_peak_N: float
+    force_rms_N: float
+
+    @classmethod
+    def of(cls, run: Run) -> "Figures":
+        """Figures of a run; forces are those of all legs and samples."""
+        half = len(run.time) // 2
+        position, orientation = 1e3 * run.position, 1e3 * run.orientation
+        return cls(
+            position_rms_mm=_rms(position),
+            position_max_mm=float(position.max()),
+            position_settled_rms_mm=_rms(position[half:]),
+            orientation_rms_mrad=_rms(orientation),
+            orientation_max_mrad=float(orientation.max()),
+            orientation_settled_rms_mrad=_rms(orientation[half:]),
+            force_peak_N=float(run.largest_force.max()),
+            force_rms_N=_rms(run.F),
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class Study:
+    """Every controller on every path on one machine; runs by path, then by controller."""
+
+    robot: Robot
+    settings: Settings
+    runs: Mapping[str, Mapping[str, Run]]
+    exceeded: Sequence[str] = ()
+    figures: Mapping[str, Mapping[str, Figures]] = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Work the figures out."""
+        figures = {
+            path: {name: Figures.of(run) for name, run in runs.items()} for path, runs in self.runs.items()
+        }
+        object.__setattr__(self, "figures", figures)
+
+    def rows(self) -> list[dict[str, Any]]:
+        """A row for each path and controller: its figures, and their ratios to those of `exact`."""
+        rows = []
+        for path, of_path in self.figures.items():
+            for controller, figures in of_path.items():
+                numbers = vars(figures)
+                exact = vars(of_path["exact"])
+                ratios = {f"{name}_to_exact": numbers[name] / exact[name] for name in numbers}
+                rows.append({"path": path, "controller": controller, **numbers, **ratios})
+        return rows
+
+    def as_json(self) -> dict[str, Any]:
+        """Machine and figures, as JSON takes them."""
+        robot = self.robot
+        friction = {name: getattr(robot, name).tolist() for name in ("C_u", "C_p", "C_s")}
+        return {"robot": robot.name, "friction": friction, "rows": self.rows()}
+
+
+def papers_machines() -> dict[str, Robot]:
+    """The paper's machine with the friction it states, which is next to none, and with ``FRICTION``."""
+    printed = dasgupta1998()
+    C_u, C_p, C_s = (np.full(6, FRICTION[name]) for name in ("C_u", "C_p", "C_s"))
+    name = f"{printed.name}, friction of {FRICTION['C_p']:g} N s/m in the legs"
+    return {
+        "printed": printed,
+        "friction": dataclasses.replace(printed, name=name, C_u=C_u, C_p=C_p, C_s=C_s),
+    }
+
+
+class PreparedModel:
+    """Inverse dynamics of one pose by the prepared C kernel, as the law of a controller calls it."""
+
+    def __init__(self, robot: Robot, formulation: Formulation = "exact") -> None:
+        """Prepare the kernel and its buffers; raises as ``prepare``."""
+        self._slot: OnePose = prepare(robot, formulation).one_pose()
+        self._views = {each.name: getattr(self._slot, each.name) for each in fields(Motion)}
+
+    def __call__(self, motion: Motion) -> Array:
+        """Forces, N, (6,); NaN for a pose without an answer."""
+        for name, view in self._views.items():
+            value = getattr(motion, name)
+            view[...] = 0.0 if value is None else value
+        return np.array(self._slot.F) if self._slot.solve() == OK else np.full(6, np.nan)
+
+
+def controllers(robot: Robot, wanted: Wanted, settings: Settings) -> dict[str, ForceLaw]:
+    """The four laws. `gravity` takes for its gains the machine's inertia at the start of the path."""
+    gains = {"k_p": settings.k_p, "k_d": settings.k_d}
+    models: dict[str, Model] = {
+        "exact": PreparedModel(robot, "exact"),
+        "paper": PreparedModel(robot, "paper"),
+        "massless": lambda motion: massless_forces(robot, motion),
+    }
+    inertia = equations_of_motion(robot, wanted(0.0)).M
+    return {
+        **{name: ModelTorque(model, wanted, **gains) for name, model in models.items()},
+        "gravity": GravityCompensation(models["exact"], inertia, wanted, **gains),
+    }
+
+
+def track_paths(
+    robot: Robot,
+    paths: Sequence[str] = TRACKED,
+    settings: Settings | None = None,
+    progress: Callable[[str], None] = lambda _: None,
+) -> Study:
+    """Track the paths named, of ``TRACKED``, with every controller.
+
+    Raises ValueError of one line where a path or controller leads to a pose without an answer,
+    native.CompilerError without a C compiler.
+    """
+    settings = settings or Settings()
+    runs: dict[str, dict[str, Run]] = {}
+    beyond: list[str] = []
+    for name in paths:
+        progress(f"tracking Path {name}")
+        path = path_for(robot, name).path
+        try:
+            runs[name] = follow(robot, path, settings)
+        except ValueError as error:
+            raise ValueError(f"{robot.name}: Path {name}: {error}") from None
+        run = runs[name]["exact"]
+        motion = path.sample(run.time)
+        legs = inverse_kinematics(robot, motion)
+        beyond += [
+            f"{robot.name}: Path {name}, controller exact: {line}"
+            for line in exceeded(robot, run.time, run.F, legs.L, legs.L_dot)
+        ]
+    return Study(robot, settings, runs, beyond)
+
+
+def follow(
+    robot: Robot, path: StraightLinePath, settings: Settings, duration: float | None = None
+) -> dict[str, Run]:
+    """Track a path with every controller, side by side; duration: of it, s, None for all.
+
+    Raises ValueError for a path or a run that comes to a pose without an answer.
+    """
+    times = path.times(1.0 / settings.rate)
+    if duration is not None:
+        times = times[times <= duration]
+    wanted = _Samples(times, path.sample(times))
+    laws = controllers(robot, wanted, settings)
+    start = _start(wanted.motion[0], np.array(path.axes), settings, len(laws))
+    states, F = _runs(ForwardDynamics(robot), laws, times, start, settings.steps)
+    found = {}
+    for i, name in enumerate(laws):
+        t, R = states.t[:, i], states.R[:, i]
+        position = np.linalg.norm(t - wanted.motion.t, axis=-1)
+        turn = vector_from_rotation(wanted.motion.R @ np.swapaxes(R, -1, -2))
+        found[name] = Run(times, t, R, F[:, i], position, np.linalg.norm(turn, axis=-1))
+    return found
+
+
+class _States(NamedTuple):
+    t: Array
+    R: Array
+
+
+class _Samples:
+    """A path at the times of its samples, worked out once."""
+
+    def __init__(self, times: Array, motion: Motion) -> None:
+        self.motion = motion
+        rows = zip(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, strict=True)  # type: ignore[arg-type]
+        self._at = {float(time): Motion.unchecked(*row) for time, row in zip(times, rows, strict=True)}
+
+    def __call__(self, time: float) -> Motion:
+        return self._at[time]
+
+
+def _runs(
+    plant: ForwardDynamics, laws: Mapping[str, ForceLaw], times: Array, state: Motion, steps: int
+) -> tuple[_States, Array]:
+    """States (n, c) and forces (n, c, 6) of n samples and c laws."""
+    t, R, F = (np.empty((len(times), len(laws), *shape)) for shape in ((3,), (3, 3), (6,)))
+    for i, time in enumerate(times.tolist()):
+        t[i], R[i] = state.t, state.R
+        for j, law in enumerate(laws.values()):
+            F[i, j] = law(time, Motion.unchecked(state.R[j], state.t[j], state.omega[j], state.v[j]))
+        _refuse(laws, time, ["" if np.isfinite(of_law).all() else "no finite forces" for of_law in F[i]])
+        if i + 1 < len(times):
+            state, status = advance(plant, state, F[i], times[i + 1] - time, steps)
+            _refuse(laws, time, ["" if code == OK else STATUS_TEXT[code] for code in status.tolist()])
+    return _States(t, R), F
+
+
+def _refuse(laws: Mapping[str, ForceLaw], time: float, reasons: Sequence[str]) -> None:
+    """Raise ValueError for the first law that there is a reason against."""
+    for name, reason in zip(laws, reasons, strict=True):
+        if reason:
+            raise ValueError(f"controller {name}: at {time:g} s: {reason}")
+
+
+def _start(wanted: Motion, axes: Array, settings: Settings, count: int) -> Motion:
+    """The state that every controller starts from, (count,)."""
+    R = rotation_from_vector(axes @ settings.offset_phi) @ wanted.R
+    t = wanted.t + axes @ settings.offset_t
+    return Motion(
+        np.tile(R, (count, 1, 1)), np.tile(t, (count, 1)), np.array(wanted.omega), np.array(wanted.v)
+    )
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.mean(values**2)))

@@ -1,0 +1,126 @@
+"""The control study for people and programs: table, CSV rows, JSON, and curves over time.
+
+Takes the studies of one or several machines by label. The picture needs the extra ``plot``; writes no file.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import NDArray
+
+from ..common.output import csv_text
+from ..common.table import aligned
+from .control import Run, Settings, Study
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+NAMES = {
+    "exact": "`exact`",
+    "paper": "`paper`",
+    "massless": "massless legs",
+    "gravity": "PD + gravity",
+}
+_HEADER = (
+    *("machine", "path", "controller"),
+    *("pos RMS mm", "max mm", "RMS/exact", "ori RMS mrad", "max mrad", "RMS/exact"),
+    *("peak N", "RMS N", "peak/exact"),
+)
+_COLUMNS = tuple(
+    column
+    for measured in (
+        ("position_rms_mm", "position_max_mm"),
+        ("orientation_rms_mrad", "orientation_max_mrad"),
+        ("force_peak_N", "force_rms_N"),
+    )
+    for column in (*measured, f"{measured[0]}_to_exact")
+)
+_STYLE: Mapping[str, Mapping[str, Any]] = {
+    "exact": {"color": "#1f4e9c", "linewidth": 3.4, "alpha": 0.45},
+    "paper": {"color": "#c1440e", "linewidth": 1.3},
+    "massless": {"color": "#3a3a3a", "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
+    "gravity": {"color": "#2a8a4a", "linewidth": 1.3, "linestyle": (0, (1.2, 1.2))},
+}
+
+
+def report(studies: Mapping[str, Study]) -> str:
+    """What was run, in two lines, and the table."""
+    rows = [
+        [label, row["path"], NAMES[row["controller"]], *(f"{row[column]:.4g}" for column in _COLUMNS)]
+        for label, study in studies.items()
+        for row in study.rows()
+    ]
+    settings = next(iter(studies.values())).settings
+    return f"{conditions(settings)}\n\n{aligned(_HEADER, rows, left=3)}"
+
+
+def conditions(settings: Settings) -> str:
+    """Rate, gains and start in words."""
+    t, phi = vector(settings.offset_t), vector(settings.offset_phi)
+    return (
+        f"Plant `exact`; forces held at {settings.rate:g} Hz, k_p = {settings.k_p:g} 1/s^2, k_d = "
+        f"{settings.k_d:g} 1/s.\nStart off the path by {t} mm, turned by {phi} mrad."
+    )
+
+
+def vector(values: Sequence[float]) -> str:
+    """Thousandths of the numbers given, in brackets: mm of m, mrad of rad."""
+    return f"({', '.join(f'{1e3 * value:g}' for value in values)})"
+
+
+def csv_rows(studies: Mapping[str, Study]) -> str:
+    """The table as CSV, every figure with all its digits."""
+    rows = [{"machine": label, **row} for label, study in studies.items() for row in study.rows()]
+    return csv_text([list(rows[0]), *(list(row.values()) for row in rows)])
+
+
+def as_json(studies: Mapping[str, Study]) -> dict[str, Any]:
+    """Settings and, by label, machines with their figures."""
+    settings = next(iter(studies.values())).settings
+    machines = {label: study.as_json() for label, study in studies.items()}
+    return {"settings": {**vars(settings)}, "machines": machines}
+
+
+def run_columns(runs: Mapping[str, Run]) -> dict[str, NDArray[Any]]:
+    """Columns (n,) of one path: time, s, and for each controller errors, m and rad, and forces, N."""
+    columns: dict[str, NDArray[Any]] = {"time": next(iter(runs.values())).time}
+    for name, run in runs.items():
+        columns |= {f"{name}_position": run.position, f"{name}_orientation": run.orientation}
+        columns |= {f"{name}_F{leg + 1}": run.F[:, leg] for leg in range(6)}
+    return columns
+
+
+def figure(study: Study) -> "Figure":
+    """Errors, on logarithmic axes, and the force of the hardest working leg over time, a column a path."""
+    from matplotlib.figure import Figure
+
+    from ..common.drawing import legend_below, log_numbers
+
+    picture = Figure(figsize=(10.0, 8.0), layout="constrained")
+    grid = picture.subplots(3, len(study.runs), sharex="col", sharey="row", squeeze=False)
+    for column, (path, runs) in zip(grid.T, study.runs.items(), strict=True):
+        column[0].set_title(f"Path {path}", fontsize=10.0)
+        for name, run in runs.items():
+            style = {**_STYLE[name], "label": NAMES[name].replace("`", "")}
+            column[0].semilogy(run.time, 1e3 * run.position, **style)
+            column[1].semilogy(run.time, 1e3 * run.orientation, **style)
+            column[2].plot(run.time, run.largest_force, **style)
+        column[2].set_xlabel("time, s")
+        for axes in column:
+            _tidy(axes)
+        for axes in column[:2]:
+            log_numbers(axes.yaxis)
+    for row, label in zip(
+        grid, ("position error, mm", "orientation error, mrad", "largest force, N"), strict=True
+    ):
+        row[0].set_ylabel(label)
+    picture.suptitle(study.robot.name, fontsize=10.0)
+    legend_below(picture)
+    return picture
+
+
+def _tidy(axes: "Axes") -> None:
+    axes.margins(x=0.0)
+    axes.grid(alpha=0.35, linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)

@@ -1,0 +1,332 @@
+"""Kits on a controller: written, cross-compiled, run under QEMU, measured.
+
+Takes a Robot, hands back figures for each kit. Stands on ``kit`` and ``toolchain``; prints nothing.
+"""
+
+import re
+import shutil
+import tempfile
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import asdict, dataclass
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...backend.kernel import MOTION
+from ...backend.native import CompilerError
+from ...derive.package.words import robot_symbol
+from ...kinematics.inverse import inverse_kinematics
+from ...kit import Choice, kit
+from ...kit.poses import sample
+from ...kit.vectors import Vector, knows_axes, rejected, vectors
+from ...results import NOT_FINITE
+from ...robot.robot import Robot
+from . import toolchain
+from .toolchain import CORES, Core
+
+Array = NDArray[np.float64]
+Progress = Callable[[str], None]
+
+MOTIONS = 8
+"""Poses on which a kernel is checked and counted."""
+NEAR_POLE = 1e-3
+"""Sine of a leg's angle to its fixed axis: below 1/32 the code path near the joint singularity is taken."""
+_SELFTEST = "selftest.c"
+_OWN = ("start.c", "count.c", "board.h", "link.ld")
+_HEAP = frozenset({"malloc", "calloc", "realloc", "free", "_sbrk", "_malloc_r", "_free_r"})
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What one kit takes on its processor.
+
+    precision: "double" or "float"; baked; core: the processor, flags: its own of the compiler, board: QEMU's
+    with it. failed, refused_wrongly: forces beyond their bound and calls without an answer that were not told
+    so; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test.
+    instructions: executed for a pose at most, of the poses; near_poles: the same with all
+    six legs near the poles of their joints, None where that cannot be tried: baked, or no universal joint.
+    flash: bytes of the ``kernel``'s code and constants, of the ``robot``'s numbers, and of all of the test's
+    program, ``image``; ram: bytes of the data of kernel and robot, ``kit``, and of the prepared constants,
+    ``model``, which the caller holds. stack: bytes below the caller that a ``pose`` was seen to write, and
+    that the preparation, ``prepare``, was; ``frames``: of all frames on the deepest way through a pose.
+    foreign: what the objects ask of libraries beyond square root, size and copies; double: of a float kit,
+    instructions and helpers for doubles.
+    """
+
+    precision: str
+    baked: bool
+    core: str
+    flags: tuple[str, ...]
+    board: str
+    failed: int
+    refused_wrongly: int
+    worst: float
+    poses: int
+    selftest: int
+    instructions: int
+    near_poles: int | None
+    flash: dict[str, int]
+    ram: dict[str, int]
+    stack: dict[str, int]
+    foreign: tuple[str, ...]
+    double: tuple[str, ...]
+
+    @property
+    def right(self) -> bool:
+        """Whether all that was tried came out as it has to, and nothing is asked of heap or libm."""
+        tried = self.failed == 0 and self.refused_wrongly == 0 and self.selftest == 0
+        return tried and not self.foreign and not self.double
+
+    @property
+    def name(self) -> str:
+        """The kit in words."""
+        return f"{'baked' if self.baked else 'general'}, {self.precision}"
+
+
+@dataclass(frozen=True)
+class Study:
+    """Figures of the kits of one robot, and what made them."""
+
+    robot: str
+    fidelity: str
+    rows: tuple[Figures, ...]
+    tools: dict[str, str]
+    flags: tuple[str, ...]
+
+    def as_json(self) -> dict[str, Any]:
+        """Everything, as JSON takes it."""
+        return asdict(self)
+
+
+def study(robot: Robot, progress: Progress = lambda _: None, level: str = "general") -> Study:
+    """Measure general and baked kits, double on a Cortex-M7 and float on a Cortex-M4F.
+
+    Raises CompilerError where a tool is missing or fails, ValueError as ``kit`` does.
+    """
+    if said := toolchain.missing():
+        raise CompilerError(said)
+    rows = []
+    for precision in CORES:
+        for bake in (False, True):
+            progress(f"{'baked' if bake else 'general'} kit in {precision}")
+            rows.append(measured(robot, level, bake, precision))
+    return Study(robot.name, level, tuple(rows), toolchain.versions(), toolchain.FLAGS)
+
+
+# --- cases ------------------------------------------------------------------------------------
+
+
+@dataclass(frozen=True)
+class Cases:
+    """The test vectors of a kit's forces, and what is further asked of them on a processor."""
+
+    robot: Robot
+    level: str
+    precision: str
+    tests: tuple[Vector, ...]
+
+    @classmethod
+    def of(cls, robot: Robot, level: str, bake: bool, precision: str) -> "Cases":
+        """Those that the kit's own self-test has."""
+        return cls(
+            robot, level, precision, vectors(robot, ("forces",), "exact", level, precision, MOTIONS, bake)
+        )
+
+    def rejected(self) -> list[tuple[dict[str, Array], int]]:
+        """Motions without an answer and their status: the self-test's, and numbers none or too large."""
+        start = self.tests[0].inputs
+        far = {"double": 1e160, "float": 1e25}[self.precision]
+        return [
+            *rejected(self.robot, self.level, self.precision),
+            (start | {"t": np.full(3, np.nan)}, NOT_FINITE),
+            (start | {"t": np.full(3, far)}, NOT_FINITE),
+            (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
+        ]
+
+    def near_poles(self) -> Array | None:
+        """Fixed axes, (6, 3), with which all legs are near their poles at the first motion."""
+        if not knows_axes(self.robot, self.level):
+            return None
+        s = inverse_kinematics(self.robot, sample(self.robot, "exact")[0]).s
+        across = np.cross(s, np.roll(s, 1, axis=-1))
+        across /= np.linalg.norm(across, axis=-1, keepdims=True)
+        return np.asarray(np.sqrt(1 - NEAR_POLE**2) * s + NEAR_POLE * across)
+
+
+# --- one kit ----------------------------------------------------------------------------------
+
+
+def measured(robot: Robot, level: str, bake: bool, precision: str) -> Figures:
+    """Write, build, run and measure one kit. CompilerError if it does not build or does not end."""
+    core = CORES[precision]
+    made = kit(robot, Choice(fidelity=level, bake=bake, precision=precision, scalar=True)).files
+    cases = Cases.of(robot, level, bake, precision)
+    with tempfile.TemporaryDirectory(prefix="stewart-sym-") as name:
+        folder = Path(name)
+        for file, content in made.items():
+            (folder / Path(file).name).write_bytes(content)
+        for file in _OWN:
+            shutil.copyfile(str(files(__package__) / file), folder / file)
+        kernel = next(path.stem for path in folder.glob("stewart_*_pose.c"))
+        symbol = "" if bake else robot_symbol(robot.name)
+        (folder / "cases.h").write_text(_cases_header(cases, kernel, symbol), encoding="utf-8")
+        objects = [toolchain.compiled(core, folder / f"{kernel}.c")]
+        if not bake:
+            objects.append(toolchain.compiled(core, folder / "stewart_robot.c"))
+        start = toolchain.compiled(core, folder / "start.c", ["-Wno-pedantic"])
+        # The test itself compares in double, on whatever processor.
+        count = toolchain.compiled(core, folder / "count.c", ["-Wno-unused-parameter"])
+        image = toolchain.linked(core, [*objects, start, count], folder / "link.ld", folder / "count.elf")
+        selftest = _selftest(core, [*objects, start], folder)
+        return _figures(core, bake, precision, kernel, objects, image, selftest)
+
+
+def _selftest(core: Core, objects: Sequence[Path], folder: Path) -> int:
+    """Exit code of the kit's own test on the processor."""
+    test = toolchain.compiled(core, folder / _SELFTEST, ["-DSTEWART_NO_STDIO"])
+    rotation = toolchain.compiled(core, folder / "stewart_rotation.c")
+    image = toolchain.linked(core, [*objects, rotation, test], folder / "link.ld", folder / "selftest.elf")
+    return toolchain.emulated(core, image)[0]
+
+
+def _figures(
+    core: Core,
+    bake: bool,
+    precision: str,
+    kernel: str,
+    objects: Sequence[Path],
+    image: Path,
+    selftest: int,
+) -> Figures:
+    code, output = toolchain.emulated(core, image)
+    said = _said(output)
+    if code not in (0, 1) or "stack_forces" not in said:
+        raise CompilerError(f"{toolchain.QEMU}: the program ended with {code}: {output.strip()[-200:]}")
+    per_call = _KNOWN / said["known"][0] / said["times"][0]
+    # An empty function took one instruction.
+    counts = {
+        name: max(round((ticks - said["empty"][0]) * per_call + 1) for ticks in said[name])
+        for name in ("ticks", "ticks_near_poles")
+        if name in said
+    }
+    parts = [toolchain.sizes(path) for path in objects]
+    usage = [path.with_suffix(".su") for path in objects]
+    frames = {"frames": toolchain.deepest_stack(image, usage, f"{kernel}_forces")}
+    stack = {"pose": said["stack_forces"][0] - said["stack_empty"][0], **frames}
+    ram = {"kit": sum(part["ram"] for part in parts)}
+    if not bake:
+        stack["prepare"] = said["stack_prepare"][0] - said["stack_empty"][0]
+        ram["model"] = said["model_bytes"][0]
+    asked = set().union(*(toolchain.asked_for(path) for path in objects))
+    own = set().union(*(toolchain.defined(path) for path in objects))
+    foreign = (asked - own - toolchain.HARMLESS) | (toolchain.defined(image) & _HEAP)
+    double: set[str] = set()
+    if precision == "float":
+        double = set().union(*(toolchain.double_arithmetic(path) for path in objects))
+        foreign |= asked & {"sqrt", "fabs"}
+    return Figures(
+        precision=precision,
+        baked=bake,
+        core=core.name,
+        flags=core.flags,
+        board=core.board,
+        failed=said["failed"][0],
+        refused_wrongly=said["refused_wrongly"][0],
+        worst=said["worst_error_ppm_of_bound"][0] / 1e6,
+        poses=len(said["ticks"]),
+        selftest=selftest,
+        instructions=counts["ticks"],
+        near_poles=counts.get("ticks_near_poles"),
+        flash={
+            "kernel": parts[0]["flash"],
+            "robot": sum(part["flash"] for part in parts[1:]),
+            "image": toolchain.sizes(image)["flash"],
+        },
+        ram=ram,
+        stack=stack,
+        foreign=tuple(sorted(foreign)),
+        double=tuple(sorted(double)),
+    )
+
+
+_KNOWN = 200_000
+"""``BOARD_KNOWN`` of board.h: instructions of which the ticks are counted."""
+
+
+def _said(output: str) -> dict[str, list[int]]:
+    """Numbers that the program printed, by name."""
+    found: dict[str, list[int]] = {}
+    for name, number in re.findall(r"^(\w+) (-?\d+)\s*$", output, re.MULTILINE):
+        found.setdefault(name, []).append(int(number))
+    return found
+
+
+# --- text of cases.h --------------------------------------------------------------------------
+
+
+def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
+    """The kernel's names, motions with forces and bounds, and motions without an answer.
+
+    symbol: the robot's in C, empty where the kernel holds its numbers.
+    """
+    epsilon = float(np.finfo(np.float32 if cases.precision == "float" else np.float64).eps)
+    rejected = cases.rejected()
+    without = _motions(motion for motion, _ in rejected)
+    names = [f'#include "{kernel}.h"', f"#define FORCES {kernel}_forces"]
+    if not symbol:
+        names.append("#define BAKED")
+    else:
+        names += [
+            '#include "stewart_robot.h"',
+            f"#define MODEL {kernel}_model",
+            f"#define PREPARE {kernel}_prepare",
+        ]
+        names.append(f"#define ROBOT {symbol}")
+    axes = cases.near_poles() if symbol else None
+    given = _motions(test.inputs for test in cases.tests)
+    expected = np.array([test.answers["F"] for test in cases.tests])
+    bounds = np.array([test.bounds["F"] for test in cases.tests]) * epsilon
+    return "\n".join(
+        [
+            "/* cases.h: written for one kernel. */",
+            "#include <math.h>",
+            "#include <stddef.h>",
+            *names,
+            "#define REAL(value) ((stewart_real)(value))",
+            f"#define MOTIONS {len(cases.tests)}",
+            f"#define REFUSED {len(rejected)}",
+            f"static const stewart_motion motions[MOTIONS] = {given};",
+            f"static const double expected[MOTIONS][6] = {_nested(expected)};",
+            f"static const double bounds[MOTIONS][6] = {_nested(bounds)};",
+            f"static const stewart_motion refused_motions[REFUSED] = {without};",
+            *([] if axes is None else ["#define NEAR_POLES", _axes_text(axes)]),
+            f"static const int refused_status[REFUSED] = {{{', '.join(str(code) for _, code in rejected)}}};",
+            "",
+        ]
+    )
+
+
+def _axes_text(axes: Array) -> str:
+    return f"static const stewart_real near_poles[6][3] = {_nested(axes, 'REAL({})')};"
+
+
+def _motions(all_numbers: Any) -> str:
+    rows = []
+    for each in all_numbers:
+        fields = (f".{name} = {_nested(each[name].ravel(), 'REAL({})')}" for name in MOTION)
+        rows.append(f"{{{', '.join(fields)}}}")
+    return "{\n" + ",\n".join(rows) + "}"
+
+
+def _nested(values: Array, form: str = "{}") -> str:
+    if values.ndim > 1:
+        return "{" + ",\n".join(_nested(row, form) for row in values) + "}"
+    return "{" + ", ".join(form.format(_literal(float(value))) for value in values) + "}"
+
+
+def _literal(value: float) -> str:
+    special: Mapping[str, str] = {"nan": "NAN", "inf": "INFINITY"}
+    return special.get(repr(value), repr(value))

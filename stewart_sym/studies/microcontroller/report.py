@@ -1,0 +1,72 @@
+"""The study of a controller's processor for people and programs: a table and JSON.
+
+Takes its figures; writes no file.
+"""
+
+import json
+
+from ..common.table import aligned
+from .measure import Figures, Study
+
+HEADER = (
+    *(
+        "kit",
+        "core",
+        "answers",
+        "worst/bound",
+        "instructions",
+        "near poles",
+        "flash kernel",
+        "robot",
+        "image",
+    ),
+    *("RAM kit", "model", "stack pose", "frames", "prepare", "foreign symbols", "doubles"),
+)
+
+
+def report(study: Study) -> str:
+    """What was run, in some lines, and the table."""
+    lines = [
+        f"{study.robot}, fidelity {study.fidelity}: one-pose kernels, {' '.join(study.flags)}",
+        *(f"{row.core}: {' '.join(row.flags)}, QEMU {row.board}" for row in study.rows if row.baked),
+        *study.tools.values(),
+        "Instructions are executed ones of a call, the most of the poses tried; near poles: with all legs",
+        "near the poles of their universal joints. Flash, RAM and stack in bytes; stack of a pose as painted",
+        "and found again, and of all frames on its deepest way, as the compiler says; of the preparation as",
+        "painted.",
+    ]
+    table = aligned(HEADER, [cells(row) for row in study.rows], left=3)
+    return "\n".join(lines) + f"\n\n{table}"
+
+
+def cells(row: Figures) -> list[str]:
+    """One line of the table."""
+    return [
+        row.name,
+        row.core,
+        answers(row),
+        f"{row.worst:.3f}",
+        f"{row.instructions:,}",
+        "-" if row.near_poles is None else f"{row.near_poles:,}",
+        *(f"{row.flash[name]:,}" for name in ("kernel", "robot", "image")),
+        *(f"{row.ram[name]:,}" if name in row.ram else "-" for name in ("kit", "model")),
+        *(f"{row.stack[name]:,}" if name in row.stack else "-" for name in ("pose", "frames", "prepare")),
+        ", ".join(row.foreign) or "none",
+        (", ".join(row.double) or "none") if row.precision == "float" else "-",
+    ]
+
+
+def answers(row: Figures) -> str:
+    """Whether forces, statuses and the kit's own test came out right."""
+    wrong = {
+        "forces": row.failed,
+        "statuses": row.refused_wrongly,
+        "self-test": row.selftest,
+    }
+    said = [f"{name} wrong" for name, count in wrong.items() if count]
+    return "; ".join(said) or f"{row.poses} poses right"
+
+
+def json_text(study: Study) -> str:
+    """All figures, with the tools that made them."""
+    return json.dumps(study.as_json(), indent=1) + "\n"

@@ -1,0 +1,87 @@
+"""Stack of every function that a kit may hold, as the cross compiler tells it: the table that kits quote.
+
+Stands on ``kit.parts`` and ``toolchain``. Kernels with a machine's numbers folded in are not among them: they
+take no more than the same kernels without.
+"""
+
+import dataclasses
+import json
+import tempfile
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+from typing import Any
+
+from ...backend import fidelity
+from ...backend.native import CompilerError
+from ...kit import Choice
+from ...kit.choice import check
+from ...kit.files import stack_key
+from ...kit.parts import Parts, parts
+from ...robot.robot import Robot
+from . import toolchain
+from .toolchain import CORES, Core
+
+
+def stacks(
+    robots: Iterable[Robot],
+    progress: Callable[[str], None] = lambda _: None,
+    levels: Iterable[str] = fidelity.FIDELITIES,
+) -> dict[str, Any]:
+    """Bytes by function and precision, and by whom they were told.
+
+    robots: one of each kind of base joint; their numbers do not count. levels: of fidelity. Raises
+    CompilerError where a tool is missing or fails.
+    """
+    if said := toolchain.missing():
+        raise CompilerError(said)
+    found: dict[str, int] = {}
+    for made, choice in (each for robot in robots for each in _all_parts(robot, levels)):
+        core = CORES[choice.precision]
+        for name, size in _measured(core, made, choice, found).items():
+            progress(name)
+            found[name] = size
+    compiler = toolchain.compiler()
+    cores = " and ".join(f"{core.name} ({precision})" for precision, core in CORES.items())
+    flags = " ".join(flag for flag in toolchain.FLAGS if flag.startswith(("-O", "-f")))
+    return {"by": f"{compiler}, {flags}, {cores}", "bytes": dict(sorted(found.items()))}
+
+
+def as_text(found: dict[str, Any]) -> str:
+    """The table as it is kept."""
+    return json.dumps(found, indent=1) + "\n"
+
+
+def _all_parts(robot: Robot, levels: Iterable[str]) -> Iterator[tuple[Parts, Choice]]:
+    """Parts of choices that together hold every function for such a machine."""
+    for formulation in ("exact", "paper"):
+        functions = ["reactions", "kinematics"]
+        if (robot.base_joint, formulation) == ("universal", "exact"):
+            functions += ["motion", "derivatives"]
+        asked = [Choice(tuple(functions), formulation)]
+        for level in [each for each in levels if each in fidelity.available(robot, formulation)]:
+            asked += [Choice(("forces",), formulation, level, scalar=scalar) for scalar in (False, True)]
+        for choice in asked:
+            for precision in CORES:
+                wish = dataclasses.replace(choice, precision=precision)
+                check(wish, robot)
+                yield parts(robot, wish), wish
+
+
+def _measured(core: Core, made: Parts, choice: Choice, known: dict[str, int]) -> dict[str, int]:
+    names = {function: stack_key(function, choice) for function in made.functions}
+    if set(names.values()) <= set(known):
+        return {}
+    found = {}
+    with tempfile.TemporaryDirectory(prefix="stewart-sym-") as folder:
+        for name, text in made.files.items():
+            (Path(folder) / name).write_text(text, encoding="utf-8")
+        define = ["-DSTEWART_FLOAT"] if choice.precision == "float" else []
+        objects = [toolchain.compiled(core, Path(folder) / part.source, define) for part in made.parts]
+        image = toolchain.joined(core, objects, Path(folder) / "kit.elf")
+        usage = [path.with_suffix(".su") for path in objects]
+        for function in made.functions:
+            for suffix in ("", "_batch") if function.batch else ("",):
+                symbol = f"{function.symbol}{suffix}"
+                size = toolchain.deepest_stack(image, usage, symbol)
+                found[names[function].replace(function.symbol, symbol)] = size
+    return found

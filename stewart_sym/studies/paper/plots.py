@@ -1,0 +1,204 @@
+"""Pictures of the paper's Figs. 4-10 with `paper` and `exact` in each, as PNG and SVG.
+
+Draws what ``reproduce`` computed; needs Matplotlib, the extra ``plot``. The SVG text depends on the numbers
+and on Matplotlib's version alone.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...io.extras import needed_for
+from ..common.drawing import legend_below, log_numbers
+from .reproduce import PathRun, Reproduction
+
+with needed_for("drawing"):
+    import matplotlib
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.lines import Line2D
+
+Array = NDArray[np.float64]
+
+_STYLE: Any = {
+    "svg.hashsalt": "stewart-sym",
+    "svg.fonttype": "none",
+    "font.size": 9.0,
+    "axes.grid": True,
+    "grid.alpha": 0.35,
+    "grid.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "legend.frameon": False,
+}
+_PAPER_LINE: dict[str, Any] = {"linewidth": 1.3, "zorder": 3}
+_EXACT_LINE: dict[str, Any] = {"linewidth": 3.6, "alpha": 0.35, "zorder": 2, "solid_capstyle": "butt"}
+
+
+@dataclass(frozen=True)
+class _Curve:
+    """One of the paper's letters: what it is, and its colour and dash."""
+
+    letter: str
+    meaning: str
+    values: Callable[[PathRun], Array]
+    color: str
+    dash: Any
+
+
+_CURVES = (
+    _Curve("T", "total force $F$", lambda run: run.F, "#1f4e9c", "-"),
+    _Curve("S", "massless legs, $F_0$", lambda run: run.F0, "#3a3a3a", (0, (5, 1.5))),
+    _Curve("D", "difference $F_d = F - F_0$", lambda run: run.Fd, "#c1440e", (0, (1.2, 1.2))),
+)
+
+
+def draw(
+    found: Reproduction, directory: Path, progress: Callable[[str], None] = lambda _: None
+) -> list[Path]:
+    """Write every picture into ``directory`` as PNG and SVG; returns the paths."""
+    written: list[Path] = []
+    with matplotlib.rc_context(_STYLE):
+        for number, path, kind, make in _FIGURES:
+            progress(f"drawing Fig. {number}")
+            pair = found.runs[path, "paper"], found.runs[path, "exact"]
+            figure = make(number, *pair)
+            stem = f"fig{number:02d}_path_{path}_{kind}"
+            figure.savefig(directory / f"{stem}.png", dpi=160, metadata={"Software": None})
+            figure.savefig(directory / f"{stem}.svg", metadata={"Date": None, "Creator": None})
+            written += [directory / f"{stem}.png", directory / f"{stem}.svg"]
+    return written
+
+
+def forces_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
+    """Six panels of T, S and D over time; `paper` thin, `exact` as a pale band behind."""
+    figure, panels = _six_panels(number, f"Path {paper.path}: leg forces", "force, N")
+    for leg, axes in enumerate(panels):
+        for curve in _CURVES:
+            if curve.letter != "S":
+                axes.plot(exact.time, curve.values(exact)[:, leg], color=curve.color, **_EXACT_LINE)
+            values = curve.values(paper)[:, leg]
+            axes.plot(paper.time, values, color=curve.color, linestyle=curve.dash, **_PAPER_LINE)
+        _letters(axes, [(c.letter, float(c.values(paper)[-1, leg]), c.color) for c in _CURVES])
+    handles = [
+        _handle(f"{c.letter}: {c.meaning}", color=c.color, linestyle=c.dash, **_PAPER_LINE) for c in _CURVES
+    ]
+    legend_below(figure, [*handles, *_formulation_handles("same for S")])
+    return figure
+
+
+def fraction_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
+    """Six panels of F_d / F over time, cut off at -1 and 1: it has no bound where F crosses zero."""
+    figure, panels = _six_panels(number, f"Path {paper.path}: fraction of dynamic forces", "$F_d / F$")
+    color = _CURVES[0].color
+    for leg, axes in enumerate(panels):
+        for run, line in ((exact, _EXACT_LINE), (paper, _PAPER_LINE)):
+            axes.plot(*_broken(run, leg), color=color, **line)
+        low, high = _fraction_limits((paper, exact), leg)
+        axes.set_ylim(low, high)
+        axes.axhline(0.0, color="black", linewidth=0.6, zorder=1)
+    legend_below(figure, _formulation_handles("gaps where $F$ crosses zero; cut off at ±1"))
+    return figure
+
+
+def condition_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
+    """Condition number of H over time, the paper's and the unitless one; log axis above 1000."""
+    figure = Figure(figsize=(7.0, 4.2), layout="constrained")
+    axes = figure.subplots()
+    figure.suptitle(f"Fig. {number}  Path {paper.path}: condition number of H")
+    color, scaled = _CURVES[0].color, _CURVES[2].color
+    axes.plot(exact.time, exact.condition, color=color, **_EXACT_LINE)
+    axes.plot(paper.time, paper.condition, color=color, **_PAPER_LINE)
+    axes.plot(paper.time, paper.scaled_condition, color=scaled, linestyle="--", **_PAPER_LINE)
+    axes.set(xlabel="time, s", ylabel="condition number", xlim=(paper.time[0], paper.time[-1]))
+    if paper.condition.max() > 1e3:
+        axes.set_yscale("log")
+        log_numbers(axes.yaxis)
+    else:
+        axes.set_ylim(bottom=0)
+    handles = [
+        _handle("the paper's, moments in N m (paper)", color=color, **_PAPER_LINE),
+        _handle("exact: the same H", color=color, **_EXACT_LINE),
+        _handle("unitless, moments by characteristic length", color=scaled, linestyle="--", **_PAPER_LINE),
+    ]
+    legend_below(figure, handles)
+    return figure
+
+
+_FIGURES: tuple[tuple[int, str, str, Callable[[int, PathRun, PathRun], Figure]], ...] = (
+    (4, "I", "forces", forces_figure),
+    (5, "I", "condition", condition_figure),
+    (6, "I", "fraction", fraction_figure),
+    (7, "II", "forces", forces_figure),
+    (8, "II", "fraction", fraction_figure),
+    (9, "III", "forces", forces_figure),
+    (10, "III", "condition", condition_figure),
+)
+
+
+def _six_panels(number: int, title: str, label: str) -> tuple[Figure, list[Axes]]:
+    figure = Figure(figsize=(10.0, 6.2), layout="constrained")
+    figure.suptitle(f"Fig. {number}  {title}")
+    grid = figure.subplots(2, 3, sharex=True)
+    panels = [axes for row in grid for axes in row]
+    for leg, axes in enumerate(panels):
+        axes.set_title(f"leg {leg + 1}", fontsize=9.0)
+        axes.margins(x=0.0)
+        if leg >= 3:
+            axes.set_xlabel("time, s")
+        if leg % 3 == 0:
+            axes.set_ylabel(label)
+        axes.ticklabel_format(axis="y", scilimits=(-2, 5), useMathText=True)
+    return figure, panels
+
+
+def _letters(axes: Axes, ends: list[tuple[str, float, str]]) -> None:
+    """The curves' letters outside the right edge at their last values, spread so that none overlap."""
+    low, high = axes.get_ylim()
+    heights = {letter: (value - low) / (high - low) for letter, value, _ in ends}
+    for letter, height in _spread(heights, gap=0.075).items():
+        color = next(color for name, _, color in ends if name == letter)
+        axes.text(1.015, height, letter, color=color, transform=axes.transAxes, va="center", weight="bold")
+
+
+def _spread(heights: dict[str, float], gap: float) -> dict[str, float]:
+    """Move heights apart to at least ``gap``, keeping their order and, as far as that goes, their places."""
+    names = sorted(heights, key=lambda name: heights[name])
+    placed = np.array([heights[name] for name in names])
+    for _ in range(20):
+        for i in range(1, len(placed)):
+            lack = gap - (placed[i] - placed[i - 1])
+            if lack > 0:
+                placed[i - 1 : i + 1] += (-lack / 2, lack / 2)
+    return dict(zip(names, placed.tolist(), strict=True))
+
+
+def _broken(run: PathRun, leg: int) -> tuple[Array, Array]:
+    """Time and fraction with a gap wherever F changes its sign, so that no line joins the branches."""
+    after = np.flatnonzero(np.diff(np.sign(run.F[:, leg])) != 0) + 1
+    return np.insert(run.time, after, np.nan), np.insert(run.fraction[:, leg], after, np.nan)
+
+
+def _fraction_limits(runs: tuple[PathRun, ...], leg: int) -> tuple[float, float]:
+    """All of both curves, but no more than -1 to 1, with zero in sight."""
+    values = np.concatenate([run.fraction[:, leg] for run in runs])
+    low, high = max(float(values.min()), -1.0), min(float(values.max()), 1.0)
+    low, high = min(low, 0.0), max(high, 0.0)
+    margin = 0.08 * (high - low)
+    return low - margin, high + margin
+
+
+def _formulation_handles(note: str) -> list[Line2D]:
+    grey = "#555555"
+    return [
+        _handle("thin: paper, as printed", color=grey, **_PAPER_LINE),
+        _handle(f"band: exact ({note})", color=grey, **_EXACT_LINE),
+    ]
+
+
+def _handle(label: str, **style: Any) -> Line2D:
+    return Line2D([], [], label=label, **style)

@@ -1,0 +1,173 @@
+"""The tables of ``reproduce`` as plain aligned text.
+
+Lays out what ``reproduce`` computed and ``claims`` judged; computes nothing itself.
+"""
+
+import textwrap
+from collections.abc import Sequence
+
+import numpy as np
+
+from ...motion.trajectory import PATHS
+from ...reference.newton_euler import EXACT, PAPER
+from ..common.table import aligned
+from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, Claim, claims, counted_fractions
+from .reproduce import Operations, Reproduction
+
+WIDTH = 110
+
+_FAULT_NAMES = {
+    frozenset({1}): "1  legs don't spin, (6), (8), (9)",
+    frozenset({2}): "2  joint's moment along s, (17)-(20)",
+    frozenset({3}): "3  transport term twice, (16)",
+    PAPER: "1+2+3  together: `paper`",
+    frozenset({4}): "4  sign of sum K, (33); not in `paper`",
+    EXACT: "none: `exact`",
+}
+
+
+def report(found: Reproduction) -> str:
+    """All tables, with units and definitions, as one text."""
+    physicality = [f"  {line}" for line in found.robot.physicality()]
+    head = [
+        "Dasgupta & Mruthyunjaya (1998), section 5, computed again",
+        "",
+        f"Machine: the paper's appendix as printed. Computed by: {found.backend}.",
+        "`paper`: the equations as printed; `exact`: with their faults corrected. SI units.",
+        "Its inertias, as printed, belong to no rigid body:",
+        *physicality,
+    ]
+    parts = [
+        "\n".join(head),
+        _claims_table(found),
+        _fault_table(found),
+        _energy_table(found),
+        _operations_table(found),
+    ]
+    return "\n\n\n".join(parts) + "\n"
+
+
+def _claims_table(found: Reproduction) -> str:
+    rows = claims(found)
+    still = float(np.median(counted_fractions(found.rest["exact"])))
+    cells = [(row.where, row.says, row.paper.text, row.exact.text, _verdict(row), row.rule) for row in rows]
+    return _section(
+        "(a) What the text claims, and what was computed",
+        _wrapped(
+            ("section", "the text says", "`paper`", "`exact`", "verdict", "holds if"),
+            cells,
+            (8, 23, 22, 22, 8, 16),
+        ),
+        "A verdict is `paper`'s; where `exact` has another, it follows after a semicolon. Dynamic "
+        "fraction: |F_d / F|, of all legs and all instants of the paper's time grid, "
+        f"those left out where |F| is below {NEAR_ZERO:.0%} of the leg's largest on the path, since the "
+        "fraction has no bound where F crosses zero. F_d is what masses and weights of the legs and friction "
+        "add, F_d = F - F_0; it is mostly weight: with the platform at rest on Path I its median is "
+        f"{still:.1%} (`exact`). Condition number: ratio of the singular values of H, moments in N m.",
+    )
+
+
+def _verdict(row: Claim) -> str:
+    same = row.paper.verdict == row.exact.verdict
+    return row.paper.verdict if same else f"{row.paper.verdict}; `exact` {row.exact.verdict}"
+
+
+def _fault_table(found: Reproduction) -> str:
+    header = ("fault kept", *(f"Path {name}" for name in PATHS), *(f"{name} at rest" for name in PATHS))
+    cells = [
+        (
+            _FAULT_NAMES[cost.faults],
+            *(_percent(cost.moving[name]) for name in PATHS),
+            *(_percent(cost.at_rest[name]) for name in PATHS),
+        )
+        for cost in found.fault_costs
+    ]
+    return _section(
+        "(b) What the faults of the printed equations cost",
+        aligned(header, cells),
+        "RMS over all legs and instants of F - F_exact, in per cent of the RMS of F_exact; no friction. At "
+        "rest: on the same poses, with rates and accelerations 0. Fault 4 is a slip in print that (35) "
+        "doesn't have.",
+    )
+
+
+def _energy_table(found: Reproduction) -> str:
+    header = ("path", "faults kept", "work, J", "gain, J", "(work - gain) / gain")
+    cells = [
+        (row.path, _FAULT_NAMES[row.faults], f"{row.work:.6f}", f"{row.gain:.6f}", _mismatch(row.mismatch))
+        for row in found.work_energy
+    ]
+    return _section(
+        "(c) Work of the actuators beside the gain of energy",
+        aligned(header, cells, left=2),
+        "No friction. Work: integral of F.Ldot, by Gauss-Legendre (24 points) between the jumps of "
+        "acceleration; F is the kernels' where none or all of 1, 2 and 3 are kept, else the reference's. "
+        "Gain: kinetic and potential energy of all 13 bodies with their true motion. Path III "
+        f"passes a singular pose at {found.pole:.3f} s, where F has no bound; the power has one, "
+        "F.Ldot = D.Ldot - c.twist, so the integral exists, with rounding enlarged by the condition number.",
+    )
+
+
+def _operations_table(found: Reproduction) -> str:
+    header = ("kernel", "one leg", "platform", "final system", "in all", "mul/add/div/sqrt", "x arm")
+    paper = (str(PAPER_FLOPS[part]) for part in ("leg", "platform", "final", "total"))
+    cells = [("the paper's program", *paper, "", _arms(PAPER_FLOPS["total"]))]
+    cells += [
+        _operations_row(row) for row in sorted(found.operations, key=lambda row: row.formulation != "paper")
+    ]
+    header_apart = ("mul/add/div/sqrt of", "one leg", "platform", "final system")
+    apart = [
+        (_kernel_name(row), *("/".join(map(str, part)) for part in (row.leg, row.platform, row.final)))
+        for row in sorted(found.operations, key=lambda row: row.formulation != "paper")
+    ]
+    return _section(
+        "(d) Operations of one time-step",
+        aligned(header, cells) + "\n\n" + aligned(header_apart, apart),
+        "+, -, *, / and sqrt count one each; negation, copies and what is prepared once per robot are free. "
+        "In all: six legs, platform, final system (sum of c, solution of H x = c with pivoting, F = D - x). "
+        f"x arm: times the {SERIAL_ARM_FLOPS} operations of a serial arm of six joints (section 4.5). The "
+        "paper counted MATLAB's flops, without friction.",
+    )
+
+
+def _operations_row(row: Operations) -> tuple[str, ...]:
+    parts = (str(sum(part)) for part in (row.leg, row.platform, row.final, row.total))
+    return (_kernel_name(row), *parts, "/".join(map(str, row.total)), _arms(sum(row.total)))
+
+
+def _kernel_name(row: Operations) -> str:
+    return f"`{row.formulation}` {'with' if row.friction else 'without'} friction"
+
+
+def _arms(total: int) -> str:
+    return f"{total / SERIAL_ARM_FLOPS:.2f}"
+
+
+def _percent(share: float) -> str:
+    return "0" if share == 0 else f"{100 * share:.2g}%" if share < 1e-3 else f"{100 * share:.2f}%"
+
+
+def _mismatch(share: float) -> str:
+    return f"{share:.0e}" if 0 < abs(share) < 1e-9 else "0" if share == 0 else f"{100 * share:+.4f}%"
+
+
+def _section(title: str, table: str, notes: str) -> str:
+    return "\n".join([title, "=" * len(title), "", table, "", textwrap.fill(notes, WIDTH)])
+
+
+def _wrapped(header: Sequence[str], rows: Sequence[Sequence[str]], widths: Sequence[int]) -> str:
+    """Columns of given widths with wrapped cells and a blank line between the rows."""
+    blocks = [_block(row, widths) for row in (header, *rows)]
+    rule = "-" * (sum(widths) + 2 * (len(widths) - 1))
+    return "\n".join([blocks[0], rule, "\n\n".join(blocks[1:])])
+
+
+def _block(row: Sequence[str], widths: Sequence[int]) -> str:
+    cells = [textwrap.wrap(cell, width) or [""] for cell, width in zip(row, widths, strict=True)]
+    lines = []
+    for i in range(max(map(len, cells))):
+        parts = [
+            (cell[i] if i < len(cell) else "").ljust(width) for cell, width in zip(cells, widths, strict=True)
+        ]
+        lines.append("  ".join(parts).rstrip())
+    return "\n".join(lines)

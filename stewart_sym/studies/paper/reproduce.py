@@ -1,0 +1,298 @@
+"""Section 5 of the paper computed again: Paths I-III, what each printed fault costs, work and energy.
+
+Takes the paper's machine and the generated kernels and returns plain records. ``claims`` judges them,
+``report`` prints them and ``plots`` draws them; this module prints and writes nothing.
+"""
+
+import dataclasses
+import functools
+import importlib
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ... import robots
+from ...backend import native
+from ...backend.kernel import FORMULATIONS, kernel_name, library
+from ...dynamics.inverse import Formulation, inverse_dynamics, massless_forces
+from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
+from ...motion.motion import Motion
+from ...motion.trajectory import PATHS, StraightLinePath
+from ...reference import newton_euler
+from ...robot.robot import Robot
+
+Array = NDArray[np.float64]
+Progress = Callable[[str], None]
+
+LIGHT_PLATFORM = 4.0
+"""Platform mass, kg, of the order of one leg's, for the claim on the mass ratio."""
+
+FAULTS: tuple[frozenset[int], ...] = (
+    frozenset({newton_euler.SPIN}),
+    frozenset({newton_euler.MOMENT}),
+    frozenset({newton_euler.TRANSPORT}),
+    newton_euler.PAPER,
+    frozenset({newton_euler.SIGN}),
+)
+"""Sets of printed faults whose cost is measured: one at a time, and those of `paper` together."""
+
+_FORMULATION: Mapping[frozenset[int], Formulation] = {
+    newton_euler.EXACT: "exact",
+    newton_euler.PAPER: "paper",
+}
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(24)
+
+
+@dataclass(frozen=True, eq=False)
+class PathRun:
+    """One path in one formulation.
+
+    time: s, (n,). F, F0: total and massless actuator forces, N, (n, 6), (37), (41).
+    condition, scaled_condition: of H, (n,); the second with moments divided by the characteristic length.
+    """
+
+    path: str
+    formulation: str
+    time: Array
+    F: Array
+    F0: Array
+    condition: Array
+    scaled_condition: Array
+
+    @property
+    def Fd(self) -> Array:
+        """Share of leg inertia, leg weight and friction, N, (n, 6), (42)."""
+        return self.F - self.F0
+
+    @property
+    def fraction(self) -> Array:
+        """Dynamic fraction F_d / F, (n, 6); it grows without bound where F crosses zero."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return self.Fd / self.F
+
+
+@dataclass(frozen=True)
+class FaultCost:
+    """What a set of printed faults changes, without friction, by path.
+
+    moving, at_rest: RMS over all legs and instants of F - F_exact over RMS of F_exact; at rest on the same
+    poses with rates and accelerations 0.
+    """
+
+    faults: frozenset[int]
+    moving: Mapping[str, float]
+    at_rest: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class WorkEnergy:
+    """Work of the actuators along a path and the gain of kinetic and potential energy, J, no friction."""
+
+    path: str
+    faults: frozenset[int]
+    work: float
+    gain: float
+
+    @property
+    def mismatch(self) -> float:
+        """(work - gain) / gain; 0 for right equations."""
+        return (self.work - self.gain) / self.gain
+
+
+@dataclass(frozen=True)
+class Operations:
+    """Operations of one emitted kernel, each (mul, add, div, sqrt); final: sum of c, solve, F = D - x."""
+
+    formulation: str
+    friction: bool
+    leg: tuple[int, ...]
+    platform: tuple[int, ...]
+    final: tuple[int, ...]
+    total: tuple[int, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Reproduction:
+    """Everything that ``reproduce`` computed.
+
+    runs: by (path, formulation). light: Path I with a platform of ``LIGHT_PLATFORM`` kg, by formulation.
+    rest: Path I's poses at rest, by formulation. pole: time, s, at which H is singular on Path III.
+    backend: one line on what computed the runs.
+    """
+
+    robot: Robot
+    backend: str
+    runs: Mapping[tuple[str, str], PathRun]
+    light: Mapping[str, PathRun]
+    rest: Mapping[str, PathRun]
+    pole: float
+    fault_costs: tuple[FaultCost, ...]
+    work_energy: tuple[WorkEnergy, ...]
+    operations: tuple[Operations, ...]
+
+
+def reproduce(progress: Progress = lambda _: None) -> Reproduction:
+    """Compute everything on the paper's machine; ``progress`` is told what is being computed."""
+    robot = paper_machine()
+    progress("compiling the kernels")
+    backend = _backend(robot)
+    progress("running Paths I-III")
+    lighter = dataclasses.replace(robot, M=LIGHT_PLATFORM)
+    runs = {(name, form): run_path(robot, name, form) for name in PATHS for form in FORMULATIONS}
+    progress("measuring the printed faults")
+    costs = tuple(fault_cost(robot, faults) for faults in FAULTS)
+    progress("comparing work and energy")
+    kept = (newton_euler.EXACT, *FAULTS)
+    return Reproduction(
+        robot=robot,
+        backend=backend,
+        runs=runs,
+        light={form: run_path(lighter, "I", form) for form in FORMULATIONS},
+        rest={form: run_path(robot, "I", form, rest=True) for form in FORMULATIONS},
+        pole=singular_time(robot, PATHS["III"].path, *_steepest(runs["III", "paper"])),
+        fault_costs=costs,
+        work_energy=tuple(work_energy(robot, name, faults) for name in PATHS for faults in kept),
+        operations=operations(),
+    )
+
+
+def paper_machine() -> Robot:
+    """The paper's machine; that its inertias are impossible is said in the report."""
+    return robots.dasgupta1998()
+
+
+def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool = False) -> PathRun:
+    """Run a path of ``PATHS`` at the paper's time step, or rest at each of its poses."""
+    path, dtau = PATHS[name]
+    time = path.times(dtau)
+    motion = at_rest(path.sample(time)) if rest else path.sample(time)
+    forces = inverse_dynamics(robot, motion, formulation)  # type: ignore[arg-type]
+    return PathRun(
+        path=name,
+        formulation=formulation,
+        time=time,
+        F=forces.F,
+        F0=massless_forces(robot, motion),
+        condition=condition_number(forces.H),
+        scaled_condition=scaled_condition_number(forces.H, characteristic_length(robot)),
+    )
+
+
+def run_columns(run: PathRun) -> dict[str, Array]:
+    """The columns of a run's CSV file by name, each (n,), SI units."""
+    columns = {"time": run.time}
+    for name, values in (("F", run.F), ("F0_", run.F0), ("Fd_", run.Fd), ("dynamic_fraction_", run.fraction)):
+        columns |= {f"{name}{leg + 1}": values[:, leg] for leg in range(6)}
+    return columns | {
+        "condition_number": run.condition,
+        "scaled_condition_number": run.scaled_condition,
+    }
+
+
+def at_rest(motion: Motion) -> Motion:
+    """Return the same poses without rates and accelerations."""
+    zero = np.zeros(3)
+    return Motion(motion.R, motion.t, zero, zero, zero, zero)
+
+
+def without_friction(robot: Robot) -> Robot:
+    """Return the robot with all eighteen friction coefficients 0."""
+    zero = np.zeros(6)
+    return dataclasses.replace(robot, C_u=zero, C_p=zero, C_s=zero)
+
+
+def fault_cost(robot: Robot, faults: frozenset[int]) -> FaultCost:
+    """Measure what a set of faults costs on every path."""
+    frictionless = without_friction(robot)
+    moving, resting = {}, {}
+    for name, (path, dtau) in PATHS.items():
+        motion = path.sample(path.times(dtau))
+        moving[name] = _difference(frictionless, motion, faults)
+        resting[name] = _difference(frictionless, at_rest(motion), faults)
+    return FaultCost(faults, moving, resting)
+
+
+def work_energy(robot: Robot, name: str, faults: frozenset[int]) -> WorkEnergy:
+    """Integrate the actuators' power along a path, Gauss-Legendre between the jumps of acceleration.
+
+    The forces of `exact` and `paper` are the kernels'; those of other faults, powers and energy are the
+    reference's.
+
+    It works through the singular pose of Path III as well: F grows without bound there, but its power
+    F.Ldot = D.Ldot - c.twist does not.
+    """
+    frictionless = without_friction(robot)
+    path = PATHS[name].path
+    breaks = path.breaks()
+    half = np.diff(breaks)[:, None] / 2
+    motion = path.sample((breaks[:-1, None] + half * (_NODES + 1)).ravel())
+    F = _kernel_forces(frictionless, motion, faults)
+    power = newton_euler.actuator_power(frictionless, motion, F)
+    ends = newton_euler.energy(frictionless, path.sample(breaks[[0, -1]]))
+    work = float((half * _WEIGHTS).ravel() @ power)
+    return WorkEnergy(name, faults, work, float(ends[1] - ends[0]))
+
+
+def _kernel_forces(robot: Robot, motion: Motion, faults: frozenset[int]) -> Array:
+    """The kernel's forces for `exact` and `paper`; single faults are the reference's alone."""
+    formulation = _FORMULATION.get(faults)
+    if formulation is None:
+        return newton_euler.inverse_dynamics(robot, motion, faults).F
+    return inverse_dynamics(robot, motion, formulation).F
+
+
+def singular_time(robot: Robot, path: StraightLinePath, before: float, after: float) -> float:
+    """Time at which det H changes its sign between two times, s, by bisection.
+
+    Raises ValueError when it has the same sign at both.
+    """
+
+    @functools.cache
+    def side(time: float) -> float:
+        H = newton_euler.inverse_dynamics(robot, path.sample(time)).H
+        return float(np.linalg.slogdet(H)[0])
+
+    if side(before) == side(after):
+        raise ValueError(f"det H keeps its sign between {before:g} s and {after:g} s")
+    while after - before > 1e-9 * path.tau_f:
+        middle = (before + after) / 2
+        before, after = (middle, after) if side(middle) == side(before) else (before, middle)
+    return (before + after) / 2
+
+
+def operations() -> tuple[Operations, ...]:
+    """Counts of the emitted kernels of the paper's kind of machine."""
+    return tuple(_operations(form, friction) for form in FORMULATIONS for friction in (False, True))
+
+
+def _operations(formulation: str, friction: bool) -> Operations:
+    kernel = importlib.import_module(f"stewart_sym.generated.{kernel_name(formulation, 'universal')}")
+    parts = kernel.OPERATIONS["friction" if friction else "frictionless"]
+    leg, platform, total = (np.array(parts[part]) for part in ("leg", "platform", "total"))
+    final = total - 6 * leg - platform
+    counts = (tuple(int(n) for n in part) for part in (leg, platform, final, total))
+    return Operations(formulation, friction, *counts)
+
+
+def _difference(robot: Robot, motion: Motion, faults: frozenset[int]) -> float:
+    exact = newton_euler.inverse_dynamics(robot, motion).F
+    faulty = newton_euler.inverse_dynamics(robot, motion, faults).F
+    return float(np.linalg.norm(faulty - exact) / np.linalg.norm(exact))
+
+
+def _steepest(run: PathRun) -> tuple[float, float]:
+    """The step in which the forces change most: a pole turns their signs."""
+    i = int(np.argmax(np.max(np.abs(np.diff(run.F, axis=0)), axis=-1)))
+    return float(run.time[i]), float(run.time[i + 1])
+
+
+def _backend(robot: Robot) -> str:
+    try:
+        for formulation in FORMULATIONS:
+            library(kernel_name(formulation, robot.base_joint))
+        compiler = native.find_compiler()
+    except native.CompilerError as error:
+        return f"NumPy kernels, as no C could be compiled ({error})"
+    return f"C kernels, compiled by {compiler.version}" if compiler else "C kernels"

@@ -1,0 +1,132 @@
+"""What ``check`` says of a robot: sizes, masses, limits, and its condition at a home pose at rest.
+
+Reads a checked Robot; prints nothing.
+"""
+
+import warnings
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.home_pose import HomePose, home_pose, radius
+from ...kinematics.conditioning import characteristic_length
+from ...kinematics.mounting import AssemblyModeWarning
+from ...results import STATUS_TEXT
+from ...robot.robot import Robot, legs_text
+
+Array = NDArray[np.float64]
+
+# Share of gravity along an axis of the base frame from which on it acts along that axis.
+_ALONG = 0.9
+
+
+def description(robot: Robot) -> str:
+    """Everything about the robot in lines of text, SI units."""
+    rows = [
+        ("name", robot.name),
+        ("joints", f"{robot.base_joint} below, spherical above"),
+        ("gravity", f"{_vector(robot.g)} m/s^2"),
+        *_sides(robot),
+        ("platform", f"{robot.M:g} kg, centre of mass {_vector(robot.R_0)} m"),
+        (
+            "legs",
+            f"{_range(robot.m_d + robot.m_u)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})",
+        ),
+        ("mass ratio", f"platform to one leg {robot.M / np.mean(robot.m_d + robot.m_u):.3g}"),
+        (
+            "size",
+            f"base points {radius(robot.b):.4g} m, platform points {radius(robot.p):.4g} m (RMS radius)",
+        ),
+        ("friction", _friction(robot)),
+        ("limits", _limits(robot)),
+        ("inertias", _inertias(robot)),
+    ]
+    with warnings.catch_warnings():
+        # The row "above" names both sides where they are equally plausible.
+        warnings.simplefilter("ignore", AssemblyModeWarning)
+        home = home_pose(robot)
+    return "\n".join([*_rows(rows), "", *_home_lines(robot, home)])
+
+
+def _sides(robot: Robot) -> list[tuple[str, str]]:
+    """A row on what gravity does on either side of the base, where the base lies across an axis."""
+    axis = int(np.argmax(np.abs(robot.g)))
+    flat = np.ptp(robot.b[:, axis]) < 0.5 * radius(robot.b)
+    if not flat or abs(robot.g[axis]) <= _ALONG * np.linalg.norm(robot.g):
+        return []
+    above, below = "+-" if robot.g[axis] < 0.0 else "-+"
+    name = "xyz"[axis]
+    text = (
+        f"a platform on the {above}{name} side of the base stands on its legs (compression), "
+        f"one on the {below}{name} side hangs from them (tension)"
+    )
+    return [("sides", text)]
+
+
+def _home_lines(robot: Robot, home: HomePose) -> list[str]:
+    shortest, longest = robot.length_limits.T
+    outside = (home.L < shortest) | (home.L > longest)
+    legs = ", ".join(str(i + 1) for i in np.flatnonzero(outside))
+    rows = [
+        ("above", f"{_vector(home.side.direction)}, {home.side.rule}"),
+        ("position", f"{_vector(home.t)} m, level, at rest"),
+        ("leg lengths", f"{_vector(home.L)} m" + (f"; outside their limits: leg {legs}" if legs else "")),
+    ]
+    parts = robot.r_d0[:, 0] - robot.r_u0[:, 0]
+    short = np.flatnonzero(home.L < parts).tolist()
+    if short:
+        named = legs_text(short)
+        rows.append(("overlap", f"lower and upper centres of mass pass each other in {named}: a low pose"))
+    if home.status:
+        rows.append(("condition", f"no answer here: {STATUS_TEXT[home.status]}"))
+    else:
+        length = characteristic_length(robot)
+        scaled = f"{home.scaled_condition:.4g} with moments divided by {length:.4g} m"
+        rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
+        rows.append(("holding", f"{_vector(home.F)} N"))
+    return [f"home pose: platform centred above the base; {home.rule}", *_rows(rows)]
+
+
+def _rows(rows: list[tuple[str, str]]) -> list[str]:
+    return [f"{name:<12} {text}" for name, text in rows]
+
+
+def _friction(robot: Robot) -> str:
+    coefficients = {"universal": robot.C_u, "prismatic": robot.C_p, "spherical": robot.C_s}
+    if not any(np.any(C) for C in coefficients.values()):
+        return "off"
+    units = {"universal": "N m s", "prismatic": "N s/m", "spherical": "N m s"}
+    base = {"universal": "base joint", "prismatic": "prismatic", "spherical": "spherical"}
+    return "on: " + ", ".join(f"{base[name]} {_range(C)} {units[name]}" for name, C in coefficients.items())
+
+
+def _limits(robot: Robot) -> str:
+    parts = []
+    for name, low, high, unit in (
+        ("length", robot.length_limits[:, 0], robot.length_limits[:, 1], "m"),
+        ("force", None, robot.force_limit, "N"),
+        ("speed", None, robot.speed_limit, "m/s"),
+    ):
+        legs = int(np.count_nonzero(np.isfinite(high)))
+        if not legs:
+            parts.append(f"{name} none")
+            continue
+        some = "" if legs == len(high) else f" ({legs} of 6 legs)"
+        given = np.isfinite(high)
+        span = _range(high[given]) if low is None else f"{_range(low[given])} to {_range(high[given])}"
+        parts.append(f"{name} {span} {unit}{some}")
+    return "; ".join(parts)
+
+
+def _inertias(robot: Robot) -> str:
+    count = len(robot.physicality())
+    return f"{count} that no rigid body can have" if count else "possible for rigid bodies"
+
+
+def _range(values: Array) -> str:
+    low, high = float(np.min(values)), float(np.max(values))
+    return f"{low:g}" if low == high else f"{low:g}-{high:g}"
+
+
+def _vector(values: Array) -> str:
+    return "(" + ", ".join(f"{round(value, 4) + 0.0:g}" for value in values.tolist()) + ")"

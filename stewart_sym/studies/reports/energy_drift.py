@@ -1,0 +1,154 @@
+"""Energy of a free-swinging machine on leg springs over time, in both formulations: what is right keeps it.
+
+Without friction or drive, and with springs for actuators, the energy of machine and springs is constant.
+Takes a robot and returns records; draws them if asked (extra ``plot``). Writes no file.
+"""
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, cast
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...backend.kernel import FORMULATIONS
+from ...dynamics.inverse import Formulation
+from ...motion.motion import Motion
+from ...simulation.actuator_models import LegSprings
+from ...simulation.scene import Scene
+from ...simulation.simulation import Simulation, Stop, Thresholds, simulate
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+INSTANTS = 1001
+"""Evenly spaced in a run's time, over which the kinetic energy is averaged."""
+STILL = 1e-12
+"""Mean kinetic energy over stored energy, below which rounding hides what drifts."""
+COLORS = {"exact": "#1f4e9c", "paper": "#c1440e"}
+
+
+@dataclass(frozen=True, eq=False)
+class Drift:
+    """One run's energy.
+
+    times: s, (n,). drift: energy of machine and springs minus that at the start, over ``scale``, (n,); zero
+    where nothing moved. scale: mean kinetic energy, J, see ``energy_scale``; 0 where nothing moved.
+    stop: why the run ended.
+    """
+
+    times: Array
+    drift: Array
+    scale: float
+    stop: Stop
+
+    @property
+    def worst(self) -> float:
+        """Largest magnitude of the drift."""
+        return float(np.abs(self.drift).max())
+
+    @property
+    def text(self) -> str:
+        """The worst drift in words."""
+        if self.scale == 0.0:
+            return "nothing moved, so that no energy can drift"
+        return f"energy with that of the springs changes by up to {self.worst:.2e} of the mean kinetic energy"
+
+    def columns(self) -> dict[str, NDArray[Any]]:
+        """Columns (n,) by name: time and drift."""
+        return {"time": self.times, "drift": self.drift}
+
+
+def energy_drift(
+    springs: LegSprings,
+    state: Motion,
+    duration: float = 10.0,
+    rtol: float = 1e-9,
+    thresholds: Thresholds | None = None,
+) -> dict[Formulation, Drift]:
+    """Set the springs' machine swinging and return its drift in each formulation.
+
+    Both are measured by the mean kinetic energy of the run in ``exact``.
+
+    springs: their dampers, and the friction of their robot, are left out. state: to start from, of shape (),
+    without its load. duration, rtol, thresholds: as for ``simulate``, and so are the errors.
+    """
+    none = np.zeros(6)
+    robot = dataclasses.replace(springs.robot, C_u=none, C_p=none, C_s=none)
+    springs = dataclasses.replace(springs, robot=robot, damping=0.0)
+    state = Motion(state.R, state.t, state.omega, state.v)
+    runs = {
+        formulation: simulate(
+            robot, state, springs, duration, formulation=formulation, rtol=rtol, thresholds=thresholds
+        )
+        for formulation in cast(tuple[Formulation, ...], FORMULATIONS)
+    }
+    scale = energy_scale(runs["exact"], springs)
+    return {formulation: drift_of(run, springs, scale) for formulation, run in runs.items()}
+
+
+def drift_of(run: Simulation, springs: LegSprings, scale: float) -> Drift:
+    """Drift of the energy of machine and springs along a run, measured by a scale, J."""
+    energy = run.energy + springs.energy(run.L)
+    drift = (energy - energy[0]) / scale if scale else np.zeros_like(energy)
+    return Drift(run.times, drift, scale, run.stop)
+
+
+def energy_scale(run: Simulation, springs: LegSprings) -> float:
+    """Mean kinetic energy over a run's time, J, which no short peak makes large.
+
+    0 where it is below ``STILL`` of the energy of weight and springs: nothing moved but by rounding.
+    """
+    even = run.at(np.linspace(0.0, run.stop.time, INSTANTS))
+    mean = float(even.kinetic.mean())
+    stored = float((np.abs(even.potential) + np.abs(springs.energy(even.L))).max())
+    return mean if mean > STILL * stored else 0.0
+
+
+def springs_of(scene: Scene) -> LegSprings:
+    """The springs of a scene; ValueError if its legs are none."""
+    if not isinstance(scene.law, LegSprings):
+        raise ValueError("energy drift: expected a scene whose legs are springs")
+    return scene.law
+
+
+def summary(drifts: Mapping[Formulation, Drift]) -> str:
+    """One line for each formulation: the worst drift and why the run ended."""
+    lines = [
+        f"{name:<9}  without friction: {drift.text}; {drift.stop.text}" for name, drift in drifts.items()
+    ]
+    return "\n".join(lines)
+
+
+def figure(drifts: Mapping[Formulation, Drift]) -> "Figure | None":
+    """The drifts over time, their magnitudes on a logarithmic axis; None where no run has two instants."""
+    from matplotlib.figure import Figure
+
+    from ..common.drawing import legend_below, log_numbers
+
+    drifts = {name: drift for name, drift in drifts.items() if len(drift.times) > 1}
+    if not drifts:
+        return None
+    picture = Figure(figsize=(8.0, 4.2), layout="constrained")
+    axes = picture.subplots()
+    for name, drift in drifts.items():
+        # The first instant is the measure of the others, and zero has no logarithm.
+        axes.semilogy(
+            drift.times[1:],
+            np.maximum(np.abs(drift.drift[1:]), np.finfo(np.float64).eps),
+            color=COLORS[name],
+            linewidth=1.3,
+            label=f"{name}, largest {drift.worst:.1e}",
+        )
+    axes.set_xlabel("time, s")
+    axes.set_ylabel("change of energy / mean kinetic energy")
+    axes.set_title("Energy of the frictionless machine on leg springs", fontsize=10.0)
+    axes.margins(x=0.0)
+    axes.grid(alpha=0.35, linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)
+    log_numbers(axes.yaxis)
+    legend_below(picture)
+    return picture

@@ -1,0 +1,307 @@
+"""What ``singularities`` writes of a path: where it crosses singular poses and what is lost there.
+
+Takes a Robot and a path as a function of time; reads and writes no file.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...kinematics.conditioning import characteristic_length, moments_over
+from ...kinematics.forward import jacobian
+from ...kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix
+from ...motion.interpolation import Path
+from ...motion.trajectory import PoseLog, Trajectory
+from ...results import OK
+from ...robot.robot import LEGS, Robot
+from ...singularities.along_path import (
+    Crossing,
+    LegExtreme,
+    Passage,
+    crossings,
+    force_pole,
+    singularities_along,
+)
+from ...singularities.singular_poses import Singularity
+from ..common.table import aligned
+
+Array = NDArray[np.float64]
+Columns = dict[str, NDArray[Any]]
+
+DISTANCES = tuple(10.0**-n for n in range(1, 8))
+"""From a crossing at which the forces on both sides are computed, s."""
+
+NEAREST = ("least held", "dearest wrench", "idlest forces")
+"""Labels of unconstrained twist, lost wrench and idle forces where a pose is not singular."""
+
+_EVEN = 401
+_NEAR = 150
+_MARKS = 50
+
+
+@dataclass(frozen=True, eq=False)
+class Sides:
+    """Forces beside a crossing, N, (n, 6), at the distances, s, (n,), that the path has on both sides.
+
+    residue: A of F = A / (t - t_0), N s, (6,).
+    """
+
+    residue: Array
+    distances: Array
+    before: Array
+    after: Array
+
+    @property
+    def leg(self) -> int:
+        """Index of the leg whose force grows most."""
+        return int(np.argmax(np.abs(self.residue)))
+
+
+@dataclass(frozen=True, eq=False)
+class Examination:
+    """A path examined: how it passes singular poses, and the forces beside each crossing."""
+
+    robot: Robot
+    name: str
+    path: Path
+    formulation: Formulation
+    passage: Passage
+    sides: tuple[Sides, ...]
+
+
+def examine(
+    robot: Robot, name: str, path: Path, times: Array, formulation: Formulation = "exact"
+) -> Examination:
+    """Find where a path, called ``name``, passes singular poses; path, times as for ``crossings``."""
+    passage = singularities_along(robot, path, times)
+    sides = tuple(_sides(robot, path, passage, found, formulation) for found in passage.crossings)
+    return Examination(robot, name, path, formulation, passage, sides)
+
+
+def crossing_warning(robot: Robot, trajectory: Trajectory | PoseLog, path: Path) -> str | None:
+    """One line about the singular poses that a trajectory crosses; None if it crosses none."""
+    found = crossings(robot, path, trajectory.time)
+    if not found:
+        return None
+    first = found[0]
+    after = int(np.searchsorted(trajectory.time, first.time, side="right"))
+    rows = [trajectory.rows[min(max(i, 0), len(trajectory.rows) - 1)] for i in (after - 1, after)]
+    others = ", ".join(f"{other.time:.9f}" for other in found[1:4])
+    more = f"; {len(found) - 1} more, at {others}{' ...' if len(found) > 4 else ''} s" if others else ""
+    return (
+        f"{trajectory.source}: the path crosses a singular pose at {first.time:.9f} s, between rows "
+        f"{rows[0]} and {rows[1]}: det H goes from {_sign(first.before)} to {_sign(first.after)}, scaled "
+        f"condition number {float(first.at.condition):.3g}, leg forces grow without bound; unconstrained "
+        f"twist {twist_text(first.at)}{more}"
+    )
+
+
+def report(found: Examination) -> str:
+    """Everything in lines of text, SI units."""
+    passage = found.passage
+    lines = [
+        f"robot      {found.robot.name}",
+        f"path       {found.name}, {passage.start:g} s to {passage.end:g} s",
+        f"crossings  {len(passage.crossings)}",
+        f"nearest    {_near(passage.nearest.time, passage.nearest.at)}",
+    ]
+    lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in passage.spans]
+    for number, (crossing, sides) in enumerate(zip(passage.crossings, found.sides, strict=True), 1):
+        lines += ["", f"Crossing {number} at {_time(crossing)}", *_crossing_lines(found, crossing, sides)]
+    if not passage.crossings:
+        lines += ["", f"Nearest approach at {passage.nearest.time:.9f} s", *_pose_lines(passage.nearest.at)]
+    others = [approach for approach in passage.approaches if approach is not passage.nearest]
+    if others:
+        lines += ["", "Other minima of the smallest singular value"]
+        lines += [f"  {_near(approach.time, approach.at)}" for approach in others]
+    return "\n".join([*lines, "", _legs_table(found)])
+
+
+def events(found: Examination) -> Columns:
+    """Columns (n,), one row for each crossing (crossing 1) and each local minimum (0), in order of time."""
+    passage, none = found.passage, np.full(LEGS, np.nan)
+    rows = [
+        (item.time, 1, item.uncertainty, item.before, item.after, item.at, sides.residue)
+        for item, sides in zip(passage.crossings, found.sides, strict=True)
+    ]
+    minima = [*passage.approaches, *([] if passage.crossings else [passage.nearest])]
+    for approach in {item.time: item for item in minima}.values():
+        side = int(np.sign(approach.at.determinant))
+        rows.append((approach.time, 0, np.nan, side, side, approach.at, none))
+    rows.sort(key=lambda row: row[0])
+    poses = [row[5] for row in rows]
+    columns: Columns = {
+        name: np.array([row[i] for row in rows])
+        for i, name in enumerate(("time", "crossing", "uncertainty", "side_before", "side_after"))
+    }
+    for name in ("condition", "smallest", "lost", "pitch"):
+        columns[name] = np.array([getattr(pose, name) for pose in poses])
+    for name, part in (("v", slice(0, 3)), ("omega", slice(3, 6))):
+        columns |= _vector(name, [pose.twist[part] for pose in poses])
+    columns |= _vector("axis", [pose.axis for pose in poses]) | _vector(
+        "point", [pose.point for pose in poses]
+    )
+    return columns | {f"A{leg + 1}": np.array([row[6][leg] for row in rows]) for leg in range(LEGS)}
+
+
+def curves(found: Examination) -> Columns:
+    """Columns (n,) over time, denser towards each crossing and minimum; nan where a pose has no answer.
+
+    time; smallest_singular_value with the sign of det H; scaled_condition, inf where that is 0; F1..F6;
+    pole_sine1..6; L1..L6.
+    """
+    robot, passage = found.robot, found.passage
+    duration = passage.end - passage.start
+    marks = [crossing.time for crossing in passage.crossings]
+    marks += [approach.time for approach in (*passage.approaches, passage.nearest)]
+    near = np.geomspace(1e-7, 0.1, _NEAR) * duration
+    dense = [np.concatenate([mark - near, mark + near]) for mark in marks[:_MARKS]]
+    times = np.unique(np.concatenate([np.linspace(passage.start, passage.end, _EVEN), *dense]))
+    times = times[(times >= passage.start) & (times <= passage.end)]
+    motion = found.path(times)
+    length = characteristic_length(robot) or 1.0
+    H = moments_over(np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2), length)
+    s = np.linalg.svd(H, compute_uv=False)
+    forces = inverse_dynamics(robot, motion, found.formulation, on_singular="nan")
+    _, S, L = leg_vectors(robot, motion.R, motion.t)
+    # What is rounding error is zero, so that a path along singular poses is no noise.
+    smallest = np.where(s[:, -1] > ROUNDING * s[:, 0], s[:, -1], 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        condition = s[:, 0] / smallest
+        sine = np.linalg.norm(np.cross(robot.k, S), axis=-1) / L
+    columns: Columns = {
+        "time": times,
+        "smallest_singular_value": np.sign(np.linalg.det(H)) * smallest,
+        "scaled_condition": condition,
+    }
+    for name, values in (("F", forces.F), ("pole_sine", sine), ("L", L)):
+        columns |= {f"{name}{leg + 1}": values[:, leg] for leg in range(LEGS)}
+    if robot.base_joint == "spherical":
+        columns = {name: values for name, values in columns.items() if not name.startswith("pole_sine")}
+    return columns
+
+
+def twist_text(at: Singularity) -> str:
+    """The unconstrained twist in words: [v; omega]."""
+    return f"v = {_triple(at.twist[:3])} m/s, omega = {_triple(at.twist[3:])} rad/s"
+
+
+# Parts
+
+
+def _sides(robot: Robot, path: Path, passage: Passage, crossing: Crossing, formulation: Formulation) -> Sides:
+    room = min(crossing.time - passage.start, passage.end - crossing.time)
+    distances = np.array([d for d in DISTANCES if d <= room and d > 10.0 * crossing.uncertainty])
+    solved = inverse_dynamics(
+        robot,
+        path(crossing.time + np.concatenate([-distances, distances])),
+        formulation,
+        on_singular="nan",
+    )
+    F = np.where((solved.status == OK)[:, None], solved.F, np.nan)
+    residue = force_pole(robot, path(np.array([crossing.time])), formulation)[0]
+    return Sides(residue, distances, F[: len(distances)], F[len(distances) :])
+
+
+def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> list[str]:
+    robot, leg = found.robot, sides.leg
+    rates = wrench_matrix(robot, found.path(np.array([crossing.time])))[0].T @ crossing.at.twist
+    lines = [
+        f"  det H          {_sign(crossing.before)} before, {_sign(crossing.after)} after",
+        *_pose_lines(crossing.at),
+        f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
+    ]
+    if not np.isfinite(sides.residue).all():
+        return [*lines, "  force pole     no simple one: the path rests there or runs along singular poses"]
+    A = ", ".join(f"{value:.6g}" for value in sides.residue)
+    ends = ["-inf", "+inf"] if sides.residue[leg] > 0.0 else ["+inf", "-inf"]
+    lines += [
+        f"  force pole     F = A / (t - t_0), A = ({A}) N s",
+        f"  most affected  leg {leg + 1}: {ends[0]} before, {ends[1]} after",
+    ]
+    rows = [
+        (f"{d:.0e}", f"{before[leg]:+.6e}", f"{after[leg]:+.6e}", f"{sides.residue[leg] / d:+.6e}")
+        for d, before, after in zip(sides.distances, sides.before, sides.after, strict=True)
+    ]
+    if rows:
+        header = ("|t - t_0|, s", f"F{leg + 1} before, N", f"F{leg + 1} after, N", "A / |t - t_0|, N")
+        lines += ["", *(f"  {line}" for line in aligned(header, rows).splitlines())]
+    return lines
+
+
+def _pose_lines(at: Singularity) -> list[str]:
+    pitch, axis = float(at.pitch), _triple(at.axis)
+    motion, wrench, idle = ("unconstrained", "lost wrench", "idle forces") if at.lost else NEAREST
+    screw = f"translation along {axis}"
+    if np.isfinite(pitch):
+        screw = f"turn about {axis} through {_triple(at.point)} m, pitch {pitch:.6g} m/rad"
+    lines = [
+        f"  condition      {float(at.condition):.6g} with moments divided by {at.length:.6g} m, smallest "
+        f"singular value {float(at.smallest):.3g}",
+        f"  {motion:<14} {twist_text(at)}",
+        f"  as a screw     {screw}",
+        f"  {wrench:<14} force {_triple(at.wrench[:3])} N, moment {_triple(at.wrench[3:])} N m",
+        f"  {idle:<14} {_triple(at.forces)} N",
+    ]
+    if int(at.lost) > 1:
+        lines.append(f"  degrees of freedom lost  {int(at.lost)}; the twist is one of them")
+    return lines
+
+
+def _legs_table(found: Examination) -> str:
+    passage, limits = found.passage, found.robot.length_limits
+    rows = []
+    for leg in range(LEGS):
+        low, high = limits[leg]
+        rows.append((
+            str(leg + 1),
+            *_cells(passage.pole, leg),
+            *_cells(passage.shortest, leg),
+            f"{passage.shortest.value[leg] - low:.4g}" if low > 0.0 else "none",
+            *_cells(passage.longest, leg),
+            f"{high - passage.longest.value[leg]:.4g}" if np.isfinite(high) else "none",
+        ))  # fmt: skip
+    header = (
+        "leg",
+        "|k x s|",
+        "at, s",
+        "least L, m",
+        "at, s",
+        "to limit",
+        "most L, m",
+        "at, s",
+        "to limit",
+    )
+    return "Nearest to the universal joint's axis and to the limits of length\n" + aligned(header, rows)
+
+
+def _cells(extreme: LegExtreme, leg: int) -> tuple[str, str]:
+    return f"{extreme.value[leg]:.6f}", f"{extreme.time[leg]:.6f}"
+
+
+def _near(time: float, at: Singularity) -> str:
+    return (
+        f"{time:.9f} s: smallest singular value {float(at.smallest):.6g}, "
+        f"scaled condition number {float(at.condition):.6g}"
+    )
+
+
+def _time(crossing: Crossing) -> str:
+    return f"{crossing.time:.12f} s (rounding leaves {crossing.uncertainty:.1e} s open)"
+
+
+def _sign(side: int) -> str:
+    return "-" if side < 0 else "+"
+
+
+def _triple(values: Sequence[float] | Array) -> str:
+    return "(" + ", ".join(f"{round(float(value), 6) + 0.0:.6f}" for value in values) + ")"
+
+
+def _vector(name: str, values: list[Array]) -> Columns:
+    stacked = np.array(values).reshape(-1, 3)
+    return {f"{name}_{axis}": stacked[:, j] for j, axis in enumerate("xyz")}

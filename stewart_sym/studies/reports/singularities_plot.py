@@ -1,0 +1,208 @@
+"""Pictures of a path's singular poses: over the whole path, and beside each the machine with the lost motion.
+
+Draws what ``singularities`` found; needs Matplotlib, the extra ``plot``.
+"""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...io.extras import needed_for
+from ...motion.motion import Motion
+from ...robot.robot import LEGS, Robot
+from ...singularities.singular_poses import Singularity
+from ..common.drawing import log_numbers
+from .run import save
+from .singularities import Columns, Examination, curves
+
+with needed_for("drawing"):
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from mpl_toolkits.mplot3d.axes3d import Axes3D
+
+Array = NDArray[np.float64]
+
+MOST = 6
+"""Crossings drawn; a path that goes to and fro may have many."""
+
+_DARK, _RED, _BLUE, _GREY = "#3a3a3a", "#c1440e", "#1f4e9c", "#8a8a8a"
+_LEGS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
+# Length of the longest arrow beside the machine's size.
+_ARROW = 0.3
+
+
+def draw(found: Examination, folder: Path) -> None:
+    """Write path.png, and crossing_<n>.png for each crossing or nearest.png where there is none."""
+    columns = curves(found)
+    save(path_figure(found, columns), folder / "path.png")
+    for name, time, at, title in _poses(found):
+        save(pose_figure(found, columns, time, at, title), folder / f"{name}.png")
+
+
+def path_figure(found: Examination, columns: Columns) -> Figure:
+    """Condition number, smallest singular value with its sign, and the largest force over the whole path."""
+    figure = Figure(figsize=(9.0, 7.2), layout="constrained")
+    panels = figure.subplots(3, 1, sharex=True)
+    time = columns["time"]
+    largest = np.max(np.abs(_forces(columns)), axis=-1)
+    panels[0].semilogy(time, columns["scaled_condition"], color=_BLUE, linewidth=1.2)
+    panels[0].set_ylabel("scaled condition\nnumber of H")
+    panels[1].plot(time, columns["smallest_singular_value"], color=_BLUE, linewidth=1.2)
+    panels[1].axhline(0.0, color=_DARK, linewidth=0.7)
+    panels[1].set_ylabel("smallest singular value,\nsign of det H")
+    panels[2].semilogy(time, largest, color=_BLUE, linewidth=1.2)
+    panels[2].set_ylabel("largest leg force, N")
+    panels[2].set_xlabel("time, s")
+    panels[2].set_xlim(time[0], time[-1])
+    for axes, values in zip(panels, (columns["scaled_condition"], time, largest), strict=True):
+        _if_empty(axes, values)
+        _plain(axes)
+        if axes.get_yscale() == "log":
+            log_numbers(axes.yaxis)
+        for crossing in found.passage.crossings:
+            axes.axvline(crossing.time, color=_RED, linewidth=0.9, linestyle=(0, (4, 2)))
+    count = len(found.passage.crossings)
+    where = f"{count} crossing{'' if count == 1 else 's'} of a singular pose"
+    if found.passage.spans:
+        where += ", and a way along singular poses"
+    figure.suptitle(f"{found.robot.name}, path {found.name}: {where}", fontsize=11.0)
+    return figure
+
+
+def pose_figure(found: Examination, columns: Columns, time: float, at: Singularity, title: str) -> Figure:
+    """Smallest singular value and leg forces close by, and the machine with the lost motion as arrows."""
+    figure = Figure(figsize=(12.0, 5.8), layout="constrained")
+    panes: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.05))
+    left, right = panes
+    upper, lower = left.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.7))
+    window = (0.05 if found.passage.crossings else 1.0) * (found.passage.end - found.passage.start)
+    low, high = max(found.passage.start, time - window), min(found.passage.end, time + window)
+    crossed = [crossing.time for crossing in found.passage.crossings if low <= crossing.time <= high]
+    inside = (columns["time"] >= low) & (columns["time"] <= high)
+    # No line joins the branches of a pole.
+    when, *rest = _broken(
+        crossed,
+        columns["time"][inside],
+        columns["smallest_singular_value"][inside],
+        _forces(columns)[inside],
+    )
+    upper.plot(when, rest[0], color=_BLUE, linewidth=1.3)
+    upper.axhline(0.0, color=_DARK, linewidth=0.7)
+    upper.set_ylabel("smallest singular\nvalue, sign of det H")
+    for leg in range(LEGS):
+        lower.plot(when, rest[1][:, leg], color=_LEGS[leg], linewidth=1.2, label=f"leg {leg + 1}")
+    bound = _bound(np.abs(when[:, None] - np.array([*crossed, np.inf])).min(axis=-1), rest[1], window)
+    lower.axhline(0.0, color=_DARK, linewidth=0.7)
+    lower.set_ylim(-bound, bound)
+    _if_empty(lower, rest[1])
+    lower.ticklabel_format(axis="y", scilimits=(-2, 5), useMathText=True)
+    lower.set_ylabel("leg force, N")
+    lower.set_xlabel("time, s")
+    lower.set_xlim(low, high)
+    lower.locator_params(axis="x", nbins=6)
+    lower.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=LEGS, frameon=False, fontsize=8.0,
+                 handlelength=1.2, columnspacing=1.0)  # fmt: skip
+    for axes in (upper, lower):
+        _plain(axes)
+        for mark in crossed:
+            axes.axvline(mark, color=_RED, linewidth=0.9, linestyle=(0, (4, 2)))
+    machine: Axes3D = right.add_subplot(projection="3d")
+    draw_machine(machine, found.robot, found.path(np.array([time]))[0], at)
+    figure.suptitle(title, fontsize=11.0)
+    return figure
+
+
+def draw_machine(axes: Axes3D, robot: Robot, pose: Motion, at: Singularity) -> None:
+    """The machine at a pose, velocities of the platform points under the twist as arrows, the screw axis."""
+    points = pose.t + robot.p @ pose.R.T
+    both = np.concatenate([robot.b, points])
+    size = float(np.max(np.ptp(both, axis=0)))
+    for corners, color in ((robot.b, _DARK), (points, _BLUE)):
+        ring = corners[_around(corners)]
+        axes.plot(*np.concatenate([ring, ring[:1]]).T, color=color, linewidth=1.6)
+    for leg in range(LEGS):
+        axes.plot(*np.stack([robot.b[leg], points[leg]]).T, color=_GREY, linewidth=1.4)
+        axes.text(
+            *(robot.b[leg] - [0.0, 0.0, 0.05 * size]), str(leg + 1), fontsize=8.0, ha="center", va="top"
+        )
+    v, omega = at.twist[:3], at.twist[3:]
+    velocities = v + np.cross(omega, points - pose.t)
+    arrows = velocities * _ARROW * size / np.max(np.linalg.norm(velocities, axis=-1))
+    axes.quiver(*points.T, *arrows.T, color=_RED, linewidth=1.6, arrow_length_ratio=0.25)
+    extent = [both, points + arrows]
+    if np.isfinite(at.pitch) and np.linalg.norm(at.point - pose.t) < size:
+        line = at.point + np.outer([-0.45 * size, 0.45 * size], at.axis)
+        axes.plot(*line.T, color=_RED, linewidth=1.0, linestyle=(0, (4, 2)))
+        extent.append(line)
+    _frame(axes, np.concatenate(extent))
+    screw = "a translation"
+    if np.isfinite(at.pitch):
+        screw = f"screw axis dashed, pitch {float(at.pitch):.4g} m/rad"
+    motion = "lost motion" if at.lost else "motion that the legs hold least"
+    axes.set_title(f"{motion}: velocities of the platform points\n{screw}", fontsize=9.0)
+
+
+# Parts
+
+
+def _poses(found: Examination) -> Iterator[tuple[str, float, Singularity, str]]:
+    """Name of the file, time, pose and title of each picture of the machine."""
+    passage = found.passage
+    for number, crossing in enumerate(passage.crossings[:MOST], 1):
+        title = f"path {found.name}: H singular at {crossing.time:.9f} s"
+        yield f"crossing_{number}", crossing.time, crossing.at, title
+    if not passage.crossings:
+        title = f"path {found.name}: nearest to a singular pose at {passage.nearest.time:.6f} s"
+        yield "nearest", passage.nearest.time, passage.nearest.at, title
+
+
+def _frame(axes: Axes3D, extent: Array) -> None:
+    low, high = extent.min(axis=0), extent.max(axis=0)
+    pad = 0.04 * float(np.max(high - low))
+    for name, a, b in zip("xyz", low - pad, high + pad, strict=True):
+        getattr(axes, f"set_{name}lim")(a, b)
+        getattr(axes, f"set_{name}label")(f"{name}, m", fontsize=8.0)
+    axes.set_box_aspect(high - low + 2.0 * pad)
+    axes.locator_params(nbins=4)
+    axes.tick_params(labelsize=7.0, pad=0.0)
+    axes.view_init(elev=18.0, azim=-60.0)
+
+
+def _around(corners: Array) -> NDArray[np.int64]:
+    """Order of points by their angle about their middle, in the plane that fits them best."""
+    from_middle = corners - corners.mean(axis=0)
+    across = from_middle @ np.linalg.svd(from_middle)[2][:2].T
+    return np.argsort(np.arctan2(across[:, 1], across[:, 0]))
+
+
+def _forces(columns: Columns) -> Array:
+    return np.stack([columns[f"F{leg + 1}"] for leg in range(LEGS)], axis=-1)
+
+
+def _broken(breaks: list[float], time: Array, *values: Array) -> tuple[Array, ...]:
+    """Times and values (n, ...) with a gap at each of the breaks."""
+    at = np.searchsorted(time, breaks)
+    return np.insert(time, at, breaks), *(np.insert(value, at, np.nan, axis=0) for value in values)
+
+
+def _bound(distance: Array, F: Array, window: float) -> float:
+    """Above all forces, (n, 6), but those nearer to a crossing than a part of the window, s."""
+    largest = float(np.nanmax(np.where((distance > 0.05 * window)[:, None], np.abs(F), 0.0), initial=0.0))
+    return 1.1 * largest or 1.0
+
+
+def _if_empty(axes: Axes, values: Array) -> None:
+    """Say why nothing is drawn where nothing can be."""
+    if not np.isfinite(values).any():
+        text = "none: H is singular throughout"
+        axes.text(0.5, 0.55, text, transform=axes.transAxes, ha="center", va="bottom", color=_DARK)
+        axes.set_yticks([], minor=False)
+        axes.set_yticks([], minor=True)
+
+
+def _plain(axes: Axes) -> None:
+    axes.grid(alpha=0.35, linewidth=0.6)
+    axes.spines[["top", "right"]].set_visible(False)

@@ -1,0 +1,405 @@
+"""A trajectory run through the dynamics, as ``forces`` writes it: columns, limits exceeded, a summary.
+
+Takes a Robot and a Trajectory; reads and writes no file.
+"""
+
+import warnings
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.force_noise import deviations_in_parts
+from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
+from ...io.error_policy import SingularPoseWarning
+from ...kinematics.conditioning import condition_number
+from ...kinematics.inverse import LegKinematics, inverse_kinematics
+from ...kinematics.mounting import platform_side
+from ...motion.motion import Motion
+from ...motion.trajectory import PoseLog, Trajectory
+from ...results import NOT_FINITE, OK, SHORT_LEG, Reactions
+from ...robot.robot import Robot
+from ..common.table import aligned
+
+Array = NDArray[np.float64]
+Columns = dict[str, NDArray[Any]]
+
+
+SURE = 3.0
+"""Deviations within which a force is taken to lie: 99.7 % of normal errors."""
+
+NOISE_SHARE = 0.02
+"""Share of a leg's peak force that noise may make of it, ``SURE`` deviations, without a warning."""
+
+
+# Instants at a time: all outputs of the kernels at once would fill memory.
+_PART = 1 << 14
+
+
+class Part(NamedTuple):
+    """Some instants of a trajectory run through the dynamics, N, m and s, (n,), (n, 6).
+
+    where: which of the trajectory's. F_sd: deviations of F by noise, None for a log without.
+    """
+
+    where: slice
+    time: Array
+    F: Array
+    F_sd: Array | None
+    L: Array
+    L_dot: Array
+    condition: Array
+    status: NDArray[np.int32]
+    reactions: Reactions | None
+
+    @property
+    def columns(self) -> Columns:
+        """Columns (n,) by name, as written.
+
+        In SI units: time, F1..F6, with noise in the log F1_sd..F6_sd, L1..L6, condition_number, status and,
+        with reactions, the components of F_s, F_u, F_p, F_c, M_p (about the base point) and M_u leg by leg.
+        """
+        found: Columns = {"time": self.time}
+        for name, ending, of_legs in (("F", "", self.F), ("F", "_sd", self.F_sd), ("L", "", self.L)):
+            if of_legs is not None:
+                found |= {f"{name}{i + 1}{ending}": of_legs[:, i] for i in range(6)}
+        found |= {"condition_number": self.condition, "status": self.status}
+        return found if self.reactions is None else found | _reaction_columns(self.reactions)
+
+
+class Track(NamedTuple):
+    """A trajectory run through the dynamics.
+
+    columns: (n,) by name, as of ``Part``. doubts: one line for each limit exceeded or not decided, and for
+    noise. summary: what it comes to, lines of text.
+    """
+
+    columns: Columns
+    doubts: list[str]
+    summary: str
+
+
+def track(
+    robot: Robot,
+    trajectory: Trajectory | PoseLog,
+    formulation: Formulation = "exact",
+    backend: Backend = "c",
+    reactions: bool = False,
+    allow_singular: bool = False,
+    noise_share: float = NOISE_SHARE,
+) -> Track:
+    """Run a trajectory of n instants, as ``in_parts``, and keep all columns."""
+    digest, columns = Digest(robot, trajectory.time), []
+    for part in in_parts(robot, trajectory, formulation, backend, reactions, allow_singular):
+        digest.add(part)
+        columns.append(part.columns)
+    joined = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
+    return Track(joined, digest.doubts(noise_share), digest.summary())
+
+
+def in_parts(
+    robot: Robot,
+    trajectory: Trajectory | PoseLog,
+    formulation: Formulation = "exact",
+    backend: Backend = "c",
+    reactions: bool = False,
+    allow_singular: bool = False,
+) -> Iterator[Part]:
+    """Run a trajectory part after part.
+
+    Raises ValueError, naming file and row, for an unsolvable pose; ``allow_singular`` leaves nan and a status
+    there and warns of the first instead.
+    """
+    deviations, told = None, False
+    if trajectory.noise is not None:
+        deviations = deviations_in_parts(robot, trajectory, formulation, backend)
+    for start in range(0, max(1, len(trajectory.time)), _PART):
+        where = slice(start, start + _PART)
+        motion = trajectory.at(where)
+        found = inverse_dynamics(robot, motion, formulation, backend, on_singular="nan")
+        L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(found.status, (SHORT_LEG, NOT_FINITE)))
+        status, more = found.status, None
+        if reactions:
+            more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
+            status = np.where(status == OK, more.status, status)
+        if status.any() and not told:
+            at, reason = first_fault(status, robot, motion)
+            _tell(trajectory, start + at[0], reason, allow_singular)
+            told = True
+        F_sd = None if deviations is None else deviations(where)
+        condition = condition_number(found.H)
+        yield Part(where, trajectory.time[where], found.F, F_sd, L, L_dot, condition, status, more)
+
+
+class Digest:
+    """What the summary and the doubts about a run of instants need of it, whatever their number.
+
+    Of each part the instants are kept at which something is extreme, and how long limits are exceeded.
+    """
+
+    def __init__(self, robot: Robot, time: Array) -> None:
+        """Begin a run at all these times, s, (n,)."""
+        self.robot, self.time, self.weights = robot, time, _weights(time)
+        self.span, self.count = np.zeros((2, len(_LIMITS), 6))
+        self.kept: list[Part] = []
+
+    def add(self, part: Part) -> None:
+        """Take in the next part."""
+        for k, limit in enumerate(_LIMITS):
+            over = limit.excess(self.robot, part) > 0.0
+            self.span[k] += np.sum(self.weights[part.where, None] * over, axis=0)
+            self.count[k] += np.count_nonzero(over, axis=0)
+        spread = 0.0 if part.F_sd is None else SURE * part.F_sd
+        known = np.isfinite(part.L).all(axis=-1, keepdims=True)
+        large = [np.abs(part.F), np.abs(part.F) + spread, np.abs(part.F) - spread]
+        large += [np.where(known, x, np.nan) for x in (part.L, -part.L, np.abs(part.L_dot))]
+        extremes = np.hstack([*large, part.condition[:, None]])
+        picked = np.argmax(np.where(np.isnan(extremes), -np.inf, extremes), axis=0)
+        i = np.unique(picked)
+        arrays = [None if x is None else x[i] for x in part[1:-1]]
+        self.kept.append(Part(part.where, *arrays, None))  # type: ignore[arg-type,call-arg]
+
+    def doubts(self, noise_share: float) -> list[str]:
+        """One line for each limit exceeded or not decided, and for noise of more than a share of a peak."""
+        kept = self._joined()
+        noisy = [] if kept.F_sd is None else _noisy(kept.time, kept.F, kept.F_sd, noise_share)
+        return self.exceeded() + noisy
+
+    def exceeded(self) -> list[str]:
+        """One line for each limit: which legs go beyond it, the worst of them, when and how long."""
+        kept = self._joined()
+        forces = force_verdicts(self.robot, kept.F, kept.F_sd)
+        lines = []
+        for k, limit in enumerate(_LIMITS):
+            force = limit.name == "force_limit"
+            verdicts = forces if force else [EXCEEDED if n else WITHIN for n in self.count[k]]
+            for verdict in (EXCEEDED, NOT_DECIDED):
+                legs = [leg for leg in range(6) if verdicts[leg] == verdict]
+                if legs:
+                    lines.append(self._of_legs(k, limit, f"{limit.name} {verdict}", legs, kept))
+        return lines
+
+    def _of_legs(self, k: int, limit: "_Limit", what: str, legs: list[int], kept: Part) -> str:
+        """One line about a limit and the legs in question."""
+        shares = [_share(self.robot, limit, leg, kept) for leg in legs]
+        worst = legs[int(np.argmax(shares))]
+        names = f"{'leg' if len(legs) == 1 else 'legs'} {', '.join(str(leg + 1) for leg in legs)}"
+        most = "" if len(legs) == 1 else f"worst leg {worst + 1}: "
+        text = f"{what} by {names}: {most}{_worst(self.robot, limit, worst, kept)}"
+        if self.count[k, worst]:
+            share = f"at {int(self.count[k, worst])} of {len(self.time)} instants"
+            text += f"; beyond it for {self.span[k, worst]:.3g} s, {share}"
+        return text
+
+    def summary(self) -> str:
+        """What it comes to, lines of text."""
+        kept = self._joined()
+        return _summary(self.robot, self.time, kept)
+
+    def _joined(self) -> Part:
+        arrays = [
+            None if x[0] is None else np.concatenate(x)
+            for x in zip(*(p[1:-1] for p in self.kept), strict=True)
+        ]
+        return Part(slice(None), *arrays, None)  # type: ignore[arg-type,call-arg]
+
+
+class _Limit(NamedTuple):
+    """A limit of the robot's legs: its name, unit, values that it limits and by how much these exceed it."""
+
+    name: str
+    unit: str
+    values: Callable[[Part], Array]
+    bound: Callable[[Robot], Array]
+    excess: Callable[[Robot, Part], Array]
+
+
+_LIMITS = (
+    _Limit(
+        "force_limit",
+        "N",
+        lambda part: part.F,
+        lambda robot: robot.force_limit,
+        lambda robot, part: np.abs(part.F) - robot.force_limit,
+    ),
+    _Limit(
+        "speed_limit",
+        "m/s",
+        lambda part: part.L_dot,
+        lambda robot: robot.speed_limit,
+        lambda robot, part: np.abs(part.L_dot) - robot.speed_limit,
+    ),
+    _Limit(
+        "length_limits",
+        "m",
+        lambda part: part.L,
+        lambda robot: robot.length_limits[:, 1],
+        lambda robot, part: part.L - robot.length_limits[:, 1],
+    ),
+    _Limit(
+        "length_limits",
+        "m",
+        lambda part: part.L,
+        lambda robot: robot.length_limits[:, 0],
+        lambda robot, part: robot.length_limits[:, 0] - part.L,
+    ),
+)
+
+
+def exceeded(
+    robot: Robot, time: Array, F: Array, L: Array, L_dot: Array, F_sd: Array | None = None
+) -> list[str]:
+    """One line for each limit, as ``Digest.exceeded``; arrays (n, 6).
+
+    With deviations F_sd a force limit is exceeded where the force is beyond it by ``SURE`` of them, and not
+    decided where it is nearer.
+    """
+    digest, none = Digest(robot, time), np.zeros(len(time))
+    digest.add(Part(slice(None), time, F, F_sd, L, L_dot, none, none.astype(np.int32), None))
+    return digest.exceeded()
+
+
+def length_doubt(robot: Robot, lengths: Array) -> str | None:
+    """One line about distances, m, that are no machine's of the robot's size; None for plausible ones."""
+    size = max(float(np.ptp(robot.b, axis=0).max()), float(np.ptp(robot.p, axis=0).max()))
+    typical = float(np.median(np.abs(lengths)))
+    if _NEAR * size <= typical <= _FAR * size:
+        return None
+    cause = (
+        "they in another unit (--length-unit mm)" if typical > size else "those of the robot file in metres"
+    )
+    return f"lengths of {typical:.4g} m beside a machine of {size:.4g} m: are {cause}?"
+
+
+def side_doubt(robot: Robot, motion: Motion) -> str | None:
+    """One line about poses (n,) that are all on the other side of the base than gravity says; None else."""
+    side = platform_side(robot)
+    centre = motion.t + motion.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    if not side.by_gravity or np.any(centre @ side.direction >= 0.0):
+        return None
+    return (
+        "the platform is below the base, where gravity pulls, at every instant: does z point down in the "
+        "log, and up in the robot file? (forces are right as they are for a machine that hangs)"
+    )
+
+
+# Shares of the size of a machine between which distances from its base lie; units differ by a thousand.
+_NEAR, _FAR = 1.0 / 200.0, 20.0
+WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
+
+
+def force_verdicts(robot: Robot, F: Array, F_sd: Array | None = None) -> list[str]:
+    """``WITHIN``, ``EXCEEDED`` or ``NOT_DECIDED`` for each leg's force_limit; F, F_sd: N, (n, 6)."""
+    spread = np.zeros_like(F) if F_sd is None else SURE * F_sd
+    sure = np.any(np.abs(F) - spread > robot.force_limit, axis=0)
+    maybe = np.any(np.abs(F) + spread > robot.force_limit, axis=0)
+    return [EXCEEDED if sure[i] else NOT_DECIDED if maybe[i] else WITHIN for i in range(6)]
+
+
+def _excess(robot: Robot, limit: _Limit, leg: int, part: Part) -> tuple[int, float]:
+    """Instant at which a leg is farthest beyond its limit, by noise if by nothing else; how far."""
+    excess = limit.excess(robot, part)[:, leg]
+    if limit.name == "force_limit" and part.F_sd is not None and not (excess > 0.0).any():
+        excess = excess + SURE * part.F_sd[:, leg]
+    i = int(np.nanargmax(excess))
+    return i, float(excess[i])
+
+
+def _share(robot: Robot, limit: _Limit, leg: int, part: Part) -> float:
+    """By what share of its limit a leg is beyond it."""
+    return _excess(robot, limit, leg, part)[1] / max(
+        abs(float(limit.bound(robot)[leg])), np.finfo(float).tiny
+    )
+
+
+def _worst(robot: Robot, limit: _Limit, leg: int, part: Part) -> str:
+    """The value of a leg that is farthest beyond its limit, and when."""
+    i, _ = _excess(robot, limit, leg, part)
+    sd = part.F_sd if limit.name == "force_limit" else None
+    spread = "" if sd is None else f" +- {sd[i, leg]:.3g}"
+    value = f"{limit.values(part)[i, leg]:.6g}{spread} {limit.unit} at {part.time[i]:g} s"
+    return f"{value}, limit {limit.bound(robot)[leg]:g} {limit.unit}"
+
+
+def _weights(time: Array) -> Array:
+    """How long each instant stands for: half the way to both neighbours."""
+    return np.gradient(time) if len(time) > 1 else np.zeros(1)
+
+
+def _peaks(F: Array) -> NDArray[np.int64]:
+    """Index of each leg's largest force, (6,)."""
+    return np.asarray(np.argmax(np.nan_to_num(np.abs(F), nan=-1.0), axis=0))
+
+
+def peak_noise(F: Array, F_sd: Array) -> Array:
+    """Share of each leg's peak force, (6,), by which noise may hide a larger one, at any instant."""
+    peak = np.nan_to_num(np.abs(F)).max(axis=0)
+    possible = np.nan_to_num(np.abs(F) + SURE * F_sd).max(axis=0)
+    return np.asarray((possible - peak) / np.maximum(peak, np.finfo(float).tiny))
+
+
+def _noisy(time: Array, F: Array, F_sd: Array, share: float) -> list[str]:
+    """One line about the leg whose peak is least sure, if that is less sure than the share."""
+    ratio = peak_noise(F, F_sd)
+    leg = int(np.argmax(ratio))
+    if not ratio[leg] > share:
+        return []
+    largest, possible = (np.nan_to_num(x[:, leg]) for x in (np.abs(F), np.abs(F) + SURE * F_sd))
+    i, peak = int(np.argmax(possible)), int(np.argmax(largest))
+    return [
+        f"noise in the log leaves {ratio[leg]:.2g} of leg {leg + 1}'s peak force open, more than {share:g}: "
+        f"{F[i, leg]:.6g} N and {SURE:g} deviations of {F_sd[i, leg]:.3g} N at {time[i]:g} s reach "
+        f"{possible[i]:.6g} N, the peak is {largest[peak]:.6g} N at {time[peak]:g} s; "
+        f"so for {np.count_nonzero(ratio > share)} of 6 legs"
+    ]
+
+
+def _summary(robot: Robot, times: Array, part: Part) -> str:
+    """Lines of text about a run at some times, of which ``part`` has the extremes."""
+    _, time, F, F_sd, L, L_dot, condition, _, _ = part
+    peaks, verdicts, known = _peaks(F), force_verdicts(robot, F, F_sd), np.isfinite(L).all(axis=-1)
+    rows = [
+        (
+            str(leg + 1),
+            f"{F[i, leg]:.6g}" + ("" if F_sd is None else f" +- {F_sd[i, leg]:.2g}"),
+            f"{time[i]:g}",
+            f"{robot.force_limit[leg]:g}"
+            + (f" {verdicts[leg]}" if np.isfinite(robot.force_limit[leg]) else ""),
+            f"{L[known, leg].min(initial=np.inf):.4g} to {L[known, leg].max(initial=-np.inf):.4g}",
+            f"{np.abs(L_dot[known, leg]).max(initial=0.0):.4g}",
+        )
+        for leg, i in enumerate(peaks)
+    ]
+    worst = int(np.argmax(np.nan_to_num(condition, nan=-1.0)))
+    return "\n".join(
+        [
+            f"{len(times)} instants, {times[0]:g} to {times[-1]:g} s; condition number of H up to "
+            f"{condition[worst]:.4g} (at {time[worst]:g} s)",
+            aligned(("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"), rows),
+        ]
+    )
+
+
+def _tell(trajectory: Trajectory | PoseLog, i: int, reason: str, allowed: bool) -> None:
+    text = f"{trajectory.source}: row {trajectory.rows[i]}: {reason}"
+    if not allowed:
+        raise ValueError(text)
+    warnings.warn(text, SingularPoseWarning, stacklevel=3)
+
+
+def _lengths_and_rates(robot: Robot, motion: Motion, good: NDArray[np.bool_]) -> tuple[Array, Array]:
+    L, L_dot = np.full((2, *motion.shape, 6), np.nan)
+    if np.any(good):
+        legs: LegKinematics = inverse_kinematics(robot, motion[good])
+        L[good], L_dot[good] = legs.L, legs.L_dot
+    return L, L_dot
+
+
+def _reaction_columns(found: Reactions) -> Columns:
+    columns: Columns = {}
+    for name in ("F_s", "F_u", "F_p", "F_c", "M_p"):
+        values = getattr(found, name)
+        for leg in range(6):
+            columns |= {f"{name}{leg + 1}_{axis}": values[:, leg, j] for j, axis in enumerate("xyz")}
+    return columns | {f"M_u{leg + 1}": found.M_u[:, leg] for leg in range(6)}

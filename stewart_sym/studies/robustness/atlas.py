@@ -1,0 +1,156 @@
+"""The failure atlas whole: every family, its verdicts, the report, and the JSON for the README's table.
+
+Knows which families there are; writes no file.
+"""
+
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from typing import Any
+
+import numpy as np
+
+from ..common.table import aligned
+from . import attitude, leg_frame, lengths, poses, runs, scales, singular
+from .family import WRONG, Family, Verdict, verdict
+from .poses import OUTCOMES, Basins, basins
+from .sweep.sweep import GOOD, Sweep
+from .sweep.sweep import report as sweep_report
+
+PARTS = {
+    "H singular": singular.families,
+    "the pole of the universal joint": leg_frame.families,
+    "lengths": lengths.families,
+    "orientation": attitude.families,
+    "forward kinematics": poses.families,
+    "simulation": runs.families,
+    "scales": scales.families,
+}
+"""What makes the families, by what they are about."""
+
+
+@dataclass(frozen=True, eq=False)
+class Atlas:
+    """Families with their verdicts, the basins of forward kinematics, and the sweep if one was made."""
+
+    families: tuple[Family, ...]
+    basins: Basins
+    sweep: Sweep | None = None
+
+    def verdicts(self, family: Family) -> dict[str, Verdict]:
+        """One for each method."""
+        return {curve.method: verdict(curve, family.distance) for curve in family.curves}
+
+
+def atlas(progress: Callable[[str], None] = lambda _: None) -> Atlas:
+    """Walk into every failure; takes about a minute. Raises native.CompilerError without ``__float128``."""
+    found: list[Family] = []
+    for name, families in PARTS.items():
+        progress(f"approaching {name}")
+        found += families()
+    progress("looking for the basins of Newton's steps")
+    return Atlas(tuple(found), basins())
+
+
+def report(found: Atlas) -> str:
+    """Every family's verdicts as text."""
+    parts = [
+        "Errors against 50 digits along families of poses that approach a degenerate configuration.\n"
+        "worst: largest error in rounding units over the problem's own condition number, with status ok.\n"
+        "digits: left at the worst answer with status ok. rejected at: condition number of first status.\n"
+        f"undetected: poses with a wrong answer (above {WRONG:g}) and status ok; * shipped, else a candidate."
+    ]
+    for family in found.families:
+        rows = [
+            (
+                f"{'*' if curve.shipped else ' '} {curve.method}",
+                _number(each.worst),
+                _number(each.where),
+                f"{each.digits:.1f}",
+                _number(each.last),
+                "-" if each.refused_at is None else _number(each.refused_at),
+                f"{each.silent}",
+                "right" if _right(family, each) else "WRONG",
+            )
+            for curve, each in ((curve, verdict(curve, family.distance)) for curve in family.curves)
+        ]
+        header = ("method", "worst", "at", "digits", "last answer at", "rejected at", "undetected", "status")
+        lines = [f"{family.title}\n({family.axis})", aligned(header, rows), *family.notes]
+        parts.append("\n".join(lines))
+    parts.append(basins_report(found.basins))
+    if found.sweep is not None:
+        parts.append(sweep_report(found.sweep))
+    return "\n\n".join(parts)
+
+
+def basins_report(found: Basins) -> str:
+    """Outcomes of forward kinematics in shares of the starts."""
+    rows = [
+        (method, *(f"{100 * found.share(method, outcome):.1f} %" for outcome in range(len(OUTCOMES))))
+        for method in found.outcome
+    ]
+    return (
+        f"Forward kinematics from {found.roll.size * found.yaw.size} starts turned all round: "
+        f"{found.poses} poses found; `certify_pose` proves {100 * found.proven:.0f} % of a sample.\n"
+        + aligned(("Newton's steps", *OUTCOMES), rows)
+    )
+
+
+def as_json(found: Atlas) -> dict[str, Any]:
+    """Everything that the report says, as plain numbers; NaN as null."""
+    families = [
+        {
+            "name": family.name,
+            "title": family.title,
+            "fails": family.fails,
+            "remedy": family.remedy,
+            "axis": family.axis,
+            "notes": list(family.notes),
+            "methods": [
+                {
+                    "method": curve.method,
+                    "shipped": curve.shipped,
+                    "status": curve.status is not None,
+                    "right": _right(family, each),
+                    **{name: _plain(value) for name, value in asdict(each).items()},
+                }
+                for curve, each in ((curve, verdict(curve, family.distance)) for curve in family.curves)
+            ],
+        }
+        for family in found.families
+    ]
+    shares = {
+        method: [found.basins.share(method, outcome) for outcome in range(len(OUTCOMES))]
+        for method in found.basins.outcome
+    }
+    return {
+        "families": families,
+        "basins": {"shares": shares, "poses": found.basins.poses, "proven": found.basins.proven},
+        "sweep": None if found.sweep is None else _sweep_json(found.sweep),
+    }
+
+
+def _sweep_json(found: Sweep) -> dict[str, Any]:
+    counts = [{name: _plain(value) for name, value in asdict(count).items()} for count in found.counts]
+    return {
+        "cases": found.cases,
+        "wrong": found.wrong,
+        "refused_good": found.refused_good,
+        "wrong_above": WRONG,
+        "good_below": GOOD,
+        "counts": counts,
+    }
+
+
+def _right(family: Family, found: Verdict) -> bool:
+    """Whether the status is where it must be; beyond the range of double it may be on any pose."""
+    return found.silent == 0 and (family.beyond_range or found.alarmed == 0)
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, float) and not np.isfinite(value):
+        return None
+    return value
+
+
+def _number(value: float) -> str:
+    return "-" if np.isnan(value) else f"{value:.2g}"

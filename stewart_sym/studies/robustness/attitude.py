@@ -1,0 +1,124 @@
+"""Family 4: roll-pitch-yaw angles at theta_y = 90 degrees beside inputs that have no pole.
+
+One motion is written down in each kind of input, its numbers rounded last; what comes back of it are forces.
+"""
+
+import dataclasses
+
+import mpmath
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.inverse import inverse_dynamics
+from ...motion.motion import Motion
+from ...motion.rotation import (
+    quaternion_from_rotation,
+    quaternion_product,
+    rotation_from_rpy,
+    vector_from_rotation,
+    vector_rate,
+    vector_second_rate,
+)
+from ...precision.quad import error as quad_error
+from ...precision.quad import quad_forces
+from ...robot.robot import Robot
+from .family import Curve, Family, distances
+from .sweep.judge import judge_poses
+from .sweep.machines import random_machine, random_motion
+from .sweep.sweep import condition_of
+
+Array = NDArray[np.float64]
+
+INPUTS = ("roll-pitch-yaw", "rotation matrix", "quaternion", "rotation vector")
+"""Ways to give an orientation and its rates."""
+
+_digits = mpmath.MPContext()
+_digits.dps = 50
+
+
+def families(seed: int = 4) -> list[Family]:
+    """Pitch walks to 90 degrees; the same turn given as angles, matrix, quaternion and rotation vector."""
+    rng = np.random.default_rng(seed)
+    robot = random_machine(rng)
+    moving = random_motion(rng, robot)
+    angles = [np.array([0.3, 0.5 * np.pi - distance, 0.2]) for distance in distances()]
+    rates = [_angle_rates(theta, moving) for theta in angles]
+    poses = [dataclasses.replace(moving, R=rotation_from_rpy(theta)) for theta in angles]
+    judged = judge_poses([robot] * len(poses), poses)
+    # What rounding the rates of the angles alone does to alpha, which the forces then feel.
+    fastest = np.array([np.abs(second).max() + np.abs(first).max() ** 2 for first, second in rates])
+    lost = 1.0 + fastest / np.abs(_given(moving.alpha)).max()
+    curves = []
+    for name in INPUTS:
+        error = [
+            _error(robot, pose, _rewritten(name, pose, theta, *rate)) / size
+            for pose, theta, rate, size in zip(poses, angles, rates, judged["size"], strict=True)
+        ]
+        condition = condition_of(judged) * (lost if name == INPUTS[0] else 1.0)
+        curves.append(Curve(name, np.array(error), condition, shipped=True))
+    second_rate = np.array([np.abs(second).max() for _, second in rates])
+    return [
+        Family(
+            "attitude",
+            "Orientation near a pitch of 90 degrees, by kind of input",
+            "roll-pitch-yaw at theta_y = 90 degrees",
+            "give a rotation matrix, quaternion or rotation vector: they have no pole; no status",
+            "pitch from 90 degrees, rad",
+            distances(),
+            tuple(curves),
+            {"largest second rate of the angles": second_rate},
+            "largest second rate of the angles, rad/s^2",
+            (
+                f"angles: second rates grow to {second_rate.max():.1e} rad/s^2 for the same motion, and "
+                "rounding them moves alpha; no kernel sees angles.",
+            ),
+        )
+    ]
+
+
+def _error(robot: Robot, pose: Motion, given: Motion) -> float:
+    found = inverse_dynamics(robot, given, on_singular="nan").F
+    return float(np.abs(quad_error(found, quad_forces(robot, pose, as_given=True))).max())
+
+
+def _rewritten(name: str, pose: Motion, theta: Array, first: Array, second: Array) -> Motion:
+    """The motion as its user would give it in another kind of input."""
+    omega, alpha, a = (_given(part) for part in (pose.omega, pose.alpha, pose.a))
+    load = {"F_ext": pose.F_ext, "M_ext": pose.M_ext}
+    if name == "roll-pitch-yaw":
+        return Motion.from_rpy(pose.t, theta, pose.v, first, a, second, **load)
+    if name == "quaternion":
+        e = quaternion_from_rotation(pose.R)
+        pure_omega, pure_alpha = (np.concatenate([[0.0], part]) for part in (omega, alpha))
+        e_dot = 0.5 * quaternion_product(pure_omega, e)
+        e_ddot = 0.5 * (quaternion_product(pure_alpha, e) + quaternion_product(pure_omega, e_dot))
+        return Motion.from_quaternion(pose.t, e, pose.v, e_dot, a, e_ddot, **load)
+    if name == "rotation vector":
+        phi = vector_from_rotation(pose.R)
+        phi_dot = vector_rate(phi, omega)
+        phi_ddot = vector_second_rate(phi, omega, alpha)
+        return Motion.from_rotation_vector(pose.t, phi, pose.v, phi_dot, a, phi_ddot, **load)
+    return pose
+
+
+def _angle_rates(theta: Array, motion: Motion) -> tuple[Array, Array]:
+    """Rates of the angles from omega = E theta', alpha = E theta'' + E' theta', at 50 digits."""
+    y, z = (_digits.mpf(float(angle)) for angle in theta[1:])
+    sy, cy, sz, cz = _digits.sin(y), _digits.cos(y), _digits.sin(z), _digits.cos(z)
+    E = _digits.matrix([[cz * cy, -sz, 0], [sz * cy, cz, 0], [-sy, 0, 1]])
+    omega, alpha = (_digits.matrix(_given(part).tolist()) for part in (motion.omega, motion.alpha))
+    first = _digits.lu_solve(E, omega)
+    dy, dz = first[1], first[2]
+    E_dot = _digits.matrix(
+        [
+            [-sz * cy * dz - cz * sy * dy, -cz * dz, 0],
+            [cz * cy * dz - sz * sy * dy, -sz * dz, 0],
+            [-cy * dy, 0, 0],
+        ]
+    )
+    second = _digits.lu_solve(E, alpha - E_dot * first)
+    return np.array([float(x) for x in first]), np.array([float(x) for x in second])
+
+
+def _given(part: Array | None) -> Array:
+    return np.zeros(3) if part is None else part

@@ -1,0 +1,178 @@
+"""Family 2: a leg comes to lie along its universal joint's fixed axis; ways to the sine between them."""
+
+import dataclasses
+
+import mpmath
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kinematics.inverse import leg_vectors
+from ...motion.motion import Motion
+from ...robot.robot import Robot
+from . import shipped
+from .family import Curve, Family, distances
+from .sweep.judge import judge_poses
+from .sweep.machines import LEGS, at_rest, random_machine, random_motion
+from .sweep.sweep import condition_of
+
+Array = NDArray[np.float64]
+
+FAILS = "leg along its universal joint's fixed axis"
+_digits = mpmath.MPContext()
+_digits.dps = 50
+
+
+def families(seed: int = 2) -> list[Family]:
+    """The spin of a leg, by ways to its sine; the forces of a moving general machine, and of one at rest;
+    what the closed form's kernels make of the moving one.
+    """
+    moving = _walk(seed, LEGS[0], rest=False)
+    resting = _walk(seed, LEGS[1], rest=True)
+    return [_spin(*moving), _forces(moving, resting), _resting(resting), _closed_form(*moving)]
+
+
+def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:
+    """A machine whose first fixed axis turns towards the leg."""
+    rng = np.random.default_rng(seed)
+    robot = random_machine(rng, legs=legs)
+    motion = random_motion(rng, robot)
+    motion = at_rest(motion) if rest else motion
+    _, S, L = leg_vectors(robot, motion.R, motion.t)
+    s = S[0] / L[0]
+    across = np.cross(s, robot.k[0])
+    across /= np.linalg.norm(across)
+    robots = []
+    for distance in distances():
+        k = robot.k.copy()
+        k[0] = np.cos(distance) * s + np.sin(distance) * across
+        robots.append(dataclasses.replace(robot, k=k))
+    return robots, [motion] * len(robots)
+
+
+def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot], list[Motion]]) -> Family:
+    judged, calm = judge_poses(*moving), judge_poses(*resting)
+    growth = {
+        "largest force, moving, N": judged["size"],
+        "largest force, axisymmetric at rest, N": calm["size"],
+        "condition, moving": condition_of(judged),
+        "condition, axisymmetric at rest": condition_of(calm),
+    }
+    fastest = float(judged["size"].max() / judged["size"][0])
+    return Family(
+        "pole_forces",
+        "Forces near the pole of a universal joint, moving machine",
+        FAILS,
+        "sine and frame from k x s; status 3 where the sine is rounding error",
+        "angle between leg 1 and its fixed axis, rad",
+        distances(),
+        shipped.curves(*moving),
+        growth,
+        "largest force, N, and condition number",
+        (
+            f"physics: the moving machine's largest force grows {fastest:.1e}-fold, for the leg must "
+            f"spin ever faster; at rest with axisymmetric legs it changes by "
+            f"{float(np.ptp(calm['size']) / calm['size'][0]):.1e} of itself.",
+        ),
+    )
+
+
+def _resting(resting: tuple[list[Robot], list[Motion]]) -> Family:
+    return Family(
+        "pole_at_rest",
+        "Forces near the pole, axisymmetric legs at rest: the problem itself does not care",
+        f"{FAILS}, at rest",
+        "status 3 where the sine is rounding error",
+        "angle between leg 1 and its fixed axis, rad",
+        distances(),
+        shipped.curves(*resting),
+    )
+
+
+def _closed_form(robots: list[Robot], motions: list[Motion]) -> Family:
+    return Family(
+        "joint_singularity_closed_form",
+        "Equations of motion, forward dynamics and derivatives near a leg's joint singularity",
+        FAILS,
+        "forward dynamics solved in joint coordinates; status 3 where the sine is rounding error",
+        "angle between leg 1 and its fixed axis, rad",
+        distances(),
+        shipped.closed_form_curves(robots, motions),
+        error_axis="error over each output's size",
+    )
+
+
+def _spin(robots: list[Robot], motions: list[Motion]) -> Family:
+    truth = [_exact_spin(robot, motion) for robot, motion in zip(robots, motions, strict=True)]
+    curves = []
+    for name in SINES:
+        error = np.full(len(robots), np.nan)
+        for i, (robot, motion, (spin, _)) in enumerate(zip(robots, motions, truth, strict=True)):
+            with np.errstate(all="ignore"):
+                found = _spin_of(robot, motion, name)
+            if np.isfinite(found):
+                error[i] = float(abs(_digits.mpf(float(found)) - spin) / abs(spin))
+        condition = np.array([float(1 / k_3) for _, k_3 in truth])
+        curves.append(Curve(name, error, condition))
+    return Family(
+        "pole_sine",
+        "Spin of a leg near the pole, by the way to its sine",
+        FAILS,
+        "",
+        "angle between leg 1 and its fixed axis, rad",
+        distances(),
+        tuple(curves),
+        error_axis="error over the spin",
+    )
+
+
+def _from_cosine(k: Array, s: Array) -> float:
+    return float(np.sqrt(1.0 - (k @ s) ** 2))
+
+
+def _from_product(k: Array, s: Array) -> float:
+    return float(np.linalg.norm(np.cross(k, s)))
+
+
+SINES = {
+    "sqrt(1 - (k.s)^2)": _from_cosine,
+    "|k x s|": _from_product,
+    "|k x s|, y made normal to s": _from_product,
+}
+"""Ways to the sine of the angle between a leg and its fixed axis."""
+
+
+def _spin_of(robot: Robot, motion: Motion, name: str) -> float:
+    """s.W of leg 1: kappa Wz with kappa = k.s/|k x s| and Wz = y.Sdot/L."""
+    q, S, L = leg_vectors(robot, motion.R, motion.t)
+    k, s = robot.k[0], S[0] / L[0]
+    S_dot = motion.v + np.cross(motion.omega, q[0])
+    k_3 = SINES[name](k, s)
+    y = np.cross(k, s) / k_3
+    if name.endswith("normal to s"):
+        y = y - (y @ s) * s
+        y = y / np.linalg.norm(y)
+    return float((k @ s) / k_3 * (y @ S_dot) / L[0])
+
+
+def _exact_spin(robot: Robot, motion: Motion) -> tuple[mpmath.mpf, mpmath.mpf]:
+    """The spin and the sine from the same numbers at 50 digits."""
+
+    def numbers(array: Array) -> list[mpmath.mpf]:
+        return [_digits.mpf(float(x)) for x in array]
+
+    def dot(a: list[mpmath.mpf], b: list[mpmath.mpf]) -> mpmath.mpf:
+        return _digits.fdot(a, b)
+
+    def cross(a: list[mpmath.mpf], b: list[mpmath.mpf]) -> list[mpmath.mpf]:
+        return [a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3] for i in range(3)]
+
+    k, p, b, t = (numbers(array) for array in (robot.k[0], robot.p[0], robot.b[0], motion.t))
+    q = [dot(numbers(row), p) for row in motion.R]
+    S = [q[i] + t[i] - b[i] for i in range(3)]
+    L = _digits.sqrt(dot(S, S))
+    s = [part / L for part in S]
+    turning = cross(numbers(motion.omega), q)
+    S_dot = [v + w for v, w in zip(numbers(motion.v), turning, strict=True)]
+    normal = cross(k, s)
+    k_3 = _digits.sqrt(dot(normal, normal))
+    return dot(k, s) / k_3 * dot(normal, S_dot) / k_3 / L, k_3

@@ -1,0 +1,178 @@
+"""Family 5: forward kinematics towards a singular pose, its certificate, and the basins of Newton's steps."""
+
+from dataclasses import dataclass
+
+import mpmath
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kinematics.certificate import certify_pose
+from ...kinematics.conditioning import characteristic_length, scaled_condition_number
+from ...kinematics.forward import forward_kinematics, jacobian, newton, solve
+from ...kinematics.inverse import leg_vectors
+from ...motion.rotation import orthonormal, rotation_from_vector
+from ...motion.trajectory import PATHS
+from ...robot.robot import Robot
+from .family import Curve, Family, distances
+from .singular import path_III
+from .sweep.machines import papers_machine
+
+Array = NDArray[np.float64]
+
+RIGHT, OTHER, LOST = 0, 1, 2
+OUTCOMES = ("the pose asked for", "another pose with these lengths", "no pose found")
+GRID = 81
+"""Start poses along each side of the picture."""
+
+_digits = mpmath.MPContext()
+_digits.dps = 50
+
+
+@dataclass(frozen=True, eq=False)
+class Basins:
+    """Outcomes from start poses turned about two axes, by method.
+
+    roll, yaw: angles of the start from the pose asked for, rad, (n,). outcome: (n, n) of ``OUTCOMES``, rows
+    of yaw, for each method. proven: share of a sample of the poses found that ``certify_pose`` proves. poses:
+    how many different poses with these lengths were found.
+    """
+
+    roll: Array
+    yaw: Array
+    outcome: dict[str, NDArray[np.int64]]
+    proven: float
+    poses: int
+
+    def share(self, method: str, outcome: int) -> float:
+        """Share of the starts that end so."""
+        return float(np.mean(self.outcome[method] == outcome))
+
+
+def families() -> list[Family]:
+    """Poses ever nearer to the crossing of Path III, found again from their lengths."""
+    robots, motions = path_III()
+    robot = robots[0]
+    n = len(motions)
+    error, status = np.full(n, np.nan), np.zeros(n, dtype=np.int32)
+    position, asked = np.full(n, np.nan), np.full(n, np.nan)
+    condition = np.empty(n)
+    for i, motion in enumerate(motions):
+        L = leg_vectors(robot, motion.R, motion.t)[2]
+        H = np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2)
+        condition[i] = scaled_condition_number(H, characteristic_length(robot))
+        found = forward_kinematics(robot, L, (motion.R, motion.t + 1e-6), "nan")
+        status[i] = found.status
+        if found.status:
+            continue
+        error[i] = _distance(robot, _exact_pose(robot, L, found.R, found.t), (found.R, found.t))
+        proof = certify_pose(robot, L, (found.R, found.t))
+        if proof.proven:
+            position[i], asked[i] = proof.position, proof.angle
+    size = float(np.abs(robot.b).max())
+    held = bool(np.all(~np.isfinite(position) | (error * size <= position + size * asked)))
+    nearest = distances()[np.isfinite(position)].min()
+    curve = Curve("forward kinematics", error, condition, status, shipped=True)
+    return [
+        Family(
+            "forward_kinematics",
+            "Forward kinematics towards the crossing of Path III",
+            "forward kinematics where two poses meet",
+            "status 4 from a condition number of 4e6; `certify_pose` proves a pose",
+            "time from the crossing, s",
+            distances(),
+            (curve,),
+            {"proven bound of the position, m": position, "proven bound of the angle, rad": asked},
+            "proven bound",
+            (
+                f"certificate: {int(np.isfinite(position).sum())} of {int((status == 0).sum())} proven, "
+                f"down to {nearest:.1e} s; every error below its bound: {'yes' if held else 'NO'}.",
+            ),
+            error_axis="error over the machine's reach",
+            growth_title="the certificate",
+        )
+    ]
+
+
+def basins(grid: int = GRID, proofs: int = 40) -> Basins:
+    """Turn the start about x and z away from a pose of the paper's machine, all round."""
+    robot = papers_machine()
+    motion = PATHS["I"].path.sample(0.0)
+    L = leg_vectors(robot, motion.R, motion.t)[2]
+    angles = np.linspace(-np.pi, np.pi, grid)
+    yaw, roll = (axis.ravel() for axis in np.meshgrid(angles, angles, indexing="ij"))
+    x, z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
+    R = rotation_from_vector(yaw[:, None] * z) @ rotation_from_vector(roll[:, None] * x) @ motion.R
+    t = np.broadcast_to(motion.t, (len(R), 3))
+    lengths = np.broadcast_to(L, (len(R), 6))
+    outcome: dict[str, NDArray[np.int64]] = {}
+    found_R, found_t, _, _, converged = newton(robot, lengths, R, t)
+    plain_R, plain_t, plain = _plain_newton(robot, lengths, R, t)
+    for name, at_R, at_t, good in (
+        ("Newton as it is", plain_R, plain_t, plain),
+        ("damped, as shipped", found_R, found_t, converged),
+    ):
+        near = (
+            np.linalg.norm(at_t - motion.t, axis=-1) + np.linalg.norm(at_R - motion.R, axis=(-2, -1)) < 1e-6
+        )
+        ends = np.where(good, np.where(near, RIGHT, OTHER), LOST)
+        outcome[name] = ends.reshape(grid, grid)
+    sample = np.flatnonzero(converged)[:: max(1, int(converged.sum()) // proofs)]
+    proven = certify_pose(robot, L, (found_R[sample], found_t[sample])).proven
+    modes = np.unique(
+        np.round(np.concatenate([found_t[converged], found_R[converged][:, 0]], axis=-1), 5), axis=0
+    )
+    return Basins(angles, angles, outcome, float(np.mean(proven)), len(modes))
+
+
+def _plain_newton(robot: Robot, L: Array, R: Array, t: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Newton's steps, whole and undamped, thirty of them."""
+    R, t = R.copy(), t.copy()
+    with np.errstate(all="ignore"):
+        for _ in range(30):
+            J = jacobian(robot, R, t)
+            good = np.asarray(np.isfinite(J).all(axis=(-2, -1)))
+            miss = np.where(good[:, None], L - leg_vectors(robot, R, t)[2], 0.0)
+            step, _ = solve(np.where(good[:, None, None], J, np.eye(6)), miss)
+            R = orthonormal(rotation_from_vector(step[:, 3:]) @ R)
+            t = t + step[:, :3]
+        miss = np.abs(L - leg_vectors(robot, R, t)[2]).max(axis=-1)
+    return R, t, np.asarray(miss < 1e-12)
+
+
+def _exact_pose(robot: Robot, L: Array, R: Array, t: Array) -> tuple[mpmath.matrix, mpmath.matrix]:
+    """The pose with exactly these lengths next to a found one, at 50 digits."""
+    turn, place = _digits.matrix(R.tolist()), _digits.matrix(t.tolist())
+    for _ in range(4):
+        turn = turn * (3 * _digits.eye(3) - turn.T * turn) / 2
+    for _ in range(60):
+        J, miss = _digits.matrix(6, 6), _digits.matrix(6, 1)
+        for i in range(6):
+            q = turn * _digits.matrix(robot.p[i].tolist())
+            S = q + place - _digits.matrix(robot.b[i].tolist())
+            row = [S[0], S[1], S[2], *_cross(q, S)]
+            for j in range(6):
+                J[i, j] = row[j]
+            miss[i] = (_digits.mpf(float(L[i])) ** 2 - _digits.fdot(S, S)) / 2
+        step = _digits.lu_solve(J, miss)
+        place = place + step[:3]
+        turn = _digits.expm(_skew(step[3:])) * turn
+        if max(abs(x) for x in step) < _digits.mpf(10) ** -35:
+            break
+    return turn, place
+
+
+def _distance(robot: Robot, exact: tuple[mpmath.matrix, mpmath.matrix], found: tuple[Array, Array]) -> float:
+    """Largest component of the difference in position, over the reach, and in the rotation."""
+    reach = float(np.abs(robot.b).max())
+    turn = max(abs(exact[0][i, j] - _digits.mpf(float(found[0][i, j]))) for i in range(3) for j in range(3))
+    place = max(abs(exact[1][i] - _digits.mpf(float(found[1][i]))) for i in range(3))
+    return float(max(place / reach, turn))
+
+
+def _cross(a: mpmath.matrix, b: mpmath.matrix) -> list[mpmath.mpf]:
+    return [a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3] for i in range(3)]
+
+
+def _skew(v: mpmath.matrix) -> mpmath.matrix:
+    x, y, z = v
+    return _digits.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])

@@ -1,0 +1,176 @@
+"""Every shipped road to the actuator forces along a family, beside 50 digits.
+
+Takes robots and motions pose by pose; returns curves. Knows no equation.
+"""
+
+import warnings
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...backend.kernel import robot_numbers
+from ...dynamics.equations import equations_of_motion
+from ...dynamics.forces import ForceKernel, prepare
+from ...dynamics.inverse import inverse_dynamics
+from ...kinematics.inverse import wrench_matrix
+from ...motion.motion import Motion
+from ...precision.quad import error as quad_error
+from ...precision.quad import quad_forces
+from ...precision.truth import Truth, deviation
+from ...results import NOT_FINITE, OK
+from ...robot.robot import Robot
+from .family import EPS, Array, Curve
+from .sweep.judge import CLOSED_KERNELS, closed_form_errors, judge_poses, motion_numbers
+from .sweep.sweep import condition_of
+
+FLOAT_EPS = float(np.finfo(np.float32).eps)
+
+
+def curves(robots: Sequence[Robot], motions: Sequence[Motion], in_float: bool = False) -> tuple[Curve, ...]:
+    """One curve for each road: forces alone of one pose and of a batch, every output in C and NumPy.
+
+    robots, motions: n each, motions of shape (). in_float: with the forces alone in float, whose inputs are
+    rounded to float first. The condition number is the problem's own, never less than the scaled one of H.
+    Raises native.CompilerError without ``__float128``.
+    """
+    judged = judge_poses(robots, motions)
+    truth = np.array([_truth(robot, motion) for robot, motion in zip(robots, motions, strict=True)])
+    found = [
+        _curve(name, road, robots, motions, truth, judged)
+        for name, road in (
+            ("forces, one pose", _one_pose),
+            ("forces, batch", _batch),
+            ("every output, C", lambda robot, motion: _every(robot, motion, "c")),
+            ("every output, NumPy", lambda robot, motion: _every(robot, motion, "numpy")),
+            ("closed form, H solved", _closed_form),
+        )
+    ]
+    return (*found, float_curve(robots, motions)) if in_float else tuple(found)
+
+
+def float_curve(robots: Sequence[Robot], motions: Sequence[Motion]) -> Curve:
+    """The forces alone in float, with inputs rounded to float and judged so."""
+    judged = judge_poses(robots, motions, "float")
+    condition = condition_of(judged)
+    return Curve(
+        "forces, float",
+        judged["error"][:, 0] * FLOAT_EPS,
+        np.where(judged["truth"] == OK, condition, np.inf),
+        judged["status"][:, 0].copy(),
+        shipped=True,
+        epsilon=FLOAT_EPS,
+        pose=judged["frames"].copy(),
+    )
+
+
+def closed_form_curves(robots: Sequence[Robot], motions: Sequence[Motion]) -> tuple[Curve, ...]:
+    """One curve for each kernel of the closed form: of its outputs the worst, beside quadruple precision."""
+    numbers = np.array([robot_numbers(robot) for robot in robots])
+    poses = np.array([motion_numbers(motion) for motion in motions])
+    found = closed_form_errors("pole", numbers, np.ones(len(numbers)), 1, 0, in_quad=True, motions=poses)
+    pose = np.maximum(found["frames"], found["scaled"])
+    return tuple(
+        Curve(
+            kernel.replace("_", " "),
+            np.where(error < 0.0, np.nan, error * condition) * EPS,
+            condition,
+            status.copy(),
+            shipped=True,
+            pose=pose,
+        )
+        for kernel, error, condition, status in zip(
+            CLOSED_KERNELS, found["error"].T, found["condition"].T, found["status"].T, strict=True
+        )
+    )
+
+
+def pose_condition(robots: Sequence[Robot], motions: Sequence[Motion]) -> Array:
+    """Condition number of poses: the problem's own, the scaled one of H, that of the legs' frames, (n,)."""
+    judged = judge_poses(robots, motions)
+    return np.asarray(np.maximum(condition_of(judged), judged["frames"]))
+
+
+def _curve(
+    name: str,
+    road: Any,
+    robots: Sequence[Robot],
+    motions: Sequence[Motion],
+    truth: NDArray[np.object_],
+    judged: NDArray[Any],
+) -> Curve:
+    error, status = np.full(len(robots), np.nan), np.zeros(len(robots), dtype=np.int32)
+    size = np.where(judged["truth"] == OK, judged["size"], 1.0)
+    for i, (robot, motion) in enumerate(zip(robots, motions, strict=True)):
+        F, status[i] = road(robot, motion)
+        if status[i] != OK or judged["truth"][i] != OK:
+            continue
+        if truth[i, 0] is not None:
+            off = deviation(F, truth[i])
+        else:
+            # Fifty digits refuse matrices of very unlike rows; quadruple precision pivots as the kernels do.
+            off = quad_error(F, quad_forces(robot, motion, as_given=True))
+        error[i] = np.abs(off).max() / size[i]
+    condition = np.where(judged["truth"] == OK, condition_of(judged), np.inf)
+    return Curve(name, error, condition, status, shipped=True, pose=judged["frames"].copy())
+
+
+def _truth(robot: Robot, motion: Motion) -> NDArray[np.object_]:
+    try:
+        return Truth(robot).forces(motion)
+    except ZeroDivisionError:
+        return np.full(6, None, dtype=object)
+
+
+def _one_pose(robot: Robot, motion: Motion) -> tuple[Array, int]:
+    kernel = _prepared(robot)
+    if kernel is None:
+        return np.full(6, np.nan), NOT_FINITE
+    F, status = kernel.forces_and_status(motion)
+    return F, int(status)
+
+
+def _prepared(robot: Robot) -> ForceKernel | None:
+    """None where the robot's constants overflow, which is said by an error."""
+    try:
+        return prepare(robot)
+    except ValueError:
+        return None
+
+
+def _batch(robot: Robot, motion: Motion) -> tuple[Array, int]:
+    """The pose in the middle of a full block of eight."""
+    many: dict[str, Any] = {
+        name: None if value is None else np.repeat(value[None], 8, axis=0)
+        for name, value in ((name, getattr(motion, name)) for name in vars(motion))
+    }
+    kernel = _prepared(robot)
+    if kernel is None:
+        return np.full(6, np.nan), NOT_FINITE
+    F, status = kernel.forces_and_status(Motion(**many))
+    return F[4], int(status[4])
+
+
+def _every(robot: Robot, motion: Motion, backend: Any) -> tuple[Array, int]:
+    with warnings.catch_warnings(), np.errstate(all="ignore"):
+        warnings.simplefilter("ignore", RuntimeWarning)
+        found = inverse_dynamics(robot, motion, backend=backend, on_singular="nan")
+    return found.F, int(found.status)
+
+
+def _closed_form(robot: Robot, motion: Motion) -> tuple[Array, int]:
+    """F of H F = M [a; alpha] + bias - W_ext, by NumPy's elimination, which asks nothing of H."""
+    if _prepared(robot) is None:
+        return np.full(6, np.nan), NOT_FINITE
+    found = equations_of_motion(robot, motion, on_singular="nan")
+    if int(found.status) != OK or motion.a is None or motion.alpha is None:
+        return np.full(6, np.nan), int(found.status)
+    load = np.concatenate(
+        [motion.R @ (np.zeros(3) if part is None else part) for part in (motion.F_ext, motion.M_ext)]
+    )
+    wrench = found.M @ np.concatenate([motion.a, motion.alpha]) + found.bias - load
+    try:
+        return np.linalg.solve(wrench_matrix(robot, motion), wrench), OK
+    except (np.linalg.LinAlgError, ValueError):
+        return np.full(6, np.nan), OK

@@ -1,0 +1,168 @@
+"""Families 1: H becomes singular, in four ways; candidate solves beside the shipped kernels."""
+
+import mpmath
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.damping import damped_solution
+from ...kinematics.conditioning import characteristic_length
+from ...kinematics.inverse import leg_vectors
+from ...motion.motion import Motion
+from ...motion.rotation import cross, rotation_from_rpy, rotation_from_vector, rpy_from_rotation
+from ...motion.trajectory import PATHS
+from ...reference.newton_euler import actuator_wrench
+from ...robot.robot import Robot
+from . import shipped
+from .family import Curve, Family, distances
+from .solves import CANDIDATES
+from .sweep.machines import (
+    flat,
+    meeting_one_line,
+    papers_machine,
+    posed,
+    random_machine,
+    random_motion,
+    similar_hexagons,
+)
+
+Array = NDArray[np.float64]
+
+FAILS = "H singular"
+REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding error beside its row"
+
+DAMPED = "damped least squares"
+"""As ``on_singular="damped"`` has it: bounded forces of another wrench, which it tells."""
+
+_digits = mpmath.MPContext()
+_digits.dps = 50
+
+
+def families(seed: int = 6) -> list[Family]:
+    """Crossing of Path III, similar hexagons at 90 degrees, six lines meeting one line, a flat pose."""
+    return [
+        _family(
+            "singular_path_III", "Path III crosses a singular pose", "time from the crossing, s", *path_III()
+        ),
+        _family(
+            "singular_hexagons",
+            "Similar hexagons turned by 90 degrees",
+            "angle from 90 degrees, rad",
+            *_hexagons(np.random.default_rng(seed)),
+        ),
+        _family(
+            "singular_line",
+            "Six legs meet one line",
+            "turn away from that pose, rad",
+            *_line(np.random.default_rng(seed)),
+        ),
+        _family(
+            "singular_flat",
+            "Six legs in one plane",
+            "height over the plane, m",
+            *_flat(np.random.default_rng(seed)),
+        ),
+    ]
+
+
+def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
+    """Every candidate on H x = c as double has them, beside 50 digits of the same H and c."""
+    systems = [_system(robot, motion) for robot, motion in zip(robots_, motions, strict=True)]
+    lengths = [characteristic_length(robot) for robot in robots_]
+    condition = np.array([_condition(H, length) for (H, _), length in zip(systems, lengths, strict=True)])
+    truth = [_exact(H, c) for H, c in systems]
+    found = []
+    for name in (*CANDIDATES, DAMPED):
+        error = np.full(len(systems), np.nan)
+        for i, ((H, c), x) in enumerate(zip(systems, truth, strict=True)):
+            if x is None:
+                continue
+            with np.errstate(all="ignore"):
+                got = damped_solution(H, c, lengths[i])[0] if name == DAMPED else CANDIDATES[name](H, c)
+            if np.isfinite(got).all():
+                worst = max(abs(_digits.mpf(float(a)) - b) for a, b in zip(got, x, strict=True))
+                error[i] = float(worst / max(abs(b) for b in x))
+        found.append(Curve(name, error, condition))
+    return found
+
+
+def crossing_of_path_III() -> float:
+    """Time, s, at which det H changes its sign on Path III, to rounding."""
+    robot, path = papers_machine(), PATHS["III"].path
+
+    def side(time: float) -> float:
+        return float(np.linalg.det(_wrench_matrix(robot, path.sample(time))))
+
+    times = path.times(PATHS["III"].dtau)
+    sides = np.array([side(float(time)) for time in times])
+    first = int(np.flatnonzero(np.diff(np.sign(sides)))[0])
+    low, high = float(times[first]), float(times[first + 1])
+    start = np.sign(sides[first])
+    while low < (middle := 0.5 * (low + high)) < high:
+        low, high = (middle, high) if np.sign(side(middle)) == start else (low, middle)
+    return low
+
+
+def _family(name: str, title: str, axis: str, robots_: list[Robot], motions: list[Motion]) -> Family:
+    curves = (*solve_curves(robots_, motions), *shipped.curves(robots_, motions))
+    return Family(name, title, FAILS, REMEDY, axis, distances(), curves)
+
+
+def path_III() -> tuple[list[Robot], list[Motion]]:
+    """Poses of the paper's machine ever nearer to the crossing, on the tangent of Path III before it."""
+    robot, path, crossing = papers_machine(), PATHS["III"].path, crossing_of_path_III()
+    moving = path.sample(crossing)
+    theta = rpy_from_rotation(moving.R)
+    # Along the tangent, beyond the ends of the path too.
+    before, after = (rpy_from_rotation(path.sample(crossing + h).R) for h in (-1e-3, 1e-3))
+    theta_dot = (after - before) / 2e-3
+    motions = []
+    for distance in distances():
+        R = rotation_from_rpy(theta - distance * theta_dot)
+        motions.append(posed(moving, R, moving.t - distance * moving.v))
+    return [robot] * len(motions), motions
+
+
+def _hexagons(rng: np.random.Generator) -> tuple[list[Robot], list[Motion]]:
+    robot = similar_hexagons(rng)
+    moving = random_motion(rng, robot)
+    turn = [rotation_from_vector(np.array([0.0, 0.0, 0.5 * np.pi - d])) for d in distances()]
+    return [robot] * len(turn), [posed(moving, R, moving.t) for R in turn]
+
+
+def _line(rng: np.random.Generator) -> tuple[list[Robot], list[Motion]]:
+    moving = random_motion(rng, random_machine(rng))
+    robot = meeting_one_line(rng, moving)
+    axis = np.array([0.6, 0.64, 0.48])
+    motions = [posed(moving, rotation_from_vector(d * axis) @ moving.R, moving.t) for d in distances()]
+    return [robot] * len(motions), motions
+
+
+def _flat(rng: np.random.Generator) -> tuple[list[Robot], list[Motion]]:
+    robot = flat(rng)
+    moving = random_motion(rng, robot)
+    R = rotation_from_vector(np.array([0.0, 0.0, 0.4]))
+    aside = np.array([0.1, 0.07, 0.0])
+    motions = [posed(moving, R, aside + np.array([0.0, 0.0, d])) for d in distances()]
+    return [robot] * len(motions), motions
+
+
+def _system(robot: Robot, motion: Motion) -> tuple[Array, Array]:
+    return _wrench_matrix(robot, motion), actuator_wrench(robot, motion)[0]
+
+
+def _wrench_matrix(robot: Robot, motion: Motion) -> Array:
+    q, S, L = leg_vectors(robot, motion.R, motion.t)
+    s = S / L[..., None]
+    return np.asarray(np.concatenate([s, cross(q, s)], axis=-1).T)
+
+
+def _condition(H: Array, length: float) -> float:
+    sigma = np.linalg.svd(H / np.repeat([1.0, length], 3)[:, None], compute_uv=False)
+    return float(sigma[0] / max(sigma[-1], np.finfo(np.float64).tiny))
+
+
+def _exact(H: Array, c: Array) -> list[mpmath.mpf] | None:
+    try:
+        return list(_digits.lu_solve(_digits.matrix(H.tolist()), _digits.matrix(c.tolist())))
+    except ZeroDivisionError:
+        return None

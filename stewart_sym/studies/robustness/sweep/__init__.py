@@ -1,0 +1,1 @@
+"""Random cases near degenerate configurations, with an oracle in wider arithmetic."""

@@ -1,0 +1,306 @@
+"""Answers of the shipped C judged in wider arithmetic: error over the problem's own condition number.
+
+Compiles the plain elimination kernel for ``long double`` and ``__float128`` beside the shipped kernels in
+double and float; wider types share neither regrouping nor preparation with the fast ones. The problem's own
+condition number is what relative changes of the inputs by one unit do to F: measured by random changes of
+every quantity, over the largest of |F|, |D|, |x|. Knows the layout of ``stewart.h`` and no equation.
+"""
+
+import ctypes
+import functools
+import math
+from collections.abc import Sequence
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....backend import native
+from ....backend.kernel import MOTION, address, c_sources, loaded, robot_numbers
+from ....dynamics import closed_form
+from ....motion.motion import Motion
+from ....robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+KERNELS = ("one pose", "batch", "every output")
+"""Shipped kernels that are judged."""
+CLOSED_KERNELS = tuple(closed_form.OUTPUTS)
+"""Shipped kernels of the closed form that are held against wider arithmetic."""
+KINDS = (
+    *("singular", "pole", "short leg", "scales", "pole and singular", "heavy leg", "proportions"),
+    "singular machine",
+)
+"""Failures that random cases come near to, and machines that are singular at every pose."""
+DOUBTFUL = 100.0
+"""Error over the condition number above which long double is not trusted to tell it, nor random changes of
+the inputs the condition number: each input is changed by itself then, and what they do is added up."""
+SAMPLES = 3
+"""Random changes of the inputs by which a condition number is measured."""
+
+MACHINE = KINDS[-1]
+"""The kind whose robots must be singular at every pose: whatever has H to solve must give a status."""
+
+RESULT = np.dtype(
+    [
+        ("distance", np.float64),
+        ("size", np.float64),
+        ("own", np.float64),
+        ("scaled", np.float64),
+        ("frames", np.float64),
+        ("error", np.float64, (len(KERNELS),)),
+        ("truth", np.int32),
+        ("in_quad", np.int32),
+        ("status", np.int32, (len(KERNELS),)),
+        ("made", np.int32),
+    ]
+)
+"""Of a case: distance from the failure; size, the largest of |F|, |D| and |x|, N; the problem's own condition
+number, the scaled one of H and that of the legs' frames, the largest of 1 over |k x s| and of the terms of S
+over L; error of each kernel, in rounding units of the size, NaN without an answer; status of the truth;
+whether it was judged in quadruple precision; status of each kernel; whether such a case was found."""
+
+CLOSED_RESULT = np.dtype(
+    [
+        *((name, np.float64) for name in ("distance", "scaled", "frames")),
+        *((name, np.float64, (len(CLOSED_KERNELS),)) for name in ("error", "condition")),
+        *((name, np.int32, (len(CLOSED_KERNELS),)) for name in ("block", "status", "truth")),
+        *((name, np.int32) for name in ("made", "in_quad")),
+    ]
+)
+"""Of a case: as in ``RESULT``, and of each kernel of ``CLOSED_KERNELS`` the largest error of its blocks, in
+rounding units of the block's size times its condition number, -1 where unsolvable; that condition number and
+the block's index in ``BLOCKS``. A block's condition number is what changes of every input by a rounding unit
+of itself do to it; of kind "proportions" at least the scaled one of H."""
+
+_POWERS = {
+    **dict.fromkeys(("M", "C"), (-1, -1)),
+    **dict.fromkeys(("g", "friction", "bias", "H", "H_dot"), (-1, 0)),
+    "acceleration": (1, 0),
+    "inertia": (0, 0),
+    "F": (0, 0),
+    **dict.fromkeys(("by_pose", "by_twist", "by_acceleration"), (0, -1)),
+    "A": (1, -1),
+    "B": (1, 0),
+}
+"""Powers of the platform's size by which the last three rows and columns of six are multiplied."""
+_PARTS = {"A": {"A by pose": (6, 0), "A by twist": (6, 6)}, "B": {"B": (6, 0)}}
+"""Names of the parts of a matrix of which something is known, six by six, and where they begin."""
+
+
+def _blocks() -> dict[str, tuple[int, ...]]:
+    found: dict[str, tuple[int, ...]] = {}
+    start = 0
+    names = [name for outputs in closed_form.OUTPUTS.values() for name in outputs]
+    for kernel, (what, outputs) in enumerate(closed_form.OUTPUTS.items()):
+        for name, shape in outputs.items():
+            columns = shape[1] if len(shape) > 1 else 1
+            whole = name if names.count(name) == 1 else f"{name} of {what}"
+            whole = what.replace("_", " ") if len(outputs) == 1 else whole
+            for part, (row, column) in _PARTS.get(name, {whole: (0, 0)}).items():
+                place = start + row * columns + column
+                found[part] = (kernel, place, 6, min(columns, 6), columns, *_POWERS[name])
+            start += math.prod(shape)
+    return found
+
+
+BLOCKS = _blocks()
+"""Outputs of the closed form's kernels: kernel, offset, rows, columns, stride, and the powers of the
+platform's size by which the last three rows and columns are multiplied to be comparable with the first."""
+
+# Of the linker's libraries that stand before the sources, only those kept by force are linked.
+_FLAGS = ("-Wl,--no-as-needed", "-lquadmath")
+_SOURCES = {
+    "wide": ("WIDE", ("wider", "prepare", "closed_form")),
+    "quad": ("QUAD", ("wider", "prepare", "closed_form")),
+    "double": ("IN_DOUBLE", ("every_output", "forces", "closed_form")),
+    "float": ("IN_FLOAT", ("every_output", "forces", "closed_form")),
+}
+"""Arithmetics: the macro that ``arithmetic.h`` goes by, and the C files that are compiled for each."""
+
+
+def judge_poses(
+    robots: Sequence[Robot], motions: Sequence[Motion], precision: str = "double", samples: int = SAMPLES
+) -> NDArray[Any]:
+    """Judge the answers to poses in quadruple precision: one record of ``RESULT`` each, (n,).
+
+    robots, motions: n each, motions of shape (). Raises native.CompilerError without ``__float128``.
+    """
+    numbers = np.array([robot_numbers(robot) for robot in robots])
+    poses = np.array([motion_numbers(motion) for motion in motions])
+    if precision == "float":
+        numbers, poses = (array.astype(np.float32).astype(np.float64) for array in (numbers, poses))
+    results = np.zeros(len(numbers), dtype=RESULT)
+    _judge(0, precision, True, samples, 0.0, 0, numbers, np.zeros(len(numbers)), poses, 1, results)
+    return results
+
+
+def judge_random(
+    kind: str,
+    numbers: Array,
+    sizes: Array,
+    each: int,
+    seed: int,
+    precision: str = "double",
+    samples: int = SAMPLES,
+    doubtful: float = DOUBTFUL,
+) -> NDArray[Any]:
+    """Judge random cases near a failure, ``each`` of every robot: records of ``RESULT``, (robots * each,).
+
+    kind: of ``KINDS``. numbers: robots as in ``struct stewart_robot``, (robots, 205), and their sizes, m.
+    Distances are spread evenly in their logarithm, from 1 to a tenth of a rounding unit. Doubtful answers
+    are judged again in quadruple precision. Raises native.CompilerError without ``__float128``.
+    """
+    results = np.zeros(len(numbers) * each, dtype=RESULT)
+    _judge(
+        KINDS.index(kind),
+        precision,
+        False,
+        samples,
+        _nearest(precision),
+        seed,
+        numbers,
+        sizes,
+        None,
+        each,
+        results,
+        doubtful,
+    )
+    return results
+
+
+def closed_form_errors(
+    kind: str,
+    numbers: Array,
+    sizes: Array,
+    each: int,
+    seed: int,
+    precision: str = "double",
+    samples: int = SAMPLES,
+    kernels: tuple[str, ...] = CLOSED_KERNELS,
+    in_quad: bool = False,
+    motions: Array | None = None,
+    doubtful: float = DOUBTFUL,
+) -> NDArray[Any]:
+    """The closed form's kernels on the cases of ``judge_random``: records of ``CLOSED_RESULT``.
+
+    kernels: which of ``CLOSED_KERNELS``. in_quad: in quadruple precision throughout, else in long double with
+    the doubtful ones again. motions: given ones, (robots * each, 30), in place of random ones. Of machines
+    that are singular at every pose the statuses alone. Raises native.CompilerError without ``__float128``.
+    """
+    results = np.zeros(len(numbers) * each, dtype=CLOSED_RESULT)
+    blocks = np.array([*BLOCKS.values()], dtype=np.int32)
+    _library().closed_form_cases(
+        ctypes.c_int(KINDS.index(kind)),
+        ctypes.c_int(precision == "float"),
+        ctypes.c_int(in_quad),
+        ctypes.c_int(samples),
+        ctypes.c_double(_nearest(precision)),
+        ctypes.c_uint64(seed),
+        ctypes.c_size_t(len(numbers)),
+        address(np.ascontiguousarray(numbers)),
+        address(np.ascontiguousarray(sizes)),
+        address(None if motions is None else np.ascontiguousarray(motions)),
+        ctypes.c_size_t(each),
+        ctypes.c_int(sum(1 << CLOSED_KERNELS.index(kernel) for kernel in kernels)),
+        address(blocks),
+        ctypes.c_int(len(blocks)),
+        ctypes.c_double(doubtful),
+        address(results),
+    )
+    return results
+
+
+def random_case(
+    kind: str, numbers: Array, sizes: Array, each: int, seed: int, index: int, precision: str = "double"
+) -> tuple[Array, Array]:
+    """Robot's numbers, (205,), and the motion's, (30,), of the case that ``judge_random`` has at an index."""
+    mine, motion = np.zeros(numbers.shape[1]), np.zeros(30)
+    _library().show_case(
+        ctypes.c_int(KINDS.index(kind)),
+        ctypes.c_int(precision == "float"),
+        ctypes.c_double(_nearest(precision)),
+        ctypes.c_uint64(seed),
+        ctypes.c_size_t(index),
+        address(np.ascontiguousarray(numbers[index // each])),
+        ctypes.c_double(sizes[index // each]),
+        address(mine),
+        address(motion),
+    )
+    return mine, motion
+
+
+def motion_numbers(motion: Motion) -> Array:
+    """A motion of shape () as the numbers of ``struct stewart_motion``, (30,)."""
+    given = loaded(motion)
+    return np.concatenate([np.ravel(getattr(given, name)) for name in MOTION])
+
+
+def _nearest(precision: str) -> float:
+    """Decades from 1 to the nearest distance."""
+    epsilon = np.finfo(np.float64 if precision == "double" else np.float32).eps
+    return float(1.0 - np.log10(epsilon))
+
+
+def _judge(
+    kind: int,
+    precision: str,
+    in_quad: bool,
+    samples: int,
+    nearest: float,
+    seed: int,
+    numbers: Array,
+    sizes: Array,
+    motions: Array | None,
+    each: int,
+    results: NDArray[Any],
+    doubtful: float = DOUBTFUL,
+) -> None:
+    _library().sweep_cases(
+        ctypes.c_int(kind),
+        ctypes.c_int(precision == "float"),
+        ctypes.c_int(in_quad),
+        ctypes.c_int(samples),
+        ctypes.c_double(nearest),
+        ctypes.c_uint64(seed),
+        ctypes.c_size_t(len(numbers)),
+        address(np.ascontiguousarray(numbers)),
+        address(np.ascontiguousarray(sizes)),
+        address(None if motions is None else np.ascontiguousarray(motions)),
+        ctypes.c_size_t(each),
+        ctypes.c_double(doubtful),
+        address(results),
+    )
+
+
+def sources() -> dict[str, str]:
+    """File name -> text of the sweep's C.
+
+    Kernels, and what is compiled once for each arithmetic, are headers ``<name>_text.h`` that a source for
+    each includes under names of its own.
+    """
+    every = c_sources("exact") | closed_form.c_sources()
+    own = {
+        path.name: path.read_text(encoding="utf-8") for path in files(__package__).iterdir() if _is_c(path)
+    }
+    repeated = {part for _, parts in _SOURCES.values() for part in parts}
+    found = {}
+    for name, text in (every | own).items():
+        stem = name.removesuffix(".c")
+        as_header = name.endswith(".c") and (name in every or stem in repeated)
+        found[f"{stem}_text.h" if as_header else name] = text
+    for name, (macro, parts) in _SOURCES.items():
+        for part in parts:
+            found[f"{name}_{part}.c"] = f'#define {macro}\n#include "{part}_text.h"\n'
+    return found
+
+
+def _is_c(path: Traversable) -> bool:
+    return path.name.endswith((".c", ".h"))
+
+
+@functools.cache
+def _library() -> ctypes.CDLL:
+    return native.load("stewart_sweep", sources(), _FLAGS)

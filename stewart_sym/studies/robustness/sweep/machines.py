@@ -1,0 +1,159 @@
+"""Machines and motions of the atlas: general and special, of any size and mass, every leg its own.
+
+Knows Robot and Motion only.
+"""
+
+import dataclasses
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .... import robots
+from ....motion.motion import Motion
+from ....motion.rotation import rotation_from_vector
+from ....robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+GRAVITY = 9.81
+LEGS = ("general", "axisymmetric", "slender", "nearly massless")
+"""Of which physics the legs of a random machine are."""
+
+_BASE = np.radians([-12.0, 12.0, 108.0, 132.0, 228.0, 252.0])
+_PLATFORM = np.radians([-48.0, 48.0, 72.0, 168.0, 192.0, -72.0])
+# Corners of a hexagon of two side lengths, and of the same hexagon turned by 60 degrees, leg by leg.
+_PAIRS = (-20.0, 20.0, 100.0, 140.0, 220.0, 260.0)
+_PAIRS_TURNED = (-40.0, 40.0, 80.0, 160.0, 200.0, 280.0)
+
+
+def random_machine(
+    rng: np.random.Generator, size: float = 1.0, mass: float = 10.0, legs: str = "general"
+) -> Robot:
+    """A machine of random legs and points. size: radius of the base, m; mass: of the platform, kg.
+
+    legs: of ``LEGS``. Fixed axes lie at 45 degrees or more from the legs of the home pose.
+    """
+    b, p = (
+        radius * (_ring(angles) + 0.08 * rng.normal(size=(6, 3)))
+        for radius, angles in ((size, _BASE), (0.6 * size, _PLATFORM))
+    )
+    m_d, m_u = mass * 10.0 ** rng.uniform(-1.0, 1.0, (2, 6)) * (1e-12 if legs == LEGS[3] else 1.0)
+    aside = 0.1 if legs == LEGS[0] else 0.0
+    along = rng.uniform(0.1, 0.6, (2, 6))
+    off = aside * rng.normal(size=(2, 6, 2))
+    damping = mass * np.sqrt(GRAVITY / size) * rng.uniform(0.02, 0.2, (3, 6))
+    damping *= 1.0 if legs == LEGS[0] else 0.0
+    home = b.mean(axis=0) + np.array([0.0, 0.0, 1.1 * size]) + p - b
+    return Robot(
+        name=f"random, {legs} legs",
+        base_joint="universal",
+        g=GRAVITY * _unit(np.array([0.0, 0.0, -1.0]) + 0.5 * rng.normal(size=3)),
+        M=mass,
+        R_0=0.2 * size * rng.normal(size=3),
+        I_p=mass * size * size * _inertia(rng, LEGS[0]),
+        b=b,
+        p=p,
+        k=np.array([_across(rng, direction) for direction in home]),
+        m_d=m_d,
+        r_d0=size * np.column_stack([along[0], off[0]]),
+        I_d0=np.array([m * size * size * _inertia(rng, legs) for m in m_d]),
+        m_u=m_u,
+        r_u0=size * np.column_stack([-along[1], off[1]]),
+        I_u0=np.array([m * size * size * _inertia(rng, legs) for m in m_u]),
+        C_u=damping[0] * size * size,
+        C_p=damping[1],
+        C_s=damping[2] * size * size,
+    )
+
+
+def papers_machine() -> Robot:
+    """The paper's machine."""
+    return robots.dasgupta1998()
+
+
+def random_motion(rng: np.random.Generator, robot: Robot) -> Motion:
+    """A pose about the home pose with rates of the machine's own scale of time and a load; shape ()."""
+    size, weight = machine_size(robot), robot.M * GRAVITY
+    rate = float(np.sqrt(GRAVITY / size))
+    at_home = robot.b.mean(axis=0) + np.array([0.0, 0.0, 1.1 * size])
+    return Motion(
+        rotation_from_vector(0.2 * rng.normal(size=3)),
+        at_home + 0.15 * size * rng.normal(size=3),
+        omega=0.5 * rate * rng.normal(size=3),
+        v=0.5 * rate * size * rng.normal(size=3),
+        alpha=0.5 * rate**2 * rng.normal(size=3),
+        a=0.5 * rate**2 * size * rng.normal(size=3),
+        F_ext=weight * rng.normal(size=3),
+        M_ext=weight * size * rng.normal(size=3),
+    )
+
+
+def at_rest(motion: Motion) -> Motion:
+    """The pose and load of a motion without velocities and accelerations."""
+    none = np.zeros_like(motion.t)
+    return dataclasses.replace(motion, omega=none, v=none, alpha=none, a=none)
+
+
+def posed(motion: Motion, R: Array, t: Array) -> Motion:
+    """The rates, accelerations and load of a motion in another pose."""
+    return dataclasses.replace(motion, R=R, t=t)
+
+
+def machine_size(robot: Robot) -> float:
+    """Root mean square distance of the base points from their mean, m."""
+    from_mean = robot.b - robot.b.mean(axis=0)
+    largest = float(np.abs(from_mean).max())
+    return largest * float(np.sqrt(np.mean(np.sum((from_mean / largest) ** 2, axis=-1))))
+
+
+def similar_hexagons(rng: np.random.Generator) -> Robot:
+    """A general machine of similar plane hexagons, the platform's turned by 60 degrees at home.
+
+    Turned by 90 degrees about the normal from there it is singular at any place (Fichter, 1986).
+    """
+    b, p = (_ring(np.radians(angles)) for angles in (_PAIRS, _PAIRS_TURNED))
+    return dataclasses.replace(random_machine(rng), b=b, p=0.6 * p)
+
+
+def meeting_one_line(rng: np.random.Generator, motion: Motion) -> Robot:
+    """A general machine whose six legs in that pose, prolonged, meet one line in space."""
+    robot = random_machine(rng)
+    tips = robot.p @ motion.R.T + motion.t
+    direction = _unit(rng.normal(size=3))
+    start = tips.mean(axis=0) + np.array([0.0, 0.0, 1.5]) + 0.3 * rng.normal(size=3)
+    met = start + np.linspace(-1.0, 1.0, 6)[:, None] * direction
+    return dataclasses.replace(robot, b=tips + rng.uniform(0.6, 0.9, (6, 1)) * (tips - met))
+
+
+def flat(rng: np.random.Generator) -> Robot:
+    """A general machine whose base and platform are plane, so that all six legs can lie in one plane."""
+    robot = random_machine(rng)
+    plane = np.array([1.0, 1.0, 0.0])
+    return dataclasses.replace(robot, b=robot.b * plane, p=robot.p * plane)
+
+
+def _ring(angles: Array) -> Array:
+    return np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
+
+
+def _across(rng: np.random.Generator, direction: Array) -> Array:
+    while True:
+        k = _unit(rng.normal(size=3))
+        if np.linalg.norm(np.cross(k, _unit(direction))) > np.sqrt(0.5):
+            return k
+
+
+def _inertia(rng: np.random.Generator, legs: str) -> Array:
+    """Inertia over mass and size squared of a cloud of four mass points: a body by construction."""
+    points = 0.15 * rng.normal(size=(4, 3)) * (np.array([1.0, 0.0, 0.0]) if legs == "slender" else 1.0)
+    if legs != LEGS[0]:
+        along, across = np.mean(points[:, 0] ** 2), np.mean(points[:, 1:] ** 2)
+        return np.diag([2.0 * across, along + across, along + across])
+    second = np.einsum("ni,nj->ij", points, points) / 4.0
+    return np.asarray(np.trace(second) * np.eye(3) - second)
+
+
+def _unit(vector: Array) -> Array:
+    # By the largest component first: squares of lengths may leave the range.
+    vector = vector / np.abs(vector).max()
+    return np.asarray(vector / np.linalg.norm(vector))

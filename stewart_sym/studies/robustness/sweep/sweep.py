@@ -1,0 +1,295 @@
+"""Random cases near failure by the million: no wrong answer with status ok, no status on a good pose.
+
+Makes machines, some of them singular at every pose; ``judge`` makes the cases and holds the answers against
+wider arithmetic; counts.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....backend.kernel import robot_numbers
+from ....results import OK, STATUS_TEXT
+from ...common.table import aligned
+from .judge import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, closed_form_errors, judge_random, random_case
+from .machines import LEGS, machine_size, random_machine
+from .singular_machines import FAMILIES, singular_machine
+
+Array = NDArray[np.float64]
+
+WRONG = 1000.0
+"""Rounding units over the problem's own condition number above which an answer is wrong."""
+GOOD = {"double": 1e12, "float": 1e3}
+"""Condition number below which a pose must get an answer: the largest of the problem's own, the scaled one of
+H and that of the legs' frames."""
+SIZES, MASSES = (1e-4, 1e3), (1e-6, 1e6)
+"""Extremes of a machine's size, m, and mass, kg."""
+PER_MACHINE = 500
+FLOAT_SHARE = 10
+"""Cases in double for one in float."""
+CLOSED_SHARE = 10
+"""Cases of the force kernels for one of the closed form's, whose truth costs more."""
+CLOSED = ("forward_dynamics", "joint_inertia", "derivatives")
+"""Kernels of the closed form in the sweep; on machines singular at every pose all but the first."""
+
+
+@dataclass(frozen=True)
+class Case:
+    """One case worth showing: numbers of the C structures ``stewart_robot`` and ``stewart_motion``.
+
+    error: in rounding units; condition: the problem's own; distance: from the failure.
+    """
+
+    kind: str
+    precision: str
+    kernel: str
+    distance: float
+    error: float
+    condition: float
+    status: int
+    robot: Array
+    motion: Array
+
+    @property
+    def text(self) -> str:
+        """One line."""
+        return (
+            f"{self.kind}, {self.precision}, {self.kernel}: {STATUS_TEXT[self.status]}, error "
+            f"{self.error:.3g} units at condition {self.condition:.3g}, distance {self.distance:.3g}"
+        )
+
+
+@dataclass(frozen=True)
+class Count:
+    """One kernel on one kind of cases.
+
+    cases: how many. answered: with status ok. wrong: of those, how many err by more than ``WRONG`` units
+    times the condition number. refused_good: cases with a status, their condition number below ``GOOD``.
+    worst: largest error over condition number with status ok, at distance ``where``. lowest: least
+    condition number of a case with a status, inf if there is none.
+    """
+
+    kind: str
+    precision: str
+    kernel: str
+    cases: int
+    answered: int
+    wrong: int
+    refused_good: int
+    worst: float
+    where: float
+    lowest: float
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """All counts, the worst cases of them, and how many were judged in quadruple precision."""
+
+    counts: tuple[Count, ...]
+    shown: tuple[Case, ...]
+    in_quad: int
+
+    @property
+    def cases(self) -> int:
+        """Cases in all, each put to every kernel of forces."""
+        return sum(count.cases for count in self.counts if count.kernel == KERNELS[0])
+
+    @property
+    def wrong(self) -> int:
+        """Wrong answers with status ok."""
+        return sum(count.wrong for count in self.counts)
+
+    @property
+    def refused_good(self) -> int:
+        """Statuses on good poses."""
+        return sum(count.refused_good for count in self.counts)
+
+
+def sweep(
+    cases: int,
+    seed: int = 0,
+    progress: Callable[[str], None] = lambda _: None,
+    kinds: tuple[str, ...] = KINDS,
+    legs: tuple[str, ...] = LEGS,
+) -> Sweep:
+    """Judge random cases near failure in double, and a tenth as many in float, in equal parts of each kind.
+
+    kinds: of ``KINDS``; legs: of the machines, of ``LEGS``, in turn.
+    Raises ValueError for less than one case of each, native.CompilerError without ``__float128``.
+    """
+    if cases < len(kinds) * FLOAT_SHARE:
+        raise ValueError(f"cases: expected at least {len(kinds) * FLOAT_SHARE}, got {cases}")
+    counts: list[Count] = []
+    shown: list[Case] = []
+    in_quad = 0
+    for precision, share in (("double", 1), ("float", FLOAT_SHARE)):
+        for kind in kinds:
+            progress(f"computing {kind}, {precision}")
+            wanted = -(-cases // (share * len(kinds)))
+            each = min(PER_MACHINE, max(1, wanted // 20))
+            rng = np.random.default_rng([seed, KINDS.index(kind)])
+            numbers, sizes = random_machines(rng, -(-wanted // each), legs, kind == MACHINE)
+            found = judge_random(kind, numbers, sizes, each, seed, precision)
+            in_quad += int(found["in_quad"].sum())
+            answers = [_of_forces(found, column) for column in range(len(KERNELS))]
+            each_closed = each if kind == MACHINE else max(1, each // CLOSED_SHARE)
+            kernels = CLOSED[1:] if kind == MACHINE else CLOSED
+            closed = closed_form_errors(kind, numbers, sizes, each_closed, seed, precision, kernels=kernels)
+            in_quad += int(closed["in_quad"].sum())
+            answers += [_of_closed_form(closed, kernel) for kernel in kernels]
+            for answer, every in zip(
+                answers, (each,) * len(KERNELS) + (each_closed,) * len(kernels), strict=True
+            ):
+                count, index = _counted(answer, kind, precision)
+                counts.append(count)
+                if count.wrong or count.refused_good:
+                    robot, motion = random_case(kind, numbers, sizes, every, seed, index, precision)
+                    shown.append(answer.case(index, count, robot, motion))
+    return Sweep(tuple(counts), tuple(shown), in_quad)
+
+
+@dataclass(frozen=True, eq=False)
+class _Answers:
+    """One kernel's answers, all (n,): error in rounding units, condition of the problem and of the pose."""
+
+    kernel: str
+    made: NDArray[np.bool_]
+    status: NDArray[np.int32]
+    truth: NDArray[np.int32]
+    error: Array
+    condition: Array
+    of_pose: Array
+    distance: Array
+
+    def case(self, index: int, count: Count, robot: Array, motion: Array) -> Case:
+        """One of them, with its machine and motion."""
+        return Case(
+            count.kind,
+            count.precision,
+            self.kernel,
+            float(self.distance[index]),
+            float(self.error[index]),
+            float(self.condition[index]),
+            int(self.status[index]),
+            robot,
+            motion,
+        )
+
+
+def condition_of(found: NDArray[Any]) -> Array:
+    """The problem's own condition number, never less than the scaled one of H."""
+    return np.asarray(np.maximum(np.maximum(found["own"], found["scaled"]), 1.0))
+
+
+def _of_forces(found: NDArray[Any], column: int) -> _Answers:
+    condition = condition_of(found)
+    return _Answers(
+        KERNELS[column],
+        found["made"] == 1,
+        found["status"][:, column],
+        found["truth"],
+        found["error"][:, column],
+        condition,
+        # Near the joint singularity a leg's frame is lost, whether this motion feels it or not.
+        np.maximum(condition, found["frames"]),
+        found["distance"],
+    )
+
+
+def _of_closed_form(found: NDArray[Any], kernel: str) -> _Answers:
+    column = CLOSED_KERNELS.index(kernel)
+    condition = found["condition"][:, column]
+    return _Answers(
+        kernel.replace("_", " "),
+        found["made"] == 1,
+        found["status"][:, column],
+        found["truth"][:, column],
+        np.where(found["error"][:, column] < 0.0, np.nan, found["error"][:, column] * condition),
+        condition,
+        np.maximum(np.maximum(condition, found["scaled"]), found["frames"]),
+        found["distance"],
+    )
+
+
+def report(found: Sweep) -> str:
+    """The counts as a table, and each case worth showing in a line."""
+    rows = [
+        (
+            f"{count.kind}, {count.precision}, {count.kernel}",
+            f"{count.cases}",
+            f"{count.answered}",
+            "-" if count.worst < 0.0 else f"{count.worst:.3g}",
+            f"{count.where:.1e}",
+            f"{count.wrong}",
+            f"{count.lowest:.1e}",
+            f"{count.refused_good}",
+        )
+        for count in found.counts
+    ]
+    header = (
+        *("near failure", "cases", "ok", "worst", "at distance", "wrong"),
+        *("least rejected", "good rejected"),
+    )
+    head = (
+        f"{found.cases} random cases near failure, each put to {len(KERNELS)} kernels, a part of them to "
+        f"{len(CLOSED)} more: {found.wrong} wrong "
+        f"answers with status ok, {found.refused_good} statuses on good poses.\n"
+        f"worst: error in rounding units over the problem's own condition number; wrong: above {WRONG:g}, or "
+        "with a singular machine.\n"
+        "least rejected: least condition number of a case with a status; good: below "
+        + ", ".join(f"{limit:.0e} in {precision}" for precision, limit in GOOD.items())
+        + f".\n{found.in_quad} doubtful cases were computed again in quadruple precision.\n\n"
+    )
+    lines = [case.text for case in found.shown]
+    return head + aligned(header, rows) + ("\n\n" + "\n".join(lines) if lines else "")
+
+
+def random_machines(
+    rng: np.random.Generator, count: int, every: tuple[str, ...], singular: bool
+) -> tuple[Array, Array]:
+    """Numbers (count, 205) and sizes (count,), half of one metre's order, half anywhere in the extremes.
+
+    singular: machines of the families of ``singular_machines`` in turn.
+    """
+    machines = []
+    families = tuple(FAMILIES)
+    for number in range(count):
+        legs = every[number // 2 % len(every)]
+        size, mass = (10.0 ** rng.uniform(*np.log10(extremes)) for extremes in (SIZES, MASSES))
+        size, mass = (size, mass) if number % 2 else (1.0, 10.0)
+        machines.append(
+            singular_machine(rng, families[number % len(families)], size, mass, legs)
+            if singular
+            else random_machine(rng, size, mass, legs)
+        )
+    return (
+        np.array([robot_numbers(machine) for machine in machines]),
+        np.array([machine_size(machine) for machine in machines]),
+    )
+
+
+def _counted(found: _Answers, kind: str, precision: str) -> tuple[Count, int]:
+    """The count, and the index of the case most worth showing."""
+    answered = found.made & (found.status == OK)
+    # An answer where there is none is wrong however small.
+    ratio = np.where(found.truth == OK, found.error / found.condition, np.inf)
+    ratio = np.where(answered, np.where(np.isnan(ratio), np.inf, ratio), -1.0)
+    refused = found.made & (found.status != OK) & (found.truth == OK)
+    good = refused & (found.of_pose < GOOD[precision])
+    worst = int(np.argmax(ratio))
+    count = Count(
+        kind,
+        precision,
+        found.kernel,
+        int(found.made.sum()),
+        int(answered.sum()),
+        int(np.sum(ratio > WRONG)),
+        int(good.sum()),
+        float(ratio[worst]),
+        float(found.distance[worst]),
+        float(found.of_pose[refused].min(initial=np.inf)),
+    )
+    return count, int(np.flatnonzero(good)[0]) if good.any() and not count.wrong else worst
