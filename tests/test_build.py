@@ -152,7 +152,7 @@ def project(folder: Path, generator: Path, tool: str, *options: str) -> Project:
     needed("cmake", "ninja" if tool == "Ninja" else "make")
     made = Project(folder / "source", folder / "build")
     shutil.copytree(CLIENT, made.source)
-    package = Path(cli.__file__).parent / "cmake"
+    package = Path(cli.__file__).parents[1] / "cmake"
     run(
         *("cmake", "-S", made.source, "-B", made.build, "-G", tool),
         *(f"-Dstewart-sym_DIR={package}", f"-DSTEWART_SYM_EXECUTABLE={generator}", *options),
@@ -299,7 +299,7 @@ def test_other_options_and_another_generator_run_it_again(tmp_path: Path, genera
 
 def test_wrong_calls_are_told(tmp_path: Path, generator: Path) -> None:
     needed("cmake", "ninja")
-    package = Path(cli.__file__).parent / "cmake"
+    package = Path(cli.__file__).parents[1] / "cmake"
     for call, said in {
         "kit": "expected ROBOT <file>",
         "kit ROBOT x.toml COLOUR red": "not understood: COLOUR red;",

@@ -17,6 +17,7 @@ import pytest
 import stewart_sym as ss
 from stewart_sym.backend import kernel
 from stewart_sym.cli import main as cli
+from stewart_sym.cli import terminal
 from stewart_sym.cli.main import main
 from stewart_sym.io.extras import install
 from stewart_sym.io.writing import RECORD, replaced_file, staged_folder
@@ -719,11 +720,11 @@ def test_checking_a_robot_loads_nothing_heavy(robot: Path) -> None:
 def test_progress_shows_on_a_terminal_and_leaves_no_line(
     capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    with cli._progress() as progress:
+    with terminal.progress_line() as progress:
         progress("working")
     assert capsys.readouterr().err == ""
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
-    with cli._progress() as progress:
+    with terminal.progress_line() as progress:
         progress("working")
     assert capsys.readouterr().err == "\r\x1b[Kworking ...\r\x1b[K"
 

@@ -266,6 +266,7 @@ SIGNALLED = """
 import os, signal, sys, warnings
 from pathlib import Path
 from stewart_sym.cli import main as cli
+from stewart_sym.cli.machine import check
 from stewart_sym.io import writing as publish
 
 def run(arguments):
@@ -277,7 +278,7 @@ def run(arguments):
             pass  # as a library does that calls back
     return 0
 
-cli._check = run
+check.run = run
 sys.exit(cli.main(["check", "none.toml"]))
 """
 

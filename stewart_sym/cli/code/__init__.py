@@ -1,0 +1,1 @@
+"""Generated code: the derivation, kits for a machine, the CMake package."""

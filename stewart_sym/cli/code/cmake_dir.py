@@ -1,0 +1,19 @@
+"""``stewart-sym cmake-dir``: print the folder of the CMake package that brings stewart_generate()."""
+
+import argparse
+from importlib.resources import files
+from pathlib import Path
+
+HELP = "print the folder of the CMake package that brings stewart_generate()"
+EXAMPLE = "cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``cmake-dir``."""
+    del parser  # none
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``cmake-dir``; returns the exit code."""
+    print(Path(str(files("stewart_sym"))) / "cmake")
+    return 0

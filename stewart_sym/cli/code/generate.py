@@ -1,0 +1,77 @@
+"""``stewart-sym generate``: a kit of one robot."""
+
+import argparse
+from pathlib import Path
+
+from ..inputs import robot_of
+from ..options import formulation, output, robot_file
+from ..terminal import progress_line
+
+HELP = "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example"
+EXAMPLE = "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit"
+MORE = (
+    "The kit proves itself where it runs: in C, `make` builds it and runs its self-test; in another "
+    "language its README names the command."
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``generate``."""
+    robot_file(parser)
+    output(parser, "DIR", "folder to write to", None)
+    parser.add_argument(
+        "--functions",
+        metavar="LIST",
+        default="forces",
+        help="some of forces, reactions (in C alone), motion (M, C, g, friction, bias, H, forward dynamics, "
+        "inertia at the actuators), derivatives (of the forces; linearisation), kinematics (inverse, "
+        "forward, velocities), with commas; default: forces",
+    )
+    formulation(parser)
+    parser.add_argument(
+        "--fidelity",
+        metavar="LEVEL",
+        help="how much of the legs' physics the forces know: general, frictionless, axisymmetric, slender, "
+        "point_masses, massless, the last four also with _friction; general_static, slender_static, "
+        "massless_static",
+    )
+    parser.add_argument("--bake", action="store_true", help="fold the robot's numbers into the forces")
+    parser.add_argument(
+        "--scalar",
+        action="store_true",
+        help="forces of one pose, legs one after the other: for processors without vector registers",
+    )
+    parser.add_argument("--precision", choices=("double", "float"), default="double", help="default: double")
+    parser.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
+    parser.add_argument(
+        "--language",
+        default="c",
+        help="c; python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
+        "Octave as well; rust: a crate, without its standard library as well; each with the robot's "
+        "constants, self-test, example and README, of forces, motion, derivatives, kinematics; default: c",
+    )
+    parser.add_argument("--list", action="store_true", help="print the names of the files, write none")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``generate``; returns the exit code."""
+    from ...kit import Choice, kit_names, write_kit
+
+    robot = robot_of(arguments.robot)
+    names = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu", "language")
+    functions = tuple(name.strip() for name in arguments.functions.split(","))
+    choice = Choice(functions, **{name: getattr(arguments, name) for name in names})
+    if arguments.list:
+        for name in kit_names(robot, choice):
+            print(arguments.output / name)
+        return 0
+    with progress_line() as progress:
+        progress("generating")
+        made, written = write_kit(robot, arguments.output, choice, arguments.force, [Path(arguments.robot)])
+    for path in written:
+        print(path)
+    if made.operations is not None:
+        after = made.baked_operations
+        folded = "" if after is None else f", with the numbers folded in {after}"
+        print(f"operations per pose: {made.operations}{folded}")
+    return 0

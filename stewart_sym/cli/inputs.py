@@ -1,0 +1,93 @@
+"""Robots and trajectories that a subcommand is given, with a warning for each doubt about them."""
+
+import argparse
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from ..motion.logs import LogFormat
+    from ..motion.trajectory import JointTrajectory, PoseLog, Trajectory
+    from ..robot.robot import Robot
+
+
+_SOME = 64
+
+
+def robot_of(source: Path) -> "Robot":
+    """The robot of a file; warns of what is doubtful about it."""
+    from ..robot.robot import Robot
+
+    robot = Robot.from_toml(source)
+    warn_of_doubts(robot, source)
+    return robot
+
+
+def warn_of_doubts(robot: "Robot", source: Path) -> None:
+    """Warn of a robot's doubtful numbers, in one line each; ``source``: the file that gives or names it."""
+    from ..plausibility.plausibility import doubts
+    from ..robot.robot import PhysicalityWarning
+
+    for name, text in doubts(robot):
+        warnings.warn(f"{source}: {text} [{name}]", PhysicalityWarning, stacklevel=3)
+
+
+def trajectory_of(
+    robot: "Robot", source: Path, arguments: argparse.Namespace, progress: Callable[[str], None]
+) -> "Trajectory | PoseLog":
+    """Poses over time from a CSV file of poses or of leg lengths, read as the options say."""
+    from ..motion.interpolation import resampled
+    from ..motion.trajectory import Smoothing, read_log
+
+    progress("reading the trajectory")
+    smoothing = Smoothing(
+        arguments.noise_position, arguments.noise_angle, arguments.cutoff, arguments.smoothing
+    )
+    trajectory = poses_of(
+        robot, read_log(source, log_format(arguments), smoothing), arguments.start, progress
+    )
+    return trajectory if arguments.rate is None else resampled(trajectory, arguments.rate)
+
+
+def log_format(arguments: argparse.Namespace) -> "LogFormat":
+    """How the options say that a trajectory's file is read."""
+    from ..motion.logs import LogFormat
+
+    names = ("columns", "length_unit", "angle_unit", "time_unit", "delimiter", "decimal", "euler_order")
+    return LogFormat(**{name: getattr(arguments, name) for name in names})
+
+
+def poses_of(
+    robot: "Robot",
+    log: "Trajectory | PoseLog | JointTrajectory",
+    start: list[float] | None,
+    progress: Callable[[str], None],
+) -> "Trajectory | PoseLog":
+    """Poses of a log, found from leg lengths if it holds these."""
+    import numpy as np
+
+    from ..motion.rotation import rotation_from_rpy
+    from ..motion.trajectory import JointTrajectory, PoseLog
+    from ..singularities.joint_space import on_platform
+    from ..studies.reports.track import length_doubt, side_doubt
+
+    if isinstance(log, JointTrajectory):
+        distances = log.L
+    else:
+        places = log.coordinates[0, :, :3] if isinstance(log, PoseLog) else log.motion.t
+        distances = np.linalg.norm(places, axis=-1)
+    doubt = length_doubt(robot, distances)
+    if doubt is not None:
+        warnings.warn(f"{log.source}: {doubt}", stacklevel=2)
+    if isinstance(log, JointTrajectory):
+        progress(f"finding {len(log.time)} poses")
+        guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
+        return on_platform(robot, log, guess)
+    if start is not None:
+        raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
+    some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
+    below = side_doubt(robot, log.at(some))
+    if below is not None:
+        warnings.warn(f"{log.source}: {below}", stacklevel=2)
+    return log

@@ -1,0 +1,90 @@
+"""``stewart-sym forces``: actuator forces along a trajectory."""
+
+import argparse
+import warnings
+from pathlib import Path
+
+from ...io.error_policy import SingularPoseWarning
+from ..inputs import robot_of, trajectory_of
+from ..options import formulation, log_options, output, positive, robot_file, start_pose
+from ..results import reject_inputs
+from ..terminal import progress_line, shares
+
+HELP = "actuator forces along a trajectory"
+EXAMPLE = "stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm --angle-unit deg"
+MORE = (
+    "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z "
+    "(rad) or q_w q_x q_y q_z; optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a "
+    "spline is fitted), F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 "
+    "(m), optionally L_dot_* and L_ddot_* together. SI units by default. Columns that show rounding "
+    "or noise are smoothed, F1_sd to F6_sd are the standard deviations of the forces that this "
+    "leaves, and a force limit within three of them is not decided. Moments M_p are taken about the "
+    "base points."
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``forces``."""
+    robot_file(parser)
+    parser.add_argument(
+        "trajectory", metavar="TRAJECTORY.csv", type=Path, help="times and poses, or leg lengths"
+    )
+    output(parser, "FILE.csv", "file to write, - for standard output", None)
+    formulation(parser)
+    parser.add_argument("--backend", choices=("c", "numpy", "reference"), default="c", help="default: c")
+    parser.add_argument("--reactions", action="store_true", help="write the joint reactions as well")
+    start_pose(parser)
+    parser.add_argument(
+        "--allow-singular",
+        action="store_true",
+        help="write nan and a status for unsolvable poses instead of rejecting the trajectory",
+    )
+    parser.add_argument(
+        "--noise-share",
+        type=positive,
+        default=0.02,
+        metavar="SHARE",
+        help="of a leg's peak force that noise may make (three deviations) without a warning; default: 0.02",
+    )
+    log_options(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``forces``; returns the exit code."""
+    from ...io.writing import replaced_file
+    from ...motion.interpolation import between
+    from ...motion.trajectory import noise_text
+    from ...studies.common.output import csv_lines
+    from ...studies.reports.singularities import crossing_warning
+    from ...studies.reports.track import Digest, in_parts
+
+    reject_inputs(arguments.output, arguments.robot, arguments.trajectory)
+    robot = robot_of(arguments.robot)
+    with replaced_file(arguments.output) as stream, progress_line() as progress:
+        trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
+        digest, count = Digest(robot, trajectory.time), len(trajectory.time)
+        reached = shares(progress, f"computing {count} instants")
+        for part in in_parts(
+            robot,
+            trajectory,
+            arguments.formulation,
+            arguments.backend,
+            arguments.reactions,
+            arguments.allow_singular,
+        ):
+            stream.writelines(csv_lines(part.columns, header=part.where.start == 0))
+            digest.add(part)
+            reached(min(1.0, part.where.stop / count))
+        if len(trajectory.time) > 1:
+            progress("looking for singular poses")
+            crossed = crossing_warning(robot, trajectory, between(trajectory))
+            if crossed is not None:
+                warnings.warn(crossed, SingularPoseWarning, stacklevel=2)
+    for line in digest.doubts(arguments.noise_share):
+        warnings.warn(line, stacklevel=2)
+    if str(arguments.output) != "-":
+        print(digest.summary())
+        if trajectory.noise is not None and trajectory.noise.sigma.any():
+            print(f"{noise_text(trajectory.noise)}: F_sd is what it leaves")
+        print(f"Written to {arguments.output}")
+    return 0

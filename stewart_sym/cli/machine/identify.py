@@ -1,0 +1,166 @@
+"""``stewart-sym identify``: inertial parameters from forces."""
+
+import argparse
+import dataclasses
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, cast
+
+from ...io.extras import need
+from ..inputs import log_format, poses_of, robot_of
+from ..options import finite, log_form, output, positive, robot_file, start_pose, whole
+from ..results import results_folder
+from ..terminal import progress_line
+
+if TYPE_CHECKING:
+    from ...identification.estimation import Estimate
+    from ...motion.trajectory import Trajectory
+
+
+HELP = "identify inertial parameters from measured forces, or show it on a simulated measurement"
+EXAMPLE = "stewart-sym identify hexapod.toml --sigma 0.5 -o identified"
+MORE = (
+    "Without --measured the motion is the best of random Fourier series about the home pose, within "
+    "the limits of length, speed and force in the robot file, and the table gives the true values as "
+    "well. SI units."
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``identify``."""
+    robot_file(parser)
+    output(parser, "DIR", "folder to write to", None)
+    parser.add_argument(
+        "--measured",
+        nargs=2,
+        type=Path,
+        metavar=("TRAJECTORY.csv", "FORCES.csv"),
+        help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times; of the robot file "
+        "only geometry and gravity are used; --seed, --samples and --candidates have no part in it",
+    )
+    parser.add_argument(
+        "--sigma", type=positive, default=1.0, help="standard deviation of measured forces, N; default: 1"
+    )
+    for name, unit, what in (("position", "M", "position"), ("angle", "RAD", "rotation about each axis")):
+        parser.add_argument(
+            f"--noise-{name}",
+            type=positive,
+            metavar=unit,
+            help=f"standard deviation of the measured {what}: then poses alone count, and a smooth motion is "
+            "fitted together with the parameters; default: the motion is exact",
+        )
+    parser.add_argument(
+        "--seed", type=whole, default=0, help="of the candidates and of the noise; default: 0"
+    )
+    parser.add_argument(
+        "--period",
+        type=finite,
+        help="of the motion, s; default: accelerations of the order of gravity, or for measured poses with "
+        "noise a motion without a period",
+    )
+    parser.add_argument(
+        "--harmonics",
+        type=whole,
+        help="of the Fourier series; default: 5, or for measured poses as many as they call for",
+    )
+    parser.add_argument(
+        "--no-friction", action="store_true", help="of measured forces: a model whose joints have none"
+    )
+    parser.add_argument(
+        "--physical",
+        action="store_true",
+        help="of measured forces: keep to bodies that can exist, and write their parameters to bodies.csv",
+    )
+    parser.add_argument("--samples", type=whole, default=200, help="instants of one period; default: 200")
+    parser.add_argument("--candidates", type=whole, default=50, help="random series to try; default: 50")
+    start_pose(parser)
+    log_form(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``identify``; returns the exit code."""
+    from ...studies.reports.identify import doubts
+
+    with results_folder(arguments, "report.txt", "trajectory.csv") as folder, progress_line() as progress:
+        progress("identifying")
+        read = _measured if arguments.measured else _simulated
+        texts, found = read(arguments, progress)
+        for name, text in texts.items():
+            (folder / name).write_text(text, encoding="utf-8", newline="\n")
+    print(texts["report.txt"])
+    print(f"Written to {arguments.output}: {', '.join(sorted(texts))}")
+    for line in doubts(found):
+        warnings.warn(line, stacklevel=2)
+    return 1 if found.verdict == "rejected" else 0
+
+
+def _measured(
+    arguments: argparse.Namespace, progress: Callable[[str], None]
+) -> "tuple[dict[str, str], Estimate]":
+    """Texts of the files about measured forces, by name, and the estimate."""
+    from ...identification.physical import POSSIBLE
+    from ...motion.logs import HeaderError
+    from ...motion.smooth_motion import WITHOUT_PERIOD, PoseNoise
+    from ...motion.trajectory import FORCES, Smoothing, read_any_csv, read_forces_csv
+    from ...studies.reports.identify import from_measurement, measured_texts
+
+    if arguments.physical:
+        need("scipy", POSSIBLE)
+    noisy = _pose_noise(arguments)
+    if noisy and arguments.period is None:
+        need("scipy", WITHOUT_PERIOD)
+    robot = robot_of(arguments.robot)
+    poses, forces = arguments.measured
+    form = log_format(arguments)
+    try:
+        log = read_any_csv(poses, form, Smoothing(on=False))  # the fit has its own noise
+    except HeaderError as error:
+        if not set(FORCES) <= set(error.header):
+            raise
+        raise ValueError(
+            f"{poses}: expected poses or leg lengths, got forces F1 to F6: "
+            "the two files of --measured look swapped"
+        ) from None
+    trajectory = cast("Trajectory", poses_of(robot, log, arguments.start, progress))
+    time, F = read_forces_csv(forces, dataclasses.replace(form, columns={}))
+    noise = None
+    if noisy:
+        series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
+        noise = PoseNoise(trajectory.time, arguments.noise_position, arguments.noise_angle, *series)
+    model = (not arguments.no_friction, arguments.physical)
+    found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model)
+    return measured_texts(robot, found, arguments.sigma, noise), found
+
+
+def _simulated(
+    arguments: argparse.Namespace, progress: Callable[[str], None]
+) -> "tuple[dict[str, str], Estimate]":
+    """Texts of the files about a simulated measurement, by name, and the estimate."""
+    from ...motion.logs import LogFormat
+    from ...studies.reports.identify import identification, simulated_texts
+
+    for option in ("no_friction", "physical"):
+        if getattr(arguments, option):
+            raise ValueError(f"--{option.replace('_', '-')}: is for measured forces, expected --measured")
+    if log_format(arguments) != LogFormat() or arguments.start is not None:
+        raise ValueError(
+            "--start and options of the trajectory's file: are for measured forces, expected --measured"
+        )
+    robot = robot_of(arguments.robot)
+    names = ("sigma", "seed", "period", "harmonics", "samples", "candidates")
+    options = {name: getattr(arguments, name) for name in names}
+    if options["harmonics"] is None:
+        options["harmonics"] = 5
+    if _pose_noise(arguments):
+        options |= {name: getattr(arguments, name) for name in ("noise_position", "noise_angle")}
+    found = identification(robot, **options, progress=progress)
+    return simulated_texts(robot, found), found.estimate
+
+
+def _pose_noise(arguments: argparse.Namespace) -> bool:
+    """Whether the noise of poses is stated: both of it or neither."""
+    given = [getattr(arguments, name) is not None for name in ("noise_position", "noise_angle")]
+    if given[0] != given[1]:
+        raise ValueError("--noise-position: expected --noise-angle beside it, and none without it")
+    return given[0]

@@ -1,0 +1,76 @@
+"""``stewart-sym singularities``: singular poses along a path."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ..inputs import robot_of, trajectory_of
+from ..options import formulation, log_options, no_pictures, output, robot_file, start_pose
+from ..results import drawing, results_folder
+from ..terminal import progress_line
+
+if TYPE_CHECKING:
+    from ...motion.interpolation import Path as MotionPath
+
+
+HELP = "where a path crosses singular poses, between samples too, and which twist is unconstrained there"
+EXAMPLE = "stewart-sym singularities hexapod.toml trajectory.csv -o singularities"
+MORE = (
+    "Writes a report, tables of events and of the path, and pictures of forces and of the machine "
+    "with the unconstrained twist. Between the rows of a trajectory the path is the quintic through "
+    "their poses, rates and accelerations. SI units."
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``singularities``."""
+    robot_file(parser)
+    parser.add_argument("path", metavar="PATH", help="I, II or III of the paper, or a CSV file as for forces")
+    output(parser, "DIR", "folder to write to", Path("singularities"))
+    formulation(parser)
+    start_pose(parser)
+    log_options(parser)
+    no_pictures(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``singularities``; returns the exit code."""
+    from ...io.writing import replaced_file
+    from ...kinematics.paths import PATHS, path_for
+    from ...motion.interpolation import between
+    from ...studies.common.output import csv_lines
+    from ...studies.reports import singularities
+
+    if arguments.pictures:
+        drawing()
+        from ...studies.reports import singularities_plot
+    robot = robot_of(arguments.robot)
+    name = arguments.path
+    names, read = ("report.txt", "events.csv", "path.csv"), [] if name in PATHS else [Path(name)]
+    with results_folder(arguments, *names, read=read) as folder, progress_line() as progress:
+        if name in PATHS:
+            if arguments.start is not None:
+                raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
+            line = path_for(robot, name).path
+            path: MotionPath = line.sample
+            times = line.breaks()
+        else:
+            if not Path(name).exists():
+                raise ValueError(f"{name}: expected I, II, III or a CSV file, there is no such file")
+            trajectory = trajectory_of(robot, Path(name), arguments, progress)
+            path, times, name = between(trajectory), trajectory.time, Path(name).name
+        progress("looking for singular poses")
+        found = singularities.examine(robot, name, path, times, arguments.formulation)
+        text = singularities.report(found)
+        (folder / "report.txt").write_text(text + "\n", encoding="utf-8", newline="\n")
+        tables = {"events": singularities.events(found), "path": singularities.curves(found)}
+        for table, columns in tables.items():
+            with replaced_file(folder / f"{table}.csv") as stream:
+                stream.writelines(csv_lines(columns))
+        if arguments.pictures:
+            progress("drawing")
+            singularities_plot.draw(found, folder)
+        written = sorted(path.name for path in folder.iterdir())
+    print(text)
+    print(f"Written to {arguments.output}: {', '.join(written)}")
+    return 0

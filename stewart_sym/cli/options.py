@@ -1,0 +1,150 @@
+"""Options that several subcommands have, and the kinds of their values."""
+
+import argparse
+import contextlib
+import math
+from pathlib import Path
+
+
+def robot_file(parser: argparse.ArgumentParser) -> None:
+    """Name of the robot file."""
+    parser.add_argument("robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1")
+
+
+def output(parser: argparse.ArgumentParser, metavar: str, what: str, default: Path | str | None) -> None:
+    """``default``: a path, words for what happens without the option, or None where it must be given."""
+    text = what if default is None else f"{what}; default: {default}"
+    path = default if isinstance(default, Path) else None
+    parser.add_argument(
+        "-o", "--output", metavar=metavar, type=path_name, required=default is None, default=path, help=text
+    )
+    if metavar == "DIR":
+        force(parser)
+
+
+def force(parser: argparse.ArgumentParser) -> None:
+    """``--force``, of a folder of results."""
+    parser.add_argument("--force", action="store_true", help="replace edited files and others' files")
+
+
+def path_name(text: str) -> Path:
+    """A name of a file or folder."""
+    if not text.strip():
+        raise argparse.ArgumentTypeError("expected a name, got nothing")
+    return Path(text)
+
+
+def finite(text: str) -> float:
+    """A finite number."""
+    with contextlib.suppress(ValueError):
+        number = float(text)
+        if math.isfinite(number):
+            return number
+    raise argparse.ArgumentTypeError(f"expected a finite number, got {text!r}")
+
+
+def positive(text: str) -> float:
+    """A number above 0."""
+    number = finite(text)
+    if number <= 0.0:
+        raise argparse.ArgumentTypeError(f"expected a number > 0, got {text!r}")
+    return number
+
+
+def whole(text: str) -> int:
+    """A whole number, 0 or more."""
+    with contextlib.suppress(ValueError):
+        number = int(text)
+        if number >= 0:
+            return number
+    raise argparse.ArgumentTypeError(f"expected a whole number >= 0, got {text!r}")
+
+
+def start_pose(parser: argparse.ArgumentParser) -> None:
+    """``--start``: the pose near the first leg lengths."""
+    parser.add_argument(
+        "--start",
+        nargs=6,
+        type=finite,
+        metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
+        help="pose near the first leg lengths, m and rad; default: above the base, about parallel to it",
+    )
+
+
+def log_options(parser: argparse.ArgumentParser) -> None:
+    """Options of how a trajectory's file is read."""
+    group = log_form(parser)
+    group.add_argument("--rate", type=positive, metavar="HZ", help="resample; default: the log's own times")
+    group.add_argument(
+        "--noise-position",
+        type=positive,
+        metavar="M",
+        help="deviation of positions or lengths, m; default: found",
+    )
+    group.add_argument(
+        "--noise-angle", type=positive, metavar="RAD", help="deviation of angles, rad; default: found"
+    )
+    group.add_argument(
+        "--cutoff",
+        type=positive,
+        metavar="HZ",
+        help="halve the amplitude there; default: the likeliest",
+    )
+    group.add_argument(
+        "--no-smoothing", dest="smoothing", action="store_false", help="interpolate, whatever the noise"
+    )
+
+
+def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
+    """Options of names, units and marks in a trajectory's file."""
+    group = parser.add_argument_group("the trajectory's file")
+    group.add_argument(
+        "--columns",
+        type=column_names,
+        default={},
+        metavar="NAME=HEADER,...",
+        help="which header stands for time, t_x, ...; all other columns are skipped",
+    )
+    for name, choices in (
+        ("length-unit", ("m", "cm", "mm", "in")),
+        ("angle-unit", ("rad", "deg")),
+        ("time-unit", ("s", "ms", "us")),
+    ):
+        group.add_argument(f"--{name}", choices=choices, default=choices[0], help=f"default: {choices[0]}")
+    group.add_argument("--delimiter", choices=("comma", "semicolon", "tab"), help="default: detected")
+    group.add_argument("--decimal", choices=("point", "comma"), help="default: detected")
+    group.add_argument(
+        "--euler-order",
+        choices=("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
+        default="zyx",
+        help="of the rotations multiplied; default: zyx, R = Rz Ry Rx",
+    )
+    return group
+
+
+def column_names(text: str) -> dict[str, str]:
+    """Pairs NAME=HEADER, with commas."""
+    pairs = [pair.partition("=") for pair in text.split(",")]
+    names = {name.strip(): given.strip() for name, _, given in pairs}
+    if not all(sign and name.strip() and given.strip() for name, sign, given in pairs) or len(names) < len(
+        pairs
+    ):
+        raise argparse.ArgumentTypeError(f"expected NAME=HEADER,NAME=HEADER,..., got {text!r}")
+    return names
+
+
+def formulation(parser: argparse.ArgumentParser) -> None:
+    """``--formulation``."""
+    parser.add_argument(
+        "--formulation",
+        choices=("exact", "paper"),
+        default="exact",
+        help="exact, or paper: the equations as printed; default: exact",
+    )
+
+
+def no_pictures(parser: argparse.ArgumentParser) -> None:
+    """``--no-pictures``."""
+    parser.add_argument(
+        "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
+    )

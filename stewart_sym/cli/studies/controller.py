@@ -1,0 +1,60 @@
+"""``stewart-sym controller``: kernels on a microcontroller."""
+
+import argparse
+import contextlib
+from pathlib import Path
+
+from ..inputs import robot_of
+from ..options import output
+from ..results import results_folder
+from ..terminal import progress_line
+
+HELP = "kernels for a machine on a microcontroller, under emulation: answers, instructions, flash, stack"
+EXAMPLE = "stewart-sym controller hexapod.toml -o controller"
+MORE = (
+    "Writes one-pose kernels, general and with the machine's numbers folded in, cross-compiles them "
+    "for Arm Cortex-M7 (double) and Cortex-M4F (float) and runs them under QEMU: forces against "
+    "50-digit ones, statuses of wrong calls, executed instructions, stack; flash, and what the "
+    "objects ask of libraries. Needs arm-none-eabi-gcc with newlib and qemu-system-arm (Debian: "
+    "gcc-arm-none-eabi, libnewlib-arm-none-eabi, qemu-system-arm). Exit code 2 where anything is not "
+    "right. Takes some ten seconds."
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``controller``."""
+    parser.add_argument(
+        "robot",
+        metavar="ROBOT.toml",
+        type=Path,
+        nargs="?",
+        help="robot file, schema 1; default: the paper's machine",
+    )
+    output(parser, "DIR", "folder for the table and controller.json", "none written")
+    parser.add_argument(
+        "--fidelity", metavar="LEVEL", default="general", help="as of `generate`; default: general"
+    )
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``controller``; returns the exit code."""
+    from ...studies.microcontroller import measure, report
+    from ...studies.paper.reproduce import paper_machine
+
+    robot = paper_machine() if arguments.robot is None else robot_of(arguments.robot)
+    with contextlib.ExitStack() as stack:
+        folder = (
+            None
+            if arguments.output is None
+            else stack.enter_context(results_folder(arguments, "controller.txt", "controller.json"))
+        )
+        with progress_line() as progress:
+            found = measure.study(robot, progress, arguments.fidelity)
+        text = report.report(found)
+        if folder is not None:
+            for kind, content in (("txt", text + "\n"), ("json", report.json_text(found))):
+                (folder / f"controller.{kind}").write_text(content, encoding="utf-8", newline="\n")
+    print(text)
+    if arguments.output is not None:
+        print(f"\nWritten to {arguments.output}: controller.json, controller.txt")
+    return 0 if all(row.right for row in found.rows) else 2
