@@ -1,0 +1,373 @@
+"""The bound of the forces' rounding error: never below the true error, seldom far above; and its condition.
+
+Truth is the plain elimination in quadruple precision (``studies.quad``), itself checked against 50 digits.
+"""
+
+import csv
+import ctypes
+import dataclasses
+import functools
+import re
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+from bound_cases import DTYPE, PRECISIONS, case, wild
+from fifty_digits import block_inputs, truth
+from machines import dasgupta, random_motion, random_robot
+from mpmath import mp
+from numpy.typing import NDArray
+from sweeps import share
+from unsolvable_poses import singular
+
+import stewart_sym as ss
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION, address, c_sources, library
+from stewart_sym.derive.adjoint import adjoint
+from stewart_sym.derive.block import Builder, Quantity, run
+from stewart_sym.derive.formulation import EXACT
+from stewart_sym.dynamics import bounds
+from stewart_sym.motion.motion import Motion
+from stewart_sym.precision.quad import error, quad_forces
+from stewart_sym.results import BAD_ARGUMENT, OK, SINGULAR
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.accuracy.bound_plot import bounds_study, csv_rows, figure, summary
+
+Array = NDArray[Any]
+
+FAR = 1000.0
+"""How far above the true error a bound may lie in 95 % of cases."""
+UNITS = 100.0
+"""Units in the last place, times the condition number of H, that forces may err."""
+
+
+# ---------------------------------------------------------------- cases
+
+
+@dataclass(frozen=True)
+class Figures:
+    """What one case says of one precision.
+
+    least: smallest bound over true error of the six forces. pose: largest bound over largest error. each: all
+    six ratios. units: largest error in units in the last place of the largest force, over the scaled
+    condition number.
+    """
+
+    least: float
+    pose: float
+    each: Array
+    units: float
+
+
+def figures(robot: Robot, motion: Motion, precision: str) -> Figures | None:
+    """None where H is singular to the rounding of float."""
+    on_singular = "nan" if precision == "float" else "raise"
+    found = ss.forces_with_bounds(robot, motion, precision, on_singular)  # type: ignore[arg-type]
+    if found.status == SINGULAR:
+        return None
+    errors = np.abs(error(found.F, quad_forces(robot, motion, DTYPE[precision])))
+    bound = found.bound.astype(np.float64)
+    condition = ss.scaled_condition_number(ss.wrench_matrix(robot, motion), ss.characteristic_length(robot))
+    unit = float(np.spacing(np.abs(found.F).max()))
+    with np.errstate(divide="ignore"):
+        ratios = bound / errors
+    return Figures(
+        float(ratios.min()),
+        float(bound.max() / errors.max()),
+        ratios,
+        float(errors.max() / unit / condition),
+    )
+
+
+@functools.cache
+def swept(cases: int) -> dict[str, list[Figures]]:
+    rng = np.random.default_rng(5)
+    drawn = [case(rng, number) for number in range(cases)]
+    found = {p: [figures(robot, motion, p) for robot, motion in drawn] for p in PRECISIONS}
+    solved = {p: [each for each in all_of_them if each is not None] for p, all_of_them in found.items()}
+    assert len(solved["float"]) > 0.99 * cases
+    return solved
+
+
+def report(found: list[Figures], precision: str) -> str:
+    pose, each = [f.pose for f in found], np.concatenate([f.each for f in found])
+    return (
+        f"{precision}, {len(found)} cases: bound / error at least {min(f.least for f in found):.2f}; of a "
+        f"pose {np.median(pose):.0f} in the middle, {np.percentile(pose, 95):.0f} at 95 %, "
+        f"{max(pose):.0f} at most, "
+        f"{100 * np.mean(np.array(pose) <= FAR):.2f} % within {FAR:.0f}; of single forces "
+        f"{100 * np.mean(each <= FAR):.2f} % within {FAR:.0f}; largest error "
+        f"{max(f.units for f in found):.2f} units in the last place times condition number"
+    )
+
+
+def holds(found: list[Figures]) -> None:
+    assert min(f.least for f in found) >= 1.0
+    assert np.mean([f.pose <= FAR for f in found]) >= 0.95
+    assert max(f.units for f in found) <= UNITS
+
+
+# ---------------------------------------------------------------- the bound
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_bound_is_never_below_the_true_error_and_seldom_far_above(precision: str) -> None:
+    holds(swept(300)[precision])
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_bound_holds_over_ten_thousand_cases(precision: str, capsys: pytest.CaptureFixture[str]) -> None:
+    found = swept(share(10_000))[precision]
+    with capsys.disabled():
+        print("\n" + report(found, precision))
+    holds(found)
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_forces_are_those_of_the_prepared_kernel_to_the_last_bit(precision: Any) -> None:
+    rng = np.random.default_rng(0)
+    for robot in (dasgupta(), random_robot(rng), random_robot(rng, friction=False)):
+        for load in (True, False):
+            motion = random_motion(rng, robot, (3, 7), load)
+            found = ss.forces_with_bounds(robot, motion, precision)
+            wanted = ss.prepare(robot, precision=precision).forces(motion)
+            assert found.F.dtype == found.bound.dtype == found.rcond.dtype == wanted.dtype
+            np.testing.assert_array_equal(found.F, wanted)
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_bound_holds_where_products_are_fused_into_sums(
+    precision: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
+    fused = native.load("fused", c_sources("exact_bounds"), ("-ffp-contract=fast",), defines)
+    monkeypatch.setattr(bounds, "library", lambda *_: fused)
+    rng = np.random.default_rng(1)
+    for number in range(20):
+        found = figures(*case(rng, number), precision)
+        assert found is not None
+        assert found.least >= 1.0
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_bound_holds_for_wild_rates_and_loads_and_legs_near_their_axes(precision: Any) -> None:
+    rng = np.random.default_rng(11)
+    for number in range(100):
+        robot, motion = wild(rng, *case(rng, number))
+        found = ss.forces_with_bounds(robot, motion, precision, on_singular="nan")
+        if found.status == OK:
+            errors = np.abs(error(found.F, quad_forces(robot, motion, DTYPE[precision])))
+            assert (errors <= found.bound).all()
+
+
+def test_bound_counts_how_far_R_is_from_a_rotation() -> None:
+    rng = np.random.default_rng(2)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    off = Motion(
+        motion.R + 1e-10 * rng.uniform(-1, 1, (3, 3)),
+        *(getattr(motion, name) for name in ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext")),
+    )
+    near, far = (ss.forces_with_bounds(robot, m) for m in (motion, off))
+    errors = np.abs(error(far.F, quad_forces(robot, off)))
+    assert (errors <= far.bound).all()
+    assert errors.max() > 100 * near.bound.max()
+    assert far.bound.max() < FAR * errors.max()
+
+
+def test_bound_is_infinite_where_float_is_too_coarse_for_any() -> None:
+    """Towards a singular pose the bound grows until there is none: sooner in float than in double."""
+    robot, at = singular()
+    away = np.array([1e-2, 1e-4, 1e-6])
+    theta = np.outer(np.pi / 2 - away, [0.0, 0.0, 1.0])
+    zero = np.zeros(3)
+    motion = Motion.from_rpy(at.t, theta, zero, zero, zero, zero)
+    coarse = ss.forces_with_bounds(robot, motion, "float", on_singular="nan")
+    fine = ss.forces_with_bounds(robot, motion)
+    assert (coarse.status[:2] == OK).all()
+    assert np.isfinite(coarse.bound[0]).all()
+    assert not np.isfinite(coarse.bound[2]).any()
+    assert np.isfinite(fine.bound).all()
+    assert (np.diff(fine.bound.max(axis=-1)) > 0).all()
+    assert (np.diff(fine.rcond) < 0).all()
+
+
+# ---------------------------------------------------------------- condition and statuses
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_rcond_is_that_of_the_wrench_matrix_about_the_reference_point(precision: Any) -> None:
+    rng = np.random.default_rng(4)
+    for number in range(20):
+        robot, motion = case(rng, number)
+        scale = np.array([1.0, 1.0, 1.0, *[ss.characteristic_length(robot)] * 3])[:, None]
+        wanted = 1 / np.linalg.cond(ss.wrench_matrix(robot, motion) / scale, 1)
+        found = float(ss.forces_with_bounds(robot, motion, precision).rcond)
+        assert found == pytest.approx(wanted, rel=100 * np.finfo(DTYPE[precision]).eps / wanted)
+
+
+def test_any_leading_shape_with_and_without_load() -> None:
+    rng = np.random.default_rng(6)
+    robot = random_robot(rng)
+    for load in (True, False):
+        motion = random_motion(rng, robot, (2, 3), load)
+        found = ss.forces_with_bounds(robot, motion)
+        assert (found.F.shape, found.bound.shape) == ((2, 3, 6), (2, 3, 6))
+        assert (found.rcond.shape, found.status.shape) == ((2, 3), (2, 3))
+        one = ss.forces_with_bounds(robot, motion[1, 2])
+        np.testing.assert_array_equal(one.bound, found.bound[1, 2])
+    none = ss.forces_with_bounds(robot, motion[:0])
+    assert none.bound.shape == (0, 3, 6)
+
+
+def test_poses_without_an_answer_raise_warn_or_are_nan() -> None:
+    robot, bad = singular()
+    with pytest.raises(ValueError, match=re.escape("motion: H is singular")):
+        ss.forces_with_bounds(robot, bad)
+    with pytest.warns(ss.SingularPoseWarning, match="H is singular") as caught:
+        ss.forces_with_bounds(robot, bad, on_singular="warn")
+    assert caught[0].filename == __file__
+    found = ss.forces_with_bounds(robot, bad, on_singular="nan")
+    assert found.status == SINGULAR
+    for values in (found.F, found.bound, found.rcond):
+        assert np.isnan(values).all()
+
+
+@pytest.mark.parametrize(
+    ("options", "text"),
+    [({"precision": "half"}, 'precision: expected "double" or "float"'), ({"on_singular": 1}, "on_singular")],
+)
+def test_unknown_options_are_refused(options: dict[str, Any], text: str) -> None:
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng)
+    with pytest.raises(ValueError, match=re.escape(text)):
+        ss.forces_with_bounds(robot, random_motion(rng, robot), **options)
+
+
+def test_robots_without_universal_joints_are_refused_in_one_line() -> None:
+    rng = np.random.default_rng(8)
+    robot = random_robot(rng, "spherical")
+    with pytest.raises(ValueError, match='robot: expected base_joint "universal", got "spherical"'):
+        ss.forces_with_bounds(robot, random_motion(rng, robot))
+
+
+def test_robots_that_float_cannot_hold_are_refused() -> None:
+    rng = np.random.default_rng(9)
+    robot = random_robot(rng, scale=1e20)
+    with pytest.raises(ValueError, match=r"robot: .*expected .* float can hold"):
+        ss.forces_with_bounds(robot, random_motion(rng, robot), "float")
+
+
+def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
+    rng = np.random.default_rng(10)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    wanted = ss.forces_with_bounds(robot, motion)
+    model = bounds._prepared(robot, "double")
+    call = library("exact_bounds").stewart_exact_forces_bounded
+    numbers = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])
+    F, bound, rcond = np.zeros(6), np.zeros(6), np.zeros(1)
+    null = ctypes.c_void_p(None)
+    assert call(address(model), address(numbers), address(F), address(bound), address(rcond)) == OK
+    np.testing.assert_array_equal(F, wanted.F)
+    np.testing.assert_array_equal(bound, wanted.bound)
+    assert rcond[0] == wanted.rcond
+    F[:] = 0
+    assert call(address(model), address(numbers), address(F), null, null) == OK
+    np.testing.assert_array_equal(F, wanted.F)
+    assert call(null, address(numbers), address(F), null, null) == BAD_ARGUMENT
+    numbers[0] = np.nan
+    bound[:] = 7.0
+    assert call(address(model), address(numbers), address(F), address(bound), null) != OK
+    assert (bound == 7.0).all()
+
+
+# ---------------------------------------------------------------- the study
+
+
+def test_study_finds_every_force_within_its_bound_and_draws_it(tmp_path: Path) -> None:
+    told: list[str] = []
+    data = bounds_study(told.append, cases=60)
+    assert len(told) == 2
+    for precision, found in data.items():
+        assert found.covered.all()
+        assert found.error.size >= 50
+        assert f"{precision}" in summary(data)
+    rows = list(csv.DictReader(csv_rows(data).splitlines()))
+    assert [float(row["bound"]) for row in rows] == [b for found in data.values() for b in found.bound]
+    assert {row["precision"] for row in rows} == set(PRECISIONS)
+    picture = figure(data)
+    assert next(iter(data.values())).robot in picture.axes[0].get_title()
+    (legend,) = picture.legends
+    for text, found in zip(legend.get_texts(), data.values(), strict=True):
+        undrawn = found.left_out + np.count_nonzero(found.error == 0.0)
+        assert f"{undrawn} of 60 poses left out" in text.get_text()
+    picture.savefig(tmp_path / "bounds.png")
+    assert (tmp_path / "bounds.png").stat().st_size > 0
+
+
+def test_the_picture_says_how_many_poses_it_leaves_out() -> None:
+    data = bounds_study(cases=20)
+    fewer = {name: dataclasses.replace(found, left_out=7) for name, found in data.items()}
+    for text, found in zip(figure(fewer).legends[0].get_texts(), fewer.values(), strict=True):
+        undrawn = 7 + np.count_nonzero(found.error == 0.0)
+        assert f"{undrawn} of {7 + found.error.size} poses left out" in text.get_text()
+
+
+# ---------------------------------------------------------------- the truth, and the slopes
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_quadruple_precision_agrees_with_50_digits(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot, motion = case(rng, 9 if seed else 0)
+    with mp.workdps(50):
+        raw = [block_inputs(robot, motion, leg) for leg in range(6)]
+        for as_given in (True, False):
+            if not as_given:
+                raw = [idealised(values) for values in raw]
+            true = list(truth(EXACT, robot, motion, raw)["F"])
+            high, low = quad_forces(robot, motion, as_given=as_given)
+            worst = max(
+                abs(mp.mpf(float(h)) + mp.mpf(float(rest)) - F)
+                for h, rest, F in zip(high, low, true, strict=True)
+            )
+            assert worst < mp.mpf(2) ** -95 * max(map(abs, true))
+
+
+def idealised(values: dict[str, Any]) -> dict[str, Any]:
+    """The inputs with R the rotation nearest to it, by its singular values, and k of length one."""
+    names = [[f"R_{i}{j}" for j in "xyz"] for i in "xyz"]
+    U, _, V = mp.svd_r(mp.matrix([[values[name] for name in row] for row in names]))
+    R = U * V
+    size = mp.sqrt(sum(values[f"k_{i}"] ** 2 for i in "xyz"))
+    return {
+        **values,
+        **{names[i][j]: R[i, j] for i in range(3) for j in range(3)},
+        **{f"k_{i}": values[f"k_{i}"] / size for i in "xyz"},
+    }
+
+
+def test_adjoint_gives_the_slopes_of_the_formula() -> None:
+    x, y, gain = (Quantity(name, (), "", "") for name in ("x", "y", "gain"))
+    build = Builder()
+    square = build.scalar("square", x.value**2 + 3 * y.value)
+    root = build.scalar("root", sp.sqrt(square + x.value * y.value))
+    inverse = build.scalar("inverse", 1 / root)
+    block = build.block(
+        "some", "", (x, y), [(gain, inverse * square - 2 * x.value), (Quantity("other", (), "", ""), root)]
+    )
+    weight = Quantity("weight", (), "", "")
+    found = adjoint(block, {gain: weight.value}, (weight,), ("x", "y"))
+    values = {"x": 0.75, "y": 0.625, "weight": 3.0}
+    for step in block.steps:
+        values[step.name] = run(step.expr, values, np.sqrt)
+    slopes = found.block.run(values, np.sqrt)
+    at = {symbol: values[symbol.name] for symbol in (x.value, y.value)}
+    for name in ("x", "y"):
+        wanted = 3 * sp.diff(block.formula("gain")[0], sp.Symbol(name, real=True)).subs(at)
+        assert slopes[f"slope of {name}"][0] == pytest.approx(float(wanted), rel=1e-13)

@@ -1,0 +1,40 @@
+"""The page of conventions names what users give and get, and is linked; its drawing is whole."""
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.studies.paper.conventions import figure
+
+REPOSITORY = Path(__file__).parents[2]
+PAGE = REPOSITORY / ".docs" / "conventions.md"
+
+
+def test_the_page_names_every_part_of_a_motion_and_every_reaction() -> None:
+    page = PAGE.read_text(encoding="utf-8")
+    fields = [field.name for of in (ss.Motion, ss.results.Reactions) for field in dataclasses.fields(of)]
+    assert not [name for name in fields if f"`{name}`" not in page and name not in ("status", "F_c")]
+
+
+def test_the_page_is_linked_where_a_new_user_looks(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit, match="0"):
+        main(["check", "--help"])
+    places = [
+        (REPOSITORY / "README.md").read_text(encoding="utf-8"),
+        (REPOSITORY / "derive" / "derivation.ipynb").read_text(encoding="utf-8"),
+        capsys.readouterr().out.replace("\n", " "),
+    ]
+    assert all(".docs/conventions.md" in place for place in places)
+
+
+def test_nothing_of_the_drawing_is_cut_off() -> None:
+    canvas = FigureCanvasAgg(figure())
+    canvas.draw()
+    ink = np.asarray(canvas.buffer_rgba())[..., :3].min(axis=-1) < 255
+    assert ink.mean() > 0.02
+    assert not any(edge.any() for edge in (ink[:4], ink[-4:], ink[:, :4], ink[:, -4:]))

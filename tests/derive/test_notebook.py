@@ -1,0 +1,131 @@
+"""The notebook of the derivation runs from start to end, and shows what the code gives now.
+
+``PYTHONPATH=tests/support python tests/derive/test_notebook.py`` runs it and writes the
+outputs into the committed file.
+"""
+
+import os
+import subprocess
+import sys
+from importlib import resources
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from typing import Any
+
+import nbformat
+import pytest
+from installed import REPOSITORY, install
+from nbclient import NotebookClient
+
+from stewart_sym.io.extras import EXTRAS
+
+NOTEBOOK = resources.files("stewart_sym.derive") / "derivation.ipynb"
+REWRITE = "run `PYTHONPATH=tests/support python tests/derive/test_notebook.py` and look at the notebook"
+METADATA = {
+    "kernelspec": {"display_name": "Python 3", "language": "python", "name": "python3"},
+    "language_info": {"name": "python"},
+}
+WITHOUT = """
+import sys
+
+class Missing:
+    def find_spec(self, name, path=None, target=None):
+        if name in {names}:
+            raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
+
+sys.meta_path.insert(0, Missing())
+"""
+
+
+def test_the_readme_says_what_it_needs_and_how_to_open_it() -> None:
+    readme = (REPOSITORY / "README.md").read_text(encoding="utf-8")
+    assert 'pip install ".[notebook]"' in readme
+    assert "jupyter lab derive/derivation.ipynb" in readme
+
+
+def test_every_cell_is_committed_as_executed_in_order_without_error() -> None:
+    cells = _code_cells(_committed())
+    assert [cell.execution_count for cell in cells] == list(range(1, len(cells) + 1))
+    assert not [out for cell in cells for out in cell.outputs if _is_unwanted(out)]
+
+
+@pytest.mark.slow
+def test_a_plain_install_runs_it_with_its_extra_and_gives_the_committed_outputs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """In a folder of its own, and without the packages of other extras."""
+    installed = install(tmp_path)
+    others = set(EXTRAS) - {"matplotlib", "mpl_toolkits"}
+    (installed / "sitecustomize.py").write_text(WITHOUT.format(names=others))
+    monkeypatch.setenv("PYTHONPATH", str(installed))
+    for variable in ("IPYTHONDIR", "JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR", "JUPYTER_RUNTIME_DIR"):
+        monkeypatch.setenv(variable, str(tmp_path / variable))
+    used = subprocess.run(
+        [sys.executable, "-c", "import stewart_sym; print(stewart_sym.__file__)"],
+        check=True,
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+    )
+    assert Path(used.stdout.strip()).is_relative_to(installed)
+    committed = _code_cells(_committed())
+    fresh = _code_cells(_executed(tmp_path))
+    assert not [out for cell in fresh for out in cell.outputs if out.output_type == "error"]
+    for was, now in zip(committed, fresh, strict=True):
+        assert _shown(now) == _shown(was), f"cell {was.id} shows something else: {REWRITE}"
+
+
+def test_outputs_tell_nothing_of_the_machine_they_were_made_on() -> None:
+    text = NOTEBOOK.read_text("utf-8")
+    assert _committed().metadata == METADATA
+    for place in {str(Path.home()), os.getcwd(), sys.prefix, "site-packages", " at 0x"}:
+        assert place not in text
+
+
+def _committed() -> Any:
+    return nbformat.reads(NOTEBOOK.read_text("utf-8"), as_version=4)  # type: ignore[no-untyped-call]
+
+
+def _executed(folder: Path) -> Any:
+    """The notebook after a run in ``folder``; CellExecutionError when a cell fails."""
+    notebook = _committed()
+    client = NotebookClient(
+        notebook,
+        timeout=600,
+        kernel_name="python3",
+        record_timing=False,
+        resources={"metadata": {"path": str(folder)}},
+    )
+    client.execute()
+    return notebook
+
+
+def _code_cells(notebook: Any) -> list[Any]:
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+
+def _is_unwanted(output: Any) -> bool:
+    """Whether it is an error or something that was written to stderr, such as a warning."""
+    return bool(output.output_type == "error" or output.get("name") == "stderr")
+
+
+def _shown(cell: Any) -> list[dict[str, str]]:
+    """What a cell prints and shows, but for pictures: their bytes depend on Matplotlib's version."""
+    return [
+        {"text/plain": output.text}
+        if output.output_type == "stream"
+        else {kind: text for kind, text in output.data.items() if not kind.startswith("image/")}
+        for output in cell.outputs
+        if not _is_unwanted(output)
+    ]
+
+
+def _rewrite() -> None:
+    with TemporaryDirectory() as folder:
+        notebook = _executed(Path(folder))
+    notebook.metadata = METADATA
+    nbformat.write(notebook, str(NOTEBOOK))  # type: ignore[no-untyped-call]
+
+
+if __name__ == "__main__":
+    _rewrite()

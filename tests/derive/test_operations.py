@@ -1,0 +1,204 @@
+"""Operation counts: what the headers claim is what the C executes, and it stays below the limits."""
+
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+from string import Template
+
+import numpy as np
+import pytest
+from counting_c import COUNTING, REPORT
+from machines import dasgupta, random_motion, random_robot
+
+from stewart_sym.backend.kernel import c_sources, module, robot_numbers
+from stewart_sym.derive.block import Operations
+from stewart_sym.derive.emit import lanes, scalar
+from stewart_sym.derive.emit.header import common_header
+from stewart_sym.derive.emit.motion import sum_operations
+from stewart_sym.derive.emit.shared import shared_headers
+from stewart_sym.derive.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
+from stewart_sym.derive.kernel.outputs import prefix_of
+from stewart_sym.derive.motion import F_LEG
+from stewart_sym.derive.operations import force_operations, kernel_operations, solve_operations
+from stewart_sym.dynamics import closed_form
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
+
+PLAIN = """static stewart_forces forces;
+    counts = Counts();
+    int status = stewart_${KERNEL}_inverse_dynamics(&robot, &motion, &forces);"""
+BLOCK = """static stewart_${KERNEL}_model model;
+    stewart_${KERNEL}_prepare(&robot, &model);
+    static Real F[48];
+    stewart_motions all = {motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, 0, 0};
+    counts = Counts();
+    int status = stewart_${KERNEL}_forces_batch(&model, 1, &all, F, 0);"""
+
+POSE = """static stewart_${KERNEL}_pose_model model;
+    stewart_${KERNEL}_pose_prepare(&robot, &model);
+    static Real F[6];
+    counts = Counts();
+    int status = stewart_${KERNEL}_pose_forces(&model, &motion, F);"""
+
+
+def sums(kernel: str, given: str) -> str:
+    """Platform and legs of a kernel of the closed form; the lanes are eight, two of them repeat leg 6."""
+    return f"""static stewart_exact_model model;
+    stewart_exact_prepare(&robot, &model);
+    static {kernel}_legs legs;
+    static Real sum[100];
+    {given}
+    counts = Counts();
+    {kernel}_sums(&model, &motion, &legs, sum);
+    const int status = legs.status;"""
+
+
+def executed(
+    kernel: str,
+    source: str,
+    call: str,
+    robot: Robot,
+    motion: Motion,
+    folder: Path,
+    sources: dict[str, str] | None = None,
+) -> tuple[int, ...]:
+    """(mul, add, div, sqrt) that a call executes, counted by the C's own arithmetic type."""
+    (counts,) = all_executed(kernel, sources or c_sources(source), [call], robot, motion, folder)
+    return counts
+
+
+def all_executed(
+    kernel: str, texts: dict[str, str], calls: Sequence[str], robot: Robot, motion: Motion, folder: Path
+) -> list[tuple[int, ...]]:
+    """The counts of several calls, compiled once.
+
+    texts: the C by file name.
+    """
+    for name, text in texts.items():
+        (folder / name).write_text(text)
+    parts = [motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext]
+    numbers = np.concatenate([np.ravel(part) for part in parts if part is not None])
+    includes = "\n".join(f'#include "{name}"' for name in sorted(texts) if name.endswith(".c"))
+    done = "\n".join(f"{{ {call}{REPORT} }}" for call in calls)
+    given = {"ROBOT": robot_numbers(robot), "MOTION": numbers}
+    listed = {mark: ", ".join(repr(float(v)) for v in values) for mark, values in given.items()}
+    calls_of_kernel = Template(done).substitute(KERNEL=kernel)
+    program = Template(COUNTING).substitute(INCLUDES=includes, CALL=calls_of_kernel, **listed)
+    (folder / "count.cpp").write_text(program)
+    subprocess.run(["g++", "-O1", "-w", "count.cpp", "-o", "count"], check=True, cwd=folder)
+    lines = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=folder).stdout
+    found = [tuple(int(word) for word in line.split()) for line in lines.splitlines()]
+    assert [status for status, *_ in found] == [0] * len(calls)
+    return [line[1:] for line in found]
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Path) -> None:
+    rng = np.random.default_rng(3)
+    robot = random_robot(rng, form.base_joint)
+    name = form.kernel_name
+    counted = executed(name, name, PLAIN, robot, random_motion(rng, robot), tmp_path)
+    assert counted == module(name).OPERATIONS["friction"]["total"]
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp_path: Path) -> None:
+    rng = np.random.default_rng(4)
+    robot = random_robot(rng, form.base_joint)
+    name = form.kernel_name
+    counted = executed(name, f"{name}_forces", BLOCK, robot, random_motion(rng, robot), tmp_path)
+    assert counted == tuple(8 * n for n in module(name).FORCE_OPERATIONS["friction"]["total"])
+
+
+def test_counts_of_the_closed_form_are_what_the_c_executes(tmp_path: Path) -> None:
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng)
+    calls, claims = [], []
+    for kernel in reduced_motion():
+        given = "for (int i = 0; i < 6; ++i) legs.F[i] = i + 1;" if F_LEG in kernel.leg.inputs else ""
+        calls.append(sums(prefix_of(kernel), given))
+        claimed = sum_operations(kernel) + 2 * kernel.leg.operations()
+        claims.append((claimed.mul, claimed.add, claimed.div, claimed.sqrt))
+    motion = random_motion(rng, robot)
+    assert len(calls) == 6
+    assert all_executed("exact", closed_form.c_sources(), calls, robot, motion, tmp_path) == claims
+
+
+def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path: Path) -> None:
+    rng = np.random.default_rng(6)
+    robot = random_robot(rng, friction=False)
+    kernel = reduced_forces(EXACT, friction=False)
+    sources = {
+        "stewart.h": common_header("test"),
+        **shared_headers("test"),
+        "stewart_exact_forces.h": lanes.header(kernel, kernel, "test"),
+        "stewart_exact_forces.c": lanes.source(kernel, "test"),
+    }
+    counted = executed("exact", "exact_forces", BLOCK, robot, random_motion(rng, robot), tmp_path, sources)
+    assert counted == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
+
+
+def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_path: Path) -> None:
+    rng = np.random.default_rng(8)
+    robot = random_robot(rng)
+    kernel = reduced_forces(EXACT, friction=True)
+    sources = {
+        "stewart.h": common_header("test"),
+        **shared_headers("test"),
+        "stewart_exact_pose.h": scalar.header(kernel, None, "test"),
+        "stewart_exact_pose.c": scalar.source(kernel, "test"),
+    }
+    claimed = force_operations(kernel, scalar_text=True).total
+    # Sums of sizes, which checks compare: of t and the machine, and of the forces.
+    checks = 4 + 5
+    counted = executed("exact", "", POSE, robot, random_motion(rng, robot), tmp_path, sources)
+    assert counted == (claimed.mul, claimed.add + checks, claimed.div, claimed.sqrt)
+
+
+@pytest.mark.slow
+def test_printed_counts_are_those_of_the_blocks() -> None:
+    for form in FORMULATIONS:
+        for label, friction in (("friction", True), ("frictionless", False)):
+            parts = kernel_operations(reduced(form, friction)).parts()
+            claimed = module(form.kernel_name).OPERATIONS[label]
+            assert claimed == {name: (o.mul, o.add, o.div, o.sqrt) for name, o in parts.items()}
+
+
+def test_force_kernel_stays_within_its_limits() -> None:
+    counts = module("exact").FORCE_OPERATIONS
+    assert sum(counts["frictionless"]["total"]) <= 1900
+    assert sum(counts["friction"]["total"]) <= 2116
+
+
+def test_exact_stays_within_its_limits() -> None:
+    assert kernel_operations(reduced(EXACT, friction=False)).total.total <= 3300
+    assert kernel_operations(reduced(EXACT, friction=True)).total.total <= 3600
+
+
+def test_paper_kernel_is_cheaper_than_the_papers_program() -> None:
+    claimed = module("paper").OPERATIONS["frictionless"]
+    assert sum(claimed["leg"]) < 694
+    assert sum(claimed["platform"]) < 273
+    assert sum(claimed["solve"]) < 452
+    assert sum(claimed["total"]) < 4889
+
+
+def test_a_solve_counts_what_its_text_does() -> None:
+    """Counted here from the numbers of rows and columns; the product of the pivots is five more."""
+    below = [5 - k for k in range(6)]
+    update = sum(rows * (6 - k) for k, rows in enumerate(below))
+    whole = Operations(mul=sum(below) + update + 15 + 6, add=update + 15, div=6)
+    assert solve_operations("every output") == whole
+    tip = Operations(mul=whole.mul - 3 * 7 - 1, add=whole.add - 3 * 6, div=6)
+    assert solve_operations("block about tip") == tip
+    assert solve_operations("one pose") == tip + Operations(mul=5 + 1)
+
+
+def test_dasgupta_machine_counts_like_any_other(tmp_path: Path) -> None:
+    robot = dasgupta()
+    motion = random_motion(np.random.default_rng(5), robot)
+    assert (
+        executed("exact", "exact", PLAIN, robot, motion, tmp_path)
+        == module("exact").OPERATIONS["friction"]["total"]
+    )

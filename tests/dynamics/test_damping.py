@@ -1,0 +1,220 @@
+"""Damped forces are finite where H is singular, say what they leave wanting, and touch no other pose."""
+
+import dataclasses
+import warnings
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from mpmath import mp
+from numpy.typing import NDArray
+from unsolvable_poses import BACKENDS, at_rest, leg_along_its_axis, short_leg, singular
+
+import stewart_sym as ss
+from stewart_sym.dynamics.damping import SHARE, damped_solution
+from stewart_sym.results import OK, POLE, SHORT_LEG, SINGULAR
+
+Array = NDArray[np.float64]
+FIELDS = ("R", "t", "omega", "v", "alpha", "a")
+
+
+def together(*motions: ss.Motion) -> ss.Motion:
+    return ss.Motion(*(np.stack([getattr(motion, name) for motion in motions]) for name in FIELDS))
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_a_singular_pose_gets_forces_and_says_what_they_leave_wanting(backend, formulation) -> None:
+    robot, pose = singular()
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        found = ss.inverse_dynamics(robot, pose, formulation, backend, on_singular="damped")
+    assert found.status == SINGULAR
+    assert found.wrench_error is not None
+    np.testing.assert_allclose(found.F, found.D - found.x, rtol=1e-13)
+    np.testing.assert_allclose(found.wrench_error, found.c - found.H @ found.x, atol=1e-11)
+    np.testing.assert_allclose(found.H, ss.wrench_matrix(robot, pose), atol=1e-14)
+    lost = ss.singularity(robot, pose)
+    load = found.c @ lost.twist
+    assert abs(load) > 1.0
+    np.testing.assert_allclose(found.wrench_error, load * lost.wrench, atol=1e-9 * abs(load))
+    assert np.abs(found.F).max() < 1e4
+
+
+def test_what_is_left_wanting_is_the_least_possible() -> None:
+    robot, pose = singular()
+    found = ss.inverse_dynamics(robot, pose, on_singular="damped")
+    unit = np.repeat([1.0, ss.characteristic_length(robot)], 3)
+    best = np.linalg.lstsq(found.H / unit[:, None], found.c / unit, rcond=1e-12)[0]
+    np.testing.assert_allclose(found.x, best, rtol=1e-8)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_all_other_poses_are_the_same_bits(backend) -> None:
+    robot, bad = singular()
+    rng = np.random.default_rng(0)
+    good = [dataclasses.replace(at_rest([0.1, 0.0, z]), v=rng.normal(size=3)) for z in (0.6, 0.8, 1.1)]
+    mixed = together(good[0], bad, good[1], good[2], bad)
+    damped = ss.inverse_dynamics(robot, mixed, backend=backend, on_singular="damped")
+    plain = ss.inverse_dynamics(robot, mixed, backend=backend, on_singular="nan")
+    assert list(damped.status) == list(plain.status) == [0, SINGULAR, 0, 0, SINGULAR]
+    for name in ("F", "D", "x", "K", "H", "c"):
+        np.testing.assert_array_equal(getattr(damped, name)[[0, 2, 3]], getattr(plain, name)[[0, 2, 3]])
+        assert np.isfinite(getattr(damped, name)).all()
+    assert damped.wrench_error is not None
+    assert (damped.wrench_error[[0, 2, 3]] == 0.0).all()
+    assert plain.wrench_error is None
+    np.testing.assert_array_equal(damped.F[1], damped.F[4])
+
+
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+def test_without_singular_poses_nothing_changes(base_joint: str) -> None:
+    rng = np.random.default_rng(1)
+    robot = random_robot(rng, base_joint)
+    motion = random_motion(rng, robot, (2, 5))
+    damped = ss.inverse_dynamics(robot, motion, on_singular="damped")
+    np.testing.assert_array_equal(damped.F, ss.inverse_dynamics(robot, motion).F)
+    np.testing.assert_array_equal(damped.wrench_error, np.zeros((2, 5, 6)))
+    fast = ss.prepare(robot)
+    np.testing.assert_array_equal(fast.forces(motion, on_singular="damped"), fast.forces(motion))
+
+
+@pytest.mark.parametrize(
+    ("make", "code", "text"), [(short_leg, SHORT_LEG, "length zero"), (leg_along_its_axis, POLE, "universal")]
+)
+def test_legs_without_direction_or_frame_are_still_refused(make, code: int, text: str) -> None:
+    robot, bad = make()
+    both = together(at_rest([0.13, 0.04, 0.6]), bad)
+    with pytest.warns(ss.SingularPoseWarning, match=rf"motion\[1\].*{text}"):
+        found = ss.inverse_dynamics(robot, both, on_singular="damped")
+    assert list(found.status) == [OK, code]
+    assert np.isnan(found.F[1]).all()
+    assert found.wrench_error is not None
+    assert np.isnan(found.wrench_error[1]).all()
+    for function in (ss.joint_reactions, ss.prepare(robot).forces):
+        arguments = (robot, both) if function is ss.joint_reactions else (both,)
+        with pytest.warns(ss.SingularPoseWarning, match=rf"motion\[1\].*{text}"):
+            function(*arguments, on_singular="damped")  # type: ignore[operator]
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_the_force_kernel_takes_damped_forces_from_the_full_road(precision) -> None:
+    robot, bad = singular()
+    mixed = together(at_rest([0.1, 0.0, 0.6]), bad)
+    kernel = ss.prepare(robot, precision=precision)
+    F = kernel.forces(mixed, on_singular="damped")
+    assert F.dtype == kernel.dtype
+    expected = ss.inverse_dynamics(robot, mixed, on_singular="damped").F
+    np.testing.assert_allclose(F[1], expected[1], rtol=1e-6)
+    np.testing.assert_array_equal(F[0], kernel.forces(mixed, on_singular="nan")[0])
+    np.testing.assert_array_equal(kernel.forces(bad, on_singular="damped"), F[1])
+
+
+def test_the_force_kernel_damps_no_reduced_physics() -> None:
+    robot, bad = singular()
+    with pytest.raises(ValueError, match=r'^on_singular: "damped" needs fidelity "general", this one is'):
+        ss.prepare(robot, fidelity="massless").forces(bad, on_singular="damped")
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_reactions_are_those_of_the_damped_forces(backend) -> None:
+    robot, bad = singular()
+    mixed = together(at_rest([0.1, 0.0, 0.6]), bad)
+    found = ss.joint_reactions(robot, mixed, backend=backend, on_singular="damped")
+    forces = ss.inverse_dynamics(robot, mixed, backend=backend, on_singular="damped")
+    s = np.swapaxes(forces.H, -1, -2)[..., :3]
+    np.testing.assert_allclose(found.F_s, forces.x[..., None] * s + forces.K, atol=1e-9)
+    np.testing.assert_allclose(np.sum(found.F_p * s, axis=-1), forces.F, atol=1e-9)
+    plain = ss.joint_reactions(robot, mixed, backend=backend, on_singular="nan")
+    np.testing.assert_array_equal(found.F_u[0], plain.F_u[0])
+    assert list(found.status) == [0, SINGULAR]
+
+
+# the solution itself
+
+
+def matrices(smallest: float, count: int = 40) -> tuple[Array, Array, Array]:
+    """Random H of length 1 m with singular values from 1 to 0.2 and a smallest one, c, and u_6."""
+    rng = np.random.default_rng(9)
+    U, V = (np.linalg.qr(rng.normal(size=(count, 6, 6)))[0] for _ in range(2))
+    s = np.array([1.0, 0.8, 0.6, 0.4, 0.2, smallest])
+    return (U * s) @ np.swapaxes(V, -1, -2), rng.normal(size=(count, 6)), U[..., -1]
+
+
+@pytest.mark.parametrize("smallest", [1e-1, 1e-2, 2e-4])
+def test_above_its_threshold_the_solution_is_the_plain_one(smallest: float) -> None:
+    H, c, _ = matrices(smallest)
+    x, error = damped_solution(H, c, 1.0)
+    np.testing.assert_allclose(x, np.linalg.solve(H, c[..., None])[..., 0], rtol=1e-9)
+    assert np.abs(error).max() < 1e-10
+
+
+@pytest.mark.parametrize("smallest", [1e-4, 1e-6, 1e-10, 1e-17, 0.0])
+def test_below_it_forces_stay_bounded_and_only_the_lost_wrench_is_missing(smallest: float) -> None:
+    H, c, u = matrices(smallest)
+    x, error = damped_solution(H, c, 1.0)
+    assert (np.linalg.norm(x, axis=-1) <= np.linalg.norm(c, axis=-1) * (1 / SHARE + 5.0)).all()
+    missing = np.sum(u * c, axis=-1) * (1.0 - (smallest / SHARE) ** 2)
+    np.testing.assert_allclose(error, missing[..., None] * u, atol=1e-9)
+
+
+def test_damping_sets_in_without_a_jump() -> None:
+    solutions = [damped_solution(*matrices(SHARE * (1.0 + side * 1e-9))[:2], 1.0)[0] for side in (-1, 1)]
+    np.testing.assert_allclose(*solutions, rtol=1e-6)
+
+
+def test_the_solution_is_that_of_50_digits() -> None:
+    H, c, _ = (part[0] for part in matrices(1e-5, 1))
+    share = 1e-3
+    x, error = damped_solution(H, c, 1.0, share)
+    with mp.workdps(50):
+        A, right = mp.matrix(H.tolist()), mp.matrix(c.tolist())
+        U, s, V_T = mp.svd_r(A)
+        along = U.T * right
+        gains = [max(value, share * s[0]) ** -2 * value for value in s]
+        expected = V_T.T * mp.matrix([g * a for g, a in zip(gains, along, strict=True)])
+        left = right - A * expected
+    np.testing.assert_allclose(x, [float(value) for value in expected], rtol=1e-9)
+    np.testing.assert_allclose(error, [float(value) for value in left], atol=1e-13)
+
+
+def test_the_unit_of_length_does_not_matter() -> None:
+    H, c, _ = matrices(1e-8)
+    mm = np.repeat([1.0, 1e3], 3)
+    x, error = damped_solution(H, c, 0.5)
+    x_mm, error_mm = damped_solution(H * mm[:, None], c * mm, 500.0)
+    np.testing.assert_allclose(x_mm, x, atol=1e-7)
+    np.testing.assert_allclose(error_mm / mm, error, atol=1e-11)
+
+
+def test_nothing_comes_of_nothing() -> None:
+    x, error = damped_solution(np.zeros((6, 6)), np.ones(6), 1.0)
+    assert (x == 0.0).all()
+    assert (error == 1.0).all()
+    x, error = damped_solution(np.full((6, 6), np.nan), np.ones(6), 1.0)
+    assert np.isnan(x).all()
+    assert np.isnan(error).all()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        ((np.eye(5), np.ones(6), 1.0), r"H: expected shape"),
+        ((np.eye(6), np.ones(5), 1.0), r"c: expected wrenches of shape \(..., 6\), got shape \(5,\)"),
+        ((np.eye(6), "a", 1.0), r"c: expected wrenches"),
+        ((np.eye(6), np.ones(6), 0.0), r"length: expected a finite length > 0 m"),
+        ((np.eye(6), np.ones(6), 1.0, 1.0), r"share: expected a number > 0 and < 1, got 1.0"),
+        ((np.eye(6), np.ones(6), 1.0, True), r"share: expected a number > 0 and < 1, got True"),
+    ],
+)
+def test_bad_arguments_are_one_line(arguments: tuple[object, ...], text: str) -> None:
+    with pytest.raises(ValueError, match=rf"\A{text}.*\Z"):
+        damped_solution(*arguments)  # type: ignore[arg-type]
+
+
+def test_functions_without_a_solve_for_forces_know_no_damping() -> None:
+    robot = dasgupta()
+    with pytest.raises(ValueError, match=r'^on_singular: expected "raise", "warn" or "nan", got \'damped\'$'):
+        ss.equations_of_motion(robot, at_rest([0.1, 0.0, 0.5]), on_singular="damped")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r'^on_singular: expected "raise", "warn", "nan" or "damped", got'):
+        ss.inverse_dynamics(robot, at_rest([0.1, 0.0, 0.5]), on_singular="pass")  # type: ignore[arg-type]

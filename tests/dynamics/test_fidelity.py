@@ -1,0 +1,119 @@
+"""Reduced kernels are the general one wherever the machine is as simple as they say, and cost less."""
+
+import numpy as np
+import pytest
+from block_forces import forces
+from fifty_digits import truth
+from machines import random_motion, random_robot
+from mpmath import mp
+from reduced_machines import as_simple_as, at_rest
+
+import stewart_sym as ss
+from stewart_sym.backend import fidelity
+from stewart_sym.derive.fidelity import AXISYMMETRIC, FIDELITIES, POINT_MASSES, Fidelity, fidelity_kernel
+from stewart_sym.derive.formulation import EXACT, PAPER
+from stewart_sym.motion.motion import Motion
+
+EPSILON = np.finfo(np.float64).eps
+UNITS = 100
+
+
+@pytest.fixture(params=FIDELITIES.values(), ids=lambda level: level.name)
+def level(request: pytest.FixtureRequest) -> Fidelity:
+    return request.param
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+def test_reduction_equals_the_general_kernel_where_the_machine_is_that_simple(level: Fidelity) -> None:
+    rng = np.random.default_rng(11)
+    for _ in range(20):
+        robot = as_simple_as(random_robot(rng), level)
+        motion = random_motion(rng, robot)
+        same = motion if level.moving else at_rest(motion)
+        found = ss.prepare(robot, fidelity=level.name).forces(motion)
+        expected = ss.inverse_dynamics(robot, same)
+        size = max(np.abs(values).max() for values in (expected.F, expected.D, expected.x))
+        condition = ss.condition_number(expected.H)
+        assert np.abs(found - expected.F).max() <= UNITS * EPSILON * condition * size
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+def test_reduced_blocks_are_the_elimination_at_50_digits(level: Fidelity) -> None:
+    rng = np.random.default_rng(5)
+    robot = as_simple_as(random_robot(rng), level)
+    motion = random_motion(rng, robot)
+    with mp.workdps(50):
+        expected = truth(EXACT, robot, motion if level.moving else at_rest(motion))["F"]
+        found = forces(fidelity_kernel(EXACT, level), robot, motion)
+        # R and k are orthonormal to double rounding only, and the two forms use that at different places.
+        assert mp.mnorm(found - expected, mp.inf) <= 1e-13 * mp.mnorm(expected, mp.inf)
+
+
+def test_one_pose_and_batch_agree_to_the_last_bit(level: Fidelity) -> None:
+    rng = np.random.default_rng(2)
+    robot = random_robot(rng)
+    poses = [random_motion(rng, robot) for _ in range(11)]
+    kernel = ss.prepare(robot, fidelity=level.name)
+    names = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+    batch = kernel.forces(Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in names)))
+    slot = kernel.one_pose()
+    for pose, expected in zip(poses, batch, strict=True):
+        slot.numbers[:] = np.concatenate([np.ravel(getattr(pose, name)) for name in names])
+        assert slot.solve() == 0
+        np.testing.assert_array_equal(slot.F, expected)
+
+
+def test_massless_legs_cost_35_percent_and_slender_ones_75_percent_of_the_general_kernel() -> None:
+    robot = random_robot(np.random.default_rng(0))
+    cost = {name: fidelity.operations(robot, fidelity=name) for name in fidelity.FIDELITIES}
+    print(cost)
+    plain = cost["frictionless"]
+    assert cost["massless"] <= 0.35 * plain
+    assert cost["slender"] <= 0.75 * plain
+    assert cost["slender"] < cost["axisymmetric"] < plain < cost["general"]
+    assert cost["slender"] < cost["slender_friction"] < cost["axisymmetric_friction"] < cost["general"]
+    assert cost["massless_static"] < cost["slender_static"] < cost["general_static"] < plain
+
+
+def test_at_rest_axisymmetric_legs_and_point_masses_are_slender_ones() -> None:
+    rng = np.random.default_rng(3)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    slender = fidelity_kernel(EXACT, FIDELITIES["slender_static"])
+    with mp.workdps(50):
+        expected = forces(slender, robot, motion)
+        for legs in (AXISYMMETRIC, POINT_MASSES):
+            other = fidelity_kernel(EXACT, Fidelity("other", legs, friction=False, moving=False, meaning=""))
+            # k is orthonormal to double rounding only.
+            found = forces(other, robot, motion)
+            assert mp.mnorm(found - expected, mp.inf) <= 1e-13 * mp.mnorm(expected, mp.inf)
+    for name in ("axisymmetric_static", "point_masses_static"):
+        same = ss.prepare(robot, fidelity=name).forces(motion)
+        np.testing.assert_array_equal(same, ss.prepare(robot, fidelity="slender_static").forces(motion))
+
+
+@pytest.mark.parametrize("name", ["slender", "point_masses", "massless", "slender_static", "massless_static"])
+def test_spherical_base_joints_have_the_levels_that_know_no_universal_joint(name: str) -> None:
+    rng = np.random.default_rng(4)
+    robot = as_simple_as(random_robot(rng, "spherical"), FIDELITIES[name])
+    motion = random_motion(rng, robot)
+    same = at_rest(motion) if name.endswith("static") else motion
+    expected = ss.inverse_dynamics(robot, same).F
+    np.testing.assert_allclose(
+        ss.prepare(robot, fidelity=name).forces(motion),
+        expected,
+        rtol=1e-10,
+        atol=1e-10 * np.abs(expected).max(),
+    )
+
+
+def test_what_there_is_not_is_refused_in_one_line() -> None:
+    rng = np.random.default_rng(0)
+    with pytest.raises(ValueError, match=r"^fidelity: expected one of general, .* got 'stiff'$"):
+        ss.prepare(random_robot(rng), fidelity="stiff")
+    with pytest.raises(ValueError, match=r"^fidelity: expected one of general for paper, got 'slender'$"):
+        ss.prepare(random_robot(rng), "paper", fidelity="slender")
+    with pytest.raises(ValueError, match=r"^fidelity: .* with spherical base joints, got 'axisymmetric'$"):
+        ss.prepare(random_robot(rng, "spherical"), fidelity="axisymmetric")
+    with pytest.raises(ValueError, match=r"^fidelity: slender is a reduction of exact, not of paper$"):
+        fidelity_kernel(PAPER, FIDELITIES["slender"])

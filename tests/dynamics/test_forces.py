@@ -1,0 +1,382 @@
+"""The fast force kernels: right, the same whatever the batch, and never disturbed by a bad neighbour."""
+
+import copy
+import dataclasses
+import gc
+import pickle
+import subprocess
+import threading
+import tracemalloc
+from pathlib import Path
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from motion_fields import FIELDS
+from unsolvable_poses import CASES, at_rest
+
+import stewart_sym as ss
+from stewart_sym.backend.kernel import address, c_sources, robot_numbers
+from stewart_sym.dynamics import forces
+from stewart_sym.generated.interface import MODELS
+from stewart_sym.motion.motion import Motion
+
+
+def joined(*motions: Motion) -> Motion:
+    """Motions one after the other."""
+    return Motion(
+        *(
+            np.concatenate(
+                [np.atleast_2d(getattr(m, n)) if n != "R" else np.reshape(m.R, (-1, 3, 3)) for m in motions]
+            )
+            for n in FIELDS
+        )
+    )
+
+
+def relative(left: np.ndarray, right: np.ndarray) -> np.ndarray:
+    return np.abs(left - right).max(axis=-1) / np.abs(right).max(axis=-1)
+
+
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_forces_agree_with_the_reference_to_rounding(formulation, base_joint: str) -> None:
+    rng = np.random.default_rng(20)
+    for friction in (True, False):
+        for _ in range(15):
+            robot = random_robot(rng, base_joint, friction=friction)
+            motion = random_motion(rng, robot, (9,))
+            truth = ss.inverse_dynamics(robot, motion, formulation, "reference")
+            found = ss.prepare(robot, formulation).forces(motion)
+            assert (relative(found, truth.F) <= 1e-13 * ss.condition_number(truth.H)).all()
+
+
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_float_forces_agree_to_float_rounding(formulation) -> None:
+    rng = np.random.default_rng(21)
+    for _ in range(10):
+        robot = random_robot(rng, scale=1.0)
+        motion = random_motion(rng, robot, (9,))
+        truth = ss.inverse_dynamics(robot, motion, formulation)
+        found = ss.prepare(robot, formulation, "float").forces(motion)
+        assert found.dtype == np.float32
+        assert (relative(found, truth.F) <= 2e-5 * ss.condition_number(truth.H)).all()
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+def test_results_are_bit_identical_whatever_batch_position_and_threads(
+    precision, base_joint: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(forces, "LEAST_SHARE", 1)
+    rng = np.random.default_rng(22)
+    robot = random_robot(rng, base_joint)
+    kernel = ss.prepare(robot, precision=precision)
+    motion = random_motion(rng, robot, (37,))
+    whole = kernel.forces(motion)
+    assert all((kernel.forces(motion[i]) == whole[i]).all() for i in range(37))
+    for start, stop in ((0, 1), (1, 10), (5, 37), (8, 16), (30, 37)):
+        assert (kernel.forces(motion[start:stop]) == whole[start:stop]).all()
+    for threads in (2, 3, 5, 64):
+        assert (kernel.forces(motion, threads=threads) == whole).all()
+
+
+@pytest.mark.parametrize(
+    ("count", "threads", "expected"),
+    [(0, 2, 0), (1, 2, 1), (7_999, 2, 1), (8_000, 2, 2), (8_001, 2, 2), (8_000, 64, 2), (50_001, 3, 12)],
+)
+def test_a_batch_is_shared_in_parts_of_thousands_four_a_thread_at_most(
+    count: int, threads: int, expected: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rng = np.random.default_rng(30)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot)
+    some = random_motion(rng, robot, (50,))
+    arrays = [np.resize(getattr(some, name), (count, *getattr(some, name).shape[1:])) for name in FIELDS]
+    run = forces.ForceKernel._run
+    parts: list[tuple[int, int]] = []
+
+    def noted(self, arrays, F, status, start: int, count: int) -> None:
+        parts.append((start, count))
+        run(self, arrays, F, status, start, count)
+
+    monkeypatch.setattr(forces.ForceKernel, "_run", noted)
+    alone, shared = np.zeros((2, count, 6))
+    kernel.forces_into(arrays, alone, np.zeros(count, dtype=np.int32))
+    parts.clear()
+    kernel.forces_into(arrays, shared, np.zeros(count, dtype=np.int32), threads)
+    assert len(parts) == expected
+    assert sum(size for _, size in parts) == count
+    assert (shared == alone).all()
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_one_pose_is_bit_identical_to_the_batch(precision) -> None:
+    rng = np.random.default_rng(23)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot, precision=precision)
+    motion = random_motion(rng, robot, (20,))
+    whole = kernel.forces(motion)
+    slot = kernel.one_pose()
+    for i in range(20):
+        for name in FIELDS:
+            getattr(slot, name)[...] = getattr(motion, name)[i]
+        assert slot.solve() == 0
+        assert (slot.F == whole[i]).all()
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_a_bad_pose_has_its_status_and_leaves_its_neighbours_bit_identical(case: str) -> None:
+    make, code, text = CASES[case]
+    robot, bad = make()
+    good = [at_rest([0.1 + 0.01 * i, 0.04, 0.6]) for i in range(11)]
+    parts = ("R", "t", "omega", "v", "alpha", "a")
+    clean = Motion(*(np.stack([getattr(m, n) for m in good]) for n in parts))
+    for place in (0, 3, 7, 8, 10):
+        poisoned = [*good]
+        poisoned[place] = bad
+        motion = Motion(*(np.stack([getattr(m, n) for m in poisoned]) for n in parts))
+        kernel = ss.prepare(robot)
+        status = kernel.status(motion)
+        assert list(np.flatnonzero(status)) == [place]
+        assert status[place] == code
+        F = kernel.forces(motion, on_singular="nan")
+        others = np.arange(11) != place
+        assert np.isnan(F[place]).all()
+        assert (F[others] == kernel.forces(clean)[others]).all()
+        with pytest.raises(ValueError, match=rf"motion\[{place}\]"):
+            kernel.forces(motion)
+        with pytest.warns(ss.SingularPoseWarning):
+            kernel.forces(motion, on_singular="warn")
+    slot = kernel.one_pose()
+    for name in parts:
+        getattr(slot, name)[...] = getattr(bad, name)
+    slot.F[...] = 7.0
+    assert slot.solve() == code
+    assert (slot.F == 7.0).all()
+    assert text
+
+
+def test_non_finite_numbers_poison_only_their_own_pose() -> None:
+    """Motion refuses them, so they are written past it, as a sensor might."""
+    rng = np.random.default_rng(24)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot)
+    motion = random_motion(rng, robot, (40,))
+    clean = kernel.forces(motion)
+    for name in FIELDS:
+        for value in (np.nan, np.inf):
+            spoilt = np.array(getattr(motion, name))
+            spoilt[5] = value
+            fake = object.__new__(Motion)
+            for other in FIELDS:
+                object.__setattr__(fake, other, spoilt if other == name else getattr(motion, other))
+            F, status = kernel.forces_and_status(fake)
+            assert status[5] == ss.results.NOT_FINITE
+            others = np.arange(40) != 5
+            assert (status[others] == 0).all()
+            assert (F[others] == clean[others]).all()
+
+
+def test_empty_and_many_dimensional_batches_work() -> None:
+    rng = np.random.default_rng(25)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot)
+    assert kernel.forces(random_motion(rng, robot, (0,))).shape == (0, 6)
+    motion = random_motion(rng, robot, (2, 3, 5))
+    flat = kernel.forces(motion, threads=2).reshape(-1, 6)
+    assert (flat[17] == kernel.forces(motion[1, 0, 2])).all()
+
+
+def test_threads_may_share_a_prepared_kernel() -> None:
+    rng = np.random.default_rng(26)
+    robot = random_robot(rng)
+    kernel = ss.prepare(robot)
+    motion = random_motion(rng, robot, (200,))
+    expected = kernel.forces(motion)
+    wrong: list[int] = []
+
+    def hammer(number: int) -> None:
+        for _ in range(50):
+            if not (kernel.forces(motion) == expected).all():
+                wrong.append(number)
+
+    workers = [threading.Thread(target=hammer, args=(i,)) for i in range(8)]
+    for worker in workers:
+        worker.start()
+    for worker in workers:
+        worker.join()
+    assert not wrong
+
+
+@pytest.mark.parametrize(
+    ("arguments", "name"), [({"formulation": "x"}, "formulation"), ({"precision": "half"}, "precision")]
+)
+def test_unknown_options_are_named(arguments: dict, name: str) -> None:
+    with pytest.raises(ValueError, match=rf"^{name}: expected"):
+        ss.prepare(dasgupta(), **arguments)
+
+
+@pytest.mark.parametrize("threads", [0, -1, 1.5, True, "two"])
+def test_bad_thread_counts_are_named(threads) -> None:
+    with pytest.raises(ValueError, match=r"^threads: expected"):
+        ss.prepare(dasgupta()).forces(at_rest([0.1, 0, 0.5]), threads=threads)
+
+
+def test_the_prepared_model_has_the_size_that_python_allots(tmp_path: Path) -> None:
+    for kernel in ("exact", "paper", "exact_spherical", "paper_spherical"):
+        for name, text in c_sources(f"{kernel}_forces").items():
+            (tmp_path / name).write_text(text)
+        program = f"""#include <stdio.h>
+#include "stewart_{kernel}_forces.h"
+int main(void)
+{{
+    printf("%d", (int)(sizeof(stewart_{kernel}_model) / sizeof(stewart_real)));
+    return 0;
+}}
+"""
+        (tmp_path / "main.c").write_text(program)
+        subprocess.run(["gcc", "main.c", "-o", "size"], check=True, cwd=tmp_path)
+        done = subprocess.run(["./size"], check=True, capture_output=True, text=True, cwd=tmp_path)
+        assert int(done.stdout) == MODELS[kernel]
+
+
+@pytest.mark.parametrize(
+    "how", ["as they lie", "broadcast", "in columns", "float"], ids=lambda how: how.replace(" ", "_")
+)
+def test_batches_take_no_memory_beyond_inputs_and_outputs(how: str) -> None:
+    count = 400_000
+    path, _ = ss.PATHS["I"]
+    motion = path.sample(np.linspace(0, 6, count))
+    if how == "broadcast":
+        rest = np.broadcast_to(np.zeros(3), (count, 3))
+        motion = Motion.unchecked(R=motion.R, t=motion.t, omega=rest, v=rest, alpha=rest, a=rest)
+    if how == "in columns":
+        fields = {name: getattr(motion, name) for name in FIELDS}
+        motion = Motion.unchecked(**{**fields, "t": np.asfortranarray(motion.t)})
+    kernel = ss.prepare(dasgupta(), precision="float" if how == "float" else "double")
+    kernel.forces(motion[:8])
+    tracemalloc.start()
+    F, status = kernel.forces_and_status(motion)
+    _, peak = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert peak <= F.nbytes + status.nbytes + 16 * 2**20
+    assert (F[-3:] == kernel.forces(motion[-3:])).all()
+
+
+def test_buffers_live_as_long_as_the_bound_call_and_copies_have_their_own() -> None:
+    rng = np.random.default_rng(27)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    slot = ss.prepare(robot).one_pose()
+    for name in FIELDS:
+        getattr(slot, name)[...] = getattr(motion, name)
+    twin = copy.deepcopy(slot)
+    sent = pickle.loads(pickle.dumps(slot))
+    slot.numbers[...] = np.nan
+    assert slot.solve() != 0
+    for other in (twin, sent):
+        assert other.solve() == 0
+        assert (other.F == ss.prepare(robot).forces(motion)).all()
+    solve = twin.solve
+    del twin
+    gc.collect()
+    assert solve() == 0
+
+
+def test_a_changed_copy_of_a_kernel_is_prepared_anew() -> None:
+    rng = np.random.default_rng(28)
+    robot, other = random_robot(rng), random_robot(rng)
+    motion = random_motion(rng, robot, (3,))
+    kernel = ss.prepare(robot)
+    changed = dataclasses.replace(kernel, formulation="paper")
+    assert (changed.forces(motion) == ss.prepare(robot, "paper").forces(motion)).all()
+    moved = dataclasses.replace(kernel, robot=other)
+    assert (moved.forces(motion, on_singular="nan") == ss.prepare(other).forces(motion)).all()
+
+
+def test_given_arrays_that_do_not_fit_are_named() -> None:
+    rng = np.random.default_rng(29)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (4,))
+    kernel = ss.prepare(robot)
+    arrays = [np.ascontiguousarray(getattr(motion, name)) for name in FIELDS]
+    F, status = np.zeros((4, 6)), np.zeros(4, dtype=np.int32)
+    kernel.forces_into(arrays, F, status)
+    frozen = F.copy()
+    frozen.setflags(write=False)
+    bad = [
+        ("R", ([None, *arrays[1:]], F, status)),
+        ("t", ([arrays[0], arrays[1].astype(np.float32), *arrays[2:]], F, status)),
+        ("omega", ([*arrays[:2], arrays[2][:3], *arrays[3:]], F, status)),
+        ("F", (arrays, F[:3], status)),
+        ("F", (arrays, frozen, status)),
+        ("status", (arrays, F, status.astype(np.int64))),
+    ]
+    for name, arguments in bad:
+        with pytest.raises(ValueError, match=rf"^{name}: expected"):
+            kernel.forces_into(*arguments)  # type: ignore[arg-type]
+
+
+def test_a_warning_points_at_the_line_of_the_caller() -> None:
+    robot, bad = CASES["short"][0]()
+    kernel = ss.prepare(robot)
+    with pytest.warns(ss.SingularPoseWarning) as fast:
+        kernel.forces(bad, on_singular="warn")
+    with pytest.warns(ss.SingularPoseWarning) as full:
+        ss.inverse_dynamics(robot, bad, on_singular="warn")
+    assert [warning.filename for warning in (*fast, *full)] == [__file__, __file__]
+
+
+def test_constants_that_overflow_the_precision_are_refused() -> None:
+    robot = dasgupta()
+    heavy = dataclasses.replace(robot, M=1e39)
+    ss.prepare(heavy)
+    with pytest.raises(ValueError, match="robot: M: expected a number that float can hold"):
+        ss.prepare(heavy, precision="float")
+
+
+def test_buffers_that_do_not_fit_are_named() -> None:
+    kernel = ss.prepare(dasgupta())
+    with pytest.raises(ValueError, match="F: expected 6 writeable numbers"):
+        forces.OnePose(kernel, np.zeros(6, dtype=np.float32), np.zeros(30))
+    with pytest.raises(ValueError, match="numbers: expected 30 writeable numbers"):
+        forces.OnePose(kernel, np.zeros(6), np.zeros(29))
+
+
+def test_a_fixed_axis_of_any_length_gives_the_same_forces_in_c() -> None:
+    rng = np.random.default_rng(40)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (9,))
+    expected = ss.prepare(robot).forces(motion)
+    longer = robot_numbers(robot)
+    for leg in range(6):
+        start = leg * (len(longer) - 13) // 6 + 6
+        np.testing.assert_allclose(np.linalg.norm(longer[start : start + 3]), 1.0)
+        longer[start : start + 3] *= 3.0 + leg
+    kernel = ss.prepare(robot)
+    model = np.zeros_like(kernel.model)
+    assert kernel.function("prepare")(address(longer), address(model)) == 0
+    object.__setattr__(kernel, "model", model)
+    assert (relative(kernel.forces(motion), expected) <= 1e-12).all()
+    longer[6:9] = 0.0
+    status = kernel.function("prepare")(address(longer), address(model))
+    assert status == ss.results.NOT_FINITE
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("exponent", [-1, -0.5, 0.5, 1])
+def test_c_takes_axes_of_any_length_but_zero(exponent: float, precision: forces.Precision) -> None:
+    """To 1e-300 and 1e300 in double, 1e-37 and 1e37 in float."""
+    size = 10.0 ** (exponent * {"double": 300, "float": 37}[precision])
+    robot = random_robot(np.random.default_rng(15))
+    kernel = ss.prepare(robot, precision=precision)
+    numbers = robot_numbers(robot)
+    legs = numbers[:-13].reshape(6, -1)  # the platform's own: M, R_0, I_p, g
+    assert np.array_equal(legs[:, 6:9], robot.k)
+    legs[:, 6:9] *= size
+    numbers = numbers.astype(kernel.dtype)
+    model = np.zeros_like(kernel.model)
+    assert kernel.function("prepare")(address(numbers), address(model)) == 0
+    unit = 64 * np.finfo(kernel.dtype).eps
+    np.testing.assert_allclose(model, kernel.model, rtol=unit, atol=unit * 9.81)

@@ -1,0 +1,149 @@
+"""The generated C under sanitizers and a fuzzer: no undefined behaviour, and every output keeps its contract.
+
+Oracles in tests/support/c: status in the known set, outputs untouched on a status other than 0 and finite
+on 0, one pose equal to the batch bit for bit, null pointers refused, no byte beside an array.
+"""
+
+import os
+from pathlib import Path
+
+import attack_build
+import numpy as np
+import pytest
+from machines import dasgupta
+from sweeps import FULL, share
+
+from stewart_sym import results
+from stewart_sym.backend.kernel import address, library, robot_numbers
+
+SANITIZED = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
+MEMORY = ["-fsanitize=memory", "-fno-sanitize-recover=all"]
+COVERAGE = ["-fsanitize-coverage=inline-8bit-counters,pc-table"]
+FLOAT = ["-DSTEWART_FLOAT"]
+SEEDS = attack_build.ATTACK / "seeds.txt"
+
+
+def need(folder: Path, compiler: str, flags: list[str]) -> None:
+    reason = attack_build.works(folder, compiler, flags)
+    if reason is not None:
+        pytest.skip(reason)
+
+
+@pytest.mark.parametrize(
+    ("compiler", "flags", "cases"),
+    [
+        pytest.param("gcc", ["-O0", *SANITIZED], 2_000, id="gcc-double"),
+        pytest.param(
+            "gcc", ["-O0", *SANITIZED, *FLOAT], share(20_000), id="gcc-float", marks=pytest.mark.slow
+        ),
+        pytest.param(
+            "clang", ["-O1", *MEMORY], share(20_000), id="clang-uninitialised", marks=pytest.mark.slow
+        ),
+        # What ships: vector instructions, where one pose and a batch take different ways to the same bits.
+        pytest.param(
+            "gcc", ["-O3", "-march=native"], share(100_000), id="as-shipped", marks=pytest.mark.slow
+        ),
+        pytest.param(
+            "gcc",
+            ["-O3", "-march=native", *FLOAT],
+            share(100_000),
+            id="as-shipped-float",
+            marks=pytest.mark.slow,
+        ),
+    ],
+)
+def test_random_cases_keep_the_contract(compiler: str, flags: list[str], cases: int, tmp_path: Path) -> None:
+    need(tmp_path, compiler, flags)
+    program = attack_build.built(tmp_path, compiler, flags, some=not FULL)
+    assert attack_build.ran([str(program), str(cases), "1"], tmp_path) == f"{cases} cases\n"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    ("precision", "runs"), [([], share(1_000_000)), (FLOAT, share(50_000))], ids=["double", "float"]
+)
+def test_fuzzing_finds_nothing(
+    precision: list[str], runs: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    need(tmp_path, "clang", [*SANITIZED, "-fsanitize=fuzzer"])
+    program = attack_build.built(
+        tmp_path, "clang", ["-O1", *SANITIZED, *COVERAGE, *precision], None, ["-fsanitize=fuzzer"], not FULL
+    )
+    starts = []
+    for number, seed in enumerate(seeds()):
+        starts.append(tmp_path / f"seed{number:02}")
+        starts[-1].write_bytes(seed)
+    # Stacks of allocations and a long quarantine are most of the time and of no use here.
+    monkeypatch.setenv("ASAN_OPTIONS", "malloc_context_size=0:quarantine_size_mb=1")
+    limits = [
+        f"-runs={runs}",
+        "-seed=1",
+        "-max_len=96",
+        "-entropic=0",
+        f"-artifact_prefix={tmp_path}{os.sep}",
+        # Not as a folder, into which every new case would be written.
+        f"-seed_inputs={','.join(map(str, starts))}",
+    ]
+    assert f"Done {runs} runs" in attack_build.ran([str(program), *limits], tmp_path)
+
+
+def seeds() -> list[bytes]:
+    """Cases of seeds.txt: the hexadecimal words of a line, up to the first gap."""
+    lines = [line for line in SEEDS.read_text().splitlines() if not line.startswith("#")]
+    return [bytes.fromhex(line.split("  ")[0]) for line in lines]
+
+
+def test_every_kernel_has_an_oracle() -> None:
+    attacked = attack_build.oracles()
+    assert {kind for _, kind in attacked.values()} == {
+        *("forces", "dynamics", "motion", "bounds", "kinematics", "legs")
+    }
+    for stem, (kernel, kind) in attacked.items():
+        header = (attack_build.GENERATED / f"{stem}.h").read_text()
+        entries = {"forces": "_prepare", "dynamics": "_joint_reactions_batch", "motion": "_bias"}
+        function = (entries | {"bounds": "_forces_bounded_batch", "legs": "_batch"}).get(kind)
+        assert (f"stewart_{kernel}{function}(" if function else "stewart_forward_kinematics(") in header
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "told"),
+    [
+        ("", "", None),
+        ("if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {", "if (0) {", "attack_finite"),
+        ("if (first + (size_t)LANES <= count) {", "if (first < count) {", "heap-buffer-overflow"),
+        ("if (done.bad[l] > REAL(0)) {", "if (done.bad[l] > REAL(1)) {", "attack_first"),
+        ("|| motions->t == NULL) {", ") {", "null pointer"),
+        ("int code = STEWART_OK;", "int code = 1 << (31 + (count > 8));", "left shift of 1"),
+    ],
+    ids=["sound", "not finite", "past the end", "batch", "null", "undefined"],
+)
+def test_the_oracles_tell_a_broken_kernel(old: str, new: str, told: str | None, tmp_path: Path) -> None:
+    need(tmp_path, "gcc", SANITIZED)
+    stem, kernel = "stewart_exact_massless_static_forces", "exact_massless_static"
+    sound = {name: (attack_build.GENERATED / name).read_text() for name in (f"{stem}.c", "stewart_lanes.h")}
+    assert told is None or sum(text.count(old) for text in sound.values()) == 1
+    for name, text in sound.items():
+        (tmp_path / name).write_text(text.replace(old, new) if old else text)
+    (tmp_path / "attack_kernels.h").write_text(f"ORACLE(attack_{kernel}_forces)\n")
+    sources = [str(attack_build.ATTACK / f"attack{part}.c") for part in ("", "_forces", "_driver")]
+    named = [f"-DKERNEL={kernel}", f'-DHEADER="{stem}.h"', "-DKERNELS=1"]
+    places = [f"-I{place}" for place in (tmp_path, attack_build.GENERATED, attack_build.ATTACK)]
+    command = ["gcc", *attack_build.STRICT, *SANITIZED, *named, *places, f"{stem}.c", *sources, "-lm"]
+    attack_build.ran(command, tmp_path)
+    if told is None:
+        attack_build.ran(["./a.out", "2000"], tmp_path)
+    else:
+        with pytest.raises(AssertionError, match=told):
+            attack_build.ran(["./a.out", "2000"], tmp_path)
+
+
+@pytest.mark.parametrize("bearing", [np.nan, 1e308])
+def test_reactions_with_status_0_are_finite(bearing: float) -> None:
+    numbers = robot_numbers(dasgupta())
+    motion = np.zeros(30)
+    motion[:9], motion[9:12] = np.eye(3).ravel(), (0.13, 0.04, 0.6)
+    forces, reactions = np.zeros(78), np.zeros(96)
+    status = library("exact").stewart_exact_joint_reactions(
+        *(address(array) for array in (numbers, motion, np.full(6, bearing), forces, reactions))
+    )
+    assert status == results.NOT_FINITE

@@ -1,0 +1,338 @@
+"""The float kernels: no double in the object code, and as good as float can be on machines of any size."""
+
+import csv
+import dataclasses
+import math
+import platform
+import re
+import shutil
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from compiled_folder import c_folder
+from float_machines import BOUND, any_machine
+from machines import dasgupta, random_motion, random_robot
+from motion_fields import FIELDS
+from numpy.typing import NDArray
+from sweeps import share
+
+import stewart_sym as ss
+from stewart_sym.backend.kernel import c_sources
+from stewart_sym.derive import notation as n
+from stewart_sym.derive.bake import baked
+from stewart_sym.derive.emit import lanes
+from stewart_sym.derive.fidelity import FIDELITIES as DERIVED
+from stewart_sym.derive.fidelity import fidelity_kernel
+from stewart_sym.derive.formulation import EXACT
+from stewart_sym.derive.generate import shared_blocks
+from stewart_sym.generated import arithmetic, every_output
+from stewart_sym.generated.fidelities import FIDELITIES
+from stewart_sym.generated.interface import MODELS
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot import units
+from stewart_sym.robot.robot import Robot
+from stewart_sym.robot.units import Units
+from stewart_sym.studies.accuracy import scales
+
+SOURCES = sorted(path.name for path in c_folder().glob("*.c"))
+FORCES = [name for name in SOURCES if name.endswith("_forces.c")]
+COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
+FLOAT = ["-DSTEWART_FLOAT"]
+STRICT = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
+EPSILON = float(np.finfo(np.float32).eps)
+
+# What ends in sd or pd and yet only moves bits: two floats, or a struct of them, travel like a double.
+MOVES = re.compile(
+    r"v?(mov\w*|unpck[lh]|shuf|perm\w*|blendv?|broadcast|extract\w*|insert\w*|and|andn|or|xor|scatter\w*|gather\w*)"
+    r"(sd|pd)"
+)
+# Signed doublewords, which are integers.
+INTEGERS = re.compile(r"v?p(max|min)sd")
+
+
+def double_instructions(listing: str) -> set[str]:
+    """Mnemonics of x86 that compute with doubles or convert to or from them; those of the x87 as well."""
+    mnemonics = {line.split("\t")[1].split()[0] for line in listing.splitlines() if line.count("\t") == 1}
+    ends = {name for name in mnemonics if re.search(r"(sd|pd)$", name) and not MOVES.fullmatch(name)}
+    ends -= {name for name in ends if INTEGERS.fullmatch(name)}
+    conversions = {name for name in mnemonics if re.match(r"v?cvt.*(sd|pd)", name)}
+    return (
+        ends | conversions | {name for name in mnemonics if re.match(r"f(ld|st|add|sub|mul|div|sqrt)", name)}
+    )
+
+
+def compiled(compiler: str, flags: list[str], source: str, target: Path) -> Path:
+    command = [compiler, "-std=c99", *flags, "-c", source, "-o", str(target)]
+    subprocess.run(command, check=True, cwd=c_folder())
+    return target
+
+
+def disassembled(target: Path) -> str:
+    command = ["objdump", "-d", "--no-show-raw-insn", str(target)]
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+on_x86 = pytest.mark.skipif(
+    platform.machine() not in ("x86_64", "AMD64") or not shutil.which("objdump"),
+    reason="reads the disassembly of x86-64",
+)
+
+
+FAST = ["-O3", "-mavx2", "-mfma", "-fno-math-errno"]
+GENERAL = ["stewart_exact.c", "stewart_exact_forces.c", "stewart_exact_motion.c", "stewart_paper_forces.c"]
+# One printer writes all of them: for most, the build with the fewest instructions folded or left out will do.
+BUILDS = [("gcc", FAST if source in GENERAL else ["-O1", *FAST[1:]], source) for source in SOURCES]
+BUILDS += [("gcc", ["-O2"], source) for source in GENERAL]
+BUILDS += [(compiler, FAST, source) for compiler in COMPILERS if compiler != "gcc" for source in GENERAL]
+
+
+@on_x86
+@pytest.mark.parametrize(
+    ("compiler", "flags", "source"), BUILDS, ids=[f"{build[2]}-{build[0]}{build[1][0]}" for build in BUILDS]
+)
+def test_float_object_code_holds_no_double(
+    compiler: str, flags: list[str], source: str, tmp_path: Path
+) -> None:
+    target = compiled(compiler, [*flags, *FLOAT], source, tmp_path / "kernel.o")
+    assert double_instructions(disassembled(target)) == set()
+    listed = subprocess.run(["nm", "-u", str(target)], check=True, capture_output=True, text=True).stdout
+    assert not {"sqrt", "fabs"} & set(listed.split())
+
+
+@on_x86
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_the_reading_of_object_code_finds_double_arithmetic_and_a_single_promotion(
+    compiler: str, tmp_path: Path
+) -> None:
+    target = compiled(compiler, ["-O2"], "stewart_exact_forces.c", tmp_path / "kernel.o")
+    assert {"mulsd", "addsd", "sqrtsd"} & double_instructions(disassembled(target))
+    slip = tmp_path / "slip.c"
+    slip.write_text("float slip(float x) { return (float)(0.1 * x); }\n")
+    target = compiled(compiler, ["-O2"], str(slip), tmp_path / "slip.o")
+    assert {"cvtss2sd", "mulsd", "cvtsd2ss"} <= double_instructions(disassembled(target))
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("flags", [FLOAT, []], ids=str)
+@pytest.mark.parametrize("source", FORCES)
+def test_every_arithmetic_compiles_without_a_silent_conversion(
+    source: str, flags: list[str], compiler: str
+) -> None:
+    command = [compiler, *STRICT, *flags, "-fsyntax-only", source]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=c_folder())
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_the_float_model_has_the_size_that_python_allots(tmp_path: Path) -> None:
+    for source in FORCES:
+        kernel = source.removeprefix("stewart_").removesuffix("_forces.c")
+        numbers = MODELS[kernel]
+        for name, text in c_sources(f"{kernel}_forces").items():
+            (tmp_path / name).write_text(text)
+        check = f"""#include "stewart_{kernel}_forces.h"
+typedef char size_agrees[sizeof(stewart_{kernel}_model) == {numbers} * sizeof(float)
+                             ? 1
+                             : -1];
+"""
+        (tmp_path / "size.c").write_text(check)
+        subprocess.run(["gcc", *FLOAT, "-c", "size.c"], check=True, cwd=tmp_path)
+
+
+# --- accuracy ---------------------------------------------------------------------------------
+
+
+def float_error(rng: np.random.Generator) -> float:
+    """Error in rounding units of float, condition number and largest force; inputs rounded to float too."""
+    robot, motion = any_machine(rng)
+    formulation = "exact" if rng.random() < 0.7 else "paper"
+    truth = ss.inverse_dynamics(robot, motion, formulation)
+    found = ss.prepare(robot, formulation, "float").forces(motion)
+    assert found.dtype == np.float32
+    condition = ss.scaled_condition_number(truth.H, ss.characteristic_length(robot))
+    largest = max(np.abs(values).max() for values in (truth.F, truth.D, truth.x))
+    return float(np.abs(found - truth.F).max() / (EPSILON * condition * largest))
+
+
+def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_size() -> None:
+    rng = np.random.default_rng(60)
+    assert max(float_error(rng) for _ in range(200)) <= BOUND
+
+
+@pytest.mark.parametrize("fidelity", FIDELITIES)
+def test_every_level_in_float_is_within_100_units_times_condition_of_its_double(fidelity: str) -> None:
+    rng = np.random.default_rng(65)
+    for scale in (1e-3, 0.1, 10.0):
+        robot = random_robot(rng, scale=scale)
+        motion = random_motion(rng, robot, (20,))
+        expected = ss.prepare(robot, fidelity=fidelity).forces(motion)
+        found = ss.prepare(robot, precision="float", fidelity=fidelity).forces(motion)
+        full = ss.inverse_dynamics(robot, motion)
+        condition = ss.scaled_condition_number(full.H, ss.characteristic_length(robot))
+        largest = np.max([np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x)], axis=0)
+        assert (np.abs(found - expected).max(axis=-1) <= BOUND * EPSILON * condition * largest).all()
+
+
+@pytest.mark.slow
+def test_float_forces_are_within_100_units_times_condition_on_ten_thousand_machines() -> None:
+    rng = np.random.default_rng(61)
+    errors = [float_error(rng) for _ in range(share(10_000))]
+    print(f"float, 10^4 machines: median {np.median(errors):.2f}, largest {max(errors):.2f} units")
+    assert max(errors) <= BOUND
+
+
+def test_float_loses_no_digits_with_the_size_of_the_machine() -> None:
+    sizes = (1e-4, 1e-3, 1.0, 10.0)
+    found = scales.scales_study(robot=dasgupta(), sizes=sizes, masses=(1.0,), machines=40, poses=40)
+    # Of a hundred poses the worst, as it is no matter of one unlucky pose.
+    worst = np.quantile(found.errors[scales.FLOAT], 0.99, axis=(1, 2, 3))
+    assert found.errors[scales.FLOAT].max() <= BOUND / 4
+    assert worst.max() <= 1.5 * worst.min()
+
+
+# --- units ------------------------------------------------------------------------------------
+
+
+def same_bits(left: NDArray[np.float64], right: NDArray[np.float64]) -> bool:
+    return left.dtype == right.dtype and left.tobytes() == right.tobytes()
+
+
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+def test_units_are_powers_of_two_near_the_machine_and_change_back_to_the_bit(base_joint: str) -> None:
+    rng = np.random.default_rng(62)
+    for scale in (1e-4, 1e-3, 0.1, 1.0, 10.0, 1e3):
+        robot = random_robot(rng, base_joint, scale=scale)
+        motion = random_motion(rng, robot, (4,))
+        own = Units.of(robot)
+        assert all(math.frexp(unit)[0] == 0.5 for unit in dataclasses.astuple(own))
+        small, moved = own.robot(robot), own.motion(motion)
+        for number in (np.abs(small.p).max(), max(small.M, small.m_d.max(), small.m_u.max())):
+            assert 0.5 < number <= 1.0
+        assert 0.25 <= np.abs(small.g).max() <= 4.0
+        back, there = own.inverse.robot(small), own.inverse.motion(moved)
+        for field in dataclasses.fields(robot):
+            if field.name not in ("name", "base_joint"):
+                assert same_bits(*(np.asarray(getattr(each, field.name)) for each in (robot, back))), (
+                    field.name
+                )
+        for name in FIELDS:
+            assert same_bits(getattr(motion, name), getattr(there, name)), name
+        F = rng.normal(size=(3, 6))
+        assert same_bits(own.inverse.forces(own.forces(F)), F)
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+def test_no_unit_changes_a_bit_of_the_forces(base_joint: str, precision: Any) -> None:
+    rng = np.random.default_rng(63)
+    for scale, other in ((1e-3, 2.0**-20), (1e-3, 2.0**20), (1e3, 2.0**-8), (1.0, 2.0**10)):
+        robot = random_robot(rng, base_joint, scale=scale)
+        motion = random_motion(rng, robot, (20,))
+        # Both outside the sizes at which moments stay in metres, but for the last.
+        unit = Units(other, 2.0**-20, 2.0**5)
+        given = [(robot, motion), (unit.robot(robot), unit.motion(motion))]
+        found, there = (ss.prepare(each, precision=precision).forces(moving) for each, moving in given)
+        if scale != 1.0:
+            assert same_bits(unit.forces(there), found)
+        else:
+            np.testing.assert_allclose(unit.forces(there), found, rtol=0, atol=1e-3 * np.abs(found).max())
+
+
+def scale_of(size: float) -> float:
+    """By what the NumPy kernel multiplies moments whose longest arm is ``size``."""
+    with np.errstate(all="ignore"):
+        return float(np.ravel(every_output.scale_of(arithmetic.Arithmetic(np), np.full((3, 6, 1), size)))[0])
+
+
+SIZES = (1e-40, 1e-4, 0.1, 0.124, 0.126, 0.5, 1.0, 63.0, 65.0, 1e3, 1e40)
+
+
+def per_length(size: float) -> float:
+    """One over the least power of two, 2^-100 to 2^100, that ``size`` does not exceed; 1 from 1/8 to 16."""
+    power = min(max(math.ceil(math.log2(size)), -100), 100)
+    return 1.0 if 0.125 <= size <= 16.0 else 2.0**-power
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a_metre(
+    precision: Any,
+) -> None:
+    robot = random_robot(np.random.default_rng(64))
+    size = np.abs(robot.p - robot.p[0]).max()
+    sizes = SIZES[1:-1] if precision == "float" else SIZES
+    for wanted in (*sizes, 2.0**-5, 2.0**8):
+        # A size that is a power of two itself is the last that has it as its length.
+        similar = dataclasses.replace(robot, p=(robot.p - robot.p[0]) / size * wanted)
+        expected = per_length(np.abs(similar.p).max())
+        assert ss.prepare(similar, precision=precision).model[-1] == expected
+        by = scale_of(np.abs(similar.p).max())
+        assert by == (1.0 if 0.0625 <= wanted <= 0.125 else expected)
+        folded = shared_blocks(
+            baked(fidelity_kernel(EXACT, DERIVED["massless_static"]), plain(similar), "machine")
+        )
+        by = re.findall(r"scale_(pose|block)\(&?\w+, REAL\((.*?)\)\);", lanes.source(folded, ""))
+        scaled = {(of, expected) for of in ("pose", "block") if expected != 1.0}
+        assert {(of, float(number)) for of, number in by} == scaled
+
+
+def plain(robot: Robot) -> dict[str, Any]:
+    """The robot's numbers by name."""
+    return {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}
+
+
+def test_units_know_the_dimension_of_every_number() -> None:
+    powers = {
+        "1": (0, 0, 0), "m": (1, 0, 0), "kg": (0, 1, 0), "kg m^2": (2, 1, 0), "m/s": (1, 0, -1),
+        "m/s^2": (1, 0, -2), "rad/s": (0, 0, -1), "rad/s^2": (0, 0, -2), "N": (1, 1, -2),
+        "N m": (2, 1, -2), "N m s": (2, 1, -1), "N s/m": (0, 1, -1),
+    }  # fmt: skip
+    for table, quantities in ((units.ROBOT, n.LEG + n.PLATFORM), (units.MOTION, n.MOTION)):
+        for quantity in quantities:
+            assert table.get(quantity.name, (0, 0, 0)) == powers[quantity.unit], quantity.name
+
+
+def test_a_machine_without_gravity_or_load_has_units() -> None:
+    robot = dataclasses.replace(dasgupta(), g=np.zeros(3))
+    own = Units.of(robot)
+    assert own.time == 1.0
+    motion = Motion(np.eye(3), np.array([0.1, 0.0, 0.5]), np.zeros(3), np.zeros(3))
+    changed = own.motion(motion)
+    assert changed.a is None
+    assert changed.F_ext is None
+
+
+@pytest.mark.parametrize("bad", [0.0, -2.0, 3.0, math.inf, math.nan, 2, 2.0**200])
+@pytest.mark.parametrize("name", ["length", "mass", "time"])
+def test_a_unit_that_is_no_power_of_two_is_named(name: str, bad: float) -> None:
+    with pytest.raises(ValueError, match=rf"^{name}: expected a power of two"):
+        Units(**{name: bad})
+
+
+# --- study ------------------------------------------------------------------------------------
+
+
+def test_the_study_hands_out_a_row_for_every_machine_and_a_picture_of_all_arithmetics() -> None:
+    told: list[str] = []
+    found = scales.scales_study(
+        told.append, dasgupta(), sizes=(0.01, 1.0), masses=(1.0, 10.0, 100.0), machines=2, poses=3
+    )
+    assert len(told) == 3 * 3
+    assert told[1] == "platform of 1 kg, legs of 10 kg"
+    header, *rows = csv.reader(scales.csv_rows(found).splitlines())
+    assert len(rows) == 2 * 3 * 3
+    assert {len(row) for row in rows} == {len(header)}
+    assert all(0.0 < float(value) < BOUND for row in rows for value in row[3:])
+    assert found.faults == dict.fromkeys(found.errors, 0)
+    panels = scales.figure(found).axes
+    assert len(panels) == 3
+    drawn = {line.get_label().partition(":")[0] for line in panels[0].get_lines()}
+    assert set(found.errors) <= drawn
+
+
+def test_a_machine_without_good_poses_is_refused_in_one_line() -> None:
+    robot = dataclasses.replace(dasgupta(), p=np.tile([0.1, 0.0, 0.0], (6, 1)))
+    with pytest.raises(ValueError, match=r"^robot '.*': too few poses around its home") as refused:
+        scales.scales_study(robot=robot, machines=1, poses=2)
+    assert "\n" not in str(refused.value)

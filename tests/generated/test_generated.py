@@ -1,0 +1,143 @@
+"""The committed files are what the derivation writes, and the C compiles silently wherever it is meant to."""
+
+import itertools
+import re
+import subprocess
+from importlib.resources import files
+from pathlib import Path
+
+import attack_build
+import pytest
+from compiled_folder import c_folder
+
+from stewart_sym.derive.fidelity import FIDELITIES
+from stewart_sym.derive.formulation import FORMULATIONS
+from stewart_sym.derive.generate import generated_files
+from stewart_sym.generated.interface import HEADERS
+
+KERNELS = [form.kernel_name for form in FORMULATIONS]
+SOURCES = [name + kind for name in KERNELS for kind in ("", "_forces")]
+SOURCES += [f"exact_{name}_forces" for name in FIDELITIES if name != "general"]
+SOURCES += ["exact_bounds", "kinematics", "legs"]
+STRICT = ["-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Werror"]
+REPOSITORY = Path(__file__).parents[2]
+
+
+@pytest.fixture(scope="module")
+def regenerated() -> dict[str, str]:
+    return generated_files()
+
+
+def test_committed_and_installed_files_are_what_the_derivation_writes(regenerated: dict[str, str]) -> None:
+    """Whatever the seed of hashes: here it is random as a rule, in ``.ci/newcomer`` another one."""
+    installed = Path(str(files("stewart_sym.generated")))
+    for root in (REPOSITORY / "generated", installed):
+        for name, text in regenerated.items():
+            assert (root / name).read_text(encoding="utf-8") == text, f"{name}: run stewart-sym derive"
+
+
+def test_no_generated_file_is_an_orphan(regenerated: dict[str, str]) -> None:
+    root = REPOSITORY / "generated"
+    present = {str(path.relative_to(root)) for path in root.rglob("*") if path.suffix in (".c", ".h", ".py")}
+    assert present == set(regenerated)
+
+
+LANGUAGES = {"c99": ["-x", "c", "-std=c99"], "c++": ["-x", "c++", "-std=c++11"]}
+PRECISIONS: dict[str, list[str]] = {"double": [], "float": ["-DSTEWART_FLOAT"]}
+OPTIMISED = ("gcc", "double", "c99")
+# One printer writes the levels: what compiles in all ways is one of each kind.
+WAYS = [
+    (*way, stem.removeprefix("stewart_"))
+    for way in itertools.product(("gcc", "clang"), PRECISIONS, LANGUAGES)
+    if way != OPTIMISED
+    for stem in attack_build.SOME
+    if not stem.endswith("_motion")
+]
+
+
+def compiled_silently(compiler: str, precision: str, language: str, kernel: str, *flags: str) -> None:
+    command = [compiler, *LANGUAGES[language], *STRICT, *PRECISIONS[precision], *flags]
+    done = subprocess.run(
+        [*command, f"stewart_{kernel}.c"], capture_output=True, text=True, check=False, cwd=c_folder()
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize(("compiler", "precision", "language", "kernel"), WAYS)
+def test_c_compiles_silently(compiler: str, precision: str, language: str, kernel: str) -> None:
+    compiled_silently(compiler, precision, language, kernel, "-fsyntax-only")
+
+
+@pytest.mark.parametrize("kernel", SOURCES)
+def test_optimised_c_compiles_silently_and_calls_nothing_but_square_roots(
+    kernel: str, tmp_path: Path
+) -> None:
+    """No heap, no I/O, no pow: gcc turns sqrt into an instruction, so nothing is left to link.
+
+    Warnings that come from optimising show here; all others need no code.
+    """
+    every = {"double": {"sqrt"}, "float": {"sqrtf"}}
+    for precision in every if f"stewart_{kernel}" in attack_build.SOME else ["double"]:
+        target = str(tmp_path / "k.o")
+        # Of float, what it calls alone.
+        level = "-O2" if precision == "double" else "-O1"
+        compiled_silently("gcc", precision, "c99", kernel, level, "-c", "-o", target)
+        undefined = {
+            line.split()[-1] for line in attack_build.ran(["nm", "-u", target], tmp_path).splitlines()
+        }
+        assert undefined <= every[precision] | {"memcpy", "memset", "_GLOBAL_OFFSET_TABLE_"}
+        data = attack_build.ran(["nm", target], tmp_path)
+        assert not re.search(r" [bBdDC] ", data), "a global variable"
+
+
+def functions_on_plain_numbers(text: str) -> list[str]:
+    """Static functions of a source in whose text no type of its own occurs."""
+    defined = re.findall(r"^(?:\w+ )*static [^;{}=]*\)\n\{\n.*?^\}$", text, re.M | re.S)
+    types = [*re.findall(r"^\} (\w+);", text, re.M), r"stewart_\w+_(?:leg|model)"]
+    own = re.compile(rf"\b(?:{'|'.join(types)})\b")
+    return [each for each in defined if not own.search(each)]
+
+
+def test_a_function_on_plain_numbers_stands_in_one_source_or_in_a_header() -> None:
+    """Of more than a dozen lines."""
+    places: dict[str, list[str]] = {}
+    for path in sorted(c_folder().glob("*.c")):
+        for each in functions_on_plain_numbers(path.read_text()):
+            places.setdefault(each, []).append(path.name)
+    assert len(places) > 20
+    many = {each: found for each, found in places.items() if len(found) > 1}
+    assert {each: found for each, found in many.items() if each.count("\n") > 12} == {}
+
+
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str) -> None:
+    for name in HEADERS:
+        command = [compiler, *LANGUAGES[language], *STRICT, "-fsyntax-only", "-include", name, "/dev/null"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False, cwd=c_folder())
+        assert (done.returncode, done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_headers_tell_what_they_are(kernel: str) -> None:
+    header = (c_folder() / f"stewart_{kernel}.h").read_text()
+    formulation, _, joint = kernel.partition("_")
+    assert f"`{formulation}`" in header
+    assert f"Base joint: {joint or 'universal'}" in header
+    assert re.search(r"total +\d+ \(\d+ mul, \d+ add, \d+ div, \d+ sqrt\)", header)
+    assert "Written by stewart-sym" in header
+
+
+@pytest.mark.parametrize("kernel", KERNELS)
+def test_lines_of_code_cite_the_equations(kernel: str) -> None:
+    source = (c_folder() / f"stewart_{kernel}.c").read_text()
+    cited = set(re.findall(r"\((\d+)\)", source))
+    expected = {"1", "2", "3", "4", "7", "21", "24", "30", "31", "32", "33", "34"}
+    if "spherical" not in kernel:
+        expected |= {"5", "6", "8", "9", "10", "12", "13", "14", "17", "18", "19", "20", "23", "25"}
+    assert expected <= cited
+
+
+def test_generated_files_hold_no_date_and_no_path(regenerated: dict[str, str]) -> None:
+    for name, text in regenerated.items():
+        assert not re.search(r"\b20\d\d-\d\d|\d\d:\d\d|/(home|root|tmp|usr|work)/", text), name

@@ -1,0 +1,427 @@
+"""The generated kinematics in C, double and float: what NumPy finds, and nothing found that is wrong."""
+
+import ctypes
+import itertools
+import subprocess
+from pathlib import Path
+from string import Template
+
+import mpmath
+import numpy as np
+import pytest
+import sympy as sp
+from counting_c import COUNTING, REPORT
+from kinematics_calls import PRECISIONS, AnyArray, Array, forward, inverse, library, poses_of, velocity
+from leg_lengths import lengths, nudged, paper_poses
+from machines import dasgupta, machine_size, random_motion, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym import results
+from stewart_sym.backend.kernel import address, c_sources, robot_numbers
+from stewart_sym.derive import notation as n
+from stewart_sym.derive.block import Operations
+from stewart_sym.derive.emit.kinematics import STEPS
+from stewart_sym.derive.generate import reduced_kinematics
+from stewart_sym.derive.kernel.kinematics import search_operations
+from stewart_sym.derive.kinematics import kinematics, turn
+from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym.kinematics.forward import jacobian
+from stewart_sym.motion.rotation import rotation_from_vector
+
+# By how much exact lengths of what is found may miss, in rounding units of the terms of S: 16 and their own.
+FOUND = 20.0
+GUESSES = (0.001, 0.05, 0.3)
+
+
+def misses(robot: ss.Robot, R: AnyArray, t: AnyArray, L: Array) -> Array:
+    """Worst difference of lengths of poses from L, in rounding units of the terms of S, by longer numbers."""
+    stored = R.dtype.type
+    long = [np.asarray(x, dtype=stored).astype(np.longdouble) for x in (R, t, robot.p, robot.b, L)]
+    q = np.einsum("nij,kj->nki", long[0], long[2])
+    S = q + long[1][:, None] - long[3]
+    reach = np.maximum(np.abs(q).max((1, 2)), np.maximum(np.abs(long[1]).max(1), np.abs(long[3]).max()))
+    off = np.abs(np.sqrt((S * S).sum(-1)) - long[4]).max(-1)
+    return np.asarray(off / reach / np.finfo(stored).eps, dtype=np.float64)
+
+
+def assert_nothing_is_silent(
+    robot: ss.Robot, R: AnyArray, t: AnyArray, L: Array, status: NDArray[np.int32]
+) -> None:
+    """What is found has the lengths asked for and is a rotation; the rest says that nothing was found."""
+    ok = status == results.OK
+    assert set(status) <= {results.OK, results.NOT_CONVERGED, results.SINGULAR}
+    assert misses(robot, R[ok], t[ok], L[ok]).max(initial=0.0) <= FOUND
+    found = R[ok].astype(np.float64)
+    skew = np.abs(np.swapaxes(found, -1, -2) @ found - np.eye(3)).max(initial=0.0)
+    assert skew <= 8 * np.finfo(R.dtype).eps
+    assert np.all(np.linalg.det(found) > 0.0)
+
+
+def machines(count: int) -> list[tuple[np.random.Generator, ss.Robot]]:
+    """Machines of 1 mm to 10 m."""
+    made = []
+    for seed in range(count):
+        rng = np.random.default_rng(seed)
+        made.append((rng, random_robot(rng, scale=10.0 ** rng.uniform(-3.0, 1.0))))
+    return made
+
+
+# What the blocks say
+
+
+def test_row_and_rate_are_the_slope_of_the_length() -> None:
+    """Along the twist [v; omega], by differences at 50 digits."""
+    blocks, h = kinematics(), mpmath.mpf(10) ** -15
+    rng = np.random.default_rng(0)
+    given = {
+        name: mpmath.mpf(float(rng.normal()))
+        for quantity in (n.R, n.t, n.b, n.p, n.omega, n.v)
+        for name in quantity.names
+    }
+
+    def leg(step: mpmath.mpf) -> dict[str, mpmath.mpf]:
+        by = {name: step * given[other] for name, other in zip(turn.names, n.omega.names, strict=True)}
+        Q = mpmath.matrix(3, 3)
+        R = mpmath.matrix(3, 3)
+        for at, entry, name in zip(n.R.keys, blocks.turned.run(by, mpmath.sqrt)["Q"], n.R.names, strict=True):
+            Q[at], R[at] = entry, given[name]
+        QR = Q * R
+        here = given | {name: QR[at] for at, name in zip(n.R.keys, n.R.names, strict=True)}
+        here |= {to: given[to] + step * given[v] for to, v in zip(n.t.names, n.v.names, strict=True)}
+        found = blocks.vectors.run(here, mpmath.sqrt)
+        return {
+            name: entry
+            for out in blocks.vectors.outputs
+            for name, entry in zip(out.quantity.names, found[out.quantity.name], strict=True)
+        }
+
+    with mpmath.workdps(50):
+        slope = (leg(h)["L"] - leg(-h)["L"]) / (2 * h)
+        here = given | leg(mpmath.mpf(0))
+        row = blocks.row.run(here, mpmath.sqrt)
+        twist = [given[name] for name in (*n.v.names, *n.omega.names)]
+        by_row = mpmath.fdot((*row["H_force"], *row["H_moment"]), twist)
+        (by_rate,) = blocks.rate.run(here, mpmath.sqrt)["L_dot"]
+        assert abs(slope) > 0.1
+        assert abs(by_row - slope) < 1e-28
+        assert abs(by_rate - slope) < 1e-28
+
+
+def test_turn_is_a_rotation_that_agrees_with_the_exponential_to_second_order() -> None:
+    Q = sp.Matrix(3, 3, kinematics().turned.formula("Q"))
+    assert (Q.T * Q - sp.eye(3)).applyfunc(sp.simplify).is_zero_matrix
+    x, y, z = turn.symbols
+    spin = sp.Matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    small = sp.Symbol("small")
+    scaled = Q.subs({s: small * s for s in (x, y, z)}, simultaneous=True)
+    for order, term in enumerate((sp.eye(3), spin, spin**2 / 2)):
+        slope = scaled.diff(small, order).subs(small, 0) / sp.factorial(order)
+        assert (slope - term).applyfunc(sp.simplify).is_zero_matrix
+
+
+COUNTED = """stewart_pose far = ${FAR}, exact = ${EXACT};
+    static const Real L[6] = {${LENGTHS}}, rates[6] = {1, 2, 3, 4, 5, 6};
+    Real out[12];
+    int status;
+    COUNT(stewart_inverse_kinematics(&robot, &motion, out, 0));
+    COUNT(stewart_inverse_kinematics(&robot, &motion, out, out + 6));
+    COUNT(stewart_forward_velocity(&robot, &exact, rates, out, out + 3));
+    COUNT(stewart_forward_kinematics(&robot, L, &exact));
+    COUNT(stewart_forward_kinematics(&robot, L, &far));
+    most_steps = 2;
+    COUNT(stewart_forward_kinematics(&robot, L, &far));"""
+BOUND = """static int most_steps = 1;
+#define STEWART_MAX_STEPS most_steps
+#include "stewart_kinematics.c"
+#define COUNT(call) counts = Counts(); status = call; \\
+    std::printf("%d %ld %ld %ld %ld\\n", status, counts.mul, counts.add, counts.div, counts.sqrt)
+"""
+
+
+def test_header_counts_are_what_the_c_executes(tmp_path: Path) -> None:
+    rng = np.random.default_rng(5)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    R, t = nudged(rng, motion.R[None], motion.t[None], 0.3, 0.3 * machine_size(robot))
+    parts = [motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext]
+
+    def listed(*values: AnyArray | None) -> str:
+        return ", ".join(repr(float(v)) for value in values if value is not None for v in np.ravel(value))
+
+    numbers = {
+        "FAR": f"{{{{{listed(R)}}}, {{{listed(t)}}}}}",
+        "EXACT": f"{{{{{listed(motion.R)}}}, {{{listed(motion.t)}}}}}",
+        "LENGTHS": listed(ss.inverse_kinematics(robot, motion).L),
+        "ROBOT": listed(robot_numbers(robot)),
+        "MOTION": listed(*parts),
+    }
+    calls = Template(COUNTED + REPORT).substitute(numbers)
+    program = Template(COUNTING).substitute(numbers, INCLUDES=BOUND, CALL=calls)
+    for name, text in (c_sources("kinematics") | {"count.cpp": program}).items():
+        (tmp_path / name).write_text(text)
+    subprocess.run(["g++", "-O1", "-w", "count.cpp", "-o", "count"], check=True, cwd=tmp_path)
+    lines = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=tmp_path).stdout
+    status, counts = [], []
+    for line in lines.splitlines():
+        first, *rest = (int(word) for word in line.split())
+        status.append(first)
+        counts.append(Operations(*rest))
+    assert status[:4] == [results.OK] * 4
+    assert status[4:6] == [results.NOT_CONVERGED] * 2
+    found = search_operations(reduced_kinematics())
+    assert counts[:4] == [found[name] for name in ("lengths", "lengths, rates", "velocity", "search")]
+    assert counts[5] == counts[4] + found["step"]
+
+
+# Agreement with NumPy
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_lengths_and_rates_are_those_of_numpy(precision: str) -> None:
+    for rng, robot in machines(6):
+        motion = random_motion(rng, robot, (20,))
+        expected = ss.inverse_kinematics(robot, motion)
+        eps = float(np.finfo(PRECISIONS[precision]).eps)
+        L, L_dot = inverse(robot, motion, precision)
+        np.testing.assert_allclose(L, expected.L, rtol=40 * eps)
+        speed = np.abs(expected.L_dot).max() + np.abs(motion.v).max()
+        np.testing.assert_allclose(L_dot, expected.L_dot, rtol=0.0, atol=100 * eps * speed)
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_pose_is_that_of_numpy_from_near_and_middling_guesses(precision: str) -> None:
+    eps = float(np.finfo(PRECISIONS[precision]).eps)
+    for rng, robot in [*machines(12), (np.random.default_rng(7), dasgupta())]:
+        motion = random_motion(rng, robot, (50,))
+        size, L = machine_size(robot), ss.inverse_kinematics(robot, motion).L
+        for angle in (0.01, 0.1):
+            guess = nudged(rng, motion.R, motion.t, angle, angle * size)
+            expected = ss.forward_kinematics(robot, L, guess)
+            R, t, status = forward(robot, L, *guess, precision)
+            assert (status == results.OK).all()
+            assert_nothing_is_silent(robot, R, t, L, status)
+            np.testing.assert_allclose(R, expected.R, rtol=0.0, atol=2e4 * eps)
+            np.testing.assert_allclose(t, expected.t, rtol=0.0, atol=2e4 * eps * size)
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_velocity_is_that_of_numpy(precision: str) -> None:
+    eps = float(np.finfo(PRECISIONS[precision]).eps)
+    for rng, robot in [*machines(6), (np.random.default_rng(8), dasgupta())]:
+        motion = random_motion(rng, robot, (50,))
+        rates = ss.inverse_kinematics(robot, motion).L_dot
+        v, omega = ss.forward_velocity(robot, motion.R, motion.t, rates)
+        twist, status = velocity(robot, motion.R, motion.t, rates, precision)
+        assert (status == results.OK).all()
+        size = machine_size(robot)
+        speed = np.abs(motion.v).max() + size * np.abs(motion.omega).max()
+        np.testing.assert_allclose(twist[:, :3], v, rtol=0.0, atol=2e3 * eps * speed)
+        np.testing.assert_allclose(twist[:, 3:], omega, rtol=0.0, atol=2e3 * eps * speed / size)
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_nothing_is_silent_far_from_the_guess_and_among_singular_poses(precision: str) -> None:
+    rng = np.random.default_rng(9)
+    robot = dasgupta()
+    R, t = paper_poses(rng, 3000, angle=0.4, way=0.2)
+    L = lengths(robot, R, t)
+    for angle, way, lost in ((0.05, 0.05, 0.002), (0.5, 0.3, 0.02)):
+        *found, status = forward(robot, L, *nudged(rng, R, t, angle, way), precision)
+        assert_nothing_is_silent(robot, *found, L, status)
+        assert np.count_nonzero(status == results.NOT_CONVERGED) <= lost * len(L)
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_steps_are_those_of_the_header(precision: str) -> None:
+    done: dict[float, list[NDArray[np.bool_]]] = {width: [] for width in GUESSES}
+    for rng, robot in machines(10):
+        motion = random_motion(rng, robot, (50,))
+        L = ss.inverse_kinematics(robot, motion).L
+        for width, most in zip(GUESSES, STEPS[precision], strict=True):
+            guess = nudged(rng, motion.R, motion.t, width, width * float(L.max()))
+            # Few steps leave some unfinished, which must not pass for found.
+            R, t, status = forward(robot, L, *guess, precision, most)
+            assert_nothing_is_silent(robot, R, t, L, status)
+            unfinished = forward(robot, L, *guess, precision, most - 1)
+            assert_nothing_is_silent(robot, *unfinished[:2], L, unfinished[2])
+            done[width].append(status == results.OK)
+    for width, found in done.items():
+        assert np.mean(found) >= 0.99, width
+    header = c_sources("kinematics")["stewart_kinematics.h"]
+    assert "no more than {}, {} and {}".format(*STEPS["double"]) in header
+
+
+def test_guess_is_found_again_without_a_step() -> None:
+    rng, robot = machines(1)[0]
+    motion = random_motion(rng, robot, (10,))
+    L = ss.inverse_kinematics(robot, motion).L
+    R, t, status = forward(robot, L, motion.R, motion.t)
+    assert (status == results.OK).all()
+    np.testing.assert_allclose(R, motion.R, rtol=0.0, atol=4 * np.finfo(np.float64).eps)
+    assert (t == motion.t).all()
+
+
+def test_a_guess_that_drifted_from_a_rotation_serves_and_another_does_not() -> None:
+    rng, robot = machines(1)[0]
+    motion = random_motion(rng, robot, (10,))
+    L = ss.inverse_kinematics(robot, motion).L
+    drifted = motion.R + 0.01 * rng.uniform(-1.0, 1.0, motion.R.shape)
+    R, t, status = forward(robot, L, drifted, motion.t)
+    assert (status == results.OK).all()
+    assert_nothing_is_silent(robot, R, t, L, status)
+    for wrong in (0.0 * motion.R, -motion.R, 1.1 * motion.R, np.full_like(motion.R, 1e300)):
+        assert (forward(robot, L, wrong, motion.t)[2] == results.NOT_CONVERGED).all()
+
+
+# Where it fails
+
+
+def unreachable(robot: ss.Robot) -> Array:
+    """Lengths that no pose has: one leg ten times the machine longer than the rest."""
+    L = np.full(6, machine_size(robot))
+    L[2] *= 10.0
+    return L[None]
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_lengths_out_of_reach_are_not_found(precision: str) -> None:
+    for rng, robot in machines(10):
+        motion = random_motion(rng, robot, (1,))
+        status = forward(robot, unreachable(robot), motion.R, motion.t, precision)[2]
+        assert status.tolist() == [results.NOT_CONVERGED]
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
+def test_numbers_that_are_not_finite_are_told(value: float) -> None:
+    rng, robot = machines(1)[0]
+    motion = random_motion(rng, robot, (1,))
+    legs = ss.inverse_kinematics(robot, motion)
+    for i in range(12):
+        pose = poses_of(motion.R, motion.t)
+        pose[0, i] = value
+        R, t = pose[:, :9].reshape(1, 3, 3), pose[:, 9:]
+        status = np.full(1, -1, dtype=np.int32)
+        numbers, L = robot_numbers(robot), np.ascontiguousarray(legs.L)
+        kept = pose.copy()
+        library().forward_all(*map(address, (numbers,)), ctypes.c_size_t(1), *map(address, (L, pose, status)))
+        assert status.tolist() == [results.NOT_FINITE]
+        np.testing.assert_array_equal(pose, kept)
+        assert velocity(robot, R, t, legs.L_dot)[1].tolist() == [results.NOT_FINITE]
+    L = legs.L.copy()
+    L[0, 3] = value
+    assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.NOT_FINITE]
+    assert velocity(robot, motion.R, motion.t, L)[1].tolist() == [results.NOT_FINITE]
+
+
+@pytest.mark.parametrize("length", [0.0, -1.0])
+def test_lengths_that_are_not_positive_are_told(length: float) -> None:
+    rng, robot = machines(1)[0]
+    motion = random_motion(rng, robot, (1,))
+    L = ss.inverse_kinematics(robot, motion).L
+    L[0, 5] = length
+    assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.SHORT_LEG]
+
+
+def test_null_pointers_are_refused_and_nothing_is_written() -> None:
+    robot, c = robot_numbers(dasgupta()), library()
+    motion, given, pose = np.ones(30), np.ones(6), np.ones(12)
+    out = [np.full(6, 7.0) for _ in range(2)]
+    calls = {
+        "stewart_inverse_kinematics": ([robot, motion, *out], 3),
+        "stewart_forward_kinematics": ([robot, given, pose], 3),
+        "stewart_forward_velocity": ([robot, pose, given, *out], 5),
+    }
+    for name, (arguments, needed) in calls.items():
+        for missing in range(needed):
+            passed = [None if i == missing else array for i, array in enumerate(arguments)]
+            assert getattr(c, name)(*map(address, passed)) == results.BAD_ARGUMENT
+    assert all((array == 7.0).all() for array in out)
+    assert (pose == 1.0).all()
+
+
+def singular_poses(count: int, shift: float) -> tuple[ss.Robot, Array, Array]:
+    """Poses of the paper's machine, a share of a line through its workspace away from where det H is 0."""
+    rng, robot = np.random.default_rng(1), dasgupta()
+    R_0, t_0 = paper_poses(rng, count, angle=0.1, way=0.1)
+    phi, way = rng.uniform(-1.2, 1.2, (count, 3)), rng.uniform(-0.3, 0.3, (count, 3))
+
+    def at(u: Array) -> tuple[Array, Array]:
+        return rotation_from_vector(u[:, None] * phi) @ R_0, t_0 + u[:, None] * way
+
+    def sign(u: Array) -> Array:
+        return np.asarray(np.sign(np.linalg.det(jacobian(robot, *at(u)))))
+
+    low, high = np.zeros(count), np.ones(count)
+    side = sign(low)
+    crosses = side != sign(high)
+    for _ in range(60):
+        middle = (low + high) / 2
+        same = sign(middle) == side
+        low, high = np.where(same, middle, low), np.where(same, high, middle)
+    R, t = at(low - shift)
+    return robot, R[crosses], t[crosses]
+
+
+def condition(robot: ss.Robot, R: AnyArray, t: AnyArray) -> Array:
+    H = np.swapaxes(jacobian(robot, R.astype(np.float64), t.astype(np.float64)), -1, -2)
+    return scaled_condition_number(H, characteristic_length(robot))
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize("shift", [0.0, 1e-10, 1e-7, 1e-6, 1e-5, 1e-4, 1e-2])
+def test_near_singular_poses_are_singular_or_right(shift: float, precision: str) -> None:
+    """SINGULAR begins no later than at its condition number and no earlier than at a sixth of it."""
+    robot, R, t = singular_poses(300, shift)
+    L = lengths(robot, R, t)
+    most = 1.0 / (16.0 * np.sqrt(float(np.finfo(PRECISIONS[precision]).eps)))
+    for guess in ((R, t), nudged(np.random.default_rng(2), R, t, 1e-3, 1e-3)):
+        *found, status = forward(robot, L, *guess, precision)
+        assert_nothing_is_silent(robot, *found, L, status)
+        ok = status == results.OK
+        assert condition(robot, found[0][ok], found[1][ok]).max(initial=1.0) <= 1.01 * most
+    # From the poses themselves there is nothing to search.
+    *found, status = forward(robot, L, R, t, precision)
+    assert (condition(robot, R, t)[status == results.SINGULAR] >= most / 6.1).all()
+    assert (status[condition(robot, R, t) > 1.01 * most] == results.SINGULAR).all()
+    speeds, status = velocity(robot, R, t, np.ones_like(L), precision)
+    assert (status[condition(robot, R, t) > 1.01 * most] == results.SINGULAR).all()
+    assert np.isfinite(speeds[status == results.OK]).all()
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_no_pose_of_a_wide_workspace_is_silent(precision: str) -> None:
+    """10^5 poses of the paper's machine, singular ones among them, and 10^4 of machines of 1 mm to 10 m."""
+    rng, robot = np.random.default_rng(3), dasgupta()
+    R, t = paper_poses(rng, 100_000, angle=0.4, way=0.2)
+    L = lengths(robot, R, t)
+    *found, status = forward(robot, L, *nudged(rng, R, t, 0.05, 0.05), precision)
+    assert_nothing_is_silent(robot, *found, L, status)
+    lost = np.count_nonzero(status == results.NOT_CONVERGED)
+    print(f"paper's machine: {lost} not found, {np.count_nonzero(status == results.SINGULAR)} singular")
+    assert lost < 2e-4 * len(L)
+    lost = 0
+    for rng, robot in machines(40):
+        motion = random_motion(rng, robot, (250,))
+        L = ss.inverse_kinematics(robot, motion).L
+        *found, status = forward(
+            robot, L, *nudged(rng, motion.R, motion.t, 0.2, 0.2 * machine_size(robot)), precision
+        )
+        assert_nothing_is_silent(robot, *found, L, status)
+        lost += np.count_nonzero(status)
+    print(f"random machines: {lost} not found")
+    assert lost == 0
+
+
+def test_lengths_of_the_pose_found_match_at_50_digits() -> None:
+    rng, robot = np.random.default_rng(4), dasgupta()
+    R, t = paper_poses(rng, 20, angle=0.3, way=0.2)
+    L = lengths(robot, R, t)
+    R, t, status = forward(robot, L, *nudged(rng, R, t, 0.05, 0.05))
+    assert (status == results.OK).all()
+    with mpmath.workdps(50):
+        for pose, leg in itertools.product(range(len(L)), range(6)):
+            q = mpmath.matrix(R[pose]) * mpmath.matrix(robot.p[leg])
+            S = q + mpmath.matrix(t[pose]) - mpmath.matrix(robot.b[leg])
+            assert abs(mpmath.norm(S) - mpmath.mpf(L[pose, leg])) <= FOUND * np.finfo(np.float64).eps

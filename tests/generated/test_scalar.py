@@ -1,0 +1,386 @@
+"""Kernels for processors without vector registers answer as those with lanes, with a status where they do."""
+
+import ctypes
+import dataclasses
+from typing import Any, cast
+
+import numpy as np
+import pytest
+from float_machines import BOUND, any_machine
+from leaning_legs import leaning
+from machines import dasgupta, random_motion, random_robot
+from near_singular import near_singular_motion
+from scalar_kernels import UNTOUCHED, Array, Kernel, compiled, numbers, plain_blocks, prepared
+from sweeps import FULL, share
+from unsolvable_poses import leg_along_its_axis, short_leg, singular
+
+import stewart_sym as ss
+from stewart_sym.backend import fidelity, native
+from stewart_sym.backend.kernel import MOTION, c_sources, loaded, robot_numbers
+from stewart_sym.derive import notation as n
+from stewart_sym.derive.bake import baked
+from stewart_sym.derive.emit import scalar
+from stewart_sym.derive.generate import shared_blocks
+from stewart_sym.derive.kernel import read
+from stewart_sym.derive.kernel.elimination import BY_POINTERS
+from stewart_sym.derive.kernel.written import scalar as written_scalar
+from stewart_sym.derive.print.c import C
+from stewart_sym.motion.motion import Motion
+from stewart_sym.results import BAD_ARGUMENT, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR
+from stewart_sym.robot.robot import Robot
+
+EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}
+PLAIN = ["general", "massless_static"]
+# Each model of the legs, at rest and moving, with friction and without; the rest with STEWART_FULL=1. A kit
+# of every level proves itself in `test_kit`.
+SPANNING = ["general_static", "massless_friction", "slender", "point_masses_friction", "axisymmetric"]
+OTHERS = [level for level in fidelity.FIDELITIES if level not in PLAIN and (FULL or level in SPANNING)]
+LEVELS = [*PLAIN, *(pytest.param(level, marks=pytest.mark.slow) for level in OTHERS)]
+
+
+def baked_kernel(robot: Robot, level: str, precision: str = "double") -> Kernel:
+    level = fidelity.resolved(robot, "exact", level)
+    raw = plain_blocks("exact", robot.base_joint if level == "general" else "universal", level)
+    given = {q.name: np.asarray(getattr(robot, q.name)).tolist() for q in n.LEG + n.PLATFORM}
+    found, name = compiled(shared_blocks(baked(raw, given, "machine")), shared_blocks(raw), precision)
+    return Kernel(found, name, precision, None)
+
+
+def joined(motions: list[Motion]) -> Motion:
+    poses = [loaded(motion) for motion in motions]
+    return Motion(*(np.stack([getattr(pose, name) for pose in poses]) for name in MOTION))
+
+
+def agree(kernel: Kernel, robot: Robot, motion: Motion, formulation: str, level: str, units: float) -> None:
+    """Same statuses as with lanes; forces within units of rounding, condition and largest force."""
+    lanes = ss.prepare(robot, formulation, kernel.precision, level)  # type: ignore[arg-type]
+    F, status = kernel.forces_and_status(motion)
+    expected, codes = lanes.forces_and_status(motion)
+    np.testing.assert_array_equal(status, codes)
+    good = np.flatnonzero(status == OK)
+    full = ss.inverse_dynamics(robot, motion[good], formulation, on_singular="nan")  # type: ignore[arg-type]
+    condition = ss.scaled_condition_number(full.H, ss.characteristic_length(robot))
+    largest = np.max(
+        [np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x, expected[good])], axis=0
+    )
+    bound = units * EPSILON[kernel.precision] * condition * largest
+    assert (np.abs(F[good] - expected[good]).max(axis=-1) <= bound).all()
+
+
+def machine_of(level: str, seed: int, joint: str = "universal") -> Robot:
+    return random_robot(np.random.default_rng(seed), joint)  # type: ignore[arg-type]
+
+
+# --- the same answers -------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("level", LEVELS)
+def test_every_level_answers_as_with_lanes(level: str, precision: str) -> None:
+    for seed, scale in ((1, 1.0), (2, 1e-3), (3, 10.0)):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, scale=scale)
+        motion = random_motion(rng, robot, (20,))
+        agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level, BOUND)
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize(
+    ("formulation", "joint"),
+    [
+        ("paper", "universal"),
+        ("exact", "spherical"),
+        pytest.param("paper", "spherical", marks=pytest.mark.slow),
+    ],
+)
+def test_every_formulation_and_joint_answers_as_with_lanes(
+    formulation: str, joint: str, precision: str
+) -> None:
+    for seed in range(3):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, joint)
+        motion = random_motion(rng, robot, (20,))
+        agree(
+            prepared(robot, formulation, "general", precision), robot, motion, formulation, "general", BOUND
+        )
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_a_baked_kernel_answers_as_with_lanes(level: str) -> None:
+    for robot in (dasgupta(), machine_of(level, 3)):
+        motion = random_motion(np.random.default_rng(4), robot, (20,))
+        agree(baked_kernel(robot, level), robot, motion, "exact", level, BOUND)
+
+
+@pytest.mark.slow
+def test_a_baked_kernel_in_float_answers_as_with_lanes() -> None:
+    robot = random_robot(np.random.default_rng(5), scale=1e-3)
+    motion = random_motion(np.random.default_rng(6), robot, (20,))
+    agree(baked_kernel(robot, "general", "float"), robot, motion, "exact", "general", BOUND)
+
+
+def float_error(rng: np.random.Generator) -> float:
+    """Error in rounding units of float, condition number and largest force; inputs rounded to float too."""
+    robot, motion = any_machine(rng)
+    formulation = "exact" if rng.random() < 0.7 else "paper"
+    truth = ss.inverse_dynamics(robot, motion, formulation)  # type: ignore[arg-type]
+    status, F = prepared(robot, formulation, "general", "float").one(numbers(motion))
+    assert status == OK
+    condition = ss.scaled_condition_number(truth.H, ss.characteristic_length(robot))
+    largest = max(np.abs(values).max() for values in (truth.F, truth.D, truth.x))
+    return float(np.abs(F - truth.F).max() / (EPSILON["float"] * condition * largest))
+
+
+def test_float_forces_are_within_100_units_times_condition_on_machines_of_any_size() -> None:
+    rng = np.random.default_rng(60)
+    assert max(float_error(rng) for _ in range(150)) <= BOUND
+
+
+@pytest.mark.slow
+def test_float_forces_are_within_100_units_times_condition_on_two_thousand_machines() -> None:
+    rng = np.random.default_rng(67)
+    errors = [float_error(rng) for _ in range(share(2_000))]
+    print(f"one-pose float, 2,000 machines: median {np.median(errors):.2f}, largest {max(errors):.2f} units")
+    assert max(errors) <= BOUND
+
+
+@pytest.mark.parametrize("scale", [1e-3, 1.0, 100.0])
+def test_moments_over_a_length_leave_the_forces_those_of_the_lanes(scale: float) -> None:
+    robot = random_robot(np.random.default_rng(7), scale=scale)
+    motion = random_motion(np.random.default_rng(8), robot, (200,))
+    for precision in ("double", "float"):
+        F, _ = prepared(robot, precision=precision).forces_and_status(motion)
+        expected = ss.prepare(robot, precision=precision).forces(motion)  # type: ignore[arg-type]
+        tolerance = {"double": 1e-11, "float": 1e-2}[precision] * np.abs(expected).max()
+        np.testing.assert_allclose(F, expected, rtol=0, atol=tolerance)
+
+
+# --- near failure -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_near_a_pole_the_status_and_the_road_are_those_of_the_lanes(formulation: str, precision: str) -> None:
+    rng = np.random.default_rng(9)
+    seen = set()
+    for sine in 10.0 ** rng.uniform(-17, 0, 40):
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot)
+        robot = leaning(robot, motion, float(sine))
+        kernel = prepared(robot, formulation, "general", precision)
+        lanes = ss.prepare(robot, formulation, precision)  # type: ignore[arg-type]
+        status, F = kernel.one(numbers(motion))
+        expected, code = lanes.forces_and_status(motion)
+        assert status == code
+        seen.add(int(status))
+        if status == OK:
+            # The leg's spin grows like the inverse sine, and with it what the rounding of a number does.
+            assert np.abs(F - expected).max() <= 1e5 * EPSILON[precision] / sine * np.abs(expected).max()
+    assert seen == {OK, POLE}
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize(
+    ("joint", "level"),
+    [
+        ("universal", "general"),
+        pytest.param("spherical", "general", marks=pytest.mark.slow),
+        pytest.param("universal", "massless", marks=pytest.mark.slow),
+    ],
+)
+def test_near_singular_poses_have_the_status_of_the_lanes(joint: str, level: str, precision: str) -> None:
+    rng = np.random.default_rng(10)
+    for _ in range(4):
+        robot = random_robot(rng, joint, scale=float(10 ** rng.uniform(-3, 1)))  # type: ignore[arg-type]
+        # With universal axes, of which there is no pole to keep away from.
+        axes = dataclasses.replace(robot, k=random_robot(rng).k, base_joint="universal")
+        motion = joined([near_singular_motion(rng, axes) for _ in range(2)])
+        agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level, BOUND)
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize(
+    "level", ["general", *(pytest.param(level, marks=pytest.mark.slow) for level in ("slender", "massless"))]
+)
+def test_short_legs_have_the_status_of_the_lanes_at_every_length(level: str, precision: str) -> None:
+    rng = np.random.default_rng(11)
+    seen = set()
+    for length in 10.0 ** rng.uniform(-18, -3, 40):
+        robot = random_robot(rng, scale=float(10 ** rng.uniform(-3, 1)))
+        robot = dataclasses.replace(robot, b=robot.b + 10 ** rng.uniform(-2, 2) * rng.uniform(-1, 1, 3))
+        motion, leg = random_motion(rng, robot), int(rng.integers(6))
+        along = rng.normal(size=3)
+        t = robot.b[leg] - motion.R @ robot.p[leg] + length * along / np.linalg.norm(along)
+        motion = dataclasses.replace(motion, t=t)
+        lanes = ss.prepare(robot, "exact", precision, level)  # type: ignore[arg-type]
+        status, _ = prepared(robot, "exact", level, precision).one(numbers(motion))
+        assert status == lanes.status(motion)
+        seen.add(int(status))
+    assert {OK, SHORT_LEG} <= seen
+
+
+@pytest.mark.parametrize("precision", ["double", "float"])
+@pytest.mark.parametrize("make", [short_leg, leg_along_its_axis, singular])
+def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> None:
+    robot, motion = make()
+    for level in ("general", "massless_static"):
+        lanes = ss.prepare(robot, "exact", precision, level)  # type: ignore[arg-type]
+        for kernel in (prepared(robot, "exact", level, precision), baked_kernel(robot, level, precision)):
+            status, F = kernel.one(numbers(motion))
+            assert status == lanes.status(motion)
+            assert status == OK or (F == UNTOUCHED).all()
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_numbers_that_are_not_finite_or_overflow_have_the_status_of_the_lanes(level: str) -> None:
+    robot = machine_of(level, 12)
+    motion = numbers(random_motion(np.random.default_rng(13), robot))
+    lanes = ss.prepare(robot, fidelity=level).one_pose()
+    kernels = [prepared(robot, "exact", level), baked_kernel(robot, level)]
+    statuses = set()
+    for where in range(motion.size):
+        for value in (np.nan, np.inf, -np.inf, 1e155, 1e200, 1e308):
+            given = motion.copy()
+            given[where] = value
+            lanes.numbers[:] = given
+            expected = lanes.solve()
+            statuses.add(expected)
+            for kernel in kernels:
+                status, F = kernel.one(given)
+                assert status == expected, (where, value)
+                assert (F == UNTOUCHED).all() == (status != OK)
+    assert NOT_FINITE in statuses
+
+
+# --- wrong calls ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None:
+    robot = machine_of(level, 14)
+    motion = numbers(random_motion(np.random.default_rng(15), robot))
+    for precision in ("double", "float"):
+        kernel = prepared(robot, "exact", level, precision)
+        blank = dataclasses.replace(kernel, model=np.zeros_like(cast(Array, kernel.model)))
+        status, F = blank.one(motion)
+        assert status in (SHORT_LEG, POLE, SINGULAR)
+        assert (F == UNTOUCHED).all()
+        given, F = motion.astype(kernel.dtype), np.full(6, UNTOUCHED, dtype=kernel.dtype)
+        pointers = [cast(Array, kernel.model).ctypes.data, given.ctypes.data, F.ctypes.data]
+        call = getattr(kernel.library, f"stewart_{kernel.name}_pose_forces")
+        for missing in range(3):
+            some = [None if i == missing else pointer for i, pointer in enumerate(pointers)]
+            assert call(*map(ctypes.c_void_p, some)) == BAD_ARGUMENT
+        assert (F == UNTOUCHED).all()
+
+
+@pytest.mark.parametrize("level", LEVELS)
+def test_a_robot_that_is_not_finite_is_refused_and_the_model_left_alone(level: str) -> None:
+    robot = machine_of(level, 16)
+    kernel = prepared(robot, "exact", level)
+    call = getattr(kernel.library, f"stewart_{kernel.name}_pose_prepare")
+    numbers = robot_numbers(robot)
+    model = np.full(1000, UNTOUCHED)
+    lanes_name = fidelity.force_kernel_name(robot, "exact", level)
+    lanes = getattr(lanes_library(lanes_name), f"stewart_{lanes_name}_prepare")
+    other, refused = np.full(5000, UNTOUCHED), 0
+    for where in range(numbers.size):
+        for value in (np.nan, np.inf, 1e308):
+            given = numbers.copy()
+            given[where] = value
+            status = call(ctypes.c_void_p(given.ctypes.data), ctypes.c_void_p(model.ctypes.data))
+            expected = lanes(ctypes.c_void_p(given.ctypes.data), ctypes.c_void_p(other.ctypes.data))
+            assert status == expected, (where, value)
+            if status != OK:
+                refused += 1
+                assert (model == UNTOUCHED).all()
+            model[:], other[:] = UNTOUCHED, UNTOUCHED
+    assert refused > 50
+    for pointers in ((0, model.ctypes.data), (numbers.ctypes.data, 0)):
+        assert call(*map(ctypes.c_void_p, pointers)) == BAD_ARGUMENT
+
+
+def lanes_library(name: str) -> ctypes.CDLL:
+    return native.load("lanes", c_sources(f"{name}_forces"))
+
+
+@pytest.mark.slow
+def test_kernels_with_and_without_lanes_stand_side_by_side() -> None:
+    """No name of the one is a name of the other."""
+    kernel = shared_blocks(plain_blocks("exact", "universal", "general"))
+    sources = {
+        **c_sources("exact_forces"),
+        "stewart_exact_pose.h": scalar.header(kernel, None, ""),
+        "stewart_exact_pose.c": scalar.source(kernel, ""),
+        "both.c": '#include "stewart_exact_forces.h"\n#include "stewart_exact_pose.h"\n',
+    }
+    both = native.load("both", sources)
+    assert both.stewart_exact_forces
+    assert both.stewart_exact_pose_forces
+
+
+DRIVER = """#include "stewart_lanes.h"
+#include "stewart_outputs.h"
+#include "by_pointers.h"
+int of_pose(stewart_real A[6][8], stewart_real x[6]);
+int of_pose(stewart_real A[6][8], stewart_real x[6]) { return solve_pose(A, x); }
+int of_outputs(stewart_real A[6][7], stewart_real x[6]);
+int of_outputs(stewart_real A[6][7], stewart_real x[6]) { return solve(A, x); }
+double of_pointers(stewart_real A[6][7], stewart_real x[6]);
+double of_pointers(stewart_real A[6][7], stewart_real x[6]) { return by_pointers(A, x); }
+void of_block(stewart_real column[7][6][8], stewart_real D[6][8], stewart_real F[6][8], stewart_real bad[8]);
+void of_block(stewart_real column[7][6][8], stewart_real D[6][8], stewart_real F[6][8], stewart_real bad[8])
+{
+    solve_block(column, D, F, bad);
+}
+"""
+
+
+def systems() -> np.ndarray:
+    """[H | c], (n, 6, 7), without moments in the first column: any, and such as are nearly singular."""
+    rng = np.random.default_rng(12)
+    found = rng.standard_normal((200, 6, 7))
+    found[50:100, 4] = found[50:100, 5] + 1e-7 * found[50:100, 4]
+    found[100:150, :, 2] = found[100:150, :, 3] * (1 + 1e-9 * found[100:150, :, 2])
+    found[150:] = np.round(found[150:])
+    found[:, 3:, 0] = 0.0
+    return found
+
+
+def test_every_shape_of_the_elimination_finds_the_solution() -> None:
+    """One text: rows as vectors, lanes, pointers, loops. One pose and eight agree to the bit."""
+    by_pointers = read.function(written_scalar.solve, {}, {}, "by_pointers", given=BY_POINTERS)
+    text = "\n".join(C(sizes={8: "LANES"}).function(by_pointers))
+    sources = {
+        **c_sources("exact"),
+        "by_pointers.h": text,
+        "driver.c": DRIVER,
+    }
+    made = native.load("shapes", sources, ["-O1", "-ffp-contract=off"])
+    made.of_pointers.restype = ctypes.c_double
+    given = systems()
+    wide = np.concatenate([given, np.zeros((len(given), 6, 1))], axis=2)
+    blocks = np.ascontiguousarray(given.reshape(-1, 8, 6, 7).transpose(0, 3, 2, 1))
+    zeros, bad, F = np.zeros((6, 8)), np.zeros(8), np.zeros((6, 8))
+    for number, system in enumerate(given):
+        found = {}
+        for name, rows in (("of_pose", wide), ("of_outputs", given), ("of_pointers", given)):
+            A, x = rows[number].copy(), np.full(6, np.nan)
+            suspect = getattr(made, name)(*(ctypes.c_void_p(each.ctypes.data) for each in (A, x)))
+            found[name] = suspect, x
+        block, lane = divmod(number, 8)
+        bad[:] = 0.0
+        made.of_block(*(ctypes.c_void_p(each.ctypes.data) for each in (blocks[block], zeros, F, bad)))
+        singular = np.linalg.matrix_rank(system[:, :6]) < 6
+        if singular:
+            assert found["of_pose"][0] == 1
+            assert found["of_outputs"][0] == 1
+            assert bad[lane] == 1.0
+            continue
+        np.testing.assert_array_equal(-F[:, lane], found["of_pose"][1])
+        limit = 100 * np.finfo(float).eps * np.linalg.cond(system[:, :6])
+        right = np.linalg.solve(system[:, :6], system[:, 6])
+        for _, x in found.values():
+            assert np.abs(x - right).max() <= limit * np.abs(right).max()
+        assert found["of_pose"][0] == found["of_outputs"][0] == bad[lane]
+        assert abs(found["of_pointers"][0]) == pytest.approx(abs(np.linalg.det(system[:, :6])), rel=1e-6)

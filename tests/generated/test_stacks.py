@@ -1,0 +1,63 @@
+"""The stack that kits quote is what the cross compiler tells today.
+
+``PYTHONPATH=tests/support python tests/generated/test_stacks.py`` measures every function
+anew and rewrites ``stewart_sym/kit/stack.json``.
+"""
+
+import json
+from pathlib import Path
+
+import machines
+import numpy as np
+import pytest
+
+from stewart_sym.backend import fidelity
+from stewart_sym.generated.fidelities import FIDELITIES
+from stewart_sym.kit import Choice, kit
+from stewart_sym.kit.files import stack_key
+from stewart_sym.kit.parts import parts
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.microcontroller import toolchain
+from stewart_sym.studies.microcontroller.stacks import as_text, stacks
+
+TABLE = Path(__file__).parents[2] / "stewart_sym" / "kit" / "stack.json"
+REWRITE = "run `PYTHONPATH=tests/support python tests/generated/test_stacks.py`"
+
+
+def robots() -> list[Robot]:
+    rng = np.random.default_rng(1)
+    return [machines.random_robot(rng, joint) for joint in ("universal", "spherical")]
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(bool(toolchain.missing()), reason=toolchain.missing() or "all tools are there")
+def test_the_table_is_what_the_compiler_tells() -> None:
+    committed = json.loads(TABLE.read_text(encoding="utf-8"))
+    today = stacks(robots()[:1], levels=("general", "massless_static"))
+    assert set(committed["bytes"]) >= set(today["bytes"]), REWRITE
+    if committed["by"] == today["by"]:
+        assert committed["bytes"] | today["bytes"] == committed["bytes"], REWRITE
+
+
+def test_every_function_of_a_kit_has_a_stack_in_the_table() -> None:
+    table = json.loads(TABLE.read_text(encoding="utf-8"))["bytes"]
+    for robot in robots():
+        closed = ("motion", "derivatives") if robot.base_joint == "universal" else ()
+        for level in fidelity.available(robot):
+            for bake in (False, True):
+                choice = Choice(("forces", "reactions", *closed, "kinematics"), "exact", level, bake)
+                for function in parts(robot, choice).functions:
+                    assert stack_key(function, choice) in table
+
+
+def test_readme_of_a_kit_quotes_it() -> None:
+    table = json.loads(TABLE.read_text(encoding="utf-8"))
+    text = kit(machines.dasgupta(), Choice(scalar=True)).files["README.md"].decode()
+    size = table["bytes"]["stewart_exact_pose_forces double"]
+    operations = FIDELITIES["general"]["operations"]["total"]
+    assert f"| `stewart_exact_pose_forces` | {operations:,} | {size:,} |" in text
+    assert table["by"] in " ".join(text.split())
+
+
+if __name__ == "__main__":
+    TABLE.write_text(as_text(stacks(robots(), print)), encoding="utf-8")

@@ -1,0 +1,126 @@
+"""Base parameters: as many as the derivation says, merged by its formulas, enough for the whole regressor."""
+
+import dataclasses
+import re
+from typing import Any
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from numpy.typing import NDArray
+from readme_tables import table_row
+
+import stewart_sym as ss
+from stewart_sym.derive.regressor import dependencies
+from stewart_sym.identification.base_parameters import MERGED
+from stewart_sym.identification.parameters import leg_name
+from stewart_sym.robot.robot import Robot
+
+Array = NDArray[np.float64]
+EVERY = 148
+GENERAL = EVERY - 6 * len(dependencies())
+
+
+def names_at(robot: Robot, leg: int) -> dict[str, float]:
+    """What a formula of ``MERGED`` may name: parameters of the platform and of one leg, and its p."""
+    pi = ss.inertial_parameters(robot)
+    values = dict(zip(pi.names, pi.values.tolist(), strict=True))
+    plain = {name: values[leg_name(name, leg + 1)] for name in leg_parameters()}
+    return values | plain | dict(zip(("p_x", "p_y", "p_z"), robot.p[leg].tolist(), strict=True))
+
+
+def leg_parameters() -> list[str]:
+    return [name for base in MERGED if base.startswith("J_u") for name in (base, base.replace("u", "d"))] + [
+        "m_u"
+    ]
+
+
+def general_value(formula: str, robot: Robot, leg: int) -> float:
+    """A formula of ``MERGED`` for one leg or, with its sum over the legs, for the platform."""
+    head, _, inner = formula.partition(" + sum")
+    total = eval(head, {}, names_at(robot, leg))
+    if inner:
+        total += sum(eval(inner, {}, names_at(robot, i)) for i in range(6))
+    return float(total)
+
+
+def formula_value(formula: str, pi: Any) -> float:
+    """A formula of ``BaseParameters``."""
+    return float(eval(formula, {}, dict(zip(pi.names, pi.values.tolist(), strict=True))))
+
+
+def test_there_are_as_many_as_the_derivation_leaves_on_any_machine() -> None:
+    assert GENERAL == 100
+    for seed in range(20):
+        base = ss.base_parameters(random_robot(np.random.default_rng(seed)))
+        assert base.rank == GENERAL, seed
+        assert base.gap > 1e9
+    assert ss.base_parameters(dasgupta()).rank == GENERAL
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_kept_columns_give_the_whole_regressor_on_other_poses(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng)
+    base = ss.base_parameters(robot)
+    Y = ss.regressor(robot, random_motion(rng, robot, (20,)))
+    assert base.matrix.shape == (base.rank, EVERY)
+    assert np.max(np.abs(Y[..., base.kept] @ base.matrix - Y)) <= 1e-12 * np.max(np.abs(Y))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_formulas_of_every_machine_are_what_the_singular_values_find(seed: int) -> None:
+    robot = random_robot(np.random.default_rng(seed))
+    base, pi = ss.base_parameters(robot), ss.inertial_parameters(robot)
+    found = dict(zip(base.names, (base.matrix @ pi.values).tolist(), strict=True))
+    for name, formula in MERGED.items():
+        for leg in range(6) if name.startswith("J_u") else (None,):
+            expected = general_value(formula, robot, leg or 0)
+            value = found.pop(name if leg is None else leg_name(name, leg + 1))
+            assert value == pytest.approx(expected, rel=1e-9), name
+    own = dict(zip(pi.names, pi.values.tolist(), strict=True))
+    assert found == pytest.approx({name: own[name] for name in found}, rel=1e-9)
+
+
+def test_formulas_of_the_robot_are_the_rows_of_the_matrix() -> None:
+    for robot in (dasgupta(), random_robot(np.random.default_rng(2))):
+        base, pi = ss.base_parameters(robot), ss.inertial_parameters(robot)
+        for formula, row_of_matrix in zip(base.formulas, base.matrix, strict=True):
+            terms = np.abs(row_of_matrix) @ np.abs(pi.values)
+            assert formula_value(formula, pi) == pytest.approx(row_of_matrix @ pi.values, abs=1e-5 * terms)
+
+
+def test_formulas_in_the_readme_are_those_of_every_machine() -> None:
+    for name, formula in MERGED.items():
+        assert table_row(name) == [formula]
+
+
+def test_machines_whose_forces_tell_less_lose_what_is_not_felt() -> None:
+    robot = dasgupta()
+    upright = dataclasses.replace(robot, k=np.tile([0.0, 0.0, 1.0], (6, 1)))
+    afloat = dataclasses.replace(robot, g=np.zeros(3))
+    every = set(ss.base_parameters(robot).names)
+    for machine, lost in ((upright, r"h_d\d_y"), (afloat, r"h_d\d_[xyz]")):
+        base = ss.base_parameters(machine)
+        assert every - set(base.names) == {name for name in every if re.fullmatch(lost, name)}
+        assert base.gap > 1e9
+
+
+def test_a_motion_tells_no_more_than_it_excites() -> None:
+    robot = dasgupta()
+    at_rest = ss.Motion(np.eye(3), [0.1, 0.0, 0.5], *np.zeros((4, 3)))
+    assert ss.base_parameters(robot, at_rest).rank == 6
+    path, step = ss.PATHS["I"]
+    motion = path.sample(path.times(step))
+    base = ss.base_parameters(robot, motion)
+    assert 6 < base.rank < GENERAL
+    Y = ss.regressor(robot, motion)
+    assert np.max(np.abs(Y[..., base.kept] @ base.matrix - Y)) <= 1e-6 * np.max(np.abs(Y))
+
+
+def test_what_has_no_base_parameters_is_refused_in_one_line() -> None:
+    ball = random_robot(np.random.default_rng(0), "spherical")
+    with pytest.raises(ValueError, match=r'robot: expected base_joint "universal"'):
+        ss.base_parameters(ball)
+    with pytest.raises(ValueError, match="motion: expected a Motion"):
+        ss.base_parameters(dasgupta(), 3)  # type: ignore[arg-type]

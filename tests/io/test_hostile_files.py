@@ -1,0 +1,401 @@
+"""Files that are no robot, scene or trajectory: refused in one line, in bounded time and memory.
+
+The fuzzer of fuzz_files.py starts from sound files; what it can't reach by changing bytes stands here.
+"""
+
+import importlib.util
+import itertools
+import os
+import resource
+import socket
+import subprocess
+import sys
+import warnings
+from collections.abc import Callable
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import attack_build
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sweeps import share
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.motion.trajectory import read_any_csv, read_csv, read_forces_csv
+from stewart_sym.robot.robot import Robot
+from stewart_sym.simulation.scene import read_scene
+
+ROBOT = (files("stewart_sym.robots") / "dasgupta1998.toml").read_bytes()
+SCENE = b"""schema = 1
+robot = "robot.toml"
+duration = 2.0
+[state]
+t = [0.2, 0.0, 0.5]
+theta = [0.0, 0.0, 0.0]
+[legs]
+law = "springs"
+stiffness = 2e5
+"""
+POSES = b"time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + b"".join(
+    b"%d,0.2,0,0.5,0,0,0\n" % i for i in range(6)
+)
+FORCES = b"time,F1,F2,F3,F4,F5,F6\n0,1,2,3,4,5,6\n"
+
+READERS: dict[str, tuple[Callable[[Any], Any], bytes]] = {
+    "robot": (Robot.from_toml, ROBOT),
+    "scene": (read_scene, SCENE),
+    "poses": (read_csv, POSES),
+    "motion": (read_any_csv, POSES),
+    "forces": (read_forces_csv, FORCES),
+}
+TOML = ("robot", "scene")
+NAME = b'name = "x"\n'
+MASS = b"mass = 40.0"
+MILLIONS = 5_000_000
+
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+
+
+def refused(read: Callable[[Any], Any], path: Path) -> str:
+    """The line in which a file is refused, without its name."""
+    with pytest.raises(ValueError) as caught:  # noqa: PT011 # the line is what is looked at
+        read(path)
+    text = str(caught.value)
+    assert text.isprintable()
+    assert text.startswith(f"{path}: ")
+    rest = text.removeprefix(f"{path}: ")
+    assert len(rest) < 600
+    return rest
+
+
+def written(folder: Path, data: bytes) -> Path:
+    (folder / "robot.toml").write_bytes(ROBOT)
+    path = folder / "file"
+    path.write_bytes(data)
+    return path
+
+
+@pytest.mark.parametrize("name", READERS)
+def test_the_sound_files_are_read(name: str, tmp_path: Path) -> None:
+    read, sound = READERS[name]
+    path = written(tmp_path, sound)
+    assert read(path) is not None
+    assert read(os.fsencode(path)) is not None
+    assert read(written(tmp_path, b"\xef\xbb\xbf" + sound.replace(b"\n", b"\r\n"))) is not None
+
+
+@pytest.mark.parametrize("name", READERS)
+@pytest.mark.parametrize(
+    ("spoil", "told"),
+    [
+        (lambda sound: sound.decode().encode("utf-16"), "UTF-8"),
+        (lambda sound: sound.decode().encode("utf-32"), "UTF-8"),
+        (lambda sound: sound + "# Größe".encode("latin-1"), "UTF-8"),
+        (lambda sound: b"\xed\xa0\x80" + sound, "UTF-8"),
+        (lambda sound: sound.decode().encode("utf-16-le"), ""),
+        (lambda sound: sound + b"\0", ""),
+        (lambda sound: b"\0" * 1000, ""),
+        (lambda sound: b"\xef\xbb\xbf\xef\xbb\xbf" + sound, ""),
+        (lambda sound: sound[: len(sound) // 4], ""),
+        (lambda sound: b"\x7fELF" + bytes(range(128)) * 10, ""),
+        (lambda sound: b"\x1f\x8b" + bytes(range(256)) * 10, "UTF-8"),
+        (lambda sound: b"{" * 10_000, ""),
+        (lambda sound: b'"' * 100_001, ""),
+        (lambda sound: "\u202e\u2028\u2029\u0085".encode() + sound, ""),
+        (lambda sound: b"", ""),
+    ],
+)
+def test_odd_bytes_are_refused(name: str, spoil: Callable[[bytes], bytes], told: str, tmp_path: Path) -> None:
+    read, sound = READERS[name]
+    assert told in refused(read, written(tmp_path, spoil(sound)))
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        b"0x" + b"F" * 5000,
+        b"9" * 5000,
+        b"[0x" + b"F" * 5000 + b"]",
+        b"1e400",
+        b"1e-400",
+        b"-inf",
+        b"nan",
+        b"true",
+        b"1979-05-27T07:32:00Z",
+        b'"\\u0000\\n"',
+        b"[" * 400 + b"]" * 400,
+        b"[" * 50_000 + b"]" * 50_000,
+        b"{a=" * 20_000 + b"1" + b"}" * 20_000,
+        b"{" + b".".join([b"a"] * 100_000) + b" = 1}",
+        b'"' + b"x" * 100_000 + b'"',
+        b"40.0\nmass = 41.0",
+        b"40.0\n[platform]",
+        b"40.0\nmass.a = 1",
+    ],
+    ids=lambda value: value[:12].decode(),
+)
+def test_values_that_are_no_mass_are_refused(value: bytes, tmp_path: Path) -> None:
+    told = refused(Robot.from_toml, written(tmp_path, ROBOT.replace(MASS, b"mass = " + value)))
+    assert told.startswith(("platform.mass: ", "not valid TOML: "))
+
+
+@pytest.mark.parametrize("key", [b"schema", b"duration", b"legs", b"output_step", b"robot"])
+def test_scenes_take_no_number_of_thousands_of_digits(key: bytes, tmp_path: Path) -> None:
+    lines = [line for line in SCENE.split(b"\n") if not line.startswith(key)]
+    text = key + b" = 0x" + b"F" * 5000 + b"\n" + b"\n".join(lines)
+    if key == b"legs":
+        text = text.replace(b"[legs]\n", b"")
+    assert refused(read_scene, written(tmp_path, text)).startswith((key.decode(), "not valid TOML"))
+
+
+@pytest.mark.parametrize(
+    "column",
+    [b"\x064", b'"F\n9"', "\u2028".encode(), b"x" * 10_000],
+    ids=["control", "newline", "separator", "long"],
+)
+def test_a_column_given_twice_is_shown_in_one_line(column: bytes, tmp_path: Path) -> None:
+    header, numbers, _ = FORCES.split(b"\n")
+    twice = b"\n".join([b",".join([header, column, column]), numbers + b",0,0", b""])
+    assert refused(read_forces_csv, written(tmp_path, twice)).endswith("is given twice")
+
+
+def repeated(line: bytes) -> bytes:
+    return line * (10_000_000 // len(line))
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        repeated(b"#" + b"x" * 99 + b"\n"),
+        repeated(b"[[leg]]\n"),
+        b"a" + repeated(b".a") + b" = 1\n",
+        b"a = [" + repeated(b"1,") + b"]\n",
+        b"time," + repeated(b"t_x,"),
+        POSES + repeated(b"\n"),
+        POSES + b"9," + b"1" * MILLIONS + b",0,0,0,0,0\n",
+        POSES + repeated(b"9,0,0,0,0,0,0\n"),
+        b'"' + b"x" * 2 * MILLIONS,
+    ],
+    ids=["comments", "tables", "dotted", "array", "header", "blank", "digits", "rows", "quote"],
+)
+def test_ten_megabytes_are_refused_in_seconds_and_little_memory(data: bytes, tmp_path: Path) -> None:
+    """Each reader in a process of its own with a gigabyte and 20 s of processor time."""
+    path = written(tmp_path, data)
+    code = (
+        "import sys, warnings\nwarnings.simplefilter('ignore')\n"
+        "from stewart_sym.robot.robot import Robot\nfrom stewart_sym.simulation.scene import read_scene\n"
+        "from stewart_sym.motion.trajectory import read_any_csv, read_forces_csv\n"
+        "for read in (Robot.from_toml, read_scene, read_any_csv, read_forces_csv):\n"
+        "    try:\n        read(sys.argv[1])\n    except ValueError as error:\n        print(error)\n"
+    )
+
+    def bounded() -> None:
+        resource.setrlimit(resource.RLIMIT_CPU, (20, 20))
+        resource.setrlimit(resource.RLIMIT_DATA, (1 << 30, 1 << 30))
+
+    done = subprocess.run(
+        [sys.executable, "-c", code, str(path)], capture_output=True, text=True, preexec_fn=bounded
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    lines = done.stdout.splitlines()
+    # Blank lines below a sound trajectory are one.
+    assert len(lines) == (3 if data.startswith(POSES + b"\n") else 4)
+    assert all(line.startswith(f"{path}: ") and len(line) < 900 for line in lines)
+
+
+@pytest.mark.parametrize("name", TOML)
+@pytest.mark.parametrize(
+    "key",
+    [b".".join([b"a"] * 30_000), b' . "b c" . '.join([b"'a'"] * 10_000), b".".join([b'"\\""'] * 10_000)],
+    ids=["bare", "quoted", "escaped"],
+)
+@pytest.mark.parametrize(
+    "line", [b"%b = 1\n", b"[%b]\n", b"a = {%b = 1}\n"], ids=["value", "table", "inline"]
+)
+def test_keys_of_thousands_of_parts_are_refused_before_they_are_parsed(
+    name: str, key: bytes, line: bytes, tmp_path: Path
+) -> None:
+    read, sound = READERS[name]
+    assert refused(read, written(tmp_path, line % key + sound)) == "not valid TOML: nested too deeply"
+
+
+def test_as_many_parts_as_a_robot_file_needs_are_read(tmp_path: Path) -> None:
+    text = ROBOT.replace(MASS, b"# a.b.c.d.e.f see www.example.com, 1.2.3.4\n" + MASS)
+    assert Robot.from_toml(written(tmp_path, text)).M == 40.0
+
+
+DOTTED = b".".join([b"words"] * 16)
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        b"# %b\n" % DOTTED,
+        b'name = "%b"  # %b\n' % (DOTTED, DOTTED),
+        b"name = '%b'\n" % DOTTED,
+        b'name = """%b"""\n' % DOTTED,
+        b"name = '''%b'''\n" % DOTTED,
+        b'name = """\\\n   a \\" quote, %b"""\n' % DOTTED,
+    ],
+    ids=["comment", "both", "literal", "long", "long literal", "continued"],
+)
+def test_dotted_words_in_comments_and_texts_are_no_key(line: bytes, tmp_path: Path) -> None:
+    text = line + ROBOT.replace(b'name = "Dasgupta & Mruthyunjaya 1998"\n', b"" if b"name" in line else NAME)
+    assert Robot.from_toml(written(tmp_path, text)).M == 40.0
+
+
+@pytest.mark.parametrize(
+    "before",
+    [b'name = "%b"\n' % DOTTED, b'a = """a"""""\n', b"a = ''''''\n", b'a = "\\""\n', b"a = '#'\n", b"# '\n"],
+)
+def test_keys_of_too_many_parts_are_found_behind_texts_and_comments(before: bytes, tmp_path: Path) -> None:
+    text = before + b".".join([b"a"] * 16) + b" = 1\n"
+    assert refused(Robot.from_toml, written(tmp_path, text)) == "not valid TOML: nested too deeply"
+
+
+# What is no file
+
+
+@pytest.mark.parametrize("name", READERS)
+@pytest.mark.parametrize(
+    "place", ["/dev/zero", "/dev/null", "/dev/urandom", "/", "no/such/file", "a\0b", "", "x" * 5000]
+)
+def test_what_is_no_file_is_refused(
+    name: str, place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(ValueError, match="cannot read the ") as caught:
+        READERS[name][0](place)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("name", READERS)
+def test_links_in_circles_sockets_and_closed_files_are_refused(name: str, tmp_path: Path) -> None:
+    read, sound = READERS[name]
+    circle = tmp_path / "circle"
+    circle.symlink_to(circle)
+    assert "cannot read" in refused(read, circle)
+    with socket.socket(socket.AF_UNIX) as ear:
+        ear.bind(str(tmp_path / "ear"))
+        assert "cannot read" in refused(read, tmp_path / "ear")
+    closed = written(tmp_path, sound)
+    closed.chmod(0)
+    if not os.access(closed, os.R_OK):
+        assert "cannot read" in refused(read, closed)
+
+
+@pytest.mark.parametrize("name", READERS)
+@pytest.mark.parametrize("path", [3, 1.5, None, [], len, np.zeros(3)], ids=lambda x: type(x).__name__)
+def test_what_is_no_name_of_a_file_is_named(name: str, path: object) -> None:
+    with pytest.raises(ValueError, match=r"\Apath: expected the name of a file, got \w+\Z"):
+        READERS[name][0](path)
+
+
+def test_a_pipe_is_read_to_its_end_and_no_further_than_a_file(tmp_path: Path) -> None:
+    script = "from stewart_sym.robot.robot import Robot; print(Robot.from_toml('/dev/stdin').M)"
+    command = [sys.executable, "-W", "ignore", "-c", script]
+    assert subprocess.run(command, input=ROBOT, capture_output=True).stdout == b"40.0\n"
+    done = subprocess.run(command, input=b"#" * 3 * MILLIONS, capture_output=True)
+    assert done.stderr.splitlines()[-1].endswith(b"longer than 262,144 bytes")
+
+
+# Tables with something else in one place
+
+ODD = st.one_of(
+    st.none(),
+    st.booleans(),
+    st.integers(),
+    st.floats(),
+    st.text(max_size=5),
+    st.binary(max_size=3),
+    st.sampled_from([10**400, 1e308, -1e308, 5e-324, 0.0, -0.0, 0, 1]),
+    st.lists(st.floats(), max_size=4),
+    st.dictionaries(st.text(max_size=3), st.integers(), max_size=2),
+    st.sampled_from([np.float32(2.0), np.int64(3), np.zeros(3), np.eye(3), object(), range(3), 1j]),
+)
+
+
+@st.composite
+def spoilt_tables(draw: st.DrawFn) -> dict[str, Any]:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        top = ss.robots.dasgupta1998().to_dict()
+    for _ in range(draw(st.integers(1, 3))):
+        place: Any = top
+        while True:
+            keys = list(place) if isinstance(place, dict) else list(range(len(place)))
+            key = draw(st.sampled_from(keys))
+            if not isinstance(place[key], dict | list) or not place[key] or draw(st.booleans()):
+                break
+            place = place[key]
+        deed = draw(st.sampled_from(["replace", "remove", "add"]))
+        if deed == "remove":
+            del place[key]
+        elif deed == "add" and isinstance(place, dict):
+            place[draw(st.text(max_size=4))] = draw(ODD)
+        else:
+            place[key] = draw(ODD)
+        if not top:
+            break
+    return top
+
+
+@settings(derandomize=True, deadline=None, max_examples=120)
+@given(spoilt_tables())
+def test_spoilt_tables_are_refused_in_one_line_or_make_a_sound_robot(tables: dict[str, Any]) -> None:
+    told = "robot: "
+    try:
+        robot = Robot.from_dict(tables)
+    except ValueError as error:
+        robot, told = None, str(error)
+    assert told.startswith("robot: ")
+    assert told.isprintable()
+    if robot is None:
+        return
+    numbers = [value for value in vars(robot).values() if isinstance(value, np.ndarray)]
+    assert all(np.isfinite(value).all() for value in numbers[:-3])
+    assert Robot.from_dict(robot.to_dict()).to_dict() == robot.to_dict()
+
+
+@pytest.mark.slow
+def test_fuzzing_the_readers_finds_nothing(tmp_path: Path) -> None:
+    if importlib.util.find_spec("atheris") is None:
+        pytest.skip("atheris is not installed: it has wheels for Linux on x86-64 alone")
+    for number, (name, (_, sound)) in enumerate(READERS.items()):
+        if name != "motion":
+            (tmp_path / name).write_bytes(bytes([max(number - 1, 0) if number > 1 else number]) + sound)
+    script = str(Path(__file__).parents[1] / "support" / "fuzz_files.py")
+    runs = share(50_000)
+    limits = [f"-runs={runs}", "-seed=1", "-max_len=4096", f"-artifact_prefix={tmp_path}{os.sep}"]
+    told = attack_build.ran([sys.executable, script, *limits, str(tmp_path)], tmp_path)
+    assert f"Done {runs} runs" in told
+
+
+@pytest.mark.parametrize("name", TOML)
+@pytest.mark.parametrize("text", [b"", b"\n \n", b"\xef\xbb\xbf"])
+def test_an_empty_file_is_called_empty(name: str, text: bytes, tmp_path: Path) -> None:
+    assert refused(READERS[name][0], written(tmp_path, text)).endswith("the file is empty")
+
+
+KINDS = {
+    "robot file": (ROBOT.decode(), ["check"]),
+    "scene of simulate": (
+        'schema = 1\nrobot = "robot.toml"\nduration = 1.0\n[legs]\nlaw = "forces"\n',
+        ["simulate", "-o", "out"],
+    ),
+    "scene of advise": ('schema = 1\nrobot = "robot.toml"\nmotions = ["I"]\ntolerance = 0.01\n', ["advise"]),
+}
+
+
+@pytest.mark.parametrize(("expected", "got"), list(itertools.permutations(KINDS, 2)))
+def test_a_file_of_another_kind_is_called_what_it_is(
+    tmp_path: Path, expected: str, got: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "file.toml").write_text(KINDS[got][0])
+    command, *options = KINDS[expected][1]
+    assert main([command, str(tmp_path / "file.toml"), *options]) == 2
+    assert capsys.readouterr().err.endswith(f"file.toml: expected a {expected}, got a {got}\n")

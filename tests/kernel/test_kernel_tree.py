@@ -1,0 +1,282 @@
+"""Kernels as trees: one text gives the same numbers as the C in every language, and its reader is strict."""
+
+import subprocess
+import sys
+from dataclasses import replace
+from fractions import Fraction
+from math import isqrt
+from pathlib import Path
+from typing import Any
+
+import array_api_strict
+import numpy as np
+import pytest
+from kernel_cases import EPSILON, ON_ARRAYS, beside_the_joint_axis, motion_numbers, robot_numbers
+from machines import dasgupta, random_motion, random_robot
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.derive.fidelity import FIDELITIES
+from stewart_sym.derive.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.generate import prepared_model, reduced_fidelity, reduced_forces, reduced_motion
+from stewart_sym.derive.kernel import read
+from stewart_sym.derive.kernel.interpret import Arithmetic, Interpreter
+from stewart_sym.derive.kernel.nodes import Program
+from stewart_sym.derive.kernel.outputs import OUTPUTS, program
+from stewart_sym.derive.package import languages
+from stewart_sym.kit import Choice, write_kit
+
+
+@pytest.fixture(scope="module")
+def whole() -> Program:
+    return program(prepared_model(EXACT), reduced_motion(), OUTPUTS)
+
+
+def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.ndarray, np.ndarray]:
+    run = Interpreter(tree, ON_ARRAYS)
+    with np.errstate(all="ignore"):
+        found = run.run("forces", run.run("prepare", robot_numbers(robot)), motion_numbers(motion))
+    return np.stack(np.broadcast_arrays(*found.F), axis=-1), np.asarray(found.status)
+
+
+@pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
+    tree = program(reduced_forces(form))
+    rng = np.random.default_rng(5)
+    for _ in range(4):
+        robot = random_robot(rng, form.base_joint)
+        motion = random_motion(rng, robot, (9,))
+        kernel = ss.prepare(robot, form.name)
+        F, status = forces_of(tree, robot, motion)
+        expected, codes = kernel.forces_and_status(motion)
+        np.testing.assert_array_equal(status, codes)
+        np.testing.assert_array_equal(F, expected)
+
+
+def test_near_and_at_a_joint_singularity_forces_and_statuses_are_those_of_the_c() -> None:
+    tree = program(reduced_forces(EXACT))
+    rng = np.random.default_rng(6)
+    seen = set()
+    for sine in (0.2, 0.015, 1e-4, 1e-9, 0.0):
+        robot = random_robot(rng)
+        motion = beside_the_joint_axis(rng, robot, sine)
+        F, status = forces_of(tree, robot, motion)
+        expected, codes = ss.prepare(robot).forces_and_status(motion)
+        np.testing.assert_array_equal(status, codes)
+        np.testing.assert_array_equal(F, expected)
+        seen.add(int(codes))
+    assert seen == {0, 3}
+
+
+def test_a_machine_that_is_singular_everywhere_is_so_for_the_tree() -> None:
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng)
+    flat = replace(robot, b=robot.b * [1.0, 0.0, 0.0])
+    motion = random_motion(rng, robot, (50,))
+    _, status = forces_of(program(reduced_forces(EXACT)), flat, motion)
+    _, codes = ss.prepare(flat).forces_and_status(motion)
+    np.testing.assert_array_equal(status, codes)
+    assert set(codes) == {4}
+
+
+def test_fidelities_have_trees_as_well() -> None:
+    rng = np.random.default_rng(8)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (5,))
+    for name in FIDELITIES:
+        if name == "general":
+            continue
+        F, status = forces_of(program(reduced_fidelity(FIDELITIES[name])), robot, motion)
+        expected, codes = ss.prepare(robot, fidelity=name).forces_and_status(motion)
+        np.testing.assert_array_equal(status, codes)
+        np.testing.assert_array_equal(F, expected, name)
+
+
+def test_equations_and_forward_dynamics_are_those_of_the_library(whole: Program) -> None:
+    rng = np.random.default_rng(9)
+    run = Interpreter(whole, ON_ARRAYS)
+    for sine in (None, 0.1, 1e-5):
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot) if sine is None else beside_the_joint_axis(rng, robot, sine)
+        F = ss.prepare(robot).forces(motion)
+        model, given = run.run("prepare", robot_numbers(robot)), motion_numbers(motion)
+        with np.errstate(all="ignore"):
+            found = run.run("equations", model, given)
+            moved = run.run("forward_dynamics", model, given, list(F))
+        expected = ss.equations_of_motion(robot, motion)
+        for name in ("M", "C", "g", "friction", "bias"):
+            answer = getattr(expected, name)
+            np.testing.assert_allclose(
+                getattr(found, name), answer, rtol=0, atol=1e-13 * np.abs(answer).max()
+            )
+        answer = ss.forward_dynamics(robot, motion, F)
+        by_force = np.abs(ss.linearise(robot, motion, F).B).max() * np.abs(F).max()
+        for name in ("a", "alpha"):
+            np.testing.assert_allclose(
+                getattr(moved, name), getattr(answer, name), rtol=0, atol=10 * EPSILON * by_force
+            )
+        assert found.status == moved.status == 0
+
+
+def printed_python(robot: ss.Robot, folder: Path) -> dict[str, Any]:
+    """What a kit's modules define."""
+    write_kit(robot, folder, Choice(language="python"))
+    space: dict[str, Any] = {"__name__": "stewart_arrays"}
+    exec((folder / "stewart_arrays.py").read_text(), space)
+    exec((folder / "robot.py").read_text().replace("from stewart_arrays import Robot", ""), space)
+    return space
+
+
+FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+
+
+@pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])
+def test_printed_python_runs_on_the_array_api_with_the_same_bits(xp: Any, tmp_path: Path) -> None:
+    rng = np.random.default_rng(10)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (3, 2))
+    printed = printed_python(robot, tmp_path)
+    on = printed["Arithmetic"](xp)
+    with np.errstate(all="ignore"):
+        model = printed["prepare"](on, printed["robot"]())
+        given = printed["motion_of"](on, **{name: getattr(motion, name) for name in FIELDS})
+        found = printed["forces"](on, model, given)
+    F = np.stack([np.asarray(each) for each in found.F], axis=-1)
+    np.testing.assert_array_equal(F, ss.prepare(robot).forces(motion))
+
+
+@pytest.mark.slow
+def test_jax_compiles_and_differentiates_the_forces(tmp_path: Path) -> None:
+    import jax
+    import jax.numpy as jnp
+
+    rng = np.random.default_rng(12)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (7,))
+    with jax.enable_x64(True):
+        printed = printed_python(robot, tmp_path)
+        on = printed["Arithmetic"](jnp)
+        model = printed["prepare"](on, printed["robot"]())
+
+        def forces(twist: Any, acceleration: Any, others: dict[str, Any]) -> Any:
+            rates = {"v": twist[..., :3], "omega": twist[..., 3:]}
+            rates |= {"a": acceleration[..., :3], "alpha": acceleration[..., 3:]}
+            given = printed["motion_of"](on, **rates, **others)
+            return jnp.stack(printed["forces"](on, model, given).F, axis=-1)
+
+        twist = jnp.concatenate([motion.v, motion.omega], axis=-1)
+        acceleration = jnp.concatenate([motion.a, motion.alpha], axis=-1)
+        others = {name: jnp.asarray(getattr(motion, name)) for name in ("R", "t", "F_ext", "M_ext")}
+        both = jax.vmap(jax.jacfwd(forces, argnums=(0, 1)))(twist, acceleration, others)
+        compiled = jax.jit(forces)(twist, acceleration, others)
+    answer = ss.prepare(robot).forces(motion)
+    np.testing.assert_allclose(compiled, answer, rtol=0, atol=1e-12 * np.abs(answer).max())
+    expected = ss.force_derivatives(robot, motion)
+    for found, answer in zip(both, (expected.by_twist, expected.by_acceleration), strict=True):
+        np.testing.assert_allclose(found, answer, rtol=0, atol=1e-9 * np.abs(answer).max())
+
+
+def test_a_wrong_number_fails_the_self_test_of_a_kit(tmp_path: Path) -> None:
+    write_kit(dasgupta(), tmp_path, Choice(("forces", "motion"), language="python"))
+    file = tmp_path / "robot.py"
+    text = file.read_text()
+    mass = next(line for line in text.splitlines() if line.strip().startswith("made.M ="))
+    file.write_text(text.replace(mass, f"{mass} * (1 + 1e-9)"))
+    found = subprocess.run([sys.executable, "self_test.py"], cwd=tmp_path, capture_output=True, text=True)
+    assert found.returncode == 1
+    assert int(found.stdout.split()[0]) > 0
+
+
+@pytest.mark.parametrize(
+    ("choice", "line"),
+    [
+        (
+            Choice(("reactions",), language="rust"),
+            "functions: rust: expected some of forces, motion, derivatives, kinematics, got 'reactions'",
+        ),
+        (Choice(language="matlab", precision="float"), "precision: matlab: expected double, got float"),
+        (Choice(language="rust", bake=True), "bake: expected language c, got rust"),
+        (Choice(language="cobol"), "language: expected"),
+        (
+            Choice(("forces", "motion"), fidelity="slender", language="rust"),
+            "fidelity: rust: expected general with the function motion, got slender",
+        ),
+    ],
+)
+def test_what_a_language_lacks_is_named(choice: Choice, line: str, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=f"^{line}"):
+        write_kit(dasgupta(), tmp_path, choice)
+    assert not list(tmp_path.iterdir())
+
+
+def with_while(x: "array(6)") -> "Real":  # noqa: F821
+    """Not allowed."""
+    while x[0] > 0:
+        x[0] = 0.0
+    return x[0]
+
+
+def with_power(x: "array(6)") -> "Real":  # noqa: F821
+    """Not allowed."""
+    return x[0] ** 2
+
+
+def with_hidden_change(A: "array(6, 7)", x: "array(6)") -> "Integer":  # noqa: F821
+    """Not allowed: what a call changes is handed back in some languages."""
+    return where(eliminate(A, x) == 0, 1, 0)  # noqa: F821
+
+
+def smallest_share(x: "Real", y: "Real") -> "Real":  # noqa: F821
+    """A quotient where there is one."""
+    root = where(y >= 0.0, sqrt(y), 0.0)  # noqa: F821
+    return where(root > 0.0, x / root, least(x))  # noqa: F821
+
+
+def least(x: "Real") -> "Real":  # noqa: F821
+    """Another function, which can be replaced."""
+    return x - 1.0
+
+
+def test_where_a_test_is_decided_what_is_not_taken_may_be_undefined() -> None:
+    functions = {"least": read.function(least, {}, {})}
+    functions["smallest_share"] = read.function(smallest_share, {}, functions)
+    tree = Program("", (), tuple(functions.values()))
+    on = Arithmetic(Fraction, {}, lambda y: Fraction(isqrt(int(y))))
+    assert [Interpreter(tree, on).run("smallest_share", 3, y) for y in (-1, 0, 4)] == [2, 2, Fraction(3, 2)]
+    assert Interpreter(tree, on, {"least": lambda x: 10 * x}).run("smallest_share", 3, -1) == 30
+    with pytest.raises(ValueError, match="nonnegative"):
+        Interpreter(tree, replace(on, where=lambda test, yes, no: no)).run("smallest_share", 3, AnyTest(-1))
+
+
+class AnyTest(Fraction):
+    """A number of which comparisons are not decided, as those of symbols and arrays are not."""
+
+    def __ge__(self, other: object) -> Any:
+        return "undecided"
+
+
+def test_a_call_that_changes_an_argument_stands_by_itself(whole: Program) -> None:
+    with pytest.raises(ValueError, match="a statement of its own for a call that changes an argument"):
+        read.function(with_hidden_change, {}, {"eliminate": whole.function("eliminate")})
+
+
+@pytest.mark.parametrize(("text", "got"), [(with_while, "while"), (with_power, r"x\[0\] \*\* 2")])
+def test_python_that_not_every_language_has_is_named(text: Any, got: str) -> None:
+    with pytest.raises(ValueError, match=f"^{text.__name__}: expected .* got {got}"):
+        read.function(text, {}, {})
+
+
+def test_a_language_is_one_module_and_one_registration(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    class Shouting(languages.PythonKit):
+        name, title, example = "shouting", "Python in capitals", "EXAMPLE.PY"
+
+        def files(self, kit: languages.contents.Contents) -> dict[str, str]:
+            return {name.upper(): text for name, text in super().files(kit).items()}
+
+    monkeypatch.setitem(languages.LANGUAGES, "shouting", Shouting())
+    robot = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
+    assert main(["generate", str(robot), "-o", str(tmp_path), "--language", "shouting"]) == 0
+    assert (tmp_path / "SELF_TEST.PY").exists()
+    assert "Python in capitals" in (tmp_path / "README.md").read_text()

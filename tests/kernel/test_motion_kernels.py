@@ -1,0 +1,323 @@
+"""The closed form's kernels in C and NumPy: equal to each other, to 50 digits and to inverse dynamics."""
+
+import dataclasses
+import functools
+
+import numpy as np
+import pytest
+from fifty_digits import DIGITS, truth
+from kernel_cases import beside_the_joint_axis
+from machines import dasgupta, random_motion, random_robot
+from motion_blocks import blocks, inertia, inputs, moved, nothing, stacked, summed, symbolic, unit
+from mpmath import mp
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.derive.formulation import EXACT
+from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
+from stewart_sym.motion.motion import Motion
+from stewart_sym.results import INDEFINITE, NOT_FINITE, POLE, SHORT_LEG, SINGULAR
+from stewart_sym.robot.robot import Robot
+
+Array = NDArray[np.float64]
+EPSILON = np.finfo(np.float64).eps
+FORCED = ("forward_dynamics", "linearisation")
+NAMES = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+
+
+def batch(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
+    motions = [random_motion(rng, robot) for _ in range(count)]
+    return Motion(*(np.stack([getattr(motion, name) for motion in motions]) for name in NAMES))
+
+
+def forces(robot: Robot, motion: Motion) -> Array:
+    return ss.inverse_dynamics(robot, motion).F
+
+
+def largest(values: Array) -> Array:
+    return np.abs(values).max(axis=(-1, -2) if values.ndim > 2 else -1)
+
+
+def apart(found: Array, expected: Array) -> Array:
+    """Largest difference of each pose beside its largest entry."""
+    axes = tuple(range(1, found.ndim))
+    return np.abs(found - expected).max(axis=axes) / np.abs(expected).max(axis=axes)
+
+
+def acceleration(motion: Motion) -> Array:
+    assert motion.a is not None
+    assert motion.alpha is not None
+    return np.concatenate([motion.a, motion.alpha], axis=-1)
+
+
+def check_machine(robot: Robot, motion: Motion) -> None:
+    """The identities that every machine must obey, as often as there are poses."""
+    F, e = forces(robot, motion), ss.equations_of_motion(robot, motion)
+    H = ss.wrench_matrix(robot, motion)
+    condition = ss.condition_number(H)
+    skew = np.abs(e.M - np.swapaxes(e.M, -1, -2)).max(axis=(-1, -2))
+    assert (skew <= 2 * EPSILON * np.abs(e.M).max(axis=(-1, -2))).all()
+    assert (np.linalg.eigvalsh(e.M) > 0).all()
+    load = np.concatenate(
+        [np.einsum("nij,nj->ni", motion.R, motion.F_ext), np.einsum("nij,nj->ni", motion.R, motion.M_ext)],
+        axis=-1,
+    )
+    left = np.einsum("nij,nj->ni", e.M, acceleration(motion)) + e.bias
+    right = np.einsum("nij,nj->ni", H, F) + load
+    size = np.abs(left).max(axis=-1) + np.abs(F).max(axis=-1)
+    assert (np.abs(left - right).max(axis=-1) <= 1e-12 * condition * size).all()
+    found = np.concatenate(ss.forward_dynamics(robot, motion, F), axis=-1)
+    M_condition = np.linalg.cond(e.M)
+    assert (apart(found, acceleration(motion)) <= 1e-12 * condition * M_condition).all()
+
+
+@pytest.mark.parametrize("part", range(10))
+def test_200_random_machines_obey_the_equations_of_motion(part: int) -> None:
+    rng = np.random.default_rng(100 + part)
+    for _ in range(20):
+        robot = random_robot(rng)
+        check_machine(robot, batch(rng, robot, 3))
+
+
+@pytest.mark.parametrize("part", range(4))
+def test_rate_of_the_inertia_less_twice_the_coriolis_matrix_is_skew(part: int) -> None:
+    rng = np.random.default_rng(200 + part)
+    for _ in range(50):
+        robot = random_robot(rng)
+        motion = batch(rng, robot, 2)
+        e = ss.equations_of_motion(robot, motion)
+        skew = inertia_rate(robot, motion) - 2 * e.C
+        scale = np.abs(e.C).max(axis=(-1, -2))
+        assert (np.abs(skew + np.swapaxes(skew, -1, -2)).max(axis=(-1, -2)) <= 1e-11 * scale).all()
+
+
+def inertia_rate(robot: Robot, motion: Motion) -> Array:
+    """dM/dt by differences of fourth order in extended precision."""
+    step = np.longdouble(1e-5)
+
+    closed = NumpyClosedForm(robot, np.longdouble)
+
+    def at(time: np.longdouble) -> Array:
+        wide = {name: getattr(motion, name).astype(np.longdouble) for name in NAMES}
+        phi = time * wide["omega"]
+        N = np.zeros((*phi.shape, 3), dtype=np.longdouble)
+        N[..., 0, 1], N[..., 0, 2], N[..., 1, 2] = -phi[..., 2], phi[..., 1], -phi[..., 0]
+        N = N - np.swapaxes(N, -1, -2)
+        turn, term = np.eye(3, dtype=np.longdouble) + 0 * N, np.eye(3, dtype=np.longdouble) + 0 * N
+        for k in range(1, 12):
+            term = np.einsum("nij,njk->nik", term, N) / k
+            turn = turn + term
+        wide["R"] = np.einsum("nij,njk->nik", turn, wide["R"])
+        wide["t"] = wide["t"] + time * wide["v"]
+        return closed.run("equations", Motion.unchecked(**wide))["M"]
+
+    near, far = at(step) - at(-step), at(2 * step) - at(-2 * step)
+    return np.asarray((8 * near - far) / (12 * step), dtype=np.float64)
+
+
+def check_bits(robot: Robot, motion: Motion) -> set[int]:
+    """Every output of C and of NumPy, and the statuses, are the same numbers; the statuses."""
+    F = ss.prepare(robot).forces_and_status(motion)[0]
+    F = np.where(np.isfinite(F), F, 1.0)
+    of_c, of_numpy = CClosedForm(robot), NumpyClosedForm(robot)
+    seen = set()
+    for what in OUTPUTS:
+        expected, found = (kind.run(what, motion, F if what in FORCED else None) for kind in (of_c, of_numpy))
+        for name in ("status", *OUTPUTS[what]):
+            np.testing.assert_array_equal(found[name], expected[name], f"{what}: {name}")
+        seen |= set(expected["status"].ravel().tolist())
+    return seen
+
+
+def test_numpy_has_the_bits_of_the_c_batch() -> None:
+    rng = np.random.default_rng(7)
+    for _ in range(6):
+        robot = random_robot(rng)
+        assert check_bits(robot, batch(rng, robot, 4)) == {0}
+    assert check_bits(dasgupta(), batch(rng, dasgupta(), 4)) == {0}
+
+
+def test_numpy_has_the_bits_of_the_c_batch_near_joint_singularities() -> None:
+    rng = np.random.default_rng(17)
+    robot = random_robot(rng)
+    motions = [beside_the_joint_axis(rng, robot, sine) for sine in (0.12, 0.015, 1e-5, 1e-10, 0.0)]
+    motion = Motion(*(np.stack([getattr(each, name) for each in motions]) for name in NAMES))
+    assert check_bits(robot, motion) == {0, POLE}
+
+
+def test_numpy_has_the_bits_of_the_c_batch_with_long_arms_and_unlike_inertias() -> None:
+    rng = np.random.default_rng(18)
+    seen = set()
+    for heavy, light in ((1e9, 1e-9), (1e-6, 1e7), (1e30, 1e-300)):
+        robot = random_robot(rng, scale=300.0)
+        unlike = dataclasses.replace(robot, m_u=heavy * robot.m_u, I_u0=heavy * robot.I_u0, M=light * robot.M)
+        seen |= check_bits(dataclasses.replace(unlike, I_p=light * robot.I_p), batch(rng, robot, 2))
+    assert 0 in seen
+
+
+def test_numpy_has_the_statuses_of_the_c_batch_where_h_is_singular() -> None:
+    rng = np.random.default_rng(19)
+    robot = random_robot(rng)
+    flat = dataclasses.replace(robot, b=robot.b * [1.0, 0.0, 0.0])
+    assert SINGULAR in check_bits(flat, batch(rng, robot, 5))
+
+
+def test_equations_are_those_of_the_vector_reference() -> None:
+    rng = np.random.default_rng(8)
+    for _ in range(20):
+        robot = random_robot(rng)
+        motion = batch(rng, robot, 3)
+        closed, oracle = (ss.equations_of_motion(robot, motion, backend=b) for b in ("c", "reference"))
+        for name in ("M", "g", "friction", "bias"):
+            scale = (
+                np.abs(oracle.bias).max()
+                if name in ("friction", "bias")
+                else np.abs(getattr(oracle, name)).max()
+            )
+            assert np.abs(getattr(closed, name) - getattr(oracle, name)).max() <= 1e-12 * scale, name
+
+
+@functools.cache
+def at_50_digits(seed: int) -> tuple[Robot, Motion, dict[str, mp.matrix]]:
+    """A machine, a motion, its equations and forces, and by differences the derivatives of the forces."""
+    rng = np.random.default_rng(seed)
+    robot = dasgupta() if seed == 0 else random_robot(rng)
+    motion = random_motion(rng, robot)
+    with mp.workdps(DIGITS):
+        raw = inputs(robot, motion)
+        F = truth(EXACT, robot, motion, raw)["F"]
+        found = summed(symbolic(True)["equations"], True, raw, [mp.mpf(0)] * 6)
+        parts = {
+            "F": F,
+            "M": inertia(found),
+            "C": blocks(*(found[f"C_{name}"] for name in ("vv", "vw", "wv", "ww"))),
+            "g": stacked(found["g_force"], found["g_moment"]),
+            "friction": stacked(found["friction_force"], found["friction_moment"]),
+            "H": found["H"],
+            "H_dot": found["H_dot"],
+        }
+        for name, place in (("by_pose", 0), ("by_twist", 1), ("by_acceleration", 2)):
+            parts[name] = slopes(robot, motion, raw, place)
+    return robot, motion, parts
+
+
+def slopes(robot: Robot, motion: Motion, raw: list, place: int) -> mp.matrix:
+    """Central differences of F, column by column."""
+    columns = mp.matrix(6, 6)
+    for i in range(6):
+        change = [nothing(), nothing(), nothing()]
+        change[place] = unit(i)
+        size = sum(change[place])
+        forth = truth(EXACT, robot, motion, moved(raw, *change))["F"]
+        back = truth(EXACT, robot, motion, moved(raw, *(-part for part in change)))["F"]
+        for j in range(6):
+            columns[j, i] = (forth[j] - back[j]) / (2 * size)
+    return columns
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_equations_agree_with_50_digits_to_rounding(seed: int) -> None:
+    robot, motion, true = at_50_digits(seed)
+    found = CClosedForm(robot).run("equations", motion)
+    for name in ("M", "C", "g", "friction", "H", "H_dot"):
+        expected = np.array(true[name].tolist(), dtype=np.float64).reshape(found[name].shape)
+        scale = max(np.abs(expected).max(), 1e-12)
+        assert np.abs(found[name] - expected).max() <= 400 * EPSILON * scale, name
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_derivatives_of_the_forces_are_50_digit_differences(seed: int) -> None:
+    robot, motion, true = at_50_digits(seed)
+    found = ss.force_derivatives(robot, motion)
+    for name in ("F", "by_pose", "by_twist", "by_acceleration"):
+        expected = np.array(true[name].tolist(), dtype=np.float64).reshape(getattr(found, name).shape)
+        assert np.abs(getattr(found, name) - expected).max() <= 1e-9 * np.abs(expected).max(), name
+
+
+def test_linearisation_is_the_inverse_of_the_derivatives_of_the_forces() -> None:
+    rng = np.random.default_rng(9)
+    for _ in range(20):
+        robot = random_robot(rng)
+        motion = batch(rng, robot, 2)
+        d = ss.force_derivatives(robot, motion)
+        found = ss.linearise(robot, motion, d.F)
+        B = np.linalg.inv(d.by_acceleration)
+        slack = 1e-11 * np.linalg.cond(d.by_acceleration)
+        assert (apart(found.acceleration, acceleration(motion)) <= slack).all()
+        assert (apart(found.B[:, 6:], B) <= slack).all()
+        assert not found.B[:, :6].any()
+        assert (apart(found.A[:, 6:, :6], -B @ d.by_pose) <= slack).all()
+        assert (apart(found.A[:, 6:, 6:], -B @ d.by_twist) <= slack).all()
+        omega_cross = np.cross(motion.omega[:, None], np.eye(3), axisb=-1)
+        np.testing.assert_array_equal(found.A[:, 3:6, 3:6], np.swapaxes(omega_cross, -1, -2))
+        np.testing.assert_array_equal(found.A[:, :6, 6:], np.broadcast_to(np.eye(6), (2, 6, 6)))
+
+
+def test_joint_space_inertia_is_that_of_the_matrices() -> None:
+    rng = np.random.default_rng(10)
+    robot = random_robot(rng)
+    motion = batch(rng, robot, 5)
+    H, M = ss.wrench_matrix(robot, motion), ss.equations_of_motion(robot, motion).M
+    inverse = np.linalg.inv(H)
+    expected = inverse @ M @ np.swapaxes(inverse, -1, -2)
+    assert (
+        apart(ss.joint_space_inertia(robot, motion), expected) <= 1e-12 * ss.condition_number(H) ** 2
+    ).all()
+
+
+@pytest.mark.parametrize("kind", [CClosedForm, NumpyClosedForm])
+def test_a_bad_pose_has_its_status_and_leaves_its_neighbours_as_they_are(kind: type) -> None:
+    rng = np.random.default_rng(11)
+    robot = random_robot(rng)
+    motion = batch(rng, robot, 4)
+    t, R = motion.t.copy(), motion.R.copy()
+    t[1] = np.nan
+    t[2] = robot.b[3] - R[2] @ robot.p[3]
+    t[3] = robot.b[4] + robot.k[4] - R[3] @ robot.p[4]
+    bad = Motion.unchecked(**{**{name: getattr(motion, name) for name in NAMES}, "t": t})
+    for what in OUTPUTS:
+        F = np.ones((4, 6)) if what in FORCED else None
+        good, found = kind(robot).run(what, motion, F), kind(robot).run(what, bad, F)
+        assert list(found["status"]) == [0, NOT_FINITE, SHORT_LEG, POLE], what
+        for name in OUTPUTS[what]:
+            np.testing.assert_array_equal(found[name][0], good[name][0])
+            assert np.isnan(found[name][1:]).all()
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_inertias_of_no_body_have_a_status_of_their_own(backend: str) -> None:
+    rng = np.random.default_rng(12)
+    robot = random_robot(rng)
+    heavy = -50.0 * np.abs(robot.I_p).max() * np.eye(3) - 10 * robot.M * np.eye(3)
+    impossible = dataclasses.replace(robot, I_p=heavy)
+    motion = random_motion(rng, robot)
+    with pytest.raises(ValueError, match="not positive definite"):
+        ss.forward_dynamics(impossible, motion, np.zeros(6), backend=backend)  # type: ignore[arg-type]
+    kernel = {"c": CClosedForm, "numpy": NumpyClosedForm}[backend](impossible)
+    assert kernel.run("forward_dynamics", motion, np.zeros(6))["status"] == INDEFINITE
+
+
+def test_one_state_gives_what_the_batch_gives() -> None:
+    rng = np.random.default_rng(13)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot)
+    F = forces(robot, motion)
+    slot = CClosedForm(robot).one_pose()
+    slot.numbers[...] = np.concatenate([np.ravel(getattr(motion, name)) for name in NAMES])
+    slot.F[...] = F
+    assert slot.solve() == 0
+    np.testing.assert_array_equal(slot.acceleration, np.concatenate(ss.forward_dynamics(robot, motion, F)))
+
+
+def test_spherical_base_joints_and_unknown_backends_are_refused_by_name() -> None:
+    rng = np.random.default_rng(14)
+    robot = random_robot(rng, "spherical")
+    motion = random_motion(rng, robot)
+    with pytest.raises(ValueError, match='robot: expected base_joint "universal"'):
+        ss.force_derivatives(robot, motion)
+    with pytest.raises(ValueError, match='robot: expected base_joint "universal"'):
+        ss.linearise(robot, motion, np.zeros(6))
+    with pytest.raises(ValueError, match="backend: expected"):
+        ss.force_derivatives(random_robot(rng), motion, backend="reference")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="F: expected forces of shape"):
+        ss.linearise(random_robot(rng), motion, np.zeros(5))

@@ -1,0 +1,725 @@
+"""Forward kinematics and joint-space trajectories: what is found has the legs asked for, and else says so."""
+
+import dataclasses
+import math
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from leg_lengths import HOME, STILL, Array, Poses, lengths, nudged, paper_poses
+from machines import dasgupta, machine_size, random_motion, random_path, random_robot, rotation
+from numpy.typing import NDArray
+from sweeps import share
+
+import stewart_sym as ss
+from stewart_sym import results
+from stewart_sym.cli.main import main
+from stewart_sym.kinematics.forward import jacobian, solve
+from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
+from stewart_sym.motion.trajectory import JointTrajectory, read_any_csv, read_csv
+from stewart_sym.studies.common.output import csv_lines
+
+EPS = float(np.finfo(np.float64).eps)
+
+
+def same_pose(robot: ss.Robot, found: ss.PlatformPose, R: Array, t: Array) -> NDArray[np.bool_]:
+    """Where what was found is the pose itself and no other assembly mode."""
+    size = machine_size(robot)
+    return np.asarray(
+        (np.abs(found.R - R).max(axis=(-2, -1)) < 1e-6) & (np.abs(found.t - t).max(axis=-1) < 1e-6 * size)
+    )
+
+
+def assert_nothing_is_silent(robot: ss.Robot, L: Array, found: ss.PlatformPose) -> None:
+    """A pose with status 0 has the lengths asked for to rounding and a rotation; any other is nan."""
+    ok = found.status == results.OK
+    reach = max(np.abs(robot.b).max(), np.abs(robot.p).max(), np.abs(found.t[ok]).max(initial=0.0))
+    assert np.abs(lengths(robot, found.R[ok], found.t[ok]) - L[ok]).max(initial=0.0) <= 20 * EPS * reach
+    assert found.residual[ok].max(initial=0.0) <= 16 * EPS * reach
+    R = found.R[ok]
+    assert np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(initial=0.0) <= 8 * EPS
+    assert np.all(np.linalg.det(R) > 0.0)
+    assert np.isnan(found.R[~ok]).all()
+    assert np.isnan(found.t[~ok]).all()
+
+
+# Poses
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_default_guess_gives_back_the_poses_of_random_machines(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, "spherical" if seed % 2 else "universal")
+    motion = random_motion(rng, robot, (20, 10))
+    L = ss.inverse_kinematics(robot, motion).L
+    found = ss.forward_kinematics(robot, L)
+    assert_nothing_is_silent(robot, L, found)
+    size = machine_size(robot)
+    np.testing.assert_allclose(found.R, motion.R, atol=1e-12)
+    np.testing.assert_allclose(found.t, motion.t, atol=1e-12 * size)
+
+
+def test_default_guess_gives_back_the_poses_of_the_papers_machine() -> None:
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(1), 5000, angle=0.1, way=0.1)
+    L = lengths(robot, R, t)
+    found = ss.forward_kinematics(robot, L)
+    assert_nothing_is_silent(robot, L, found)
+    np.testing.assert_allclose(found.R, R, atol=1e-12)
+    np.testing.assert_allclose(found.t, t, atol=1e-12)
+
+
+def test_near_guess_converges_quadratically_to_its_own_mode() -> None:
+    rng = np.random.default_rng(2)
+    robot = dasgupta()
+    R, t = paper_poses(rng, 5000, angle=0.1, way=0.1)
+    L = lengths(robot, R, t)
+    found = ss.forward_kinematics(robot, L, nudged(rng, R, t, angle=0.05, way=0.05))
+    assert_nothing_is_silent(robot, L, found)
+    assert same_pose(robot, found, R, t).all()
+    # From 5 cm away: errors of about 1e-2, 1e-3, 1e-6, 1e-11, rounding.
+    assert found.iterations.max() <= 6
+
+
+@pytest.mark.slow
+def test_no_pose_of_a_wide_workspace_is_missed() -> None:
+    """Region with poses where H is singular: 10^5 poses within 0.4 rad and 0.2 m of home."""
+    rng = np.random.default_rng(3)
+    robot = dasgupta()
+    R, t = (poses[: share(100_000)] for poses in paper_poses(rng, 100_000, angle=0.4, way=0.2))
+    L = lengths(robot, R, t)
+    found = ss.forward_kinematics(robot, L, on_failure="nan")
+    assert_nothing_is_silent(robot, L, found)
+    failures, others = np.count_nonzero(found.status), np.count_nonzero(~same_pose(robot, found, R, t))
+    print(f"default guess: {failures} failures, {others} other assembly modes in {len(L)} poses")
+    assert failures == 0
+    assert others < 0.15 * len(L)
+    found = ss.forward_kinematics(robot, L, nudged(rng, R, t, angle=0.02, way=0.02), on_failure="nan")
+    assert_nothing_is_silent(robot, L, found)
+    failures, others = np.count_nonzero(found.status), np.count_nonzero(~same_pose(robot, found, R, t))
+    print(f"near guess: {failures} failures, {others} other assembly modes in {len(L)} poses")
+    assert failures < 1e-4 * len(L)
+    assert others < 0.02 * len(L)
+
+
+@pytest.mark.slow
+def test_no_pose_of_random_machines_is_missed() -> None:
+    """10^5 poses: 1000 well-posed ones around the home of each of 100 machines."""
+    others = {"default": 0, "near": 0}
+    for seed in range(100):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot, (share(1000),))
+        L = ss.inverse_kinematics(robot, motion).L
+        near = nudged(rng, motion.R, motion.t, 0.05, 0.05 * machine_size(robot))
+        for name, guess in (("default", None), ("near", near)):
+            found = ss.forward_kinematics(robot, L, guess)
+            assert_nothing_is_silent(robot, L, found)
+            others[name] += np.count_nonzero(~same_pose(robot, found, motion.R, motion.t))
+    print(f"random machines: 0 failures, other assembly modes: {others}")
+    assert max(others.values()) < 10
+
+
+def test_lengths_of_the_pose_found_match_at_50_digits() -> None:
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(4), 20, angle=0.3, way=0.2)
+    L = lengths(robot, R, t)
+    found = ss.forward_kinematics(robot, L)
+    with mpmath.workdps(50):
+        for i in range(len(L)):
+            turn, place = mpmath.matrix(found.R[i].tolist()), mpmath.matrix(found.t[i].tolist())
+            for leg in range(6):
+                p, b = (mpmath.matrix(x[leg].tolist()) for x in (robot.p, robot.b))
+                assert abs(mpmath.norm(turn * p + place - b) - L[i, leg]) <= 16 * EPS * 0.7
+
+
+def test_platform_is_found_wherever_the_base_stands() -> None:
+    for seed in range(60):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng, scale=1.0)
+        motion = random_motion(rng, robot, (20,))
+        Q, away = rotation(2.0 * rng.normal(size=3)), 3.0 * rng.normal(size=3)
+        moved = dataclasses.replace(robot, b=robot.b @ Q.T + away, k=robot.k @ Q.T, g=Q @ robot.g)
+        L = lengths(robot, motion.R, motion.t)
+        found = ss.forward_kinematics(moved, L)
+        assert_nothing_is_silent(moved, L, found)
+        # However the base is turned: the platform is found on the side that is against gravity.
+        if robot.g[2] < -1.0:
+            assert same_pose(moved, found, Q @ motion.R, motion.t @ Q.T + away).all()
+
+
+def test_there_is_no_pole_where_roll_pitch_yaw_has_one() -> None:
+    rng = np.random.default_rng(5)
+    robot = random_robot(rng, scale=1.0)
+    motion = random_motion(rng, robot, (50,))
+    Q = rotation_from_rpy([0.0, 0.5 * np.pi, 0.0])
+    turned = dataclasses.replace(robot, b=robot.b @ Q.T, k=robot.k @ Q.T)
+    L = lengths(robot, motion.R, motion.t)
+    found = ss.forward_kinematics(turned, L, (Q, Q @ motion.t[0]))
+    np.testing.assert_allclose(found.R, Q @ motion.R, atol=1e-12)
+
+
+def test_a_pose_is_the_same_alone_and_among_others() -> None:
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(6), 12, angle=0.1, way=0.1)
+    L = lengths(robot, R, t)
+    L[3], L[7] = [5.0, 1.0, 1.0, 1.0, 1.0, 1.0], 1e308
+    found = ss.forward_kinematics(robot, L.reshape(3, 2, 2, 6), on_failure="nan")
+    assert found.R.shape == (3, 2, 2, 3, 3)
+    assert found.t.shape == (3, 2, 2, 3)
+    assert found.residual.shape == found.iterations.shape == found.status.shape == (3, 2, 2)
+    for i in range(12):
+        alone = ss.forward_kinematics(robot, L[i], on_failure="nan")
+        assert alone.status == found.status.flat[i] == (results.NOT_CONVERGED if i in (3, 7) else results.OK)
+        assert alone.iterations == found.iterations.flat[i]
+        np.testing.assert_allclose(found.t.reshape(12, 3)[i], alone.t, rtol=1e-13)
+    assert ss.forward_kinematics(robot, np.empty((0, 6))).R.shape == (0, 3, 3)
+
+
+def test_a_guess_broadcasts_and_is_left_as_it_was() -> None:
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(7), 4, angle=0.1, way=0.1)
+    L = lengths(robot, R, t)
+    R_0, t_0 = np.eye(3), np.tile(HOME, (5, 1, 1))
+    found = ss.forward_kinematics(robot, L, (R_0, t_0))
+    assert found.status.shape == (5, 4)
+    np.testing.assert_allclose(found.R, np.broadcast_to(R, (5, 4, 3, 3)), atol=1e-12)
+    np.testing.assert_array_equal(R_0, np.eye(3))
+    np.testing.assert_array_equal(t_0, np.tile(HOME, (5, 1, 1)))
+
+
+def test_rotation_is_orthonormal_though_the_guess_is_only_nearly_so() -> None:
+    robot = dasgupta()
+    rough = np.eye(3) + 2e-10 * np.random.default_rng(8).normal(size=(3, 3))
+    for R in (rough, np.eye(3)):
+        found = ss.forward_kinematics(robot, lengths(robot, R, HOME), (rough, HOME))
+        assert np.abs(found.R.T @ found.R - np.eye(3)).max() <= 8 * EPS
+
+
+# Lengths without an answer
+
+
+def singular_pose() -> Poses:
+    """The pose of Path III at which J's determinant changes sign, to rounding of the time."""
+    path = ss.PATHS["III"].path
+    low, high = 3.6, 3.8
+
+    def sign(time: float) -> float:
+        motion = path.sample(time)
+        return float(np.linalg.slogdet(jacobian(dasgupta(), motion.R, motion.t))[0])
+
+    assert sign(low) != sign(high)
+    while low < (middle := 0.5 * (low + high)) < high:
+        low, high = (middle, high) if sign(middle) == sign(low) else (low, middle)
+    motion = path.sample(low)
+    return motion.R, motion.t
+
+
+def test_rates_are_found_up_to_a_condition_number() -> None:
+    robot, (R, t) = dasgupta(), singular_pose()
+    away = np.logspace(-9.0, 0.0, 2000)
+    R, t = np.broadcast_to(R, (len(away), 3, 3)), t + np.multiply.outer(away, [0.3, -0.2, 0.1])
+    size = ss.kinematics.conditioning.characteristic_length(robot)
+    condition = ss.kinematics.conditioning.scaled_condition_number(
+        np.swapaxes(jacobian(robot, R, t), -1, -2), size
+    )
+    v, _ = ss.forward_velocity(robot, R, t, np.ones(6), "nan")
+    settled = np.isfinite(v[:, 0])
+    assert settled.tolist() == (condition <= 1.0 / (16.0 * math.sqrt(EPS))).tolist()
+    assert 100 < settled.sum() < 1900
+
+
+def test_a_singular_pose_has_a_status_and_leaves_its_neighbours_alone() -> None:
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(9), 3, angle=0.1, way=0.1)
+    R[1], t[1] = singular_pose()
+    L = lengths(robot, R, t)
+    found = ss.forward_kinematics(robot, L, (R, t), "nan")
+    assert found.status.tolist() == [results.OK, results.SINGULAR, results.OK]
+    # From nearby it is approached step by half step, and not always reached; it is never called settled.
+    for seed in range(10):
+        found = ss.forward_kinematics(robot, L, nudged(np.random.default_rng(seed), R, t, 0.03, 0.03), "nan")
+        assert found.status[1] in (results.SINGULAR, results.NOT_CONVERGED)
+        assert found.residual[1] < 1e-8
+        assert found.status[[0, 2]].tolist() == [results.OK, results.OK]
+        np.testing.assert_allclose(found.t[[0, 2]], t[[0, 2]], atol=1e-12)
+    with pytest.raises(ValueError, match=r"^L\[1\]: H is singular there"):
+        ss.forward_kinematics(robot, L, (R, t))
+
+
+def test_a_machine_that_is_singular_everywhere_never_has_an_answer() -> None:
+    """Platform similar to the base; and all points in one: every Jacobian is exactly singular."""
+    robot = dasgupta()
+    _, t = paper_poses(np.random.default_rng(10), 20, angle=0.1, way=0.1)
+    flat = robot.p * [1.0, 1.0, 0.0]
+    similar = dataclasses.replace(robot, b=2.0 * flat, p=flat)
+    found = ss.forward_kinematics(similar, lengths(similar, np.eye(3), t), (np.eye(3), t), "nan")
+    assert np.all(found.status == results.SINGULAR)
+    point = dataclasses.replace(robot, b=np.ones((6, 3)), p=np.zeros((6, 3)))
+    L = np.ones((3, 6))
+    L[1, 2] = 2.0
+    found = ss.forward_kinematics(point, L, on_failure="nan")
+    assert found.status.tolist() == [results.SINGULAR, results.NOT_CONVERGED, results.SINGULAR]
+
+
+def test_an_exactly_singular_matrix_is_solved_apart_from_its_neighbours() -> None:
+    A = np.random.default_rng(11).normal(size=(4, 6, 6))
+    A[1] = 0.0
+    A[2, :, 3] = 0.0
+    y = np.ones((4, 6))
+    x, regular = solve(A, y)
+    assert regular.tolist() == [True, False, False, True]
+    np.testing.assert_array_equal(x[1:3], 0.0)
+    np.testing.assert_allclose(np.einsum("nij,nj->ni", A, x)[[0, 3]], 1.0, rtol=1e-12)
+
+
+def test_failures_raise_warn_or_stay_silent_as_asked() -> None:
+    robot = dasgupta()
+    L = np.tile(lengths(robot, np.eye(3), HOME), (3, 1))
+    L[1:, 0] = 5.0
+    none = "no pose with these leg lengths was found: none exists, legs 1 and 2 cannot have theirs at once"
+    text = rf"^L\[1\]: {none}; 1 more poses have no answer either$"
+    with pytest.raises(ValueError, match=text):
+        ss.forward_kinematics(robot, L)
+    with pytest.warns(ss.SingularPoseWarning, match=text) as caught:
+        found = ss.forward_kinematics(robot, L, on_failure="warn")
+    assert caught[0].filename == __file__
+    assert found.status.tolist() == [0, results.NOT_CONVERGED, results.NOT_CONVERGED]
+    assert np.all(found.residual[1:] > 0.1)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        ss.forward_kinematics(robot, L, on_failure="nan")
+    with pytest.raises(ValueError, match=rf"^L: {none}$"):
+        ss.forward_kinematics(robot, L[1])
+
+
+def test_limits_of_the_legs_are_heeded_unless_told_otherwise() -> None:
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(12), 3, angle=0.1, way=0.1)
+    L = lengths(robot, R, t)
+    limits = np.tile([0.0, 10.0], (6, 1))
+    limits[4] = sorted(L[:2, 4])
+    limited = dataclasses.replace(robot, length_limits=limits)
+    beyond = not limits[4, 0] <= L[2, 4] <= limits[4, 1]
+    assert beyond
+    found = ss.forward_kinematics(limited, L, on_failure="nan")
+    assert found.status.tolist() == [results.OK, results.OK, results.OUT_OF_LIMITS]
+    with pytest.raises(ValueError, match=r"^L\[2\]: a leg length lies outside the robot's length_limits$"):
+        ss.forward_kinematics(limited, L)
+    np.testing.assert_allclose(ss.forward_kinematics(limited, L, limits=False).t, t, atol=1e-12)
+
+
+# Velocity and acceleration
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_rates_undo_those_of_inverse_kinematics(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (6, 5))
+    legs = ss.inverse_kinematics(robot, motion)
+    assert legs.L_ddot is not None
+    v, omega = ss.forward_velocity(robot, motion.R, motion.t, legs.L_dot)
+    a, alpha = ss.forward_acceleration(robot, motion.R, motion.t, motion.v, motion.omega, legs.L_ddot)
+    for found, given in ((v, motion.v), (omega, motion.omega), (a, motion.a), (alpha, motion.alpha)):
+        np.testing.assert_allclose(found, given, atol=1e-12 * np.abs(given).max())
+    again = ss.inverse_kinematics(robot, ss.Motion(motion.R, motion.t, omega, v, alpha, a))
+    assert again.L_ddot is not None
+    np.testing.assert_allclose(again.L_dot, legs.L_dot, atol=1e-12 * np.abs(legs.L_dot).max())
+    np.testing.assert_allclose(again.L_ddot, legs.L_ddot, atol=1e-12 * np.abs(legs.L_ddot).max())
+
+
+def test_rates_are_the_derivatives_of_the_poses() -> None:
+    rng = np.random.default_rng(13)
+    robot = random_robot(rng, scale=1.0)
+    motion = random_motion(rng, robot, ())
+    L = ss.inverse_kinematics(robot, motion).L
+    L_dot, L_ddot = rng.normal(size=(2, 6))
+    v, omega = ss.forward_velocity(robot, motion.R, motion.t, L_dot)
+    a, alpha = ss.forward_acceleration(robot, motion.R, motion.t, v, omega, L_ddot)
+    h = 1e-4
+    time = np.array([-h, 0.0, h])[:, None]
+    poses = ss.forward_kinematics(robot, L + L_dot * time + 0.5 * L_ddot * time**2, (motion.R, motion.t))
+    scale = 1.0 + np.linalg.norm(v) ** 3 + np.linalg.norm(omega) ** 3 + np.linalg.norm(a)
+    np.testing.assert_allclose((poses.t[2] - poses.t[0]) / (2 * h), v, atol=1e-5 * scale)
+    np.testing.assert_allclose((poses.t[2] - 2 * poses.t[1] + poses.t[0]) / h**2, a, atol=1e-5 * scale)
+    # R'' R^T = [alpha]x + [omega]x^2, whose skew part is [alpha]x.
+    for found, wanted in (
+        ((poses.R[2] - poses.R[0]) / (2 * h), omega),
+        ((poses.R[2] - 2 * poses.R[1] + poses.R[0]) / h**2, alpha),
+    ):
+        N = found @ motion.R.T
+        skew = 0.5 * np.array([N[2, 1] - N[1, 2], N[0, 2] - N[2, 0], N[1, 0] - N[0, 1]])
+        np.testing.assert_allclose(skew, wanted, atol=1e-5 * scale)
+
+
+def test_rates_broadcast() -> None:
+    rng = np.random.default_rng(14)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (4,))
+    L_dot = rng.normal(size=(3, 1, 6))
+    v, omega = ss.forward_velocity(robot, motion.R, motion.t, L_dot)
+    assert v.shape == omega.shape == (3, 4, 3)
+    alone, _ = ss.forward_velocity(robot, motion.R[2], motion.t[2], L_dot[1, 0])
+    np.testing.assert_allclose(v[1, 2], alone, rtol=1e-12)
+
+
+def test_rates_at_a_singular_pose_are_refused() -> None:
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(15), 3, angle=0.1, way=0.1)
+    R[1], t[1] = singular_pose()
+    with pytest.raises(ValueError, match=r"^L_dot\[1\]: H is singular there"):
+        ss.forward_velocity(robot, R, t, np.ones(6))
+    with pytest.raises(ValueError, match=r"^L_ddot\[1\]: H is singular there"):
+        ss.forward_acceleration(robot, R, t, STILL, STILL, np.ones(6))
+    with pytest.warns(ss.SingularPoseWarning) as caught:
+        v, omega = ss.forward_velocity(robot, R, t, np.ones(6), on_failure="warn")
+    assert caught[0].filename == __file__
+    assert np.isnan([v[1], omega[1]]).all()
+    assert np.isfinite([v[::2], omega[::2]]).all()
+    with pytest.raises(ValueError, match=r"^L_ddot: an input is not finite, or a result overflows$"):
+        ss.forward_acceleration(robot, R[0], t[0], STILL, np.full(3, 1e200), np.ones(6))
+
+
+# Joint-space trajectories
+
+
+@pytest.mark.parametrize("name", ["I", "II"])
+@pytest.mark.parametrize("guessed", [True, False])
+def test_paths_planned_in_joint_space_need_the_same_forces(name: str, guessed: bool) -> None:
+    robot = dasgupta()
+    path, step = ss.PATHS[name]
+    motion = path.sample(path.times(step))
+    legs = ss.inverse_kinematics(robot, motion)
+    guess = (motion.R[0], motion.t[0]) if guessed else None
+    back = ss.motion_from_lengths(robot, legs.L, legs.L_dot, legs.L_ddot, guess)
+    for formulation in ("exact", "paper"):
+        F, wanted = (ss.inverse_dynamics(robot, m, formulation).F for m in (back, motion))  # type: ignore[arg-type]
+        np.testing.assert_allclose(F, wanted, rtol=1e-9)
+
+
+def test_path_iii_leads_through_a_singular_pose_and_no_farther() -> None:
+    robot = dasgupta()
+    path, step = ss.PATHS["III"]
+    motion = path.sample(path.times(step))
+    legs = ss.inverse_kinematics(robot, motion)
+    sign = np.linalg.slogdet(jacobian(robot, motion.R, motion.t))[0]
+    turn = int(np.flatnonzero(sign != sign[0])[0])
+    start = motion.R[0], motion.t[0]
+    before = ss.motion_from_lengths(robot, legs.L[:turn], legs.L_dot[:turn], guess=start)
+    np.testing.assert_allclose(before.t, motion.t[:turn], atol=1e-9)
+    assert before.a is None
+    with pytest.raises(ValueError, match=rf"^L\[{turn}\]: a singular pose is crossed"):
+        ss.motion_from_lengths(robot, legs.L, legs.L_dot, guess=start)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_few_samples_lead_the_same_way_as_many(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng)
+    path = random_path(rng, robot)
+    motion = path(np.linspace(0.0, 1.0, 7))
+    legs = ss.inverse_kinematics(robot, motion)
+    back = ss.motion_from_lengths(
+        robot, legs.L, legs.L_dot, legs.L_ddot, (motion.R[0], motion.t[0]), motion.F_ext, motion.M_ext
+    )
+    for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
+        found, given = getattr(back, name), getattr(motion, name)
+        np.testing.assert_allclose(found, given, atol=1e-10 * np.abs(given).max())
+
+
+def end_of_way(robot: ss.Robot, L: Array, start: Poses) -> Array | None:
+    """Position after the lengths L, (n, 6), were followed from a pose; None if there is no way."""
+    try:
+        return ss.motion_from_lengths(robot, L, np.zeros_like(L), guess=start).t[-1]
+    except ValueError:
+        return None
+
+
+def test_a_long_step_ends_where_many_short_ones_do() -> None:
+    """Between poses far apart a plain search often ends in another mode, often with J's sign unchanged."""
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(18), 48, angle=0.4, way=0.2)
+    L = lengths(robot, R, t)
+    plain = ss.forward_kinematics(robot, L[1::2], (R[::2], t[::2]), on_failure="nan").t
+    led_astray = 0
+    for i in range(0, 48, 2):
+        straight = L[i] + np.linspace(0.0, 1.0, 21)[:, None] * (L[i + 1] - L[i])
+        short, long = (end_of_way(robot, way, (R[i], t[i])) for way in (straight, straight[[0, -1]]))
+        assert (short is None) == (long is None)
+        if short is not None and long is not None:
+            np.testing.assert_allclose(long, short, atol=1e-9)
+            led_astray += bool(np.abs(plain[i // 2] - short).max() > 1e-6)
+    assert led_astray > 0
+
+
+def test_jumps_are_named_and_not_followed_into_another_mode() -> None:
+    robot = dasgupta()
+    path, step = ss.PATHS["I"]
+    motion = path.sample(path.times(step))
+    legs = ss.inverse_kinematics(robot, motion)
+    L = legs.L.copy()
+    L[30:, 2] += 1.0
+    with pytest.raises(ValueError, match=r"^L\[30\]: the lengths jump here"):
+        ss.motion_from_lengths(robot, L, legs.L_dot)
+    L[0, 2] += 5.0
+    with pytest.raises(
+        ValueError, match=r"^L\[0\]: no pose with these leg lengths was found: none exists, legs 1 and 3 "
+    ):
+        ss.motion_from_lengths(robot, L, legs.L_dot)
+
+
+def test_each_assembly_mode_is_kept() -> None:
+    """Start the same lengths in two modes: both are followed, apart from each other all the way."""
+    robot = dasgupta()
+    path, step = ss.PATHS["I"]
+    legs = ss.inverse_kinematics(robot, path.sample(path.times(step)))
+    up = ss.motion_from_lengths(robot, legs.L, legs.L_dot)
+    mirrored = up.t[0] * [1.0, 1.0, -1.0]
+    down = ss.motion_from_lengths(robot, legs.L, legs.L_dot, guess=(up.R[0], mirrored))
+    for motion in (up, down):
+        np.testing.assert_allclose(ss.inverse_kinematics(robot, motion).L, legs.L, atol=1e-14)
+        np.testing.assert_allclose(ss.inverse_kinematics(robot, motion).L_dot, legs.L_dot, atol=1e-12)
+    assert np.all(up.t[:, 2] > 0.2)
+    assert np.all(down.t[:, 2] < -0.2)
+
+
+# Bad input
+
+
+def bad_calls() -> dict[str, tuple[Callable[[ss.Robot, Array], Any], str]]:
+    fk = ss.forward_kinematics
+    E: Any = np.eye(3)
+    return {
+        "nan": (lambda r, L: fk(r, np.where(L > 0.5, np.nan, L)), "L: expected finite numbers, entry "),
+        "negative": (lambda r, L: fk(r, -L), r"L: expected lengths > 0 m, entry \(0,\) is -"),
+        "zero": (lambda r, L: fk(r, [L, 0 * L]), r"L: expected lengths > 0 m, entry \(1, 0\) is 0"),
+        "shape": (lambda r, L: fk(r, L[:5]), r"L: expected shape \(..., 6\), got \(5,\)"),
+        "text": (lambda r, L: fk(r, ["a"] * 6), "L: expected real numbers of shape"),
+        "robot": (lambda r, L: fk(None, L), "robot: expected a Robot, got NoneType"),  # type: ignore[arg-type]
+        "choice": (lambda r, L: fk(r, L, None, "no"), 'on_failure: expected "raise", "warn" or "nan", got'),  # type: ignore[arg-type]
+        "guess": (lambda r, L: fk(r, L, HOME), r"guess: expected a pose \(R, t\) or None, got ndarray"),  # type: ignore[arg-type]
+        "guess R": (lambda r, L: fk(r, L, (2 * E, HOME)), "guess: R: expected a rotation matrix"),
+        "guess t": (lambda r, L: fk(r, L, (E, [0, 1])), r"guess: t: expected shape \(..., 3\), got \(2,\)"),
+        "guess shape": (
+            lambda r, L: fk(r, [L, L], (E, [HOME] * 3)),
+            r"guess: expected a leading shape that broadcasts with \(2,\), got \(3,\)",
+        ),
+        "velocity": (
+            lambda r, L: ss.forward_velocity(r, E, HOME, [1.0]),
+            r"L_dot: expected shape \(..., 6\)",
+        ),
+        "velocity shape": (
+            lambda r, L: ss.forward_velocity(r, [E] * 3, HOME, np.ones((2, 6))),
+            r"L_dot: expected a leading shape that broadcasts with \(3,\), got \(2,\)",
+        ),
+        "pose": (lambda r, L: ss.forward_velocity(r, 2 * E, HOME, L), "R: expected a rotation matrix"),
+        "acceleration": (
+            lambda r, L: ss.forward_acceleration(r, E, HOME, STILL, STILL, np.full(6, np.inf)),
+            r"L_ddot: expected finite numbers, entry \(0,\) is inf",
+        ),
+        "omega": (
+            lambda r, L: ss.forward_acceleration(r, E, HOME, STILL, [1.0], L),
+            r"omega: expected shape \(..., 3\), got \(1,\)",
+        ),
+        "trajectory": (
+            lambda r, L: ss.motion_from_lengths(r, L, L),
+            r"L: expected shape \(n, 6\) with n > 0, got \(6,\)",
+        ),
+        "trajectory rates": (
+            lambda r, L: ss.motion_from_lengths(r, [L], [L], [L, L]),
+            r"L_ddot: expected the shape of L, \(1, 6\), got \(2, 6\)",
+        ),
+    }
+
+
+@pytest.mark.parametrize("case", bad_calls())
+def test_bad_input_is_named(case: str) -> None:
+    robot = dasgupta()
+    call, expected = bad_calls()[case]
+    with pytest.raises(ValueError, match=rf"^{expected}"):
+        call(robot, lengths(robot, np.eye(3), HOME))
+
+
+def test_rotation_from_a_vector_turns_about_it() -> None:
+    phi = np.random.default_rng(16).normal(size=(4, 3, 3))
+    R = rotation_from_vector(phi)
+    for index in np.ndindex(4, 3):
+        np.testing.assert_allclose(R[index], rotation(phi[index]), atol=4 * EPS)
+    np.testing.assert_array_equal(rotation_from_vector(STILL), np.eye(3))
+    np.testing.assert_array_equal(rotation_from_vector([0.0, 0.0, 1e-9])[1, 0], 1e-9)
+
+
+# The command line
+
+
+LEGS = [f"L_{leg}" for leg in range(1, 7)]
+RATES = [f"{name}_{leg}" for name in ("L_dot", "L_ddot") for leg in range(1, 7)]
+
+
+@pytest.fixture
+def robot_file(tmp_path: Path) -> Path:
+    source = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
+    target = tmp_path / "robot.toml"
+    target.write_bytes(source.read_bytes())
+    return target
+
+
+def joint_csv(path: Path, motion: ss.Motion, time: Array, rates: bool, loads: bool = False) -> Path:
+    legs = ss.inverse_kinematics(dasgupta(), motion)
+    columns = {"time": time, **dict(zip(LEGS, legs.L.T, strict=True))}
+    if rates:
+        assert legs.L_ddot is not None
+        columns |= dict(zip(RATES, [*legs.L_dot.T, *legs.L_ddot.T], strict=True))
+    if loads:
+        assert motion.F_ext is not None
+        columns |= {f"F_ext_{axis}": motion.F_ext[:, j] for j, axis in enumerate("xyz")}
+    path.write_text("".join(csv_lines(columns)))
+    return path
+
+
+def written(path: Path) -> dict[str, Array]:
+    header, *rows = path.read_text().splitlines()
+    values = np.array([row.split(",") for row in rows], dtype=np.float64)
+    return dict(zip(header.split(","), values.T, strict=True))
+
+
+def forces_of(table: dict[str, Array]) -> Array:
+    return np.column_stack([table[f"F{leg}"] for leg in range(1, 7)])
+
+
+@pytest.mark.parametrize("loads", [True, False])
+def test_forces_takes_leg_lengths(robot_file: Path, tmp_path: Path, loads: bool) -> None:
+    path, _ = ss.PATHS["I"]
+    time = np.linspace(0.0, 6.0, 41)
+    motion = path.sample(time)
+    if loads:
+        motion = dataclasses.replace(motion, F_ext=np.array([5.0, 0.0, -100.0]))
+    trajectory = joint_csv(tmp_path / "legs.csv", motion, time, rates=True, loads=loads)
+    output = tmp_path / "forces.csv"
+    assert main(["forces", str(robot_file), str(trajectory), "-o", str(output)]) == 0
+    table = written(output)
+    wanted = ss.inverse_dynamics(dasgupta(), motion).F
+    np.testing.assert_allclose(forces_of(table), wanted, rtol=1e-9)
+    np.testing.assert_array_equal(table["time"], time)
+
+
+def test_lengths_without_rates_are_differentiated(robot_file: Path, tmp_path: Path) -> None:
+    rng = np.random.default_rng(17)
+    time = np.linspace(0.0, 1.0, 80)
+    swing = 0.05 * np.sin(2 * np.pi * time[:, None] * rng.uniform(0.5, 1.0, 6) + rng.uniform(0, 6, 6))
+    L = lengths(dasgupta(), np.eye(3), HOME) + swing
+    trajectory = tmp_path / "legs.csv"
+    trajectory.write_text("".join(csv_lines({"time": time, **dict(zip(LEGS, L.T, strict=True))})))
+    read = read_any_csv(trajectory)
+    assert isinstance(read, JointTrajectory)
+    slope = np.gradient(L, time, axis=0, edge_order=2)
+    np.testing.assert_allclose(read.L_dot, slope, atol=2e-3)
+    output = tmp_path / "forces.csv"
+    assert main(["forces", str(robot_file), str(trajectory), "-o", str(output)]) == 0
+    table = written(output)
+    np.testing.assert_allclose(np.column_stack([table[f"L{leg}"] for leg in range(1, 7)]), L, atol=1e-13)
+    assert np.isfinite(forces_of(table)).all()
+
+
+def test_start_chooses_the_assembly_mode(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, _ = ss.PATHS["I"]
+    time = np.linspace(0.0, 6.0, 13)
+    motion = path.sample(time)
+    trajectory = joint_csv(tmp_path / "legs.csv", motion, time, rates=True)
+    legs = ss.inverse_kinematics(dasgupta(), motion)
+    start = ["0.1", "0", "-0.4", "0", "0", "-0.2"]
+    output = tmp_path / "forces.csv"
+    assert main(["forces", str(robot_file), str(trajectory), "-o", str(output), "--start", *start]) == 0
+    guess = rotation_from_rpy([0.0, 0.0, -0.2]), np.array([0.1, 0.0, -0.4])
+    below = ss.motion_from_lengths(dasgupta(), legs.L, legs.L_dot, legs.L_ddot, guess)
+    assert np.all(below.t[:, 2] < 0.0)
+    np.testing.assert_allclose(
+        forces_of(written(output)), ss.inverse_dynamics(dasgupta(), below).F, rtol=1e-9
+    )
+    poses = tmp_path / "poses.csv"
+    poses.write_text("time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + "0,0.1,0,0.5,0,0,0\n")
+    for arguments, expected in (
+        ([str(trajectory), "--start", *start[:5], "nan"], "--start: expected a finite number, got 'nan'"),
+        ([str(poses), "--start", *start], "spline"),
+    ):
+        capsys.readouterr()
+        try:
+            code: object = main(["forces", str(robot_file), *arguments, "-o", str(output)])
+        except SystemExit as stop:
+            code = stop.code
+        assert code == 2
+        assert expected in capsys.readouterr().err
+
+
+GOOD = [",".join(["time", *LEGS]), *(f"{0.1 * i:g},0.6,0.6,0.6,0.6,0.6,0.{60 + i}" for i in range(6))]
+FULL = [",".join(["time", *LEGS, *RATES]), "0," + ",".join(["0.6"] * 18)]
+
+
+def with_line(number: int, line: str, lines: list[str] = GOOD) -> str:
+    """The text with row ``number`` replaced; row 1 is the header."""
+    return "\n".join([*lines[: number - 1], line, *lines[number:]]) + "\n"
+
+
+BAD = [
+    (with_line(4, "0.2,0.6,0.6,0.6,0.6,0.6"), "row 4: expected 7 columns, got 6"),
+    (with_line(3, "0.1,0.6,long,0.6,0.6,0.6,0.6"), "row 3: L_2: expected a finite number, got 'long'"),
+    (with_line(3, "0.1,0.6,0.6,0.6,0.6,0.6,-0.6"), "row 3: L_6: expected a length > 0 m, got -0.6"),
+    (with_line(6, "0.4,0,0.6,0.6,0.6,0.6,0.6"), "row 6: L_1: expected a length > 0 m, got 0"),
+    (
+        with_line(5, "0.2,0.6,0.6,0.6,0.6,0.6,0.6"),
+        "row 5: time: expected increasing times, got 0.2 after 0.2",
+    ),
+    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5"), "missing column L_6"),
+    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5,L_5"), "column L_5 is given twice"),
+    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5,L_7"), "unknown column 'L_7', expected time and either t_x"),
+    (
+        with_line(1, "time,L_1,L_2,L_3,L_4,L_5,t_x"),
+        "columns t_x and L_1: expected poses or leg lengths, got both",
+    ),
+    (with_line(1, GOOD[0] + ",F_ext_x"), "missing column F_ext_y"),
+    (
+        with_line(1, ",".join(["time", *LEGS, *RATES[:6]]), FULL),
+        "missing column L_ddot_1: expected velocities and accelerations (L_dot, L_ddot) all",
+    ),
+    ("\n".join(GOOD[:4]), "expected at least 4 rows to fit a spline, got 3"),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), BAD)
+def test_bad_lengths_are_one_line(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, expected: str
+) -> None:
+    path = tmp_path / "legs.csv"
+    path.write_text(text)
+    assert main(["forces", str(robot_file), str(path), "-o", str(tmp_path / "f.csv")]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) == 1
+    assert lines[0].startswith(f"stewart-sym: error: {path}: {expected}")
+    assert not (tmp_path / "f.csv").exists()
+
+
+def test_a_row_without_a_pose_is_one_line(
+    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path, step = ss.PATHS["I"]
+    time = path.times(step)
+    trajectory = joint_csv(tmp_path / "legs.csv", path.sample(time), time, rates=True)
+    lines = trajectory.read_text().splitlines()
+    cells = lines[20].split(",")
+    cells[1] = "5.0"
+    lines[20] = ",".join(cells)
+    # An empty line counts as a row of the file.
+    trajectory.write_text("\n".join([*lines[:3], "", *lines[3:]]))
+    assert main(["forces", str(robot_file), str(trajectory), "-o", str(tmp_path / "f.csv")]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith(f"stewart-sym: error: {trajectory}: row 22: the lengths jump here")
+    assert error.count("\n") == 1
+    with pytest.raises(ValueError, match=r"legs.csv: expected poses, t_\* and theta_\*, got leg lengths"):
+        read_csv(trajectory)

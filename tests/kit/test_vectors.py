@@ -1,0 +1,535 @@
+"""Test vectors: answers are the truth, the C stays within their bounds, and the bounds are sharp enough."""
+
+import ctypes
+import dataclasses
+import os
+import subprocess
+import sys
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import machines
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from sweeps import share
+
+import stewart_sym as ss
+from stewart_sym.backend import kernel, native
+from stewart_sym.backend.fidelity import FIDELITIES
+from stewart_sym.backend.kernel import MOTION, address, kernel_name, robot_numbers
+from stewart_sym.dynamics import closed_form
+from stewart_sym.dynamics.forces import prepare
+from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym.kinematics.inverse import clear_of_poles
+from stewart_sym.kit.poses import MAX_CONDITION, poses, sample
+from stewart_sym.kit.readings import LEG_FIELDS, PLATFORM_FIELDS, Readings
+from stewart_sym.kit.running import Running
+from stewart_sym.kit.vectors import CLOSED_FORM, FEW, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
+from stewart_sym.motion.motion import Motion
+from stewart_sym.precision.truth import Truth
+from stewart_sym.reference import newton_euler
+from stewart_sym.robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+KIND = {"double": np.float64, "float": np.float32}
+WHOLE = ("inverse_dynamics", "joint_reactions")
+
+
+def functions_of(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
+    """All functions in C that there are for the machine."""
+    closed = formulation == "exact" and robot.base_joint == "universal"
+    return tuple(function for function in FUNCTIONS if closed or function not in CLOSED_FORM)
+
+
+@cache
+def motion_library(precision: str) -> ctypes.CDLL:
+    if precision == "double":
+        return closed_form.library()
+    return native.load("stewart_exact_motion", closed_form.c_sources(), defines={"STEWART_FLOAT": 1})
+
+
+def in_c(robot: Robot, vector: Vector, formulation: str, precision: str, fidelity: str) -> dict[str, Array]:
+    """What the C makes of a vector's inputs, as the answers are laid out."""
+    kind = KIND[precision]
+    if vector.function in KINEMATICS:
+        return kinematics_in_c(robot, vector, precision)
+    if vector.function in ROTATION:
+        return rotation_in_c(vector, precision)
+    motion = np.concatenate([vector.inputs[name] for name in MOTION]).astype(kind)
+    found = np.full(sum(answer.size for answer in vector.answers.values()), np.nan, dtype=kind)
+    further = [vector.inputs[name].astype(kind) for name in ("F", "bearing") if name in vector.inputs]
+    if vector.function == "joint_reactions":
+        further.append(np.empty(78, dtype=kind))  # the forces, F D x K H c
+    if vector.function in WHOLE:
+        name = kernel_name(formulation, robot.base_joint)
+        library = kernel.library(name, ("STEWART_FLOAT",) if precision == "float" else ())
+        model = robot_numbers(robot).astype(kind)
+    else:
+        level = fidelity if vector.function == "forces" else "general"
+        prepared = prepare(robot, formulation, precision=precision, fidelity=level)
+        name, model = prepared.name, prepared.model
+        library = motion_library(precision) if vector.function in CLOSED_FORM else None
+    function = f"stewart_{name}_{vector.function}"
+    call = getattr(library, function) if library else prepared.function("forces")
+    assert call(*map(address, (model, motion, *further, found))) == 0
+    return split(vector, found)
+
+
+def kinematics_in_c(robot: Robot, vector: Vector, precision: str) -> dict[str, Array]:
+    """The same of the functions that ask for the machine's points alone."""
+    kind, given = KIND[precision], vector.inputs
+    constants = robot_numbers(robot).astype(kind)
+    if vector.function == "inverse_kinematics":
+        still = np.zeros(3)
+        found = np.zeros(12, dtype=kind)
+        motion = np.concatenate([given.get(name, still) for name in MOTION]).astype(kind)
+        arguments = [motion, found[:6], found[6:]]
+    elif vector.function == "forward_kinematics":
+        found = np.concatenate([given["R_guess"], given["t_guess"]]).astype(kind)
+        arguments = [given["L"].astype(kind), found]
+    else:
+        found = np.zeros(6, dtype=kind)
+        pose = np.concatenate([given["R"], given["t"]]).astype(kind)
+        arguments = [pose, given["L_dot"].astype(kind), found[:3], found[3:]]
+    defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
+    library = native.load("stewart_kinematics", kernel.c_sources("kinematics"), defines=defines)
+    assert getattr(library, f"stewart_{vector.function}")(*map(address, (constants, *arguments))) == 0
+    return split(vector, found)
+
+
+def rotation_in_c(vector: Vector, precision: str) -> dict[str, Array]:
+    """The same of the functions of an orientation."""
+    defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
+    library = native.load("stewart_rotation", kernel.c_sources("rotation"), defines=defines)
+    motion = np.zeros(30, dtype=KIND[precision])
+    given = [value.astype(KIND[precision]) for value in vector.inputs.values()]
+    assert getattr(library, f"stewart_{vector.function}")(*map(address, (*given, motion))) == 0
+    starts = dict(zip(MOTION, np.cumsum([0, 9, 3, 3, 3, 3, 3, 3]), strict=True))
+    return {
+        name: motion[starts[name] : starts[name] + answer.size].astype(np.float64)
+        for name, answer in vector.answers.items()
+    }
+
+
+def split(vector: Vector, found: Array) -> dict[str, Array]:
+    """Numbers as the answers are laid out."""
+    cuts = np.cumsum([answer.size for answer in vector.answers.values()])[:-1]
+    return dict(zip(vector.answers, np.split(found.astype(np.float64), cuts), strict=True))
+
+
+def ratios(vector: Vector, found: dict[str, Array], precision: str) -> Array:
+    """Errors over their bounds."""
+    epsilon = float(np.finfo(KIND[precision]).eps)
+    return np.concatenate(
+        [
+            np.abs(found[name] - answer) / (vector.bounds[name] * epsilon)
+            for name, answer in vector.answers.items()
+        ]
+    )
+
+
+def ratios_in_c(
+    robot: Robot,
+    functions: tuple[str, ...],
+    formulation: str,
+    precision: str,
+    fidelity: str = "general",
+    count: int = 8,
+) -> dict[str, Array]:
+    made = vectors(robot, functions, formulation, fidelity, precision, count)
+    return {
+        function: np.concatenate(
+            [
+                ratios(v, in_c(robot, v, formulation, precision, fidelity), precision)
+                for v in made
+                if v.function == function
+            ]
+        )
+        for function in functions
+    }
+
+
+def numbers_of(robot: Robot, **other: Any) -> dict[str, Any]:
+    """A robot as readings take it, with other arrays in place of some."""
+    fields = (*LEG_FIELDS, *PLATFORM_FIELDS)
+    return {name: other.get(name, np.asarray(getattr(robot, name), dtype=np.float64)) for name in fields}
+
+
+def exactly_orthonormal(robot: Robot) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Constants and a motion whose axes and rotation are of length one to the last digit."""
+    motion = sample(robot, "exact")[0]
+    axes = np.eye(3)[[0, 1, 0, 1, 1, 0]] if robot.base_joint == "universal" else np.zeros((6, 3))
+    at = {name: getattr(motion, name).ravel() for name in MOTION}
+    at["R"] = np.eye(3).ravel()
+    return numbers_of(robot, k=axes), at
+
+
+@cache
+def machine(base_joint: str = "universal") -> Robot:
+    return machines.random_robot(np.random.default_rng(11), base_joint)
+
+
+@cache
+def everything() -> tuple[Vector, ...]:
+    return vectors(machine(), FUNCTIONS)
+
+
+def of(function: str) -> list[Vector]:
+    return [vector for vector in everything() if vector.function == function]
+
+
+def off(found: NDArray[Any], wanted: NDArray[Any]) -> float:
+    """Largest difference of 50-digit numbers over the largest of them."""
+    scale = max(abs(number.value) for number in wanted.flat)
+    return float(max(abs((a - b).value) for a, b in zip(found.flat, wanted.flat, strict=True)) / scale)
+
+
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+def test_derived_and_generated_forces_are_the_same_to_45_digits(base_joint: str, formulation: str) -> None:
+    """Where rotation and axes are of length one exactly: the two readings share no text of the equations."""
+    robot, at = exactly_orthonormal(machine(base_joint))
+    readings = Readings(robot, base_joint, formulation)
+    assert off(readings.forces(at)["F"], readings.inverse_dynamics(at)["F"]) < 1e-45
+
+
+def test_forces_of_vectors_are_those_of_truth_to_the_bit() -> None:
+    robot = machine()
+    for level in ("general", "slender", "massless_static"):
+        made = vectors(robot, ("forces",), fidelity=level, count=2)[:2]
+        true = Truth(robot, "exact", level).forces(poses(robot, "exact", 2))
+        for vector, F in zip(made, true, strict=True):
+            np.testing.assert_array_equal(vector.answers["F"], F.astype(np.float64))
+
+
+def test_closed_form_is_the_inverse_dynamics_to_45_digits() -> None:
+    """M [a; alpha] + bias = H F + external wrench, and forward dynamics goes back."""
+    robot, at = exactly_orthonormal(machine())
+    readings = Readings(robot, "universal")
+    F, terms = readings.forces(at)["F"], readings.equations(at)
+    M, H = terms["M"].reshape(6, 6), terms["H"].reshape(6, 6)
+    acceleration = np.concatenate([at["a"], at["alpha"]])
+    load = np.concatenate([at["F_ext"], at["M_ext"]])
+    assert off(M @ acceleration + terms["bias"], H @ F + load) < 1e-45
+    assert off(readings.bias(at)["bias"], terms["bias"]) < 1e-45
+    back = readings.forward_dynamics({**at, "F": np.array([number.value for number in F])})["acceleration"]
+    assert off(back, np.array([Running(number) for number in acceleration])) < 1e-45
+
+
+def moved(at: dict[str, Any], column: int, step: Any) -> dict[str, Any]:
+    """The motion with one of [dt; dphi], [v; omega], [a; alpha] a step further."""
+    kind, i = divmod(column, 6)
+    name = (("t", "R"), ("v", "omega"), ("a", "alpha"))[kind][i // 3]
+    further = np.array([step * (j == i % 3) for j in range(3)])
+    if name != "R":
+        return {**at, name: at[name] + further}
+    return {**at, "R": _cayley(further, at["R"].reshape(3, 3)).ravel()}
+
+
+def _cayley(by: NDArray[Any], R: NDArray[Any]) -> NDArray[Any]:
+    x, y, z = by
+    turn = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return np.asarray(R + (turn + turn @ turn / 2) @ R / (1 + by @ by / 4))
+
+
+def test_derivatives_are_differences_of_the_forces_to_25_digits() -> None:
+    robot, at = exactly_orthonormal(machine())
+    at = {name: np.array([Running(number).value for number in array]) for name, array in at.items()}
+    readings = Readings(robot, "universal")
+    found = readings.derivatives(at)
+    step = Running(1e-15).value
+    by = np.concatenate([found[f"by_{name}"].reshape(6, 6) for name in ("pose", "twist", "acceleration")], 1)
+    for column in (0, 2, 3, 4, 5, 6, 8, 9, 11, 13, 16):
+        there, back = (readings.forces(moved(at, column, sign * step))["F"] for sign in (1, -1))
+        assert off((there - back) / (2 * step), by[:, column]) < 1e-25
+
+
+def test_linearisation_is_that_of_forward_dynamics_to_25_digits() -> None:
+    robot, at = exactly_orthonormal(machine())
+    at = {name: np.array([Running(number).value for number in array]) for name, array in at.items()}
+    at["F"] = np.array([Running(number).value for number in (10.0, -20.0, 30.0, 40.0, -50.0, 60.0)])
+    readings = Readings(robot, "universal")
+    found = readings.linearisation(at)
+    A, B = found["A"].reshape(12, 12), found["B"].reshape(12, 6)
+    step = Running(1e-15).value
+    for column in (1, 3, 5, 7, 9, 11):
+        pair = [readings.forward_dynamics(moved(at, column, sign * step)) for sign in (1, -1)]
+        slope = (pair[0]["acceleration"] - pair[1]["acceleration"]) / (2 * step)
+        assert off(slope, A[6:, column]) < 1e-25
+    pushed = readings.forward_dynamics({**at, "F": at["F"] + np.eye(6, dtype=int)[2]})["acceleration"]
+    assert off(pushed - found["acceleration"], B[6:, 2]) < 1e-40
+
+
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+def test_answers_are_those_of_the_reference(base_joint: str, formulation: str) -> None:
+    robot = machine(base_joint)
+    motion = poses(robot, formulation, 2)
+    made = vectors(robot, WHOLE, formulation, count=2)
+    for i in range(2):
+        forces, reactions = made[i], made[2 + i]
+        true = ss.inverse_dynamics(robot, motion[i], formulation, "reference")
+        bearing = reactions.inputs["bearing"]
+        joints = ss.joint_reactions(robot, motion[i], formulation, "reference", bearing)
+        for vector, wanted in ((forces, true), (reactions, joints)):
+            for name, answer in vector.answers.items():
+                value = np.asarray(getattr(wanted, name)).ravel()
+                np.testing.assert_allclose(answer, value, rtol=0, atol=1e-11 * max(np.abs(value).max(), 1e-3))
+
+
+def test_kinematics_answers_are_what_python_finds() -> None:
+    robot = machine()
+    for vector in (vector for function in KINEMATICS for vector in of(function)):
+        given = {n: a.reshape(3, 3) if n.startswith("R") else a for n, a in vector.inputs.items()}
+        assert ratios(vector, kinematics(robot, vector.function, given), "double").max() < 1
+
+
+def kinematics(robot: Robot, function: str, given: dict[str, Array]) -> dict[str, Array]:
+    if function == "inverse_kinematics":
+        legs = ss.inverse_kinematics(robot, Motion(**given))
+        return {"L": legs.L, "L_dot": legs.L_dot}
+    if function == "forward_kinematics":
+        pose = ss.forward_kinematics(robot, given["L"], (given["R_guess"], given["t_guess"]))
+        return {"R": pose.R.ravel(), "t": pose.t}
+    v, omega = ss.forward_velocity(robot, given["R"], given["t"], given["L_dot"])
+    return {"v": v, "omega": omega}
+
+
+def test_forward_kinematics_is_asked_only_where_lengths_settle_the_pose() -> None:
+    """Similar circles are singular everywhere, these almost: lengths in float leave some poses open."""
+    angle = np.array([0.1, 1.0, 2.3, 3.1, 4.4, 5.0])
+    circle = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(6)])
+    bump = 0.05 * np.eye(6)[:, :3]
+    robot = dataclasses.replace(machine("spherical"), b=circle, p=0.5 * circle + bump)
+    counts = {
+        precision: len(vectors(robot, ("forward_velocity",), precision=precision)) for precision in KIND
+    }
+    assert counts["float"] < counts["double"] == 8
+
+
+def test_forward_kinematics_starts_away_from_its_answer() -> None:
+    for vector in of("forward_kinematics"):
+        assert np.abs(vector.inputs["R_guess"] - vector.answers["R"]).max() > 1e-3
+
+
+@pytest.mark.parametrize("precision", KIND)
+@pytest.mark.parametrize("base_joint", ["universal", "spherical"])
+def test_the_c_keeps_within_the_bounds(base_joint: str, precision: str) -> None:
+    robot = machine(base_joint)
+    formulations = ("exact", "paper") if precision == "double" else ("exact",)
+    for formulation in formulations:
+        for function, found in ratios_in_c(
+            robot, functions_of(robot, formulation), formulation, precision
+        ).items():
+            assert found.max() < 1, function
+            assert found.max() > 1e-3, f"{function}: bounds far too wide"
+
+
+@pytest.mark.parametrize("function", FUNCTIONS)
+def test_an_answer_wrong_by_one_part_in_a_thousand_million_is_out_of_bounds(function: str) -> None:
+    epsilon = np.finfo(np.float64).eps
+    for vector in of(function):
+        for name, answer in vector.answers.items():
+            largest = np.abs(answer).max()
+            assert not largest or vector.bounds[name].max() * epsilon < 1e-9 * largest, name
+
+
+@pytest.mark.parametrize("field", ["M", "m_u", "I_u0", "p", "g"])
+def test_forces_of_a_machine_slightly_other_are_out_of_bounds(field: str) -> None:
+    robot = machine()
+    other = dataclasses.replace(robot, **{field: (1 + 1e-9) * np.asarray(getattr(robot, field))})
+    mine, wrong = of("forces")[0], Truth(other).forces(poses(robot, "exact", 1))[0]
+    assert ratios(mine, {"F": wrong.astype(np.float64)}, "double").max() > 1
+
+
+def test_numbers_of_float_vectors_fit_into_floats_and_answers_are_of_these() -> None:
+    robot = machine()
+    rounded = dataclasses.replace(
+        robot,
+        **{name: value.astype(np.float32).astype(float)[()] for name, value in numbers_of(robot).items()},
+    )
+    for vector in vectors(robot, ("forces", "forward_kinematics"), precision="float"):
+        for values in vector.inputs.values():
+            np.testing.assert_array_equal(values, values.astype(np.float32))
+    vector = vectors(robot, ("forces",), precision="float", count=1)[0]
+    shaped = {name: vector.inputs[name].reshape(shape) for name, shape in MOTION.items()}
+    F = newton_euler.inverse_dynamics(rounded, Motion.unchecked(**shaped), newton_euler.EXACT).F
+    np.testing.assert_allclose(vector.answers["F"], F, rtol=0, atol=1e-6 * np.abs(F).max())
+    baked = vectors(robot, ("forces",), precision="float", count=1, baked=True)[0]
+    F = newton_euler.inverse_dynamics(robot, Motion.unchecked(**shaped), newton_euler.EXACT).F
+    assert np.abs(baked.answers["F"] - F).max() < np.abs(vector.answers["F"] - F).max()
+
+
+def test_vectors_have_the_members_of_the_c_structs_in_their_order() -> None:
+    shapes = {v.function: {name: a.size for name, a in v.answers.items()} for v in everything()}
+    assert shapes == {
+        "forces": {"F": 6},
+        "inverse_dynamics": {"F": 6, "D": 6, "x": 6, "K": 18, "H": 36, "c": 6},
+        "joint_reactions": {**dict.fromkeys(("F_s", "F_u", "F_p", "F_c", "M_p"), 18), "M_u": 6},
+        "equations": {"M": 36, "C": 36, "g": 6, "friction": 6, "bias": 6, "H": 36, "H_dot": 36},
+        "bias": {"bias": 6},
+        "forward_dynamics": {"acceleration": 6},
+        "joint_inertia": {"inertia": 36},
+        "derivatives": {"F": 6, "by_pose": 36, "by_twist": 36, "by_acceleration": 36},
+        "linearisation": {"acceleration": 6, "A": 144, "B": 72},
+        "inverse_kinematics": {"L": 6, "L_dot": 6},
+        "forward_kinematics": {"R": 9, "t": 3},
+        "forward_velocity": {"v": 3, "omega": 3},
+        **{function: {"R": 9, "omega": 3, "alpha": 3} for function in ROTATION},
+    }
+
+
+def test_bounds_are_positive_and_of_two_digits_and_large_functions_have_few_vectors() -> None:
+    made = everything()
+    for vector in made:
+        for bound in vector.bounds.values():
+            assert (bound > 0).all()
+            assert all(float(f"{x:.1e}") == x for x in bound)
+    counts = {function: sum(v.function == function and v.ordinary for v in made) for function in FUNCTIONS}
+    assert {counts[f] for f in ("equations", "joint_inertia", "derivatives", "linearisation")} == {FEW}
+    assert counts["forces"] == counts["forward_kinematics"] == 8
+    assert {v.function for v in made if not v.ordinary} == {"forces"}
+
+
+def test_poses_begin_with_the_examples_and_are_all_good() -> None:
+    robot = machine()
+    motions = poses(robot, "exact", 8)
+    example = sample(robot, "exact")[0]
+    for name in MOTION:
+        np.testing.assert_array_equal(getattr(motions, name)[0], getattr(example, name))
+    assert motions.shape == (8,)
+    assert poses(robot, "exact", 1).shape == (1,)
+    H = ss.wrench_matrix(robot, motions)
+    assert (scaled_condition_number(H, characteristic_length(robot)) <= MAX_CONDITION).all()
+    assert clear_of_poles(robot, ss.inverse_kinematics(robot, motions)).all()
+    assert (motions.omega == 0).all(axis=-1).any()
+    apart = np.abs(motions.R[:, None] - motions.R[None]).max(axis=(-1, -2)) + np.eye(8)
+    assert apart.min() > 0.01
+
+
+def test_poses_are_in_numbers_of_few_digits() -> None:
+    motions = poses(machine(), "exact", 8)
+    for name in ("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
+        for number in getattr(motions, name).flat:
+            assert float(f"{number:.5g}") == number, name
+
+
+def test_poses_within_the_length_limits_come_first() -> None:
+    robot = machine()
+    L = ss.inverse_kinematics(robot, poses(robot, "exact", 40)).L
+    limits = np.column_stack([L[0] * 0.9, L[0] * 1.1])
+    limited = dataclasses.replace(robot, length_limits=limits)
+    found = ss.inverse_kinematics(limited, poses(limited, "exact", 40)).L
+    within = ((limits[:, 0] <= found) & (found <= limits[:, 1])).all(axis=-1)
+    assert 1 < within.sum() < len(within)
+    assert within[: within.sum()].all()
+
+
+PROGRAM = f"""
+import sys
+sys.path[:0] = {[str(Path(__file__).parents[n] / name) for n, name in ((0, ""), (1, "support"))]!r}
+import test_vectors
+print(test_vectors.printed())
+"""
+
+
+def printed() -> list[Any]:
+    """Everything in the vectors of all functions."""
+    return [
+        (vector.function, [{name: array.tolist() for name, array in part.items()} for part in parts])
+        for vector in everything()
+        for parts in [(vector.inputs, vector.answers, vector.bounds)]
+    ]
+
+
+def test_vectors_are_the_same_under_any_hash_seed() -> None:
+    seed = "1" if os.environ.get("PYTHONHASHSEED") == "54321" else "54321"
+    env = {**os.environ, "PYTHONHASHSEED": seed}
+    command = [sys.executable, "-W", "ignore", "-c", PROGRAM]
+    other = subprocess.run(command, env=env, capture_output=True, text=True, check=True).stdout
+    assert other == f"{printed()}\n"
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"functions": ("forces", "torques")}, r"^functions: expected "),
+        ({"functions": "forces"}, r"^functions: expected a tuple of names, got 'forces'$"),
+        ({"formulation": "fast"}, r"^formulation: expected \"exact\" or \"paper\", got 'fast'$"),
+        ({"fidelity": "light"}, r"^fidelity: expected one of "),
+        ({"precision": "half"}, r"^precision: expected "),
+        ({"count": 0}, r"^count: expected a whole number >= 1, got 0$"),
+        (
+            {"functions": ("bias",), "formulation": "paper"},
+            r"^functions: bias is of exact with universal base joints, not of paper with universal ones$",
+        ),
+    ],
+)
+def test_bad_arguments_are_refused(change: dict[str, Any], message: str) -> None:
+    arguments: dict[str, Any] = {"functions": ("forces",), **change}
+    with pytest.raises(ValueError, match=message):
+        vectors(machine(), **arguments)
+
+
+def test_constants_that_float_cannot_hold_are_refused() -> None:
+    heavy = dataclasses.replace(machine(), M=1e39)
+    with pytest.raises(ValueError, match=r"^robot: M: expected a number that float can hold, got 1e\+39$"):
+        vectors(heavy, ("forces",), precision="float")
+
+
+@pytest.mark.parametrize("baked", [False, True])
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"M": 1e39}, r"^robot: M: expected a number that float can hold, got 1e\+39$"),
+        (
+            {"m_u": np.array([1, 1, 1e39, 1, 1, 1])},
+            r"^robot: leg 3: m_u: expected a number that float can hold, got 1e\+39$",
+        ),
+        ({"M": 4e37}, r"^robot: M: expected a mass whose weight float can hold, got 4e\+37$"),
+    ],
+)
+def test_the_constant_that_float_cannot_hold_is_named(
+    change: dict[str, Any], message: str, baked: bool
+) -> None:
+    with pytest.raises(ValueError, match=message):
+        vectors(dataclasses.replace(machine(), **change), ("forces",), precision="float", baked=baked)
+
+
+def test_machine_without_a_good_pose_is_refused() -> None:
+    robot = machine()
+    with pytest.raises(ValueError, match="no good pose for the example"):
+        vectors(dataclasses.replace(robot, p=np.zeros((6, 3))), ("forces",))
+
+
+@pytest.mark.slow
+def test_the_c_of_every_level_keeps_within_the_bounds() -> None:
+    for level in FIDELITIES:
+        for precision in KIND:
+            found = ratios_in_c(machine(), ("forces",), "exact", precision, level)["forces"]
+            assert 1e-3 < found.max() < 1, (level, precision)
+
+
+@pytest.mark.slow
+def test_the_c_keeps_within_the_bounds_on_machines_of_any_size() -> None:
+    """Sizes from 1 mm to 10 m; prints how far below their bounds the errors are."""
+    found: dict[str, list[Array]] = {}
+    for seed in range(share(20, 5)):
+        rng = np.random.default_rng(1000 + seed)
+        robot = machines.random_robot(
+            rng, "spherical" if seed % 3 == 2 else "universal", scale=10.0 ** rng.uniform(-3, 1)
+        )
+        runs = [("exact", "double"), ("exact", "float"), ("paper", ("double", "float")[seed % 2])]
+        for formulation, precision in runs:
+            functions = functions_of(robot, formulation)
+            for function, these in ratios_in_c(robot, functions, formulation, precision, count=2).items():
+                found.setdefault(function, []).append(these)
+    for function, parts in found.items():
+        ratio = np.concatenate(parts)
+        median = np.median(ratio[ratio > 0])
+        print(f"{function}: error over bound: median {median:.2g}, largest {ratio.max():.2g}")
+        assert ratio.max() < 1, function
+        assert median > 1e-4, function

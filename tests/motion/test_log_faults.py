@@ -1,0 +1,209 @@
+"""Logs that are no motion under white noise: bad rows, correlated noise, rows that were not measured."""
+
+import re
+import warnings
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from noisy_logs import WHITE, Case, case, coordinates, logged, motion
+from numpy.typing import NDArray
+from sweeps import share
+
+import stewart_sym as ss
+from stewart_sym.motion.log_faults import Fault, faults, offsets
+from stewart_sym.motion.log_sampling import slower_sampling, spread
+from stewart_sym.motion.smoothing import noise_level, rounding_steps
+from stewart_sym.motion.trajectory import Trajectory, from_poses
+
+Array = NDArray[np.float64]
+FAULTS = ("repeated", "missing", "step", "spike", "zeros")
+OFF = "numbers are off as no motion makes them"
+
+
+def corrupted(kind: str, time: Array, values: Array, i: int) -> tuple[Array, Array]:
+    """Times and a log with a fault at sample i."""
+    values = values.copy()
+    if kind == "missing":
+        return time[:-1], np.delete(values, i, axis=0)
+    if kind == "repeated":
+        values[i] = values[i - 1]
+    elif kind == "zeros":
+        values[i] = 0.0
+    elif kind == "step":
+        values[i:, 0] += 50 * WHITE
+    else:
+        values[i, 0] += 50 * WHITE
+    return time, values
+
+
+def read(time: Array, values: Array) -> tuple[Trajectory, list[str]]:
+    """The trajectory of poses, and warnings."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        found = from_poses(time, values[:, :3], values[:, 3:])
+    return found, [str(each.message) for each in caught]
+
+
+def true_forces(one: Case, kind: str, i: int) -> Array:
+    """Forces at the poses that a log with a fault holds."""
+    return np.delete(one.F, i, axis=0) if kind == "missing" else one.F
+
+
+@pytest.mark.parametrize("noise", ["clean", "3", "5", "white"])
+@pytest.mark.parametrize("kind", FAULTS)
+def test_rows_that_no_motion_makes_are_named_and_forces_hold_within_their_deviations(
+    kind: str, noise: str
+) -> None:
+    for seed in range(2):
+        one = case(seed)
+        i = int(np.random.default_rng([seed, 7]).integers(len(one.time) // 4, 3 * len(one.time) // 4))
+        values = one.true[0] if noise == "clean" else logged(one, noise, seed)
+        found, told = read(*corrupted(kind, one.time, values, i))
+        (line,) = (text for text in told if OFF in text)
+        rows = [int(row) for row in re.findall(r"row (\d+)", line)]
+        assert rows
+        assert all(abs(row - i) <= 1 for row in rows), (seed, i, line)
+        assert f"({one.time[rows[0]]:.6g} s): t_x by " in line or "theta" in line
+        F, true = ss.inverse_dynamics(one.robot, found.motion).F, true_forces(one, kind, i)
+        sd, peak = ss.force_deviations(one.robot, found), np.abs(one.F).max()
+        assert np.all(np.abs(F - true) <= 5.0 * sd + 0.01 * peak)
+        # Three decimals are smoothed over so long a time that one row has little part in it.
+        if noise != "3":
+            assert sd[i - 1 : i + 2].max() > 0.02 * peak
+
+
+def test_without_smoothing_bad_rows_are_named_and_left() -> None:
+    one = case(0)
+    time, values = corrupted("spike", one.time, one.true[0], 99)
+    with pytest.warns(ss.LogWarning, match=r"row 99 \(.* s\): t_x by 0.005 m: left as they are"):
+        found = from_poses(time, values[:, :3], values[:, 3:], ss.Smoothing(on=False))
+    assert found.motion.t[99, 0] == values[99, 0]
+    assert found.noise is None
+
+
+def profiles(seed: int) -> tuple[Array, Array]:
+    """Moves from rest to rest whose accelerations jump or rise linearly, rates 50 Hz to 2 kHz, (n, 6)."""
+    rng = np.random.default_rng(seed)
+    rate = float(rng.choice([50, 100, 200, 500, 1000, 2000]))
+    fine = 40
+    time = np.arange(0.0, rng.uniform(1.0, 3.0) * min(1.0, 1000.0 / rate), 1.0 / rate)
+    finely = np.linspace(time[0], time[-1], fine * (len(time) - 1) + 1)
+    columns = []
+    for _ in range(6):
+        column = np.full(len(time), 0.3)
+        for _ in range(int(rng.integers(0, 4))):
+            start, span = rng.uniform(0.0, 0.7) * time[-1], rng.uniform(0.1, 0.5) * time[-1]
+            s, ramp = (finely - start) / span, float(rng.choice([1e-9, 0.05, 0.2, 0.5]))
+            knots = [0.0, ramp / 2, 0.5 - ramp / 2, 0.5 + ramp / 2, 1.0 - ramp / 2, 1.0]
+            a = np.interp(s, knots, [0, 1, 1, -1, -1, 0], left=0.0, right=0.0)
+            place = np.cumsum(np.cumsum(a))
+            column = column + rng.uniform(-0.3, 0.3) * place[::fine] / max(float(place[-1]), 1e-300)
+        columns.append(column)
+    return time, np.stack(columns, axis=-1)
+
+
+@pytest.mark.parametrize("count", [3, pytest.param(share(200), marks=pytest.mark.slow)])
+def test_good_logs_are_neither_faulty_nor_correlated(count: int) -> None:
+    rng, told = np.random.default_rng(0), 0
+    for seed in range(count):
+        one = case(seed)
+        for time, true in ((one.time, one.true[0]), profiles(seed)):
+            for noise in ("clean", "9", "5", "4", "3", "white"):
+                values = true if noise == "clean" else true + WHITE * rng.normal(size=true.shape)
+                values = np.round(true, int(noise)) if noise.isdecimal() else values
+                level = noise_level(time, values)
+                assert faults(time, values, level.sigma) == [], (seed, noise)
+                told += level.correlation != 1.0
+                assert slower_sampling(values, rounding_steps(values)) is None, (seed, noise)
+    # Some tens of samples show the whiteness of a short log to a third only.
+    assert told <= 0.001 * 12 * count
+
+
+def test_a_fault_is_found_with_its_size_and_its_rows() -> None:
+    time = np.arange(400) / 200.0
+    clean = np.stack([np.sin(3.0 * time), np.cos(2.0 * time)], axis=-1)
+    given = [Fault(0, 100, 101, 0.01), Fault(1, 200, None, -0.02), Fault(0, 300, 303, 0.05)]
+    found = faults(time, clean + offsets(given, clean.shape), np.zeros(2))
+    assert [each[:3] for each in found] == [each[:3] for each in given]
+    np.testing.assert_allclose([each.size for each in found], [each.size for each in given], rtol=1e-3)
+
+
+def correlated(rng: np.random.Generator, shape: tuple[int, ...], share: float) -> Array:
+    """Noise of deviation 1 of which each sample keeps a share of the one before."""
+    noise = rng.normal(size=shape)
+    for i in range(1, len(noise)):
+        noise[i] = share * noise[i - 1] + np.sqrt(1.0 - share**2) * noise[i]
+    return noise
+
+
+@pytest.mark.parametrize("keeps", [0.5, 0.9])
+def test_correlated_noise_is_told_and_its_deviations_cover_the_errors(keeps: float) -> None:
+    """At 200 rows in the shortest period the noise shows beside the motion."""
+    inside = []
+    for seed in range(3):
+        rng = np.random.default_rng([seed, 4])
+        one = case(seed)
+        time = np.arange(0.0, 8.0, 0.005)
+        true = coordinates(rng, 0.5, time, 1.0)
+        true[0, :, :3] += one.true[0, 0, :3]
+        found, told = read(time, true[0] + WHITE * correlated(rng, true[0].shape, keeps))
+        assert any("it is correlated" in line for line in told), told
+        F, expected = (ss.inverse_dynamics(one.robot, each).F for each in (found.motion, motion(true)))
+        inside.append(np.mean(np.abs(F - expected) < 1.96 * ss.force_deviations(one.robot, found)))
+    assert np.mean(inside) > 0.88
+
+
+def held(values: Array, every: int) -> Array:
+    return np.repeat(values, every, axis=0)
+
+
+def interpolated(values: Array, every: int) -> Array:
+    at = np.arange(len(values) * every) / every
+    return np.stack([np.interp(at, np.arange(len(values)), column) for column in values.T], axis=-1)
+
+
+@pytest.mark.parametrize("noise", ["4", "white"])
+@pytest.mark.parametrize(("fill", "words"), [(held, "held"), (interpolated, "interpolated linearly")])
+def test_rows_between_measured_ones_are_told_and_count_for_nothing(
+    fill: Callable[[Array, int], Array], words: str, noise: str
+) -> None:
+    every, inside = 4, []
+    for seed in range(3):
+        one = case(seed)
+        values = fill(logged(one, noise, seed), every)
+        time = one.time[0] + np.arange(len(values)) * (one.time[1] - one.time[0]) / every
+        found, told = read(time, values)
+        assert any(f"{len(time)} rows are {words} between {len(one.time)} " in line for line in told), told
+        F, sd = ss.inverse_dynamics(one.robot, found.motion).F, ss.force_deviations(one.robot, found)
+        inside.append(np.mean(np.abs(F[::every] - one.F) < 1.96 * sd[::every]))
+    assert 0.88 < np.mean(inside) <= 1.0
+
+
+def test_values_between_rows_are_those_of_a_polynomial() -> None:
+    time = np.linspace(0.0, 1.0, 41)
+    polynomial = np.polynomial.Polynomial([1.0, -2.0, 0.5, 3.0, -1.0, 0.7])
+    true = np.stack([polynomial.deriv(k)(time) if k else polynomial(time) for k in range(3)])[..., None]
+    rows = np.arange(0, 41, 4)
+    np.testing.assert_allclose(spread(time, rows, true[:, rows]), true, atol=1e-11)
+
+
+@pytest.mark.parametrize("gap", [False, True])
+def test_a_gap_in_time_is_told_with_its_ends_and_its_size(gap: bool) -> None:
+    one = case(1)
+    step = float(one.time[1] - one.time[0])
+    keep = np.ones(len(one.time), dtype=bool)
+    keep[60:80] = not gap
+    _, told = read(one.time[keep], one.true[0][keep])
+    lines = [line for line in told if "bridged" in line]
+    ends = f"rows 59 and 60: nothing from {one.time[59]:.6g} s to {one.time[80]:.6g} s, 21 times the usual"
+    assert [ends in line for line in lines] == [True] * gap
+    assert f"step of {step:.3g} s" in "".join(lines) or not gap
+
+
+def test_rounding_that_no_force_shows_is_not_warned_of_and_a_tenth_of_a_millimetre_is() -> None:
+    one = case(0)
+    quiet, told = read(one.time, np.round(one.true[0], 9))
+    assert told == []
+    assert quiet.noise is not None
+    assert any("smoothed" in line for line in read(one.time, np.round(one.true[0], 4))[1])

@@ -1,0 +1,201 @@
+"""Noise in logs: smoothed motions, the stated deviation of each force, and verdicts that hold."""
+
+import dataclasses
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from noisy_logs import Array, Case, case, logged, motion
+from sweeps import share
+
+import stewart_sym as ss
+from stewart_sym.motion import smoothing
+from stewart_sym.motion.rotation import rpy_from_rotation
+from stewart_sym.motion.smoothing import rounding_step, white_noise
+from stewart_sym.motion.trajectory import JointTrajectory, Trajectory, from_poses, read_any_csv, read_csv
+from stewart_sym.singularities.joint_space import on_platform
+from stewart_sym.studies.reports.track import EXCEEDED, NOISE_SHARE, NOT_DECIDED, force_verdicts, peak_noise
+
+NOISES = ("3", "4", "5", "white")
+
+
+def smoothed(time: Array, values: Array) -> Trajectory:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ss.LogWarning)
+        return from_poses(time, values[:, :3], values[:, 3:])
+
+
+@pytest.fixture(scope="module", params=[pytest.param(4), pytest.param(share(200, 5), marks=pytest.mark.slow)])
+def sweep(request: pytest.FixtureRequest) -> dict[str, list[tuple[Case, Array, Array]]]:
+    """Cases with smoothed forces and their deviations, (n, 6), for each kind of noise."""
+    found: dict[str, list[tuple[Case, Array, Array]]] = {noise: [] for noise in NOISES}
+    for seed in range(request.param):
+        one = case(seed)
+        for noise in NOISES:
+            trajectory = smoothed(one.time, logged(one, noise, seed))
+            F = ss.inverse_dynamics(one.robot, trajectory.motion).F
+            found[noise].append((one, F, ss.force_deviations(one.robot, trajectory)))
+    return found
+
+
+def coverage(runs: list[tuple[Case, Array, Array]], deviations: float) -> float:
+    return float(np.mean([np.mean(np.abs(F - one.F) < deviations * sd) for one, F, sd in runs]))
+
+
+@pytest.mark.parametrize("noise", NOISES)
+def test_stated_deviations_cover_the_errors_as_normal_ones(
+    sweep: dict[str, list[tuple[Case, Array, Array]]], noise: str
+) -> None:
+    slack = 0.05 if len(sweep[noise]) >= 40 else 0.1
+    assert coverage(sweep[noise], 1.0) == pytest.approx(0.6827, abs=slack)
+    assert coverage(sweep[noise], 1.96) == pytest.approx(0.95, abs=slack)
+
+
+def test_peaks_without_a_warning_are_within_two_percent_and_verdicts_hold(
+    sweep: dict[str, list[tuple[Case, Array, Array]]],
+) -> None:
+    rng = np.random.default_rng(5)
+    decided = {True: 0, False: 0}
+    for runs in sweep.values():
+        for one, F, sd in runs:
+            true, peak = np.abs(one.F).max(axis=0), np.abs(F).max(axis=0)
+            sure = peak_noise(F, sd) <= NOISE_SHARE
+            assert np.all(np.abs(peak - true)[sure] <= 0.02 * true[sure])
+            limit = true * rng.uniform(0.9, 1.1, 6)
+            verdicts = force_verdicts(_limited(one.robot, limit), F, sd)
+            for leg, verdict in enumerate(verdicts):
+                decided[verdict != NOT_DECIDED] += 1
+                if verdict != NOT_DECIDED:
+                    assert (verdict == EXCEEDED) == bool(true[leg] > limit[leg]), (leg, verdict)
+    assert min(decided.values()) > 0
+
+
+def _limited(robot: ss.Robot, limit: Array) -> ss.Robot:
+    return dataclasses.replace(robot, force_limit=limit)
+
+
+def test_a_clean_log_is_interpolated_and_has_no_deviations() -> None:
+    one = case(0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", ss.LogWarning)
+        trajectory = from_poses(one.time, one.true[0, :, :3], one.true[0, :, 3:])
+    assert trajectory.noise is None
+    np.testing.assert_array_equal(trajectory.motion.t, one.true[0, :, :3])
+    assert not ss.force_deviations(one.robot, trajectory).any()
+
+
+@pytest.mark.parametrize("name", list(ss.PATHS))
+def test_accelerations_that_jump_are_no_noise(name: str) -> None:
+    path, step = ss.PATHS[name]
+    times = path.times(step / 4)
+    found = path.sample(times)
+    values = np.hstack([found.t, rpy_from_rotation(found.R)])
+    assert not white_noise(times, values).any()
+
+
+@pytest.mark.parametrize("form", [".3f", ".6g", ".4e"])
+def test_rounding_is_read_off_the_numbers(form: str) -> None:
+    values = np.random.default_rng(0).uniform(0.02, 0.9, 500)
+    written = np.array([float(f"{value:{form}}") for value in values])
+    errors = written - values
+    assert rounding_step(written) / np.sqrt(12.0) == pytest.approx(np.sqrt(np.mean(errors**2)), rel=0.1)
+    assert rounding_step(values) == 0.0
+
+
+def test_white_noise_is_measured() -> None:
+    time = np.linspace(0.0, 3.0, 900)
+    values = np.sin(time)[:, None] + 1e-3 * np.random.default_rng(1).normal(size=(900, 6))
+    np.testing.assert_allclose(white_noise(time, values), 1e-3, rtol=0.3)
+    np.testing.assert_allclose(ss.smooth(time, values).sigma, 1e-3, rtol=0.2)
+
+
+@pytest.mark.parametrize("even", [True, False])
+def test_a_cutoff_halves_the_amplitude_there_without_a_phase(even: bool) -> None:
+    rng = np.random.default_rng(2)
+    time = np.linspace(0.0, 20.0, 4001) if even else np.sort(rng.uniform(0.0, 20.0, 4001))
+    for frequency, gain in ((0.2, 1.0), (2.0, 0.5), (10.0, 0.0)):
+        wave = np.exp(2j * np.pi * frequency * time)
+        found = ss.smooth(time, np.stack([wave.real, wave.imag], -1), cutoff=2.0).values
+        inside = (time > 2.0) & (time < 18.0)
+        ratio = np.mean((found @ [1.0, 1.0j] / wave)[inside])
+        assert ratio == pytest.approx(gain, abs=0.03)
+
+
+def test_one_window_and_many_agree() -> None:
+    """Past a window's length the overlapping windows make the same spline, rates and deviations."""
+    one = case(3)
+    values = logged(one, "4", 3)
+    cutoff = 60.0 / float(np.ptp(one.time))
+    both = [ss.smooth(one.time, values, cutoff=cutoff)]
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(smoothing, "WINDOW", 4 * smoothing.WINDOW)
+        both.append(ss.smooth(one.time, values, cutoff=cutoff))
+    assert len(both[0].grid) > 2 * smoothing.WINDOW
+    sd = np.sqrt([np.interp(one.time, found.grid, found.covariance[:, 0, 5]) for found in both])
+    np.testing.assert_allclose(sd[0], sd[1], rtol=0.02)
+    assert np.all(np.abs(both[0].second_rates - both[1].second_rates)[:, 0] < 0.05 * sd[0])
+
+
+def test_given_rates_count_as_measured_with_their_own_rounding(tmp_path: Path) -> None:
+    one = case(1)
+    header = "time," + ",".join(
+        f"{name}_{axis}" for name in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"
+    )
+    table = np.round(np.hstack([one.time[:, None], *one.true]), 4)
+    np.savetxt(tmp_path / "log.csv", table, fmt="%.9g", delimiter=",", header=header, comments="")
+    trajectory = read_csv(tmp_path / "log.csv")
+    F = ss.inverse_dynamics(one.robot, trajectory.motion).F
+    runs = [(one, F, ss.force_deviations(one.robot, trajectory))]
+    assert coverage(runs, 1.0) == pytest.approx(0.68, abs=0.05)
+
+
+def test_deviations_of_leg_lengths_reach_the_forces(tmp_path: Path) -> None:
+    runs = []
+    for seed in range(4):
+        one = case(seed)
+        legs = ss.inverse_kinematics(one.robot, motion(one.true))
+        table = np.round(np.hstack([one.time[:, None], legs.L]), 5)
+        path = tmp_path / f"{seed}.csv"
+        header = "time," + ",".join(f"L_{leg}" for leg in range(1, 7))
+        np.savetxt(path, table, fmt="%.9g", delimiter=",", header=header, comments="")
+        with pytest.warns(ss.LogWarning, match="smoothed"):
+            log = read_any_csv(path)
+        assert isinstance(log, JointTrajectory)
+        log = log._replace(time=one.time)
+        trajectory = on_platform(one.robot, log, (motion(one.true).R[0], one.true[0, 0, :3]))
+        F = ss.inverse_dynamics(one.robot, trajectory.motion).F
+        runs.append((one, F, ss.force_deviations(one.robot, trajectory)))
+    assert coverage(runs, 1.0) == pytest.approx(0.68, abs=0.1)
+    assert coverage(runs, 1.96) == pytest.approx(0.95, abs=0.06)
+
+
+def test_resampling_keeps_the_path_and_its_deviations() -> None:
+    one = case(2)
+    trajectory = smoothed(one.time, logged(one, "4", 2))
+    rate = 3.0 / float(np.median(np.diff(one.time)))
+    found = ss.resampled(trajectory, rate)
+    np.testing.assert_allclose(np.diff(found.time), 1.0 / rate)
+    sd = ss.force_deviations(one.robot, found)[::3]
+    count = min(len(sd), len(one.time))
+    np.testing.assert_allclose(sd[:count], ss.force_deviations(one.robot, trajectory)[:count], rtol=1e-3)
+    for rate in (0.0, 1e12):
+        with pytest.raises(ValueError, match=r"^rate: expected "):
+            ss.resampled(trajectory, rate)
+
+
+@pytest.mark.parametrize(
+    ("call", "text"),
+    [
+        (lambda: ss.smooth([0, 1, 1, 2], np.zeros((4, 1))), "time: expected at least 4 increasing"),
+        (lambda: ss.smooth(np.arange(5.0), np.zeros((4, 1))), r"values: expected finite columns \(5, c\)"),
+        (lambda: ss.smooth(np.arange(5.0), np.ones((5, 1)), sigma=-1.0), "sigma: expected deviations > 0"),
+        (lambda: ss.smooth(np.arange(5.0), np.ones((5, 1)), cutoff=2.0), "cutoff: expected a frequency"),
+        (lambda: ss.Smoothing(position=-1.0), "position: expected a number > 0, got -1"),
+        (lambda: ss.LogFormat(length_unit="mile"), 'length_unit: expected "m", "cm", "mm" or "in"'),
+    ],
+)
+def test_bad_arguments_are_named(call: Callable[[], object], text: str) -> None:
+    with pytest.raises(ValueError, match=f"^{text}"):
+        call()

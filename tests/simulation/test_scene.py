@@ -1,0 +1,241 @@
+"""Scenes: what a file says is what is run; what is wrong with one is one line and leaves nothing behind."""
+
+import shutil
+import sys
+from importlib.resources import as_file, files
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command_line import fails_in_one_line, folder_state, read
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.io.extras import install
+from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
+from stewart_sym.motion.trajectory import interpolated, read_csv
+from stewart_sym.simulation.scene import read_scene
+from stewart_sym.studies.common.output import csv_lines
+
+SWING = """
+schema = 1
+robot = "robots/robot.toml"
+duration = 0.1
+output_step = 0.01
+
+[state]
+t = [0.2, 0.0, 0.8]
+theta = [0.1, 0.0, 0.2]
+v = [0.05, 0.02, 0.03]
+
+[legs]
+law = "springs"
+stiffness = 4e4
+"""
+TRACK = """
+schema = 1
+robot = "robots/robot.toml"
+duration = 0.05
+formulation = "paper"
+
+[legs]
+law = "tracking"
+path = "II"
+k_p = 400
+k_d = 40
+model = "paper"
+rate = 500.0
+"""
+
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Path:
+    """A scene of springs, the paper's robot in a folder beside it."""
+    (tmp_path / "robots").mkdir()
+    with as_file(files("stewart_sym.robots") / "dasgupta1998.toml") as source:
+        shutil.copy(source, tmp_path / "robots" / "robot.toml")
+    path = tmp_path / "scene.toml"
+    path.write_text(SWING)
+    return path
+
+
+def test_a_scene_runs_as_the_library_does(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    output = scene.parent / "deep" / "out"
+    assert main(["simulate", str(scene), "-o", str(output)]) == 0
+    captured = capsys.readouterr()
+    assert sorted(path.name for path in output.glob("[!.]*")) == ["run.csv", "run.png", "summary.txt"]
+    assert (output / "summary.txt").read_text() in captured.out
+    assert "ran to its end at 0.1 s" in captured.out
+    robot = ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
+    state = ss.Motion(rotation_from_rpy([0.1, 0.0, 0.2]), [0.2, 0.0, 0.8], np.zeros(3), [0.05, 0.02, 0.03])
+    law = ss.LegSprings.balanced(robot, state, 4e4)
+    run = ss.simulate(robot, state, law, 0.1, output_step=0.01)
+    rows = read(output / "run.csv")
+    assert [float(row["time"]) for row in rows] == run.times.tolist()
+    expected = {"t_x": run.t[:, 0], "v_z": run.v[:, 2], "F5": run.F[:, 4], "L2": run.L[:, 1]}
+    for name, values in expected.items():
+        assert [float(row[name]) for row in rows] == values.tolist()
+    theta = [[float(row[f"theta_{axis}"]) for axis in "xyz"] for row in rows]
+    np.testing.assert_array_equal(theta, rpy_from_rotation(run.R))
+
+
+def test_balanced_springs_hold_the_machine(scene: Path) -> None:
+    scene.write_text(SWING.replace("v = [0.05, 0.02, 0.03]", ""))
+    run = read_scene(scene).run()
+    np.testing.assert_allclose(run.t[-1], [0.2, 0.0, 0.8], atol=1e-9)
+
+
+def test_energy_drift_is_written_and_drawn(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    output = scene.parent / "out"
+    assert main(["simulate", str(scene), "-o", str(output), "--energy-drift"]) == 0
+    tables = {name: f"energy_drift_{name}.csv" for name in ("exact", "paper")}
+    names = ["energy_drift.png", *tables.values(), "run.csv", "run.png", "summary.txt"]
+    assert sorted(path.name for path in output.glob("[!.]*")) == names
+    worst = {
+        name: max(abs(float(row["drift"])) for row in read(output / table)) for name, table in tables.items()
+    }
+    assert worst["exact"] < 1e-9
+    assert worst["paper"] > 1e-5
+    assert f"{worst['paper']:.2e}" in capsys.readouterr().out
+
+
+def test_tables_need_no_matplotlib(
+    scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
+    monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    before = folder_state(scene.parent)
+    assert install("plot") in fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
+    assert folder_state(scene.parent) == before
+    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
+    assert sorted(path.name for path in (scene.parent / "out").glob("[!.]*")) == ["run.csv", "summary.txt"]
+
+
+def test_tracking_starts_on_its_path_and_stays_there(scene: Path) -> None:
+    scene.write_text(TRACK)
+    done = read_scene(scene)
+    assert (done.formulation, done.rate) == ("paper", 500.0)
+    run = done.run()
+    path = ss.PATHS["II"].path
+    np.testing.assert_array_equal(run.t[0], path.sample(0.0).t)
+    np.testing.assert_allclose(run.t[-1], path.sample(0.05).t, atol=1e-4)
+
+
+def test_tracking_takes_a_path_from_csv(scene: Path) -> None:
+    time = np.linspace(1.0, 2.0, 11)
+    pose = {"t_x": 0.1 + 0.05 * time, "t_y": 0 * time, "t_z": 0.5 + 0.05 * time**2}
+    turn = {"theta_x": 0 * time, "theta_y": 0 * time, "theta_z": 2.6 + 0.5 * time}
+    (scene.parent / "path.csv").write_text("".join(csv_lines({"time": time} | pose | turn)))
+    wanted = interpolated(read_csv(scene.parent / "path.csv"))
+    middle, after = wanted(0.43), wanted(3.0)
+    np.testing.assert_allclose(middle.t, [0.1 + 0.05 * 1.43, 0.0, 0.5 + 0.05 * 1.43**2], atol=1e-12)
+    np.testing.assert_allclose(middle.v, [0.05, 0.0, 0.1 * 1.43], atol=1e-11)
+    np.testing.assert_allclose(middle.a, [0.0, 0.0, 0.1], atol=1e-9)
+    # Through half a turn, where the angles of R leap.
+    np.testing.assert_allclose(middle.omega, [0.0, 0.0, 0.5], atol=1e-11)
+    np.testing.assert_allclose(after.t, [0.2, 0.0, 0.7], atol=1e-12)
+    assert not after.v.any()
+    scene.write_text(TRACK.replace('"II"', '"path.csv"'))
+    done = read_scene(scene)
+    np.testing.assert_allclose(done.state.t, wanted(0.0).t)
+    assert done.run().stop.kind == "duration"
+
+
+def test_constant_forces_and_a_load(scene: Path) -> None:
+    legs = '[legs]\nlaw = "forces"\nforces = [1, 2, 3, 4, 5, 6]\n[load]\nF_ext = [0.0, 0.0, 392.4]'
+    scene.write_text(SWING.partition("[legs]")[0] + legs)
+    run = read_scene(scene).run()
+    assert run.F[3].tolist() == [1, 2, 3, 4, 5, 6]
+    scene.write_text(SWING.partition("[legs]")[0] + legs.partition("[load]")[0])
+    # The load carries the platform's weight.
+    assert run.t[-1, 2] > read_scene(scene).run().t[-1, 2] + 0.01
+
+
+def test_a_run_that_stops_says_which_leg_and_when(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    robot = scene.parent / "robots" / "robot.toml"
+    limits = "[leg_defaults]\nspeed_limit = 0.2\n\n[leg_defaults.lower]"
+    robot.write_text(robot.read_text().replace("[leg_defaults.lower]", limits))
+    scene.write_text(SWING.replace("duration = 0.1", "duration = 9").replace("v = [0.05", "v = [0.4"))
+    assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
+    out = capsys.readouterr().out
+    assert "stopped    leg " in out
+    assert "reaches its limit 0.2 m/s at " in out
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ("schema = 1", "schema = 2", "schema: expected 1, got 2"),
+        ("schema = 1", "schema = ", "not valid TOML"),
+        ("duration = 0.1", "", "duration: missing"),
+        ("duration = 0.1", "duration = -1", "duration: expected a number > 0, got -1"),
+        ("duration = 0.1", "duration = nan", "duration: expected a finite number, got nan"),
+        ("duration = 0.1", "duraton = 0.1", 'duraton: unknown key, did you mean "duration"?'),
+        ("output_step = 0.01", 'method = "Euler"', 'method: expected "DOP853" or "Radau", got \'Euler\''),
+        ("output_step = 0.01", 'formulation = "right"', "formulation: expected"),
+        ("t = [0.2, 0.0, 0.8]", "t = [0.2, 0.0]", "state.t: expected 3 finite numbers, got [0.2, 0.0]"),
+        ("t = [0.2, 0.0, 0.8]", "", "state.t: missing"),
+        ("theta = [0.1, 0.0, 0.2]", "theta = [0.1, 0.0, inf]", "state.theta: expected 3 finite numbers"),
+        ("v = [", "w = [", "state.w: unknown key"),
+        ('law = "springs"', 'law = "spring"', 'legs.law: expected "forces", "springs" or "tracking"'),
+        ('law = "springs"', "", "legs.law: missing"),
+        ("stiffness = 4e4", "stiffness = [1, 2]", "legs.stiffness: expected 6 finite numbers, got [1, 2]"),
+        ("stiffness = 4e4", "stiffness = 0", "legs: stiffness: expected numbers other than 0"),
+        ("stiffness = 4e4", "stiffness = -1", "legs.stiffness: expected numbers >= 0, got -1"),
+        ("stiffness = 4e4", "stiffness = 4e4\ndamping = -2", "legs.damping: expected numbers >= 0, got -2"),
+        ("output_step = 0.01", "output_step = 1e-12", "output_step: expected at least 1e-08 s"),
+        ("output_step = 0.01", "rtol = 0.5", "rtol: expected a number in [1e-13, 0.01], got 0.5"),
+        ("stiffness = 4e4", "", "legs.stiffness: missing"),
+        ("stiffness = 4e4", "stiffness = 4e4\nrate = 9", "legs.rate: unknown key"),
+        ("[legs]", "[thresholds]\nmax_condition = 0.5\n[legs]", "thresholds.max_condition: expected"),
+        ("[legs]", "[load]\nF_ext = 3\n[legs]", "load.F_ext: expected 3 finite numbers, got 3"),
+        ("robots/robot.toml", "robots/none.toml", "none.toml: cannot read the robot file"),
+        ('"robots/robot.toml"', "7", "robot: expected one line of text, got 7"),
+    ],
+)
+def test_bad_scenes_are_refused_in_one_line_and_leave_nothing(
+    scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+) -> None:
+    assert old in SWING
+    scene.write_text(SWING.replace(old, new, 1))
+    before = folder_state(scene.parent)
+    line = fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
+    assert words in line
+    assert str(scene if "robot file" not in words else scene.parent) in line
+    assert folder_state(scene.parent) == before
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "words"),
+    [
+        ('path = "II"', 'path = "none.csv"', "none.csv: cannot read the trajectory"),
+        ('path = "II"', "", "legs.path: missing"),
+        ("k_p = 400", "k_p = -1", "legs.k_p: expected a number >= 0, got -1"),
+        ('model = "paper"', 'model = "best"', 'legs.model: expected "exact" or "paper"'),
+    ],
+)
+def test_bad_tracking_is_refused(
+    scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+) -> None:
+    scene.write_text(TRACK.replace(old, new, 1))
+    assert words in fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
+    assert not (scene.parent / "out").exists()
+
+
+def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    legs = '[legs]\nlaw = "forces"\nforces = [0, 0, 0, 0, 0, 0]\n'
+    # Platform point 2 on base point 2.
+    state = SWING.partition("[legs]")[0].replace("[0.2, 0.0, 0.8]", "[-0.2, 0.3, 0.1]")
+    scene.write_text(state.replace("[0.1, 0.0, 0.2]", "[0.0, 0.0, 0.0]") + legs)
+    before = folder_state(scene.parent)
+    line = fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
+    assert "initial_state: no accelerations: a leg has length zero" in line
+    scene.write_text(TRACK)
+    assert "expected a scene whose legs are springs" in fails_in_one_line(
+        capsys, "simulate", scene, "-o", scene.parent / "out", "--energy-drift"
+    )
+    scene.write_text(state + legs)
+    assert folder_state(scene.parent).keys() == before.keys()

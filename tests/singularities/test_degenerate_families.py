@@ -1,0 +1,560 @@
+"""Singular machines get no answer, good poses get one; near joint singularities and out of proportion answers
+lose no more than the problem itself does: every kernel, by wider arithmetic.
+"""
+
+import ctypes
+import dataclasses
+from typing import Any
+
+import mpmath
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+from scalar_kernels import prepared
+from sweeps import share
+
+import stewart_sym as ss
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION, address, c_sources, robot_numbers
+from stewart_sym.backend.native import CompilerError
+from stewart_sym.derive.kernel.constants import constants
+from stewart_sym.dynamics import forces as force_kernels
+from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
+from stewart_sym.precision.truth import Truth, digits
+from stewart_sym.results import OK
+from stewart_sym.studies.robustness.sweep import judge
+from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine, random_motion
+from stewart_sym.studies.robustness.sweep.singular_machines import (
+    FAMILIES,
+    exact_determinant,
+    singular_machine,
+)
+from stewart_sym.studies.robustness.sweep.sweep import GOOD, condition_of, random_machines, sweep
+
+Array = NDArray[np.float64]
+
+WITHIN = 10.0
+"""Rounding units times the condition number that every output of every kernel must keep."""
+PRECISIONS = ("double", "float")
+NEAR_JOINT = ("pole", "short leg", "heavy leg")
+PER_MACHINE = 10
+
+try:
+    judge._library()
+except CompilerError:
+    pytest.skip("needs a compiler with __float128", allow_module_level=True)
+
+
+# --- machines that are singular at every pose -----------------------------------------------------
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_every_pose_of_a_family_is_singular_in_rational_arithmetic(family: str) -> None:
+    rng = np.random.default_rng(21)
+    for size in (1.0, 0.03, 200.0):
+        robot = singular_machine(rng, family, size)
+        for points in (robot.b, robot.p):
+            assert (points.astype(np.float32) == points).all()
+        motion = random_motion(rng, robot)
+        # Whatever the orientation, and were it no rotation to the last bit.
+        for R in (np.eye(3), motion.R, motion.R + 1e-3 * rng.normal(size=(3, 3))):
+            assert exact_determinant(robot, R, motion.t) == 0
+
+
+def test_a_machine_off_its_family_is_not_singular() -> None:
+    rng = np.random.default_rng(22)
+    for family in FAMILIES:
+        robot = singular_machine(rng, family)
+        b, p = (points + 1e-12 * rng.normal(size=(6, 3)) for points in (robot.b, robot.p))
+        beside = dataclasses.replace(robot, b=b, p=p)
+        motion = random_motion(rng, robot)
+        assert exact_determinant(beside, motion.R, motion.t) != 0
+
+
+def test_no_kernel_of_the_sweep_answers_for_a_singular_machine() -> None:
+    assert answers_of_singular_machines(1_200) == []
+
+
+@pytest.mark.slow
+def test_no_kernel_of_the_sweep_answers_for_many_singular_machines() -> None:
+    assert answers_of_singular_machines(share(100_000)) == []
+
+
+@pytest.mark.parametrize("family", FAMILIES)
+def test_no_backend_answers_for_a_singular_machine(family: str) -> None:
+    assert backends_that_answer(family, machines=2, poses=40) == {}
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("family", FAMILIES)
+def test_no_backend_answers_for_many_singular_machines(family: str) -> None:
+    assert backends_that_answer(family, machines=20, poses=share(100_000) // 20 // len(FAMILIES)) == {}
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_a_quarter_of_the_limit_of_a_small_pivot_would_find_singular_machines(
+    precision: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert answered_with_limit(monkeypatch, precision, 0.25, machines=1) == 0
+    assert answered_with_limit(monkeypatch, precision, 0.0, machines=1) > 0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("precision", PRECISIONS)
+def test_a_quarter_of_the_limit_of_a_small_pivot_would_find_many_singular_machines(
+    precision: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert answered_with_limit(monkeypatch, precision, 0.25, machines=share(60, 5)) == 0
+
+
+def answered_with_limit(
+    monkeypatch: pytest.MonkeyPatch, precision: str, factor: float, machines: int, poses: int = 20
+) -> int:
+    """Poses of so many machines of each family that the force kernel answers with another pivot limit."""
+    defines: dict[str, str | int] = {
+        "STEWART_SUSPECT": f"((stewart_real){factor * constants(precision)['SUSPECT']!r})"
+    }
+    if precision == "float":
+        defines["STEWART_FLOAT"] = 1
+
+    def function(name: str, _: str, what: str) -> Any:
+        library = native.load(f"stewart_{name}_limit", c_sources(f"{name}_forces"), defines=defines)
+        return getattr(library, f"stewart_{name}_{what}")
+
+    monkeypatch.setattr(force_kernels, "_function", function)
+    rng = np.random.default_rng(41)
+    answered = 0
+    for number in range(machines):
+        for family in FAMILIES:
+            robot = singular_machine(rng, family, *_size_and_mass(rng, number), LEGS[number % len(LEGS)])
+            motion = joined([random_motion(rng, robot) for _ in range(poses)])
+            status = ss.prepare(robot, "exact", precision).forces_and_status(motion)[1]  # type: ignore[arg-type]
+            answered += int(np.sum(status == OK))
+    return answered
+
+
+def answers_of_singular_machines(cases: int) -> list[str]:
+    """Kernels, precisions and counts of answers with status ok."""
+    found = sweep(cases, seed=23, kinds=(judge.MACHINE,))
+    assert {count.kernel for count in found.counts} == {*judge.KERNELS, "joint inertia", "derivatives"}
+    return [
+        f"{count.kernel}, {count.precision}: {count.answered}" for count in found.counts if count.answered
+    ]
+
+
+def backends_that_answer(family: str, machines: int, poses: int) -> dict[str, int]:
+    """Answers with status ok by kernel and backend; none is right."""
+    rng = np.random.default_rng(24)
+    found: dict[str, int] = {}
+    for number in range(machines):
+        robot = singular_machine(rng, family, *_size_and_mass(rng, number), legs=LEGS[number % len(LEGS)])
+        motion = joined([random_motion(rng, robot) for _ in range(poses)])
+        for name, status in statuses(robot, motion):
+            found[name] = found.get(name, 0) + int(np.sum(status == OK))
+    return {name: count for name, count in found.items() if count}
+
+
+def statuses(robot: ss.Robot, motion: ss.Motion) -> list[tuple[str, NDArray[Any]]]:
+    """Every way to what solves with H, and its statuses."""
+    found = []
+    quiet: Any = {"on_singular": "nan"}
+    for backend in ("c", "numpy", "reference"):
+        for formulation in ("exact", "paper"):
+            call: Any = {"formulation": formulation, "backend": backend, **quiet}
+            name = f"{backend}, {formulation}"
+            found.append((f"inverse_dynamics, {name}", ss.inverse_dynamics(robot, motion, **call).status))
+            found.append((f"joint_reactions, {name}", ss.joint_reactions(robot, motion, **call).status))
+        inertia = ss.joint_space_inertia(robot, motion, backend=backend, **quiet)
+        found.append((f"joint_space_inertia, {backend}", _given(inertia)))
+    for backend in ("c", "numpy"):
+        derivatives = ss.force_derivatives(robot, motion, backend=backend, **quiet)
+        found.append((f"force_derivatives, {backend}", derivatives.status))
+    for precision in PRECISIONS:
+        for formulation in ("exact", "paper"):
+            kernel = ss.prepare(robot, formulation, precision)
+            found.append((f"forces, {precision}, {formulation}", kernel.forces_and_status(motion)[1]))
+        bounds = ss.forces_with_bounds(robot, motion, precision, on_singular="nan")
+        found.append((f"forces_with_bounds, {precision}", bounds.status))
+        found.append(
+            (f"scalar, {precision}", prepared(robot, precision=precision).forces_and_status(motion)[1])
+        )
+    return found
+
+
+# --- good poses ---------------------------------------------------------------------------------
+
+
+def test_good_poses_are_answered() -> None:
+    assert good_poses_rejected(1_000) == {}
+
+
+@pytest.mark.slow
+def test_a_million_good_poses_are_answered() -> None:
+    assert good_poses_rejected(share(1_000_000, 50)) == {}
+
+
+def good_poses_rejected(cases: int) -> dict[tuple[str, str], int]:
+    """Statuses by kernel and precision on poses up to the condition number where they must have an answer."""
+    each = min(500, cases // 20)
+    numbers, sizes = random_machines(np.random.default_rng(25), -(-cases // each), LEGS, False)
+    found: dict[tuple[str, str], int] = {}
+    for precision in PRECISIONS:
+        forces = judge.judge_random("singular", numbers, sizes, each, 26, precision, samples=0)
+        good = np.maximum(condition_of(forces), forces["frames"]) < GOOD[precision]
+        good &= (forces["made"] == 1) & (forces["truth"] == OK)
+        assert good.sum() > 0.25 * cases
+        closed = judge.closed_form_errors(
+            "singular", numbers, sizes, max(1, each // 20), 26, precision, 0, ("joint_inertia", "derivatives")
+        )
+        fine = np.maximum(closed["scaled"], closed["frames"]) < GOOD[precision]
+        for column, name in enumerate(judge.KERNELS):
+            found[name, precision] = int(np.sum(good & (forces["status"][:, column] != OK)))
+        for column in (3, 4):
+            of_kernel = fine & (closed["made"] == 1) & (closed["truth"][:, column] == OK)
+            status = closed["status"][:, column]
+            found[judge.CLOSED_KERNELS[column], precision] = int(np.sum(of_kernel & (status != OK)))
+    return {name: count for name, count in found.items() if count}
+
+
+@pytest.mark.parametrize("backend", ["numpy", "reference"])
+def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
+    numbers, sizes, robots = machines_of(27, 12)
+    found = judge.judge_random("singular", numbers, sizes, 40, 28, samples=0)
+    good = np.maximum(condition_of(found), found["frames"]) < GOOD["double"]
+    for index in np.flatnonzero(good & (found["made"] == 1)):
+        robot, motion = case("singular", numbers, sizes, robots, 40, 28, int(index))
+        status = ss.inverse_dynamics(robot, motion, backend=backend, on_singular="nan").status
+        assert status == OK, (index, condition_of(found)[index])
+
+
+# --- near joint singularities, and out of proportion ----------------------------------------------
+
+
+@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize("kind", [*NEAR_JOINT, "proportions"])
+def test_every_kernel_is_as_good_as_its_problem_allows(kind: str, precision: str) -> None:
+    assert beyond(kind, precision, 60) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("precision", PRECISIONS)
+@pytest.mark.parametrize(
+    ("kind", "cases"), [*((kind, 3_400) for kind in NEAR_JOINT), ("proportions", 10_000)]
+)
+def test_every_kernel_is_as_good_as_its_problem_allows_in_many_cases(
+    kind: str, cases: int, precision: str
+) -> None:
+    assert beyond(kind, precision, share(cases)) == []
+
+
+def beyond(kind: str, precision: str, cases: int) -> list[str]:
+    """Kernels that err by more than ``WITHIN``, or reject a good pose: the worst case of each in a line."""
+    seed, each = 29, PER_MACHINE
+    numbers, sizes = random_machines(np.random.default_rng(seed), -(-cases // each), LEGS, False)
+    forces = judge.judge_random(kind, numbers, sizes, each, seed, precision, 8, WITHIN)
+    closed = judge.closed_form_errors(
+        kind, numbers, sizes, each, seed, precision, samples=8, in_quad=True, doubtful=WITHIN
+    )
+    good = np.maximum(closed["scaled"], closed["frames"]) < GOOD[precision]
+    lines = []
+    for column, kernel in enumerate((*judge.KERNELS, *judge.CLOSED_KERNELS)):
+        of_forces = column < len(judge.KERNELS)
+        place = column if of_forces else column - len(judge.KERNELS)
+        status = (forces if of_forces else closed)["status"][:, place]
+        truth = forces["truth"] if of_forces else closed["truth"][:, place]
+        ratio = forces["error"][:, place] / condition_of(forces) if of_forces else closed["error"][:, place]
+        ratio = np.where(status == OK, np.where(ratio >= 0.0, ratio, np.inf), 0.0)
+        rejected = (closed["made"] == 1) & (status != OK) & (truth == OK) & good
+        worst = int(np.argmax(ratio))
+        block = "" if of_forces else f" ({list(judge.BLOCKS)[closed['block'][worst, place]]})"
+        if ratio[worst] > WITHIN:
+            lines.append(
+                f"{kernel}{block}: {int(np.sum(ratio > WITHIN))} of {len(ratio)} beyond, worst "
+                f"{ratio[worst]:.3g} at distance {closed['distance'][worst]:.2g}, case {worst}"
+            )
+        if rejected.any():
+            lines.append(
+                f"{kernel}: {rejected.sum()} good poses rejected, first {np.flatnonzero(rejected)[0]}"
+            )
+    return lines
+
+
+@pytest.mark.parametrize("kind", [*NEAR_JOINT, "proportions"])
+def test_numpy_is_as_good_as_its_problem_allows(kind: str) -> None:
+    numbers, sizes, robots = machines_of(31, 6)
+    worst: dict[str, float] = {}
+    for index in range(len(robots) * 4):
+        robot, motion = case(kind, numbers, sizes, robots, 4, 32, index)
+        F = robot.M * 9.81 * np.random.default_rng(index).normal(size=6)
+        high, low, change, status = wider(robot, motion, F)
+        length = ss.characteristic_length(robot)
+        scaled = (
+            ss.scaled_condition_number(high[BLOCK_H].reshape(6, 6), length) if kind == "proportions" else 1.0
+        )
+        flat, codes = numpy_outputs(robot, motion, F)
+        for name, part in judge.BLOCKS.items():
+            kernel = part[0]
+            if codes[kernel] == OK and status[kernel] == OK:
+                error = block_error(part, length, scaled, flat, high, low, change)
+                if error > WITHIN:
+                    change = wider(robot, motion, F, samples=-1)[2]
+                    error = block_error(part, length, scaled, flat, high, low, change)
+                worst[name] = max(worst.get(name, 0.0), error)
+    assert worst.keys() == judge.BLOCKS.keys()
+    assert {name: ratio for name, ratio in worst.items() if ratio > WITHIN} == {}
+
+
+# --- the truth itself -----------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("kind", [*NEAR_JOINT, "proportions"])
+def test_wider_arithmetic_agrees_with_fifty_digits_of_the_derived_equations(kind: str) -> None:
+    numbers, sizes, robots = machines_of(33, 3)
+    for index in range(3):
+        robot, motion = case(kind, numbers, sizes, robots, 1, 34, index)
+        # Exact numbers: the derived equations take k for a unit vector and R for a rotation, which a heavy
+        # leg feels.
+        motion = dataclasses.replace(motion, R=np.eye(3)) if kind == "heavy leg" else motion
+        robot = (
+            dataclasses.replace(robot, k=np.eye(3)[[0, 1, 1, 0, 0, 1]]) if kind == "proportions" else robot
+        )
+        F = robot.M * 9.81 * np.random.default_rng(index).normal(size=6)
+        high, low, change, status = wider(robot, motion, F)
+        if status.any():
+            continue
+        for name, truth in fifty_digits(robot, motion, F).items():
+            part = judge.BLOCKS[name]
+            error = block_error(part, ss.characteristic_length(robot), 1.0, truth, high, low, change)
+            # In units of 2e-16, and R and k are what they should be to such a unit.
+            assert error < 2.0, (name, index)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("kind", [*NEAR_JOINT, "proportions"])
+def test_wider_arithmetic_agrees_with_differences_of_the_derived_equations(kind: str) -> None:
+    numbers, sizes, robots = machines_of(35, 3)
+    for index in range(3):
+        robot, motion = case(kind, numbers, sizes, robots, 1, 36, index)
+        F = robot.M * 9.81 * np.random.default_rng(index).normal(size=6)
+        high, low, change, status = wider(robot, motion, F)
+        if status.any():
+            continue
+        # M cancels to the square of the sine, and differences need digits of their own.
+        with digits.workdps(150):
+            slopes = differentiated(robot, motion, F)
+        for name, truth in slopes.items():
+            part = judge.BLOCKS[name]
+            error = block_error(part, ss.characteristic_length(robot), 1.0, truth, high, low, change)
+            assert error < 2.0, (name, index)
+
+
+def differentiated(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Any]:
+    """Derivatives of the forces, and of the acceleration under given forces, by pose and by twist."""
+    found = fifty_digits(robot, motion, F)
+    moving = digits.matrix([*motion.a.tolist(), *motion.alpha.tolist()])
+    slopes = dict(zip(("by_pose", "by_twist"), differences(robot, motion, moving), strict=True))
+    held = differences(robot, motion, found["forward dynamics"])
+    back = -(found["by_acceleration"] ** -1)
+    return slopes | dict(zip(("A by pose", "A by twist"), (back * each for each in held), strict=True))
+
+
+def differences(robot: ss.Robot, motion: ss.Motion, acceleration: Any) -> list[Any]:
+    """Derivatives of the forces by pose and by twist, central differences."""
+    truth, step = Truth(robot), digits.mpf("1e-50")
+    given = {name: np.vectorize(digits.mpf, otypes=[object])(getattr(motion, name)) for name in MOTION}
+    given |= {"a": np.array(list(acceleration)[:3]), "alpha": np.array(list(acceleration)[3:])}
+
+    def moved(name: str, axis: int, by: Any) -> Any:
+        values = given[name].copy()
+        if name == "R":
+            N = np.cross(np.eye(3)[axis], np.eye(3)).T.astype(int).astype(object)
+            values = values + by * (N @ values) + by * by / 2 * (N @ (N @ values))
+        else:
+            values[axis] += by
+        return digits.matrix(list(truth._pose(given | {name: values})))
+
+    found = []
+    for names in (("t", "R"), ("v", "omega")):
+        slopes = digits.matrix(6, 6)
+        for column in range(6):
+            name, axis = names[column // 3], column % 3
+            slopes[:, column] = (moved(name, axis, step) - moved(name, axis, -step)) / (2 * step)
+        found.append(slopes)
+    return found
+
+
+def fifty_digits(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Array]:
+    """M, bias, acceleration, joint inertia and forces by linearity in the accelerations, in 50 digits."""
+    truth, none = Truth(robot), np.zeros(3)
+    H = columns_of_fifty_digits(robot, motion)
+
+    def wrench(a: Array, F_ext: Array = none, M_ext: Array = none) -> Any:
+        moving = dataclasses.replace(motion, a=a[:3], alpha=a[3:], F_ext=F_ext, M_ext=M_ext)
+        return H * digits.matrix(list(truth.forces(moving)))
+
+    zero = np.zeros(6)
+    bias = wrench(zero)
+    M = digits.matrix(6, 6)
+    for j, unit in enumerate(np.eye(6)):
+        M[:, j] = wrench(unit) - bias
+    loaded_bias = wrench(zero, motion.F_ext, motion.M_ext)
+    acceleration = digits.lu_solve(M, H * digits.matrix(F.tolist()) - loaded_bias)
+    inverse = H**-1
+    moving = digits.matrix([*motion.a.tolist(), *motion.alpha.tolist()])
+    return {
+        "M": M,
+        "H": H,
+        "bias": bias,
+        "forward dynamics": acceleration,
+        "joint inertia": inverse * M * inverse.T,
+        "F": inverse * (M * moving + loaded_bias),
+        "by_acceleration": inverse * M,
+        "B": M**-1 * H,
+    }
+
+
+def columns_of_fifty_digits(robot: ss.Robot, motion: ss.Motion) -> Any:
+    """H at 50 digits, moments about the reference point."""
+    R, t, b, p = (digits.matrix(array.tolist()) for array in (motion.R, motion.t, robot.b, robot.p))
+    H = digits.matrix(6, 6)
+    for leg in range(6):
+        q = R * p[leg, :].T
+        S = q + t - b[leg, :].T
+        s = S / digits.sqrt(sum(x * x for x in S))
+        H[:3, leg] = s
+        for i in range(3):
+            j, k = (i + 1) % 3, (i + 2) % 3
+            H[3 + i, leg] = q[j] * s[k] - q[k] * s[j]
+    return H
+
+
+# --- helpers ----------------------------------------------------------------------------------------
+
+BLOCK_H = slice(judge.BLOCKS["H"][1], judge.BLOCKS["H"][1] + 36)
+
+
+def machines_of(seed: int, count: int) -> tuple[Array, Array, list[ss.Robot]]:
+    """Numbers, sizes and the machines of one metre that they belong to, whose numbers change case by case."""
+    rng = np.random.default_rng(seed)
+    robots = [random_machine(rng, legs=LEGS[number % len(LEGS)]) for number in range(count)]
+    return np.array([robot_numbers(robot) for robot in robots]), np.ones(count), robots
+
+
+def case(
+    kind: str, numbers: Array, sizes: Array, robots: list[ss.Robot], each: int, seed: int, index: int
+) -> tuple[ss.Robot, ss.Motion]:
+    """The machine and the motion of a random case."""
+    found, pose = judge.random_case(kind, numbers, sizes, each, seed, index)
+    return robot_of(robots[index // each], found), motion_of(pose)
+
+
+def robot_of(robot: ss.Robot, numbers: Array) -> ss.Robot:
+    """A machine with the numbers of the C structure."""
+    legs = numbers[:192].reshape(6, 32)
+    upper = np.triu_indices(3)
+
+    def tensor(six: Array) -> Array:
+        full = np.zeros((*six.shape[:-1], 3, 3))
+        full[..., upper[0], upper[1]] = six
+        full[..., upper[1], upper[0]] = six
+        return full
+
+    changed = dataclasses.replace(
+        robot,
+        b=legs[:, 0:3],
+        p=legs[:, 3:6],
+        k=legs[:, 6:9],
+        m_d=legs[:, 9],
+        I_d0=tensor(legs[:, 13:19]),
+        m_u=legs[:, 19],
+        I_u0=tensor(legs[:, 23:29]),
+        R_0=numbers[193:196],
+        I_p=tensor(numbers[196:202]),
+    )
+    np.testing.assert_allclose(robot_numbers(changed), numbers, rtol=1e-15)
+    return changed
+
+
+def motion_of(numbers: Array) -> ss.Motion:
+    """The motion of shape () with the numbers of the C structure."""
+    parts = np.split(numbers, np.cumsum([9, *[3] * 6]))
+    return ss.Motion(parts[0].reshape(3, 3), *parts[1:])
+
+
+def joined(motions: list[ss.Motion]) -> ss.Motion:
+    """One motion of shape (n,); one pose in three has no rotation."""
+    arrays = {name: np.stack([np.asarray(getattr(motion, name)) for motion in motions]) for name in MOTION}
+    arrays["R"][::3] = np.eye(3)
+    return ss.Motion(**arrays)
+
+
+def wider(
+    robot: ss.Robot, motion: ss.Motion, F: Array, samples: int = 8
+) -> tuple[Array, Array, Array, NDArray[np.int32]]:
+    """Outputs of the closed form's kernels in quadruple precision, high + low, their change and statuses."""
+    high, low, change = np.zeros((3, OUTPUT_NUMBERS))
+    status = np.zeros(len(judge.CLOSED_KERNELS), dtype=np.int32)
+    numbers, pose = robot_numbers(robot), judge.motion_numbers(motion)
+    judge._library().quad_closed_form(
+        *(address(np.ascontiguousarray(array)) for array in (numbers, pose, F)),
+        ctypes.c_int(2 ** len(status) - 1),
+        ctypes.c_double(1e-20),
+        ctypes.c_int(samples),
+        ctypes.c_uint64(1),
+        *(address(array) for array in (high, low, change, status)),
+    )
+    return high, low, change, status
+
+
+def numpy_outputs(robot: ss.Robot, motion: ss.Motion, F: Array) -> tuple[Array, list[int]]:
+    """The same numbers of the NumPy kernels, one output after the other, and their statuses."""
+    kernel = NumpyClosedForm(robot)
+    found = [
+        kernel.run(what, motion, F if what in ("forward_dynamics", "linearisation") else None)  # type: ignore[arg-type]
+        for what in OUTPUTS
+    ]
+    flat = [
+        np.ravel(each[name]) for each, names in zip(found, OUTPUTS.values(), strict=True) for name in names
+    ]
+    return np.concatenate(flat), [int(each["status"]) for each in found]
+
+
+OUTPUT_NUMBERS = sum(int(np.prod(shape)) for shapes in OUTPUTS.values() for shape in shapes.values())
+
+
+def block_error(
+    part: tuple[int, ...],
+    length: float,
+    scaled: float,
+    found: Any,
+    high: Array,
+    low: Array,
+    change: Array,
+) -> float:
+    """Error of a block in rounding units of its size times its condition number.
+
+    found: all outputs, or the block alone at 50 digits.
+    """
+    _, offset, rows, columns, stride, row, column = part
+    size = error = moved = 0.0
+    for i in range(rows):
+        for j in range(columns):
+            at = offset + i * stride + j
+            weight = length ** ((i % 6 > 2) * row + (j % 6 > 2) * column)
+            value = found[i, j] if isinstance(found, mpmath.matrix | digits.matrix) else found[at]
+            error = max(error, float(abs((digits.mpf(value) - high[at]) - low[at])) * weight)
+            size, moved = max(size, abs(high[at]) * weight), max(moved, change[at] * weight)
+    condition = max(moved / size if size else 1.0, scaled, 1.0)
+    return error / (np.finfo(np.float64).eps * size * condition) if error else 0.0
+
+
+def _given(values: Array) -> NDArray[np.int64]:
+    """A status made of NaN."""
+    return np.where(np.isfinite(values).all(axis=(-2, -1)), OK, 1)
+
+
+def _size_and_mass(rng: np.random.Generator, number: int) -> tuple[float, float]:
+    """One metre and ten kilograms, or anything."""
+    return (
+        (1.0, 10.0) if number % 2 else (float(10.0 ** rng.uniform(-3, 2)), float(10.0 ** rng.uniform(-3, 3)))
+    )

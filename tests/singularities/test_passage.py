@@ -1,0 +1,285 @@
+"""Crossings are located between samples, none is missed, and the forces' pole is what the forces do there."""
+
+import dataclasses
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from hexagon_machines import hexagons
+from machines import dasgupta, random_path, random_robot
+from mpmath import mp
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.singularities.along_path import crossings, force_pole, singularities_along
+
+Array = NDArray[np.float64]
+Path = Callable[[Array], ss.Motion]
+III = ss.PATHS["III"].path
+
+
+@pytest.fixture(scope="module")
+def root() -> float:
+    """Where Path III makes det H vanish, s, at 50 digits: (1)-(3), (36), (38)-(40) written out once more."""
+    with mp.workdps(50):
+        robot = dasgupta()
+        low, high = mp.mpf("3.6"), mp.mpf("3.7")
+        for _ in range(170):
+            middle = (low + high) / 2
+            low, high = (low, middle) if determinant(robot, middle) > 0 else (middle, high)
+        return float(low)
+
+
+def determinant(robot: ss.Robot, time: mp.mpf) -> mp.mpf:
+    """det H on Path III, where the position goes at constant speed and the angles may slow down."""
+    t = along(III.t0, III.t1, III.V, time)
+    theta = along(III.theta0, III.theta1, III.Omega, time)
+    (sx, sy, sz), (cx, cy, cz) = [[f(a) for a in theta] for f in (mp.sin, mp.cos)]
+    turns = [
+        [[1, 0, 0], [0, cx, -sx], [0, sx, cx]],
+        [[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]],
+        [[cz, -sz, 0], [sz, cz, 0], [0, 0, 1]],
+    ]
+    R = mp.matrix(turns[2]) * mp.matrix(turns[1]) * mp.matrix(turns[0])
+    H = mp.matrix(6, 6)
+    for leg in range(6):
+        q = R * mp.matrix(robot.p[leg].tolist())
+        S = [t[i] + q[i] - mp.mpf(float(robot.b[leg, i])) for i in range(3)]
+        s = [x / mp.sqrt(sum(y * y for y in S)) for x in S]
+        moment = [q[1] * s[2] - q[2] * s[1], q[2] * s[0] - q[0] * s[2], q[0] * s[1] - q[1] * s[0]]
+        for i in range(3):
+            H[i, leg], H[3 + i, leg] = s[i], moment[i]
+    return mp.det(H)
+
+
+def along(start: tuple[float, ...], end: tuple[float, ...], speed: float, time: mp.mpf) -> list[mp.mpf]:
+    first, last = [mp.mpf(x) for x in start], [mp.mpf(x) for x in end]
+    distance = mp.sqrt(sum((b - a) ** 2 for a, b in zip(first, last, strict=True)))
+    tau_f, V = mp.mpf(III.tau_f), mp.mpf(speed)
+    blend = tau_f - distance / V
+    assert time > blend
+    gone = V * (time - blend / 2)
+    if time > tau_f - blend:
+        gone = distance - V / blend * (tau_f - time) ** 2 / 2
+    return [a + (b - a) * gone / distance for a, b in zip(first, last, strict=True)]
+
+
+def reshaped(share: Callable[[Array], Array], rate: Callable[[Array], Array], second: float) -> Path:
+    """Path III run through at another pace: share gives its time, s, at each time."""
+
+    def path(times: Array) -> ss.Motion:
+        motion, pace = III.sample(share(times)), rate(times)[:, None]
+        assert motion.alpha is not None
+        assert motion.a is not None
+        return ss.Motion(
+            motion.R,
+            motion.t,
+            motion.omega * pace,
+            motion.v * pace,
+            motion.alpha * pace**2 + motion.omega * second,
+            motion.a * pace**2 + motion.v * second,
+        )
+
+    return path
+
+
+def there_and_back(root: float, depth: float) -> Path:
+    """Crosses at -+sqrt(depth) s for depth > 0, turns back before the singular pose for depth < 0."""
+    return reshaped(lambda times: root + 0.3 * (times**2 - depth), lambda times: 0.6 * times, 0.6)
+
+
+def test_the_crossing_of_path_iii_is_located_to_a_nanosecond(root: float) -> None:
+    for times in (III.breaks(), III.times(0.1), [0.0, 6.0], [3.6, 3.7], np.linspace(0.0, 6.0, 6001)):
+        (found,) = crossings(dasgupta(), III.sample, times)
+        assert abs(found.time - root) <= min(1e-9, 10 * found.uncertainty)
+        assert found.uncertainty < 1e-11
+        assert (found.before, found.after) == (-1, 1)
+        assert found.at.lost == 1
+
+
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_forces_go_to_one_infinity_before_and_to_the_other_after(root: float, formulation: str) -> None:
+    robot = dasgupta()
+    (found,) = crossings(robot, III.sample, III.breaks())
+    A = force_pole(robot, III.sample(found.time), formulation)  # type: ignore[arg-type]
+    for distance in (1e-3, 1e-5, 1e-7):
+        times = root + np.array([-distance, distance])
+        before, after = ss.inverse_dynamics(robot, III.sample(times), formulation).F  # type: ignore[arg-type]
+        assert (np.sign(before) == -np.sign(A)).all()
+        assert (np.sign(after) == np.sign(A)).all()
+        np.testing.assert_allclose(before, -A / distance, rtol=10 * distance + 1e-4)
+        np.testing.assert_allclose(after, A / distance, rtol=10 * distance + 1e-4)
+    leg = int(np.argmax(np.abs(before)))
+    assert before[leg] * after[leg] < 0.0
+    assert abs(before[leg]) > 1e11
+
+
+def test_forces_need_known_options_and_accelerations() -> None:
+    motion = III.sample(1.0)
+    with pytest.raises(ValueError, match=r'^formulation: expected "exact" or "paper", got "?\'?printed'):
+        force_pole(dasgupta(), motion, "printed")  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match=r"^motion: expected accelerations"):
+        force_pole(dasgupta(), ss.Motion(motion.R, motion.t, motion.omega, motion.v))
+
+
+@pytest.mark.parametrize("half", [0.5, 1e-2, 1e-3, 1e-4])
+def test_two_crossings_between_two_samples_are_both_found(root: float, half: float) -> None:
+    path = there_and_back(root, half**2)
+    found = crossings(dasgupta(), path, [-0.9, 1.1])
+    np.testing.assert_allclose([item.time for item in found], [-half, half], atol=1e-12 / half + 1e-12)
+    assert [(item.before, item.after) for item in found] == [(1, -1), (-1, 1)]
+
+
+def test_many_crossings_between_two_samples_are_all_found(root: float) -> None:
+    w = 40.0
+
+    def path(times: Array) -> ss.Motion:
+        motion, zero = III.sample(root + 0.3 * np.sin(w * times)), np.zeros((len(times), 3))
+        pace = 0.3 * w * np.cos(w * times)[:, None]
+        return ss.Motion(motion.R, motion.t, motion.omega * pace, motion.v * pace, zero, zero)
+
+    expected = np.pi * np.arange(1, 13) / w
+    for times in ([0.01, 1.0], np.linspace(0.01, 1.0, 17), np.linspace(0.01, 1.0, 4001)):
+        found = crossings(dasgupta(), path, times)
+        np.testing.assert_allclose([item.time for item in found], expected, atol=1e-12)
+
+
+def test_a_sample_on_the_singular_pose_is_one_crossing(root: float) -> None:
+    for times in ([3.0, root, 4.0], [3.0, np.nextafter(root, 4.0), 4.0]):
+        (found,) = crossings(dasgupta(), III.sample, times)
+        assert abs(found.time - root) <= 1e-11
+
+
+@pytest.mark.parametrize("depth", [0.1, 1e-3, 1e-6])
+def test_a_path_that_only_comes_near_reports_its_nearest_approach(root: float, depth: float) -> None:
+    robot, path = dasgupta(), there_and_back(root, -depth)
+    for times in ([-0.9, 1.1], np.linspace(-0.9, 1.1, 12), np.linspace(-0.9, 1.1, 2001)):
+        found = singularities_along(robot, path, times)
+        assert found.crossings == ()
+        (approach,) = found.approaches
+        assert approach is found.nearest
+        assert abs(approach.time) < 1e-6
+        least = float(ss.singularity(robot, path(np.zeros(1))[0]).smallest)
+        assert float(approach.at.smallest) == pytest.approx(least, rel=1e-6)
+        assert float(approach.at.determinant) > 0.0
+
+
+def test_a_path_nearest_at_its_end_says_so() -> None:
+    found = singularities_along(dasgupta(), ss.PATHS["I"].path.sample, ss.PATHS["I"].path.breaks())
+    assert (found.crossings, found.approaches, found.nearest.time) == ((), (), 6.0)
+
+
+def test_minima_of_random_paths_are_those_of_dense_samples() -> None:
+    for seed in range(3):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng)
+        path, period = random_path(rng, robot), 1.0
+        times = np.linspace(0.0, period, 4001)
+        dense = ss.singularity(robot, path(times)).smallest
+        inner = np.flatnonzero((dense[1:-1] < dense[:-2]) & (dense[1:-1] < dense[2:])) + 1
+        for given in ([0.0, period], np.linspace(0.0, period, 9), np.linspace(0.0, period, 501)):
+            found = singularities_along(robot, path, given)
+            np.testing.assert_allclose(
+                [approach.time for approach in found.approaches], times[inner], atol=period / 4000
+            )
+
+
+def test_a_path_along_singular_poses_is_a_span_and_no_crossing() -> None:
+    robot, R = hexagons(np.pi / 2)
+    up, zero = np.array([0.0, 0.0, 0.1]), np.zeros(3)
+
+    def path(times: Array) -> ss.Motion:
+        t = [0.0, 0.0, 1.0] + times[:, None] * up
+        return ss.Motion(np.broadcast_to(R, (len(times), 3, 3)), t, zero, up, zero, zero)
+
+    found = singularities_along(robot, path, [0.0, 1.0, 2.0])
+    assert found.crossings == ()
+    assert found.approaches == ()
+    assert found.spans == ((0.0, 2.0),)
+    assert found.nearest.at.lost == 1
+
+
+def test_a_turn_of_similar_hexagons_crosses_at_90_degrees() -> None:
+    robot, _ = hexagons(1.0)
+    spin, zero = np.array([0.0, 0.0, 1.0]), np.zeros(3)
+
+    def path(times: Array) -> ss.Motion:
+        return ss.Motion.from_rpy([0.0, 0.0, 1.0], times[:, None] * spin, zero, spin, zero, zero)
+
+    found = crossings(robot, path, [-3.0, 3.0])
+    np.testing.assert_allclose([item.time for item in found], [-np.pi / 2, np.pi / 2], atol=1e-12)
+
+
+def test_a_leg_that_passes_through_length_zero_is_no_crossing() -> None:
+    """Its direction turns round, and with it the sign of det H, but no freedom is lost there."""
+    robot, v, zero = dasgupta(), np.array([0.3, 0.1, 0.7]), np.zeros(3)
+    start = robot.b[2] - robot.p[2]
+
+    def path(times: Array) -> ss.Motion:
+        return ss.Motion(np.eye(3), start + times[:, None] * v, zero, v, zero, zero)
+
+    for times in ([-0.5, 0.3], [-0.5, 0.0, 0.3]):
+        found = singularities_along(robot, path, times)
+        assert found.crossings == ()
+        assert abs(found.shortest.time[2]) < 1e-7
+        assert found.shortest.value[2] < 1e-7
+
+
+def test_a_path_at_rest_has_no_minima() -> None:
+    def path(times: Array) -> ss.Motion:
+        return ss.Motion(np.eye(3), np.tile([0.1, 0.0, 0.5], (len(times), 1)), *np.zeros((4, 3)))
+
+    found = singularities_along(dasgupta(), path, [0.0, 1.0, 2.0])
+    assert (found.crossings, found.approaches, found.spans) == ((), (), ())
+
+
+def test_leg_extremes_are_those_of_dense_samples() -> None:
+    rng = np.random.default_rng(3)
+    robot = random_robot(rng)
+    path = random_path(rng, robot)
+    found = singularities_along(robot, path, np.linspace(0.0, 1.0, 7))
+    legs = ss.inverse_kinematics(robot, path(np.linspace(0.0, 1.0, 20001)))
+    sine = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
+    for extreme, expected in (
+        (found.shortest, legs.L.min(axis=0)),
+        (found.longest, legs.L.max(axis=0)),
+        (found.pole, sine.min(axis=0)),
+    ):
+        np.testing.assert_allclose(extreme.value, expected, rtol=1e-6)
+    at = [ss.inverse_kinematics(robot, path(found.shortest.time[[leg]])).L[0, leg] for leg in range(6)]
+    np.testing.assert_array_equal(found.shortest.value, at)
+    assert (singularities_along(random_robot(rng, "spherical"), path, [0.0, 0.1]).pole.value == 1.0).all()
+
+
+def test_a_leg_through_its_universal_pole_is_found_between_samples() -> None:
+    robot, v, zero = dasgupta(), np.array([0.05, 0.02, 0.1]), np.zeros(3)
+    start = np.array([0.1, 0.0, 0.5])
+    axes = robot.k.copy()
+    axes[4] = robot.p[4] + start + 0.123 * v - robot.b[4]
+    robot = dataclasses.replace(robot, k=axes)
+
+    def path(times: Array) -> ss.Motion:
+        return ss.Motion(np.eye(3), start + times[:, None] * v, zero, v, zero, zero)
+
+    pole = singularities_along(robot, path, [0.0, 1.0]).pole
+    assert pole.time[4] == pytest.approx(0.123, abs=1e-6)
+    assert pole.value[4] < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        ((None, III.sample, [0, 1]), "robot: expected a Robot, got NoneType"),
+        ((dasgupta(), III, [0, 1]), "path: expected a function of times, got StraightLinePath"),
+        ((dasgupta(), III.sample, [0]), "times: expected at least two finite times, increasing"),
+        ((dasgupta(), III.sample, [1, 1]), "times: expected at least two finite times, increasing"),
+        ((dasgupta(), III.sample, [0, np.nan]), "times: expected at least two finite times, increasing"),
+        ((dasgupta(), III.sample, "a"), "times: expected increasing times"),
+        ((dasgupta(), lambda times: times, [0, 1]), "path: expected a Motion, got ndarray"),
+        ((dasgupta(), lambda times: III.sample(1.0), [0, 1]), r"path: expected a motion of shape \(n,\)"),
+    ],
+)
+def test_bad_arguments_are_one_line(arguments: tuple[object, ...], text: str) -> None:
+    for function in (crossings, singularities_along):
+        with pytest.raises(ValueError, match=rf"\A{text}.*\Z"):
+            function(*arguments)  # type: ignore[arg-type]

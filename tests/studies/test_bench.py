@@ -1,0 +1,638 @@
+"""`bench`: everybody takes part and computes the same forces, and figures are what they say. No timing."""
+
+import dataclasses
+import itertools
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+from types import ModuleType
+from typing import Any
+
+import matplotlib.image
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.backend.kernel import c_sources, module
+from stewart_sym.cli.main import main
+from stewart_sym.dynamics import forces
+from stewart_sym.generated.interface import MODELS
+from stewart_sym.io.extras import EXTRAS, install
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
+from stewart_sym.studies.benchmark.figures import FORWARD, MOST
+from stewart_sym.studies.benchmark.peers import CASADI, JAX, PEERS, Contestant, Poses, Runner, multiply_add
+from stewart_sym.studies.benchmark.peers_constraints import engines
+from stewart_sym.studies.benchmark.peers_pinocchio import PinocchioMachine
+from stewart_sym.studies.benchmark.peers_tree import tensors_of_bodies, tree
+from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
+from stewart_sym.studies.common import host, timing
+
+Array = NDArray[np.float64]
+
+CONTESTANTS = (*bench.OURS, *bench.CALLS, *PEERS)
+TENSORS = ("I_p", "I_d0", "I_u0")
+FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
+
+
+@dataclasses.dataclass(frozen=True)
+class Pass:
+    """As ``stewart_sym.derive.passes`` hands them out."""
+
+    name: str
+    meaning: str
+    operations: tuple[int, int]
+    sources: dict[str, str]
+    model_numbers: int
+
+
+def padded(numbers: int) -> dict[str, str]:
+    """The forces' C with so many numbers more in front of the prepared model."""
+    sources = c_sources("exact_forces")
+    header, start = "stewart_exact_forces.h", "typedef struct {\n"
+    assert start in sources[header]
+    sources[header] = sources[header].replace(start, f"{start}    stewart_real padding[{numbers}];\n")
+    code, made = "stewart_exact_forces.c", "    stewart_exact_model made;\n"
+    assert made in sources[code]
+    sources[code] = sources[code].replace(made, made.replace("    ", "    static ", 1))
+    return sources
+
+
+def some_passes() -> tuple[Pass, ...]:
+    """Two passes whose models differ; deriving the real ones takes too long here."""
+    numbers = MODELS["exact"]
+    return (
+        Pass("as derived", "steps as stated", (30, 40), padded(1_000), numbers + 1_000),
+        Pass("folded", "constants prepared", (10, 20), c_sources("exact_forces"), numbers),
+    )
+
+
+def shorten(patch: pytest.MonkeyPatch) -> None:
+    """Samples so short that the figures mean nothing."""
+    derived = ModuleType("stewart_sym.derive.passes")
+    derived.passes = some_passes  # type: ignore[attr-defined]
+    patch.setitem(sys.modules, derived.__name__, derived)
+    patch.setattr(bench, "QUICK_COMPILATIONS", 1)
+    patch.setattr(timing, "SHORTEST", 1e-5)
+    patch.setattr(bench, "time_source", lambda: {})
+    patch.setattr(bench, "QUICK_ROUNDS", 3)
+    patch.setattr(bench, "QUICK_SIZES", (8, 64))
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    shorten(monkeypatch)
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, bench.Benchmark]:
+    """What the command wrote of a robot file, and what it had measured."""
+    folder = tmp_path_factory.mktemp("bench")
+    source = Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
+    file = folder / "mine.toml"
+    file.write_text(source.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
+    measured: list[bench.Benchmark] = []
+    plain = bench.bench
+
+    def keeping(*arguments: Any) -> bench.Benchmark:
+        measured.append(plain(*arguments))
+        return measured[-1]
+
+    with pytest.MonkeyPatch.context() as patch:
+        shorten(patch)
+        patch.setattr(bench, "bench", keeping)
+        assert main(["bench", "--quick", "--robot", str(file), "-o", str(folder / "new")]) == 0
+    (found,) = measured
+    return folder / "new", found
+
+
+@pytest.fixture(scope="module")
+def written(run: tuple[Path, bench.Benchmark]) -> Path:
+    """What the command wrote."""
+    return run[0]
+
+
+@pytest.fixture(scope="module")
+def reduced() -> bench.Benchmark:
+    """A run on the paper's machine without passes, text and batches that fit, disturbed throughout."""
+    at = itertools.count(0.0, 1e6)
+    with pytest.MonkeyPatch.context() as patch:
+        shorten(patch)
+        patch.setattr(bench, "QUICK_SIZES", (8, 10**12))
+        patch.setattr(reductions, "stages", lambda _: ())
+        patch.setattr(compile_times, "text_size", lambda: None)
+        patch.setattr(host, "_work_of_others", lambda: next(at))
+        return bench.bench(quick=True)
+
+
+@pytest.fixture(scope="module")
+def figures(written: Path) -> dict[str, Any]:
+    """The JSON."""
+    found: dict[str, Any] = json.loads((written / "bench.json").read_text())
+    return found
+
+
+def poses_of(robot: Robot, motion: ss.Motion) -> Poses:
+    return Poses(robot, tuple(np.ascontiguousarray(getattr(motion, name)) for name in FIELDS))
+
+
+@pytest.fixture(scope="module")
+def stranger() -> Poses:
+    """Seventy moving, loaded poses of a machine that has nothing in common with the paper's."""
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng)
+    return poses_of(robot, random_motion(rng, robot, (70,)))
+
+
+def off(contestant: Contestant, share: float) -> Contestant:
+    """The contestant with forces wrong by a share of the largest."""
+
+    def make(poses: Poses) -> Runner:
+        runner = contestant.make(poses)
+        return Runner(runner.run, lambda: runner.F() + share * np.abs(runner.F()).max(), runner)
+
+    return dataclasses.replace(contestant, make=make)
+
+
+# what is compared
+
+
+@pytest.mark.parametrize("contestant", CONTESTANTS, ids=lambda contestant: contestant.name)
+def test_a_contestant_computes_the_forces_of_any_machine(contestant: Contestant, stranger: Poses) -> None:
+    runner = contestant.make(stranger)
+    runner.run(1)
+    F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
+    assert np.abs(runner.F() - F).max() <= contestant.tolerance * np.abs(F).max()
+
+
+@pytest.mark.slow
+def test_jax_computes_the_forces_of_any_machine(stranger: Poses) -> None:
+    test_a_contestant_computes_the_forces_of_any_machine(JAX, stranger)
+
+
+def test_a_full_run_without_jax_says_so_and_a_quick_one_needs_none(
+    monkeypatch: pytest.MonkeyPatch, stranger: Poses
+) -> None:
+    asked: list[tuple[str, ...]] = []
+
+    def none_of(*packages: str) -> tuple[str, ...]:
+        asked.append(packages)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(bench, "absent", none_of)
+    for quick in (True, False):
+        with pytest.raises(KeyboardInterrupt):
+            bench.bench(stranger.robot, quick=quick)
+    assert ["jax" in packages for packages in asked] == [False, True]
+    assert EXTRAS["jax"] == ("JAX", "bench")
+
+
+def test_pinocchio_computes_the_same_forces_with_friction_and_load(stranger: Poses) -> None:
+    F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
+    assert np.abs(PinocchioMachine(stranger.robot, stranger.motion).F() - F).max() <= 1e-10 * np.abs(F).max()
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("group", ["OURS", "CALLS", "PEERS"])
+def test_wrong_forces_stop_the_run_before_anything_is_timed(
+    group: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, *others = getattr(bench, group)
+    monkeypatch.setattr(bench, group, (off(first, 1e-9), *others))
+    monkeypatch.setattr(bench, "measured", None)
+    with pytest.raises(ValueError, match=f"^{re.escape(first.name)}: forces differ"):
+        bench.bench(quick=True)
+
+
+def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
+    rows, again = (bench.bench_poses(None, 500).rows for _ in range(2))
+    np.testing.assert_array_equal(rows, again)
+    assert all(len(np.unique(column)) == 500 for column in rows.T)
+
+
+def test_a_machine_without_universal_joints_is_refused() -> None:
+    robot = random_robot(np.random.default_rng(3), "spherical")
+    with pytest.raises(ValueError, match="expected universal base joints"):
+        bench.bench_poses(robot, 10)
+
+
+def test_a_machine_that_is_singular_everywhere_is_refused() -> None:
+    robot = dasgupta()
+    none = dataclasses.replace(robot, p=np.tile(robot.p[:1], (6, 1)))
+    with pytest.raises(ValueError, match="no regular poses"):
+        bench.bench_poses(none, 10)
+
+
+def test_fewer_poses_are_the_first_without_a_copy_and_more_come_round_again() -> None:
+    poses = bench.bench_poses(None, 10)
+    fewer, more = poses.resized(4), poses.resized(25)
+    assert all(map(np.shares_memory, fewer.arrays, poses.arrays))
+    np.testing.assert_array_equal(fewer.rows, poses.rows[:4])
+    np.testing.assert_array_equal(more.rows, poses.rows[np.arange(25) % 10])
+
+
+@pytest.mark.usefixtures("small")
+def test_every_pass_computes_the_forces_of_any_machine_from_its_own_model(stranger: Poses) -> None:
+    stages_compute_the_forces_of(stranger)
+
+
+@pytest.mark.slow
+def test_every_derived_pass_computes_the_forces_of_any_machine(stranger: Poses) -> None:
+    stages_compute_the_forces_of(stranger)
+
+
+def stages_compute_the_forces_of(stranger: Poses) -> None:
+    F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
+    for stage in reductions.stages():
+        for contestant in stage.contestants:
+            runner = contestant.make(stranger)
+            runner.run(1)
+            assert np.abs(runner.F() - F).max() <= contestant.tolerance * np.abs(F).max()
+
+
+@pytest.mark.usefixtures("small")
+@pytest.mark.parametrize("kind", ["one_pose", "batch"])
+def test_a_pass_with_wrong_forces_stops_the_run(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    first, *others = reductions.stages()
+    bad = dataclasses.replace(first, **{kind: off(getattr(first, kind), 1e-9)})
+    monkeypatch.setattr(reductions, "stages", lambda _: (bad, *others))
+    monkeypatch.setattr(bench, "measured", None)
+    with pytest.raises(ValueError, match=r"^as derived, .*: forces differ"):
+        bench.bench(quick=True)
+
+
+# equations of motion and their peers
+
+
+@pytest.mark.parametrize("seed", [7, 8])
+def test_all_of_the_second_group_agree_on_any_machine(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, friction=seed % 2 == 0)
+    group = equation_kernels.motion_group(poses_of(robot, random_motion(rng, robot, (20,))))
+    assert all(np.array_equal(getattr(group.robot, name), getattr(robot, name)) for name in TENSORS)
+    peers = [engine.name for engine in group.engines]
+    assert [*group.differences] == [*(each.name for each in equation_kernels.FUNCTIONS), *peers]
+    assert len(group.tasks) == len(equation_kernels.FUNCTIONS) + 2 * len(peers)
+    assert all(group.differences[name] < 1e-6 for name in peers)
+
+
+@pytest.mark.parametrize("number", [0, 1], ids=["Pinocchio", "MuJoCo"])
+@pytest.mark.parametrize("change", ["rates", "friction", "load", "gravity"])
+def test_a_peer_feels_rates_friction_load_and_gravity(number: int, change: str, stranger: Poses) -> None:
+    motion, none = stranger.motion[:2], np.zeros(6)
+    robot, zero = stranger.robot, np.zeros((2, 3))
+    F = ss.inverse_dynamics(robot, motion, backend="reference").F
+    changed = {
+        "rates": (robot, dataclasses.replace(motion, omega=zero, v=zero)),
+        "friction": (dataclasses.replace(robot, C_u=none, C_p=none, C_s=none), motion),
+        "load": (robot, dataclasses.replace(motion, F_ext=zero, M_ext=zero)),
+        "gravity": (dataclasses.replace(robot, g=np.zeros(3)), motion),
+    }
+    robot, other = changed[change]
+    a, alpha = ss.forward_dynamics(robot, other, F, backend="reference")
+    truth = np.concatenate([a, alpha], axis=-1)
+    found = engines(robot, tree(robot, other, F))[number].accelerations()
+    assert np.abs(found - truth).max() <= 1e-5 * np.abs(truth).max()
+    assert np.abs(truth - equation_kernels.acceleration(motion)).max() > 1e-2 * np.abs(truth).max()
+
+
+def test_tensors_of_bodies_stay_and_others_become_possible(stranger: Poses) -> None:
+    robot = stranger.robot
+    for tensors in (getattr(robot, name) for name in TENSORS):
+        np.testing.assert_array_equal(tensors_of_bodies(tensors), tensors)
+    printed = dasgupta()
+    assert printed.physicality()
+    possible = equation_kernels.robot_of_bodies(printed)
+    assert not possible.physicality()
+    for name in TENSORS:
+        once = getattr(possible, name)
+        np.testing.assert_array_equal(tensors_of_bodies(once), once)
+
+
+@pytest.mark.parametrize("function", equation_kernels.FUNCTIONS, ids=lambda function: function.name)
+def test_a_wrong_answer_of_the_second_group_stops_the_run(
+    function: equation_kernels.Function, monkeypatch: pytest.MonkeyPatch, stranger: Poses
+) -> None:
+    def wrong(robot: Robot, motion: ss.Motion, F: Array) -> list[Array]:
+        *others, last = function.expected(robot, motion, F)
+        return [*others, last * (1 + 2 * function.tolerance)]
+
+    monkeypatch.setattr(equation_kernels, "FUNCTIONS", (dataclasses.replace(function, expected=wrong),))
+    with pytest.raises(ValueError, match=f"^{re.escape(function.name)}: numbers differ"):
+        equation_kernels.motion_group(stranger)
+
+
+def test_a_wrong_peer_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: Poses) -> None:
+    def heavier(robot: Robot, *rest: Any) -> Any:
+        return engines(dataclasses.replace(robot, M=1.01 * robot.M), *rest)
+
+    monkeypatch.setattr(equation_kernels, "engines", heavier)
+    with pytest.raises(ValueError, match=r"^Pinocchio: numbers differ"):
+        equation_kernels.motion_group(stranger)
+
+
+def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], written: Path) -> None:
+    motion, text = figures["motion"], (written / "bench.txt").read_text()
+    inverse, peers = motion["ours"][0], motion["peers"]
+    forward = next(entry for entry in motion["ours"] if entry["name"] == FORWARD)
+    assert [entry["name"] for entry in motion["ours"]] == [each.name for each in equation_kernels.FUNCTIONS]
+    assert [entry["name"] for entry in peers] == ["Pinocchio", "MuJoCo"]
+    for entry in (*motion["ours"], *peers):
+        assert len(entry["raw"]) == figures["rounds"]
+        assert entry["ratio_to_inverse_dynamics"] == pytest.approx(entry["median"] / inverse["median"])
+        limits = tuple(entry[name] for name in ("target", "goal") if name in entry)
+        assert limits == MOST.get(entry["name"], ())
+    for net, call, empty in zip(peers, motion["calls"], motion["empty_calls"], strict=True):
+        assert net["raw"] == pytest.approx(np.array(call["raw"]) - np.array(empty["raw"]))
+    better = min(peers, key=lambda entry: float(entry["median"]))
+    assert motion["better_peer"] == better["name"]
+    assert motion["times_faster"] == pytest.approx(better["median"] / forward["median"])
+    said = f"{motion['times_faster']:.1f} x faster than the better of the two, {better['name']} (target 20)"
+    assert said in text
+    assert all(f"ours: {entry['name']}" in text for entry in motion["ours"])
+    assert all(entry["name"] in (written / "bench_motion.svg").read_text() for entry in motion["ours"])
+
+
+# what is said
+
+
+def test_json_has_every_contestant_with_positive_figures(figures: dict[str, Any]) -> None:
+    for group, expected in (("ours", bench.OURS), ("calls", bench.CALLS)):
+        assert [entry["name"] for entry in figures[group]] == [each.name for each in expected]
+    assert [entry["name"] for entry in figures["peers"]] == [*(each.name for each in PEERS), bench.PINOCCHIO]
+    for entry in (*figures["ours"], *figures["calls"], *figures["peers"], figures["multiply_add"]):
+        low, high = entry["quartiles"]
+        assert len(entry["raw"]) == figures["rounds"] == 3
+        assert 0 < low <= entry["median"] <= high
+        assert min(entry["raw"]) <= entry["median"] <= max(entry["raw"])
+    swept = [(each.name, size) for each in bench.OURS if each.sweep for size in (8, 64)]
+    assert [(entry["name"], entry["poses"]) for entry in figures["sweep"]] == swept
+    assert all(entry["median"] > 0 for entry in figures["sweep"])
+
+
+def test_json_says_where_and_with_what_it_ran(figures: dict[str, Any]) -> None:
+    assert figures["machine"]["processor"]
+    assert figures["machine"]["cores"] >= 1
+    assert {"-O3", "-ffp-contract=off"} <= set(figures["software"]["flags"])
+    assert all(
+        figures["software"][name] for name in ("compiler", "python", "numpy", "casadi", "pin", "mujoco")
+    )
+
+
+def test_ratios_are_of_the_medians_of_the_same_run(figures: dict[str, Any]) -> None:
+    casadi = next(entry for entry in figures["peers"] if entry["name"] == CASADI.name)
+    for entry in (*figures["ours"], *figures["peers"]):
+        assert entry["ratio_to_casadi"] == pytest.approx(np.median(entry["raw"]) / np.median(casadi["raw"]))
+    (call, *_), one_pose = figures["calls"], figures["ours"][0]
+    assert call["overhead_over_c_ns"] == pytest.approx(call["median"] - one_pose["median"])
+
+
+def test_cores_are_compared_on_the_same_batch_round_by_round(figures: dict[str, Any], written: Path) -> None:
+    one, shared = (next(e for e in figures["ours"] if e["name"] == n) for n in (bench.BATCH, bench.ALL_CORES))
+    cores = figures["cores"]
+    assert one["poses"] == shared["poses"] == cores["poses"] >= 2 * forces.LEAST_SHARE
+    assert cores["raw"] == pytest.approx(np.array(one["raw"]) / np.array(shared["raw"]))
+    assert cores["median"] == pytest.approx(np.median(cores["raw"]))
+    assert len(figures["cores_arithmetic"]["raw"]) == len(cores["raw"])
+    assert 0 < figures["cores_arithmetic"]["median"] < 2 * cores["cores"]
+    assert cores["quartiles"] == pytest.approx(np.percentile(cores["raw"], (25, 75)))
+    line = f"{cores['cores']} cores over one core: {cores['median']:.2f} times, quartiles"
+    assert line in (written / "bench.txt").read_text()
+
+
+def test_passes_have_their_operations_and_both_times(figures: dict[str, Any], written: Path) -> None:
+    text = (written / "bench.txt").read_text()
+    for entry, expected in zip(figures["passes"], some_passes(), strict=True):
+        assert (entry["name"], entry["meaning"]) == (expected.name, expected.meaning)
+        assert tuple(entry["operations"].values()) == expected.operations
+        for time in (entry["one_pose"], entry["batch"]):
+            assert len(time["raw"]) == figures["rounds"]
+            assert time["median"] > 0
+        assert re.search(
+            rf"^{expected.name} +{expected.operations[0]} +{expected.operations[1]} ", text, re.M
+        )
+
+
+def test_json_says_how_long_the_kernels_compile(figures: dict[str, Any]) -> None:
+    assert [entry["source"] for entry in figures["compiling"]] == [
+        "stewart_exact.c",
+        "stewart_exact_forces.c",
+    ]
+    assert all(len(entry["raw"]) == 1 and entry["median"] > 0 for entry in figures["compiling"])
+
+
+def test_text_is_of_the_functions_of_one_pose(figures: dict[str, Any], written: Path) -> None:
+    functions = figures["text"]["functions"]
+    assert {"stewart_exact_prepare", "stewart_exact_forces"} <= functions.keys()
+    assert not {"main", "_start", "stewart_exact_forces_batch"} & functions.keys()
+    assert figures["text"]["total"] == sum(functions.values())
+    assert 2_000 < figures["text"]["total"] < 50_000
+    assert f"{figures['text']['total']} bytes" in (written / "bench.txt").read_text()
+
+
+@pytest.mark.parametrize("command", ["gcc", "clang"])
+def test_text_is_found_with_either_compiler(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", command)
+    size = compile_times.text_size()
+    assert size is not None
+    assert {"stewart_exact_prepare", "stewart_exact_forces"} <= size.functions.keys()
+
+
+def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compile_times, "_LINK_FLAGS", ("-Wl,--no-such-option",))
+    assert compile_times.text_size() is None
+    monkeypatch.undo()
+    monkeypatch.setattr(shutil, "which", lambda name: None if "nm" in name else f"/usr/bin/{name}")
+    assert compile_times.text_size() is None
+
+
+def test_tables_without_passes_and_text_are_left_out(reduced: bench.Benchmark) -> None:
+    assert reduced.as_json()["text"] is None
+    assert "after the pass" not in report(reduced)
+    assert "bytes" not in report(reduced)
+
+
+def test_a_run_that_others_disturbed_says_so(
+    reduced: bench.Benchmark, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "100 % of the cores' time: the figures" in report(reduced)
+    monkeypatch.setattr(host, "_work_of_others", lambda: 0.0)
+    undisturbed = reduced.machine | {"taken_by_others": host.Others().share()}
+    assert "took 0 % of the cores' time\n" in report(dataclasses.replace(reduced, machine=undisturbed))
+
+
+def test_own_work_is_not_that_of_others() -> None:
+    work, times = host._work_of_others(), os.times()
+    if work is None:
+        assert not sys.platform.startswith("linux")
+        return
+    while sum(os.times()[:2]) - sum(times[:2]) < 0.3:
+        pass
+    again = host._work_of_others()
+    assert again is not None
+    assert work is not None
+    seconds = os.times().elapsed - times.elapsed
+    assert -0.05 < again - work < (os.cpu_count() or 1) * seconds - 0.25
+
+
+def test_pinocchio_is_newton_euler_less_the_call_and_a_solve(figures: dict[str, Any]) -> None:
+    rnea, empty, solve = (np.array(part["raw"]) for part in figures["pinocchio_parts"])
+    assert figures["peers"][-1]["raw"] == pytest.approx(rnea - empty + solve)
+
+
+def test_the_limit_is_the_emitted_operations_at_the_measured_rate(figures: dict[str, Any]) -> None:
+    operations = sum(module("exact").FORCE_OPERATIONS["friction"]["total"])
+    one_pose, (each, paired) = figures["ours"][0], figures["limits"].values()
+    assert one_pose["operations"] == operations
+    assert each == pytest.approx(1e9 * operations / figures["multiply_add"]["rate_per_s"])
+    assert paired == pytest.approx(each / 2)
+
+
+def test_the_table_has_every_contestant(written: Path) -> None:
+    text = (written / "bench.txt").read_text()
+    assert all(each.name in text for each in CONTESTANTS)
+    assert max(map(len, text.splitlines())) <= 115
+
+
+def test_the_picture_shows_every_contestant(written: Path) -> None:
+    drawing = (written / "bench.svg").read_text()
+    assert all(each.name in drawing for each in (*bench.OURS, *PEERS))
+    pixels = matplotlib.image.imread(written / "bench.png")
+    assert min(pixels.shape[:2]) > 500
+    assert 0.01 < np.mean(pixels[..., :3] < 0.9) < 0.5
+
+
+def test_labels_in_the_picture_do_not_overlap(run: tuple[Path, bench.Benchmark]) -> None:
+    for canvas in (picture(run[1]), motion_picture(run[1])):
+        canvas.draw_without_rendering()
+        above = canvas.axes[0]
+        boxes = [text.get_window_extent() for text in (*above.texts, *above.get_yticklabels())]
+        legend = above.get_legend()
+        boxes.append(above.title.get_window_extent() if legend is None else legend.get_window_extent())
+        assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
+        assert all(canvas.bbox.x0 < box.x0 and box.x1 < canvas.bbox.x1 for box in boxes)
+
+
+def test_the_command_takes_any_robot_file(figures: dict[str, Any], reduced: bench.Benchmark) -> None:
+    assert (figures["robot"], reduced.robot) == ("mine", dasgupta().name)
+
+
+def test_without_matplotlib_one_line_says_what_to_install(tmp_path: Path) -> None:
+    code = "import sys; sys.modules['matplotlib'] = None; "
+    code += "from stewart_sym.cli.main import main; sys.exit(main())"
+    command = [sys.executable, "-c", code, "bench", "-o", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    (line,) = done.stderr.splitlines()
+    assert line.endswith(install("plot"))
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_extra_names_what_the_bench_imports() -> None:
+    project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text())["project"]
+    needs = project["optional-dependencies"]
+
+    def named(extra: str) -> set[str]:
+        """Requirements of an extra, for those that it takes from other extras their own."""
+        found: set[str] = set()
+        for need in needs[extra]:
+            own = re.fullmatch(r"stewart-sym\[(.*)\]", need)
+            found = found.union(*map(named, own[1].split(","))) if own else found | {need}
+        return found
+
+    assert {need.split(">")[0] for need in named("bench")} == {*bench.COMPARED.values(), "matplotlib"}
+    assert named("bench") <= named("test")
+
+
+# how it is measured
+
+
+class Clock:
+    """A clock that stands still but for what tasks take."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now = 0
+        self.calls: list[tuple[str, int]] = []
+        monkeypatch.setattr("time.perf_counter_ns", lambda: self.now)
+
+    def task(self, name: str, units: int, ns: int) -> timing.Task:
+        def run(repeats: int) -> None:
+            self.calls.append((name, repeats))
+            self.now += repeats * units * ns
+
+        return timing.Task(run, units)
+
+
+def test_a_figure_is_the_time_of_one_unit(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    tasks = {"short": clock.task("short", 64, 100), "long": clock.task("long", 10**6, 750)}
+    raw = timing.measured(tasks, {"short": 5, "long": 3}, lambda _: None)
+    assert raw["short"] == pytest.approx(5 * (100.0,))
+    assert raw["long"] == pytest.approx(3 * (750.0,))
+
+
+def test_contestants_take_turns_and_every_sample_is_long_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    names = ("a", "b", "c")
+    tasks = {name: clock.task(name, 64, 100) for name in names}
+    timing.measured(tasks, dict.fromkeys(names, 4), lambda _: None)
+    samples = [(name, repeats) for name, repeats in clock.calls[-2 * 3 * 4 :] if repeats > 1]
+    assert len(samples) == 3 * 4
+    assert all(repeats * 64 * 100 >= 1e9 * timing.SHORTEST for _, repeats in samples)
+    rounds = [tuple(name for name, _ in samples[i : i + 3]) for i in range(0, 12, 3)]
+    assert [sorted(turn) for turn in rounds] == 4 * [[*names]]
+    assert len(set(rounds)) == 3
+
+
+def test_every_sample_but_an_enormous_one_comes_after_a_run_that_is_not_timed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    clock = Clock(monkeypatch)
+    tasks = {
+        "large": clock.task("large", timing.ENORMOUS - 1, 100),
+        "enormous": clock.task("enormous", timing.ENORMOUS, 100),
+    }
+    timing.measured(tasks, dict.fromkeys(tasks, 3), lambda _: None)
+    turns = [name for name, _ in clock.calls[-3 * 3 :]]
+    one, other = ["large", "large"], ["enormous"]
+    assert turns == [*one, *other, *other, *one, *one, *other]
+
+
+def test_a_sample_that_turns_out_short_is_taken_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    speeds = itertools.chain(8 * [1000], itertools.repeat(1))
+    taken: list[int] = []
+
+    def run(repeats: int) -> None:
+        taken.append(repeats * 64 * next(speeds))
+        clock.now += taken[-1]
+
+    raw = timing.measured({"task": timing.Task(run, 64)}, {"task": 3}, lambda _: None)
+    assert taken[-1] >= 1e9 * timing.SHORTEST
+    assert raw["task"] == pytest.approx(3 * (1.0,))
+
+
+def test_a_coarse_clock_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    ticks = itertools.count(0, 50_000)
+    monkeypatch.setattr("time.perf_counter_ns", lambda: next(ticks))
+    with pytest.raises(ValueError, match="clock is too coarse"):
+        timing.time_source()
+
+
+def test_batches_that_do_not_fit_into_memory_are_left_out(reduced: bench.Benchmark) -> None:
+    assert {figure.poses for figure in reduced.sweep} == {8}
+
+
+def test_multiply_adds_are_what_their_count_says() -> None:
+    loop = multiply_add()
+    assert loop.lanes in (2, 4, 8)
+    assert loop.count % (12 * loop.lanes) == 0
+    loop.run(1)

@@ -1,0 +1,240 @@
+"""One-pose kernels on emulated microcontrollers: right, small, quick, and alone."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+import readme_controller
+from machines import dasgupta, random_robot
+from sweeps import FULL
+
+from stewart_sym.backend.native import CompilerError
+from stewart_sym.cli.main import main
+from stewart_sym.results import POLE
+from stewart_sym.studies.microcontroller import measure, report, toolchain
+from stewart_sym.studies.microcontroller.measure import Figures, Study
+
+INSTRUCTIONS = {False: 3700, True: 3400}
+"""Of a general and of a baked kit at the kit's own flags, at most."""
+AT_MOST = {False: 4500, True: 4000}
+"""The same near joint singularities, of other levels, and at other flags."""
+FLASH = {"double": 24 * 1024, "float": 12 * 1024}
+STACK = 3 * 1024
+KITS = [(precision, baked) for precision in toolchain.CORES for baked in (False, True)]
+
+pytestmark = pytest.mark.skipif(
+    bool(toolchain.missing()), reason=toolchain.missing() or "all tools are there"
+)
+
+
+@pytest.fixture(scope="module")
+def found() -> Study:
+    return measure.study(dasgupta())
+
+
+@pytest.fixture(params=KITS, ids=lambda kit: f"{kit[0]}-{'baked' if kit[1] else 'general'}")
+def row(found: Study, request: pytest.FixtureRequest) -> Figures:
+    precision, baked = request.param
+    (only,) = [row for row in found.rows if (row.precision, row.baked) == (precision, baked)]
+    return only
+
+
+def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figures) -> None:
+    assert row.poses > measure.MOTIONS
+    assert (row.failed, row.refused_wrongly, row.selftest) == (0, 0, 0)
+    # Arithmetic that errs by nothing was not run on the processor.
+    assert 0 < row.worst <= 1
+    assert row.right
+
+
+def test_a_pose_takes_no_more_instructions_than_a_controller_has(row: Figures) -> None:
+    assert 1000 < row.instructions <= INSTRUCTIONS[row.baked]
+    if not row.baked:
+        assert row.near_poles is not None
+        # All six legs near their joint singularities at once, which the limit for a pose does not cover.
+        assert row.instructions < row.near_poles <= AT_MOST[False]
+
+
+def test_float_takes_no_more_instructions_than_double(found: Study) -> None:
+    counts = {(row.precision, row.baked): row.instructions for row in found.rows}
+    for baked in (False, True):
+        assert counts["float", baked] <= counts["double", baked]
+
+
+def test_code_and_stack_are_small(row: Figures) -> None:
+    assert 1000 < row.flash["kernel"] + row.flash["robot"] <= FLASH[row.precision]
+    assert row.flash["image"] > row.flash["kernel"]
+    assert row.ram["kit"] == 0
+    assert 100 < row.stack["pose"] <= STACK
+    # What was seen is no more than what the compiler says of all frames; a library's memcpy has small ones.
+    assert row.stack["pose"] <= row.stack["frames"] + 64 <= STACK
+    if not row.baked:
+        assert 100 < row.stack["prepare"] <= STACK
+
+
+def test_objects_ask_for_no_heap_no_libm_and_no_double(row: Figures) -> None:
+    assert row.foreign == ()
+    assert row.double == ()
+
+
+def test_the_table_and_the_readmes_text_say_what_was_found(found: Study) -> None:
+    text = report.report(found)
+    assert text.count("poses right") == len(KITS)
+    again = json.loads(report.json_text(found))
+    said = readme_controller.text(again)
+    for each in found.rows:
+        assert f"{each.instructions:,}" in text
+        assert f"| {each.instructions:,} |" in said
+
+
+def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: Study) -> None:
+    path = Path(__file__).parents[2] / ".docs" / "controller.json"
+    committed, today = json.loads(path.read_text(encoding="utf-8")), json.loads(report.json_text(found))
+    if committed["tools"] != today["tools"]:
+        for each in (committed, today):
+            for row in each["rows"]:
+                for name in ("instructions", "near_poles", "flash", "ram", "stack", "worst"):
+                    row.pop(name)
+        del committed["tools"], today["tools"]
+    assert committed == today, "run `stewart-sym controller -o DIR` and copy controller.json to .docs"
+
+
+# --- what the study must be able to find --------------------------------------------------------
+
+
+def compiled(folder: Path, text: str, precision: str = "float") -> Path:
+    source = folder / "slip.c"
+    source.write_text(text, encoding="utf-8")
+    return toolchain.compiled(toolchain.CORES[precision], source)
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [
+        ("float f(float x);\nfloat f(float x) { return (float)(0.1 * (double)x); }\n", "__aeabi_dmul"),
+        ("double g(int i);\ndouble g(int i) { return (double)i; }\n", "__aeabi_i2d"),
+        ("int h(double x);\nint h(double x) { return x < 1.0; }\n", "__aeabi_dcmplt"),
+    ],
+)
+def test_a_double_in_a_float_object_is_found(tmp_path: Path, text: str, told: str) -> None:
+    assert told in toolchain.double_arithmetic(compiled(tmp_path, text))
+
+
+def test_double_instructions_of_the_larger_core_are_found(tmp_path: Path) -> None:
+    text = "double f(double x);\ndouble f(double x) { return x * x; }\n"
+    assert any("vmul.f64" in each for each in toolchain.double_arithmetic(compiled(tmp_path, text, "double")))
+
+
+def test_functions_of_libraries_are_found(tmp_path: Path) -> None:
+    text = "#include <math.h>\n#include <stdlib.h>\nvoid *f(float x);\n"
+    text += "void *f(float x) { return malloc((size_t)sinf(x)); }\n"
+    assert toolchain.asked_for(compiled(tmp_path, text)) - toolchain.HARMLESS == {"malloc", "sinf"}
+
+
+def test_a_warning_of_the_compiler_is_an_error(tmp_path: Path) -> None:
+    with pytest.raises(CompilerError, match=r"arm-none-eabi-gcc failed: slip\.c.*conversion"):
+        compiled(tmp_path, "float f(double x);\nfloat f(double x) { return x; }\n")
+
+
+def test_a_circle_of_calls_has_no_depth_of_stack(tmp_path: Path) -> None:
+    text = "int f(int n);\n"
+    text += "int f(int n) { volatile int a[9]; a[0] = n; return n ? f(n - 1) * a[0] + a[0] : 1; }\n"
+    text += "int g(int n);\nint g(int n) { return f(n) + 1; }\n"
+    text += "int h(int n);\nint h(int n) { volatile int a[9]; a[0] = n; return a[0]; }\n"
+    built = compiled(tmp_path, text)
+    usage = [built.with_suffix(".su")]
+    with pytest.raises(CompilerError, match="calls itself"):
+        toolchain.deepest_stack(built, usage, "g")
+    assert 36 <= toolchain.deepest_stack(built, usage, "h") <= 56
+
+
+def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
+    cases = measure.Cases.of(dasgupta(), "massless_static", True, "double")
+    cases.tests[3].answers["F"][2] *= 1 + 1e-9
+    refused = cases.rejected()
+    monkeypatch.setattr(measure.Cases, "of", lambda *_: cases)
+    monkeypatch.setattr(measure.Cases, "rejected", lambda *_: [(refused[0][0], POLE), *refused[1:]])
+    row = measure.measured(dasgupta(), "massless_static", True, "double")
+    assert (row.failed, row.refused_wrongly) == (1, 1)
+    assert row.worst > 1
+    assert not row.right
+
+
+@pytest.mark.parametrize("tool", list(toolchain.PACKAGES))
+def test_a_missing_tool_is_one_line_with_its_package(
+    tool: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    real = shutil.which
+    monkeypatch.setattr(shutil, "which", lambda name: None if name == tool else real(name))
+    assert main(["controller"]) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"stewart-sym: error: {tool} not found")
+    assert f"apt-get install {toolchain.PACKAGES[tool]}" in line
+
+
+def test_the_command_writes_the_table_and_the_figures(
+    tmp_path: Path, found: Study, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(measure, "study", lambda *_: found)
+    assert main(["controller", "-o", str(tmp_path / "out")]) == 0
+    printed = capsys.readouterr().out
+    assert report.report(found) in printed
+    assert json.loads((tmp_path / "out" / "controller.json").read_text()) == json.loads(
+        report.json_text(found)
+    )
+    assert (tmp_path / "out" / "controller.txt").read_text() == report.report(found) + "\n"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("level", ["frictionless", "slender_friction", "massless", "general_static"])
+def test_levels_run_on_the_processors(level: str) -> None:
+    robot = random_robot(np.random.default_rng(1))
+    for precision, baked in (("double", False), ("float", True)):
+        row = measure.measured(robot, level, baked, precision)
+        assert row.right, row
+        assert row.instructions <= AT_MOST[baked]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("scale", [1e-3, 10.0])
+def test_machines_of_other_sizes_and_joints_run_on_the_processors(scale: float) -> None:
+    joint = "spherical" if scale > 1 else "universal"
+    found = measure.study(random_robot(np.random.default_rng(2), joint, scale=scale))
+    assert all(row.right for row in found.rows), report.report(found)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("flags", [["-Os"], *([["-std=gnu11"], ["-fmath-errno"]] if FULL else [])], ids=str)
+def test_other_flags_keep_the_limits(flags: list[str], monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(toolchain, "FLAGS", (*toolchain.FLAGS, *flags))
+    for row in measure.study(dasgupta()).rows:
+        assert row.right
+        assert row.instructions <= AT_MOST[row.baked]
+        assert row.flash["kernel"] + row.flash["robot"] <= 24 * 1024
+
+
+def test_the_self_test_of_a_kit_decides(tmp_path: Path) -> None:
+    """Exit codes of a program reach the study."""
+    for code in (0, 3):
+        core = toolchain.CORES["double"]
+        own = Path(measure.__file__).parent
+        for file in ("start.c", "board.h", "link.ld"):
+            shutil.copyfile(own / file, tmp_path / file)
+        (tmp_path / "main.c").write_text(f"int main(void);\nint main(void) {{ return {code}; }}\n")
+        built = [
+            toolchain.compiled(core, tmp_path / name, ["-Wno-pedantic"]) for name in ("start.c", "main.c")
+        ]
+        image = toolchain.linked(core, built, tmp_path / "link.ld", tmp_path / "main.elf")
+        assert toolchain.emulated(core, image)[0] == code
+
+
+def test_a_program_that_hangs_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def hang(command: list[str], **given: object) -> None:
+        raise subprocess.TimeoutExpired(command, 1.0)
+
+    monkeypatch.setattr(subprocess, "run", hang)
+    with pytest.raises(CompilerError, match=r"count\.elf: no end after"):
+        toolchain.emulated(toolchain.CORES["float"], tmp_path / "count.elf")

@@ -1,0 +1,231 @@
+"""The chart of speed against accuracy: every point is named and readable, and the front is the front."""
+
+import csv
+import dataclasses
+import io
+import itertools
+import math
+from pathlib import Path
+from typing import Any
+
+import matplotlib.image
+import numpy as np
+import pytest
+from made_up_figures import LEVELS, made_up
+from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.text import Annotation, Text
+from matplotlib.transforms import Bbox
+
+from stewart_sym.studies.accuracy.cost import Economy, Entry, Errors
+from stewart_sym.studies.accuracy.cost_plot import (
+    ROUNDING,
+    TOTAL,
+    Point,
+    csv_rows,
+    figure,
+    front,
+    points,
+    save,
+)
+from stewart_sym.studies.common.labels import Label, place
+
+
+@pytest.fixture(scope="module")
+def picture() -> Figure:
+    """The chart of the figures made up."""
+    return figure(made_up())
+
+
+def boxes(axes: Axes) -> dict[str, Bbox]:
+    canvas = axes.get_figure()
+    assert isinstance(canvas, Figure)
+    renderer = FigureCanvasAgg(canvas).get_renderer()
+    canvas.draw_without_rendering()  # type: ignore[no-untyped-call]
+    texts = [child for child in axes.get_children() if isinstance(child, Annotation)]
+    # The text alone, without its line.
+    return {text.get_text(): Text.get_window_extent(text, renderer) for text in texts}
+
+
+def overlapping(found: dict[str, Bbox]) -> list[tuple[str, str]]:
+    return [
+        (one, other)
+        for (one, box), (other, next_box) in itertools.combinations(found.items(), 2)
+        if box.overlaps(next_box)
+    ]
+
+
+def test_points_are_the_fidelities_and_the_implementations() -> None:
+    found = points(made_up())
+    names = {panel: {point.name for point in found if point.panel == panel} for panel in (TOTAL, ROUNDING)}
+    exact = {name.split()[1] for name, _, _ in LEVELS}
+    assert names[TOTAL] == {f"{name}{end}" for name in (*exact, "paper") for end in ("", ", float")}
+    kinds = {f"{kind}, {precision}" for kind in ("one pose", "batch") for precision in ("double", "float")}
+    assert names[ROUNDING] == kinds | {"every output", "NumPy kernel", "vector reference"}
+    (slender,) = (point for point in found if point.name == "slender")
+    entry = made_up().entry("exact", "slender", "double")
+    assert slender.errors == {
+        motion: errors.model + errors.rounding for motion, errors in entry.errors.items()
+    }
+    assert slender.worst == entry.total > 0.061
+    assert {point.name: point.beside for point in found if point.beside} == {
+        f"{name}, float": name for name in (*exact, "paper")
+    }
+
+
+def test_the_front_holds_what_nothing_beats() -> None:
+    rng = np.random.default_rng(1)
+    given = [
+        Point(TOTAL, str(i), float(ns), {"I": float(error)}, "black")
+        for i, (ns, error) in enumerate(rng.uniform(1, 9, (40, 2)).round())
+    ]
+    best = front(given)
+    beaten = [
+        any(
+            (other.ns <= point.ns and other.worst < point.worst)
+            or (other.ns < point.ns and other.worst <= point.worst)
+            for other in given
+        )
+        for point in given
+    ]
+    expected = {(p.ns, p.worst) for p, lost in zip(given, beaten, strict=True) if not lost}
+    assert {(point.ns, point.worst) for point in best} == expected
+    assert [point.ns for point in best] == sorted({point.ns for point in best})
+
+
+def test_rows_hold_every_point_and_motion_with_all_digits() -> None:
+    found = made_up()
+    rows = list(csv.DictReader(io.StringIO(csv_rows(found))))
+    assert len(rows) == 3 * len(points(found))
+    for row in rows:
+        (point,) = (p for p in points(found) if (p.panel, p.name) == (row["error"], row["name"]))
+        assert float(row["ns"]) == point.ns
+        assert float(row["largest"]) == point.errors[row["motion"]]
+    assert {row["name"] for row in rows if row["pareto"] == "1"} >= {
+        "general",
+        "frictionless, float",
+        "batch, float",
+    }
+
+
+@pytest.mark.parametrize("spread", [1.0, 0.05])
+def test_all_points_are_named_inside_the_picture_and_no_names_overlap(spread: float, picture: Figure) -> None:
+    found = made_up(spread)
+    drawn = picture if spread == 1.0 else figure(found)
+    for axes, panel in zip(drawn.axes, (TOTAL, ROUNDING), strict=True):
+        names = boxes(axes)
+        assert names.keys() == {p.name for p in points(found) if p.panel == panel and not p.beside}
+        assert not overlapping(names)
+        frame = axes.get_window_extent()
+        assert all(frame.x0 <= box.x0 and box.x1 <= frame.x1 for box in names.values())
+        assert all(frame.y0 <= box.y0 and box.y1 <= frame.y1 for box in names.values())
+
+
+def test_no_name_covers_a_point(picture: Figure) -> None:
+    for axes in picture.axes:
+        names = boxes(axes)
+        for line in axes.get_lines():
+            if line.get_marker() not in ("None", None, ""):
+                for x, y in axes.transData.transform(line.get_xydata()):
+                    assert not any(box.contains(x, y) for box in names.values())
+
+
+def test_errors_of_zero_have_a_band_below_all_others() -> None:
+    found = made_up()
+    no_error = dict.fromkeys(found.peaks, Errors(0.0, 0.0, 0.0))
+    entries = [dataclasses.replace(e, errors=no_error) if e.model == 0.0 else e for e in found.entries]
+    axes = figure(dataclasses.replace(found, entries=tuple(entries))).axes[0]
+    labels = dict(zip(axes.get_yticks(), (t.get_text() for t in axes.get_yticklabels()), strict=True))
+    none = next(y for y, text in labels.items() if text == "none")
+    assert none == min(labels)
+    assert none < 0.04 * 1.3e-5 / 3
+    assert any(none in line.get_ydata() for line in axes.get_lines())
+
+
+def test_points_without_an_answer_are_drawn_above_all_others() -> None:
+    found = made_up()
+    float_ones = tuple(
+        Entry(
+            e.candidate,
+            e.operations,
+            e.one_pose,
+            e.batch,
+            e.text,
+            {"I": Errors(0.0, 0.0, math.inf if e.candidate.precision == "float" else 1e-15)},
+        )
+        for e in found.entries
+    )
+    given = Economy("machine", {"I": 1.0}, {"I": 9}, float_ones, ())
+    left, right = ([text.get_text() for text in axes.get_yticklabels()] for axes in figure(given).axes)
+    assert left[-1] == right[-1] == "no answer"
+
+
+def test_float_kernels_are_hollow_and_may_be_on_the_front(picture: Figure) -> None:
+    every = [point for point in points(made_up()) if point.panel == TOTAL]
+    hollow = {
+        float(line.get_xdata()[0])  # type: ignore[index, arg-type]
+        for line in picture.axes[0].get_lines()
+        if line.get_marker() != "None" and line.get_markerfacecolor() == "white"
+    }
+    assert hollow == {point.ns for point in every if point.beside}
+    assert any(point.beside for point in front(every))
+    assert any(not point.beside for point in front(every))
+
+
+def test_a_run_that_others_disturbed_says_so(picture: Figure) -> None:
+    assert made_up().taken_by_others is None
+    assert picture.get_suptitle().endswith("machine")
+    for taken, said in ((0.01, "machine"), (0.42, "took 42 % of the cores' time, load 3.2")):
+        # A point alone, since the others are no part of the title and take long to name.
+        found = made_up()
+        given = dataclasses.replace(found, taken_by_others=taken, load=3.25, entries=found.entries[-2:])
+        title = figure(given).get_suptitle()
+        assert title.count("\n") == (taken > 0.1)
+        assert title.endswith(said)
+
+
+def crowd(
+    where: list[tuple[float, float]], size: tuple[float, float] = (6.0, 4.0)
+) -> tuple[Axes, list[Label], list[Any]]:
+    picture = Figure(figsize=size, layout="constrained")
+    axes = picture.subplots()
+    axes.set_xlim(0, 10)
+    axes.set_ylim(0, 10)
+    labels = [Label(f"point number {i}", x, y, "black") for i, (x, y) in enumerate(where)]
+    return axes, labels, place(axes, labels, where)
+
+
+def test_names_of_points_at_one_place_do_not_overlap() -> None:
+    axes, labels, written = crowd([(5.0, 5.0)] * 14)
+    assert [text.get_text() for text in written] == [label.text for label in labels]
+    assert not overlapping(boxes(axes))
+
+
+def test_names_of_points_in_the_corners_stay_inside() -> None:
+    axes, _, _ = crowd([(0.0, 0.0), (10.0, 0.0), (0.0, 10.0), (10.0, 10.0)])
+    frame = axes.get_window_extent()
+    assert all(frame.x0 <= box.x0 and box.x1 <= frame.x1 for box in boxes(axes).values())
+
+
+def test_places_are_the_same_on_every_run() -> None:
+    where = [(float(x), float(y)) for x, y in np.random.default_rng(3).uniform(1, 9, (12, 2))]
+    first, second = (crowd(where)[2] for _ in range(2))
+    assert [text.get_position() for text in first] == [text.get_position() for text in second]
+
+
+def test_too_many_names_are_refused() -> None:
+    with pytest.raises(ValueError, match="labels: expected room for all of them"):
+        crowd([(5.0, 5.0)] * 40, (2.0, 1.5))
+
+
+def test_pictures_are_written_as_png_and_svg_with_the_same_bytes(tmp_path: Path, picture: Figure) -> None:
+    save(picture, tmp_path / "one")
+    save(figure(made_up()), tmp_path / "other")
+    for kind in ("png", "svg"):
+        assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"other.{kind}").read_bytes()
+    pixels = matplotlib.image.imread(tmp_path / "one.png")
+    assert pixels.shape[1] > 1500
+    assert pixels.std() > 0.05
+    drawing = (tmp_path / "one.svg").read_text()
+    assert all(f">{point.name}<" in drawing for point in points(made_up()) if not point.beside)

@@ -1,0 +1,136 @@
+"""Pictures can be read: legends within the figure, numbers of logarithmic axes, names as they are said."""
+
+import itertools
+import re
+from collections.abc import Callable
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+from made_up_figures import made_up
+from matplotlib.axis import Axis
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+from matplotlib.legend import Legend
+from matplotlib.text import Text
+
+import stewart_sym as ss
+from stewart_sym.robots import dasgupta1998
+from stewart_sym.studies.accuracy import bound_plot, cost_plot
+from stewart_sym.studies.common.drawing import legend_below, log_numbers
+from stewart_sym.studies.control import report
+from stewart_sym.studies.reports import energy_drift, run, singularities, singularities_plot
+
+
+def _control() -> Figure:
+    time = np.linspace(0.0, 1.0, 20)
+    errors = {"position": 1e-3 * (2.0 + time), "orientation": 1e-3 * (3.0 + time), "largest_force": 9 + time}
+    runs = {name: SimpleNamespace(time=time, **errors) for name in report.NAMES}
+    return report.figure(SimpleNamespace(runs={"I": runs}, robot=dasgupta1998()))  # type: ignore[arg-type]
+
+
+def _drift() -> Figure:
+    drift = SimpleNamespace(times=np.arange(4.0), drift=np.array([0.0, 0.2, 0.4, 0.5]), worst=0.5)
+    return energy_drift.figure({"exact": drift, "paper": drift})  # type: ignore[dict-item]
+
+
+def _run() -> Figure:
+    start = ss.PATHS["I"].path.sample([0.0])[0]
+    law = ss.LegSprings.balanced(dasgupta1998(), start, stiffness=5e4)
+    return run.figure(ss.simulate(dasgupta1998(), start, law, duration=0.01))
+
+
+def _path() -> Figure:
+    path = ss.PATHS["I"].path
+    found = singularities.examine(dasgupta1998(), "I", path.sample, path.breaks())
+    return singularities_plot.path_figure(found, singularities.curves(found))
+
+
+PICTURES: dict[str, Callable[[], Figure]] = {
+    "bounds": lambda: bound_plot.figure(bound_plot.bounds_study(cases=20)),
+    "chart": lambda: cost_plot.figure(made_up()),
+    "control": _control,
+    "drift": _drift,
+    "run": _run,
+    "path": _path,
+}
+
+
+@pytest.fixture(scope="module", params=list(PICTURES))
+def picture(request: pytest.FixtureRequest) -> Figure:
+    found = PICTURES[request.param]()
+    FigureCanvasAgg(found)
+    found.draw_without_rendering()  # type: ignore[no-untyped-call]
+    return found
+
+
+def _inside(figure: Figure) -> bool:
+    boxes = [legend.get_window_extent() for legend in figure.findobj(Legend)]
+    return all(
+        0.0 <= box.x0 and box.x1 <= figure.bbox.x1 and 0.0 <= box.y0 and box.y1 <= figure.bbox.y1
+        for box in boxes
+    )
+
+
+def _numbers(axis: Axis) -> list[Text]:
+    """Numbers beside an axis, as far as they are seen."""
+    low, high = sorted(axis.get_view_interval())
+    ticks = [*axis.get_major_ticks(), *axis.get_minor_ticks()]
+    labels = [tick.label1 for tick in ticks if low <= tick.get_loc() <= high]
+    return [label for label in labels if label.get_visible() and label.get_text()]
+
+
+def test_legends_lie_within_the_figure(picture: Figure) -> None:
+    assert _inside(picture)
+
+
+def test_texts_are_without_marks_of_prose(picture: Figure) -> None:
+    assert not [text.get_text() for text in picture.findobj(Text) if "`" in text.get_text()]
+
+
+def test_logarithmic_axes_have_powers_of_ten_or_plain_numbers_that_do_not_overlap(picture: Figure) -> None:
+    for axes in picture.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            if axis.get_scale() != "log":
+                continue
+            labels = _numbers(axis)
+            assert len(labels) >= 2
+            for label in labels:
+                text = label.get_text()
+                assert text in ("none", "no answer") or re.fullmatch(
+                    r"[\d.,]+|\$\\mathdefault\{10\^\{.?\d+\}\}\$|\$10\^\{-?\d+\}\$", text
+                ), text
+            boxes = sorted((label.get_window_extent() for label in labels), key=lambda box: (box.x0, box.y0))
+            assert not any(one.overlaps(other) for one, other in itertools.pairwise(boxes))
+
+
+def test_angles_are_named_as_angles() -> None:
+    legends = [[text.get_text() for text in legend.get_texts()] for legend in _run().findobj(Legend)]
+    assert ["roll", "pitch", "yaw"] in legends
+    assert legends.count(["x", "y", "z"]) == 2
+
+
+@pytest.mark.parametrize("length", [5, 60, 110])
+def test_a_legend_takes_as_many_columns_as_fit(length: int) -> None:
+    figure = Figure(figsize=(8.0, 5.0), layout="constrained")
+    axes = figure.subplots()
+    for name in "abc":
+        axes.plot([0.0, 1.0], label=name * length)
+    legend_below(figure, fontsize=7.0)
+    (legend,) = figure.legends
+    assert legend._ncols == {5: 3, 60: 1, 110: 1}[length]
+    assert _inside(figure)
+
+
+@pytest.mark.parametrize(
+    ("low", "high"), [(3.41, 3.43), (2.0, 8.0), (0.3, 4.0), (1e-4, 1e7), (570.0, 1450.0)]
+)
+def test_any_logarithmic_axis_has_two_numbers_or_more(low: float, high: float) -> None:
+    figure = Figure()
+    axes = figure.subplots()
+    axes.semilogy([low, high])
+    log_numbers(axes.yaxis)
+    figure.draw_without_rendering()  # type: ignore[no-untyped-call]
+    texts = [label.get_text() for label in _numbers(axes.yaxis)]
+    assert len(texts) >= 2
+    assert not [text for text in texts if "times" in text]

@@ -1,0 +1,102 @@
+"""Builds the attack of tests/support/c on every C file of generated/c with any compiler and flags.
+
+Stands beside ``machines``; knows the names of the kernels and which oracle each needs, and nothing of what
+the oracles ask.
+"""
+
+import shutil
+import subprocess
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from importlib.resources import files
+from os import cpu_count
+from pathlib import Path
+
+GENERATED = Path(str(files("stewart_sym.generated") / "c"))
+ATTACK = Path(__file__).parent / "c"
+STRICT = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-g")
+
+
+def oracles() -> dict[str, tuple[str, str]]:
+    """Source of generated/c, without suffix -> prefix of its functions and name of its oracle."""
+    found = {}
+    for path in sorted(GENERATED.glob("*.c")):
+        kernel = path.stem.removeprefix("stewart_")
+        if kernel == "rotation":  # no pointer beyond its three vectors; held to ``Motion`` with the kits
+            continue
+        if kernel.endswith("_motion"):
+            found[path.stem] = (kernel.removesuffix("_motion"), "motion")
+        elif kernel.endswith("_bounds"):
+            found[path.stem] = (kernel.removesuffix("_bounds"), "bounds")
+        elif kernel in ("kinematics", "legs"):
+            found[path.stem] = (kernel, kernel)
+        elif kernel.endswith("_forces"):
+            found[path.stem] = (kernel.removesuffix("_forces"), "forces")
+        else:
+            found[path.stem] = (kernel, "dynamics")
+    return found
+
+
+SOME = (
+    *("stewart_exact", "stewart_exact_motion", "stewart_exact_bounds", "stewart_kinematics"),
+    "stewart_legs",
+    *("stewart_exact_forces", "stewart_exact_massless_static_forces", "stewart_paper_spherical_forces"),
+)
+"""One source of each printer and each way that it goes."""
+
+
+def built(
+    folder: Path,
+    compiler: str,
+    flags: Sequence[str],
+    main: str | None = "attack_driver.c",
+    link: Sequence[str] = (),
+    some: bool = False,
+) -> Path:
+    """The attack as a program in ``folder``; main: the file that holds it, None where a flag brings one.
+
+    flags: of every compilation; link: of the last alone. some: attack SOME of the sources. Raises
+    CalledProcessError with what was printed.
+    """
+    attacked = {stem: oracle for stem, oracle in oracles().items() if not some or stem in SOME}
+    names = [f"ORACLE(attack_{kernel}_{oracle})" for kernel, oracle in attacked.values()]
+    (folder / "attack_kernels.h").write_text("\n".join(names) + "\n")
+    common = [compiler, *STRICT, *flags, f"-I{folder}", f"-I{GENERATED}", f"-I{ATTACK}", "-c"]
+    jobs = [[str(ATTACK / "attack.c"), "-o", "case.o"]]
+    if main is not None:
+        jobs.append([str(ATTACK / main), f"-DKERNELS={len(attacked)}", "-o", "main.o"])
+    for stem, (kernel, oracle) in attacked.items():
+        jobs.append([str(GENERATED / f"{stem}.c"), "-o", f"{stem}.o"])
+        named = [f"-DKERNEL={kernel}", f'-DHEADER="{stem}.h"']
+        jobs.append([str(ATTACK / f"attack_{oracle}.c"), *named, "-o", f"oracle_{stem}.o"])
+    with ThreadPoolExecutor(cpu_count() or 1) as pool:
+        list(pool.map(lambda job: ran([*common, *job], folder), jobs))
+    program = folder / "attack"
+    objects = [job[-1] for job in jobs]
+    ran([compiler, *flags, *link, *objects, "-o", str(program), "-lm"], folder)
+    return program
+
+
+def ran(command: Sequence[str], folder: Path, timeout: float = 900.0) -> str:
+    """What a command printed; AssertionError with its last lines if it fails."""
+    done = subprocess.run(
+        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=timeout
+    )
+    text = done.stdout.decode("utf-8", "replace")
+    assert done.returncode == 0, f"{' '.join(command)[:300]}\n{text[-3000:]}"
+    return text
+
+
+def works(folder: Path, compiler: str, flags: Sequence[str]) -> str | None:
+    """Why a compiler can't make a program with these flags that runs, None if it can."""
+    if shutil.which(compiler) is None:
+        return f"{compiler} is not installed"
+    fuzzer = any("fuzzer" in flag for flag in flags)
+    function = "int LLVMFuzzerTestOneInput(const unsigned char *d, unsigned long n) { return d && n > 9; }\n"
+    (folder / "probe.c").write_text(function if fuzzer else "int main(void) { return 0; }\n")
+    try:
+        ran([compiler, *flags, "probe.c", "-o", "probe"], folder)
+        ran(["./probe", *(["-runs=1"] if fuzzer else [])], folder)
+    except AssertionError as error:
+        return f"{compiler} can't {' '.join(flags)}: {str(error).splitlines()[-1][:200]}"
+    return None

@@ -1,0 +1,54 @@
+"""C that counts its own operations."""
+
+COUNTING = r"""
+#include <cstddef>
+#include <cmath>
+#include <cstdio>
+struct Counts { long mul, add, div, sqrt; };
+static Counts counts;
+struct Real {
+    double value;
+    Real() : value(0) {}
+    Real(double v) : value(v) {}
+};
+static Real operator+(Real a, Real b) { ++counts.add; return Real(a.value + b.value); }
+static Real operator-(Real a, Real b) { ++counts.add; return Real(a.value - b.value); }
+static Real operator*(Real a, Real b) { ++counts.mul; return Real(a.value * b.value); }
+static Real operator/(Real a, Real b) { ++counts.div; return Real(a.value / b.value); }
+static Real operator-(Real a) { return Real(-a.value); }
+static bool operator>(Real a, Real b) { return a.value > b.value; }
+static bool operator<(Real a, Real b) { return a.value < b.value; }
+static bool operator>=(Real a, Real b) { return a.value >= b.value; }
+static bool operator==(Real a, Real b) { return a.value == b.value; }
+static bool operator!=(Real a, Real b) { return a.value != b.value; }
+static bool operator<=(Real a, Real b) { return a.value <= b.value; }
+static Real root(Real a) { ++counts.sqrt; return Real(std::sqrt(a.value)); }
+/* Thresholds are constants times a scale: their products are not arithmetic of the equations. */
+struct Threshold { operator Real() const { return Real(1.8e-15); } };
+static Real operator*(Threshold, Real b) { return Real(1.8e-15 * b.value); }
+static bool operator>(Real a, Threshold) { return a.value > 1.8e-15; }
+static Threshold operator*(Real, Threshold t) { return t; }
+static Real operator/(Threshold, Threshold) { return Real(1e-130); }
+static Real operator*(Threshold, Threshold) { return Real(1e-130); }
+#define STEWART_REAL Real
+#define STEWART_SQRT(v) root(v)
+#define STEWART_FABS(v) Real(std::fabs((v).value))
+#define STEWART_EPSILON Threshold()
+#define STEWART_MAX Real(1e308)
+#define STEWART_SHORTEST Threshold()
+#define STEWART_SUSPECT Threshold()
+#define STEWART_SHORT_SHARE Threshold()
+${INCLUDES}
+int main() {
+    static stewart_robot robot;
+    static stewart_motion motion;
+    const double robot_numbers[] = {${ROBOT}};
+    const double motion_numbers[] = {${MOTION}};
+    for (size_t i = 0; i < sizeof robot / sizeof(Real); ++i) ((Real *)&robot)[i] = robot_numbers[i];
+    for (size_t i = 0; i < sizeof motion / sizeof(Real); ++i) ((Real *)&motion)[i] = motion_numbers[i];
+    ${CALL}
+    return 0;
+}
+"""
+REPORT = r"""
+    std::printf("%d %ld %ld %ld %ld\n", status, counts.mul, counts.add, counts.div, counts.sqrt);"""

@@ -1,0 +1,29 @@
+"""Leg lengths of poses, and poses moved a little."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
+
+Array = NDArray[np.float64]
+Poses = tuple[Array, Array]
+STILL = np.zeros(3)
+HOME = np.array([0.2, 0.0, 0.5])
+
+
+def paper_poses(rng: np.random.Generator, count: int, angle: float, way: float) -> Poses:
+    """Poses of the paper's machine around the middle of Path I: angles within +-angle, position +-way."""
+    R = rotation_from_rpy(rng.uniform(-angle, angle, (count, 3)))
+    return R, HOME + rng.uniform(-way, way, (count, 3))
+
+
+def lengths(robot: ss.Robot, R: Array, t: Array) -> Array:
+    return ss.inverse_kinematics(robot, ss.Motion(R, t, STILL, STILL)).L
+
+
+def nudged(rng: np.random.Generator, R: Array, t: Array, angle: float, way: float) -> Poses:
+    """Poses near others: turned by at most angle, rad, and moved by at most way, m."""
+    phi, step = (x / np.linalg.norm(x, axis=-1, keepdims=True) for x in rng.normal(size=(2, *t.shape)))
+    share = rng.uniform(size=(*t.shape[:-1], 1))
+    return rotation_from_vector(angle * share * phi) @ R, t + way * share * step

@@ -1,0 +1,58 @@
+"""Smooth motions as logs with noise."""
+
+from typing import NamedTuple
+
+import numpy as np
+from machines import GRAVITY, home_position, machine_size, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+
+Array = NDArray[np.float64]
+WHITE = 1e-4
+
+
+class Case(NamedTuple):
+    """A random smooth motion of a random machine: times, coordinates and rates (3, n, 6), forces."""
+
+    robot: ss.Robot
+    time: Array
+    true: Array
+    F: Array
+
+
+def coordinates(rng: np.random.Generator, size: float, time: Array, highest: float) -> Array:
+    """Six band-limited random functions up to a frequency, Hz, with two derivatives, (3, n, 6)."""
+    waves = 24
+    omega = 2 * np.pi * rng.uniform(0.0, highest, (waves, 6))
+    width = 0.08 * rng.normal(size=(waves, 6)) * np.exp(-2.0 * (omega / (2 * np.pi * highest)) ** 2) / 3.0
+    phase = rng.uniform(0.0, 2 * np.pi, (waves, 6))
+    angle = omega * time[:, None, None] + phase
+    found = [np.sum(width * omega**k * np.sin(angle + k * np.pi / 2), axis=1) for k in range(3)]
+    return np.array(found) * np.repeat([size, 2.0], 3)
+
+
+def motion(values: Array) -> ss.Motion:
+    t, v, a = values[..., :3]
+    theta, theta_dot, theta_ddot = values[..., 3:]
+    return ss.Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+
+
+def case(seed: int) -> Case:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, scale=float(rng.uniform(0.4, 2.0)))
+    size = machine_size(robot)
+    # Accelerations of the order of a tenth of gravity to gravity; 12 to 60 samples of the shortest period.
+    highest = float(np.sqrt(GRAVITY / size)) * rng.uniform(0.15, 0.5)
+    time = np.arange(0.0, rng.uniform(4.0, 12.0) / highest, 1.0 / (highest * rng.uniform(12.0, 60.0)))
+    true = coordinates(rng, size, time, highest)
+    true[0, :, :3] += home_position(robot.b, size)
+    return Case(robot, time, true, ss.inverse_dynamics(robot, motion(true)).F)
+
+
+def logged(found: Case, noise: str, seed: int) -> Array:
+    """The coordinates as a log holds them, (n, 6)."""
+    values = found.true[0]
+    if noise == "white":
+        return values + WHITE * np.random.default_rng([seed, 1]).normal(size=values.shape)
+    return np.round(values, int(noise))

@@ -1,0 +1,95 @@
+"""One-pose kernels compiled and prepared."""
+
+import ctypes
+import functools
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from stewart_sym.backend import fidelity, native
+from stewart_sym.backend.kernel import MOTION, kernel_name, loaded, robot_numbers
+from stewart_sym.derive.emit import scalar
+from stewart_sym.derive.emit.header import common_header
+from stewart_sym.derive.emit.shared import shared_headers
+from stewart_sym.derive.fidelity import FIDELITIES, fidelity_kernel
+from stewart_sym.derive.formulation import FORMULATIONS
+from stewart_sym.derive.generate import shared_blocks
+from stewart_sym.motion.motion import Motion
+from stewart_sym.results import OK
+from stewart_sym.robot.robot import Robot
+
+Array = NDArray[np.float64]
+UNTOUCHED = -1.25
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """A compiled one-pose kernel with a robot prepared for it, if it takes one."""
+
+    library: ctypes.CDLL
+    name: str
+    precision: str
+    model: Array | None
+
+    @property
+    def dtype(self) -> Any:
+        return np.float32 if self.precision == "float" else np.float64
+
+    def one(self, numbers: Array) -> tuple[int, Array]:
+        given, F = np.asarray(numbers, dtype=self.dtype), np.full(6, UNTOUCHED, dtype=self.dtype)
+        arguments = [given.ctypes.data, F.ctypes.data]
+        if self.model is not None:
+            arguments.insert(0, self.model.ctypes.data)
+        status = getattr(self.library, f"stewart_{self.name}_pose_forces")(*map(ctypes.c_void_p, arguments))
+        return status, F
+
+    def forces_and_status(self, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
+        """F, NaN where the status is not 0, and status of every pose, (n,)."""
+        found = [self.one(numbers(motion[i])) for i in range(motion.shape[0])]
+        F, status = np.array([F for _, F in found]), np.array([code for code, _ in found])
+        assert (F[status != OK] == UNTOUCHED).all()
+        F[status != OK] = np.nan
+        return F, status
+
+
+def numbers(motion: Motion) -> Array:
+    poses = loaded(motion)
+    return np.concatenate([np.ravel(getattr(poses, name)) for name in MOTION])
+
+
+@functools.cache
+def plain_blocks(formulation: str, joint: str, level: str) -> Any:
+    name = kernel_name(formulation, joint)
+    return fidelity_kernel(next(f for f in FORMULATIONS if f.kernel_name == name), FIDELITIES[level])
+
+
+@functools.cache
+def library(formulation: str, joint: str, level: str, precision: str) -> tuple[ctypes.CDLL, str]:
+    return compiled(shared_blocks(plain_blocks(formulation, joint, level)), None, precision)
+
+
+def compiled(kernel: Any, before: Any, precision: str) -> tuple[ctypes.CDLL, str]:
+    file = f"stewart_{kernel.name}_pose"
+    sources = {
+        "stewart.h": common_header(""),
+        **shared_headers(""),
+        f"{file}.h": scalar.header(kernel, before, ""),
+        f"{file}.c": scalar.source(kernel, ""),
+    }
+    defines = {"STEWART_FLOAT": 1} if precision == "float" else None
+    return native.load("scalar", sources, ["-O1", "-ffp-contract=off"], defines), kernel.name
+
+
+def prepared(
+    robot: Robot, formulation: str = "exact", level: str = "general", precision: str = "double"
+) -> Kernel:
+    level = fidelity.resolved(robot, formulation, level)
+    joint = robot.base_joint if level == "general" else "universal"
+    found, name = library(formulation, joint, level, precision)
+    dtype = np.float32 if precision == "float" else np.float64
+    raw, model = robot_numbers(robot).astype(dtype), np.full(1000, np.nan, dtype=dtype)
+    call = getattr(found, f"stewart_{name}_pose_prepare")
+    assert call(ctypes.c_void_p(raw.ctypes.data), ctypes.c_void_p(model.ctypes.data)) == OK
+    return Kernel(found, name, precision, model)
