@@ -58,7 +58,7 @@ class Motion:
         self.M_ext: Any = [0.0] * 3  # N m: external moment about the reference point, platform frame
 
 
-def largest(on: Arithmetic, vector: Any, least: Any) -> Any:
+def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
     """The largest of ``least`` and the sizes of a vector's components."""
     most = least
     for j in range(3):
@@ -68,7 +68,7 @@ def largest(on: Arithmetic, vector: Any, least: Any) -> Any:
 
 def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
     """Size of the vectors q, t and b that a leg is the sum of, m."""
-    return largest(on, b, largest(on, t, largest(on, q, 0.0)))
+    return largest_component(on, b, largest_component(on, t, largest_component(on, q, 0.0)))
 
 
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
@@ -187,7 +187,7 @@ def largest_of(on: Arithmetic, sizes: Any) -> Any:
 
 def scale_of(on: Arithmetic, q: Any) -> Any:
     """By what the solve multiplies moments about the reference point."""
-    extent = largest_of(on, largest(on, q, 0.0))
+    extent = largest_of(on, largest_component(on, q, 0.0))
     per_length = 1.0
     if on.anywhere((extent < 0.0625) | (extent > on.LARGEST)):
         per_length = per_length_of(on, extent)

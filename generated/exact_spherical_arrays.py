@@ -551,7 +551,7 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
     return suspect
 
 
-def largest(on: Arithmetic, vector: Any, least: Any) -> Any:
+def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
     """The largest of ``least`` and the sizes of a vector's components."""
     most = least
     for j in range(3):
@@ -561,7 +561,7 @@ def largest(on: Arithmetic, vector: Any, least: Any) -> Any:
 
 def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
     """Size of the vectors q, t and b that a leg is the sum of, m."""
-    return largest(on, b, largest(on, t, largest(on, q, 0.0)))
+    return largest_component(on, b, largest_component(on, t, largest_component(on, q, 0.0)))
 
 
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:

@@ -175,7 +175,7 @@ class _Source:
             yield from p.preparation(self.texts, kernel)
             yield p.size_of(self.texts, by_legs=True)
             yield read(written.least_pivots)
-            yield read(written.extent)
+            yield read(written.size_sum)
             yield read(written.clear_sum, given=p.sums(ADDED))
             yield read(written.prepare, f"{name}_prepare", public=True, given=self._prepared())
         yield self.structures["PoseTerms"]

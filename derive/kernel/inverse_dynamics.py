@@ -121,7 +121,7 @@ def shared_program() -> Program:
     """What the programs with legs side by side have in common: robot and motion, checks, the solve."""
     structures = _machine()
     texts = _texts(structures, [])
-    _add(texts, legs.largest, legs.reach_of, legs.fault_of, written.first_of)
+    _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of)
     _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
     _add(texts, forces.per_length_of, written.largest_of, written.scale_of, given=_SMALLEST)
     _add(texts, written.eliminate, given=_ELIMINATION)

@@ -43,7 +43,9 @@ def legs_program(blocks: k.Kinematics) -> Program:
     """``motions_of``: lengths of the legs, their rates and second rates, and their vectors."""
     held = [structure("LegMotion", "A leg.", _outputs(blocks.second)), _LEG_MOTIONS]
     made = [_read(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
-    return _program("legs", held, made, (legs.largest, legs.reach_of, legs.fault_of, written.motions_of))
+    return _program(
+        "legs", held, made, (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of)
+    )
 
 
 def legs_batch(blocks: k.Kinematics) -> Program:
@@ -86,7 +88,13 @@ def search_program(blocks: k.Kinematics, public: Collection[str] = ()) -> Progra
         _read(blocks.rate, "rate_of", "LegRate", of_leg | _MOTION),
         _read(blocks.turned, "turned_by", "SmallTurn", {"turn": ("", (k.turn,))}),
     ]
-    texts = (legs.largest, legs.reach_of, legs.fault_of, *_SEARCH, *(PUBLIC[name] for name in public))
+    texts = (
+        legs.largest_component,
+        legs.reach_of,
+        legs.fault_of,
+        *_SEARCH,
+        *(PUBLIC[name] for name in public),
+    )
     return _program("kinematics", held, made, texts)
 
 

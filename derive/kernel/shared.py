@@ -62,7 +62,7 @@ def shared(about_tip: bool = True) -> Shared:
         (
             read(scale.per_length_of, given={"LARGEST": Number(LARGEST)}, largest=f"{LARGEST:g}"),
             read(scale.scaled_axis),
-            read(legs.largest),
+            read(legs.largest_component),
             read(legs.fault_of, apart=True),
             read(solve.singular_status, apart=True, given={**INVERSE, **RETURNED}),
         ),

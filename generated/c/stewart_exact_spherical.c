@@ -442,9 +442,9 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
     }
     for (i = 0; i < 6; ++i) {
         leg_dynamics(robot, &robot->leg[i], at, &terms);
-        reach[i] = largest(terms.q, REAL(0));
+        reach[i] = largest_component(terms.q, REAL(0));
         extent = STEWART_LARGER(reach[i], extent);
-        reach[i] = largest(robot->leg[i].b, largest(at->t, reach[i]));
+        reach[i] = largest_component(robot->leg[i].b, largest_component(at->t, reach[i]));
         L[i] = terms.L;
         const int status = fault_of(terms.L, REAL(1), reach[i]);
         if (status != STEWART_OK) {

@@ -93,7 +93,7 @@ static leg_motion motion_of(const stewart_leg *leg, const stewart_motions *motio
 }
 
 /* The largest of ``least`` and the sizes of a vector's components. */
-static stewart_real largest(const stewart_real vector[3], stewart_real least)
+static stewart_real largest_component(const stewart_real vector[3], stewart_real least)
 {
     int j;
     stewart_real most = least;
@@ -106,7 +106,7 @@ static stewart_real largest(const stewart_real vector[3], stewart_real least)
 /* Size of the vectors q, t and b that a leg is the sum of, m. */
 static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], const stewart_real q[3])
 {
-    return largest(b, largest(t, largest(q, REAL(0))));
+    return largest_component(b, largest_component(t, largest_component(q, REAL(0))));
 }
 
 /* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */

@@ -55,7 +55,7 @@ STEWART_SHARED void scaled_axis(const stewart_real k[3], stewart_real out[3])
 }
 
 /* The largest of ``least`` and the sizes of a vector's components. */
-STEWART_SHARED stewart_real largest(const stewart_real vector[3], stewart_real least)
+STEWART_SHARED stewart_real largest_component(const stewart_real vector[3], stewart_real least)
 {
     int j;
     stewart_real most = least;

@@ -26,9 +26,9 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
         out.c[j + 3] = own.c_moment[j]
     for i in range(6):
         leg_dynamics(robot, robot.leg[i], at, terms)
-        reach[i] = largest(terms.q, 0.0)
+        reach[i] = largest_component(terms.q, 0.0)
         extent = larger(reach[i], extent)
-        reach[i] = largest(robot.leg[i].b, largest(at.t, reach[i]))
+        reach[i] = largest_component(robot.leg[i].b, largest_component(at.t, reach[i]))
         L[i] = terms.L
         status = fault_of(terms.L, terms.k3 if HAS_SINE else 1.0, reach[i])
         if status != OK:

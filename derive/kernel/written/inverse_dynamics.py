@@ -116,7 +116,7 @@ def first_of(codes: "array(6)") -> "Integer":
 
 def scale_of(q: "array(3, 6)") -> "Real":
     """By what the solve multiplies moments about the reference point."""
-    extent = largest_of(largest(q, 0.0))
+    extent = largest_of(largest_component(q, 0.0))
     per_length = 1.0
     if anywhere((extent < SMALLEST) | (extent > LARGEST)):
         per_length = per_length_of(extent)

@@ -11,10 +11,10 @@ def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":
 
 def reach_of(b: "array(3)", t: "array(3)", q: "array(3)") -> "Real":
     """Size of the vectors q, t and b that a leg is the sum of, m."""
-    return largest(b, largest(t, largest(q, 0.0)))
+    return largest_component(b, largest_component(t, largest_component(q, 0.0)))
 
 
-def largest(vector: "array(3)", least: "Real") -> "Real":
+def largest_component(vector: "array(3)", least: "Real") -> "Real":
     """The largest of ``least`` and the sizes of a vector's components."""
     most = least
     for j in range(3):

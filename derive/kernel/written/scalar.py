@@ -4,7 +4,7 @@
 """
 
 
-def extent(vector: "array(3)") -> "Real":
+def size_sum(vector: "array(3)") -> "Real":
     """Sum of the sizes of a vector's components, m."""
     return size(vector[0]) + size(vector[1]) + size(vector[2])
 
@@ -30,8 +30,8 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
         prepare_leg(robot, robot.leg[i], found)
         SUMMED
         HELD
-        largest = larger(extent(found.p), largest)
-        largest = larger(extent(found.b), largest)
+        largest = larger(size_sum(found.p), largest)
+        largest = larger(size_sum(found.b), largest)
     prepare_platform(robot, sum, platform)
     HELD_PLATFORM
     lost = lost + 0.0 * largest
