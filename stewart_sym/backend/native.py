@@ -45,7 +45,7 @@ PORTABLE_FLAGS = (
 )
 """For a library that is given away: it runs on any processor of this kind, and shows only what it exports."""
 # A library linked with one of these switches the whole process to flush-to-zero.
-_REFUSED = frozenset({"-Ofast", "-ffast-math", "-funsafe-math-optimizations"})
+_REJECTED = frozenset({"-Ofast", "-ffast-math", "-funsafe-math-optimizations"})
 _SUFFIX = {"win32": ".dll", "darwin": ".dylib"}.get(sys.platform, ".so")
 
 # The lines of /proc/cpuinfo that name the model and its instruction sets (x86; Arm; RISC-V; POWER).
@@ -185,7 +185,7 @@ class _Recipe:
 
     def __post_init__(self) -> None:
         for where, words in (("CC", self.compiler.command), ("flags", self.flags)):
-            for flag in _REFUSED.intersection(words):
+            for flag in _REJECTED.intersection(words):
                 raise ValueError(
                     f"{where}: {flag} is rejected, it changes the arithmetic of the whole process"
                 )

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from ..robot.robot import Robot
 
 
+# Instants that show on which side of the base a platform is.
 _SOME = 64
 
 

@@ -1,1 +1,1 @@
-"""The machine: its robot file, published machines, and units in which its numbers are near one."""
+"""The machine: its robot file, and units in which its numbers are near one."""

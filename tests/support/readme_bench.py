@@ -48,7 +48,7 @@ def times(found: dict[str, Any]) -> str:
         f"Nanoseconds a pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
         f"bench` on {machine['cores']} cores of an {machine['processor']}{vectors}, {compiler}, medians of "
         f"{found['rounds']} rounds; ratio to CasADi's C of the same equations, built with the same flags:"
-    ) + table(("", "ns a pose", "ratio"), rows)
+    ) + table(("", "ns per pose", "ratio"), rows)
 
 
 def cores(found: dict[str, Any]) -> str:
@@ -68,7 +68,7 @@ def sizes(found: dict[str, Any]) -> str:
     return paragraph(
         f"From {counts[0]} to {counts[-1]} poses ({name}, one call of `forces_into` each) the longest time a "
         f"pose is {flatness:.2f} times the shortest."
-    ) + table(("poses", *counts), [("ns a pose", *(f"{each['median']:.0f}" for each in swept))])
+    ) + table(("poses", *counts), [("ns per pose", *(f"{each['median']:.0f}" for each in swept))])
 
 
 def calls(found: dict[str, Any]) -> str:
@@ -77,7 +77,7 @@ def calls(found: dict[str, Any]) -> str:
         for call, each in zip(("slot.solve()", "inverse_dynamics()"), found["calls"], strict=True)
     ]
     lead = paragraph("One pose from Python, and what the call adds to the C:")
-    return lead + table(("", "us a call", "us over C"), rows)
+    return lead + table(("", "us per call", "us over C"), rows)
 
 
 def passes(found: dict[str, Any]) -> str:
@@ -93,8 +93,8 @@ def passes(found: dict[str, Any]) -> str:
     ]
     header = ("after the pass", "without friction", "with friction", "one pose, ns", "batch, ns")
     return paragraph(
-        "What each reduction of the derivation brings, forces alone: operations, and time a pose, alone and "
-        f"in batches of {batch:,} on one core:"
+        "What each reduction of the derivation brings, forces alone: operations, and time per pose, alone "
+        f"and in batches of {batch:,} on one core:"
     ) + table(header, rows)
 
 
@@ -135,8 +135,8 @@ def motion(found: dict[str, Any], rounds: int) -> str:
         f"{1e9 * found['loops_open_m']:.0f} nm). The paper's inertia tensors belong to no body and MuJoCo "
         "takes none like them: all of this table has tensors near them that bodies can have."
     )
-    picture = "![Equations of motion, time a pose](.docs/bench_motion.png)\n\n"
-    return lead + table(("", "ns a pose", "ratio", "at most"), rows) + about + picture
+    picture = "![Equations of motion, time per pose](.docs/bench_motion.png)\n\n"
+    return lead + table(("", "ns per pose", "ratio", "at most"), rows) + about + picture
 
 
 def compiling(found: dict[str, Any]) -> str:

@@ -36,9 +36,9 @@ def fidelities(found: Figures) -> str:
         f"{motion['peak_force_N']:,.0f} N on Path {name}" for name, motion in found["motions"].items()
     )
     lead = paragraph(
-        "What each level leaves out, what it costs (operations; nanoseconds a pose, one at a time, in double "
-        "and in float; bytes of code to prepare and compute one pose in double) and how far it is off on the "
-        f"paper's paths, largest error in per cent of the largest force ({peaks}); on {machine['cores']} "
+        "What each level leaves out, what it costs (operations; nanoseconds per pose, one at a time, in "
+        "double and in float; bytes of code to prepare and compute one pose in double) and how far it is "
+        f"off on the paper's paths, largest error in per cent of the largest force ({peaks}); on {machine['cores']} "
         f"cores of an {machine['processor']}, {compiler}:"
     )
     header = ("fidelity", "what is left", "operations", "ns", "float, ns", "bytes")

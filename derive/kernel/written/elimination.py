@@ -158,7 +158,7 @@ def exchange_once(k) -> None:
 
 
 def exchange_beside(k, j) -> None:
-    """With what stands beside it."""
+    """And that of the inverse."""
     beside = Y[k][j]
     Y[k][j] = Y[pivot][j]
     Y[pivot][j] = beside

@@ -9,8 +9,7 @@ EXAMPLE = "cmake -S . -B build -Dstewart-sym_DIR=$(stewart-sym cmake-dir)"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Arguments of ``cmake-dir``."""
-    del parser  # none
+    """``cmake-dir`` has none."""
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -125,7 +125,7 @@ _WHERE = (
 )
 
 _COLUMNS = (
-    *("kernel", "operations", "ns a pose", "in a batch", "bytes"),
+    *("kernel", "operations", "ns per pose", "in a batch", "bytes"),
     *("model error", "RMS", "rounding", "total"),
 )
 

@@ -89,7 +89,7 @@ class Errors:
 class Entry:
     """A candidate's figures.
 
-    operations: of a pose. one_pose, batch: raw ns a pose, round by round. text: bytes of code of a program
+    operations: of a pose. one_pose, batch: raw ns per pose, round by round. text: bytes of code of a program
     that computes one pose at a time, None where no tool can tell. errors: by motion.
     """
 
@@ -146,7 +146,7 @@ class Entry:
 
 @dataclass(frozen=True)
 class Implementation:
-    """Another way to compute the forces of `exact` general: raw ns a pose, rounding error by motion."""
+    """Another way to compute the forces of `exact` general: raw ns per pose, rounding error by motion."""
 
     name: str
     raw: tuple[float, ...]

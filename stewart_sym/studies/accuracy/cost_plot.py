@@ -1,4 +1,4 @@
-"""Speed against accuracy as a picture and as rows: time a pose over error, total and of rounding alone.
+"""Speed against accuracy as a picture and as rows: time per pose over error, total and of rounding alone.
 
 Takes what ``economy`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
 """
@@ -124,7 +124,7 @@ def _of(every: Sequence[Point], panel: str) -> list[Point]:
 
 
 def figure(found: Economy) -> "Figure":
-    """Two panels, time a pose over the errors: of model and rounding together, and of rounding."""
+    """Two panels, time per pose over the errors: of model and rounding together, and of rounding."""
     import matplotlib
     from matplotlib.figure import Figure
 
@@ -191,7 +191,7 @@ def _draw(axes: "Axes", given: Sequence[Point], marks: Mapping[str, str]) -> Non
         zorder=1.0,
     )
     _limits(axes, given, height)
-    axes.set_xlabel("time a pose, ns, median")
+    axes.set_xlabel("time per pose, ns, median")
 
 
 def _heights(given: Sequence[Point]) -> Callable[[float], float]:

@@ -179,7 +179,7 @@ class MotionGroup:
     differences: Mapping[str, float]
 
     def figures(self, raw: Mapping[str, tuple[float, ...]]) -> MotionFigures:
-        """The group's figures from ns a pose of every task."""
+        """The group's figures from ns per pose of every task."""
         ours, calls, empty, peers = [], [], [], []
         for each in FUNCTIONS:
             what = f"stewart_{NAME}_{each.function}"

@@ -189,7 +189,7 @@ def _measured(**entries: Any) -> dict[str, Any]:
 class Benchmark:
     """Everything that ``bench`` measured.
 
-    shortest_sample: seconds that a sample lasted at least. ours, peers: time a pose. cores, arithmetic:
+    shortest_sample: seconds that a sample lasted at least. ours, peers: time per pose. cores, arithmetic:
     all cores over one. calls: time of a Python call for one pose. parts: what Pinocchio's figure is made
     of. sweep: batches of all sizes. motion: the second group. passes: the kernel after each reduction.
     compiling: time of the compiler. text: None where the system's linker or ``nm`` can't tell.
@@ -228,7 +228,7 @@ class Benchmark:
 
     @property
     def limits(self) -> Mapping[str, float]:
-        """Least ns a pose for the operations of the first of ``OURS`` on one core, by what fills a lane."""
+        """Least ns per pose for the operations of the first of ``OURS`` on one core, by what fills a lane."""
         operations = self.ours[0].operations or 0
         each = operations * self.multiply_add.median
         return {"limit, an operation a lane": each, "limit, all fused in pairs": each / 2}
@@ -242,7 +242,7 @@ class Benchmark:
         return call.median - self.ours[0].median
 
     def flatness(self, name: str) -> float:
-        """Longest time a pose over all batch sizes, divided by the shortest."""
+        """Longest time per pose over all batch sizes, divided by the shortest."""
         medians = [figure.median for figure in self.sweep if figure.name == name]
         return max(medians) / min(medians)
 

@@ -79,7 +79,7 @@ def _others(share: float | None) -> list[str]:
 
 def _contestants(found: Benchmark) -> str:
     ratio = "" if found.casadi is None else "x CasADi"
-    header = ("contestant", "what", "poses", "operations", "ns a pose", "quartiles", ratio)
+    header = ("contestant", "what", "poses", "operations", "ns per pose", "quartiles", ratio)
     rows = [_row(found, figure, f"ours: {figure.name}") for figure in found.ours]
     rows += [_row(found, figure, figure.name) for figure in found.peers]
     rows += [
@@ -147,7 +147,7 @@ def _pinocchio_note(found: Benchmark) -> str:
 
 
 def _calls(found: Benchmark) -> str:
-    header = ("one pose from Python", "us a call", "quartiles", "us over C")
+    header = ("one pose from Python", "us per call", "quartiles", "us over C")
     rows = [
         (
             figure.name,
@@ -165,7 +165,7 @@ def _sizes(found: Benchmark) -> str:
     names = dict.fromkeys(figure.name for figure in found.sweep)
     medians = {(figure.name, figure.poses): _number(figure.median) for figure in found.sweep}
     header = (
-        "ns a pose, batch of",
+        "ns per pose, batch of",
         *(f"{size:.0e}".replace("e+0", "e") for size in sizes),
         "longest/shortest",
     )
@@ -179,7 +179,7 @@ def _sizes(found: Benchmark) -> str:
 
 
 def _motion(found: MotionFigures) -> str:
-    header = ("equations of motion, one pose in a C loop", "ns a pose", "quartiles", "x inverse", "target")
+    header = ("equations of motion, one pose in a C loop", "ns per pose", "quartiles", "x inverse", "target")
     rows = [(f"ours: {each.name}", *_motion_cells(found, each), _target(each.name)) for each in found.ours]
     rows += [(f"{each.name}, {each.what}", *_motion_cells(found, each), "") for each in found.peers]
     return "\n\n".join(filter(None, [aligned(header, rows), _faster(found), _motion_notes(found)]))
@@ -320,7 +320,8 @@ def picture(found: Benchmark) -> Canvas:
     canvas = Canvas(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
     canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
     above, below = canvas.subplots(2, 1, height_ratios=heights)
-    canvas.suptitle(f"Inverse dynamics of a Stewart platform, ns a pose: {found.machine['processor']}", x=0.5)
+    processor = found.machine["processor"]
+    canvas.suptitle(f"Inverse dynamics of a Stewart platform, ns per pose: {processor}", x=0.5)
     _draw_contestants(above, found)
     _draw_sizes(below, found)
     return canvas
@@ -340,7 +341,7 @@ def _draw_contestants(axes: Axes, found: Benchmark) -> None:
         axes.axvline(value, color=_LIMIT, linestyle=dash, linewidth=1.2, label=label, zorder=1.5)
     _name_rows(axes, low, rows)
     share = "" if found.casadi is None else r"; $\times$: share of CasADi's time"
-    axes.set_xlabel(f"ns a pose, median (thick: quartiles){share}")
+    axes.set_xlabel(f"ns per pose, median (thick: quartiles){share}")
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2, ncols=2)
 
 
@@ -394,7 +395,7 @@ def _draw_sizes(axes: Axes, found: Benchmark) -> None:
         )
     axes.set_xscale("log")
     axes.set_ylim(0, 1.35 * max((figure.quartiles[1] for figure in found.sweep), default=1.0))
-    axes.set(xlabel="poses in a batch", ylabel="ns a pose")
+    axes.set(xlabel="poses in a batch", ylabel="ns per pose")
     axes.legend(loc="upper right", ncols=2)
 
 
@@ -414,6 +415,6 @@ def motion_picture(found: Benchmark) -> Canvas:
         text = rf"   (target: $\times${limit[0]:g} at most)" if limit else ""
         _draw_row(axes, low, place, figure, color, _times(motion.ratio(figure)) + text)
     _name_rows(axes, low, rows)
-    axes.set_xlabel(r"ns a pose, median (thick: quartiles); $\times$: of our inverse dynamics")
+    axes.set_xlabel(r"ns per pose, median (thick: quartiles); $\times$: of our inverse dynamics")
     axes.set_title(_faster(motion), fontsize="medium")
     return canvas

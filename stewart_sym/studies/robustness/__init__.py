@@ -1,4 +1,4 @@
-"""The failure atlas: families of poses that walk into each failure, and what every method makes of them.
+"""Families of poses that approach each degenerate configuration, and what every method makes of them.
 
 Stands on the kernels it measures and on wider arithmetic; decides nothing, ships no number by hand.
 """
