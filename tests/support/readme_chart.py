@@ -38,8 +38,8 @@ def fidelities(found: Figures) -> str:
     lead = paragraph(
         "What each level leaves out, what it costs (operations; nanoseconds per pose, one at a time, in "
         "double and in float; bytes of code to prepare and compute one pose in double) and how far it is "
-        f"off on the paper's paths, largest error in per cent of the largest force ({peaks}); on {machine['cores']} "
-        f"cores of an {machine['processor']}, {compiler}:"
+        f"off on the paper's paths, largest error in per cent of the largest force ({peaks}); on "
+        f"{machine['cores']} cores of an {machine['processor']}, {compiler}:"
     )
     header = ("fidelity", "what is left", "operations", "ns", "float, ns", "bytes")
     rows = [
