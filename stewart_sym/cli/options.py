@@ -146,5 +146,5 @@ def formulation(parser: argparse.ArgumentParser) -> None:
 def no_pictures(parser: argparse.ArgumentParser) -> None:
     """``--no-pictures``."""
     parser.add_argument(
-        "--no-pictures", dest="pictures", action="store_false", help="tables only, without Matplotlib"
+        "--no-pictures", dest="pictures", action="store_false", help="tables and CSV only, without Matplotlib"
     )

@@ -362,6 +362,15 @@ def test_a_kit_of_a_robot_with_a_long_name_builds_and_passes_its_self_test(tmp_p
     subprocess.run(["make", "-s", "-C", str(tmp_path)], check=True, capture_output=True)
 
 
+@pytest.mark.parametrize("target", ["check", "test"])
+def test_make_runs_the_self_test_beside_the_folder_of_tests(target: str, tmp_path: Path) -> None:
+    write_kit(machines.dasgupta(), tmp_path, Choice())
+    done = subprocess.run(
+        ["make", "-s", "-C", str(tmp_path), target], check=True, capture_output=True, text=True
+    )
+    assert "selftest" in done.stdout
+
+
 def test_names_without_ascii_letters_get_symbols_of_their_own() -> None:
     symbols = {robot_symbol(name) for name in ("并联机器人", "平台", "***")}
     assert len(symbols) == 3

@@ -191,7 +191,7 @@ def test_poses_below_the_base_are_doubted() -> None:
         still = np.zeros((9, 3))
         up, down = (ss.Motion.from_rpy(place, still, still, still) for place in (t, below))
         assert side_doubt(robot, up) is None
-        assert "does z point down in the log" in str(side_doubt(robot, down))
+        assert "does z of the log point the other way" in str(side_doubt(robot, down))
 
 
 @pytest.fixture

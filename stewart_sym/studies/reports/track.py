@@ -279,8 +279,8 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
     if not side.by_gravity or np.any(centre @ side.direction >= 0.0):
         return None
     return (
-        "the platform is below the base, where gravity pulls, at every instant: does z point down in the "
-        "log, and up in the robot file? (forces are right as they are for a machine that hangs)"
+        "the platform is below the base, where gravity pulls, at every instant: does z of the log point "
+        "the other way than in the robot file? (forces are right as they are for a machine that hangs)"
     )
 
 
