@@ -10,9 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from .. import notation as n
-from ..block import Block, Operations, Quantity
-from ..kernel import batches, read
+from ..kernel import batches
 from ..kernel import outputs as o
 from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_one, missing
 from ..kernel.layouts import (
@@ -28,10 +26,13 @@ from ..kernel.layouts import (
     stores,
     suspicion,
 )
-from ..kernel.legs_in_lanes import Layout
-from ..kernel.lower import expression, steps_of
 from ..kernel.model import STATUS_FIELD
-from ..kernel.nodes import (
+from ..kernel.prepare import MOTION
+from ..kernel.shared import shared
+from ..kernel.tree import read
+from ..kernel.tree.legs_in_lanes import Layout
+from ..kernel.tree.lower import expression, steps_of
+from ..kernel.tree.nodes import (
     Argument,
     Array,
     As,
@@ -61,15 +62,15 @@ from ..kernel.nodes import (
     Structure,
     Variable,
 )
-from ..kernel.prepare import MOTION
-from ..kernel.settle import settled
-from ..kernel.shared import shared
+from ..kernel.tree.settle import settled
 from ..kernel.written import batch
 from ..kernel.written import motion_lanes as written
-from ..motion import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel
+from ..mechanics.closed_form import AXIAL, F_LEG, NAMES, NET, TURNED, SumKernel
 from ..print.c import C
 from ..print.template import filled
-from ..regroup import ForceKernel
+from ..program.block import Block, Operations, Quantity
 from .shared import SIZES, SOLVE, top
 
 LEGS, LANES = 6, 8
@@ -171,7 +172,7 @@ def source(
 
 
 def kernels_of(functions: Collection[str]) -> tuple[str, ...]:
-    """Names of the kernels whose sums the functions need, in the order of ``motion.NAMES``.
+    """Names of the kernels whose sums the functions need, in the order of ``closed_form.NAMES``.
 
     functions: out of FUNCTIONS. Raises ValueError for others and for none.
     """

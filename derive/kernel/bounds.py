@@ -12,19 +12,28 @@ from math import prod
 
 import sympy as sp
 
-from .. import notation as n
-from ..adjoint import Adjoint, adjoint
-from ..block import Output, Quantity
-from ..prepared import ADDED, B, arm_c, c_tip, q_1
-from ..regroup import ForceKernel
-from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel
+from ..mechanics.lumped_constants import ADDED, B, arm_c, c_tip, q_1
+from ..program.adjoint import Adjoint, adjoint
+from ..program.block import Output, Quantity
+from ..program.rounding import (
+    RECIPROCAL,
+    ROOT,
+    RoundedBlock,
+    RoundedStep,
+    component_errors,
+    error_symbol,
+    rounded,
+)
 from . import batches
 from . import prepare as p
 from .batches import LOADS, MOTIONS, missing, parts_at, parts_of_one
-from .constants import SMALLEST
 from .layouts import Place, Written, described, loads, member, names_used, reach, stored, stores
-from .lower import expression, steps_of
-from .nodes import (
+from .shared import WITH_ERRORS, shared
+from .tree.constants import SMALLEST
+from .tree.lower import expression, steps_of
+from .tree.nodes import (
     Array,
     Assign,
     Binary,
@@ -47,8 +56,7 @@ from .nodes import (
     Structure,
     Type,
 )
-from .read import Given
-from .shared import WITH_ERRORS, shared
+from .tree.read import Given
 from .written import batch
 from .written import bounds as written
 

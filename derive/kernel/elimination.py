@@ -5,8 +5,8 @@
 
 from collections.abc import Callable, Mapping
 
-from .nodes import Element, Expression, Name, Number
-from .read import Given
+from .tree.nodes import Element, Expression, Name, Number
+from .tree.read import Given
 from .written import elimination as text
 from .written import faults
 

@@ -9,14 +9,14 @@ platforms of about a metre it is 1, and no solve multiplies by it.
 import math
 from collections.abc import Iterable, Sequence
 
-from .. import notation as n
-from ..block import Block, Quantity
-from ..prepared import ADDED
-from ..regroup import ForceKernel
-from .constants import LARGEST, SMALLEST
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel
+from ..mechanics.lumped_constants import ADDED
+from ..program.block import Block, Quantity
 from .layouts import Layout, Place, Written, loads, member, names_used, stored, stores
-from .lower import steps_of
-from .nodes import (
+from .tree.constants import LARGEST, SMALLEST
+from .tree.lower import steps_of
+from .tree.nodes import (
     Argument,
     Array,
     Assign,
@@ -36,7 +36,7 @@ from .nodes import (
     Structure,
     Variable,
 )
-from .read import Given
+from .tree.read import Given
 from .written import scale
 
 ABOUT_REFERENCE = SMALLEST / 2, LARGEST

@@ -4,12 +4,12 @@ from dataclasses import dataclass
 from functools import cache
 
 from .batches import LOADS, MOTIONS, parts_at, parts_of_one
-from .constants import LARGEST
 from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
 from .layouts import Written
-from .nodes import Argument, Array, Count, Function, Number, Pointer, Real, Type
 from .prepare import MOTION
-from .read import LANES, Given
+from .tree.constants import LARGEST
+from .tree.nodes import Argument, Array, Count, Function, Number, Pointer, Real, Type
+from .tree.read import LANES, Given
 from .written import batch, every_output, lanes, legs, scale, solve
 
 ABOUT_REFERENCE: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus, "ABOUT_TIP": 0}

@@ -15,7 +15,7 @@ from stewart_sym.derive.generate import (
     prepared_model,
     reduced_motion,
 )
-from stewart_sym.derive.motion import NAMES
+from stewart_sym.derive.mechanics.closed_form import NAMES
 
 KIT = [
     ("equations", "bias", "forward_dynamics", "joint_inertia"),
