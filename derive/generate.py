@@ -11,9 +11,9 @@ from importlib.metadata import version as installed_version
 
 import sympy as sp
 
-from .emit import arrays, bounds, c, fidelity_table, lanes
+from .emit import arrays, bounds, c, closed_form_source, fidelity_table, lanes
+from .emit import closed_form as closed_form_header
 from .emit import kinematics as kinematics_text
-from .emit import motion as motion_text
 from .emit.header import common_header
 from .emit.layout import layout
 from .emit.shared import shared_headers
@@ -188,7 +188,7 @@ def output_program(form: Formulation, outputs: tuple[str, ...], level: str = "ge
 
 
 def motion_files(functions: Collection[str]) -> dict[str, str]:
-    """``stewart_exact_motion.h`` and ``.c`` with some of ``emit.motion.FUNCTIONS`` and what those need.
+    """``stewart_exact_motion.h`` and ``.c`` with some of ``emit.closed_form.FUNCTIONS`` and what those need.
 
     Raises ValueError for other functions and for none.
     """
@@ -196,18 +196,18 @@ def motion_files(functions: Collection[str]) -> dict[str, str]:
 
 
 def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
-    name, needed = EXACT.kernel_name, motion_text.kernels_of(functions)
+    name, needed = EXACT.kernel_name, closed_form_header.kernels_of(functions)
     built, plain = (reduced_motion(friction, needed) for friction in (True, False))
     return {
-        f"stewart_{name}_motion.h": motion_text.header(built, plain, name, version, functions),
-        f"stewart_{name}_motion.c": motion_text.source(built, model, version, functions),
+        f"stewart_{name}_motion.h": closed_form_header.header(built, plain, name, version, functions),
+        f"stewart_{name}_motion.c": closed_form_source.source(built, model, version, functions),
     }
 
 
 def _closed_form(version: str) -> dict[str, str]:
     built, model = reduced_motion(), prepared_model(EXACT)
-    sources = _motion_files(model, version, motion_text.FUNCTIONS)
-    rows = [f'    "{each.name}": {motion_text.sum_operations(each).total},' for each in built]
+    sources = _motion_files(model, version, closed_form_header.FUNCTIONS)
+    rows = [f'    "{each.name}": {closed_form_header.sum_operations(each).total},' for each in built]
     return {
         f"{EXACT.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
         **{f"c/{file}": text for file, text in sources.items()},

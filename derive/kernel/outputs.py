@@ -25,6 +25,7 @@ from .shared import shared
 from .tree import read
 from .tree.lower import Arguments, block_function, stored_type, structure
 from .tree.nodes import Argument, Array, Field, Function, Integer, Program, Real, Record, Structure, Type
+from .tree.written_text import Names
 from .written import closed_form, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
@@ -37,7 +38,7 @@ class Text:
     """A written function, and what some of its names stand for; given: as ``read.function`` has it."""
 
     written: Written
-    names: read.Names = field(default_factory=dict)
+    names: Names = field(default_factory=dict)
     given: Mapping[str, read.Given] = field(default_factory=dict)
 
 

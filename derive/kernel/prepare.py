@@ -37,7 +37,7 @@ from .tree.nodes import (
     Variable,
 )
 from .tree.read import Given
-from .written import scale
+from .written import solve
 
 ABOUT_REFERENCE = SMALLEST / 2, LARGEST
 """The same of arms from the reference point, which is amid most platforms."""
@@ -56,12 +56,12 @@ LEG = Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.LEG)
 MOTION = Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
 
 
-HANDED_OVER: dict[str, Given] = {"hand_over": scale.handed_over}
+HANDED_OVER: dict[str, Given] = {"hand_over": solve.handed_over}
 """How the texts of preparation end."""
 
 
 def per_length(size: float) -> float:
-    """What ``written.scale.per_length_of`` returns."""
+    """What ``written.solve.per_length_of`` returns."""
     if SMALLEST <= size <= LARGEST or size == 0.0:
         return 1.0
     fraction, exponent = math.frexp(size)
@@ -75,7 +75,7 @@ def is_scaled(kernel: ForceKernel) -> bool:
 
 def size_of(texts: Written, by_legs: bool) -> Function:
     """The largest arm of a prepared model; by_legs: one leg stands after the other in it."""
-    return texts.function(scale.size_of, given={"BY_LEGS": int(by_legs)})
+    return texts.function(solve.size_of, given={"BY_LEGS": int(by_legs)})
 
 
 def prepared_structure(name: str, block: Block) -> Structure:

@@ -13,8 +13,8 @@ import numpy as np
 from ..backend import fidelity
 from ..backend.kernel import c_sources, kernel_name, module
 from ..derive.emit import lanes, scalar
+from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
-from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE, shared_headers
 from ..derive.generate import (
     generator_version,

@@ -12,8 +12,8 @@ from machines import dasgupta, random_motion, random_robot
 
 from stewart_sym.backend.kernel import c_sources, module, robot_numbers
 from stewart_sym.derive.emit import lanes, scalar
+from stewart_sym.derive.emit.closed_form import sum_operations
 from stewart_sym.derive.emit.header import common_header
-from stewart_sym.derive.emit.motion import sum_operations
 from stewart_sym.derive.emit.shared import shared_headers
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
 from stewart_sym.derive.kernel.operations import force_operations, kernel_operations, solve_operations

@@ -7,7 +7,8 @@ from pathlib import Path
 import attack_build
 import pytest
 
-from stewart_sym.derive.emit import motion as emitted
+from stewart_sym.derive.emit import closed_form as emitted
+from stewart_sym.derive.emit import closed_form_source
 from stewart_sym.derive.generate import (
     EXACT,
     generator_version,
@@ -39,7 +40,9 @@ def written(kernels, tmp_path: Path):
         version = generator_version()
         header = emitted.header(full, plain, EXACT.kernel_name, version, functions)
         (tmp_path / "stewart_exact_motion.h").write_text(header)
-        (tmp_path / "stewart_exact_motion.c").write_text(emitted.source(full, model, version, functions))
+        (tmp_path / "stewart_exact_motion.c").write_text(
+            closed_form_source.source(full, model, version, functions)
+        )
         return tmp_path
 
     return write

@@ -22,9 +22,7 @@ the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of t
 
 import ast
 import inspect
-import textwrap
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import replace
 from functools import reduce
 from types import MappingProxyType
 from typing import Any, cast
@@ -69,12 +67,18 @@ from .nodes import (
     Truth,
     Type,
     Variable,
-    calls_in,
-    statements,
 )
-
-Names = Mapping[str, str | int]
-"""What names of a text stand for, other names or numbers: the text then serves for several functions."""
+from .written_text import (
+    Filled,
+    Names,
+    base_of,
+    called_name,
+    changed_names,
+    is_none,
+    parsed,
+    rolled_range,
+    with_variables,
+)
 
 _OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
 _COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
@@ -101,7 +105,7 @@ def function(
     statements by the names that stand for them. names: what other names of the text stand for. Raises
     ValueError for what is not allowed.
     """
-    tree = _parsed(written, names)
+    tree = parsed(written, names)
     return _Reader(structures, functions, tree, given or {}, names).function(name or tree.name, public)
 
 
@@ -111,60 +115,13 @@ def used(
     given: Mapping[str, Given] = MappingProxyType({}),
 ) -> list[str]:
     """Names of the structures and functions that a text and those given to it use, in their order."""
-    tree = _parsed(written, names)
+    tree = parsed(written, names)
     typed = [each.annotation for each in tree.args.args] + [tree.returns]
     quoted = [node.value for node in typed if isinstance(node, ast.Constant) and isinstance(node.value, str)]
-    called = [_called(node) for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    called = [called_name(node) for node in ast.walk(tree) if isinstance(node, ast.Call)]
     texts = (text for each in called if inspect.isfunction(text := given.get(each)))
     inside = [each for text in texts for each in used(text, names, given)]
     return list(dict.fromkeys([*quoted, *inside, *called]))
-
-
-def _parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
-    tree = ast.parse(textwrap.dedent(inspect.getsource(written))).body[0]
-    assert isinstance(tree, ast.FunctionDef)
-    for each in tree.args.args:
-        each.annotation = _quoted(each.annotation, names)
-        each.arg = str(names.get(each.arg, each.arg))
-    tree.returns = _quoted(tree.returns, names)
-    made = _Renamed(names).visit(tree)
-    assert isinstance(made, ast.FunctionDef)
-    return made
-
-
-def _quoted(node: ast.expr | None, names: Names) -> ast.expr | None:
-    if isinstance(node, ast.Constant) and isinstance(node.value, str):
-        made = _Renamed(names).visit(ast.parse(node.value, mode="eval").body)
-        return ast.Constant(ast.unparse(made))
-    return node
-
-
-class _Renamed(ast.NodeTransformer):
-    """Puts what names stand for in their place and at the end of others: ``solve_WIDTH`` is ``solve_24``."""
-
-    def __init__(self, names: Names) -> None:
-        self.names = names
-
-    def visit_Name(self, node: ast.Name) -> ast.expr:
-        """A name or a number in its place."""
-        if isinstance(value := self.names.get(node.id), int):
-            return ast.Constant(value)
-        name = node.id if value is None else value
-        for key, number in self.names.items():
-            if isinstance(number, int) and name.endswith(f"_{key}"):
-                name = f"{name.removesuffix(key)}{number}"
-        return ast.Name(name, node.ctx) if name.isidentifier() else ast.parse(name, mode="eval").body
-
-
-class _Filled(ast.NodeTransformer):
-    """Puts expressions in the place of names."""
-
-    def __init__(self, values: Mapping[str, ast.expr]) -> None:
-        self.values = values
-
-    def visit_Name(self, node: ast.Name) -> ast.expr:
-        """An expression in its place."""
-        return self.values.get(node.id, node)
 
 
 class _Reader:
@@ -187,17 +144,17 @@ class _Reader:
         typed = [each for each in typed if self.given.get(each[0]) is not False]
         self.types = {name: kind for name, kind, _ in typed}
         read = self.body(tree.body[ast.get_docstring(tree) is not None :])
-        changed = _changed(read, self.functions, self.is_address)
+        changed = changed_names(read, self.functions, self.is_address)
         arguments = tuple(Argument(name, kind, name in changed, alone) for name, kind, alone in typed)
-        result = None if _is_none(tree.returns) else self.annotated(tree.returns)
+        result = None if is_none(tree.returns) else self.annotated(tree.returns)
         paragraphs = (ast.get_docstring(tree) or "").split("\n\n")
         meaning = "\n\n".join(" ".join(each.split()) for each in paragraphs)
-        return Function(name, meaning, arguments, result, _with_variables(read, changed), public)
+        return Function(name, meaning, arguments, result, with_variables(read, changed), public)
 
     def argument(self, node: ast.expr | None) -> tuple[Type, bool]:
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             node = ast.parse(node.value, mode="eval").body
-        if node is not None and _called(node) == "alone":
+        if node is not None and called_name(node) == "alone":
             assert isinstance(node, ast.Call)
             return self.annotated(node.args[0]), True
         return self.annotated(node), False
@@ -209,13 +166,13 @@ class _Reader:
             plain: dict[str, Type] = {"Real": Real(), "Integer": Integer(), "Count": Count()}
             named = self.structures.get(node.id)
             return plain.get(node.id, Record(named.name if named else node.id))
-        if isinstance(node, ast.Call) and _called(node) == "Pointer":
+        if isinstance(node, ast.Call) and called_name(node) == "Pointer":
             item = self.annotated(node.args[0])
             assert isinstance(item, Real | Integer | Record)
             return Pointer(item)
-        if isinstance(node, ast.Call) and _called(node) == "array":
+        if isinstance(node, ast.Call) and called_name(node) == "array":
             return Array(Real(), tuple(self.dimension(arg) for arg in node.args))
-        if isinstance(node, ast.Call) and _called(node) == "pointers":
+        if isinstance(node, ast.Call) and called_name(node) == "pointers":
             return Array(Pointer(Real()), tuple(self.dimension(arg) for arg in node.args))
         raise self.error(node, "a structure's name, array(...), Pointer(...), Real, Integer or Count")
 
@@ -246,9 +203,9 @@ class _Reader:
         match node:
             case ast.If() if (holds := self.settled(node.test)) is not None:
                 return self.body(node.body if holds else node.orelse)
-            case ast.For(target=ast.Name(id=index)) if _called(node.iter) == "each":
+            case ast.For(target=ast.Name(id=index)) if called_name(node.iter) == "each":
                 return self.rolled(node, index) if self.given.get("ROLLED") else self.repeated(node, index)
-            case ast.Expr(value=ast.Call() as call) if callable(text := self.given.get(_called(call))):
+            case ast.Expr(value=ast.Call() as call) if callable(text := self.given.get(called_name(call))):
                 return self.inlined(text, call)
             case ast.Expr(value=ast.Call(func=ast.Name(id=name))) if self.given.get(name) == ():
                 return []
@@ -273,11 +230,11 @@ class _Reader:
 
     def inlined(self, text: Callable[..., Any], call: ast.Call) -> tuple[Statement, ...]:
         """The lines of another text with what it is called with in place of its arguments."""
-        tree = _parsed(text, self.names)
+        tree = parsed(text, self.names)
         names = (each.arg for each in tree.args.args)
         settled = (self.settled(arg) for arg in call.args)
         values = (arg if i is None else ast.Constant(i) for arg, i in zip(call.args, settled, strict=True))
-        filled = _Filled(dict(zip(names, values, strict=True)))
+        filled = Filled(dict(zip(names, values, strict=True)))
         lines = tree.body[ast.get_docstring(tree) is not None :]
         return self.body([filled.visit(each) for each in lines])
 
@@ -335,7 +292,7 @@ class _Reader:
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
             return None
         if node.func.id == "address":
-            return Let(name, Name(_base(node.args[0])), Pointer(Record(self.structures["Model"].name)))
+            return Let(name, Name(base_of(node.args[0])), Pointer(Record(self.structures["Model"].name)))
         if node.func.id == "blank":
             return Variable(name, self.annotated(node.args[0]), blank=True)
         if node.func.id == "array":
@@ -346,13 +303,13 @@ class _Reader:
 
     def loop(self, node: ast.For, index: str) -> For:
         call = node.iter
-        down = _called(call) == "reversed"
-        if _called(call) == "each":
-            call, down = _rolled(call)
+        down = called_name(call) == "reversed"
+        if called_name(call) == "each":
+            call, down = rolled_range(call)
         elif down:
             assert isinstance(call, ast.Call)
             call = call.args[0]
-        if not isinstance(call, ast.Call) or _called(call) not in ("range", "columns"):
+        if not isinstance(call, ast.Call) or called_name(call) not in ("range", "columns"):
             raise self.error(node.iter, "range(...), reversed(range(...)) or columns(...)")
         ends = [self.expression(arg) for arg in call.args[:2]]
         first, last = (Number(0), *ends)[-2:]
@@ -362,7 +319,7 @@ class _Reader:
             first, last = _less_one(last), _less_one(first)
         step = self.expression(call.args[2]) if len(call.args) == 3 else Number(1)
         step = As(Count(), step) if kind == Count() and step != Number(1) else step
-        kept = _called(call) == "columns" and self.given.get("LONG") != 0
+        kept = called_name(call) == "columns" and self.given.get("LONG") != 0
         return For(index, first, last, self.inner(node.body), down, kind, step, kept)
 
     # ------------------------------------------------------------ expressions
@@ -441,11 +398,11 @@ class _Reader:
         return Binary(_OPERATORS[type(node.op)], left, right)
 
     def call(self, node: ast.Call) -> Expression:
-        name = _called(node)
+        name = called_name(node)
         arguments = tuple(
             self.expression(arg)
             for arg in node.args
-            if self.given.get(_base(arg)) is not False or _base(arg) in self.types
+            if self.given.get(base_of(arg)) is not False or base_of(arg) in self.types
         )
         if name == "where":
             return Select(*arguments)
@@ -509,70 +466,6 @@ class _Reader:
             return False
         owner = self.types.get(node.owner.name)
         return isinstance(owner, Record) and isinstance(self.member(owner, node.name), Pointer)
-
-
-def _changed(
-    body: tuple[Statement, ...], functions: Mapping[str, Function], is_address: Callable[[Expression], bool]
-) -> set[str]:
-    """Names that are assigned to after their first value, in part, or by a function that changes them."""
-    found: set[str] = set()
-    for each in statements(body):
-        if isinstance(each, Assign):
-            found.add(_root(each.target))
-        for call in calls_in(each):
-            arguments = functions[call.function].arguments if call.function in functions else ()
-            pairs = zip(call.arguments, arguments, strict=False)
-            found |= {_root(value) for value, to in pairs if to.changed and not is_address(value)}
-    return found
-
-
-def _with_variables(body: tuple[Statement, ...], changed: set[str]) -> tuple[Statement, ...]:
-    """The body with variables for what was read as a constant, and is changed later."""
-    found: list[Statement] = []
-    for each in body:
-        match each:
-            case Let(name, value, kind) if name in changed:
-                found.append(Variable(name, kind, value))
-            case For():
-                found.append(replace(each, body=_with_variables(each.body, changed)))
-            case If():
-                parts = (_with_variables(part, changed) for part in (each.body, each.otherwise))
-                found.append(If(each.test, *parts))
-            case _:
-                found.append(each)
-    return tuple(found)
-
-
-def _is_none(node: ast.expr | None) -> bool:
-    return node is None or (isinstance(node, ast.Constant) and node.value is None)
-
-
-def _root(node: Expression) -> str:
-    while isinstance(node, Member | Element | From | Select):
-        if isinstance(node, Select):
-            node = node.yes
-        else:
-            node = node.owner if isinstance(node, Member) else node.array
-    return node.name if isinstance(node, Name) else ""
-
-
-def _base(node: ast.expr) -> str:
-    while isinstance(node, ast.Attribute | ast.Subscript):
-        node = node.value
-    return node.id if isinstance(node, ast.Name) else ""
-
-
-def _rolled(node: ast.expr) -> tuple[ast.expr, bool]:
-    """``range`` of what ``each`` goes through, and whether it goes downward."""
-    assert isinstance(node, ast.Call)
-    if len(node.args) < 3:
-        return ast.Call(ast.Name("range"), node.args, []), False
-    first, after, _ = (ast.literal_eval(each) for each in node.args)
-    return ast.parse(f"range({after + 1}, {first + 1})", mode="eval").body, True
-
-
-def _called(node: ast.expr) -> str:
-    return node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""
 
 
 def _less_one(value: Expression) -> Expression:
