@@ -4812,7 +4812,7 @@ static int equations_of_pose(
             if (status != STEWART_OK) {
                 return status;
             }
-            out->near = leg.k3 > STEWART_NEAR_POLE ? out->near : 1;
+            out->near = leg.k3 > STEWART_NEAR_JOINT_SINGULAR ? out->near : 1;
             out->close = leg.L > STEWART_SHORT_SHARE*leg.reach ? out->close : 1;
         }
         D[i] = leg.D;

@@ -250,7 +250,7 @@ def _faults(formulation: str) -> frozenset[int]:
 
 def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> NDArray[np.bool_]:
     """Where double precision loses digits that the machine has, (...): then the reference takes 50."""
-    near = newton_euler.legs(robot, _at_rest(motion), faults).sin_pole.min(axis=(-2, -1)) < _KEPT
+    near = newton_euler.legs(robot, _at_rest(motion), faults).sin_joint.min(axis=(-2, -1)) < _KEPT
     return np.asarray(near | ~(digits_kept(M) > _KEPT))
 
 

@@ -24,7 +24,7 @@ from ..robot.robot import Robot
 
 Array = NDArray[np.float64]
 
-MIN_SIN_POLE = 0.3
+MIN_JOINT_SINE = 0.3
 """Sine of the angle between a leg and its universal axis from which on the leg is clear of it."""
 
 ROUNDING = 16 * np.finfo(np.float64).eps
@@ -135,13 +135,13 @@ def tip_velocities(motion: Motion, q: Array) -> Array:
     return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
 
 
-def clear_of_poles(robot: Robot, legs: LegKinematics) -> NDArray[np.bool_]:
+def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> NDArray[np.bool_]:
     """Whether all six legs are clear of their universal axes k, (...,); always with spherical base joints.
 
-    Clear: the sine of the angle between k and s is ``MIN_SIN_POLE`` or more.
+    Clear: the sine of the angle between k and s is ``MIN_JOINT_SINE`` or more.
     """
     sines = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
-    return np.asarray((sines >= MIN_SIN_POLE).all(axis=-1) | (robot.base_joint == "spherical"))
+    return np.asarray((sines >= MIN_JOINT_SINE).all(axis=-1) | (robot.base_joint == "spherical"))
 
 
 def _legs(robot: Robot, motion: Motion, wanted: Sequence[str]) -> dict[str, Any]:

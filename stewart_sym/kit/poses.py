@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..dynamics.inverse import Formulation, inverse_dynamics
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
-from ..kinematics.inverse import clear_of_poles, inverse_kinematics
+from ..kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
 from ..kinematics.mounting import platform_side
 from ..motion.motion import Motion
 from ..results import Forces
@@ -122,7 +122,7 @@ def _judged(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, Ar
     condition = scaled_condition_number(_forces(robot, solved, formulation).H, characteristic_length(robot))
     legs = inverse_kinematics(robot, solved)
     within = np.clip(legs.L, *robot.length_limits.T) == legs.L
-    return solved, condition, clear_of_poles(robot, legs), within.all(axis=-1)
+    return solved, condition, clear_of_joint_singularities(robot, legs), within.all(axis=-1)
 
 
 def _forces(robot: Robot, motion: Motion, formulation: str) -> Forces:

@@ -39,7 +39,7 @@ Found = dict[str, Objects]
 
 LEG_FIELDS = tuple(q.name for q in n.LEG)
 PLATFORM_FIELDS = tuple(q.name for q in n.PLATFORM)
-NEAR_POLE = constants("double")["NEAR_POLE"]
+NEAR_JOINT_SINGULAR = constants("double")["NEAR_JOINT_SINGULAR"]
 """Sine of the angle between a leg and its fixed axis below which a third axis takes the place of that one."""
 
 # Rotations and axes are of length one only to rounding; other forms of the equations use that they are.

@@ -194,7 +194,7 @@ class Forces:
 
     def __init__(self, kernel: ForceKernel, robot: Numbers, motions: Numbers, near: bool) -> None:
         """Solve for the forces, and bound their errors."""
-        block = kernel.leg_near_pole if near else kernel.leg
+        block = kernel.leg_near_singular if near else kernel.leg
         assert block is not None
         self._kernel, self._block = kernel, block
         self._constants, self._motion = _held(kernel, robot), _components_of(n.MOTION, motions)

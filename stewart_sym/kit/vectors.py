@@ -24,7 +24,7 @@ from ..kinematics.forward import forward_kinematics
 from ..kinematics.inverse import wrench_matrix
 from ..motion.motion import Motion
 from ..motion.rotation import orthonormal
-from ..results import POLE, SHORT_LEG, SINGULAR
+from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
 from ..robot.robot import Robot
 from .poses import neighbour, poses, significant
 from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
@@ -139,14 +139,14 @@ def rejected(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str
     start = _input(robot, first, _PRECISION[precision])
     still = start | {"R": np.eye(3).ravel()}
     cases = [
-        (still | {"t": robot.b[2] - robot.p[2]}, SHORT_LEG),
+        (still | {"t": robot.b[2] - robot.p[2]}, ZERO_LENGTH),
         # With all platform points in one place the legs' lines meet there.
         (start | {"R": np.zeros(9)}, SINGULAR),
     ]
     if knows_axes(robot, fidelity):
         k = robot.k[4] / np.linalg.norm(robot.k[4])
         along = k * np.linalg.norm(start["t"] - robot.b[4])
-        cases.append((still | {"t": robot.b[4] + along - robot.p[4]}, POLE))
+        cases.append((still | {"t": robot.b[4] + along - robot.p[4]}, JOINT_SINGULAR))
     return cases
 
 

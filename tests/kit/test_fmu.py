@@ -67,7 +67,7 @@ COMPILERS = {
 }
 PAYLOAD = ("M", "R_0", "I_p", "g")
 FORCES = range(30, 36)
-NOT_FINITE, SHORT_LEG, SINGULAR = 1, 2, 4
+NOT_FINITE, ZERO_LENGTH, SINGULAR = 1, 2, 4
 
 
 @dataclass(frozen=True)
@@ -399,7 +399,7 @@ def bad_rows() -> dict[str, tuple[Array, int]]:
     short, infinite, nan = good.copy(), good.copy(), good.copy()
     short[:9], short[9:12] = np.eye(3).ravel(), robot.b[0] - robot.p[0]
     infinite[20], nan[3] = np.inf, np.nan
-    return {"short": (short, SHORT_LEG), "infinite": (infinite, NOT_FINITE), "nan": (nan, NOT_FINITE)}
+    return {"short": (short, ZERO_LENGTH), "infinite": (infinite, NOT_FINITE), "nan": (nan, NOT_FINITE)}
 
 
 @pytest.mark.parametrize("which", ["short", "infinite", "nan"])

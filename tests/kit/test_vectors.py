@@ -22,7 +22,7 @@ from stewart_sym.backend.kernel import MOTION, address, kernel_name, robot_numbe
 from stewart_sym.dynamics import closed_form
 from stewart_sym.dynamics.forces import prepare
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
-from stewart_sym.kinematics.inverse import clear_of_poles
+from stewart_sym.kinematics.inverse import clear_of_joint_singularities
 from stewart_sym.kit.poses import MAX_CONDITION, poses, sample
 from stewart_sym.kit.readings import LEG_FIELDS, PLATFORM_FIELDS, Readings
 from stewart_sym.kit.running import Running
@@ -404,7 +404,7 @@ def test_poses_begin_with_the_examples_and_are_all_good() -> None:
     assert poses(robot, "exact", 1).shape == (1,)
     H = ss.wrench_matrix(robot, motions)
     assert (scaled_condition_number(H, characteristic_length(robot)) <= MAX_CONDITION).all()
-    assert clear_of_poles(robot, ss.inverse_kinematics(robot, motions)).all()
+    assert clear_of_joint_singularities(robot, ss.inverse_kinematics(robot, motions)).all()
     assert (motions.omega == 0).all(axis=-1).any()
     apart = np.abs(motions.R[:, None] - motions.R[None]).max(axis=(-1, -2)) + np.eye(8)
     assert apart.min() > 0.01

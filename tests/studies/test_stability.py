@@ -121,7 +121,7 @@ def test_near_a_singular_pose_every_kernel_is_right_or_says_so() -> None:
 
 
 def test_the_sine_from_the_cosine_loses_what_the_product_keeps() -> None:
-    family = next(each for each in leg_frame.families() if each.name == "pole_sine")
+    family = next(each for each in leg_frame.families() if each.name == "joint_sine")
     found = {curve.method: verdict(curve, family.distance) for curve in family.curves}
     assert found["sqrt(1 - (k.s)^2)"].worst > 1e6
     assert found["|k x s|"].worst < 10
@@ -133,7 +133,7 @@ def test_limits_of_length_are_told_from_the_first_rounding_unit_on() -> None:
     assert any((curve.status != OK).any() for curve in family.curves if curve.status is not None)
 
 
-def test_orientations_without_a_pole_keep_their_digits_at_a_pitch_of_90_degrees() -> None:
+def test_orientations_without_a_singularity_keep_their_digits_at_a_pitch_of_90_degrees() -> None:
     family = attitude.families()[0]
     found = {curve.method: verdict(curve, family.distance) for curve in family.curves}
     assert found["roll-pitch-yaw"].digits < 2
@@ -166,9 +166,9 @@ def test_many_random_cases_near_failure_are_right_or_say_so() -> None:
 def test_a_case_shown_is_the_case_that_was_judged() -> None:
     rng = np.random.default_rng(6)
     numbers = np.array([robot_numbers(random_machine(rng)) for _ in range(2)])
-    found = judge.judge_random("pole", numbers, np.ones(2), 10, 3)
+    found = judge.judge_random("joint singularity", numbers, np.ones(2), 10, 3)
     for index in (0, 7, 13):
-        robot, motion = judge.random_case("pole", numbers, np.ones(2), 10, 3, index)
+        robot, motion = judge.random_case("joint singularity", numbers, np.ones(2), 10, 3, index)
         again = np.zeros(1, dtype=judge.RESULT)
         judge._judge(0, "double", True, 3, 0.0, 0, robot[None], np.ones(1), motion[None], 1, again)
         assert again["frames"][0] == pytest.approx(found["frames"][index], rel=1e-6)

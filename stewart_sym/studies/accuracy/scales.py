@@ -21,7 +21,7 @@ from ...dynamics.home_pose import radius
 from ...dynamics.inverse import Formulation, inverse_dynamics
 from ...generated.interface import MODELS
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.inverse import clear_of_poles, inverse_kinematics
+from ...kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
 from ...motion.motion import Motion
 from ...results import OK
 from ...robot.robot import Robot
@@ -136,7 +136,7 @@ def scales_study(
     accelerations and loads of the order that gravity sets. ``progress`` is told the masses at hand.
 
     Raises ValueError if the robot has too few poses with a scaled condition number below ``MAX_CONDITION``
-    and with sines of the angles between legs and universal axes above ``MIN_SIN_POLE``,
+    and with sines of the angles between legs and universal axes above ``MIN_JOINT_SINE``,
     native.CompilerError without a C compiler.
     """
     robot = robots.dasgupta1998() if robot is None else robot
@@ -189,7 +189,7 @@ def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
     motion = random_motions(rng, robot, _DRAWS * count, _SPREAD, _STANDARD_GRAVITY, 1.0)
     found = inverse_dynamics(robot, motion, on_singular="nan")
     condition = scaled_condition_number(found.H, characteristic_length(robot))
-    clear = clear_of_poles(robot, inverse_kinematics(robot, motion))
+    clear = clear_of_joint_singularities(robot, inverse_kinematics(robot, motion))
     good = np.flatnonzero((found.status == OK) & (condition < MAX_CONDITION) & clear)[:count]
     return motion[good]
 

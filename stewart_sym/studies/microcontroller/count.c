@@ -55,15 +55,15 @@ static int prepare(void)
 }
 #endif
 
-#if defined(NEAR_POLES)
-/* The robot with all legs near the poles of their joints at the first motion. */
+#if defined(NEAR_SINGULAR_JOINTS)
+/* The robot with all legs near singularities of their joints at the first motion. */
 static int lean(void)
 {
     int i, j;
     odd = ROBOT;
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
-            odd.leg[i].k[j] = near_poles[i][j];
+            odd.leg[i].k[j] = near_singular_joints[i][j];
         }
     }
     return PREPARE(&odd, &model);
@@ -151,10 +151,10 @@ int main(void)
         deepest = depth > deepest ? depth : deepest;
     }
     board_print_number("times", TIMES);
-#if defined(NEAR_POLES)
+#if defined(NEAR_SINGULAR_JOINTS)
     at = motions[0];
     failed += lean() != STEWART_OK || forces() != STEWART_OK;
-    board_print_number("ticks_near_poles", (int32_t)board_ticks(forces, TIMES));
+    board_print_number("ticks_near_singular_joints", (int32_t)board_ticks(forces, TIMES));
     deepest = board_stack(forces) > deepest ? board_stack(forces) : deepest;
 #endif
     board_print_number("stack_forces", (int32_t)deepest);

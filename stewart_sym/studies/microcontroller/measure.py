@@ -32,7 +32,7 @@ Progress = Callable[[str], None]
 
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""
-NEAR_POLE = 1e-3
+NEAR_JOINT_SINGULAR = 1e-3
 """Sine of a leg's angle to its fixed axis: below 1/32 the code path near the joint singularity is taken."""
 _SELFTEST = "selftest.c"
 _OWN = ("start.c", "count.c", "board.h", "link.ld")
@@ -46,8 +46,8 @@ class Figures:
     precision: "double" or "float"; baked; core: the processor, flags: its own of the compiler, board: QEMU's
     with it. failed, refused_wrongly: forces beyond their bound and calls without an answer that were not told
     so; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test.
-    instructions: executed for a pose at most, of the poses; near_poles: the same with all
-    six legs near the poles of their joints, None where that cannot be tried: baked, or no universal joint.
+    instructions: executed for a pose at most, of the poses; near_singular_joints: the same with all
+    six legs near singularities of their joints, None where it cannot be tried: baked, or no universal joint.
     flash: bytes of the ``kernel``'s code and constants, of the ``robot``'s numbers, and of all of the test's
     program, ``image``; ram: bytes of the data of kernel and robot, ``kit``, and of the prepared constants,
     ``model``, which the caller holds. stack: bytes below the caller that a ``pose`` was seen to write, and
@@ -67,7 +67,7 @@ class Figures:
     poses: int
     selftest: int
     instructions: int
-    near_poles: int | None
+    near_singular_joints: int | None
     flash: dict[str, int]
     ram: dict[str, int]
     stack: dict[str, int]
@@ -146,14 +146,14 @@ class Cases:
             (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
         ]
 
-    def near_poles(self) -> Array | None:
-        """Fixed axes, (6, 3), with which all legs are near their poles at the first motion."""
+    def near_singular_joints(self) -> Array | None:
+        """Fixed axes, (6, 3), with which all legs are near their joint singularities at the first motion."""
         if not knows_axes(self.robot, self.level):
             return None
         s = inverse_kinematics(self.robot, sample(self.robot, "exact")[0]).s
         across = np.cross(s, np.roll(s, 1, axis=-1))
         across /= np.linalg.norm(across, axis=-1, keepdims=True)
-        return np.asarray(np.sqrt(1 - NEAR_POLE**2) * s + NEAR_POLE * across)
+        return np.asarray(np.sqrt(1 - NEAR_JOINT_SINGULAR**2) * s + NEAR_JOINT_SINGULAR * across)
 
 
 # --- one kit ----------------------------------------------------------------------------------
@@ -209,7 +209,7 @@ def _figures(
     # An empty function took one instruction.
     counts = {
         name: max(round((ticks - said["empty"][0]) * per_call + 1) for ticks in said[name])
-        for name in ("ticks", "ticks_near_poles")
+        for name in ("ticks", "ticks_near_singular_joints")
         if name in said
     }
     parts = [toolchain.sizes(path) for path in objects]
@@ -239,7 +239,7 @@ def _figures(
         poses=len(said["ticks"]),
         selftest=selftest,
         instructions=counts["ticks"],
-        near_poles=counts.get("ticks_near_poles"),
+        near_singular_joints=counts.get("ticks_near_singular_joints"),
         flash={
             "kernel": parts[0]["flash"],
             "robot": sum(part["flash"] for part in parts[1:]),
@@ -285,7 +285,7 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
             f"#define PREPARE {kernel}_prepare",
         ]
         names.append(f"#define ROBOT {symbol}")
-    axes = cases.near_poles() if symbol else None
+    axes = cases.near_singular_joints() if symbol else None
     given = _motions(test.inputs for test in cases.tests)
     expected = np.array([test.answers["F"] for test in cases.tests])
     bounds = np.array([test.bounds["F"] for test in cases.tests]) * epsilon
@@ -302,7 +302,7 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
             f"static const double expected[MOTIONS][6] = {_nested(expected)};",
             f"static const double bounds[MOTIONS][6] = {_nested(bounds)};",
             f"static const stewart_motion refused_motions[REFUSED] = {without};",
-            *([] if axes is None else ["#define NEAR_POLES", _axes_text(axes)]),
+            *([] if axes is None else ["#define NEAR_SINGULAR_JOINTS", _axes_text(axes)]),
             f"static const int refused_status[REFUSED] = {{{', '.join(str(code) for _, code in rejected)}}};",
             "",
         ]
@@ -310,7 +310,7 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
 
 
 def _axes_text(axes: Array) -> str:
-    return f"static const stewart_real near_poles[6][3] = {_nested(axes, 'REAL({})')};"
+    return f"static const stewart_real near_singular_joints[6][3] = {_nested(axes, 'REAL({})')};"
 
 
 def _motions(all_numbers: Any) -> str:

@@ -154,7 +154,9 @@ def _steep(found: Reproduction, form: str) -> Measured:
 
 def _singular(found: Reproduction, form: str) -> Measured:
     run = found.runs["III", form]
-    text = f"{_short(largest(run))} N at {_worst_time(run):.1f} s; H is singular at {found.pole:.3f} s"
+    text = (
+        f"{_short(largest(run))} N at {_worst_time(run):.1f} s; H is singular at {found.singular_time:.3f} s"
+    )
     return Measured(text, _verdict(1e5 <= largest(run) < 1e6, largest(run) >= 1e5))
 
 

@@ -23,7 +23,7 @@ from ...singularities.along_path import (
     LegExtreme,
     Passage,
     crossings,
-    force_pole,
+    force_residue,
     singularities_along,
 )
 from ...singularities.singular_poses import Singularity
@@ -152,7 +152,7 @@ def curves(found: Examination) -> Columns:
     """Columns (n,) over time, denser towards each crossing and minimum; nan where a pose has no answer.
 
     time; smallest_singular_value with the sign of det H; scaled_condition, inf where that is 0; F1..F6;
-    pole_sine1..6; L1..L6.
+    joint_sine1..6; L1..L6.
     """
     robot, passage = found.robot, found.passage
     duration = passage.end - passage.start
@@ -178,10 +178,10 @@ def curves(found: Examination) -> Columns:
         "smallest_singular_value": np.sign(np.linalg.det(H)) * smallest,
         "scaled_condition": condition,
     }
-    for name, values in (("F", forces.F), ("pole_sine", sine), ("L", L)):
+    for name, values in (("F", forces.F), ("joint_sine", sine), ("L", L)):
         columns |= {f"{name}{leg + 1}": values[:, leg] for leg in range(LEGS)}
     if robot.base_joint == "spherical":
-        columns = {name: values for name, values in columns.items() if not name.startswith("pole_sine")}
+        columns = {name: values for name, values in columns.items() if not name.startswith("joint_sine")}
     return columns
 
 
@@ -203,7 +203,7 @@ def _sides(robot: Robot, path: Path, passage: Passage, crossing: Crossing, formu
         on_singular="nan",
     )
     F = np.where((solved.status == OK)[:, None], solved.F, np.nan)
-    residue = force_pole(robot, path(np.array([crossing.time])), formulation)[0]
+    residue = force_residue(robot, path(np.array([crossing.time])), formulation)[0]
     return Sides(residue, distances, F[: len(distances)], F[len(distances) :])
 
 
@@ -216,11 +216,14 @@ def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> lis
         f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
     ]
     if not np.isfinite(sides.residue).all():
-        return [*lines, "  force pole     no simple one: the path rests there or runs along singular poses"]
+        return [
+            *lines,
+            "  force residue  no simple one: the path rests there or runs along singular poses",
+        ]
     A = ", ".join(f"{value:.6g}" for value in sides.residue)
     ends = ["-inf", "+inf"] if sides.residue[leg] > 0.0 else ["+inf", "-inf"]
     lines += [
-        f"  force pole     F = A / (t - t_0), A = ({A}) N s",
+        f"  force residue  F = A / (t - t_0), A = ({A}) N s",
         f"  most affected  leg {leg + 1}: {ends[0]} before, {ends[1]} after",
     ]
     rows = [
@@ -259,7 +262,7 @@ def _legs_table(found: Examination) -> str:
         low, high = limits[leg]
         rows.append((
             str(leg + 1),
-            *_cells(passage.pole, leg),
+            *_cells(passage.joint_sine, leg),
             *_cells(passage.shortest, leg),
             f"{passage.shortest.value[leg] - low:.4g}" if low > 0.0 else "none",
             *_cells(passage.longest, leg),

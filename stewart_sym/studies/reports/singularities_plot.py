@@ -82,7 +82,7 @@ def pose_figure(found: Examination, columns: Columns, time: float, at: Singulari
     low, high = max(found.passage.start, time - window), min(found.passage.end, time + window)
     crossed = [crossing.time for crossing in found.passage.crossings if low <= crossing.time <= high]
     inside = (columns["time"] >= low) & (columns["time"] <= high)
-    # No line joins the branches of a pole.
+    # No line joins the branches on either side of a crossing.
     when, *rest = _broken(
         crossed,
         columns["time"][inside],

@@ -1,4 +1,4 @@
-"""Family 4: roll-pitch-yaw angles at theta_y = 90 degrees beside inputs that have no pole.
+"""Family 4: roll-pitch-yaw angles at theta_y = 90 degrees beside inputs that have no singularity.
 
 One motion is written down in each kind of input, its numbers rounded last; what comes back of it are forces.
 """
@@ -62,7 +62,7 @@ def families(seed: int = 4) -> list[Family]:
             "attitude",
             "Orientation near a pitch of 90 degrees, by kind of input",
             "roll-pitch-yaw at theta_y = 90 degrees",
-            "give a rotation matrix, quaternion or rotation vector: they have no pole; no status",
+            "give a rotation matrix, quaternion or rotation vector: they have no singularity; no status",
             "pitch from 90 degrees, rad",
             distances(),
             tuple(curves),

@@ -36,7 +36,7 @@ def _short(seed: int) -> Family:
     motions = [motion] * len(robots)
     judged_growth = {"condition of the pose": shipped.pose_condition(robots, motions)}
     return Family(
-        "short_leg",
+        "zero_length",
         "Forces where a leg's length goes to zero",
         "leg of length zero",
         "status 2 where the length is rounding error of its terms",
