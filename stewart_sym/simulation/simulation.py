@@ -455,7 +455,7 @@ class _Watch:
         return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
     def _margins(self, when: Array, piece: _Piece, actuators: _Actuators) -> Array:
-        """(n, 38): shortest, longest, speed, force, length zero, joint sine, six each; condition, side of H."""
+        """(n, 38): shortest, longest, speed, force, length zero, joint sine, 6 each; condition, side of H."""
         robot = self.robot
         state = _motion(piece.interpolant(when).T, piece.center)
         legs = _legs(robot, state)

@@ -30,8 +30,8 @@ def report(study: Study) -> str:
         f"{study.robot}, fidelity {study.fidelity}: one-pose kernels, {' '.join(study.flags)}",
         *(f"{row.core}: {' '.join(row.flags)}, QEMU {row.board}" for row in study.rows if row.baked),
         *study.tools.values(),
-        "Instructions are executed ones of a call, the most of the poses tried; near joint singularities: with all",
-        "six legs. Flash, RAM and stack in bytes; stack of a pose as painted",
+        "Instructions are executed ones of a call, the most of the poses tried; near joint singularities:",
+        "with all six legs. Flash, RAM and stack in bytes; stack of a pose as painted",
         "and found again, and of all frames on its deepest way, as the compiler says; of the preparation as",
         "painted.",
     ]
