@@ -148,22 +148,22 @@ def regrouped(form: Formulation, friction: bool = True) -> ForceKernel:
     """All constants regrouped, moments about the reference point."""
     if form.base_joint == SPHERICAL:
         return with_shared_pose(form, friction)
-    riding = p.Riding(mass=True, friction=friction)
+    lumped = p.Riding(mass=True, friction=friction)
     if form.no_spin:
         leg, near = (_printed_leg(form, friction, near_singular) for near_singular in (False, True))
     else:
         leg, near = (joint_leg(friction, near_singular) for near_singular in (False, True))
-    return replace(with_constants(form, friction, shared(friction), leg, riding), leg_near_singular=near)
+    return replace(with_constants(form, friction, shared(friction), leg, lumped), leg_near_singular=near)
 
 
 def with_constants(
-    form: Formulation, friction: bool, pose: Block, leg: Block, riding: p.Riding
+    form: Formulation, friction: bool, pose: Block, leg: Block, lumped: p.Riding
 ) -> ForceKernel:
-    """The kernel with the constants that its blocks read; ``riding`` as in ``prepare_leg``."""
+    """The kernel with the constants that its blocks read; ``lumped`` as in ``prepare_leg``."""
     return ForceKernel(
         form,
         friction,
-        p.prepare_leg(leg.inputs, riding),
+        p.prepare_leg(leg.inputs, lumped),
         p.prepare_platform(dict.fromkeys((*pose.inputs, *(q for q in leg.inputs if q == n.g)))),
         pose,
         leg,
@@ -179,7 +179,7 @@ def with_numbers(kernel: ForceKernel, numbers: Iterable[Quantity]) -> ForceKerne
     )
     return replace(
         kernel,
-        prepare_leg=p.prepare_leg(of_leg, p.riding(kernel.prepare_leg)),
+        prepare_leg=p.prepare_leg(of_leg, p.lumped(kernel.prepare_leg)),
         prepare_platform=p.prepare_platform(of_platform),
     )
 
@@ -212,8 +212,8 @@ def _is_not_zero(out: Output) -> bool:
 def about_tip(kernel: ForceKernel) -> ForceKernel:
     """The same kernel with moments about platform point 1, and S = q + (t - b)."""
     leg = _leg_without_moments(kernel.leg)
-    riding = p.riding(kernel.prepare_leg)
-    moved = with_constants(kernel.formulation, kernel.friction, kernel.shared, leg, riding)
+    lumped = p.lumped(kernel.prepare_leg)
+    moved = with_constants(kernel.formulation, kernel.friction, kernel.shared, leg, lumped)
     near = None if kernel.leg_near_singular is None else _leg_without_moments(kernel.leg_near_singular)
     return replace(moved, leg_near_singular=near, about_tip=True, fidelity=kernel.fidelity)
 

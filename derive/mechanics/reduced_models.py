@@ -88,14 +88,14 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
         )
     if form != EXACT:
         raise ValueError(f"fidelity: {level.name} is a reduction of exact, not of {form.kernel_name}")
-    riding = p.Riding(mass=level.legs != MASSLESS, friction=level.friction)
-    kernel = actuator_forces.with_constants(form, level.friction, _platform(level), _leg(level), riding)
+    lumped = p.Riding(mass=level.legs != MASSLESS, friction=level.friction)
+    kernel = actuator_forces.with_constants(form, level.friction, _platform(level), _leg(level), lumped)
     near = _leg(level, near_singular=True) if n.k in kernel.leg.inputs else None
     kernel = actuator_forces.about_tip(replace(kernel, leg_near_singular=near))
     if not level.moving:
         kernel = kernel.changed(lambda block: _weighed(specialised(block, _AT_REST)))
     kernel = actuator_forces.without_zeros(kernel)
-    final = actuator_forces.with_constants(form, level.friction, kernel.shared, kernel.leg, riding)
+    final = actuator_forces.with_constants(form, level.friction, kernel.shared, kernel.leg, lumped)
     return replace(
         final,
         leg_near_singular=kernel.leg_near_singular,

@@ -150,7 +150,7 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
 
 
 def need_motion(robot: Robot, motion: Motion) -> None:
-    """Refuse, by ValueError, what is no robot and no motion with accelerations."""
+    """Reject, by ValueError, what is no robot and no motion with accelerations."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     if motion.alpha is None or motion.a is None:
@@ -158,7 +158,7 @@ def need_motion(robot: Robot, motion: Motion) -> None:
 
 
 def need_universal(robot: Robot) -> None:
-    """Refuse, by ValueError, what is no robot with universal base joints."""
+    """Reject, by ValueError, what is no robot with universal base joints."""
     instance(robot, Robot, "robot")
     if robot.base_joint != "universal":
         raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
@@ -212,7 +212,7 @@ def _without_overflow(found: Reactions) -> Reactions:
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
     """F, D, x, K, H, c and wrench_error by ``damped_solution``, of poses that may be singular; no status.
 
-    By the NumPy kernel, whatever backend refused the poses. NaN where a leg has no direction.
+    By the NumPy kernel, whatever backend rejected the poses. NaN where a leg has no direction.
     """
     terms = NumpyKernel.prepare(robot, formulation).terms(motion)
     with np.errstate(over="ignore", invalid="ignore"):

@@ -22,9 +22,9 @@ from ..kinematics.conditioning import characteristic_length, scaled_condition_nu
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
 from ..robot.robot import Robot
+from .interpreter import LEG_FIELDS, NEAR_JOINT_SINGULAR, PLATFORM_FIELDS
 from .parts import folded_kernel, plain_kernel
 from .poses import MAX_CONDITION, WHOLE, sample, significant, size_of, whole_turn
-from .readings import LEG_FIELDS, NEAR_JOINT_SINGULAR, PLATFORM_FIELDS
 from .running import FORCES_MARGIN
 from .sensitivity import Forces, changes
 

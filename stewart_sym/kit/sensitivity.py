@@ -123,7 +123,7 @@ def _raw(robot: Numbers) -> Constants:
 
 
 def _first(raw: Constants) -> dict[str, Any]:
-    """Platform point 1, from which what rides on the platform is measured: no constant depends on it."""
+    """Platform point 1, from which lumped masses are measured: no constant depends on it."""
     return {name: raw.leg[own][0, 0] for name, own in zip(n.p_1.names, n.p.names, strict=True)}
 
 

@@ -349,7 +349,7 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
 
 
 def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Array, Array, Codes]:
-    """The legs, then H and c of (36) and a status that does not judge H."""
+    """The legs, then H and c of (36) and a status that does not assess H."""
     leg, H, c = balance(robot, motion, faults)
     D, K = leg.D[..., 0], leg.K
     faults_of_legs = _leg_faults(robot, motion, leg)

@@ -75,7 +75,7 @@ class LegExtreme(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Passage:
+class PathSingularities:
     """How a path passes singular poses and limits.
 
     start, end: s. crossings: where det H changes its sign, in order of time. approaches: the other local
@@ -108,7 +108,7 @@ def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...
         return _Search(robot, path, _checked(robot, path, times), everywhere=False).crossings
 
 
-def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> Passage:
+def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> PathSingularities:
     """Return how a path passes singular poses, singularities of the universal joints and the legs' limits.
 
     Arguments and errors as for ``crossings``. Times of minima are known as well as values tell them, to about
@@ -120,7 +120,7 @@ def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> Passage:
     ends = [Approach(time, search.at(time)) for time in (float(search.times[0]), float(search.times[-1]))]
     known = [*ends, *approaches, *(Approach(found.time, found.at) for found in search.crossings)]
     joint_sine, shortest, longest = _leg_extremes(robot, path, search.times)
-    return Passage(
+    return PathSingularities(
         start=ends[0].time,
         end=ends[1].time,
         crossings=search.crossings,

@@ -83,7 +83,7 @@ def test_without_singular_poses_nothing_changes(base_joint: str) -> None:
     ("make", "code", "text"),
     [(zero_length_leg, ZERO_LENGTH, "length zero"), (leg_along_its_axis, JOINT_SINGULAR, "universal")],
 )
-def test_legs_without_direction_or_frame_are_still_refused(make, code: int, text: str) -> None:
+def test_legs_without_direction_or_frame_are_still_rejected(make, code: int, text: str) -> None:
     robot, bad = make()
     both = together(at_rest([0.13, 0.04, 0.6]), bad)
     with pytest.warns(ss.SingularPoseWarning, match=rf"motion\[1\].*{text}"):

@@ -286,7 +286,7 @@ def test_bearing_must_be_one_number_or_six(bearing: object) -> None:
         newton_euler.joint_reactions(robot, motion, bearing=bearing)  # type: ignore[arg-type]
 
 
-def test_unknown_faults_are_refused() -> None:
+def test_unknown_faults_are_rejected() -> None:
     robot, motion = _random_case()
     with pytest.raises(ValueError, match=r"^faults: expected numbers from 1 to 4, got \[5\]"):
         newton_euler.inverse_dynamics(robot, motion, frozenset({5}))

@@ -277,7 +277,7 @@ def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None
 
 
 @pytest.mark.parametrize("level", LEVELS)
-def test_a_robot_that_is_not_finite_is_refused_and_the_model_left_alone(level: str) -> None:
+def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: str) -> None:
     robot = machine_of(level, 16)
     kernel = prepared(robot, "exact", level)
     call = getattr(kernel.library, f"stewart_{kernel.name}_pose_prepare")
@@ -285,7 +285,7 @@ def test_a_robot_that_is_not_finite_is_refused_and_the_model_left_alone(level: s
     model = np.full(1000, UNTOUCHED)
     lanes_name = fidelity.force_kernel_name(robot, "exact", level)
     lanes = getattr(lanes_library(lanes_name), f"stewart_{lanes_name}_prepare")
-    other, refused = np.full(5000, UNTOUCHED), 0
+    other, rejected = np.full(5000, UNTOUCHED), 0
     for where in range(numbers.size):
         for value in (np.nan, np.inf, 1e308):
             given = numbers.copy()
@@ -294,10 +294,10 @@ def test_a_robot_that_is_not_finite_is_refused_and_the_model_left_alone(level: s
             expected = lanes(ctypes.c_void_p(given.ctypes.data), ctypes.c_void_p(other.ctypes.data))
             assert status == expected, (where, value)
             if status != OK:
-                refused += 1
+                rejected += 1
                 assert (model == UNTOUCHED).all()
             model[:], other[:] = UNTOUCHED, UNTOUCHED
-    assert refused > 50
+    assert rejected > 50
     for pointers in ((0, model.ctypes.data), (numbers.ctypes.data, 0)):
         assert call(*map(ctypes.c_void_p, pointers)) == BAD_ARGUMENT
 

@@ -309,7 +309,7 @@ def test_one_state_gives_what_the_batch_gives() -> None:
     np.testing.assert_array_equal(slot.acceleration, np.concatenate(ss.forward_dynamics(robot, motion, F)))
 
 
-def test_spherical_base_joints_and_unknown_backends_are_refused_by_name() -> None:
+def test_spherical_base_joints_and_unknown_backends_are_rejected_by_name() -> None:
     rng = np.random.default_rng(14)
     robot = random_robot(rng, "spherical")
     motion = random_motion(rng, robot)

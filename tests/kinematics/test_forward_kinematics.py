@@ -368,7 +368,7 @@ def test_rates_broadcast() -> None:
     np.testing.assert_allclose(v[1, 2], alone, rtol=1e-12)
 
 
-def test_rates_at_a_singular_pose_are_refused() -> None:
+def test_rates_at_a_singular_pose_are_rejected() -> None:
     robot = dasgupta()
     R, t = paper_poses(np.random.default_rng(15), 3, angle=0.1, way=0.1)
     R[1], t[1] = singular_pose()

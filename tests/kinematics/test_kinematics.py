@@ -94,7 +94,7 @@ def test_batch_is_its_poses() -> None:
         )
 
 
-def test_zero_length_is_judged_beside_the_terms_of_the_leg() -> None:
+def test_zero_length_is_checked_beside_the_terms_of_the_leg() -> None:
     """A leg from a base far away is known to rounding of the base's distance, one nearby much better."""
     robot = random_robot(np.random.default_rng(11), scale=1.0)
     still, far = np.zeros(3), np.array([1e4, 0.0, 0.0])

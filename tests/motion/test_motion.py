@@ -1,4 +1,4 @@
-"""Motion: angles and rates agree with each other, shapes broadcast, what is no motion is refused by name."""
+"""Motion: angles and rates agree with each other, shapes broadcast, what is no motion is rejected by name."""
 
 from collections.abc import Callable
 from typing import Any

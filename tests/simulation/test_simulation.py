@@ -392,7 +392,7 @@ def test_bad_arguments_are_named(wrong: dict[str, Any], words: str) -> None:
         ss.simulate(robot, **arguments)
 
 
-def test_a_start_without_accelerations_is_refused() -> None:
+def test_a_start_without_accelerations_is_rejected() -> None:
     robot = machine()
     state = home(robot)
     on_base = ss.Motion(state.R, robot.b[3] - robot.p[3], ZERO, ZERO)
@@ -406,7 +406,7 @@ def test_forces_that_are_no_numbers_after_the_start_leave_no_run() -> None:
         ss.simulate(robot, home(robot), lambda time, _: np.full(6, np.nan if time > 0.0 else 0.0), 1.0)
 
 
-def test_times_outside_a_run_are_refused() -> None:
+def test_times_outside_a_run_are_rejected() -> None:
     robot = machine()
     run = ss.simulate(robot, home(robot), np.zeros(6), 0.1)
     with pytest.raises(ValueError, match=r"^times: expected times in \[0, 0.1\] s, got 0.2$"):

@@ -44,7 +44,7 @@ def row(found: Study, request: pytest.FixtureRequest) -> Figures:
 
 def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figures) -> None:
     assert row.poses > measure.MOTIONS
-    assert (row.failed, row.refused_wrongly, row.selftest) == (0, 0, 0)
+    assert (row.failed, row.rejected_wrongly, row.selftest) == (0, 0, 0)
     # Arithmetic that errs by nothing was not run on the processor.
     assert 0 < row.worst <= 1
     assert row.right
@@ -154,11 +154,13 @@ def test_a_circle_of_calls_has_no_depth_of_stack(tmp_path: Path) -> None:
 def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     cases = measure.Cases.of(dasgupta(), "massless_static", True, "double")
     cases.tests[3].answers["F"][2] *= 1 + 1e-9
-    refused = cases.rejected()
+    rejected = cases.rejected()
     monkeypatch.setattr(measure.Cases, "of", lambda *_: cases)
-    monkeypatch.setattr(measure.Cases, "rejected", lambda *_: [(refused[0][0], JOINT_SINGULAR), *refused[1:]])
+    monkeypatch.setattr(
+        measure.Cases, "rejected", lambda *_: [(rejected[0][0], JOINT_SINGULAR), *rejected[1:]]
+    )
     row = measure.measured(dasgupta(), "massless_static", True, "double")
-    assert (row.failed, row.refused_wrongly) == (1, 1)
+    assert (row.failed, row.rejected_wrongly) == (1, 1)
     assert row.worst > 1
     assert not row.right
 

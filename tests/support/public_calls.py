@@ -18,7 +18,7 @@ from stewart_sym.motion.trajectory import Trajectory
 RECORDS = {
     *("BaseParameters", "EquationsOfMotion", "Estimate", "Excitation", "Experiment", "ForceDerivatives"),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
-    *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "Passage", "Singularity"),
+    *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
     *("LogWarning", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }

@@ -44,8 +44,8 @@ class Figures:
     """What one kit takes on its processor.
 
     precision: "double" or "float"; baked; core: the processor, flags: its own of the compiler, board: QEMU's
-    with it. failed, refused_wrongly: forces beyond their bound and calls without an answer that were not told
-    so; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test.
+    with it. failed, rejected_wrongly: forces beyond their bound, and unsolvable poses without their
+    status; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test.
     instructions: executed for a pose at most, of the poses; near_singular_joints: the same with all
     six legs near singularities of their joints, None where it cannot be tried: baked, or no universal joint.
     flash: bytes of the ``kernel``'s code and constants, of the ``robot``'s numbers, and of all of the test's
@@ -62,7 +62,7 @@ class Figures:
     flags: tuple[str, ...]
     board: str
     failed: int
-    refused_wrongly: int
+    rejected_wrongly: int
     worst: float
     poses: int
     selftest: int
@@ -77,7 +77,7 @@ class Figures:
     @property
     def right(self) -> bool:
         """Whether all that was tried came out as it has to, and nothing is asked of heap or libm."""
-        tried = self.failed == 0 and self.refused_wrongly == 0 and self.selftest == 0
+        tried = self.failed == 0 and self.rejected_wrongly == 0 and self.selftest == 0
         return tried and not self.foreign and not self.double
 
     @property
@@ -234,7 +234,7 @@ def _figures(
         flags=core.flags,
         board=core.board,
         failed=said["failed"][0],
-        refused_wrongly=said["refused_wrongly"][0],
+        rejected_wrongly=said["rejected_wrongly"][0],
         worst=said["worst_error_ppm_of_bound"][0] / 1e6,
         poses=len(said["ticks"]),
         selftest=selftest,
@@ -286,6 +286,7 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
         ]
         names.append(f"#define ROBOT {symbol}")
     axes = cases.near_singular_joints() if symbol else None
+    codes = ", ".join(str(code) for _, code in rejected)
     given = _motions(test.inputs for test in cases.tests)
     expected = np.array([test.answers["F"] for test in cases.tests])
     bounds = np.array([test.bounds["F"] for test in cases.tests]) * epsilon
@@ -297,13 +298,13 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
             *names,
             "#define REAL(value) ((stewart_real)(value))",
             f"#define MOTIONS {len(cases.tests)}",
-            f"#define REFUSED {len(rejected)}",
+            f"#define REJECTED {len(rejected)}",
             f"static const stewart_motion motions[MOTIONS] = {given};",
             f"static const double expected[MOTIONS][6] = {_nested(expected)};",
             f"static const double bounds[MOTIONS][6] = {_nested(bounds)};",
-            f"static const stewart_motion refused_motions[REFUSED] = {without};",
+            f"static const stewart_motion rejected_motions[REJECTED] = {without};",
             *([] if axes is None else ["#define NEAR_SINGULAR_JOINTS", _axes_text(axes)]),
-            f"static const int refused_status[REFUSED] = {{{', '.join(str(code) for _, code in rejected)}}};",
+            f"static const int rejected_status[REJECTED] = {{{codes}}};",
             "",
         ]
     )

@@ -60,7 +60,7 @@ def answers(row: Figures) -> str:
     """Whether forces, statuses and the kit's own test came out right."""
     wrong = {
         "forces": row.failed,
-        "statuses": row.refused_wrongly,
+        "statuses": row.rejected_wrongly,
         "self-test": row.selftest,
     }
     said = [f"{name} wrong" for name, count in wrong.items() if count]

@@ -1,6 +1,6 @@
 """The tables of ``reproduce`` as plain aligned text.
 
-Lays out what ``reproduce`` computed and ``claims`` judged; computes nothing itself.
+Lays out what ``reproduce`` computed and ``claims`` checked; computes nothing itself.
 """
 
 import textwrap

@@ -11,8 +11,8 @@ from ...motion.motion import Motion
 from ...robot.robot import Robot
 from . import shipped
 from .family import Curve, Family, distances
-from .sweep.judge import judge_poses
 from .sweep.machines import LEGS, at_rest, random_machine, random_motion
+from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
 
 Array = NDArray[np.float64]
@@ -50,14 +50,14 @@ def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:
 
 
 def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot], list[Motion]]) -> Family:
-    judged, calm = judge_poses(*moving), judge_poses(*resting)
+    checked, calm = check_poses(*moving), check_poses(*resting)
     growth = {
-        "largest force, moving, N": judged["size"],
+        "largest force, moving, N": checked["size"],
         "largest force, axisymmetric at rest, N": calm["size"],
-        "condition, moving": condition_of(judged),
+        "condition, moving": condition_of(checked),
         "condition, axisymmetric at rest": condition_of(calm),
     }
-    fastest = float(judged["size"].max() / judged["size"][0])
+    fastest = float(checked["size"].max() / checked["size"][0])
     return Family(
         "joint_singularity_forces",
         "Forces near the joint singularity of a universal joint, moving machine",

@@ -34,7 +34,7 @@ def _short(seed: int) -> Family:
         b[0] = tip - distance * way
         robots.append(dataclasses.replace(robot, b=b))
     motions = [motion] * len(robots)
-    judged_growth = {"condition of the pose": shipped.pose_condition(robots, motions)}
+    growth_of_errors = {"condition of the pose": shipped.pose_condition(robots, motions)}
     return Family(
         "zero_length",
         "Forces where a leg's length goes to zero",
@@ -43,7 +43,7 @@ def _short(seed: int) -> Family:
         "length of leg 1, m",
         distances(),
         shipped.curves(robots, motions),
-        judged_growth,
+        growth_of_errors,
         "condition number",
     )
 

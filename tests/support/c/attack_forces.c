@@ -37,7 +37,7 @@ static int one_pose(const attack_case *it, const MODEL *model, size_t pose, stew
     return status;
 }
 
-/* A refusal where something is missing that this kernel reads, else what one pose at a time gives. */
+/* A rejection where something is missing that this kernel reads, else what one pose at a time gives. */
 static void batch(
     const attack_case *it, const MODEL *model, stewart_real (*alone)[6], const int *expected, int *status)
 {

@@ -77,7 +77,7 @@ ON_ARRAYS = _OnArrays()
 
 
 @dataclass(frozen=True, eq=False)
-class Readings:
+class KitInterpreter:
     """The functions of one robot in one formulation.
 
     robot: arrays of LEG_FIELDS and PLATFORM_FIELDS, legs first, as the C holds them. folded: the constants
