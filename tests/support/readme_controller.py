@@ -70,9 +70,9 @@ def remarks(rows: list[Figures]) -> str:
     assert not any(row["ram"]["kit"] for row in rows)
     return paragraph(
         "Near joint singularities: all six legs within 1/1000 rad of the fixed axes of their universal "
-        "joints, the longest way through the kernel. The model, prepared once, is the caller's; the kits have "
-        "no data of their own. The objects need nothing of a library but square root and copies of memory; "
-        "those in `float` "
+        "joints, the longest way through the kernel. The model, prepared once, is the caller's; the kits "
+        "have no data of their own. The objects need nothing of a library but square root and copies of "
+        "memory; those in `float` "
         "hold no double-precision instruction."
     )
 
