@@ -59,21 +59,21 @@ class Thresholds:
     max_condition: scaled condition number of H (see ``scaled_condition_number``), > 1; inf: a run goes
     through singular poses.
     min_length: of a leg, m, > 0; None: a thousandth of the machine's characteristic length.
-    min_pole_sine: sine of the angle between a leg and its universal axis, > 0 and < 1.
+    min_joint_sine: sine of the angle between a leg and its universal axis, > 0 and < 1.
 
     Raises ValueError naming the argument.
     """
 
     max_condition: float = 1e6
     min_length: float | None = None
-    min_pole_sine: float = 1e-3
+    min_joint_sine: float = 1e-3
 
     def __post_init__(self) -> None:
         """Check every threshold."""
         ranges = {
             "max_condition": (1.0, math.inf),
             "min_length": (0.0, math.inf),
-            "min_pole_sine": (0.0, 1.0),
+            "min_joint_sine": (0.0, 1.0),
         }
         for name, (low, high) in ranges.items():
             value = getattr(self, name)
@@ -87,7 +87,7 @@ class Stop:
     """Why and when a run ended.
 
     kind: "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit", "singular",
-    "short_leg", "pole" or "failed" (no step is small enough).
+    "short_leg", "joint" (singularity of a leg's universal joint) or "failed" (no step is small enough).
     time: s. leg: its number from 1, None where no leg is to blame. text: all of it in one line.
     """
 
@@ -455,7 +455,7 @@ class _Watch:
         return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
     def _margins(self, when: Array, piece: _Piece, actuators: _Actuators) -> Array:
-        """(n, 38): shortest, longest, speed, force, length zero, pole, six each; condition and side of H."""
+        """(n, 38): shortest, longest, speed, force, length zero, joint, six each; condition and side of H."""
         robot = self.robot
         state = _motion(piece.interpolant(when).T, piece.center)
         legs = _legs(robot, state)
@@ -469,7 +469,7 @@ class _Watch:
             robot.speed_limit - np.abs(legs.L_dot),
             self.force_limit - np.abs(F),
             legs.L - shortest,
-            self._pole_sine(legs.s) - self.thresholds.min_pole_sine,
+            self._joint_sine(legs.s) - self.thresholds.min_joint_sine,
             *self._singular_margins(legs),
         ]
         return np.concatenate(margins, axis=-1)
@@ -485,7 +485,7 @@ class _Watch:
     def _size(self) -> float:
         return _size(self.robot)
 
-    def _pole_sine(self, s: Array) -> Array:
+    def _joint_sine(self, s: Array) -> Array:
         if self.robot.base_joint == "spherical":
             return np.ones(s.shape[:-1])
         return np.asarray(np.linalg.norm(cross(self.robot.k, s), axis=-1))
@@ -516,7 +516,7 @@ class _Watch:
                 f"{robot.force_limit[leg]:g} N",
             ),
             ("short_leg", f"length {length} is near zero"),
-            ("pole", "lies nearly along the fixed axis of its universal joint"),
+            ("joint", "lies nearly along the fixed axis of its universal joint"),
         )[row // 6]
         return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
 

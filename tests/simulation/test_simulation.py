@@ -279,11 +279,12 @@ def test_short_legs_and_legs_along_their_axes_stop_the_run() -> None:
     sine = np.linalg.norm(np.cross(robot.k, ss.inverse_kinematics(robot, home(robot)).s), axis=-1)
     limit = sine.min() - 1e-3
     state = home(robot, v=[3.0, 0.0, 0.0])
-    pole = ss.simulate(robot, state, np.zeros(6), 3.0, thresholds=ss.Thresholds(min_pole_sine=limit))
-    assert pole.stop.kind == "pole"
-    assert pole.stop.leg is not None
-    s = ss.inverse_kinematics(robot, pole.motion).s[-1, pole.stop.leg - 1]
-    assert np.linalg.norm(np.cross(robot.k[pole.stop.leg - 1], s)) == pytest.approx(limit, abs=1e-12)
+    near_joint = ss.simulate(robot, state, np.zeros(6), 3.0, thresholds=ss.Thresholds(min_joint_sine=limit))
+    assert near_joint.stop.kind == "joint"
+    leg = near_joint.stop.leg
+    assert leg is not None
+    s = ss.inverse_kinematics(robot, near_joint.motion).s[-1, leg - 1]
+    assert np.linalg.norm(np.cross(robot.k[leg - 1], s)) == pytest.approx(limit, abs=1e-12)
 
 
 def test_a_limit_broken_at_the_start_stops_there() -> None:
@@ -418,7 +419,7 @@ def test_times_outside_a_run_are_refused() -> None:
     [
         ({"max_condition": 1.0}, r"^max_condition: expected a number > 1"),
         ({"min_length": 0.0}, r"^min_length"),
-        ({"min_pole_sine": 1.0}, r"^min_pole_sine: expected a number > 0 and < 1"),
+        ({"min_joint_sine": 1.0}, r"^min_joint_sine: expected a number > 0 and < 1"),
     ],
 )
 def test_bad_thresholds_are_named(wrong: dict[str, Any], words: str) -> None:

@@ -137,7 +137,7 @@ def calls() -> dict[str, Call]:
         "ComputedTorque": Call(
             ss.ComputedTorque, {**tracking, "formulation": "exact", "backend": "c"}, free=("wanted",)
         ),
-        "Thresholds": Call(ss.Thresholds, {"max_condition": 1e6, "min_length": 0.1, "min_pole_sine": 1e-3}),
+        "Thresholds": Call(ss.Thresholds, {"max_condition": 1e6, "min_length": 0.1, "min_joint_sine": 1e-3}),
         "simulate": Call(
             ss.simulate,
             {
