@@ -166,9 +166,9 @@ def test_many_random_cases_near_failure_are_right_or_say_so() -> None:
 def test_a_case_shown_is_the_case_that_was_judged() -> None:
     rng = np.random.default_rng(6)
     numbers = np.array([robot_numbers(random_machine(rng)) for _ in range(2)])
-    found = judge.judge_random("pole", numbers, np.ones(2), 10, 3)
+    found = judge.judge_random("joint singularity", numbers, np.ones(2), 10, 3)
     for index in (0, 7, 13):
-        robot, motion = judge.random_case("pole", numbers, np.ones(2), 10, 3, index)
+        robot, motion = judge.random_case("joint singularity", numbers, np.ones(2), 10, 3, index)
         again = np.zeros(1, dtype=judge.RESULT)
         judge._judge(0, "double", True, 3, 0.0, 0, robot[None], np.ones(1), motion[None], 1, again)
         assert again["frames"][0] == pytest.approx(found["frames"][index], rel=1e-6)

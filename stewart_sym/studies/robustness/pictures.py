@@ -149,7 +149,7 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
         labels.append(f"{WRONG:g} units x condition")
     if any(curve.status is not None and (curve.status != 0).any() for curve in curves):
         handles.append(Line2D([], [], color="#555555", linestyle="", marker="|"))
-        labels.append("refused, by its status")
+        labels.append("rejected, by its status")
     ax.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, fontsize=8.0)
 
 

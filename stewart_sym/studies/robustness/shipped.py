@@ -69,7 +69,9 @@ def closed_form_curves(robots: Sequence[Robot], motions: Sequence[Motion]) -> tu
     """One curve for each kernel of the closed form: of its outputs the worst, beside quadruple precision."""
     numbers = np.array([robot_numbers(robot) for robot in robots])
     poses = np.array([motion_numbers(motion) for motion in motions])
-    found = closed_form_errors("pole", numbers, np.ones(len(numbers)), 1, 0, in_quad=True, motions=poses)
+    found = closed_form_errors(
+        "joint singularity", numbers, np.ones(len(numbers)), 1, 0, in_quad=True, motions=poses
+    )
     pose = np.maximum(found["frames"], found["scaled"])
     return tuple(
         Curve(

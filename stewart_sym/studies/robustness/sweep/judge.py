@@ -30,7 +30,15 @@ KERNELS = ("one pose", "batch", "every output")
 CLOSED_KERNELS = tuple(closed_form.OUTPUTS)
 """Shipped kernels of the closed form that are held against wider arithmetic."""
 KINDS = (
-    *("singular", "pole", "short leg", "scales", "pole and singular", "heavy leg", "proportions"),
+    *(
+        "singular",
+        "joint singularity",
+        "zero-length leg",
+        "scales",
+        "joint and singular",
+        "heavy leg",
+        "proportions",
+    ),
     "singular machine",
 )
 """Failures that random cases come near to, and machines that are singular at every pose."""
