@@ -28,7 +28,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
     },
     "axisymmetric_friction": {
         "kernel": "exact_axisymmetric_friction",
-        "meaning": "legs alike all round their axis, with friction",
+        "meaning": "axisymmetric legs, with friction",
         "universal": True,
         "operations": {
             "leg": 225, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
@@ -37,7 +37,7 @@ FIDELITIES: dict[str, dict[str, Any]] = {
     },
     "axisymmetric": {
         "kernel": "exact_axisymmetric",
-        "meaning": "legs alike all round their axis",
+        "meaning": "axisymmetric legs",
         "universal": True,
         "operations": {
             "leg": 194, "platform": 186, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,

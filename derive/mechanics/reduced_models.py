@@ -54,9 +54,9 @@ FIDELITIES = {
             AXISYMMETRIC,
             True,
             True,
-            "legs alike all round their axis, with friction",
+            "axisymmetric legs, with friction",
         ),
-        Fidelity("axisymmetric", AXISYMMETRIC, False, True, "legs alike all round their axis"),
+        Fidelity("axisymmetric", AXISYMMETRIC, False, True, "axisymmetric legs"),
         Fidelity("slender_friction", SLENDER, True, True, "no inertia about the leg's axis, with friction"),
         Fidelity("slender", SLENDER, False, True, "no inertia about the leg's axis"),
         Fidelity(

@@ -7,7 +7,7 @@
  * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
  * -ffp-contract=off one pose and a batch agree to the last bit).
  *
- * Fidelity: legs alike all round their axis.
+ * Fidelity: axisymmetric legs.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  * leg      194 (116 mul, 74 add, 2 div, 2 sqrt)

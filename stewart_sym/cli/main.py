@@ -7,13 +7,15 @@ SciPy or Matplotlib but those that use them.
 """
 
 import argparse
+import difflib
 import sys
 from collections.abc import Sequence
 from importlib import import_module
 from importlib.metadata import version
-from typing import NoReturn
+from typing import Any, NoReturn
 
 from ..backend.native import CompilerError
+from ..io.arguments import no_option
 from ..io.blas import take_work_area
 from ..io.extras import needed_for
 from ..io.interrupts import as_interrupts, exit_code
@@ -67,7 +69,24 @@ def main(argv: Sequence[str] | None = None) -> int:
 
 
 class _Parser(argparse.ArgumentParser):
-    """Tells of a wrong command in one line."""
+    """Reports a wrong command in one line that names the help of the subcommand in question."""
+
+    def parse_known_args(self, *args: Any, **kwargs: Any) -> tuple[Any, list[str]]:
+        """Reject unknown arguments here: a subparser would hand them on to the main one."""
+        found, unknown = super().parse_known_args(*args, **kwargs)
+        if unknown:
+            self.error(f"unrecognized arguments: {' '.join(unknown)}{self._near(unknown[0])}")
+        return found, unknown
+
+    def _near(self, text: str) -> str:
+        """A known option much like the unknown one, as a hint."""
+        options = [each for each in self._option_string_actions if each.startswith("--")]
+        near = difflib.get_close_matches(text.partition("=")[0], options, n=1)
+        return f", did you mean {near[0]}?" if near else ""
+
+    def _check_value(self, action: argparse.Action, value: Any) -> None:
+        if action.choices is not None and value not in action.choices:
+            raise argparse.ArgumentError(action, no_option(value, tuple(action.choices)))
 
     def error(self, message: str) -> NoReturn:
         """Exit with code 2."""

@@ -72,6 +72,10 @@ def truth(value: object, name: str) -> None:
 def option(value: object, options: Sequence[str], name: str) -> None:
     """Reject, by ValueError, what is none of the options."""
     if not isinstance(value, str) or value not in options:
-        quoted = [f'"{text}"' for text in options]
-        choice = f"{', '.join(quoted[:-1])} or {quoted[-1]}"
-        raise ValueError(f"{name}: expected {choice}, got {shown(value)}")
+        raise ValueError(f"{name}: {no_option(value, options)}")
+
+
+def no_option(value: object, options: Sequence[str]) -> str:
+    """What an error says of a value that is none of the options."""
+    quoted = [f'"{text}"' for text in options]
+    return f"expected {', '.join(quoted[:-1])} or {quoted[-1]}, got {shown(value)}"

@@ -45,4 +45,4 @@ def first(status: NDArray[Any]) -> tuple[Index, str]:
     """Index of the first status that is not 0, and what to add to its reason about the others."""
     where = tuple(int(i) for i in np.argwhere(status)[0])
     more = int(np.count_nonzero(status)) - 1
-    return where, f"; {more} more poses have no answer either" if more else ""
+    return where, f"; {more} more poses are unsolvable too" if more else ""

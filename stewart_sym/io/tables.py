@@ -19,7 +19,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from .arguments import shown
+from .arguments import option, shown
 
 Array = NDArray[np.float64]
 
@@ -228,7 +228,5 @@ def per_leg(value: object, where: str) -> Array:
 
 def choice(value: object, options: Sequence[str], where: str) -> str:
     """One of the options."""
-    if not isinstance(value, str) or value not in options:
-        quoted = [f'"{text}"' for text in options]
-        raise ValueError(f"{where}: expected {', '.join(quoted[:-1])} or {quoted[-1]}, got {shown(value)}")
-    return value
+    option(value, options, where)
+    return str(value)

@@ -42,13 +42,14 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
         with named("standard output"), _spooled(sys.stdout) as stream:
             yield stream
         return
-    target = path.resolve()
-    if target.is_dir():
+    if path.is_dir():
         raise IsADirectoryError(EISDIR, "is a folder, expected a file to write", str(path))
-    if target.exists() and not target.is_file():
-        with named(path), open(target, "w", encoding="utf-8") as out, _spooled(out) as stream:
+    # By the name as given: /dev/stdout and a shell's >(...) lead to pipes that have no other.
+    if path.exists() and not path.is_file():
+        with named(path), open(path, "w", encoding="utf-8") as out, _spooled(out) as stream:
             yield stream
         return
+    target = path.resolve()
     with interrupts.held():
         _remove_left_behind(target.parent)
         with _blamed_on(path):

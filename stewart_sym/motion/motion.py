@@ -191,7 +191,9 @@ class Motion(Frozen):
         R, omega, alpha = rpy_motion(theta, theta_dot, second[0] if second else None)
         given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
         checked = {
-            name: finite_array(value, (3,), name) for name, value in given.items() if value is not None
+            name: finite_array(value, (3,), name)
+            for name, value in given.items()
+            if value is not None or name in ("t", "v")
         }
         turned = {"R": R, "omega": omega} | ({} if alpha is None else {"alpha": alpha})
         for name, array in turned.items():

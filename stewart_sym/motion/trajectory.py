@@ -614,9 +614,11 @@ _NEAR_UNIT = 0.2
 
 def _warn_of_rates(log: _Log, coordinates: Array) -> None:
     """Warn of given rates, (3, n, 6), that differ by a power of 1000 from what coordinates and times say."""
-    changed = float(np.abs(np.diff(coordinates[0], axis=0)).sum())
-    rates = np.abs(coordinates[1]).sum(axis=-1)
-    expected = float(0.5 * (rates[1:] + rates[:-1]) @ np.diff(log.time))
+    steps = np.diff(log.time)
+    # One column after the other: of a long log, differences of all at once would take half its room again.
+    changed = sum(float(np.abs(np.diff(column)).sum()) for column in coordinates[0].T)
+    rates = sum(np.abs(column) for column in coordinates[1].T)
+    expected = float(0.5 * (rates[1:] + rates[:-1]) @ steps)
     if changed == 0.0 or expected == 0.0:
         return
     decades = math.log10(changed / expected)

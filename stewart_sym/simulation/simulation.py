@@ -87,7 +87,7 @@ class Stop:
     """Why and when a run ended.
 
     kind: "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit", "singular",
-    "zero_length", "joint singularity" or "failed" (no step is small enough).
+    "zero_length", "joint" (singularity of a leg's universal joint) or "failed" (no step is small enough).
     time: s. leg: its number from 1, None where no leg is to blame. text: all of it in one line.
     """
 
@@ -455,7 +455,7 @@ class _Watch:
         return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
     def _margins(self, when: Array, piece: _Piece, actuators: _Actuators) -> Array:
-        """(n, 38): shortest, longest, speed, force, length zero, joint sine, 6 each; condition, side of H."""
+        """(n, 38): shortest, longest, speed, force, length zero, joint, six each; condition and side of H."""
         robot = self.robot
         state = _motion(piece.interpolant(when).T, piece.center)
         legs = _legs(robot, state)
@@ -516,7 +516,7 @@ class _Watch:
                 f"{robot.force_limit[leg]:g} N",
             ),
             ("zero_length", f"length {length} is near zero"),
-            ("joint singularity", "lies nearly along the fixed axis of its universal joint"),
+            ("joint", "lies nearly along the fixed axis of its universal joint"),
         )[row // 6]
         return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
 

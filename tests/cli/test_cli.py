@@ -677,6 +677,29 @@ def test_a_wrong_command_is_one_line_that_names_the_help(
     assert "--help" in fails_in_one_line(capsys, *arguments)
 
 
+@pytest.mark.parametrize(
+    ("arguments", "text"),
+    [
+        (["bench", "--quik"], "unrecognized arguments: --quik, did you mean --quick? (see {} bench --help)"),
+        (["check", "a.toml", "b.toml"], "unrecognized arguments: b.toml (see {} check --help)"),
+        (
+            ["generate", "a", "-o", "b", "--precision", "half"],
+            """argument --precision: expected "double" or "float", got 'half' (see {} generate --help)""",
+        ),
+        (
+            ["generate", "a", "-o", "b", "--language", "julia"],
+            'argument --language: expected "c", "python", "matlab" or "rust", '
+            "got 'julia' (see {} generate --help)",
+        ),
+        (["bench", "--rounds", "x"], "unrecognized arguments: --rounds x (see {} bench --help)"),
+    ],
+)
+def test_an_unknown_option_or_choice_names_what_there_is_and_its_subcommands_help(
+    arguments: list[str], text: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert fails_in_one_line(capsys, *arguments) == f"stewart-sym: error: {text.format('stewart-sym')}"
+
+
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit, match="0"):
         main(["--version"])
@@ -747,6 +770,15 @@ def test_writing_follows_links_and_leaves_devices_alone(tmp_path: Path) -> None:
     assert (tmp_path / "real").read_text() == "new"
     write_file(Path(os.devnull), "gone")
     assert not Path(os.devnull).is_file()
+
+
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="no names of open files")
+def test_a_pipe_is_written_by_the_name_that_a_shell_gives_it() -> None:
+    read, write = os.pipe()
+    with open(read, encoding="utf-8") as end:
+        write_file(Path(f"/proc/self/fd/{write}"), "through")
+        os.close(write)
+        assert end.read() == "through"
 
 
 def test_a_folder_is_filled_all_or_nothing(tmp_path: Path) -> None:

@@ -270,7 +270,7 @@ def test_noise_that_no_force_shows_is_a_line_of_the_summary(
     ("options", "words"),
     [
         (["--columns", "time"], "expected NAME=HEADER"),
-        (["--length-unit", "mile"], "invalid choice"),
+        (["--length-unit", "mile"], 'expected "m"'),
         (["--cutoff", "1e6"], "cutoff: expected a frequency > 0 and <"),
         (["--rate", "1e9"], "rate: expected > 0 Hz and at most"),
         (["--noise-angle", "0"], "expected a number > 0"),

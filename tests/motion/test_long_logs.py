@@ -4,6 +4,7 @@ import dataclasses
 import os
 import threading
 import tracemalloc
+import warnings
 from collections.abc import Callable, Sequence
 from io import BytesIO
 from pathlib import Path
@@ -15,7 +16,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.motion.interpolation import between
 from stewart_sym.motion.logs import LogFormat, read_columns
-from stewart_sym.motion.trajectory import Trajectory, read_csv
+from stewart_sym.motion.trajectory import Trajectory, read_csv, read_log
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.singularities import along_path, joint_space
 from stewart_sym.studies.common.output import csv_lines
@@ -42,6 +43,24 @@ def test_lines_of_many_rows_take_a_part_of_the_room_of_their_columns() -> None:
     columns = {name: np.random.default_rng(0).normal(size=100_000) for name in "abcdefgh"}
     _, most = peak(lambda: sum(len(line) for line in csv_lines(columns)))
     assert most < 0.5 * sum(column.nbytes for column in columns.values())
+
+
+def test_a_log_with_rates_is_read_in_twice_the_room_of_its_numbers(tmp_path: Path) -> None:
+    count, names = 40_000, ("t", "theta", "v", "theta_dot", "a", "theta_ddot")
+    time = np.linspace(0.0, 40.0, count)
+    columns = {"time": time} | {
+        f"{name}_{axis}": np.sin((1.0 + 0.1 * k) * time + np.pi / 2 * (k // 2)) * (1.0 + 0.1 * k) ** (k // 2)
+        for k, name in enumerate(names)
+        for axis in "xyz"
+    }
+    path = tmp_path / "log.csv"
+    with path.open("w", encoding="utf-8") as stream:
+        stream.writelines(csv_lines(columns))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        log, most = peak(lambda: read_log(path))
+    assert log.coordinates.shape == (3, count, 6)
+    assert most < 2.45 * sum(column.nbytes for column in columns.values())
 
 
 @pytest.mark.parametrize("count", [0, 1, 4095, 4096, 4097, 10_000])

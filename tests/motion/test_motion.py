@@ -280,6 +280,8 @@ def test_what_is_no_motion_is_named(wrong: dict[str, Any], expected: str) -> Non
         ({"theta_ddot": None}, "theta_ddot: expected both accelerations"),
         ({"a": None}, "a: expected both accelerations"),
         ({"a": NAN}, "a: expected finite numbers"),
+        ({"t": None}, "t: expected real numbers"),
+        ({"v": None}, "v: expected real numbers"),
         ({"theta": np.zeros((2, 3)), "theta_dot": np.zeros((3, 3))}, "theta_dot: expected a leading shape"),
         ({"t": np.zeros((2, 3)), "theta": np.zeros((3, 3))}, "t: expected a leading shape"),
     ],

@@ -1,5 +1,6 @@
 """Scenes: what a file says is what is run; what is wrong with one is one line and leaves nothing behind."""
 
+import re
 import shutil
 import sys
 from importlib.resources import as_file, files
@@ -10,10 +11,12 @@ import pytest
 from command_line import fails_in_one_line, folder_state, read
 
 import stewart_sym as ss
+from stewart_sym.cli.machine.simulate import MORE
 from stewart_sym.cli.main import main
 from stewart_sym.io.extras import install
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
 from stewart_sym.motion.trajectory import interpolated, read_csv
+from stewart_sym.simulation import scene as scenes
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.common.output import csv_lines
 
@@ -239,3 +242,9 @@ def test_what_goes_wrong_in_the_run_leaves_nothing(scene: Path, capsys: pytest.C
     )
     scene.write_text(state + legs)
     assert folder_state(scene.parent).keys() == before.keys()
+
+
+def test_the_help_of_simulate_names_every_key_of_a_scene() -> None:
+    laws = [key for keys in scenes._LAW_KEYS.values() for key in keys]
+    keys = (*scenes._TOP_KEYS, *scenes._STATE_KEYS, *scenes._LOAD_KEYS, *scenes._THRESHOLD_KEYS, *laws)
+    assert [key for key in keys if not re.search(rf"\b{key}\b", MORE)] == []

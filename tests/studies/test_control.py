@@ -232,7 +232,7 @@ def test_control_takes_a_robot_and_warns_of_its_limits(
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        (["--path", "III"], "--path: invalid choice: 'III'"),
+        (["--path", "III"], '--path: expected "I" or "II", got'),
         (["--rate", "0"], "--rate: expected a number > 0, got '0'"),
         (["--path", "II", "--rate", "1"], "Path II: dtau: expected a step > 0 and <= tau_f"),
         (["--robot", "missing.toml"], "missing.toml: cannot read the robot"),

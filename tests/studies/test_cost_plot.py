@@ -158,7 +158,7 @@ def test_points_without_an_answer_are_drawn_above_all_others() -> None:
     )
     given = CostAccuracy("machine", {"I": 1.0}, {"I": 9}, float_ones, ())
     left, right = ([text.get_text() for text in axes.get_yticklabels()] for axes in figure(given).axes)
-    assert left[-1] == right[-1] == "no answer"
+    assert left[-1] == right[-1] == "unsolvable"
 
 
 def test_float_kernels_are_hollow_and_may_be_on_the_front(picture: Figure) -> None:

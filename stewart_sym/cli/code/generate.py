@@ -3,6 +3,7 @@
 import argparse
 from pathlib import Path
 
+from ...io.arguments import no_option
 from ..inputs import robot_of
 from ..options import formulation, output, robot_file
 from ..terminal import progress_line
@@ -45,12 +46,23 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--fmu", action="store_true", help="add a co-simulation unit, FMI 2.0, of the forces")
     parser.add_argument(
         "--language",
+        type=_language,
         default="c",
         help="c; python: one module on arrays of NumPy, JAX, PyTorch; matlab: a package of functions, for "
         "Octave as well; rust: a crate, without its standard library as well; each with the robot's "
         "constants, self-test, example and README, of forces, motion, derivatives, kinematics; default: c",
     )
     parser.add_argument("--list", action="store_true", help="print the names of the files, write none")
+
+
+def _language(name: str) -> str:
+    """A name of a language; those other than C are looked up only when asked for."""
+    if name != "c":
+        from ...derive.package.languages import LANGUAGES
+
+        if name not in LANGUAGES:
+            raise argparse.ArgumentTypeError(no_option(name, ("c", *LANGUAGES)))
+    return name
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -218,7 +218,7 @@ def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], floa
         axes.axhspan(none / 10**0.5, none * 10**0.5, color="#e8eef7", zorder=0.0)
         ticks = {y: text for y, text in ticks.items() if y > 3.0 * none} | {none: "none"}
     if math.inf in errors:
-        ticks[height(math.inf)] = "no answer"
+        ticks[height(math.inf)] = "unsolvable"
     axes.yaxis.set_major_locator(FixedLocator(sorted(ticks)))
     axes.yaxis.set_major_formatter(FuncFormatter(lambda y, _: ticks.get(y, "")))
     axes.yaxis.set_minor_locator(NullLocator())

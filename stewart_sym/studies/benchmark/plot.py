@@ -79,7 +79,7 @@ def _others(share: float | None) -> list[str]:
 
 def _contestants(found: Benchmark) -> str:
     ratio = "" if found.casadi is None else "x CasADi"
-    header = ("contestant", "what", "poses", "operations", "ns per pose", "quartiles", ratio)
+    header = ("code", "what", "poses", "operations", "ns per pose", "quartiles", ratio)
     rows = [_row(found, figure, f"ours: {figure.name}") for figure in found.ours]
     rows += [_row(found, figure, figure.name) for figure in found.baselines]
     rows += [
@@ -115,7 +115,7 @@ def _notes(found: Benchmark) -> str:
     rate = 1 / found.multiply_add.median
     worst = max(found.differences.values())
     return textwrap.fill(
-        f"Medians and quartiles of {found.rounds} rounds; in each round every contestant takes its turn, for "
+        f"Medians and quartiles of {found.rounds} rounds; in each round every code takes its turn, for "
         f"{1e3 * found.shortest_sample:g} ms or more, after a run of its own that isn't timed. Ratios are of "
         f"medians. All found the same forces first, to {worst:.0e} of a pose's largest. "
         f"{_casadi_note(found)}{_pinocchio_note(found)}Limit: our operations "

@@ -15,7 +15,7 @@ HEADER = (
         "answers",
         "worst/bound",
         "instructions",
-        "near joint singularities",
+        "near joints",
         "flash kernel",
         "robot",
         "image",
@@ -30,10 +30,10 @@ def report(study: Study) -> str:
         f"{study.robot}, fidelity {study.fidelity}: one-pose kernels, {' '.join(study.flags)}",
         *(f"{row.core}: {' '.join(row.flags)}, QEMU {row.board}" for row in study.rows if row.baked),
         *study.tools.values(),
-        "Instructions are executed ones of a call, the most of the poses tried; near joint singularities:",
-        "with all six legs. Flash, RAM and stack in bytes; stack of a pose as painted",
-        "and found again, and of all frames on its deepest way, as the compiler says; of the preparation as",
-        "painted.",
+        "Instructions are executed ones of a call, the most of the poses tried; near joints: with all legs",
+        "near the singularities of their universal joints. Flash, RAM and stack in bytes; stack of a pose as",
+        "painted and found again, and of all frames on its deepest way, as the compiler says; of the",
+        "preparation as painted.",
     ]
     table = aligned(HEADER, [cells(row) for row in study.rows], left=3)
     return "\n".join(lines) + f"\n\n{table}"

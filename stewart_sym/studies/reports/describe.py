@@ -78,7 +78,7 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
         named = legs_text(short)
         rows.append(("overlap", f"lower and upper centres of mass pass each other in {named}: a low pose"))
     if home.status:
-        rows.append(("condition", f"no answer here: {STATUS_TEXT[home.status]}"))
+        rows.append(("condition", f"unsolvable: {STATUS_TEXT[home.status]}"))
     else:
         length = characteristic_length(robot)
         scaled = f"{home.scaled_condition:.4g} with moments divided by {length:.4g} m"

@@ -141,7 +141,7 @@ def draw_machine(axes: Axes3D, robot: Robot, pose: Motion, at: Singularity) -> N
     screw = "a translation"
     if np.isfinite(at.pitch):
         screw = f"screw axis dashed, pitch {float(at.pitch):.4g} m/rad"
-    motion = "lost motion" if at.lost else "motion that the legs hold least"
+    motion = "unconstrained twist" if at.lost else "twist that the legs resist least"
     axes.set_title(f"{motion}: velocities of the platform points\n{screw}", fontsize=9.0)
 
 

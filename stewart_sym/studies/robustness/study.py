@@ -18,7 +18,7 @@ from .sweep.sweep import report as sweep_report
 
 PARTS = {
     "H singular": singular.families,
-    "the singularity of the universal joint": leg_frame.families,
+    "the universal joint's singularity": leg_frame.families,
     "lengths": lengths.families,
     "orientation": attitude.families,
     "forward kinematics": poses.families,

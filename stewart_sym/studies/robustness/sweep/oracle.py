@@ -35,7 +35,7 @@ KINDS = (
         "joint singularity",
         "zero-length leg",
         "scales",
-        "joint singularity and singular H",
+        "joint and singular",
         "heavy leg",
         "proportions",
     ),
