@@ -9,6 +9,6 @@ In the order of the flow; each folder imports only those before it:
     emit        files of ``generated/``
     package     what surrounds kernels in a kit for one robot, from files of ``templates``
 
-``generate`` writes all of it; ``passes`` shows what each reduction is worth. ``derivation.ipynb`` reads this
-beside the paper.
+``generate`` writes all of it; ``passes`` shows what each reduction is worth. ``derivation.ipynb`` reads
+this beside the paper.
 """

@@ -1,7 +1,7 @@
 """Generation: derive every formulation, share, emit, and write the files of ``generated/``.
 
-The last step of ``derive``. The texts depend on this package and on SymPy's minor version alone: no date, no
-path, no order of a set. Does not depend on the runtime. A process derives each kernel once.
+The last step of ``derive``. The texts depend on this package and on SymPy's minor version alone: no date,
+no path, no order of a set. Does not depend on the runtime. A process derives each kernel once.
 """
 
 from collections.abc import Callable, Collection

@@ -1,8 +1,8 @@
 """How tests are shared among workers: a module with a costly fixture in one worker, long modules first.
 
 ``--dist loadgroup --no-loadscope-reorder`` hands the tests out in this order, so that what is left for the
-end is short and the workers finish together. Modules and not marks of ``xdist_group`` make the groups, since
-pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer reads.
+end is short and the workers finish together. Modules and not marks of ``xdist_group`` make the groups,
+since pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer reads.
 """
 
 import os

@@ -1,8 +1,8 @@
 """C99 for speed: the regrouped force kernel with legs, or poses, side by side in lanes.
 
-One pose puts its six legs into lanes of eight; a batch puts eight poses into them. Either way a block is the
-body of a loop over lanes, which compilers turn into vector instructions by themselves, and which is plain
-portable C where they don't.
+One pose puts its six legs into lanes of eight; a batch puts eight poses into them. Either way a block is
+the body of a loop over lanes, which compilers turn into vector instructions by themselves, and which is
+plain portable C where they don't.
 """
 
 from collections.abc import Iterable

@@ -1,8 +1,8 @@
 """Actuator forces with a bound of their rounding error: the force kernel's blocks, run with their errors.
 
-The blocks of the force kernel stand here three times: plain, in the order of operations of the forces alone,
-so that both agree to the last bit; with the error of every step (``rounding``); and backward, with the slope
-of a force along every step (``adjoint``), which tells what that error does.
+The blocks of the force kernel stand here three times: plain, in the order of operations of the forces
+alone, so that both agree to the last bit; with the error of every step (``rounding``); and backward, with
+the slope of a force along every step (``adjoint``), which tells what that error does.
 """
 
 from collections.abc import Container, Iterable, Mapping, Sequence

@@ -1,6 +1,7 @@
 """Shapes of the elimination: where its entries are and how rows change places.
 
-``written.elimination`` is the text. A shape is what ``read.function`` is given with a function that calls it.
+``written.elimination`` is the text. A shape is what ``read.function`` is given with a function that calls
+it.
 """
 
 from collections.abc import Callable, Mapping

@@ -1,7 +1,7 @@
 """The C interface in one table: status codes, structs with their members in order, functions and arguments.
 
-The C++ wrapper, self-test, example and README of a kit, the FMI unit and, by ``generated/interface.py``, the
-ctypes layer and the sweep read it; headers are tested to agree.
+The C++ wrapper, self-test, example and README of a kit, the FMI unit and, by ``generated/interface.py``,
+the ctypes layer and the sweep read it; headers are tested to agree.
 """
 
 import math

@@ -1,7 +1,7 @@
 """Where quantities live: structures of them, loads and stores of blocks, what is checked of a leg.
 
-A layout says where a quantity is: in a structure's member, in an array, in one of the lanes of either, or in
-a constant. The lanes are the legs of a pose or the poses of a block.
+A layout says where a quantity is: in a structure's member, in an array, in one of the lanes of either, or
+in a constant. The lanes are the legs of a pose or the poses of a block.
 """
 
 from collections.abc import Callable, Iterable, Mapping, Sequence

@@ -1,7 +1,7 @@
 """Kinematics of the legs, (1)-(5), and of a step of the platform, for the search of a pose from leg lengths.
 
-From the vectors of ``leg``: lengths, rates, the rows of J = H^T, and the rotation by which a step of Newton's
-method turns the platform.
+From the vectors of ``leg``: lengths, rates, the rows of J = H^T, and the rotation by which a step of
+Newton's method turns the platform.
 """
 
 from dataclasses import dataclass

@@ -3,9 +3,9 @@
 Each body's inertial parameters are taken about its part's joint point: of the lower part about the base
 point, of the upper part about the platform point, of the platform about its reference point; a leg's
 friction coefficients follow. Lagrange's torques of ``tip`` are linear in them, so the columns of a leg are
-the derivatives of its torques, led to the tip; the upper part's mass is lumped with the platform as a point.
-``dependencies`` says which columns are sums of others on every machine. Formulation `exact` with universal
-base joints.
+the derivatives of its torques, led to the tip; the upper part's mass is lumped with the platform as a
+point. ``dependencies`` says which columns are sums of others on every machine. Formulation `exact` with
+universal base joints.
 """
 
 from dataclasses import dataclass

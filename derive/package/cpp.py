@@ -1,7 +1,7 @@
 """``stewart.hpp``: the functions of a kit as C++17 classes, in one header, without heap or exceptions.
 
-Adds nothing to the C but types: statuses that must not be ignored, arrays of fixed length, constants prepared
-once. Methods follow the C functions' arguments.
+Adds nothing to the C but types: statuses that must not be ignored, arrays of fixed length, constants
+prepared once. Methods follow the C functions' arguments.
 """
 
 import textwrap

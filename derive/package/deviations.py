@@ -1,7 +1,7 @@
 """Where a kit's C departs from MISRA C:2012, rule by rule, with the reason.
 
-Data for a kit's README. The rules are those by which the addon of cppcheck 2.10 finds something; what each is
-about is said in our own words.
+Data for a kit's README. The rules are those by which the addon of cppcheck 2.10 finds something; what each
+is about is said in our own words.
 """
 
 from collections.abc import Collection

@@ -1,7 +1,7 @@
 """An FMI 2.0 co-simulation unit around a kernel: its description, its C and its page.
 
-Takes plain data and hands back text by path. What is in the description and in the C (variables, order, start
-values) comes from one list, made of the interface table. The C of the standard's functions is
+Takes plain data and hands back text by path. What is in the description and in the C (variables, order,
+start values) comes from one list, made of the interface table. The C of the standard's functions is
 ``stewart_fmi2.c``; what varies from unit to unit stands in ``stewart_unit.h``.
 """
 

@@ -1,7 +1,6 @@
 """Levels of fidelity: which reduced force kernels there are, and what each says of the machine.
 
-Stands below ``forces``, on the table that the derivation wrote. A level drops physics of the legs that a
-scene may not need; each has a kernel of its own. Knows names and counts, no equation.
+A level drops physics of the legs that a scene may not need; each has a kernel of its own.
 """
 
 from ..generated.fidelities import FIDELITIES as _TABLE

@@ -1,8 +1,7 @@
 """Compiles C source text into a shared library once, keeps it in a cache and loads it with ctypes.
 
-Stands between the emitted C and the code that calls it; must not know what the C computes. The cache needs no
-lock between processes: a library is published by one rename, and its file name holds the digest of its bytes,
-which is checked before the loader maps it.
+The cache needs no lock between processes: a library is published by one rename, and its file name holds the
+digest of its bytes, which is checked before the loader maps it.
 """
 
 import contextlib

@@ -1,7 +1,6 @@
 """Actuator forces with a bound of their rounding error, and how near each pose is to a singular one.
 
-Stands beside ``forces``, whose forces it hands back to the last bit. Lays arrays out for the C of
-``stewart_exact_bounds.h``, where all bounding is done; knows no equation.
+Lays arrays out for the C of ``stewart_exact_bounds.h``, where all bounding is done.
 """
 
 import ctypes

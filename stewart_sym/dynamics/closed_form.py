@@ -1,8 +1,7 @@
 """The closed form's kernels bound to a robot: equations of motion, forward dynamics, derivatives; C or NumPy.
 
-Stands beside ``forces``, whose prepared model the C uses. Takes checked robots and motions, hands arrays to
-the generated code and its results back. Formulation `exact` with universal base joints. Knows the layout of
-the emitted headers and no equation.
+Takes checked robots and motions, hands arrays to the generated code and its results back. Formulation
+`exact` with universal base joints.
 """
 
 import ctypes

@@ -1,9 +1,8 @@
 """Damped least squares: axial forces where H is singular and no x solves H x = c, (36).
 
-Stands beside ``conditioning``; knows nothing of how H and c came about, nor of status codes. The method is
-that of Nakamura and Hanafusa, J. Dyn. Sys., Meas., Control 108 (1986) 163-171, damped only in the directions
-that are all but lost, by as much as their singular values ask for: the numerical filtering of Maciejewski and
-Klein, J. Robotic Systems 5 (1988) 527-552.
+The method is that of Nakamura and Hanafusa, J. Dyn. Sys., Meas., Control 108 (1986) 163-171, damped only in
+the directions that are all but lost, by as much as their singular values ask for: the numerical filtering
+of Maciejewski and Klein, J. Robotic Systems 5 (1988) 527-552.
 """
 
 from __future__ import annotations

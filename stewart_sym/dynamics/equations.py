@@ -1,8 +1,6 @@
 """Equations of motion as users call them: M, C, g, friction, forward dynamics and derivatives.
 
-Stands above the closed form's kernels, which serve `exact` machines with universal base joints, and above
-``dynamics``, from whose backends it draws the terms of all others by linearity; below the simulation. Turns a
-status into an error, a warning or NaN. Knows no equation of a leg.
+Turns a status into an error, a warning or NaN.
 """
 
 from __future__ import annotations

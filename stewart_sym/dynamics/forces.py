@@ -1,8 +1,4 @@
-"""Actuator forces alone, from a robot prepared once: the fast road of the C kernels.
-
-Stands beside ``dynamics``, which also hands back D, K, H and c. Knows the layout of the emitted headers,
-batches and threads, and no equation.
-"""
+"""Actuator forces alone, from a robot prepared once: the fast road of the C kernels."""
 
 import ctypes
 import functools

@@ -1,7 +1,4 @@
-"""A home pose: the level platform above the base, where studies and excitations start from.
-
-Stands above ``dynamics``, whose H says which height is good; knows nothing of what is done there.
-"""
+"""A home pose: the level platform above the base, where studies and excitations start from."""
 
 from dataclasses import dataclass
 

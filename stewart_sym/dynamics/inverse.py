@@ -1,7 +1,6 @@
 """Inverse dynamics and joint reactions as users call them: any backend, either formulation, checked results.
 
-Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller asks. Knows no
-equation.
+Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller asks.
 """
 
 from __future__ import annotations

@@ -3,9 +3,10 @@
     F = H^-1 (Y pi - [R F_ext; R M_ext]) + noise
 
 is linear in the base parameters, so weighted least squares finds them along a motion that is known exactly.
-Poses measured with noise are errors in the regressor: there the motion is a series with unknown coefficients,
-fitted together with the parameters to poses and forces (maximum likelihood). Of the robot file only geometry
-and gravity are used. Every fit is tested by its residual; ``Estimate.verdict`` says with what result.
+Poses measured with noise are errors in the regressor: there the motion is a series with unknown
+coefficients, fitted together with the parameters to poses and forces (maximum likelihood). Of the robot
+file only geometry and gravity are used. Every fit is tested by its residual; ``Estimate.verdict`` says with
+what result.
 """
 
 from __future__ import annotations

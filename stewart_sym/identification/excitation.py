@@ -1,7 +1,4 @@
-"""Excitation: a periodic motion within the machine's limits in whose forces its base parameters show.
-
-Stands above ``identifiable``; knows nothing of measured forces.
-"""
+"""Excitation: a periodic motion within the machine's limits in whose forces its base parameters show."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
     H F + [R F_ext; R M_ext] = Y pi
 
 Y depends on the points, the axes, gravity and the motion alone, pi on masses, centres of mass, inertias and
-friction alone. Stands above the generated kernels; knows nothing of which parameters can be told apart.
+friction alone.
 """
 
 from collections.abc import Sequence

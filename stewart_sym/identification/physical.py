@@ -1,9 +1,9 @@
 """Bodies that can exist: what a rigid body requires of base parameters, and estimates kept to it.
 
 A body is possible if its pseudo-inertia [[S, h], [h^T, m]] is positive definite: S the second moments, with
-J = tr(S) E - S, h the first moment, m the mass (Wensing, Kim and Slotine 2018). Written P = U L L^T U^T with
-the robot file's U U^T and a triangular L with a positive diagonal, it is possible whatever the numbers in L
-are (Rucker and Wensing 2022).
+J = tr(S) E - S, h the first moment, m the mass (Wensing, Kim and Slotine 2018). Written P = U L L^T U^T
+with the robot file's U U^T and a triangular L with a positive diagonal, it is possible whatever the numbers
+in L are (Rucker and Wensing 2022).
 """
 
 from __future__ import annotations

@@ -1,7 +1,4 @@
-"""What an argument must be, asked in one place so that every rejection is one line that names it.
-
-Stands at the bottom; knows nothing of what the arguments mean.
-"""
+"""What an argument must be, asked in one place so that every rejection is one line that names it."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any

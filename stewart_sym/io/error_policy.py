@@ -1,7 +1,4 @@
-"""What is done about poses without an answer: an error, a warning, NaN alone or damping, as the caller asks.
-
-Stands at the bottom, below all that can fail at a pose; knows no reason for it.
-"""
+"""What is done about poses without an answer: an error, a warning, NaN alone or damping, as the caller asks."""
 
 import warnings
 from collections.abc import Callable

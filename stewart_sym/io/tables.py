@@ -1,7 +1,6 @@
 """Text files read within bounds, and tables of TOML checked key by key; each rejection is one line.
 
-The prefix or place handed in begins every message: ``file: key: what was expected``. Stands at the bottom,
-below the readers of robots, scenes and trajectories; knows nothing of what the keys mean.
+The prefix or place handed in begins every message: ``file: key: what was expected``.
 """
 
 import codecs

@@ -1,17 +1,13 @@
 """Proof that a pose near a computed one has exactly the given leg lengths, by Kantorovich's theorem.
 
-Stands beside ``forward``, whose answers it proves, and takes nothing from it on trust: every number at the
-pose is computed in exact rational arithmetic from the doubles as they are stored, and every bound is rounded
-upward. Knows nothing of how the pose was found.
-
-With z = (dt, l dphi), R = exp([dphi]x) R_0 and g_i(z) = (|S_i|^2 - L_i^2) / 2 the map z - A g(z), A about the
-inverse of the derivative of g at the pose, takes the ball |z| <= r into itself and contracts it if
+With z = (dt, l dphi), R = exp([dphi]x) R_0 and g_i(z) = (|S_i|^2 - L_i^2) / 2 the map z - A g(z), A about
+the inverse of the derivative of g at the pose, takes the ball |z| <= r into itself and contracts it if
 
     Y + Z r + Z_2 r^2 / 2 <= r,    Z + Z_2 r < 1,
 
 where Y >= |A g(0)|, Z >= |E - A g'(0)|, and |A g''(z) d d| <= Z_2 |d|^2 in the ball: then one pose in the
-ball has these lengths, and only one. |d/dtau exp([phi + tau d]x) q| <= |d| |q|, and twice derived
-<= |d|^2 |q|, bound the second derivative: |g_i''| <= 1 + (|q_i|/l)^2 + |S_i| |q_i|/l^2.
+ball has these lengths, and only one. |d/dtau exp([phi + tau d]x) q| <= |d| |q|, and twice derived <= |d|^2
+|q|, bound the second derivative: |g_i''| <= 1 + (|q_i|/l)^2 + |S_i| |q_i|/l^2.
 """
 
 from __future__ import annotations

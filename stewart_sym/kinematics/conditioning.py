@@ -1,7 +1,4 @@
-"""Condition number of H: how near the platform is to a singular pose, section 4.2.
-
-Stands beside the kernels that make H; knows nothing of how H came about.
-"""
+"""Condition number of H: how near the platform is to a singular pose, section 4.2."""
 
 from __future__ import annotations
 

@@ -1,8 +1,7 @@
 """Forward kinematics: pose, velocity and acceleration of the platform from those of its legs, (2), (5), (8).
 
-Stands beside ``kinematics``, whose way it goes backward, and above ``Robot`` and ``Motion``; knows nothing of
-time, forces or files.  Six leg lengths belong to up to forty poses, the assembly modes: which one is found
-depends on where the search starts.
+Six leg lengths belong to up to forty poses, the assembly modes: which one is found depends on where the
+search starts.
 """
 
 from __future__ import annotations

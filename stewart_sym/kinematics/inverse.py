@@ -1,7 +1,4 @@
-"""Inverse kinematics of the legs, (1)-(5) and (8), and H of (36) with its rate, from the platform's motion.
-
-Stands beside ``reference`` and above ``Robot`` and ``Motion``; knows nothing of forces.
-"""
+"""Inverse kinematics of the legs, (1)-(5) and (8), and H of (36) with its rate, from the platform's motion."""
 
 import ctypes
 import functools

@@ -1,6 +1,6 @@
 """What a kit is asked for: functions, formulation, fidelity, arithmetic.
 
-The bottom of the kit; knows which wishes go together, and nothing of sources.
+The bottom of the kit.
 """
 
 from dataclasses import dataclass

@@ -1,7 +1,4 @@
-"""The files of a kit as text: kernels, constants, self-test, example, build files, README, manifest.
-
-Stands above ``parts`` and ``vectors``; writes nothing. Knows which texts a choice takes, not what they say.
-"""
+"""The files of a kit as text: kernels, constants, self-test, example, build files, README, manifest."""
 
 import hashlib
 import json

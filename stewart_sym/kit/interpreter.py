@@ -1,9 +1,9 @@
 """What the functions of a kit compute, in ``Running`` numbers.
 
-The forces of a level and the kinematics are trees that are interpreted; every output and the closed form, of
-which there is one kernel, are modules of ``generated``, trees that are printed, run on these numbers. Linear
-systems are solved by ``running``, with smaller errors than a run of the elimination. Every function takes the
-motion of one pose as stored and returns what the C writes, flat, in the order of its struct.
+The forces of a level and the kinematics are trees that are interpreted; every output and the closed form,
+of which there is one kernel, are modules of ``generated``, trees that are printed, run on these numbers.
+Linear systems are solved by ``running``, with smaller errors than a run of the elimination. Every function
+takes the motion of one pose as stored and returns what the C writes, flat, in the order of its struct.
 """
 
 from collections.abc import Callable, Iterable, Mapping

@@ -1,7 +1,4 @@
-"""The parts of a kit: which kernels a choice takes, committed ones or such as are derived for one robot.
-
-Stands below ``kit``. Knows names and files of kernels and what each of their functions costs, no syntax.
-"""
+"""The parts of a kit: which kernels a choice takes, committed ones or such as are derived for one robot."""
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass

@@ -1,7 +1,7 @@
 """Poses of a robot on which a kit is tried: the example's, and others around it.
 
 Chosen by the NumPy kernel in a fixed order of candidates, all in numbers of few digits, so that the same
-robot gives the same poses everywhere. Knows no C and no file.
+robot gives the same poses everywhere.
 """
 
 import itertools

@@ -3,7 +3,7 @@
 Running error analysis to first order: every operation adds half a rounding unit of its result to what its
 operands bring (Wilkinson; Higham, Accuracy and Stability of Numerical Algorithms, 3.3). Solutions of linear
 systems get their error from the inverse, entry by entry (Higham, 7.2 and 9.3): errors carried through an
-elimination would grow far beyond what happens. Knows no machine.
+elimination would grow far beyond what happens.
 """
 
 import math

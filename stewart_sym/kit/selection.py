@@ -1,10 +1,10 @@
 """Motions on which a wrong constant shows: chosen for the test vectors of a kit's forces, by sensitivity.
 
 A pool of motions with few things at work at a time (poses at rest, falling platforms, one or two axes of
-velocity or acceleration far beyond what a machine does, large loads) is improved for the constants that show
-least; of it those are taken that together show every constant. An external wrench takes the load off the
-actuators where it is not itself what shows, so that their forces add no rounding errors. Numbers come from a
-frozen generator and have few digits: the same robot gets the same motions everywhere.
+velocity or acceleration far beyond what a machine does, large loads) is improved for the constants that
+show least; of it those are taken that together show every constant. An external wrench takes the load off
+the actuators where it is not itself what shows, so that their forces add no rounding errors. Numbers come
+from a frozen generator and have few digits: the same robot gets the same motions everywhere.
 """
 
 import itertools

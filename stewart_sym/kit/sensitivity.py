@@ -1,8 +1,8 @@
 """How far a changed constant moves the forces, over what rounding may do to them, on many motions at once.
 
-Runs the blocks of a force kernel in double: once in ``RunningArrays`` for the bound of each force, then once
-for every constant with that constant changed in all legs at a time. Changes are taken to first order through
-the solve. Depends on no printed code.
+Runs the blocks of a force kernel in double: once in ``RunningArrays`` for the bound of each force, then
+once for every constant with that constant changed in all legs at a time. Changes are taken to first order
+through the solve. Depends on no printed code.
 """
 
 from collections.abc import Callable, Iterator, Mapping

@@ -1,11 +1,11 @@
 """Test vectors: what a kit's functions have to answer on a target, and how close.
 
 Takes a checked Robot, tries ``poses``, has them read at 50 digits (``interpreter``), and hands out inputs,
-answers and bounds as plain arrays. Knows no C: who prints them decides how.
+answers and bounds as plain arrays.
 
-A bound holds for any sound build: other orders of sums, other pivots, fused multiply-add, legs one after the
-other or side by side. Reading and C have errors of the same size in first order; the bound is MARGIN times
-what running error analysis finds for the reading.
+A bound holds for any sound build: other orders of sums, other pivots, fused multiply-add, legs one after
+the other or side by side. Reading and C have errors of the same size in first order; the bound is MARGIN
+times what running error analysis finds for the reading.
 """
 
 import math

@@ -1,7 +1,4 @@
-"""Puts a kit into a folder: all files or none, and none that somebody changed by hand.
-
-Stands above ``files``; what a manifest says of the files there tells ours from edited ones.
-"""
+"""Puts a kit into a folder: all files or none, and none that somebody changed by hand."""
 
 from collections.abc import Iterable
 from pathlib import Path

@@ -1,7 +1,7 @@
 """A trajectory between its instants: the quintic that keeps their poses, rates and accelerations.
 
-Stands on ``trajectory``; needs NumPy alone. Between instants whose rates come from a spline of degree 5, as
-those of ``read_csv``, positions are that spline.
+Between instants whose rates come from a spline of degree 5, as those of ``read_csv``, positions are that
+spline.
 """
 
 from __future__ import annotations

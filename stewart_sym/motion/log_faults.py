@@ -1,7 +1,7 @@
 """Rows of a log that no motion makes: samples that are off for a few rows, and steps that stay.
 
-Blocks of samples, of several lengths, are fitted by polynomials. Where one offset explains what these leave,
-and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault of the log.
+Blocks of samples, of several lengths, are fitted by polynomials. Where one offset explains what these
+leave, and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault of the log.
 """
 
 from __future__ import annotations

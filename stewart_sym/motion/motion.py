@@ -1,8 +1,4 @@
-"""Motion of the platform at one or many instants: pose, velocities, accelerations and external load.
-
-Stands beside ``Robot`` at the start of the flow; whoever receives a ``Motion`` may trust its shapes and its
-rotations.  Knows nothing of robots, of time or of how the motion came about.
-"""
+"""Motion of the platform at one or many instants: pose, velocities, accelerations and external load."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """Smooth motions fitted to measured poses: Fourier series or splines, linear in their coefficients.
 
-The coordinates are position and roll-pitch-yaw angles, q(t) = basis(t) c. Differentiating the basis in place
-of the measured poses keeps their noise out of the accelerations; ``chain`` says what each coefficient moves.
+The coordinates are position and roll-pitch-yaw angles, q(t) = basis(t) c. Differentiating the basis in
+place of the measured poses keeps their noise out of the accelerations; ``chain`` says what each coefficient
+moves.
 """
 
 from __future__ import annotations

@@ -1,8 +1,4 @@
-"""Motions as functions of time: the paper's straight-line paths, (39), (40), and trajectories read from CSV.
-
-Stands above ``Motion``, which it makes, and below the studies and the command line.  Knows nothing of robots,
-forces or backends; SciPy is needed only to differentiate a trajectory that comes without derivatives.
-"""
+"""Motions as functions of time: the paper's straight-line paths, (39), (40), and trajectories read from CSV."""
 
 from __future__ import annotations
 

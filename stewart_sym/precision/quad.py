@@ -1,7 +1,7 @@
 """The actuator forces in quadruple precision, 113 bits: truth for what double and float round away.
 
-Compiles the plain elimination kernel, which shares neither regrouping nor preparation with the fast one, for
-gcc's ``__float128``; needs libquadmath. Knows the layout of ``stewart.h`` and no equation.
+Compiles the plain elimination kernel, which shares neither regrouping nor preparation with the fast one,
+for gcc's ``__float128``; needs libquadmath.
 """
 
 import ctypes

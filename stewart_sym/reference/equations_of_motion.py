@@ -1,9 +1,8 @@
 """The oracle of the equations of motion: M, C, g and friction, drawn from inverse dynamics by its linearity.
 
-The wrench H F that the actuators must give is affine in the accelerations, quadratic in the rates, and linear
-in gravity and in friction, each on its own. So differences of inverse dynamics, none of them small, give each
-term to rounding, whatever the inverse dynamics is made of; here it is the vector reference. Knows robots and
-motions; must know nothing of the derivation or of the generated kernels.
+The wrench H F that the actuators must give is affine in the accelerations, quadratic in the rates, and
+linear in gravity and in friction, each on its own. So differences of inverse dynamics, none of them small,
+give each term to rounding, whatever the inverse dynamics is made of; here it is the vector reference.
 """
 
 import dataclasses

@@ -1,13 +1,11 @@
 """The oracle: the printed equations (1)-(37) and their corrections, in plain vectors of the base frame.
 
 Written to be read beside the paper: its symbols, its order, one line for each equation. A fault of the
-printed equations is a number in `faults`; the set says which lines are taken as printed, and the empty set is
-the right mechanics. Knows robots and motions; must know nothing of the derivation or of the generated
-kernels, which work in components of the leg frame: their agreement means something only while they share no
-formula.
+printed equations is a number in `faults`; the set says which lines are taken as printed, and the empty set
+is the right mechanics.
 
-Shapes: `(...)` is the motion's leading shape; a quantity of the legs is (..., 6, 3) as a vector and
-(..., 6, 1) as a scalar, so that scalars multiply vectors as in the paper. SI units.
+Shapes: `(...)` is the motion's leading shape; a quantity of the legs is (..., 6, 3) as a vector and (...,
+6, 1) as a scalar, so that scalars multiply vectors as in the paper. SI units.
 """
 
 from __future__ import annotations

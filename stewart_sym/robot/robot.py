@@ -1,8 +1,4 @@
-"""The machine: geometry, masses, friction and limits, as read from a robot file and checked once.
-
-Stands at the start of the flow, before motions and kernels; everything after it may trust what a ``Robot``
-holds.  It knows nothing of poses, equations or backends.
-"""
+"""The machine: geometry, masses, friction and limits, as read from a robot file and checked once."""
 
 import math
 import os

@@ -1,9 +1,8 @@
 """Units of length, mass and time for one machine: powers of two, so that a change to them rounds nothing.
 
-Stands above ``Robot`` and ``Motion``, which it rewrites in other units. Every kernel takes any consistent
-units; in these the numbers of a machine of any size are near 1. The float force kernels do without: their
-solve has a unit of length of its own, and nothing else in them depends on units. The other kernels in float
-lose digits on small machines in SI units, and none in these. Knows dimensions and no equation.
+Every kernel takes any consistent units; in these the numbers of a machine of any size are near 1. The float
+force kernels do without: their solve has a unit of length of its own, and nothing else in them depends on
+units. The other kernels in float lose digits on small machines in SI units, and none in these.
 """
 
 import dataclasses

@@ -1,7 +1,7 @@
 """Force laws of the legs: what the actuators do in a simulation, as functions of time and state.
 
-A law is any callable (time, state) -> F, N, (6,), where state is a Motion of shape () without accelerations.
-Stands above ``dynamics``, which computed torque uses as its model; knows nothing of the simulation.
+A law is any callable (time, state) -> F, N, (6,), where state is a Motion of shape () without
+accelerations.
 """
 
 from __future__ import annotations

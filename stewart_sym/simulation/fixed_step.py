@@ -1,7 +1,6 @@
 """Fixed steps: states under held forces carried on by a Runge-Kutta method on rotations, many side by side.
 
-Stands on ``equations`` beside ``simulation``, for loops in which a controller sets the pace: no step is
-rejected, no limit is watched, and nothing is interpolated. Needs NumPy alone.
+Needs NumPy alone.
 """
 
 import numpy as np

@@ -1,8 +1,4 @@
-"""Scenes: a simulation as a TOML file says it, read and checked into what ``simulate`` takes.
-
-Stands above ``simulation`` and the laws of the legs; the command line runs what is read here. Knows files and
-keys, no mechanics.
-"""
+"""Scenes: a simulation as a TOML file says it, read and checked into what ``simulate`` takes."""
 
 import os
 from collections.abc import Callable, Mapping

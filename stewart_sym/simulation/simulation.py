@@ -1,8 +1,7 @@
 """Simulation: the machine set free under the forces of its legs, integrated until a time or a limit.
 
-Stands on ``equations``, whose forward dynamics it integrates by SciPy (extra ``sim``). Orientation lives in a
-local chart, the rotation vector from a centre that moves along, so that no attitude is special and R stays
-orthonormal to rounding. Knows charts, steps and limits; knows no equation of the machine.
+Orientation lives in a local chart, the rotation vector from a centre that moves along, so that no attitude
+is special and R stays orthonormal to rounding.
 """
 
 from __future__ import annotations

@@ -1,6 +1,4 @@
-"""How a path passes the machine's singular poses and limits, found between its samples.
-
-Stands on ``singular_poses``, ``search`` and the kernels' terms; takes any function of time. det H is a smooth
+"""How a path passes the machine's singular poses and limits, found between its samples. det H is a smooth
 function of time, so its roots are found from its sign at all its turning points. Which intervals are searched
 is settled by the rate of H: no singular value changes faster than H does (Weyl).
 """

@@ -1,7 +1,4 @@
-"""Roots and minima of functions of one number, found between samples: brackets cut by many points at a time.
-
-Stands at the bottom; functions take an array (n,) and return one. Knows nothing of what they mean.
-"""
+"""Roots and minima of functions of one number, found between samples: brackets cut by many points at a time."""
 
 from collections.abc import Callable
 

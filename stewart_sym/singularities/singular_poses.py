@@ -1,7 +1,4 @@
-"""Singular poses as objects: how near a pose is to one, the motion that is lost there, and as a screw.
-
-Stands on ``kinematics``, whose H it takes apart, and ``conditioning``; knows nothing of time or forces.
-"""
+"""Singular poses as objects: how near a pose is to one, the motion that is lost there, and as a screw."""
 
 from __future__ import annotations
 

@@ -1,7 +1,8 @@
 """A kit compiles without a warning and checks itself on every compiler, C standard, width and byte order.
 
-32-bit x86 comes with its two ways of computing: SSE2, which rounds like everything else, and x87, which keeps
-more digits than the type in registers. s390x has its bytes the other way round and runs in an emulator.
+32-bit x86 comes with its two ways of computing: SSE2, which rounds like everything else, and x87, which
+keeps more digits than the type in registers. s390x has its bytes the other way round and runs in an
+emulator.
 """
 
 import itertools

@@ -1,8 +1,4 @@
-"""Builds the attack of tests/support/c on every C file of generated/c with any compiler and flags.
-
-Stands beside ``machines``; knows the names of the kernels and which oracle each needs, and nothing of what
-the oracles ask.
-"""
+"""Builds the attack of tests/support/c on every C file of generated/c with any compiler and flags."""
 
 import shutil
 import subprocess

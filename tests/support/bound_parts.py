@@ -1,9 +1,9 @@
 """Two functions of the C that bounds rounding errors, each by itself with the worst rounding of its values.
 
-``rotation_error`` bounds how far R is from a rotation, ``solution_error`` the error of a solution with given
-errors of H and c. Every operation is rounded by one unit in the direction that makes the bound smallest; the
-exact value, or that of the worst H and c within their errors, must not be above it. Finds both functions in
-the text of the C.
+``rotation_error`` bounds how far R is from a rotation, ``solution_error`` the error of a solution with
+given errors of H and c. Every operation is rounded by one unit in the direction that makes the bound
+smallest; the exact value, or that of the worst H and c within their errors, must not be above it. Finds
+both functions in the text of the C.
 """
 
 import ctypes

@@ -1,10 +1,9 @@
 """The statements of the C that bounds rounding errors, each against the worst that its one step may do.
 
-Every ``x_err``, ``x_own`` and ``x_max`` of the emitted text makes a claim about one assignment
-x = f(y, z, ...) alone: no rounding of its operations, whatever y and z err by within their own bounds, puts x
-farther off.
-The claims are held to numbers over many sizes, so that each term is the largest somewhere. A mutant is a
-statement with one term left out or one coefficient halved.
+Every ``x_err``, ``x_own`` and ``x_max`` of the emitted text makes a claim about one assignment x = f(y, z,
+...) alone: no rounding of its operations, whatever y and z err by within their own bounds, puts x farther
+off. The claims are held to numbers over many sizes, so that each term is the largest somewhere. A mutant is
+a statement with one term left out or one coefficient halved.
 """
 
 import ast

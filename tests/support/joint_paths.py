@@ -1,6 +1,7 @@
 """Random smooth paths of random machines for joint-space tests: some cross singular poses, some graze them.
 
-Ground truth is the sign of det J on a fine grid along the path itself, which no test's subject takes part in.
+Ground truth is the sign of det J on a fine grid along the path itself, which no test's subject takes part
+in.
 """
 
 from dataclasses import dataclass

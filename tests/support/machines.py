@@ -1,7 +1,7 @@
 """Random machines, motions and paths for the tests: every leg different in every parameter, everything on.
 
-Stands below all test modules; knows Robot and Motion only. Poses are drawn where the mechanics is well posed
-(H well conditioned, legs well away from their universal axes), rates to the machine's own scale of time.
+Poses are drawn where the mechanics is well posed (H well conditioned, legs well away from their universal
+axes), rates to the machine's own scale of time.
 """
 
 import dataclasses

@@ -2,7 +2,7 @@
 
 The generated closed form is compiled for ``__float128`` as truth, and run once more for each input number
 (robot, motion, actuator forces) with that number changed by a share of itself: the sum of the absolute
-changes is the machine's own sensitivity. Knows the layout of ``stewart.h`` and no equation.
+changes is the machine's own sensitivity.
 """
 
 import ctypes

@@ -1,7 +1,4 @@
-"""Motions near a singular pose, for tests of what rounding does there.
-
-Stands beside ``machines``; knows the direction of the legs and the determinant of H only.
-"""
+"""Motions near a singular pose, for tests of what rounding does there."""
 
 import functools
 from collections.abc import Callable

@@ -1,9 +1,9 @@
 """The machine in Pinocchio: six serial chains and a free body, joined by forces. An independent check.
 
 Takes nothing from stewart_sym but the numbers of a Robot and of one Motion. Joint angles, rates and
-accelerations come from Pinocchio's own Jacobians; forces from its recursive Newton-Euler over each chain, the
-torques of the passive joints being zero, together with the platform's six equations: eighteen equations in
-the eighteen components of the forces at the spherical joints.
+accelerations come from Pinocchio's own Jacobians; forces from its recursive Newton-Euler over each chain,
+the torques of the passive joints being zero, together with the platform's six equations: eighteen equations
+in the eighteen components of the forces at the spherical joints.
 """
 
 from abc import ABC, abstractmethod

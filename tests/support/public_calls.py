@@ -1,7 +1,4 @@
-"""Every public function of the package with arguments that it accepts, by name, to start attacks from.
-
-Stands beside ``machines``; knows signatures and no mechanics.
-"""
+"""Every public function of the package with arguments that it accepts, by name, to start attacks from."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field

@@ -1,7 +1,4 @@
-"""How far the slow sweeps go: a twentieth of their size, or what counting needs; all with STEWART_FULL=1.
-
-Stands below all test modules.
-"""
+"""How far the slow sweeps go: a twentieth of their size, or what counting needs; all with STEWART_FULL=1."""
 
 import os
 

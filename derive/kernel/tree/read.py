@@ -1,14 +1,14 @@
 """Functions written in a part of Python, read as trees: what a kernel does around its blocks.
 
-Allowed are assignments, ``for`` over ``range``, ``reversed(range)`` and ``columns``, a range over the columns
-of a row that compilers make vectors of, ``if``, ``else``, ``break``, ``return``, ``+ - * /``, comparisons,
-``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects, ``anywhere(test)`` says
-whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name of a structure make
-zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
+Allowed are assignments, ``for`` over ``range``, ``reversed(range)`` and ``columns``, a range over the
+columns of a row that compilers make vectors of, ``if``, ``else``, ``break``, ``return``, ``+ - * /``,
+comparisons, ``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects,
+``anywhere(test)`` says whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name
+of a structure make zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
 
 For languages with addresses there are ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
-``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a first
-value, and ``alone(...)`` around the type of an argument that no other one overlaps.
+``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a
+first value, and ``alone(...)`` around the type of an argument that no other one overlaps.
 
 What is known when a text is read is settled there: an ``if`` or ``a if b else c`` by the constants given,
 ``for i in each(6)`` once for each ``i``, and with these ``a[i, k]`` is a variable ``a_0_1`` of its own. A

@@ -1,7 +1,8 @@
 """Every output of the inverse dynamics around its blocks, in the part of Python that ``read`` reads.
 
 Poses are side by side: a number holds a value for each. Legs are one after the other, or side by side as
-well: then numbers of ``robot.leg`` and of ``Legs`` hold a value for each leg, along an axis before the poses.
+well: then numbers of ``robot.leg`` and of ``Legs`` hold a value for each leg, along an axis before the
+poses.
 """
 
 

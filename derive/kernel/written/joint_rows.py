@@ -1,9 +1,9 @@
 """Forward dynamics and linearisation where M's factors lose digits, for ``read``.
 
 Near a joint singularity, or with a very short or very heavy leg, the legs' inertia stays in their joint
-coordinates: M = A^T W A with three rows of A for each leg and six of the platform, and weights W of about one
-in blocks of three. Elimination with complete pivoting picks the six stiffest rows, and their accelerations
-become the unknowns: no large number is added to a small one.
+coordinates: M = A^T W A with three rows of A for each leg and six of the platform, and weights W of about
+one in blocks of three. Elimination with complete pivoting picks the six stiffest rows, and their
+accelerations become the unknowns: no large number is added to a small one.
 """
 
 

@@ -1,7 +1,7 @@
 """Kinematics of the legs, forward and inverse, in the part of Python that ``read`` reads.
 
-The search of a pose is Newton's on (2). Each step solves J d = miss by Householder's reflections, which leave
-the singular values of J as they are, so that its triangle also says how near to singular H is.
+The search of a pose is Newton's on (2). Each step solves J d = miss by Householder's reflections, which
+leave the singular values of J as they are, so that its triangle also says how near to singular H is.
 """
 
 

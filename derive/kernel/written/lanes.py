@@ -1,7 +1,8 @@
 """Forces with legs, or poses, side by side in lanes, in the part of Python that ``read`` reads.
 
-One pose has its legs in lanes, a block eight poses. Names in capitals stand for what blocks say and for what
-a kernel has: ``BAKED`` its numbers, ``ABOUT_TIP`` moments about platform point 1, ``HAS_D`` legs with a D.
+One pose has its legs in lanes, a block eight poses. Names in capitals stand for what blocks say and for
+what a kernel has: ``BAKED`` its numbers, ``ABOUT_TIP`` moments about platform point 1, ``HAS_D`` legs with
+a D.
 """
 
 

@@ -2,7 +2,7 @@
 
 Takes the figures of ``cost`` and the budget they are held against. Cost is operations, then precision:
 counts, and no times, so that the same scene gets the same answer on every run and machine; times count only
-where the budget names a rate. Knows what each fidelity leaves out, in words; measures nothing.
+where the budget names a rate.
 """
 
 from collections.abc import Mapping

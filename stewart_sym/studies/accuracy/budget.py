@@ -1,8 +1,4 @@
-"""Budgets: the error and the time that a machine's motions allow, as a TOML file says it, read and checked.
-
-Stands above the readers of robots and trajectories; the study of cost takes what is read here. Knows files
-and keys, no kernel.
-"""
+"""Budgets: the error and the time that a machine's motions allow, as a TOML file says it, read and checked."""
 
 import os
 from collections.abc import Mapping

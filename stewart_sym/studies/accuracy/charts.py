@@ -1,6 +1,6 @@
 """The pictures that ``chart`` writes, each with its rows: what they are called and how they come about.
 
-One entry for each picture; the studies know how to measure and draw. Knows no files.
+One entry for each picture; the studies know how to measure and draw.
 """
 
 import warnings

@@ -1,7 +1,7 @@
 """Engines of forward dynamics for ``bench``, Pinocchio and MuJoCo, those of them that are installed.
 
-Each closes the five loops of ``baselines_tree`` by constraints and is called from Python, one pose per call,
-its state prepared; a call over a model without bodies shows what the call costs.
+Each closes the five loops of ``baselines_tree`` by constraints and is called from Python, one pose per
+call, its state prepared; a call over a model without bodies shows what the call costs.
 """
 
 from ...io.extras import absent

@@ -1,7 +1,7 @@
 """The machine as a tree of joints for engines of rigid bodies, and from their joints back to the platform.
 
-Six legs, each revolute about k, revolute about y, prismatic along s; the platform hangs on the last leg by a
-spherical joint, and five points remain to be closed. Joint coordinates, rates and generalised forces are
+Six legs, each revolute about k, revolute about y, prismatic along s; the platform hangs on the last leg by
+a spherical joint, and five points remain to be closed. Joint coordinates, rates and generalised forces are
 prepared for ``baselines_constraints``, whose engines share no equation with the generated kernels.
 """
 

@@ -1,10 +1,11 @@
 """Nanoseconds a pose: the generated kernels beside their baselines and the processor's limit, in one process.
 
 Every contestant computes the actuator forces of `exact`, friction, load and solve included, for the same
-poses; those of the second group, ``bench_motion``, the equations of motion and what follows from them. Their
-answers are compared before any is timed. They are then timed in turns, round after round, so that whatever
-slows the machine down slows all of them. ``bench_plot`` shows what comes out; this module prints and writes
-nothing. What CasADi, MuJoCo and Pinocchio, the extra ``bench``, compute is left out where they are missing.
+poses; those of the second group, ``bench_motion``, the equations of motion and what follows from them.
+Their answers are compared before any is timed. They are then timed in turns, round after round, so that
+whatever slows the machine down slows all of them. ``bench_plot`` shows what comes out; this module prints
+and writes nothing. What CasADi, MuJoCo and Pinocchio, the extra ``bench``, compute is left out where they
+are missing.
 """
 
 import contextlib

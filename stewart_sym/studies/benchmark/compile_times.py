@@ -1,7 +1,6 @@
 """How long a C compiler works on the kernels, and how many bytes of code a controller is left with.
 
-The part of ``bench`` that times the compiler and not the code. Knows linkers and ``nm``, nothing of what the
-kernels compute.
+The part of ``bench`` that times the compiler and not the code.
 """
 
 import functools

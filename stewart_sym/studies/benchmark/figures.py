@@ -1,6 +1,6 @@
 """What ``bench`` measured: figures with all their samples, and the ratios that are made of them.
 
-Filled in by ``bench``, shown by ``bench_plot``. Knows what the figures mean and not how they were taken.
+Filled in by ``bench``, shown by ``bench_plot``.
 """
 
 import dataclasses

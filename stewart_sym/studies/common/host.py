@@ -1,7 +1,4 @@
-"""Where a study ran: processor, system, compiler and versions, and what others took of it meanwhile.
-
-Knows nothing of what was measured.
-"""
+"""Where a study ran: processor, system, compiler and versions, and what others took of it meanwhile."""
 
 import contextlib
 import os

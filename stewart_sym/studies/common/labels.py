@@ -1,7 +1,7 @@
 """Labels beside points of a picture that overlap neither each other nor any point.
 
-Used by the pictures that name their points; knows axes and texts, nothing of what they say. Needs the extra
-``plot``. The same picture gets the same places on every run.
+Used by the pictures that name their points. Needs the extra ``plot``. The same picture gets the same places
+on every run.
 """
 
 from collections.abc import Mapping, Sequence

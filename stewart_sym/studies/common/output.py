@@ -1,6 +1,6 @@
 """Tables of results as CSV text.
 
-Used by the commands that write; knows nothing of files or of what the columns mean.
+Used by the commands that write.
 """
 
 import csv

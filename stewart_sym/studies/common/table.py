@@ -1,4 +1,4 @@
-"""Plain text tables, as every study prints them. Knows nothing of what they say."""
+"""Plain text tables, as every study prints them."""
 
 from collections.abc import Sequence
 

@@ -1,6 +1,6 @@
 """Nanoseconds of tasks that take turns: whatever slows the machine down slows all of them.
 
-Used by the studies that measure; knows nothing of what the tasks compute, and prints nothing.
+Used by the studies that measure.
 """
 
 import contextlib

@@ -1,6 +1,6 @@
 """Kits on a controller: written, cross-compiled, run under QEMU, measured.
 
-Takes a Robot, hands back figures for each kit. Stands on ``kit`` and ``toolchain``; prints nothing.
+Takes a Robot, hands back figures for each kit.
 """
 
 import re

@@ -1,7 +1,7 @@
 """Stack of every function that a kit may hold, as the cross compiler tells it: the table that kits quote.
 
-Stands on ``kit.parts`` and ``toolchain``. Kernels with a machine's numbers folded in are not among them: they
-take no more than the same kernels without.
+Stands on ``kit.parts`` and ``toolchain``. Kernels with a machine's numbers folded in are not among them:
+they take no more than the same kernels without.
 """
 
 import dataclasses

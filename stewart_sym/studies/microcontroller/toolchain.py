@@ -1,7 +1,4 @@
-"""The cross compiler, the emulator, and what can be read in object code.
-
-Stands at the bottom of the study; knows nothing of robots and kernels.
-"""
+"""The cross compiler, the emulator, and what can be read in object code."""
 
 import re
 import shutil

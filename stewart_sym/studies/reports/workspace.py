@@ -1,6 +1,5 @@
 """Map of a workspace: condition number and peak actuator force at rest under gravity, on one machine or many.
 
-Stands above the force kernel and cuts poses into blocks for Dask; knows nothing of who computes them.
 Ten million poses, 160 MB of results, on a cluster (extra ``cluster``)::
 
     import dask.array as da

@@ -1,6 +1,6 @@
 """What the study is made of: a family of poses that walks into a failure, a curve for each method, a verdict.
 
-Records and measures alone; knows no machine and no file.
+Records and measures alone.
 """
 
 from collections.abc import Mapping

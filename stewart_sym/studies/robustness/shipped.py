@@ -1,6 +1,6 @@
 """Every shipped road to the actuator forces along a family, beside 50 digits.
 
-Takes robots and motions pose by pose; returns curves. Knows no equation.
+Takes robots and motions pose by pose; returns curves.
 """
 
 import warnings

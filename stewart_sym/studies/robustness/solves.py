@@ -1,4 +1,4 @@
-"""Ways to solve H x = c, written plainly: candidates for the kernels' solve. Knows linear algebra alone."""
+"""Ways to solve H x = c, written plainly: candidates for the kernels' solve."""
 
 from collections.abc import Callable
 

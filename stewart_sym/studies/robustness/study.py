@@ -1,7 +1,4 @@
-"""The stability study whole: every family, its verdicts, the report, and the JSON for the README's table.
-
-Knows which families there are; writes no file.
-"""
+"""The stability study whole: every family, its verdicts, the report, and the JSON for the README's table."""
 
 from collections.abc import Callable
 from dataclasses import asdict, dataclass

@@ -1,7 +1,4 @@
-"""Machines and motions of the study: general and special, of any size and mass, every leg its own.
-
-Knows Robot and Motion only.
-"""
+"""Machines and motions of the study: general and special, of any size and mass, every leg its own."""
 
 import dataclasses
 

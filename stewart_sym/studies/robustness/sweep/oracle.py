@@ -3,7 +3,7 @@
 Compiles the plain elimination kernel for ``long double`` and ``__float128`` beside the shipped kernels in
 double and float; wider types share neither regrouping nor preparation with the fast ones. The problem's own
 condition number is what relative changes of the inputs by one unit do to F: measured by random changes of
-every quantity, over the largest of |F|, |D|, |x|. Knows the layout of ``stewart.h`` and no equation.
+every quantity, over the largest of |F|, |D|, |x|.
 """
 
 import ctypes

@@ -1,7 +1,7 @@
 """Machines that are singular at every pose: families of points in whole numbers, each with its reason.
 
-Coordinates are integers below 2^24 times a power of two, exact in double and in float, so det H is exactly 0
-for the stored numbers and every matrix R. Every family is closed under affine maps of the base and of the
+Coordinates are integers below 2^24 times a power of two, exact in double and in float, so det H is exactly
+0 for the stored numbers and every matrix R. Every family is closed under affine maps of the base and of the
 platform: each machine gets one of each at random, similar hexagons the same for both.
 """
 
