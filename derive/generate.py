@@ -89,7 +89,7 @@ def reduced_rotation() -> dict[str, Block]:
 
 
 def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[str, str]:
-    """Every file of ``generated/`` by its path relative to it; ``progress`` is told what is being derived."""
+    """Every file of ``generated/`` by its path relative to it; ``progress`` gets what is being derived."""
     version = generator_version()
     models: dict[str, int] = {}
     headers = {"stewart.h": common_header(version)} | shared_headers(version)

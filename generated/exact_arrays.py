@@ -1762,9 +1762,9 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     c33 = L_dot * s_y
     c34 = L_dot * s_z
     # against friction
-    rubbed_x = C_p * c30 + c31 * y_x - c32 * z_x
-    rubbed_y = C_p * c33 + c31 * y_y - c32 * z_y
-    rubbed_z = C_p * c34 + c31 * y_z - c32 * z_z
+    resistance_x = C_p * c30 + c31 * y_x - c32 * z_x
+    resistance_y = C_p * c33 + c31 * y_y - c32 * z_y
+    resistance_z = C_p * c34 + c31 * y_z - c32 * z_z
     # (3) rate of s
     s_dot_x = inv_L * (S_dot_x - c30)
     s_dot_y = inv_L * (S_dot_y - c33)
@@ -1819,11 +1819,11 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     ]
     out.g_force = [held_x, held_y, held_z]
     out.g_moment = [held_z * q_y - held_y * q_z, held_x * q_z - held_z * q_x, held_y * q_x - held_x * q_y]
-    out.friction_force = [rubbed_x, rubbed_y, rubbed_z]
+    out.friction_force = [resistance_x, resistance_y, resistance_z]
     out.friction_moment = [
-        q_y * rubbed_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * rubbed_y,
-        q_z * rubbed_x - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * rubbed_z,
-        q_x * rubbed_y - C_s * (k_z * phi_dot + theta_dot * y_z) - q_y * rubbed_x,
+        q_y * resistance_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * resistance_y,
+        q_z * resistance_x - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * resistance_z,
+        q_x * resistance_y - C_s * (k_z * phi_dot + theta_dot * y_z) - q_y * resistance_x,
     ]
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
@@ -2111,9 +2111,9 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c57 = L_dot * s_y
     c58 = L_dot * s_z
     # against friction
-    rubbed_x = C_p * c54 + c55 * y_x - c56 * z_x
-    rubbed_y = C_p * c57 + c55 * y_y - c56 * z_y
-    rubbed_z = C_p * c58 + c55 * y_z - c56 * z_z
+    resistance_x = C_p * c54 + c55 * y_x - c56 * z_x
+    resistance_y = C_p * c57 + c55 * y_y - c56 * z_y
+    resistance_z = C_p * c58 + c55 * y_z - c56 * z_z
     # (3) rate of s
     s_dot_x = inv_L * (S_dot_x - c54)
     s_dot_y = inv_L * (S_dot_y - c57)
@@ -2168,11 +2168,11 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     ]
     out.g_force = [held_x, held_y, held_z]
     out.g_moment = [held_z * q_y - held_y * q_z, held_x * q_z - held_z * q_x, held_y * q_x - held_x * q_y]
-    out.friction_force = [rubbed_x, rubbed_y, rubbed_z]
+    out.friction_force = [resistance_x, resistance_y, resistance_z]
     out.friction_moment = [
-        q_y * rubbed_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * rubbed_y,
-        q_z * rubbed_x - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * rubbed_z,
-        q_x * rubbed_y - C_s * (k_z * phi_dot + theta_dot * y_z) - q_y * rubbed_x,
+        q_y * resistance_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * resistance_y,
+        q_z * resistance_x - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * resistance_z,
+        q_x * resistance_y - C_s * (k_z * phi_dot + theta_dot * y_z) - q_y * resistance_x,
     ]
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]

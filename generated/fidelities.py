@@ -6,7 +6,7 @@ SPDX-License-Identifier: 0BSD
 
 from typing import Any
 
-# kernel: name of its C, stewart_<kernel>_forces; universal: whether it knows the universal joints' axes.
+# kernel: name of its C, stewart_<kernel>_forces; universal: whether it has the universal joints' axes.
 FIDELITIES: dict[str, dict[str, Any]] = {
     "general": {
         "kernel": "exact",

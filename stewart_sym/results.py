@@ -32,7 +32,7 @@ class Forces:
     c: wrench that the axial forces must balance, N and N m, base frame, (..., 6), (36).
     status: 0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
     wrench_error: c - H x, N and N m, (..., 6): by how much the wrench of F exceeds the one that the motion
-        needs. 0 where H x = c was solved, NaN without an answer; None unless damping was asked for.
+        needs. 0 where H x = c was solved, NaN for unsolvable poses; None unless damping was asked for.
     """
 
     F: NDArray[np.float64]

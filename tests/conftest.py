@@ -1,6 +1,6 @@
 """How tests are shared among workers: a module with a costly fixture in one worker, long modules first.
 
-``--dist loadgroup --no-loadscope-reorder`` hands the tests out in this order, so that what is left for the
+``--dist loadgroup --no-loadscope-reorder`` hands the tests out in this order, so that what remains for the
 end is short and the workers finish together. Modules and not marks of ``xdist_group`` make the groups,
 since pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer reads.
 """

@@ -134,21 +134,21 @@ def force_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
 def elimination_kernel(form: Formulation, friction: bool = True) -> ForceKernel:
     """The blocks of ``inverse_dynamics`` as they are, without what the forces do not need."""
     block, share = platform()
-    return with_constants(form, friction, block, _plain_leg(form, share, friction), p.NOTHING_RIDES)
+    return with_constants(form, friction, block, _plain_leg(form, share, friction), p.NOTHING_LUMPED)
 
 
 def with_shared_pose(form: Formulation, friction: bool = True) -> ForceKernel:
     """The legs of ``inverse_dynamics``, with B and the platform's part of c regrouped."""
     _, share = platform()
     leg = _turned_by_B(_plain_leg(form, share, friction))
-    return with_constants(form, friction, shared(friction=False), leg, p.NOTHING_RIDES)
+    return with_constants(form, friction, shared(friction=False), leg, p.NOTHING_LUMPED)
 
 
 def regrouped(form: Formulation, friction: bool = True) -> ForceKernel:
     """All constants regrouped, moments about the reference point."""
     if form.base_joint == SPHERICAL:
         return with_shared_pose(form, friction)
-    lumped = p.Riding(mass=True, friction=friction)
+    lumped = p.Lumped(mass=True, friction=friction)
     if form.no_spin:
         leg, near = (_printed_leg(form, friction, near_singular) for near_singular in (False, True))
     else:
@@ -157,7 +157,7 @@ def regrouped(form: Formulation, friction: bool = True) -> ForceKernel:
 
 
 def with_constants(
-    form: Formulation, friction: bool, pose: Block, leg: Block, lumped: p.Riding
+    form: Formulation, friction: bool, pose: Block, leg: Block, lumped: p.Lumped
 ) -> ForceKernel:
     """The kernel with the constants that its blocks read; ``lumped`` as in ``prepare_leg``."""
     return ForceKernel(
@@ -185,7 +185,7 @@ def with_numbers(kernel: ForceKernel, numbers: Iterable[Quantity]) -> ForceKerne
 
 
 def without_zeros(kernel: ForceKernel) -> ForceKernel:
-    """The kernel without outputs that are zero; a leg keeps what it has on either road."""
+    """The kernel without outputs that are zero; a leg keeps what it has on either code path."""
     legs = [leg for leg in (kernel.leg, kernel.leg_near_singular) if leg is not None]
     of_legs = {
         n.H_force,

@@ -81,23 +81,23 @@ def differences(tensor: sp.Matrix) -> sp.Matrix:
 
 
 @dataclass(frozen=True)
-class Riding:
+class Lumped:
     """What of a leg is lumped with the platform: the upper part's mass, the spherical joint's friction."""
 
     mass: bool
     friction: bool
 
 
-NOTHING_RIDES = Riding(mass=False, friction=False)
+NOTHING_LUMPED = Lumped(mass=False, friction=False)
 
 
-def lumped(prepare: Block) -> Riding:
+def lumped(prepare: Block) -> Lumped:
     """What is lumped with the platform, from the block that prepares a leg."""
     added = {out.quantity: out.exprs for out in prepare.outputs}
-    return Riding(mass=added[M_add][0] != 0, friction=added[C_add][0] != 0)
+    return Lumped(mass=added[M_add][0] != 0, friction=added[C_add][0] != 0)
 
 
-def prepare_leg(needed: Iterable[Quantity], lumped: Riding) -> Block:
+def prepare_leg(needed: Iterable[Quantity], lumped: Lumped) -> Block:
     """The constants in ``needed``, and what the leg adds to the platform, from the robot's numbers.
 
     needed: prepared or raw constants of a leg; others are passed over. lumped: with the platform.
@@ -143,7 +143,7 @@ def prepare_leg(needed: Iterable[Quantity], lumped: Riding) -> Block:
 
 
 def _axial(first: sp.Matrix, both: sp.Matrix, tensor: sp.Matrix) -> dict[Quantity, sp.Expr]:
-    """Constants of a leg that is taken to be the same all round its axis."""
+    """Constants of a leg that is taken to be axisymmetric."""
     across = sp.Rational(1, 2) * (tensor[1, 1] + tensor[2, 2])
     return {
         h_s: first[0],
@@ -167,7 +167,7 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
         "e", h - M_add.value * arm, "", "first moment of what is lumped with it about that centre"
     )
     center = build.vector("r_C", R_0 + e / mass)
-    # Not the inertia about a given point less M_P r r: that cancels where nothing rides.
+    # Not the inertia about a given point less M_P r r: that cancels where nothing is lumped.
     r = build.vector("r", h / mass)
     u = build.vector("u", M / mass * (h + e) / 2)
     tensor = build.tensor(

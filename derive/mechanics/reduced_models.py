@@ -88,7 +88,7 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
         )
     if form != EXACT:
         raise ValueError(f"fidelity: {level.name} is a reduction of exact, not of {form.kernel_name}")
-    lumped = p.Riding(mass=level.legs != MASSLESS, friction=level.friction)
+    lumped = p.Lumped(mass=level.legs != MASSLESS, friction=level.friction)
     kernel = actuator_forces.with_constants(form, level.friction, _platform(level), _leg(level), lumped)
     near = _leg(level, near_singular=True) if n.k in kernel.leg.inputs else None
     kernel = actuator_forces.about_tip(replace(kernel, leg_near_singular=near))
@@ -171,7 +171,7 @@ def _massless_leg() -> Block:
 
 
 def _platform_alone(friction: bool) -> Block:
-    """The platform's part of c where no leg asks for B: everything in the platform frame, (30)-(35)."""
+    """The platform's part of c where no leg needs B: everything in the platform frame, (30)-(35)."""
     build = Builder()
     R = n.R.value
     meaning = "in the platform frame"

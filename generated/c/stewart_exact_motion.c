@@ -523,9 +523,9 @@ STEWART_APART static void equations_of_leg(
         const stewart_real c33 = L_dot*s_y;
         const stewart_real c34 = L_dot*s_z;
         /* against friction */
-        const stewart_real rubbed_x = C_p*c30 + c31*y_x - c32*z_x;
-        const stewart_real rubbed_y = C_p*c33 + c31*y_y - c32*z_y;
-        const stewart_real rubbed_z = C_p*c34 + c31*y_z - c32*z_z;
+        const stewart_real resistance_x = C_p*c30 + c31*y_x - c32*z_x;
+        const stewart_real resistance_y = C_p*c33 + c31*y_y - c32*z_y;
+        const stewart_real resistance_z = C_p*c34 + c31*y_z - c32*z_z;
         /* (3) rate of s */
         const stewart_real s_dot_x = inv_L*(S_dot_x - c30);
         const stewart_real s_dot_y = inv_L*(S_dot_y - c33);
@@ -606,12 +606,12 @@ STEWART_APART static void equations_of_leg(
         out->sum[60][l] = held_z*q_y - held_y*q_z;
         out->sum[61][l] = held_x*q_z - held_z*q_x;
         out->sum[62][l] = held_y*q_x - held_x*q_y;
-        out->sum[63][l] = rubbed_x;
-        out->sum[64][l] = rubbed_y;
-        out->sum[65][l] = rubbed_z;
-        out->sum[66][l] = q_y*rubbed_z - C_s*(k_x*phi_dot + theta_dot*y_x) - q_z*rubbed_y;
-        out->sum[67][l] = q_z*rubbed_x - C_s*(k_y*phi_dot + theta_dot*y_y) - q_x*rubbed_z;
-        out->sum[68][l] = q_x*rubbed_y - C_s*(k_z*phi_dot + theta_dot*y_z) - q_y*rubbed_x;
+        out->sum[63][l] = resistance_x;
+        out->sum[64][l] = resistance_y;
+        out->sum[65][l] = resistance_z;
+        out->sum[66][l] = q_y*resistance_z - C_s*(k_x*phi_dot + theta_dot*y_x) - q_z*resistance_y;
+        out->sum[67][l] = q_z*resistance_x - C_s*(k_y*phi_dot + theta_dot*y_y) - q_x*resistance_z;
+        out->sum[68][l] = q_x*resistance_y - C_s*(k_z*phi_dot + theta_dot*y_z) - q_y*resistance_x;
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
@@ -875,9 +875,9 @@ STEWART_APART static void equations_of_near(
         const stewart_real c57 = L_dot*s_y;
         const stewart_real c58 = L_dot*s_z;
         /* against friction */
-        const stewart_real rubbed_x = C_p*c54 + c55*y_x - c56*z_x;
-        const stewart_real rubbed_y = C_p*c57 + c55*y_y - c56*z_y;
-        const stewart_real rubbed_z = C_p*c58 + c55*y_z - c56*z_z;
+        const stewart_real resistance_x = C_p*c54 + c55*y_x - c56*z_x;
+        const stewart_real resistance_y = C_p*c57 + c55*y_y - c56*z_y;
+        const stewart_real resistance_z = C_p*c58 + c55*y_z - c56*z_z;
         /* (3) rate of s */
         const stewart_real s_dot_x = inv_L*(S_dot_x - c54);
         const stewart_real s_dot_y = inv_L*(S_dot_y - c57);
@@ -958,12 +958,12 @@ STEWART_APART static void equations_of_near(
         out->sum[60][l] = held_z*q_y - held_y*q_z;
         out->sum[61][l] = held_x*q_z - held_z*q_x;
         out->sum[62][l] = held_y*q_x - held_x*q_y;
-        out->sum[63][l] = rubbed_x;
-        out->sum[64][l] = rubbed_y;
-        out->sum[65][l] = rubbed_z;
-        out->sum[66][l] = q_y*rubbed_z - C_s*(k_x*phi_dot + theta_dot*y_x) - q_z*rubbed_y;
-        out->sum[67][l] = q_z*rubbed_x - C_s*(k_y*phi_dot + theta_dot*y_y) - q_x*rubbed_z;
-        out->sum[68][l] = q_x*rubbed_y - C_s*(k_z*phi_dot + theta_dot*y_z) - q_y*rubbed_x;
+        out->sum[63][l] = resistance_x;
+        out->sum[64][l] = resistance_y;
+        out->sum[65][l] = resistance_z;
+        out->sum[66][l] = q_y*resistance_z - C_s*(k_x*phi_dot + theta_dot*y_x) - q_z*resistance_y;
+        out->sum[67][l] = q_z*resistance_x - C_s*(k_y*phi_dot + theta_dot*y_y) - q_x*resistance_z;
+        out->sum[68][l] = q_x*resistance_y - C_s*(k_z*phi_dot + theta_dot*y_z) - q_y*resistance_x;
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;

@@ -21,7 +21,7 @@ _GENERAL = "general"
 def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     """Levels that there are for a robot: all for ``exact`` and universal base joints.
 
-    With spherical base joints those that know no universal joint; ``paper`` has ``general`` alone. Raises
+    With spherical base joints those without universal joints; ``paper`` has ``general`` alone. Raises
     ValueError for an unknown formulation.
     """
     kernel_name(formulation, robot.base_joint)

@@ -1,7 +1,6 @@
 """The generated kernels, bound to a robot: C through ctypes, and NumPy.
 
-Takes a checked Robot and Motion, hands arrays to the generated code and its results back. Knows the layout
-of stewart.h and nothing of the equations.
+Takes a checked Robot and Motion, hands arrays to the generated code and its results back.
 """
 
 import ctypes

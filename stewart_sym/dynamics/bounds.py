@@ -57,10 +57,10 @@ def forces_with_bounds(
     stands for the rotation nearest to it.
 
     precision: "double" or "float". on_singular: "raise" ValueError, "warn" and return NaN, or return "nan"
-    for poses without an answer; ``status`` tells.
+    for unsolvable poses; ``status`` tells.
 
     Raises ValueError for unknown options, a robot without universal base joints or with constants that the
-    precision can't hold, a motion without accelerations, and poses without an answer; native.CompilerError
+    precision can't hold, a motion without accelerations, and unsolvable poses; native.CompilerError
     without a C compiler.
     """
     option(precision, ("double", "float"), "precision")

@@ -59,10 +59,10 @@ def equations_of_motion(
 
     motion: poses and rates; accelerations and load don't count. formulation, backend, on_singular: as for
     ``inverse_dynamics``. "c" and "numpy" evaluate the closed form in `exact`; of `paper` and of machines with
-    spherical base joints they draw the terms from inverse dynamics, which has no answer where H is singular.
+    spherical base joints they draw the terms from inverse dynamics, which fails where H is singular.
 
     Returns EquationsOfMotion; shapes and units there. Raises ValueError for unknown options and for poses
-    without an answer.
+    unsolvable.
     """
     _need(robot, motion, on_singular)
     closed = _closed_form(robot, formulation, backend)
@@ -87,7 +87,7 @@ def force_derivatives(
     becoming exp([dphi]x) R; the load moves with the platform.
 
     Returns ForceDerivatives; shapes and units there. Raises ValueError for unknown options, for spherical
-    base joints, for a motion without accelerations, and for poses without an answer.
+    base joints, for a motion without accelerations, and for unsolvable poses.
     """
     need_motion(robot, motion)
     found = _with_closed_form(robot, backend, on_singular).run("derivatives", motion)
@@ -129,7 +129,7 @@ def forward_dynamics(
 
     motion: poses, rates and load F_ext, M_ext; accelerations don't count. The leading shapes of motion and F
     broadcast. Other arguments: as for ``inverse_dynamics``. M is factorised by Cholesky's method, so a
-    machine whose inertias belong to no body may have no answer.
+    machine whose inertias belong to no body may be unsolvable.
 
     Raises ValueError for unknown options, for F of another shape or not finite, and for poses without an
     answer.
@@ -150,7 +150,7 @@ def joint_space_inertia(
 ) -> Array:
     """H^-1 M H^-T, kg, (..., 6, 6): actuator forces that leg accelerations cost, for legs as coordinates.
 
-    Arguments and errors as for ``equations_of_motion``; a pose where H is singular has no answer.
+    Arguments and errors as for ``equations_of_motion``; a pose where H is singular is unsolvable.
     """
     _need(robot, motion, on_singular)
     closed = _closed_form(robot, formulation, backend)

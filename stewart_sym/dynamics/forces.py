@@ -1,4 +1,4 @@
-"""Actuator forces alone, from a robot prepared once: the fast road of the C kernels."""
+"""Actuator forces alone, from a robot prepared once: the fast path of the C kernels."""
 
 import ctypes
 import functools
@@ -81,7 +81,7 @@ class ForceKernel(Frozen):
 
         threads: how many share the work at most, the caller one of them; the result does not depend on it,
         and a batch too small to gain is not shared. on_singular: "raise" ValueError,
-        "warn" and return NaN, or return "nan" for poses without an answer; "damped" as for
+        "warn" and return NaN, or return "nan" for unsolvable poses; "damped" as for
         ``inverse_dynamics``, whose ``wrench_error`` tells what F leaves wanting, with fidelity "general"
         alone.
         """
@@ -111,7 +111,7 @@ class ForceKernel(Frozen):
         """The same into given arrays, nothing checked but their layout: F (n, 6) and status (n,).
 
         arrays: R (n, 3, 3), t, omega, v, alpha, a, F_ext, M_ext (n, 3), the last two None for no load; all
-        C-contiguous and of the kernel's ``dtype``. Poses without an answer keep the F they had.
+        C-contiguous and of the kernel's ``dtype``. Unsolvable poses keep the F they had.
 
         Raises ValueError naming the array whose type or layout is another.
         """

@@ -1,6 +1,6 @@
 """Inverse dynamics and joint reactions as users call them: any backend, either formulation, checked results.
 
-Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller asks.
+Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller chooses.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ def inverse_dynamics(
     no such answer: NaN, and a warning. All other poses are the same bits as without it.
 
     Returns Forces; shapes and units there. Raises ValueError for unknown options, for a motion without
-    accelerations, and for poses without an answer.
+    accelerations, and for unsolvable poses.
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     found = kernel.forces(motion)
@@ -251,7 +251,7 @@ Result = TypeVar("Result", Forces, Reactions)
 
 
 def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_singular: str) -> Result:
-    """The result, once its poses without an answer are told of; values (..., 6) are finite where damped."""
+    """The result, once its unsolvable poses are reported; values (..., 6) are finite where damped."""
     status = result.status
     if on_singular == "damped":
         status = np.where(np.isfinite(values).all(axis=-1), OK, status).astype(np.int32)
@@ -262,14 +262,14 @@ def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_sin
 def report_faults(
     status: NDArray[np.int32], robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4
 ) -> None:
-    """Raise or warn, as ``on_singular`` says, if a pose has no answer; stacklevel: of the user's call."""
+    """Raise or warn, as ``on_singular`` says, if a pose is unsolvable; stacklevel: of the user's call."""
     error_policy.report(
         status, "motion", lambda: first_fault(status, robot, motion), on_singular, stacklevel + 1
     )
 
 
 def first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
-    """Index of the first pose without an answer, and in one line why it has none.
+    """Index of the first unsolvable pose, and in one line why it is unsolvable.
 
     status: codes of ``STATUS_TEXT``, one at least not 0, of the motion's shape.
     """

@@ -1,4 +1,4 @@
-"""What is done about poses without an answer: an error, a warning, NaN alone or damping, as the caller asks."""
+"""What is done about unsolvable poses: an error, a warning, NaN alone or damping, as the caller chooses."""
 
 import warnings
 from collections.abc import Callable
@@ -12,7 +12,7 @@ ON_FAULT = ("raise", "warn", "nan")
 OnSingular = Literal["raise", "warn", "nan", "damped"]
 ON_SINGULAR = (*ON_FAULT, "damped")
 """The same for solves of H x = c: "damped" gives the poses where H is singular the forces of ``damping``,
-which leave a part of the wrench wanting, and warns of those that have no answer for other reasons."""
+which leave a part of the wrench wanting, and warns of those that are unsolvable for other reasons."""
 
 Index = tuple[int, ...]
 
@@ -26,7 +26,7 @@ def report(
 ) -> None:
     """Raise ValueError or warn, as ``choice`` of ON_SINGULAR says, if a status is not 0; "damped" warns.
 
-    name: the argument that held the pose. describe: index of the first such pose and why it has no answer.
+    name: the argument that held the pose. describe: index of the first such pose and why it is unsolvable.
     stacklevel: of the user's call, as ``warnings.warn`` counts: 1 is this function.
     """
     if choice == "nan" or not status.any():

@@ -100,7 +100,7 @@ def forward_kinematics(
     base and on the side of it that ``platform_side`` tells, against gravity; where that leads nowhere, other
     such poses, and in the end the other side.
     limits: whether lengths outside the robot's length_limits count as a failure.  on_failure: what to do
-    about lengths without an answer: "raise" ValueError, "warn" and return nan there, or return "nan"
+    about lengths that no pose has: "raise" ValueError, "warn" and return nan there, or return "nan"
     silently; ``status`` tells.
 
     A pose with status 0 has lengths within 16 rounding units of the largest component of the terms of
@@ -224,7 +224,7 @@ def _rates(
     wanted = finite_array(rates, (6,), name)
     shape = leading_shape({"R": motion.shape, name: wanted.shape[:-1]})
     with np.errstate(over="ignore", invalid="ignore"):
-        # Without accelerations of the platform, what is left of L_ddot is what its velocities make of it.
+        # Without accelerations of the platform, what remains of L_ddot is what its velocities make of it.
         wanted = wanted - np.asarray(legs_or_overflow(robot, motion).L_ddot)
         J = jacobian(robot, motion.R, motion.t)
         unsettled = np.broadcast_to(_unsettled(robot, motion.R, motion.t), shape)
@@ -360,7 +360,7 @@ def other_side(robot: Robot, L: Array, R: Array, t: Array) -> Found:
 class ToSingular(NamedTuple):
     """The way from poses to the next singular ones, to first order.
 
-    way: how far, signed, m, (n,): as far as J's smallest singular value goes with its rate there to 0.
+    way: how far, signed, m, (n,): until J's smallest singular value, at its rate there, is 0.
     direction: the twist [v; omega] that changes the lengths least, (n, 6), of length 1 with angles times the
     platform's size. legs: the change of lengths, of size 1, that it makes, (n, 6). lengths: how much of that
     is left on the way, m, (n,): with more, the lengths belong to no pose nearby.

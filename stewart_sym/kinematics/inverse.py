@@ -1,4 +1,4 @@
-"""Inverse kinematics of the legs, (1)-(5) and (8), and H of (36) with its rate, from the platform's motion."""
+"""Inverse kinematics of the legs, (1)-(5), (8), and H of (36) with its rate, of the platform's motion."""
 
 import ctypes
 import functools

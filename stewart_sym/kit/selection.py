@@ -132,7 +132,7 @@ def _weak(ratios: Mapping[str, Array]) -> dict[str, Array]:
 
 
 def _coarse(ratios: Mapping[str, Array]) -> Array:
-    """Rows of numbers cut to six bits: what rounding does to them changes no choice."""
+    """Rows of numbers cut to six bits: rounding of them changes no choice."""
     rows = np.array(list(ratios.values())).reshape(len(ratios), -1 if ratios else 0)
     fraction, exponent = np.frexp(rows)
     return np.asarray(np.ldexp(np.floor(64.0 * fraction), exponent - 6))

@@ -59,7 +59,7 @@ class Vector:
 
     function: its name without prefix. inputs: flat arrays by name, exactly representable in the precision:
     R (9,), t, omega, v, alpha, a, F_ext, M_ext (3,), the fields of ``stewart_motion``; where the function
-    asks for them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot, theta_ddot
+    needs them F, L, L_dot, bearing (6,), R_guess (9,), t_guess (3,), sine, cosine, theta_dot, theta_ddot
     (3,), e, e_dot, e_ddot (4,). answers: flat arrays by member of the
     C struct, in its order, of 50 digits rounded to the nearest double. bounds: of the same shapes, > 0, the
     largest error by rounding in rounding units: to be multiplied by the epsilon of the precision. ordinary:
@@ -175,7 +175,7 @@ def _check(robot: Robot, functions: tuple[str, ...], formulation: str, precision
 def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
     """Whether lengths known to rounding settle the pose, with a factor of two to spare.
 
-    Forward kinematics asks for a condition number, by Frobenius norms, of 1 / (16 sqrt(eps)) at most.
+    Forward kinematics needs a condition number, by Frobenius norms, of 1 / (16 sqrt(eps)) at most.
     """
     pose = Motion.unchecked(motion["R"].reshape(3, 3), *(motion[name] for name in list(MOTION)[1:]))
     H = moments_over(wrench_matrix(robot, pose), characteristic_length(robot))

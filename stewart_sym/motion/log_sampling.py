@@ -31,7 +31,7 @@ def slower_sampling(values: Array, steps: Array) -> Sampling | None:
     """Return which rows of columns (n, c), rounded to steps, (c,), were measured; None for all of them.
 
     Held values change all at once and every few rows; interpolated ones bend so. Where nothing moves, rows
-    at the same distance stand for those that can't be told.
+    at the same distance stand for those that can't be distinguished.
     """
     rounding = np.maximum(steps, _DIGITS * np.abs(values).max(axis=0, initial=0.0)) + np.finfo(float).tiny
     change = np.abs(np.diff(values, axis=0)) / rounding

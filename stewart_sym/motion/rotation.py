@@ -1,7 +1,7 @@
 """Rotations by roll, pitch and yaw, (38), and by rotation vectors: matrices, rates and second rates.
 
 Plain vectorised functions; angles are ``theta = (theta_x, theta_y, theta_z)``, a rotation vector is the
-axis times the angle, base axes. They know nothing of robots or motions.
+axis times the angle, base axes.
 """
 
 from __future__ import annotations

@@ -290,7 +290,7 @@ class _Knots(NamedTuple):
     def share(self, start: int, places: Array) -> Array:
         """Weight of the window from cell ``start`` at places in cells: those of all windows add up to 1.
 
-        It is 0 next to an end that another window overlaps, where the one knows less than the other.
+        It is 0 next to an end that another window overlaps, where the one has fewer samples than the other.
         """
         margin = WINDOW / 6.0
         last = start + self.width >= self.cells

@@ -1,4 +1,4 @@
-"""Motions as functions of time: the paper's straight-line paths, (39), (40), and trajectories read from CSV."""
+"""Motions as functions of time: the paper's straight-line paths, (39), (40), and trajectories from CSV."""
 
 from __future__ import annotations
 
@@ -774,7 +774,7 @@ def _differentiate(log: _Log, values: Array, steps: Array) -> tuple[Array, Uncer
     """Coordinates, (n, 6), with rates and second rates, (3, n, 6), smoothed where there is noise.
 
     Poses that a log repeats or interpolates from those of a slower sensor don't count. Rows of poses that no
-    motion makes are replaced, which is told; what that changes counts as a deviation.
+    motion makes are replaced, with a warning; what that changes counts as a deviation.
     """
     _warn_of_gap(log)
     slower = slower_sampling(values, steps) if log.smoothing.on and "L" not in log.written else None

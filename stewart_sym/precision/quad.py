@@ -36,7 +36,7 @@ def quad_forces(
     """Actuator forces as unevaluated sums high + low, N, (..., 6) each, of the exact formulation.
 
     dtype: to which the inputs are rounded first. R is replaced by the rotation nearest to it and k by the
-    unit vector along it, unless as_given. NaN for poses without an answer.
+    unit vector along it, unless as_given. NaN for unsolvable poses.
 
     Raises native.CompilerError where there is no compiler with ``__float128``.
     """

@@ -67,7 +67,7 @@ _SLOWLY = 2.0**-100
 
 
 def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[Array, Array, Codes]:
-    """M, (..., 6, 6), bias, (..., 6), and status, (...): seven evaluations a pose."""
+    """M, (..., 6, 6), bias, (..., 6), and status, (...): seven evaluations per pose."""
     zero = np.zeros_like(motion.t)
     still = np.zeros((*motion.shape, 6, 3))
     unit = np.broadcast_to(np.eye(6), (*motion.shape, 6, 6))

@@ -185,7 +185,7 @@ class Robot(Frozen):
         """Return one line for each part whose inertia no rigid body can have; empty when all are possible.
 
         Principal moments A <= B <= C of a body satisfy A >= 0 and A + B >= C.  Legs with the same tensor
-        share a line.  What the robot accepts is told as well.
+        share a line.  What the robot accepts is reported as well.
         """
         return [message for _, message in _impossible_inertias(self)]
 

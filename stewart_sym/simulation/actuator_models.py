@@ -56,7 +56,7 @@ class LegSprings(Frozen):
     ) -> LegSprings:
         """Springs that hold the machine at rest in a pose, against its weight and the pose's load.
 
-        stiffness: not 0. Raises ValueError as ``inverse_dynamics`` where the pose has no answer.
+        stiffness: not 0. Raises ValueError as ``inverse_dynamics`` where the pose is unsolvable.
         """
         instance(robot, Robot, "robot")
         instance(pose, Motion, "pose")
@@ -123,7 +123,7 @@ class ComputedTorque:
     """Follow a wanted motion by inverse dynamics of the state: ``ModelTorque`` with a robot as the model.
 
     robot: the model. wanted: time, s -> Motion with accelerations. k_p, 1/s^2, and k_d, 1/s: gains.
-    formulation, backend: of the model. Poses where the model has no answer get NaN forces.
+    formulation, backend: of the model. Poses where the model is unsolvable get NaN forces.
     """
 
     robot: Robot

@@ -140,7 +140,7 @@ class Trace:
 
 
 class _Actuators(NamedTuple):
-    """The law and the limits, N, (6,), inf for none, to which the forces it asks for are clipped."""
+    """The law and the limits, N, (6,), inf for none, to which the forces it commands are clipped."""
 
     law: ForceLaw
     limit: Array
@@ -150,7 +150,7 @@ class _Actuators(NamedTuple):
         return self.clipped(six_forces(self.law(time, state), time))
 
     def asked(self, when: Array, states: Motion, held: Array | None) -> Array:
-        """Forces that the law asks for at n instants, N, (n, 6)."""
+        """Forces that the law commands at n instants, N, (n, 6)."""
         if held is not None:
             return np.broadcast_to(held, (len(when), 6))
         rows = [
@@ -241,7 +241,7 @@ def simulate(
     at most ``MOST_INSTANTS``; None: as integrated.
     thresholds: None for the default ones. on_force_limit: where a force reaches the robot's force_limit, the
     run ends ("stop"), or the force is clipped to it ("saturate") and ``saturation`` reports it.
-    progress: is told the share done, 0 to 1, now and then.
+    progress: is given the share done, 0 to 1, now and then.
 
     A run stops before its end where a leg reaches a limit of the robot or a threshold; the place is a root of
     the interpolated motion, to rounding. Limits are looked at ``WATCHED`` times a step: a leg that passes one

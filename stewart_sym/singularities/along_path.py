@@ -136,7 +136,7 @@ def force_residue(robot: Robot, motion: Motion, formulation: Formulation = "exac
 
     Within a crossing at time t_0 they go as F = force_residue / (t - t_0): to one infinity before and to the
     other after. It is -v_6 (u_6 . c) / (u_6 . H' v_6), see ``Singularity``; not finite where the motion rests
-    or moves along singular poses, 0 where nothing loads the lost motion. Raises ValueError as
+    or moves along singular poses, 0 where nothing loads the unconstrained twist. Raises ValueError as
     ``inverse_dynamics``.
     """
     need_motion(robot, motion)

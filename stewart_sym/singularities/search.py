@@ -1,4 +1,4 @@
-"""Roots and minima of functions of one number, found between samples: brackets cut by many points at a time."""
+"""Roots and minima of functions of one number between samples: brackets cut by many points at a time."""
 
 from collections.abc import Callable
 

@@ -34,7 +34,7 @@ class Singularity:
     determinant: of the scaled H, no unit, (...); its sign is that of det H and tells the side.
     lost: number of degrees of freedom lost to rounding, int, (...); with several, the twist is one of them.
     twist: [v; omega], m/s and rad/s, (..., 6), with |v|^2 + |length omega|^2 = 1: of all such twists the one
-        that moves the legs least, by rates H^T twist of magnitude s_6; at a singular pose the lost motion.
+        that moves the legs least, by rates H^T twist of magnitude s_6; at a singular pose unconstrained.
     wrench: [force; moment], N and N m, (..., 6), with |force|^2 + |moment / length|^2 = 1: the one that costs
         the largest leg forces, 1 / s_6 N; at a singular pose no leg forces hold it.
     forces: v_6, leg forces, N, (..., 6), of magnitude 1 whose wrench is least; at a singular pose it is none.

@@ -96,7 +96,7 @@ def report(found: list[Figures], precision: str) -> str:
     pose, each = [f.pose for f in found], np.concatenate([f.each for f in found])
     return (
         f"{precision}, {len(found)} cases: bound / error at least {min(f.least for f in found):.2f}; of a "
-        f"pose {np.median(pose):.0f} in the middle, {np.percentile(pose, 95):.0f} at 95 %, "
+        f"pose {np.median(pose):.0f} median, {np.percentile(pose, 95):.0f} at 95 %, "
         f"{max(pose):.0f} at most, "
         f"{100 * np.mean(np.array(pose) <= FAR):.2f} % within {FAR:.0f}; of single forces "
         f"{100 * np.mean(each <= FAR):.2f} % within {FAR:.0f}; largest error "

@@ -272,7 +272,7 @@ def test_mutants_of_the_bounds_of_rotation_and_solution_fail_by_themselves() -> 
 
 
 def candidates(mutant: rounding.Mutant) -> Iterator[tuple[str, int]]:
-    """Groups, or strains of R, whose error the mutant may lose: its own if that can be told."""
+    """Groups, or strains of R, whose error the mutant may lose: its own if that can be identified."""
     groups = rounding.groups()
     own = re.search(r"(\w+)_own$", mutant.whole.strip())
     handed = re.match(r"slope of (R|B|q_1)(\d)", mutant.whole)

@@ -157,7 +157,7 @@ def test_platform_itself_follows_from_newton_and_euler_and_its_rest_is_skew() ->
 
 
 def test_mass_at_the_platform_point_is_the_mass_lumped_with_it() -> None:
-    block = p.prepare_leg((), p.Riding(mass=True, friction=False))
+    block = p.prepare_leg((), p.Lumped(mass=True, friction=False))
     J = sp.Matrix.hstack(sp.eye(3), -tip.skew(n.p.value - n.p_1.value))
     M_add, h_add, J_add = (filled(q, block.formula(q.name)) for q in (p.M_add, p.h_add, p.J_add))
     lumped = sp.BlockMatrix([[M_add * sp.eye(3), -tip.skew(h_add)], [tip.skew(h_add), J_add]])

@@ -1,4 +1,4 @@
-"""Poses and arguments without an answer: one clear line, or a status and NaN, as the caller asks."""
+"""Unsolvable poses and bad arguments: one clear line, or a status and NaN, as the caller chooses."""
 
 import dataclasses
 import re

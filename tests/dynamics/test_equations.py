@@ -207,7 +207,7 @@ def test_forward_dynamics_inverts_inverse_dynamics(backend: Any, formulation: An
         found, true = (np.concatenate(x, axis=-1) * size for x in ((a, alpha), (motion.a, motion.alpha)))
         error = np.abs(found - true).max(axis=-1) / np.abs(true).max(axis=-1)
         held = in_one_unit(robot, e.bias - load_of(motion))
-        # What cancels may be larger than what is left.
+        # What cancels may be larger than what remains.
         large = 1 + np.abs(held).max(axis=-1) / np.abs(
             in_one_unit(robot, times(e.M, acceleration(motion)))
         ).max(axis=-1)

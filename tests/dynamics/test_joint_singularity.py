@@ -52,10 +52,10 @@ def test_moving_legs_without_axial_inertia_do_not_feel_the_joint_singularity_eit
     calm, near = leaning(robot, motion, 0.9), leaning(robot, motion, sine)
     F = ss.prepare(calm).forces(motion)
     bound = UNITS * EPSILON * ss.condition_number(ss.wrench_matrix(robot, motion))
-    roads = [ss.prepare(near).forces(motion)]
-    roads += [ss.inverse_dynamics(near, motion, backend=backend).F for backend in ("c", "numpy")]  # type: ignore[arg-type]
-    for road in roads:
-        assert np.abs(road - F).max() <= bound * np.abs(F).max()
+    paths = [ss.prepare(near).forces(motion)]
+    paths += [ss.inverse_dynamics(near, motion, backend=backend).F for backend in ("c", "numpy")]  # type: ignore[arg-type]
+    for path in paths:
+        assert np.abs(path - F).max() <= bound * np.abs(F).max()
     expected, found = (np.concatenate(ss.forward_dynamics(each, motion, F)) for each in (calm, near))
     assert np.abs(found - expected).max() <= bound * np.abs(expected).max()
 

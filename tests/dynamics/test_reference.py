@@ -1,4 +1,4 @@
-"""The reference against the paper, against its own equations, and where the equations have no answer."""
+"""The reference against the paper, against its own equations, and where the equations are unsolvable."""
 
 import dataclasses
 import warnings
@@ -292,7 +292,7 @@ def test_unknown_faults_are_rejected() -> None:
         newton_euler.inverse_dynamics(robot, motion, frozenset({5}))
 
 
-# Poses without an answer
+# Unsolvable poses
 
 
 def _zero_length_leg() -> tuple[Robot, Motion]:

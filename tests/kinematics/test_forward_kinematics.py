@@ -200,7 +200,7 @@ def test_rotation_is_orthonormal_though_the_guess_is_only_nearly_so() -> None:
         assert np.abs(found.R.T @ found.R - np.eye(3)).max() <= 8 * EPS
 
 
-# Lengths without an answer
+# lengths that no pose has
 
 
 def singular_pose() -> Poses:

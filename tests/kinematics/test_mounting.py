@@ -175,7 +175,7 @@ def outcomes(
     calls = {
         "forces.csv": ["forces", file, legs],
         "reactions.csv": ["forces", file, poses, "--reactions"],
-        "passage/path.csv": ["singularities", file, poses, "--no-pictures"],
+        "along/path.csv": ["singularities", file, poses, "--no-pictures"],
         "simulated/run.csv": ["simulate", scene, "--no-pictures"],
         "excited/parameters.csv": ["identify", file, *small],
         "measured/parameters.csv": ["identify", file, "--measured", poses, str(folder / "reactions.csv")],

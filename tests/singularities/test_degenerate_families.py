@@ -1,4 +1,4 @@
-"""Singular machines get no answer, good poses get one; near joint singularities and out of proportion answers
+"""Singular machines are rejected, good poses are not; near joint singularities and out of proportion answers
 lose no more than the problem itself does: every kernel, by wider arithmetic.
 """
 

@@ -31,7 +31,7 @@ from stewart_sym.studies.benchmark.baselines import (
     CASADI,
     JAX,
     PEERS,
-    Contestant,
+    Candidate,
     Poses,
     Runner,
     multiply_add,
@@ -159,30 +159,30 @@ def stranger() -> Poses:
     return poses_of(robot, random_motion(rng, robot, (70,)))
 
 
-def off(contestant: Contestant, share: float) -> Contestant:
-    """The contestant with forces wrong by a share of the largest."""
+def off(candidate: Candidate, share: float) -> Candidate:
+    """The candidate with forces wrong by a share of the largest."""
 
     def make(poses: Poses) -> Runner:
-        runner = contestant.make(poses)
+        runner = candidate.make(poses)
         return Runner(runner.run, lambda: runner.F() + share * np.abs(runner.F()).max(), runner)
 
-    return dataclasses.replace(contestant, make=make)
+    return dataclasses.replace(candidate, make=make)
 
 
 # what is compared
 
 
-@pytest.mark.parametrize("contestant", CONTESTANTS, ids=lambda contestant: contestant.name)
-def test_a_contestant_computes_the_forces_of_any_machine(contestant: Contestant, stranger: Poses) -> None:
-    runner = contestant.make(stranger)
+@pytest.mark.parametrize("candidate", CONTESTANTS, ids=lambda candidate: candidate.name)
+def test_a_candidate_computes_the_forces_of_any_machine(candidate: Candidate, stranger: Poses) -> None:
+    runner = candidate.make(stranger)
     runner.run(1)
     F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
-    assert np.abs(runner.F() - F).max() <= contestant.tolerance * np.abs(F).max()
+    assert np.abs(runner.F() - F).max() <= candidate.tolerance * np.abs(F).max()
 
 
 @pytest.mark.slow
 def test_jax_computes_the_forces_of_any_machine(stranger: Poses) -> None:
-    test_a_contestant_computes_the_forces_of_any_machine(JAX, stranger)
+    test_a_candidate_computes_the_forces_of_any_machine(JAX, stranger)
 
 
 def test_a_full_run_without_jax_says_so_and_a_quick_one_needs_none(
@@ -259,10 +259,10 @@ def test_every_derived_pass_computes_the_forces_of_any_machine(stranger: Poses) 
 def stages_compute_the_forces_of(stranger: Poses) -> None:
     F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
     for stage in reductions.stages():
-        for contestant in stage.contestants:
-            runner = contestant.make(stranger)
+        for candidate in stage.candidates:
+            runner = candidate.make(stranger)
             runner.run(1)
-            assert np.abs(runner.F() - F).max() <= contestant.tolerance * np.abs(F).max()
+            assert np.abs(runner.F() - F).max() <= candidate.tolerance * np.abs(F).max()
 
 
 @pytest.mark.usefixtures("small")
@@ -371,7 +371,7 @@ def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], wr
 # what is said
 
 
-def test_json_has_every_contestant_with_positive_figures(figures: dict[str, Any]) -> None:
+def test_json_has_every_candidate_with_positive_figures(figures: dict[str, Any]) -> None:
     for group, expected in (("ours", bench.OURS), ("calls", bench.CALLS)):
         assert [entry["name"] for entry in figures[group]] == [each.name for each in expected]
     assert [entry["name"] for entry in figures["baselines"]] == [
@@ -506,13 +506,13 @@ def test_the_limit_is_the_emitted_operations_at_the_measured_rate(figures: dict[
     assert paired == pytest.approx(each / 2)
 
 
-def test_the_table_has_every_contestant(written: Path) -> None:
+def test_the_table_has_every_candidate(written: Path) -> None:
     text = (written / "bench.txt").read_text()
     assert all(each.name in text for each in CONTESTANTS)
     assert max(map(len, text.splitlines())) <= 115
 
 
-def test_the_picture_shows_every_contestant(written: Path) -> None:
+def test_the_picture_shows_every_candidate(written: Path) -> None:
     drawing = (written / "bench.svg").read_text()
     assert all(each.name in drawing for each in (*bench.OURS, *PEERS))
     pixels = matplotlib.image.imread(written / "bench.png")
@@ -590,7 +590,7 @@ def test_a_figure_is_the_time_of_one_unit(monkeypatch: pytest.MonkeyPatch) -> No
     assert raw["long"] == pytest.approx(3 * (750.0,))
 
 
-def test_contestants_take_turns_and_every_sample_is_long_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_candidates_take_turns_and_every_sample_is_long_enough(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock(monkeypatch)
     names = ("a", "b", "c")
     tasks = {name: clock.task(name, 64, 100) for name in names}

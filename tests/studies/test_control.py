@@ -80,7 +80,7 @@ def test_a_perfect_model_tracks_to_rounding_when_its_forces_are_not_held() -> No
 
 
 def test_a_perfect_model_errs_by_the_hold_alone() -> None:
-    """Half the hold, half the error; what is left at no hold, by extrapolation, is a hundredth at most."""
+    """Half the hold, half the error; what remains at no hold, by extrapolation, is a hundredth at most."""
     robot = dasgupta()
     coarse, fine = (
         follow(robot, FAST, dataclasses.replace(STEADY, rate=rate), 0.04)["exact"] for rate in (2e3, 4e3)

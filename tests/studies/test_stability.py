@@ -93,13 +93,13 @@ def test_the_condition_of_a_leg_frame_is_one_over_the_sine() -> None:
 def test_a_verdict_tells_a_silent_error_from_a_status() -> None:
     distance = np.array([1.0, 0.1, 0.01])
     error, condition = np.array([1e-16, 1e-6, 1e-16]), np.ones(3)
-    silent = verdict(Curve("a", error, condition, np.zeros(3, np.int32)), distance)
-    assert (silent.silent, silent.alarmed, silent.where) == (1, 0, 0.1)
+    undetected = verdict(Curve("a", error, condition, np.zeros(3, np.int32)), distance)
+    assert (undetected.undetected, undetected.false_alarms, undetected.where) == (1, 0, 0.1)
     said = verdict(Curve("a", error, condition * [1, 1e9, 1], np.array([0, 4, 0], np.int32)), distance)
     assert said.right
     assert said.rejected_at == 1e9
-    alarmed = verdict(Curve("a", error, condition, np.array([0, 4, 0], np.int32)), distance)
-    assert (alarmed.silent, alarmed.alarmed) == (0, 1)
+    false_alarms = verdict(Curve("a", error, condition, np.array([0, 4, 0], np.int32)), distance)
+    assert (false_alarms.undetected, false_alarms.false_alarms) == (0, 1)
 
 
 @pytest.mark.parametrize("name", CANDIDATES)

@@ -40,7 +40,7 @@ class Claim:
 
 @dataclass(frozen=True)
 class Function:
-    """The text of each name that a function assigns, and all names that it knows."""
+    """The text of each name that a function assigns, and all its names."""
 
     name: str
     texts: Mapping[str, str]

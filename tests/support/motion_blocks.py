@@ -9,7 +9,7 @@ from machines import random_motion, random_robot
 from mpmath import mp
 
 from stewart_sym.derive.mechanics.closed_form import SumKernel, kernels
-from stewart_sym.derive.mechanics.lumped_constants import ADDED, Riding, prepare_leg, prepare_platform
+from stewart_sym.derive.mechanics.lumped_constants import ADDED, Lumped, prepare_leg, prepare_platform
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
@@ -29,7 +29,7 @@ def preparation(friction: bool) -> tuple:
     every = symbolic(friction).values()
     of_leg = dict.fromkeys(q for kernel in every for q in kernel.leg.inputs)
     of_platform = dict.fromkeys(q for kernel in every for q in kernel.pose.inputs)
-    return prepare_leg(of_leg, Riding(mass=True, friction=friction)), prepare_platform(of_platform)
+    return prepare_leg(of_leg, Lumped(mass=True, friction=friction)), prepare_platform(of_platform)
 
 
 def summed(kernel: SumKernel, friction: bool, raw: list[Values], F: list[mp.mpf]) -> dict[str, mp.matrix]:

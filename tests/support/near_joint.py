@@ -68,7 +68,7 @@ def heavier(robot: Robot, leg: int, times: float) -> Robot:
 
 
 def axisymmetric(robot: Robot, axial_inertia: float) -> Robot:
-    """The machine with legs that are the same all round their axis, their axial inertias times a number."""
+    """The machine with legs that are axisymmetric, their axial inertias times a number."""
     I_d0, I_u0 = (
         np.array([np.diag([axial_inertia * own[0, 0], own[1, 1], own[1, 1]]) for own in each])
         for each in (robot.I_d0, robot.I_u0)

@@ -1,4 +1,4 @@
-"""Motions near a singular pose, for tests of what rounding does there."""
+"""Motions near a singular pose, for tests of rounding errors there."""
 
 import functools
 from collections.abc import Callable

@@ -41,7 +41,7 @@ def fidelities(found: Figures) -> str:
         f"off on the paper's paths, largest error in per cent of the largest force ({peaks}); on "
         f"{machine['cores']} cores of an {machine['processor']}, {compiler}:"
     )
-    header = ("fidelity", "what is left", "operations", "ns", "float, ns", "bytes")
+    header = ("fidelity", "what remains", "operations", "ns", "float, ns", "bytes")
     rows = [
         (
             name(each),

@@ -27,16 +27,16 @@ def text(found: Figures) -> str:
     return "".join([lead(), table(HEADER, [row(family) for family in shown]), cases(found["sweep"])])
 
 
-HEADER = ("what fails", "walk", "what we do", "worst", "rejected at", "digits left", "silent")
+HEADER = ("what fails", "walk", "what we do", "worst", "rejected at", "digits left", "undetected")
 
 
 def lead() -> str:
     return paragraph(
-        "`stewart-sym stability` walks into each failure, from a distance of 1 to 1e-16, with every kernel, "
-        "and measures errors against 50 digits. Worst: the largest error of any kernel with status ok, in "
-        "rounding units over the condition number of the problem itself, what changes of its inputs by "
+        "`stewart-sym stability` approaches each degenerate configuration, from a distance of 1 to 1e-16, "
+        "with every kernel, and measures errors against 50 digits. Worst: the largest error of any kernel with "
+        "status ok, in rounding units over the condition number of the problem itself, what changes of its inputs by "
         "rounding units do to its answer. Rejected at: the condition number of the first pose with a status. "
-        "Digits left: at the worst answer with status ok. Silent: the kernels that give a wrong answer "
+        "Digits left: at the worst answer with status ok. Undetected: the kernels that give a wrong answer "
         "(above 1000) with status ok."
     )
 
@@ -46,7 +46,7 @@ def row(family: Figures) -> tuple[str, ...]:
     worst = max((each["worst"] for each in ours if each["worst"] is not None), default=None)
     rejected = min((each["rejected_at"] for each in ours if each["rejected_at"] is not None), default=None)
     digits = min((each["digits"] for each in ours if each["digits"] is not None), default=None)
-    silent = [each["method"] for each in ours if each["silent"]]
+    undetected = [each["method"] for each in ours if each["undetected"]]
     return (
         family["fails"],
         family["title"],
@@ -54,7 +54,7 @@ def row(family: Figures) -> tuple[str, ...]:
         "" if worst is None else f"{worst:.2g}",
         "never" if rejected is None else f"{rejected:.0e}",
         "" if digits is None else f"{digits:.0f}",
-        "; ".join(silent) or "none",
+        "; ".join(undetected) or "none",
     )
 
 
@@ -91,7 +91,7 @@ def of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
         if given
         else ""
         if wrong
-        else "no answer",
+        else "unsolvable",
         f"{wrong:,}",
         f"{sum(count['rejected_good'] for count in counts):,}",
     )

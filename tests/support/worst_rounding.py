@@ -177,7 +177,7 @@ def groups() -> list[str]:
 
 
 def all_mutants() -> list[Mutant]:
-    """Every change that ``Pose.bound`` knows by its number."""
+    """Every change that ``Pose.bound`` numbers."""
     return _traced()[2]
 
 

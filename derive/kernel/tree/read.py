@@ -199,7 +199,7 @@ class _Reader:
         return found
 
     def statements(self, node: ast.stmt) -> Iterable[Statement]:
-        """A statement, or what is left of it where it is settled already."""
+        """A statement, or what remains of it where it is settled already."""
         match node:
             case ast.If() if (holds := self.settled(node.test)) is not None:
                 return self.body(node.body if holds else node.orelse)

@@ -185,7 +185,7 @@ def regular(k) -> None:
 
 
 def definite(k) -> None:
-    """Of a symmetric matrix, whose rows stay where they are: what is left of its diagonal number."""
+    """Of a symmetric matrix, whose rows stay where they are: what remains of its diagonal number."""
     fault = where(size(a[k, k]) <= MAX, INDEFINITE, NOT_FINITE)
     fault = where(a[k, k] > kept * scale[k], OK, fault)
     status = where(status == OK, fault, status)

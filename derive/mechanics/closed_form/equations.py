@@ -159,7 +159,7 @@ def _equations_of_platform(friction: bool) -> Block:
     turn = tip.skew(omega)
     zero = sp.zeros(3, 3)
     coriolis = (zero, -tip.skew(at.w_h), zero, turn * at.J - half_trace * turn)
-    rub = p.C_P.value * omega if friction else sp.zeros(3, 1)
+    resistance = p.C_P.value * omega if friction else sp.zeros(3, 1)
     return build.block(
         "equations_of_platform",
         "the platform's part of M, C, g and friction",
@@ -168,7 +168,7 @@ def _equations_of_platform(friction: bool) -> Block:
             *platform_inertia(at),
             *zip(CORIOLIS, coriolis, strict=True),
             *zip(GRAVITY, (-p.M_P.value * g, -cross(at.h, g)), strict=True),
-            *zip(FRICTION, (sp.zeros(3, 1), rub), strict=True),
+            *zip(FRICTION, (sp.zeros(3, 1), resistance), strict=True),
         ],
     )
 
@@ -192,11 +192,11 @@ def equations_of_leg(friction: bool, near: bool) -> Block:
     turn = tip.skew(q)
     about_y, about_k = gravity_torques(build, at)
     held = build.vector("held", from_torques(build, leg, sp.S.Zero, about_y, about_k), "", "against gravity")
-    rub, f = sp.zeros(3, 1), friction_moment(at, rates, friction)
+    resistance, f = sp.zeros(3, 1), friction_moment(at, rates, friction)
     if friction:
         omega, C_s, C_us = n.omega.value, n.C_s.value, p.C_us.value
-        rub = build.vector(
-            "rubbed",
+        resistance = build.vector(
+            "resistance",
             from_torques(
                 build,
                 leg,
@@ -216,7 +216,7 @@ def equations_of_leg(friction: bool, near: bool) -> Block:
             *leg_inertia(build, m, q),
             *zip(CORIOLIS, (C_tip, C_vw, turn * C_tip, turn * C_vw), strict=True),
             *zip(GRAVITY, wrench(held, q), strict=True),
-            *zip(FRICTION, wrench(rub, q, f), strict=True),
+            *zip(FRICTION, wrench(resistance, q, f), strict=True),
             *columns_of_H(at),
             *zip(H_DOT, (s_dot, cross(w_q, at.s) + cross(q, s_dot)), strict=True),
             *checked(at),

@@ -1,4 +1,4 @@
-"""Legs that are the same all round their axis: no leg frame, no universal axis. Used by ``reduced_models``.
+"""Axisymmetric legs: no leg frame, no universal axis. Used by ``reduced_models``.
 
 Of a slender leg only the first moments along its axis and the transverse inertia are left; its force K at
 the spherical joint, up to a part along s, is a sum of S_ddot, S_dot and g with three coefficients. A

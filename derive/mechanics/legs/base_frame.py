@@ -1,4 +1,4 @@
-"""From leg-frame components back to vectors, for legs that look the same all round their axis.
+"""From leg-frame components back to vectors, for legs that are axisymmetric.
 
 A leg held by spherical joints at both ends has no leg frame: any two axes y, z perpendicular to it serve.
 So the solved components of such a leg can depend on transverse vectors v only as c v or as c (s x v), and

@@ -221,7 +221,7 @@ def joint_inertia(build: Builder, at: JointFrame) -> JointInertia:
 
 
 def gravity_torques(build: Builder, at: JointFrame) -> tuple[sp.Expr, sp.Expr]:
-    """What gravity asks of the joints about y and about k, from the first moments w."""
+    """Torques of gravity at the joints about y and about k, from the first moments w."""
     meaning = "gravity along k x y and along y"
     gamma_n = build.scalar("gamma_n", at.y.dot(p.g_x_k.value), "", meaning)
     gamma_y = build.scalar("gamma_y", at.y.dot(n.g.value), "", meaning)

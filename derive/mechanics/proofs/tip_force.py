@@ -97,7 +97,7 @@ def antisymmetric(matrix: sp.Matrix) -> sp.Matrix:
 def prepared_constants() -> dict[sp.Symbol, sp.Expr]:
     """J, h, w and C_u + C_s in the constants of the two parts."""
     wanted = (p.h, p.w, p.J, p.C_us)
-    block = p.prepare_leg(wanted, p.Riding(mass=True, friction=True))
+    block = p.prepare_leg(wanted, p.Lumped(mass=True, friction=True))
     return {
         symbol: value
         for quantity in wanted

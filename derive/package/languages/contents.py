@@ -18,7 +18,7 @@ class Test:
     """One call: function, what it is given, answers and their bounds in rounding units.
 
     given: by argument, without robot and model; answers, bounds: by member, of a structure in a result
-    ``pose.R``; all flat. Where status is not 0 there are no answers.
+    ``pose.R``; all flat. Where status is not 0 nothing is computed.
     """
 
     function: str

@@ -1,4 +1,4 @@
-"""Budgets: the error and the time that a machine's motions allow, as a TOML file says it, read and checked."""
+"""Budgets: the error and the time that a machine's motions allow, as a TOML file says, read and checked."""
 
 import os
 from collections.abc import Mapping
@@ -51,7 +51,7 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     ``tolerance``, and if you like ``margin`` (>= 1) and ``rate`` (Hz).
 
     Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read, for every
-    break of the schema, of this file or of one it names, and for a pose without an answer; ImportError where
+    break of the schema, of this file or of one it names, and for an unsolvable pose; ImportError where
     a spline needs SciPy.
     """
     source = os.fspath(path)
@@ -111,7 +111,7 @@ def _reject_faults(robot: Robot, trajectory: Trajectory) -> None:
 
 
 def _fault(robot: Robot, motion: Motion) -> tuple[int, str] | None:
-    """Index of the first pose without an answer, and why it has none."""
+    """Index of the first unsolvable pose, and why it is unsolvable."""
     status = inverse_dynamics(robot, motion).status
     if not status.any():
         return None

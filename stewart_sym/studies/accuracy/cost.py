@@ -1,6 +1,6 @@
 """What each kernel costs and how far it is off on a machine's motions, in every fidelity and precision.
 
-Cost is operations, time and bytes of code; error is told apart into that of the model, beside `exact`
+Cost is operations, time and bytes of code; error is split into that of the model, beside `exact`
 general in double, and that of rounding, beside the kernel's own equations at 50 digits. All errors are
 shares of the largest actuator force of their motion. ``advice`` chooses by these figures, ``cost_plot``
 draws them.
@@ -65,7 +65,7 @@ class Candidate:
 
 @dataclass(frozen=True)
 class Errors:
-    """Errors on one motion, shares of its largest force; infinite where there are poses without an answer.
+    """Errors on one motion, shares of its largest force; infinite where there are unsolvable poses.
 
     model, model_rms: largest, and RMS over poses and legs, of the difference to `exact` general; 0 where two
     double kernels of the same equations might differ by as much. rounding: largest at the sampled poses.
@@ -187,7 +187,7 @@ class CostAccuracy:
         return next(entry for entry in self.entries if entry.candidate == wanted)
 
     def as_json(self) -> dict[str, Any]:
-        """All figures, ready for ``json``; errors are null where poses have no answer."""
+        """All figures, ready for ``json``; errors are null where poses are unsolvable."""
         return {
             "robot": self.robot,
             "taken_by_others": self.taken_by_others,
@@ -201,7 +201,7 @@ class CostAccuracy:
 
 
 def finite(error: float) -> float | None:
-    """JSON knows no infinity."""
+    """JSON has no infinity."""
     return error if math.isfinite(error) else None
 
 
@@ -380,7 +380,7 @@ class _Case:
 
 
 def _or_infinite(difference: NDArray[Any]) -> Array:
-    """Sizes of differences; infinite where there is no answer."""
+    """Sizes of differences; infinite where the pose is unsolvable."""
     return np.abs(np.nan_to_num(np.asarray(difference, dtype=np.float64), nan=np.inf))
 
 

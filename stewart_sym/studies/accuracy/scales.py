@@ -86,7 +86,7 @@ class Scales:
     robot, formulation: what was scaled and how it was computed. sizes: m, (s,). platform_masses, leg_masses:
     kg, (p,) and (l,). errors: (s, p, l, n) by arithmetic, of n poses each, in rounding units of that
     arithmetic, times the scaled condition number of H, times the largest of |F|, |D| and |x|; ``double`` is
-    missing where the C has no wider type to check it by. faults: poses without an answer by arithmetic; their
+    missing where the C has no wider type to check it by. faults: unsolvable poses by arithmetic; their
     errors are infinite.
     """
 
@@ -99,7 +99,7 @@ class Scales:
 
     @property
     def faults(self) -> dict[str, int]:
-        """How many poses have no answer, by arithmetic."""
+        """How many poses are unsolvable, by arithmetic."""
         return {name: int(np.isinf(errors).sum()) for name, errors in self.errors.items()}
 
     def meant(self, name: str) -> Array:
@@ -133,7 +133,7 @@ def scales_study(
     robot: None for the paper's. sizes: radii of the base, m; masses: of the platform, and of the heaviest
     part of a leg, kg, each with each. machines: how many of such masses, the robot itself and copies with
     their joints moved by ``_RAGGED`` of the radius or so. poses: of each, drawn around its home, with rates,
-    accelerations and loads of the order that gravity sets. ``progress`` is told the masses at hand.
+    accelerations and loads of the order that gravity sets. ``progress`` is given the masses at hand.
 
     Raises ValueError if the robot has too few poses with a scaled condition number below ``MAX_CONDITION``
     and with sines of the angles between legs and universal axes above ``MIN_JOINT_SINE``,
@@ -254,7 +254,7 @@ def _error(found: Array, truth: Array) -> Array:
 
 
 def _forces(name: str, how: _Arithmetic, numbers: Array, motion: Motion) -> Array:
-    """Forces, N, (n, 6), NaN where there is no answer, of a robot's numbers."""
+    """Forces, N, (n, 6), NaN where the pose is unsolvable, of a robot's numbers."""
     sources = c_sources(f"{name}_forces")
     functions = native.load(f"stewart_{name}_forces", sources, how.flags, how.defines)
     given = numbers.astype(how.dtype)

@@ -1,4 +1,4 @@
-"""What a contestant of ``bench`` is, and those that are not ours: a reference, CasADi, the processor.
+"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, the processor.
 
 Turns code of any origin into something that can be run n times over given poses and asked for its forces.
 Pinocchio, whose figure is put together from parts, has a module of its own. Times nothing.
@@ -37,7 +37,7 @@ LARGE = 200_000
 """Poses of the batches that cores are compared on: enough that waking the threads doesn't count."""
 
 AGREEMENT = 1e-10
-"""Largest difference of forces between contestants in double precision, share of a pose's largest."""
+"""Largest difference of forces between candidates in double precision, share of a pose's largest."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,9 +70,9 @@ class Poses:
 
 @dataclass(frozen=True, eq=False)
 class Runner:
-    """A contestant ready to run: ``run(n)`` computes all of its poses n times; ``F()`` tells what it found.
+    """A candidate ready to run: ``run(n)`` computes all of its poses n times; ``F()`` tells what it found.
 
-    ``kept`` holds on to arrays of which C code knows the addresses only.
+    ``kept`` holds on to arrays of which C code has the addresses only.
     """
 
     run: Callable[[int], object]
@@ -81,7 +81,7 @@ class Runner:
 
 
 @dataclass(frozen=True)
-class Contestant:
+class Candidate:
     """One way to compute the forces.
 
     kind: "one pose" (a C loop calls a function for one pose), "batch" (one call for ``poses`` of them) or
@@ -147,7 +147,7 @@ def _reference(poses: Poses) -> Runner:
     )
 
 
-def _casadi(name: str, what: str, equations: str) -> Contestant:
+def _casadi(name: str, what: str, equations: str) -> Candidate:
     """One of the legs' equations that ``baselines_casadi`` writes out; CasADi is imported when it runs."""
 
     @functools.cache
@@ -160,7 +160,7 @@ def _casadi(name: str, what: str, equations: str) -> Contestant:
         library = native.load("bench_casadi", program().sources)
         return c_loop(library, kernel.robot_numbers(poses.robot), poses)
 
-    return Contestant(
+    return Candidate(
         name,
         what,
         "one pose",
@@ -193,13 +193,13 @@ _UNFUSED: dict[str, str | bool] = {
 }
 """Fused, XLA computes shared terms again for each use: seven times as long to compile, twice to run."""
 
-JAX = Contestant("JAX, jit and vmap", "XLA, F alone", "batch", 100_000, _jax, package="jax")
+JAX = Candidate("JAX, jit and vmap", "XLA, F alone", "batch", 100_000, _jax, package="jax")
 """The same kernel by JAX on this processor; apart from the others, as it is slow to compile."""
 
 PEERS = (
     CASADI,
     _casadi("CasADi, closed form", "C, leg frame", "leg_frame"),
-    Contestant("vector reference", "NumPy, base frame", "batch", SLOW, _reference),
+    Candidate("vector reference", "NumPy, base frame", "batch", SLOW, _reference),
 )
 
 

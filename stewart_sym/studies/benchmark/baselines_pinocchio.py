@@ -1,8 +1,8 @@
-"""Pinocchio as a contestant of ``bench``: recursive Newton-Euler over the machine's tree, then a 6x6 solve.
+"""Pinocchio as a candidate of ``bench``: recursive Newton-Euler over the machine's tree, then a 6x6 solve.
 
-Takes the numbers of a Robot and of a Motion and shares no equation with the other contestants. Joint
+Takes the numbers of a Robot and of a Motion and shares no equation with the other candidates. Joint
 angles, rates, accelerations, friction and the Jacobians of the closed loops are prepared beforehand and not
-timed: what is left is what Pinocchio is good at.
+timed: what remains is what Pinocchio is good at.
 """
 
 from dataclasses import dataclass

@@ -1,6 +1,6 @@
 """Nanoseconds a pose: the generated kernels beside their baselines and the processor's limit, in one process.
 
-Every contestant computes the actuator forces of `exact`, friction, load and solve included, for the same
+Every candidate computes the actuator forces of `exact`, friction, load and solve included, for the same
 poses; those of the second group, ``bench_motion``, the equations of motion and what follows from them.
 Their answers are compared before any is timed. They are then timed in turns, round after round, so that
 whatever slows the machine down slows all of them. ``bench_plot`` shows what comes out; this module prints
@@ -43,7 +43,7 @@ from .baselines import (
     NAME,
     PEERS,
     SLOW,
-    Contestant,
+    Candidate,
     Poses,
     Runner,
     c_loop,
@@ -66,7 +66,7 @@ SIZES, QUICK_SIZES = (10**3, 10**4, 10**5, 10**6, 10**7), (10**3, 10**4, 10**5)
 _SWEEP_ROUNDS = {10**6: 15, 10**7: 7}
 
 
-# --- the contestants --------------------------------------------------------------------------
+# --- the candidates --------------------------------------------------------------------------
 
 
 def _one_pose(poses: Poses) -> Runner:
@@ -154,14 +154,12 @@ CORES = os.cpu_count() or 1
 FLOAT_AGREEMENT = 1e-3
 BATCH, ALL_CORES = "batch, one core", f"batch, {CORES} cores"
 OURS = (
-    Contestant("one pose", "C, F alone", "one pose", FEW, _fast_pose, operations=_force_operations),
-    Contestant(
+    Candidate("one pose", "C, F alone", "one pose", FEW, _fast_pose, operations=_force_operations),
+    Candidate(
         BATCH, "C, F alone", "batch", LARGE, _batch("double", 1), sweep=True, operations=_force_operations
     ),
-    Contestant(
-        ALL_CORES, "C, F alone", "batch", LARGE, _batch("double", CORES), operations=_force_operations
-    ),
-    Contestant(
+    Candidate(ALL_CORES, "C, F alone", "batch", LARGE, _batch("double", CORES), operations=_force_operations),
+    Candidate(
         "batch, float",
         "C, F alone",
         "batch",
@@ -170,12 +168,12 @@ OURS = (
         operations=_force_operations,
         tolerance=FLOAT_AGREEMENT,
     ),
-    Contestant("every output", "C, D K H c x F", "one pose", FEW, _one_pose, operations=_operations),
-    Contestant("NumPy kernel", "vectorised", "batch", SLOW, _numpy, operations=_operations),
+    Candidate("every output", "C, D K H c x F", "one pose", FEW, _one_pose, operations=_operations),
+    Candidate("NumPy kernel", "vectorised", "batch", SLOW, _numpy, operations=_operations),
 )
 CALLS = (
-    Contestant("prepared, one pose", "Python", "call", 1, _prepared_call),
-    Contestant("inverse_dynamics()", "Python", "call", 1, _python_call),
+    Candidate("prepared, one pose", "Python", "call", 1, _prepared_call),
+    Candidate("inverse_dynamics()", "Python", "call", 1, _python_call),
 )
 """Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
 
@@ -199,7 +197,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     fewer rounds and sizes, and without JAX, which compiles for half a minute.
 
     Raises ValueError if the robot's base joints are not universal, if it has no regular poses there, if a
-    contestant's forces are wrong, or if the clock is too coarse; CompilerError without a C compiler.
+    candidate's forces are wrong, or if the clock is too coarse; CompilerError without a C compiler.
     """
     clock, machine = time_source(), host.machine()
     progress("preparing the poses")
@@ -212,15 +210,15 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     present = {None, *compared} - {*missing}
     baselines = tuple(each for each in (*PEERS, JAX) if each.package in present)
     stages = reductions.stages(progress)
-    contestants = (*OURS, *CALLS, *baselines, *(each for stage in stages for each in stage.contestants))
+    candidates = (*OURS, *CALLS, *baselines, *(each for stage in stages for each in stage.candidates))
     sized = functools.cache(poses.resized)
-    runners = {each.name: each.make(sized(each.poses)) for each in contestants}
+    runners = {each.name: each.make(sized(each.poses)) for each in candidates}
     progress("comparing their forces")
-    differences = _differences(poses, contestants, runners, pinocchio)
+    differences = _differences(poses, candidates, runners, pinocchio)
     motion = equation_kernels.motion_group(few)
 
     processor = multiply_add()
-    tasks = {each.name: Task(runners[each.name].run, each.poses) for each in contestants}
+    tasks = {each.name: Task(runners[each.name].run, each.poses) for each in candidates}
     tasks |= {
         "multiply-add": Task(processor.run, processor.count),
         ARITHMETIC: Task(_on_all_cores(processor.run), CORES * processor.count),
@@ -278,13 +276,13 @@ def _times(one: Sequence[float], many: Sequence[float]) -> tuple[float, ...]:
     return tuple(slow / fast for slow, fast in zip(one, many, strict=True))
 
 
-def _figure(each: Contestant, raw: Mapping[str, tuple[float, ...]]) -> Figure:
+def _figure(each: Candidate, raw: Mapping[str, tuple[float, ...]]) -> Figure:
     count = None if each.operations is None else each.operations()
     return Figure(each.name, each.what, each.kind, each.poses, raw[each.name], count)
 
 
 def _pass_figures(stage: reductions.Stage, raw: Mapping[str, tuple[float, ...]]) -> PassFigures:
-    one_pose, batch = (_figure(each, raw) for each in stage.contestants)
+    one_pose, batch = (_figure(each, raw) for each in stage.candidates)
     return PassFigures(stage.name, stage.meaning, stage.operations, one_pose, batch)
 
 
@@ -323,7 +321,7 @@ def _pinocchio_figure(parts: Sequence[Figure]) -> tuple[Figure, ...]:
 
 def _differences(
     poses: Poses,
-    contestants: Sequence[Contestant],
+    candidates: Sequence[Candidate],
     runners: Mapping[str, Runner],
     pinocchio: "PinocchioMachine | None",
 ) -> dict[str, float]:
@@ -331,7 +329,7 @@ def _differences(
     truth = reference.inverse_dynamics(poses.robot, poses.motion).F
     largest = np.abs(truth).max(axis=-1, keepdims=True)
     found: dict[str, float] = {}
-    answers = [(each.name, each.tolerance, runners[each.name]) for each in contestants]
+    answers = [(each.name, each.tolerance, runners[each.name]) for each in candidates]
     if pinocchio is not None:
         answers.append((PINOCCHIO, AGREEMENT, Runner(pinocchio.newton_euler, pinocchio.F)))
     for name, tolerance, runner in answers:
@@ -349,7 +347,7 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
     """Batches of all sizes that fit into memory; small ones are the beginning of the largest."""
     swept = [each for each in OURS if each.sweep]
     room = _free_memory()
-    # Motions of 240 bytes, forces of 48 and a status for each contestant, and as much again to breathe.
+    # Motions of 240 bytes, forces of 48 and a status for each candidate, and as much again to breathe.
     sizes = [size for size in sizes if 2 * size * (240 + 52 * len(swept)) < room or size == min(sizes)]
     progress("preparing the batches")
     largest = poses.resized(max(sizes))

@@ -170,7 +170,7 @@ class MotionGroup:
     """Everybody of the group, built and compared.
 
     tasks: what is to be timed, a run and its poses, by the names that ``figures`` reads. differences: by
-    contestant, share of a pose's largest.
+    candidate, share of a pose's largest.
     """
 
     robot: Robot

@@ -194,7 +194,7 @@ class Benchmark:
     of. sweep: batches of all sizes. motion: the second group. passes: the kernel after each reduction.
     compiling: time of the compiler. text: None where the system's linker or ``nm`` can't tell.
     multiply_add: ns for one fused multiply-add of one number, on one core; lanes: numbers in one
-    instruction. differences: by contestant, from the reference's forces, share of a pose's largest.
+    instruction. differences: by candidate, from the reference's forces, share of a pose's largest.
     machine, software, clock: as JSON takes them. left_out: software that is not installed and not compared;
     ours, baselines and all that follows from them are without it.
     """

@@ -61,7 +61,7 @@ def report(found: Benchmark) -> str:
     if found.left_out:
         missing = ", ".join(found.left_out)
         head.append(f"not installed and left out: {missing}; {install('bench')}")
-    parts = ["\n".join(head), _contestants(found), _cores(found), _notes(found), _calls(found)]
+    parts = ["\n".join(head), _candidates(found), _cores(found), _notes(found), _calls(found)]
     parts += [_sizes(found), _motion(found.motion)]
     if found.passes:
         parts.append(_passes(found))
@@ -77,7 +77,7 @@ def _others(share: float | None) -> list[str]:
     return [f"other processes took {100 * share:.0f} % of the cores' time{verdict}"]
 
 
-def _contestants(found: Benchmark) -> str:
+def _candidates(found: Benchmark) -> str:
     ratio = "" if found.casadi is None else "x CasADi"
     header = ("code", "what", "poses", "operations", "ns per pose", "quartiles", ratio)
     rows = [_row(found, figure, f"ours: {figure.name}") for figure in found.ours]
@@ -314,7 +314,7 @@ def draw(found: Benchmark, directory: Path) -> list[Path]:
 
 
 def picture(found: Benchmark) -> Canvas:
-    """Every contestant's time on a log axis, with the ratio to CasADi; below, time over batch size."""
+    """Every candidate's time on a log axis, with the ratio to CasADi; below, time over batch size."""
     rows = len(found.ours) + len(found.baselines)
     heights = [0.36 * rows + 1.0, 2.3]
     canvas = Canvas(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
@@ -322,12 +322,12 @@ def picture(found: Benchmark) -> Canvas:
     above, below = canvas.subplots(2, 1, height_ratios=heights)
     processor = found.machine["processor"]
     canvas.suptitle(f"Inverse dynamics of a Stewart platform, ns per pose: {processor}", x=0.5)
-    _draw_contestants(above, found)
+    _draw_candidates(above, found)
     _draw_sizes(below, found)
     return canvas
 
 
-def _draw_contestants(axes: Axes, found: Benchmark) -> None:
+def _draw_candidates(axes: Axes, found: Benchmark) -> None:
     rows = [(figure, f"ours: {figure.name} ({figure.what})", _OURS) for figure in found.ours]
     rows += [(figure, f"{figure.name} ({figure.what})", _PEER) for figure in found.baselines]
     rows.sort(key=lambda row: row[0].median)

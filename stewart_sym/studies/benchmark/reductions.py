@@ -1,7 +1,7 @@
-"""The derivation's reduction passes as contestants of ``bench``: the kernel as each pass leaves it.
+"""The derivation's reduction passes as candidates of ``bench``: the kernel as each pass leaves it.
 
 Takes the C that ``derive.passes`` writes after every pass, gives each a library of its own, and hands back
-one contestant for a pose in a C loop and one for a batch. The derivation runs when asked. Times nothing.
+one candidate for a pose in a C loop and one for a batch. The derivation runs when asked. Times nothing.
 """
 
 import ctypes
@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...backend import kernel, native
 from ...backend.kernel import address
 from ...robot.robot import Robot
-from .baselines import FEW, MANY, NAME, Contestant, Poses, Runner, c_loop, forces_loop, repeated, succeed
+from .baselines import FEW, MANY, NAME, Candidate, Poses, Runner, c_loop, forces_loop, repeated, succeed
 
 if TYPE_CHECKING:
     from ...derive.passes import Pass
@@ -28,11 +28,11 @@ class Stage:
     name: str
     meaning: str
     operations: tuple[int, int]
-    one_pose: Contestant
-    batch: Contestant
+    one_pose: Candidate
+    batch: Candidate
 
     @property
-    def contestants(self) -> tuple[Contestant, Contestant]:
+    def candidates(self) -> tuple[Candidate, Candidate]:
         """Both."""
         return self.one_pose, self.batch
 
@@ -47,7 +47,7 @@ def stages(progress: Callable[[str], None] = lambda _: None) -> tuple[Stage, ...
 
 def _stage(number: int, source: "Pass") -> Stage:
     build = _Build(f"bench_pass_{number}", {**source.sources, **forces_loop()}, source.model_numbers)
-    one_pose = Contestant(
+    one_pose = Candidate(
         f"{source.name}, one pose",
         source.meaning,
         "one pose",
@@ -55,7 +55,7 @@ def _stage(number: int, source: "Pass") -> Stage:
         build.one_pose,
         operations=lambda: source.operations[1],
     )
-    batch = Contestant(
+    batch = Candidate(
         f"{source.name}, batch",
         source.meaning,
         "batch",

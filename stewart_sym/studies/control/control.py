@@ -167,7 +167,7 @@ class PreparedModel:
         self._views = {each.name: getattr(self._slot, each.name) for each in fields(Motion)}
 
     def __call__(self, motion: Motion) -> Array:
-        """Forces, N, (6,); NaN for a pose without an answer."""
+        """Forces, N, (6,); NaN for an unsolvable pose."""
         for name, view in self._views.items():
             value = getattr(motion, name)
             view[...] = 0.0 if value is None else value
@@ -197,7 +197,7 @@ def track_paths(
 ) -> Study:
     """Track the paths named, of ``TRACKED``, with every controller.
 
-    Raises ValueError of one line where a path or controller leads to a pose without an answer,
+    Raises ValueError of one line where a path or controller leads to an unsolvable pose,
     native.CompilerError without a C compiler.
     """
     settings = settings or Settings()
@@ -225,7 +225,7 @@ def follow(
 ) -> dict[str, Run]:
     """Track a path with every controller, side by side; duration: of it, s, None for all.
 
-    Raises ValueError for a path or a run that comes to a pose without an answer.
+    Raises ValueError for a path or a run that comes to an unsolvable pose.
     """
     times = path.times(1.0 / settings.rate)
     if duration is not None:

@@ -1,7 +1,7 @@
 /* count.c: checks a one-pose kernel on an emulated Cortex-M, and counts its instructions and its stack.
  *
  * `cases.h`, written for the kernel, names its functions and holds motions with their forces, and motions
- * without an answer. Prints one number a line; returns 0 if every answer is right.
+ * unsolvable ones. Prints one number a line; returns 0 if every answer is right.
  */
 #include "board.h"
 #include "cases.h"
@@ -89,7 +89,7 @@ static int32_t wrong(int status, int expected)
     return status != expected || touched;
 }
 
-/* Calls with wrong arguments or without an answer; returns how many were not told so. */
+/* Calls with wrong arguments or of unsolvable poses; returns how many were not told so. */
 static int32_t rejected(void)
 {
     int32_t found = 0;

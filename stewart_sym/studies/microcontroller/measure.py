@@ -136,7 +136,7 @@ class Cases:
         )
 
     def rejected(self) -> list[tuple[dict[str, Array], int]]:
-        """Motions without an answer and their status: the self-test's, and numbers none or too large."""
+        """Unsolvable motions and their status: the self-test's, and numbers none or too large."""
         start = self.tests[0].inputs
         far = {"double": 1e160, "float": 1e25}[self.precision]
         return [
@@ -268,7 +268,7 @@ def _said(output: str) -> dict[str, list[int]]:
 
 
 def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
-    """The kernel's names, motions with forces and bounds, and motions without an answer.
+    """The kernel's names, motions with forces and bounds, and unsolvable motions.
 
     symbol: the robot's in C, empty where the kernel holds its numbers.
     """

@@ -94,7 +94,7 @@ def compiled(core: Core, source: Path, flags: Sequence[str] = ()) -> Path:
 
 
 def linked(core: Core, objects: Iterable[Path], script: Path, target: Path) -> Path:
-    """The image of some objects, without what none of them asks for."""
+    """The image of some objects, without what none of them uses."""
     command = [GCC, *core.flags, *FLAGS, "-nostartfiles", "--specs=nosys.specs", "-Wl,--gc-sections"]
     listed = sorted({path.name for path in objects})
     _run([*command, "-T", script.name, *listed, "-lm", "-o", target.name], target.parent)

@@ -44,7 +44,7 @@ class Claim:
 
 
 def claims(found: Reproduction) -> list[Claim]:
-    """Judge every claim, in the order of the text."""
+    """Check every claim, in the order of the text."""
     return [
         Claim(where, says, rule, *(check(found, form) for form in ("paper", "exact")))
         for where, says, rule, check in _CLAIMS

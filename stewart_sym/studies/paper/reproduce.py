@@ -134,7 +134,7 @@ class Reproduction:
 
 
 def reproduce(progress: Progress = lambda _: None) -> Reproduction:
-    """Compute everything on the paper's machine; ``progress`` is told what is being computed."""
+    """Compute everything on the paper's machine; ``progress`` is given what is being computed."""
     robot = paper_machine()
     progress("compiling the kernels")
     backend = _backend(robot)

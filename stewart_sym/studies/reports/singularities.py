@@ -149,7 +149,7 @@ def events(found: Examination) -> Columns:
 
 
 def curves(found: Examination) -> Columns:
-    """Columns (n,) over time, denser towards each crossing and minimum; nan where a pose has no answer.
+    """Columns (n,) over time, denser towards each crossing and minimum; nan where a pose is unsolvable.
 
     time; smallest_singular_value with the sign of det H; scaled_condition, inf where that is 0; F1..F6;
     joint_sine1..6; L1..L6.

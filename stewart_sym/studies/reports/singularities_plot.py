@@ -1,4 +1,4 @@
-"""Pictures of a path's singular poses: over the whole path, and beside each the machine with the lost motion.
+"""Pictures of a path's singular poses: over the whole path, and at each the machine with its free twist.
 
 Draws what ``singularities`` found; needs Matplotlib, the extra ``plot``.
 """
@@ -73,7 +73,7 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
 
 
 def pose_figure(found: Examination, columns: Columns, time: float, at: Singularity, title: str) -> Figure:
-    """Smallest singular value and leg forces close by, and the machine with the lost motion as arrows."""
+    """Smallest singular value and leg forces close by, and the machine with its unconstrained twist."""
     figure = Figure(figsize=(12.0, 5.8), layout="constrained")
     panes: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.05))
     left, right = panes

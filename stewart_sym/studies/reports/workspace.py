@@ -98,7 +98,7 @@ def map_block(
 ) -> tuple[Array, Array]:
     """Condition number of H (paper's, units mixed) and largest |F_i|, N, at rest, both (...).
 
-    t, theta: (..., 3), m and rad. nan where there is no answer: no force at a singular pose, neither at
+    t, theta: (..., 3), m and rad. nan where the pose is unsolvable: no force at a singular pose, neither at
     a leg of length zero. The condition number of a singular pose is very large or inf.
     """
     rest = np.zeros(3)

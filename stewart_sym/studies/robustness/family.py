@@ -1,4 +1,4 @@
-"""What the study is made of: a family of poses that walks into a failure, a curve for each method, a verdict.
+"""Families of poses that approach a degenerate configuration: a curve for each method, a verdict.
 
 Records and measures alone.
 """
@@ -33,7 +33,7 @@ def distances(points: int = POINTS, nearest: float = 1e-16) -> Array:
 class Curve:
     """One method along a family.
 
-    error: of its answer, over the size of what it computes, (n,), NaN without an answer.
+    error: of its answer, over the size of what it computes, (n,), NaN for unsolvable poses.
     condition: the condition number of the problem that it solves, (n,).
     status: (n,), codes of ``results.STATUS_TEXT``; None where a method has none to give.
     pose: condition number of the poses, (n,), that of a leg's frame included; None: the same.
@@ -57,7 +57,7 @@ class Curve:
 
     @property
     def ratio(self) -> Array:
-        """Error in rounding units over the condition number, (n,), NaN without an answer."""
+        """Error in rounding units over the condition number, (n,), NaN for unsolvable poses."""
         return np.where(self.answered, self.error / (self.epsilon * self.condition), np.nan)
 
 
@@ -69,8 +69,8 @@ class Verdict:
     digits: decimal digits left at the worst answer with status ok.
     last: nearest distance with an answer. rejected_at: condition number of the first pose with a status, None
     if there is none.
-    silent: distances at which an answer is wrong and no status says so. alarmed: distances at which a good
-    pose has a status.
+    undetected: distances at which an answer is wrong and no status says so. false_alarms: distances at which
+    a good pose has a status.
     """
 
     worst: float
@@ -78,13 +78,13 @@ class Verdict:
     digits: float
     last: float
     rejected_at: float | None
-    silent: int
-    alarmed: int
+    undetected: int
+    false_alarms: int
 
     @property
     def right(self) -> bool:
         """Whether there is a status where there must be one, and nowhere else."""
-        return self.silent == 0 and self.alarmed == 0
+        return self.undetected == 0 and self.false_alarms == 0
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,6 +140,6 @@ def verdict(curve: Curve, distance: Array) -> Verdict:
         digits=max(0.0, float(-np.log10(max(largest, curve.epsilon / 2.0)))),
         last=float(distance[answered].min()),
         rejected_at=float(of_pose[rejected].min()) if rejected.any() else None,
-        silent=int(np.sum(answered & (ratio > WRONG))),
-        alarmed=int(np.sum(rejected & (of_pose < GOOD))),
+        undetected=int(np.sum(answered & (ratio > WRONG))),
+        false_alarms=int(np.sum(rejected & (of_pose < GOOD))),
     )

@@ -1,6 +1,6 @@
 """Pictures of the study, one for each family, and the basins of forward kinematics; needs Matplotlib.
 
-Colours are Okabe and Ito's, told apart by the colour blind; no method is told by its colour alone.
+Colours are Okabe and Ito's, distinct to the colour blind; no method is marked by its colour alone.
 """
 
 from pathlib import Path
@@ -51,7 +51,7 @@ def draw(found: Study, folder: Path) -> list[Path]:
 
 
 def family_figure(family: Family) -> Figure:
-    """Errors over the distance, candidates beside shipped roads, and what the problem itself does."""
+    """Errors over the distance, candidates beside shipped code paths, and what the problem itself does."""
     groups = [
         (title, [curve for curve in family.curves if curve.shipped is shipped])
         for title, shipped in (("candidates", False), ("as shipped", True))

@@ -1,4 +1,4 @@
-"""Every shipped road to the actuator forces along a family, beside 50 digits.
+"""Every shipped code path to the actuator forces along a family, beside 50 digits.
 
 Takes robots and motions pose by pose; returns curves.
 """
@@ -29,7 +29,7 @@ FLOAT_EPS = float(np.finfo(np.float32).eps)
 
 
 def curves(robots: Sequence[Robot], motions: Sequence[Motion], in_float: bool = False) -> tuple[Curve, ...]:
-    """One curve for each road: forces alone of one pose and of a batch, every output in C and NumPy.
+    """One curve for each code path: forces alone of one pose and of a batch, every output in C and NumPy.
 
     robots, motions: n each, motions of shape (). in_float: with the forces alone in float, whose inputs are
     rounded to float first. The condition number is the problem's own, never less than the scaled one of H.
@@ -38,8 +38,8 @@ def curves(robots: Sequence[Robot], motions: Sequence[Motion], in_float: bool = 
     checked = check_poses(robots, motions)
     truth = np.array([_truth(robot, motion) for robot, motion in zip(robots, motions, strict=True)])
     found = [
-        _curve(name, road, robots, motions, truth, checked)
-        for name, road in (
+        _curve(name, path, robots, motions, truth, checked)
+        for name, path in (
             ("forces, one pose", _one_pose),
             ("forces, batch", _batch),
             ("every output, C", lambda robot, motion: _every(robot, motion, "c")),
@@ -96,7 +96,7 @@ def pose_condition(robots: Sequence[Robot], motions: Sequence[Motion]) -> Array:
 
 def _curve(
     name: str,
-    road: Any,
+    path: Any,
     robots: Sequence[Robot],
     motions: Sequence[Motion],
     truth: NDArray[np.object_],
@@ -105,7 +105,7 @@ def _curve(
     error, status = np.full(len(robots), np.nan), np.zeros(len(robots), dtype=np.int32)
     size = np.where(checked["truth"] == OK, checked["size"], 1.0)
     for i, (robot, motion) in enumerate(zip(robots, motions, strict=True)):
-        F, status[i] = road(robot, motion)
+        F, status[i] = path(robot, motion)
         if status[i] != OK or checked["truth"][i] != OK:
             continue
         if truth[i, 0] is not None:
@@ -162,7 +162,7 @@ def _every(robot: Robot, motion: Motion, backend: Any) -> tuple[Array, int]:
 
 
 def _closed_form(robot: Robot, motion: Motion) -> tuple[Array, int]:
-    """F of H F = M [a; alpha] + bias - W_ext, by NumPy's elimination, which asks nothing of H."""
+    """F of H F = M [a; alpha] + bias - W_ext, by NumPy's elimination, which assumes nothing of H."""
     if _prepared(robot) is None:
         return np.full(6, np.nan), NOT_FINITE
     found = equations_of_motion(robot, motion, on_singular="nan")

@@ -25,7 +25,7 @@ def scaled_pivoting(A: Array, y: Array) -> Array:
 
 
 def complete_pivoting(A: Array, y: Array) -> Array:
-    """Elimination by the largest entry of what is left, columns exchanged too."""
+    """Elimination by the largest entry of what remains, columns exchanged too."""
 
     def largest(A: Array, k: int, scale: Array) -> tuple[int, int]:
         i, j = np.unravel_index(np.argmax(np.abs(A[k:, k:])), (len(A) - k, len(A) - k))

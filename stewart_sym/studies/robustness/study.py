@@ -65,7 +65,7 @@ def report(found: Study) -> str:
                 f"{each.digits:.1f}",
                 _number(each.last),
                 "-" if each.rejected_at is None else _number(each.rejected_at),
-                f"{each.silent}",
+                f"{each.undetected}",
                 "right" if _right(family, each) else "WRONG",
             )
             for curve, each in ((curve, verdict(curve, family.distance)) for curve in family.curves)
@@ -140,7 +140,7 @@ def _sweep_json(found: Sweep) -> dict[str, Any]:
 
 def _right(family: Family, found: Verdict) -> bool:
     """Whether the status is where it must be; beyond the range of double it may be on any pose."""
-    return found.silent == 0 and (family.beyond_range or found.alarmed == 0)
+    return found.undetected == 0 and (family.beyond_range or found.false_alarms == 0)
 
 
 def _plain(value: Any) -> Any:

@@ -67,7 +67,7 @@ RESULT = np.dtype(
 )
 """Of a case: distance from the failure; size, the largest of |F|, |D| and |x|, N; the problem's own condition
 number, the scaled one of H and that of the legs' frames, the largest of 1 over |k x s| and of the terms of S
-over L; error of each kernel, in rounding units of the size, NaN without an answer; status of the truth;
+over L; error of each kernel, in rounding units of the size, NaN for unsolvable poses; status of the truth;
 whether it was checked in quadruple precision; status of each kernel; whether such a case was found."""
 
 CLOSED_RESULT = np.dtype(
@@ -132,7 +132,7 @@ _SOURCES = {
 def check_poses(
     robots: Sequence[Robot], motions: Sequence[Motion], precision: str = "double", samples: int = SAMPLES
 ) -> NDArray[Any]:
-    """Judge the answers to poses in quadruple precision: one record of ``RESULT`` each, (n,).
+    """Check the answers to poses in quadruple precision: one record of ``RESULT`` each, (n,).
 
     robots, motions: n each, motions of shape (). Raises native.CompilerError without ``__float128``.
     """
@@ -155,7 +155,7 @@ def check_random(
     samples: int = SAMPLES,
     doubtful: float = DOUBTFUL,
 ) -> NDArray[Any]:
-    """Judge random cases near a failure, ``each`` of every robot: records of ``RESULT``, (robots * each,).
+    """Check random cases near a failure, ``each`` of every robot: records of ``RESULT``, (robots * each,).
 
     kind: of ``KINDS``. numbers: robots as in ``struct stewart_robot``, (robots, 205), and their sizes, m.
     Distances are spread evenly in their logarithm, from 1 to a tenth of a rounding unit. Doubtful answers

@@ -115,7 +115,7 @@ def sweep(
     kinds: tuple[str, ...] = KINDS,
     legs: tuple[str, ...] = LEGS,
 ) -> Sweep:
-    """Judge random cases near failure in double, and a tenth as many in float, in equal parts of each kind.
+    """Check random cases near failure in double, and a tenth as many in float, in equal parts of each kind.
 
     kinds: of ``KINDS``; legs: of the machines, of ``LEGS``, in turn.
     Raises ValueError for less than one case of each, native.CompilerError without ``__float128``.
