@@ -32,12 +32,12 @@ HEADER = ("what fails", "walk", "what we do", "worst", "rejected at", "digits le
 
 def lead() -> str:
     return paragraph(
-        "`stewart-sym stability` approaches each degenerate configuration, from a distance of 1 to 1e-16, "
-        "with every kernel, and measures errors against 50 digits. Worst: the largest error of any kernel with "
-        "status ok, in rounding units over the condition number of the problem itself, what changes of its inputs by "
-        "rounding units do to its answer. Rejected at: the condition number of the first pose with a status. "
-        "Digits left: at the worst answer with status ok. Undetected: the kernels that give a wrong answer "
-        "(above 1000) with status ok."
+        "`stewart-sym stability` approaches each degenerate configuration, from a distance of 1 to "
+        "1e-16, with every kernel, and measures errors against 50 digits. Worst: the largest error of "
+        "any kernel with status ok, in rounding units over the condition number of the problem itself, "
+        "what changes of its inputs by rounding units do to its answer. Rejected at: the condition "
+        "number of the first pose with a status. Digits left: at the worst answer with status ok. "
+        "Undetected: the kernels that give a wrong answer (above 1000) with status ok."
     )
 
 
