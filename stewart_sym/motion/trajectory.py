@@ -319,12 +319,21 @@ class Smoothing:
 _AS_SHOWN = Smoothing()
 
 
+class Replaced(NamedTuple):
+    """A span of time, s, in which deviations hold what replaced rows change, and how a line names these."""
+
+    start: float
+    end: float
+    rows: tuple[str, ...]
+
+
 class Uncertainty(NamedTuple):
     """What the noise of a log leaves open about six coordinates: t and theta, or leg lengths.
 
     coordinates: values, rates and second rates, (3, n, 6). grid: times, s, (g,), at which covariance,
     (g, 6, 6), is given: of value, rate and second rate, the lower triangle row by row. sigma: standard
-    deviation of the log's numbers, (6,). in_joints: whether these are leg lengths.
+    deviation of the log's numbers, (6,). in_joints: whether these are leg lengths. replaced: rows that are
+    not as the log has them; covariance holds by how much.
     """
 
     coordinates: Array
@@ -332,6 +341,7 @@ class Uncertainty(NamedTuple):
     covariance: Array
     sigma: Array
     in_joints: bool = False
+    replaced: tuple[Replaced, ...] = ()
 
     def variances(self, time: Array) -> Array:
         """Of each coordinate's value at times, (n, 6)."""
@@ -802,15 +812,42 @@ def _replaced(log: _Log, values: Array, steps: Array) -> tuple[Array, Uncertaint
     good = values - offsets(bad, values.shape)
     found, noise = _derivatives(log, good, _level(log, good, steps))
     changed = found - _derivatives(log, values, level, tell=False)[0]
-    return found, _with_changes(log.time, found, noise, changed)
+    near = _changed(changed)
+    return found, _with_changes(log.time, found, noise, changed, near)._replace(
+        replaced=_replaced_rows(log, bad, near)
+    )
 
 
-def _with_changes(time: Array, found: Array, noise: Uncertainty | None, changed: Array) -> Uncertainty:
-    """Uncertainty in which changes of coordinates and rates, (3, n, 6), count as a deviation each."""
+def _changed(changed: Array) -> NDArray[np.bool_]:
+    """Instants, (n,), at which changes of coordinates and rates, (3, n, 6), count."""
+    size = np.abs(changed[2])
+    return np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
+
+
+def _replaced_rows(log: _Log, bad: Sequence[Fault], near: NDArray[np.bool_]) -> tuple[Replaced, ...]:
+    """Spans of instants at which replaced rows count, with the faults that are nearest to each."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(np.int8)))
+    rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))
+    first = np.array([start for start, _ in rows])
+    names = [
+        f"the step at row {log.rows[start]}" if end is None else _rows_text(log, start, end)
+        for start, end in rows
+    ]
+    found, last = [], len(log.time) - 1
+    for a, b in edges.reshape(-1, 2):
+        apart = np.maximum(np.maximum(a - first, first - b + 1), 0)
+        nearest = tuple(name for name, away in zip(names, apart, strict=True) if away == apart.min())
+        ends = float(log.time[max(a - 1, 0)]), float(log.time[min(b, last)])
+        found.append(Replaced(*ends, nearest))
+    return tuple(found)
+
+
+def _with_changes(
+    time: Array, found: Array, noise: Uncertainty | None, changed: Array, near: NDArray[np.bool_]
+) -> Uncertainty:
+    """Uncertainty in which changes of coordinates and rates, (3, n, 6), count as a deviation, ``near``."""
     if noise is None:
         noise = Uncertainty(found, time[[0, -1]], np.zeros((2, 6, len(PAIRS))), np.zeros(6))
-    size = np.abs(changed[2])
-    near = (size > _CHANGED * size.max(axis=0)).any(axis=1)
     rows = np.flatnonzero(np.convolve(near, np.ones(3), "same"))
     squares = np.stack([changed[i, rows] * changed[j, rows] for i, j in PAIRS], axis=-1)
     squares *= near[rows, None, None]
@@ -949,11 +986,7 @@ def _tell_faults(log: _Log, found: Sequence[Fault]) -> None:
         by_rows.setdefault((fault.first, fault.end), []).append(text)
     lines = []
     for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
-        last = len(log.rows) if end is None else min(end, len(log.rows))
-        rows = f"row {log.rows[first]}"
-        if last - first > 1:
-            rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
-        lines.append(f"{rows} ({log.time[first]:.6g} s): {', '.join(texts)}")
+        lines.append(f"{_rows_text(log, first, end)} ({log.time[first]:.6g} s): {', '.join(texts)}")
     more = len(by_rows) - len(lines)
     ending = f"; and {more} more" if more > 0 else ""
     done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
@@ -963,6 +996,15 @@ def _tell_faults(log: _Log, found: Sequence[Fault]) -> None:
         LogWarning,
         stacklevel=7,
     )
+
+
+def _rows_text(log: _Log, first: int, end: int | None) -> str:
+    """Rows of a fault, ``end`` None: to the log's end."""
+    last = len(log.rows) if end is None else min(end, len(log.rows))
+    rows = f"row {log.rows[first]}"
+    if last - first > 1:
+        rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
+    return rows
 
 
 def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:

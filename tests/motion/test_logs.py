@@ -245,10 +245,11 @@ def test_the_share_that_noise_leaves_open_follows_from_the_numbers_beside_it(tmp
         trajectory = read_csv(rough)
     (line,) = (text for text in track(dasgupta(), trajectory, noise_share=1e-4).doubts if "open" in text)
     pattern = (
-        r"leaves (\S+) of .*: (\S+) N and 3 deviations of (\S+) N at .* reach (\S+) N, the peak is (\S+) N"
+        r"leaves (\S+) % of .*: (\S+) N and 3 deviations of (\S+) N at .* reach (\S+) N, the peak is (\S+) N"
     )
     share, force, sd, possible, peak = map(float, re.findall(pattern, line)[0])
     assert abs(force) + 3.0 * sd == pytest.approx(possible, rel=1e-3)
+    share /= 100.0
     assert (possible - peak) / peak == pytest.approx(share, rel=0.02)
     F = ss.inverse_dynamics(dasgupta(), trajectory.motion).F
     assert share == pytest.approx(peak_noise(F, ss.force_deviations(dasgupta(), trajectory)).max(), rel=0.01)
