@@ -374,7 +374,8 @@ class PoseLog(NamedTuple):
     """A trajectory as coordinates, whose motion is made where it is needed: a third of the room.
 
     coordinates: t and theta, (38), with rates and second rates, (3, n, 6). F_ext, M_ext: external load, N and
-    N m, platform frame, (n, 3), or None. The rest as in ``Trajectory``.
+    N m, platform frame, (n, 3), or None. in_radians: whether theta are the log's own numbers. The rest as in
+    ``Trajectory``.
     """
 
     time: Array
@@ -384,6 +385,7 @@ class PoseLog(NamedTuple):
     source: str
     rows: Sequence[int]
     noise: Uncertainty | None = None
+    in_radians: bool = False
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
         """The motion at some of the instants; ValueError of one line that names file and row."""
@@ -576,16 +578,18 @@ class _Log:
         return np.unwrap(theta, axis=0), step
 
 
-# Tilt and turn beyond which no platform goes, rad; accelerations that none has, m/s^2; and the step of a log
-# of so slow a motion that time must be in another unit, s.
-_MOST_TILT, _MOST_TURN = math.pi, 2.0 * math.pi
-_MOST_ACCELERATION, _LEAST_ACCELERATION, _LONG_STEP = 1e5, 1e-4, 0.5
+MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)
+"""Tilts and turn beyond which no platform goes, rad."""
+# Accelerations that no platform has, m/s^2, or m/s^2 per metre of a log's lengths where these are larger; and
+# the steps, s, of a log of so slow a motion that time must be in milli- or microseconds.
+_MOST_ACCELERATION, _LEAST_ACCELERATION = 1e5, 1e-4
+_LONG_STEPS = {"ms": 0.5, "us": 500.0}
 
 
 def _warn_of_angles(log: _Log) -> None:
     """Warn of angles that no machine makes, and of quaternions whose scalar seems to come last."""
     if "theta" in log.written:
-        spans = np.ptp(log.vector("theta"), axis=0) / (_MOST_TILT, _MOST_TILT, _MOST_TURN)
+        spans = np.ptp(log.vector("theta"), axis=0) / MOST_TURNS
         axis = int(np.argmax(spans))
         if spans[axis] > 1.0 + 1e-9:
             span = np.ptp(log.vector("theta")[:, axis])
@@ -608,14 +612,25 @@ def _warn_of_angles(log: _Log) -> None:
 
 def _warn_of_units(log: _Log, coordinates: Array) -> None:
     """Warn of times and lengths, (3, n, 6), that no machine makes."""
-    in_joints = "L" in log.written
-    largest = float(np.abs(coordinates[2, :, : 6 if in_joints else 3]).max())
+    lengths = coordinates[..., : 6 if "L" in log.written else 3]
+    largest = float(np.abs(lengths[2]).max())
+    # In millimetres lengths and accelerations are a thousand times as large: both tell of time alone.
+    unit = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
     step = float(np.median(np.diff(log.time))) if len(log.time) > 1 else 0.0
     moves = float(np.ptp(coordinates[0], axis=0).max()) > 0.0
-    if largest > _MOST_ACCELERATION or (moves and step >= _LONG_STEP and largest < _LEAST_ACCELERATION):
-        text = f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2"
-        hint = "are time or lengths in another unit (--time-unit ms, --length-unit mm)?"
-        warnings.warn(f"{log.source}: {text}: {hint}", LogWarning, stacklevel=6)
+    slow = [name for name, least in _LONG_STEPS.items() if step >= least]
+    if largest > _MOST_ACCELERATION * unit:
+        hint = (
+            "are time or lengths in another unit (--time-unit, --length-unit mm)"
+            if log.form.time_unit == "s"
+            else f"is time in seconds, expected {log.form.time_unit} (--time-unit)"
+        )
+    elif moves and slow and largest < _LEAST_ACCELERATION * unit:
+        hint = f"is time in another unit (--time-unit {slow[-1]})"
+    else:
+        return
+    text = f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?"
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
 
 
 # How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.
@@ -681,7 +696,8 @@ def _pose_log(log: _Log) -> PoseLog:
         found, noise = _differentiate(log, np.hstack([log.vector("t"), theta]), steps)
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in _LOADS)
-    return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise)
+    in_radians = "theta" in log.written and log.form.angle_unit == "rad"
+    return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians)
 
 
 def _numbers(coordinates: Array) -> dict[str, Array]:
