@@ -60,7 +60,7 @@ def machine(
 def from_afar(
     rng: np.random.Generator, robot: ss.Robot, motion: ss.Motion, radii: float
 ) -> tuple[ss.Robot, ss.Motion]:
-    """The same from a reference point so many sizes away, at which the points' rounding is their departure."""
+    """The same from a reference point so many sizes away."""
     d = rng.normal(size=3)
     d *= radii * np.abs(robot.b).max() / np.linalg.norm(d)
     moved = dataclasses.replace(robot, p=robot.p + d, R_0=robot.R_0 + d)
@@ -118,7 +118,7 @@ def test_a_hundred_thousand_poses_of_singular_machines_have_no_status_ok(family:
 
 
 def test_good_poses_are_not_singular_from_far_away() -> None:
-    """Up to the distance at which rounding of the points is what a condition number of 1e12 makes of theirs."""
+    """Up to the distance at which rounding of the points is that of a condition number of 1e12."""
     for seed, radii in enumerate(10.0 ** np.arange(1, 9)):
         rng = np.random.default_rng(seed)
         robot = random_robot(rng)
