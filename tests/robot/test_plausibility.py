@@ -367,7 +367,6 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
     "limits in millimetres": (of(length_limits=lambda x: 1e3 * x), "length-limits", "in millimetres"),
     "limits in millimetres, alike": (alike(1e3), "length-limits", "limits in millimetres"),
     "limits in centimetres, alike": (alike(1e2), "length-limits", "limits in centimetres"),
-    "limits in inches, alike": (alike(1.0 / 0.0254), "length-limits", "limits in inches"),
     "limits in centimetres": (of(length_limits=lambda x: 1e2 * x), "length-limits", "in centimetres"),
     "the stroke for limits": (
         lambda robot: dataclasses.replace(robot, length_limits=np.tile([0.0, 0.2], (6, 1))),
