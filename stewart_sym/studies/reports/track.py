@@ -21,7 +21,7 @@ from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
 from ...motion.trajectory import MOST_TURNS, PoseLog, Replaced, Trajectory
-from ...results import NOT_FINITE, OK, SHORT_LEG, Reactions
+from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
 from ..common.table import aligned
 
@@ -121,7 +121,7 @@ def in_parts(
         where = slice(start, start + _PART)
         motion = trajectory.at(where)
         found = inverse_dynamics(robot, motion, formulation, backend, on_singular="nan")
-        L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(found.status, (SHORT_LEG, NOT_FINITE)))
+        L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(found.status, (ZERO_LENGTH, NOT_FINITE)))
         status, more = found.status, None
         if reactions:
             more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")
