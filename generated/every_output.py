@@ -87,10 +87,11 @@ def first_of(on: Arithmetic, codes: Any) -> Any:
     return found
 
 
-def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any:
+def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: Any) -> Any:
     """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
 
-    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of.
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of;
+    tip: of the platform point that the arms are measured from, whose rounding they have, 0 for none.
     The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number
     that goes in and of each operation, and what the elimination adds. Its column of H, (s, arm x s),
     errs by that through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken
@@ -102,7 +103,7 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
     G = [[0.0] * 6 for _ in range(6)]
     v = [0.0] * 6
     grown = [0.0] * 6
-    extent = 0.0
+    extent = tip
     least = 1.0
     status = OK
     for i in range(6):

@@ -659,6 +659,6 @@ def inverse_dynamics(on: Arithmetic, robot: Any, motion: Any) -> Any:
                 arm[i][j] = out.legs.q[j][i]
             for j in range(6):
                 H[i][j] = out.terms.H[i][j]
-        found = singular_status(on, H, arm, out.legs.L, out.reach)
+        found = singular_status(on, H, arm, out.legs.L, out.reach, 0.0)
         out.status = on.where((out.suspect == 1) & (found != OK), found, out.status)
     return out

@@ -800,10 +800,11 @@ def add_leg(on: Arithmetic, leg: Any, i: Any, shared: Any, sums: Any) -> None:
         sums.H[j][i] = leg.H_force[j]
 
 
-def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any:
+def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: Any) -> Any:
     """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
 
-    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of.
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of;
+    tip: of the platform point that the arms are measured from, whose rounding they have, 0 for none.
     The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number
     that goes in and of each operation, and what the elimination adds. Its column of H, (s, arm x s),
     errs by that through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken
@@ -815,7 +816,7 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
     G = [[0.0] * 6 for _ in range(6)]
     v = [0.0] * 6
     grown = [0.0] * 6
-    extent = 0.0
+    extent = tip
     least = 1.0
     status = OK
     for i in range(6):
@@ -912,7 +913,7 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     small_pivot = eliminate(on, A, x)
     suspect = on.where(small_pivot == 0, suspect, 1)
     if on.anywhere(suspect == 1):
-        found = singular_status(on, sums.H, sums.arm, L, reach)
+        found = singular_status(on, sums.H, sums.arm, L, reach, largest_component(on, sums.q_1, 0.0))
         status = on.where((status == OK) & (suspect == 1), found, status)
     for i in range(6):
         out.F[i] = D[i] - x[i]

@@ -4833,7 +4833,7 @@ static int equations_of_pose(
 }
 
 /* Status of the platform's equations; suspect: whether a pivot is small. */
-static int pose_status(const platform_equations *of, int suspect)
+static int pose_status(const platform_equations *of, const shared_terms *shared, int suspect)
 {
     int i, j;
     stewart_real H[6][6];
@@ -4849,7 +4849,7 @@ static int pose_status(const platform_equations *of, int suspect)
             arm[i][j] = of->arm[i][j];
         }
     }
-    return singular_status(H, arm, of->L, of->reach);
+    return singular_status(H, arm, of->L, of->reach, largest_component(shared->q_1, REAL(0)));
 }
 
 /* x, and the inverse Y of H, by the elimination of the force kernel. Returns 1 for a small pivot, else
@@ -5003,7 +5003,7 @@ static int forces_of_pose(
     }
     if (status == STEWART_OK) {
         const int suspect = solution(&equations, model->per_length, x, Y);
-        status = pose_status(&equations, suspect);
+        status = pose_status(&equations, &shared, suspect);
     }
     for (i = 0; i < 6; ++i) {
         if (status == STEWART_OK) {

@@ -2909,7 +2909,7 @@ static int columns_status(
             arm[i][j] = plane + motion->R[3*j + 2]*model->p[2][i];
         }
     }
-    return singular_status(H, arm, L, legs->checked.reach);
+    return singular_status(H, arm, L, legs->checked.reach, REAL(0));
 }
 
 /* Inertia that the actuators feel, H^-1 M H^-T. */

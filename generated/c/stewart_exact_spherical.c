@@ -483,7 +483,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
                 H[i][j] = out->H[i][j];
             }
         }
-        const int status = singular_status(H, arm, L, reach);
+        const int status = singular_status(H, arm, L, reach, REAL(0));
         if (status != STEWART_OK) {
             return status;
         }

@@ -563,6 +563,10 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     int i, j;
     stewart_real H[6][6];
     stewart_real arm[6][3];
+    stewart_real tip = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        tip = STEWART_LARGER(STEWART_FABS(legs->q[j][0]), tip);
+    }
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
@@ -570,7 +574,7 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
             H[j + 3][i] = legs->H_moment[j][i];
         }
     }
-    return singular_status(H, arm, legs->L, legs->reach);
+    return singular_status(H, arm, legs->L, legs->reach, tip);
 }
 
 int stewart_paper_spherical_forces(

@@ -76,7 +76,8 @@ STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewa
 
 /* Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
  *
- * arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of. The
+ * arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of; tip:
+ * of the platform point that the arms are measured from, whose rounding they have, 0 for none. The
  * direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes
  * in and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that
  * through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken about, and by the
@@ -84,14 +85,15 @@ STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewa
  * of column k does to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2
  * leaves room for the errors of Y itself. */
 STEWART_APART STEWART_SHARED int singular_status(
-    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real L[6], const stewart_real reach[6])
+    stewart_real H[6][6], stewart_real arm[6][3], const stewart_real L[6], const stewart_real reach[6],
+    stewart_real tip)
 {
     int i, j, k, turn;
     stewart_real Y[6][6];
     stewart_real G[6][6];
     stewart_real v[6];
     stewart_real grown[6];
-    stewart_real extent = REAL(0);
+    stewart_real extent = tip;
     stewart_real least = REAL(1);
     for (i = 0; i < 6; ++i) {
         v[i] = REAL(1);

@@ -71,24 +71,24 @@ def poses_of(
     from ..motion.rotation import rotation_from_rpy
     from ..motion.trajectory import JointTrajectory, PoseLog
     from ..singularities.joint_space import on_platform
-    from ..studies.reports.track import length_doubt, side_doubt
+    from ..studies.reports.track import angle_doubt, length_doubt, side_doubt
 
+    some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
     if isinstance(log, JointTrajectory):
-        distances = log.L
+        found = [length_doubt(robot, log.L[some])]
     else:
-        places = log.coordinates[0, :, :3] if isinstance(log, PoseLog) else log.motion.t
-        distances = np.linalg.norm(places, axis=-1)
-    doubt = length_doubt(robot, distances)
-    if doubt is not None:
-        warnings.warn(f"{log.source}: {doubt}", stacklevel=2)
+        motion = log.at(some)
+        q = robot.p @ np.swapaxes(motion.R, -1, -2)
+        lengths = np.linalg.norm(motion.t[:, None] + q - robot.b, axis=-1)
+        found = [length_doubt(robot, lengths), side_doubt(robot, motion)]
+        found += [angle_doubt(robot, log, some)] if isinstance(log, PoseLog) and found[0] is None else []
+    for doubt in found:
+        if doubt is not None:
+            warnings.warn(f"{log.source}: {doubt}", stacklevel=2)
     if isinstance(log, JointTrajectory):
         progress(f"finding {len(log.time)} poses")
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
         return on_platform(robot, log, guess)
     if start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
-    some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
-    below = side_doubt(robot, log.at(some))
-    if below is not None:
-        warnings.warn(f"{log.source}: {below}", stacklevel=2)
     return log

@@ -315,12 +315,21 @@ class Smoothing:
 _AS_SHOWN = Smoothing()
 
 
+class Replaced(NamedTuple):
+    """A span of time, s, in which deviations hold what replaced rows change, and how a line names these."""
+
+    start: float
+    end: float
+    rows: tuple[str, ...]
+
+
 class Uncertainty(NamedTuple):
     """What the noise of a log leaves open about six coordinates: t and theta, or leg lengths.
 
     coordinates: values, rates and second rates, (3, n, 6). grid: times, s, (g,), at which covariance,
     (g, 6, 6), is given: of value, rate and second rate, the lower triangle row by row. sigma: standard
-    deviation of the log's numbers, (6,). in_joints: whether these are leg lengths.
+    deviation of the log's numbers, (6,). in_joints: whether these are leg lengths. replaced: rows that are
+    not as the log has them; covariance holds by how much.
     """
 
     coordinates: Array
@@ -328,6 +337,7 @@ class Uncertainty(NamedTuple):
     covariance: Array
     sigma: Array
     in_joints: bool = False
+    replaced: tuple[Replaced, ...] = ()
 
     def variances(self, time: Array) -> Array:
         """Of each coordinate's value at times, (n, 6)."""
@@ -360,7 +370,8 @@ class PoseLog(NamedTuple):
     """A trajectory as coordinates, whose motion is made where it is needed: a third of the room.
 
     coordinates: t and theta, (38), with rates and second rates, (3, n, 6). F_ext, M_ext: external load, N and
-    N m, platform frame, (n, 3), or None. The rest as in ``Trajectory``.
+    N m, platform frame, (n, 3), or None. in_radians: whether theta are the log's own numbers. The rest as in
+    ``Trajectory``.
     """
 
     time: Array
@@ -370,6 +381,7 @@ class PoseLog(NamedTuple):
     source: str
     rows: Sequence[int]
     noise: Uncertainty | None = None
+    in_radians: bool = False
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
         """The motion at some of the instants; ValueError of one line that names file and row."""
@@ -562,16 +574,18 @@ class _Log:
         return np.unwrap(theta, axis=0), step
 
 
-# Tilt and turn beyond which no platform goes, rad; accelerations that none has, m/s^2; and the step of a log
-# of so slow a motion that time must be in another unit, s.
-_MOST_TILT, _MOST_TURN = math.pi, 2.0 * math.pi
-_MOST_ACCELERATION, _LEAST_ACCELERATION, _LONG_STEP = 1e5, 1e-4, 0.5
+MOST_TURNS = (math.pi, math.pi, 2.0 * math.pi)
+"""Tilts and turn beyond which no platform goes, rad."""
+# Accelerations that no platform has, m/s^2, or m/s^2 per metre of a log's lengths where these are larger; and
+# the steps, s, of a log of so slow a motion that time must be in milli- or microseconds.
+_MOST_ACCELERATION, _LEAST_ACCELERATION = 1e5, 1e-4
+_LONG_STEPS = {"ms": 0.5, "us": 500.0}
 
 
 def _warn_of_angles(log: _Log) -> None:
     """Warn of angles that no machine makes, and of quaternions whose scalar seems to come last."""
     if "theta" in log.written:
-        spans = np.ptp(log.vector("theta"), axis=0) / (_MOST_TILT, _MOST_TILT, _MOST_TURN)
+        spans = np.ptp(log.vector("theta"), axis=0) / MOST_TURNS
         axis = int(np.argmax(spans))
         if spans[axis] > 1.0 + 1e-9:
             span = np.ptp(log.vector("theta")[:, axis])
@@ -594,14 +608,25 @@ def _warn_of_angles(log: _Log) -> None:
 
 def _warn_of_units(log: _Log, coordinates: Array) -> None:
     """Warn of times and lengths, (3, n, 6), that no machine makes."""
-    in_joints = "L" in log.written
-    largest = float(np.abs(coordinates[2, :, : 6 if in_joints else 3]).max())
+    lengths = coordinates[..., : 6 if "L" in log.written else 3]
+    largest = float(np.abs(lengths[2]).max())
+    # In millimetres lengths and accelerations are a thousand times as large: both tell of time alone.
+    unit = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
     step = float(np.median(np.diff(log.time))) if len(log.time) > 1 else 0.0
     moves = float(np.ptp(coordinates[0], axis=0).max()) > 0.0
-    if largest > _MOST_ACCELERATION or (moves and step >= _LONG_STEP and largest < _LEAST_ACCELERATION):
-        text = f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2"
-        hint = "are time or lengths in another unit (--time-unit ms, --length-unit mm)?"
-        warnings.warn(f"{log.source}: {text}: {hint}", LogWarning, stacklevel=6)
+    slow = [name for name, least in _LONG_STEPS.items() if step >= least]
+    if largest > _MOST_ACCELERATION * unit:
+        hint = (
+            "are time or lengths in another unit (--time-unit, --length-unit mm)"
+            if log.form.time_unit == "s"
+            else f"is time in seconds, expected {log.form.time_unit} (--time-unit)"
+        )
+    elif moves and slow and largest < _LEAST_ACCELERATION * unit:
+        hint = f"is time in another unit (--time-unit {slow[-1]})"
+    else:
+        return
+    text = f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?"
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
 
 
 # How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.
@@ -669,7 +694,8 @@ def _pose_log(log: _Log) -> PoseLog:
         found, noise = _differentiate(log, np.hstack([log.vector("t"), theta]), steps)
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in _LOADS)
-    return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise)
+    in_radians = "theta" in log.written and log.form.angle_unit == "rad"
+    return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians)
 
 
 def _numbers(coordinates: Array) -> dict[str, Array]:
@@ -800,15 +826,42 @@ def _replaced(log: _Log, values: Array, steps: Array) -> tuple[Array, Uncertaint
     good = values - offsets(bad, values.shape)
     found, noise = _derivatives(log, good, _level(log, good, steps))
     changed = found - _derivatives(log, values, level, tell=False)[0]
-    return found, _with_changes(log.time, found, noise, changed)
+    near = _changed(changed)
+    return found, _with_changes(log.time, found, noise, changed, near)._replace(
+        replaced=_replaced_rows(log, bad, near)
+    )
 
 
-def _with_changes(time: Array, found: Array, noise: Uncertainty | None, changed: Array) -> Uncertainty:
-    """Uncertainty in which changes of coordinates and rates, (3, n, 6), count as a deviation each."""
+def _changed(changed: Array) -> NDArray[np.bool_]:
+    """Instants, (n,), at which changes of coordinates and rates, (3, n, 6), count."""
+    size = np.abs(changed[2])
+    return np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
+
+
+def _replaced_rows(log: _Log, bad: Sequence[Fault], near: NDArray[np.bool_]) -> tuple[Replaced, ...]:
+    """Spans of instants at which replaced rows count, with the faults that are nearest to each."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(np.int8)))
+    rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))
+    first = np.array([start for start, _ in rows])
+    names = [
+        f"the step at row {log.rows[start]}" if end is None else _rows_text(log, start, end)
+        for start, end in rows
+    ]
+    found, last = [], len(log.time) - 1
+    for a, b in edges.reshape(-1, 2):
+        apart = np.maximum(np.maximum(a - first, first - b + 1), 0)
+        nearest = tuple(name for name, away in zip(names, apart, strict=True) if away == apart.min())
+        ends = float(log.time[max(a - 1, 0)]), float(log.time[min(b, last)])
+        found.append(Replaced(*ends, nearest))
+    return tuple(found)
+
+
+def _with_changes(
+    time: Array, found: Array, noise: Uncertainty | None, changed: Array, near: NDArray[np.bool_]
+) -> Uncertainty:
+    """Uncertainty in which changes of coordinates and rates, (3, n, 6), count as a deviation, ``near``."""
     if noise is None:
         noise = Uncertainty(found, time[[0, -1]], np.zeros((2, 6, len(PAIRS))), np.zeros(6))
-    size = np.abs(changed[2])
-    near = (size > _CHANGED * size.max(axis=0)).any(axis=1)
     rows = np.flatnonzero(np.convolve(near, np.ones(3), "same"))
     squares = np.stack([changed[i, rows] * changed[j, rows] for i, j in PAIRS], axis=-1)
     squares *= near[rows, None, None]
@@ -947,11 +1000,7 @@ def _tell_faults(log: _Log, found: Sequence[Fault]) -> None:
         by_rows.setdefault((fault.first, fault.end), []).append(text)
     lines = []
     for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
-        last = len(log.rows) if end is None else min(end, len(log.rows))
-        rows = f"row {log.rows[first]}"
-        if last - first > 1:
-            rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
-        lines.append(f"{rows} ({log.time[first]:.6g} s): {', '.join(texts)}")
+        lines.append(f"{_rows_text(log, first, end)} ({log.time[first]:.6g} s): {', '.join(texts)}")
     more = len(by_rows) - len(lines)
     ending = f"; and {more} more" if more > 0 else ""
     done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
@@ -961,6 +1010,15 @@ def _tell_faults(log: _Log, found: Sequence[Fault]) -> None:
         LogWarning,
         stacklevel=7,
     )
+
+
+def _rows_text(log: _Log, first: int, end: int | None) -> str:
+    """Rows of a fault, ``end`` None: to the log's end."""
+    last = len(log.rows) if end is None else min(end, len(log.rows))
+    rows = f"row {log.rows[first]}"
+    if last - first > 1:
+        rows += " on" if last == len(log.rows) else f" to {log.rows[last - 1]}"
+    return rows
 
 
 def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:

@@ -55,6 +55,8 @@ EXCHANGED = -0.5
 seen along the machine's axis: negative where they cross, and no sound machine's are below this."""
 SINGULAR_SHARE = 1e-3
 """Least singular value over the largest: of sound machines it is above this at some of the random poses."""
+MOST_LEGS = 5.0
+"""Shortest leg over the machine's size: machines have 0.2 to 2, limits in inches make it 8 and more."""
 LEAST_SINE, LEAST_SINES = 0.03, 0.1
 """Of the angle between a leg and its universal axis at the home pose, of any leg where length
 limits say where home is, and of all six."""
@@ -537,7 +539,7 @@ def _cross(robot: Robot, t: Array, i: int, j: int) -> bool:
 def _of_home(robot: Robot, home: _Home) -> Iterator[Doubt]:
     if robot.base_joint == "universal":
         yield from _of_axes(robot, home)
-    if not home.fits:
+    if not home.fits or _too_long(robot):
         yield _of_limits(robot, home)
         return
     parts = list(_of_parts(robot, home)) or list(_of_overlap(robot, home))
@@ -574,6 +576,12 @@ def _of_axes(robot: Robot, home: _Home) -> Iterator[Doubt]:
         )
 
 
+def _too_long(robot: Robot) -> bool:
+    """Whether limits ask for legs that are no machine's of this size, though far away a pose has them."""
+    low = robot.length_limits[:, 0]
+    return bool(np.mean(low) > MOST_LEGS * (radius(robot.b) + radius(robot.p)))
+
+
 def _of_limits(robot: Robot, home: _Home) -> Doubt:
     low, high = robot.length_limits.T
     finite = np.isfinite(high)
@@ -585,16 +593,18 @@ def _of_limits(robot: Robot, home: _Home) -> Doubt:
         cause = "the stroke given, expected the length from joint to joint"
     else:
         cause = "limits measured between other points than the joints, or points of another machine"
-    return Doubt(
-        "length-limits",
-        f"length_limits {low[finite].min():.4g} to {high[finite].max():.4g} m: no pose was found with "
-        "all legs "
-        f"within them, {home.L.min():.4g} to {home.L.max():.4g} m long at the home pose; likely cause: "
-        f"{cause}",
+    size = radius(robot.b) + radius(robot.p)
+    where = (
+        f"legs so long on a machine of {size:.3g} m"
+        if home.fits
+        else "no pose was found with all legs within them, "
+        f"{home.L.min():.4g} to {home.L.max():.4g} m long at the home pose"
     )
+    limits = f"length_limits {low[finite].min():.4g} to {high[finite].max():.4g} m"
+    return Doubt("length-limits", f"{limits}: {where}; likely cause: {cause}")
 
 
-_UNITS = (("millimetres", 1e-3), ("centimetres", 1e-2))
+_UNITS = (("millimetres", 1e-3), ("centimetres", 1e-2), ("inches", 0.0254))
 
 
 def _fits(robot: Robot, limits: Array) -> bool:

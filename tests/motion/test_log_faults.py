@@ -1,5 +1,6 @@
 """Logs that are no motion under white noise: bad rows, correlated noise, rows that were not measured."""
 
+import dataclasses
 import re
 import warnings
 from collections.abc import Callable
@@ -15,6 +16,7 @@ from stewart_sym.motion.log_faults import Fault, faults, offsets
 from stewart_sym.motion.log_sampling import slower_sampling, spread
 from stewart_sym.motion.smoothing import noise_level, rounding_steps
 from stewart_sym.motion.trajectory import Trajectory, from_poses
+from stewart_sym.studies.reports.track import track
 
 Array = NDArray[np.float64]
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")
@@ -71,6 +73,27 @@ def test_rows_that_no_motion_makes_are_named_and_forces_hold_within_their_deviat
         # Three decimals are smoothed over so long a time that one row has little part in it.
         if noise != "3":
             assert sd[i - 1 : i + 2].max() > 0.02 * peak
+
+
+@pytest.mark.parametrize("kind", ["step", "spike"])
+@pytest.mark.parametrize("noise", ["clean", "4"])
+def test_a_limit_that_replaced_rows_alone_leave_open_names_them(kind: str, noise: str) -> None:
+    one = case(0)
+    i, size = len(one.time) // 2, 0.2
+    values = one.true[0] if noise == "clean" else logged(one, noise, 0)
+    values = values.copy()
+    values[i : None if kind == "step" else i + 1, 2] += size
+    trajectory, _ = read(one.time, values)
+    robot = dataclasses.replace(one.robot, force_limit=np.full(6, 1.5 * np.abs(one.F).max()))
+    found = track(robot, trajectory)
+    name = f"the step at row {i}" if kind == "step" else f"row {i}"
+    limit, share = (line for line in found.doubts if "replaced rows" in line)
+    assert limit.startswith("force_limit not decided at replaced rows by legs 1, 2, 3, 4, 5, 6: ")
+    assert limit.endswith(f"; kept away from {name}")
+    assert share.startswith(f"replaced rows ({name}) leave more than ten times leg ")
+    assert found.summary.count("not decided at replaced rows") == 6
+    tight = dataclasses.replace(one.robot, force_limit=np.full(6, 0.5 * np.abs(one.F).max(axis=0).min()))
+    assert "force_limit exceeded by legs 1, 2, 3, 4, 5, 6" in track(tight, trajectory).doubts[0]
 
 
 def test_without_smoothing_bad_rows_are_named_and_left() -> None:

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.motion.logs import EULER_ORDERS, LogFormat
+from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
-from stewart_sym.motion.trajectory import Trajectory, read_any_csv, read_csv
-from stewart_sym.studies.reports.track import length_doubt, peak_noise, side_doubt, track
+from stewart_sym.motion.trajectory import PoseLog, Trajectory, read_any_csv, read_csv
+from stewart_sym.studies.reports.track import angle_doubt, length_doubt, peak_noise, side_doubt, track
 
 Array = NDArray[np.float64]
 NAMES = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]
@@ -96,7 +96,10 @@ def test_quaternions_are_poses(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (lambda table: table * [1e3, *[1.0] * 6], "--time-unit ms"),
+        (lambda table: table * [1e3, *[1.0] * 6], "is time in another unit .--time-unit ms"),
+        (lambda table: table * [1e3, *[1e3] * 3, *[1.0] * 3], "is time in another unit .--time-unit ms"),
+        (lambda table: table * [1e3, *[1e3] * 3, *[1e2] * 3], "is time in another unit .--time-unit ms"),
+        (lambda table: table * [1e6, *[1.0] * 6], "--time-unit us"),
         (lambda table: table * [*[1.0] * 4, *[50 * 180.0 / np.pi] * 3], "--angle-unit deg"),
         (lambda table: table * [1e-6, *[1.0] * 6], "--time-unit"),
     ],
@@ -153,11 +156,60 @@ def test_rates_of_sparse_logs_and_of_rest_are_not_warned_of(tmp_path: Path, step
             read_csv(write(tmp_path / "good.csv", names, numbers))
 
 
-def test_millimetres_are_told_by_the_machines_size() -> None:
-    robot, t = dasgupta(), poses()[:, 1:4]
-    assert length_doubt(robot, t) is None
-    assert "--length-unit mm" in str(length_doubt(robot, 1e3 * t))
-    assert "those of the robot file in metres" in str(length_doubt(robot, 1e-3 * t))
+def legs_of(robot: ss.Robot, table: Array) -> Array:
+    motion = ss.Motion.from_rpy(table[:, 1:4], table[:, 4:], *[0.0 * table[:, 1:4]] * 4)
+    return ss.inverse_kinematics(robot, motion).L
+
+
+@pytest.mark.parametrize("limits", [False, True], ids=["free", "limited"])
+def test_the_unit_of_lengths_is_told_by_the_machines_size(limits: bool) -> None:
+    robot, L = dasgupta(), legs_of(dasgupta(), poses())
+    if limits:
+        robot = dataclasses.replace(robot, length_limits=np.tile([0.5 * L.min(), 1.5 * L.max()], (6, 1)))
+    assert length_doubt(robot, L) is None
+    for unit in ("mm", "cm", "in"):
+        told = str(length_doubt(robot, L / LENGTH_UNITS[unit]))
+        assert re.search(rf"another unit \(--length-unit .*\b{unit}\b", told), told
+    assert "those of the robot file in metres" in str(length_doubt(robot, 1e-3 * L))
+    assert "the log of another machine" in str(length_doubt(robot, 1e5 * L))
+
+
+def test_lengths_that_no_machine_has_are_warned_of_with_their_unit(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    limited(robot, 1e9)
+    table = poses() * [1.0, *[1e2] * 3, *[1.0] * 3]
+    for names, numbers in (
+        (NAMES, table),
+        (
+            ["time", *(f"L_{leg}" for leg in range(1, 7))],
+            np.column_stack([table[:, 0], 1e2 * legs_of(dasgupta(), poses())]),
+        ),
+    ):
+        log = write(tmp_path / "log.csv", names, numbers)
+        main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")])
+        assert "are they in another unit (--length-unit cm" in capsys.readouterr().err
+
+
+def test_small_angles_in_degrees_are_told_by_what_the_legs_allow() -> None:
+    robot, time = dasgupta(), poses()[:, 0]
+    table = poses()
+    table[:, 4:] *= 0.3
+    L = legs_of(robot, table)
+    limited_ = dataclasses.replace(robot, length_limits=np.tile([0.95 * L.min(), 1.05 * L.max()], (6, 1)))
+    degrees = table * [*[1.0] * 4, *[180.0 / np.pi] * 3]
+
+    def told(machine: ss.Robot, rows: Array) -> str | None:
+        coordinates = np.zeros((3, len(rows), 6))
+        coordinates[0] = rows[:, 1:]
+        log = PoseLog(time, coordinates, None, None, "log", range(len(rows)), None, True)
+        return angle_doubt(machine, log, np.arange(len(rows)))
+
+    assert "leads legs beyond length_limits, in degrees it does not" in str(told(limited_, degrees))
+    assert told(limited_, table) is None
+    through = degrees * [*[1.0] * 4, 2.5, 2.5, 2.5]
+    assert "leads through a singular pose, in degrees it does not" in str(told(robot, through))
+    assert told(robot, table) is None
 
 
 def test_quaternions_with_their_scalar_last_under_other_names_are_warned_of(tmp_path: Path) -> None:
@@ -245,10 +297,11 @@ def test_the_share_that_noise_leaves_open_follows_from_the_numbers_beside_it(tmp
         trajectory = read_csv(rough)
     (line,) = (text for text in track(dasgupta(), trajectory, noise_share=1e-4).doubts if "open" in text)
     pattern = (
-        r"leaves (\S+) of .*: (\S+) N and 3 deviations of (\S+) N at .* reach (\S+) N, the peak is (\S+) N"
+        r"leaves (\S+) % of .*: (\S+) N and 3 deviations of (\S+) N at .* reach (\S+) N, the peak is (\S+) N"
     )
     share, force, sd, possible, peak = map(float, re.findall(pattern, line)[0])
     assert abs(force) + 3.0 * sd == pytest.approx(possible, rel=1e-3)
+    share /= 100.0
     assert (possible - peak) / peak == pytest.approx(share, rel=0.02)
     F = ss.inverse_dynamics(dasgupta(), trajectory.motion).F
     assert share == pytest.approx(peak_noise(F, ss.force_deviations(dasgupta(), trajectory)).max(), rel=0.01)

@@ -235,6 +235,11 @@ def of(**changes: Callable[[Array], object]) -> Callable[[Robot], Robot]:
     )
 
 
+def alike(unit: float) -> Callable[[Robot], Robot]:
+    """Limits that are those of all legs, in another unit: a platform far away has its legs within them."""
+    return of(length_limits=lambda x: np.tile([unit * x[:, 0].min(), unit * x[:, 1].max()], (6, 1)))
+
+
 def aside(leg: int, centers: str, across: float) -> Callable[[Robot], Robot]:
     """The centre of mass of one part moved off the leg's axis, m."""
 
@@ -360,6 +365,8 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "across the leg",
     ),
     "limits in millimetres": (of(length_limits=lambda x: 1e3 * x), "length-limits", "in millimetres"),
+    "limits in millimetres, alike": (alike(1e3), "length-limits", "limits in millimetres"),
+    "limits in centimetres, alike": (alike(1e2), "length-limits", "limits in centimetres"),
     "limits in centimetres": (of(length_limits=lambda x: 1e2 * x), "length-limits", "in centimetres"),
     "the stroke for limits": (
         lambda robot: dataclasses.replace(robot, length_limits=np.tile([0.0, 0.2], (6, 1))),

@@ -216,6 +216,31 @@ def good_poses_rejected(cases: int) -> dict[tuple[str, str], int]:
     return {name: count for name, count in found.items() if count}
 
 
+def test_random_changes_of_the_inputs_do_not_understate_a_condition_number() -> None:
+    """An error that is within the limit by the changes of every input is, whichever changes are drawn."""
+    rng = np.random.default_rng([0, oracle.KINDS.index("proportions")])
+    numbers, sizes = random_machines(rng, 3, LEGS, False)
+    mine, motion = oracle.random_case("proportions", numbers, sizes, 60, 0, 127)
+    column = oracle.CLOSED_KERNELS.index("joint_inertia")
+
+    def error(seed: int, samples: int) -> float:
+        found = oracle.closed_form_errors(
+            "proportions",
+            mine[None],
+            sizes[2:],
+            1,
+            seed,
+            "double",
+            samples,
+            ("joint_inertia",),
+            motions=motion[None],
+        )
+        return float(found["error"][0, column])
+
+    assert 0.0 < error(0, -1) <= WITHIN
+    assert max(error(seed, oracle.SAMPLES) for seed in range(24)) <= WITHIN
+
+
 @pytest.mark.parametrize("backend", ["numpy", "reference"])
 def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
     numbers, sizes, robots = machines_of(27, 12)

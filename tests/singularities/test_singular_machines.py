@@ -57,6 +57,16 @@ def machine(
     return dataclasses.replace(robot, b=moved[0], p=moved[1]), motion
 
 
+def from_afar(
+    rng: np.random.Generator, robot: ss.Robot, motion: ss.Motion, radii: float
+) -> tuple[ss.Robot, ss.Motion]:
+    """The same from a reference point so many sizes away."""
+    d = rng.normal(size=3)
+    d *= radii * np.abs(robot.b).max() / np.linalg.norm(d)
+    moved = dataclasses.replace(robot, p=robot.p + d, R_0=robot.R_0 + d)
+    return moved, dataclasses.replace(motion, t=motion.t - motion.R @ d)
+
+
 def statuses(robot: ss.Robot, motion: ss.Motion) -> dict[str, Array]:
     """Status of every pose by every kernel that solves with H."""
     found = {}
@@ -88,6 +98,16 @@ def test_a_machine_that_is_singular_everywhere_has_no_pose_with_status_ok(family
             assert (status == results.SINGULAR).all(), (name, seed)
 
 
+@pytest.mark.parametrize("radii", [1e2, 1e4, 1e6])
+@pytest.mark.parametrize("family", FAMILIES)
+def test_nor_where_points_are_measured_from_far_away(family: str, radii: float) -> None:
+    for seed in range(3):
+        rng = np.random.default_rng(seed)
+        far = from_afar(rng, *machine(rng, family), radii)
+        for name, status in statuses(*far).items():
+            assert (status != results.OK).all(), (name, seed)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("family", FAMILIES)
 def test_a_hundred_thousand_poses_of_singular_machines_have_no_status_ok(family: str) -> None:
@@ -95,6 +115,17 @@ def test_a_hundred_thousand_poses_of_singular_machines_have_no_status_ok(family:
     for seed in range(2, 2 + share(100_000 // count // len(FAMILIES))):
         for name, status in statuses(*machine(np.random.default_rng(seed), family, 0.0, count)).items():
             assert (status != results.OK).all(), (name, seed)
+
+
+def test_good_poses_are_not_singular_from_far_away() -> None:
+    """Up to the distance at which rounding of the points is that of a condition number of 1e12."""
+    for seed, radii in enumerate(10.0 ** np.arange(1, 9)):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng)
+        far = from_afar(rng, robot, random_motion(rng, robot, (40,)), radii)
+        for name, status in statuses(*far).items():
+            if radii <= LARGEST_CONDITION[name.split()[0]] / 1e3:
+                assert (status == results.OK).all(), (name, radii)
 
 
 @pytest.mark.parametrize("family", [name for name in FAMILIES if name != "all at one platform point"])

@@ -274,7 +274,7 @@ def equations_of_pose(
     return OK
 
 
-def pose_status(of: "Equations", suspect: "Integer") -> "Integer":
+def pose_status(of: "Equations", shared: "Shared", suspect: "Integer") -> "Integer":
     """Status of the platform's equations; suspect: whether a pivot is small."""
     H = blank(array(6, 6))
     arm = blank(array(6, 3))
@@ -285,7 +285,7 @@ def pose_status(of: "Equations", suspect: "Integer") -> "Integer":
             H[i][j] = of.H[i][j]
         for j in range(3):
             arm[i][j] = of.arm[i][j]
-    return singular_status(H, arm, of.L, of.reach)
+    return singular_status(H, arm, of.L, of.reach, largest_component(shared.q_1, 0.0))
 
 
 def solution(of: "Equations", per_length: "Real", x: "array(6)", Y: "array(6, 6)") -> "Integer":
@@ -381,7 +381,7 @@ def forces_of_pose(
         status = equations_of_pose(model, at, shared, 1, D, equations)
     if status == OK:
         suspect = solution(equations, model.per_length, x, Y)
-        status = pose_status(equations, suspect)
+        status = pose_status(equations, shared, suspect)
     for i in range(6):
         if status == OK:
             found[i] = D[i] - x[i]

@@ -159,7 +159,7 @@ def columns_status(model: "Model", motion: "Motion", legs: "EquationsLegs") -> "
             H[j + 3][i] = legs.leg[i].H_moment[j]
             plane = motion.R[3 * j] * model.leg[i].p[0] + motion.R[3 * j + 1] * model.leg[i].p[1]
             arm[i][j] = plane + motion.R[3 * j + 2] * model.leg[i].p[2]
-    return singular_status(H, arm, L, legs.reach)
+    return singular_status(H, arm, L, legs.reach, 0.0)
 
 
 def derivatives(model: "Model", motion: "Motion") -> "Derivatives":

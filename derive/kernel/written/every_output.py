@@ -55,7 +55,7 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
         for i in range(6):
             for j in range(6):
                 H[i][j] = out.H[i][j]
-        status = singular_status(H, arm, L, reach)
+        status = singular_status(H, arm, L, reach, 0.0)
         if status != OK:
             return status
     for i in range(6):

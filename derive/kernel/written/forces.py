@@ -70,7 +70,7 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
     small_pivot = eliminate(A, x)
     suspect = where(small_pivot == 0, suspect, 1)
     if anywhere(suspect == 1):
-        found = singular_status(sums.H, sums.arm, L, reach)
+        found = singular_status(sums.H, sums.arm, L, reach, largest_component(sums.q_1, 0.0))
         status = where((status == OK) & (suspect == 1), found, status)
     for i in range(6):
         out.F[i] = D[i] - x[i]

@@ -92,7 +92,7 @@ def inverse_dynamics(robot: "Robot", motion: "Motion") -> "Forces":
                 arm[i][j] = out.legs.q[j][i]
             for j in range(6):
                 H[i][j] = out.terms.H[i][j]
-        found = singular_status(H, arm, out.legs.L, out.reach)
+        found = singular_status(H, arm, out.legs.L, out.reach, 0.0)
         out.status = where((out.suspect == 1) & (found != OK), found, out.status)
     return out
 

@@ -98,12 +98,16 @@ def pose_status(legs: "LegLanes") -> "Integer":
     """Status of a pose whose H may be singular to rounding."""
     H = blank(array(6, 6))
     arm = blank(array(6, 3))
+    tip = 0.0
+    if ABOUT_TIP:
+        for j in range(3):
+            tip = larger(size(legs.q[j][0]), tip)
     for i in range(6):
         for j in range(3):
             arm[i][j] = legs.q[j][i] - legs.q[j][0] if ABOUT_TIP else legs.q[j][i]
             H[j][i] = legs.H_force[j][i]
             H[j + 3][i] = legs.H_moment[j][i]
-    return singular_status(H, arm, legs.L, legs.reach)
+    return singular_status(H, arm, legs.L, legs.reach, tip)
 
 
 def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":

@@ -134,7 +134,7 @@ def pose_status(model: "Model", at: "Motion", pose: "PoseTerms") -> "Integer":
             arm[i][j] = sizes.arm[j]
         for j in range(6):
             H[j][i] = sizes.column[j]
-    return singular_status(H, arm, length, reach)
+    return singular_status(H, arm, length, reach, largest_component(pose.q_1, 0.0))
 
 
 def pose_forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":

@@ -8,22 +8,25 @@ def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":
     return suspect
 
 
-def singular_status(H: "array(6, 6)", arm: "array(6, 3)", L: "array(6)", reach: "array(6)") -> "Integer":
+def singular_status(
+    H: "array(6, 6)", arm: "array(6, 3)", L: "array(6)", reach: "array(6)", tip: "Real"
+) -> "Integer":
     """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
 
-    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of. The
-    direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in
-    and of each operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through
-    Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken about, and by the rounding of
-    the moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k does
-    to row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors
-    of Y itself.
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of; tip: of
+    the platform point that the arms are measured from, whose rounding they have, 0 for none. The direction s
+    of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number that goes in and of each
+    operation, and what the elimination adds. Its column of H, (s, arm x s), errs by that through Y_force +
+    Y_moment x arm with Y the inverse of H, wherever moments are taken about, and by the rounding of the
+    moment. Where H less its error is singular, no v > 0 has G v < v, G_ik what the error of column k does to
+    row i of Y H: the spectral radius of G is 1 or more. Powers of G make v; 1/2 leaves room for the errors of
+    Y itself.
     """
     Y = blank(array(6, 6))
     G = blank(array(6, 6))
     v = blank(array(6))
     grown = blank(array(6))
-    extent = 0.0
+    extent = tip
     least = 1.0
     if CARRIED:
         status = OK

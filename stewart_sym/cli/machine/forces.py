@@ -56,13 +56,14 @@ def run(arguments: argparse.Namespace) -> int:
     from ...motion.trajectory import noise_text
     from ...studies.common.output import csv_lines
     from ...studies.reports.singularities import crossing_warning
-    from ...studies.reports.track import Digest, in_parts
+    from ...studies.reports.track import Digest, in_parts, replaced_rows
 
     reject_inputs(arguments.output, arguments.robot, arguments.trajectory)
     robot = robot_of(arguments.robot)
     with replaced_file(arguments.output) as stream, progress_line() as progress:
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
-        digest, count = Digest(robot, trajectory.time), len(trajectory.time)
+        digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
+        count = len(trajectory.time)
         reached = shares(progress, f"computing {count} instants")
         for part in in_parts(
             robot,

@@ -14,10 +14,13 @@ from ...dynamics.force_noise import deviations_in_parts
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.error_policy import SingularPoseWarning
 from ...kinematics.conditioning import condition_number
+from ...kinematics.forward import jacobian
 from ...kinematics.inverse import LegKinematics, inverse_kinematics
 from ...kinematics.mounting import platform_side
+from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
-from ...motion.trajectory import PoseLog, Trajectory
+from ...motion.rotation import rotation_from_rpy
+from ...motion.trajectory import MOST_TURNS, PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
 from ..common.table import aligned
@@ -90,7 +93,7 @@ def track(
     noise_share: float = NOISE_SHARE,
 ) -> Track:
     """Run a trajectory of n instants, as ``in_parts``, and keep all columns."""
-    digest, columns = Digest(robot, trajectory.time), []
+    digest, columns = Digest(robot, trajectory.time, replaced_rows(trajectory)), []
     for part in in_parts(robot, trajectory, formulation, backend, reactions, allow_singular):
         digest.add(part)
         columns.append(part.columns)
@@ -138,9 +141,9 @@ class Digest:
     Of each part the instants are kept at which something is extreme, and how long limits are exceeded.
     """
 
-    def __init__(self, robot: Robot, time: Array) -> None:
-        """Begin a run at all these times, s, (n,)."""
-        self.robot, self.time, self.weights = robot, time, _weights(time)
+    def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
+        """Begin a run at all these times, s, (n,); ``replaced``: of the log's rows."""
+        self.robot, self.time, self.weights, self.replaced = robot, time, _weights(time), replaced
         self.span, self.count = np.zeros((2, len(_LIMITS), 6))
         self.kept: list[Part] = []
 
@@ -153,6 +156,9 @@ class Digest:
         spread = 0.0 if part.F_sd is None else SURE * part.F_sd
         known = np.isfinite(part.L).all(axis=-1, keepdims=True)
         large = [np.abs(part.F), np.abs(part.F) + spread, np.abs(part.F) - spread]
+        if self.replaced:
+            apart = np.where(self._at_replaced(part.time)[:, None], np.nan, spread)
+            large += [np.abs(part.F) + apart, np.abs(part.F) - apart]
         large += [np.where(known, x, np.nan) for x in (part.L, -part.L, np.abs(part.L_dot))]
         extremes = np.hstack([*large, part.condition[:, None]])
         picked = np.argmax(np.where(np.isnan(extremes), -np.inf, extremes), axis=0)
@@ -161,20 +167,29 @@ class Digest:
         self.kept.append(Part(part.where, *arrays, None))  # type: ignore[arg-type,call-arg]
 
     def doubts(self, noise_share: float) -> list[str]:
-        """One line for each limit exceeded or not decided, and for noise of more than a share of a peak."""
+        """One line for each limit exceeded or not decided, and for noise of more than a share of a peak.
+
+        Replaced rows have a line of their own.
+        """
         kept = self._joined()
-        noisy = [] if kept.F_sd is None else _noisy(kept.time, kept.F, kept.F_sd, noise_share)
-        return self.exceeded() + noisy
+        if kept.F_sd is None:
+            return self.exceeded()
+        there = self._at_replaced(kept.time)
+        names = self._replaced_names()
+        causes = [("noise in the log leaves", ~there)]
+        causes += [(f"replaced rows ({names}) leave", there)] if self.replaced else []
+        noisy = [_noisy(kept.time, kept.F, kept.F_sd, noise_share, cause, at) for cause, at in causes]
+        return self.exceeded() + [line for line in noisy if line]
 
     def exceeded(self) -> list[str]:
         """One line for each limit: which legs go beyond it, the worst of them, when and how long."""
         kept = self._joined()
-        forces = force_verdicts(self.robot, kept.F, kept.F_sd)
+        forces = self._force_verdicts(kept)
         lines = []
         for k, limit in enumerate(_LIMITS):
             force = limit.name == "force_limit"
             verdicts = forces if force else [EXCEEDED if n else WITHIN for n in self.count[k]]
-            for verdict in (EXCEEDED, NOT_DECIDED):
+            for verdict in (EXCEEDED, NOT_DECIDED, AT_REPLACED):
                 legs = [leg for leg in range(6) if verdicts[leg] == verdict]
                 if legs:
                     lines.append(self._of_legs(k, limit, f"{limit.name} {verdict}", legs, kept))
@@ -190,12 +205,38 @@ class Digest:
         if self.count[k, worst]:
             share = f"at {int(self.count[k, worst])} of {len(self.time)} instants"
             text += f"; beyond it for {self.span[k, worst]:.3g} s, {share}"
+        elif what.endswith(AT_REPLACED):
+            text += f"; kept away from {self._replaced_names()}"
         return text
 
     def summary(self) -> str:
         """What it comes to, lines of text."""
         kept = self._joined()
-        return _summary(self.robot, self.time, kept)
+        return _summary(self.robot, self.time, kept, self._force_verdicts(kept))
+
+    def _force_verdicts(self, part: Part) -> list[str]:
+        """``force_verdicts``, and ``AT_REPLACED`` where replaced rows alone leave a limit open."""
+        verdicts, there = force_verdicts(self.robot, part.F, part.F_sd), self._at_replaced(part.time)
+        if part.F_sd is None or not there.any():
+            return verdicts
+        elsewhere = force_verdicts(self.robot, part.F, np.where(there[:, None], 0.0, part.F_sd))
+        return [
+            AT_REPLACED if one == NOT_DECIDED and other == WITHIN else one
+            for one, other in zip(verdicts, elsewhere, strict=True)
+        ]
+
+    def _at_replaced(self, time: Array) -> NDArray[np.bool_]:
+        """Instants, (n,), whose deviations hold what is changed by replaced rows."""
+        found = np.zeros(len(time), dtype=bool)
+        for span in self.replaced:
+            found |= (span.start <= time) & (time <= span.end)
+        return found
+
+    def _replaced_names(self) -> str:
+        names = list(dict.fromkeys(name for span in self.replaced for name in span.rows))
+        return ", ".join(names[:_MOST_NAMED]) + (
+            f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
+        )
 
     def _joined(self) -> Part:
         arrays = [
@@ -261,15 +302,52 @@ def exceeded(
 
 
 def length_doubt(robot: Robot, lengths: Array) -> str | None:
-    """One line about distances, m, that are no machine's of the robot's size; None for plausible ones."""
-    size = max(float(np.ptp(robot.b, axis=0).max()), float(np.ptp(robot.p, axis=0).max()))
-    typical = float(np.median(np.abs(lengths)))
-    if _NEAR * size <= typical <= _FAR * size:
+    """One line about leg lengths, m, that are no machine's of the robot's size; None for plausible ones."""
+    limits = robot.length_limits[np.isfinite(robot.length_limits[:, 1]), 1]
+    if limits.size:
+        size, (near, far), of = float(limits.max()), _SHARES_OF_LIMITS, "legs of up to"
+    else:
+        size = max(float(np.ptp(robot.b, axis=0).max()), float(np.ptp(robot.p, axis=0).max()))
+        (near, far), of = _SHARES_OF_SIZE, "a machine of"
+    typical = float(np.median(lengths))
+    if near * size <= typical <= far * size:
         return None
+    low, high = _USUAL
+    units = [name for name, unit in LENGTH_UNITS.items() if low * size <= unit * typical <= high * size]
     cause = (
-        "they in another unit (--length-unit mm)" if typical > size else "those of the robot file in metres"
+        "is --length-unit right, and are those of the robot file in metres"
+        if typical < size
+        else f"are they in another unit (--length-unit {' or '.join(units)})"
+        if units
+        else "is it the log of another machine, or are those of the robot file not in metres"
     )
-    return f"lengths of {typical:.4g} m beside a machine of {size:.4g} m: are {cause}?"
+    return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: {cause}?"
+
+
+def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
+    """One line about angles that the legs allow in degrees alone, at some instants; None else."""
+    theta, t = log.coordinates[0, :, 3:], log.coordinates[0, some, :3]
+    spans = np.ptp(theta, axis=0)
+    axis = int(np.argmax(spans))
+    if not log.in_radians or not _LEAST_TURN < spans[axis] or np.any(spans > MOST_TURNS):
+        return None
+    how = _impossible(robot, t, theta[some])
+    if how is None or _impossible(robot, t, np.radians(theta[some])) is not None:
+        return None
+    return (
+        f"theta_{'xyz'[axis]} over {spans[axis]:.4g} rad leads {how}, in degrees it does not: "
+        "are angles in degrees (--angle-unit deg)?"
+    )
+
+
+def _impossible(robot: Robot, t: Array, theta: Array) -> str | None:
+    """Where poses lead that a machine does not reach: beyond limits, or through singular poses."""
+    R = rotation_from_rpy(theta)
+    L = np.linalg.norm(t[:, None] + robot.p @ np.swapaxes(R, -1, -2) - robot.b, axis=-1)
+    if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):
+        return "legs beyond length_limits"
+    turned = np.linalg.det(jacobian(robot, R, t))
+    return "through a singular pose" if np.ptp(np.sign(turned)) > 0.0 else None
 
 
 def side_doubt(robot: Robot, motion: Motion) -> str | None:
@@ -284,9 +362,18 @@ def side_doubt(robot: Robot, motion: Motion) -> str | None:
     )
 
 
-# Shares of the size of a machine between which distances from its base lie; units differ by a thousand.
-_NEAR, _FAR = 1.0 / 200.0, 20.0
+# Shares of a machine's size, or of its longest leg, between which legs are; what they usually are; and the
+# turn, rad, that may be one in degrees.
+_SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL, _LEAST_TURN = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0), 0.5
 WITHIN, EXCEEDED, NOT_DECIDED = "kept", "exceeded", "not decided at this noise"
+AT_REPLACED = "not decided at replaced rows"
+# Spans of replaced rows that one line names.
+_MOST_NAMED = 4
+
+
+def replaced_rows(trajectory: Trajectory | PoseLog) -> tuple[Replaced, ...]:
+    """Rows of its log that a trajectory does not have as they were."""
+    return () if trajectory.noise is None else trajectory.noise.replaced
 
 
 def force_verdicts(robot: Robot, F: Array, F_sd: Array | None = None) -> list[str]:
@@ -339,26 +426,33 @@ def peak_noise(F: Array, F_sd: Array) -> Array:
     return np.asarray((possible - peak) / np.maximum(peak, np.finfo(float).tiny))
 
 
-def _noisy(time: Array, F: Array, F_sd: Array, share: float) -> list[str]:
-    """One line about the leg whose peak is least sure, if that is less sure than the share."""
-    ratio = peak_noise(F, F_sd)
+def _noisy(
+    time: Array, F: Array, F_sd: Array, share: float, cause: str, there: NDArray[np.bool_]
+) -> str | None:
+    """One line about the leg whose peak is least sure, if a cause leaves more than the share of it open.
+
+    there: the instants, (n,), at which the deviations are the cause's.
+    """
+    spread = np.where(there[:, None], F_sd, 0.0)
+    ratio = peak_noise(F, spread)
     leg = int(np.argmax(ratio))
     if not ratio[leg] > share:
-        return []
-    largest, possible = (np.nan_to_num(x[:, leg]) for x in (np.abs(F), np.abs(F) + SURE * F_sd))
+        return None
+    largest, possible = (np.nan_to_num(x[:, leg]) for x in (np.abs(F), np.abs(F) + SURE * spread))
     i, peak = int(np.argmax(possible)), int(np.argmax(largest))
-    return [
-        f"noise in the log leaves {ratio[leg]:.2g} of leg {leg + 1}'s peak force open, more than {share:g}: "
+    much = f"{100.0 * ratio[leg]:.3g} % of" if ratio[leg] <= 10.0 else "more than ten times"
+    return (
+        f"{cause} {much} leg {leg + 1}'s peak force open, {100.0 * share:.3g} % are allowed: "
         f"{F[i, leg]:.6g} N and {SURE:g} deviations of {F_sd[i, leg]:.3g} N at {time[i]:g} s reach "
         f"{possible[i]:.6g} N, the peak is {largest[peak]:.6g} N at {time[peak]:g} s; "
         f"so for {np.count_nonzero(ratio > share)} of 6 legs"
-    ]
+    )
 
 
-def _summary(robot: Robot, times: Array, part: Part) -> str:
-    """Lines of text about a run at some times, of which ``part`` has the extremes."""
+def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str:
+    """Lines of text about a run at some times, of which ``part`` has the extremes; verdicts of forces."""
     _, time, F, F_sd, L, L_dot, condition, _, _ = part
-    peaks, verdicts, known = _peaks(F), force_verdicts(robot, F, F_sd), np.isfinite(L).all(axis=-1)
+    peaks, known = _peaks(F), np.isfinite(L).all(axis=-1)
     rows = [
         (
             str(leg + 1),

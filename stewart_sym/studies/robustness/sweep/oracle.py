@@ -42,7 +42,7 @@ KINDS = (
     "singular machine",
 )
 """Failures that random cases come near to, and machines that are singular at every pose."""
-DOUBTFUL = 100.0
+DOUBTFUL = 10.0
 """Error over the condition number above which long double is not trusted to tell it, nor random changes of
 the inputs the condition number: each input is changed by itself then, and what they do is added up."""
 SAMPLES = 3
