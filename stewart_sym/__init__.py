@@ -6,8 +6,17 @@ motion = ss.Motion.from_rpy(t=t, theta=theta, v=v, theta_dot=theta_dot, a=a, the
 forces = ss.inverse_dynamics(robot, motion).F
 """
 
+import os
+from _thread import RLock
+
 # Nothing is imported before a name is used: the command line is soon where an interrupt ends it cleanly.
 _modules: dict[str, str] = {}
+# A child forked while a thread imports would wait for ever for that thread's locks: the fork waits instead.
+_importing = RLock()
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(
+        before=_importing.acquire, after_in_parent=_importing.release, after_in_child=_importing.release
+    )
 
 
 def _public() -> dict[str, str]:
@@ -33,6 +42,11 @@ def __dir__() -> list[str]:
 
 
 def __getattr__(name: str) -> object:
+    with _importing:
+        return _found(name)
+
+
+def _found(name: str) -> object:
     from importlib import import_module
     from importlib.metadata import version
 
@@ -41,6 +55,10 @@ def __getattr__(name: str) -> object:
     elif name == "__all__":
         found = sorted(_public())
     elif not name.startswith("__") and name in _public():
+        # Their own handlers of forks must not be registered between the two parts of one.
+        import concurrent.futures.thread  # noqa: F401
+        import logging  # noqa: F401
+
         module = import_module(_public()[name], __name__)
         found = module if _public()[name] == f".{name}" else getattr(module, name)
     else:

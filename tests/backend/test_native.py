@@ -458,6 +458,35 @@ def test_a_child_forked_while_a_thread_compiles_can_load(cache: Path, tmp_path: 
     run_child(f"{code}SOURCES, STARTED = {ADD!r}, {str(started)!r}\n{FORKED_WHILE_COMPILING}")
 
 
+FORKED_WHILE_IMPORTING = """
+import os, signal, sys, threading, time
+import stewart_sym as ss
+
+class Slow:
+    def find_spec(self, name, path=None, target=None):
+        if name == "stewart_sym.motion.motion" and threading.current_thread() is thread:
+            begun.set()
+            time.sleep(0.3)
+
+begun = threading.Event()
+sys.meta_path.insert(0, Slow())
+thread = threading.Thread(target=lambda: ss.Motion)
+thread.start()
+begun.wait()
+child = os.fork()
+if child == 0:
+    signal.alarm(30)
+    os._exit(0 if ss.Motion.__name__ == "Motion" else 1)
+thread.join()
+assert os.waitpid(child, 0)[1] == 0
+"""
+
+
+def test_a_child_forked_while_a_thread_imports_can_import() -> None:
+    run = subprocess.run([sys.executable, "-c", FORKED_WHILE_IMPORTING], capture_output=True, text=True)
+    assert (run.returncode, run.stderr) == (0, "")
+
+
 # --- compilers
 
 
