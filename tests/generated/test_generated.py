@@ -10,9 +10,9 @@ import attack_build
 import pytest
 from compiled_folder import c_folder
 
-from stewart_sym.derive.fidelity import FIDELITIES
-from stewart_sym.derive.formulation import FORMULATIONS
 from stewart_sym.derive.generate import generated_files
+from stewart_sym.derive.mechanics.formulation import FORMULATIONS
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated.interface import HEADERS
 
 KERNELS = [form.kernel_name for form in FORMULATIONS]

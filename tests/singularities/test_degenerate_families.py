@@ -17,7 +17,7 @@ import stewart_sym as ss
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION, address, c_sources, robot_numbers
 from stewart_sym.backend.native import CompilerError
-from stewart_sym.derive.kernel.constants import constants
+from stewart_sym.derive.kernel.tree.constants import constants
 from stewart_sym.dynamics import forces as force_kernels
 from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
 from stewart_sym.precision.truth import Truth, digits
