@@ -15,7 +15,7 @@ version = release = installed_version("stewart-sym")
 extensions = [
     "myst_parser",
     "sphinx.ext.autodoc",
-    "sphinx.ext.napoleon",
+    "numpydoc",
     "mathml",
     "python_api",
     "command_line",
@@ -26,7 +26,8 @@ exclude_patterns = ["_build", "tables"]
 nitpicky = True
 # Types of other packages, whose documentation would have to be fetched.
 nitpick_ignore_regex = [
-    ("py:.*", r"(numpy|np|casadi|sympy|collections|pathlib|types|Array|NDArray|NPFloat)\b.*")
+    ("py:.*", r"(numpy|np|casadi|sympy|collections|pathlib|os|types|Array|NDArray|ArrayLike)\b.*"),
+    ("py:.*", r"stewart_sym\.(\w+\.)*_\w+"),
 ]
 
 myst_enable_extensions = ["dollarmath", "deflist"]
@@ -35,8 +36,8 @@ myst_heading_anchors = 3
 autodoc_typehints = "signature"
 autodoc_member_order = "bysource"
 python_maximum_signature_line_length = 90
-napoleon_google_docstring = False
-napoleon_use_rtype = False
+autosummary_generate = False
+numpydoc_show_class_members = False
 add_module_names = False
 
 html_theme = "furo"
@@ -45,5 +46,6 @@ html_static_path = ["static"]
 html_css_files = ["wide.css"]
 html_copy_source = False
 html_show_sphinx = False
+html_show_copyright = False
 html_math_renderer = "mathml"
 pygments_style = "friendly"

@@ -1,8 +1,10 @@
 """``{public} FOLDER ...``: the public names that modules in these folders define, by autodoc."""
 
 import inspect
+from typing import ClassVar
 
 from docutils import nodes
+from docutils.parsers.rst import directives
 from sphinx.application import Sphinx
 from sphinx.util.docutils import SphinxDirective
 
@@ -17,15 +19,21 @@ def public_names(folder: str) -> list[str]:
 
 
 class Public(SphinxDirective):
-    """Documents names by ``autofunction``, ``autoclass``, ``autodata`` or ``automodule``."""
+    """Documents names by ``autofunction``, ``autoclass``, ``autodata`` or ``automodule``.
+
+    also: records that functions return, by their modules.
+    """
 
     required_arguments = 1
     final_argument_whitespace = True
+    option_spec: ClassVar = {"also": directives.unchanged}
 
     def run(self) -> list[nodes.Node]:
         """One entry a name."""
         names = [name for folder in self.arguments[0].split() for name in public_names(folder)]
         text = "".join(self._entry(name) for name in names)
+        for name in self.options.get("also", "").split():
+            text += f".. autoclass:: stewart_sym.{name}\n   :members:\n\n"
         return self.parse_text_to_nodes(f"```{{eval-rst}}\n{text}```\n")
 
     @staticmethod
