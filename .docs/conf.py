@@ -33,7 +33,7 @@ nitpick_ignore_regex = [
 myst_enable_extensions = ["dollarmath", "deflist"]
 myst_heading_anchors = 3
 
-autodoc_typehints = "signature"
+autodoc_typehints = "none"  # the sections name them
 autodoc_member_order = "bysource"
 python_maximum_signature_line_length = 90
 autosummary_generate = False

@@ -7,13 +7,15 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 import pytest
-from pages import DOCS, PAGES, TOP, anchors, links, pictures, without_code
+from pages import DOCS, PAGES, TOP, anchors, blocks, links, pictures, without_code
 
 import stewart_sym as ss
 
 LOADED = re.compile(
     r'<(?:script|img|iframe|link|source|video)\b[^>]*?\b(?:src|href)="(https?:|//)', re.IGNORECASE
 )
+ENTRY = re.compile(r'<dt class="sig[^>]* id="stewart_sym\.(\w+)"')
+TOCTREE = re.compile(r"```\{toctree\}\n(.*?)```", re.DOTALL)
 BUILD = (
     "import socket, sys\n"
     "def unreachable(*_, **__): raise OSError('no network')\n"
@@ -22,6 +24,8 @@ BUILD = (
     "sys.exit(main(sys.argv[1:]))"
 )
 LONGEST_README = 200
+WIDEST_CODE = 110
+"""Columns of code that a page shows without scrolling, in a window of 1280 pixels."""
 
 
 def test_the_readme_is_short() -> None:
@@ -64,31 +68,27 @@ def test_the_site_has_every_page_and_loads_nothing_from_elsewhere(site: Path) ->
 
 
 def test_every_public_name_has_one_entry(site: Path) -> None:
-    entries = [
-        name
-        for path in (site / "reference" / "python").glob("*.html")
-        for name in re.findall(
-            r'<dt class="sig[^>]* id="stewart_sym\.(\w+)"', path.read_text(encoding="utf-8")
-        )
-    ]
-    modules = {"results", "robots"}
-    assert sorted(entries) == sorted(set(ss.__all__) - modules)
+    pages = (site / "reference" / "python").glob("*.html")
+    entries = [name for page in pages for name in ENTRY.findall(page.read_text(encoding="utf-8"))]
+    assert sorted(entries) == sorted(set(ss.__all__) - {"results", "robots"})
 
 
 def test_every_page_is_reached_from_the_side_bar() -> None:
-    listed = set()
+    listed = {".docs/index.md"}
     for page in PAGES[1:]:
-        folder = Path(page).parent
-        for block in re.findall(
-            r"```\{toctree\}\n(.*?)```", (TOP / page).read_text(encoding="utf-8"), re.DOTALL
-        ):
-            listed |= {
-                str(folder / line) + ".md" for line in block.splitlines() if line and not line.startswith(":")
-            }
-    assert listed | {".docs/index.md"} == set(PAGES[1:])
+        for block in TOCTREE.findall((TOP / page).read_text(encoding="utf-8")):
+            names = [line for line in block.splitlines() if line and not line.startswith(":")]
+            listed |= {f"{Path(page).parent / name}.md" for name in names}
+    assert listed == set(PAGES[1:])
+
+
+@pytest.mark.parametrize("page", PAGES[1:])
+def test_code_fits_the_window(page: str) -> None:
+    assert [
+        line for block in blocks(page) for line in block.text.splitlines() if len(line) > WIDEST_CODE
+    ] == []
 
 
 def test_pages_have_no_html_of_their_own() -> None:
-    assert not [
-        page for page in PAGES if re.search(r"<(?!!--)\w+[^>]*>", re.sub(r"`[^`]*`", "", without_code(page)))
-    ]
+    texts = {page: re.sub(r"`[^`]*`", "", without_code(page)) for page in PAGES}
+    assert not [page for page, text in texts.items() if re.search(r"<(?!!--)\w+[^>]*>", text)]
