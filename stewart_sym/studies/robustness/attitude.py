@@ -62,7 +62,7 @@ def families(seed: int = 4) -> list[Family]:
             "attitude",
             "Orientation near a pitch of 90 degrees, by kind of input",
             "roll-pitch-yaw at theta_y = 90 degrees",
-            "give a rotation matrix, quaternion or rotation vector: they have no pole; no status",
+            "give a rotation matrix, quaternion or rotation vector: they have no singularity; no status",
             "pitch from 90 degrees, rad",
             distances(),
             tuple(curves),

@@ -60,7 +60,7 @@ def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot]
     fastest = float(judged["size"].max() / judged["size"][0])
     return Family(
         "pole_forces",
-        "Forces near the pole of a universal joint, moving machine",
+        "Forces near a leg's joint singularity, moving machine",
         FAILS,
         "sine and frame from k x s; status 3 where the sine is rounding error",
         "angle between leg 1 and its fixed axis, rad",
@@ -79,7 +79,7 @@ def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot]
 def _resting(resting: tuple[list[Robot], list[Motion]]) -> Family:
     return Family(
         "pole_at_rest",
-        "Forces near the pole, axisymmetric legs at rest: the problem itself does not care",
+        "Forces near a leg's joint singularity, axisymmetric legs at rest: well conditioned",
         f"{FAILS}, at rest",
         "status 3 where the sine is rounding error",
         "angle between leg 1 and its fixed axis, rad",
@@ -115,7 +115,7 @@ def _spin(robots: list[Robot], motions: list[Motion]) -> Family:
         curves.append(Curve(name, error, condition))
     return Family(
         "pole_sine",
-        "Spin of a leg near the pole, by the way to its sine",
+        "Spin of a leg near its joint singularity, by how the sine is computed",
         FAILS,
         "",
         "angle between leg 1 and its fixed axis, rad",

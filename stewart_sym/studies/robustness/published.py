@@ -64,6 +64,14 @@ def cases(sweep: Figures) -> str:
     return lead + table(CASES_HEADER, rows)
 
 
+KINDS = {
+    "pole": "joint singularity",
+    "short leg": "zero-length leg",
+    "pole and singular": "joint singularity, and singular",
+}
+"""Kinds of cases as the table names them, where the figures have a shorter name."""
+
+
 def of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
     """Cells of a kind of case."""
     kernels = list(dict.fromkeys(count["kernel"] for count in counts))
@@ -71,7 +79,7 @@ def of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
     given = (worst["worst"] or -1.0) >= 0.0
     wrong = sum(count["wrong"] for count in counts)
     return (
-        kind,
+        KINDS.get(kind, kind),
         f"{sum(count['cases'] for count in counts if count['kernel'] == kernels[0]):,}",
         ", ".join(kernels),
         f"{worst['worst']:.2g} ({worst['precision']}, {worst['kernel']})"
