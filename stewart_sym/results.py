@@ -44,7 +44,7 @@ class Forces:
         0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
     wrench_error : ndarray, optional
         c - H x, N and N m, (..., 6): by how much the wrench of F exceeds the one that the motion needs. 0
-        where H x = c was solved, NaN without an answer; None unless damping was asked for.
+        where H x = c was solved, NaN where the pose is unsolvable; None unless damping was asked for.
     """
 
     F: NDArray[np.float64]

@@ -78,7 +78,7 @@ def equations_of_motion(
     Raises
     ------
     ValueError
-        For unknown options and for poses without an answer.
+        For unknown options and for unsolvable poses.
     """
     _need(robot, motion, on_singular)
     closed = _closed_form(robot, formulation, backend)
@@ -143,7 +143,7 @@ def linearise(
         The machine.
     motion : Motion
         Poses, rates and load; accelerations don't count. Other arguments and errors: as for
-        ``forward_dynamics``; spherical base joints are refused.
+        ``forward_dynamics``; spherical base joints are rejected.
     F : array_like
         Actuator forces, N, (..., 6).
     backend : {"c", "numpy"}, optional
@@ -199,7 +199,7 @@ def forward_dynamics(
     Raises
     ------
     ValueError
-        For unknown options, for F of another shape or not finite, and for poses without an answer.
+        For unknown options, for F of another shape or not finite, and for unsolvable poses.
     """
     _need(robot, motion, on_singular)
     motion, forces = _together(motion, F)

@@ -77,7 +77,7 @@ def inverse_dynamics(
     backend : {"c", "numpy", "reference"}, optional
         "c" (compiled on first use; NumPy serves where there is no compiler), "numpy" or "reference".
     on_singular : {"raise", "nan", "warn", "damped"}, optional
-        What to do about poses without an answer: "raise" ValueError, "warn" and return NaN there, or return
+        What to do about unsolvable poses: "raise" ValueError, "warn" and return NaN there, or return
         "nan" silently; ``status`` tells. "damped": where H is singular, F by damped least squares
         (``damped_solution``) with the status as it is, and ``wrench_error`` says what F leaves wanting. Legs
         of length zero or along their universal axis have no such answer: NaN, and a warning. All other poses

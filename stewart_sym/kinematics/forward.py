@@ -119,7 +119,7 @@ def forward_kinematics(
         of it that ``platform_side`` tells, against gravity; where that leads nowhere, other such poses, and
         in the end the other side.
     on_failure : {"raise", "nan", "warn"}, optional
-        What to do about lengths without an answer: "raise" ValueError, "warn" and return nan there, or return
+        What to do about lengths without a pose: "raise" ValueError, "warn" and return nan there, or return
         "nan" silently; ``status`` tells.
     limits : bool, optional
         Whether lengths outside the robot's length_limits count as a failure.
