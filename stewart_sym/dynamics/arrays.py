@@ -178,7 +178,7 @@ def array_kernel(robot: Robot, xp: Any, formulation: Formulation = "exact", dtyp
     formulation : {"exact", "paper"}, optional
         The corrected equations or those printed.
     dtype : object, optional
-        Its type of real numbers; None for ``xp.float64`` or what the library puts in its place, as JAX
+        Type of real numbers; None for ``xp.float64`` or what the library puts in its place, as JAX
         without ``jax_enable_x64`` does.
 
     Returns

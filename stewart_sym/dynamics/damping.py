@@ -39,13 +39,13 @@ def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SH
     length : float
         Characteristic length, m.
     share : float, optional
-        > 0 and < 1. c - H x, N and N m, (..., 6), is how far the wrench of the axial forces stays from the
-        wanted one. NaN where H or c is not finite.
+        Smallest singular value that is not damped, over the largest, > 0 and < 1.
 
     Returns
     -------
     DampedSolution
-        X and the residual c - H x, N and N m, (..., 6): the error of the wrench.
+        Forces x and the residual c - H x, N and N m, (..., 6): the error of the wrench.
+        NaN where H or c is not finite.
 
     Raises
     ------

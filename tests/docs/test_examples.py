@@ -149,6 +149,19 @@ def test_robot_example_is_a_valid_robot_file_that_nothing_is_said_against(
     assert not list(recwarn)
 
 
+def keys(value: object) -> set[str]:
+    """Keys of tables inside tables."""
+    if isinstance(value, dict):
+        return set(value).union(*map(keys, value.values()))
+    return set().union(*map(keys, value)) if isinstance(value, list) else set()
+
+
+def test_the_page_about_files_names_every_key_of_a_robot_file() -> None:
+    robot = ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml")
+    named = re.findall(r"`\[*(\w+)\]*`", text_of(".docs/reference/files.md"))
+    assert keys(robot.to_dict()) - {"schema"} <= set(named)
+
+
 def test_scene_examples_are_valid() -> None:
     assert list(read_budget(DOCS / "examples" / "enough.toml").motions) == ["trajectory.csv"]
     assert read_scene(DOCS / "examples" / "swing.toml").robot.name == "hexapod"

@@ -75,6 +75,7 @@ def name(each: Figures) -> str:
 def in_float(found: Figures, double: Figures) -> Figures:
     """The same level in single precision."""
     same = ("formulation", "fidelity")
+    one: Figures
     (one,) = (
         each
         for each in found["candidates"]
