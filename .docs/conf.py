@@ -35,7 +35,6 @@ myst_heading_anchors = 3
 
 autodoc_typehints = "none"  # the sections name them
 autodoc_member_order = "bysource"
-python_maximum_signature_line_length = 90
 autosummary_generate = False
 numpydoc_show_class_members = False
 add_module_names = False

@@ -1,8 +1,6 @@
 """What the dynamics functions return: plain records of arrays, the same for every backend.
 
 Their arrays belong to the caller, who may write to them: nothing else holds them.
-
-Stands between the kernels and the user; knows nothing of how the numbers were computed.
 """
 
 from dataclasses import dataclass

@@ -1,11 +1,13 @@
 """``{public} FOLDER ...``: the public names that modules in these folders define, by autodoc."""
 
 import inspect
+from importlib import import_module
 from typing import ClassVar
 
 from docutils import nodes
 from docutils.parsers.rst import directives
 from sphinx.application import Sphinx
+from sphinx.pycode import ModuleAnalyzer
 from sphinx.util.docutils import SphinxDirective
 
 import stewart_sym as ss
@@ -19,7 +21,7 @@ def public_names(folder: str) -> list[str]:
 
 
 class Public(SphinxDirective):
-    """Documents names by ``autofunction``, ``autoclass``, ``autodata`` or ``automodule``.
+    """Documents names by autodoc; of data, the text that follows them.
 
     also: records that functions return, by their modules.
     """
@@ -45,7 +47,9 @@ class Public(SphinxDirective):
             return f".. autoclass:: stewart_sym.{name}\n   :members:\n\n"
         if callable(value):
             return f".. autofunction:: stewart_sym.{name}\n\n"
-        return f".. autodata:: stewart_sym.{name}\n   :no-value:\n\n"
+        module = import_module(ss._public()[name], "stewart_sym").__name__
+        lines = ModuleAnalyzer.for_module(module).find_attr_docs()["", name]
+        return f".. py:data:: stewart_sym.{name}\n\n" + "".join(f"   {line}\n" for line in lines) + "\n"
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

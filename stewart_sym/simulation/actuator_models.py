@@ -108,7 +108,7 @@ class ModelTorque:
     decays as x'' + k_d x' + k_p x = 0.
 
     model: Motion of shape () with accelerations -> F, N, (6,). wanted: time, s -> Motion with accelerations.
-    k_p, 1/s^2, and k_d, 1/s: gains.
+   
 
     Raises ValueError naming the gain that is not finite or negative.
     """
@@ -141,7 +141,7 @@ class ComputedTorque:
     robot : Robot
         The model.
     wanted : Wanted
-        Time, s -> Motion with accelerations. k_p, 1/s^2, and k_d, 1/s: gains.
+        Time, s -> Motion with accelerations.
     k_p : float
         Gain of position, 1/s^2.
     k_d : float

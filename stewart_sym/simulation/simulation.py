@@ -286,12 +286,12 @@ def simulate(
         Motion of shape (); its accelerations don't count, its load F_ext, M_ext stays on. "path": that which
         the law, one with a wanted motion, wants at the start.
     forces : array_like or ForceLaw
-        N, (6,), or a law (time, state) -> (6,). A law must depend on its arguments alone, unless rate: Hz;
-        then it is asked at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
+        N, (6,), or a law (time, state) -> N, (6,). A law must depend on its arguments alone, unless there is a
+        rate: then it is called at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
     duration : float
-        s.
+        Length of the run, s.
     rate : float, optional
-        Instants per second, Hz.
+        Of the calls of a law, Hz; None: as often as the integration needs.
     load : Load, optional
         (time, state) -> [F_ext; M_ext], platform frame, in place of the state's load.
     formulation : {"exact", "paper"}, optional
@@ -299,12 +299,11 @@ def simulate(
     backend : {"c", "numpy", "reference"}, optional
         What computes.
     method : Method, optional
-        "DOP853", or "Radau" where springs or dampers are stiff. rtol, in ``RTOL_RANGE``, and atol: error of a
-        step, relative and absolute, in m, rad, m/s and rad/s.
+        "DOP853", or "Radau" where springs or dampers are stiff.
     rtol : float, optional
-        Relative tolerance of a step.
+        Relative error of a step, in ``RTOL_RANGE``.
     atol : float, optional
-        Absolute tolerance of a step.
+        Absolute error of a step, in m, rad, m/s and rad/s.
     output_step : float, optional
         s, between instants of the trace, at most ``MOST_INSTANTS``; None: as integrated.
     thresholds : Thresholds, optional
@@ -313,7 +312,7 @@ def simulate(
         Where a force reaches the robot's force_limit, the run ends ("stop"), or the force is clipped to it
         ("saturate") and ``saturation`` reports it.
     progress : Progress, optional
-        Is told the share done, 0 to 1, now and then.
+        Called now and then with the share done, 0 to 1.
 
     Returns
     -------
