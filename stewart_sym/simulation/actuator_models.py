@@ -108,7 +108,7 @@ class ModelTorque:
     decays as x'' + k_d x' + k_p x = 0.
 
     model: Motion of shape () with accelerations -> F, N, (6,). wanted: time, s -> Motion with accelerations.
-   
+
 
     Raises ValueError naming the gain that is not finite or negative.
     """

@@ -130,7 +130,7 @@ def test_a_page_without_marks_is_named() -> None:
 
 def test_times_on_the_page_are_those_of_the_benchmark() -> None:
     found = figures()
-    for figure in (*found["ours"], *found["peers"]):
+    for figure in (*found["ours"], *found["baselines"]):
         assert table_row(BENCHMARKS, figure["name"]) == [
             f"{figure['median']:.0f}",
             f"{figure['ratio_to_casadi']:.2f}",
@@ -161,14 +161,14 @@ def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
 
 def motion_figures() -> dict[str, Any]:
     """The second group as ``Benchmark.as_json`` writes it, from figures made up."""
-    ours, peers = (
+    ours, baselines = (
         tuple(Figure(name, f"{name}, how", "one pose", 16, (time,)) for name, time in group)
         for group in (
             (("inverse dynamics", 300.0), ("forward dynamics", 400.0), ("derivatives", 1500.0)),
             (("Pinocchio", 9000.0), ("MuJoCo", 8000.0)),
         )
     )
-    found = MotionFigures("machine", ours, peers, (), (), 2e-8, {"Pinocchio": 1e-8, "MuJoCo": 2e-6})
+    found = MotionFigures("machine", ours, baselines, (), (), 2e-8, {"Pinocchio": 1e-8, "MuJoCo": 2e-6})
     return found.as_json()
 
 
@@ -197,10 +197,10 @@ def test_every_figure_that_changes_changes_a_table() -> None:
         ("flatness", next(iter(found["flatness"]))),
         ("text", "total"),
         ("passes", 0, "operations", "with_friction"),
-        *((group, -1, "median") for group in ("ours", "peers", "sweep", "calls", "compiling")),
+        *((group, -1, "median") for group in ("ours", "baselines", "sweep", "calls", "compiling")),
         *(("motion", name) for name in ("times_faster", "loops_open_m")),
         ("motion", "largest_difference", "MuJoCo"),
-        *(("motion", kind, -1, "median") for kind in ("ours", "peers")),
+        *(("motion", kind, -1, "median") for kind in ("ours", "baselines")),
         *(("passes", 0, kind, "median") for kind in ("one_pose", "batch")),
     ]
     for place in places:
@@ -232,12 +232,12 @@ def test_every_figure_of_control_that_is_shown_changes_a_table() -> None:
 def test_every_figure_of_failures_that_is_shown_changes_a_table() -> None:
     found = figures("stability")
     text = written_tables("stability", found)
-    for name in ("worst", "digits", "refused_at", "silent"):
+    for name in ("worst", "digits", "rejected_at", "silent"):
         changed = copy.deepcopy(found)
         for method in changed["families"][0]["methods"]:
             method[name] = 7 * (method[name] or 1)
         assert written_tables("stability", changed) != text, name
-    for name in ("cases", "wrong", "refused_good"):
+    for name in ("cases", "wrong", "rejected_good"):
         assert written_tables("stability", {**found, "sweep": {**found["sweep"], name: 12345}}) != text, name
 
 

@@ -33,12 +33,13 @@ def tables(found: Figures) -> dict[str, str]:
 
 def readme(found: Figures) -> str:
     """A few of the times, of the forces and of forward dynamics."""
-    forces = {each["name"]: each["median"] for each in (*found["ours"], *found["peers"])}
+    forces = {each["name"]: each["median"] for each in (*found["ours"], *found["baselines"])}
     rows = [(name, f"{forces[name]:.0f}") for name in README_ROWS]
     dynamics = [each for each in found["motion"]["ours"] if each["name"] == "forward dynamics"]
     rows += [(each["name"], f"{each['median']:.0f}") for each in dynamics]
     rows += [
-        (f"forward dynamics, {each['name']}", f"{each['median']:.0f}") for each in found["motion"]["peers"]
+        (f"forward dynamics, {each['name']}", f"{each['median']:.0f}")
+        for each in found["motion"]["baselines"]
     ]
     return table(("forces with friction and load", "ns per pose"), rows)
 
@@ -49,7 +50,7 @@ def times(found: Figures) -> str:
     vectors = f" with {machine['vectors']}" if machine["vectors"] else ""
     rows = [
         (each["name"], f"{each['median']:.0f}", f"{each['ratio_to_casadi']:.2f}")
-        for each in (*found["ours"], *found["peers"])
+        for each in (*found["ours"], *found["baselines"])
     ]
     return paragraph(
         f"Nanoseconds per pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
@@ -112,9 +113,11 @@ def passes(found: Figures) -> str:
 def motion(found: Figures, rounds: int) -> str:
     """Times of the equations of motion and of their baselines."""
     poses = found["ours"][0]["poses"]
-    better = next(each for each in found["peers"] if each["name"] == found["better_peer"])
-    agreement = " and ".join(f"{found['largest_difference'][each['name']]:.0e}" for each in found["peers"])
-    names = " and ".join(f"{each['name']}'s `{each['what'].split(',')[0]}`" for each in found["peers"])
+    better = next(each for each in found["baselines"] if each["name"] == found["better_baseline"])
+    agreement = " and ".join(
+        f"{found['largest_difference'][each['name']]:.0e}" for each in found["baselines"]
+    )
+    names = " and ".join(f"{each['name']}'s `{each['what'].split(',')[0]}`" for each in found["baselines"])
     rows = [
         (
             each["name"],
@@ -131,7 +134,7 @@ def motion(found: Figures, rounds: int) -> str:
             f"{each['ratio_to_inverse_dynamics']:.2f}",
             "",
         )
-        for each in found["peers"]
+        for each in found["baselines"]
     ]
     lead = paragraph(
         "The closed form's functions in C (`stewart_exact_motion.h`), one pose at a time, "

@@ -38,7 +38,7 @@ def cells(row: Figures) -> tuple[str, ...]:
         f"{'baked' if row['baked'] else 'general'}, `{row['precision']}`",
         row["core"],
         number(row["instructions"]),
-        number(row["near_poles"]),
+        number(row["near_singular_joints"]),
         number(row["flash"]["kernel"]),
         number(row["flash"]["robot"]),
         number(row["ram"].get("model", 0)),
@@ -50,7 +50,9 @@ def cells(row: Figures) -> tuple[str, ...]:
 
 def remarks(rows: list[Figures]) -> str:
     """What the columns mean, and what the objects need."""
-    assert not any(row["foreign"] or row["double"] or row["failed"] or row["refused_wrongly"] for row in rows)
+    assert not any(
+        row["foreign"] or row["double"] or row["failed"] or row["rejected_wrongly"] for row in rows
+    )
     assert not any(row["ram"]["kit"] for row in rows)
     return paragraph(
         "Near singularity: all six legs within 1/1000 rad of the fixed axes of their universal joints, the "

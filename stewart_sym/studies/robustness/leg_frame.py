@@ -11,8 +11,8 @@ from ...motion.motion import Motion
 from ...robot.robot import Robot
 from . import shipped
 from .family import Curve, Family, distances
-from .sweep.judge import judge_poses
 from .sweep.machines import LEGS, at_rest, random_machine, random_motion
+from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
 
 Array = NDArray[np.float64]
@@ -50,16 +50,16 @@ def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:
 
 
 def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot], list[Motion]]) -> Family:
-    judged, calm = judge_poses(*moving), judge_poses(*resting)
+    checked, calm = check_poses(*moving), check_poses(*resting)
     growth = {
-        "largest force, moving, N": judged["size"],
+        "largest force, moving, N": checked["size"],
         "largest force, axisymmetric at rest, N": calm["size"],
-        "condition, moving": condition_of(judged),
+        "condition, moving": condition_of(checked),
         "condition, axisymmetric at rest": condition_of(calm),
     }
-    fastest = float(judged["size"].max() / judged["size"][0])
+    fastest = float(checked["size"].max() / checked["size"][0])
     return Family(
-        "pole_forces",
+        "joint_singularity_forces",
         "Forces near a leg's joint singularity, moving machine",
         FAILS,
         "sine and frame from k x s; status 3 where the sine is rounding error",
@@ -78,7 +78,7 @@ def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot]
 
 def _resting(resting: tuple[list[Robot], list[Motion]]) -> Family:
     return Family(
-        "pole_at_rest",
+        "joint_singularity_at_rest",
         "Forces near a leg's joint singularity, axisymmetric legs at rest: well conditioned",
         f"{FAILS}, at rest",
         "status 3 where the sine is rounding error",
@@ -114,7 +114,7 @@ def _spin(robots: list[Robot], motions: list[Motion]) -> Family:
         condition = np.array([float(1 / k_3) for _, k_3 in truth])
         curves.append(Curve(name, error, condition))
     return Family(
-        "pole_sine",
+        "joint_sine",
         "Spin of a leg near its joint singularity, by how the sine is computed",
         FAILS,
         "",

@@ -30,7 +30,7 @@ def row(family: Figures) -> tuple[str, ...]:
     """Cells of a family."""
     ours = [method for method in family["methods"] if method["shipped"]]
     worst = max((each["worst"] for each in ours if each["worst"] is not None), default=None)
-    refused = min((each["refused_at"] for each in ours if each["refused_at"] is not None), default=None)
+    rejected = min((each["rejected_at"] for each in ours if each["rejected_at"] is not None), default=None)
     digits = min((each["digits"] for each in ours if each["digits"] is not None), default=None)
     silent = [each["method"] for each in ours if each["silent"]]
     return (
@@ -38,7 +38,7 @@ def row(family: Figures) -> tuple[str, ...]:
         family["title"],
         family["remedy"],
         "" if worst is None else f"{worst:.2g}",
-        "never" if refused is None else f"{refused:.0e}",
+        "never" if rejected is None else f"{rejected:.0e}",
         "" if digits is None else f"{digits:.0f}",
         "; ".join(silent) or "none",
     )
@@ -56,20 +56,12 @@ def cases(sweep: Figures) -> str:
     )
     lead = paragraph(
         f"Of {sweep['cases']:,} random cases, in double and float, {sweep['wrong']:,} answers are wrong with "
-        f"status 0, and {sweep['refused_good']:,} good poses have a status, by kind as follows. Worst: as "
+        f"status 0, and {sweep['rejected_good']:,} good poses have a status, by kind as follows. Worst: as "
         "above, with the precision and the kernel where it is; of a singular machine any answer is wrong. In "
         f"double no pose has a status at a condition number below {lowest:.0e}. "
         "`stewart-sym stability --cases N` draws N others with `--seed`."
     )
     return lead + table(CASES_HEADER, rows)
-
-
-KINDS = {
-    "pole": "joint singularity",
-    "short leg": "zero-length leg",
-    "pole and singular": "joint singularity, and singular",
-}
-"""Kinds of cases as the table names them, where the figures have a shorter name."""
 
 
 def of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
@@ -79,7 +71,7 @@ def of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
     given = (worst["worst"] or -1.0) >= 0.0
     wrong = sum(count["wrong"] for count in counts)
     return (
-        KINDS.get(kind, kind),
+        kind,
         f"{sum(count['cases'] for count in counts if count['kernel'] == kernels[0]):,}",
         ", ".join(kernels),
         f"{worst['worst']:.2g} ({worst['precision']}, {worst['kernel']})"
@@ -88,5 +80,5 @@ def of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
         if wrong
         else "no answer",
         f"{wrong:,}",
-        f"{sum(count['refused_good'] for count in counts):,}",
+        f"{sum(count['rejected_good'] for count in counts):,}",
     )
