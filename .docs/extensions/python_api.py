@@ -49,7 +49,8 @@ class Public(SphinxDirective):
             return f".. autofunction:: stewart_sym.{name}\n\n"
         module = import_module(ss._public()[name], "stewart_sym").__name__
         lines = ModuleAnalyzer.for_module(module).find_attr_docs()["", name]
-        return f".. py:data:: {name}\n   :module: stewart_sym\n\n" + "".join(f"   {line}\n" for line in lines) + "\n"
+        text = "".join(f"   {line}\n" for line in lines)
+        return f".. py:data:: {name}\n   :module: stewart_sym\n\n{text}\n"
 
 
 def setup(app: Sphinx) -> dict[str, bool]:
