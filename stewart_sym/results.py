@@ -17,22 +17,32 @@ OK, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR, BAD_ARGUMENT, INDEFINITE,
 OUT_OF_LIMITS = 8
 
 STATUS_TEXT = dict(STATUS.values()) | {OUT_OF_LIMITS: "a leg length lies outside the robot's length_limits"}
-"""One line for each status code: 0 to 7 of the kernels, the rest of forward kinematics."""
+"""Meaning of each status code, 0 to 7 of the kernels, the rest of forward kinematics."""
 
 
 @dataclass(frozen=True, eq=False)
 class Forces:
     """Inverse dynamics of one or many poses; a leading shape ``(...)`` is that of the motion.
 
-    F: actuator forces, N, (..., 6), positive when they extend the leg, (37).
-    D: known part of the actuator force, N, (..., 6), (24).
-    x: axial force on the leg at its spherical joint, N, (..., 6), (22).
-    K: transverse force on the leg at its spherical joint, N, base frame, (..., 6, 3), (21).
-    H: maps x to the wrench on the platform, (..., 6, 6); rows 0-2 unitless, rows 3-5 m, (36).
-    c: wrench that the axial forces must balance, N and N m, base frame, (..., 6), (36).
-    status: 0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
-    wrench_error: c - H x, N and N m, (..., 6): by how much the wrench of F exceeds the one that the motion
-        needs. 0 where H x = c was solved, NaN for unsolvable poses; None unless damping was asked for.
+    Attributes
+    ----------
+    F : ndarray
+        Actuator forces, N, (..., 6), positive when they extend the leg, (37).
+    D : ndarray
+        Known part of the actuator force, N, (..., 6), (24).
+    x : ndarray
+        Axial force on the leg at its spherical joint, N, (..., 6), (22).
+    K : ndarray
+        Transverse force on the leg at its spherical joint, N, base frame, (..., 6, 3), (21).
+    H : ndarray
+        Maps x to the wrench on the platform, (..., 6, 6); rows 0-2 unitless, rows 3-5 m, (36).
+    c : ndarray
+        Wrench that the axial forces must balance, N and N m, base frame, (..., 6), (36).
+    status : ndarray of int
+        0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
+    wrench_error : ndarray, optional
+        c - H x, N and N m, (..., 6): by how much the wrench of F exceeds the one that the motion needs. 0
+        where H x = c was solved, NaN where the pose is unsolvable; None unless damping was asked for.
     """
 
     F: NDArray[np.float64]
@@ -49,13 +59,22 @@ class Forces:
 class Reactions:
     """Joint reactions of one or many poses, base frame; a leading shape ``(...)`` is that of the motion.
 
-    F_s: force on the leg at the spherical joint, N, (..., 6, 3), (21).
-    F_u: force on the leg at the universal joint, N, (..., 6, 3), (27).
-    F_p: force of the lower part on the upper at the prismatic joint, N, (..., 6, 3), (26).
-    F_c: its constraint part F_p - s F, N, (..., 6, 3), (28).
-    M_p: moment of the lower part on the upper at the prismatic joint, N m, (..., 6, 3), (17).
-    M_u: size of the constraint moment on the leg at the universal joint, N m, (..., 6), (29).
-    status: as in ``Forces``.
+    Attributes
+    ----------
+    F_s : ndarray
+        Force on the leg at the spherical joint, N, (..., 6, 3), (21).
+    F_u : ndarray
+        Force on the leg at the universal joint, N, (..., 6, 3), (27).
+    F_p : ndarray
+        Force of the lower part on the upper at the prismatic joint, N, (..., 6, 3), (26).
+    F_c : ndarray
+        Its constraint part F_p - s F, N, (..., 6, 3), (28).
+    M_p : ndarray
+        Moment of the lower part on the upper at the prismatic joint, N m, (..., 6, 3), (17).
+    M_u : ndarray
+        Size of the constraint moment on the leg at the universal joint, N m, (..., 6), (29).
+    status : ndarray of int
+        As in ``Forces``.
     """
 
     F_s: NDArray[np.float64]
@@ -74,12 +93,20 @@ class EquationsOfMotion:
     Wrenches are [force; moment], twists [v; omega], both at the platform's reference point in base axes;
     W_ext = [R F_ext; R M_ext].
 
-    M: inertia matrix, symmetric, (..., 6, 6): kg, kg m and kg m^2 by blocks.
-    C: Coriolis matrix, (..., 6, 6): linear in the twist. In `exact` dM/dt = C + C^T.
-    g: wrench that holds the weight of the whole machine at rest, N and N m, (..., 6).
-    friction: wrench that overcomes the friction of the eighteen joints, N and N m, (..., 6).
-    bias: C [v; omega] + g + friction, N and N m, (..., 6).
-    status: as in ``Forces``; all else is NaN where it is not 0.
+    Attributes
+    ----------
+    M : ndarray
+        Inertia matrix, symmetric, (..., 6, 6): kg, kg m and kg m^2 by blocks.
+    C : ndarray
+        Coriolis matrix, (..., 6, 6): linear in the twist. In `exact` dM/dt = C + C^T.
+    g : ndarray
+        Wrench that holds the weight of the whole machine at rest, N and N m, (..., 6).
+    friction : ndarray
+        Wrench that overcomes the friction of the eighteen joints, N and N m, (..., 6).
+    bias : ndarray
+        C [v; omega] + g + friction, N and N m, (..., 6).
+    status : ndarray of int
+        As in ``Forces``; all else is NaN where it is not 0.
     """
 
     M: NDArray[np.float64]
@@ -96,11 +123,18 @@ class ForceDerivatives:
 
     Rows are legs. Poses move by [dt; dphi], m and rad, base axes, R becoming exp([dphi]x) R.
 
-    F: actuator forces, N, (..., 6).
-    by_pose: dF by [dt; dphi], N/m and N, (..., 6, 6), at fixed rates, accelerations, F_ext, M_ext.
-    by_twist: dF by [v; omega], N s/m and N s, (..., 6, 6).
-    by_acceleration: dF by [a; alpha], kg and kg m, (..., 6, 6): H^-1 M.
-    status: as in ``Forces``; all else is NaN where it is not 0.
+    Attributes
+    ----------
+    F : ndarray
+        Actuator forces, N, (..., 6).
+    by_pose : ndarray
+        dF by [dt; dphi], N/m and N, (..., 6, 6), at fixed rates, accelerations, F_ext, M_ext.
+    by_twist : ndarray
+        dF by [v; omega], N s/m and N s, (..., 6, 6).
+    by_acceleration : ndarray
+        dF by [a; alpha], kg and kg m, (..., 6, 6): H^-1 M.
+    status : ndarray of int
+        As in ``Forces``; all else is NaN where it is not 0.
     """
 
     F: NDArray[np.float64]
@@ -114,12 +148,19 @@ class ForceDerivatives:
 class Linearisation:
     """Forward dynamics and its derivatives, of one or many poses; (...) is the motion's.
 
-    With the state x = [dt; dphi; dv; domega] about the motion, poses moving as in ``ForceDerivatives``,
-    dx/dt = A x + B dF.
+    With the state x = [dt; dphi; dv; domega] about the motion, poses moving as in ``ForceDerivatives``, dx/dt
+    = A x + B dF.
 
-    acceleration: [a; alpha] under the given forces, m/s^2 and rad/s^2, (..., 6).
-    A: (..., 12, 12), SI units by blocks.  B: (..., 12, 6).
-    status: as in ``Forces``; all else is NaN where it is not 0.
+    Attributes
+    ----------
+    acceleration : ndarray
+        [a; alpha] under the given forces, m/s^2 and rad/s^2, (..., 6).
+    A : ndarray
+        (..., 12, 12), SI units by blocks.
+    B : ndarray
+        (..., 12, 6).
+    status : ndarray of int
+        As in ``Forces``; all else is NaN where it is not 0.
     """
 
     acceleration: NDArray[np.float64]

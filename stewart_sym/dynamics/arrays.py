@@ -51,10 +51,19 @@ class ArrayAccelerations(NamedTuple):
 class ArrayKernel(Frozen):
     """A robot's constants prepared for one array library.
 
-    xp: the library's namespace; dtype: its type of real numbers. Arguments of the methods have the shapes of
-    ``Motion``'s; what is not given is zero, and leading shapes broadcast. Where a status, a code of
-    ``results.STATUS_TEXT``, is not 0, the other numbers are NaN. Shapes are checked, and that numbers are
-    real; that R is a rotation is not: ``Motion`` checks it.
+    Attributes
+    ----------
+    robot : Robot
+        The machine.
+    xp : object
+        The library's namespace.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    dtype : object, optional
+        Its type of real numbers. Arguments of the methods have the shapes of ``Motion``'s; what is not given
+        is zero, and leading shapes broadcast. Where a status, a code of ``results.STATUS_TEXT``, is not 0,
+        the other numbers are NaN. Shapes are checked, and that numbers are real; that R is a rotation is not:
+        ``Motion`` checks it.
     """
 
     robot: Robot
@@ -159,12 +168,28 @@ def _shape_of(name: str) -> tuple[int, ...]:
 def array_kernel(robot: Robot, xp: Any, formulation: Formulation = "exact", dtype: Any = None) -> ArrayKernel:
     """Forces, equations of motion and forward dynamics on the arrays of a library.
 
-    xp: an array namespace: ``numpy``, ``jax.numpy``, ``torch``, or another that follows the array API
-    standard. dtype: its type of real numbers; None for ``xp.float64`` or what the library puts in its place,
-    as JAX without ``jax_enable_x64`` does.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    xp : object
+        An array namespace: ``numpy``, ``jax.numpy``, ``torch``, or another that follows the array API
+        standard.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    dtype : object, optional
+        Type of real numbers; None for ``xp.float64`` or what the library puts in its place, as JAX
+        without ``jax_enable_x64`` does.
 
-    Raises ValueError for an unknown formulation, for no namespace, and for constants whose products
-    overflow.
+    Returns
+    -------
+    ArrayKernel
+        The functions ``forces``, ``equations`` and ``forward_dynamics``.
+
+    Raises
+    ------
+    ValueError
+        For an unknown formulation, for no namespace, and for constants whose products overflow.
     """
     return ArrayKernel(robot, xp, formulation, dtype)
 

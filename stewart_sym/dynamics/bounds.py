@@ -29,14 +29,20 @@ KERNEL = kernel_name("exact", "universal")
 class ForceBounds:
     """Forces of one or many poses and what can be said of their rounding; ``(...)`` is the motion's shape.
 
-    F: actuator forces, N, (..., 6), positive when they extend the leg, (37).
-    bound: no force is farther than this from the exact one of the same numbers, N, (..., 6); inf where H is
-    so near to singular that none can be had in this precision.
-    rcond: reciprocal condition of H, (...), in the norm of largest column sums, moments about the reference
-    point over the characteristic length: 1 at best.
-    status: 0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
-
     Of the precision's type; NaN where the status is not 0.
+
+    Attributes
+    ----------
+    F : ndarray
+        Actuator forces, N, (..., 6), positive when they extend the leg, (37).
+    bound : ndarray
+        No force is farther than this from the exact one of the same numbers, N, (..., 6); inf where H is so
+        near to singular that none can be had in this precision.
+    rcond : ndarray
+        Reciprocal condition of H, (...), in the norm of largest column sums, moments about the reference
+        point over the characteristic length: 1 at best.
+    status : ndarray of int
+        0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
     """
 
     F: Array
@@ -56,12 +62,27 @@ def forces_with_bounds(
     (2010), 10). Inputs are taken as given, after they have been rounded to the precision, but for R, which
     stands for the rotation nearest to it.
 
-    precision: "double" or "float". on_singular: "raise" ValueError, "warn" and return NaN, or return "nan"
-    for unsolvable poses; ``status`` tells.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+    precision : {"double", "float"}, optional
+        "double" or "float".
+    on_singular : {"raise", "nan", "warn"}, optional
+        "raise" ValueError, "warn" and return NaN, or return "nan" for unsolvable poses; ``status`` tells.
 
-    Raises ValueError for unknown options, a robot without universal base joints or with constants that the
-    precision can't hold, a motion without accelerations, and unsolvable poses; native.CompilerError
-    without a C compiler.
+    Returns
+    -------
+    ForceBounds
+        Forces, bounds, reciprocal condition numbers and statuses.
+
+    Raises
+    ------
+    ValueError
+        For unknown options, a robot without universal base joints or with constants that the precision can't
+        hold, a motion without accelerations, and unsolvable poses; native.CompilerError without a C compiler.
     """
     option(precision, ("double", "float"), "precision")
     option(on_singular, ON_FAULT, "on_singular")

@@ -25,13 +25,31 @@ def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SH
     """Return x, N, (..., 6), that least violates H x = c with forces kept within bounds, and c - H x.
 
     With the moment rows of H and c divided by ``length``, m (``characteristic_length``), H = sum s_i u_i
-    v_i^T. x = sum g_i (u_i . c) v_i with g_i = 1/s_i where s_i >= s_0 = share s_1, and g_i = s_i/s_0^2
-    = s_i/(s_i^2 + lambda_i^2), lambda_i^2 = s_0^2 - s_i^2, below: without a jump, never above 1/s_0, and 0
+    v_i^T. x = sum g_i (u_i . c) v_i with g_i = 1/s_i where s_i >= s_0 = share s_1, and g_i = s_i/s_0^2 =
+    s_i/(s_i^2 + lambda_i^2), lambda_i^2 = s_0^2 - s_i^2, below: without a jump, never above 1/s_0, and 0
     along a motion that is lost. They are returned as a named tuple (x, wrench_error).
 
-    H: (..., 6, 6); c: N and N m, (..., 6). share: > 0 and < 1. c - H x, N and N m, (..., 6), is how far the
-    wrench of the axial forces stays from the wanted one. NaN where H or c is not finite. Raises ValueError
-    naming the argument.
+    Parameters
+    ----------
+    H : array_like
+        (..., 6, 6).
+    c : array_like
+        N and N m, (..., 6).
+    length : float
+        Characteristic length, m.
+    share : float, optional
+        Smallest singular value that is not damped, over the largest, > 0 and < 1.
+
+    Returns
+    -------
+    DampedSolution
+        Forces x and the residual c - H x, N and N m, (..., 6): the error of the wrench.
+        NaN where H or c is not finite.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument.
     """
     if isinstance(share, bool) or not (isinstance(share, int | float) and 0.0 < share < 1.0):
         raise ValueError(f"share: expected a number > 0 and < 1, got {shown(share)}")

@@ -57,12 +57,26 @@ def equations_of_motion(
 ) -> EquationsOfMotion:
     """M, C, g and friction of M [a; alpha] + C [v; omega] + g + friction = H F + W_ext.
 
-    motion: poses and rates; accelerations and load don't count. formulation, backend, on_singular: as for
-    ``inverse_dynamics``. "c" and "numpy" evaluate the closed form in `exact`; of `paper` and of machines with
-    spherical base joints they draw the terms from inverse dynamics, which fails where H is singular.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Poses and rates; accelerations and load don't count.
+    formulation, backend, on_singular : str, optional
+        As for ``inverse_dynamics``. "c" and "numpy" evaluate the closed form in `exact`; of `paper` and of
+        machines with spherical base joints they draw the terms from inverse dynamics, which has no answer
+        where H is singular.
 
-    Returns EquationsOfMotion; shapes and units there. Raises ValueError for unknown options and for poses
-    unsolvable.
+    Returns
+    -------
+    EquationsOfMotion
+        Shapes and units are documented there.
+
+    Raises
+    ------
+    ValueError
+        For unknown options and for unsolvable poses.
     """
     _need(robot, motion, on_singular)
     closed = _closed_form(robot, formulation, backend)
@@ -83,11 +97,28 @@ def force_derivatives(
 ) -> ForceDerivatives:
     """Derivatives of the `exact` actuator forces by pose, twist and acceleration.
 
-    motion: with accelerations. Other arguments: as for ``inverse_dynamics``. Poses move by [dt; dphi], R
-    becoming exp([dphi]x) R; the load moves with the platform.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        With accelerations. Other arguments: as for ``inverse_dynamics``. Poses move by [dt; dphi], R becoming
+        exp([dphi]x) R; the load moves with the platform.
+    backend : {"c", "numpy"}, optional
+        What computes.
+    on_singular : {"raise", "nan", "warn"}, optional
+        What to do about unsolvable poses, as for ``inverse_dynamics``.
 
-    Returns ForceDerivatives; shapes and units there. Raises ValueError for unknown options, for spherical
-    base joints, for a motion without accelerations, and for unsolvable poses.
+    Returns
+    -------
+    ForceDerivatives
+        Shapes and units are documented there.
+
+    Raises
+    ------
+    ValueError
+        For unknown options, for spherical base joints, for a motion without accelerations, and for unsolvable
+        poses.
     """
     need_motion(robot, motion)
     found = _with_closed_form(robot, backend, on_singular).run("derivatives", motion)
@@ -104,10 +135,24 @@ def linearise(
 ) -> Linearisation:
     """Linear state equations of the `exact` machine about a motion under actuator forces F, N, (..., 6).
 
-    motion: poses, rates and load; accelerations don't count. Other arguments and errors: as for
-    ``forward_dynamics``; spherical base joints are rejected.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Poses, rates and load; accelerations don't count. Other arguments and errors: as for
+        ``forward_dynamics``; spherical base joints are rejected.
+    F : array_like
+        Actuator forces, N, (..., 6).
+    backend : {"c", "numpy"}, optional
+        What computes.
+    on_singular : {"raise", "nan", "warn"}, optional
+        What to do about unsolvable poses, as for ``inverse_dynamics``.
 
-    Returns Linearisation; shapes and units there.
+    Returns
+    -------
+    Linearisation
+        Shapes and units are documented there.
     """
     _need(robot, motion, on_singular)
     closed = _with_closed_form(robot, backend, on_singular)
@@ -127,12 +172,32 @@ def forward_dynamics(
 ) -> Accelerations:
     """(a, alpha), a named tuple, m/s^2 and rad/s^2, (..., 3), under actuator forces F, N, (..., 6).
 
-    motion: poses, rates and load F_ext, M_ext; accelerations don't count. The leading shapes of motion and F
-    broadcast. Other arguments: as for ``inverse_dynamics``. M is factorised by Cholesky's method, so a
-    machine whose inertias belong to no body may be unsolvable.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Poses, rates and load F_ext, M_ext; accelerations don't count. The leading shapes of motion and F
+        broadcast. Other arguments: as for ``inverse_dynamics``. M is factorised by Cholesky's method, so a
+        machine whose inertias belong to no body may be unsolvable.
+    F : array_like
+        Actuator forces, N, (..., 6).
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    backend : {"c", "numpy", "reference"}, optional
+        What computes.
+    on_singular : {"raise", "nan", "warn"}, optional
+        What to do about unsolvable poses, as for ``inverse_dynamics``.
 
-    Raises ValueError for unknown options, for F of another shape or not finite, and for poses without an
-    answer.
+    Returns
+    -------
+    Accelerations
+        Named tuple (a, alpha), m/s^2 and rad/s^2, (..., 3), base frame.
+
+    Raises
+    ------
+    ValueError
+        For unknown options, for F of another shape or not finite, and for unsolvable poses.
     """
     _need(robot, motion, on_singular)
     motion, forces = _together(motion, F)
@@ -151,6 +216,24 @@ def joint_space_inertia(
     """H^-1 M H^-T, kg, (..., 6, 6): actuator forces that leg accelerations cost, for legs as coordinates.
 
     Arguments and errors as for ``equations_of_motion``; a pose where H is singular is unsolvable.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    backend : {"c", "numpy", "reference"}, optional
+        What computes.
+    on_singular : {"raise", "nan", "warn"}, optional
+        What to do about unsolvable poses, as for ``inverse_dynamics``.
+
+    Returns
+    -------
+    ndarray
+        Inertia that the actuators feel, kg, (..., 6, 6).
     """
     _need(robot, motion, on_singular)
     closed = _closed_form(robot, formulation, backend)

@@ -38,7 +38,28 @@ def force_deviations(
     """Return the standard deviation of each actuator force, N, (n, 6), from the noise of a log.
 
     To first order in the noise; 0 for a trajectory without noise, NaN where a pose is unsolvable, infinite
-    where one within the noise is. Raises ValueError for unknown options.
+    where one within the noise is.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    trajectory : Trajectory or PoseLog
+        Times and poses, or a log of poses.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    backend : {"c", "numpy", "reference"}, optional
+        What computes.
+
+    Returns
+    -------
+    ndarray
+        Standard deviations, N, (n, 6).
+
+    Raises
+    ------
+    ValueError
+        For unknown options.
     """
     instance(robot, Robot, "robot")
     need_trajectory(trajectory)

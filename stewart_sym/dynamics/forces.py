@@ -50,7 +50,18 @@ class ForceKernel(Frozen):
     pivots are as good on a machine of a millimetre as on one of ten metres; motions and forces are in SI
     units.
 
-    model: the numbers of the C's ``stewart_<kernel>_model``.
+    Attributes
+    ----------
+    robot : Robot
+        The machine.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    precision : {"double", "float"}, optional
+        Of the numbers in C.
+    fidelity : str, optional
+        How much of the legs' physics.
+    model : ndarray, optional
+        The numbers of the C's ``stewart_<kernel>_model``.
     """
 
     robot: Robot
@@ -243,8 +254,26 @@ def prepare(
 ) -> ForceKernel:
     """Prepare a robot's constants for the fast force kernel, compiling it on first use.
 
-    fidelity: how much of the legs' physics, one of ``fidelity.FIDELITIES``. Raises ValueError for an unknown
-    formulation, precision or fidelity, native.CompilerError without a C compiler.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    precision : {"double", "float"}, optional
+        Of the numbers in C.
+    fidelity : str, optional
+        How much of the legs' physics, one of ``fidelity.FIDELITIES``.
+
+    Returns
+    -------
+    ForceKernel
+        The robot with its prepared constants.
+
+    Raises
+    ------
+    ValueError
+        For an unknown formulation, precision or fidelity, native.CompilerError without a C compiler.
     """
     return ForceKernel(robot, formulation, precision, fidelity)
 

@@ -65,15 +65,32 @@ def inverse_dynamics(
 ) -> Forces:
     """Actuator forces that make the platform follow ``motion``, with D, x, K, H, c, (1)-(37).
 
-    formulation: "exact", or "paper" for the equations as printed. backend: "c" (compiled on first use; NumPy
-    serves where there is no compiler), "numpy" or "reference". on_singular: what to do about poses without
-    an answer: "raise" ValueError, "warn" and return NaN there, or return "nan" silently; ``status`` tells.
-    "damped": where H is singular, F by damped least squares (``damped_solution``) with the status as it is,
-    and ``wrench_error`` says what F leaves wanting. Legs of length zero or along their universal axis have
-    no such answer: NaN, and a warning. All other poses are the same bits as without it.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+    formulation : {"exact", "paper"}, optional
+        "exact", or "paper" for the equations as printed.
+    backend : {"c", "numpy", "reference"}, optional
+        "c" (compiled on first use; NumPy serves where there is no compiler), "numpy" or "reference".
+    on_singular : {"raise", "nan", "warn", "damped"}, optional
+        What to do about unsolvable poses: "raise" ValueError, "warn" and return NaN there, or return
+        "nan" silently; ``status`` tells. "damped": where H is singular, F by damped least squares
+        (``damped_solution``) with the status as it is, and ``wrench_error`` says what F leaves wanting. Legs
+        of length zero or along their universal axis have no such answer: NaN, and a warning. All other poses
+        are the same bits as without it.
 
-    Returns Forces; shapes and units there. Raises ValueError for unknown options, for a motion without
-    accelerations, and for unsolvable poses.
+    Returns
+    -------
+    Forces
+        Shapes and units are documented there.
+
+    Raises
+    ------
+    ValueError
+        For unknown options, for a motion without accelerations, and for unsolvable poses.
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     found = kernel.forces(motion)
@@ -92,9 +109,27 @@ def joint_reactions(
 ) -> Reactions:
     """Forces and moments in the joints, (21), (26)-(29) and M_p of (17).
 
-    bearing: where M_p is taken, distance along each leg from its base point, m, scalar or (6,); None: at the
-    base point. Other arguments, errors: as for ``inverse_dynamics``; a pose whose reactions overflow has no
-    answer either. Damped, they are those of the damped forces. Returns Reactions.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    backend : {"c", "numpy", "reference"}, optional
+        What computes.
+    bearing : array_like, optional
+        Where M_p is taken, distance along each leg from its base point, m, scalar or (6,); None: at the base
+        point. Other arguments, errors: as for ``inverse_dynamics``; a pose whose reactions overflow has no
+        answer either. Damped, they are those of the damped forces.
+    on_singular : {"raise", "nan", "warn", "damped"}, optional
+        What to do about unsolvable poses, as for ``inverse_dynamics``.
+
+    Returns
+    -------
+    Reactions
+        Shapes and units are documented there.
     """
     kernel = _prepared(robot, motion, formulation, backend, on_singular)
     where = _bearing(bearing)
@@ -108,6 +143,18 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
     """F0 of (41): actuator forces if legs had no mass and joints no friction, N, (..., 6).
 
     NaN where H is singular, a leg has length zero or a force overflows.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+
+    Returns
+    -------
+    ndarray
+        Actuator forces, N, (..., 6).
     """
     need_motion(robot, motion)
     F0 = newton_euler.massless_forces(robot, motion)
@@ -117,8 +164,25 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
 def dynamic_fraction(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     """F_d / F of (42) and section 4.4, (..., 6): the share of leg inertia, leg weight and friction in F.
 
-    F: actuator forces along the motion, N, of its shape, (..., 6). NaN or infinite where F is 0 or F0 is NaN.
-    Raises ValueError for any other shape.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+    F : array_like
+        Actuator forces along the motion, N, of its shape, (..., 6). NaN or infinite where F is 0 or F0 is
+        NaN.
+
+    Returns
+    -------
+    ndarray
+        Shares, no unit, (..., 6).
+
+    Raises
+    ------
+    ValueError
+        For any other shape.
     """
     F0 = massless_forces(robot, motion)
     forces = real_array(F, "F", f"forces of shape {F0.shape}")

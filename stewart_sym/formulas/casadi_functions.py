@@ -29,16 +29,32 @@ def casadi_function(
 ) -> "casadi.Function":
     """Forces, equations of motion or forward dynamics of one machine as a CasADi function of SX.
 
-    what: "forces" of R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3,) gives F (6,), N; "equations" of R, t,
-    omega, v gives M, C (6, 6), g, friction, bias (6,), H and its rate H_dot (6, 6); "forward_dynamics" of R,
-    t, omega, v, F, F_ext, M_ext gives a and alpha (3,). Arguments and results have these names. `exact` with
-    universal base joints has all three, other machines the forces.
-    checked: as in C, near a joint singularity the legs take a code path of their own, and a last result
-    ``status``, a code of ``results.STATUS_TEXT``, is 0 or the others are NaN. Without, the function is a
-    third as long: no status, and the digits that a leg loses near the fixed axis of its universal joint are
-    lost.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    what : str, optional
+        "forces" of R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3,) gives F (6,), N; "equations" of R, t,
+        omega, v gives M, C (6, 6), g, friction, bias (6,), H and its rate H_dot (6, 6); "forward_dynamics" of
+        R, t, omega, v, F, F_ext, M_ext gives a and alpha (3,). Arguments and results have these names.
+        `exact` with universal base joints has all three, other machines the forces.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    checked : bool, optional
+        As in C, near a joint singularity the legs take a code path of their own, and a last result
+        ``status``, a code of ``results.STATUS_TEXT``, is 0 or the others are NaN. Without, the function is a
+        third as long: no status, and the digits that a leg loses near the fixed axis of its universal joint
+        are lost.
 
-    Raises ValueError for other names and an unknown formulation, and MissingExtraError without CasADi.
+    Returns
+    -------
+    casadi.Function
+        Function with named arguments and results.
+
+    Raises
+    ------
+    ValueError
+        For other names and an unknown formulation, and MissingExtraError without CasADi.
     """
     option(what, tuple(ARGUMENTS), "what")
     truth(checked, "checked")

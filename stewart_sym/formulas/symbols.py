@@ -40,12 +40,22 @@ _REQUIRED = ("R", "t", "F")
 class Symbolic:
     """A matrix of one machine as formulas.
 
-    result: in the symbols of arguments, constants and steps. steps: (symbol, expression) in order, each in
-    arguments, constants and earlier steps; those of leg 1 end in _1. constants: the machine's prepared
-    numbers by symbol: sums and products of the robot's own, M_P and J_P with what of the legs moves as the
-    platform does, unlike the inertial parameters of these names. meanings: unit and meaning of each, by its
-    name without leg and axis. arguments: R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3, 1), and F (6, 1)
-    of forward dynamics.
+    Attributes
+    ----------
+    name : str
+        Of the matrix.
+    result : Matrix
+        In the symbols of arguments, constants and steps.
+    steps : tuple
+        (symbol, expression) in order, each in arguments, constants and earlier steps; those of leg 1 end in
+        _1.
+    constants : dict
+        The machine's prepared numbers by symbol: sums and products of the robot's own, M_P and J_P with what
+        of the legs moves as the platform does, unlike the inertial parameters of these names.
+    arguments : dict
+        R (3, 3), t, omega, v, alpha, a, F_ext, M_ext (3, 1), and F (6, 1) of forward dynamics.
+    meanings : dict
+        Unit and meaning of each, by its name without leg and axis.
     """
 
     name: str
@@ -67,7 +77,7 @@ class Symbolic:
         return self.result.xreplace(known)
 
     def derivative(self, by: Symbol) -> "Symbolic":
-        """The derivative by a component of an argument or by a constant; its steps are named d_...
+        """The derivative by a component of an argument or by a constant; its steps are named ``d_...``.
 
         Raises ValueError for what is neither.
         """
@@ -133,13 +143,28 @@ class Symbolic:
 def symbolic(robot: Robot, what: str, formulation: Formulation = "exact") -> Symbolic:
     """One matrix of one machine's equations as formulas, with their steps.
 
-    what: "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction" or "bias" of the
-    equations of motion; "a" or "alpha" of forward dynamics. Those of the last two are of `exact` and
-    universal base joints. The formulas are those of a regular pose: no leg near the fixed axis of its
-    universal joint, status 0, and no exchange of rows in the solves for F, a and alpha, so that F has a zero
-    divisor where a leading minor of H vanishes.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    what : str
+        "F", "D", "K", "H" or "c" of (21), (24), (36), (37); "M", "C", "g", "friction" or "bias" of the
+        equations of motion; "a" or "alpha" of forward dynamics. Those of the last two are of `exact` and
+        universal base joints. The formulas are those of a regular pose: no leg near the fixed axis of its
+        universal joint, status 0, and no exchange of rows in the solves for F, a and alpha, so that F has a
+        zero divisor where a leading minor of H vanishes.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
 
-    Raises ValueError for other names and an unknown formulation.
+    Returns
+    -------
+    Symbolic
+        Matrix, steps, constants and arguments.
+
+    Raises
+    ------
+    ValueError
+        For other names and an unknown formulation.
     """
     option(what, tuple(FUNCTIONS), "what")
     from ..derive.kernel.trace import described, needed, renamed, trace

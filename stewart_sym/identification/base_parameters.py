@@ -48,11 +48,25 @@ _REGULAR = 0.1
 class BaseParameters:
     """The combinations of pi that a machine's wrench depends on: Y pi = Y[..., kept] (matrix pi).
 
-    rank: how many there are. kept: columns of Y that stay, int, (rank,). matrix: from pi to the base
-    parameters, (rank, 148); 1 at the kept ones. names: of the kept parameters. formulas: each base parameter
-    as text, coefficients to six digits. units: of each. singular_values: of the stack with columns of length
-    1, falling, (148,). gap: ratio of the last that counts to the first that is rounding error; below about
-    1e3 the rank is not to be trusted.
+    Attributes
+    ----------
+    rank : int
+        How many there are.
+    kept : ndarray of int
+        Columns of Y that stay, int, (rank,).
+    matrix : ndarray
+        From pi to the base parameters, (rank, 148); 1 at the kept ones.
+    names : tuple
+        Of the kept parameters.
+    formulas : tuple
+        Each base parameter as text, coefficients to six digits.
+    units : tuple
+        Of each.
+    singular_values : ndarray
+        Of the stack with columns of length 1, falling, (148,).
+    gap : float
+        Ratio of the last that counts to the first that is rounding error; below about 1e3 the rank is not to
+        be trusted.
     """
 
     rank: int
@@ -68,13 +82,29 @@ class BaseParameters:
 def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool = True) -> BaseParameters:
     """Find the base parameters by the singular values of Y, stacked over many poses.
 
-    motion: with accelerations; all its instants are taken: what this motion excites. None: random
-    poses about the home pose with random rates and accelerations, fixed seed: what any motion can excite.
-    friction: False for a model whose joints have none.
-
     Parameters that merge on every machine are given up first (m_d, J_d, m_u of each leg), so that the names
-    left stand for the formulas of ``MERGED``. Raises ValueError for spherical base joints, for poses without
-    a regressor, and for a machine about whose home pose no regular pose is found.
+    left stand for the formulas of ``MERGED``.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion, optional
+        With accelerations; all its instants are taken: what this motion excites. None: random poses about the
+        home pose with random rates and accelerations, fixed seed: what any motion can excite.
+    friction : bool, optional
+        False for a model whose joints have none.
+
+    Returns
+    -------
+    BaseParameters
+        Combinations of the parameters that the forces depend on.
+
+    Raises
+    ------
+    ValueError
+        For spherical base joints, for poses without a regressor, and for a machine about whose home pose no
+        regular pose is found.
     """
     need_universal(robot)
     truth(friction, "friction")

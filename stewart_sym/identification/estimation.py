@@ -68,20 +68,39 @@ _EXACT = ("motion: is taken as exact, expected its noise if its poses were measu
 class Estimate:
     """Base parameters identified from forces, and whether model and stated noise explain the measurement.
 
-    base: what they are. values: SI, (rank,). covariance: (rank, rank), inflated by the square of
-    ``inflation``; infinite on its diagonal if the fit is rejected. misfit: RMS of the residual over its
-    expectation, near 1 if model and noise are right. p_noise: probability of so large a residual under the
-    stated noise. p_model: of so large a smooth part of it, or one that a changing load explains so well,
-    whatever the size of the noise.
-
-    verdict: "consistent"; "misfit": one of the two is below 0.001; "rejected": inflation would be above 3,
-    or the fit did not converge or is not linear within its deviations; "untested": no more forces than
-    unknowns. doubts: a line for each reason.
-    impossible: a line for each value that no machine can have, more than four deviations below zero.
-    near_zero: a line for each value that is below zero by less: not distinguishable from 0.
-
-    motion: along which the parameters were estimated, (...). parameters: of possible bodies that have these
-    values, (148,), if they were asked for. free: the estimate that was not kept to possible bodies, then.
+    Attributes
+    ----------
+    base : BaseParameters
+        What they are.
+    values : ndarray
+        SI, (rank,).
+    covariance : ndarray
+        (rank, rank), inflated by the square of ``inflation``; infinite on its diagonal if the fit is
+        rejected.
+    misfit : float
+        RMS of the residual over its expectation, near 1 if model and noise are right.
+    p_noise : float
+        Probability of so large a residual under the stated noise.
+    p_model : float
+        Of so large a smooth part of it, or one that a changing load explains so well, whatever the size of
+        the noise.
+    inflation : float
+        Factor on the deviations, at least 1, from the residual.
+    verdict : str
+        "consistent"; "misfit": one of the two is below 0.001; "rejected": inflation would be above 3, or the
+        fit did not converge or is not linear within its deviations; "untested": no more forces than unknowns.
+    doubts : tuple
+        A line for each reason.
+    impossible : tuple
+        A line for each value that no machine can have, more than four deviations below zero.
+    near_zero : tuple
+        A line for each value that is below zero by less: not distinguishable from 0.
+    motion : Motion
+        Along which the parameters were estimated, (...).
+    parameters : Parameters, optional
+        Of possible bodies that have these values, (148,), if they were asked for.
+    free : Estimate, optional
+        The estimate that was not kept to possible bodies, then.
     """
 
     base: BaseParameters
@@ -124,9 +143,22 @@ class Estimate:
 class Experiment:
     """A simulated measurement and what it tells.
 
-    excitation: the motion. measured: its poses as measured, with noise if there is any. F: noisy forces, N,
-    (n, 6). sigma: their standard deviation, N. noise: of the poses, None if they are exact. truth: the base
-    parameters of the robot, (rank,). estimate: from F.
+    Attributes
+    ----------
+    excitation : Excitation
+        The motion.
+    measured : Motion
+        Its poses as measured, with noise if there is any.
+    F : ndarray
+        Noisy forces, N, (n, 6).
+    sigma : float
+        Their standard deviation, N.
+    noise : PoseNoise
+        Of the poses, None if they are exact.
+    truth : ndarray
+        The base parameters of the robot, (rank,).
+    estimate : Estimate
+        From F.
     """
 
     excitation: Excitation
@@ -154,17 +186,38 @@ def identify(
 ) -> Estimate:
     """Estimate the base parameters by weighted least squares, and test the residual.
 
-    robot: its geometry and gravity count, the rest may be wrong. motion: measured, with any load, (...).
-    F: measured actuator forces, N, (..., 6). sigma: standard deviation of each force, N, broadcasts to F's
-    shape. base: None for ``base_parameters(robot)``. noise: of the poses at n instants, of which only these
-    and the load then count; the rates are those of the smooth motion that explains poses and forces best, and
-    the deviations hold the noise of both. None: the motion, with its accelerations, is taken as exact.
-    physical: keep to bodies that can exist; what the forces do not decide is then as near as can be to the
-    robot's own bodies, all 148 parameters are given, and the deviations take that into account. Needs SciPy.
+    All noise is taken as normal and independent.
 
-    All noise is taken as normal and independent. Raises ValueError for wrong shapes, for sigma not > 0, for
-    unsolvable poses, and for a motion that does not excite every base parameter; pass
-    ``base_parameters(robot, motion)`` to identify what it does excite.
+    Parameters
+    ----------
+    robot : Robot
+        Its geometry and gravity count, the rest may be wrong.
+    motion : Motion
+        Measured, with any load, (...).
+    F : array_like
+        Measured actuator forces, N, (..., 6).
+    sigma : array_like
+        Standard deviation of each force, N, broadcasts to F's shape.
+    base : BaseParameters, optional
+        None for ``base_parameters(robot)``.
+    noise : PoseNoise, optional
+        Of the poses at n instants, of which only these and the load then count; the rates are those of the
+        smooth motion that explains poses and forces best, and the deviations hold the noise of both. None:
+        the motion, with its accelerations, is taken as exact.
+    physical : bool, optional
+        Keep to bodies that can exist; what the forces do not decide is then as near as can be to the robot's
+        own bodies, all 148 parameters are given, and the deviations take that into account. Needs SciPy.
+
+    Returns
+    -------
+    Estimate
+        Values with their covariance, and what the residual shows.
+
+    Raises
+    ------
+    ValueError
+        For wrong shapes, for sigma not > 0, for unsolvable poses, and for a motion that does not excite every
+        base parameter; pass ``base_parameters(robot, motion)`` to identify what it does excite.
     """
     need_universal(robot)
     truth(physical, "physical")
@@ -200,9 +253,23 @@ def simulated_experiment(
 ) -> Experiment:
     """Measure the robot's forces along a motion with normal noise and identify it from them.
 
-    sigma: standard deviation of every force, N, > 0. seed: of the noise, which is independent of what
-    ``choose_excitation`` draws from the same seed. noise_position, noise_angle: of the measured poses, m and
-    rad, both 0 or both > 0; with noise, only poses are measured.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    excited : Excitation
+        Motion, as from ``choose_excitation``.
+    sigma : float
+        Standard deviation of every force, N, > 0.
+    seed : int, optional
+        Of the noise, which is independent of what ``choose_excitation`` draws from the same seed.
+    noise_position, noise_angle : float, optional
+        Of the measured poses, m and rad, both 0 or both > 0; with noise, only poses are measured.
+
+    Returns
+    -------
+    Experiment
+        Motion, forces, estimate and true values.
     """
     instance(excited, Excitation, "excited")
     need_seed(seed)

@@ -35,10 +35,19 @@ _REGULAR = 3.0
 class FourierPath(Frozen):
     """A periodic motion: position and roll-pitch-yaw angles as sums of sines and cosines about a middle.
 
-    t0, theta0: position, m, and angles, rad, (3,), about which it swings. sine, cosine: coefficients, (n, 6),
-    of the harmonics 1 to n: columns 0-2 position, m, 3-5 angles, rad. period: s.
+    Attributes
+    ----------
+    t0, theta0 : ndarray
+        Position, m, and angles, rad, (3,), about which it swings.
+    sine, cosine : ndarray
+        Coefficients, (n, 6), of the harmonics 1 to n: columns 0-2 position, m, 3-5 angles, rad.
+    period : float
+        Duration of one period, s.
 
-    Raises ValueError naming the argument.
+    Raises
+    ------
+    ValueError
+        Naming the argument.
     """
 
     t0: Array
@@ -91,9 +100,18 @@ class FourierPath(Frozen):
 class Excitation:
     """The best of the candidates.
 
-    path: the motion over time. time: instants of one period, s, (n,). motion: at these, (n,). base: the
-    machine's base parameters. condition: condition number of the forces' regressor H^-1 Y over these
-    instants, its columns of length 1.
+    Attributes
+    ----------
+    path : FourierPath
+        The motion over time.
+    time : ndarray
+        Instants of one period, s, (n,).
+    motion : Motion
+        At these, (n,).
+    base : BaseParameters
+        The machine's base parameters.
+    condition : float
+        Condition number of the forces' regressor H^-1 Y over these instants, its columns of length 1.
     """
 
     path: FourierPath
@@ -113,12 +131,35 @@ def choose_excitation(
 ) -> Excitation:
     """Draw Fourier series about the home pose and keep the one that tells the base parameters best apart.
 
-    period: s; None: 8 sqrt(size / g), with the radius of the base points as size, in which accelerations are
-    of the order of gravity. harmonics, samples (of one period), candidates: counts. seed: of the draws.
-
     Every candidate is made small enough for the robot's limits of length, speed and force (the last with the
     robot's own parameters) and stays where the scaled condition number of H is at most three times that of
-    the home pose. Raises ValueError naming the argument, and if no candidate keeps within the limits.
+    the home pose.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    period : float, optional
+        s; None: 8 sqrt(size / g), with the radius of the base points as size, in which accelerations are of
+        the order of gravity.
+    harmonics : int, optional
+        Of the Fourier series.
+    samples : int, optional
+        Instants of one period.
+    candidates : int, optional
+        Random series to try.
+    seed : int, optional
+        Of the draws.
+
+    Returns
+    -------
+    Excitation
+        Path, motion and condition number of the regressor.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument, and if no candidate keeps within the limits.
     """
     need_universal(robot)
     for name, value in (("harmonics", harmonics), ("samples", samples), ("candidates", candidates)):

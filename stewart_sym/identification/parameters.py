@@ -38,8 +38,14 @@ class Parameters:
     U; C_u, C_p, C_s. Then 10 of the platform: M, h_P = M R_0 and J_P about its reference point, platform
     frame.
 
-    values: (148,), SI. names: as in the robot's fields, with the number of the leg: ``h_d1_x``, ``J_P_xy``.
-    units: of each.
+    Attributes
+    ----------
+    values : ndarray
+        (148,), SI.
+    names : tuple
+        As in the robot's fields, with the number of the leg: ``h_d1_x``, ``J_P_xy``.
+    units : tuple
+        Of each.
     """
 
     values: Array
@@ -52,10 +58,27 @@ def regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> A
 
     Rows 0-2 are forces, N, rows 3-5 moments about the reference point, N m, base frame, each over the unit of
     its parameter; columns as in ``Parameters``. Equal and zero columns are meant (``base_parameters``). The
-    load of the motion has no part in Y. on_singular: as for ``inverse_dynamics``, but singular H is no fault.
+    load of the motion has no part in Y.
 
-    Raises ValueError for spherical base joints, for a motion without accelerations, and for poses in which a
-    leg has length zero or lies along its universal axis.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+    on_singular : {"raise", "nan", "warn"}, optional
+        As for ``inverse_dynamics``, but singular H is no fault.
+
+    Returns
+    -------
+    ndarray
+        Y, (..., 6, 148).
+
+    Raises
+    ------
+    ValueError
+        For spherical base joints, for a motion without accelerations, and for poses in which a leg has length
+        zero or lies along its universal axis.
     """
     need_universal(robot)
     need_motion(robot, motion)
@@ -85,7 +108,20 @@ def _columns(found: Any, parameters: Sequence[tuple[str, str]]) -> list[list[Any
 def inertial_parameters(robot: Robot) -> Parameters:
     """The robot's pi, by Steiner's theorem about each part's joint point.
 
-    Raises ValueError for spherical base joints.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+
+    Returns
+    -------
+    Parameters
+        Values, names and units of pi.
+
+    Raises
+    ------
+    ValueError
+        For spherical base joints.
     """
     need_universal(robot)
     lower = body_parameters(robot.m_d, robot.r_d0, robot.I_d0)

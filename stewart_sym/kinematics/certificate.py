@@ -36,12 +36,18 @@ Vector = list[Rational]
 class Certificate:
     """What is proven of poses; a leading shape ``(...)`` is that of the poses and lengths.
 
-    proven: whether a pose with exactly these lengths lies within the error below; bool, (...).
-    position: its distance from the given t is at most this, m, (...).
-    angle: it is turned from the given R by at most this, rad, (...), besides what R itself is off a rotation.
-    alone: no other pose with these lengths has position error / length and angle together, as the root of the
-        sum of squares, below this, (...); length: see ``characteristic_length``.
-    All are nan where nothing is proven.
+    Attributes
+    ----------
+    proven : ndarray of bool
+        Whether a pose with exactly these lengths lies within the error below; bool, (...).
+    position : ndarray
+        Its distance from the given t is at most this, m, (...).
+    angle : ndarray
+        It is turned from the given R by at most this, rad, (...), besides what R itself is off a rotation.
+    alone : ndarray
+        No other pose with these lengths has position error / length and angle together, as the root of the
+        sum of squares, below this, (...); length: see ``characteristic_length``. All are nan where nothing is
+        proven.
     """
 
     proven: NDArray[np.bool_]
@@ -53,11 +59,26 @@ class Certificate:
 def certify_pose(robot: Robot, L: ArrayLike, pose: tuple[ArrayLike, ArrayLike]) -> Certificate:
     """Prove, if it can be proven, that a pose with exactly the leg lengths L lies next to the given one.
 
-    L: m, (..., 6).  pose: (R, t), (..., 3, 3) and (..., 3), as of ``forward_kinematics``; nan for no pose,
-    which proves nothing.  No proof means neither that there is such a pose nor that there is none: near a
-    singular pose, where two poses meet, none can be had.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    L : array_like
+        m, (..., 6).
+    pose : tuple
+        (R, t), (..., 3, 3) and (..., 3), as of ``forward_kinematics``; nan for no pose, which proves nothing.
+        No proof means neither that there is such a pose nor that there is none: near a singular pose, where
+        two poses meet, none can be had.
 
-    Raises ``ValueError`` naming the argument for lengths not > 0 and finite, and for what is no pose.
+    Returns
+    -------
+    Certificate
+        What is proven, and the bounds.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument for lengths not > 0 and finite, and for what is no pose.
     """
     instance(robot, Robot, "robot")
     lengths = checked_lengths(L)

@@ -17,7 +17,17 @@ def condition_number(H: ArrayLike) -> Array:
     """Return the ratio of the largest to the smallest singular value, (...), of H, (..., 6, 6).
 
     This is the paper's number; it mixes unitless rows with rows in metres, so it changes with the unit of
-    length.  inf where H is singular to rounding (smallest <= 6 eps largest), nan where H is not finite.
+    length. inf where H is singular to rounding (smallest <= 6 eps largest), nan where H is not finite.
+
+    Parameters
+    ----------
+    H : array_like
+        From axial forces to the wrench, (..., 6, 6).
+
+    Returns
+    -------
+    ndarray
+        Condition numbers, (...).
     """
     H = _matrices(H)
     finite = np.all(np.isfinite(H), axis=(-2, -1))
@@ -31,8 +41,19 @@ def condition_number(H: ArrayLike) -> Array:
 def scaled_condition_number(H: ArrayLike, length: float) -> Array:
     """Return the condition number, (...), of H with its moment rows divided by a length, m.
 
-    It has no units.  H: (..., 6, 6), forces in rows 0-2 and moments in rows 3-5.  length: see
-    ``characteristic_length``; must be > 0.
+    It has no units.
+
+    Parameters
+    ----------
+    H : array_like
+        (..., 6, 6), forces in rows 0-2 and moments in rows 3-5.
+    length : float
+        See ``characteristic_length``; must be > 0.
+
+    Returns
+    -------
+    ndarray
+        Condition numbers, (...).
     """
     return condition_number(moments_over(H, length))
 
@@ -49,7 +70,18 @@ def moments_over(H: ArrayLike, length: float) -> Array:
 
 
 def characteristic_length(robot: Robot) -> float:
-    """Return the root mean square distance of the platform points from the reference point, m."""
+    """Return the root mean square distance of the platform points from the reference point, m.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+
+    Returns
+    -------
+    float
+        Length, m.
+    """
     instance(robot, Robot, "robot")
     return float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1))))
 

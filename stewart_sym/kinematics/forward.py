@@ -72,11 +72,18 @@ _ALMOST = 1e-6
 class PlatformPose:
     """Poses found from leg lengths; a leading shape ``(...)`` is that of the lengths and the guess.
 
-    R: orientation, platform to base, (..., 3, 3).  t: position of the reference point, m, (..., 3).  Both
-        are nan where the status is not 0.
-    residual: largest difference between the lengths asked for and those of the last pose tried, m, (...).
-    iterations: steps taken, those from starts that led nowhere included; int, (...).
-    status: results.OK, NOT_CONVERGED, SINGULAR (lengths fit, but the pose is not settled by them) or
+    Attributes
+    ----------
+    R : ndarray
+        Orientation, platform to base, (..., 3, 3).
+    t : ndarray
+        Position of the reference point, m, (..., 3). Both are nan where the status is not 0.
+    residual : ndarray
+        Largest difference between the lengths asked for and those of the last pose tried, m, (...).
+    iterations : ndarray of int
+        Steps taken, those from starts that led nowhere included; int, (...).
+    status : Status
+        ``results.OK``, NOT_CONVERGED, SINGULAR (lengths fit, but the pose is not settled by them) or
         OUT_OF_LIMITS; int, (...).
     """
 
@@ -96,18 +103,35 @@ def forward_kinematics(
 ) -> PlatformPose:
     """Return the poses in which the legs have the lengths L, by damped Newton steps on (2).
 
-    L: m, (..., 6).  guess: pose (R, t) to start from, (..., 3, 3) and (..., 3); None: about parallel to the
-    base and on the side of it that ``platform_side`` tells, against gravity; where that leads nowhere, other
-    such poses, and in the end the other side.
-    limits: whether lengths outside the robot's length_limits count as a failure.  on_failure: what to do
-    about lengths that no pose has: "raise" ValueError, "warn" and return nan there, or return "nan"
-    silently; ``status`` tells.
+    A pose with status 0 has lengths within 16 rounding units of the largest component of the terms of S = q +
+    t - b. Of the assembly modes found from a guess it is the one nearest to it, angles counted times the
+    platform's size. Where none is found, the error says what was tried, or why there is none.
 
-    A pose with status 0 has lengths within 16 rounding units of the largest component of the terms of
-    S = q + t - b.  Of the assembly modes found from a guess it is the one nearest to it, angles counted times
-    the platform's size.  Where none is found, the error says what was tried, or why there is none.
-    Raises ``ValueError`` naming the argument for lengths that are not > 0 and finite, and for a guess that
-    is no pose.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    L : array_like
+        m, (..., 6).
+    guess : Guess, optional
+        Pose (R, t) to start from, (..., 3, 3) and (..., 3); None: about parallel to the base and on the side
+        of it that ``platform_side`` tells, against gravity; where that leads nowhere, other such poses, and
+        in the end the other side.
+    on_failure : {"raise", "nan", "warn"}, optional
+        What to do about lengths without a pose: "raise" ValueError, "warn" and return nan there, or return
+        "nan" silently; ``status`` tells.
+    limits : bool, optional
+        Whether lengths outside the robot's length_limits count as a failure.
+
+    Returns
+    -------
+    PlatformPose
+        Poses, residuals, iterations and statuses.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument for lengths that are not > 0 and finite, and for a guess that is no pose.
     """
     instance(robot, Robot, "robot")
     option(on_failure, ON_FAULT, "on_failure")
@@ -164,9 +188,26 @@ def forward_velocity(
 ) -> Velocities:
     """Return (v, omega), a named tuple, m/s and rad/s, (..., 3), base frame: L_dot = H^T [v; omega], (5).
 
-    R, t: pose, (..., 3, 3) and (..., 3).  L_dot: rates of the legs, m/s, (..., 6).  on_failure: as in
-    ``forward_kinematics``, about poses where H is singular or the result overflows.  Raises ``ValueError``
-    naming the argument; as ``inverse_kinematics`` for a leg of length zero.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    R, t : array_like
+        Pose, (..., 3, 3) and (..., 3).
+    L_dot : array_like
+        Rates of the legs, m/s, (..., 6).
+    on_failure : {"raise", "nan", "warn"}, optional
+        As in ``forward_kinematics``, about poses where H is singular or the result overflows.
+
+    Returns
+    -------
+    Velocities
+        Named tuple (v, omega), m/s and rad/s, (..., 3).
+
+    Raises
+    ------
+    ValueError
+        Naming the argument; as ``inverse_kinematics`` for a leg of length zero.
     """
     still = np.zeros(3)
     return Velocities(*_rates(robot, R, t, (still, still), L_dot, "L_dot", on_failure))
@@ -183,9 +224,27 @@ def forward_acceleration(
 ) -> Accelerations:
     """Return (a, alpha), a named tuple, m/s^2 and rad/s^2, (..., 3), base frame.
 
-    L_ddot = H^T [a; alpha] + what the velocities alone make of it, (8).  v, omega: of the platform, m/s and
-    rad/s, (..., 3).  L_ddot: accelerations of the legs, m/s^2, (..., 6).  The rest as in
-    ``forward_velocity``.
+    L_ddot = H^T [a; alpha] + what the velocities alone make of it, (8).
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    R : array_like
+        Orientation, platform to base, (..., 3, 3).
+    t : array_like
+        Position of the reference point, m, (..., 3).
+    v, omega : array_like
+        Of the platform, m/s and rad/s, (..., 3).
+    L_ddot : array_like
+        Accelerations of the legs, m/s^2, (..., 6). The rest as in ``forward_velocity``.
+    on_failure : {"raise", "nan", "warn"}, optional
+        What to do about lengths without a pose: raise, return NaN, or warn and return NaN.
+
+    Returns
+    -------
+    Accelerations
+        Named tuple (a, alpha), m/s^2 and rad/s^2, (..., 3).
     """
     return Accelerations(*_rates(robot, R, t, (v, omega), L_ddot, "L_ddot", on_failure))
 

@@ -55,8 +55,25 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
     """Return lengths, rates and directions of the legs.
 
     The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
-    for either base joint.  Raises ``ValueError`` naming the leg when one has length zero: no more than 16
-    rounding units of the largest component of the terms of S = q + t - b, (1); and when a result overflows.
+    for either base joint.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+
+    Returns
+    -------
+    LegKinematics
+        Lengths, rates, second rates and directions.
+
+    Raises
+    ------
+    ValueError
+        Naming the leg when one has length zero: no more than 16 rounding units of the largest component of
+        the terms of S = q + t - b, (1); and when a result overflows.
     """
     legs = legs_or_overflow(robot, motion)
     _reject_overflow(legs.L, legs.L_dot, legs.L_ddot)
@@ -98,7 +115,24 @@ def wrench_matrix(robot: Robot, motion: Motion) -> Array:
     """Return H of (36), (..., 6, 6): column i is [s_i; q_i x s_i], the wrench of a unit force of leg i.
 
     Rows 0-2 have no unit, rows 3-5 are m. Leg rates are L_dot = H^T [v; omega], actuator forces push with the
-    wrench H F.  Raises ``ValueError`` as ``inverse_kinematics``.
+    wrench H F.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+
+    Returns
+    -------
+    ndarray
+        H, (..., 6, 6).
+
+    Raises
+    ------
+    ValueError
+        As ``inverse_kinematics``.
     """
     legs = _legs(robot, motion, ("L", "q", "s"))
     _reject_overflow(legs["L"])
@@ -108,7 +142,24 @@ def wrench_matrix(robot: Robot, motion: Motion) -> Array:
 def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
     """Return the time derivative of H along the motion, (..., 6, 6), 1/s and m/s.
 
-    With it L_ddot = H^T [a; alpha] + H_dot^T [v; omega].  Raises ``ValueError`` as ``inverse_kinematics``.
+    With it L_ddot = H^T [a; alpha] + H_dot^T [v; omega].
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+
+    Returns
+    -------
+    ndarray
+        Rate of H, (..., 6, 6).
+
+    Raises
+    ------
+    ValueError
+        As ``inverse_kinematics``.
     """
     legs = _legs(robot, motion, ("L", "L_dot", "q", "s", "S_dot"))
     q, s = legs["q"], legs["s"]

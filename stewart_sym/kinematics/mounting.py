@@ -53,6 +53,16 @@ def up_direction(robot: Robot) -> Array:
     """Return the unit vector from the base to the side on which the platform is looked for, (3,), base frame.
 
     See ``platform_side``; warns with ``AssemblyModeWarning`` where the opposite side is as plausible.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+
+    Returns
+    -------
+    ndarray
+        Unit vector, (3,).
     """
     side = platform_side(robot)
     if not side.settled:

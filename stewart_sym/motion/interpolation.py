@@ -33,7 +33,22 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
     """Return the trajectory as a motion at any times from its first instant to its last, s, (...).
 
     Positions and, from each instant to the next, the rotation vector are polynomials of degree 5 in time;
-    loads change linearly. Raises ValueError for fewer than two instants, and the function for times outside.
+    loads change linearly.
+
+    Parameters
+    ----------
+    trajectory : Trajectory or PoseLog
+        Times and poses, or a log of poses.
+
+    Returns
+    -------
+    Path
+        Function of times, s, that returns motions of their shape.
+
+    Raises
+    ------
+    ValueError
+        For fewer than two instants, and the function for times outside.
     """
     need_trajectory(trajectory)
     time = trajectory.time
@@ -69,8 +84,24 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
 def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     """Return the trajectory at even times from its first instant on, ``rate`` of them per second, Hz.
 
-    Each takes the row of the instant before it. Raises ValueError for a rate that is not > 0 or makes too
-    many instants, and as ``between``.
+    Each takes the row of the instant before it.
+
+    Parameters
+    ----------
+    trajectory : Trajectory or PoseLog
+        Times and poses, or a log of poses.
+    rate : float
+        Instants per second, Hz.
+
+    Returns
+    -------
+    Trajectory
+        Trajectory at even times.
+
+    Raises
+    ------
+    ValueError
+        For a rate that is not > 0 or makes too many instants, and as ``between``.
     """
     need_trajectory(trajectory)
     rate = positive(rate, "rate")

@@ -54,12 +54,21 @@ class HeaderError(ValueError):
 class LogFormat:
     """How a log is written.
 
-    columns: name that is expected -> name in the header; with any given, other columns are skipped.
-    length_unit, angle_unit, time_unit: of ``LENGTH_UNITS``, ``ANGLE_UNITS``, ``TIME_UNITS``; rates are per
-    second. delimiter, decimal: of ``DELIMITERS``, ``DECIMALS``; None: detected. euler_order: of the rotations
-    multiplied, "zyx" for R = Rz Ry Rx, (38).
+    Attributes
+    ----------
+    columns : dict, optional
+        Name that is expected -> name in the header; with any given, other columns are skipped.
+    length_unit, angle_unit, time_unit : str, optional
+        Of ``LENGTH_UNITS``, ``ANGLE_UNITS``, ``TIME_UNITS``; rates are per second.
+    delimiter, decimal : str, optional
+        Of ``DELIMITERS``, ``DECIMALS``; None: detected.
+    euler_order : str, optional
+        Of the rotations multiplied, "zyx" for R = Rz Ry Rx, (38).
 
-    Raises ValueError naming the argument.
+    Raises
+    ------
+    ValueError
+        Naming the argument.
     """
 
     columns: Mapping[str, str] = field(default_factory=dict)

@@ -44,22 +44,32 @@ FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)
 class Motion(Frozen):
     """Motion of the platform's reference point and frame; SI units, base frame unless said otherwise.
 
-    R: orientation, platform to base, (..., 3, 3).
-    t: position of the reference point, m, (..., 3).
-    omega, v: angular velocity, rad/s, and velocity of the reference point, m/s, (..., 3).
-    alpha, a: angular acceleration, rad/s^2, and acceleration of the reference point, m/s^2, (..., 3);
-        both None when the motion has no accelerations, as for forward dynamics.
-    F_ext, M_ext: external force, N, and moment, N m, at the reference point, in the platform frame,
-        (..., 3); None for no load.
-
     Leading shapes broadcast, as in NumPy, to one ``shape``; every array is a read-only private copy of that
-    shape.  ``motion[index]`` slices it.
+    shape. ``motion[index]`` slices it.
 
-    R given as float32 is a rotation only to float32's rounding (R^T R = E to 2e-6): it is made orthonormal
-    in double, by the nearest rotation, and stored so.
+    R given as float32 is a rotation only to float32's rounding (R^T R = E to 2e-6): it is made orthonormal in
+    double, by the nearest rotation, and stored so.
 
-    Raises ``ValueError`` naming the argument: shapes that do not fit, entries that are no finite numbers,
-    R that is no rotation (R^T R = E to 1e-9 and det R > 0), one of alpha and a without the other.
+    Attributes
+    ----------
+    R : ndarray
+        Orientation, platform to base, (..., 3, 3).
+    t : ndarray
+        Position of the reference point, m, (..., 3).
+    omega, v : ndarray
+        Angular velocity, rad/s, and velocity of the reference point, m/s, (..., 3).
+    alpha, a : ndarray, optional
+        Angular acceleration, rad/s^2, and acceleration of the reference point, m/s^2, (..., 3); both None
+        when the motion has no accelerations, as for forward dynamics.
+    F_ext, M_ext : ndarray, optional
+        External force, N, and moment, N m, at the reference point, in the platform frame, (..., 3); None for
+        no load.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument: shapes that do not fit, entries that are no finite numbers, R that is no rotation
+        (R^T R = E to 1e-9 and det R > 0), one of alpha and a without the other.
     """
 
     R: Array
@@ -105,7 +115,7 @@ class Motion(Frozen):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The leading shape: () for one instant."""
+        """The leading shape, () for one instant."""
         return self.t.shape[:-1]
 
     def __getitem__(self, index: Any) -> Motion:
@@ -233,8 +243,8 @@ class Motion(Frozen):
     ) -> Motion:
         """Make a motion from rotation vectors, R = exp([phi]x), and their rates.
 
-        phi, phi_dot, phi_ddot: rad, rad/s, rad/s^2, (..., 3): turns by |phi| about phi; phi may be zero. The
-        rest as in ``from_rpy``.
+        phi, phi_dot, phi_ddot: rad, rad/s, rad/s^2, (..., 3): turns about phi by its magnitude; phi may be
+        zero. The rest as in ``from_rpy``.
         """
         turns = _turns((3,), {"phi": phi, "phi_dot": phi_dot, "phi_ddot": phi_ddot}, a)
         second = np.zeros(3) if a is None else turns[2]

@@ -37,13 +37,23 @@ _IN_VAIN = 4
 class PoseNoise:
     """How the poses of a motion were measured.
 
-    time: instants, s, (n,), increasing. position, angle: standard deviation of each coordinate of the
-    measured position, m, and of the rotation about each axis, rad; independent from instant to instant.
-    period: of a periodic motion, s, which is then a Fourier series; None: of any other, which is then a
-    spline of degree 5.
-    harmonics: of the series; None: as many as the measurement calls for.
+    Attributes
+    ----------
+    time : ndarray
+        Instants, s, (n,), increasing.
+    position, angle : float
+        Standard deviation of each coordinate of the measured position, m, and of the rotation about each
+        axis, rad; independent from instant to instant.
+    period : float, optional
+        Of a periodic motion, s, which is then a Fourier series; None: of any other, which is then a spline of
+        degree 5.
+    harmonics : int, optional
+        Of the series; None: as many as the measurement calls for.
 
-    Raises ValueError naming the argument.
+    Raises
+    ------
+    ValueError
+        Naming the argument.
     """
 
     time: Array
@@ -106,8 +116,26 @@ def estimated_noise(
 ) -> PoseNoise:
     """Estimate the noise of measured poses from their scatter about the smooth motion fitted to them.
 
-    Arguments: as for ``PoseNoise``; motion: its poses count, (n,). The fit has as many functions as lower the
-    residual by more than noise would. Raises ValueError naming the argument, and for poses without scatter.
+    Parameters
+    ----------
+    time : array_like
+        Instants, s, (n,).
+    motion : Motion
+        Its poses count, (n,). The fit has as many functions as lower the residual by more than noise would.
+    period : float, optional
+        s; None for a motion without one.
+    harmonics : int, optional
+        Of the Fourier series.
+
+    Returns
+    -------
+    PoseNoise
+        Times, deviations and period.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument, and for poses without scatter.
     """
     scale = PoseNoise(time, 1.0, 1.0, period, harmonics)  # type: ignore[arg-type]
     q = coordinates(motion, scale)

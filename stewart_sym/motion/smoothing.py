@@ -66,9 +66,17 @@ _CHUNK = 1 << 16
 class Smooth(NamedTuple):
     """Columns of samples smoothed: (n, c) each, and what noise leaves open.
 
-    values, rates, second_rates: of the spline at the samples' times. sigma: standard deviation of the noise,
-    (c,). grid: times, (g,), at which covariance, (g, c, 6), is given: of value, rate and second rate, the
-    lower triangle row by row.
+    Attributes
+    ----------
+    values, rates, second_rates : ndarray
+        Of the spline at the samples' times.
+    sigma : ndarray
+        Standard deviation of the noise, (c,).
+    grid : ndarray
+        Times, (g,), at which covariance, (g, c, 6), is given: of value, rate and second rate, the lower
+        triangle row by row.
+    covariance : ndarray
+        Of value, rate and second rate at the times of ``grid``, (g, c, 6).
     """
 
     values: Array
@@ -96,12 +104,28 @@ def smooth(
 ) -> Smooth:
     """Smooth columns of samples, zero phase, right up to both ends.
 
-    time: increasing, s, (n,), n > 3. values: (n, c). sigma: standard deviation of the noise of each column,
-    (c,) or one for all, > 0; None: as ``noise_level`` and the samples show it. cutoff: frequency, Hz, at
-    which the amplitude is halved; None: the likeliest. With a cut-off and no sigma the noise is that of the
-    residuals. A column without noise is rejected: interpolate it.
+    Parameters
+    ----------
+    time : array_like
+        Increasing, s, (n,), n > 3.
+    values : array_like
+        (n, c).
+    sigma : array_like, optional
+        Standard deviation of the noise of each column, (c,) or one for all, > 0; None: as ``noise_level`` and
+        the samples show it.
+    cutoff : float, optional
+        Frequency, Hz, at which the amplitude is halved; None: the likeliest. With a cut-off and no sigma the
+        noise is that of the residuals. A column without noise is rejected: interpolate it.
 
-    Raises ValueError naming the argument.
+    Returns
+    -------
+    Smooth
+        Smoothed columns with rates, second rates and covariances.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument.
     """
     when, columns = real_array(time, "time"), real_array(values, "values")
     if when.ndim != 1 or len(when) < 4 or not (np.diff(when) > 0.0).all():

@@ -48,14 +48,24 @@ class StraightLinePath:
     Position and angles each speed up with constant acceleration, go at constant speed and slow down; both
     start at 0 and end at tau_f, (39), (40).
 
-    t0, t1: first and last position of the reference point, m, base frame.
-    theta0, theta1: first and last angles (theta_x, theta_y, theta_z), rad.
-    tau_f: duration, s.
-    V, Omega: top speed of position, m/s, and of the vector of angles, rad/s.  Each must lie in
-        (d/tau_f, 2 d/tau_f] for its distance d; where d = 0 that part rests and its speed is not used.
-    axes: rotation, by rows, from the axes of position and angles to those of base and platform.
+    Attributes
+    ----------
+    t0, t1 : tuple of float
+        First and last position of the reference point, m, base frame.
+    theta0, theta1 : tuple of float
+        First and last angles (theta_x, theta_y, theta_z), rad.
+    tau_f : float
+        Duration, s.
+    V, Omega : float
+        Top speed of position, m/s, and of the vector of angles, rad/s. Each must lie in (d/tau_f, 2 d/tau_f]
+        for its distance d; where d = 0 that part rests and its speed is not used.
+    axes : Rows, optional
+        Rotation, by rows, from the axes of position and angles to those of base and platform.
 
-    Raises ``ValueError`` naming the argument; for V and Omega it says which range works.
+    Raises
+    ------
+    ValueError
+        Naming the argument; for V and Omega it says which range works.
     """
 
     t0: Vector
@@ -289,11 +299,20 @@ _PLAIN = LogFormat()
 class Smoothing:
     """What is known of a log's noise, and what is done about it.
 
-    position, angle: standard deviation of each coordinate, m and rad; leg lengths count as positions. None:
-    as the decimals and the scatter of the numbers show. cutoff: frequency, Hz, at which the amplitude is
-    halved; None: the likeliest. on: False interpolates whatever the noise.
+    Attributes
+    ----------
+    position, angle : float, optional
+        Standard deviation of each coordinate, m and rad; leg lengths count as positions. None: as the
+        decimals and the scatter of the numbers show.
+    cutoff : float, optional
+        Frequency, Hz, at which the amplitude is halved; None: the likeliest.
+    on : bool, optional
+        False interpolates whatever the noise.
 
-    Raises ValueError naming the argument.
+    Raises
+    ------
+    ValueError
+        Naming the argument.
     """
 
     position: float | None = None

@@ -57,27 +57,48 @@ class PhysicalityWarning(UserWarning):
 class Robot(Frozen):
     """A Stewart platform with six legs, all of them distinct if need be.  SI units; arrays are read-only.
 
-    name: one line of text.
-    base_joint: ``"universal"`` (the paper's machine) or ``"spherical"`` (joints of that kind at both ends).
-    g: gravity, m/s^2, base frame, (3,).
-    M: platform mass with payload, kg.
-    R_0: centre of mass of the platform, m, platform frame, (3,).
-    I_p: its inertia about that centre of mass, kg m^2, platform frame, (3, 3).
-    b: base points, m, base frame, (6, 3).
-    p: platform points, m, platform frame, (6, 3).
-    k: unit fixed axes of the universal joints, base frame, (6, 3); zeros when ``base_joint`` is spherical.
-    m_d, m_u: masses of the lower and upper parts, kg, (6,).
-    r_d0: centres of mass of the lower parts, m, frame D (origin at the base point), (6, 3).
-    r_u0: centres of mass of the upper parts, m, frame U (origin at the platform point), (6, 3).
-    I_d0, I_u0: inertias about those centres of mass, kg m^2, frames D and U, (6, 3, 3).
-    C_u, C_p, C_s: viscous friction of the base joint (N m s), prismatic joint (N s/m) and spherical joint
-        (N m s), (6,).
-    length_limits: shortest and longest leg, m, (6, 2); a row (0, inf) means no limit.
-    force_limit, speed_limit: of the actuators, N and m/s, (6,); inf means no limit.
-    accept: names, of ``DOUBTS``, of warnings that are known of this robot and not given.
+    Attributes
+    ----------
+    name : str
+        One line of text.
+    base_joint : str
+        ``"universal"`` (the paper's machine) or ``"spherical"`` (joints of that kind at both ends).
+    g : ndarray
+        Gravity, m/s^2, base frame, (3,).
+    M : float
+        Platform mass with payload, kg.
+    R_0 : ndarray
+        Centre of mass of the platform, m, platform frame, (3,).
+    I_p : ndarray
+        Its inertia about that centre of mass, kg m^2, platform frame, (3, 3).
+    b : ndarray
+        Base points, m, base frame, (6, 3).
+    p : ndarray
+        Platform points, m, platform frame, (6, 3).
+    k : ndarray
+        Unit fixed axes of the universal joints, base frame, (6, 3); zeros when ``base_joint`` is spherical.
+    m_d, m_u : ndarray
+        Masses of the lower and upper parts, kg, (6,).
+    r_d0 : ndarray
+        Centres of mass of the lower parts, m, frame D (origin at the base point), (6, 3).
+    I_d0, I_u0 : ndarray
+        Inertias about those centres of mass, kg m^2, frames D and U, (6, 3, 3).
+    r_u0 : ndarray
+        Centres of mass of the upper parts, m, frame U (origin at the platform point), (6, 3).
+    C_u, C_p, C_s : ndarray
+        Viscous friction of the base joint (N m s), prismatic joint (N s/m) and spherical joint (N m s), (6,).
+    length_limits : ndarray, optional
+        Shortest and longest leg, m, (6, 2); a row (0, inf) means no limit.
+    force_limit, speed_limit : ndarray, optional
+        Of the actuators, N and m/s, (6,); inf means no limit.
+    accept : tuple, optional
+        Names, of ``DOUBTS``, of warnings that are known of this robot and not given.
 
-    Raises ``ValueError`` naming the field when a value breaks a rule of the robot file.
-    ``dataclasses.replace`` makes a changed copy and checks it again.
+    Raises
+    ------
+    ValueError
+        Naming the field when a value breaks a rule of the robot file. ``dataclasses.replace`` makes a changed
+        copy and checks it again.
     """
 
     name: str

@@ -51,10 +51,22 @@ _FORCE = (1, 1, -2)
 class Units:
     """Units of length, m, mass, kg, and time, s: powers of two from 2^-100 to 2^100.
 
-    A change of units multiplies by powers of two alone, so it is exact, and undone to the bit by
-    ``inverse``, as long as no number leaves the range of normal numbers of its type.
+    A change of units multiplies by powers of two alone, so it is exact, and undone to the bit by ``inverse``,
+    as long as no number leaves the range of normal numbers of its type.
 
-    Raises ValueError naming the unit that is no such power.
+    Attributes
+    ----------
+    length : float, optional
+        Unit of length, m.
+    mass : float, optional
+        Unit of mass, kg.
+    time : float, optional
+        Unit of time, s.
+
+    Raises
+    ------
+    ValueError
+        Naming the unit that is no such power.
     """
 
     length: float = 1.0

@@ -36,7 +36,21 @@ class LegSprings(Frozen):
 
     stiffness k, N/m, rest_length L0, m, and damping d, N s/m: one number or six.
 
-    Raises ValueError naming the argument that is not finite or of another shape.
+    Attributes
+    ----------
+    robot : Robot
+        The machine.
+    stiffness : ndarray or float
+        N/m, one or (6,).
+    rest_length : ndarray or float
+        m, one or (6,).
+    damping : ndarray or float, optional
+        N s/m, one or (6,).
+
+    Raises
+    ------
+    ValueError
+        Naming the argument that is not finite or of another shape.
     """
 
     robot: Robot
@@ -94,7 +108,7 @@ class ModelTorque:
     decays as x'' + k_d x' + k_p x = 0.
 
     model: Motion of shape () with accelerations -> F, N, (6,). wanted: time, s -> Motion with accelerations.
-    k_p, 1/s^2, and k_d, 1/s: gains.
+
 
     Raises ValueError naming the gain that is not finite or negative.
     """
@@ -122,8 +136,18 @@ class ModelTorque:
 class ComputedTorque:
     """Follow a wanted motion by inverse dynamics of the state: ``ModelTorque`` with a robot as the model.
 
-    robot: the model. wanted: time, s -> Motion with accelerations. k_p, 1/s^2, and k_d, 1/s: gains.
-    formulation, backend: of the model. Poses where the model is unsolvable get NaN forces.
+    Attributes
+    ----------
+    robot : Robot
+        The model.
+    wanted : Wanted
+        Time, s -> Motion with accelerations.
+    k_p : float
+        Gain of position, 1/s^2.
+    k_d : float
+        Gain of velocity, 1/s.
+    formulation, backend : {"exact", "paper"} or {"c", "numpy", "reference"}, optional
+        Of the model. Poses where the model is unsolvable get NaN forces.
     """
 
     robot: Robot

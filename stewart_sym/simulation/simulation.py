@@ -55,12 +55,20 @@ RTOL_RANGE = (1e-13, 1e-2)
 class Thresholds:
     """Where a run stops because the model ends, besides the robot's own limits.
 
-    max_condition: scaled condition number of H (see ``scaled_condition_number``), > 1; inf: a run goes
-    through singular poses.
-    min_length: of a leg, m, > 0; None: a thousandth of the machine's characteristic length.
-    min_joint_sine: sine of the angle between a leg and its universal axis, > 0 and < 1.
+    Attributes
+    ----------
+    max_condition : float, optional
+        Scaled condition number of H (see ``scaled_condition_number``), > 1; inf: a run goes through singular
+        poses.
+    min_length : float, optional
+        Of a leg, m, > 0; None: a thousandth of the machine's characteristic length.
+    min_joint_sine : float, optional
+        Sine of the angle between a leg and its universal axis, > 0 and < 1.
 
-    Raises ValueError naming the argument.
+    Raises
+    ------
+    ValueError
+        Naming the argument.
     """
 
     max_condition: float = 1e6
@@ -85,9 +93,17 @@ class Thresholds:
 class Stop:
     """Why and when a run ended.
 
-    kind: "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit", "singular",
-    "zero_length", "joint" (singularity of a leg's universal joint) or "failed" (no step is small enough).
-    time: s. leg: its number from 1, None where no leg is to blame. text: all of it in one line.
+    Attributes
+    ----------
+    kind : str
+        "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit", "singular",
+        "zero_length", "joint singularity" or "failed" (no step is small enough).
+    time : float
+        s.
+    leg : int
+        Its number from 1, None where no leg is to blame.
+    text : str
+        All of it in one line.
     """
 
     kind: str
@@ -100,8 +116,12 @@ class Stop:
 class Saturation:
     """How long and by how much each leg's actuator was asked for more than its limit; zeros if it never was.
 
-    time: s, (6,), of a law that is not sampled to a small part of a step. excess: the largest force beyond
-    the limit, N, (6,).
+    Attributes
+    ----------
+    time : ndarray
+        s, (6,), of a law that is not sampled to a small part of a step.
+    excess : ndarray
+        The largest force beyond the limit, N, (6,).
     """
 
     time: Array
@@ -112,10 +132,23 @@ class Saturation:
 class Trace:
     """States and forces at n instants; SI units, base frame.
 
-    times: s, (n,). R: (n, 3, 3). t, v: m and m/s, (n, 3). omega: rad/s, (n, 3).
-    F: actuator forces, N, (n, 6). L: leg lengths, m, (n, 6).
-    kinetic, potential: energy of the platform and the twelve leg parts, J, (n,), with the exact kinematics of
-    the legs in either formulation; the potential energy is that of weight, zero at the base frame's origin.
+    Attributes
+    ----------
+    times : ndarray
+        s, (n,).
+    R : ndarray
+        (n, 3, 3).
+    t, v : ndarray
+        m and m/s, (n, 3).
+    omega : ndarray
+        Rad/s, (n, 3).
+    F : ndarray
+        Actuator forces, N, (n, 6).
+    L : ndarray
+        Leg lengths, m, (n, 6).
+    kinetic, potential : ndarray
+        Energy of the platform and the twelve leg parts, J, (n,), with the exact kinematics of the legs in
+        either formulation; the potential energy is that of weight, zero at the base frame's origin.
     """
 
     times: Array
@@ -183,7 +216,15 @@ class _Piece(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Simulation(Trace):
-    """A run: its trace, why it stopped, how its forces saturated, and any instant between by ``at``."""
+    """A run: its trace, why it stopped, how its forces saturated, and any instant between by ``at``.
+
+    Attributes
+    ----------
+    stop : Stop
+        Why and where the run ended.
+    saturation : Saturation
+        What clipping left out, by leg.
+    """
 
     stop: Stop
     saturation: Saturation
@@ -231,25 +272,57 @@ def simulate(
 ) -> Simulation:
     """Integrate the machine's motion from a state, under actuator forces, for a duration, s.
 
-    initial_state: Motion of shape (); its accelerations don't count, its load F_ext, M_ext stays on. "path":
-    that which the law, one with a wanted motion, wants at the start.
-    forces: N, (6,), or a law (time, state) -> (6,). A law must depend on its arguments alone, unless
-    rate: Hz; then it is asked at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
-    load: (time, state) -> [F_ext; M_ext], platform frame, in place of the state's load.
-    method: "DOP853", or "Radau" where springs or dampers are stiff. rtol, in ``RTOL_RANGE``, and atol: error
-    of a step, relative and absolute, in m, rad, m/s and rad/s. output_step: s, between instants of the trace,
-    at most ``MOST_INSTANTS``; None: as integrated.
-    thresholds: None for the default ones. on_force_limit: where a force reaches the robot's force_limit, the
-    run ends ("stop"), or the force is clipped to it ("saturate") and ``saturation`` reports it.
-    progress: is given the share done, 0 to 1, now and then.
-
     A run stops before its end where a leg reaches a limit of the robot or a threshold; the place is a root of
     the interpolated motion, to rounding. Limits are looked at ``WATCHED`` times a step: a leg that passes one
     and is back within that is not seen. A singular pose that is crossed, where det H changes its sign, is
     seen however short the time near it; the run then ends where the condition number passes its threshold.
 
-    Returns Simulation. Raises ValueError naming the argument: unknown options, numbers out of range, a state
-    in which the machine has no accelerations, forces that are not six numbers; ImportError without SciPy.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    initial_state : Motion or {"path"}
+        Motion of shape (); its accelerations don't count, its load F_ext, M_ext stays on. "path": that which
+        the law, one with a wanted motion, wants at the start.
+    forces : array_like or ForceLaw
+        N, (6,), or a law (time, state) -> N, (6,). A law must depend on its arguments alone, unless there is
+        a rate: then it is called at 0, 1/rate, 2/rate, ... s, once each, and its forces are held between.
+    duration : float
+        Length of the run, s.
+    rate : float, optional
+        Of the calls of a law, Hz; None: as often as the integration needs.
+    load : Load, optional
+        (time, state) -> [F_ext; M_ext], platform frame, in place of the state's load.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+    backend : {"c", "numpy", "reference"}, optional
+        What computes.
+    method : Method, optional
+        "DOP853", or "Radau" where springs or dampers are stiff.
+    rtol : float, optional
+        Relative error of a step, in ``RTOL_RANGE``.
+    atol : float, optional
+        Absolute error of a step, in m, rad, m/s and rad/s.
+    output_step : float, optional
+        s, between instants of the trace, at most ``MOST_INSTANTS``; None: as integrated.
+    thresholds : Thresholds, optional
+        None for the default ones.
+    on_force_limit : OnForceLimit, optional
+        Where a force reaches the robot's force_limit, the run ends ("stop"), or the force is clipped to it
+        ("saturate") and ``saturation`` reports it.
+    progress : Progress, optional
+        Called now and then with the share done, 0 to 1.
+
+    Returns
+    -------
+    Simulation
+        Shapes and units are documented there.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument: unknown options, numbers out of range, a state in which the machine has no
+        accelerations, forces that are not six numbers; ImportError without SciPy.
     """
     instance(robot, Robot, "robot")
     law = _law(forces)
@@ -454,7 +527,7 @@ class _Watch:
         return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
     def _margins(self, when: Array, piece: _Piece, actuators: _Actuators) -> Array:
-        """(n, 38): shortest, longest, speed, force, length zero, joint, six each; condition and side of H."""
+        """(n, 38): shortest, longest, speed, force, length zero, joint sine, 6 each; condition, side of H."""
         robot = self.robot
         state = _motion(piece.interpolant(when).T, piece.center)
         legs = _legs(robot, state)
@@ -515,7 +588,7 @@ class _Watch:
                 f"{robot.force_limit[leg]:g} N",
             ),
             ("zero_length", f"length {length} is near zero"),
-            ("joint", "lies nearly along the fixed axis of its universal joint"),
+            ("joint singularity", "lies nearly along the fixed axis of its universal joint"),
         )[row // 6]
         return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
 

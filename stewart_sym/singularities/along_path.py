@@ -46,8 +46,16 @@ _CHUNK = 1 << 13
 class Crossing:
     """A time at which det H changes its sign, between or at the samples of a path.
 
-    time: s. uncertainty: what rounding in H leaves open of it, s; inf where the path rests there.
-    before, after: sign of det H, -1 or 1. at: the singular pose there.
+    Attributes
+    ----------
+    time : float
+        s.
+    uncertainty : float
+        What rounding in H leaves open of it, s; inf where the path rests there.
+    before, after : int
+        Sign of det H, -1 or 1.
+    at : Singularity
+        The singular pose there.
     """
 
     time: float
@@ -59,14 +67,30 @@ class Crossing:
 
 @dataclass(frozen=True, eq=False)
 class Approach:
-    """A time at which the smallest singular value of the scaled H is least, s, and the pose there."""
+    """A time at which the smallest singular value of the scaled H is least, s, and the pose there.
+
+    Attributes
+    ----------
+    time : float
+        s.
+    at : Singularity
+        How near it is to a singular pose.
+    """
 
     time: float
     at: Singularity
 
 
 class LegExtreme(NamedTuple):
-    """Where along a path something of each leg is extreme: times, s, (6,), and values, (6,)."""
+    """Where along a path something of each leg is extreme: times, s, (6,), and values, (6,).
+
+    Attributes
+    ----------
+    time : ndarray
+        s.
+    value : ndarray
+        Of each leg, (6,).
+    """
 
     time: Array
     value: Array
@@ -76,11 +100,23 @@ class LegExtreme(NamedTuple):
 class PathSingularities:
     """How a path passes singular poses and limits.
 
-    start, end: s. crossings: where det H changes its sign, in order of time. approaches: the other local
-    minima of the smallest singular value, in order of time. spans: times (from, to), s, through which H
-    is singular to rounding. nearest: of all times, ends and crossings included, the one with the smallest
-    singular value. joint_sine: least sine of the angle between each leg and its universal joint's fixed axis;
-    1 with spherical base joints. shortest, longest: least and greatest length of each leg, m.
+    Attributes
+    ----------
+    start, end : float
+        s.
+    crossings : tuple
+        Where det H changes its sign, in order of time.
+    approaches : tuple
+        The other local minima of the smallest singular value, in order of time.
+    spans : tuple
+        Times (from, to), s, through which H is singular to rounding.
+    nearest : Approach
+        Of all times, ends and crossings included, the one with the smallest singular value.
+    joint_sine : LegExtreme
+        Least sine of the angle between each leg and its universal joint's fixed axis; 1 with spherical base
+        joints.
+    shortest, longest : LegExtreme
+        Least and greatest length of each leg, m.
     """
 
     start: float
@@ -97,10 +133,27 @@ class PathSingularities:
 def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...]:
     """Return the times at which a path crosses singular poses, in order, each to rounding.
 
-    path: times, s, (n,) -> Motion of shape (n,), such as ``StraightLinePath.sample`` or ``between``; its
-    rates must be those of its poses. times: where to begin, s, (n,), increasing, at least two: the first and
-    the last, and between them the samples or wherever an acceleration jumps. An even number of crossings
-    between two times is found as well. Raises ValueError naming the argument.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    path : Path
+        Times, s, (n,) -> Motion of shape (n,), such as ``StraightLinePath.sample`` or ``between``; its rates
+        must be those of its poses.
+    times : array_like
+        Where to begin, s, (n,), increasing, at least two: the first and the last, and between them the
+        samples or wherever an acceleration jumps. An even number of crossings between two times is found as
+        well.
+
+    Returns
+    -------
+    tuple
+        One ``Crossing`` for each time.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument.
     """
     with np.errstate(over="ignore", invalid="ignore"):
         return _Search(robot, path, _checked(robot, path, times), everywhere=False).crossings
@@ -111,6 +164,20 @@ def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> PathSingu
 
     Arguments and errors as for ``crossings``. Times of minima are known as well as values tell them, to about
     1e-8 of the interval between two times.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    path : Path
+        Function of times that returns motions.
+    times : array_like
+        Instants between which the path is smooth, s, (n,).
+
+    Returns
+    -------
+    Passage
+        Crossings, nearest approaches and extremes of the legs.
     """
     with np.errstate(over="ignore", invalid="ignore"):
         search = _Search(robot, path, _checked(robot, path, times))
@@ -136,8 +203,26 @@ def force_residue(robot: Robot, motion: Motion, formulation: Formulation = "exac
 
     Within a crossing at time t_0 they go as F = force_residue / (t - t_0): to one infinity before and to the
     other after. It is -v_6 (u_6 . c) / (u_6 . H' v_6), see ``Singularity``; not finite where the motion rests
-    or moves along singular poses, 0 where nothing loads the unconstrained twist. Raises ValueError as
-    ``inverse_dynamics``.
+    or moves along singular poses, 0 where nothing loads the unconstrained twist.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion
+        Motion of the platform, any leading shape.
+    formulation : {"exact", "paper"}, optional
+        The corrected equations or those printed.
+
+    Returns
+    -------
+    ndarray
+        Residues, N s, (..., 6).
+
+    Raises
+    ------
+    ValueError
+        As ``inverse_dynamics``.
     """
     need_motion(robot, motion)
     option(formulation, FORMULATIONS, "formulation")

@@ -155,18 +155,38 @@ def motion_from_lengths(
 ) -> Motion:
     """Return the platform's motion, of shape (n,), from that of its legs, (n, 6), sample after sample.
 
-    L, L_dot, L_ddot: lengths, rates and accelerations of the legs, m, m/s, m/s^2, in order of time; without
-    L_ddot the motion has no accelerations.  guess: pose (R, t) near the first sample; None: as in
-    ``forward_kinematics``.  F_ext, M_ext: as in ``Motion``.  time: of the samples, s, (n,), increasing; None:
-    the steps that fit L and L_dot.  sigma: standard deviation of each length, m, broadcasts to (n, 6); None:
-    what rounding or scatter of the numbers show, from 40 samples on.  The robot's length_limits are not asked
-    for.
-
     Between samples the platform moves as poses, rates and accelerations at both ends say (polynomials of
-    degree 5).  Where all rates are 0, the samples are poses at rest, and between them the legs move along a
-    straight line in the space of lengths.  Raises ``ValueError`` naming the sample where the lengths jump,
-    differ from what the rates say, belong to no pose, or lead through a singular one or so near one that this
-    is not decided at their noise, and naming the argument for any other bad input.
+    degree 5). Where all rates are 0, the samples are poses at rest, and between them the legs move along a
+    straight line in the space of lengths.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    L, L_dot, L_ddot : array_like, optional
+        Lengths, rates and accelerations of the legs, m, m/s, m/s^2, in order of time; without L_ddot the
+        motion has no accelerations.
+    guess : Guess, optional
+        Pose (R, t) near the first sample; None: as in ``forward_kinematics``.
+    F_ext, M_ext : array_like, optional
+        As in ``Motion``.
+    time : array_like, optional
+        Of the samples, s, (n,), increasing; None: the steps that fit L and L_dot.
+    sigma : array_like, optional
+        Standard deviation of each length, m, broadcasts to (n, 6); None: what rounding or scatter of the
+        numbers show, from 40 samples on. The robot's length_limits are not asked for.
+
+    Returns
+    -------
+    Motion
+        Motion of shape (n,).
+
+    Raises
+    ------
+    ValueError
+        Naming the sample where the lengths jump, differ from what the rates say, belong to no pose, or lead
+        through a singular one or so near one that this is not decided at their noise, and naming the argument
+        for any other bad input.
     """
     instance(robot, Robot, "robot")
     lengths = checked_lengths(L)

@@ -28,19 +28,33 @@ class Singularity:
     wrenches and twists about the platform's reference point. Twist and wrench have the sign that makes the
     entry of u_6 of largest magnitude positive.
 
-    length: characteristic length, m, a float.
-    condition: scaled condition number s_1 / s_6, (...); inf where H is singular to rounding.
-    smallest: s_6, no unit, (...).
-    determinant: of the scaled H, no unit, (...); its sign is that of det H and tells the side.
-    lost: number of degrees of freedom lost to rounding, int, (...); with several, the twist is one of them.
-    twist: [v; omega], m/s and rad/s, (..., 6), with |v|^2 + |length omega|^2 = 1: of all such twists the one
-        that moves the legs least, by rates H^T twist of magnitude s_6; at a singular pose unconstrained.
-    wrench: [force; moment], N and N m, (..., 6), with |force|^2 + |moment / length|^2 = 1: the one that costs
-        the largest leg forces, 1 / s_6 N; at a singular pose no leg forces hold it.
-    forces: v_6, leg forces, N, (..., 6), of magnitude 1 whose wrench is least; at a singular pose it is none.
-    pitch: of the twist as a screw, m/rad, (...); 0 for a turn, inf where it does not turn.
-    axis: direction of the screw, (..., 3), along omega, along v where it does not turn.
-    point: of its axis the one nearest to the reference point, m, (..., 3); that point itself where the twist
+    Attributes
+    ----------
+    length : float
+        Characteristic length, m, a float.
+    condition : ndarray
+        Scaled condition number s_1 / s_6, (...); inf where H is singular to rounding.
+    smallest : ndarray
+        s_6, no unit, (...).
+    determinant : ndarray
+        Of the scaled H, no unit, (...); its sign is that of det H and tells the side.
+    lost : ndarray of int
+        Number of degrees of freedom lost to rounding, int, (...); with several, the twist is one of them.
+    twist : ndarray
+        [v; omega], m/s and rad/s, (..., 6), with norm(v)^2 + norm(length omega)^2 = 1: of all such twists
+        the one that moves the legs least, by rates H^T twist of magnitude s_6; at a singular pose no leg
+        length changes.
+    wrench : ndarray
+        [force; moment], N and N m, (..., 6), with norm(force)^2 + norm(moment / length)^2 = 1: the one that
+        costs the largest leg forces, 1 / s_6 N; at a singular pose no leg forces hold it.
+    forces : ndarray
+        v_6, leg forces, N, (..., 6), of magnitude 1 whose wrench is least; at a singular pose it is none.
+    pitch : ndarray
+        Of the twist as a screw, m/rad, (...); 0 for a turn, inf where it does not turn.
+    axis : ndarray
+        Direction of the screw, (..., 3), along omega, along v where it does not turn.
+    point : ndarray
+        Of its axis the one nearest to the reference point, m, (..., 3); that point itself where the twist
         does not turn.
     """
 
@@ -60,8 +74,22 @@ class Singularity:
 def singularity(robot: Robot, pose: Pose) -> Singularity:
     """Return how near poses are to a singular one and the motion that is lost there.
 
-    pose: a Motion, whose rates, accelerations and loads don't count, or (R, t), (..., 3, 3) and m, (..., 3).
-    Raises ValueError naming the argument, as ``inverse_kinematics`` for a leg of length zero.
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    pose : Pose
+        A Motion, whose rates, accelerations and loads don't count, or (R, t), (..., 3, 3) and m, (..., 3).
+
+    Returns
+    -------
+    Singularity
+        Condition, twist and wrench of each pose.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument, as ``inverse_kinematics`` for a leg of length zero.
     """
     instance(robot, Robot, "robot")
     motion = _motion(pose)

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from pages import PAGES
 
 import stewart_sym as ss
 
@@ -14,7 +15,6 @@ ROOT = Path(__file__).parents[2]
 CONSTRUCTORS = ("from_rpy", "from_quaternion", "from_rotation_vector")
 # A robot and what is asked of it differ by their types; a third argument is not.
 MOST = 2
-PAGES = ["README.md", *sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob(".docs/*.md"))]
 MODULES = sorted(path.relative_to(ROOT).as_posix() for path in ROOT.glob("stewart_sym/**/*.py"))
 
 

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from machines import dasgupta, path_period, random_path, random_robot
 from numpy.typing import NDArray
+from pages import prose_of
 from scipy import stats
 from scipy.interpolate import make_interp_spline
 from sweeps import share
@@ -26,7 +27,6 @@ from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.reports import identify
 
 Array = NDArray[np.float64]
-ROOT = Path(__file__).parents[2]
 NOISE = 1e-4
 SAMPLES = 80
 # Shares of the base's radius by which a payload moves, along each axis of the platform: LEAST is always
@@ -262,8 +262,8 @@ def truth(machine: Robot) -> tuple[ss.BaseParameters, Array]:
     return base, base.matrix @ ss.inertial_parameters(machine).values
 
 
-def test_readme_states_the_least_move_of_a_payload_that_is_always_named() -> None:
-    told = " ".join((ROOT / "README.md").read_text(encoding="utf-8").split())
+def test_page_states_the_least_move_of_a_payload_that_is_always_named() -> None:
+    told = prose_of(".docs/howto/identify.md")
     assert f"by {LEAST:g} of the base's radius along each axis" in told
     assert f"by {BARELY:g} in nine of ten" in told
 

@@ -5,7 +5,6 @@ Each test runs the real tools out of tree, on a robot file of its own.
 
 import dataclasses
 import os
-import re
 import shutil
 import subprocess
 import sys
@@ -16,6 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from numpy.typing import NDArray
+from pages import blocks
 from sweeps import FULL
 
 from stewart_sym.backend.kernel import c_sources
@@ -36,7 +36,7 @@ from stewart_sym.simulation import actuator_models, fixed_step
 Array = NDArray[np.float64]
 
 CLIENT = Path(__file__).parents[1] / "support" / "client"
-README = Path(__file__).parents[2] / "README.md"
+PAGE = ".docs/howto/cmake.md"
 ROBOT = CLIENT / "hexapod.toml"
 SYMBOL = "stewart_robot_client_hexapod"
 GENERATORS = ["Ninja", *(["Unix Makefiles"] if FULL else [])]
@@ -243,9 +243,9 @@ def test_build_follows_its_robot_file_and_stops_with_the_words_of_the_generator(
     assert made.stamps() == before
 
 
-def readmes_command() -> str:
-    """The custom command that the README shows, as a project."""
-    (command,) = re.findall(r"```cmake\n(set\(kit .*?)```", README.read_text(encoding="utf-8"), re.DOTALL)
+def own_command() -> str:
+    """The custom command that the page shows, as a project."""
+    (command,) = (block.text for block in blocks(PAGE) if block.language == "cmake")
     return f"cmake_minimum_required(VERSION 3.15)\nproject(client LANGUAGES C)\n{command}"
 
 
@@ -258,7 +258,7 @@ def test_custom_command_of_ones_own_follows_the_robot_file(
     monkeypatch.setenv("PATH", str(generator.parent), prepend=os.pathsep)
     made = Project(tmp_path, tmp_path / "build")
     shutil.copy(ROBOT, made.robot)
-    (tmp_path / "CMakeLists.txt").write_text(readmes_command())
+    (tmp_path / "CMakeLists.txt").write_text(own_command())
     run("cmake", "-S", tmp_path, "-B", made.build, "-G", tool, QUICK)
     made.make()
 

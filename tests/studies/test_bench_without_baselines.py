@@ -2,16 +2,15 @@
 
 import itertools
 import json
-import os
 import subprocess
 import sys
 from pathlib import Path
 from typing import Any
 
 import pytest
-import readme_bench
 
 from stewart_sym.io.extras import install
+from stewart_sym.studies.benchmark import published
 
 BENCH = """
 import json, sys
@@ -103,22 +102,19 @@ def test_tables_and_pictures_do_without_them(hidden: tuple[str, ...], folder: Pa
     assert "None" not in text
 
 
-def test_the_readme_is_not_made_of_a_part(hidden: tuple[str, ...], figures: dict[str, Any]) -> None:
+def test_no_table_is_made_of_a_part(hidden: tuple[str, ...], figures: dict[str, Any]) -> None:
     names = ", ".join(NAMES[name] for name in hidden)
     with pytest.raises(ValueError, match=rf"^bench\.json: expected .*, got none of {names}: pip install "):
-        readme_bench.text(figures)
+        published.tables(figures)
 
 
 def test_a_partial_run_replaces_no_published_one(tmp_path: Path) -> None:
     (tmp_path / "bench.json").write_text(json.dumps({"left_out": ["CasADi"]}))
-    published = Path(__file__).parents[2] / ".docs" / "bench.json"
-    before = published.read_bytes()
-    program = Path(__file__).parents[1] / "cli" / "test_readme.py"
-    paths = {"PYTHONPATH": str(Path(__file__).parents[1] / "support")}
-    done = subprocess.run(
-        [sys.executable, program, tmp_path], env=os.environ | paths, capture_output=True, text=True
-    )
+    committed = Path(__file__).parents[2] / ".docs" / "bench.json"
+    before = committed.read_bytes()
+    command = [sys.executable, "-m", "stewart_sym.studies.published", str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True, cwd=committed.parents[1])
     assert done.returncode == 1
     (line,) = done.stderr.splitlines()
     assert line.startswith("bench.json: expected ")
-    assert published.read_bytes() == before
+    assert committed.read_bytes() == before

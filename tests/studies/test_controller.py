@@ -7,14 +7,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import readme_controller
 from machines import dasgupta, random_robot
 from sweeps import FULL
 
 from stewart_sym.backend.native import CompilerError
 from stewart_sym.cli.main import main
 from stewart_sym.results import JOINT_SINGULAR
-from stewart_sym.studies.microcontroller import measure, report, toolchain
+from stewart_sym.studies.microcontroller import measure, published, report, toolchain
 from stewart_sym.studies.microcontroller.measure import Figures, Study
 
 INSTRUCTIONS = {False: 3700, True: 3400}
@@ -80,11 +79,11 @@ def test_objects_ask_for_no_heap_no_libm_and_no_double(row: Figures) -> None:
     assert row.double == ()
 
 
-def test_the_table_and_the_readmes_text_say_what_was_found(found: Study) -> None:
+def test_the_report_and_the_published_table_say_what_was_found(found: Study) -> None:
     text = report.report(found)
     assert text.count("poses right") == len(KITS)
     again = json.loads(report.json_text(found))
-    said = readme_controller.text(again)
+    said = published.tables(again)["controller"]
     for each in found.rows:
         assert f"{each.instructions:,}" in text
         assert f"| {each.instructions:,} |" in said

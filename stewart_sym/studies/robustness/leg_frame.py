@@ -79,7 +79,7 @@ def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot]
 def _resting(resting: tuple[list[Robot], list[Motion]]) -> Family:
     return Family(
         "joint_singularity_at_rest",
-        "Forces near a joint singularity, axisymmetric legs at rest: a well-conditioned problem",
+        "Forces near a leg's joint singularity, axisymmetric legs at rest: well conditioned",
         f"{FAILS}, at rest",
         "status 3 where the sine is rounding error",
         "angle between leg 1 and its fixed axis, rad",
@@ -115,7 +115,7 @@ def _spin(robots: list[Robot], motions: list[Motion]) -> Family:
         curves.append(Curve(name, error, condition))
     return Family(
         "joint_sine",
-        "Spin of a leg near its joint singularity, by how its sine is computed",
+        "Spin of a leg near its joint singularity, by how the sine is computed",
         FAILS,
         "",
         "angle between leg 1 and its fixed axis, rad",

@@ -28,7 +28,7 @@ from .sweep.machines import (
 Array = NDArray[np.float64]
 
 FAILS = "H singular"
-REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding error beside its row"
+REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding error against its row"
 
 DAMPED = "damped least squares"
 """As ``on_singular="damped"`` has it: bounded forces of another wrench, which it tells."""

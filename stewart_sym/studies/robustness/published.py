@@ -1,47 +1,33 @@
-"""The README's part about failures, as Markdown made of what ``stewart-sym stability`` wrote.
+"""Tables of the documentation from ``stability.json``: degenerate configurations and random cases."""
 
-``test_readme`` compares it with the README and, run as a program, writes it there.
-"""
-
-from typing import Any
-
-from readme_bench import paragraph, table
-
-BEGIN = "<!-- from .docs/stability.json by `PYTHONPATH=tests/support python tests/cli/test_readme.py` -->\n"
-END = "<!-- end of stability -->\n"
-
-Figures = dict[str, Any]
+from ..common.markdown import Figures, paragraph, table
 
 
-def replaced(readme: str, found: Figures) -> str:
-    """The README with the part between the marks made anew from the figures."""
-    before, _, rest = readme.partition(BEGIN)
-    _, _, after = rest.partition(END)
-    assert after, "the README's marks of stability are gone"
-    return f"{before}{BEGIN}\n{text(found)}{END}{after}"
-
-
-def text(found: Figures) -> str:
-    """Everything between the marks."""
+def tables(found: Figures) -> dict[str, str]:
+    """Name -> Markdown."""
     shown = [family for family in found["families"] if family["remedy"]]
-    return "".join([lead(), table(HEADER, [row(family) for family in shown]), cases(found["sweep"])])
+    return {
+        "stability_families": lead() + table(HEADER, [row(family) for family in shown]),
+        "stability_cases": cases(found["sweep"]),
+    }
 
 
-HEADER = ("what fails", "walk", "what we do", "worst", "rejected at", "digits left", "undetected")
+HEADER = ("failure", "sweep", "remedy", "worst", "status from", "digits left", "undetected")
 
 
 def lead() -> str:
+    """What the columns mean."""
     return paragraph(
-        "`stewart-sym stability` approaches each degenerate configuration, from a distance of 1 to "
-        "1e-16, with every kernel, and measures errors against 50 digits. Worst: the largest error of "
-        "any kernel with status ok, in rounding units over the condition number of the problem itself, "
-        "what changes of its inputs by rounding units do to its answer. Rejected at: the condition "
-        "number of the first pose with a status. Digits left: at the worst answer with status ok. "
-        "Undetected: the kernels that give a wrong answer (above 1000) with status ok."
+        "`stewart-sym stability` approaches each degenerate configuration, from a distance of 1 to 1e-16, "
+        "with every kernel, and measures errors against 50 digits. Worst: the largest error of any kernel "
+        "with status 0, in rounding units times the condition number of the problem itself. Status from: the "
+        "condition number of the first pose with a status. Digits left: of the worst answer with status 0. "
+        "Undetected: the kernels that give a wrong answer (worst above 1000) with status 0."
     )
 
 
 def row(family: Figures) -> tuple[str, ...]:
+    """Cells of a family."""
     ours = [method for method in family["methods"] if method["shipped"]]
     worst = max((each["worst"] for each in ours if each["worst"] is not None), default=None)
     rejected = min((each["rejected_at"] for each in ours if each["rejected_at"] is not None), default=None)
@@ -62,7 +48,7 @@ CASES_HEADER = ("random cases", "cases", "kernels", "worst", "wrong", "good pose
 
 
 def cases(sweep: Figures) -> str:
-    """What the sweep saw, kind by kind, and in all."""
+    """The random cases, kind by kind, and in all."""
     kinds = dict.fromkeys(count["kind"] for count in sweep["counts"])
     rows = [of_kind(kind, [each for each in sweep["counts"] if each["kind"] == kind]) for kind in kinds]
     lowest = min(
@@ -70,15 +56,16 @@ def cases(sweep: Figures) -> str:
     )
     lead = paragraph(
         f"Of {sweep['cases']:,} random cases, in double and float, {sweep['wrong']:,} answers are wrong with "
-        f"status ok, and {sweep['rejected_good']:,} good poses have a status, by kind as follows. Worst: as "
+        f"status 0, and {sweep['rejected_good']:,} good poses have a status, by kind as follows. Worst: as "
         "above, with the precision and the kernel where it is; of a singular machine any answer is wrong. In "
-        f"double no pose is rejected at a condition number below {lowest:.0e}. "
+        f"double no pose has a status at a condition number below {lowest:.0e}. "
         "`stewart-sym stability --cases N` draws N others with `--seed`."
     )
     return lead + table(CASES_HEADER, rows)
 
 
 def of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
+    """Cells of a kind of case."""
     kernels = list(dict.fromkeys(count["kernel"] for count in counts))
     worst = max(counts, key=lambda count: count["worst"] or -1.0)
     given = (worst["worst"] or -1.0) >= 0.0

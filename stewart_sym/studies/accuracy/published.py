@@ -1,36 +1,45 @@
-"""The README's part about speed against accuracy, as Markdown made of what ``stewart-sym chart`` wrote.
+"""Tables of the documentation from ``chart.json``: cost and error of each fidelity, what `advise` picks."""
 
-``test_readme`` compares it with the README and, run as a program, writes it there.
-"""
+from ...backend import fidelity
+from ..common.markdown import Figures, paragraph, table
+from .budget import MARGIN
 
-from typing import Any
-
-from readme_bench import paragraph, table
-
-from stewart_sym.backend import fidelity
-from stewart_sym.studies.accuracy.budget import MARGIN
-
-BEGIN = "<!-- from .docs/chart.json by `PYTHONPATH=tests/support python tests/cli/test_readme.py` -->\n"
-END = "<!-- end of chart -->\n"
 TOLERANCES = (("50 %", 0.5), ("5 %", 0.05), ("1 %", 0.01), ("1e-9", 1e-9))
-
-Figures = dict[str, Any]
-
-
-def replaced(readme: str, found: Figures) -> str:
-    """The README with the part between the marks made anew from the figures."""
-    before, _, rest = readme.partition(BEGIN)
-    _, _, after = rest.partition(END)
-    assert after, "the README's marks of the chart are gone"
-    return f"{before}{BEGIN}\n{text(found)}{END}{after}"
+README_LEVELS = ("massless", "slender", "frictionless", "paper", "general")
 
 
-def text(found: Figures) -> str:
-    """Everything between the marks."""
-    return fidelities(found) + implementations(found) + advice(found)
+def tables(found: Figures) -> dict[str, str]:
+    """Name -> Markdown."""
+    return {
+        "chart_fidelities": fidelities(found) + implementations(found),
+        "chart_advice": advice(found),
+        "readme_accuracy": readme(found),
+    }
+
+
+def readme(found: Figures) -> str:
+    """A few of the levels, in double, and the rounding error of the default kernel."""
+    shown = [each for each in found["candidates"] if name(each).strip("`") in README_LEVELS]
+    rows = [
+        (
+            f"{name(each)}: {meaning(each)}" + (", float" if each["precision"] == "float" else ""),
+            str(each["operations"]),
+            *(percent(total(each, path)) for path in ("I", "II")),
+        )
+        for each in shown
+        if each["precision"] == "double" or is_general(each)
+    ]
+    return table(("kernel", "operations", "error, Path I", "error, Path II"), rows)
+
+
+def meaning(each: Figures) -> str:
+    """What a level computes."""
+    found: str = "as printed" if each["formulation"] == "paper" else fidelity.meaning(each["fidelity"])
+    return found
 
 
 def fidelities(found: Figures) -> str:
+    """Cost and model error of every level."""
     machine, compiler = found["machine"], found["software"]["compiler"]
     peaks = ", ".join(
         f"{motion['peak_force_N']:,.0f} N on Path {name}" for name, motion in found["motions"].items()
@@ -41,11 +50,11 @@ def fidelities(found: Figures) -> str:
         f"off on the paper's paths, largest error in per cent of the largest force ({peaks}); on "
         f"{machine['cores']} cores of an {machine['processor']}, {compiler}:"
     )
-    header = ("fidelity", "what remains", "operations", "ns", "float, ns", "bytes")
+    header = ("fidelity", "physics", "operations", "ns", "float, ns", "bytes")
     rows = [
         (
             name(each),
-            "as printed" if each["formulation"] == "paper" else fidelity.meaning(each["fidelity"]),
+            meaning(each),
             str(each["operations"]),
             f"{each['one_pose_ns']:.0f}",
             f"{in_float(found, each)['one_pose_ns']:.0f}",
@@ -59,11 +68,14 @@ def fidelities(found: Figures) -> str:
 
 
 def name(each: Figures) -> str:
+    """Name of a level as code."""
     return "`paper`" if each["formulation"] == "paper" else f"`{each['fidelity']}`"
 
 
 def in_float(found: Figures, double: Figures) -> Figures:
+    """The same level in single precision."""
     same = ("formulation", "fidelity")
+    one: Figures
     (one,) = (
         each
         for each in found["candidates"]
@@ -73,10 +85,12 @@ def in_float(found: Figures, double: Figures) -> Figures:
 
 
 def percent(error: float) -> str:
+    """Two digits, in per cent."""
     return f"{100 * error:.2g} %" if error else "0"
 
 
 def implementations(found: Figures) -> str:
+    """Rounding errors of the implementations of the whole model."""
     general = [each for each in found["candidates"] if is_general(each)]
     of = {each["precision"]: each["errors"] for each in general}
     parts = [
@@ -95,10 +109,12 @@ def implementations(found: Figures) -> str:
 
 
 def is_general(each: Figures) -> bool:
+    """Whether nothing is left out."""
     return (each["formulation"], each["fidelity"]) == ("exact", "general")
 
 
 def advice(found: Figures) -> str:
+    """What `advise` picks for some tolerances."""
     lead = paragraph(
         "What `advise` picks on Path I: the kernel with the fewest operations, float before double, whose "
         f"errors of model and rounding, times a margin of {MARGIN:g}, are within the tolerance:"
@@ -117,7 +133,8 @@ def picked(found: Figures, tolerance: float) -> Figures:
     return next(good)
 
 
-def total(each: Figures) -> float:
-    errors = each["errors"]["I"]
+def total(each: Figures, path: str = "I") -> float:
+    """Errors of model and rounding on a path, share of the largest force."""
+    errors = each["errors"][path]
     found: float = errors["model"] + errors["rounding"]
     return found

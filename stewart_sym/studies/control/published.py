@@ -1,52 +1,36 @@
-"""The README's part about control, as Markdown made of what ``stewart-sym control`` wrote.
-
-``test_readme`` compares it with the README and, run as a program, writes it there.
-"""
+"""Tables of the documentation from ``control.json``: tracking errors by the model in the controller."""
 
 from typing import Any
 
-from readme_bench import paragraph, table
-
-from stewart_sym.studies.control.control import Settings
-from stewart_sym.studies.control.report import NAMES, vector
-
-BEGIN = "<!-- from .docs/control.json by `PYTHONPATH=tests/support python tests/cli/test_readme.py` -->\n"
-END = "<!-- end of control -->\n"
-
-Figures = dict[str, Any]
+from ..common.markdown import Figures, paragraph, table
+from .control import Settings
+from .report import NAMES, vector
 
 
-def replaced(readme: str, found: dict[str, Any]) -> str:
-    """The README with the part between the marks made anew from the figures."""
-    before, _, rest = readme.partition(BEGIN)
-    _, _, after = rest.partition(END)
-    assert after, "the README's marks of control are gone"
-    return f"{before}{BEGIN}\n{text(found)}{END}{after}"
-
-
-def text(found: dict[str, Any]) -> str:
-    """Everything between the marks."""
+def tables(found: Figures) -> dict[str, str]:
+    """Name -> Markdown."""
     printed, friction = (by_name(found["machines"][label]["rows"]) for label in ("printed", "friction"))
-    return "".join(
-        [
-            conditions(found["settings"]),
-            figures(found["machines"]["printed"]["rows"]),
-            legs(printed),
-            faults(printed),
-            with_friction(found["machines"]["friction"]["friction"], friction),
-        ]
-    )
+    parts = [
+        conditions(found["settings"]),
+        figures(found["machines"]["printed"]["rows"]),
+        legs(printed),
+        faults(printed),
+        with_friction(found["machines"]["friction"]["friction"], friction),
+    ]
+    return {"control": "".join(parts)}
 
 
 def by_name(rows: list[Figures]) -> dict[tuple[str, str], Figures]:
+    """Rows by path and controller."""
     return {(row["path"], row["controller"]): row for row in rows}
 
 
 def conditions(given: dict[str, Any]) -> str:
+    """What is compared."""
     settings = Settings(**given)
     t, phi = (vector(offset) for offset in (settings.offset_t, settings.offset_phi))
     return paragraph(
-        "`stewart-sym control` tracks the paper's Paths I and II with controllers that differ in nothing but "
+        "`stewart-sym control` tracks the paper's Paths I and II with controllers that differ only in "
         "their model of the machine: computed torque by `exact`, by `paper` and by the platform alone "
         "(massless legs, (41)), and PD with gravity compensation of the whole machine. The plant is `exact`; "
         f"forces are held at {settings.rate:g} Hz; k_p = {settings.k_p:g} 1/s^2, k_d = {settings.k_d:g} 1/s; "
@@ -56,6 +40,7 @@ def conditions(given: dict[str, Any]) -> str:
 
 
 def figures(rows: list[Figures]) -> str:
+    """Errors and forces of every controller."""
     header = (
         *("path", "model", "position RMS, mm", "max", "ratio", "orientation RMS, mrad", "max", "ratio"),
         *("peak force, N", "RMS", "ratio"),
@@ -83,10 +68,11 @@ def figures(rows: list[Figures]) -> str:
 
 
 def legs(rows: dict[tuple[str, str], Figures]) -> str:
+    """What the legs in the model gain."""
     slow, fast = rows["I", "massless"], rows["II", "massless"]
     slow_pd, fast_pd = rows["I", "gravity"], rows["II", "gravity"]
     return paragraph(
-        "What the legs are worth: without them in the model the platform is "
+        "The legs' share: without them in the model the platform is "
         f"{slow['position_rms_mm']:.3g} mm and {slow['orientation_rms_mrad']:.3g} mrad off on Path I, "
         f"{fast['position_rms_mm']:.3g} mm and {fast['orientation_rms_mrad']:.3g} mrad on Path II: "
         f"{ratio(slow, 'position_rms_mm')} and {ratio(fast, 'position_rms_mm')} times the position error of "
@@ -99,10 +85,11 @@ def legs(rows: dict[tuple[str, str], Figures]) -> str:
 
 
 def faults(rows: dict[tuple[str, str], Figures]) -> str:
+    """What the faults of the printed equations cost."""
     slow, fast = rows["I", "paper"], rows["II", "paper"]
     settled = "position_settled_rms_mm"
     return paragraph(
-        f"What the paper's faults are worth: `paper` errs {ratio(slow, 'position_rms_mm')} and "
+        f"The share of the printed equations' faults: `paper` errs {ratio(slow, 'position_rms_mm')} and "
         f"{ratio(fast, 'position_rms_mm')} times as much as `exact` in position, "
         f"{ratio(slow, 'orientation_rms_mrad')} and {ratio(fast, 'orientation_rms_mrad')} times in "
         f"orientation, by {slow['orientation_rms_mrad']:.3g} and {fast['orientation_rms_mrad']:.3g} mrad; "
@@ -113,6 +100,7 @@ def faults(rows: dict[tuple[str, str], Figures]) -> str:
 
 
 def with_friction(friction: dict[str, list[float]], rows: dict[tuple[str, str], Figures]) -> str:
+    """What friction in the model gains."""
     C_u, C_p, C_s = (friction[name][0] for name in ("C_u", "C_p", "C_s"))
     turning = f"{C_u:g}" if C_u == C_s else f"{C_u:g} and {C_s:g}"
     errors = [
@@ -120,8 +108,8 @@ def with_friction(friction: dict[str, list[float]], rows: dict[tuple[str, str], 
     ]
     return paragraph(
         f"The friction that the paper states is next to none. With {C_p:g} N s/m in the legs and {turning} "
-        "N m s in the universal and spherical joints, PD with gravity compensation, which knows of "
-        f"none, is {errors[0]} mm off on Path I and {errors[2]} mm on Path II, `exact` {errors[1]} and "
+        "N m s in the universal and spherical joints, PD with gravity compensation, whose model "
+        f"has none, is {errors[0]} mm off on Path I and {errors[2]} mm on Path II, `exact` {errors[1]} and "
         f"{errors[3]} mm."
     )
 

@@ -1,32 +1,15 @@
-"""The README's part about microcontrollers, as Markdown made of what ``stewart-sym controller`` wrote.
+"""Table of the documentation from ``controller.json``: instructions and memory on two microcontrollers."""
 
-``test_readme`` compares it with the README and, run as a program, writes it there.
-"""
-
-from typing import Any
-
-from readme_bench import paragraph, table
-
-BEGIN = "<!-- from .docs/controller.json by `PYTHONPATH=tests/support python tests/cli/test_readme.py` -->\n"
-END = "<!-- end of controller -->\n"
-
-Figures = dict[str, Any]
+from ..common.markdown import Figures, paragraph, table
 
 
-def replaced(readme: str, found: Figures) -> str:
-    """The README with the part between the marks made anew from the figures."""
-    before, _, rest = readme.partition(BEGIN)
-    _, _, after = rest.partition(END)
-    assert after, "the README's marks of controller are gone"
-    return f"{before}{BEGIN}\n{text(found)}{END}{after}"
-
-
-def text(found: Figures) -> str:
-    """Everything between the marks."""
-    return "".join([conditions(found), figures(found["rows"]), remarks(found["rows"])])
+def tables(found: Figures) -> dict[str, str]:
+    """Name -> Markdown."""
+    return {"controller": conditions(found) + figures(found["rows"]) + remarks(found["rows"])}
 
 
 def conditions(found: Figures) -> str:
+    """Compilers, flags and poses."""
     compiler, emulator = found["tools"].values()
     gcc = f"{compiler.split(' (')[0]} {compiler.rsplit(') ', 1)[-1].split()[0]}"
     qemu = emulator.removeprefix("QEMU emulator version ").split(" (")[0]
@@ -41,14 +24,16 @@ def conditions(found: Figures) -> str:
 
 
 def figures(rows: list[Figures]) -> str:
+    """A row for each kit."""
     header = (
-        *("kit", "processor", "instructions", "near joint singularities", "flash, kernel", "robot"),
+        *("kit", "processor", "instructions", "near singularity", "flash, kernel", "robot"),
         *("RAM, model", "stack, pose", "preparation", "error over bound"),
     )
     return table(header, [cells(row) for row in rows])
 
 
 def cells(row: Figures) -> tuple[str, ...]:
+    """Cells of a kit."""
     return (
         f"{'baked' if row['baked'] else 'general'}, `{row['precision']}`",
         row["core"],
@@ -64,18 +49,19 @@ def cells(row: Figures) -> tuple[str, ...]:
 
 
 def remarks(rows: list[Figures]) -> str:
+    """What the columns mean, and what the objects need."""
     assert not any(
         row["foreign"] or row["double"] or row["failed"] or row["rejected_wrongly"] for row in rows
     )
     assert not any(row["ram"]["kit"] for row in rows)
     return paragraph(
-        "Near joint singularities: all six legs within 1/1000 rad of the fixed axes of their universal "
-        "joints, the longest way through the kernel. The model, prepared once, is the caller's; the kits "
-        "have no data of their own. The objects need nothing of a library but square root and copies of "
-        "memory; those in `float` "
-        "hold no double-precision instruction."
+        "Near singularity: all six legs within 1/1000 rad of the fixed axes of their universal joints, the "
+        "longest path through the kernel. The model, prepared once, is the caller's; the kits have no data "
+        "of their own. From libraries the objects need only the square root and copies of memory; those in "
+        "`float` hold no double-precision instruction."
     )
 
 
 def number(value: int | None) -> str:
+    """A count, or nothing."""
     return "" if value is None else f"{value:,}"

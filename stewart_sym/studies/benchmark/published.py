@@ -1,43 +1,51 @@
-"""The README's part about time, as Markdown made of what ``stewart-sym bench`` wrote.
+"""Tables of the documentation from ``bench.json``: times per pose, passes, equations of motion, compiling."""
 
-``test_readme`` compares it with the README and, run as a program, writes it there.
-"""
+from ...io.extras import install
+from ..common.markdown import Figures, paragraph, table
 
-import textwrap
-from collections.abc import Sequence
-from typing import Any
-
-from stewart_sym.io.extras import install
-
-BEGIN = "<!-- from .docs/bench.json by `PYTHONPATH=tests/support python tests/cli/test_readme.py` -->\n"
-END = "<!-- end -->\n"
-
-
-def replaced(readme: str, found: dict[str, Any]) -> str:
-    """The README with the part between the marks made anew from the figures."""
-    before, _, rest = readme.partition(BEGIN)
-    _, _, after = rest.partition(END)
-    assert after, "the README's marks are gone"
-    return f"{before}{BEGIN}\n{text(found)}{END}{after}"
+README_ROWS = (
+    "one pose",
+    "batch, one core",
+    "batch, float",
+    "every output",
+    "NumPy kernel",
+    "CasADi",
+    "Pinocchio",
+)
 
 
-def text(found: dict[str, Any]) -> str:
-    """Everything between the marks; ValueError for a run without all that it shows."""
+def tables(found: Figures) -> dict[str, str]:
+    """Name -> Markdown; ValueError for a run that left software out."""
     if found.get("left_out"):
         missing = ", ".join(found["left_out"])
         raise ValueError(
             f"bench.json: expected figures of all software that is compared, got none of {missing}: "
             f"{install('bench')} and run `stewart-sym bench` again"
         )
-    parts = [times(found), cores(found), sizes(found), calls(found)]
-    if found["passes"]:
-        parts.append(passes(found))
-    if "motion" in found:
-        parts.append(motion(found["motion"], found["rounds"]))
-    return "".join([*parts, compiling(found)])
+    return {
+        "bench_times": times(found) + cores(found) + sizes(found) + calls(found),
+        "bench_passes": passes(found),
+        "bench_motion": motion(found["motion"], found["rounds"]),
+        "bench_compiling": compiling(found),
+        "readme_speed": readme(found),
+    }
 
 
-def times(found: dict[str, Any]) -> str:
+def readme(found: Figures) -> str:
+    """A few of the times, of the forces and of forward dynamics."""
+    forces = {each["name"]: each["median"] for each in (*found["ours"], *found["baselines"])}
+    rows = [(name, f"{forces[name]:.0f}") for name in README_ROWS]
+    dynamics = [each for each in found["motion"]["ours"] if each["name"] == "forward dynamics"]
+    rows += [(each["name"], f"{each['median']:.0f}") for each in dynamics]
+    rows += [
+        (f"forward dynamics, {each['name']}", f"{each['median']:.0f}")
+        for each in found["motion"]["baselines"]
+    ]
+    return table(("forces with friction and load", "ns per pose"), rows)
+
+
+def times(found: Figures) -> str:
+    """Times of the forces and their ratio to CasADi."""
     machine, compiler = found["machine"], found["software"]["compiler"]
     vectors = f" with {machine['vectors']}" if machine["vectors"] else ""
     rows = [
@@ -45,13 +53,14 @@ def times(found: dict[str, Any]) -> str:
         for each in (*found["ours"], *found["baselines"])
     ]
     return paragraph(
-        f"Nanoseconds a pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
+        f"Nanoseconds per pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
         f"bench` on {machine['cores']} cores of an {machine['processor']}{vectors}, {compiler}, medians of "
         f"{found['rounds']} rounds; ratio to CasADi's C of the same equations, built with the same flags:"
     ) + table(("", "ns per pose", "ratio"), rows)
 
 
-def cores(found: dict[str, Any]) -> str:
+def cores(found: Figures) -> str:
+    """What a second core gives."""
     speedup = found["cores"]
     low, high = speedup["quartiles"]
     return paragraph(
@@ -61,17 +70,19 @@ def cores(found: dict[str, Any]) -> str:
     )
 
 
-def sizes(found: dict[str, Any]) -> str:
+def sizes(found: Figures) -> str:
+    """Time per pose over the size of a batch."""
     (name, flatness), *_ = found["flatness"].items()
     swept = [each for each in found["sweep"] if each["name"] == name]
     counts = [f"{each['poses']:.0e}".replace("e+0", "e") for each in swept]
     return paragraph(
-        f"From {counts[0]} to {counts[-1]} poses ({name}, one call of `forces_into` each) the longest time a "
-        f"pose is {flatness:.2f} times the shortest."
+        f"From {counts[0]} to {counts[-1]} poses ({name}, one call of `forces_into` each) the longest "
+        f"time per pose is {flatness:.2f} times the shortest."
     ) + table(("poses", *counts), [("ns per pose", *(f"{each['median']:.0f}" for each in swept))])
 
 
-def calls(found: dict[str, Any]) -> str:
+def calls(found: Figures) -> str:
+    """What a call from Python costs."""
     rows = [
         (f"`{call}`", f"{each['median'] / 1e3:.2f}", f"{each['overhead_over_c_ns'] / 1e3:.2f}")
         for call, each in zip(("slot.solve()", "inverse_dynamics()"), found["calls"], strict=True)
@@ -80,7 +91,8 @@ def calls(found: dict[str, Any]) -> str:
     return lead + table(("", "us per call", "us over C"), rows)
 
 
-def passes(found: dict[str, Any]) -> str:
+def passes(found: Figures) -> str:
+    """What each reduction of the derivation gains."""
     batch = found["passes"][0]["batch"]["poses"]
     rows = [
         (
@@ -98,7 +110,8 @@ def passes(found: dict[str, Any]) -> str:
     ) + table(header, rows)
 
 
-def motion(found: dict[str, Any], rounds: int) -> str:
+def motion(found: Figures, rounds: int) -> str:
+    """Times of the equations of motion and of their baselines."""
     poses = found["ours"][0]["poses"]
     better = next(each for each in found["baselines"] if each["name"] == found["better_baseline"])
     agreement = " and ".join(
@@ -124,8 +137,9 @@ def motion(found: dict[str, Any], rounds: int) -> str:
         for each in found["baselines"]
     ]
     lead = paragraph(
-        "The closed form's functions in C (`stewart_exact_motion.h`), one pose at a time, nanoseconds a "
-        f"pose, medians of the same {rounds} rounds over {poses} poses, and the ratio to inverse dynamics:"
+        "The closed form's functions in C (`stewart_exact_motion.h`), one pose at a time, "
+        f"nanoseconds per pose, medians of the same {rounds} rounds over {poses} poses, and the ratio "
+        "to inverse dynamics:"
     )
     about = paragraph(
         f"Forward dynamics is {found['times_faster']:.1f} times as fast as the better of the two baselines, "
@@ -137,11 +151,11 @@ def motion(found: dict[str, Any], rounds: int) -> str:
         f"{1e9 * found['loops_open_m']:.0f} nm). The paper's inertia tensors belong to no body and MuJoCo "
         "takes none like them: all of this table has tensors near them that bodies can have."
     )
-    picture = "![Equations of motion, time per pose](.docs/bench_motion.png)\n\n"
-    return lead + table(("", "ns per pose", "ratio", "at most"), rows) + about + picture
+    return lead + table(("", "ns per pose", "ratio", "at most"), rows) + about
 
 
-def compiling(found: dict[str, Any]) -> str:
+def compiling(found: Figures) -> str:
+    """Time to compile and bytes of machine code."""
     seconds = " and ".join(f"`{each['source']}` in {each['median']:.2f} s" for each in found["compiling"])
     line = f"At the benchmark's flags the compiler builds {seconds}."
     size = found["text"]
@@ -152,12 +166,3 @@ def compiling(found: dict[str, Any]) -> str:
             f"`{' '.join(size['flags'])}`, linked with `--gc-sections`)."
         )
     return paragraph(line)
-
-
-def paragraph(line: str) -> str:
-    return textwrap.fill(line, 110, break_on_hyphens=False, break_long_words=False) + "\n\n"
-
-
-def table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    lines = [header, ["---"] * len(header), *rows]
-    return "".join(f"| {' | '.join(cells)} |\n".replace("|  |", "| |") for cells in lines) + "\n"

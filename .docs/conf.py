@@ -1,0 +1,50 @@
+"""Sphinx settings: the documentation, built without a network."""
+
+import os
+import sys
+from importlib.metadata import version as installed_version
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent / "extensions"))
+os.environ["COLUMNS"] = "100"  # argparse wraps the help at this width
+
+project = "stewart-sym"
+author = "the stewart-sym authors"
+version = release = installed_version("stewart-sym")
+
+extensions = [
+    "myst_parser",
+    "sphinx.ext.autodoc",
+    "numpydoc",
+    "mathml",
+    "python_api",
+    "command_line",
+    "c_interface",
+]
+source_suffix = {".md": "markdown"}
+exclude_patterns = ["_build", "tables"]
+nitpicky = True
+# Types of other packages, whose documentation would have to be fetched.
+nitpick_ignore_regex = [
+    ("py:.*", r"(numpy|np|casadi|sympy|collections|pathlib|os|types|Array|NDArray|ArrayLike)\b.*"),
+    ("py:.*", r"stewart_sym\.(\w+\.)*_\w+"),
+]
+
+myst_enable_extensions = ["dollarmath", "deflist"]
+myst_heading_anchors = 3
+
+autodoc_typehints = "none"  # the sections name them
+autodoc_member_order = "bysource"
+autosummary_generate = False
+numpydoc_show_class_members = False
+add_module_names = False
+
+html_theme = "furo"
+html_title = "stewart-sym"
+html_static_path = ["static"]
+html_css_files = ["wide.css"]
+html_copy_source = False
+html_show_sphinx = False
+html_show_copyright = False
+html_math_renderer = "mathml"
+pygments_style = "friendly"

@@ -1,0 +1,91 @@
+"""Writes the tables of the documentation from the figures that studies wrote.
+
+``python -m stewart_sym.studies.published [RUN]``, in the top folder of the source. RUN is a folder that
+``bench``, ``chart``, ``control``, ``controller`` or ``stability`` wrote: its figures and pictures replace
+those in ``.docs``. The tables go to ``.docs/tables``, those of the README between their marks.
+"""
+
+import json
+import re
+import shutil
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+from .accuracy import published as accuracy
+from .benchmark import published as benchmark
+from .common.markdown import Figures
+from .control import published as control
+from .microcontroller import published as microcontroller
+from .robustness import published as robustness
+
+STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
+    "bench": benchmark.tables,
+    "chart": accuracy.tables,
+    "control": control.tables,
+    "controller": microcontroller.tables,
+    "stability": robustness.tables,
+}
+"""Name of a study's JSON, and what makes tables of it."""
+
+PICTURES = (
+    *("bench.png", "bench_motion.png", "control.png"),
+    *("chart.png", "scales.png", "bounds.png", "singular_path_III.png"),
+)
+COMMAND = "python -m stewart_sym.studies.published"
+
+
+def written(top: Path) -> dict[Path, str]:
+    """Text of every file with tables, from the figures in ``top / ".docs"``."""
+    docs, readme = top / ".docs", top / "README.md"
+    files = {readme: readme.read_text(encoding="utf-8")}
+    for name, tables in STUDIES.items():
+        found: Figures = json.loads((docs / f"{name}.json").read_text(encoding="utf-8"))
+        for table, text in tables(found).items():
+            if table.startswith("readme_"):
+                files[readme] = between_marks(files[readme], table, text)
+            else:
+                files[docs / "tables" / f"{table}.md"] = f"<!-- {name}.json by `{COMMAND}` -->\n\n{text}"
+    return files
+
+
+def between_marks(page: str, name: str, text: str) -> str:
+    """A page with the text between the marks of a name; ValueError where it has none."""
+    begin, end = f"<!-- {name} by `{COMMAND}` -->\n", f"<!-- end of {name} -->"
+    found, count = re.subn(
+        re.escape(begin) + ".*?" + re.escape(end), lambda _: f"{begin}\n{text}{end}", page, flags=re.DOTALL
+    )
+    if count != 1:
+        raise ValueError(f"README.md: expected the marks of {name} once, got {count}")
+    return found
+
+
+def take(run: Path, docs: Path) -> None:
+    """Copy figures and pictures of a run; ValueError, and nothing is copied, where tables cannot be made."""
+    names = [name for name in (*(f"{study}.json" for study in STUDIES), *PICTURES) if (run / name).exists()]
+    if not names:
+        raise ValueError(f"{run}: expected figures of a study, got none")
+    for name in names:
+        if name.endswith(".json"):
+            STUDIES[name.removesuffix(".json")](json.loads((run / name).read_text(encoding="utf-8")))
+    for name in names:
+        shutil.copyfile(run / name, docs / name)
+
+
+def main(arguments: list[str]) -> int:
+    """Write the tables; returns the exit code."""
+    top = Path.cwd()
+    try:
+        for run in arguments:
+            take(Path(run), top / ".docs")
+        for path, text in written(top).items():
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text, encoding="utf-8", newline="\n")
+    except (OSError, ValueError) as error:
+        print(error, file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,167 @@
+"""Every example of the README and of the documentation runs and gives what the page says."""
+
+import argparse
+import re
+import subprocess
+import tomllib
+from pathlib import Path
+
+import matplotlib.image
+import numpy as np
+import pytest
+from pages import DOCS, PAGES, SHAPE, TOP, blocks, pictures, prepared, run_and_compare, run_page, text_of
+
+import stewart_sym as ss
+from stewart_sym.cli import main
+from stewart_sym.simulation.scene import read_scene
+from stewart_sym.studies.accuracy.budget import read_budget
+from stewart_sym.studies.paper import conventions
+from stewart_sym.studies.published import PICTURES
+
+RUNNING = [page for page in PAGES if any(block.language in ("python", "sh") for block in blocks(page))]
+SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blocks(page))}
+NOT_RUN = ("sh .ci/setup ", "pip install ")
+"""Beginnings of commands that change the environment: those of the README are run by ``.ci/run``."""
+SAME = 0.02
+"""Mean difference of two drawings of the same figure, of 0 to 1: fonts differ from system to system."""
+
+
+@pytest.mark.parametrize(
+    "page", [pytest.param(page, marks=pytest.mark.slow if page in SHELL else ()) for page in RUNNING]
+)
+def test_examples_run_in_order_and_give_what_the_page_says(
+    page: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(prepared(page, tmp_path))
+    run_page(page, tmp_path)
+    for committed in pictures(page):
+        for made in tmp_path.glob(f"**/*{committed.name}"):
+            assert same_picture(made, committed), committed.name
+
+
+def same_picture(one: Path, other: Path) -> bool:
+    """Whether two files show the same, but for how fonts are drawn."""
+    images = [matplotlib.image.imread(path)[..., :3] for path in (one, other)]
+    return images[0].shape == images[1].shape and float(np.abs(images[0] - images[1]).mean()) < SAME
+
+
+def test_examples_of_python_are_compared_with_their_comments() -> None:
+    comments = [
+        comment
+        for page in RUNNING
+        for block in blocks(page)
+        if block.language == "python"
+        for comment in re.findall(r"#(.*)", block.text)
+    ]
+    assert len([comment for comment in comments if SHAPE.match(comment.strip())]) >= 20
+    assert not [comment for comment in comments if SHAPE.search(comment) and not SHAPE.match(comment.strip())]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "x = [1.0, 2.0]  # (3,)",
+        "[[1.0, 2.0]]  # (2, 1)",
+        "1.25  # 1.26 s",
+        "3  # 4: four",
+        "[0.0, 1e-6]  # (2,): 0 but for rounding",
+    ],
+)
+def test_a_comment_that_says_something_else_is_found(text: str) -> None:
+    with pytest.raises(AssertionError):
+        run_and_compare(text, {})
+
+
+def test_every_block_has_a_language_that_is_run_or_shown() -> None:
+    known = {"python", "sh", "console", "text", "toml", "c", "cmake"}
+    assert {block.language for page in PAGES for block in blocks(page)} <= known
+
+
+def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> None:
+    extras = tomllib.loads((TOP / "pyproject.toml").read_text(encoding="utf-8"))["project"][
+        "optional-dependencies"
+    ]
+    lines = [
+        line
+        for page in PAGES
+        for block in blocks(page)
+        if block.language == "console"
+        for line in block.text.splitlines()
+    ]
+    assert lines
+    assert [line for line in lines if not line.startswith(NOT_RUN)] == []
+    named = re.findall(r"(?:\.\[|\.ci/setup )([a-z,]+)", "\n".join(text_of(page) for page in PAGES))
+    assert {name for each in named for name in each.split(",")} <= set(extras)
+
+
+def test_pictures_are_those_of_a_page_of_a_study_or_of_the_drawing(tmp_path: Path) -> None:
+    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "conventions.png"}
+    assert {path.name for page in PAGES for path in pictures(page)} == {*made, *PICTURES}
+    conventions.save(tmp_path / "conventions.png")
+    assert same_picture(tmp_path / "conventions.png", DOCS / "conventions.png")
+
+
+def test_a_picture_of_something_else_is_found() -> None:
+    assert not same_picture(DOCS / "bench.png", DOCS / "path_I_forces.png")
+
+
+def subcommands() -> dict[str, argparse.ArgumentParser]:
+    parsers = [a for a in main._parser()._actions if isinstance(a, argparse._SubParsersAction)]
+    return dict(parsers[0].choices)
+
+
+def written_files() -> set[str]:
+    """What the commands of pages and of --help write, and the files that pages say to save."""
+    helps = [text_of(page) for page in PAGES]
+    for name, sub in subcommands().items():
+        helps.append(sub.epilog or "")
+        default = sub.get_default("output")
+        helps.append(f"stewart-sym {name} -o {default}" if default else "")
+    text = " ".join(helps)
+    found = re.findall(r"(?:-o|--generate)\s+([a-z][\w.]*)", text)
+    found += [block.file_name for block in blocks("README.md") if block.file_name]
+    found += re.findall(r"saved? (?:\w+ ){0,3}as `(\S+)`", text, re.IGNORECASE)
+    found += re.findall(r"stewart-sym \w+ ([a-z]\w*\.(?:toml|csv))", text)
+    return set(found)
+
+
+def test_what_the_commands_write_in_the_top_folder_is_no_change_of_the_repository() -> None:
+    names = written_files()
+    assert {"reproduce", "swing.toml", "enough.toml", "forces.csv", "kit", "simulation"} <= names
+    for name in sorted(names):
+        path = name if "." in name else f"{name}/report.txt"
+        done = subprocess.run(["git", "check-ignore", "-q", path], cwd=TOP, check=False)
+        assert done.returncode == 0, name
+
+
+def test_what_the_commands_write_beside_the_examples_is_no_change_of_the_repository() -> None:
+    examples = {path.name for path in (DOCS / "examples").iterdir()}
+    for name in sorted(written_files() - examples):
+        path = f".docs/examples/{name if '.' in name else f'{name}/report.txt'}"
+        done = subprocess.run(["git", "check-ignore", "-q", path], cwd=TOP, check=False)
+        assert done.returncode == 0, name
+
+
+def test_robot_example_is_a_valid_robot_file_that_nothing_is_said_against(
+    recwarn: pytest.WarningsRecorder,
+) -> None:
+    assert ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml").name == "hexapod"
+    assert not list(recwarn)
+
+
+def keys(value: object) -> set[str]:
+    """Keys of tables inside tables."""
+    if isinstance(value, dict):
+        return set(value).union(*map(keys, value.values()))
+    return set().union(*map(keys, value)) if isinstance(value, list) else set()
+
+
+def test_the_page_about_files_names_every_key_of_a_robot_file() -> None:
+    robot = ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml")
+    named = re.findall(r"`\[*(\w+)\]*`", text_of(".docs/reference/files.md"))
+    assert keys(robot.to_dict()) - {"schema"} <= set(named)
+
+
+def test_scene_examples_are_valid() -> None:
+    assert list(read_budget(DOCS / "examples" / "enough.toml").motions) == ["trajectory.csv"]
+    assert read_scene(DOCS / "examples" / "swing.toml").robot.name == "hexapod"

@@ -1,0 +1,330 @@
+"""The figures in the README and in the documentation are those that the code computes."""
+
+import copy
+import json
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from machines import dasgupta, random_motion, random_robot
+from numpy.typing import NDArray
+from pages import DOCS, PAGES, TOP, blocks, prepared, prose_of, table_row
+from pinocchio_model import pinocchio_inverse_dynamics
+
+import stewart_sym as ss
+from stewart_sym.backend import fidelity
+from stewart_sym.backend.kernel import module
+from stewart_sym.reference import newton_euler
+from stewart_sym.simulation.scene import Scene, read_scene
+from stewart_sym.studies import published
+from stewart_sym.studies.accuracy.budget import papers_motions
+from stewart_sym.studies.benchmark import published as published_bench
+from stewart_sym.studies.benchmark.figures import Figure, MotionFigures
+from stewart_sym.studies.common.host import DISTURBED
+from stewart_sym.studies.control import control
+from stewart_sym.studies.control import published as published_control
+from stewart_sym.studies.control import report as control_report
+from stewart_sym.studies.paper.reproduce import work_energy
+from stewart_sym.studies.reports import energy_drift
+
+FAULTS, CHECKS = ".docs/explanation/faults.md", ".docs/explanation/checks.md"
+BENCHMARKS = ".docs/reference/benchmarks.md"
+REWRITE = f"run `{published.COMMAND}` and look at what changed"
+
+
+def rms(difference: NDArray[np.float64], truth: NDArray[np.float64]) -> float:
+    """RMS of the difference in per cent of the RMS of the truth."""
+    return float(100 * np.sqrt(np.mean(difference**2) / np.mean(truth**2)))
+
+
+@pytest.mark.parametrize("name", ["I", "II"])
+def test_paper_differs_from_pinocchio_on_the_paths_by_what_the_page_says(name: str) -> None:
+    robot = dasgupta(friction=False)
+    path, step = ss.PATHS[name]
+    motion = path.sample(path.times(step))
+    truth = np.array([pinocchio_inverse_dynamics(robot, motion[i]).F for i in range(motion.shape[0])])
+    paper, exact = (rms(ss.inverse_dynamics(robot, motion, f).F - truth, truth) for f in ("paper", "exact"))
+    assert table_row(FAULTS, name)[:2] == [f"{paper:.2f} %", "below 1e-10 %"]
+    assert exact < 1e-10
+
+
+@pytest.mark.parametrize("name", ["I", "II"])
+def test_work_differs_from_energy_by_what_the_page_says(name: str) -> None:
+    robot = dasgupta(friction=False)
+    paper, exact = (
+        100 * (found.work - found.gain) / found.gain
+        for found in (work_energy(robot, name, faults) for faults in (newton_euler.PAPER, newton_euler.EXACT))
+    )
+    assert table_row(FAULTS, name)[2:] == [f"{paper:.2f} %", "below 1e-10 %"]
+    assert abs(exact) < 1e-10
+
+
+def test_paper_differs_from_pinocchio_on_random_machines_by_what_the_page_says() -> None:
+    errors = []
+    for seed in range(60):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot, (3,))
+        truth = np.array([pinocchio_inverse_dynamics(robot, motion[i]).F for i in range(3)])
+        errors.append(rms(ss.inverse_dynamics(robot, motion, "paper").F - truth, truth))
+    said = re.search(r"off by (\d+) % at least and by (\d+) % in the median", prose_of(FAULTS))
+    assert said
+    assert [int(said[1]), int(said[2])] == [round(min(errors)), round(float(np.median(errors)))]
+
+
+def test_fault_2_costs_at_rest_what_the_page_says() -> None:
+    robot = dasgupta(friction=False)
+    path, step = ss.PATHS["I"]
+    moving = path.sample(path.times(step))
+    zero = np.zeros_like(moving.t)
+    rest = ss.Motion(moving.R, moving.t, zero, zero, zero, zero)
+    truth = newton_euler.inverse_dynamics(robot, rest).F
+    error = rms(newton_euler.inverse_dynamics(robot, rest, frozenset({2})).F - truth, truth)
+    assert f"Fault 2 acts even at rest: {error:.2f} %" in prose_of(FAULTS)
+
+
+@pytest.mark.parametrize("formulation", ["paper", "exact"])
+def test_operations_in_the_table_are_those_of_the_kernels(formulation: str) -> None:
+    kernel = module(formulation)
+    for label, counts in (("", kernel.OPERATIONS), (", forces alone", kernel.FORCE_OPERATIONS)):
+        totals = [str(sum(counts[kind]["total"])) for kind in ("frictionless", "friction")]
+        assert table_row(CHECKS, f"`{formulation}`{label}") == totals
+
+
+def figures(study: str = "bench") -> dict[str, Any]:
+    """What the committed run of a study wrote."""
+    text = (DOCS / f"{study}.json").read_text(encoding="utf-8")
+    found: dict[str, Any] = json.loads(text)
+    return found
+
+
+def written_tables(study: str, found: dict[str, Any]) -> str:
+    """All tables of a study in one text."""
+    return "".join(published.STUDIES[study](found).values())
+
+
+def test_every_table_is_what_the_study_writes_of_its_figures() -> None:
+    files = published.written(TOP)
+    assert {path.name for path in files} == {
+        "README.md",
+        *(path.name for path in (DOCS / "tables").iterdir()),
+    }
+    assert [path for path, text in files.items() if path.read_text(encoding="utf-8") != text] == [], REWRITE
+
+
+def test_every_table_is_shown_on_a_page() -> None:
+    shown = {
+        name
+        for page in PAGES
+        for name in re.findall(r"tables/(\w+\.md)", (TOP / page).read_text(encoding="utf-8"))
+    }
+    assert shown == {path.name for path in (DOCS / "tables").iterdir()}
+
+
+def test_a_page_without_marks_is_named() -> None:
+    with pytest.raises(ValueError, match=r"README\.md: expected the marks of readme_speed once, got 0"):
+        published.between_marks("# A page", "readme_speed", "| a |")
+
+
+def test_times_on_the_page_are_those_of_the_benchmark() -> None:
+    found = figures()
+    for figure in (*found["ours"], *found["baselines"]):
+        assert table_row(BENCHMARKS, figure["name"]) == [
+            f"{figure['median']:.0f}",
+            f"{figure['ratio_to_casadi']:.2f}",
+        ]
+    prose = prose_of(BENCHMARKS)
+    for source in found["compiling"]:
+        assert f"`{source['source']}` in {np.median(source['raw']):.2f} s" in prose
+    assert f"{sum(found['text']['functions'].values()):,} bytes" in prose
+    assert f"{found['cores']['cores']} cores over one core: {np.median(found['cores']['raw']):.2f} " in prose
+    assert f" with {found['machine']['vectors']}, " in prose
+
+
+def test_the_committed_run_was_not_disturbed_by_others() -> None:
+    assert figures()["machine"]["taken_by_others"] <= DISTURBED, "run `stewart-sym bench` on a quiet machine"
+
+
+def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
+    found = figures()
+    ratio = {each["name"]: each["ratio_to_casadi"] for each in found["ours"]}
+    assert ratio["one pose"] <= 0.33
+    assert ratio["batch, one core"] <= 0.11
+    assert found["cores"]["median"] >= 0.9 * found["cores"]["cores"]
+    assert found["calls"][0]["overhead_over_c_ns"] <= 5_000
+    assert all(flatness <= 1.3 for flatness in found["flatness"].values())
+    assert max(each["median"] for each in found["compiling"]) <= 5
+    assert found["text"]["total"] <= 24 * 1024
+
+
+def motion_figures() -> dict[str, Any]:
+    """The second group as ``Benchmark.as_json`` writes it, from figures made up."""
+    ours, baselines = (
+        tuple(Figure(name, f"{name}, how", "one pose", 16, (time,)) for name, time in group)
+        for group in (
+            (("inverse dynamics", 300.0), ("forward dynamics", 400.0), ("derivatives", 1500.0)),
+            (("Pinocchio", 9000.0), ("MuJoCo", 8000.0)),
+        )
+    )
+    found = MotionFigures("machine", ours, baselines, (), (), 2e-8, {"Pinocchio": 1e-8, "MuJoCo": 2e-6})
+    return found.as_json()
+
+
+def test_motion_has_every_figure_with_its_target() -> None:
+    prose = published_bench.motion(motion_figures(), 41)
+    for line in (
+        "| inverse dynamics | 300 | 1.00 | |",
+        "| forward dynamics | 400 | 1.33 | 2 |",
+        "| derivatives | 1500 | 5.00 | 8, goal 5 |",
+        "| MuJoCo, forward dynamics | 8000 | 26.67 | |",
+        "Forward dynamics is 20.0 times as fast as the better of the two baselines, MuJoCo (target 20).",
+    ):
+        assert line in prose
+
+
+def test_every_figure_that_changes_changes_a_table() -> None:
+    found = figures()
+    each = {"name": "pass", "operations": {"without_friction": 1, "with_friction": 2}}
+    times = {"one_pose": {"median": 3.0}, "batch": {"median": 4.0, "poses": 10_000}}
+    found["passes"] = [{**each, **times}]
+    found["motion"] = motion_figures()
+    texts = {written_tables("bench", found)}
+    places: list[tuple[Any, ...]] = [
+        ("machine", "vectors"),
+        ("cores", "median"),
+        ("flatness", next(iter(found["flatness"]))),
+        ("text", "total"),
+        ("passes", 0, "operations", "with_friction"),
+        *((group, -1, "median") for group in ("ours", "baselines", "sweep", "calls", "compiling")),
+        *(("motion", name) for name in ("times_faster", "loops_open_m")),
+        ("motion", "largest_difference", "MuJoCo"),
+        *(("motion", kind, -1, "median") for kind in ("ours", "baselines")),
+        *(("passes", 0, kind, "median") for kind in ("one_pose", "batch")),
+    ]
+    for place in places:
+        changed = copy.deepcopy(found)
+        *way, last = place
+        inner: Any = changed
+        for step in way:
+            inner = inner[step]
+        inner[last] = "avx9" if isinstance(inner[last], str) else 7 * inner[last]
+        texts.add(written_tables("bench", changed))
+    assert len(texts) == 1 + len(places)
+
+
+def test_every_figure_of_control_that_is_shown_changes_a_table() -> None:
+    found = figures("control")
+    kinds = {"position": "mm", "orientation": "mrad"}
+    shown = {f"{kind}_{of}_{unit}" for kind, unit in kinds.items() for of in ("rms", "max")}
+    shown |= {f"{kind}_rms_{unit}_to_exact" for kind, unit in kinds.items()}
+    shown |= {"force_peak_N", "force_rms_N", "force_peak_N_to_exact"}
+    shown |= {"position_settled_rms_mm", "position_settled_rms_mm_to_exact"}
+    text = written_tables("control", found)
+    for name in shown:
+        changed = copy.deepcopy(found)
+        for row in changed["machines"]["printed"]["rows"]:
+            row[name] *= 7
+        assert written_tables("control", changed) != text, name
+
+
+def test_every_figure_of_failures_that_is_shown_changes_a_table() -> None:
+    found = figures("stability")
+    text = written_tables("stability", found)
+    for name in ("worst", "digits", "rejected_at", "silent"):
+        changed = copy.deepcopy(found)
+        for method in changed["families"][0]["methods"]:
+            method[name] = 7 * (method[name] or 1)
+        assert written_tables("stability", changed) != text, name
+    for name in ("cases", "wrong", "rejected_good"):
+        assert written_tables("stability", {**found, "sweep": {**found["sweep"], name: 12345}}) != text, name
+
+
+def recomputed(paths: tuple[str, ...]) -> None:
+    """Compute rows anew and compare them with those committed, to what is shown of them."""
+    committed, machines = figures("control"), control.papers_machines()
+    studies = {label: control.track_paths(robot, paths) for label, robot in machines.items()}
+    found = json.loads(json.dumps(control_report.as_json(studies)))
+    assert found["settings"] == committed["settings"]
+    assert found["machines"].keys() == committed["machines"].keys()
+    for label, machine in found["machines"].items():
+        rows = published_control.by_name(committed["machines"][label]["rows"])
+        assert machine["friction"] == committed["machines"][label]["friction"]
+        for key, row in published_control.by_name(machine["rows"]).items():
+            numbers = {name: value for name, value in row.items() if isinstance(value, float)}
+            assert numbers == pytest.approx({name: rows[key][name] for name in numbers}, rel=1e-4), key
+
+
+def test_the_committed_run_of_control_is_what_the_code_computes_on_path_ii() -> None:
+    recomputed(("II",))
+
+
+@pytest.mark.slow
+def test_the_committed_run_of_control_is_what_the_code_computes() -> None:
+    recomputed(control.TRACKED)
+
+
+def test_every_figure_of_the_chart_that_is_shown_changes_a_table() -> None:
+    found = figures("chart")
+    texts = {written_tables("chart", found)}
+    double = next(i for i, each in enumerate(found["candidates"]) if each["precision"] == "double")
+    general = len(found["candidates"]) - 1
+    places: list[tuple[Any, ...]] = [
+        ("machine", "processor"),
+        ("software", "compiler"),
+        ("motions", "II", "peak_force_N"),
+        *(("candidates", double, name) for name in ("operations", "one_pose_ns", "text_bytes")),
+        ("candidates", double - 1, "one_pose_ns"),
+        *(("candidates", double, "errors", path, "model") for path in ("I", "II", "III")),
+        ("candidates", general, "errors", "III", "rounding"),
+        ("implementations", -1, "rounding", "III"),
+    ]
+    for place in places:
+        changed = copy.deepcopy(found)
+        *way, last = place
+        inner: Any = changed
+        for step in way:
+            inner = inner[step]
+        inner[last] = "another" if isinstance(inner[last], str) else 7 * inner[last]
+        texts.add(written_tables("chart", changed))
+    assert len(texts) == 1 + len(places)
+
+
+def test_the_committed_chart_is_what_the_code_computes() -> None:
+    robot, motions = dasgupta(), papers_motions()
+    for each in figures("chart")["candidates"]:
+        how = each["formulation"], each["fidelity"]
+        assert each["operations"] == fidelity.operations(robot, *how)
+        for path, motion in motions.items():
+            true = newton_euler.inverse_dynamics(robot, motion).F
+            off = np.abs(ss.prepare(robot, how[0], "double", how[1]).forces(motion) - true).max()
+            assert off / np.abs(true).max() == pytest.approx(
+                each["errors"][path]["model"], rel=1e-6, abs=1e-12
+            )
+
+
+def paper_scene(folder: Path) -> Scene:
+    """The scene of the page about energy, read from a folder that has the robot file where it says."""
+    (scene,) = (block for block in blocks(FAULTS) if block.language == "toml")
+    (prepared("README.md", folder) / "swing.toml").write_text(scene.text)
+    return read_scene(folder / "swing.toml")
+
+
+def test_scene_of_the_paper_is_a_valid_scene_of_springs(tmp_path: Path) -> None:
+    scene = paper_scene(tmp_path)
+    assert scene.robot.name == ss.robots.dasgupta1998().name
+    assert energy_drift.springs_of(scene) is scene.law
+
+
+@pytest.mark.slow
+def test_energy_of_the_scene_example_drifts_by_what_the_page_says(tmp_path: Path) -> None:
+    scene = paper_scene(tmp_path)
+    drifts = energy_drift.energy_drift(energy_drift.springs_of(scene), scene.state, scene.duration)
+    said = re.search(
+        r"by less than (\S+) of the mean kinetic energy with `exact`, by up to (\d+) %", prose_of(FAULTS)
+    )
+    assert said
+    assert drifts["exact"].worst < float(said[1])
+    assert round(100 * drifts["paper"].worst) == int(said[2])
+    assert {drift.times[-1] for drift in drifts.values()} == {scene.duration}

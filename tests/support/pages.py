@@ -1,0 +1,183 @@
+"""The README and the pages of the documentation: their text, tables, links, pictures and blocks of code."""
+
+import ast
+import os
+import re
+import subprocess
+import sys
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import stewart_sym as ss
+
+TOP = Path(__file__).parents[2]
+DOCS = TOP / ".docs"
+NOT_PAGES = {"_build", "tables"}
+PAGES = (
+    "README.md",
+    *sorted(
+        path.relative_to(TOP).as_posix()
+        for path in DOCS.rglob("*.md")
+        if not NOT_PAGES & set(path.relative_to(DOCS).parts)
+    ),
+)
+
+LINK = re.compile(r"(!?)\[[^\]]*\]\(([^)\s]+)\)")
+BLOCK = re.compile(r"^```(\S*)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+FILE_NAME = re.compile(r"(?:#|//|/\*|%) ([\w.-]+\.(?:toml|c|cpp|txt|rs|m|py))\b")
+SHAPE = re.compile(r"\((\d+(?:, \d+)*),?\)")
+NUMBER = re.compile(r"-?\d+(?:\.(\d+))?")
+ROUNDING = 1e-9
+"""Largest of what a comment calls 0 but for rounding, N and m/s^2."""
+
+
+def text_of(page: str) -> str:
+    """A page as it is, with the tables that it includes."""
+    text = (TOP / page).read_text(encoding="utf-8")
+    folder = (TOP / page).parent
+    return re.sub(
+        r"^```\{include\} (\S+)\n```$",
+        lambda found: (folder / found[1]).read_text(encoding="utf-8"),
+        text,
+        flags=re.MULTILINE,
+    )
+
+
+def prose_of(page: str) -> str:
+    """A page's text with one space between words."""
+    return " ".join(text_of(page).split())
+
+
+def table_row(page: str, label: str) -> list[str]:
+    """Cells of the table row that begins with ``label``."""
+    found = re.search(rf"^\| {re.escape(label)} \|(.*)\|$", text_of(page), re.MULTILINE)
+    assert found, (page, label)
+    return [cell.strip() for cell in found[1].split("|")]
+
+
+def links(page: str) -> list[str]:
+    """Targets of links, pictures left out."""
+    return [target for mark, target in LINK.findall(without_code(page)) if not mark]
+
+
+def pictures(page: str) -> list[Path]:
+    """Files of the pictures that a page shows."""
+    shown = [target for mark, target in LINK.findall(without_code(page)) if mark]
+    return [((TOP / page).parent / target).resolve() for target in shown]
+
+
+def without_code(page: str) -> str:
+    """A page's text but for its blocks."""
+    return BLOCK.sub("", text_of(page))
+
+
+def anchors(page: Path) -> set[str]:
+    """Anchors of a page's headings, as MyST and GitHub name them."""
+    headings = re.findall(r"^#+ (.*)$", BLOCK.sub("", page.read_text(encoding="utf-8")), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+@dataclass(frozen=True)
+class Block:
+    """Code of a page, and its language."""
+
+    language: str
+    text: str
+
+    @property
+    def file_name(self) -> str:
+        """Name of the file that it is, from a comment in its first line; "" for none."""
+        found = FILE_NAME.match(self.text)
+        return found[1] if found else ""
+
+
+def blocks(page: str) -> Iterator[Block]:
+    """Code of a page in order, directives left out."""
+    for language, text in BLOCK.findall((TOP / page).read_text(encoding="utf-8")):
+        if not language.startswith("{"):
+            yield Block(language, text)
+
+
+def prepared(page: str, folder: Path) -> Path:
+    """A folder as the page's reader has it: the source's top folder, or that of the examples."""
+    for name in ("stewart_sym", ".docs"):
+        (folder / name).symlink_to(TOP / name)
+    if page != "README.md":
+        for path in (DOCS / "examples").iterdir():
+            (folder / path.name).write_bytes(path.read_bytes())
+    return folder
+
+
+def run_page(page: str, folder: Path) -> int:
+    """Run a page's Python, shell and files in order, in this working directory.
+
+    Values are compared with comments, output with the block of text that follows a command; returns how many
+    were compared. A motion's name keeps its shape: an array of another batch meets it by broadcasting,
+    without an error.
+    """
+    names: dict[str, Any] = {}
+    shapes: dict[str, tuple[int, ...]] = {}
+    count, printed = 0, None
+    for block in blocks(page):
+        if block.file_name:
+            (folder / block.file_name).write_text(block.text, encoding="utf-8")
+        elif block.language == "python":
+            count += run_and_compare(block.text, names)
+            for name, value in names.items():
+                if isinstance(value, ss.Motion):
+                    assert shapes.setdefault(name, value.shape) == value.shape, name
+        elif block.language == "sh":
+            printed = output(block.text, folder)
+        elif block.language == "text" and printed is not None:
+            for line in filter(None, map(str.strip, block.text.splitlines())):
+                assert line in printed, f"{line}\nnot in\n{printed}"
+                count += 1
+    return count
+
+
+def output(commands: str, folder: Path) -> str:
+    """What commands print; they are found where this interpreter is."""
+    places = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    done = subprocess.run(
+        ["bash", "-e", "-c", commands],
+        cwd=folder,
+        env=os.environ | {"PATH": places},
+        capture_output=True,
+        text=True,
+    )
+    assert done.returncode == 0, f"{commands}{done.stdout}{done.stderr}"
+    return done.stdout
+
+
+def compared(value: object, comment: str) -> int:
+    """Check a value against the shape, the number or both that its comment begins with; returns how many."""
+    text, count = comment, 0
+    if shape := SHAPE.match(text):
+        assert np.shape(value) == tuple(int(length) for length in shape[1].split(", ")), comment
+        text, count = text[shape.end() :].lstrip(":, "), 1
+    if number := NUMBER.match(text):
+        within = ROUNDING if "but for rounding" in text else 0.5 * 10.0 ** -len(number[1] or "")
+        assert np.abs(np.asarray(value) - float(number[0])).max() <= within, comment
+        count += 1
+    return count
+
+
+def run_and_compare(text: str, names: dict[str, Any]) -> int:
+    """Run statements in order, each compared with the comment at its end; returns how many were compared."""
+    lines, count = text.splitlines(), 0
+    for statement in ast.parse(text).body:
+        assert statement.end_lineno is not None
+        comment = lines[statement.end_lineno - 1].encode()[statement.end_col_offset :].decode()
+        comment = comment.strip().removeprefix("#").strip()
+        if isinstance(statement, ast.Expr):
+            value = eval(compile(ast.Expression(statement.value), "page", "eval"), names)
+        else:
+            exec(compile(ast.Module([statement], []), "page", "exec"), names)
+            target = statement.targets[0] if isinstance(statement, ast.Assign) else None
+            value = names[target.id] if isinstance(target, ast.Name) else None
+        count += compared(value, comment)
+    return count
