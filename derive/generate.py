@@ -11,27 +11,27 @@ from importlib.metadata import version as installed_version
 
 import sympy as sp
 
-from . import motion
-from .block import Block
-from .emit import arrays, bounds, c, fidelity_table, lanes
+from .emit import arrays, bounds, c, closed_form_source, fidelity_table, lanes
+from .emit import closed_form as closed_form_header
 from .emit import kinematics as kinematics_text
-from .emit import motion as motion_text
 from .emit.header import common_header
 from .emit.layout import layout
 from .emit.shared import shared_headers
-from .fidelity import FIDELITIES, Fidelity, fidelity_kernel
-from .formulation import EXACT, FORMULATIONS, Formulation
 from .kernel import kinematics as search
-from .kernel.nodes import Program, joined
+from .kernel.operations import force_operations, kernel_operations
 from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
-from .kernels import Kernel, kernel
-from .kinematics import Kinematics, kinematics
-from .operations import force_operations, kernel_operations
+from .kernel.tree.nodes import Program, joined
+from .mechanics import closed_form
+from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
+from .mechanics.formulation import EXACT, FORMULATIONS, Formulation
+from .mechanics.inverse_dynamics import Kernel, kernel
+from .mechanics.kinematics import Kinematics, kinematics
+from .mechanics.orientation import quaternion, rpy
+from .mechanics.reduced_models import FIDELITIES, Fidelity, fidelity_kernel
+from .mechanics.regressor import Regressor, regressor
 from .print.template import filled
-from .reduce import share
-from .regressor import Regressor, regressor
-from .regroup import ForceKernel, force_kernel, with_numbers
-from .rotation import quaternion, rpy
+from .program.block import Block
+from .program.cse import share
 
 
 def generator_version() -> str:
@@ -55,7 +55,7 @@ def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
 def prepared_model(form: Formulation) -> ForceKernel:
     """The same with all constants that are prepared for it and, of ``exact``, for the closed form."""
     kernel = force_kernel(form)
-    return shared_blocks(with_numbers(kernel, motion.PREPARED) if form == EXACT else kernel)
+    return shared_blocks(with_numbers(kernel, closed_form.PREPARED) if form == EXACT else kernel)
 
 
 def shared_blocks(raw: ForceKernel) -> ForceKernel:
@@ -160,15 +160,15 @@ def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
 
 
 def reduced_motion(
-    friction: bool = True, names: Collection[str] = motion.NAMES
-) -> tuple[motion.SumKernel, ...]:
-    """The kernels of the closed form as they are emitted; names: out of ``motion.NAMES``."""
-    return tuple(_reduced_sums(name, friction) for name in motion.NAMES if name in names)
+    friction: bool = True, names: Collection[str] = closed_form.NAMES
+) -> tuple[closed_form.SumKernel, ...]:
+    """The kernels of the closed form as they are emitted; names: out of ``closed_form.NAMES``."""
+    return tuple(_reduced_sums(name, friction) for name in closed_form.NAMES if name in names)
 
 
 @cache
-def _reduced_sums(name: str, friction: bool) -> motion.SumKernel:
-    raw = motion.kernel(name, friction)
+def _reduced_sums(name: str, friction: bool) -> closed_form.SumKernel:
+    raw = closed_form.kernel(name, friction)
     return replace(raw, pose=share(raw.pose)).changed(share)
 
 
@@ -188,7 +188,7 @@ def output_program(form: Formulation, outputs: tuple[str, ...], level: str = "ge
 
 
 def motion_files(functions: Collection[str]) -> dict[str, str]:
-    """``stewart_exact_motion.h`` and ``.c`` with some of ``emit.motion.FUNCTIONS`` and what those need.
+    """``stewart_exact_motion.h`` and ``.c`` with some of ``emit.closed_form.FUNCTIONS`` and what those need.
 
     Raises ValueError for other functions and for none.
     """
@@ -196,18 +196,18 @@ def motion_files(functions: Collection[str]) -> dict[str, str]:
 
 
 def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
-    name, needed = EXACT.kernel_name, motion_text.kernels_of(functions)
+    name, needed = EXACT.kernel_name, closed_form_header.kernels_of(functions)
     built, plain = (reduced_motion(friction, needed) for friction in (True, False))
     return {
-        f"stewart_{name}_motion.h": motion_text.header(built, plain, name, version, functions),
-        f"stewart_{name}_motion.c": motion_text.source(built, model, version, functions),
+        f"stewart_{name}_motion.h": closed_form_header.header(built, plain, name, version, functions),
+        f"stewart_{name}_motion.c": closed_form_source.source(built, model, version, functions),
     }
 
 
 def _closed_form(version: str) -> dict[str, str]:
     built, model = reduced_motion(), prepared_model(EXACT)
-    sources = _motion_files(model, version, motion_text.FUNCTIONS)
-    rows = [f'    "{each.name}": {motion_text.sum_operations(each).total},' for each in built]
+    sources = _motion_files(model, version, closed_form_header.FUNCTIONS)
+    rows = [f'    "{each.name}": {closed_form_header.sum_operations(each).total},' for each in built]
     return {
         f"{EXACT.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
         **{f"c/{file}": text for file, text in sources.items()},

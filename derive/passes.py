@@ -1,7 +1,6 @@
 """What each reduction is worth: the ``exact`` force kernel after every pass, with its operations and its C.
 
-Stands beside ``generate`` and is asked for by the benchmark. The passes stand in ``reduce`` and ``regroup``;
-this module only puts them in order.
+For the benchmark. The passes themselves are in ``cse`` and ``actuator_forces``; here they are put in order.
 """
 
 from collections.abc import Callable
@@ -10,10 +9,16 @@ from dataclasses import dataclass, replace
 from .emit import lanes
 from .emit.header import common_header
 from .emit.shared import shared_headers
-from .formulation import EXACT
 from .generate import generator_version, prepared_model, shared_blocks
-from .operations import force_operations
-from .regroup import ForceKernel, elimination_kernel, force_kernel, regrouped, with_shared_pose
+from .kernel.operations import force_operations
+from .mechanics.actuator_forces import (
+    ForceKernel,
+    elimination_kernel,
+    force_kernel,
+    regrouped,
+    with_shared_pose,
+)
+from .mechanics.formulation import EXACT
 
 
 @dataclass(frozen=True)

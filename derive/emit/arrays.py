@@ -5,17 +5,17 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..block import Quantity, component_name
-from ..kernel.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.inverse_dynamics import arrays_program, regressor_program, shared_program
-from ..kernel.lower import expression
-from ..kernel.nodes import Constant, Program, calls_in, parts_of
-from ..kernels import Kernel
-from ..operations import KernelOperations
+from ..kernel.operations import KernelOperations
+from ..kernel.tree.constants import NAMES, PRECISIONS, STATUS, constants
+from ..kernel.tree.lower import expression
+from ..kernel.tree.nodes import Constant, Program, calls_in, parts_of
+from ..mechanics.inverse_dynamics import Kernel
+from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, dependencies
 from ..print.c import C
 from ..print.python import Python
 from ..print.template import filled
-from ..regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, dependencies
+from ..program.block import Quantity, component_name
 from .c import operations_table
 
 Counts = tuple[KernelOperations, KernelOperations]

@@ -1,9 +1,9 @@
 """C99: the actuator forces with a bound of their rounding error and the reciprocal condition of H."""
 
 from ..kernel.bounds import BoundedForces
+from ..mechanics.actuator_forces import ForceKernel
 from ..print.c import C
 from ..print.template import filled
-from ..regroup import ForceKernel
 from .shared import LANES, SIZES
 
 

@@ -5,22 +5,22 @@ All dynamics come from the blocks; what is done around them is read from ``kerne
 
 from collections.abc import Callable, Iterable
 
-from .. import notation as n
-from ..block import Block, Quantity
-from ..formulation import UNIVERSAL
 from ..kernel import prepare as p
 from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
 from ..kernel.layouts import Place, Written, described, loads, member, names_used, stores
-from ..kernel.lower import steps_of
-from ..kernel.nodes import Argument, Array, Field, Function, Number, Real, Record, Statement, Structure
-from ..kernel.read import Given
+from ..kernel.operations import KernelOperations
 from ..kernel.shared import ABOUT_REFERENCE, shared
+from ..kernel.tree.lower import steps_of
+from ..kernel.tree.nodes import Argument, Array, Field, Function, Number, Real, Record, Statement, Structure
+from ..kernel.tree.read import Given
 from ..kernel.written import every_output as written
-from ..kernels import Kernel
-from ..operations import KernelOperations
+from ..mechanics import quantities as n
+from ..mechanics.formulation import UNIVERSAL
+from ..mechanics.inverse_dynamics import Kernel
 from ..print.c import C
 from ..print.template import filled
+from ..program.block import Block, Quantity
 from .shared import OUTPUTS, top
 
 

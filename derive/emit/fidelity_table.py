@@ -5,10 +5,10 @@ Prints names, meanings and counts; the kernels themselves are C.
 
 from collections.abc import Mapping
 
-from ..fidelity import Fidelity
-from ..operations import force_operations
+from ..kernel.operations import force_operations
+from ..mechanics.actuator_forces import ForceKernel
+from ..mechanics.reduced_models import Fidelity
 from ..print.template import filled
-from ..regroup import ForceKernel
 from .c import wrap_list
 
 

@@ -1,9 +1,9 @@
 """``stewart.h``: arithmetic, status codes and structs, the same for every kernel."""
 
 from ..kernel.interface import STATUS, STRUCTS, Member
-from ..notation import LEG, MOTION, PLATFORM
+from ..mechanics.quantities import LEG, MOTION, PLATFORM
 from ..print.template import filled
-from ..thresholds import comment
+from .thresholds import comment
 
 _MATRICES = {q.name: q for q in (*LEG, *PLATFORM, *MOTION) if len(q.shape) == 2}
 

@@ -6,14 +6,14 @@ One pose at a time, for processors without vector registers, and the legs of man
 import re
 from collections.abc import Iterable
 
-from ..block import Block
-from ..kernel.constants import SEARCH
 from ..kernel.kinematics import legs_batch, rotation_program, search_operations, search_program
-from ..kernel.nodes import Program
-from ..kernel.settle import of_one_pose
-from ..kinematics import Kinematics
+from ..kernel.tree.constants import SEARCH
+from ..kernel.tree.nodes import Program
+from ..kernel.tree.settle import of_one_pose
+from ..mechanics.kinematics import Kinematics
 from ..print.c import C
 from ..print.template import filled
+from ..program.block import Block
 from .shared import ARITHMETIC, top
 
 STEPS = {"double": (3, 4, 6), "float": (2, 3, 5)}

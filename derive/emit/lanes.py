@@ -9,11 +9,8 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from .. import notation as n
-from ..block import Block, Quantity
 from ..kernel import prepare as p
 from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_one, missing
-from ..kernel.constants import SMALLEST
 from ..kernel.layouts import (
     LANE,
     Layout,
@@ -33,8 +30,11 @@ from ..kernel.layouts import (
     stores,
     suspicion,
 )
-from ..kernel.lower import expression, steps_of
-from ..kernel.nodes import (
+from ..kernel.operations import force_operations
+from ..kernel.shared import shared
+from ..kernel.tree.constants import SMALLEST
+from ..kernel.tree.lower import expression, steps_of
+from ..kernel.tree.nodes import (
     Array,
     As,
     Assign,
@@ -59,15 +59,15 @@ from ..kernel.nodes import (
     at,
     of,
 )
-from ..kernel.read import LANES, Given
-from ..kernel.shared import shared
+from ..kernel.tree.read import LANES, Given
 from ..kernel.written import batch
 from ..kernel.written import lanes as written
-from ..operations import force_operations
-from ..prepared import ADDED, arm_c, q_1
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel
+from ..mechanics.lumped_constants import ADDED, arm_c, q_1
 from ..print.c import C
 from ..print.template import filled
-from ..regroup import ForceKernel
+from ..program.block import Block, Quantity
 from .c import operations_table
 from .shared import LANES as HEADER
 from .shared import SIZES, top

@@ -8,10 +8,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from .. import notation as n
-from ..block import Block, Quantity, Step, rebuilt
 from ..kernel import prepare as p
-from ..kernel.constants import SMALLEST
 from ..kernel.elimination import BY_POINTERS
 from ..kernel.layouts import (
     Place,
@@ -28,8 +25,11 @@ from ..kernel.layouts import (
     stored,
     stores,
 )
-from ..kernel.lower import expression, steps_of
-from ..kernel.nodes import (
+from ..kernel.operations import force_operations
+from ..kernel.shared import shared
+from ..kernel.tree.constants import SMALLEST
+from ..kernel.tree.lower import expression, steps_of
+from ..kernel.tree.nodes import (
     Argument,
     Array,
     Assign,
@@ -50,14 +50,14 @@ from ..kernel.nodes import (
     Structure,
     Table,
 )
-from ..kernel.read import Given
-from ..kernel.shared import shared
+from ..kernel.tree.read import Given
 from ..kernel.written import scalar as written
-from ..operations import force_operations
-from ..prepared import ADDED, arm_c, q_1
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel, joined
+from ..mechanics.lumped_constants import ADDED, arm_c, q_1
 from ..print.c import C
 from ..print.template import filled
-from ..regroup import ForceKernel, joined
+from ..program.block import Block, Quantity, Step, rebuilt
 from .c import operations_table
 from .shared import SOLVE, top
 

@@ -1,8 +1,8 @@
 """C99: the headers that sources of kernels share, with macros of the arithmetic and functions."""
 
-from ..kernel.nodes import Function
-from ..kernel.read import LANES as COUNT
 from ..kernel.shared import Shared, shared
+from ..kernel.tree.nodes import Function
+from ..kernel.tree.read import LANES as COUNT
 from ..print.c import C
 from ..print.template import filled
 

@@ -3,9 +3,9 @@
 from collections.abc import Collection, Iterable, Mapping
 from functools import reduce
 
-from .. import notation as n
-from ..block import Quantity
-from .nodes import (
+from ..mechanics import quantities as n
+from ..program.block import Quantity
+from .tree.nodes import (
     As,
     Assign,
     Binary,
@@ -28,7 +28,7 @@ from .nodes import (
     at,
     of,
 )
-from .read import Given
+from .tree.read import Given
 from .written import batch as text
 
 NUMBERS = Pointer(Real())

@@ -5,31 +5,52 @@ so that both agree to the last bit; with the error of every step (``rounding``);
 of a force along every step (``adjoint``), which tells what that error does.
 """
 
-from collections.abc import Callable, Container, Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
 from math import prod
 
 import sympy as sp
 
-from .. import notation as n
-from ..adjoint import Adjoint, adjoint
-from ..block import Output, Quantity
-from ..prepared import ADDED, B, arm_c, c_tip, q_1
-from ..regroup import ForceKernel
-from ..rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, component_errors, error_symbol, rounded
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel
+from ..mechanics.lumped_constants import ADDED, B, arm_c, c_tip, q_1
+from ..program.adjoint import Adjoint, adjoint
+from ..program.block import Output, Quantity
+from ..program.rounding import (
+    RoundedBlock,
+    component_errors,
+    error_symbol,
+    rounded,
+)
 from . import batches
 from . import prepare as p
 from .batches import LOADS, MOTIONS, missing, parts_at, parts_of_one
-from .constants import SMALLEST
+from .error_steps import (
+    CHECKED,
+    erring_outputs,
+    error_of,
+    kept_outputs,
+    loaded,
+    numbers_field,
+    plus,
+    records_of,
+    step_statements,
+    stored_outputs,
+    texts_of_sums,
+    unread_errors,
+    value_and_error,
+    with_errors,
+)
 from .layouts import Place, Written, described, loads, member, names_used, reach, stored, stores
-from .lower import expression, steps_of
-from .nodes import (
+from .shared import WITH_ERRORS, shared
+from .tree.constants import SMALLEST
+from .tree.lower import expression, steps_of
+from .tree.nodes import (
     Array,
     Assign,
     Binary,
     Call,
-    Comment,
     Constant,
     Do,
     Element,
@@ -37,7 +58,6 @@ from .nodes import (
     Field,
     Function,
     Integer,
-    Let,
     Member,
     Name,
     Number,
@@ -47,16 +67,13 @@ from .nodes import (
     Structure,
     Type,
 )
-from .read import Given
-from .shared import WITH_ERRORS, shared
+from .tree.read import Given
 from .written import batch
 from .written import bounds as written
 
 _ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
 _ARM = ("arm_x", "arm_y", "arm_z")
 """Steps of a leg: the arm of its moment."""
-_CHECKED = (n.q, n.L, n.k3)
-"""Outputs of a leg by which its status is decided."""
 _FLAGS: dict[str, Given] = {name: Constant(name) for name in ("UNIT", "SLACK", "INFINITY", "BAD_ARGUMENT")}
 
 
@@ -100,24 +117,24 @@ class BoundedForces:
 
     def _structures(self) -> dict[str, Structure]:
         kernel, name = self.kernel, f"stewart_{self.kernel.formulation.kernel_name}_bounds"
-        leg = _with_errors(self.prepare_leg, kernel.leg_constants(), described)
-        platform = _with_errors(self.prepare_platform, kernel.platform_constants(), described)
+        leg = with_errors(self.prepare_leg, kernel.leg_constants(), described)
+        platform = with_errors(self.prepare_platform, kernel.platform_constants(), described)
         length = "m: root mean square distance of the platform points from the reference point"
         model = (
-            _many(f"{name}_leg", "leg"),
+            records_of(f"{name}_leg", "leg"),
             Field("platform", Record(f"{name}_platform")),
             Field("length", Real(), length),
             p.PER_LENGTH,
         )
         added, slopes = (
-            [stored(part, always=False) for q in held for part in (q, _error_of(q))]
+            [stored(part, always=False) for q in held for part in (q, error_of(q))]
             for held in (ADDED, _LEGS_SLOPES.values())
         )
-        shared = _with_errors(self.shared, [out.quantity for out in kernel.shared.outputs])
-        decides = [Field("D", Real()), *(stored(q, always=False) for q in _CHECKED[1:])]
-        decides += [Field("reach", Real()), _numbers("arm", 3)]
-        matrices = [_numbers(each, 6, 6) for each in ("H", "H_err")] + [_numbers("arm", 6, 3)]
-        vectors = [_numbers(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
+        shared = with_errors(self.shared, [out.quantity for out in kernel.shared.outputs])
+        decides = [Field("D", Real()), *(stored(q, always=False) for q in CHECKED[1:])]
+        decides += [Field("reach", Real()), numbers_field("arm", 3)]
+        matrices = [numbers_field(each, 6, 6) for each in ("H", "H_err")] + [numbers_field("arm", 6, 3)]
+        vectors = [numbers_field(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
         flags = [Field("near", Integer()), Field("close", Integer())]
         row = tuple(stored(q, always=False) for q in (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x))
         made = {
@@ -133,7 +150,7 @@ class BoundedForces:
             "LegTerms": (
                 "leg_terms",
                 "What a leg gives to the platform's equations; k3: sine of its angle to the fixed axis.",
-                [*decides, *_with_errors(self.legs[""], _ERRING)],
+                [*decides, *with_errors(self.legs[""], _ERRING)],
             ),
             "Equations": (
                 "platform_equations",
@@ -147,13 +164,13 @@ class BoundedForces:
                 "Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform point 1.",
                 row,
             ),
-            "Rows": ("force_rows", "The same of six forces.", [_many("force_row", "force")]),
+            "Rows": ("force_rows", "The same of six forces.", [records_of("force_row", "force")]),
             "SlopesOfLegs": (
                 "slopes_of_legs",
                 "Slope of a force along what the pose has for all legs, as far as it goes through the legs.",
                 slopes,
             ),
-            "Slopes": ("force_slopes", "The same of six forces.", [_many("slopes_of_legs", "force")]),
+            "Slopes": ("force_slopes", "The same of six forces.", [records_of("slopes_of_legs", "force")]),
         }
         return {key: Structure(own, meaning, tuple(parts)) for key, (own, meaning, parts) in made.items()}
 
@@ -180,7 +197,7 @@ class BoundedForces:
         yield read(written.prepare_platform, given={"BODY": self._prepared(self.prepare_platform)})
         yield p.size_of(self.texts, by_legs=True)
         public = self.structures["Model"].name.removesuffix("model") + "prepare"
-        yield read(written.prepare, public, public=True, given=_sums() | p.HANDED_OVER)
+        yield read(written.prepare, public, public=True, given=texts_of_sums() | p.HANDED_OVER)
         yield read(written.shared_of_pose, given={"BODY": self._values(self.shared)})
         for end, leg in self.legs.items():
             yield read(written.leg_of_pose, f"leg_of_pose{end}", given=self._leg(leg))
@@ -195,7 +212,7 @@ class BoundedForces:
         yield read(written.pose_status)
         yield read(written.solution)
         slopes = Element(Member(Name("slopes"), "force"), (Name("i"),))
-        held = [part for q in _LEGS_SLOPES.values() for part in (q, _error_of(q))]
+        held = [part for q in _LEGS_SLOPES.values() for part in (q, error_of(q))]
         zeros = tuple(
             Assign(member(slopes, q).part(q, i), Number(0.0)) for q in held for i in range(len(q.keys))
         )
@@ -224,9 +241,9 @@ class BoundedForces:
         """A block of preparation with its errors."""
         return (
             *p.axis(block.block),
-            *_loaded(block, lambda q: member("added", q) if q in ADDED else p.raw(q)),
-            *_steps(block),
-            *_stored(block, block.block.outputs),
+            *loaded(block, lambda q: member("added", q) if q in ADDED else p.raw(q)),
+            *step_statements(block),
+            *stored_outputs(block, block.block.outputs),
         )
 
     def _values(self, block: RoundedBlock) -> tuple[Statement, ...]:
@@ -234,7 +251,7 @@ class BoundedForces:
         return (
             *loads(block.block.inputs, names_used(block.block), self._layout),
             *steps_of(block.block.steps),
-            *stores(_kept(block), lambda q: member("out", q)),
+            *stores(kept_outputs(block), lambda q: member("out", q)),
         )
 
     def _leg(self, leg: RoundedBlock) -> dict[str, Given]:
@@ -243,7 +260,7 @@ class BoundedForces:
         terms = [*exprs[n.q], *(symbol for q in (n.t, n.b) for symbol in q.symbols)]
         out = Name("out")
         arms = [Assign(Element(Member(out, "arm"), (Number(i),)), e) for i, e in enumerate(map(Name, _ARM))]
-        checked = [Output(q, exprs[q]) for q in _CHECKED[1:]]
+        checked = [Output(q, exprs[q]) for q in CHECKED[1:]]
         return {
             "BODY": (
                 *self._values(leg),
@@ -269,7 +286,16 @@ class BoundedForces:
         found = adjoint(leg.block, weights, given, _inexact_inputs(leg))
         outside = {name: found.slopes[name] for q in _LEGS_SLOPES for name in q.names}
         handed = [
-            Do(Call("add", (*_pair(_OF_LEGS, to, j), expression(outside[name]), _error_name(outside[name]))))
+            Do(
+                Call(
+                    "add",
+                    (
+                        *value_and_error(_OF_LEGS, to, j),
+                        expression(outside[name]),
+                        _error_name(outside[name]),
+                    ),
+                )
+            )
             for q, to in _LEGS_SLOPES.items()
             for j, name in enumerate(q.names)
         ]
@@ -287,7 +313,9 @@ class BoundedForces:
             Assign(place, value)
             for j, slope in enumerate(slopes.values())
             for place, value in zip(
-                _pair(_OF_LEGS, _LEGS_SLOPES[n.R], j), (expression(slope), _error_name(slope)), strict=True
+                value_and_error(_OF_LEGS, _LEGS_SLOPES[n.R], j),
+                (expression(slope), _error_name(slope)),
+                strict=True,
             )
         ]
         errors = component_errors(_LEGS_SLOPES.values())
@@ -316,14 +344,14 @@ class BoundedForces:
         ready = {q.name for q in block.block.inputs} | {step.name for step in block.block.steps}
         return {
             "BODY": (
-                *_loaded(whole, self._layout),
-                *_steps(whole, weighed, _unread(whole, inner)),
-                *_stored(block, _erring(block)),
+                *loaded(whole, self._layout),
+                *step_statements(whole, weighed, unread_errors(whole, inner)),
+                *stored_outputs(block, erring_outputs(block)),
             ),
             "EACH": (
-                *_loaded(inner, _of_force, ready),
-                *_steps(inner),
-                Assign(error, reduce(_plus, terms, error)),
+                *loaded(inner, _of_force, ready),
+                *step_statements(inner),
+                Assign(error, reduce(plus, terms, error)),
                 *more,
             ),
         }
@@ -353,14 +381,6 @@ def _sources(block: RoundedBlock) -> list[tuple[str, Expression]]:
     return inputs + [(each.step.name, Name(f"{each.step.name}_own")) for each in block.steps if each.rounds]
 
 
-def _unread(block: RoundedBlock, slopes: RoundedBlock) -> set[str]:
-    """Steps whose error neither another step, nor a slope, nor a limit, nor anything outside reads."""
-    read = {symbol for each in (*block.steps, *slopes.steps) for symbol in each.carried.free_symbols}
-    read |= {block.output_error(expr) for out in _erring(block) for expr in out.exprs}
-    names = {each.step.name for each in block.steps if error_symbol(each.step.name) not in read}
-    return names - block.limits
-
-
 def _only_name(slope: sp.Expr) -> str:
     """Name of a slope, which is a symbol or a negated one."""
     (symbol,) = slope.free_symbols
@@ -371,159 +391,7 @@ def _error_name(slope: sp.Expr) -> Name:
     return Name(f"{_only_name(slope)}_err")
 
 
-def _kept(block: RoundedBlock) -> tuple[Output, ...]:
-    return tuple(out for out in block.block.outputs if out.quantity not in _CHECKED)
-
-
-def _erring(block: RoundedBlock) -> tuple[Output, ...]:
-    """Outputs whose errors are handed out; that of D is weighed at once."""
-    return tuple(out for out in _kept(block) if out.quantity != n.D)
-
-
 # ---------------------------------------------------------------- structures
 
 
-def _with_errors(
-    block: RoundedBlock,
-    quantities: Iterable[Quantity],
-    made: Callable[[Quantity], Field] = lambda q: stored(q, always=False),
-) -> list[Field]:
-    """Members for values, and for errors where there are any."""
-    return [
-        field
-        for q in quantities
-        for field in (made(q), *([stored(_error_of(q), always=False)] if block.inexact(q) else []))
-    ]
-
-
-def _numbers(name: str, *dims: int) -> Field:
-    return Field(name, Array(Real(), dims))
-
-
-def _many(structure: str, name: str) -> Field:
-    return Field(name, Array(Record(structure), (6,)))
-
-
-def _error_of(quantity: Quantity) -> Quantity:
-    return Quantity(f"{quantity.name}_err", quantity.shape, quantity.unit, "", quantity.symmetric)
-
-
-def _pair(owner: str | Expression, quantity: Quantity, index: int) -> tuple[Expression, Expression]:
-    """One component and its error."""
-    error = _error_of(quantity)
-    return member(owner, quantity).part(quantity, index), member(owner, error).part(error, index)
-
-
-def _sums() -> dict[str, Given]:
-    """Sums of what the legs add to the platform, with errors."""
-    total, more = (
-        [_pair(each, q, i) for q in ADDED for i in range(len(q.keys))] for each in ("sum", "found")
-    )
-    return {
-        "CLEARED": tuple(Assign(each, Number(0.0)) for pair in total for each in pair),
-        "SUMMED": tuple(Do(Call("add", (*to, *term))) for to, term in zip(total, more, strict=True)),
-    }
-
-
 # ---------------------------------------------------------------- statements of a block with errors
-
-
-def _loaded(
-    block: RoundedBlock, layout: Callable[[Quantity], Place], ready: Container[str] = ()
-) -> tuple[Statement, ...]:
-    """Values, errors and largest sizes of the inputs that are read, without those that are ``ready``."""
-    used = names_used(block.block) | block.limits
-    found: list[Statement] = []
-    limits: list[Statement] = []
-    for q in (q for q in block.block.inputs if q.name not in ready):
-        place = layout(q)
-        read = [(i, name) for i, name in enumerate(q.names) if name in used]
-        found += [Let(name, place.part(q, i)) for i, name in read]
-        wrong = [(i, name) for i, name in read if block.errors[name] == error_symbol(name)]
-        owner = place.array.owner if isinstance(place.array, Member) else place.array
-        found += [Let(f"{name}_err", _pair(owner, q, i)[1]) for i, name in wrong]
-        limits += [_limit(block, name) for name in q.names if name in block.limits]
-    return (*found, *limits)
-
-
-def _limit(block: RoundedBlock, name: str) -> Let:
-    size, error = Call("size", (Name(name),)), block.errors[name]
-    return Let(f"{name}_max", _plus(size, expression(error)) if error != 0 else size)
-
-
-def _steps(
-    block: RoundedBlock, apart: Container[str] = (), unread: Container[str] = ()
-) -> Iterable[Statement]:
-    """Each step: its value, the bound of its error, and its largest size where that is needed.
-
-    apart: steps whose own rounding gets a name. unread: steps whose whole error nothing reads.
-    """
-    before = None
-    for each in block.steps:
-        step = each.step
-        said = (step.equation, step.meaning)
-        if any(said) and said != before:
-            yield Comment(" ".join(part for part in said if part))
-        before = said
-        yield Let(step.name, expression(step.expr))
-        own = _own_error(each)
-        if each.rounds and step.name in apart:
-            yield Let(f"{step.name}_own", own)
-            own = Name(f"{step.name}_own")
-        if not each.exact and step.name not in unread:
-            yield Let(f"{step.name}_err", _error(each, own))
-        if step.name in block.limits:
-            yield _limit(block, step.name)
-
-
-def _own_error(each: RoundedStep) -> Expression:
-    """What the step's own operations round away."""
-    value = Name(each.step.name)
-    sizes = [expression(each.rounded)] if each.rounded != 0 else []
-    if each.kind == ROOT:
-        return Call("root_error", (value, _units(sizes)))
-    return _units([*sizes, Call("size", (value,))] if each.own else sizes)
-
-
-def _error(each: RoundedStep, own: Expression) -> Expression:
-    """The bound: errors of what goes in, and the step's own."""
-    value = Name(each.step.name)
-    carried = [expression(each.carried)] if each.carried != 0 else []
-    if each.kind == RECIPROCAL:
-        return Call("reciprocal_error", (value, expression(each.step.expr.base), _total(carried)))
-    if each.kind == ROOT:
-        inner = [_units([expression(each.rounded)])] if each.rounded != 0 else []
-        return Call("root_error", (value, _total([*carried, *inner])))
-    return _total([*carried, own] if each.rounds else carried)
-
-
-def _plus(one: Expression, other: Expression) -> Expression:
-    return Binary("+", one, other)
-
-
-def _total(terms: list[Expression]) -> Expression:
-    return reduce(_plus, terms) if terms else Number(0.0)
-
-
-def _units(sizes: list[Expression]) -> Expression:
-    """Sizes times the rounding unit."""
-    return _times(Constant("UNIT"), _total(sizes)) if sizes else Number(0.0)
-
-
-def _times(factor: Expression, value: Expression) -> Expression:
-    """A product from left to right."""
-    if isinstance(value, Binary) and value.operator == "*":
-        return Binary("*", _times(factor, value.left), value.right)
-    return Binary("*", factor, value)
-
-
-def _stored(block: RoundedBlock, outputs: Iterable[Output]) -> Iterable[Statement]:
-    """Values and errors handed out."""
-    for out in outputs:
-        q = out.quantity
-        owner = "added" if q in ADDED else "out"
-        for i, expr in enumerate(out.exprs):
-            value, error = _pair(owner, q, i)
-            yield Assign(value, expression(expr))
-            if block.inexact(q) or q in ADDED:
-                yield Assign(error, expression(block.output_error(expr)))

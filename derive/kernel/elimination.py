@@ -5,10 +5,9 @@
 
 from collections.abc import Callable, Mapping
 
-from .nodes import Element, Expression, Name, Number
-from .read import Given
+from .tree.nodes import Element, Expression, Name, Number
+from .tree.read import Given
 from .written import elimination as text
-from .written import faults
 
 
 def _entries(name: str) -> Callable[..., Expression]:
@@ -27,9 +26,9 @@ def _whole(row: Expression, column: Expression | None = None) -> Expression:
     return Name(f"a_{row.value}") if column in (None, row) else Element(Name("A"), (row, column))
 
 
-RETURNED: Mapping[str, Given] = {"reject": faults.returned, "CARRIED": 0}
+RETURNED: Mapping[str, Given] = {"reject": text.returned, "CARRIED": 0}
 """A fault ends the function."""
-CARRIED: Mapping[str, Given] = {"reject": faults.carried, "CARRIED": 1}
+CARRIED: Mapping[str, Given] = {"reject": text.carried, "CARRIED": 1}
 """A fault is a status that is carried on."""
 
 _COMMON: Mapping[str, Given] = {

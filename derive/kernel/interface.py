@@ -8,8 +8,8 @@ import math
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from .. import notation as n
-from ..block import Quantity
+from ..mechanics import quantities as n
+from ..program.block import Quantity
 
 STATUS = (
     ("OK", 0, "solved"),

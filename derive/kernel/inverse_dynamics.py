@@ -10,16 +10,18 @@ from types import MappingProxyType
 
 import sympy as sp
 
-from .. import notation as n
-from ..block import Block, Output
-from ..kernels import Kernel
-from ..regressor import Regressor
-from . import read
+from ..mechanics import quantities as n
+from ..mechanics.inverse_dynamics import Kernel
+from ..mechanics.regressor import Regressor
+from ..program.block import Block, Output
 from .elimination import CARRIED, INVERSE, ONCE
 from .layouts import Written
-from .lower import Arguments, block_function, component, structure
 from .model import STATUS_FIELD, machine_structures
-from .nodes import (
+from .prepare import ABOUT_REFERENCE as SIZES
+from .shared import ABOUT_REFERENCE
+from .tree import read
+from .tree.lower import Arguments, block_function, component, structure
+from .tree.nodes import (
     Array,
     Assign,
     Element,
@@ -35,8 +37,6 @@ from .nodes import (
     Statement,
     Structure,
 )
-from .prepare import ABOUT_REFERENCE as SIZES
-from .shared import ABOUT_REFERENCE
 from .written import forces, legs, solve
 from .written import inverse_dynamics as written
 

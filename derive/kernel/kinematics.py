@@ -7,16 +7,17 @@ from dataclasses import replace
 from math import prod
 from typing import Any
 
-from .. import kinematics as k
-from .. import notation as n
-from ..block import Block, Operations, Quantity
-from . import batches, read
+from ..mechanics import kinematics as k
+from ..mechanics import quantities as n
+from ..program.block import Block, Operations, Quantity
+from . import batches
 from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
-from .counted import counted
 from .layouts import Written
-from .lower import Arguments, block_function, structure
 from .model import STATUS_FIELD, machine_structures
-from .nodes import (
+from .tree import read
+from .tree.counted import counted
+from .tree.lower import Arguments, block_function, structure
+from .tree.nodes import (
     Array,
     Both,
     Compare,

@@ -10,11 +10,11 @@ from string import Template
 
 import sympy as sp
 
-from .. import notation as n
-from ..block import Block, Output, Quantity
-from . import read
-from .lower import expression
-from .nodes import (
+from ..mechanics import quantities as n
+from ..program.block import Block, Output, Quantity
+from .tree import read
+from .tree.lower import expression
+from .tree.nodes import (
     Array,
     Assign,
     Binary,

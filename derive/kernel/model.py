@@ -2,12 +2,12 @@
 
 from functools import reduce
 
-from .. import notation as n
-from .. import prepared as p
-from ..block import Quantity
-from ..regroup import ForceKernel
-from .lower import Arguments, Place, block_function, each_number, structure
-from .nodes import (
+from ..mechanics import lumped_constants as p
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel
+from ..program.block import Quantity
+from .tree.lower import Arguments, Place, block_function, each_number, structure
+from .tree.nodes import (
     Argument,
     Array,
     Assign,

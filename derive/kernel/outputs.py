@@ -7,14 +7,12 @@ from typing import Any
 
 import sympy as sp
 
-from .. import motion as m
-from .. import notation as n
-from .. import prepared as p
-from ..block import Block, Output, Quantity
-from ..regroup import ForceKernel
-from . import read
+from ..mechanics import closed_form as m
+from ..mechanics import lumped_constants as p
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel
+from ..program.block import Block, Output, Quantity
 from .elimination import CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
-from .lower import Arguments, block_function, stored_type, structure
 from .model import (
     STATUS_FIELD,
     block_arguments,
@@ -23,8 +21,11 @@ from .model import (
     model_functions,
     model_structures,
 )
-from .nodes import Argument, Array, Field, Function, Integer, Program, Real, Record, Structure, Type
 from .shared import shared
+from .tree import read
+from .tree.lower import Arguments, block_function, stored_type, structure
+from .tree.nodes import Argument, Array, Field, Function, Integer, Program, Real, Record, Structure, Type
+from .tree.written_text import Names
 from .written import closed_form, forces, joint_rows, legs, solve
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
@@ -37,7 +38,7 @@ class Text:
     """A written function, and what some of its names stand for; given: as ``read.function`` has it."""
 
     written: Written
-    names: read.Names = field(default_factory=dict)
+    names: Names = field(default_factory=dict)
     given: Mapping[str, read.Given] = field(default_factory=dict)
 
 

@@ -9,14 +9,14 @@ platforms of about a metre it is 1, and no solve multiplies by it.
 import math
 from collections.abc import Iterable, Sequence
 
-from .. import notation as n
-from ..block import Block, Quantity
-from ..prepared import ADDED
-from ..regroup import ForceKernel
-from .constants import LARGEST, SMALLEST
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel
+from ..mechanics.lumped_constants import ADDED
+from ..program.block import Block, Quantity
 from .layouts import Layout, Place, Written, loads, member, names_used, stored, stores
-from .lower import steps_of
-from .nodes import (
+from .tree.constants import LARGEST, SMALLEST
+from .tree.lower import steps_of
+from .tree.nodes import (
     Argument,
     Array,
     Assign,
@@ -36,8 +36,8 @@ from .nodes import (
     Structure,
     Variable,
 )
-from .read import Given
-from .written import scale
+from .tree.read import Given
+from .written import solve
 
 ABOUT_REFERENCE = SMALLEST / 2, LARGEST
 """The same of arms from the reference point, which is amid most platforms."""
@@ -56,12 +56,12 @@ LEG = Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.LEG)
 MOTION = Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
 
 
-HANDED_OVER: dict[str, Given] = {"hand_over": scale.handed_over}
+HANDED_OVER: dict[str, Given] = {"hand_over": solve.handed_over}
 """How the texts of preparation end."""
 
 
 def per_length(size: float) -> float:
-    """What ``written.scale.per_length_of`` returns."""
+    """What ``written.solve.per_length_of`` returns."""
     if SMALLEST <= size <= LARGEST or size == 0.0:
         return 1.0
     fraction, exponent = math.frexp(size)
@@ -75,7 +75,7 @@ def is_scaled(kernel: ForceKernel) -> bool:
 
 def size_of(texts: Written, by_legs: bool) -> Function:
     """The largest arm of a prepared model; by_legs: one leg stands after the other in it."""
-    return texts.function(scale.size_of, given={"BY_LEGS": int(by_legs)})
+    return texts.function(solve.size_of, given={"BY_LEGS": int(by_legs)})
 
 
 def prepared_structure(name: str, block: Block) -> Structure:

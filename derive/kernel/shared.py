@@ -4,13 +4,13 @@ from dataclasses import dataclass
 from functools import cache
 
 from .batches import LOADS, MOTIONS, parts_at, parts_of_one
-from .constants import LARGEST
 from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
 from .layouts import Written
-from .nodes import Argument, Array, Count, Function, Number, Pointer, Real, Type
 from .prepare import MOTION
-from .read import LANES, Given
-from .written import batch, every_output, lanes, legs, scale, solve
+from .tree.constants import LARGEST
+from .tree.nodes import Argument, Array, Count, Function, Number, Pointer, Real, Type
+from .tree.read import LANES, Given
+from .written import batch, every_output, lanes, legs, solve
 
 ABOUT_REFERENCE: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus, "ABOUT_TIP": 0}
 """How a leg is added to the platform's equations."""
@@ -60,8 +60,8 @@ def shared(about_tip: bool = True) -> Shared:
     rows = (lanes.exchange_rows, lanes.subtract_row)
     return Shared(
         (
-            read(scale.per_length_of, given={"LARGEST": Number(LARGEST)}, largest=f"{LARGEST:g}"),
-            read(scale.scaled_axis),
+            read(solve.per_length_of, given={"LARGEST": Number(LARGEST)}, largest=f"{LARGEST:g}"),
+            read(solve.scaled_axis),
             read(legs.largest_component),
             read(legs.fault_of, apart=True),
             read(solve.singular_status, apart=True, given={**INVERSE, **RETURNED}),

@@ -12,14 +12,14 @@ from typing import Any
 
 import sympy as sp
 
-from .. import motion, prepared
-from .. import notation as n
-from ..block import AXES, Quantity
-from .constants import constants
-from .interpret import Arithmetic, Interpreter
-from .nodes import Assign, Element, Expression, Let, Member, Name, Program, Variable
+from ..mechanics import closed_form, lumped_constants
+from ..mechanics import quantities as n
+from ..program.block import AXES, Quantity
 from .outputs import FORWARD
 from .prepare import PER_LENGTH
+from .tree.constants import constants
+from .tree.interpret import Arithmetic, Interpreter
+from .tree.nodes import Assign, Element, Expression, Let, Member, Name, Program, Variable
 
 Steps = tuple[tuple[sp.Symbol, sp.Expr], ...]
 
@@ -119,7 +119,10 @@ class Tracer(Interpreter):
 
 _LEG = "leg of the call"
 _QUANTITIES = [
-    each for module in (n, motion, prepared) for each in vars(module).values() if isinstance(each, Quantity)
+    each
+    for module in (n, closed_form, lumped_constants)
+    for each in vars(module).values()
+    if isinstance(each, Quantity)
 ]
 _SYMMETRIC = {each.name for each in _QUANTITIES if each.symmetric}
 

@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any
 
-from .. import notation as n
-from ..block import AXES, Quantity
 from ..kernel.interface import CALLS, STATUS
+from ..mechanics import quantities as n
+from ..program.block import AXES, Quantity
 from . import licence
 from . import robot as robot_text
 from .words import Numbers, component, template

@@ -8,8 +8,8 @@ import textwrap
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from .. import notation as n
 from ..kernel.interface import STATUS
+from ..mechanics import quantities as n
 from . import licence
 from .functions import MODEL, Function, Part
 from .words import in_markdown, shape, table, template

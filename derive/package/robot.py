@@ -9,8 +9,8 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from .. import notation as n
 from ..kernel.interface import STRUCTS, Member
+from ..mechanics import quantities as n
 from .words import Numbers, braces, in_comment, literal, member, robot_symbol, stored, template
 
 HEADER, SOURCE = "stewart_robot.h", "stewart_robot.c"

@@ -7,9 +7,9 @@ import unicodedata
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from .. import notation as n
-from ..block import Quantity
+from ..mechanics import quantities as n
 from ..print.template import filled_from
+from ..program.block import Quantity
 
 Numbers = Mapping[str, Any]
 """Quantity name -> number or nested lists of numbers."""

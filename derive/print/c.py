@@ -4,7 +4,7 @@ import textwrap
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import groupby
 
-from ..kernel.nodes import (
+from ..kernel.tree.nodes import (
     Argument,
     Array,
     As,

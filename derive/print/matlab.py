@@ -3,7 +3,7 @@
 import math
 import textwrap
 
-from ..kernel.nodes import (
+from ..kernel.tree.nodes import (
     Array,
     Call,
     Expression,

@@ -4,8 +4,8 @@ from collections.abc import Collection, Iterable, Mapping
 from itertools import groupby
 from types import MappingProxyType
 
-from ..kernel.constants import INTEGERS
-from ..kernel.nodes import (
+from ..kernel.tree.constants import INTEGERS
+from ..kernel.tree.nodes import (
     Argument,
     Array,
     Assign,

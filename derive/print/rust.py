@@ -1,6 +1,6 @@
 """Rust without its standard library: structures that are copied, functions that borrow."""
 
-from ..kernel.nodes import (
+from ..kernel.tree.nodes import (
     Array,
     Call,
     Count,

@@ -4,7 +4,7 @@ import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 
-from ..kernel.nodes import (
+from ..kernel.tree.nodes import (
     Assign,
     Binary,
     Both,

@@ -44,7 +44,7 @@ def casadi_function(
     truth(checked, "checked")
     with needed_for("a CasADi function"):
         import casadi
-    from ..derive.kernel.interpret import Interpreter
+    from ..derive.kernel.tree.interpret import Interpreter
 
     program, _, model = prepared(robot, what, what, formulation)
     given = {name: casadi.SX.sym(name, 3, 3 if name == "R" else 1) for name in MOTION}
@@ -78,8 +78,8 @@ def _matrix(value: Any) -> Any:
 def _arithmetic(checked: bool) -> Any:
     import casadi
 
-    from ..derive.kernel.constants import constants
-    from ..derive.kernel.interpret import Arithmetic
+    from ..derive.kernel.tree.constants import constants
+    from ..derive.kernel.tree.interpret import Arithmetic
 
     def where(test: Any, yes: Any, no: Any) -> Any:
         if isinstance(test, bool):

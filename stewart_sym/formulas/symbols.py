@@ -171,8 +171,8 @@ def prepared(
 
     what: the user's word for the function.
     """
-    from ..derive.kernel.constants import constants
-    from ..derive.kernel.interpret import Arithmetic, Interpreter
+    from ..derive.kernel.tree.constants import constants
+    from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 
     instance(robot, Robot, "robot")
     name = kernel_name(formulation, robot.base_joint)
@@ -194,9 +194,9 @@ def prepared(
 
 @cache
 def _program(name: str, function: str) -> Any:
-    from ..derive.formulation import FORMULATIONS
     from ..derive.generate import output_program, reduced
     from ..derive.kernel.inverse_dynamics import terms_program
+    from ..derive.mechanics.formulation import FORMULATIONS
 
     form = next(form for form in FORMULATIONS if form.kernel_name == name)
     return terms_program(reduced(form)) if function == "terms" else output_program(form, (function,))

@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from ..derive import notation as n
-from ..derive.block import Quantity
+from ..derive.mechanics import quantities as n
+from ..derive.program.block import Quantity
 
 Number = Callable[[str, Any], Any]
 """From a quantity's name and one of its components to a number of the arithmetic."""

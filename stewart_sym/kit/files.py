@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from ..backend import fidelity
 from ..backend.kernel import MOTION
-from ..derive import notation
 from ..derive.generate import generator_version
 from ..derive.kernel.interface import CALLS
+from ..derive.mechanics import quantities
 from ..derive.package import build, cpp, licence
 from ..derive.package.deviations import deviations
 from ..derive.package.example import example
@@ -130,8 +130,8 @@ def _limits(robot: Robot) -> dict[str, list[float]]:
 
 def _numbers(robot: Robot) -> list[float]:
     """Numbers of ``stewart_robot`` in its order, read off the robot and not off the text of the constants."""
-    legs = [(q.name, (i, *key)) for i in range(6) for q in notation.LEG for key in q.keys]
-    platform = [(q.name, key) for q in notation.PLATFORM for key in q.keys]
+    legs = [(q.name, (i, *key)) for i in range(6) for q in quantities.LEG for key in q.keys]
+    platform = [(q.name, key) for q in quantities.PLATFORM for key in q.keys]
     return [float(np.asarray(getattr(robot, name))[key]) for name, key in legs + platform]
 
 
@@ -297,7 +297,7 @@ def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -
     if forces.subject:
         needed |= {HEADER, SOURCE}
         numbers = robot_numbers(robot)
-        payload = {quantity.name: numbers[quantity.name] for quantity in notation.PLATFORM}
+        payload = {quantity.name: numbers[quantity.name] for quantity in quantities.PLATFORM}
     return fmu_unit(
         robot.name,
         robot_symbol(robot.name),

@@ -7,9 +7,9 @@ from numpy.typing import NDArray
 
 from ..backend.fidelity import resolved
 from ..backend.kernel import kernel_name
-from ..derive.formulation import FORMULATIONS
 from ..derive.generate import output_program
-from ..derive.kernel.nodes import Program, Record
+from ..derive.kernel.tree.nodes import Program, Record
+from ..derive.mechanics.formulation import FORMULATIONS
 from ..derive.package import licence
 from ..derive.package.languages import LANGUAGES
 from ..derive.package.languages.contents import Contents, Test, Value, compared

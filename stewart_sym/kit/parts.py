@@ -12,13 +12,10 @@ import numpy as np
 
 from ..backend import fidelity
 from ..backend.kernel import c_sources, kernel_name, module
-from ..derive import notation
-from ..derive.bake import baked
 from ..derive.emit import lanes, scalar
+from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
-from ..derive.emit.motion import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.shared import ARITHMETIC, INCLUDED, LANES, OUTPUTS, SOLVE, shared_headers
-from ..derive.formulation import EXACT
 from ..derive.generate import (
     generator_version,
     motion_files,
@@ -27,10 +24,13 @@ from ..derive.generate import (
     shared_blocks,
 )
 from ..derive.kernel.kinematics import search_operations
-from ..derive.operations import force_operations
+from ..derive.kernel.operations import force_operations
+from ..derive.mechanics import quantities
+from ..derive.mechanics.actuator_forces import ForceKernel
+from ..derive.mechanics.baked_constants import baked
+from ..derive.mechanics.formulation import EXACT
 from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.words import Numbers, robot_symbol
-from ..derive.regroup import ForceKernel
 from ..precision.truth import derived_kernel
 from ..robot.robot import Robot
 from .choice import STEMS, Choice
@@ -71,7 +71,7 @@ class Parts:
 
 def robot_numbers(robot: Robot) -> Numbers:
     """Fields of ``stewart_robot`` as nested lists."""
-    names = [quantity.name for quantity in notation.LEG + notation.PLATFORM]
+    names = [quantity.name for quantity in quantities.LEG + quantities.PLATFORM]
     return {name: np.asarray(getattr(robot, name)).tolist() for name in names}
 
 

@@ -17,14 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend.kernel import kernel_name, module
-from ..derive import notation as n
-from ..derive.formulation import EXACT
 from ..derive.generate import reduced_kinematics, reduced_rotation
-from ..derive.kernel.constants import constants
-from ..derive.kernel.interpret import Arithmetic, Interpreter
 from ..derive.kernel.kinematics import PUBLIC, rotation_program, search_program
-from ..derive.kernel.nodes import Program
 from ..derive.kernel.outputs import FORCES, program
+from ..derive.kernel.tree.constants import constants
+from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
+from ..derive.kernel.tree.nodes import Program
+from ..derive.mechanics import quantities as n
+from ..derive.mechanics.formulation import EXACT
 from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
 from ..precision.truth import ON_DIGITS, number_of_digits

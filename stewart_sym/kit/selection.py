@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend.kernel import MOTION
-from ..derive.regroup import ForceKernel
+from ..derive.mechanics.actuator_forces import ForceKernel
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion

@@ -14,10 +14,10 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from ..derive import notation as n
-from ..derive.block import Block, Quantity
-from ..derive.prepared import ADDED
-from ..derive.regroup import ForceKernel
+from ..derive.mechanics import quantities as n
+from ..derive.mechanics.actuator_forces import ForceKernel
+from ..derive.mechanics.lumped_constants import ADDED
+from ..derive.program.block import Block, Quantity
 from .running import HALF_UNIT, RunningArrays, factor_sizes
 
 Array = NDArray[np.float64]

@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend.kernel import kernel_name, loaded
-from ..derive import notation as n
-from ..derive.fidelity import FIDELITIES, fidelity_kernel
-from ..derive.formulation import EXACT, FORMULATIONS
-from ..derive.kernel.constants import unchecked
-from ..derive.kernel.interpret import Arithmetic, Interpreter
 from ..derive.kernel.outputs import FORCES, program
-from ..derive.regroup import ForceKernel
+from ..derive.kernel.tree.constants import unchecked
+from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
+from ..derive.mechanics import quantities as n
+from ..derive.mechanics.actuator_forces import ForceKernel
+from ..derive.mechanics.formulation import EXACT, FORMULATIONS
+from ..derive.mechanics.reduced_models import FIDELITIES, fidelity_kernel
 from ..formulas.trees import robot_structure, structure
 from ..motion.motion import Motion
 from ..robot.robot import Robot

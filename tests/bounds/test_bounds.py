@@ -26,9 +26,9 @@ from unsolvable_poses import singular
 import stewart_sym as ss
 from stewart_sym.backend import native
 from stewart_sym.backend.kernel import MOTION, address, c_sources, library
-from stewart_sym.derive.adjoint import adjoint
-from stewart_sym.derive.block import Builder, Quantity, run
-from stewart_sym.derive.formulation import EXACT
+from stewart_sym.derive.mechanics.formulation import EXACT
+from stewart_sym.derive.program.adjoint import adjoint
+from stewart_sym.derive.program.block import Builder, Quantity, run
 from stewart_sym.dynamics import bounds
 from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.quad import error, quad_forces

@@ -8,13 +8,13 @@ import pytest
 import sympy as sp
 from mpmath import mp
 
-from stewart_sym.derive.block import Block, Builder, Operations, Quantity, count
-from stewart_sym.derive.formulation import FORMULATIONS
-from stewart_sym.derive.kernel.lower import expression
-from stewart_sym.derive.kernel.nodes import Program
-from stewart_sym.derive.kernels import kernel
+from stewart_sym.derive.kernel.tree.lower import expression
+from stewart_sym.derive.kernel.tree.nodes import Program
+from stewart_sym.derive.mechanics.formulation import FORMULATIONS
+from stewart_sym.derive.mechanics.inverse_dynamics import kernel
 from stewart_sym.derive.print.python import Python
-from stewart_sym.derive.reduce import share
+from stewart_sym.derive.program.block import Block, Builder, Operations, Quantity, count
+from stewart_sym.derive.program.cse import share
 
 derived = functools.cache(kernel)
 A, B, X = sp.symbols("a b x", real=True)

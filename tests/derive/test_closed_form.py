@@ -7,13 +7,15 @@ from collections.abc import Sequence
 import pytest
 import sympy as sp
 
-from stewart_sym.derive import lagrange, leg, motion, tip, tip_force
-from stewart_sym.derive import notation as n
-from stewart_sym.derive import prepared as p
-from stewart_sym.derive.block import Block, Builder, Quantity, substitution
-from stewart_sym.derive.formulation import EXACT, PAPER, Formulation
-from stewart_sym.derive.normal_form import cos_phi, inv_k3, normal_form, sin_phi, vanishes
-from stewart_sym.derive.tip_force import antisymmetric, e, gamma, u
+from stewart_sym.derive.mechanics import closed_form
+from stewart_sym.derive.mechanics import lumped_constants as p
+from stewart_sym.derive.mechanics import quantities as n
+from stewart_sym.derive.mechanics.formulation import EXACT, PAPER, Formulation
+from stewart_sym.derive.mechanics.legs import leg, tip
+from stewart_sym.derive.mechanics.proofs import lagrange, tip_force
+from stewart_sym.derive.mechanics.proofs.normal_form import cos_phi, inv_k3, normal_form, sin_phi, vanishes
+from stewart_sym.derive.mechanics.proofs.tip_force import antisymmetric, e, gamma, u
+from stewart_sym.derive.program.block import Block, Builder, Quantity, substitution
 
 L, k1, k3 = tip.L, tip.k1, tip.k3
 u_x, u_y, u_z = u
@@ -123,7 +125,7 @@ def whole(found: dict[str, sp.Matrix], name: str) -> sp.Matrix:
 
 
 def test_platform_sees_the_leg_through_J_and_the_sum_stays_skew() -> None:
-    (block,) = (kernel.leg for kernel in motion.kernels() if kernel.name == "equations")
+    (block,) = (kernel.leg for kernel in closed_form.kernels() if kernel.name == "equations")
     found = kept(block, "m", "C_tip", "q", "w_q")
     m, C_tip = tensor("m", True), tensor("C_tip")
     q, w_q = n.q.value, sp.Matrix(sp.symbols("w_q_x w_q_y w_q_z", real=True))
@@ -138,7 +140,7 @@ def test_platform_sees_the_leg_through_J_and_the_sum_stays_skew() -> None:
 
 
 def test_platform_itself_follows_from_newton_and_euler_and_its_rest_is_skew() -> None:
-    (block,) = (kernel.pose for kernel in motion.kernels() if kernel.name == "equations")
+    (block,) = (kernel.pose for kernel in closed_form.kernels() if kernel.name == "equations")
     found = kept(block, "h_base", "J_base")
     M, C = whole(found, "M"), whole(found, "C")
     omega, alpha, a, v, g = (q.value for q in (n.omega, n.alpha, n.a, n.v, n.g))

@@ -3,10 +3,17 @@
 import pytest
 import sympy as sp
 
-from stewart_sym.derive import leg, platform
-from stewart_sym.derive.block import Builder
-from stewart_sym.derive.formulation import EXACT, EXACT_SPHERICAL, FORMULATIONS, PAPER, Formulation
-from stewart_sym.derive.isotropic import Transverse, scalar_form, vector_form
+from stewart_sym.derive.mechanics import platform
+from stewart_sym.derive.mechanics.formulation import (
+    EXACT,
+    EXACT_SPHERICAL,
+    FORMULATIONS,
+    PAPER,
+    Formulation,
+)
+from stewart_sym.derive.mechanics.legs import leg
+from stewart_sym.derive.mechanics.legs.base_frame import Transverse, scalar_form, vector_form
+from stewart_sym.derive.program.block import Builder
 
 L = sp.Symbol("L", positive=True)
 K1, K3, KAPPA = sp.symbols("k1 k3 kappa", real=True)

@@ -19,7 +19,7 @@ from motion_blocks import (
 )
 from mpmath import mp
 
-from stewart_sym.derive.formulation import EXACT
+from stewart_sym.derive.mechanics.formulation import EXACT
 
 
 def small(difference: mp.matrix, beside: mp.matrix, tolerance: float = 1e-30) -> bool:

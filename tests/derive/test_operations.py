@@ -11,16 +11,16 @@ from counting_c import COUNTING, REPORT
 from machines import dasgupta, random_motion, random_robot
 
 from stewart_sym.backend.kernel import c_sources, module, robot_numbers
-from stewart_sym.derive.block import Operations
 from stewart_sym.derive.emit import lanes, scalar
+from stewart_sym.derive.emit.closed_form import sum_operations
 from stewart_sym.derive.emit.header import common_header
-from stewart_sym.derive.emit.motion import sum_operations
 from stewart_sym.derive.emit.shared import shared_headers
-from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import reduced, reduced_forces, reduced_motion
+from stewart_sym.derive.kernel.operations import force_operations, kernel_operations, solve_operations
 from stewart_sym.derive.kernel.outputs import prefix_of
-from stewart_sym.derive.motion import F_LEG
-from stewart_sym.derive.operations import force_operations, kernel_operations, solve_operations
+from stewart_sym.derive.mechanics.closed_form import F_LEG
+from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.program.block import Operations
 from stewart_sym.dynamics import closed_form
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot

@@ -8,7 +8,7 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.derive.formulation import FORMULATIONS, Formulation
+from stewart_sym.derive.mechanics.formulation import FORMULATIONS, Formulation
 
 UNITS = 40
 EPSILON = np.finfo(np.float64).eps

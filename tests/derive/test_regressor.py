@@ -11,8 +11,8 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.derive import regressor as derived
-from stewart_sym.derive.formulation import EXACT
+from stewart_sym.derive.mechanics import regressor as derived
+from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

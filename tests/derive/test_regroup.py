@@ -9,11 +9,11 @@ from fifty_digits import truth
 from machines import random_motion, random_robot
 from mpmath import mp
 
-from stewart_sym.derive.formulation import EXACT, FORMULATIONS, PAPER, Formulation
 from stewart_sym.derive.generate import reduced_forces
-from stewart_sym.derive.operations import force_operations
-from stewart_sym.derive.reduce import share
-from stewart_sym.derive.regroup import force_kernel
+from stewart_sym.derive.kernel.operations import force_operations
+from stewart_sym.derive.mechanics.actuator_forces import force_kernel
+from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS, PAPER, Formulation
+from stewart_sym.derive.program.cse import share
 
 ROUNDING = 1e-13
 derived = functools.cache(force_kernel)

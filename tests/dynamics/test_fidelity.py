@@ -10,8 +10,14 @@ from reduced_machines import as_simple_as, at_rest
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
-from stewart_sym.derive.fidelity import AXISYMMETRIC, FIDELITIES, POINT_MASSES, Fidelity, fidelity_kernel
-from stewart_sym.derive.formulation import EXACT, PAPER
+from stewart_sym.derive.mechanics.formulation import EXACT, PAPER
+from stewart_sym.derive.mechanics.reduced_models import (
+    AXISYMMETRIC,
+    FIDELITIES,
+    POINT_MASSES,
+    Fidelity,
+    fidelity_kernel,
+)
 from stewart_sym.motion.motion import Motion
 
 EPSILON = np.finfo(np.float64).eps

@@ -10,8 +10,8 @@ from reduced_machines import as_simple_as, at_rest
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
-from stewart_sym.derive.fidelity import FIDELITIES
-from stewart_sym.derive.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import OK, POLE
 from stewart_sym.robot.robot import Robot

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.kernel import MOTION, address
-from stewart_sym.derive.bake import _Constants
-from stewart_sym.derive.notation import Quantity
+from stewart_sym.derive.mechanics.baked_constants import _Constants
+from stewart_sym.derive.mechanics.quantities import Quantity
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import Choice
 from stewart_sym.kit.parts import Parts, parts

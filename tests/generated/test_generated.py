@@ -10,8 +10,8 @@ import attack_build
 import pytest
 from compiled_folder import c_folder
 
-from stewart_sym.derive.formulation import FORMULATIONS
 from stewart_sym.derive.generate import generated_files
+from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.generated.interface import HEADERS
 
 KERNELS = [form.kernel_name for form in FORMULATIONS]
@@ -73,7 +73,7 @@ def test_optimised_c_compiles_silently_and_calls_nothing_but_square_roots(
 ) -> None:
     """No heap, no I/O, no pow: gcc turns sqrt into an instruction, so nothing is left to link.
 
-    Warnings that come from optimising show here; all others need no code. ``test_float`` asks what float calls.
+    Warnings that come from optimising show here; all others need no code. Float: ``test_float``.
     """
     target = str(tmp_path / "k.o")
     compiled_silently("gcc", "double", "c99", kernel, "-O2", "-c", "-o", target)

@@ -19,12 +19,12 @@ from numpy.typing import NDArray
 import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.backend.kernel import address, c_sources, robot_numbers
-from stewart_sym.derive import notation as n
-from stewart_sym.derive.block import Operations
 from stewart_sym.derive.emit.kinematics import STEPS
 from stewart_sym.derive.generate import reduced_kinematics
 from stewart_sym.derive.kernel.kinematics import search_operations
-from stewart_sym.derive.kinematics import kinematics, turn
+from stewart_sym.derive.mechanics import quantities as n
+from stewart_sym.derive.mechanics.kinematics import kinematics, turn
+from stewart_sym.derive.program.block import Operations
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.forward import jacobian
 from stewart_sym.motion.rotation import rotation_from_vector

@@ -8,7 +8,8 @@ from pathlib import Path
 import attack_build
 import pytest
 
-from stewart_sym.derive.emit import motion as emitted
+from stewart_sym.derive.emit import closed_form as emitted
+from stewart_sym.derive.emit import closed_form_source
 from stewart_sym.derive.generate import (
     EXACT,
     generator_version,
@@ -16,7 +17,7 @@ from stewart_sym.derive.generate import (
     prepared_model,
     reduced_motion,
 )
-from stewart_sym.derive.motion import NAMES
+from stewart_sym.derive.mechanics.closed_form import NAMES
 
 KIT = [
     ("equations", "bias", "forward_dynamics", "joint_inertia"),
@@ -42,7 +43,9 @@ def written(kernels, tmp_path_factory: pytest.TempPathFactory):
         version = generator_version()
         header = emitted.header(full, plain, EXACT.kernel_name, version, functions)
         (folder / "stewart_exact_motion.h").write_text(header)
-        (folder / "stewart_exact_motion.c").write_text(emitted.source(full, model, version, functions))
+        (folder / "stewart_exact_motion.c").write_text(
+            closed_form_source.source(full, model, version, functions)
+        )
         return folder
 
     return write

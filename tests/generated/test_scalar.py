@@ -17,13 +17,13 @@ from unsolvable_poses import leg_along_its_axis, short_leg, singular
 import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
 from stewart_sym.backend.kernel import MOTION, c_sources, loaded, robot_numbers
-from stewart_sym.derive import notation as n
-from stewart_sym.derive.bake import baked
 from stewart_sym.derive.emit import scalar
 from stewart_sym.derive.generate import shared_blocks
-from stewart_sym.derive.kernel import read
 from stewart_sym.derive.kernel.elimination import BY_POINTERS
+from stewart_sym.derive.kernel.tree import read
 from stewart_sym.derive.kernel.written import scalar as written_scalar
+from stewart_sym.derive.mechanics import quantities as n
+from stewart_sym.derive.mechanics.baked_constants import baked
 from stewart_sym.derive.print.c import C
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import BAD_ARGUMENT, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from readme_tables import table_row
 
 import stewart_sym as ss
-from stewart_sym.derive.regressor import dependencies
+from stewart_sym.derive.mechanics.regressor import dependencies
 from stewart_sym.identification.base_parameters import MERGED
 from stewart_sym.identification.parameters import leg_name
 from stewart_sym.robot.robot import Robot

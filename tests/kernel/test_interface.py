@@ -12,8 +12,8 @@ from stewart_sym import results
 from stewart_sym.backend import native
 from stewart_sym.derive.emit.layout import layout
 from stewart_sym.derive.generate import generator_version
-from stewart_sym.derive.kernel.constants import STATUS as OF_TREES
 from stewart_sym.derive.kernel.interface import CALLS, STATUS, STRUCTS
+from stewart_sym.derive.kernel.tree.constants import STATUS as OF_TREES
 from stewart_sym.derive.package.functions import MODEL, NOTHING, ROBOT, Function
 from stewart_sym.generated import interface
 from stewart_sym.kit.choice import STEMS

@@ -16,13 +16,13 @@ from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.derive.fidelity import FIDELITIES
-from stewart_sym.derive.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.generate import prepared_model, reduced_fidelity, reduced_forces, reduced_motion
-from stewart_sym.derive.kernel import read
-from stewart_sym.derive.kernel.interpret import Arithmetic, Interpreter
-from stewart_sym.derive.kernel.nodes import Program
 from stewart_sym.derive.kernel.outputs import OUTPUTS, program
+from stewart_sym.derive.kernel.tree import read
+from stewart_sym.derive.kernel.tree.interpret import Arithmetic, Interpreter
+from stewart_sym.derive.kernel.tree.nodes import Program
+from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.derive.package import languages
 from stewart_sym.kit import Choice, write_kit
 

@@ -15,9 +15,9 @@ from machines import random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.derive.generate import reduced_kinematics, reduced_rotation
-from stewart_sym.derive.kernel.interpret import Interpreter
 from stewart_sym.derive.kernel.kinematics import PUBLIC, rotation_program, search_program
-from stewart_sym.derive.kernel.nodes import Program
+from stewart_sym.derive.kernel.tree.interpret import Interpreter
+from stewart_sym.derive.kernel.tree.nodes import Program
 from stewart_sym.kit import Choice, write_kit
 from stewart_sym.results import NOT_CONVERGED, NOT_FINITE, OK, SHORT_LEG, SINGULAR
 

@@ -13,7 +13,7 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.derive.formulation import EXACT
+from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
 from stewart_sym.motion.motion import Motion
 from stewart_sym.results import INDEFINITE, NOT_FINITE, POLE, SHORT_LEG, SINGULAR

@@ -43,7 +43,7 @@ from pathlib import Path
 import stewart_sym.derive as derive
 copy, folder = map(Path, sys.argv[1:])
 derive.__path__[:] = [str(copy)]
-from stewart_sym.derive.formulation import EXACT
+from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.derive.generate import motion_files, output_program
 from stewart_sym.derive.package.languages import LANGUAGES
 from stewart_sym.derive.package.languages.contents import Contents, Test

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from stewart_sym.derive.kernel.nodes import (
+from stewart_sym.derive.kernel.tree.nodes import (
     Argument,
     Array,
     As,

@@ -4,8 +4,8 @@ from typing import Any
 
 import pytest
 
-from stewart_sym.derive.kernel import read
-from stewart_sym.derive.kernel.nodes import (
+from stewart_sym.derive.kernel.tree import read
+from stewart_sym.derive.kernel.tree.nodes import (
     Assign,
     Call,
     Element,

@@ -6,11 +6,11 @@ from typing import Any
 
 import pytest
 
-from stewart_sym.derive.kernel import read
-from stewart_sym.derive.kernel.constants import constants
-from stewart_sym.derive.kernel.interpret import Arithmetic, Interpreter
-from stewart_sym.derive.kernel.nodes import Program, Select, parts_of
-from stewart_sym.derive.kernel.settle import of_one_pose
+from stewart_sym.derive.kernel.tree import read
+from stewart_sym.derive.kernel.tree.constants import constants
+from stewart_sym.derive.kernel.tree.interpret import Arithmetic, Interpreter
+from stewart_sym.derive.kernel.tree.nodes import Program, Select, parts_of
+from stewart_sym.derive.kernel.tree.settle import of_one_pose
 
 # What stands in these texts are names of the program that they are read into.
 # ruff: noqa: F821

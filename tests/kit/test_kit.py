@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from stewart_sym import inverse_kinematics
 from stewart_sym.backend import fidelity, kernel, native
-from stewart_sym.derive import notation
+from stewart_sym.derive.mechanics import quantities
 from stewart_sym.derive.package.robot import robot_files
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.generated.interface import HEADERS
@@ -359,7 +359,7 @@ def test_robot_without_a_good_pose_is_refused(tmp_path: Path, case: str) -> None
 )
 def test_emitter_names_the_field_it_cannot_print(field: str, value: object, message: str) -> None:
     robot = machines.dasgupta()
-    names = [quantity.name for quantity in (*notation.LEG, *notation.PLATFORM)]
+    names = [quantity.name for quantity in (*quantities.LEG, *quantities.PLATFORM)]
     numbers = {name: np.asarray(getattr(robot, name)).tolist() for name in names}
     limits = dict.fromkeys(("shortest", "longest", "force", "speed"), [1.0] * 6)
     with pytest.raises(ValueError, match=re.escape(message)):

@@ -12,7 +12,7 @@ import pytest
 from sweeps import FULL
 
 from stewart_sym.backend import native
-from stewart_sym.derive import notation as n
+from stewart_sym.derive.mechanics import quantities as n
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.parts import folded_kernel

@@ -20,7 +20,7 @@ from reduced_machines import as_simple_as
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.derive.fidelity import FIDELITIES
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated import exact, paper
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.io.extras import install

@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity
-from stewart_sym.derive.fidelity import FIDELITIES
-from stewart_sym.derive.formulation import FORMULATIONS
+from stewart_sym.derive.mechanics.formulation import FORMULATIONS
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.trajectory import read_csv

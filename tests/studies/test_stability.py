@@ -15,7 +15,7 @@ import stewart_sym as ss
 from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.backend.native import CompilerError
 from stewart_sym.cli.main import main
-from stewart_sym.derive.thresholds import CASES, THRESHOLDS
+from stewart_sym.derive.emit.thresholds import CASES, THRESHOLDS
 from stewart_sym.precision.quad import quad_forces
 from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.results import OK

@@ -3,9 +3,9 @@
 from fifty_digits import block_inputs, named
 from mpmath import mp
 
-from stewart_sym.derive.block import Block
-from stewart_sym.derive.prepared import ADDED
-from stewart_sym.derive.regroup import ForceKernel
+from stewart_sym.derive.mechanics.actuator_forces import ForceKernel
+from stewart_sym.derive.mechanics.lumped_constants import ADDED
+from stewart_sym.derive.program.block import Block
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

@@ -6,8 +6,8 @@ import numpy as np
 from mpmath import mp
 from numpy.typing import NDArray
 
-from stewart_sym.derive.formulation import Formulation
-from stewart_sym.derive.kernels import kernel
+from stewart_sym.derive.mechanics.formulation import Formulation
+from stewart_sym.derive.mechanics.inverse_dynamics import kernel
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

@@ -8,9 +8,9 @@ import numpy as np
 from machines import random_motion
 
 import stewart_sym as ss
-from stewart_sym.derive import notation as n
-from stewart_sym.derive.kernel.constants import constants
-from stewart_sym.derive.kernel.interpret import Arithmetic
+from stewart_sym.derive.kernel.tree.constants import constants
+from stewart_sym.derive.kernel.tree.interpret import Arithmetic
+from stewart_sym.derive.mechanics import quantities as n
 
 EPSILON = 2.0**-52
 ON_ARRAYS = Arithmetic(

@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 from numpy.typing import NDArray
 
-from stewart_sym.derive.fidelity import Fidelity
+from stewart_sym.derive.mechanics.reduced_models import Fidelity
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

@@ -189,3 +189,14 @@ def definite(k) -> None:
     fault = where(size(a[k, k]) <= MAX, INDEFINITE, NOT_FINITE)
     fault = where(a[k, k] > kept * scale[k], OK, fault)
     status = where(status == OK, fault, status)
+
+
+def returned(holds, code) -> None:
+    """The function ends."""
+    if not holds:
+        return code
+
+
+def carried(holds, code) -> None:
+    """The first fault stays."""
+    status = where((status != OK) | (holds), status, code)

@@ -4,9 +4,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from ...block import Quantity
-from ...kernel.constants import INTEGERS, STATUS
-from ...kernel.nodes import Array, Constant, Program, Record, Type, parts_of
+from ...kernel.tree.constants import INTEGERS, STATUS
+from ...kernel.tree.nodes import Array, Constant, Program, Record, Type, parts_of
+from ...program.block import Quantity
 from ..words import Numbers
 
 Value = Sequence[float] | Mapping[str, Sequence[float]]

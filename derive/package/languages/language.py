@@ -4,8 +4,8 @@ import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
 
-from ... import notation as n
-from ...block import Quantity
+from ...mechanics import quantities as n
+from ...program.block import Quantity
 from ..words import in_markdown, template
 from .contents import Contents, Test, stored
 

@@ -2,8 +2,8 @@
 
 from collections.abc import Mapping, Sequence
 
-from ...kernel.constants import constants
-from ...kernel.settle import of_one_pose
+from ...kernel.tree.constants import constants
+from ...kernel.tree.settle import of_one_pose
 from ...print.matlab import Matlab
 from ..words import template
 from .contents import Contents, Test, Value, compared

@@ -2,11 +2,11 @@
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from ... import notation as n
-from ...block import Quantity
-from ...kernel.constants import constants
-from ...kernel.settle import of_one_pose
+from ...kernel.tree.constants import constants
+from ...kernel.tree.settle import of_one_pose
+from ...mechanics import quantities as n
 from ...print.rust import Rust
+from ...program.block import Quantity
 from ..words import Numbers, template
 from .contents import Contents, Test, Value, compared, stored
 from .language import Language, array, spoilt

@@ -1,0 +1,116 @@
+"""Operation counts of a whole kernel: six legs, platform, sum of c, solve, F = D - x.
+
+Counts +, -, *, / and sqrt one each; negation, copies, comparisons and absolute values are free. Blocks are
+counted by their expressions, the solves by running their texts.
+"""
+
+import random
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+from ..mechanics import quantities as n
+from ..mechanics.actuator_forces import ForceKernel
+from ..mechanics.inverse_dynamics import Kernel
+from ..mechanics.lumped_constants import arm_c
+from ..program.block import Operations
+from .elimination import BY_POINTERS, ONCE, in_lanes
+from .shared import FORCE
+from .tree import read
+from .tree.counted import counted
+from .tree.nodes import Name, Program, Return
+from .tree.read import LANES, Given
+from .written import every_output, lanes, scalar
+
+LEGS = 6
+NOTHING = Operations()
+
+
+@dataclass(frozen=True)
+class KernelOperations:
+    """Counts of one pose of inverse dynamics, part by part; moments: of one leg; arms: of how many legs
+    they are made."""
+
+    leg: Operations
+    platform: Operations
+    sum_c: Operations
+    solve: Operations
+    forces: Operations
+    moments: Operations = NOTHING
+    arms: int = LEGS - 1
+
+    @property
+    def total(self) -> Operations:
+        """Everything: six legs, the platform's part, moments, the sum of c, the solve, F = D - x."""
+        parts = self.platform + self.arms * self.moments + self.sum_c + self.solve + self.forces
+        return LEGS * self.leg + parts
+
+    def parts(self) -> dict[str, Operations]:
+        """The counts by name, the total last."""
+        return {
+            "leg": self.leg,
+            "platform": self.platform,
+            **({"moments": self.moments} if self.moments.total else {}),
+            "sum of c": self.sum_c,
+            "solve": self.solve,
+            "forces": self.forces,
+            "total": self.total,
+        }
+
+
+_SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
+    "every output": (every_output.solve, ONCE, 1),
+    "block": (lanes.solve_block, in_lanes(about_tip=False), LANES),
+    "block about tip": (lanes.solve_block, in_lanes(about_tip=True), LANES),
+    "one pose": (scalar.solve, BY_POINTERS, 1),
+}
+
+
+@cache
+def solve_operations(name: str) -> Operations:
+    """Operations of a written solve, of one of the systems where it solves several side by side."""
+    text, given, count = _SOLVES[name]
+    # F = D - x is counted apart.
+    force = replace(FORCE, body=(Return(Name("x")),))
+    function = read.function(text, {}, {force.name: force}, given=given)
+    draw = random.Random(1)
+    alone = Program("", (), (force, function))
+    found = counted(alone, function.name, lambda _: draw.uniform(0.5, 1.5), {"LANES": LANES})
+    return Operations(*(each // count for each in (found.mul, found.add, found.div, found.sqrt)))
+
+
+def kernel_operations(kernel: Kernel) -> KernelOperations:
+    """Counts of a kernel as it is (share its blocks first to count what is emitted)."""
+    return KernelOperations(
+        leg=kernel.leg.operations(),
+        platform=kernel.platform.operations(),
+        sum_c=Operations(add=6 * LEGS),
+        solve=solve_operations("every output"),
+        forces=Operations(add=LEGS),
+    )
+
+
+def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOperations:
+    """Counts of a regrouped kernel as it is; ``platform`` holds what the pose has for all legs.
+
+    What a leg does not have, its part of c or its D, costs nothing to add. scalar_text: of the function that
+    takes the legs one after the other: leg 1 as the others, and the product of the pivots.
+    """
+    given = {out.quantity for out in kernel.leg.outputs}
+    sums = LEGS * sum(3 for quantity in (n.c_force, n.c_moment) if quantity in given)
+    moments, shift = Operations(), Operations()
+    block = solve_operations("block about tip" if kernel.about_tip else "block")
+    arms = LEGS if scalar_text else LEGS - 1
+    if kernel.about_tip:
+        moments, shift = kernel.moments.operations(), kernel.shift.operations()
+        sums += arms * sum(3 for out in kernel.moments.outputs if out.quantity == arm_c)
+    return KernelOperations(
+        leg=kernel.leg.operations(),
+        platform=kernel.shared.operations() + shift,
+        sum_c=Operations(add=sums),
+        solve=solve_operations("one pose") if scalar_text else block,
+        forces=Operations(add=LEGS if n.D in given else 0),
+        moments=moments,
+        arms=arms,
+    )

@@ -1,0 +1,1 @@
+"""Trees of functions in no language: nodes, reading, lowering, running, counting."""

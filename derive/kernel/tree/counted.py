@@ -1,0 +1,100 @@
+"""Counts the operations of functions of kernel trees: runs them on numbers that count what is done with them.
+
+Products with thresholds, constants of the arithmetic, are no part of the equations and not counted.
+"""
+
+import math
+from collections import Counter
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import total_ordering
+from types import SimpleNamespace
+from typing import Any
+
+from ...program.block import Operations
+from .constants import constants
+from .interpret import Arithmetic, Interpreter
+from .nodes import Array, Integer, Program, Record, Type
+
+
+@total_ordering
+@dataclass(frozen=True, eq=False)
+class Counting:
+    """A number that adds each operation with it to ``done``; a threshold counts none."""
+
+    value: float
+    done: Counter[str]
+    threshold: bool = False
+
+    def _made(self, operation: str, value: float, *others: "Counting") -> "Counting":
+        free = any(each.threshold for each in (self, *others))
+        self.done[operation] += not free
+        return Counting(value, self.done)
+
+    def __add__(self, other: "Counting") -> "Counting":
+        """Sum."""
+        return self._made("add", self.value + other.value, other)
+
+    def __sub__(self, other: "Counting") -> "Counting":
+        """Difference."""
+        return self._made("add", self.value - other.value, other)
+
+    def __mul__(self, other: "Counting") -> "Counting":
+        """Product; with a threshold that is one, too."""
+        made = self._made("mul", self.value * other.value, other)
+        return Counting(made.value, self.done, other.threshold)
+
+    def __truediv__(self, other: "Counting") -> "Counting":
+        """Quotient."""
+        return self._made("div", self.value / other.value, other)
+
+    def sqrt(self) -> "Counting":
+        """Square root."""
+        return self._made("sqrt", math.sqrt(self.value))
+
+    def __neg__(self) -> "Counting":
+        """The number with the other sign, which costs nothing."""
+        return Counting(-self.value, self.done)
+
+    def __abs__(self) -> "Counting":
+        """Size, which costs nothing."""
+        return Counting(abs(self.value), self.done)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether the value is equal."""
+        return isinstance(other, Counting) and self.value == other.value
+
+    def __lt__(self, other: "Counting") -> bool:
+        """Whether the value is less."""
+        return self.value < other.value
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def counted(
+    program: Program, function: str, numbers: Callable[[str], float], instead: dict[str, int] | None = None
+) -> Operations:
+    """Operations of a function.
+
+    numbers: what an argument's or a structure's member's number is, by name; instead: values of whole
+    constants such as MAX_STEPS.
+    """
+    done: Counter[str] = Counter()
+    known = {name: Counting(value, done, True) for name, value in constants("double").items()}
+    known |= {"MAX": Counting(known["MAX"].value, done), "NAN": Counting(math.nan, done)}
+    on = Arithmetic(lambda value: Counting(float(value), done), known | (instead or {}), Counting.sqrt)
+
+    def filled(name: str, kind: Type) -> Any:
+        if isinstance(kind, Array):
+            count, *others = kind.dims
+            return [
+                filled(name, Array(kind.item, tuple(others)) if others else kind.item) for _ in range(count)
+            ]
+        if isinstance(kind, Record):
+            members = program.structure(kind.name).members
+            return SimpleNamespace(**{each.name: filled(each.name, each.type) for each in members})
+        return int(numbers(name)) if isinstance(kind, Integer) else Counting(numbers(name), done)
+
+    given = [filled(each.name, each.type) for each in program.function(function).arguments]
+    Interpreter(program, on).run(function, *given)
+    return Operations(**done)

@@ -1,0 +1,474 @@
+"""Functions written in a part of Python, read as trees: what a kernel does around its blocks.
+
+Allowed are assignments, ``for`` over ``range``, ``reversed(range)`` and ``columns``, a range over the columns
+of a row that compilers make vectors of, ``if``, ``else``, ``break``, ``return``, ``+ - * /``, comparisons,
+``&`` and ``|``, members, elements and calls. ``where(test, yes, no)`` selects, ``anywhere(test)`` says
+whether a test holds for any of the poses side by side, ``array(6, 7)`` and the name of a structure make
+zeros. Arguments carry the name of their structure, ``"array(6, 7)"`` or ``"Real"``.
+
+For languages with addresses there are ``and``, ``or``, ``not``, ``is None``, parts of arrays ``x[6:]``,
+``"Count"`` and ``"Pointer(Real)"``, ``blank(...)`` for ``array(...)``, a structure or a type without a first
+value, and ``alone(...)`` around the type of an argument that no other one overlaps.
+
+What is known when a text is read is settled there: an ``if`` or ``a if b else c`` by the constants given,
+``for i in each(6)`` once for each ``i``, and with these ``a[i, k]`` is a variable ``a_0_1`` of its own. A
+name that stands alone in a line stands for statements that are given, a string for a comment. An argument
+that is given as ``False`` is left out, in calls as well.
+
+One text serves several shapes: a call that stands alone in a line, of a text that is given, is replaced by
+the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of the indices; and where
+``ROLLED`` is given, ``for i in each(6)`` is a loop.
+"""
+
+import ast
+import inspect
+from collections.abc import Callable, Iterable, Mapping
+from functools import reduce
+from types import MappingProxyType
+from typing import Any, cast
+
+from .constants import INTEGERS, NAMES
+from .nodes import (
+    BUILT_IN,
+    Argument,
+    Array,
+    As,
+    Assign,
+    Binary,
+    Both,
+    Break,
+    Call,
+    Comment,
+    Compare,
+    Constant,
+    Count,
+    Do,
+    Either,
+    Element,
+    Expression,
+    For,
+    From,
+    Function,
+    If,
+    Integer,
+    Let,
+    Member,
+    Name,
+    Negative,
+    Not,
+    Number,
+    Pointer,
+    Real,
+    Record,
+    Return,
+    Select,
+    Statement,
+    Structure,
+    Truth,
+    Type,
+    Variable,
+)
+from .written_text import (
+    Filled,
+    Names,
+    base_of,
+    called_name,
+    changed_names,
+    is_none,
+    parsed,
+    rolled_range,
+    with_variables,
+)
+
+_OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
+_COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
+_COMPARISONS |= {ast.Is: "==", ast.IsNot: "!="}
+
+LANES = 8
+Given = int | Expression | tuple[Statement, ...] | Callable[..., Any]
+"""A constant; an expression or statements that are read where their name stands; a text that is read where it
+is called; or what makes an expression of indices."""
+
+
+def function(
+    written: Callable[..., Any],
+    structures: Mapping[str, Structure],
+    functions: Mapping[str, Function],
+    name: str = "",
+    public: bool = False,
+    given: Mapping[str, Given] | None = None,
+    names: Names = MappingProxyType({}),
+) -> Function:
+    """A Python function as a tree.
+
+    structures, functions: those it may name, by name. name: of the tree, if another. given: constants, and
+    statements by the names that stand for them. names: what other names of the text stand for. Raises
+    ValueError for what is not allowed.
+    """
+    tree = parsed(written, names)
+    return _Reader(structures, functions, tree, given or {}, names).function(name or tree.name, public)
+
+
+def used(
+    written: Callable[..., Any],
+    names: Names = MappingProxyType({}),
+    given: Mapping[str, Given] = MappingProxyType({}),
+) -> list[str]:
+    """Names of the structures and functions that a text and those given to it use, in their order."""
+    tree = parsed(written, names)
+    typed = [each.annotation for each in tree.args.args] + [tree.returns]
+    quoted = [node.value for node in typed if isinstance(node, ast.Constant) and isinstance(node.value, str)]
+    called = [called_name(node) for node in ast.walk(tree) if isinstance(node, ast.Call)]
+    texts = (text for each in called if inspect.isfunction(text := given.get(each)))
+    inside = [each for text in texts for each in used(text, names, given)]
+    return list(dict.fromkeys([*quoted, *inside, *called]))
+
+
+class _Reader:
+    def __init__(
+        self,
+        structures: Mapping[str, Structure],
+        functions: Mapping[str, Function],
+        tree: ast.FunctionDef,
+        given: Mapping[str, Given],
+        names: Names,
+    ) -> None:
+        self.structures, self.functions, self.tree, self.given = structures, functions, tree, dict(given)
+        self.names = names
+        self.types: dict[str, Type] = {}
+        self.whole: ast.expr | None = None
+
+    def function(self, name: str, public: bool) -> Function:
+        tree = self.tree
+        typed = [(each.arg, *self.argument(each.annotation)) for each in tree.args.args]
+        typed = [each for each in typed if self.given.get(each[0]) is not False]
+        self.types = {name: kind for name, kind, _ in typed}
+        read = self.body(tree.body[ast.get_docstring(tree) is not None :])
+        changed = changed_names(read, self.functions, self.is_address)
+        arguments = tuple(Argument(name, kind, name in changed, alone) for name, kind, alone in typed)
+        result = None if is_none(tree.returns) else self.annotated(tree.returns)
+        paragraphs = (ast.get_docstring(tree) or "").split("\n\n")
+        meaning = "\n\n".join(" ".join(each.split()) for each in paragraphs)
+        return Function(name, meaning, arguments, result, with_variables(read, changed), public)
+
+    def argument(self, node: ast.expr | None) -> tuple[Type, bool]:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            node = ast.parse(node.value, mode="eval").body
+        if node is not None and called_name(node) == "alone":
+            assert isinstance(node, ast.Call)
+            return self.annotated(node.args[0]), True
+        return self.annotated(node), False
+
+    def annotated(self, node: ast.expr | None) -> Type:
+        if isinstance(node, ast.Constant) and isinstance(node.value, str):
+            node = ast.parse(node.value, mode="eval").body
+        if isinstance(node, ast.Name):
+            plain: dict[str, Type] = {"Real": Real(), "Integer": Integer(), "Count": Count()}
+            named = self.structures.get(node.id)
+            return plain.get(node.id, Record(named.name if named else node.id))
+        if isinstance(node, ast.Call) and called_name(node) == "Pointer":
+            item = self.annotated(node.args[0])
+            assert isinstance(item, Real | Integer | Record)
+            return Pointer(item)
+        if isinstance(node, ast.Call) and called_name(node) == "array":
+            return Array(Real(), tuple(self.dimension(arg) for arg in node.args))
+        if isinstance(node, ast.Call) and called_name(node) == "pointers":
+            return Array(Pointer(Real()), tuple(self.dimension(arg) for arg in node.args))
+        raise self.error(node, "a structure's name, array(...), Pointer(...), Real, Integer or Count")
+
+    def dimension(self, node: ast.expr) -> int:
+        found = LANES if isinstance(node, ast.Name) and node.id == "LANES" else self.settled(node)
+        if not isinstance(found, int):
+            raise self.error(node, "a whole number")
+        return found
+
+    def error(self, node: ast.AST | None, expected: str) -> ValueError:
+        got = "nothing" if node is None else ast.unparse(node)
+        return ValueError(f"{self.tree.name}: expected {expected}, got {got}")
+
+    # ------------------------------------------------------------ statements
+
+    def body(self, nodes: list[ast.stmt]) -> tuple[Statement, ...]:
+        return tuple(found for node in nodes for found in self.statements(node))
+
+    def inner(self, nodes: list[ast.stmt]) -> tuple[Statement, ...]:
+        """A body whose names end with it."""
+        outside = dict(self.types)
+        found = self.body(nodes)
+        self.types = outside
+        return found
+
+    def statements(self, node: ast.stmt) -> Iterable[Statement]:
+        """A statement, or what is left of it where it is settled already."""
+        match node:
+            case ast.If() if (holds := self.settled(node.test)) is not None:
+                return self.body(node.body if holds else node.orelse)
+            case ast.For(target=ast.Name(id=index)) if called_name(node.iter) == "each":
+                return self.rolled(node, index) if self.given.get("ROLLED") else self.repeated(node, index)
+            case ast.Expr(value=ast.Call() as call) if callable(text := self.given.get(called_name(call))):
+                return self.inlined(text, call)
+            case ast.Expr(value=ast.Call(func=ast.Name(id=name))) if self.given.get(name) == ():
+                return []
+            case ast.Expr(value=ast.Name(id=name)) if isinstance(self.given.get(name), tuple):
+                return cast("tuple[Statement, ...]", self.given[name])
+            case ast.Expr(value=ast.Constant(value=str(text))):
+                return [Comment(text)]
+        return [self.statement(node)]
+
+    def rolled(self, node: ast.For, index: str) -> list[Statement]:
+        """A loop, unless nothing is left in it."""
+        loop = self.loop(node, index)
+        return [loop] if loop.body else []
+
+    def repeated(self, node: ast.For, index: str) -> list[Statement]:
+        assert isinstance(node.iter, ast.Call)
+        found: list[Statement] = []
+        for i in range(*(self.dimension(arg) for arg in node.iter.args)):
+            self.given[index] = i
+            found += self.body(node.body)
+        return found
+
+    def inlined(self, text: Callable[..., Any], call: ast.Call) -> tuple[Statement, ...]:
+        """The lines of another text with what it is called with in place of its arguments."""
+        tree = parsed(text, self.names)
+        names = (each.arg for each in tree.args.args)
+        settled = (self.settled(arg) for arg in call.args)
+        values = (arg if i is None else ast.Constant(i) for arg, i in zip(call.args, settled, strict=True))
+        filled = Filled(dict(zip(names, values, strict=True)))
+        lines = tree.body[ast.get_docstring(tree) is not None :]
+        return self.body([filled.visit(each) for each in lines])
+
+    def settled(self, node: ast.expr) -> int | None:
+        """A value that is known now, None where it is not."""
+        names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
+        kinds = ast.Constant | ast.Name | ast.BoolOp | ast.UnaryOp | ast.BinOp | ast.Compare | ast.IfExp
+        parts = (each for each in ast.walk(node) if isinstance(each, ast.expr))
+        known = {name: self.given[name] for name in names if isinstance(self.given.get(name), int)}
+        if (names and not known) or any(value is False for value in known.values()):
+            return None
+        if not all(isinstance(each, kinds) for each in parts):
+            return None
+        try:
+            value = eval(ast.unparse(node), {"__builtins__": {}}, known)
+        except NameError:
+            return None
+        return value if isinstance(value, int) else None
+
+    def statement(self, node: ast.stmt) -> Statement:
+        self.whole = getattr(node, "value", None)
+        if isinstance(node, ast.Assign) and len(node.targets) == 1:
+            return self.assigned(node.targets[0], node.value)
+        if isinstance(node, ast.For) and isinstance(node.target, ast.Name):
+            return self.loop(node, node.target.id)
+        if isinstance(node, ast.If):
+            return If(self.expression(node.test), self.inner(node.body), self.inner(node.orelse))
+        if isinstance(node, ast.Break):
+            return Break()
+        if isinstance(node, ast.Return):
+            return Return(None if node.value is None else self.expression(node.value))
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
+            call = self.expression(node.value)
+            assert isinstance(call, Call)
+            return Do(call)
+        raise self.error(node, "a statement that every language has")
+
+    def assigned(self, to: ast.expr, value: ast.expr) -> Statement:
+        target = self.expression(to)
+        if not isinstance(target, Name):
+            return Assign(target, self.expression(value))
+        name = target.name
+        made = self.made(name, value)
+        if made is not None:
+            self.types[name] = made.type
+            return made
+        found = self.expression(value)
+        if name in self.types:
+            return Assign(target, found)
+        self.types[name] = self.type(found)
+        return Let(name, found, self.types[name])
+
+    def made(self, name: str, node: ast.expr) -> Variable | Let | None:
+        """A variable of zeros, a blank one, or the address of a table."""
+        if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
+            return None
+        if node.func.id == "address":
+            return Let(name, Name(base_of(node.args[0])), Pointer(Record(self.structures["Model"].name)))
+        if node.func.id == "blank":
+            return Variable(name, self.annotated(node.args[0]), blank=True)
+        if node.func.id == "array":
+            return Variable(name, self.annotated(node))
+        if node.func.id in self.structures:
+            return Variable(name, Record(self.structures[node.func.id].name))
+        return None
+
+    def loop(self, node: ast.For, index: str) -> For:
+        call = node.iter
+        down = called_name(call) == "reversed"
+        if called_name(call) == "each":
+            call, down = rolled_range(call)
+        elif down:
+            assert isinstance(call, ast.Call)
+            call = call.args[0]
+        if not isinstance(call, ast.Call) or called_name(call) not in ("range", "columns"):
+            raise self.error(node.iter, "range(...), reversed(range(...)) or columns(...)")
+        ends = [self.expression(arg) for arg in call.args[:2]]
+        first, last = (Number(0), *ends)[-2:]
+        kind = Count() if self.type(last) == Count() else Integer()
+        self.types[index] = kind
+        if down:
+            first, last = _less_one(last), _less_one(first)
+        step = self.expression(call.args[2]) if len(call.args) == 3 else Number(1)
+        step = As(Count(), step) if kind == Count() and step != Number(1) else step
+        kept = called_name(call) == "columns" and self.given.get("LONG") != 0
+        return For(index, first, last, self.inner(node.body), down, kind, step, kept)
+
+    # ------------------------------------------------------------ expressions
+
+    def expression(self, node: ast.expr) -> Expression:
+        settled = self.settled(node)
+        if settled is not None:
+            return Number(int(settled))
+        match node:
+            case ast.Constant(value=float() as number):
+                return Number(number)
+            case ast.Constant(value=None):
+                return Constant("NULL")
+            case ast.Name(id=name):
+                found = self.given.get(name)
+                if isinstance(found, Expression):
+                    return found
+                return Constant(name) if name in (*INTEGERS, *NAMES) else Name(name)
+            case ast.Attribute():
+                return Member(self.expression(node.value), node.attr)
+            case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)) if callable(
+                place := self.given.get(name)
+            ):
+                return cast("Expression", place(*map(self.expression, index)))
+            case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)):
+                return Name("_".join([name, *(str(self.dimension(each)) for each in index)]))
+            case ast.Subscript(slice=ast.Slice(lower=ast.expr() as lower)):
+                return From(self.expression(node.value), self.expression(lower))
+            case ast.Subscript():
+                return self.element(node)
+            case ast.UnaryOp(op=ast.USub()):
+                return Negative(self.expression(node.operand))
+            case ast.UnaryOp(op=ast.Not()):
+                return Not(self.expression(node.operand))
+            case ast.BoolOp():
+                joined = Both if isinstance(node.op, ast.And) else Either
+                return reduce(joined, map(self.expression, node.values))
+            case ast.BinOp():
+                return self.binary(node)
+            case ast.Compare() if len(node.ops) == 1:
+                operator = _COMPARISONS[type(node.ops[0])]
+                return Compare(operator, *self.alike(node.left, node.comparators[0]))
+            case ast.IfExp() if (holds := self.settled(node.test)) is not None:
+                return self.expression(node.body if holds else node.orelse)
+            case ast.IfExp():
+                return Select(*map(self.expression, (node.test, node.body, node.orelse)))
+            case ast.Call():
+                return self.call(node)
+        raise self.error(node, "an expression that every language has")
+
+    def alike(self, *nodes: ast.expr) -> tuple[Expression, ...]:
+        """Operands; where one is a count, so are all."""
+        found = tuple(map(self.expression, nodes))
+        kinds = [self.type(each) for each in found]
+        if Count() not in kinds:
+            return found
+        return tuple(
+            As(Count(), each) if kind == Integer() else each for each, kind in zip(found, kinds, strict=True)
+        )
+
+    def element(self, node: ast.Subscript) -> Element:
+        index = self.expression(node.slice)
+        owner = self.expression(node.value)
+        if isinstance(owner, Element):
+            return Element(owner.array, (*owner.index, index))
+        return Element(owner, (index,))
+
+    def binary(self, node: ast.BinOp) -> Expression:
+        left, right = self.alike(node.left, node.right)
+        if isinstance(node.op, ast.BitAnd):
+            return Both(left, right)
+        if isinstance(node.op, ast.BitOr):
+            return Either(left, right)
+        if type(node.op) not in _OPERATORS:
+            raise self.error(node, "one of + - * / & |")
+        return Binary(_OPERATORS[type(node.op)], left, right)
+
+    def call(self, node: ast.Call) -> Expression:
+        name = called_name(node)
+        arguments = tuple(
+            self.expression(arg)
+            for arg in node.args
+            if self.given.get(base_of(arg)) is not False or base_of(arg) in self.types
+        )
+        if name == "where":
+            return Select(*arguments)
+        if name == "numbers_of":
+            return As(Pointer(Real()), *arguments)
+        if name not in BUILT_IN and name not in self.functions:
+            raise self.error(node, "a function of the program")
+        changes = name in self.functions and any(each.changed for each in self.functions[name].arguments)
+        if changes and node is not self.whole:
+            raise self.error(node, "a statement of its own for a call that changes an argument")
+        return Call(self.functions[name].name if name in self.functions else name, arguments)
+
+    def type(self, value: Expression) -> Type:
+        match value:
+            case Number(number):
+                return Real() if isinstance(number, float) else Integer()
+            case Constant(name):
+                return Integer() if name in INTEGERS else Real()
+            case Name(name):
+                return self.types.get(name, Real())
+            case Member(owner, name):
+                return self.member(self.type(owner), name)
+            case Element(array, index):
+                found = self.type(array)
+                assert isinstance(found, Array | Pointer)
+                dims = found.dims if isinstance(found, Array) else (0,)
+                if len(index) > len(dims) and isinstance(found.item, Pointer):
+                    return found.item.item
+                return Array(found.item, dims[len(index) :]) if len(index) < len(dims) else found.item
+            case From(array):
+                found = self.type(array)
+                assert isinstance(found, Array | Pointer)
+                return Pointer(found.item)
+            case As(kind):
+                return kind
+            case Negative(inner):
+                return self.type(inner)
+            case Binary(_, left, right):
+                kinds = (self.type(left), self.type(right))
+                return Real() if Real() in kinds else kinds[0]
+            case Compare() | Both() | Either() | Not():
+                return Truth()
+            case Select(_, yes):
+                return self.type(yes)
+            case Call(name):
+                result = BUILT_IN[name] if name in BUILT_IN else self.functions[name].result
+                assert result is not None
+                return result
+        raise AssertionError(value)
+
+    def member(self, owner: Type, name: str) -> Type:
+        """The type of a structure's member."""
+        record = owner.item if isinstance(owner, Pointer) else owner
+        assert isinstance(record, Record)
+        named = next(each for each in self.structures.values() if each.name == record.name)
+        return next(each.type for each in named.members if each.name == name)
+
+    def is_address(self, node: Expression) -> bool:
+        """Whether a member of an argument is an address: what is there is no part of the argument."""
+        if not isinstance(node, Member) or not isinstance(node.owner, Name):
+            return False
+        owner = self.types.get(node.owner.name)
+        return isinstance(owner, Record) and isinstance(self.member(owner, node.name), Pointer)
+
+
+def _less_one(value: Expression) -> Expression:
+    if isinstance(value, Number):
+        return Number(value.value - 1)
+    return Binary("-", value, Number(1))

@@ -1,0 +1,146 @@
+"""Texts of written functions: names put in, what is changed in them, roots of places."""
+
+import ast
+import inspect
+import textwrap
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from .nodes import (
+    Assign,
+    Element,
+    Expression,
+    For,
+    From,
+    Function,
+    If,
+    Let,
+    Member,
+    Name,
+    Select,
+    Statement,
+    Variable,
+    calls_in,
+    statements,
+)
+
+Names = Mapping[str, str | int]
+"""What names of a text stand for, other names or numbers: the text then serves for several functions."""
+
+
+def parsed(written: Callable[..., Any], names: Names) -> ast.FunctionDef:
+    """The function's tree with names put in."""
+    tree = ast.parse(textwrap.dedent(inspect.getsource(written))).body[0]
+    assert isinstance(tree, ast.FunctionDef)
+    for each in tree.args.args:
+        each.annotation = _quoted(each.annotation, names)
+        each.arg = str(names.get(each.arg, each.arg))
+    tree.returns = _quoted(tree.returns, names)
+    made = _Renamed(names).visit(tree)
+    assert isinstance(made, ast.FunctionDef)
+    return made
+
+
+def _quoted(node: ast.expr | None, names: Names) -> ast.expr | None:
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        made = _Renamed(names).visit(ast.parse(node.value, mode="eval").body)
+        return ast.Constant(ast.unparse(made))
+    return node
+
+
+class _Renamed(ast.NodeTransformer):
+    """Puts what names stand for in their place and at the end of others: ``solve_WIDTH`` is ``solve_24``."""
+
+    def __init__(self, names: Names) -> None:
+        self.names = names
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        """A name or a number in its place."""
+        if isinstance(value := self.names.get(node.id), int):
+            return ast.Constant(value)
+        name = node.id if value is None else value
+        for key, number in self.names.items():
+            if isinstance(number, int) and name.endswith(f"_{key}"):
+                name = f"{name.removesuffix(key)}{number}"
+        return ast.Name(name, node.ctx) if name.isidentifier() else ast.parse(name, mode="eval").body
+
+
+class Filled(ast.NodeTransformer):
+    """Puts expressions in the place of names."""
+
+    def __init__(self, values: Mapping[str, ast.expr]) -> None:
+        """values: by the names they replace."""
+        self.values = values
+
+    def visit_Name(self, node: ast.Name) -> ast.expr:
+        """An expression in its place."""
+        return self.values.get(node.id, node)
+
+
+def changed_names(
+    body: tuple[Statement, ...], functions: Mapping[str, Function], is_address: Callable[[Expression], bool]
+) -> set[str]:
+    """Names that are assigned to after their first value, in part, or by a function that changes them."""
+    found: set[str] = set()
+    for each in statements(body):
+        if isinstance(each, Assign):
+            found.add(root_of(each.target))
+        for call in calls_in(each):
+            arguments = functions[call.function].arguments if call.function in functions else ()
+            pairs = zip(call.arguments, arguments, strict=False)
+            found |= {root_of(value) for value, to in pairs if to.changed and not is_address(value)}
+    return found
+
+
+def with_variables(body: tuple[Statement, ...], changed: set[str]) -> tuple[Statement, ...]:
+    """The body with variables for what was read as a constant, and is changed later."""
+    found: list[Statement] = []
+    for each in body:
+        match each:
+            case Let(name, value, kind) if name in changed:
+                found.append(Variable(name, kind, value))
+            case For():
+                found.append(replace(each, body=with_variables(each.body, changed)))
+            case If():
+                parts = (with_variables(part, changed) for part in (each.body, each.otherwise))
+                found.append(If(each.test, *parts))
+            case _:
+                found.append(each)
+    return tuple(found)
+
+
+def is_none(node: ast.expr | None) -> bool:
+    """Whether an expression is ``None`` or missing."""
+    return node is None or (isinstance(node, ast.Constant) and node.value is None)
+
+
+def root_of(node: Expression) -> str:
+    """Name of what a place is part of."""
+    while isinstance(node, Member | Element | From | Select):
+        if isinstance(node, Select):
+            node = node.yes
+        else:
+            node = node.owner if isinstance(node, Member) else node.array
+    return node.name if isinstance(node, Name) else ""
+
+
+def base_of(node: ast.expr) -> str:
+    """The same of Python's tree."""
+    while isinstance(node, ast.Attribute | ast.Subscript):
+        node = node.value
+    return node.id if isinstance(node, ast.Name) else ""
+
+
+def rolled_range(node: ast.expr) -> tuple[ast.expr, bool]:
+    """``range`` of what ``each`` goes through, and whether it goes downward."""
+    assert isinstance(node, ast.Call)
+    if len(node.args) < 3:
+        return ast.Call(ast.Name("range"), node.args, []), False
+    first, after, _ = (ast.literal_eval(each) for each in node.args)
+    return ast.parse(f"range({after + 1}, {first + 1})", mode="eval").body, True
+
+
+def called_name(node: ast.expr) -> str:
+    """Name of the function that is called."""
+    return node.func.id if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) else ""

@@ -1,0 +1,1 @@
+"""The mechanics of the paper: equations in, blocks of named steps out."""

@@ -1,0 +1,357 @@
+"""Derivatives of the wrench by pose, twist and acceleration, as blocks."""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ...program.block import Block, Builder
+from .. import lumped_constants as p
+from .. import quantities as n
+from ..actuator_forces import rotary
+from ..legs import tip
+from ..legs.joint_coordinates import gravity_torques, joint_accelerations, joint_inertia, joint_rates
+from ..legs.leg import cross
+from .parts import (
+    LEG_INPUTS,
+    POSE_INPUTS,
+    Leg,
+    base_matrix,
+    by_joints,
+    centripetal_acceleration,
+    checked,
+    columns_of_H,
+    external,
+    from_torques,
+    leg_inertia,
+    leg_of,
+    local_matrix,
+    name_finite_rates,
+    name_omega,
+    platform_inertia,
+    platform_of,
+    rotated,
+    tip_inertia,
+)
+from .terms import AXIAL, BY_POSE, BY_TWIST, F_LEG, INERTIA, NET, TAU_BY, TURNED, SumKernel
+
+
+def derivatives_kernel(friction: bool) -> SumKernel:
+    """Derivatives of the wrench by pose, twist and acceleration, the last of which is M."""
+    summed = (*INERTIA, *BY_POSE, *BY_TWIST)
+    return SumKernel(
+        "derivatives", summed, _derivatives_of_platform(friction), derivatives_of_leg(friction, near=False)
+    )
+
+
+def _derivatives_of_platform(friction: bool, name: str = "derivatives", alone: bool = False) -> Block:
+    build = Builder()
+    at = platform_of(build, alone)
+    omega, alpha = n.omega.value, n.alpha.value
+    turn, J = tip.skew(omega), at.J
+    B = rotary(build, omega, alpha)
+    J_alpha = build.vector("J_alpha", J * alpha)
+    rise = build.vector("rise", n.a.value - n.g.value, "(33)", "a - g")
+    F_load, M_load = (build.vector(name, v) for name, v in zip(("F_load", "M_load"), external(), strict=True))
+    spin = base_matrix(
+        build, "spin", J * turn - tip.skew(at.J_w), "derivative of I omega by dphi at fixed omega"
+    )
+    by_omega = turn * J - tip.skew(at.J_w)
+    if friction:
+        by_omega += p.C_P.value * sp.eye(3)
+    zero = sp.zeros(3, 3)
+    pose = (
+        zero,
+        -B * tip.skew(at.h) + tip.skew(F_load),
+        zero,
+        tip.skew(rise) * tip.skew(at.h)
+        + J * tip.skew(alpha)
+        - tip.skew(J_alpha)
+        + turn * spin
+        + tip.skew(M_load),
+    )
+    twist = (zero, -tip.skew(at.w_h) - turn * tip.skew(at.h), zero, by_omega)
+    return build.block(
+        f"{name}_of_platform",
+        "the platform's part of the derivatives of the wrench",
+        POSE_INPUTS,
+        [
+            (p.B, B),
+            *platform_inertia(at),
+            *zip(BY_POSE, pose, strict=True),
+            *zip(BY_TWIST, twist, strict=True),
+        ],
+    )
+
+
+@dataclass(frozen=True)
+class _Slopes:
+    """Derivatives of the tip's force by S, S_dot, S_ddot and omega, and of f by S and S_dot; base frame."""
+
+    S: sp.Matrix
+    S_dot: sp.Matrix
+    S_ddot: sp.Matrix
+    omega: sp.Matrix
+    f_S: sp.Matrix
+    f_S_dot: sp.Matrix
+    force: sp.Matrix
+
+
+def derivatives_of_leg(friction: bool, near: bool) -> Block:
+    """One leg's part; near: written for legs near their joint singularity."""
+    build = Builder()
+    leg = leg_of(build)
+    q, turn = leg.at.q, tip.skew(leg.at.q)
+    by = _tip_slopes(build, leg, friction, near)
+    W = tip.skew(n.omega.value)
+    w_q = leg.w_q
+    reach = base_matrix(
+        build, "X", by.S + by.S_dot * W + by.S_ddot * p.B.value, "force by rotation about the tip"
+    )
+    pace = base_matrix(build, "Y", by.S_dot + by.S_ddot * W)
+    fr = base_matrix(build, "Z", -reach * turn)
+    fw = base_matrix(build, "V", -pace * turn - by.S_ddot * tip.skew(w_q) + by.omega)
+    mr, mw = turn * fr + tip.skew(by.force) * turn, turn * fw
+    mt, mv = turn * by.S, turn * by.S_dot
+    if friction:
+        mt, mr = mt - by.f_S, mr + (by.f_S + by.f_S_dot * W) * turn
+        mv, mw = mv - by.f_S_dot, mw + by.f_S_dot * turn
+    return build.block(
+        "derivatives_of_leg_near" if near else "derivatives_of_leg",
+        "one leg's part of the derivatives of the wrench",
+        LEG_INPUTS,
+        [
+            *leg_inertia(build, by.S_ddot, q),
+            *zip(BY_POSE, (by.S, fr, mt, mr), strict=True),
+            *zip(BY_TWIST, (by.S_dot, fw, mv, mw), strict=True),
+            *columns_of_H(leg.at),
+            *checked(leg.at),
+        ],
+    )
+
+
+@dataclass(frozen=True)
+class _TorqueSlopes:
+    """Derivatives of the leg's generalised forces, 3x3, leg frame: by S, S_dot and S_ddot.
+
+    inertia: M of the joint coordinates; bend: sum of the net forces times the Hessians of L, theta, phi;
+    force: Gamma^T net, base frame.
+    """
+
+    S: sp.Matrix
+    S_dot: sp.Matrix
+    bend: sp.Matrix
+    inertia: sp.Matrix
+    force: sp.Matrix
+
+
+def _torque_slopes(
+    build: Builder, leg: Leg, friction: bool, near: bool, net: sp.Matrix | None = None
+) -> _TorqueSlopes:
+    """See ``tip`` for the formulas. near: everything in the symbols of ``tip.gathered``, and without names.
+
+    net: generalised forces less the actuator's, where they are given.
+    """
+    inner, raw, M = tip.gradients(), tip.torques(friction), tip.inertia()
+    gravity_torques(build, leg.at)
+    if friction:
+        name_omega(build, leg.at)
+    named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
+    if net is None:
+        tau = [build.scalar(name, value) for name, value in named]
+        net = sp.Matrix([tau[0] - F_LEG.value, tau[1], tau[2]])
+        bent = sp.Matrix([raw[0] - F_LEG.value, raw[1], raw[2]]) if near else net
+    else:
+        bent = net
+    rate, second, by_rate, by_place = inner.rate, inner.second, raw.jacobian(tip.rates), tip.place(raw)
+    if not near:
+        M = joint_inertia(build, leg.at).matrix()
+        rate, second = local_matrix(build, "G_dot", rate), local_matrix(build, "G_ddot", second)
+        by_rate, by_place = (
+            local_matrix(build, "tau_rate", by_rate),
+            local_matrix(build, "tau_place", by_place),
+        )
+    return _TorqueSlopes(
+        S=M * second + by_rate * rate + by_place * inner.value,
+        S_dot=2 * M * rate + by_rate * inner.value,
+        bend=_bend(bent),
+        inertia=M,
+        force=build.vector(
+            "R_tip",
+            from_torques(build, leg, net[0], net[1], net[2]),
+            "",
+            "force at the tip, less the actuator's",
+        ),
+    )
+
+
+def _bend(net: sp.Matrix) -> sp.Matrix:
+    """Sum of the net forces times the Hessians of L, theta, phi, whatever the forces are made of."""
+    names = sp.Matrix(sp.symbols("net_L net_theta net_phi", real=True))
+    return tip.hessian(names).xreplace(dict(zip(names, net, strict=True)))
+
+
+def _name_joint_motion(build: Builder, leg: Leg) -> None:
+    """Names rates and accelerations of the joint coordinates."""
+    rates = joint_rates(build, leg.at, leg.S_dot)
+    S_ddot = build.vector(
+        "S_ddot", p.B.value * leg.at.q + n.a.value, "(7)", "acceleration of the platform point"
+    )
+    joint_accelerations(build, leg.at, rates, S_ddot)
+
+
+def _name_finite_motion(build: Builder, leg: Leg, turned: bool) -> None:
+    """Names what ``tip.gathered`` takes as given of the leg, its rates and accelerations.
+
+    turned: what the platform's accelerations add is given by the joint coordinates, where rounding of the
+    platform's would be large beside it.
+    """
+    at, rates = leg.at, joint_rates(build, leg.at, leg.S_dot)
+    name_finite_rates(build, leg)
+    if turned:
+        S_ddot, (along, about_y, about_k) = centripetal_acceleration(build, at), TURNED.value
+    else:
+        S_ddot = p.B.value * at.q + n.a.value
+        along = about_y = about_k = sp.S.Zero
+    S_ddot = build.vector("S_ddot", S_ddot, "(7)", "acceleration of the platform point")
+    along += at.s.dot(S_ddot) + at.L * (rates.theta2 + at.k3**2 * rates.phi2)
+    build.scalar(tip.accelerations[0].name, along, "(8)", "acceleration of the length")
+    meaning = "turning accelerations of the leg about y and z but for the turning of the frame about s"
+    about_y += -at.inv_L * leg.z.dot(S_ddot) - 2 * rates.theta * rates.L_share
+    about_z = at.k3 * about_k + at.inv_L * at.y.dot(S_ddot) - 2 * tip.W_z * rates.L_share
+    build.scalar(tip.OWN_Y.name, about_y, "(9)", meaning)
+    build.scalar(tip.OWN_Z.name, about_z, "(9)", meaning)
+
+
+def _friction_slopes(build: Builder, leg: Leg, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+    """Derivatives of f by S and S_dot, base frame."""
+    if not friction:
+        return sp.zeros(3, 3), sp.zeros(3, 3)
+    inner = tip.gradients()
+    rate = local_matrix(build, "G_dot", inner.rate)
+    k, y, normal = sp.Matrix([tip.k1, 0, tip.k3]), sp.Matrix([0, 1, 0]), sp.Matrix([-tip.k3, 0, tip.k1])
+    C_s = n.C_s.value
+    by_S = C_s * (k * rate[2, :] + y * rate[1, :] + tip.rates[1] * normal * inner.value[2, :])
+    by_S_dot = C_s * (k * inner.value[2, :] + y * inner.value[1, :])
+    f_S, f_S_dot = (
+        rotated(build, name, leg.T, local_matrix(build, f"{name}_leg", local), meaning)
+        for name, local, meaning in (
+            ("f_S", by_S, "friction moment by S"),
+            ("f_S_dot", by_S_dot, "friction moment by S_dot"),
+        )
+    )
+    return f_S, f_S_dot
+
+
+def _tip_slopes(build: Builder, leg: Leg, friction: bool, near: bool) -> _Slopes:
+    """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
+    if near:
+        _name_finite_motion(build, leg, turned=False)
+    else:
+        _name_joint_motion(build, leg)
+    m, _ = tip_inertia(build, leg)
+    by = _torque_slopes(build, leg, friction, near)
+    T, value = leg.T, tip.gradients().value
+    by_omega = sp.zeros(3, 3)
+    if friction:
+        y, k = sp.Matrix([0, 1, 0]), sp.Matrix([tip.k1, 0, tip.k3])
+        by_omega = n.C_s.value * value.T * sp.Matrix.vstack(sp.zeros(1, 3), -y.T, -k.T)
+        by_omega = rotated(
+            build, "A_3", T, local_matrix(build, "A_3_leg", by_omega), "force at the tip by omega"
+        )
+    f_S, f_S_dot = _friction_slopes(build, leg, friction)
+    A_0, A_1 = value.T * by.S + by.bend, value.T * by.S_dot
+    if near:
+        A_0, A_1 = tip.gathered(A_0), tip.gathered(A_1)
+    return _Slopes(
+        S=rotated(build, "A_0", T, local_matrix(build, "A_0_leg", A_0), "force at the tip by S"),
+        S_dot=rotated(build, "A_1", T, local_matrix(build, "A_1_leg", A_1), "force at the tip by S_dot"),
+        S_ddot=m,
+        omega=by_omega,
+        f_S=f_S,
+        f_S_dot=f_S_dot,
+        force=by.force,
+    )
+
+
+def joint_slopes_kernel(friction: bool) -> SumKernel:
+    """Derivatives of the wrench, and apart from them those that act along the rows of ``joint_rows_kernel``.
+
+    The derivative of the wrench is the sum of what is summed and of [row_v row_w]^T tau_by over the legs.
+    """
+    build = Builder()
+    leg = leg_of(build)
+    q, turn, T = leg.at.q, tip.skew(leg.at.q), leg.T
+    _name_finite_motion(build, leg, turned=True)
+    by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
+    fall = T.T * build.vector("fall", centripetal_acceleration(build, leg.at) - n.g.value)
+    fall = n.m_u.value * build.vector(
+        "fall_T",
+        fall + by_joints(leg.at) * TURNED.value,
+        "",
+        "acceleration of the platform point from free fall, leg frame",
+    )
+    turning, bend = _turning_with_leg(fall, NET.value, friction)
+    S, S_dot, S_ddot = (
+        base_matrix(
+            build,
+            name,
+            local_matrix(build, f"{name}_leg", tip.gathered(value)) * T.T,
+            "generalised forces by the tip's motion",
+        )
+        for name, value in (
+            ("tau_S", by.S + turning),
+            ("tau_S_dot", by.S_dot),
+            ("tau_S_ddot", by.inertia * tip.gradients().value + n.m_u.value * tip.of_tip().T),
+        )
+    )
+    # Not gathered with the rest of S: what AXIAL = 1 takes out of it would stay as rounding.
+    bent = local_matrix(build, "bent_leg", by_joints(leg.at).T * bend)
+    S = base_matrix(
+        build, "tau_place", S + bent * T.T, "generalised forces by the tip's place, as the rows turn"
+    )
+    W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
+    reach = base_matrix(build, "X", S + S_dot * W + S_ddot * p.B.value)
+    pace = base_matrix(build, "Y", S_dot + S_ddot * W)
+    zero = sp.zeros(3, 3)
+    mt, mr = zero, tip.skew(by.force) * turn
+    mv = mw = by_omega = zero
+    if friction:
+        C_s, f_S, f_S_dot = n.C_s.value, *_friction_slopes(build, leg, friction)
+        by_omega = -C_s * sp.Matrix.vstack(sp.zeros(1, 3), leg.at.y.T, n.k.value.T)
+        mt, mr = -f_S, mr + (f_S + f_S_dot * W) * turn
+        mv, mw = -f_S_dot, f_S_dot * turn
+    block = build.block(
+        "joint_slopes_of_leg",
+        "one leg's part of the derivatives of the wrench, and its generalised forces' derivatives",
+        LEG_INPUTS,
+        [
+            *((quantity, zero) for quantity in INERTIA),
+            *zip(BY_POSE, (zero, zero, mt, mr), strict=True),
+            *zip(BY_TWIST, (zero, zero, mv, mw), strict=True),
+            *zip(
+                TAU_BY,
+                (S, -reach * turn, S_dot, -pace * turn - S_ddot * tip.skew(w_q) + by_omega),
+                strict=True,
+            ),
+            *columns_of_H(leg.at),
+            *checked(leg.at),
+        ],
+    )
+    pose = _derivatives_of_platform(friction, "joint_slopes", alone=True)
+    return SumKernel("joint_slopes", (*INERTIA, *BY_POSE, *BY_TWIST), pose, block)
+
+
+def _turning_with_leg(fall: sp.Matrix, net: sp.Matrix, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+    """What turning adds to the derivatives by S: of the generalised forces by a mass at the tip, of the rows.
+
+    Near the joint singularity the leg frame turns fast about the leg. Both parts are then large, and what
+    a thin rod's forces across the leg add to them cancels: with AXIAL = 0 it is in neither. Of a leg with
+    inertia about its own axis it stays in both, as ``net`` is small where what it is the sum of is not.
+    fall: mass at the tip times its acceleration from free fall, leg frame.
+    """
+    forces = tip.torques(friction)
+    rod = tip.of_rod(forces)
+    across = (1 - AXIAL.value) * (tip.gradients().value.T * rod + fall)
+    turning = tip.by_place_of_force(fall - sp.Matrix([0, across[1], across[2]]))
+    apart = AXIAL.value * net + (1 - AXIAL.value) * (forces - rod).applyfunc(tip.gathered)
+    return turning, _bend(sp.Matrix([net[0], apart[1], apart[2]]))

@@ -1,0 +1,220 @@
+"""Parts of several blocks of the closed form: the platform's own, a leg's frame, its inertia at the tip."""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ...program.block import Builder, Quantity
+from .. import lumped_constants as p
+from .. import quantities as n
+from ..actuator_forces import rotary
+from ..legs import tip
+from ..legs.joint_coordinates import (
+    JointForces,
+    JointFrame,
+    friction_moment,
+    joint_accelerations,
+    joint_forces,
+    joint_frame,
+    joint_inertia,
+    joint_rates,
+)
+from ..legs.leg import cross
+from .terms import AXIAL, B_0, F_LEG, M_VV, M_VW, M_WW, NET, TURNED
+
+
+@dataclass(frozen=True)
+class Platform:
+    """Mass, first moment h, inertia J about the reference point, base frame, and omega x h, J omega."""
+
+    mass: sp.Expr
+    h: sp.Matrix
+    J: sp.Matrix
+    w_h: sp.Matrix
+    J_w: sp.Matrix
+
+
+def platform_of(build: Builder, alone: bool = False) -> Platform:
+    """alone: without the masses of the upper parts, which legs then have themselves."""
+    R, omega = n.R.value, n.omega.value
+    mass, first, tensor = p.M_P.value, p.h_P.value, p.J_P.value
+    if alone:
+        mass, first = n.M.value, n.M.value * n.R_0.value
+        tensor = build.tensor("J_0", n.I_p.value + p.point_inertia(mass, n.R_0.value))
+    h = build.vector("h_base", R * first, "(30)", "first moment of the platform, base frame")
+    J = build.tensor("J_base", R * tensor * R.T, "(32)", "inertia of the platform, base frame")
+    w_h = build.vector("w_h", cross(omega, h), "(31)", "omega x h")
+    J_w = build.vector("J_w", J * omega, "(34)", "I omega")
+    return Platform(mass, h, J, w_h, J_w)
+
+
+def platform_inertia(at: Platform) -> list[tuple[Quantity, sp.Matrix]]:
+    """The platform's part of M."""
+    return [(M_VV, at.mass * sp.eye(3)), (M_VW, -tip.skew(at.h)), (M_WW, at.J)]
+
+
+def platform_bias(at: Platform, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+    """C twist + g + friction of the platform with what rides on it, force and moment."""
+    omega, g = n.omega.value, n.g.value
+    moment = cross(omega, at.J_w) - cross(at.h, g)
+    if friction:
+        moment += p.C_P.value * omega
+    return cross(omega, at.w_h) - at.mass * g, moment
+
+
+def external() -> tuple[sp.Matrix, sp.Matrix]:
+    """External force and moment, base frame."""
+    return n.R.value * n.F_ext.value, n.R.value * n.M_ext.value
+
+
+OWN_MASSES = (n.M, n.R_0, n.I_p, n.m_u)
+"""Numbers of the robot for what takes the platform and the upper parts apart."""
+
+PREPARED = (*OWN_MASSES, p.h_P, p.J_P)
+"""What the closed form reads of a prepared model besides what the forces do."""
+
+POSE_INPUTS = (*n.MOTION, p.M_P, p.h_P, p.J_P, p.C_P, n.g, *OWN_MASSES[:3])
+
+
+def centripetal(build: Builder) -> sp.Matrix:
+    """[omega]x [omega]x."""
+    return rotary(build, n.omega.value, sp.zeros(3, 1))
+
+
+@dataclass(frozen=True)
+class Leg:
+    """A leg on its way: frame with third axis, omega x q, tip velocity."""
+
+    at: JointFrame
+    w_q: sp.Matrix
+    S_dot: sp.Matrix
+
+    @property
+    def z(self) -> sp.Matrix:
+        """Third axis of the leg frame."""
+        assert self.at.z is not None
+        return self.at.z
+
+    @property
+    def T(self) -> sp.Matrix:
+        """Leg frame, columns s, y, z."""
+        return sp.Matrix.hstack(self.at.s, self.at.y, self.z)
+
+
+def leg_of(build: Builder) -> Leg:
+    """The leg's frame and its tip's velocity, named."""
+    at = joint_frame(build, with_z=True)
+    w_q = build.vector("w_q", cross(n.omega.value, at.q), "(4)", "omega x q")
+    S_dot = build.vector("S_dot", w_q + n.v.value, "(4)", "velocity of the platform point")
+    return Leg(at, w_q, S_dot)
+
+
+def checked(at: JointFrame) -> list[tuple[Quantity, sp.Expr | sp.Matrix]]:
+    """By what a leg is checked: q, L, k3."""
+    return [(n.q, at.q), (n.L, at.L), (n.k3, at.k3)]
+
+
+def by_joints(at: JointFrame) -> sp.Matrix:
+    """Motion of the platform point, leg frame, by L, theta and phi, 3x3."""
+    return tip.of_tip().xreplace({tip.L: at.L, tip.k3: at.k3})
+
+
+def columns_of_H(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
+    """The leg's column of H."""
+    return [(n.H_force, at.s), (n.H_moment, cross(at.q, at.s))]
+
+
+LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, NET, TURNED, AXIAL, n.g)
+
+
+def tip_inertia(build: Builder, leg: Leg) -> tuple[sp.Matrix, sp.Matrix]:
+    """m at the tip, base frame, nothing along s alone, and M of (L, theta, phi), both 3x3 symmetric."""
+    at = leg.at
+    inner = joint_inertia(build, at)
+    meaning = "inertia at the tip, leg frame"
+    y, z = at.inv_rho, -at.inv_L
+    m_sy = build.scalar("m_leg_sy", inner.L_phi * y, "", meaning)
+    m_sz = build.scalar("m_leg_sz", inner.L_theta * z, "", meaning)
+    m_yy = build.scalar("m_leg_yy", inner.phi * y * y, "", meaning)
+    m_yz = build.scalar("m_leg_yz", inner.mixed * y * z, "", meaning)
+    m_zz = build.scalar("m_leg_zz", inner.theta * z * z, "", meaning)
+    local = sp.Matrix([[0, m_sy, m_sz], [m_sy, m_yy, m_yz], [m_sz, m_yz, m_zz]])
+    m = rotated(build, "m", leg.T, local, "inertia at the tip, base frame", symmetric=True)
+    return m, inner.matrix()
+
+
+def rotated(
+    build: Builder, name: str, T: sp.Matrix, local: sp.Matrix, meaning: str, symmetric: bool = False
+) -> sp.Matrix:
+    """T local T^T, its entries named."""
+    half = sp.Matrix(
+        3, 3, lambda i, j: build.scalar(f"{name}_T_{'xyz'[i]}{'syz'[j]}", (T[i, :] * local[:, j])[0])
+    )
+    if symmetric:
+        return build.tensor(name, half * T.T, "", meaning)
+    return base_matrix(build, name, half * T.T, meaning)
+
+
+def base_matrix(build: Builder, name: str, value: sp.Matrix, meaning: str = "") -> sp.Matrix:
+    """A matrix of the base frame, its entries named."""
+    return sp.Matrix(
+        3, 3, lambda i, j: build.scalar(f"{name}_{'xyz'[i]}{'xyz'[j]}", value[i, j], "", meaning)
+    )
+
+
+def leg_inertia(build: Builder, m: sp.Matrix, q: sp.Matrix) -> list[tuple[Quantity, sp.Matrix]]:
+    """J^T m J."""
+    mq = base_matrix(build, "m_q", m * tip.skew(q), "m [q]x")
+    return [(M_VV, m), (M_VW, -mq), (M_WW, -tip.skew(q) * mq)]
+
+
+def wrench(force: sp.Matrix, q: sp.Matrix, less: sp.Matrix | None = None) -> list[sp.Matrix]:
+    """A force at the tip as force and moment of the platform; less: a moment taken off."""
+    moment = cross(q, force)
+    return [force, moment if less is None else moment - less]
+
+
+def tip_bias(build: Builder, leg: Leg, friction: bool) -> tuple[JointForces, sp.Matrix]:
+    """Generalised forces and f of the leg without accelerations of the platform."""
+    at = leg.at
+    rates = joint_rates(build, at, leg.S_dot)
+    S_ddot = build.vector(
+        "S_ddot", B_0.value * at.q, "(7)", "acceleration of the platform point, a = alpha = 0"
+    )
+    accelerations = joint_accelerations(build, at, rates, S_ddot)
+    return joint_forces(build, at, rates, accelerations, friction), friction_moment(at, rates, friction)
+
+
+def from_torques(build: Builder, leg: Leg, axial: sp.Expr, about_y: sp.Expr, about_k: sp.Expr) -> sp.Matrix:
+    """Gamma^T tau, base frame."""
+    return axial * leg.at.s - leg.at.inv_L * about_y * leg.z + leg.at.inv_rho * about_k * leg.at.y
+
+
+def local_matrix(build: Builder, name: str, value: sp.Matrix) -> sp.Matrix:
+    """Entries of a matrix of the leg frame or of the joint coordinates, named; zeros stay zeros."""
+    return sp.Matrix(
+        *value.shape,
+        lambda i, j: build.scalar(f"{name}_{i + 1}{j + 1}", value[i, j]),
+    )
+
+
+def name_finite_rates(build: Builder, leg: Leg) -> None:
+    """Names what ``tip.gathered`` takes as given of the leg and its rates."""
+    joint_rates(build, leg.at, leg.S_dot)
+    build.scalar(tip.inv_k3.name, leg.at.L * leg.at.inv_rho)
+    build.scalar(tip.W_z.name, leg.at.inv_L * leg.at.y.dot(leg.S_dot), "(6)", "leg's turning about z")
+
+
+def centripetal_acceleration(build: Builder, at: JointFrame) -> sp.Matrix:
+    """omega x (omega x q)."""
+    omega = n.omega.value
+    return cross(omega, build.vector("w_q", cross(omega, at.q), "(4)", "omega x q"))
+
+
+def name_omega(build: Builder, at: JointFrame) -> None:
+    """Names what ``tip`` takes as given of omega: its parts along k x y, y and k."""
+    k, omega, meaning = n.k.value, n.omega.value, "omega along k x y, y and k"
+    normal = build.vector("normal", cross(k, at.y), "", "k x y")
+    build.scalar(tip.OMEGA_N.name, normal.dot(omega), "", meaning)
+    build.scalar(tip.OMEGA_Y.name, at.y.dot(omega), "", meaning)
+    build.scalar(tip.OMEGA_K.name, k.dot(omega), "", meaning)

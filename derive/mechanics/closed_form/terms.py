@@ -1,0 +1,105 @@
+"""Terms of the closed form: M, C, gravity, friction, bias, derivatives of the wrench, and their sums."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+from ...program.block import Block, Quantity
+
+
+def _matrix(name: str, unit: str, meaning: str, symmetric: bool = False) -> Quantity:
+    return Quantity(name, (3, 3), unit, meaning, symmetric)
+
+
+def _vector(name: str, unit: str, meaning: str) -> Quantity:
+    return Quantity(name, (3,), unit, meaning)
+
+
+# Inertia, rows and columns of v and omega.
+M_VV = _matrix("M_vv", "kg", "inertia, force by a", True)
+M_VW = _matrix("M_vw", "kg m", "inertia, force by alpha")
+M_WW = _matrix("M_ww", "kg m^2", "inertia, moment by alpha", True)
+INERTIA = (M_VV, M_VW, M_WW)
+
+# Coriolis matrix, gravity, friction, bias, right side.
+C_VV = _matrix("C_vv", "kg/s", "Coriolis matrix, force by v")
+C_VW = _matrix("C_vw", "kg m/s", "Coriolis matrix, force by omega")
+C_WV = _matrix("C_wv", "kg m/s", "Coriolis matrix, moment by v")
+C_WW = _matrix("C_ww", "kg m^2/s", "Coriolis matrix, moment by omega")
+CORIOLIS = (C_VV, C_VW, C_WV, C_WW)
+GRAVITY = (_vector("g_force", "N", "gravity, force"), _vector("g_moment", "N m", "gravity, moment"))
+FRICTION = (
+    _vector("friction_force", "N", "friction, force"),
+    _vector("friction_moment", "N m", "friction, moment"),
+)
+BIAS = (
+    _vector("bias_force", "N", "C twist + g + friction, force"),
+    _vector("bias_moment", "N m", "C twist + g + friction, moment"),
+)
+RIGHT = (
+    _vector("right_force", "N", "H F + external wrench - bias, force"),
+    _vector("right_moment", "N m", "H F + external wrench - bias, moment"),
+)
+
+# Derivatives of the wrench M [a; alpha] + bias - external wrench - H F at fixed F.
+BY_POSE = (
+    _matrix("W_ft", "N/m", "force by dt"),
+    _matrix("W_fr", "N", "force by dphi"),
+    _matrix("W_mt", "N", "moment by dt"),
+    _matrix("W_mr", "N m", "moment by dphi"),
+)
+BY_TWIST = (
+    _matrix("W_fv", "N s/m", "force by v"),
+    _matrix("W_fw", "N s", "force by omega"),
+    _matrix("W_mv", "N s", "moment by v"),
+    _matrix("W_mw", "N m s", "moment by omega"),
+)
+
+# What the pose hands to the legs.
+B_0 = _matrix("B_0", "1/s^2", "[omega]x [omega]x")
+F_LEG = Quantity("F", (), "N", "actuator force of the leg")
+NET = Quantity(
+    "net", (3,), "N, N m", "generalised forces of the leg less the actuator's, along L, theta, phi"
+)
+H_DOT = (
+    _vector("H_dot_force", "1/s", "rate of the leg's column of H, force rows"),
+    _vector("H_dot_moment", "m/s", "rate of the leg's column of H, moment rows"),
+)
+
+TURNED = Quantity(
+    "turned", (3,), "m/s^2, 1/s^2", "accelerations of L, theta, phi by those of the platform alone"
+)
+
+AXIAL = Quantity("axial", (), "1", "0 of a leaning leg with little inertia about its own axis, else 1")
+
+# A leg's inertia kept apart from the directions in which it acts: M of (L, theta, phi), the gradients of
+# L, theta, phi by the platform's position and rotation, generalised forces and their derivatives.
+M_XI = _matrix("M_xi", "kg, kg m, kg m^2", "inertia of the joint coordinates, rows L, theta, phi", True)
+ROWS = (
+    _matrix("row_v", "1, 1/m", "gradients of L, theta, phi by position"),
+    _matrix("row_w", "m, 1", "gradients of L, theta, phi by rotation"),
+)
+TAU = _vector("tau", "N, N m", "generalised forces less the actuator's without accelerations of the platform")
+TAU_BY = tuple(
+    _matrix(f"tau_{by}", "N, N m per unit", f"generalised forces by {meaning}, row for row")
+    for by, meaning in (("t", "dt"), ("r", "dphi"), ("v", "v"), ("w", "omega"))
+)
+
+
+@dataclass(frozen=True)
+class SumKernel:
+    """A pose's part and one leg's part of sums over the machine.
+
+    summed: quantities that both blocks hand out and that are added up; the leg's block also hands out its
+    column of H where it is needed, and q, L, k3 by which the leg is judged. near: the leg's block for poses
+    in which a leg is near its joint singularity, where the other loses digits.
+    """
+
+    name: str
+    summed: tuple[Quantity, ...]
+    pose: Block
+    leg: Block
+    near: Block | None = None
+
+    def changed(self, change: Callable[[Block], Block]) -> "SumKernel":
+        """The kernel with the blocks of a leg changed."""
+        return replace(self, leg=change(self.leg), near=None if self.near is None else change(self.near))

@@ -1,0 +1,43 @@
+"""The formulations: with the four errors of the printed equations or without, and the legs' base joint.
+
+One derivation serves all of them; the switches here are the only places where they differ.
+"""
+
+from dataclasses import dataclass
+
+UNIVERSAL = "universal"
+SPHERICAL = "spherical"
+
+
+@dataclass(frozen=True)
+class Formulation:
+    """Switches of the derivation.
+
+    name: as the user says it; base_joint: ``universal`` or ``spherical``.
+    no_spin: fault 1, s.W = 0 and s.A = 0 in (6), (8), (9) although the universal joint spins the leg.
+    moment_along_leg: fault 2, the constraint moment is M_u s in (17), (19), (20) instead of M_u n.
+    transport_twice: fault 3, (16) adds m_u L^2 diag(0, 1, 1) although (18) carries the transport already.
+
+    With a spherical base joint nothing fixes the spin and there is no constraint moment: the first two
+    switches have no effect.
+    """
+
+    name: str
+    base_joint: str
+    no_spin: bool
+    moment_along_leg: bool
+    transport_twice: bool
+
+    @property
+    def kernel_name(self) -> str:
+        """Name of the emitted kernel: ``exact``, ``paper``, ``exact_spherical``, ``paper_spherical``."""
+        return self.name if self.base_joint == UNIVERSAL else f"{self.name}_{self.base_joint}"
+
+
+EXACT = Formulation("exact", UNIVERSAL, no_spin=False, moment_along_leg=False, transport_twice=False)
+PAPER = Formulation("paper", UNIVERSAL, no_spin=True, moment_along_leg=True, transport_twice=True)
+EXACT_SPHERICAL = Formulation(
+    "exact", SPHERICAL, no_spin=False, moment_along_leg=False, transport_twice=False
+)
+PAPER_SPHERICAL = Formulation("paper", SPHERICAL, no_spin=True, moment_along_leg=True, transport_twice=True)
+FORMULATIONS = (EXACT, PAPER, EXACT_SPHERICAL, PAPER_SPHERICAL)

@@ -1,0 +1,224 @@
+"""One leg as a mechanism of three degrees of freedom at its tip: inertia, Coriolis matrix, derivatives.
+
+The joint coordinates xi = (L, theta, phi) of ``joint_coordinates`` are functions of S. With Gamma the
+gradient of xi, xi_dot = Gamma S_dot and the tip's force is F = Gamma^T tau, so that
+
+    m = Gamma^T M Gamma,   C_tip = Gamma^T (C_xi Gamma + M Gamma_dot),
+    dF/dS_ddot = m,   dF/dS_dot = Gamma^T (2 M Gamma_dot + tau_rate Gamma),
+    dF/dS = Gamma^T (M Gamma_ddot + tau_rate Gamma_dot + tau_place Gamma) + sum of tau_a Hess xi_a,
+
+since dxi_dot/dS = Gamma_dot, dxi_ddot/dS = Gamma_ddot and dxi_ddot/dS_dot = 2 Gamma_dot for any
+coordinates. All matrices are in the leg frame, where Gamma has three entries. C_xi is made of Christoffel's
+symbols, which makes the rate of m less twice C_tip skew.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ...program.block import Builder
+from .. import lumped_constants as p
+from .. import quantities as n
+from .joint_coordinates import JointFrame, joint_inertia
+
+L, k1, k3, inv_L, inv_rho, kappa = sp.symbols("L k1 k3 inv_L inv_rho kappa", real=True)
+rates = sp.symbols("L_dot theta_dot phi_dot", real=True)
+accelerations = sp.symbols("L_ddot theta_ddot phi_ddot", real=True)
+
+_SLOPES: tuple[dict[sp.Symbol, sp.Expr], ...] = (
+    {L: 1, inv_L: -(inv_L**2), inv_rho: -inv_L * inv_rho},
+    {k1: -k3, k3: k1, inv_rho: -kappa * inv_rho, kappa: -1 - kappa**2},
+    {},
+)
+"""How the leg's geometry changes with L, theta (k1 = cos theta, k3 = sin theta, kappa = k1 / k3) and phi."""
+
+
+def along(expr: sp.Expr | sp.Matrix, coordinate: int) -> sp.Expr | sp.Matrix:
+    """Derivative by L, theta or phi (0, 1, 2)."""
+    slopes = [expr.diff(symbol) * slope for symbol, slope in _SLOPES[coordinate].items()]
+    return sum(slopes[1:], slopes[0]) if slopes else 0 * expr
+
+
+def inertia() -> sp.Matrix:
+    """M of (L, theta, phi), 3x3, from J and h; the upper part's mass rides on the platform."""
+    build = Builder()
+    nowhere = sp.zeros(3, 1)
+    frame = JointFrame(nowhere, nowhere, nowhere, L, inv_L, inv_rho, k1, k3, kappa)
+    M = joint_inertia(build, frame).matrix().xreplace(build.substitution())
+    return M.xreplace({quantity.value: value for quantity, value in p.COMBINED.items()})
+
+
+def christoffel(M: sp.Matrix) -> sp.Matrix:
+    """C_xi, 3x3: C_ij = sum over k of (M_ij,k + M_ik,j - M_jk,i) xi_dot_k / 2."""
+    by = [along(M, coordinate) for coordinate in range(3)]
+    half = sp.Rational(1, 2)
+    return sp.Matrix(
+        3,
+        3,
+        lambda i, j: sum(half * (by[k][i, j] + by[j][i, k] - by[i][j, k]) * rates[k] for k in range(3)),
+    )
+
+
+def gravity() -> sp.Matrix:
+    """Generalised force that holds the leg against gravity, 3x1; gamma as in ``joint_coordinates``."""
+    wx, wy, wz = p.w.value
+    w_k, w_n = k1 * wx + k3 * wz, k3 * wx - k1 * wz
+    return sp.Matrix([0, w_n * p.g_k.value + w_k * GAMMA_N, -wy * GAMMA_N - w_n * GAMMA_Y])
+
+
+GAMMA_N, GAMMA_Y = sp.symbols("gamma_n gamma_y", real=True)
+OMEGA_N, OMEGA_Y, OMEGA_K = sp.symbols("w_n_omega w_y_omega w_k_omega", real=True)
+
+
+def friction() -> sp.Matrix:
+    """Generalised force of the joints' friction, 3x1; OMEGA_Y, OMEGA_K: omega along y and k."""
+    C_s, C_us = n.C_s.value, p.C_us.value
+    return sp.Matrix(
+        [
+            n.C_p.value * rates[0],
+            C_us * rates[1] - C_s * OMEGA_Y,
+            C_us * rates[2] - C_s * OMEGA_K,
+        ]
+    )
+
+
+def torques(with_friction: bool) -> sp.Matrix:
+    """Lagrange's generalised forces, 3x1: M xi_ddot + C_xi xi_dot + gravity + friction."""
+    M = inertia()
+    tau = M * sp.Matrix(accelerations) + christoffel(M) * sp.Matrix(rates) + gravity()
+    return tau + friction() if with_friction else tau
+
+
+def place(expr: sp.Matrix) -> sp.Matrix:
+    """Slopes of generalised forces along L, theta, phi at fixed rates and accelerations, 3x3.
+
+    What points in the base frame turns against the leg as phi grows: d gamma_y / d phi = gamma_n and
+    d gamma_n / d phi = -gamma_y, and alike for omega; d gamma / d theta = 0.
+    """
+    turned = (
+        expr.diff(GAMMA_Y) * GAMMA_N
+        - expr.diff(GAMMA_N) * GAMMA_Y
+        + expr.diff(OMEGA_Y) * OMEGA_N
+        - expr.diff(OMEGA_N) * OMEGA_Y
+    )
+    return sp.Matrix.hstack(along(expr, 0), along(expr, 1), turned)
+
+
+def of_rod(forces: sp.Matrix) -> sp.Matrix:
+    """The generalised forces of ``torques`` that a thin rod along the leg would have: no friction in them."""
+    (_, hy, hz), (_, wy, wz), J = p.h.value, p.w.value, p.J.value
+    others = (hy, hz, wy, wz, J[0, 0], J[0, 1], J[0, 2], J[1, 2], p.C_us.value, n.C_s.value, n.C_p.value)
+    return forces.xreplace(dict.fromkeys(others, sp.S.Zero))
+
+
+@dataclass(frozen=True)
+class Gradients:
+    """Gamma, Gamma_dot, Gamma_ddot, 3x3, rows L, theta, phi, columns along s, y, z."""
+
+    value: sp.Matrix
+    rate: sp.Matrix
+    second: sp.Matrix
+
+
+def of_tip() -> sp.Matrix:
+    """How the tip moves with L, theta and phi, 3x3, leg frame: Gamma^-1."""
+    return sp.Matrix([[1, 0, 0], [0, 0, L * k3], [0, -L, 0]])
+
+
+def by_place_of_force(force: sp.Matrix) -> sp.Matrix:
+    """Derivative by S of the generalised forces Gamma^-T force, 3x3, leg frame.
+
+    force: at the tip, fixed in the base frame; Gamma^-1 turns and grows with the leg.
+    """
+    f_s, f_y, f_z = force
+    return sp.Matrix(
+        [
+            [0, inv_L * f_y, inv_L * f_z],
+            [-f_z, k1 * inv_k3 * f_y, f_s],
+            [k3 * f_y, k1 * f_z - k3 * f_s, -k1 * f_y],
+        ]
+    )
+
+
+def skew(w: sp.Matrix) -> sp.Matrix:
+    """[w]x of a 3x1 matrix."""
+    return sp.Matrix([[0, -w[2], w[1]], [w[2], 0, -w[0]], [-w[1], w[0], 0]])
+
+
+def gradients() -> Gradients:
+    """Gradients of L, theta, phi and their rates as the leg turns with W = phi_dot k + theta_dot y."""
+    W = sp.Matrix([k1 * rates[2], rates[1], k3 * rates[2]])
+    value = sp.Matrix([[1, 0, 0], [0, 0, -inv_L], [0, inv_rho, 0]])
+    rate = _rate(value) - value * skew(W)
+    return Gradients(value, rate, _rate(rate) - rate * skew(W))
+
+
+def _rate(expr: sp.Matrix) -> sp.Matrix:
+    """Time derivative of leg-frame entries."""
+    by_place = sum((along(expr, i) * rates[i] for i in range(3)), sp.zeros(*expr.shape))
+    return by_place + sum((expr.diff(rates[i]) * accelerations[i] for i in range(3)), sp.zeros(*expr.shape))
+
+
+# Rates and accelerations that stay finite where those of theta and phi grow like 1 / k3: the leg's turning
+# about y and z, accelerations without the part that comes from the frame's turning about s.
+inv_k3, W_z, OWN_Y, OWN_Z = sp.symbols("inv_k3 W_z own_y own_z", real=True)
+
+
+def gathered(expr: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
+    """The same in ``W_z``, ``OWN_Y``, ``OWN_Z`` and powers of 1 / L and 1 / k3, inertial constants collected.
+
+    What cancels for all legs is gone, and for axisymmetric legs the constants of each power of 1 / k3 cancel
+    among themselves: nothing large is left whose digits a small result would need.
+    """
+    if isinstance(expr, sp.MatrixBase):
+        return expr.applyfunc(gathered)
+    spin = W_z * inv_k3
+    finite = {
+        accelerations[1]: OWN_Y + k1 * W_z * spin,
+        accelerations[2]: OWN_Z * inv_k3 - 2 * k1 * inv_k3 * spin * rates[1],
+        inv_rho: inv_L * inv_k3,
+        kappa: k1 * inv_k3,
+        rates[2]: spin,
+    }
+    expr = sp.expand(sp.sympify(expr).xreplace(finite).xreplace({rates[2]: spin}))
+    constants = {symbol for quantity in _CONSTANTS for symbol in quantity.symbols}
+    others = [s for s in sorted(expr.free_symbols, key=str) if s not in {*constants, *_GEOMETRY}]
+    total: dict[tuple[int, ...], sp.Expr] = {}
+    for powers, factor in sp.Poly(expr, *_GEOMETRY, *others).terms():
+        for reduced, sign in _reduced(powers):
+            total[reduced] = total.get(reduced, 0) + sign * factor
+    symbols = (*_GEOMETRY, *others)
+    return sp.Add(
+        *(
+            sp.Mul(*(s**power for s, power in zip(symbols, powers, strict=True))) * sp.expand(factor)
+            for powers, factor in total.items()
+        )
+    )
+
+
+_CONSTANTS = (p.J, p.h, p.w, p.C_us, n.C_s, n.C_p, n.m_u)
+_GEOMETRY = (L, inv_L, k1, k3, inv_k3)
+
+
+def _reduced(powers: tuple[int, ...]) -> list[tuple[tuple[int, ...], int]]:
+    """A monomial of the geometry without L / L, k3 / k3 and k1^2 = 1 - k3^2: monomials and their signs."""
+    length, per_length, cosine, sine, per_sine, *rest = powers
+    if cosine >= 2:
+        return [
+            (found, sign * factor)
+            for more, factor in ((0, 1), (2, -1))
+            for found, sign in _reduced((length, per_length, cosine - 2, sine + more, per_sine, *rest))
+        ]
+    a, b = min(length, per_length), min(sine, per_sine)
+    return [((length - a, per_length - a, cosine, sine - b, per_sine - b, *rest), 1)]
+
+
+def hessian(tau: sp.Matrix) -> sp.Matrix:
+    """Sum of tau_a times the second derivative of xi_a by S, 3x3, leg frame: Gamma_dot is linear in S_dot.
+
+    tau: 3x1, free of rates, such as names.
+    """
+    u = sp.Matrix(sp.symbols("u_x u_y u_z", real=True))
+    by_tip = dict(zip(rates, gradients().value * u, strict=True))
+    push = (gradients().rate.T * tau).xreplace(by_tip)
+    return push.jacobian(u).applyfunc(sp.expand)

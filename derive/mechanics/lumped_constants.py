@@ -1,0 +1,193 @@
+"""Constants that are prepared once per robot, and the blocks that prepare them.
+
+Of a leg, the inertia of the lower part about the base point and of the upper part about the platform point
+add up to one constant tensor J, and the first moments h (upper part) and w (both parts) remain. The mass
+of the upper parts, lumped as points at their spherical joints, is added to the platform's own.
+"""
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..program.block import Block, Builder, Quantity
+from . import quantities as n
+from .legs.leg import cross
+
+# Prepared constants of one leg.
+h = Quantity("h", (3,), "kg m", "first moment of the upper part about the platform point, leg frame")
+h2_x = Quantity("h2_x", (), "kg m", "2 h_x")
+h2_y = Quantity("h2_y", (), "kg m", "2 h_y")
+h2_z = Quantity("h2_z", (), "kg m", "2 h_z")
+w = Quantity(
+    "w", (3,), "kg m", "first moments of both parts, about the base and the platform point, leg frame"
+)
+J = Quantity("J", (3, 3), "kg m^2", "inertias of the parts about base and platform point, leg frame", True)
+J2_xz = Quantity("J2_xz", (), "kg m^2", "2 J_xz")
+dJ_zx = Quantity("dJ_zx", (), "kg m^2", "J_zz - J_xx")
+g_k = Quantity("g_k", (), "m/s^2", "gravity along the fixed axis")
+g_x_k = Quantity("g_x_k", (3,), "m/s^2", "g x k, base frame")
+C_us = Quantity("C_us", (), "N m s", "C_u + C_s")
+m_L2 = Quantity("m_L2", (), "kg", "m_u, which (16) counts twice")
+h_s = Quantity("h_s", (), "kg m", "first moment of the upper part about the platform point, along the leg")
+w_s = Quantity("w_s", (), "kg m", "first moments of both parts, along the leg")
+J_s = Quantity("J_s", (), "kg m^2", "inertia of both parts about the axis of the leg")
+J_t = Quantity("J_t", (), "kg m^2", "inertias about base and platform point across the leg, mean of two axes")
+J_m = Quantity("J_m", (), "kg m^2", "inertias about base and platform point of the masses as points")
+J_ts = Quantity("J_ts", (), "kg m^2", "J_t - J_s")
+LEG = (h, h2_x, h2_y, h2_z, w, J, J2_xz, dJ_zx, g_k, g_x_k, C_us, m_L2, h_s, w_s, J_s, J_t, J_m, J_ts)
+
+COMBINED: dict[Quantity, sp.Expr] = {
+    **{double: 2 * single for double, single in zip((h2_x, h2_y, h2_z), h.symbols, strict=True)},
+    J2_xz: 2 * J.value[0, 2],
+    dJ_zx: J.value[2, 2] - J.value[0, 0],
+}
+"""Constants that stand for combinations of h and J."""
+
+# What one leg hands to the platform's constants.
+M_add = Quantity("M_add", (), "kg", "mass that rides on the platform")
+h_add = Quantity("h_add", (3,), "kg m", "its first moment about platform point 1, platform frame")
+J_add = Quantity("J_add", (3, 3), "kg m^2", "its inertia about platform point 1, platform frame", True)
+C_add = Quantity("C_add", (), "N m s", "friction of the leg's spherical joint")
+ADDED = (M_add, h_add, J_add, C_add)
+
+# Prepared constants of the platform.
+M_P = Quantity("M_P", (), "kg", "mass of the platform with the upper parts")
+W_P = Quantity("W_P", (3,), "N", "weight of the platform with the upper parts, base frame")
+h_P = Quantity("h_P", (3,), "kg m", "its first moment, platform frame")
+J_P = Quantity("J_P", (3, 3), "kg m^2", "its inertia about the reference point, platform frame", True)
+r_C = Quantity("r_C", (3,), "m", "its centre of mass, platform frame")
+J_C = Quantity("J_C", (3, 3), "kg m^2", "its inertia about its centre of mass, platform frame", True)
+dJ_C = Quantity("dJ_C", (3,), "kg m^2", "J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx")
+C_P = Quantity("C_P", (), "N m s", "friction of all spherical joints")
+
+# What the pose hands to the legs.
+B = Quantity("B", (3, 3), "1/s^2", "[alpha]x + [omega]x [omega]x: S_ddot = B q + a")
+t_b = Quantity("t_b", (3,), "m", "reference point from base point, base frame")
+q_1 = Quantity("q_1", (3,), "m", "platform point 1 from the reference point, base frame")
+c_tip = Quantity("c_tip", (3,), "N m", "the platform's part of c, moment rows, about platform point 1")
+arm_c = Quantity("arm_c", (3,), "N m", "moment of the leg's part of c, force rows, about platform point 1")
+
+
+def point_inertia(mass: sp.Expr, at: sp.Matrix) -> sp.Matrix:
+    """Inertia of a point mass about the origin: m (r.r E - r r^T)."""
+    return mass * (at.dot(at) * sp.eye(3) - at * at.T)
+
+
+def differences(tensor: sp.Matrix) -> sp.Matrix:
+    """(zz - yy, xx - zz, yy - xx)."""
+    xx, yy, zz = (tensor[i, i] for i in range(3))
+    return sp.Matrix([zz - yy, xx - zz, yy - xx])
+
+
+@dataclass(frozen=True)
+class Riding:
+    """What of a leg rides on the platform: the upper part's mass, the spherical joint's friction."""
+
+    mass: bool
+    friction: bool
+
+
+NOTHING_RIDES = Riding(mass=False, friction=False)
+
+
+def riding(prepare: Block) -> Riding:
+    """What rides on the platform, from the block that prepares a leg."""
+    added = {out.quantity: out.exprs for out in prepare.outputs}
+    return Riding(mass=added[M_add][0] != 0, friction=added[C_add][0] != 0)
+
+
+def prepare_leg(needed: Iterable[Quantity], riding: Riding) -> Block:
+    """The constants in ``needed``, and what the leg adds to the platform, from the robot's numbers.
+
+    needed: prepared or raw constants of a leg; others are passed over. riding: what rides on the platform.
+    """
+    build = Builder()
+    raw = n.k.value
+    size = build.scalar("k_size", sp.sqrt(raw.dot(raw)))
+    k = build.vector("k_unit", raw * build.scalar("inv_k_size", 1 / size), "", "fixed axis, of length one")
+    m_u, r_u = n.m_u.value, n.r_u0.value
+    first = build.vector("h", m_u * r_u)
+    both = build.vector("w", n.m_d.value * n.r_d0.value + first)
+    tensor = build.tensor(
+        "J",
+        n.I_d0.value + n.I_u0.value + point_inertia(n.m_d.value, n.r_d0.value) + point_inertia(m_u, r_u),
+    )
+    values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in n.LEG} | {
+        h: first,
+        w: both,
+        J: tensor,
+        **COMBINED,
+        n.k: k,
+        g_k: n.g.value.dot(k),
+        g_x_k: cross(n.g.value, k),
+        C_us: n.C_u.value + n.C_s.value,
+        m_L2: m_u,
+        **_axial(first, both, tensor),
+    }
+    mass = m_u if riding.mass else sp.S.Zero
+    # Not from the reference point: however far off that lies, no digits of the platform's own size are lost.
+    arm = build.vector("arm", n.p.value - n.p_1.value, "", "platform point from platform point 1")
+    added = [
+        (M_add, mass),
+        (h_add, mass * arm),
+        (J_add, point_inertia(mass, arm)),
+        (C_add, n.C_s.value if riding.friction else sp.S.Zero),
+    ]
+    return build.block(
+        "prepare_leg",
+        "constants of one leg, and what it adds to the platform",
+        (*n.LEG, n.p_1, n.g),
+        [*((q, values[q]) for q in needed if q in values), *added],
+    )
+
+
+def _axial(first: sp.Matrix, both: sp.Matrix, tensor: sp.Matrix) -> dict[Quantity, sp.Expr]:
+    """Constants of a leg that is taken to be the same all round its axis."""
+    across = sp.Rational(1, 2) * (tensor[1, 1] + tensor[2, 2])
+    return {
+        h_s: first[0],
+        w_s: both[0],
+        J_s: tensor[0, 0],
+        J_t: across,
+        J_m: n.m_d.value * n.r_d0.value[0] ** 2 + n.m_u.value * n.r_u0.value[0] ** 2,
+        J_ts: across - tensor[0, 0],
+    }
+
+
+def prepare_platform(needed: Iterable[Quantity]) -> Block:
+    """The platform's constants in ``needed``, from the robot's numbers and from sums over the legs."""
+    build = Builder()
+    M, R_0, h = n.M.value, n.R_0.value, h_add.value
+    mass = build.scalar("M_P", M + M_add.value)
+    arm = build.vector(
+        "arm", R_0 - n.p_1.value, "", "the platform's own centre of mass from platform point 1"
+    )
+    e = build.vector("e", h - M_add.value * arm, "", "first moment of what rides on it about that centre")
+    center = build.vector("r_C", R_0 + e / mass)
+    # Not the inertia about a given point less M_P r r: that cancels where nothing rides.
+    r = build.vector("r", h / mass)
+    u = build.vector("u", M / mass * (h + e) / 2)
+    tensor = build.tensor(
+        "J_C",
+        n.I_p.value
+        + J_add.value
+        - (2 * arm.dot(u) * sp.eye(3) - arm * u.T - u * arm.T)
+        - (h.dot(r) * sp.eye(3) - h * r.T),
+    )
+    values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in n.PLATFORM} | {
+        M_P: mass,
+        W_P: mass * n.g.value,
+        r_C: center,
+        J_C: tensor,
+        dJ_C: differences(tensor),
+        h_P: mass * center,
+        J_P: tensor + point_inertia(mass, center),
+        C_P: C_add.value,
+    }
+    return build.block(
+        "prepare_platform",
+        "constants of the platform",
+        (*n.PLATFORM, n.p_1, *ADDED),
+        [(q, values[q]) for q in needed if q in values],
+    )

@@ -1,0 +1,76 @@
+"""Orientation and its rates from roll, pitch and yaw, (38), or a quaternion, and theirs, as blocks.
+
+Sines and cosines are inputs: no block has a function but the square root.
+"""
+
+import sympy as sp
+
+from ..program.block import Block, Builder, Quantity
+from . import quantities as n
+from .legs.leg import cross
+
+SINE = Quantity("sine", (3,), "1", "sines of theta_x, theta_y, theta_z")
+COSINE = Quantity("cosine", (3,), "1", "cosines of theta_x, theta_y, theta_z")
+RATE = Quantity("theta_dot", (3,), "rad/s", "rates of the angles")
+SECOND = Quantity("theta_ddot", (3,), "rad/s^2", "second rates of the angles")
+
+
+def _quaternion(name: str, unit: str, meaning: str) -> tuple[Quantity, Quantity]:
+    return Quantity(f"{name}_w", (), unit, f"{meaning}, scalar part"), Quantity(name, (3,), unit, meaning)
+
+
+E = _quaternion("e", "1", "quaternion")
+E_DOT = _quaternion("e_dot", "1/s", "its rate")
+E_DDOT = _quaternion("e_ddot", "1/s^2", "its second rate")
+
+
+def rpy() -> Block:
+    """R = Rz Ry Rx of (38), omega = e_x theta_x' + e_y theta_y' + e_z theta_z', and alpha, its derivative."""
+    (sx, sy, sz), (cx, cy, cz) = SINE.symbols, COSINE.symbols
+    Rx = sp.Matrix([[1, 0, 0], [0, cx, -sx], [0, sx, cx]])
+    Ry = sp.Matrix([[cy, 0, sy], [0, 1, 0], [-sy, 0, cy]])
+    Rz = sp.Matrix([[cz, -sz, 0], [sz, cz, 0], [0, 0, 1]])
+    axes = sp.Matrix.hstack(Rz * Ry[:, 0], Rz[:, 1], sp.Matrix([0, 0, 1]))
+    build = Builder()
+    turns = [
+        build.vector(f"about_{axis}", axes[:, i] * RATE.value[i], "", f"rate of theta_{axis} about its axis")
+        for i, axis in enumerate("xyz")
+    ]
+    # Each axis is carried by the turns outside of its own.
+    carried = cross(turns[2], turns[1] + turns[0]) + cross(turns[1], turns[0])
+    return build.block(
+        "turned_by_angles",
+        "Orientation and its rates from roll, pitch and yaw, (38)",
+        (SINE, COSINE, RATE, SECOND),
+        [
+            (n.R, Rz * Ry * Rx),
+            (n.omega, turns[0] + turns[1] + turns[2]),
+            (n.alpha, axes * SECOND.value + carried),
+        ],
+    )
+
+
+def quaternion() -> Block:
+    """R x = e x e^-1, omega = 2 e' e^-1, alpha = 2 (e'' e^-1 - (e' e^-1)^2), for any length of e."""
+    (w, v), rate, second = ((part.value for part in parts) for parts in (E, E_DOT, E_DDOT))
+    build = Builder()
+    over = build.scalar("inv_square", 1 / (w * w + v.dot(v)), "", "one over the square of the length")
+    skew = sp.Matrix([[0, -v[2], v[1]], [v[2], 0, -v[0]], [-v[1], v[0], 0]])
+    R = sp.eye(3) + 2 * over * (w * skew + skew * skew)
+
+    def by_inverse(scalar: sp.Expr, vector: sp.Matrix) -> tuple[sp.Expr, sp.Matrix]:
+        """Product with e^-1 = (w, -v) / |e|^2."""
+        return over * (scalar * w + vector.dot(v)), over * (w * vector - scalar * v - cross(vector, v))
+
+    along, half = by_inverse(*rate)
+    along, half = (
+        build.scalar("growth", along),
+        build.vector("half_omega", half, "", "half the angular velocity"),
+    )
+    _, second_half = by_inverse(*second)
+    return build.block(
+        "turned_by_quaternion",
+        "Orientation and its rates from a quaternion and its rates",
+        (*E, *E_DOT, *E_DDOT),
+        [(n.R, R), (n.omega, 2 * half), (n.alpha, 2 * second_half - 4 * along * half)],
+    )

@@ -1,0 +1,203 @@
+"""Reduced models: how much of the legs' physics a force kernel has.
+
+Every level is a reduction of the one derivation: constants that a simpler leg does not have become zero,
+and with them every term they stand in; a leg without axial inertia and friction needs no leg frame at all.
+A quasi-static level has neither velocities nor accelerations.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+
+import sympy as sp
+
+from ..program.block import Block, Builder, Quantity, rebuilt
+from ..program.cse import specialised
+from . import actuator_forces
+from . import lumped_constants as p
+from . import quantities as n
+from .actuator_forces import ForceKernel
+from .formulation import EXACT, Formulation
+from .legs import axisymmetric as axial_leg
+from .legs.leg import cross
+
+GENERAL = "general"
+AXISYMMETRIC = "axisymmetric"
+SLENDER = "slender"
+POINT_MASSES = "point_masses"
+MASSLESS = "massless"
+
+
+@dataclass(frozen=True)
+class Fidelity:
+    """One level.
+
+    legs: ``general``; ``axisymmetric``, centres of mass on the axis and equal transverse inertias;
+    ``slender``, also no inertia about the axis; ``point_masses``, no inertia but that of the masses;
+    ``massless``. friction: of all joints. moving: False for no velocities and no accelerations.
+    """
+
+    name: str
+    legs: str
+    friction: bool
+    moving: bool
+    meaning: str
+
+
+FIDELITIES = {
+    level.name: level
+    for level in (
+        Fidelity("general", GENERAL, True, True, "everything"),
+        Fidelity("frictionless", GENERAL, False, True, "no friction"),
+        Fidelity(
+            "axisymmetric_friction",
+            AXISYMMETRIC,
+            True,
+            True,
+            "legs alike all round their axis, with friction",
+        ),
+        Fidelity("axisymmetric", AXISYMMETRIC, False, True, "legs alike all round their axis"),
+        Fidelity("slender_friction", SLENDER, True, True, "no inertia about the leg's axis, with friction"),
+        Fidelity("slender", SLENDER, False, True, "no inertia about the leg's axis"),
+        Fidelity(
+            "point_masses_friction", POINT_MASSES, True, True, "parts of the legs as points, with friction"
+        ),
+        Fidelity("point_masses", POINT_MASSES, False, True, "parts of the legs as points"),
+        Fidelity("massless_friction", MASSLESS, True, True, "legs without mass, with friction"),
+        Fidelity("massless", MASSLESS, False, True, "legs without mass, (41)"),
+        Fidelity("general_static", GENERAL, False, False, "at rest"),
+        Fidelity("slender_static", SLENDER, False, False, "at rest, centres of mass on the legs' axes"),
+        Fidelity("massless_static", MASSLESS, False, False, "at rest, legs without mass"),
+    )
+}
+"""Levels by name, each with what it says of the machine. At rest axisymmetric legs and point masses are
+slender ones."""
+
+_ZERO = sp.S.Zero
+
+
+@cache
+def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
+    """The blocks of one level, before sharing.
+
+    Raises ValueError for a level below ``frictionless`` of another formulation than EXACT.
+    """
+    if level.legs == GENERAL and level.moving:
+        return replace(
+            actuator_forces.force_kernel(form, level.friction), fidelity=level.name, meaning=level.meaning
+        )
+    if form != EXACT:
+        raise ValueError(f"fidelity: {level.name} is a reduction of exact, not of {form.kernel_name}")
+    riding = p.Riding(mass=level.legs != MASSLESS, friction=level.friction)
+    kernel = actuator_forces.with_constants(form, level.friction, _platform(level), _leg(level), riding)
+    near = _leg(level, near_pole=True) if n.k in kernel.leg.inputs else None
+    kernel = actuator_forces.about_tip(replace(kernel, leg_near_pole=near))
+    if not level.moving:
+        kernel = kernel.changed(lambda block: _weighed(specialised(block, _AT_REST)))
+    kernel = actuator_forces.without_zeros(kernel)
+    final = actuator_forces.with_constants(form, level.friction, kernel.shared, kernel.leg, riding)
+    return replace(
+        final,
+        leg_near_pole=kernel.leg_near_pole,
+        about_tip=True,
+        fidelity=level.name,
+        meaning=level.meaning,
+    )
+
+
+_AT_REST: Mapping[sp.Symbol, sp.Expr] = {
+    symbol: _ZERO for quantity in (n.omega, n.v, n.alpha, n.a, p.B) for symbol in quantity.symbols
+}
+
+
+def _weighed(block: Block) -> Block:
+    """The block with the platform's weight from a constant."""
+    weight = dict(zip(p.M_P.value * n.g.value, p.W_P.symbols, strict=True))
+    steps = [replace(step, expr=step.expr.xreplace(weight)) for step in block.steps]
+    outputs = [replace(out, exprs=tuple(e.xreplace(weight) for e in out.exprs)) for out in block.outputs]
+    return rebuilt(block, steps, outputs, (*block.inputs, p.W_P))
+
+
+def _platform(level: Fidelity) -> Block:
+    if level.legs == MASSLESS and level.moving:
+        return _platform_alone(level.friction)
+    return actuator_forces.shared(level.friction)
+
+
+def _leg(level: Fidelity, near_pole: bool = False) -> Block:
+    if level.legs == GENERAL:
+        return actuator_forces.joint_leg(level.friction, near_pole)
+    if level.legs == AXISYMMETRIC or level.friction:
+        return specialised(
+            actuator_forces.joint_leg(level.friction, near_pole), _constants(level.legs), p.LEG
+        )
+    return _massless_leg() if level.legs == MASSLESS else _slender_leg(_across(level.legs))
+
+
+def _across(legs: str) -> sp.Expr:
+    """Transverse inertia of a leg's parts about base and platform point."""
+    return {MASSLESS: _ZERO, POINT_MASSES: p.J_m.value}.get(legs, p.J_t.value)
+
+
+def _constants(legs: str) -> dict[sp.Symbol, sp.Expr]:
+    """The constants of the general leg as a simpler one has them."""
+    heavy = legs != MASSLESS
+    axial = p.J_s.value if legs == AXISYMMETRIC else _ZERO
+    across = _across(legs)
+    slope = p.J_ts.value if legs == AXISYMMETRIC else across
+    vectors = {p.h: p.h_s.value, p.w: p.w_s.value}
+    zeros = (*p.h.symbols, *p.w.symbols, *p.J.symbols, *p.h2_y.symbols, *p.h2_z.symbols, *p.J2_xz.symbols)
+    values: dict[sp.Symbol, sp.Expr] = dict.fromkeys(zeros, _ZERO)
+    values |= {vector.symbols[0]: along if heavy else _ZERO for vector, along in vectors.items()}
+    values[p.h2_x.value] = 2 * p.h_s.value if heavy else _ZERO
+    values[p.dJ_zx.value] = slope
+    return values | {p.J.value[0, 0]: axial, p.J.value[1, 1]: across, p.J.value[2, 2]: across}
+
+
+def _slender_leg(inertia: sp.Expr) -> Block:
+    build = Builder()
+    at = axial_leg.axis(build)
+    D, K = axial_leg.tip_force(build, at, *actuator_forces.tip_motion(build, at.q), inertia)
+    meaning = "one slender leg: D, its column of H and its part of c"
+    return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, D, K, sp.zeros(3, 1))
+
+
+def _massless_leg() -> Block:
+    build = Builder()
+    at = axial_leg.axis(build)
+    meaning = "one massless leg: its column of H"
+    nothing = sp.zeros(3, 1)
+    return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, _ZERO, nothing, nothing)
+
+
+def _platform_alone(friction: bool) -> Block:
+    """The platform's part of c where no leg asks for B: everything in the platform frame, (30)-(35)."""
+    build = Builder()
+    R = n.R.value
+    meaning = "in the platform frame"
+    omega = build.vector("omega_P", R.T * n.omega.value, "", "angular velocity, platform frame")
+    alpha = build.vector("alpha_P", R.T * n.alpha.value, "", "angular acceleration, platform frame")
+    fall = build.vector("fall", n.g.value - n.a.value, "(33)", "g - a")
+    fall_P = build.vector("fall_P", R.T * fall, "(33)", f"g - a {meaning}")
+    turn = actuator_forces.rotary(build, omega, alpha)
+    center = p.r_C.value
+    N = build.vector("N_P", p.M_P.value * (fall_P - turn * center), "(33)", f"M_P (g - a_C) {meaning}")
+    load = build.vector("F_P_load", n.F_ext.value + N, "(33)", f"external force less inertia, {meaning}")
+    torque = build.vector(
+        "M_P_load",
+        n.M_ext.value
+        - actuator_forces.euler(build, p.J_C.value, p.dJ_C.value, omega, alpha, turn)
+        + cross(center, N),
+        "(34)",
+        f"external moment less I alpha + omega x I omega, {meaning}",
+    )
+    moment = R * torque
+    if friction:
+        moment -= p.C_P.value * n.omega.value
+    outputs: list[tuple[Quantity, sp.Matrix]] = [(n.c_force, R * load), (n.c_moment, moment)]
+    return build.block(
+        "shared_terms",
+        "the platform's part of c, (30)-(35)",
+        (*n.MOTION, p.M_P, p.r_C, p.J_C, p.dJ_C, p.C_P, n.g),
+        outputs,
+    )

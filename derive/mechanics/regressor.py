@@ -1,0 +1,196 @@
+"""The regressor: H F + external wrench = Y pi, linear in mass, first moment and inertia of every body.
+
+Each body's inertial parameters are taken about its part's joint point: of the lower part about the base
+point, of the upper part about the platform point, of the platform about its reference point; a leg's
+friction coefficients follow. Lagrange's torques of ``tip`` are linear in them, so the columns of a leg are
+the derivatives of its torques, led to the tip; the upper part's mass is lumped with the platform as a point.
+``dependencies`` says which columns are sums of others on every machine. Formulation `exact` with universal
+base joints.
+"""
+
+from dataclasses import dataclass
+
+import sympy as sp
+
+from ..program.block import Block, Builder, Quantity, component_name
+from . import lumped_constants as p
+from . import quantities as n
+from .closed_form.parts import name_omega
+from .legs import tip
+from .legs.joint_coordinates import (
+    JointFrame,
+    gravity_torques,
+    joint_accelerations,
+    joint_frame,
+    joint_rates,
+)
+from .legs.leg import cross
+
+# Parameters of one leg and of the platform; their columns stand in Y in this order.
+h_d = Quantity("h_d", (3,), "kg m", "first moment of the lower part about the base point, frame D")
+J_d = Quantity("J_d", (3, 3), "kg m^2", "inertia of the lower part about the base point, frame D", True)
+h_u = Quantity("h_u", (3,), "kg m", "first moment of the upper part about the platform point, frame U")
+J_u = Quantity("J_u", (3, 3), "kg m^2", "inertia of the upper part about the platform point, frame U", True)
+h_P = Quantity("h_P", (3,), "kg m", "first moment of the platform about the reference point, platform frame")
+J_P = Quantity(
+    "J_P", (3, 3), "kg m^2", "inertia of the platform about the reference point, platform frame", True
+)
+LEG_PARAMETERS = (n.m_d, h_d, J_d, n.m_u, h_u, J_u, n.C_u, n.C_p, n.C_s)
+PLATFORM_PARAMETERS = (n.M, h_P, J_P)
+
+Column = tuple[sp.Matrix, sp.Matrix]
+
+
+@dataclass(frozen=True)
+class Regressor:
+    """Blocks whose outputs are columns of Y: of one leg, and of the platform.
+
+    Outputs come in pairs, the force rows and the moment rows of one parameter's column (``column``).
+    """
+
+    leg: Block
+    platform: Block
+
+
+def column(parameter: str) -> tuple[Quantity, Quantity]:
+    """What a block hands out for a parameter's component: force rows and moment rows of its column."""
+    return (
+        Quantity(f"force_{parameter}", (3,), "", f"column of {parameter}, force rows, base frame"),
+        Quantity(f"moment_{parameter}", (3,), "", f"column of {parameter}, moment rows, base frame"),
+    )
+
+
+def regressor() -> Regressor:
+    """Derive both blocks."""
+    return Regressor(_leg(), _platform())
+
+
+def dependencies() -> dict[str, dict[str, sp.Expr]]:
+    """Columns of a leg that are sums of others on every machine: parameter -> {parameter: coefficient}.
+
+    The lower part turns about a fixed point, so its mass is never felt; both parts turn alike, so their
+    inertias act as one; the upper part's mass acts at its platform point p as if fixed to the platform. There
+    are no others: on random machines the columns left are independent.
+    """
+    at_tip = p.point_inertia(sp.S.One, n.p.value)
+    riding = {n.M.name: sp.S.One}
+    riding |= dict(zip(h_P.names, n.p.value, strict=True))
+    riding |= {name: at_tip[key] for name, key in zip(J_P.names, J_P.keys, strict=True)}
+    alike = {lower: {upper: sp.S.One} for lower, upper in zip(J_d.names, J_u.names, strict=True)}
+    return {n.m_d.name: {}, n.m_u.name: riding, **alike}
+
+
+# ---------------------------------------------------------------- one leg
+
+
+def _leg() -> Block:
+    build = Builder()
+    at = joint_frame(build, with_z=True)
+    omega, alpha, q = n.omega.value, n.alpha.value, at.q
+    spin = build.vector("w_q", cross(omega, q), "(4)", "omega x q")
+    S_dot = build.vector("S_dot", spin + n.v.value, "(4)", "velocity of the platform point")
+    S_ddot = build.vector(
+        "S_ddot",
+        cross(alpha, q) + cross(omega, spin) + n.a.value,
+        "(7)",
+        "acceleration of the platform point",
+    )
+    rates = joint_rates(build, at, S_dot)
+    joint_accelerations(build, at, rates, S_ddot)
+    _projections(build, at)
+    assert at.z is not None
+    T = sp.Matrix.hstack(at.s, -at.inv_L * at.z, at.inv_rho * at.y)
+    slopes = {name: _named_torques(build, name, torques) for name, torques in _torques_by_parameter().items()}
+    W = build.vector("W", rates.phi * n.k.value + rates.theta * at.y, "(6)", "angular velocity of the leg")
+    forces = {
+        name: build.vector(f"R_{name}", T * torques, "", f"force at the tip by {name}")
+        for name, torques in slopes.items()
+    }
+    forces[n.m_u.name] = build.vector("rise", S_ddot - n.g.value, "(18)", "S_ddot - g")
+    columns = {name: (force, cross(q, force)) for name, force in forces.items()}
+    force, moment = columns[n.C_s.name]
+    columns[n.C_s.name] = force, moment + omega - W
+    columns |= {lower: columns[upper] for lower, upper in zip(J_d.names, J_u.names, strict=True)}
+    columns[n.m_d.name] = sp.zeros(3, 1), sp.zeros(3, 1)
+    return build.block(
+        "regressor_of_leg",
+        "columns of one leg's parameters",
+        (*n.LEG, *n.MOTION, n.g),
+        [*_outputs(LEG_PARAMETERS, columns), (n.q, q), (n.L, at.L), (n.k3, at.k3)],
+    )
+
+
+def _projections(build: Builder, at: JointFrame) -> None:
+    """Names what ``tip`` takes as given: gravity and omega along the axes of the joint."""
+    k, g = n.k.value, n.g.value
+    build.scalar("g_k", g.dot(k), "", p.g_k.meaning)
+    build.vector("g_x_k", cross(g, k), "", p.g_x_k.meaning)
+    gravity_torques(build, at)
+    name_omega(build, at)
+
+
+def _torques_by_parameter() -> dict[str, sp.Matrix]:
+    """Derivatives of Lagrange's torques, 3x1, by the parameters of ``LEG_PARAMETERS`` that they hold."""
+    torques = tip.torques(with_friction=True)
+
+    def by(symbol: sp.Symbol) -> sp.Matrix:
+        return torques.diff(symbol).applyfunc(sp.expand)
+
+    found = {name: by(symbol) for name, symbol in zip(h_d.names, p.w.symbols, strict=True)}
+    for name, lower, own in zip(h_u.names, h_d.names, p.h.symbols, strict=True):
+        found[name] = found[lower] + by(own)
+    found |= {name: by(symbol) for name, symbol in zip(J_u.names, p.J.symbols, strict=True)}
+    C_us = by(p.C_us.value)
+    return found | {
+        n.C_u.name: C_us,
+        n.C_p.name: by(n.C_p.value),
+        n.C_s.name: C_us + by(n.C_s.value),
+    }
+
+
+def _named_torques(build: Builder, name: str, torques: sp.Matrix) -> sp.Matrix:
+    """Name a parameter's torques along L, theta, phi."""
+    return sp.Matrix(
+        [
+            build.scalar(f"tau_{coordinate}_{name}", torque, "(20)", f"torques by {name}")
+            for coordinate, torque in zip(("L", "theta", "phi"), torques, strict=True)
+        ]
+    )
+
+
+# ---------------------------------------------------------------- the platform
+
+
+def _platform() -> Block:
+    build = Builder()
+    R, omega, alpha = n.R.value, n.omega.value, n.alpha.value
+    rise = build.vector("rise", n.a.value - n.g.value, "(33)", "a - g")
+    omega_P = build.vector("omega_P", R.T * omega, "", "angular velocity, platform frame")
+    alpha_P = build.vector("alpha_P", R.T * alpha, "", "angular acceleration, platform frame")
+    columns: dict[str, Column] = {n.M.name: (rise, sp.zeros(3, 1))}
+    for axis, name in enumerate(h_P.names):
+        arm = R[:, axis]
+        spin = build.vector(f"w_{name}", cross(omega, arm), "(31)", "omega x an axis of the platform")
+        columns[name] = cross(alpha, arm) + cross(omega, spin), cross(arm, rise)
+    for name in J_P.names:
+        unit = J_P.value.diff(sp.Symbol(name, real=True))
+        euler = build.vector(
+            f"E_{name}",
+            unit * alpha_P + cross(omega_P, unit * omega_P),
+            "(34)",
+            f"I alpha + omega x I omega by {name}",
+        )
+        columns[name] = sp.zeros(3, 1), R * euler
+    return build.block(
+        "regressor_of_platform",
+        "columns of the platform's parameters",
+        (*n.MOTION, n.g),
+        _outputs(PLATFORM_PARAMETERS, columns),
+    )
+
+
+def _outputs(
+    parameters: tuple[Quantity, ...], columns: dict[str, Column]
+) -> list[tuple[Quantity, sp.Matrix]]:
+    names = [component_name(q.name, key) for q in parameters for key in q.keys]
+    return [pair for name in names for pair in zip(column(name), columns[name], strict=True)]

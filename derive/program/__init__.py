@@ -1,0 +1,1 @@
+"""Blocks, straight-line programs with named steps, and what rewrites them; no mechanics."""
