@@ -9,7 +9,7 @@ import pytest
 from stewart_sym.kit import Choice, kit
 from stewart_sym.robot.robot import Robot
 
-CLIENT = Path(__file__).parent / "client"
+CLIENT = Path(__file__).parents[1] / "client"
 ROBOT = CLIENT / "hexapod.toml"
 SYMBOL = "stewart_robot_client_hexapod"
 QUICK = "-DCMAKE_BUILD_TYPE=Debug"
