@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from machines import dasgupta, machine_size, path_period, random_motion, random_path, random_robot
 from numpy.typing import NDArray
+from sweeps import FULL
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -26,6 +27,9 @@ from stewart_sym.studies.common.output import csv_lines
 from stewart_sym.studies.control import control
 
 Array = NDArray[np.float64]
+
+# One machine shows a lost sign; a few more, one that its numbers hide.
+SEEDS = 20 if FULL else 4
 
 Z_DOWN = np.diag([1.0, -1.0, -1.0])
 # Base and platform frames with the former z along x, y, -x and -y.
@@ -79,7 +83,7 @@ def test_home_and_default_pose_are_the_same_in_other_axes(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", range(SEEDS))
 def test_excitation_is_the_same_with_z_down(seed: int) -> None:
     robot = standing(seed)
     one, other = (
@@ -127,7 +131,9 @@ class Outcomes(NamedTuple):
     estimates: list[list[str]]
 
 
-@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))])
+@pytest.mark.parametrize(
+    "seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, SEEDS))]
+)
 def test_subcommands_give_the_mirrored_result_with_z_down(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int
 ) -> None:

@@ -18,6 +18,7 @@ import numpy as np
 import pytest
 from kits import COMPILERS, STRICT, build, kit_for, kit_of, machine, proves_itself, renamed, run
 from numpy.typing import NDArray
+from sweeps import FULL
 
 from stewart_sym import inverse_kinematics
 from stewart_sym.backend import fidelity, kernel, native
@@ -73,7 +74,12 @@ class Wish:
 
     @property
     def pairs(self) -> set[tuple[tuple[str, object], ...]]:
-        return set(itertools.combinations(self.values, 2))
+        """Every two values, of which a level of detail counts alone unless STEWART_FULL=1."""
+        found: set[tuple[tuple[str, object], ...]] = set(itertools.combinations(self.values, 2))
+        if FULL:
+            return found
+        level = ("fidelity", self.choice.fidelity)
+        return {pair for pair in found if level not in pair} | {(level,)}
 
     @property
     def possible(self) -> bool:
@@ -121,7 +127,7 @@ def covering() -> list[Wish]:
     return chosen
 
 
-KITS = 35
+KITS = 35 if FULL else 17
 """How many wishes cover the pairs."""
 
 

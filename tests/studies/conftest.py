@@ -27,7 +27,7 @@ def scene(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def found() -> Economy:
     """Figures of the paper's machine on all paths, and of other implementations."""
     with pytest.MonkeyPatch.context() as patch:
@@ -47,7 +47,7 @@ def small(monkeypatch: pytest.MonkeyPatch) -> None:
     shorten(monkeypatch)
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def stranger() -> Poses:
     """Seventy moving, loaded poses of a machine that has nothing in common with the paper's."""
     rng = np.random.default_rng(7)
