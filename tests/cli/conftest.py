@@ -1,12 +1,12 @@
 """A robot file and trajectories as commands read them."""
 
 import shutil
-from importlib.resources import as_file, files
 from pathlib import Path
 
 import numpy as np
 import pytest
 from command_files import POSES
+from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.motion.rotation import rpy_from_rotation
@@ -17,8 +17,7 @@ from stewart_sym.studies.common.output import csv_lines
 def robot(tmp_path: Path) -> Path:
     """The paper's robot file."""
     target = tmp_path / "robot.toml"
-    with as_file(files("stewart_sym.robots") / "dasgupta1998.toml") as source:
-        shutil.copy(source, target)
+    shutil.copy(PAPERS, target)
     return target
 
 

@@ -7,12 +7,12 @@ import array_api_strict
 import numpy as np
 import pytest
 from machines import MACHINES, dasgupta, random_motion, random_robot, upside_down_in_millimetres
+from motion_fields import FIELDS
 from sweeps import FULL
 
 import stewart_sym as ss
 
 EPSILON = 2.0**-52
-FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 RATES = FIELDS[:4]
 
 

@@ -6,8 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import fails_in_one_line
 from machines import dasgupta
 from noisy_experiments import change, excited, experiment, robot, truth
+from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -121,11 +123,6 @@ def test_forces_of_impossible_bodies_are_a_misfit_of_possible_ones() -> None:
     assert any(line.startswith("bodies: ") for line in kept.doubts)
 
 
-@pytest.fixture
-def robot_file() -> Path:
-    return Path(ss.robots.__file__).parent / "dasgupta1998.toml"
-
-
 POSES = [
     "time",
     *(f"{q}_{axis}" for q in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"),
@@ -133,12 +130,10 @@ POSES = [
 STATED = ("--noise-position", "1e-4", "--noise-angle", "1e-4")
 
 
-def test_command_states_noise_and_verdict(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_command_states_noise_and_verdict(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     few = ("--samples", "80", "--candidates", "2")
     simulated = tmp_path / "simulated"
-    assert main(["identify", str(robot_file), *few, *STATED, "-o", str(simulated)]) == 0
+    assert main(["identify", str(PAPERS), *few, *STATED, "-o", str(simulated)]) == 0
     assert "verdict: consistent" in (simulated / "report.txt").read_text()
     with open(simulated / "trajectory.csv", newline="") as stream:
         assert next(csv.reader(stream)) == [
@@ -149,7 +144,7 @@ def test_command_states_noise_and_verdict(
     period = str(ss.choose_excitation(dasgupta(), samples=8, candidates=1).path.period)
     right = tmp_path / "right"
     told = [*measured, *STATED, "--period", period, "--harmonics", "5"]
-    assert main(["identify", str(robot_file), *told, "-o", str(right)]) == 0
+    assert main(["identify", str(PAPERS), *told, "-o", str(right)]) == 0
     tables = []
     for folder in (simulated, right):
         with open(folder / "parameters.csv", newline="") as stream:
@@ -161,7 +156,7 @@ def test_command_states_noise_and_verdict(
     assert "robot file: agrees with the forces" in (right / "report.txt").read_text()
     capsys.readouterr()
     wrong = tmp_path / "wrong"
-    assert main(["identify", str(robot_file), *measured, "-o", str(wrong)]) == 1
+    assert main(["identify", str(PAPERS), *measured, "-o", str(wrong)]) == 1
     err = capsys.readouterr().err
     assert "--noise-position" in err
     with open(wrong / "parameters.csv", newline="") as stream:
@@ -171,11 +166,9 @@ def test_command_states_noise_and_verdict(
     assert "robot file: not compared" in report
 
 
-def test_command_reads_logs_in_other_units_and_marks(robot_file: Path, tmp_path: Path) -> None:
+def test_command_reads_logs_in_other_units_and_marks(tmp_path: Path) -> None:
     simulated = tmp_path / "simulated"
-    assert (
-        main(["identify", str(robot_file), "--samples", "60", "--candidates", "2", "-o", str(simulated)]) == 0
-    )
+    assert main(["identify", str(PAPERS), "--samples", "60", "--candidates", "2", "-o", str(simulated)]) == 0
     scale = {"time": 1e3, "t": 1e3, "v": 1e3, "a": 1e3}
     for name in ("trajectory", "forces"):
         with open(simulated / f"{name}.csv", newline="") as stream:
@@ -189,7 +182,7 @@ def test_command_reads_logs_in_other_units_and_marks(robot_file: Path, tmp_path:
     units = ["--length-unit", "mm", "--angle-unit", "deg", "--time-unit", "ms"]
     names = ["--columns", ",".join(f"{name}={'X' if name == 't_x' else name}" for name in POSES)]
     out = tmp_path / "out"
-    assert main(["identify", str(robot_file), *measured, *units, *names, "-o", str(out)]) == 0
+    assert main(["identify", str(PAPERS), *measured, *units, *names, "-o", str(out)]) == 0
     tables = []
     for folder in (simulated, out):
         with open(folder / "parameters.csv", newline="") as stream:
@@ -200,12 +193,12 @@ def test_command_reads_logs_in_other_units_and_marks(robot_file: Path, tmp_path:
         )
 
 
-def test_command_keeps_to_possible_bodies(robot_file: Path, tmp_path: Path) -> None:
+def test_command_keeps_to_possible_bodies(tmp_path: Path) -> None:
     few = ("--samples", "80", "--candidates", "2")
-    assert main(["identify", str(robot_file), *few, "-o", str(tmp_path)]) == 0
+    assert main(["identify", str(PAPERS), *few, "-o", str(tmp_path)]) == 0
     measured = ["--measured", *(str(tmp_path / name) for name in ("trajectory.csv", "forces.csv"))]
     out = tmp_path / "out"
-    assert main(["identify", str(robot_file), *measured, "--physical", "--no-friction", "-o", str(out)]) == 0
+    assert main(["identify", str(PAPERS), *measured, "--physical", "--no-friction", "-o", str(out)]) == 0
     with open(out / "bodies.csv", newline="") as stream:
         rows = list(csv.DictReader(stream))
     assert [row["name"] for row in rows] == list(ss.inertial_parameters(dasgupta()).names)
@@ -224,13 +217,6 @@ def test_command_keeps_to_possible_bodies(robot_file: Path, tmp_path: Path) -> N
     ],
 )
 def test_command_names_bad_options_in_one_line(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, ...], words: str
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, ...], words: str
 ) -> None:
-    try:
-        code: object = main(["identify", str(robot_file), *options, "-o", str(tmp_path / "out")])
-    except SystemExit as stop:
-        code = stop.code
-    lines = capsys.readouterr().err.splitlines()
-    assert code == 2
-    assert len(lines) == 1
-    assert words in lines[0]
+    assert words in fails_in_one_line(capsys, "identify", PAPERS, *options, "-o", tmp_path / "out")

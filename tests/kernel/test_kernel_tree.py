@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 from kernel_cases import EPSILON, ON_ARRAYS, beside_the_joint_axis, motion_numbers, robot_numbers
 from machines import dasgupta, random_motion, random_robot
+from motion_fields import FIELDS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -125,9 +126,6 @@ def printed_python(robot: ss.Robot, folder: Path) -> dict[str, Any]:
     exec((folder / "stewart_arrays.py").read_text(), space)
     exec((folder / "robot.py").read_text().replace("from stewart_arrays import Robot", ""), space)
     return space
-
-
-FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 
 
 @pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])

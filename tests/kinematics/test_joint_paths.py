@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from leg_lengths import HOME, Array, Poses, lengths, paper_poses
 from machines import dasgupta, random_path, random_robot
+from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -125,14 +126,6 @@ LEGS = [f"L_{leg}" for leg in range(1, 7)]
 RATES = [f"{name}_{leg}" for name in ("L_dot", "L_ddot") for leg in range(1, 7)]
 
 
-@pytest.fixture
-def robot_file(tmp_path: Path) -> Path:
-    source = Path(ss.robots.__file__).parent / "dasgupta1998.toml"
-    target = tmp_path / "robot.toml"
-    target.write_bytes(source.read_bytes())
-    return target
-
-
 def joint_csv(path: Path, motion: ss.Motion, time: Array, rates: bool, loads: bool = False) -> Path:
     legs = ss.inverse_kinematics(dasgupta(), motion)
     columns = {"time": time, **dict(zip(LEGS, legs.L.T, strict=True))}
@@ -157,7 +150,7 @@ def forces_of(table: dict[str, Array]) -> Array:
 
 
 @pytest.mark.parametrize("loads", [True, False])
-def test_forces_takes_leg_lengths(robot_file: Path, tmp_path: Path, loads: bool) -> None:
+def test_forces_takes_leg_lengths(tmp_path: Path, loads: bool) -> None:
     path, _ = ss.PATHS["I"]
     time = np.linspace(0.0, 6.0, 41)
     motion = path.sample(time)
@@ -165,14 +158,14 @@ def test_forces_takes_leg_lengths(robot_file: Path, tmp_path: Path, loads: bool)
         motion = dataclasses.replace(motion, F_ext=np.array([5.0, 0.0, -100.0]))
     trajectory = joint_csv(tmp_path / "legs.csv", motion, time, rates=True, loads=loads)
     output = tmp_path / "forces.csv"
-    assert main(["forces", str(robot_file), str(trajectory), "-o", str(output)]) == 0
+    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output)]) == 0
     table = written(output)
     wanted = ss.inverse_dynamics(dasgupta(), motion).F
     np.testing.assert_allclose(forces_of(table), wanted, rtol=1e-9)
     np.testing.assert_array_equal(table["time"], time)
 
 
-def test_lengths_without_rates_are_differentiated(robot_file: Path, tmp_path: Path) -> None:
+def test_lengths_without_rates_are_differentiated(tmp_path: Path) -> None:
     rng = np.random.default_rng(17)
     time = np.linspace(0.0, 1.0, 80)
     swing = 0.05 * np.sin(2 * np.pi * time[:, None] * rng.uniform(0.5, 1.0, 6) + rng.uniform(0, 6, 6))
@@ -184,15 +177,13 @@ def test_lengths_without_rates_are_differentiated(robot_file: Path, tmp_path: Pa
     slope = np.gradient(L, time, axis=0, edge_order=2)
     np.testing.assert_allclose(read.L_dot, slope, atol=2e-3)
     output = tmp_path / "forces.csv"
-    assert main(["forces", str(robot_file), str(trajectory), "-o", str(output)]) == 0
+    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output)]) == 0
     table = written(output)
     np.testing.assert_allclose(np.column_stack([table[f"L{leg}"] for leg in range(1, 7)]), L, atol=1e-13)
     assert np.isfinite(forces_of(table)).all()
 
 
-def test_start_chooses_the_assembly_mode(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_start_chooses_the_assembly_mode(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path, _ = ss.PATHS["I"]
     time = np.linspace(0.0, 6.0, 13)
     motion = path.sample(time)
@@ -200,7 +191,7 @@ def test_start_chooses_the_assembly_mode(
     legs = ss.inverse_kinematics(dasgupta(), motion)
     start = ["0.1", "0", "-0.4", "0", "0", "-0.2"]
     output = tmp_path / "forces.csv"
-    assert main(["forces", str(robot_file), str(trajectory), "-o", str(output), "--start", *start]) == 0
+    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output), "--start", *start]) == 0
     guess = rotation_from_rpy([0.0, 0.0, -0.2]), np.array([0.1, 0.0, -0.4])
     below = ss.motion_from_lengths(dasgupta(), legs.L, legs.L_dot, legs.L_ddot, guess)
     assert np.all(below.t[:, 2] < 0.0)
@@ -215,7 +206,7 @@ def test_start_chooses_the_assembly_mode(
     ):
         capsys.readouterr()
         try:
-            code: object = main(["forces", str(robot_file), *arguments, "-o", str(output)])
+            code: object = main(["forces", str(PAPERS), *arguments, "-o", str(output)])
         except SystemExit as stop:
             code = stop.code
         assert code == 2
@@ -258,20 +249,18 @@ BAD = [
 
 @pytest.mark.parametrize(("text", "expected"), BAD)
 def test_bad_lengths_are_one_line(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, expected: str
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, expected: str
 ) -> None:
     path = tmp_path / "legs.csv"
     path.write_text(text)
-    assert main(["forces", str(robot_file), str(path), "-o", str(tmp_path / "f.csv")]) == 2
+    assert main(["forces", str(PAPERS), str(path), "-o", str(tmp_path / "f.csv")]) == 2
     lines = capsys.readouterr().err.splitlines()
     assert len(lines) == 1
     assert lines[0].startswith(f"stewart-sym: error: {path}: {expected}")
     assert not (tmp_path / "f.csv").exists()
 
 
-def test_a_row_without_a_pose_is_one_line(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_a_row_without_a_pose_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path, step = ss.PATHS["I"]
     time = path.times(step)
     trajectory = joint_csv(tmp_path / "legs.csv", path.sample(time), time, rates=True)
@@ -281,7 +270,7 @@ def test_a_row_without_a_pose_is_one_line(
     lines[20] = ",".join(cells)
     # An empty line counts as a row of the file.
     trajectory.write_text("\n".join([*lines[:3], "", *lines[3:]]))
-    assert main(["forces", str(robot_file), str(trajectory), "-o", str(tmp_path / "f.csv")]) == 2
+    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(tmp_path / "f.csv")]) == 2
     error = capsys.readouterr().err
     assert error.startswith(f"stewart-sym: error: {trajectory}: row 22: the lengths jump here")
     assert error.count("\n") == 1

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from machines import dasgupta, machine_size, path_period, random_motion, random_path, random_robot
 from numpy.typing import NDArray
+from robot_files import written
 from sweeps import FULL
 
 import stewart_sym as ss
@@ -93,34 +94,6 @@ def test_excitation_is_the_same_with_z_down(seed: int) -> None:
     np.testing.assert_allclose(other.motion.t, one.motion.t @ Z_DOWN, atol=1e-12 * machine_size(robot))
     np.testing.assert_allclose(other.motion.R, Z_DOWN @ one.motion.R @ Z_DOWN, atol=1e-12)
     np.testing.assert_allclose(other.condition, one.condition, rtol=1e-6)
-
-
-def written(robot: ss.Robot, path: Path) -> Path:
-    """The robot as a file that can be read."""
-    path.write_text(toml(robot.to_dict()))
-    return path
-
-
-def toml(table: dict[str, object], name: str = "") -> str:
-    plain = {k: v for k, v in table.items() if not isinstance(v, dict) and not is_tables(v)}
-    text = "".join(f"{key} = {value_text(value)}\n" for key, value in plain.items())
-    for key, value in table.items():
-        path = f"{name}.{key}" if name else key
-        if isinstance(value, dict):
-            text += f"\n[{path}]\n{toml(value, path)}"
-        elif is_tables(value):
-            text += "".join(f"\n[[{path}]]\n{toml(item, path)}" for item in value)  # type: ignore[attr-defined]
-    return text
-
-
-def is_tables(value: object) -> bool:
-    return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
-
-
-def value_text(value: object) -> str:
-    if isinstance(value, list):
-        return f"[{', '.join(value_text(item) for item in value)}]"
-    return f'"{value}"' if isinstance(value, str) else repr(value)
 
 
 class Outcomes(NamedTuple):

@@ -31,20 +31,13 @@ from fmu_units import (
     step,
     unit,
 )
+from kits import COMPILERS, STRICT
 
 from stewart_sym.backend import native
 from stewart_sym.derive.package import fmu as texts
 from stewart_sym.kit import kit
 from stewart_sym.kit.fmu import binary_folder, fmu_unit
 from stewart_sym.kit.poses import sample
-
-STRICT = ("-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Werror")
-COMPILERS = {
-    "gcc": ("gcc", "-std=c99"),
-    "clang": ("clang", "-std=c99"),
-    "g++": ("g++", "-x", "c++", "-std=c++11"),
-    "clang++": ("clang++", "-x", "c++", "-std=c++11"),
-}
 
 
 def test_archive_holds_description_page_all_sources_and_the_binary() -> None:

@@ -2,7 +2,6 @@
 
 import dataclasses
 import itertools
-import json
 from pathlib import Path
 
 import numpy as np
@@ -19,18 +18,19 @@ from plausible_machines import (
     sound_machine,
     unlimited,
 )
+from robot_files import written
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.plausibility import plausibility
 from stewart_sym.plausibility.plausibility import doubts
-from stewart_sym.robot.robot import DOUBTS, Robot
+from stewart_sym.robot.robot import DOUBTS
 
 
 def test_check_warns_of_no_sound_machine(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rng, path = np.random.default_rng(200), tmp_path / "robot.toml"
     for i in range(200):
-        path.write_text(toml(sound_machine(rng)), encoding="utf-8")
+        written(sound_machine(rng), path)
         assert main(["check", str(path)]) == 0
         assert capsys.readouterr().err == "", i
 
@@ -41,7 +41,7 @@ def test_check_names_both_sides_where_nothing_settles_which(
     flat = ss.robots.dasgupta1998()
     flat = dataclasses.replace(flat, b=flat.b * [1, 1, 0], p=flat.p * [1, 1, 0], g=np.zeros(3), accept=())
     path = tmp_path / "robot.toml"
-    path.write_text(toml(flat), encoding="utf-8")
+    written(flat, path)
     assert main(["check", str(path)]) == 0
     told = capsys.readouterr()
     assert "gravity is 0, the side (0, 0, 1) of the base is taken; (0, 0, -1) is as plausible" in told.out
@@ -157,7 +157,7 @@ def test_check_warns_in_one_line_and_the_file_may_accept_it(
     robot = ABSURD["gravity in mm/s^2"][0](dataclasses.replace(sound(), force_limit=np.full(6, np.inf)))
     path = tmp_path / "robot.toml"
     for accept in ((), ("gravity",)):
-        path.write_text(toml(dataclasses.replace(robot, accept=accept)), encoding="utf-8")
+        written(dataclasses.replace(robot, accept=accept), path)
         assert main(["check", str(path)]) == 0
         lines = capsys.readouterr().err.splitlines()
         assert len(lines) == (not accept)
@@ -193,7 +193,7 @@ def test_every_subcommand_warns_of_a_doubtful_robot(
         folder = tmp_path / str(count)
         folder.mkdir()
         path = folder / "robot.toml"
-        path.write_text(toml(change(sound())), encoding="utf-8")
+        written(change(sound()), path)
         assert main(arguments_of(command, path, folder)) == 0
         told = [line for line in capsys.readouterr().err.splitlines() if "[speed-limit]" in line]
         assert len(told) == count
@@ -204,7 +204,7 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
     gravity: float, stands: str, hangs: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "robot.toml"
-    path.write_text(toml(dataclasses.replace(sound(), g=[0.0, 0.0, gravity])), encoding="utf-8")
+    written(dataclasses.replace(sound(), g=[0.0, 0.0, gravity]), path)
     assert main(["check", str(path)]) == 0
     told = capsys.readouterr()
     assert f"a platform on the {stands} side of the base stands on its legs (compression)" in told.out
@@ -217,7 +217,7 @@ def test_check_names_no_side_where_gravity_does_not_act_across_the_base(
     gravity: list[float], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     path = tmp_path / "robot.toml"
-    path.write_text(toml(dataclasses.replace(unlimited(), g=gravity)), encoding="utf-8")
+    written(dataclasses.replace(unlimited(), g=gravity), path)
     assert main(["check", str(path)]) == 0
     assert "side of the base stands" not in capsys.readouterr().out
 
@@ -227,24 +227,6 @@ def test_every_name_is_one_that_a_file_may_accept() -> None:
     inertias = {"platform-inertia", "lower-inertia", "upper-inertia"}
     assert seen <= set(DOUBTS) - inertias
     assert set(DOUBTS) - inertias - seen <= {"condition"}
-
-
-def toml(robot: Robot) -> str:
-    """A robot file; TOML takes a JSON object's values, one key a line."""
-    table = robot.to_dict()
-    legs = table.pop("leg")
-    lines = [f"{key} = {inline(value)}" for key, value in table.items()]
-    return "\n".join([*lines, *(f"[[leg]]\n{''.join(body(leg))}" for leg in legs)])
-
-
-def body(leg: dict[str, object]) -> list[str]:
-    return [f"{key} = {inline(value)}\n" for key, value in leg.items()]
-
-
-def inline(value: object) -> str:
-    if isinstance(value, dict):
-        return "{" + ", ".join(f"{key} = {inline(each)}" for key, each in value.items()) + "}"
-    return json.dumps(value)
 
 
 def test_an_accepted_doubt_hides_no_other() -> None:

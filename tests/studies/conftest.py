@@ -1,14 +1,13 @@
 """Figures of the paper's machine in cost and accuracy, a scene in a folder, and what a short bench needs."""
 
 import dataclasses
-import shutil
-from importlib.resources import as_file, files
 from pathlib import Path
 
 import numpy as np
 import pytest
 from economies import SCENE, hasty
 from machines import dasgupta, random_motion, random_robot
+from robot_files import scene_of
 from small_bench import poses_of, shorten
 
 from stewart_sym.studies.accuracy.budget import papers_motions
@@ -19,12 +18,7 @@ from stewart_sym.studies.benchmark.peers import Poses
 @pytest.fixture
 def scene(tmp_path: Path) -> Path:
     """A scene on Path I, the paper's robot in a folder beside it."""
-    (tmp_path / "robots").mkdir()
-    with as_file(files("stewart_sym.robots") / "dasgupta1998.toml") as source:
-        shutil.copy(source, tmp_path / "robots" / "robot.toml")
-    path = tmp_path / "scene.toml"
-    path.write_text(SCENE)
-    return path
+    return scene_of(SCENE, tmp_path)
 
 
 @pytest.fixture(scope="session")

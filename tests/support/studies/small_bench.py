@@ -6,6 +6,7 @@ from types import ModuleType
 
 import numpy as np
 import pytest
+from motion_fields import FIELDS
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -19,7 +20,6 @@ from stewart_sym.studies.common import timing
 Array = NDArray[np.float64]
 
 CONTESTANTS = (*bench.OURS, *bench.CALLS, *PEERS)
-FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 
 
 @dataclasses.dataclass(frozen=True)
