@@ -276,16 +276,15 @@ def test_a_kit_of_a_robot_with_a_long_name_builds_and_passes_its_self_test(tmp_p
     _, paths = write_kit(robot, tmp_path, Choice(bake=True, fmu=True))
     # With what a build system or a copy adds to a name it stays within the 255 bytes of most systems.
     assert max(len(path.name) for path in paths) < 128
-    subprocess.run(["make", "-s", "-C", str(tmp_path)], check=True, capture_output=True)
+    subprocess.run(["make", "-s", "-C", str(tmp_path), "CFLAGS=-O1"], check=True, capture_output=True)
 
 
-@pytest.mark.parametrize("target", ["check", "test"])
-def test_make_runs_the_self_test_beside_the_folder_of_tests(target: str, tmp_path: Path) -> None:
-    write_kit(machines.dasgupta(), tmp_path, Choice())
-    done = subprocess.run(
-        ["make", "-s", "-C", str(tmp_path), target], check=True, capture_output=True, text=True
-    )
-    assert "selftest" in done.stdout
+def test_make_runs_the_self_test_beside_the_folder_of_tests(tmp_path: Path) -> None:
+    put(kit_of(), tmp_path)
+    for target in ("check", "test"):
+        command = ["make", "-s", "-C", str(tmp_path), "CFLAGS=-O1", target]
+        done = subprocess.run(command, check=True, capture_output=True, text=True)
+        assert "selftest" in done.stdout
 
 
 def test_names_without_ascii_letters_get_symbols_of_their_own() -> None:
@@ -294,7 +293,7 @@ def test_names_without_ascii_letters_get_symbols_of_their_own() -> None:
     assert all(re.fullmatch(r"stewart_robot_[0-9a-f]{12}", symbol) for symbol in symbols)
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", ["gcc", "clang++"])
 def test_any_name_compiles(tmp_path: Path, compiler: str) -> None:
     name = '*/ int x; /* "a" \\n %s @kernel@ //* ??/ ünï 机器人 {0} | `b` \\'
     put(kit_of(name, Choice(scalar=True)), tmp_path / "kit")

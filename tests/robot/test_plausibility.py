@@ -29,7 +29,7 @@ from stewart_sym.robot.robot import DOUBTS
 
 def test_check_warns_of_no_sound_machine(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     rng, path = np.random.default_rng(200), tmp_path / "robot.toml"
-    for i in range(200):
+    for i in range(100):
         written(sound_machine(rng), path)
         assert main(["check", str(path)]) == 0
         assert capsys.readouterr().err == "", i
