@@ -320,10 +320,3 @@ def test_identify_needs_neither_scipy_nor_sympy(tmp_path: Path, monkeypatch: pyt
     for name in ("scipy", "sympy", "matplotlib"):
         monkeypatch.setitem(sys.modules, name, None)
     assert main(["identify", str(PAPERS), *FEW, "-o", str(tmp_path)]) == 0
-
-
-def test_identify_shows_an_example(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as stop:
-        main(["identify", "--help"])
-    assert stop.value.code == 0
-    assert "Example: stewart-sym identify hexapod.toml" in capsys.readouterr().out

@@ -388,10 +388,3 @@ def test_chart_of_the_papers_machine_needs_no_scene(
     assert written["software"]["compiler"]
     assert len(written["candidates"]) == len(found.entries)
     capsys.readouterr()
-
-
-@pytest.mark.parametrize("verb", ["advise", "chart"])
-def test_help_shows_an_example(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit):
-        main([verb, "--help"])
-    assert f"Example: stewart-sym {verb} enough.toml" in capsys.readouterr().out
