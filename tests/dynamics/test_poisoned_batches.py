@@ -14,6 +14,7 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 from motion_fields import FIELDS
 from numpy.typing import NDArray
+from unsolvable_poses import semiregular
 
 import stewart_sym as ss
 from stewart_sym.backend.fidelity import available
@@ -32,12 +33,10 @@ FORCED = ("forward_dynamics", "linearisation")
 def machine() -> Robot:
     """Flat and of threefold symmetry: turned by 90 degrees about its axis, H is singular."""
     rng = np.random.default_rng(70)
-
-    def hexagon(corners: list[float], radius: float) -> Array:
-        angles = np.radians(corners)
-        return radius * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
-
-    base, plate = hexagon([-12, 12, 108, 132, 228, 252], 1.0), hexagon([-45, 45, 75, 165, 195, 285], 0.5)
+    base, plate = (
+        semiregular([-12, 12, 108, 132, 228, 252], 1.0),
+        semiregular([-45, 45, 75, 165, 195, 285], 0.5),
+    )
     return dataclasses.replace(random_robot(rng, scale=1.0), b=base, p=plate)
 
 

@@ -9,7 +9,7 @@ from fifty_digits import DIGITS, truth
 from kernel_cases import beside_the_joint_axis
 from machines import dasgupta, random_motion, random_robot
 from motion_blocks import blocks, inertia, inputs, moved, nothing, stacked, summed, symbolic, unit
-from motion_fields import FIELDS
+from motion_fields import FIELDS, acceleration
 from mpmath import mp
 from numpy.typing import NDArray
 
@@ -38,12 +38,6 @@ def apart(found: Array, expected: Array) -> Array:
     """Largest difference of each pose beside its largest entry."""
     axes = tuple(range(1, found.ndim))
     return np.abs(found - expected).max(axis=axes) / np.abs(expected).max(axis=axes)
-
-
-def acceleration(motion: Motion) -> Array:
-    assert motion.a is not None
-    assert motion.alpha is not None
-    return np.concatenate([motion.a, motion.alpha], axis=-1)
 
 
 @pytest.mark.parametrize("part", range(4))

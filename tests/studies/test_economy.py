@@ -7,11 +7,12 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import fails_in_one_line, folder_state
-from economies import SCENE, at_rest, hasty
+from economies import SCENE, hasty
 from fifty_digits import truth as eliminated
 from machines import dasgupta, random_motion, random_robot
 from mpmath import mp
 from numpy.typing import NDArray
+from reduced_machines import at_rest
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity

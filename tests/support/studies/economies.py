@@ -1,11 +1,9 @@
 """Figures of cost and accuracy made up for tests, and studies without meaningful times."""
 
-import numpy as np
 import pytest
 from machines import dasgupta
 
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
-from stewart_sym.motion.motion import Motion
 from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
 from stewart_sym.studies.accuracy.cost import Candidate, Economy, Entry, Errors
@@ -35,11 +33,6 @@ def hasty(patch: pytest.MonkeyPatch) -> None:
 
 def budget(tolerance: float, margin: float = MARGIN, rate: float | None = None) -> Budget:
     return Budget(dasgupta(), {"I": papers_motions()["I"]}, tolerance, margin, rate)
-
-
-def at_rest(motion: Motion) -> Motion:
-    zero = np.zeros_like(motion.t)
-    return Motion(motion.R, motion.t, zero, zero, zero, zero)
 
 
 def entry(name: str, operations: int, error: float, ns: float = 100.0) -> Entry:
