@@ -288,14 +288,14 @@ def test_read_only_cache_serves_what_it_holds_and_no_more(
 ) -> None:
     cache.mkdir(mode=0o500)
     try:
-        refused = f"import os\nassert not os.access({str(cache)!r}, os.W_OK, effective_ids=True)\n" + CHILD
-        assert run_child(refused, obey_permissions).is_relative_to(temporary.resolve())
+        rejected = f"import os\nassert not os.access({str(cache)!r}, os.W_OK, effective_ids=True)\n" + CHILD
+        assert run_child(rejected, obey_permissions).is_relative_to(temporary.resolve())
         assert len(compiler.calls) == 1
         cache.chmod(0o700)
         held = run_child()
         assert len(compiler.calls) == 2
         cache.chmod(0o500)
-        assert run_child(refused, obey_permissions) == held
+        assert run_child(rejected, obey_permissions) == held
         assert len(compiler.calls) == 2
     finally:
         cache.chmod(0o700)

@@ -1,4 +1,4 @@
-"""The command line: every verb does its job; what goes wrong is one line and leaves nothing behind."""
+"""The command line: every subcommand does its job; what goes wrong is one line and leaves nothing behind."""
 
 import re
 import subprocess
@@ -47,7 +47,7 @@ def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
     assert not list(tmp_path.iterdir())
 
 
-def test_reproduce_refuses_a_folder_it_cannot_write_before_computing(
+def test_reproduce_rejects_a_folder_it_cannot_write_before_computing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def unreachable(*_: object) -> None:
@@ -133,17 +133,17 @@ def test_check_says_when_friction_is_off(robot: Path, capsys: pytest.CaptureFixt
         ("schema = 1", "schema = ", "TOML"),
     ],
 )
-def test_bad_robot_files_are_refused_by_every_verb(
+def test_bad_robot_files_are_rejected_by_every_subcommand(
     robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
 ) -> None:
     edit(robot, old, new)
     before = folder_state(robot.parent)
-    for verb in (
+    for subcommand in (
         ["check", robot],
         ["forces", robot, trajectory, "-o", robot.parent / "f.csv"],
         ["generate", robot, "-o", robot.parent / "kit"],
     ):
-        line = fails_in_one_line(capsys, *verb)
+        line = fails_in_one_line(capsys, *subcommand)
         assert str(robot) in line
         assert words in line
     assert folder_state(robot.parent) == before
@@ -177,7 +177,7 @@ def test_derive_check_tells_which_files_differ(
     assert folder_state(target) == before
 
 
-def test_derive_refuses_a_folder_it_cannot_write_before_deriving(
+def test_derive_rejects_a_folder_it_cannot_write_before_deriving(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("stewart_sym.derive.generate.generated_files", None)
@@ -227,7 +227,7 @@ def test_generate_says_what_folding_the_numbers_in_saves(
     assert int(found[2]) < int(found[1])
 
 
-def test_generate_refuses_a_level_that_there_is_not(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_generate_rejects_a_level_that_there_is_not(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     error = fails_in_one_line(capsys, "generate", robot, "-o", robot.parent / "kit", "--fidelity", "rigid")
     assert "fidelity: expected one of general, " in error
     assert not (robot.parent / "kit").exists()
@@ -329,8 +329,8 @@ def test_progress_shows_on_a_terminal_and_leaves_no_line(
 # writing
 
 
-@pytest.mark.parametrize("verb", ["reproduce", "control"])
-def test_the_default_folder_is_no_part_of_the_repository(verb: str) -> None:
-    folder = cli._parser().parse_args([verb]).output
+@pytest.mark.parametrize("subcommand", ["reproduce", "control"])
+def test_the_default_folder_is_no_part_of_the_repository(subcommand: str) -> None:
+    folder = cli._parser().parse_args([subcommand]).output
     ignored = (Path(__file__).parents[2] / ".gitignore").read_text().splitlines()
     assert f"/{folder}/" in ignored

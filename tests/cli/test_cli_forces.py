@@ -98,7 +98,7 @@ def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
         (lambda rows: [], "empty"),
     ],
 )
-def test_bad_trajectories_are_refused(
+def test_bad_trajectories_are_rejected(
     robot: Path,
     trajectory: Path,
     capsys: pytest.CaptureFixture[str],
@@ -121,7 +121,7 @@ def test_a_missing_trajectory_is_named(robot: Path, capsys: pytest.CaptureFixtur
     assert not (robot.parent / "f.csv").exists()
 
 
-def test_a_pose_without_an_answer_is_refused_unless_it_is_allowed(
+def test_a_pose_without_an_answer_is_rejected_unless_it_is_allowed(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     # Leg 1 has length zero at the second instant: t = b_1 - p_1.
@@ -167,15 +167,15 @@ def test_a_full_disk_is_blamed_on_the_output(robot: Path, trajectory: Path) -> N
 def test_a_standard_output_that_takes_nothing_is_one_line(
     robot: Path, trajectory: Path, arguments: list[str]
 ) -> None:
-    verb, *options = arguments
-    inputs = [robot, trajectory][: 1 if verb == "check" else 2]
+    subcommand, *options = arguments
+    inputs = [robot, trajectory][: 1 if subcommand == "check" else 2]
     command = [
         sys.executable,
         "-W",
         "ignore",
         "-m",
         "stewart_sym.cli.main",
-        verb,
+        subcommand,
         *map(str, inputs),
         *options,
     ]
@@ -203,7 +203,7 @@ def test_warnings_come_before_the_error_that_ends_a_command(
     assert "--length-unit mm" not in error
 
 
-def test_a_refused_compiler_flag_is_not_blamed_on_the_trajectory(
+def test_a_rejected_compiler_flag_is_not_blamed_on_the_trajectory(
     robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     kernel.library.cache_clear()
@@ -318,7 +318,7 @@ def test_singularities_of_a_path_that_crosses_none(
     assert {event["crossing"] for event in events} == {"0"}
 
 
-def test_singularities_refuses_in_one_line(
+def test_singularities_rejects_in_one_line(
     robot: Path, trajectory: Path, crossing: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = robot.parent / "found"

@@ -339,7 +339,7 @@ def test_pose_keeps_within_length_limits_that_exist() -> None:
 
 
 @pytest.mark.parametrize("case", ["similar circles", "one platform point", "all points at the origin"])
-def test_robot_without_a_good_pose_is_refused(tmp_path: Path, case: str) -> None:
+def test_robot_without_a_good_pose_is_rejected(tmp_path: Path, case: str) -> None:
     robot = machines.dasgupta()
     angle = np.array([0.1, 1.0, 2.3, 3.1, 4.4, 5.0])
     circle = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(6)])

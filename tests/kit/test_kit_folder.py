@@ -39,7 +39,7 @@ write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), Choice(fmu=True)
 # ---------------------------------------------------------------- what is there already
 
 
-def test_edited_file_is_refused_without_force_and_replaced_with_it(tmp_path: Path) -> None:
+def test_edited_file_is_rejected_without_force_and_replaced_with_it(tmp_path: Path) -> None:
     put(kit_of(), tmp_path)
     fresh = contents(tmp_path)
     (tmp_path / "stewart_robot.c").write_text("mine", encoding="utf-8")
@@ -168,7 +168,7 @@ def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["file"]
 
 
-def test_folder_in_the_place_of_a_file_is_refused_even_with_force(tmp_path: Path) -> None:
+def test_folder_in_the_place_of_a_file_is_rejected_even_with_force(tmp_path: Path) -> None:
     (tmp_path / "stewart_robot.h").mkdir()
     with pytest.raises(ValueError, match=r"robot\.h: expected a file or nothing, found a folder"):
         put(kit_of(), tmp_path, force=True)
@@ -190,7 +190,7 @@ def test_folder_in_the_place_of_a_file_is_refused_even_with_force(tmp_path: Path
         (Choice(fidelity="rigid"), "random", "fidelity: expected one of general, .*"),
     ],
 )
-def test_wishes_that_do_not_go_together_are_refused_in_one_line(
+def test_wishes_that_do_not_go_together_are_rejected_in_one_line(
     tmp_path: Path, choice: Choice, which: str, message: str
 ) -> None:
     with pytest.raises(ValueError, match=rf"\A{message}\Z"):

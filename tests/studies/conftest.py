@@ -5,14 +5,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from economies import SCENE, hasty
+from cost_figures import SCENE, hasty
 from machines import dasgupta, random_motion, random_robot
 from robot_files import scene_of
 from small_bench import poses_of, shorten
 
 from stewart_sym.studies.accuracy.budget import papers_motions
-from stewart_sym.studies.accuracy.cost import Economy, economy
-from stewart_sym.studies.benchmark.peers import Poses
+from stewart_sym.studies.accuracy.cost import CostAccuracy, cost
+from stewart_sym.studies.benchmark.baselines import Poses
 
 
 @pytest.fixture
@@ -22,15 +22,15 @@ def scene(tmp_path: Path) -> Path:
 
 
 @pytest.fixture(scope="session")
-def found() -> Economy:
+def found() -> CostAccuracy:
     """Figures of the paper's machine on all paths, and of other implementations."""
     with pytest.MonkeyPatch.context() as patch:
         hasty(patch)
-        return economy(dasgupta(), papers_motions(), True, 1)
+        return cost(dasgupta(), papers_motions(), True, 1)
 
 
 @pytest.fixture
-def on_path_i(found: Economy) -> Economy:
+def on_path_i(found: CostAccuracy) -> CostAccuracy:
     """The same on Path I alone."""
     entries = tuple(dataclasses.replace(entry, errors={"I": entry.errors["I"]}) for entry in found.entries)
     return dataclasses.replace(found, peaks={"I": found.peaks["I"]}, poses={"I": 61}, entries=entries)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import fails_in_one_line, folder_state
-from economies import CHEAP, DEAR, FRICTIONLESS, MIDDLE, SCENE, TOLERANCES, budget, entry, hasty, made_up
+from cost_figures import CHEAP, DEAR, FRICTIONLESS, MIDDLE, SCENE, TOLERANCES, budget, entry, hasty, made_up
 from machines import dasgupta, random_motion, random_robot
 from reduced_machines import as_simple_as
 
@@ -42,7 +42,7 @@ from stewart_sym.studies.accuracy.advice import (
 )
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
 from stewart_sym.studies.accuracy.charts import charts
-from stewart_sym.studies.accuracy.cost import Candidate, Economy, Errors, economy
+from stewart_sym.studies.accuracy.cost import Candidate, CostAccuracy, Errors, cost
 
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
 
@@ -70,7 +70,7 @@ def brute_force(tolerance: float) -> tuple[str, str, str]:
     return chosen
 
 
-def test_path_i_gets_four_answers_and_each_is_the_cheapest(on_path_i: Economy) -> None:
+def test_path_i_gets_four_answers_and_each_is_the_cheapest(on_path_i: CostAccuracy) -> None:
     answers = []
     for tolerance in TOLERANCES:
         chosen = advice(on_path_i, budget(tolerance)).chosen
@@ -81,7 +81,7 @@ def test_path_i_gets_four_answers_and_each_is_the_cheapest(on_path_i: Economy) -
     assert answers[-1] == ("exact", "general", "double")
 
 
-def test_a_choice_does_not_depend_on_times(on_path_i: Economy) -> None:
+def test_a_choice_does_not_depend_on_times(on_path_i: CostAccuracy) -> None:
     rng = np.random.default_rng(9)
     for tolerance in TOLERANCES:
         chosen = advice(on_path_i, budget(tolerance)).chosen
@@ -109,7 +109,7 @@ def test_a_machine_that_truly_is_simple_gets_the_simple_kernel(
 ) -> None:
     hasty(monkeypatch)
     robot, motion = simple(level, 11)
-    made = economy(robot, {"some": motion})
+    made = cost(robot, {"some": motion})
     assert made.entry("exact", level, "double").model == 0.0
     chosen = advice(made, Budget(robot, {"some": motion}, 1e-9)).chosen
     assert chosen is not None
@@ -173,7 +173,7 @@ def reasons(found: Advice) -> dict[frozenset[str], str]:
     return {left_out: entry.candidate.name for left_out, entry in found.needed()}
 
 
-def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i: Economy) -> None:
+def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i: CostAccuracy) -> None:
     found = advice(on_path_i, budget(1e-9))
     assert reasons(found) == {
         frozenset({"digits"}): "exact general, float",
@@ -191,7 +191,7 @@ def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i:
         assert excess(without, found.budget) > 1.0
 
 
-def test_at_rest_inertia_forces_nothing(on_path_i: Economy) -> None:
+def test_at_rest_inertia_forces_nothing(on_path_i: CostAccuracy) -> None:
     found = advice(on_path_i, budget(0.05))
     assert found.chosen is not None
     assert found.chosen.candidate.fidelity == "general_static"
@@ -222,7 +222,7 @@ def test_terms_are_what_the_derivation_says_of_each_fidelity() -> None:
             assert (term in has) == (order.index(level.legs) <= order.index(last)), (name, term)
 
 
-def test_the_report_has_every_figure(on_path_i: Economy) -> None:
+def test_the_report_has_every_figure(on_path_i: CostAccuracy) -> None:
     text = report(advice(on_path_i, budget(0.05)))
     assert "tolerance 0.05, margin 3: good enough up to an error of 1.67e-02" in text
     for each in on_path_i.entries:
@@ -233,7 +233,7 @@ def test_the_report_has_every_figure(on_path_i: Economy) -> None:
 
 
 def test_report_and_help_say_where_rounding_is_measured(
-    on_path_i: Economy, capsys: pytest.CaptureFixture[str]
+    on_path_i: CostAccuracy, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit):
         main(["advise", "--help"])
@@ -242,12 +242,12 @@ def test_report_and_help_say_where_rounding_is_measured(
         assert said in " ".join(text.split())
 
 
-def test_json_holds_what_was_found_and_no_infinity(on_path_i: Economy) -> None:
+def test_json_holds_what_was_found_and_no_infinity(on_path_i: CostAccuracy) -> None:
     given = made_up(dataclasses.replace(CHEAP, errors={"I": Errors(math.inf, math.inf, math.inf)}), DEAR)
     for found in (advice(on_path_i, budget(1e-9)), advice(given, budget(0.1))):
         written: dict[str, Any] = json.loads(json.dumps(as_json(found), allow_nan=False))
         assert written["chosen"] == {"formulation": "exact", "fidelity": "general", "precision": "double"}
-        assert len(written["candidates"]) == len(found.economy.entries)
+        assert len(written["candidates"]) == len(found.cost.entries)
         assert [each["terms"] for each in written["needed"]] == [sorted(t) for t, _ in found.needed()]
 
 
@@ -255,14 +255,14 @@ def test_json_holds_what_was_found_and_no_infinity(on_path_i: Economy) -> None:
 
 
 @pytest.fixture
-def quick(monkeypatch: pytest.MonkeyPatch, on_path_i: Economy) -> None:
+def quick(monkeypatch: pytest.MonkeyPatch, on_path_i: CostAccuracy) -> None:
     """The study's figures without running it again."""
 
-    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object, **__: object) -> Economy:
+    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object, **__: object) -> CostAccuracy:
         assert list(motions) == ["I"]
         return on_path_i
 
-    monkeypatch.setattr(study, "economy", measured)
+    monkeypatch.setattr(study, "cost", measured)
 
 
 TABLES = ["bounds.csv", "chart.csv", "chart.json", "chart.txt", "scales.csv"]
@@ -283,7 +283,7 @@ def few(patch: pytest.MonkeyPatch) -> None:
 
 
 def test_pictures_that_a_machine_cannot_have_are_left_out_with_a_warning(
-    found: Economy, monkeypatch: pytest.MonkeyPatch
+    found: CostAccuracy, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few(monkeypatch)
     robot = random_robot(np.random.default_rng(12), "spherical")
@@ -364,16 +364,16 @@ def test_chart_writes_tables_without_matplotlib(
 
 
 def test_chart_of_the_papers_machine_needs_no_scene(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, found: Economy
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, found: CostAccuracy
 ) -> None:
     asked: list[list[str]] = []
 
-    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object) -> Economy:
+    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object) -> CostAccuracy:
         asked.append(list(motions))
         return found
 
     few(monkeypatch)
-    monkeypatch.setattr(study, "economy", measured)
+    monkeypatch.setattr(study, "cost", measured)
     assert main(["chart", "-o", str(tmp_path / "out")]) == 0
     assert asked == [["I", "II", "III"]]
     pictures = [f"{name}.{kind}" for name in ("chart", "scales", "bounds") for kind in ("png", "svg")]

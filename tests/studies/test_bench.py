@@ -13,10 +13,10 @@ import stewart_sym as ss
 from stewart_sym.io.extras import EXTRAS
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark import bench, equation_kernels, reductions
-from stewart_sym.studies.benchmark.peers import JAX, Contestant, Poses, Runner
-from stewart_sym.studies.benchmark.peers_constraints import engines
-from stewart_sym.studies.benchmark.peers_pinocchio import PinocchioMachine
-from stewart_sym.studies.benchmark.peers_tree import tensors_of_bodies, tree
+from stewart_sym.studies.benchmark.baselines import JAX, Contestant, Poses, Runner
+from stewart_sym.studies.benchmark.baselines_constraints import engines
+from stewart_sym.studies.benchmark.baselines_pinocchio import PinocchioMachine
+from stewart_sym.studies.benchmark.baselines_tree import tensors_of_bodies, tree
 
 TENSORS = ("I_p", "I_d0", "I_u0")
 
@@ -87,13 +87,13 @@ def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
     assert all(len(np.unique(column)) == 500 for column in rows.T)
 
 
-def test_a_machine_without_universal_joints_is_refused() -> None:
+def test_a_machine_without_universal_joints_is_rejected() -> None:
     robot = random_robot(np.random.default_rng(3), "spherical")
     with pytest.raises(ValueError, match="expected universal base joints"):
         bench.bench_poses(robot, 10)
 
 
-def test_a_machine_that_is_singular_everywhere_is_refused() -> None:
+def test_a_machine_that_is_singular_everywhere_is_rejected() -> None:
     robot = dasgupta()
     none = dataclasses.replace(robot, p=np.tile(robot.p[:1], (6, 1)))
     with pytest.raises(ValueError, match="no regular poses"):
@@ -138,7 +138,7 @@ def test_a_pass_with_wrong_forces_stops_the_run(kind: str, monkeypatch: pytest.M
         bench.bench(quick=True)
 
 
-# equations of motion and their peers
+# equations of motion and their baselines
 
 
 @pytest.mark.parametrize("seed", [7, 8])
@@ -147,15 +147,15 @@ def test_all_of_the_second_group_agree_on_any_machine(seed: int) -> None:
     robot = random_robot(rng, friction=seed % 2 == 0)
     group = equation_kernels.motion_group(poses_of(robot, random_motion(rng, robot, (20,))))
     assert all(np.array_equal(getattr(group.robot, name), getattr(robot, name)) for name in TENSORS)
-    peers = [engine.name for engine in group.engines]
-    assert [*group.differences] == [*(each.name for each in equation_kernels.FUNCTIONS), *peers]
-    assert len(group.tasks) == len(equation_kernels.FUNCTIONS) + 2 * len(peers)
-    assert all(group.differences[name] < 1e-6 for name in peers)
+    baselines = [engine.name for engine in group.engines]
+    assert [*group.differences] == [*(each.name for each in equation_kernels.FUNCTIONS), *baselines]
+    assert len(group.tasks) == len(equation_kernels.FUNCTIONS) + 2 * len(baselines)
+    assert all(group.differences[name] < 1e-6 for name in baselines)
 
 
 @pytest.mark.parametrize("number", [0, 1], ids=["Pinocchio", "MuJoCo"])
 @pytest.mark.parametrize("change", ["rates", "friction", "load", "gravity"])
-def test_a_peer_feels_rates_friction_load_and_gravity(number: int, change: str, stranger: Poses) -> None:
+def test_a_baseline_has_rates_friction_load_and_gravity(number: int, change: str, stranger: Poses) -> None:
     motion, none = stranger.motion[:2], np.zeros(6)
     robot, zero = stranger.robot, np.zeros((2, 3))
     F = ss.inverse_dynamics(robot, motion, backend="reference").F
@@ -202,7 +202,7 @@ def test_a_wrong_answer_of_the_second_group_stops_the_run(
         equation_kernels.motion_group(stranger)
 
 
-def test_a_wrong_peer_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: Poses) -> None:
+def test_a_wrong_baseline_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: Poses) -> None:
     def heavier(robot: Robot, *rest: Any) -> Any:
         return engines(dataclasses.replace(robot, M=1.01 * robot.M), *rest)
 

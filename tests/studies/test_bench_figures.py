@@ -24,8 +24,8 @@ from stewart_sym.cli.main import main
 from stewart_sym.dynamics import forces
 from stewart_sym.io.extras import install
 from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
+from stewart_sym.studies.benchmark.baselines import CASADI, PEERS, multiply_add
 from stewart_sym.studies.benchmark.figures import FORWARD, MOST
-from stewart_sym.studies.benchmark.peers import CASADI, PEERS, multiply_add
 from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
 from stewart_sym.studies.common import host, timing
 
@@ -92,7 +92,7 @@ def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], wr
     for net, call, empty in zip(peers, motion["calls"], motion["empty_calls"], strict=True):
         assert net["raw"] == pytest.approx(np.array(call["raw"]) - np.array(empty["raw"]))
     better = min(peers, key=lambda entry: float(entry["median"]))
-    assert motion["better_peer"] == better["name"]
+    assert motion["better_baseline"] == better["name"]
     assert motion["times_faster"] == pytest.approx(better["median"] / forward["median"])
     said = f"{motion['times_faster']:.1f} x faster than the better of the two, {better['name']} (target 20)"
     assert said in text
@@ -360,7 +360,7 @@ def test_a_sample_that_turns_out_short_is_taken_again(monkeypatch: pytest.Monkey
     assert raw["task"] == pytest.approx(3 * (1.0,))
 
 
-def test_a_coarse_clock_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_coarse_clock_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
     ticks = itertools.count(0, 50_000)
     monkeypatch.setattr("time.perf_counter_ns", lambda: next(ticks))
     with pytest.raises(ValueError, match="clock is too coarse"):

@@ -48,7 +48,7 @@ EVERY = [pytest.param(case, marks=[pytest.mark.slow] if case in SLOW else []) fo
 PREPARED = [case for case in EVERY if case.values != ("baked",)]
 PAYLOAD = ("M", "R_0", "I_p", "g")
 FORCES = range(30, 36)
-NOT_FINITE, SHORT_LEG, SINGULAR = 1, 2, 4
+NOT_FINITE, ZERO_LENGTH, SINGULAR = 1, 2, 4
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from stewart_sym.backend.native import CompilerError
 from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
 from stewart_sym.precision.truth import Truth, digits
 from stewart_sym.results import OK
-from stewart_sym.studies.robustness.sweep import judge
+from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine
 
 Array = NDArray[np.float64]
@@ -27,7 +27,7 @@ NEAR_JOINT = ("pole", "short leg", "heavy leg")
 PER_MACHINE = 10
 
 try:
-    judge._library()
+    oracle._library()
 except CompilerError:
     pytest.skip("needs a compiler with __float128", allow_module_level=True)
 
@@ -114,7 +114,7 @@ def columns_of_fifty_digits(robot: ss.Robot, motion: ss.Motion) -> Any:
 
 # --- helpers ----------------------------------------------------------------------------------------
 
-BLOCK_H = slice(judge.BLOCKS["H"][1], judge.BLOCKS["H"][1] + 36)
+BLOCK_H = slice(oracle.BLOCKS["H"][1], oracle.BLOCKS["H"][1] + 36)
 
 
 def machines_of(seed: int, count: int) -> tuple[Array, Array, list[ss.Robot]]:
@@ -128,7 +128,7 @@ def case(
     kind: str, numbers: Array, sizes: Array, robots: list[ss.Robot], each: int, seed: int, index: int
 ) -> tuple[ss.Robot, ss.Motion]:
     """The machine and the motion of a random case."""
-    found, pose = judge.random_case(kind, numbers, sizes, each, seed, index)
+    found, pose = oracle.random_case(kind, numbers, sizes, each, seed, index)
     return robot_of(robots[index // each], found), motion_of(pose)
 
 
@@ -177,9 +177,9 @@ def wider(
 ) -> tuple[Array, Array, Array, NDArray[np.int32]]:
     """Outputs of the closed form's kernels in quadruple precision, high + low, their change and statuses."""
     high, low, change = np.zeros((3, OUTPUT_NUMBERS))
-    status = np.zeros(len(judge.CLOSED_KERNELS), dtype=np.int32)
-    numbers, pose = robot_numbers(robot), judge.motion_numbers(motion)
-    judge._library().quad_closed_form(
+    status = np.zeros(len(oracle.CLOSED_KERNELS), dtype=np.int32)
+    numbers, pose = robot_numbers(robot), oracle.motion_numbers(motion)
+    oracle._library().quad_closed_form(
         *(address(np.ascontiguousarray(array)) for array in (numbers, pose, F)),
         ctypes.c_int(2 ** len(status) - 1),
         ctypes.c_double(1e-20),

@@ -14,7 +14,7 @@ from stewart_sym.backend.kernel import c_sources
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark import bench
-from stewart_sym.studies.benchmark.peers import PEERS, Poses
+from stewart_sym.studies.benchmark.baselines import PEERS, Poses
 from stewart_sym.studies.common import timing
 
 Array = NDArray[np.float64]

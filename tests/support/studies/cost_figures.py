@@ -6,7 +6,7 @@ from machines import dasgupta
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
-from stewart_sym.studies.accuracy.cost import Candidate, Economy, Entry, Errors
+from stewart_sym.studies.accuracy.cost import Candidate, CostAccuracy, Entry, Errors
 from stewart_sym.studies.common import timing
 
 FRICTIONLESS = TABLE["frictionless"]["operations"]["total"]
@@ -41,8 +41,8 @@ def entry(name: str, operations: int, error: float, ns: float = 100.0) -> Entry:
     return Entry(Candidate(formulation, level, precision), operations, (ns,), (ns / 2,), 1000, errors)
 
 
-def made_up(*entries: Entry) -> Economy:
-    return Economy("machine", {"I": 1000.0}, {"I": 61}, entries)
+def made_up(*entries: Entry) -> CostAccuracy:
+    return CostAccuracy("machine", {"I": 1000.0}, {"I": 61}, entries)
 
 
 CHEAP = entry("exact massless_static float", 400, 0.4)

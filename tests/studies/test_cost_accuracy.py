@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 from command_line import fails_in_one_line, folder_state
-from economies import SCENE, hasty
+from cost_figures import SCENE, hasty
 from fifty_digits import truth as eliminated
 from machines import dasgupta, random_motion, random_robot
 from mpmath import mp
@@ -26,7 +26,7 @@ from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy import cost as study
 from stewart_sym.studies.accuracy.budget import MARGIN, papers_motions, read_budget
-from stewart_sym.studies.accuracy.cost import Candidate, Economy, economy
+from stewart_sym.studies.accuracy.cost import Candidate, CostAccuracy, cost
 from stewart_sym.studies.common.output import csv_lines
 
 Array = NDArray[np.float64]
@@ -91,15 +91,17 @@ def test_margin_and_rate_have_defaults(scene: Path) -> None:
         ("rate = 1000.0", "rate = inf", "rate: expected a finite number, got inf"),
     ],
 )
-@pytest.mark.parametrize("verb", ["advise", "chart"])
-def test_bad_scenes_are_refused_in_one_line_and_leave_nothing(
-    scene: Path, capsys: pytest.CaptureFixture[str], verb: str, old: str, new: str, words: str
+@pytest.mark.parametrize("subcommand", ["advise", "chart"])
+def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
+    scene: Path, capsys: pytest.CaptureFixture[str], subcommand: str, old: str, new: str, words: str
 ) -> None:
     assert old in SCENE
     scene.write_text(SCENE.replace(old, new, 1))
     before = folder_state(scene.parent)
-    more = {"advise": ["--json", scene.parent / "out.json"], "chart": ["-o", scene.parent / "out"]}[verb]
-    line = fails_in_one_line(capsys, verb, scene, *more)
+    more = {"advise": ["--json", scene.parent / "out.json"], "chart": ["-o", scene.parent / "out"]}[
+        subcommand
+    ]
+    line = fails_in_one_line(capsys, subcommand, scene, *more)
     assert words in line
     elsewhere = "cannot read the" in words
     assert str(scene.parent if elsewhere else scene) in line
@@ -165,7 +167,7 @@ def test_deviations_keep_digits_that_double_has_not() -> None:
 # the figures
 
 
-def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: Economy) -> None:
+def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: CostAccuracy) -> None:
     names = [vars(entry.candidate) for entry in found.entries]
     expected = [
         {"formulation": formulation, "fidelity": level, "precision": precision}
@@ -197,7 +199,7 @@ def model_errors(robot: Robot, motion: Motion) -> dict[str, tuple[float, float]]
 
 
 @pytest.mark.parametrize("path", ["I", "II", "III"])
-def test_model_errors_are_those_of_the_reference(found: Economy, path: str) -> None:
+def test_model_errors_are_those_of_the_reference(found: CostAccuracy, path: str) -> None:
     for name, expected in model_errors(dasgupta(), papers_motions()[path]).items():
         of = ("paper", "general") if name == "paper" else ("exact", name)
         for precision in ("double", "float"):
@@ -205,14 +207,14 @@ def test_model_errors_are_those_of_the_reference(found: Economy, path: str) -> N
             assert (errors.model, errors.model_rms) == pytest.approx(expected, rel=1e-6)
 
 
-def test_exact_general_has_no_model_error_and_others_are_off(found: Economy) -> None:
+def test_exact_general_has_no_model_error_and_others_are_off(found: CostAccuracy) -> None:
     for entry in found.entries:
         right = (entry.candidate.formulation, entry.candidate.fidelity) == ("exact", "general")
         assert (entry.model == 0.0) == right
         assert (entry.model_rms == 0.0) == right
 
 
-def test_rounding_errors_are_those_beside_50_digits(found: Economy) -> None:
+def test_rounding_errors_are_those_beside_50_digits(found: CostAccuracy) -> None:
     robot, motions = dasgupta(), papers_motions()
     for name in ("general", "slender", "massless_static"):
         for precision, epsilon in (("double", EPSILON), ("float", np.finfo(np.float32).eps)):
@@ -223,7 +225,7 @@ def test_rounding_errors_are_those_beside_50_digits(found: Economy) -> None:
             assert 0.2 * off <= errors.rounding * found.peaks["I"] <= 100 * epsilon * found.peaks["I"]
 
 
-def test_rounding_in_float_is_the_worst_of_all_poses(found: Economy) -> None:
+def test_rounding_in_float_is_the_worst_of_all_poses(found: CostAccuracy) -> None:
     robot, motions = dasgupta(), papers_motions()
     for path, motion in motions.items():
         one, other = (ss.prepare(robot, "exact", p).forces(motion) for p in ("float", "double"))  # type: ignore[arg-type]
@@ -232,14 +234,14 @@ def test_rounding_in_float_is_the_worst_of_all_poses(found: Economy) -> None:
         assert errors.rounding == pytest.approx(worst, rel=1e-6)
 
 
-def test_peaks_are_the_largest_forces(found: Economy) -> None:
+def test_peaks_are_the_largest_forces(found: CostAccuracy) -> None:
     for name, motion in papers_motions().items():
         F = newton_euler.inverse_dynamics(dasgupta(), motion).F
         assert found.peaks[name] == pytest.approx(np.abs(F).max(), rel=1e-9)
         assert found.poses[name] == 61
 
 
-def test_other_implementations_are_near_the_truth(found: Economy) -> None:
+def test_other_implementations_are_near_the_truth(found: CostAccuracy) -> None:
     assert [each.name for each in found.implementations] == [
         "every output",
         "NumPy kernel",
@@ -250,17 +252,17 @@ def test_other_implementations_are_near_the_truth(found: Economy) -> None:
         assert 0.0 < each.rounding["I"] < 1e-13
 
 
-def test_a_motion_without_forces_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_motion_without_forces_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
     robot = dataclasses.replace(dasgupta(), g=np.zeros(3))
     with pytest.raises(ValueError, match="still: all forces are zero"):
-        economy(robot, {"still": at_rest(papers_motions()["I"])})
+        cost(robot, {"still": at_rest(papers_motions()["I"])})
 
 
 def test_constants_that_float_cannot_hold_leave_float_out(monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
     robot = dataclasses.replace(dasgupta(), M=1e39)
-    made = economy(robot, {"I": papers_motions()["I"][:4]})
+    made = cost(robot, {"I": papers_motions()["I"][:4]})
     assert {entry.candidate.precision for entry in made.entries} == {"double"}
 
 
@@ -268,7 +270,7 @@ def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: 
     hasty(monkeypatch)
     rng = np.random.default_rng(8)
     robot = random_robot(rng, "spherical")
-    made = economy(robot, {"some": random_motion(rng, robot, (4,))})
+    made = cost(robot, {"some": random_motion(rng, robot, (4,))})
     levels = {entry.candidate.fidelity for entry in made.entries}
     assert levels == set(fidelity.available(robot))
     assert made.entry("exact", "general", "double").model == 0.0
