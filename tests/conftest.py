@@ -15,55 +15,63 @@ import pytest
 for library in ("OMP", "OPENBLAS", "MKL"):
     os.environ.setdefault(f"{library}_NUM_THREADS", "1")
 
-WHOLE = {
-    "test_bench",
-    "test_build",
-    "test_cluster",
-    "test_controller",
-    "test_cost_accuracy",
-    "test_cost_plot",
-    "test_fmu",
-    "test_generated",
-    "test_kit",
-    "test_motion_subsets",
-    "test_noise",
-    "test_operations",
-    "test_along_path",
-    "test_pictures",
-    "test_reproduce",
-}
+SHARING = (
+    ("test_bench_figures",),
+    ("test_build",),
+    ("test_cluster",),
+    ("test_controller",),
+    ("test_cpp",),
+    ("test_cost_accuracy", "test_advice"),
+    ("test_cost_plot",),
+    ("test_fmu", "test_fmu_files"),
+    # What is derived for the first is there for the others.
+    ("test_generated", "test_motion_subsets", "test_operations", "test_regroup", "test_blocks"),
+    ("test_kit",),
+    ("test_kit_folder",),
+    ("test_noise",),
+    ("test_along_path",),
+    ("test_pictures",),
+    ("test_reproduce",),
+)
 """Modules in which tests share what takes seconds and is made once a worker."""
+GROUPS = {module: group[0] for group in SHARING for module in group}
 LONG = (
-    "test_noise",
-    "test_identification_noise",
     "test_generated",
-    "test_worst_rounding",
-    "test_plausibility",
-    "test_kit",
-    "test_bench",
-    "test_fmu",
     "test_controller",
+    "test_kit",
     "test_build",
-    "test_bench_without_baselines",
-    "test_cost_plot",
-    "test_packaging",
-    "test_vectors",
-    "test_readme",
-    "test_motion_subsets",
-    "test_operations",
-    "test_cluster",
-    "test_kit_use",
-    "test_misra",
-    "test_portability",
+    "test_bench_figures",
     "test_cost_accuracy",
-    "test_attack_c",
-    "test_degenerate_families",
-    "test_regroup",
-    "test_closed_form",
-    "test_joint_space",
+    "test_advice",
+    "test_fmu",
+    "test_fmu_files",
+    "test_kit_folder",
+    "test_cost_plot",
+    "test_cluster",
+    "test_bench_without_baselines",
+    "test_vectors",
     "test_stacks",
-    "test_reproduce",
+    "test_degenerate_families",
+    "test_bench",
+    "test_bounds",
+    "test_language_kits",
+    "test_cpp",
+    "test_kit_use",
+    "test_attack_c",
+    "test_plausibility",
+    "test_pictures",
+    "test_noise",
+    "test_worst_rounding",
+    "test_misra",
+    "test_readme",
+    "test_packaging",
+    "test_long_logs",
+    "test_portability",
+    "test_bake",
+    "test_float",
     "test_simulation",
+    "test_closed_form",
+    "test_reproduce",
 )
 """Modules with tests of more than two seconds, the longest first."""
 
@@ -81,7 +89,6 @@ def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
 
     class Modules(LoadScopeScheduling):
         def _split_scope(self, nodeid: str) -> str:
-            module = nodeid.split("::")[0]
-            return module if PurePosixPath(module).stem in WHOLE else nodeid
+            return GROUPS.get(PurePosixPath(nodeid.split("::")[0]).stem, nodeid)
 
     return Modules(config, log)

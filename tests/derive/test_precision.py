@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from fifty_digits import DIGITS, truth
 from machines import dasgupta, random_motion, random_robot
+from motion_fields import FIELDS
 from mpmath import mp
 from numpy.typing import NDArray
 
@@ -12,7 +13,6 @@ from stewart_sym.derive.mechanics.formulation import FORMULATIONS, Formulation
 
 UNITS = 40
 EPSILON = np.finfo(np.float64).eps
-MOTION = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 
 
 def error(found: NDArray[np.float64], true: mp.matrix) -> float:
@@ -50,7 +50,7 @@ def test_prepared_kernel_equals_50_digit_truth_to_rounding(form: Formulation, se
     with mp.workdps(DIGITS):
         true = truth(form, robot, motion)["F"]
         slot = kernel.one_pose()
-        slot.numbers[:] = np.concatenate([np.ravel(getattr(motion, name)) for name in MOTION])
+        slot.numbers[:] = np.concatenate([np.ravel(getattr(motion, name)) for name in FIELDS])
         assert slot.solve() == 0
         for F in (slot.F, kernel.forces(motion)):
             assert error(F, true) <= UNITS * EPSILON * condition

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from machines import random_motion, random_robot
 from numpy.typing import NDArray
+from unsolvable_poses import semiregular
 
 import stewart_sym as ss
 from stewart_sym.backend import kernel
@@ -60,13 +61,7 @@ def test_backends_agree_to_rounding_on_many_machines(formulation, backend, base_
 
 
 # Degrees of points in circles: turned by 90 degrees about its axis, this flat machine has a singular H.
-BASE, PLATE = (-12, 12, 108, 132, 228, 252), (-45, 45, 75, 165, 195, 285)
-
-
-def hexagon(degrees: tuple[int, ...]) -> NDArray[np.float64]:
-    """Points on the unit circle."""
-    angles = np.radians(degrees)
-    return np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
+BASE, PLATE = [-12, 12, 108, 132, 228, 252], [-45, 45, 75, 165, 195, 285]
 
 
 def doubtful(rng: np.random.Generator, robot: Robot) -> Motion:
@@ -91,7 +86,7 @@ def test_numpy_has_every_bit_and_status_of_c_however_many_poses_it_takes_at_once
 ) -> None:
     rng = np.random.default_rng(17)
     robot = random_robot(rng, base_joint, scale=scale)
-    b, p = (size * scale * hexagon(turns) for size, turns in ((1.0, BASE), (0.5, PLATE)))
+    b, p = semiregular(BASE, scale), semiregular(PLATE, 0.5 * scale)
     for machine in (robot, replace(robot, b=b, p=p)):
         motion = doubtful(rng, machine)
         expected = kernel.CKernel.prepare(machine, formulation).forces(motion)

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import machine_size, random_motion, random_robot, rotation
+from motion_fields import acceleration
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -29,12 +30,6 @@ def load_of(motion: ss.Motion) -> Array:
 
 def twist(motion: ss.Motion) -> Array:
     return np.concatenate([motion.v, motion.omega], axis=-1)
-
-
-def acceleration(motion: ss.Motion) -> Array:
-    assert motion.a is not None
-    assert motion.alpha is not None
-    return np.concatenate([motion.a, motion.alpha], axis=-1)
 
 
 def times(A: Array, x: Array) -> Array:

@@ -12,7 +12,9 @@ from typing import Any
 import numpy as np
 import pytest
 from machines import dasgupta, random_motion, random_robot
+from motion_fields import FIELDS
 from numpy.typing import NDArray
+from unsolvable_poses import semiregular
 
 import stewart_sym as ss
 from stewart_sym.backend.fidelity import available
@@ -24,7 +26,6 @@ from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, SINGULAR, ZERO_LENGT
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
-NAMES = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 POSES = 1003
 FORCED = ("forward_dynamics", "linearisation")
 
@@ -32,12 +33,10 @@ FORCED = ("forward_dynamics", "linearisation")
 def machine() -> Robot:
     """Flat and of threefold symmetry: turned by 90 degrees about its axis, H is singular."""
     rng = np.random.default_rng(70)
-
-    def hexagon(corners: list[float], radius: float) -> Array:
-        angles = np.radians(corners)
-        return radius * np.column_stack([np.cos(angles), np.sin(angles), np.zeros(6)])
-
-    base, plate = hexagon([-12, 12, 108, 132, 228, 252], 1.0), hexagon([-45, 45, 75, 165, 195, 285], 0.5)
+    base, plate = (
+        semiregular([-12, 12, 108, 132, 228, 252], 1.0),
+        semiregular([-45, 45, 75, 165, 195, 285], 0.5),
+    )
     return dataclasses.replace(random_robot(rng, scale=1.0), b=base, p=plate)
 
 
@@ -45,12 +44,12 @@ def poisoned(robot: Robot) -> tuple[Motion, Motion, NDArray[np.int32]]:
     """A sound batch, the same with its poison, and the status of each pose, -1 for any but 0."""
     rng = np.random.default_rng(71)
     sound = random_motion(rng, robot, (POSES,))
-    parts = {name: getattr(sound, name).copy() for name in NAMES}
+    parts = {name: getattr(sound, name).copy() for name in FIELDS}
     status = np.zeros(POSES, dtype=np.int32)
     places = rng.permutation(POSES)[: POSES // 100 + 6]
     for kind, i in enumerate(places):
         if kind < 8:
-            parts[NAMES[kind]][i].flat[-1] = (np.nan, np.inf, -np.inf)[kind % 3]
+            parts[FIELDS[kind]][i].flat[-1] = (np.nan, np.inf, -np.inf)[kind % 3]
             status[i] = NOT_FINITE
         elif kind < 11:
             leg = kind - 8
@@ -214,7 +213,7 @@ def test_threads_share_force_kernels_whose_batches_are_shared_themselves(
 
 def test_each_thread_has_its_own_buffers_of_one_pose() -> None:
     kernel = ss.prepare(ROBOT)
-    numbers = [np.concatenate([np.ravel(getattr(SOUND[i], name)) for name in NAMES]) for i in range(8)]
+    numbers = [np.concatenate([np.ravel(getattr(SOUND[i], name)) for name in FIELDS]) for i in range(8)]
 
     def call(i: int) -> Callable[[], bytes]:
         def bits() -> bytes:

@@ -8,13 +8,13 @@ import casadi
 import numpy as np
 import pytest
 from machines import MACHINES, dasgupta, random_motion, random_robot
+from motion_fields import FIELDS
 from near_joint import leaning
 
 import stewart_sym as ss
 from stewart_sym.io.extras import install
 
 OTHERS = sorted(set(MACHINES) - {"paper"})
-FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 
 
 def called(function: Any, motion: ss.Motion, **more: Any) -> dict[str, np.ndarray]:

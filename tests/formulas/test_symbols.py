@@ -7,10 +7,9 @@ import numpy as np
 import pytest
 import sympy as sp
 from machines import MACHINES, dasgupta, random_motion, random_robot
+from motion_fields import FIELDS
 
 import stewart_sym as ss
-
-FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 
 OF_FORCES = ("F", "D", "K", "H", "c")
 OF_MOTION = ("M", "C", "g", "friction", "bias")

@@ -1,5 +1,6 @@
 """Some of the closed form's functions: the emitted C holds these and what they need, and nothing else."""
 
+import functools
 import re
 import shutil
 from pathlib import Path
@@ -31,19 +32,21 @@ def kernels():
     return reduced_motion(), reduced_motion(friction=False), prepared_model(EXACT)
 
 
-@pytest.fixture
-def written(kernels, tmp_path: Path):
-    """Writes header and source of a subset and returns their folder."""
+@pytest.fixture(scope="module")
+def written(kernels, tmp_path_factory: pytest.TempPathFactory):
+    """Writes header and source of a subset, once, and returns their folder."""
 
+    @functools.cache
     def write(functions: tuple[str, ...]) -> Path:
+        folder = tmp_path_factory.mktemp("subset")
         full, plain, model = kernels
         version = generator_version()
         header = emitted.header(full, plain, EXACT.kernel_name, version, functions)
-        (tmp_path / "stewart_exact_motion.h").write_text(header)
-        (tmp_path / "stewart_exact_motion.c").write_text(
+        (folder / "stewart_exact_motion.h").write_text(header)
+        (folder / "stewart_exact_motion.c").write_text(
             closed_form_source.source(full, model, version, functions)
         )
-        return tmp_path
+        return folder
 
     return write
 

@@ -257,7 +257,7 @@ def test_numbers_that_are_not_finite_or_overflow_have_the_status_of_the_lanes(le
 # --- wrong calls ------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize("level", LEVELS if FULL else PLAIN)
 def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None:
     robot = machine_of(level, 14)
     motion = numbers(random_motion(np.random.default_rng(15), robot))
@@ -276,7 +276,7 @@ def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None
         assert (F == UNTOUCHED).all()
 
 
-@pytest.mark.parametrize("level", LEVELS)
+@pytest.mark.parametrize("level", LEVELS if FULL else PLAIN)
 def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: str) -> None:
     robot = machine_of(level, 16)
     kernel = prepared(robot, "exact", level)

@@ -8,8 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from command_line import fails_in_one_line
 from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
+from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -198,16 +200,11 @@ def test_bad_measurements_are_named(F: Array, sigma: float, words: str) -> None:
 FEW = ("--samples", "60", "--candidates", "2")
 
 
-@pytest.fixture
-def robot_file() -> Path:
-    return Path(ss.robots.__file__).parent / "dasgupta1998.toml"
-
-
 def test_identify_writes_a_table_a_trajectory_and_forces(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     target = tmp_path / "out"
-    assert main(["identify", str(robot_file), *FEW, "--sigma", "0.1", "-o", str(target)]) == 0
+    assert main(["identify", str(PAPERS), *FEW, "--sigma", "0.1", "-o", str(target)]) == 0
     printed = capsys.readouterr().out
     assert (target / "report.txt").read_text() in printed
     assert sorted(p.name for p in target.glob("[!.]*")) == [
@@ -228,8 +225,8 @@ def test_identify_writes_a_table_a_trajectory_and_forces(
     assert rows[-10]["formula"] == "M + m_u1 + m_u2 + m_u3 + m_u4 + m_u5 + m_u6"
 
 
-def test_written_trajectory_and_forces_give_the_written_estimates(robot_file: Path, tmp_path: Path) -> None:
-    assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
+def test_written_trajectory_and_forces_give_the_written_estimates(tmp_path: Path) -> None:
+    assert main(["identify", str(PAPERS), *FEW, "-o", str(tmp_path)]) == 0
     motion = read_any_csv(tmp_path / "trajectory.csv").motion
     F = np.loadtxt(tmp_path / "forces.csv", delimiter=",", skiprows=1)[:, 1:]
     found = ss.identify(dasgupta(), motion, F, 1.0)
@@ -239,12 +236,12 @@ def test_written_trajectory_and_forces_give_the_written_estimates(robot_file: Pa
 
 
 def test_measured_forces_are_identified_with_a_wrong_robot_file(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     simulated, measured = tmp_path / "simulated", tmp_path / "measured"
-    assert main(["identify", str(robot_file), *FEW, "-o", str(simulated)]) == 0
+    assert main(["identify", str(PAPERS), *FEW, "-o", str(simulated)]) == 0
     wrong = tmp_path / "wrong.toml"
-    wrong.write_text(robot_file.read_text().replace("mass = 40.0", "mass = 4.0"))
+    wrong.write_text(PAPERS.read_text().replace("mass = 40.0", "mass = 4.0"))
     inputs = [str(simulated / name) for name in ("trajectory.csv", "forces.csv")]
     assert main(["identify", str(wrong), "--measured", *inputs, "-o", str(measured)]) == 0
     assert (measured / "report.txt").read_text() in capsys.readouterr().out
@@ -270,14 +267,14 @@ def test_measured_forces_are_identified_with_a_wrong_robot_file(
     ],
 )
 def test_bad_forces_are_rejected_in_one_line(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
 ) -> None:
-    assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
+    assert main(["identify", str(PAPERS), *FEW, "-o", str(tmp_path)]) == 0
     capsys.readouterr()
     forces = tmp_path / "forces.csv"
     forces.write_text(forces.read_text().replace(old, new, 1))
     inputs = [str(tmp_path / name) for name in ("trajectory.csv", "forces.csv")]
-    assert main(["identify", str(robot_file), "--measured", *inputs, "-o", str(tmp_path / "out")]) == 2
+    assert main(["identify", str(PAPERS), "--measured", *inputs, "-o", str(tmp_path / "out")]) == 2
     captured = capsys.readouterr()
     assert captured.out == ""
     assert len(captured.err.splitlines()) == 1
@@ -288,12 +285,12 @@ def test_bad_forces_are_rejected_in_one_line(
 
 @pytest.mark.parametrize("renamed", [False, True])
 def test_swapped_files_of_a_measurement_are_told(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], renamed: bool
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], renamed: bool
 ) -> None:
-    assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
+    assert main(["identify", str(PAPERS), *FEW, "-o", str(tmp_path)]) == 0
     capsys.readouterr()
     trajectory, forces = (tmp_path / name for name in ("trajectory.csv", "forces.csv"))
-    command = ["identify", str(robot_file), "--measured", str(forces), str(trajectory)]
+    command = ["identify", str(PAPERS), "--measured", str(forces), str(trajectory)]
     command += ["--columns", "time=when,t_x=X"] * renamed
     assert main([*command, "-o", str(tmp_path / "out")]) == 2
     (line,) = capsys.readouterr().err.splitlines()
@@ -313,29 +310,13 @@ def test_swapped_files_of_a_measurement_are_told(
     ],
 )
 def test_identify_rejects_in_one_line_and_writes_nothing(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, str], words: str
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, str], words: str
 ) -> None:
-    try:
-        code: object = main(["identify", str(robot_file), *FEW, *options, "-o", str(tmp_path / "out")])
-    except SystemExit as stop:
-        code = stop.code
-    lines = capsys.readouterr().err.splitlines()
-    assert code == 2
-    assert len(lines) == 1
-    assert words in lines[0]
+    assert words in fails_in_one_line(capsys, "identify", PAPERS, *FEW, *options, "-o", tmp_path / "out")
     assert not list(tmp_path.iterdir())
 
 
-def test_identify_needs_neither_scipy_nor_sympy(
-    robot_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_identify_needs_neither_scipy_nor_sympy(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for name in ("scipy", "sympy", "matplotlib"):
         monkeypatch.setitem(sys.modules, name, None)
-    assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
-
-
-def test_identify_shows_an_example(capsys: pytest.CaptureFixture[str]) -> None:
-    with pytest.raises(SystemExit) as stop:
-        main(["identify", "--help"])
-    assert stop.value.code == 0
-    assert "Example: stewart-sym identify hexapod.toml" in capsys.readouterr().out
+    assert main(["identify", str(PAPERS), *FEW, "-o", str(tmp_path)]) == 0

@@ -1,34 +1,24 @@
 """Noise of measured poses is part of the deviations, wrong models are named, and impossible bodies too."""
 
-import csv
 import dataclasses
 import math
-from functools import cache
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import pytest
-from machines import dasgupta, path_period, random_path, random_robot
-from numpy.typing import NDArray
+from machines import dasgupta, path_period, random_path
+from noisy_experiments import NOISE, SAMPLES, Array, change, excited, experiment, robot, truth
 from pages import prose_of
 from scipy import stats
 from scipy.interpolate import make_interp_spline
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.cli.main import main
-from stewart_sym.identification import estimation, physical
-from stewart_sym.identification.excitation import force_regressor
-from stewart_sym.identification.parameters import with_parameters
+from stewart_sym.identification import estimation
 from stewart_sym.motion import smooth_motion
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.reports import identify
 
-Array = NDArray[np.float64]
-NOISE = 1e-4
-SAMPLES = 80
 # Shares of the base's radius by which a payload moves, along each axis of the platform: LEAST is always
 # named, BARELY in nine cases of ten.
 MOVED, LEAST, BARELY = 0.2, 0.13, 0.05
@@ -36,28 +26,8 @@ MOVED, LEAST, BARELY = 0.2, 0.13, 0.05
 NAMED = 60.0
 
 
-@cache
-def robot(seed: int) -> Robot:
-    return random_robot(np.random.default_rng(seed))
-
-
-@cache
-def excited(seed: int) -> ss.Excitation:
-    return ss.choose_excitation(robot(seed), samples=SAMPLES, candidates=5)
-
-
-@cache
-def experiment(seed: int) -> ss.Experiment:
-    return ss.simulated_experiment(robot(seed), excited(seed), 1.0, seed, NOISE, NOISE)
-
-
 def moved(machine: Robot, share: float = MOVED) -> Robot:
     return dataclasses.replace(machine, R_0=machine.R_0 + share * np.linalg.norm(machine.b, axis=1).mean())
-
-
-def change(machine: Robot, other: Robot, motion: ss.Motion) -> Array:
-    """What the other machine's forces are more."""
-    return ss.inverse_dynamics(other, motion).F - ss.inverse_dynamics(machine, motion).F
 
 
 def differentiated(found: ss.Experiment) -> ss.Motion:
@@ -257,118 +227,10 @@ def test_tail_is_that_of_the_distributions() -> None:
 # Bodies
 
 
-def truth(machine: Robot) -> tuple[ss.BaseParameters, Array]:
-    base = ss.base_parameters(machine)
-    return base, base.matrix @ ss.inertial_parameters(machine).values
-
-
 def test_page_states_the_least_move_of_a_payload_that_is_always_named() -> None:
     told = prose_of(".docs/howto/identify.md")
     assert f"by {LEAST:g} of the base's radius along each axis" in told
     assert f"by {BARELY:g} in nine of ten" in told
-
-
-def test_parameters_make_the_robot_again() -> None:
-    machine = robot(2)
-    again = with_parameters(machine, ss.inertial_parameters(machine).values)
-    for field in dataclasses.fields(Robot):
-        old, new = (getattr(made, field.name) for made in (machine, again))
-        assert old == new if isinstance(old, str) else np.allclose(old, new, rtol=1e-9, atol=1e-12)
-
-
-def test_possible_machines_are_not_named_and_impossible_ones_are() -> None:
-    for seed in range(20):
-        base, values = truth(robot(seed))
-        assert physical.negative(robot(seed), base, values, np.eye(base.rank)) == ((), ())
-    place = {name: i for i, name in enumerate(base.names)}
-    for name, shift, words in (
-        ("C_p3", -1e6, "C_p3: expected no negative value"),
-        ("J_u2_yy", -1e6, "leg 2: second moment"),
-        ("M", -1e6, "platform: least pseudo-inertia"),
-        # The upper part's first moment calls for more mass than platform and legs have.
-        ("h_u4_x", 1e6, "platform: least pseudo-inertia"),
-    ):
-        wrong = values.copy()
-        wrong[place[name]] += shift
-        named, near = physical.negative(robot(seed), base, wrong, np.eye(base.rank))
-        assert (len(named), near) == (1, ())
-        assert named[0].startswith(words)
-
-
-@pytest.mark.parametrize(("deviations", "sure"), [(0.1, False), (3.5, False), (4.5, True), (100.0, True)])
-def test_a_value_below_zero_by_its_noise_alone_is_not_distinguishable_from_0(
-    deviations: float, sure: bool
-) -> None:
-    base, values = truth(robot(0))
-    i = base.names.index("C_p3")
-    values[i], sigma = -0.02, 0.02 / deviations
-    found = physical.negative(robot(0), base, values, sigma**2 * np.eye(base.rank))
-    lines = found.impossible if sure else found.near_zero
-    assert sum(map(len, found)) == 1
-    said = "expected no negative value, got" if sure else "not distinguishable from 0,"
-    assert lines[0].startswith(f"C_p3: {said} -0.02 +- ")
-
-
-def test_a_right_experiment_calls_no_result_impossible() -> None:
-    machine = dataclasses.replace(robot(0), C_u=np.zeros(6), C_p=np.zeros(6), C_s=np.zeros(6))
-    found = ss.simulated_experiment(machine, excited(0), 30.0).estimate
-    assert found.impossible == ()
-    assert found.near_zero
-    assert all("not distinguishable from 0" in line for line in found.near_zero)
-    assert identify.doubts(found) == list(found.doubts)
-
-
-def test_no_machine_has_less_upper_mass_than_its_first_moments_call_for() -> None:
-    base, values = truth(robot(3))
-    place = {name: i for i, name in enumerate(base.names)}
-    # A platform that consists of the upper parts alone, and these of ever less than their first moments need.
-    least = []
-    for leg in range(1, 7):
-        own = [place[f"J_u{leg}_{axes}"] for axes in physical._AXES]
-        h = values[[place[f"h_u{leg}_{axis}"] for axis in "xyz"]]
-        least.append(h @ np.linalg.solve(physical._second_moments(values[own]), h))
-    points = [np.append(p, 1.0) for p in robot(3).p]
-    P = sum(m * np.outer(point, point) for m, point in zip(least, points, strict=True))
-    body = np.concatenate(
-        [[P[3, 3]], P[:3, 3], (np.trace(P[:3, :3]) * np.eye(3) - P[:3, :3])[np.triu_indices(3)]]
-    )
-    platform = [place[name] for name in physical._PLATFORM]
-    for share_of, count in ((1.001, 0), (0.999, 1)):
-        values[platform] = share_of * body
-        assert sum(map(len, physical.negative(robot(3), base, values, np.eye(base.rank)))) == count
-
-
-def test_physical_estimates_belong_to_bodies_also_from_a_wrong_robot_file() -> None:
-    machine, found = robot(1), experiment(1)
-    guess = dataclasses.replace(machine, M=3.0 * machine.M, m_u=2.0 * machine.m_u, C_p=0.0 * machine.C_p)
-    base = found.estimate.base
-    seen = ss.identify(guess, found.measured, found.F, 1.0, base, found.noise, physical=True)
-    assert seen.verdict == "consistent"
-    assert seen.impossible == ()
-    assert seen.parameters is not None
-    assert np.allclose(base.matrix @ seen.parameters.values, seen.values)
-    assert np.max(np.abs(seen.values - found.truth) / seen.sigma) < 4.0
-    assert np.all(seen.sigma <= found.estimate.sigma * 1.001)
-    assert seen.departure(guess)[1] < 1e-3 < seen.departure(machine)[1]
-    made = with_parameters(guess, seen.parameters.values)
-    assert made.physicality() == []
-    off = change(machine, made, excited(1).motion)
-    A = force_regressor(machine, excited(1).motion, base)
-    assert np.mean(off**2) < 1.2 * np.mean((A @ (found.estimate.values - found.truth)) ** 2)
-
-
-def test_forces_of_impossible_bodies_are_a_misfit_of_possible_ones() -> None:
-    machine = robot(0)
-    pi = ss.inertial_parameters(machine)
-    place = {name: i for i, name in enumerate(pi.names)}
-    values = pi.values.copy()
-    values[[place["J_u1_yy"], place["J_d1_yy"]]] *= -1.0
-    impossible = with_parameters(machine, values)
-    found = ss.simulated_experiment(impossible, excited(0), 30.0)
-    assert any(line.startswith("leg 1: second moment") for line in found.estimate.impossible)
-    kept = ss.identify(machine, excited(0).motion, found.F, 30.0, excited(0).base, physical=True)
-    assert kept.verdict == "misfit"
-    assert any(line.startswith("bodies: ") for line in kept.doubts)
 
 
 # Arguments and the command
@@ -401,121 +263,6 @@ def test_poses_that_no_noise_fits_are_named() -> None:
     steep = ss.Motion.from_rpy(np.zeros((9, 3)), np.tile([0.0, 1.5, 0.0], (9, 1)), *np.zeros((2, 9, 3)))
     with pytest.raises(ValueError, match=r"^motion: expected theta_y within"):
         ss.estimated_noise(np.arange(9.0), steep)
-
-
-@pytest.fixture
-def robot_file() -> Path:
-    return Path(ss.robots.__file__).parent / "dasgupta1998.toml"
-
-
-POSES = [
-    "time",
-    *(f"{q}_{axis}" for q in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"),
-]
-STATED = ("--noise-position", "1e-4", "--noise-angle", "1e-4")
-
-
-def test_command_states_noise_and_verdict(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    few = ("--samples", "80", "--candidates", "2")
-    simulated = tmp_path / "simulated"
-    assert main(["identify", str(robot_file), *few, *STATED, "-o", str(simulated)]) == 0
-    assert "verdict: consistent" in (simulated / "report.txt").read_text()
-    with open(simulated / "trajectory.csv", newline="") as stream:
-        assert next(csv.reader(stream)) == [
-            "time",
-            *(f"{q}_{axis}" for q in ("t", "theta") for axis in "xyz"),
-        ]
-    measured = ["--measured", *(str(simulated / name) for name in ("trajectory.csv", "forces.csv"))]
-    period = str(ss.choose_excitation(dasgupta(), samples=8, candidates=1).path.period)
-    right = tmp_path / "right"
-    told = [*measured, *STATED, "--period", period, "--harmonics", "5"]
-    assert main(["identify", str(robot_file), *told, "-o", str(right)]) == 0
-    tables = []
-    for folder in (simulated, right):
-        with open(folder / "parameters.csv", newline="") as stream:
-            tables.append(list(csv.DictReader(stream)))
-    for before, after in zip(*tables, strict=True):
-        off = float(after["estimated"]) - float(before["estimated"])
-        assert abs(off) < 1e-2 * float(before["sigma"])
-        assert float(after["robot_file"]) == pytest.approx(float(before["true"]))
-    assert "robot file: agrees with the forces" in (right / "report.txt").read_text()
-    capsys.readouterr()
-    wrong = tmp_path / "wrong"
-    assert main(["identify", str(robot_file), *measured, "-o", str(wrong)]) == 1
-    err = capsys.readouterr().err
-    assert "--noise-position" in err
-    with open(wrong / "parameters.csv", newline="") as stream:
-        assert {row["sigma"] for row in csv.DictReader(stream)} == {"inf"}
-    report = (wrong / "report.txt").read_text()
-    assert "verdict: rejected" in report
-    assert "robot file: not compared" in report
-
-
-def test_command_reads_logs_in_other_units_and_marks(robot_file: Path, tmp_path: Path) -> None:
-    simulated = tmp_path / "simulated"
-    assert (
-        main(["identify", str(robot_file), "--samples", "60", "--candidates", "2", "-o", str(simulated)]) == 0
-    )
-    scale = {"time": 1e3, "t": 1e3, "v": 1e3, "a": 1e3}
-    for name in ("trajectory", "forces"):
-        with open(simulated / f"{name}.csv", newline="") as stream:
-            head, *rows = csv.reader(stream)
-        factors = [scale.get(cell.split("_")[0], 180.0 / np.pi if "theta" in cell else 1.0) for cell in head]
-        renamed = ["X" if cell == "t_x" else cell for cell in head]
-        cells = [renamed, *([repr(float(x) * k) for x, k in zip(row, factors, strict=True)] for row in rows)]
-        text = "\n".join(";".join(row) for row in cells).replace(".", ",")
-        (tmp_path / f"{name}.csv").write_text(text)
-    measured = ["--measured", *(str(tmp_path / name) for name in ("trajectory.csv", "forces.csv"))]
-    units = ["--length-unit", "mm", "--angle-unit", "deg", "--time-unit", "ms"]
-    names = ["--columns", ",".join(f"{name}={'X' if name == 't_x' else name}" for name in POSES)]
-    out = tmp_path / "out"
-    assert main(["identify", str(robot_file), *measured, *units, *names, "-o", str(out)]) == 0
-    tables = []
-    for folder in (simulated, out):
-        with open(folder / "parameters.csv", newline="") as stream:
-            tables.append(list(csv.DictReader(stream)))
-    for before, after in zip(*tables, strict=True):
-        assert float(after["estimated"]) == pytest.approx(
-            float(before["estimated"]), abs=float(before["sigma"])
-        )
-
-
-def test_command_keeps_to_possible_bodies(robot_file: Path, tmp_path: Path) -> None:
-    few = ("--samples", "80", "--candidates", "2")
-    assert main(["identify", str(robot_file), *few, "-o", str(tmp_path)]) == 0
-    measured = ["--measured", *(str(tmp_path / name) for name in ("trajectory.csv", "forces.csv"))]
-    out = tmp_path / "out"
-    assert main(["identify", str(robot_file), *measured, "--physical", "--no-friction", "-o", str(out)]) == 0
-    with open(out / "bodies.csv", newline="") as stream:
-        rows = list(csv.DictReader(stream))
-    assert [row["name"] for row in rows] == list(ss.inertial_parameters(dasgupta()).names)
-    with open(out / "parameters.csv", newline="") as stream:
-        assert not any(row["name"].startswith("C_") for row in csv.DictReader(stream))
-
-
-@pytest.mark.parametrize(
-    ("options", "words"),
-    [
-        (("--noise-position", "1e-4"), "--noise-angle"),
-        (("--noise-angle", "0", "--noise-position", "1"), "--noise-angle"),
-        (("--physical",), "--physical: is for measured forces"),
-        (("--no-friction",), "--no-friction: is for measured forces"),
-        (("--length-unit", "mm"), "--start and options of the trajectory's file: are for measured forces"),
-    ],
-)
-def test_command_names_bad_options_in_one_line(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, ...], words: str
-) -> None:
-    try:
-        code: object = main(["identify", str(robot_file), *options, "-o", str(tmp_path / "out")])
-    except SystemExit as stop:
-        code = stop.code
-    lines = capsys.readouterr().err.splitlines()
-    assert code == 2
-    assert len(lines) == 1
-    assert words in lines[0]
 
 
 # The hundred experiments

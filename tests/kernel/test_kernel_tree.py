@@ -13,6 +13,8 @@ import numpy as np
 import pytest
 from kernel_cases import EPSILON, ON_ARRAYS, beside_the_joint_axis, motion_numbers, robot_numbers
 from machines import dasgupta, random_motion, random_robot
+from motion_fields import FIELDS
+from sweeps import UNFUSED
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -127,9 +129,6 @@ def printed_python(robot: ss.Robot, folder: Path) -> dict[str, Any]:
     return space
 
 
-FIELDS = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
-
-
 @pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])
 def test_printed_python_runs_on_the_array_api_with_the_same_bits(xp: Any, tmp_path: Path) -> None:
     rng = np.random.default_rng(10)
@@ -168,7 +167,7 @@ def test_jax_compiles_and_differentiates_the_forces(tmp_path: Path) -> None:
         acceleration = jnp.concatenate([motion.a, motion.alpha], axis=-1)
         others = {name: jnp.asarray(getattr(motion, name)) for name in ("R", "t", "F_ext", "M_ext")}
         both = jax.vmap(jax.jacfwd(forces, argnums=(0, 1)))(twist, acceleration, others)
-        compiled = jax.jit(forces)(twist, acceleration, others)
+        compiled = jax.jit(forces, compiler_options=UNFUSED)(twist, acceleration, others)
     answer = ss.prepare(robot).forces(motion)
     np.testing.assert_allclose(compiled, answer, rtol=0, atol=1e-12 * np.abs(answer).max())
     expected = ss.force_derivatives(robot, motion)

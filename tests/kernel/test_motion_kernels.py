@@ -9,6 +9,7 @@ from fifty_digits import DIGITS, truth
 from kernel_cases import beside_the_joint_axis
 from machines import dasgupta, random_motion, random_robot
 from motion_blocks import blocks, inertia, inputs, moved, nothing, stacked, summed, symbolic, unit
+from motion_fields import FIELDS, acceleration
 from mpmath import mp
 from numpy.typing import NDArray
 
@@ -22,61 +23,21 @@ from stewart_sym.robot.robot import Robot
 Array = NDArray[np.float64]
 EPSILON = np.finfo(np.float64).eps
 FORCED = ("forward_dynamics", "linearisation")
-NAMES = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 
 
 def batch(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
     motions = [random_motion(rng, robot) for _ in range(count)]
-    return Motion(*(np.stack([getattr(motion, name) for motion in motions]) for name in NAMES))
+    return Motion(*(np.stack([getattr(motion, name) for motion in motions]) for name in FIELDS))
 
 
 def forces(robot: Robot, motion: Motion) -> Array:
     return ss.inverse_dynamics(robot, motion).F
 
 
-def largest(values: Array) -> Array:
-    return np.abs(values).max(axis=(-1, -2) if values.ndim > 2 else -1)
-
-
 def apart(found: Array, expected: Array) -> Array:
     """Largest difference of each pose beside its largest entry."""
     axes = tuple(range(1, found.ndim))
     return np.abs(found - expected).max(axis=axes) / np.abs(expected).max(axis=axes)
-
-
-def acceleration(motion: Motion) -> Array:
-    assert motion.a is not None
-    assert motion.alpha is not None
-    return np.concatenate([motion.a, motion.alpha], axis=-1)
-
-
-def check_machine(robot: Robot, motion: Motion) -> None:
-    """The identities that every machine must obey, as often as there are poses."""
-    F, e = forces(robot, motion), ss.equations_of_motion(robot, motion)
-    H = ss.wrench_matrix(robot, motion)
-    condition = ss.condition_number(H)
-    skew = np.abs(e.M - np.swapaxes(e.M, -1, -2)).max(axis=(-1, -2))
-    assert (skew <= 2 * EPSILON * np.abs(e.M).max(axis=(-1, -2))).all()
-    assert (np.linalg.eigvalsh(e.M) > 0).all()
-    load = np.concatenate(
-        [np.einsum("nij,nj->ni", motion.R, motion.F_ext), np.einsum("nij,nj->ni", motion.R, motion.M_ext)],
-        axis=-1,
-    )
-    left = np.einsum("nij,nj->ni", e.M, acceleration(motion)) + e.bias
-    right = np.einsum("nij,nj->ni", H, F) + load
-    size = np.abs(left).max(axis=-1) + np.abs(F).max(axis=-1)
-    assert (np.abs(left - right).max(axis=-1) <= 1e-12 * condition * size).all()
-    found = np.concatenate(ss.forward_dynamics(robot, motion, F), axis=-1)
-    M_condition = np.linalg.cond(e.M)
-    assert (apart(found, acceleration(motion)) <= 1e-12 * condition * M_condition).all()
-
-
-@pytest.mark.parametrize("part", range(10))
-def test_200_random_machines_obey_the_equations_of_motion(part: int) -> None:
-    rng = np.random.default_rng(100 + part)
-    for _ in range(20):
-        robot = random_robot(rng)
-        check_machine(robot, batch(rng, robot, 3))
 
 
 @pytest.mark.parametrize("part", range(4))
@@ -98,7 +59,7 @@ def inertia_rate(robot: Robot, motion: Motion) -> Array:
     closed = NumpyClosedForm(robot, np.longdouble)
 
     def at(time: np.longdouble) -> Array:
-        wide = {name: getattr(motion, name).astype(np.longdouble) for name in NAMES}
+        wide = {name: getattr(motion, name).astype(np.longdouble) for name in FIELDS}
         phi = time * wide["omega"]
         N = np.zeros((*phi.shape, 3), dtype=np.longdouble)
         N[..., 0, 1], N[..., 0, 2], N[..., 1, 2] = -phi[..., 2], phi[..., 1], -phi[..., 0]
@@ -141,7 +102,7 @@ def test_numpy_has_the_bits_of_the_c_batch_near_joint_singularities() -> None:
     rng = np.random.default_rng(17)
     robot = random_robot(rng)
     motions = [beside_the_joint_axis(rng, robot, sine) for sine in (0.12, 0.015, 1e-5, 1e-10, 0.0)]
-    motion = Motion(*(np.stack([getattr(each, name) for each in motions]) for name in NAMES))
+    motion = Motion(*(np.stack([getattr(each, name) for each in motions]) for name in FIELDS))
     assert check_bits(robot, motion) == {0, JOINT_SINGULAR}
 
 
@@ -274,7 +235,7 @@ def test_a_bad_pose_has_its_status_and_leaves_its_neighbours_as_they_are(kind: t
     t[1] = np.nan
     t[2] = robot.b[3] - R[2] @ robot.p[3]
     t[3] = robot.b[4] + robot.k[4] - R[3] @ robot.p[4]
-    bad = Motion.unchecked(**{**{name: getattr(motion, name) for name in NAMES}, "t": t})
+    bad = Motion.unchecked(**{**{name: getattr(motion, name) for name in FIELDS}, "t": t})
     for what in OUTPUTS:
         F = np.ones((4, 6)) if what in FORCED else None
         good, found = kind(robot).run(what, motion, F), kind(robot).run(what, bad, F)
@@ -303,7 +264,7 @@ def test_one_state_gives_what_the_batch_gives() -> None:
     motion = random_motion(rng, robot)
     F = forces(robot, motion)
     slot = CClosedForm(robot).one_pose()
-    slot.numbers[...] = np.concatenate([np.ravel(getattr(motion, name)) for name in NAMES])
+    slot.numbers[...] = np.concatenate([np.ravel(getattr(motion, name)) for name in FIELDS])
     slot.F[...] = F
     assert slot.solve() == 0
     np.testing.assert_array_equal(slot.acceleration, np.concatenate(ss.forward_dynamics(robot, motion, F)))

@@ -1,7 +1,6 @@
 """Leg kinematics: rates are derivatives of lengths, and geometry does what geometry does."""
 
 import dataclasses
-from typing import Any
 
 import numpy as np
 import pytest
@@ -104,14 +103,6 @@ def test_zero_length_is_checked_beside_the_terms_of_the_leg() -> None:
     away = dataclasses.replace(robot, b=robot.b + far)
     with pytest.raises(ValueError, match=r"^motion: leg 4 has length zero$"):
         inverse_kinematics(away, Motion(np.eye(3), away.b[3] - away.p[3] + gap, still, still))
-
-
-@pytest.mark.parametrize(("wrong", "name"), [((None, 0), "robot"), ((0, None), "motion")])
-def test_what_is_no_robot_or_motion_is_named(wrong: tuple[Any, Any], name: str) -> None:
-    robot, still = random_robot(np.random.default_rng(12)), np.zeros(3)
-    motion = Motion(np.eye(3), [0, 0, 9], still, still)
-    with pytest.raises(ValueError, match=rf"^{name}: expected a {name.title()}, got NoneType$"):
-        inverse_kinematics(*(g if w == 0 else w for g, w in zip((robot, motion), wrong, strict=True)))  # type: ignore[arg-type]
 
 
 def test_leg_of_length_zero_is_named() -> None:

@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 from machines import dasgupta, machine_size, path_period, random_motion, random_path, random_robot
 from numpy.typing import NDArray
+from robot_files import written
+from sweeps import FULL
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -26,6 +28,9 @@ from stewart_sym.studies.common.output import csv_lines
 from stewart_sym.studies.control import control
 
 Array = NDArray[np.float64]
+
+# One machine shows a lost sign; a few more, one that its numbers hide.
+SEEDS = 20 if FULL else 4
 
 Z_DOWN = np.diag([1.0, -1.0, -1.0])
 # Base and platform frames with the former z along x, y, -x and -y.
@@ -79,7 +84,7 @@ def test_home_and_default_pose_are_the_same_in_other_axes(seed: int) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("seed", range(SEEDS))
 def test_excitation_is_the_same_with_z_down(seed: int) -> None:
     robot = standing(seed)
     one, other = (
@@ -91,34 +96,6 @@ def test_excitation_is_the_same_with_z_down(seed: int) -> None:
     np.testing.assert_allclose(other.condition, one.condition, rtol=1e-6)
 
 
-def written(robot: ss.Robot, path: Path) -> Path:
-    """The robot as a file that can be read."""
-    path.write_text(toml(robot.to_dict()))
-    return path
-
-
-def toml(table: dict[str, object], name: str = "") -> str:
-    plain = {k: v for k, v in table.items() if not isinstance(v, dict) and not is_tables(v)}
-    text = "".join(f"{key} = {value_text(value)}\n" for key, value in plain.items())
-    for key, value in table.items():
-        path = f"{name}.{key}" if name else key
-        if isinstance(value, dict):
-            text += f"\n[{path}]\n{toml(value, path)}"
-        elif is_tables(value):
-            text += "".join(f"\n[[{path}]]\n{toml(item, path)}" for item in value)  # type: ignore[attr-defined]
-    return text
-
-
-def is_tables(value: object) -> bool:
-    return isinstance(value, list) and bool(value) and isinstance(value[0], dict)
-
-
-def value_text(value: object) -> str:
-    if isinstance(value, list):
-        return f"[{', '.join(value_text(item) for item in value)}]"
-    return f'"{value}"' if isinstance(value, str) else repr(value)
-
-
 class Outcomes(NamedTuple):
     """What subcommands write of a machine and a motion: lines of text, and tables by name."""
 
@@ -127,7 +104,9 @@ class Outcomes(NamedTuple):
     estimates: list[list[str]]
 
 
-@pytest.mark.parametrize("seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, 20))])
+@pytest.mark.parametrize(
+    "seed", [0, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(1, SEEDS))]
+)
 def test_subcommands_give_the_mirrored_result_with_z_down(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], seed: int
 ) -> None:

@@ -2,7 +2,6 @@
 
 import ctypes
 import dataclasses
-import errno
 import hashlib
 import itertools
 import json
@@ -10,7 +9,6 @@ import os
 import random
 import re
 import subprocess
-import sys
 from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
@@ -18,7 +16,9 @@ from pathlib import Path
 import machines
 import numpy as np
 import pytest
+from kits import COMPILERS, STRICT, build, kit_for, kit_of, machine, proves_itself, renamed, run
 from numpy.typing import NDArray
+from sweeps import FULL
 
 from stewart_sym import inverse_kinematics
 from stewart_sym.backend import fidelity, kernel, native
@@ -26,20 +26,12 @@ from stewart_sym.derive.mechanics import quantities
 from stewart_sym.derive.package.robot import robot_files
 from stewart_sym.derive.package.words import robot_symbol
 from stewart_sym.generated.interface import HEADERS
-from stewart_sym.kit import FUNCTIONS, Choice, Kit, kit, kit_names, put, write_kit
-from stewart_sym.kit.choice import DEFAULT, check
+from stewart_sym.kit import FUNCTIONS, Choice, kit, kit_names, put, write_kit
+from stewart_sym.kit.choice import check
 from stewart_sym.kit.poses import sample
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
-
-STRICT = ("-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Werror")
-COMPILERS = {
-    "gcc": ("gcc", "-std=c99"),
-    "clang": ("clang", "-std=c99"),
-    "g++": ("g++", "-x", "c++", "-std=c++11"),
-    "clang++": ("clang++", "-x", "c++", "-std=c++11"),
-}
 FORMULATIONS = ("exact", "paper")
 SOLVE = "stewart_solve.h"
 NAMES = {
@@ -47,65 +39,6 @@ NAMES = {
     *("stewart_rotation.h", "stewart_rotation.c", "test/selftest.c", "example/main.c", "README.md"),
     *("manifest.json", "Makefile", "robot.toml", "LICENSE", "CMakeLists.txt", "Config.cmake.in"),
 }
-
-
-@cache
-def machine(which: str) -> Robot:
-    rng = np.random.default_rng(20)
-    if which == "dasgupta":
-        return machines.dasgupta()
-    return machines.random_robot(rng, "spherical" if which == "spherical" else "universal")
-
-
-@cache
-def renamed(name: str) -> Robot:
-    return dataclasses.replace(machines.dasgupta(), name=name)
-
-
-@cache
-def kit_of(name: str = "Dasgupta & Mruthyunjaya 1998", choice: Choice = DEFAULT) -> Kit:
-    return kit(renamed(name), choice)
-
-
-def build(folder: Path, compiler: str, level: str = "-O1") -> dict[str, Path]:
-    """Compile the kit with all warnings as errors and not a word printed; return its programs."""
-    flags = (*COMPILERS[compiler], *STRICT, level, "-ffp-contract=off")
-    objects = {}
-    for source in sorted(folder.rglob("*.c")):
-        objects[source.stem] = folder.parent / f"{compiler}-{source.stem}.o"
-        silently([*flags, f"-I{folder}", "-c", str(source), "-o", str(objects[source.stem])])
-    programs = ("selftest", "main")
-    library = [str(path) for name, path in objects.items() if name not in programs]
-    made = {}
-    for name in programs:
-        made[name] = folder.parent / f"{compiler}-{name}"
-        silently([COMPILERS[compiler][0], str(objects[name]), *library, "-o", str(made[name]), "-lm"])
-    return made
-
-
-def silently(command: list[str]) -> None:
-    done = subprocess.run(command, capture_output=True, text=True, check=False)
-    assert (done.returncode, done.stdout + done.stderr) == (0, "")
-
-
-def run(program: Path) -> tuple[int, str]:
-    done = subprocess.run([str(program)], capture_output=True, text=True, check=False)
-    return done.returncode, done.stdout
-
-
-def proves_itself(folder: Path, compiler: str = "gcc", level: str = "-O1") -> None:
-    """Build and run self-test and example."""
-    programs = build(folder, compiler, level)
-    code, output = run(programs["selftest"])
-    assert code == 0, output
-    assert re.search(r"^selftest +(\d+) of +\1 right, worst error \S+ of its bound$", output, re.M), output
-    assert run(programs["main"])[0] == 0
-
-
-def contents(folder: Path) -> dict[str, bytes]:
-    return {
-        path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()
-    }
 
 
 # ---------------------------------------------------------------- what a kit does
@@ -121,7 +54,7 @@ def contents(folder: Path) -> dict[str, bytes]:
 def test_kit_builds_silently_and_proves_itself(
     tmp_path: Path, which: str, formulation: str, compiler: str
 ) -> None:
-    write_kit(machine(which), tmp_path / "kit", Choice(("forces", "reactions"), formulation))
+    put(kit_for(which, Choice(("forces", "reactions"), formulation)), tmp_path / "kit")
     proves_itself(tmp_path / "kit", compiler)
 
 
@@ -141,7 +74,12 @@ class Wish:
 
     @property
     def pairs(self) -> set[tuple[tuple[str, object], ...]]:
-        return set(itertools.combinations(self.values, 2))
+        """Every two values, of which a level of detail counts alone unless STEWART_FULL=1."""
+        found: set[tuple[tuple[str, object], ...]] = set(itertools.combinations(self.values, 2))
+        if FULL:
+            return found
+        level = ("fidelity", self.choice.fidelity)
+        return {pair for pair in found if level not in pair} | {(level,)}
 
     @property
     def possible(self) -> bool:
@@ -173,10 +111,11 @@ def wishes(rng: random.Random) -> Iterator[Wish]:
             yield wish
 
 
+@cache
 def covering() -> list[Wish]:
     """Few wishes in which every two values of two options that go together come together."""
     drawn = list(itertools.islice(wishes(random.Random(7)), 6000))
-    # Sets of pairs as the bits of a number, since every test process chooses.
+    # Sets of pairs as the bits of a number: there are thousands.
     bit: dict[tuple[tuple[str, object], ...], int] = {}
     masks = [sum(1 << bit.setdefault(pair, len(bit)) for pair in wish.pairs) for wish in drawn]
     left = (1 << len(bit)) - 1
@@ -188,23 +127,24 @@ def covering() -> list[Wish]:
     return chosen
 
 
-COVERING = covering()
+KITS = 35 if FULL else 17
+"""How many wishes cover the pairs."""
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("number", range(len(COVERING)))
+@pytest.mark.parametrize("number", range(KITS))
 def test_every_two_options_together_give_a_kit_that_proves_itself(tmp_path: Path, number: int) -> None:
-    wish = COVERING[number]
+    wish = covering()[number]
     made, _ = write_kit(machine(wish.which), tmp_path / "kit", wish.choice)
     assert list(made.files) == kit_names(machine(wish.which), wish.choice)
     proves_itself(tmp_path / "kit", "g++" if number % 2 else "gcc", "-O0")
 
 
 def test_covering_kits_hold_every_level_and_every_group() -> None:
-    choices = [wish.choice for wish in COVERING]
+    choices = [wish.choice for wish in covering()]
     assert {choice.fidelity for choice in choices} == {None, *fidelity.FIDELITIES}
     assert {name for choice in choices for name in choice.functions} == set(FUNCTIONS)
-    assert len(COVERING) < 60
+    assert len(choices) == KITS < 60
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
@@ -274,29 +214,6 @@ def test_kernel_files_are_the_committed_ones() -> None:
         assert set(files) - set(committed) == NAMES - set(HEADERS)
 
 
-# ---------------------------------------------------------------- the same bytes
-
-
-def test_same_robot_gives_the_same_bytes_in_any_folder_and_under_any_hash_seed(tmp_path: Path) -> None:
-    """All files of the kit, a unit of FMI with a compiled library among them."""
-    first = put(kit_of(choice=Choice(fmu=True)), tmp_path / "a")
-    program = f"""
-import warnings
-from pathlib import Path
-from stewart_sym import robots
-from stewart_sym.kit import Choice, write_kit
-warnings.simplefilter("ignore")
-write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), Choice(fmu=True))
-"""
-    env = {**os.environ, "PYTHONHASHSEED": "12345", "TMPDIR": str(tmp_path)}
-    subprocess.run([sys.executable, "-c", program], env=env, check=True)
-    assert contents(tmp_path / "a") == contents(tmp_path / "b")
-    assert any(path.suffix == ".fmu" for path in first)
-    assert sorted(path.relative_to(tmp_path / "a").as_posix() for path in first) == sorted(
-        contents(tmp_path / "a")
-    )
-
-
 def test_digest_follows_name_and_every_constant() -> None:
     robot = machines.dasgupta()
     variants = [robot, renamed("Other"), dataclasses.replace(robot, M=np.nextafter(robot.M, 41))]
@@ -359,16 +276,15 @@ def test_a_kit_of_a_robot_with_a_long_name_builds_and_passes_its_self_test(tmp_p
     _, paths = write_kit(robot, tmp_path, Choice(bake=True, fmu=True))
     # With what a build system or a copy adds to a name it stays within the 255 bytes of most systems.
     assert max(len(path.name) for path in paths) < 128
-    subprocess.run(["make", "-s", "-C", str(tmp_path)], check=True, capture_output=True)
+    subprocess.run(["make", "-s", "-C", str(tmp_path), "CFLAGS=-O1"], check=True, capture_output=True)
 
 
-@pytest.mark.parametrize("target", ["check", "test"])
-def test_make_runs_the_self_test_beside_the_folder_of_tests(target: str, tmp_path: Path) -> None:
-    write_kit(machines.dasgupta(), tmp_path, Choice())
-    done = subprocess.run(
-        ["make", "-s", "-C", str(tmp_path), target], check=True, capture_output=True, text=True
-    )
-    assert "selftest" in done.stdout
+def test_make_runs_the_self_test_beside_the_folder_of_tests(tmp_path: Path) -> None:
+    put(kit_of(), tmp_path)
+    for target in ("check", "test"):
+        command = ["make", "-s", "-C", str(tmp_path), "CFLAGS=-O1", target]
+        done = subprocess.run(command, check=True, capture_output=True, text=True)
+        assert "selftest" in done.stdout
 
 
 def test_names_without_ascii_letters_get_symbols_of_their_own() -> None:
@@ -377,175 +293,11 @@ def test_names_without_ascii_letters_get_symbols_of_their_own() -> None:
     assert all(re.fullmatch(r"stewart_robot_[0-9a-f]{12}", symbol) for symbol in symbols)
 
 
-@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("compiler", ["gcc", "clang++"])
 def test_any_name_compiles(tmp_path: Path, compiler: str) -> None:
     name = '*/ int x; /* "a" \\n %s @kernel@ //* ??/ ünï 机器人 {0} | `b` \\'
     put(kit_of(name, Choice(scalar=True)), tmp_path / "kit")
     proves_itself(tmp_path / "kit", compiler)
-
-
-# ---------------------------------------------------------------- what is there already
-
-
-def test_edited_file_is_rejected_without_force_and_replaced_with_it(tmp_path: Path) -> None:
-    put(kit_of(), tmp_path)
-    fresh = contents(tmp_path)
-    (tmp_path / "stewart_robot.c").write_text("mine", encoding="utf-8")
-    (tmp_path / "README.md").unlink()
-    (tmp_path / "notes.txt").write_text("mine too", encoding="utf-8")
-    edited = contents(tmp_path)
-    with pytest.raises(
-        ValueError, match=r"^\S+robot\.c: exists with other content; use --force to overwrite$"
-    ):
-        put(kit_of(), tmp_path)
-    assert contents(tmp_path) == edited
-    put(kit_of(), tmp_path, force=True)
-    assert contents(tmp_path) == {**fresh, "notes.txt": b"mine too"}
-
-
-def test_kit_of_a_changed_robot_replaces_what_nobody_edited(tmp_path: Path) -> None:
-    put(kit_of("Old"), tmp_path)
-    put(kit_of("New"), tmp_path)
-    assert contents(tmp_path) == kit_of("New").files
-
-
-def test_files_that_the_new_kit_has_not_are_removed_unless_edited(tmp_path: Path) -> None:
-    put(kit_of(), tmp_path)
-    (tmp_path / "stewart_robot.h").write_text("mine", encoding="utf-8")
-    baked = kit_of(choice=Choice(bake=True, scalar=True))
-    put(baked, tmp_path)
-    assert contents(tmp_path) == {**baked.files, "stewart_robot.h": b"mine"}
-
-
-@pytest.mark.parametrize(
-    "manifest", ["", "[]", '{"generator": "stewart-sym 0"}', '{"generator": "other", "files": {}}']
-)
-def test_manifest_that_is_none_of_ours_protects_every_file(tmp_path: Path, manifest: str) -> None:
-    put(kit_of("Old"), tmp_path)
-    (tmp_path / "manifest.json").write_text(manifest, encoding="utf-8")
-    old = contents(tmp_path)
-    with pytest.raises(ValueError, match=r"exists with other content; use --force to overwrite$"):
-        put(kit_of("New"), tmp_path)
-    assert contents(tmp_path) == old
-
-
-def test_manifest_that_names_files_elsewhere_removes_none(tmp_path: Path) -> None:
-    folder = tmp_path / "kit"
-    put(kit_of("Old"), folder)
-    (tmp_path / "precious").write_text("mine", encoding="utf-8")
-    manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
-    manifest["files"]["../precious"] = hashlib.sha256(b"mine").hexdigest()
-    (folder / "manifest.json").write_text(json.dumps(manifest), encoding="utf-8")
-    put(kit_of("New"), folder, force=True)
-    assert (tmp_path / "precious").read_text(encoding="utf-8") == "mine"
-
-
-def test_second_run_leaves_equal_files_untouched(tmp_path: Path) -> None:
-    files = put(kit_of(), tmp_path / "kit")
-
-    def stamps() -> list[tuple[int, int]]:
-        return [(path.stat().st_ino, path.stat().st_mtime_ns) for path in files]
-
-    before = stamps()
-    assert put(kit_of(), tmp_path / "kit") == files
-    assert stamps() == before
-
-
-def test_new_folder_has_the_users_mode_and_nothing_lies_beside_it(tmp_path: Path) -> None:
-    (tmp_path / "plain").mkdir()
-    put(kit_of(), tmp_path / "deep" / "kit")
-    assert (tmp_path / "deep" / "kit").stat().st_mode == (tmp_path / "plain").stat().st_mode
-    assert os.listdir(tmp_path / "deep") == ["kit"]
-
-
-# ---------------------------------------------------------------- failures
-
-
-@pytest.mark.parametrize("fault", [OSError(errno.ENOSPC, "No space left on device"), KeyboardInterrupt()])
-def test_failure_while_writing_leaves_no_trace(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fault: BaseException
-) -> None:
-    made = kit_of()
-    fail_at_call(monkeypatch, "write_bytes", 4, fault)
-    with pytest.raises((ValueError, KeyboardInterrupt)) as caught:
-        put(made, tmp_path / "kit")
-    assert os.listdir(tmp_path) == []
-    if isinstance(fault, OSError):
-        assert str(caught.value) == f"{tmp_path / 'kit'}: No space left on device"
-
-
-@pytest.mark.parametrize("fault", [OSError(errno.EIO, "Input/output error"), KeyboardInterrupt()])
-@pytest.mark.parametrize("call", range(1, 26))
-def test_failure_while_replacing_leaves_the_old_kit_whole(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: int, fault: BaseException
-) -> None:
-    """Two moves for each of the files that both have, one for each that only one of them has."""
-    old, new = kit_of("Old"), kit_of("New", Choice(bake=True, scalar=True))
-    put(old, tmp_path)
-    calls = fail_at_call(monkeypatch, "rename", call, fault)
-    try:
-        put(new, tmp_path)
-    except (ValueError, KeyboardInterrupt):
-        assert contents(tmp_path) == old.files
-    else:
-        assert calls[0] < call
-        assert contents(tmp_path) == new.files
-
-
-def fail_at_call(monkeypatch: pytest.MonkeyPatch, method: str, call: int, fault: BaseException) -> list[int]:
-    real, calls = getattr(Path, method), [0]
-
-    def failing(self: Path, argument: object) -> object:
-        calls[0] += 1
-        if calls[0] == call:
-            raise fault
-        return real(self, argument)
-
-    monkeypatch.setattr(Path, method, failing)
-    return calls
-
-
-def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
-    (tmp_path / "file").write_text("x", encoding="utf-8")
-    # The kernel's own file system takes no files, not even root's.
-    unwritable = dict.fromkeys((Path("/proc/kit"), Path("/proc/self")), "can't write here")
-    blocked = dict.fromkeys((tmp_path / "file", tmp_path / "file" / "kit"), "expected a folder")
-    for folder, message in (unwritable | blocked).items():
-        with pytest.raises(ValueError, match=rf"\A\S+: {message}.*\Z"):
-            put(kit_of(), folder)
-    assert os.listdir(tmp_path) == ["file"]
-
-
-def test_folder_in_the_place_of_a_file_is_rejected_even_with_force(tmp_path: Path) -> None:
-    (tmp_path / "stewart_robot.h").mkdir()
-    with pytest.raises(ValueError, match=r"robot\.h: expected a file or nothing, found a folder"):
-        put(kit_of(), tmp_path, force=True)
-    assert os.listdir(tmp_path) == ["stewart_robot.h"]
-
-
-@pytest.mark.parametrize(
-    ("choice", "which", "message"),
-    [
-        (Choice(formulation="fast"), "random", r'formulation: expected "exact" or "paper", got \'fast\''),
-        (Choice(precision="half"), "random", r'precision: expected "double" or "float", got \'half\''),
-        (Choice(()), "random", "functions: expected some of forces, .*, got none"),
-        (Choice(("force",)), "random", "functions: expected some of forces, .*, got 'force'"),
-        (Choice(("motion",), "paper"), "random", "functions: motion: expected exact with universal .*"),
-        (Choice(("derivatives",)), "spherical", "functions: derivatives: expected exact with universal .*"),
-        (Choice(("reactions",), bake=True), "random", "bake: applies to the function forces, got reactions"),
-        (Choice(("motion",), fidelity="slender"), "random", "fidelity: applies to the function forces, .*"),
-        (Choice(("kinematics",), fmu=True), "random", "fmu: applies to the function forces, .*"),
-        (Choice(fidelity="rigid"), "random", "fidelity: expected one of general, .*"),
-    ],
-)
-def test_wishes_that_do_not_go_together_are_rejected_in_one_line(
-    tmp_path: Path, choice: Choice, which: str, message: str
-) -> None:
-    with pytest.raises(ValueError, match=rf"\A{message}\Z"):
-        write_kit(machine(which), tmp_path / "kit", choice)
-    with pytest.raises(ValueError, match=rf"\A{message}\Z"):
-        kit_names(machine(which), choice)
-    assert os.listdir(tmp_path) == []
 
 
 # ---------------------------------------------------------------- poses

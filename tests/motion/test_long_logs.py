@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -135,18 +136,11 @@ def full_log(path: Path, count: int) -> Path:
     return path
 
 
-@pytest.fixture
-def robot_file() -> Path:
-    return Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
-
-
-def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(
-    robot_file: Path, tmp_path: Path
-) -> None:
+def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(tmp_path: Path) -> None:
     def run(count: int) -> int:
         log = full_log(tmp_path / "log.csv", count)
         out = tmp_path / "forces.csv"
-        code, most = peak(lambda: main(["forces", str(robot_file), str(log), "-o", str(out)]))
+        code, most = peak(lambda: main(["forces", str(PAPERS), str(log), "-o", str(out)]))
         assert code == 0
         assert sum(1 for _ in out.open()) == count + 1
         return most
@@ -172,7 +166,6 @@ def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(
     ],
 )
 def test_what_is_wrong_deep_in_a_log_is_named_and_nothing_is_written(
-    robot_file: Path,
     tmp_path: Path,
     capsys: pytest.CaptureFixture[str],
     spoil: Callable[[list[bytes]], list[bytes]],
@@ -180,7 +173,7 @@ def test_what_is_wrong_deep_in_a_log_is_named_and_nothing_is_written(
 ) -> None:
     log = full_log(tmp_path / "log.csv", 10_000)
     log.write_bytes(b"".join(spoil(log.read_bytes().splitlines(keepends=True))))
-    assert main(["forces", str(robot_file), str(log), "-o", "-"]) == 2
+    assert main(["forces", str(PAPERS), str(log), "-o", "-"]) == 2
     told = capsys.readouterr()
     assert told.out == ""
     assert words in told.err
@@ -188,15 +181,15 @@ def test_what_is_wrong_deep_in_a_log_is_named_and_nothing_is_written(
 
 
 def test_an_unsolvable_pose_deep_in_a_log_leaves_no_output(
-    robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     log = full_log(tmp_path / "log.csv", 20_001)
     lines = log.read_text().splitlines()
-    base = ss.Robot.from_toml(robot_file).b[0] - ss.Robot.from_toml(robot_file).p[0]
+    base = ss.Robot.from_toml(PAPERS).b[0] - ss.Robot.from_toml(PAPERS).p[0]
     zero = ",".join(map(repr, [*base.tolist(), *[0.0] * 15]))
     lines[20_001] = lines[20_001].partition(",")[0] + "," + zero
     log.write_text("\n".join(lines) + "\n")
-    assert main(["forces", str(robot_file), str(log), "-o", "-"]) == 2
+    assert main(["forces", str(PAPERS), str(log), "-o", "-"]) == 2
     told = capsys.readouterr()
     assert (told.out, "row 20002: " in told.err) == ("", True)
 
@@ -254,7 +247,7 @@ def joint_log(path: Path, count: int) -> Path:
 
 
 def test_forces_of_leg_lengths_take_a_few_numbers_of_room_for_each_row(
-    robot_file: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     for module, name in ((joint_space, "_PART"), (track, "_PART"), (along_path, "_CHUNK")):
         monkeypatch.setattr(module, name, 256)
@@ -263,7 +256,7 @@ def test_forces_of_leg_lengths_take_a_few_numbers_of_room_for_each_row(
 
     def run(count: int) -> int:
         log, out = joint_log(tmp_path / "log.csv", count), tmp_path / "forces.csv"
-        code, most = peak(lambda: main(["forces", str(robot_file), str(log), "-o", str(out)]))
+        code, most = peak(lambda: main(["forces", str(PAPERS), str(log), "-o", str(out)]))
         assert code == 0
         return most
 

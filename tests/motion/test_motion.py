@@ -1,10 +1,10 @@
 """Motion: angles and rates agree with each other, shapes broadcast, what is no motion is rejected by name."""
 
-from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 import pytest
+from command_line import error_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -23,14 +23,6 @@ ZERO = np.zeros(3)
 E = np.eye(3)
 
 angles = st.tuples(*[st.floats(-7.0, 7.0)] * 3)
-
-
-def error_of(call: Callable[[], object]) -> str:
-    with pytest.raises(ValueError, match=r".") as caught:
-        call()
-    message = str(caught.value)
-    assert "\n" not in message
-    return message
 
 
 def turn(axis: int, angle: float) -> Array:

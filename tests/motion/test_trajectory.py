@@ -2,12 +2,13 @@
 
 import csv
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from command_line import error_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from numpy.typing import NDArray
@@ -21,14 +22,6 @@ Array = NDArray[np.float64]
 POSE = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]
 RATES = [f"{name}_{axis}" for name in ("v", "theta_dot", "a", "theta_ddot") for axis in "xyz"]
 LOADS = [f"{name}_{axis}" for name in ("F_ext", "M_ext") for axis in "xyz"]
-
-
-def error_of(call: Callable[[], object]) -> str:
-    with pytest.raises(ValueError, match=r".") as caught:
-        call()
-    message = str(caught.value)
-    assert "\n" not in message
-    return message
 
 
 def accelerations(motion: Motion) -> tuple[Array, Array]:

@@ -12,6 +12,7 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from machines import random_motion, random_robot, rotation
+from motion_fields import FIELDS
 from numpy.typing import NDArray
 from public_calls import RECORDS, Call, calls, public
 from sweeps import share
@@ -24,7 +25,6 @@ Array = NDArray[np.float64]
 
 FEW = settings(derandomize=True, deadline=None, max_examples=12, suppress_health_check=[HealthCheck.too_slow])
 MANY = settings(FEW, max_examples=share(300, 10))
-NAMES = ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")
 BACKENDS = ("c", "numpy", "reference")
 seeds = st.integers(0, 2**32 - 1)
 
@@ -286,8 +286,8 @@ def outputs(found: Any) -> tuple[dict[str, Array], NDArray[np.int32]]:
 @given(seed=seeds, sizes=st.tuples(*[EXTREME] * 7), backend=st.sampled_from(BACKENDS))
 def test_results_are_finite_or_have_a_status(seed: int, sizes: tuple, backend: Any) -> None:
     robot, motion = machine(seed, (3,))
-    parts = {name: getattr(motion, name).copy() for name in NAMES}
-    for name, size in zip(NAMES[1:], sizes, strict=True):
+    parts = {name: getattr(motion, name).copy() for name in FIELDS}
+    for name, size in zip(FIELDS[1:], sizes, strict=True):
         direction = parts[name][1] / np.abs(parts[name][1]).max()
         parts[name][1] = direction * size
     extreme = Motion(**parts)

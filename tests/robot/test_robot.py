@@ -12,6 +12,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from command_line import error_of
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -68,14 +69,6 @@ def same(first: Robot, second: Robot) -> bool:
     return all(
         np.array_equal(getattr(first, f.name), getattr(second, f.name)) for f in dataclasses.fields(Robot)
     )
-
-
-def error_of(call: Callable[[], object]) -> str:
-    with pytest.raises(ValueError, match=r".") as caught:
-        call()
-    message = str(caught.value)
-    assert "\n" not in message
-    return message
 
 
 def test_values_stand_where_the_contract_puts_them() -> None:

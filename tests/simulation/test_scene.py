@@ -1,14 +1,13 @@
 """Scenes: what a file says is what is run; what is wrong with one is one line and leaves nothing behind."""
 
 import re
-import shutil
 import sys
-from importlib.resources import as_file, files
 from pathlib import Path
 
 import numpy as np
 import pytest
 from command_line import fails_in_one_line, folder_state, read
+from robot_files import scene_of
 
 import stewart_sym as ss
 from stewart_sym.cli.machine.simulate import MORE
@@ -56,12 +55,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning"
 @pytest.fixture
 def scene(tmp_path: Path) -> Path:
     """A scene of springs, the paper's robot in a folder beside it."""
-    (tmp_path / "robots").mkdir()
-    with as_file(files("stewart_sym.robots") / "dasgupta1998.toml") as source:
-        shutil.copy(source, tmp_path / "robots" / "robot.toml")
-    path = tmp_path / "scene.toml"
-    path.write_text(SWING)
-    return path
+    return scene_of(SWING, tmp_path)
 
 
 def test_a_scene_runs_as_the_library_does(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:

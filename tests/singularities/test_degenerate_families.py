@@ -2,48 +2,47 @@
 lose no more than the problem itself does: every kernel, by wider arithmetic.
 """
 
-import ctypes
 import dataclasses
 from typing import Any
 
-import mpmath
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scalar_kernels import prepared
-from sweeps import share
+from sweep_machines import (
+    BLOCK_H,
+    NEAR_JOINT,
+    PER_MACHINE,
+    PRECISIONS,
+    WITHIN,
+    _given,
+    _size_and_mass,
+    block_error,
+    case,
+    differentiated,
+    fifty_digits,
+    joined,
+    machines_of,
+    numpy_outputs,
+    wider,
+)
+from sweeps import FULL, share
 
 import stewart_sym as ss
 from stewart_sym.backend import native
-from stewart_sym.backend.kernel import MOTION, address, c_sources, robot_numbers
-from stewart_sym.backend.native import CompilerError
+from stewart_sym.backend.kernel import c_sources
 from stewart_sym.derive.kernel.tree.constants import constants
 from stewart_sym.dynamics import forces as force_kernels
-from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
-from stewart_sym.precision.truth import Truth, digits
+from stewart_sym.precision.truth import digits
 from stewart_sym.results import OK
 from stewart_sym.studies.robustness.sweep import oracle
-from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine, random_motion
+from stewart_sym.studies.robustness.sweep.machines import LEGS, random_motion
 from stewart_sym.studies.robustness.sweep.singular_machines import (
     FAMILIES,
     exact_determinant,
     singular_machine,
 )
 from stewart_sym.studies.robustness.sweep.sweep import GOOD, condition_of, random_machines, sweep
-
-Array = NDArray[np.float64]
-
-WITHIN = 10.0
-"""Rounding units times the condition number that every output of every kernel must keep."""
-PRECISIONS = ("double", "float")
-NEAR_JOINT = ("joint singularity", "zero-length leg", "heavy leg")
-PER_MACHINE = 10
-
-try:
-    oracle._library()
-except CompilerError:
-    pytest.skip("needs a compiler with __float128", allow_module_level=True)
-
 
 # --- machines that are singular at every pose -----------------------------------------------------
 
@@ -308,8 +307,9 @@ def beyond(kind: str, precision: str, cases: int) -> list[str]:
 def test_numpy_is_as_good_as_its_problem_allows(kind: str) -> None:
     numbers, sizes, robots = machines_of(31, 6)
     worst: dict[str, float] = {}
-    for index in range(len(robots) * 4):
-        robot, motion = case(kind, numbers, sizes, robots, 4, 32, index)
+    each = 4 if FULL else 2
+    for index in range(len(robots) * each):
+        robot, motion = case(kind, numbers, sizes, robots, each, 32, index)
         F = robot.M * 9.81 * np.random.default_rng(index).normal(size=6)
         high, low, change, status = wider(robot, motion, F)
         length = ss.characteristic_length(robot)
@@ -371,215 +371,3 @@ def test_wider_arithmetic_agrees_with_differences_of_the_derived_equations(kind:
             part = oracle.BLOCKS[name]
             error = block_error(part, ss.characteristic_length(robot), 1.0, truth, high, low, change)
             assert error < 2.0, (name, index)
-
-
-def differentiated(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Any]:
-    """Derivatives of the forces, and of the acceleration under given forces, by pose and by twist."""
-    found = fifty_digits(robot, motion, F)
-    moving = digits.matrix([*motion.a.tolist(), *motion.alpha.tolist()])
-    slopes = dict(zip(("by_pose", "by_twist"), differences(robot, motion, moving), strict=True))
-    held = differences(robot, motion, found["forward dynamics"])
-    back = -(found["by_acceleration"] ** -1)
-    return slopes | dict(zip(("A by pose", "A by twist"), (back * each for each in held), strict=True))
-
-
-def differences(robot: ss.Robot, motion: ss.Motion, acceleration: Any) -> list[Any]:
-    """Derivatives of the forces by pose and by twist, central differences."""
-    truth, step = Truth(robot), digits.mpf("1e-50")
-    given = {name: np.vectorize(digits.mpf, otypes=[object])(getattr(motion, name)) for name in MOTION}
-    given |= {"a": np.array(list(acceleration)[:3]), "alpha": np.array(list(acceleration)[3:])}
-
-    def moved(name: str, axis: int, by: Any) -> Any:
-        values = given[name].copy()
-        if name == "R":
-            N = np.cross(np.eye(3)[axis], np.eye(3)).T.astype(int).astype(object)
-            values = values + by * (N @ values) + by * by / 2 * (N @ (N @ values))
-        else:
-            values[axis] += by
-        return digits.matrix(list(truth._pose(given | {name: values})))
-
-    found = []
-    for names in (("t", "R"), ("v", "omega")):
-        slopes = digits.matrix(6, 6)
-        for column in range(6):
-            name, axis = names[column // 3], column % 3
-            slopes[:, column] = (moved(name, axis, step) - moved(name, axis, -step)) / (2 * step)
-        found.append(slopes)
-    return found
-
-
-def fifty_digits(robot: ss.Robot, motion: ss.Motion, F: Array) -> dict[str, Array]:
-    """M, bias, acceleration, joint inertia and forces by linearity in the accelerations, in 50 digits."""
-    truth, none = Truth(robot), np.zeros(3)
-    H = columns_of_fifty_digits(robot, motion)
-
-    def wrench(a: Array, F_ext: Array = none, M_ext: Array = none) -> Any:
-        moving = dataclasses.replace(motion, a=a[:3], alpha=a[3:], F_ext=F_ext, M_ext=M_ext)
-        return H * digits.matrix(list(truth.forces(moving)))
-
-    zero = np.zeros(6)
-    bias = wrench(zero)
-    M = digits.matrix(6, 6)
-    for j, unit in enumerate(np.eye(6)):
-        M[:, j] = wrench(unit) - bias
-    loaded_bias = wrench(zero, motion.F_ext, motion.M_ext)
-    acceleration = digits.lu_solve(M, H * digits.matrix(F.tolist()) - loaded_bias)
-    inverse = H**-1
-    moving = digits.matrix([*motion.a.tolist(), *motion.alpha.tolist()])
-    return {
-        "M": M,
-        "H": H,
-        "bias": bias,
-        "forward dynamics": acceleration,
-        "joint inertia": inverse * M * inverse.T,
-        "F": inverse * (M * moving + loaded_bias),
-        "by_acceleration": inverse * M,
-        "B": M**-1 * H,
-    }
-
-
-def columns_of_fifty_digits(robot: ss.Robot, motion: ss.Motion) -> Any:
-    """H at 50 digits, moments about the reference point."""
-    R, t, b, p = (digits.matrix(array.tolist()) for array in (motion.R, motion.t, robot.b, robot.p))
-    H = digits.matrix(6, 6)
-    for leg in range(6):
-        q = R * p[leg, :].T
-        S = q + t - b[leg, :].T
-        s = S / digits.sqrt(sum(x * x for x in S))
-        H[:3, leg] = s
-        for i in range(3):
-            j, k = (i + 1) % 3, (i + 2) % 3
-            H[3 + i, leg] = q[j] * s[k] - q[k] * s[j]
-    return H
-
-
-# --- helpers ----------------------------------------------------------------------------------------
-
-BLOCK_H = slice(oracle.BLOCKS["H"][1], oracle.BLOCKS["H"][1] + 36)
-
-
-def machines_of(seed: int, count: int) -> tuple[Array, Array, list[ss.Robot]]:
-    """Numbers, sizes and the machines of one metre that they belong to, whose numbers change case by case."""
-    rng = np.random.default_rng(seed)
-    robots = [random_machine(rng, legs=LEGS[number % len(LEGS)]) for number in range(count)]
-    return np.array([robot_numbers(robot) for robot in robots]), np.ones(count), robots
-
-
-def case(
-    kind: str, numbers: Array, sizes: Array, robots: list[ss.Robot], each: int, seed: int, index: int
-) -> tuple[ss.Robot, ss.Motion]:
-    """The machine and the motion of a random case."""
-    found, pose = oracle.random_case(kind, numbers, sizes, each, seed, index)
-    return robot_of(robots[index // each], found), motion_of(pose)
-
-
-def robot_of(robot: ss.Robot, numbers: Array) -> ss.Robot:
-    """A machine with the numbers of the C structure."""
-    legs = numbers[:192].reshape(6, 32)
-    upper = np.triu_indices(3)
-
-    def tensor(six: Array) -> Array:
-        full = np.zeros((*six.shape[:-1], 3, 3))
-        full[..., upper[0], upper[1]] = six
-        full[..., upper[1], upper[0]] = six
-        return full
-
-    changed = dataclasses.replace(
-        robot,
-        b=legs[:, 0:3],
-        p=legs[:, 3:6],
-        k=legs[:, 6:9],
-        m_d=legs[:, 9],
-        I_d0=tensor(legs[:, 13:19]),
-        m_u=legs[:, 19],
-        I_u0=tensor(legs[:, 23:29]),
-        R_0=numbers[193:196],
-        I_p=tensor(numbers[196:202]),
-    )
-    np.testing.assert_allclose(robot_numbers(changed), numbers, rtol=1e-15)
-    return changed
-
-
-def motion_of(numbers: Array) -> ss.Motion:
-    """The motion of shape () with the numbers of the C structure."""
-    parts = np.split(numbers, np.cumsum([9, *[3] * 6]))
-    return ss.Motion(parts[0].reshape(3, 3), *parts[1:])
-
-
-def joined(motions: list[ss.Motion]) -> ss.Motion:
-    """One motion of shape (n,); one pose in three has no rotation."""
-    arrays = {name: np.stack([np.asarray(getattr(motion, name)) for motion in motions]) for name in MOTION}
-    arrays["R"][::3] = np.eye(3)
-    return ss.Motion(**arrays)
-
-
-def wider(
-    robot: ss.Robot, motion: ss.Motion, F: Array, samples: int = 8
-) -> tuple[Array, Array, Array, NDArray[np.int32]]:
-    """Outputs of the closed form's kernels in quadruple precision, high + low, their change and statuses."""
-    high, low, change = np.zeros((3, OUTPUT_NUMBERS))
-    status = np.zeros(len(oracle.CLOSED_KERNELS), dtype=np.int32)
-    numbers, pose = robot_numbers(robot), oracle.motion_numbers(motion)
-    oracle._library().quad_closed_form(
-        *(address(np.ascontiguousarray(array)) for array in (numbers, pose, F)),
-        ctypes.c_int(2 ** len(status) - 1),
-        ctypes.c_double(1e-20),
-        ctypes.c_int(samples),
-        ctypes.c_uint64(1),
-        *(address(array) for array in (high, low, change, status)),
-    )
-    return high, low, change, status
-
-
-def numpy_outputs(robot: ss.Robot, motion: ss.Motion, F: Array) -> tuple[Array, list[int]]:
-    """The same numbers of the NumPy kernels, one output after the other, and their statuses."""
-    kernel = NumpyClosedForm(robot)
-    found = [
-        kernel.run(what, motion, F if what in ("forward_dynamics", "linearisation") else None)  # type: ignore[arg-type]
-        for what in OUTPUTS
-    ]
-    flat = [
-        np.ravel(each[name]) for each, names in zip(found, OUTPUTS.values(), strict=True) for name in names
-    ]
-    return np.concatenate(flat), [int(each["status"]) for each in found]
-
-
-OUTPUT_NUMBERS = sum(int(np.prod(shape)) for shapes in OUTPUTS.values() for shape in shapes.values())
-
-
-def block_error(
-    part: tuple[int, ...],
-    length: float,
-    scaled: float,
-    found: Any,
-    high: Array,
-    low: Array,
-    change: Array,
-) -> float:
-    """Error of a block in rounding units of its size times its condition number.
-
-    found: all outputs, or the block alone at 50 digits.
-    """
-    _, offset, rows, columns, stride, row, column = part
-    size = error = moved = 0.0
-    for i in range(rows):
-        for j in range(columns):
-            at = offset + i * stride + j
-            weight = length ** ((i % 6 > 2) * row + (j % 6 > 2) * column)
-            value = found[i, j] if isinstance(found, mpmath.matrix | digits.matrix) else found[at]
-            error = max(error, float(abs((digits.mpf(value) - high[at]) - low[at])) * weight)
-            size, moved = max(size, abs(high[at]) * weight), max(moved, change[at] * weight)
-    condition = max(moved / size if size else 1.0, scaled, 1.0)
-    return error / (np.finfo(np.float64).eps * size * condition) if error else 0.0
-
-
-def _given(values: Array) -> NDArray[np.int64]:
-    """A status made of NaN."""
-    return np.where(np.isfinite(values).all(axis=(-2, -1)), OK, 1)
-
-
-def _size_and_mass(rng: np.random.Generator, number: int) -> tuple[float, float]:
-    """One metre and ten kilograms, or anything."""
-    return (
-        (1.0, 10.0) if number % 2 else (float(10.0 ** rng.uniform(-3, 2)), float(10.0 ** rng.uniform(-3, 3)))
-    )

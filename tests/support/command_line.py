@@ -1,11 +1,21 @@
-"""Running the command line in tests, and what it leaves in a folder."""
+"""Errors of one line, running the command line in tests, and what it leaves in a folder."""
 
 import csv
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 from stewart_sym.cli.main import main
+
+
+def error_of(call: Callable[[], object]) -> str:
+    """The one line of the ValueError that a call must raise."""
+    with pytest.raises(ValueError, match=r".") as caught:
+        call()
+    message = str(caught.value)
+    assert "\n" not in message
+    return message
 
 
 def fails_in_one_line(capsys: pytest.CaptureFixture[str], *arguments: object) -> str:

@@ -1,5 +1,6 @@
 """Every public function of the package with arguments that it accepts, by name, to start attacks from."""
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
@@ -53,6 +54,14 @@ def calls() -> dict[str, Call]:
     tracking = {"robot": robot, "wanted": lambda time: motion, "k_p": 1.0, "k_d": 1.0}
     rates = {"robot": robot, "L": legs.L, "L_dot": legs.L_dot, "L_ddot": legs.L_ddot}
     trajectory = Trajectory(np.arange(3.0), path.sample(np.arange(3.0)), "three", (2, 3, 4))
+
+    @functools.cache
+    def wrench_matrix() -> Any:
+        return ss.symbolic(robot, "H")
+
+    def derivative(by: Any) -> Any:
+        return wrench_matrix().derivative(by)
+
     found = {
         "Motion": Call(ss.Motion, parts),
         "Motion.from_rpy": Call(
@@ -105,7 +114,7 @@ def calls() -> dict[str, Call]:
         "regressor": Call(ss.regressor, {**both, "on_singular": "raise"}),
         "inertial_parameters": Call(ss.inertial_parameters, {"robot": robot}),
         "symbolic": Call(ss.symbolic, {"robot": robot, "what": "H", "formulation": "exact"}),
-        "Symbolic.derivative": Call(ss.symbolic(robot, "H").derivative, {"by": sp.Symbol("t_x", real=True)}),
+        "Symbolic.derivative": Call(derivative, {"by": sp.Symbol("t_x", real=True)}),
         "casadi_function": Call(
             ss.casadi_function,
             {"robot": robot, "what": "forces", "formulation": "exact", "checked": False},

@@ -4,6 +4,10 @@ import os
 
 FULL = os.environ.get("STEWART_FULL") == "1"
 
+FUSIONS = "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
+UNFUSED = {} if FULL else {"xla_disable_hlo_passes": FUSIONS}
+"""For XLA's compiler: fusion takes minutes over these graphs and changes no more than the last digits."""
+
 
 def share(count: int, part: int = 20) -> int:
     """How many of ``count`` cases are run: all of them, or one in ``part``."""

@@ -9,7 +9,7 @@ from os import cpu_count
 from pathlib import Path
 
 GENERATED = Path(str(files("stewart_sym.generated") / "c"))
-ATTACK = Path(__file__).parent / "c"
+ATTACK = Path(__file__).parents[1] / "c"
 STRICT = ("-std=c99", "-ffp-contract=off", "-fno-math-errno", "-g")
 
 

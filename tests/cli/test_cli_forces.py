@@ -1,0 +1,334 @@
+"""`forces` and `singularities` on the command line: what they write, warn of and reject."""
+
+import re
+import subprocess
+import sys
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command_files import edit, results
+from command_line import fails_in_one_line, folder_state, read
+
+import stewart_sym as ss
+from stewart_sym.backend import kernel
+from stewart_sym.cli.main import main
+from stewart_sym.motion.trajectory import read_csv
+from stewart_sym.studies.common.output import csv_lines
+from stewart_sym.studies.reports import track
+
+
+def run(*arguments: object, **options: object) -> "subprocess.CompletedProcess[str]":
+    command = [sys.executable, "-m", "stewart_sym.cli.main", *map(str, arguments)]
+    return subprocess.run(command, capture_output=True, text=True, **options)  # type: ignore[call-overload, no-any-return]
+
+
+# forces
+
+
+def test_forces_writes_what_the_library_computes(robot: Path, trajectory: Path) -> None:
+    output = robot.parent / "forces.csv"
+    assert main(["forces", str(robot), str(trajectory), "-o", str(output)]) == 0
+    rows = read(output)
+    time, motion, *_ = read_csv(trajectory)
+    expected = ss.inverse_dynamics(ss.Robot.from_toml(robot), motion)
+    for i, row in enumerate(rows):
+        assert float(row["time"]) == time[i]
+        assert [float(row[f"F{leg}"]) for leg in range(1, 7)] == expected.F[i].tolist()
+        assert row["status"] == "0"
+    assert list(rows[0])[7:] == [*(f"L{leg}" for leg in range(1, 7)), "condition_number", "status"]
+    assert len(rows) == len(time)
+
+
+@pytest.mark.parametrize("formulation", ["exact", "paper"])
+def test_forces_takes_formulation_backend_and_reactions(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], formulation: str
+) -> None:
+    written = []
+    for backend in ("c", "numpy", "reference"):
+        arguments = ["--formulation", formulation, "--backend", backend, "--reactions", "-o", "-"]
+        assert main(["forces", str(robot), str(trajectory), *arguments]) == 0
+        written.append(capsys.readouterr().out.splitlines())
+    header = written[0][0].split(",")
+    assert len(header) == 1 + 12 + 2 + 6 * 16
+    values = np.array([[line.split(",") for line in lines[1:]] for lines in written], dtype=np.float64)
+    np.testing.assert_allclose(values[1:], np.broadcast_to(values[0], values[1:].shape), rtol=1e-9, atol=1e-9)
+    motion = read_csv(trajectory)[1]
+    reactions = ss.joint_reactions(ss.Robot.from_toml(robot), motion, formulation)  # type: ignore[arg-type]
+    np.testing.assert_array_equal(values[0][:, header.index("F_u3_y")], reactions.F_u[:, 2, 1])
+    np.testing.assert_array_equal(values[0][:, header.index("M_u5")], reactions.M_u[:, 4])
+
+
+def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    limits = "[leg_defaults]\nlength_limits = [0.45, 5]\nforce_limit = 1000\nspeed_limit = 0.01\n"
+    edit(robot, "[leg_defaults.lower]", f"{limits}\n[leg_defaults.lower]")
+    assert main(["forces", str(robot), str(trajectory), "-o", str(robot.parent / "f.csv")]) == 0
+    lines = [line for line in capsys.readouterr().err.splitlines() if "exceeded" in line]
+    rows = read(robot.parent / "f.csv")
+    time = np.array([float(row["time"]) for row in rows])
+    F = np.array([[float(row[f"F{leg}"]) for leg in range(1, 7)] for row in rows])
+    over = np.flatnonzero((np.abs(F) > 1000.0).any(axis=0))
+    legs = f"leg{'s' if len(over) > 1 else ''} {', '.join(str(leg + 1) for leg in over)}"
+    assert [line.split(": warning: ")[1].split(":")[0] for line in lines if "force_limit" in line] == [
+        f"force_limit exceeded by {legs}"
+    ]
+    assert len(lines) == 3
+    i, leg = np.unravel_index(np.argmax(np.abs(F)), F.shape)
+    held = np.gradient(time)[np.abs(F[:, leg]) > 1000.0].sum()
+    worst = f"leg {leg + 1}: {F[i, leg]:.6g} N at {time[i]:g} s, limit 1000 N; beyond it for {held:.3g} s"
+    assert any(worst in line for line in lines)
+    for name in ("speed_limit", "length_limits"):
+        assert any(f"{name} exceeded by leg" in line for line in lines)
+
+
+@pytest.mark.parametrize(
+    ("edit_rows", "words"),
+    [
+        (lambda rows: [*rows[:3], rows[5], rows[4], *rows[6:]], "increasing times"),
+        (lambda rows: [*rows[:3], rows[3] + ",1.0", *rows[4:]], "expected 7 columns, got 8"),
+        (lambda rows: [*rows[:3], rows[3].rpartition(",")[0], *rows[4:]], "expected 7 columns, got 6"),
+        (lambda rows: [*rows[:3], rows[3].rpartition(",")[0] + ",nan", *rows[4:]], "finite number"),
+        (lambda rows: [*rows[:3], rows[3].rpartition(",")[0] + ",inf", *rows[4:]], "finite number"),
+        (lambda rows: [rows[0].replace("theta_x", "tetha_x"), *rows[1:]], "tetha_x"),
+        (lambda rows: rows[:1], "rows of numbers"),
+        (lambda rows: rows[:3], "at least 4 rows"),
+        (lambda rows: [], "empty"),
+    ],
+)
+def test_bad_trajectories_are_rejected(
+    robot: Path,
+    trajectory: Path,
+    capsys: pytest.CaptureFixture[str],
+    edit_rows: Callable[[list[str]], list[str]],
+    words: str,
+) -> None:
+    rows = edit_rows(trajectory.read_text().splitlines())
+    trajectory.write_text("".join(f"{row}\n" for row in rows))
+    before = folder_state(robot.parent)
+    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", robot.parent / "f.csv")
+    assert str(trajectory) in line
+    assert words in line
+    assert folder_state(robot.parent) == before
+
+
+def test_a_missing_trajectory_is_named(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    missing = robot.parent / "none.csv"
+    line = fails_in_one_line(capsys, "forces", robot, missing, "-o", robot.parent / "f.csv")
+    assert str(missing) in line
+    assert not (robot.parent / "f.csv").exists()
+
+
+def test_a_pose_without_an_answer_is_rejected_unless_it_is_allowed(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # Leg 1 has length zero at the second instant: t = b_1 - p_1.
+    poses = [[0.1, 0.0, 0.4], [0.3, 0.2, -0.1], [0.1, 0.0, 0.5]]
+    names = [
+        f"{name}_{axis}" for name in ("t", "theta", "v", "theta_dot", "a", "theta_ddot") for axis in "xyz"
+    ]
+    columns = {"time": 0.1 * np.arange(3.0)} | {name: np.zeros(3) for name in names}
+    columns |= dict(zip(names[:3], np.array(poses).T, strict=True))
+    trajectory = robot.parent / "short.csv"
+    trajectory.write_text("".join(csv_lines(columns)))
+    output = robot.parent / "f.csv"
+    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
+    assert line.endswith(f"{trajectory}: row 3: a leg has length zero (leg 1)")
+    assert not output.exists()
+    assert (
+        main(["forces", str(robot), str(trajectory), "-o", str(output), "--allow-singular", "--reactions"])
+        == 0
+    )
+    assert f"{trajectory}: row 3: a leg has length zero (leg 1)" in capsys.readouterr().err
+    rows = read(output)
+    assert [row["status"] for row in rows] == ["0", "2", "0"]
+    assert (rows[1]["F1"], rows[1]["L1"], rows[1]["M_u1"]) == ("nan", "nan", "nan")
+    assert np.isfinite(float(rows[2]["L1"]))
+
+
+def test_an_output_that_cannot_be_written_is_named_before_the_trajectory_is_read(
+    robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    for output in (robot.parent / "no" / "f.csv", robot / "f.csv", robot.parent):
+        line = fails_in_one_line(capsys, "forces", robot, robot.parent / "none.csv", "-o", output)
+        assert str(output) in line
+    assert list(robot.parent.iterdir()) == [robot]
+
+
+def test_a_full_disk_is_blamed_on_the_output(robot: Path, trajectory: Path) -> None:
+    done = run("forces", robot, trajectory, "-o", "/dev/full")
+    assert (done.returncode, done.stdout) == (2, "")
+    assert done.stderr == "stewart-sym: error: /dev/full: No space left on device\n"
+
+
+@pytest.mark.parametrize("arguments", [["check"], ["forces", "-o", "-"]], ids=["check", "forces"])
+def test_a_standard_output_that_takes_nothing_is_one_line(
+    robot: Path, trajectory: Path, arguments: list[str]
+) -> None:
+    subcommand, *options = arguments
+    inputs = [robot, trajectory][: 1 if subcommand == "check" else 2]
+    command = [
+        sys.executable,
+        "-W",
+        "ignore",
+        "-m",
+        "stewart_sym.cli.main",
+        subcommand,
+        *map(str, inputs),
+        *options,
+    ]
+    with open("/dev/full", "w") as full:
+        done = subprocess.run(command, stdout=full, stderr=subprocess.PIPE, text=True)
+    lines = [line for line in done.stderr.splitlines() if "warning" not in line]
+    assert done.returncode == 2
+    assert lines == ["stewart-sym: error: standard output: No space left on device"]
+
+
+def test_warnings_come_before_the_error_that_ends_a_command(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    # Millimetres as leg lengths in m: the likely cause is a warning, what came of it the error.
+    lengths = [f"{time},{','.join(6 * [str(900 + time)])}" for time in range(8)]
+    header = ",".join(["time", *(f"L_{leg}" for leg in range(1, 7))])
+    trajectory.write_text("\n".join([header, *lengths]) + "\n")
+    assert main(["forces", str(robot), str(trajectory), "-o", "-"]) == 2
+    captured = capsys.readouterr()
+    *warned, error = captured.err.splitlines()
+    assert captured.out == ""
+    assert error.startswith("stewart-sym: error: ")
+    assert all(line.startswith("stewart-sym: warning: ") for line in warned)
+    assert len([line for line in warned if "beside a machine" in line and "--length-unit mm" in line]) == 1
+    assert "--length-unit mm" not in error
+
+
+def test_a_rejected_compiler_flag_is_not_blamed_on_the_trajectory(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kernel.library.cache_clear()
+    monkeypatch.setenv("CC", "gcc -ffast-math")
+    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", robot.parent / "f.csv")
+    assert line.startswith("stewart-sym: error: CC: -ffast-math is rejected")
+    assert str(trajectory) not in line
+
+
+def test_reactions_that_overflow_are_a_pose_without_an_answer(
+    robot: Path, trajectory: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    real = track.joint_reactions
+
+    def far(*arguments: object, **options: object) -> ss.Reactions:
+        return real(*arguments, **options, bearing=1e308)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(track, "joint_reactions", far)
+    read_back = read_csv(trajectory)
+    machine = ss.Robot.from_toml(robot)
+    with pytest.raises(ValueError, match=r"csv: row 2: an input is not finite, or a result overflows"):
+        track.track(machine, read_back, reactions=True)
+    with pytest.warns(ss.SingularPoseWarning, match=r"csv: row 2: "):
+        columns = track.track(machine, read_back, reactions=True, allow_singular=True).columns
+    assert np.all(columns["status"] == 1)
+    assert np.all(np.isnan(columns["M_p1_x"]))
+
+
+def test_forces_does_not_overwrite_its_inputs(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = folder_state(robot.parent)
+    for output in (robot, trajectory):
+        assert "is an input" in fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
+    assert folder_state(robot.parent) == before
+
+
+def test_a_failed_run_keeps_the_earlier_output(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    output = robot.parent / "f.csv"
+    output.write_text("earlier")
+    trajectory.write_text("time\n")
+    fails_in_one_line(capsys, "forces", robot, trajectory, "-o", output)
+    assert output.read_text() == "earlier"
+    assert sorted(p.name for p in robot.parent.iterdir()) == ["f.csv", "robot.toml", "trajectory.csv"]
+
+
+def test_a_reader_that_goes_away_is_no_traceback(robot: Path) -> None:
+    command = f"'{sys.executable}' -W ignore -m stewart_sym.cli.main check '{robot}' | true"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, text=True)
+    assert done.stderr == ""
+
+
+def test_forces_warns_of_a_singular_pose_between_samples(
+    robot: Path, crossing: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    output = robot.parent / "f.csv"
+    assert main(["forces", str(robot), str(crossing), "-o", str(output)]) == 0
+    (line,) = [line for line in capsys.readouterr().err.splitlines() if "singular" in line]
+    found = re.search(r"crosses a singular pose at (\d\.\d{9}) s, between rows 14 and 15: .* - to \+", line)
+    assert found is not None, line
+    assert float(found[1]) == pytest.approx(3.6705, abs=1e-3)
+    assert re.search(
+        r"condition number \S+, .* v = \(0\.73\d+, .*\) m/s, omega = \(-0\.75\d+, .*rad/s$", line
+    )
+    assert len(read(output)) == 21
+    assert {row["status"] for row in read(output)} == {"0"}
+    assert main(["forces", str(robot), str(trajectory), "-o", str(output)]) == 0
+    assert "singular" not in capsys.readouterr().err
+
+
+def test_forces_of_a_single_instant_are_no_path(robot: Path, crossing: Path) -> None:
+    crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
+    assert main(["forces", str(robot), str(crossing), "-o", str(robot.parent / "f.csv")]) == 0
+
+
+def test_singularities_reports_time_twist_and_signs(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    folder = robot.parent / "found"
+    assert main(["singularities", str(robot), "III", "-o", str(folder)]) == 0
+    assert results(folder) == [
+        "crossing_1.png",
+        "events.csv",
+        "path.csv",
+        "path.png",
+        "report.txt",
+    ]
+    text = (folder / "report.txt").read_text()
+    assert capsys.readouterr().out.startswith(text)
+    assert "Crossing 1 at 3.670504110" in text
+    assert "det H          - before, + after" in text
+    assert "most affected  leg 2: -inf before, +inf after" in text
+    assert "unconstrained  v = (0.733923, 0.305677, -0.535366) m/s" in text
+    (event,) = read(folder / "events.csv")
+    assert (event["crossing"], event["side_before"], event["side_after"]) == ("1", "-1", "1")
+    assert float(event["A1"]) == pytest.approx(-27554.33, rel=1e-6)
+    sides = [float(row["F2"]) for row in read(folder / "path.csv") if abs(float(row["time"]) - 3.6705) < 0.05]
+    assert min(sides) < -1e6
+    assert max(sides) > 1e6
+
+
+def test_singularities_of_a_path_that_crosses_none(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = robot.parent / "found"
+    assert main(["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-pictures"]) == 0
+    assert results(folder) == ["events.csv", "path.csv", "report.txt"]
+    out = capsys.readouterr().out
+    assert "crossings  0" in out
+    assert "Nearest approach at" in out
+    events = read(folder / "events.csv")
+    assert {event["crossing"] for event in events} == {"0"}
+
+
+def test_singularities_rejects_in_one_line(
+    robot: Path, trajectory: Path, crossing: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = robot.parent / "found"
+    line = fails_in_one_line(capsys, "singularities", robot, "IV", "-o", folder)
+    assert line.endswith("IV: expected I, II, III or a CSV file, there is no such file")
+    start = ["--start", *"000000"]
+    for path in (trajectory, "III"):
+        line = fails_in_one_line(capsys, "singularities", robot, path, "-o", folder, *start)
+        assert "--start: is for a trajectory of leg lengths" in line
+    crossing.write_text("".join(crossing.read_text().splitlines(keepends=True)[:2]))
+    line = fails_in_one_line(capsys, "singularities", robot, crossing, "-o", folder)
+    assert line.endswith("expected at least 2 instants, got 1")
+    assert not folder.exists()

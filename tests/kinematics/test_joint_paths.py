@@ -1,0 +1,278 @@
+"""Trajectories of leg lengths: poses along them, jumps, assembly modes, and `forces` of a file of them."""
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+from leg_lengths import HOME, Array, Poses, lengths, paper_poses
+from machines import dasgupta, random_path, random_robot
+from robot_files import PAPERS
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.kinematics.forward import jacobian
+from stewart_sym.motion.rotation import rotation_from_rpy
+from stewart_sym.motion.trajectory import JointTrajectory, read_any_csv, read_csv
+from stewart_sym.studies.common.output import csv_lines
+
+# Joint-space trajectories
+
+
+@pytest.mark.parametrize("name", ["I", "II"])
+@pytest.mark.parametrize("guessed", [True, False])
+def test_paths_planned_in_joint_space_need_the_same_forces(name: str, guessed: bool) -> None:
+    robot = dasgupta()
+    path, step = ss.PATHS[name]
+    motion = path.sample(path.times(step))
+    legs = ss.inverse_kinematics(robot, motion)
+    guess = (motion.R[0], motion.t[0]) if guessed else None
+    back = ss.motion_from_lengths(robot, legs.L, legs.L_dot, legs.L_ddot, guess)
+    for formulation in ("exact", "paper"):
+        F, wanted = (ss.inverse_dynamics(robot, m, formulation).F for m in (back, motion))  # type: ignore[arg-type]
+        np.testing.assert_allclose(F, wanted, rtol=1e-9)
+
+
+def test_path_iii_leads_through_a_singular_pose_and_no_farther() -> None:
+    robot = dasgupta()
+    path, step = ss.PATHS["III"]
+    motion = path.sample(path.times(step))
+    legs = ss.inverse_kinematics(robot, motion)
+    sign = np.linalg.slogdet(jacobian(robot, motion.R, motion.t))[0]
+    turn = int(np.flatnonzero(sign != sign[0])[0])
+    start = motion.R[0], motion.t[0]
+    before = ss.motion_from_lengths(robot, legs.L[:turn], legs.L_dot[:turn], guess=start)
+    np.testing.assert_allclose(before.t, motion.t[:turn], atol=1e-9)
+    assert before.a is None
+    with pytest.raises(ValueError, match=rf"^L\[{turn}\]: a singular pose is crossed"):
+        ss.motion_from_lengths(robot, legs.L, legs.L_dot, guess=start)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_few_samples_lead_the_same_way_as_many(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng)
+    path = random_path(rng, robot)
+    motion = path(np.linspace(0.0, 1.0, 7))
+    legs = ss.inverse_kinematics(robot, motion)
+    back = ss.motion_from_lengths(
+        robot, legs.L, legs.L_dot, legs.L_ddot, (motion.R[0], motion.t[0]), motion.F_ext, motion.M_ext
+    )
+    for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext"):
+        found, given = getattr(back, name), getattr(motion, name)
+        np.testing.assert_allclose(found, given, atol=1e-10 * np.abs(given).max())
+
+
+def end_of_way(robot: ss.Robot, L: Array, start: Poses) -> Array | None:
+    """Position after the lengths L, (n, 6), were followed from a pose; None if there is no way."""
+    try:
+        return ss.motion_from_lengths(robot, L, np.zeros_like(L), guess=start).t[-1]
+    except ValueError:
+        return None
+
+
+def test_a_long_step_ends_where_many_short_ones_do() -> None:
+    """Between poses far apart a plain search often ends in another mode, often with J's sign unchanged."""
+    robot = dasgupta()
+    R, t = paper_poses(np.random.default_rng(18), 48, angle=0.4, way=0.2)
+    L = lengths(robot, R, t)
+    plain = ss.forward_kinematics(robot, L[1::2], (R[::2], t[::2]), on_failure="nan").t
+    led_astray = 0
+    for i in range(0, 48, 2):
+        straight = L[i] + np.linspace(0.0, 1.0, 21)[:, None] * (L[i + 1] - L[i])
+        short, long = (end_of_way(robot, way, (R[i], t[i])) for way in (straight, straight[[0, -1]]))
+        assert (short is None) == (long is None)
+        if short is not None and long is not None:
+            np.testing.assert_allclose(long, short, atol=1e-9)
+            led_astray += bool(np.abs(plain[i // 2] - short).max() > 1e-6)
+    assert led_astray > 0
+
+
+def test_jumps_are_named_and_not_followed_into_another_mode() -> None:
+    robot = dasgupta()
+    path, step = ss.PATHS["I"]
+    motion = path.sample(path.times(step))
+    legs = ss.inverse_kinematics(robot, motion)
+    L = legs.L.copy()
+    L[30:, 2] += 1.0
+    with pytest.raises(ValueError, match=r"^L\[30\]: the lengths jump here"):
+        ss.motion_from_lengths(robot, L, legs.L_dot)
+    L[0, 2] += 5.0
+    with pytest.raises(
+        ValueError, match=r"^L\[0\]: no pose with these leg lengths was found: none exists, legs 1 and 3 "
+    ):
+        ss.motion_from_lengths(robot, L, legs.L_dot)
+
+
+def test_each_assembly_mode_is_kept() -> None:
+    """Start the same lengths in two modes: both are followed, apart from each other all the way."""
+    robot = dasgupta()
+    path, step = ss.PATHS["I"]
+    legs = ss.inverse_kinematics(robot, path.sample(path.times(step)))
+    up = ss.motion_from_lengths(robot, legs.L, legs.L_dot)
+    mirrored = up.t[0] * [1.0, 1.0, -1.0]
+    down = ss.motion_from_lengths(robot, legs.L, legs.L_dot, guess=(up.R[0], mirrored))
+    for motion in (up, down):
+        np.testing.assert_allclose(ss.inverse_kinematics(robot, motion).L, legs.L, atol=1e-14)
+        np.testing.assert_allclose(ss.inverse_kinematics(robot, motion).L_dot, legs.L_dot, atol=1e-12)
+    assert np.all(up.t[:, 2] > 0.2)
+    assert np.all(down.t[:, 2] < -0.2)
+
+
+# The command line
+
+
+LEGS = [f"L_{leg}" for leg in range(1, 7)]
+RATES = [f"{name}_{leg}" for name in ("L_dot", "L_ddot") for leg in range(1, 7)]
+
+
+def joint_csv(path: Path, motion: ss.Motion, time: Array, rates: bool, loads: bool = False) -> Path:
+    legs = ss.inverse_kinematics(dasgupta(), motion)
+    columns = {"time": time, **dict(zip(LEGS, legs.L.T, strict=True))}
+    if rates:
+        assert legs.L_ddot is not None
+        columns |= dict(zip(RATES, [*legs.L_dot.T, *legs.L_ddot.T], strict=True))
+    if loads:
+        assert motion.F_ext is not None
+        columns |= {f"F_ext_{axis}": motion.F_ext[:, j] for j, axis in enumerate("xyz")}
+    path.write_text("".join(csv_lines(columns)))
+    return path
+
+
+def written(path: Path) -> dict[str, Array]:
+    header, *rows = path.read_text().splitlines()
+    values = np.array([row.split(",") for row in rows], dtype=np.float64)
+    return dict(zip(header.split(","), values.T, strict=True))
+
+
+def forces_of(table: dict[str, Array]) -> Array:
+    return np.column_stack([table[f"F{leg}"] for leg in range(1, 7)])
+
+
+@pytest.mark.parametrize("loads", [True, False])
+def test_forces_takes_leg_lengths(tmp_path: Path, loads: bool) -> None:
+    path, _ = ss.PATHS["I"]
+    time = np.linspace(0.0, 6.0, 41)
+    motion = path.sample(time)
+    if loads:
+        motion = dataclasses.replace(motion, F_ext=np.array([5.0, 0.0, -100.0]))
+    trajectory = joint_csv(tmp_path / "legs.csv", motion, time, rates=True, loads=loads)
+    output = tmp_path / "forces.csv"
+    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output)]) == 0
+    table = written(output)
+    wanted = ss.inverse_dynamics(dasgupta(), motion).F
+    np.testing.assert_allclose(forces_of(table), wanted, rtol=1e-9)
+    np.testing.assert_array_equal(table["time"], time)
+
+
+def test_lengths_without_rates_are_differentiated(tmp_path: Path) -> None:
+    rng = np.random.default_rng(17)
+    time = np.linspace(0.0, 1.0, 80)
+    swing = 0.05 * np.sin(2 * np.pi * time[:, None] * rng.uniform(0.5, 1.0, 6) + rng.uniform(0, 6, 6))
+    L = lengths(dasgupta(), np.eye(3), HOME) + swing
+    trajectory = tmp_path / "legs.csv"
+    trajectory.write_text("".join(csv_lines({"time": time, **dict(zip(LEGS, L.T, strict=True))})))
+    read = read_any_csv(trajectory)
+    assert isinstance(read, JointTrajectory)
+    slope = np.gradient(L, time, axis=0, edge_order=2)
+    np.testing.assert_allclose(read.L_dot, slope, atol=2e-3)
+    output = tmp_path / "forces.csv"
+    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output)]) == 0
+    table = written(output)
+    np.testing.assert_allclose(np.column_stack([table[f"L{leg}"] for leg in range(1, 7)]), L, atol=1e-13)
+    assert np.isfinite(forces_of(table)).all()
+
+
+def test_start_chooses_the_assembly_mode(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path, _ = ss.PATHS["I"]
+    time = np.linspace(0.0, 6.0, 13)
+    motion = path.sample(time)
+    trajectory = joint_csv(tmp_path / "legs.csv", motion, time, rates=True)
+    legs = ss.inverse_kinematics(dasgupta(), motion)
+    start = ["0.1", "0", "-0.4", "0", "0", "-0.2"]
+    output = tmp_path / "forces.csv"
+    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(output), "--start", *start]) == 0
+    guess = rotation_from_rpy([0.0, 0.0, -0.2]), np.array([0.1, 0.0, -0.4])
+    below = ss.motion_from_lengths(dasgupta(), legs.L, legs.L_dot, legs.L_ddot, guess)
+    assert np.all(below.t[:, 2] < 0.0)
+    np.testing.assert_allclose(
+        forces_of(written(output)), ss.inverse_dynamics(dasgupta(), below).F, rtol=1e-9
+    )
+    poses = tmp_path / "poses.csv"
+    poses.write_text("time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + "0,0.1,0,0.5,0,0,0\n")
+    for arguments, expected in (
+        ([str(trajectory), "--start", *start[:5], "nan"], "--start: expected a finite number, got 'nan'"),
+        ([str(poses), "--start", *start], "spline"),
+    ):
+        capsys.readouterr()
+        try:
+            code: object = main(["forces", str(PAPERS), *arguments, "-o", str(output)])
+        except SystemExit as stop:
+            code = stop.code
+        assert code == 2
+        assert expected in capsys.readouterr().err
+
+
+GOOD = [",".join(["time", *LEGS]), *(f"{0.1 * i:g},0.6,0.6,0.6,0.6,0.6,0.{60 + i}" for i in range(6))]
+FULL = [",".join(["time", *LEGS, *RATES]), "0," + ",".join(["0.6"] * 18)]
+
+
+def with_line(number: int, line: str, lines: list[str] = GOOD) -> str:
+    """The text with row ``number`` replaced; row 1 is the header."""
+    return "\n".join([*lines[: number - 1], line, *lines[number:]]) + "\n"
+
+
+BAD = [
+    (with_line(4, "0.2,0.6,0.6,0.6,0.6,0.6"), "row 4: expected 7 columns, got 6"),
+    (with_line(3, "0.1,0.6,long,0.6,0.6,0.6,0.6"), "row 3: L_2: expected a finite number, got 'long'"),
+    (with_line(3, "0.1,0.6,0.6,0.6,0.6,0.6,-0.6"), "row 3: L_6: expected a length > 0 m, got -0.6"),
+    (with_line(6, "0.4,0,0.6,0.6,0.6,0.6,0.6"), "row 6: L_1: expected a length > 0 m, got 0"),
+    (
+        with_line(5, "0.2,0.6,0.6,0.6,0.6,0.6,0.6"),
+        "row 5: time: expected increasing times, got 0.2 after 0.2",
+    ),
+    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5"), "missing column L_6"),
+    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5,L_5"), "column L_5 is given twice"),
+    (with_line(1, "time,L_1,L_2,L_3,L_4,L_5,L_7"), "unknown column 'L_7', expected time and either t_x"),
+    (
+        with_line(1, "time,L_1,L_2,L_3,L_4,L_5,t_x"),
+        "columns t_x and L_1: expected poses or leg lengths, got both",
+    ),
+    (with_line(1, GOOD[0] + ",F_ext_x"), "missing column F_ext_y"),
+    (
+        with_line(1, ",".join(["time", *LEGS, *RATES[:6]]), FULL),
+        "missing column L_ddot_1: expected velocities and accelerations (L_dot, L_ddot) all",
+    ),
+    ("\n".join(GOOD[:4]), "expected at least 4 rows to fit a spline, got 3"),
+]
+
+
+@pytest.mark.parametrize(("text", "expected"), BAD)
+def test_bad_lengths_are_one_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, expected: str
+) -> None:
+    path = tmp_path / "legs.csv"
+    path.write_text(text)
+    assert main(["forces", str(PAPERS), str(path), "-o", str(tmp_path / "f.csv")]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    assert len(lines) == 1
+    assert lines[0].startswith(f"stewart-sym: error: {path}: {expected}")
+    assert not (tmp_path / "f.csv").exists()
+
+
+def test_a_row_without_a_pose_is_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path, step = ss.PATHS["I"]
+    time = path.times(step)
+    trajectory = joint_csv(tmp_path / "legs.csv", path.sample(time), time, rates=True)
+    lines = trajectory.read_text().splitlines()
+    cells = lines[20].split(",")
+    cells[1] = "5.0"
+    lines[20] = ",".join(cells)
+    # An empty line counts as a row of the file.
+    trajectory.write_text("\n".join([*lines[:3], "", *lines[3:]]))
+    assert main(["forces", str(PAPERS), str(trajectory), "-o", str(tmp_path / "f.csv")]) == 2
+    error = capsys.readouterr().err
+    assert error.startswith(f"stewart-sym: error: {trajectory}: row 22: the lengths jump here")
+    assert error.count("\n") == 1
+    with pytest.raises(ValueError, match=r"legs.csv: expected poses, t_\* and theta_\*, got leg lengths"):
+        read_csv(trajectory)

@@ -1,0 +1,194 @@
+"""C++ that wraps a kit's functions: called from C++17 and C++20, no status ignored."""
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+from builds import ROBOT, SYMBOL, needed, run, texts, written
+
+from stewart_sym.backend.kernel import c_sources
+from stewart_sym.derive.kernel.interface import CALLS
+from stewart_sym.derive.package import build as kit_build
+from stewart_sym.derive.package import cpp as kit_cpp
+from stewart_sym.derive.package.functions import MODEL, NOTHING, Function
+from stewart_sym.derive.package.functions import ROBOT as OF_ROBOT
+from stewart_sym.kit import Choice
+from stewart_sym.robot.robot import Robot
+
+STRICT = ("-Wall", "-Wextra", "-Wpedantic", "-Wconversion", "-Wshadow", "-Werror")
+
+
+# --- C++ ----------------------------------------------------------------------------------------
+
+
+MOTION = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
+BAKED = f"{SYMBOL}_forces"
+
+
+def of_model(stem: str, header: str, prefix: str = "stewart_exact") -> Function:
+    return Function(stem, f"{prefix}_{stem}", header, MODEL, prefix)
+
+
+FUNCTIONS = (
+    of_model("forces", "stewart_exact_forces.h"),
+    *(of_model(stem, "stewart_exact_motion.h") for stem in MOTION),
+    *(
+        Function(stem, f"stewart_exact_{stem}", "stewart_exact.h", OF_ROBOT, "")
+        for stem in ("inverse_dynamics", "joint_reactions")
+    ),
+    Function("forces", BAKED, f"{BAKED}.h", NOTHING, ""),
+)
+KINEMATICS_H = """
+#pragma once
+#include "stewart.h"
+extern "C" {
+typedef struct { stewart_real R[9]; stewart_real t[3]; } stewart_pose;
+int stewart_inverse_kinematics(
+    const stewart_robot *robot, const stewart_motion *motion, stewart_real L[6], stewart_real L_dot[6]);
+int stewart_forward_kinematics(const stewart_robot *robot, const stewart_real L[6], stewart_pose *pose);
+int stewart_forward_velocity(
+    const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6], stewart_real v[3],
+    stewart_real omega[3]);
+}
+"""
+USER_CPP = f"""
+#include <array>
+#include <cmath>
+#include <limits>
+#include <type_traits>
+#include "stewart_robot.h"
+#include "stewart.hpp"
+
+using stewart::status;
+static_assert(std::is_same_v<stewart::forces_kernel, stewart::exact_kernel>);
+static_assert(std::is_same_v<stewart::motion_kernel, stewart::exact_kernel>);
+static_assert(std::is_nothrow_constructible_v<stewart::exact_kernel, const stewart_robot &>);
+static_assert(!std::is_constructible_v<stewart::reactions_kernel, stewart_robot &&>);
+static_assert(std::is_trivially_copyable_v<stewart::exact_kernel>);
+static_assert(stewart::text(status::ok)[0] == 's');
+
+// The number of the first thing that is not as it should be.
+int main()
+{{
+    const stewart::forces_kernel kernel({SYMBOL});
+    if (kernel.prepared() != status::ok) return 1;
+    stewart_motion motion{{}};
+    motion.R[0] = motion.R[4] = motion.R[8] = 1;
+    motion.t[2] = static_cast<stewart::real>(0.7);
+    motion.a[0] = 2;
+    motion.omega[1] = 1;
+
+    std::array<stewart::real, 6> F{{}}, acceleration{{}}, bias{{}};
+    stewart::real plain[6];
+    if (kernel(motion, F) != status::ok || kernel(motion, plain) != status::ok) return 2;
+    stewart_exact_model model;
+    stewart::real by_c[6];
+    if (stewart_exact_prepare(&{SYMBOL}, &model) != STEWART_OK) return 3;
+    if (stewart_exact_forces(&model, &motion, by_c) != STEWART_OK) return 4;
+    for (std::size_t i = 0; i < 6; ++i) if (F[i] != by_c[i] || plain[i] != by_c[i]) return 5;
+
+    const auto off = 100000 * std::numeric_limits<stewart::real>::epsilon();
+    if (kernel.forward_dynamics(motion, F, acceleration) != status::ok) return 6;
+    if (!(std::fabs(acceleration[0] - 2) < off) || !(std::fabs(acceleration[5]) < off)) return 7;
+    stewart_equations equations;
+    if (kernel.equations(motion, equations) != status::ok) return 8;
+    if (kernel.bias(motion, bias) != status::ok) return 9;
+    if (!(std::fabs(bias[2] - equations.bias[2]) <= off * std::fabs(bias[2]))) return 10;
+
+    const stewart::reactions_kernel whole({SYMBOL});
+    stewart_forces forces;
+    stewart_reactions at_base, above;
+    const std::array<stewart::real, 6> bearing{{1, 1, 1, 1, 1, 1}};
+    if (whole.inverse_dynamics(motion, forces) != status::ok) return 11;
+    if (whole.joint_reactions(motion, forces, at_base) != status::ok) return 12;
+    if (whole.joint_reactions(motion, bearing, forces, above) != status::ok) return 13;
+    if (!(std::fabs(forces.F[3] - F[3]) < 1000 * off) || at_base.M_p[0][1] == above.M_p[0][1]) return 14;
+
+    const stewart::{SYMBOL.removeprefix("stewart_")}_kernel baked{{}};
+    if (baked(motion, plain) != status::ok || !(std::fabs(plain[2] - F[2]) < 1000 * off)) return 15;
+
+    stewart::real two[18], R[18]{{}}, zeros[6]{{}}, t[6]{{}};
+    for (int i : {{0, 4, 8, 9, 13, 17}}) R[i] = 1;
+    t[2] = t[5] = motion.t[2];
+    const stewart_motions poses{{R, t, zeros, zeros, zeros, zeros, nullptr, nullptr}};
+    int each[3] = {{-1, -1, -1}};
+    if (kernel.batch(2, poses, two, each) != status::ok || each[1] != 0 || two[0] != two[6]) return 16;
+#if __cplusplus >= 202002L
+    if (kernel.batch(poses, std::span(two).first(12), std::span(each).first(2)) != status::ok) return 17;
+    if (kernel.batch(poses, two, std::span(each).first(2)) != status::bad_argument) return 18;
+    if (kernel(motion, std::span(two).first<6>()) != status::ok || two[0] != F[0]) return 19;
+#endif
+
+    F.fill(-1);
+    motion.t[0] = std::numeric_limits<stewart::real>::quiet_NaN();
+    if (kernel(motion, F) != status::not_finite || F[0] != -1) return 20;
+    const stewart::motion_kernel empty;
+    if (empty.prepared() != status::bad_argument || empty.bias(motion, F) != status::bad_argument) return 21;
+    stewart_robot broken = {SYMBOL};
+    broken.M = motion.t[0];
+    if (stewart::forces_kernel(broken)(motion, F) != status::not_finite || F[0] != -1) return 22;
+    return 0;
+}}
+"""
+CPP = ("-fno-exceptions", "-fno-rtti", *STRICT)
+
+
+@pytest.fixture(scope="module", params=["double", pytest.param("float", marks=pytest.mark.slow)])
+def wrapped(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Folder of a kit with everything that C++ wraps, and its library."""
+    needed("make")
+    robot = Robot.from_toml(ROBOT)
+    files = texts(robot, Choice(("forces", "reactions", "motion", "derivatives"), precision=request.param))
+    baked = texts(robot, Choice(bake=True, precision=request.param))
+    more = {name: text for name, text in baked.items() if name.startswith(BAKED)}
+    sources = [name for name in (files | more) if name.endswith(".c") and "/" not in name]
+    package = kit_build.Package("all", "0", tuple(sources), ("stewart.h",), has_cpp=True)
+    more |= {"Makefile": kit_build.makefile(package), "stewart.hpp": kit_cpp.wrapper(FUNCTIONS, "0")}
+    folder = written(files | more, tmp_path_factory.mktemp("wrapped"))
+    (folder / "user.cpp").write_text(USER_CPP)
+    run("make", "liball.a", "CFLAGS=-O0", cwd=folder)
+    return folder
+
+
+@pytest.mark.parametrize("standard", ["c++17", "c++20"])
+@pytest.mark.parametrize("compiler", ["g++", "clang++"])
+def test_functions_are_called_from_cpp(wrapped: Path, compiler: str, standard: str) -> None:
+    needed(compiler)
+    program = f"{compiler}-{standard}"
+    flags = (f"-std={standard}", "-O0", *CPP)
+    assert run(compiler, *flags, "user.cpp", "liball.a", "-o", program, cwd=wrapped) == ""
+    run(wrapped / program)
+
+
+@pytest.mark.parametrize("compiler", ["g++", "clang++"])
+def test_every_function_can_be_wrapped_and_no_status_ignored(tmp_path: Path, compiler: str) -> None:
+    needed(compiler)
+    stems = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
+    functions = [Function(s, f"stewart_{s}", "stewart_kinematics.h", OF_ROBOT, "") for s in stems]
+    turned = {"motion_from_rpy", "motion_from_quaternion"}  # of a kit of the forces, made elsewhere
+    assert {function.stem for function in (*FUNCTIONS, *functions)} | turned == set(CALLS)
+    (tmp_path / "stewart_kinematics.h").write_text(KINEMATICS_H)
+    (tmp_path / "stewart.h").write_text(c_sources("exact")["stewart.h"])
+    (tmp_path / "stewart.hpp").write_text(kit_cpp.wrapper(functions, "0"))
+    use = (
+        '#include "stewart.hpp"\n'
+        "status call(const stewart_robot &robot, stewart_pose &pose);\n"
+        "status call(const stewart_robot &robot, stewart_pose &pose)\n{\n"
+        "    const std::array<stewart::real, 6> L{};\n"
+        "    KEEP stewart::kinematics_kernel(robot).forward_kinematics(L, pose);\n}\n"
+    ).replace("status call", "stewart::status call")
+    command = (compiler, "-std=c++17", "-fsyntax-only", *CPP, "user.cpp")
+    (tmp_path / "user.cpp").write_text(use.replace("KEEP", "return"))
+    run(*command, cwd=tmp_path)
+    (tmp_path / "user.cpp").write_text(use.replace("KEEP", "").replace("\n}\n", "\n    return {};\n}\n"))
+    assert "nodiscard" in run(*command, cwd=tmp_path, code=1)
+
+
+def test_kernels_of_one_pose_have_no_batch_and_unknown_functions_are_told() -> None:
+    pose = of_model("forces", "stewart_exact_pose.h", "stewart_exact_pose")
+    pose = dataclasses.replace(pose, one_pose=True)
+    text = kit_cpp.wrapper([pose], "0")
+    assert "class exact_pose_kernel" in text
+    assert "batch" not in text
+    with pytest.raises(ValueError, match=r"^functions: expected some of forces, .*, got 'torque'$"):
+        kit_cpp.wrapper([dataclasses.replace(pose, stem="torque")], "0")

@@ -1,0 +1,224 @@
+"""The archive of an FMI unit and its C: what it holds, what it shows and what other tools make of it."""
+
+import dataclasses
+import io
+import os
+import re
+import subprocess
+import sys
+import zipfile
+from pathlib import Path
+
+import fmpy
+import numpy as np
+import pytest
+from fmpy.build import build_platform_binary
+from fmpy.validation import validate_fmu
+from fmu_units import (
+    CASES,
+    EVERY,
+    contents,
+    folder,
+    forces,
+    guid,
+    loaded,
+    made,
+    numbers,
+    pose,
+    references,
+    some_rows,
+    started,
+    step,
+    unit,
+)
+from kits import COMPILERS, STRICT
+
+from stewart_sym.backend import native
+from stewart_sym.derive.package import fmu as texts
+from stewart_sym.kit import kit
+from stewart_sym.kit.fmu import binary_folder, fmu_unit
+from stewart_sym.kit.poses import sample
+
+
+def test_archive_holds_description_page_all_sources_and_the_binary() -> None:
+    held = contents(made("lanes").content)
+    code = {f"sources/{name}": text.encode() for name, text in made("lanes").sources.items()}
+    assert {name: held[name] for name in code} == code
+    own = {f"sources/{name}" for name in ("stewart_fmi2.c", "stewart_fmi2.h", "stewart_unit.h")}
+    binary = f"{binary_folder()}/{made('lanes').symbol}.so"
+    page = {"modelDescription.xml", "documentation/index.html", "documentation/licenses/license.txt"}
+    assert set(held) == set(code) | own | page | {binary}
+    listed = re.findall(rb'<File name="(.*?)"', held["modelDescription.xml"])
+    assert [name.decode() for name in listed] == sorted(
+        name.removeprefix("sources/") for name in held if name.endswith(".c")
+    )
+    with zipfile.ZipFile(io.BytesIO(made("lanes").content)) as archive:
+        assert {entry.date_time for entry in archive.infolist()} == {(1980, 1, 1, 0, 0, 0)}
+        assert archive.namelist() == sorted(archive.namelist())
+
+
+def test_guid_follows_the_contents() -> None:
+    units = [guid(made(case).content) for case in ("lanes", "baked", "float")]
+    sources = made("lanes").sources
+    changed = sources | {"stewart_robot.c": sources["stewart_robot.c"].replace("REAL(40.0)", "REAL(41.0)")}
+    assert changed != sources
+    units.append(guid(unit(made("lanes").robot, made("lanes").kernel, changed)))
+    assert len(set(units)) == 4
+    assert all(re.fullmatch(r"\{[0-9a-f]{8}(-[0-9a-f]{4}){3}-[0-9a-f]{12}\}", one) for one in units)
+    assert guid(made("lanes").content).encode() in contents(made("lanes").content)["sources/stewart_unit.h"]
+
+
+def test_without_a_compiler_the_unit_has_its_sources_alone(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(native, "find_compiler", lambda: None)
+    bare = kit(made("lanes").robot, CASES["lanes"]).files[f"{made('lanes').symbol}.fmu"]
+    full = contents(made("lanes").content)
+    assert contents(bare) == {name: text for name, text in full.items() if not name.startswith("binaries/")}
+    (tmp_path / "unit.fmu").write_bytes(bare)
+    assert validate_fmu(str(tmp_path / "unit.fmu")) == []
+
+
+def test_any_name_is_described(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    name = 'a<b> & "c" ünï 机器人 @GUID@ @VERSION@ \\ */ /*'
+    monkeypatch.setattr(native, "find_compiler", lambda: None)
+    odd = dataclasses.replace(made("lanes").robot, name=name)
+    (tmp_path / "unit.fmu").write_bytes(unit(odd, made("lanes").kernel, made("lanes").sources))
+    assert validate_fmu(str(tmp_path / "unit.fmu")) == []
+    told = fmpy.read_model_description(str(tmp_path / "unit.fmu"))
+    assert told.modelName == name
+
+
+def test_long_symbol_gives_an_identifier_that_simulink_takes() -> None:
+    longer = ["stewart_robot_" + "a" * 80 + end for end in "bc"]
+    short = [texts.model_identifier(symbol) for symbol in longer]
+    assert len(set(short)) == 2
+    assert all(re.fullmatch(r"[a-z]\w{0,62}", one) for one in short)
+    assert texts.model_identifier("stewart_robot_x") == "stewart_robot_x"
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"pose": {"R": np.eye(3).tolist()}}, "pose: t: missing"),
+        ({"pose": {"R": np.eye(3).tolist(), "t": [0.0, 0.0]}}, "pose: t: expected an entry [2]"),
+        ({"payload": None}, "payload: expected M, R_0, I_p and g for this kernel"),
+        ({"sources": {}}, "sources: expected stewart_exact_forces.h among them"),
+    ],
+)
+def test_what_is_missing_is_named(change: dict[str, object], message: str) -> None:
+    robot = made("lanes").robot
+    given = {
+        "name": robot.name,
+        "symbol": made("lanes").symbol,
+        "sources": made("lanes").sources,
+        "kernel": made("lanes").kernel,
+        "pose": pose(sample(robot, "exact")[0]),
+        "payload": numbers(robot),
+        "digest": "",
+        "version": "",
+    }
+    with pytest.raises(ValueError, match=rf"\A{re.escape(message)}\Z"):
+        fmu_unit(**(given | change))
+
+
+# --- the C ------------------------------------------------------------------------------------
+
+
+def silent(command: list[str], where: Path) -> None:
+    done = subprocess.run(command, cwd=where, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout + done.stderr) == (0, "")
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+@pytest.mark.parametrize("case", [case for case in EVERY if case.values[0] in ("lanes", "baked", "float")])
+def test_unit_compiles_with_every_warning_an_error(case: str, compiler: str, tmp_path: Path) -> None:
+    command = [*COMPILERS[compiler], *STRICT, "-O1", "-c", "stewart_fmi2.c", "-o", str(tmp_path / "unit.o")]
+    silent(command, folder(case) / "sources")
+
+
+def test_declarations_are_the_standards(tmp_path: Path) -> None:
+    """The C compiles against the standard's own headers in place of ours."""
+    for file in (folder("lanes") / "sources").iterdir():
+        (tmp_path / file.name).write_bytes(file.read_bytes())
+    (tmp_path / "stewart_fmi2.h").write_text('#include "fmi2Functions.h"\n', encoding="utf-8")
+    standard = Path(fmpy.__file__).parent / "c-code"
+    silent(["gcc", "-std=c99", *STRICT, "-isystem", str(standard), "-c", "stewart_fmi2.c"], tmp_path)
+
+
+def test_binary_shows_the_functions_of_co_simulation_and_nothing_else() -> None:
+    binary = next((folder("lanes") / "binaries").rglob("*.so"))
+    listed = subprocess.run(
+        ["nm", "-D", "--defined-only", binary], capture_output=True, text=True, check=True
+    )
+    shown = {line.split()[-1] for line in listed.stdout.splitlines()}
+    standard = (Path(fmpy.__file__).parent / "c-code" / "fmi2Functions.h").read_text(encoding="utf-8")
+    common, exchange, stepping = re.split(r"\n(?:Functions for|.*Functions for FMI2 for)", standard)[-3:]
+    del common, exchange
+    own = set(re.findall(r"FMI2_Export fmi2\w+TYPE\s+(\w+);", stepping))
+    every = set(re.findall(r"FMI2_Export fmi2\w+TYPE\s+(\w+);", standard))
+    assert own <= shown <= every
+    assert not shown & {"fmi2SetTime", "fmi2GetDerivatives", "fmi2EnterEventMode", "fmi2NewDiscreteStates"}
+
+
+def test_prefix_is_put_before_every_function(tmp_path: Path) -> None:
+    command = ["gcc", "-std=c99", "-DFMI2_FUNCTION_PREFIX=mine_", "-c", "stewart_fmi2.c"]
+    silent([*command, "-o", str(tmp_path / "unit.o")], folder("lanes") / "sources")
+    listed = subprocess.run(
+        ["nm", "-g", "--defined-only", tmp_path / "unit.o"], capture_output=True, text=True
+    )
+    shown = [line.split()[-1] for line in listed.stdout.splitlines()]
+    assert len(shown) > 30
+    assert all(name.startswith("mine_fmi2") for name in shown)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", ["lanes"])
+def test_another_tool_builds_the_unit_from_its_sources(
+    case: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for name, content in contents(made(case).content).items():
+        if not name.startswith("binaries/"):
+            (tmp_path / name).parent.mkdir(exist_ok=True)
+            (tmp_path / name).write_bytes(content)
+    monkeypatch.setenv("PATH", str(Path(sys.executable).parent), prepend=os.pathsep)
+    build_platform_binary(tmp_path)
+    row = some_rows(case)[0]
+    with loaded(case, tmp_path) as slave:
+        slave.instantiate()
+        started(slave)
+        F = step(slave, row)
+        slave.fmi2FreeInstance(slave.component)
+    expected = forces(case, row[None])[0]
+    bound = 1e-4 if case == "float" else 1e-11
+    np.testing.assert_allclose(F, expected, rtol=0, atol=bound * np.abs(expected).max())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", ["lanes", "baked", "float"])
+def test_sanitizers_find_nothing_in_a_life_of_two_instances(case: str, tmp_path: Path) -> None:
+    where, driver = folder(case) / "sources", Path(__file__).parents[1] / "support" / "c" / "fmi2_driver.c"
+    program, values = tmp_path / "driver", references(case)
+    flags = [
+        "-std=c99",
+        "-g",
+        "-O1",
+        "-fsanitize=address,undefined",
+        "-fno-sanitize-recover=all",
+        "-I",
+        str(where),
+    ]
+    flags += [f'-DUNIT_GUID="{guid(made(case).content)}"', f"-DUNIT_REALS={values['status']}"]
+    silent(["clang", *flags, str(driver), *map(str, where.glob("*.c")), "-o", str(program), "-lm"], tmp_path)
+    silent([str(program)], tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", ["lanes", "baked"])
+def test_analysers_find_nothing(case: str) -> None:
+    where = folder(case) / "sources"
+    checks = ["--enable=warning,style,performance,portability", "--std=c99", "--quiet", "--error-exitcode=3"]
+    # The standard gives the signatures; declarations stand at the head of a function, as in all the C.
+    hidden = [f"--suppress={name}" for name in ("missingIncludeSystem", "constParameter", "variableScope")]
+    silent(["cppcheck", *checks, *hidden, "-D__GNUC__=12", "-USTEWART_REAL", "stewart_fmi2.c"], where)
+    silent(["gcc", "-std=c99", "-O2", "-fanalyzer", "-S", "-o", os.devnull, "stewart_fmi2.c"], where)

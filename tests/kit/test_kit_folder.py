@@ -1,0 +1,200 @@
+"""A kit spares what is in its folder, repeats to the byte, and a failure leaves no trace."""
+
+import errno
+import hashlib
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from kits import contents, kit_of, machine
+
+from stewart_sym.kit import Choice, kit_names, put, write_kit
+
+# ---------------------------------------------------------------- the same bytes
+
+
+def test_same_robot_gives_the_same_bytes_in_any_folder_and_under_any_hash_seed(tmp_path: Path) -> None:
+    """All files of the kit, a unit of FMI with a compiled library among them."""
+    first = put(kit_of(choice=Choice(fmu=True)), tmp_path / "a")
+    program = f"""
+import warnings
+from pathlib import Path
+from stewart_sym import robots
+from stewart_sym.kit import Choice, write_kit
+warnings.simplefilter("ignore")
+write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), Choice(fmu=True))
+"""
+    env = {**os.environ, "PYTHONHASHSEED": "12345", "TMPDIR": str(tmp_path)}
+    subprocess.run([sys.executable, "-c", program], env=env, check=True)
+    assert contents(tmp_path / "a") == contents(tmp_path / "b")
+    assert any(path.suffix == ".fmu" for path in first)
+    assert sorted(path.relative_to(tmp_path / "a").as_posix() for path in first) == sorted(
+        contents(tmp_path / "a")
+    )
+
+
+# ---------------------------------------------------------------- what is there already
+
+
+def test_edited_file_is_rejected_without_force_and_replaced_with_it(tmp_path: Path) -> None:
+    put(kit_of(), tmp_path)
+    fresh = contents(tmp_path)
+    (tmp_path / "stewart_robot.c").write_text("mine", encoding="utf-8")
+    (tmp_path / "README.md").unlink()
+    (tmp_path / "notes.txt").write_text("mine too", encoding="utf-8")
+    edited = contents(tmp_path)
+    with pytest.raises(
+        ValueError, match=r"^\S+robot\.c: exists with other content; use --force to overwrite$"
+    ):
+        put(kit_of(), tmp_path)
+    assert contents(tmp_path) == edited
+    put(kit_of(), tmp_path, force=True)
+    assert contents(tmp_path) == {**fresh, "notes.txt": b"mine too"}
+
+
+def test_kit_of_a_changed_robot_replaces_what_nobody_edited(tmp_path: Path) -> None:
+    put(kit_of("Old"), tmp_path)
+    put(kit_of("New"), tmp_path)
+    assert contents(tmp_path) == kit_of("New").files
+
+
+def test_files_that_the_new_kit_has_not_are_removed_unless_edited(tmp_path: Path) -> None:
+    put(kit_of(), tmp_path)
+    (tmp_path / "stewart_robot.h").write_text("mine", encoding="utf-8")
+    baked = kit_of(choice=Choice(bake=True, scalar=True))
+    put(baked, tmp_path)
+    assert contents(tmp_path) == {**baked.files, "stewart_robot.h": b"mine"}
+
+
+@pytest.mark.parametrize(
+    "manifest", ["", "[]", '{"generator": "stewart-sym 0"}', '{"generator": "other", "files": {}}']
+)
+def test_manifest_that_is_none_of_ours_protects_every_file(tmp_path: Path, manifest: str) -> None:
+    put(kit_of("Old"), tmp_path)
+    (tmp_path / "manifest.json").write_text(manifest, encoding="utf-8")
+    old = contents(tmp_path)
+    with pytest.raises(ValueError, match=r"exists with other content; use --force to overwrite$"):
+        put(kit_of("New"), tmp_path)
+    assert contents(tmp_path) == old
+
+
+def test_manifest_that_names_files_elsewhere_removes_none(tmp_path: Path) -> None:
+    folder = tmp_path / "kit"
+    put(kit_of("Old"), folder)
+    (tmp_path / "precious").write_text("mine", encoding="utf-8")
+    manifest = json.loads((folder / "manifest.json").read_text(encoding="utf-8"))
+    manifest["files"]["../precious"] = hashlib.sha256(b"mine").hexdigest()
+    (folder / "manifest.json").write_text(json.dumps(manifest), encoding="utf-8")
+    put(kit_of("New"), folder, force=True)
+    assert (tmp_path / "precious").read_text(encoding="utf-8") == "mine"
+
+
+def test_second_run_leaves_equal_files_untouched(tmp_path: Path) -> None:
+    files = put(kit_of(), tmp_path / "kit")
+
+    def stamps() -> list[tuple[int, int]]:
+        return [(path.stat().st_ino, path.stat().st_mtime_ns) for path in files]
+
+    before = stamps()
+    assert put(kit_of(), tmp_path / "kit") == files
+    assert stamps() == before
+
+
+def test_new_folder_has_the_users_mode_and_nothing_lies_beside_it(tmp_path: Path) -> None:
+    (tmp_path / "plain").mkdir()
+    put(kit_of(), tmp_path / "deep" / "kit")
+    assert (tmp_path / "deep" / "kit").stat().st_mode == (tmp_path / "plain").stat().st_mode
+    assert os.listdir(tmp_path / "deep") == ["kit"]
+
+
+# ---------------------------------------------------------------- failures
+
+
+@pytest.mark.parametrize("fault", [OSError(errno.ENOSPC, "No space left on device"), KeyboardInterrupt()])
+def test_failure_while_writing_leaves_no_trace(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, fault: BaseException
+) -> None:
+    made = kit_of()
+    fail_at_call(monkeypatch, "write_bytes", 4, fault)
+    with pytest.raises((ValueError, KeyboardInterrupt)) as caught:
+        put(made, tmp_path / "kit")
+    assert os.listdir(tmp_path) == []
+    if isinstance(fault, OSError):
+        assert str(caught.value) == f"{tmp_path / 'kit'}: No space left on device"
+
+
+@pytest.mark.parametrize("fault", [OSError(errno.EIO, "Input/output error"), KeyboardInterrupt()])
+@pytest.mark.parametrize("call", range(1, 26))
+def test_failure_while_replacing_leaves_the_old_kit_whole(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, call: int, fault: BaseException
+) -> None:
+    """Two moves for each of the files that both have, one for each that only one of them has."""
+    old, new = kit_of("Old"), kit_of("New", Choice(bake=True, scalar=True))
+    put(old, tmp_path)
+    calls = fail_at_call(monkeypatch, "rename", call, fault)
+    try:
+        put(new, tmp_path)
+    except (ValueError, KeyboardInterrupt):
+        assert contents(tmp_path) == old.files
+    else:
+        assert calls[0] < call
+        assert contents(tmp_path) == new.files
+
+
+def fail_at_call(monkeypatch: pytest.MonkeyPatch, method: str, call: int, fault: BaseException) -> list[int]:
+    real, calls = getattr(Path, method), [0]
+
+    def failing(self: Path, argument: object) -> object:
+        calls[0] += 1
+        if calls[0] == call:
+            raise fault
+        return real(self, argument)
+
+    monkeypatch.setattr(Path, method, failing)
+    return calls
+
+
+def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
+    (tmp_path / "file").write_text("x", encoding="utf-8")
+    # The kernel's own file system takes no files, not even root's.
+    unwritable = dict.fromkeys((Path("/proc/kit"), Path("/proc/self")), "can't write here")
+    blocked = dict.fromkeys((tmp_path / "file", tmp_path / "file" / "kit"), "expected a folder")
+    for folder, message in (unwritable | blocked).items():
+        with pytest.raises(ValueError, match=rf"\A\S+: {message}.*\Z"):
+            put(kit_of(), folder)
+    assert os.listdir(tmp_path) == ["file"]
+
+
+def test_folder_in_the_place_of_a_file_is_rejected_even_with_force(tmp_path: Path) -> None:
+    (tmp_path / "stewart_robot.h").mkdir()
+    with pytest.raises(ValueError, match=r"robot\.h: expected a file or nothing, found a folder"):
+        put(kit_of(), tmp_path, force=True)
+    assert os.listdir(tmp_path) == ["stewart_robot.h"]
+
+
+@pytest.mark.parametrize(
+    ("choice", "which", "message"),
+    [
+        (Choice(formulation="fast"), "random", r'formulation: expected "exact" or "paper", got \'fast\''),
+        (Choice(precision="half"), "random", r'precision: expected "double" or "float", got \'half\''),
+        (Choice(()), "random", "functions: expected some of forces, .*, got none"),
+        (Choice(("force",)), "random", "functions: expected some of forces, .*, got 'force'"),
+        (Choice(("motion",), "paper"), "random", "functions: motion: expected exact with universal .*"),
+        (Choice(("derivatives",)), "spherical", "functions: derivatives: expected exact with universal .*"),
+        (Choice(("reactions",), bake=True), "random", "bake: applies to the function forces, got reactions"),
+        (Choice(("motion",), fidelity="slender"), "random", "fidelity: applies to the function forces, .*"),
+        (Choice(("kinematics",), fmu=True), "random", "fmu: applies to the function forces, .*"),
+        (Choice(fidelity="rigid"), "random", "fidelity: expected one of general, .*"),
+    ],
+)
+def test_wishes_that_do_not_go_together_are_rejected_in_one_line(
+    tmp_path: Path, choice: Choice, which: str, message: str
+) -> None:
+    with pytest.raises(ValueError, match=rf"\A{message}\Z"):
+        write_kit(machine(which), tmp_path / "kit", choice)
+    with pytest.raises(ValueError, match=rf"\A{message}\Z"):
+        kit_names(machine(which), choice)
+    assert os.listdir(tmp_path) == []

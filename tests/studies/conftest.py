@@ -1,0 +1,49 @@
+"""Figures of the paper's machine in cost and accuracy, a scene in a folder, and what a short bench needs."""
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cost_figures import SCENE, hasty
+from machines import dasgupta, random_motion, random_robot
+from robot_files import scene_of
+from small_bench import poses_of, shorten
+
+from stewart_sym.studies.accuracy.budget import papers_motions
+from stewart_sym.studies.accuracy.cost import CostAccuracy, cost
+from stewart_sym.studies.benchmark.baselines import Poses
+
+
+@pytest.fixture
+def scene(tmp_path: Path) -> Path:
+    """A scene on Path I, the paper's robot in a folder beside it."""
+    return scene_of(SCENE, tmp_path)
+
+
+@pytest.fixture(scope="session")
+def found() -> CostAccuracy:
+    """Figures of the paper's machine on all paths, and of other implementations."""
+    with pytest.MonkeyPatch.context() as patch:
+        hasty(patch)
+        return cost(dasgupta(), papers_motions(), True, 1)
+
+
+@pytest.fixture
+def on_path_i(found: CostAccuracy) -> CostAccuracy:
+    """The same on Path I alone."""
+    entries = tuple(dataclasses.replace(entry, errors={"I": entry.errors["I"]}) for entry in found.entries)
+    return dataclasses.replace(found, peaks={"I": found.peaks["I"]}, poses={"I": 61}, entries=entries)
+
+
+@pytest.fixture
+def small(monkeypatch: pytest.MonkeyPatch) -> None:
+    shorten(monkeypatch)
+
+
+@pytest.fixture(scope="session")
+def stranger() -> Poses:
+    """Seventy moving, loaded poses of a machine that has nothing in common with the paper's."""
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng)
+    return poses_of(robot, random_motion(rng, robot, (70,)))

@@ -1,0 +1,390 @@
+"""The advice is the cheapest that is good enough, with its reasons, on paper and on the command line."""
+
+import csv
+import dataclasses
+import io
+import json
+import math
+import sys
+import warnings
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from command_line import fails_in_one_line, folder_state
+from cost_figures import CHEAP, DEAR, FRICTIONLESS, MIDDLE, SCENE, TOLERANCES, budget, entry, hasty, made_up
+from machines import dasgupta, random_motion, random_robot
+from reduced_machines import as_simple_as
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
+from stewart_sym.generated import exact, paper
+from stewart_sym.generated.fidelities import FIDELITIES as TABLE
+from stewart_sym.io.extras import install
+from stewart_sym.motion.motion import Motion
+from stewart_sym.reference import newton_euler
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.accuracy import bound_plot, scales
+from stewart_sym.studies.accuracy import cost as study
+from stewart_sym.studies.accuracy.advice import (
+    TERMS,
+    Advice,
+    advice,
+    answer,
+    as_json,
+    closest,
+    excess,
+    report,
+    terms,
+)
+from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions
+from stewart_sym.studies.accuracy.charts import charts
+from stewart_sym.studies.accuracy.cost import Candidate, CostAccuracy, Errors, cost
+
+pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+
+
+# the advice
+
+
+def brute_force(tolerance: float) -> tuple[str, str, str]:
+    """The cheapest good enough kernel on Path I, from forces, the reference and the generated counts."""
+    robot, motion = dasgupta(), papers_motions()["I"]
+    true = newton_euler.inverse_dynamics(robot, motion).F
+    peak = np.abs(true).max()
+    best: tuple[int, int] | None = None
+    chosen = ("", "", "")
+    for formulation in ("exact", "paper"):
+        for level in TABLE if formulation == "exact" else ["general"]:
+            counts = {"exact": exact, "paper": paper}[formulation].FORCE_OPERATIONS["friction"]
+            operations = sum(counts["total"]) if level == "general" else TABLE[level]["operations"]["total"]
+            for width, precision in ((4, "float"), (8, "double")):
+                F = ss.prepare(robot, formulation, precision, level).forces(motion)  # type: ignore[arg-type]
+                error = np.abs(F - true).max() / peak
+                good = error * MARGIN <= tolerance
+                if good and (best is None or (operations, width) < best):
+                    best, chosen = (operations, width), (formulation, level, precision)
+    return chosen
+
+
+def test_path_i_gets_four_answers_and_each_is_the_cheapest(on_path_i: CostAccuracy) -> None:
+    answers = []
+    for tolerance in TOLERANCES:
+        chosen = advice(on_path_i, budget(tolerance)).chosen
+        assert chosen is not None
+        answers.append(tuple(vars(chosen.candidate).values()))
+        assert answers[-1] == brute_force(tolerance)
+    assert len(set(answers)) == len(TOLERANCES)
+    assert answers[-1] == ("exact", "general", "double")
+
+
+def test_a_choice_does_not_depend_on_times(on_path_i: CostAccuracy) -> None:
+    rng = np.random.default_rng(9)
+    for tolerance in TOLERANCES:
+        chosen = advice(on_path_i, budget(tolerance)).chosen
+        entries = tuple(
+            dataclasses.replace(entry, one_pose=(float(rng.uniform(10, 1000)),), batch=(1.0,))
+            for entry in on_path_i.entries
+        )
+        again = advice(dataclasses.replace(on_path_i, entries=entries), budget(tolerance)).chosen
+        assert again is not None
+        assert chosen is not None
+        assert again.candidate == chosen.candidate
+
+
+def simple(level: str, seed: int) -> tuple[Robot, Motion]:
+    rng = np.random.default_rng(seed)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        robot = as_simple_as(random_robot(rng), FIDELITIES[level])
+    return robot, random_motion(rng, robot, (6,))
+
+
+@pytest.mark.parametrize("level", ["frictionless", "axisymmetric", "slender", "axisymmetric_friction"])
+def test_a_machine_that_truly_is_simple_gets_the_simple_kernel(
+    level: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hasty(monkeypatch)
+    robot, motion = simple(level, 11)
+    made = cost(robot, {"some": motion})
+    assert made.entry("exact", level, "double").model == 0.0
+    chosen = advice(made, Budget(robot, {"some": motion}, 1e-9)).chosen
+    assert chosen is not None
+    assert chosen.candidate == Candidate("exact", level, "double")
+
+
+def test_the_first_that_keeps_tolerance_and_margin_is_chosen() -> None:
+    given = made_up(CHEAP, MIDDLE, DEAR)
+    for tolerance, margin, expected in (
+        (1.21, 3.0, CHEAP),
+        (1.1, 3.0, MIDDLE),
+        (0.1, 3.0, DEAR),
+        (0.1, 1.0, MIDDLE),
+    ):
+        assert advice(given, budget(tolerance, margin)).chosen is expected
+
+
+def test_rounding_and_model_errors_add_up_on_the_worst_motion() -> None:
+    errors = {"I": Errors(0.1, 0.05, 0.01), "II": Errors(0.02, 0.01, 0.2)}
+    both = dataclasses.replace(MIDDLE, errors=errors)
+    assert both.total == pytest.approx(0.22)
+    assert (both.model, both.model_rms, both.rounding) == (0.1, 0.05, 0.2)
+
+
+def test_a_kernel_slower_than_the_rate_is_not_good_enough() -> None:
+    slow = dataclasses.replace(CHEAP, one_pose=(5000.0,))
+    given = made_up(slow, MIDDLE, DEAR)
+    assert advice(given, budget(9.0, rate=1e6)).chosen is MIDDLE
+    none = advice(given, budget(9.0, rate=1e8))
+    assert none.chosen is None
+    assert none.closest is MIDDLE
+    assert "a pose takes 100 ns, 10 times what is allowed" in answer(none)[0]
+
+
+def test_both_misses_are_named_and_the_larger_comes_first() -> None:
+    slow = dataclasses.replace(MIDDLE, one_pose=(201.0,))
+    error = "the error is 4.0e-02, 10 times what is allowed"
+    time = "a pose takes 201 ns, {:.3g} times what is allowed".format
+    for rate, expected in (
+        (1e9, f"{time(201)}; {error}"),
+        (1e7, f"{error}; {time(2.01)}"),
+        (1e6, error),
+    ):
+        said = closest(advice(made_up(slow), budget(0.004, 1.0, rate)))
+        assert said == f"exact slender, double, {expected}"
+
+
+def test_where_nothing_is_good_enough_the_closest_is_named() -> None:
+    given = made_up(CHEAP, MIDDLE, dataclasses.replace(DEAR, errors={"I": Errors(0.03, 0.01, 0.0)}))
+    found = advice(given, budget(0.01))
+    assert found.chosen is None
+    assert found.closest.candidate == DEAR.candidate
+    assert answer(found) == [
+        "Nothing keeps the budget; closest: exact general, double, the error is 3.0e-02, "
+        "9 times what is allowed."
+    ]
+    assert found.needed() == ()
+
+
+def reasons(found: Advice) -> dict[frozenset[str], str]:
+    return {left_out: entry.candidate.name for left_out, entry in found.needed()}
+
+
+def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i: CostAccuracy) -> None:
+    found = advice(on_path_i, budget(1e-9))
+    assert reasons(found) == {
+        frozenset({"digits"}): "exact general, float",
+        frozenset({"joint"}): "paper general, double",
+        frozenset({"friction"}): "exact frictionless, double",
+        frozenset({"off-axis"}): "exact axisymmetric_friction, double",
+    }
+    lines = answer(found)
+    assert (
+        f"Forced by joint friction: without (exact frictionless, double: {FRICTIONLESS} operations) the error"
+        in str(lines)
+    )
+    for left_out, without in found.needed():
+        assert left_out == terms(DEAR.candidate) - terms(without.candidate)
+        assert excess(without, found.budget) > 1.0
+
+
+def test_at_rest_inertia_forces_nothing(on_path_i: CostAccuracy) -> None:
+    found = advice(on_path_i, budget(0.05))
+    assert found.chosen is not None
+    assert found.chosen.candidate.fidelity == "general_static"
+    assert reasons(found) == {frozenset({"off-axis"}): "exact slender_static, double"}
+
+
+def test_the_cheapest_of_all_needs_no_reason() -> None:
+    assert answer(advice(made_up(CHEAP, DEAR), budget(9.0)))[1:] == ["Nothing is cheaper."]
+
+
+def test_a_cheaper_kernel_with_more_physics_is_no_reason() -> None:
+    richer = dataclasses.replace(entry("exact slender double", 1000, 0.5))
+    poorer = entry("exact point_masses double", 1000, 0.1)
+    found = advice(made_up(richer, poorer), budget(0.4))
+    assert found.chosen is poorer
+    assert answer(found)[1:] == ["Cheaper ones leave nothing out that it has, yet err more."]
+
+
+def test_terms_are_what_the_derivation_says_of_each_fidelity() -> None:
+    for name, level in FIDELITIES.items():
+        has = terms(Candidate("exact", name, "double"))
+        assert has <= TERMS.keys()
+        assert ("friction" in has) == level.friction
+        assert ("rates" in has) == level.moving
+        kept = {"off-axis": "general", "axial": "axisymmetric", "rods": "slender", "masses": "point_masses"}
+        order = ["general", "axisymmetric", "slender", "point_masses", "massless"]
+        for term, last in kept.items():
+            assert (term in has) == (order.index(level.legs) <= order.index(last)), (name, term)
+
+
+def test_the_report_has_every_figure(on_path_i: CostAccuracy) -> None:
+    text = report(advice(on_path_i, budget(0.05)))
+    assert "tolerance 0.05, margin 3: good enough up to an error of 1.67e-02" in text
+    for each in on_path_i.entries:
+        line = next(line for line in text.splitlines() if line.startswith(f"{each.candidate.name} "))
+        assert f" {each.operations} " in line
+        assert f"{each.total:.1e}" in line or each.total == 0.0
+    assert text.count("chosen") == 1
+
+
+def test_report_and_help_say_where_rounding_is_measured(
+    on_path_i: CostAccuracy, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        main(["advise", "--help"])
+    said = f"Rounding is measured at {study.SAMPLED} poses spread over each motion and at its hardest"
+    for text in (capsys.readouterr().out, report(advice(on_path_i, budget(0.05)))):
+        assert said in " ".join(text.split())
+
+
+def test_json_holds_what_was_found_and_no_infinity(on_path_i: CostAccuracy) -> None:
+    given = made_up(dataclasses.replace(CHEAP, errors={"I": Errors(math.inf, math.inf, math.inf)}), DEAR)
+    for found in (advice(on_path_i, budget(1e-9)), advice(given, budget(0.1))):
+        written: dict[str, Any] = json.loads(json.dumps(as_json(found), allow_nan=False))
+        assert written["chosen"] == {"formulation": "exact", "fidelity": "general", "precision": "double"}
+        assert len(written["candidates"]) == len(found.cost.entries)
+        assert [each["terms"] for each in written["needed"]] == [sorted(t) for t, _ in found.needed()]
+
+
+# commands
+
+
+@pytest.fixture
+def quick(monkeypatch: pytest.MonkeyPatch, on_path_i: CostAccuracy) -> None:
+    """The study's figures without running it again."""
+
+    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object, **__: object) -> CostAccuracy:
+        assert list(motions) == ["I"]
+        return on_path_i
+
+    monkeypatch.setattr(study, "cost", measured)
+
+
+TABLES = ["bounds.csv", "chart.csv", "chart.json", "chart.txt", "scales.csv"]
+
+
+def few(patch: pytest.MonkeyPatch) -> None:
+    """Few machines and poses in the studies beside the chart."""
+    scales_study, bounds_study = scales.scales_study, bound_plot.bounds_study
+
+    def some_scales(progress: Any, robot: Robot) -> scales.Scales:
+        return scales_study(progress, robot, "exact", (1.0,), (1.0,), 1, 4)
+
+    def some_bounds(progress: Any, robot: Robot) -> bound_plot.Bounds:
+        return bounds_study(progress, 20, robot)
+
+    patch.setattr(scales, "scales_study", some_scales)
+    patch.setattr(bound_plot, "bounds_study", some_bounds)
+
+
+def test_pictures_that_a_machine_cannot_have_are_left_out_with_a_warning(
+    found: CostAccuracy, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    few(monkeypatch)
+    robot = random_robot(np.random.default_rng(12), "spherical")
+    with pytest.warns(UserWarning, match="^bounds: left out: "):
+        made = [chart.name for chart in charts(found, robot)]
+    assert made[0] == "chart"
+    assert "bounds" not in made
+
+
+@pytest.mark.usefixtures("quick")
+def test_advise_prints_and_writes_its_answer(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    output = scene.parent / "advice.json"
+    assert main(["advise", str(scene), "--json", str(output)]) == 0
+    captured = capsys.readouterr()
+    assert "Cheapest that is good enough: exact general_static, float" in captured.out
+    assert "Forced by centres of mass off the legs' axes" in captured.out
+    written = json.loads(output.read_text())
+    assert written["chosen"]["fidelity"] == "general_static"
+    assert (written["tolerance"], written["margin"], written["rate_Hz"]) == (0.05, 2.0, 1000.0)
+
+
+def test_advise_runs_the_whole_study(
+    scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    hasty(monkeypatch)
+    assert main(["advise", str(scene)]) == 0
+    assert "Cheapest that is good enough: exact general_static, float" in capsys.readouterr().out
+
+
+@pytest.mark.usefixtures("quick")
+def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(
+    scene: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    scene.write_text(SCENE.replace("0.05", "1e-17"))
+    output, kit = scene.parent / "advice.json", scene.parent / "kit"
+    assert main(["advise", str(scene), "--json", str(output), "--generate", str(kit)]) == 2
+    captured = capsys.readouterr()
+    assert captured.out.count("\n") > 28
+    (line,) = captured.err.splitlines()
+    assert f"{scene}: nothing keeps the budget; closest: exact general, double" in line
+    assert json.loads(output.read_text())["chosen"] is None
+    assert not kit.exists()
+
+
+@pytest.mark.usefixtures("quick")
+def test_advise_generates_the_kernel_that_it_chose(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    kit = scene.parent / "kit"
+    assert main(["advise", str(scene), "--generate", str(kit)]) == 0
+    names = sorted(path.name for path in kit.iterdir())
+    assert "stewart_exact_general_static_forces.c" in names
+    printed = capsys.readouterr().out
+    assert all(str(kit / name) in printed for name in names)
+    # Nothing is replaced unasked.
+    (kit / "stewart_robot.c").write_text("mine")
+    assert "use --force" in fails_in_one_line(capsys, "advise", scene, "--generate", kit)
+    assert main(["advise", str(scene), "--generate", str(kit), "--force", "--bake"]) == 0
+
+
+def test_advise_does_not_write_over_its_scene(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert "is an input" in fails_in_one_line(capsys, "advise", scene, "--json", scene)
+
+
+@pytest.mark.usefixtures("quick")
+def test_chart_writes_tables_without_matplotlib(
+    scene: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    few(monkeypatch)
+    monkeypatch.delitem(sys.modules, "stewart_sym.studies.paper.plots", raising=False)
+    monkeypatch.delattr("stewart_sym.studies.paper.plots", raising=False)
+    monkeypatch.setitem(sys.modules, "matplotlib", None)
+    output = scene.parent / "out"
+    before = folder_state(scene.parent)
+    assert install("plot") in fails_in_one_line(capsys, "chart", scene, "-o", output)
+    assert folder_state(scene.parent) == before
+    assert main(["chart", str(scene), "-o", str(output), "--no-pictures"]) == 0
+    assert sorted(path.name for path in output.glob("[!.]*")) == TABLES
+    assert (output / "chart.txt").read_text() in capsys.readouterr().out
+
+
+def test_chart_of_the_papers_machine_needs_no_scene(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, found: CostAccuracy
+) -> None:
+    asked: list[list[str]] = []
+
+    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object) -> CostAccuracy:
+        asked.append(list(motions))
+        return found
+
+    few(monkeypatch)
+    monkeypatch.setattr(study, "cost", measured)
+    assert main(["chart", "-o", str(tmp_path / "out")]) == 0
+    assert asked == [["I", "II", "III"]]
+    pictures = [f"{name}.{kind}" for name in ("chart", "scales", "bounds") for kind in ("png", "svg")]
+    assert sorted(path.name for path in (tmp_path / "out").glob("[!.]*")) == sorted([*TABLES, *pictures])
+    header, *rows_of_scales = (tmp_path / "out" / "scales.csv").read_text().splitlines()
+    assert header.startswith("size_m,platform_mass_kg")
+    assert len(rows_of_scales) == 1
+    assert len((tmp_path / "out" / "bounds.csv").read_text().splitlines()) > 10
+    rows = list(csv.DictReader(io.StringIO((tmp_path / "out" / "chart.csv").read_text())))
+    assert {row["motion"] for row in rows} == {"I", "II", "III"}
+    written = json.loads((tmp_path / "out" / "chart.json").read_text())
+    assert written["software"]["compiler"]
+    assert len(written["candidates"]) == len(found.entries)
+    capsys.readouterr()

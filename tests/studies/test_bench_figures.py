@@ -1,0 +1,378 @@
+"""What a run of the bench says: figures, ratios, tables, the picture, and how times are measured."""
+
+import dataclasses
+import itertools
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+from typing import Any
+
+import matplotlib.image
+import numpy as np
+import pytest
+from machines import dasgupta
+from small_bench import CONTESTANTS, shorten, some_passes
+
+import stewart_sym as ss
+from stewart_sym.backend.kernel import module
+from stewart_sym.cli.main import main
+from stewart_sym.dynamics import forces
+from stewart_sym.io.extras import install
+from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
+from stewart_sym.studies.benchmark.baselines import CASADI, PEERS, multiply_add
+from stewart_sym.studies.benchmark.figures import FORWARD, MOST
+from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
+from stewart_sym.studies.common import host, timing
+
+
+@pytest.fixture(scope="module")
+def run(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, bench.Benchmark]:
+    """What the command wrote of a robot file, and what it had measured."""
+    folder = tmp_path_factory.mktemp("bench")
+    source = Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
+    file = folder / "mine.toml"
+    file.write_text(source.read_text().replace('name = "Dasgupta & Mruthyunjaya 1998"', 'name = "mine"'))
+    measured: list[bench.Benchmark] = []
+    plain = bench.bench
+
+    def keeping(*arguments: Any) -> bench.Benchmark:
+        measured.append(plain(*arguments))
+        return measured[-1]
+
+    with pytest.MonkeyPatch.context() as patch:
+        shorten(patch)
+        patch.setattr(bench, "bench", keeping)
+        assert main(["bench", "--quick", "--robot", str(file), "-o", str(folder / "new")]) == 0
+    (found,) = measured
+    return folder / "new", found
+
+
+@pytest.fixture(scope="module")
+def written(run: tuple[Path, bench.Benchmark]) -> Path:
+    """What the command wrote."""
+    return run[0]
+
+
+@pytest.fixture(scope="module")
+def reduced() -> bench.Benchmark:
+    """A run on the paper's machine without passes, text and batches that fit, disturbed throughout."""
+    at = itertools.count(0.0, 1e6)
+    with pytest.MonkeyPatch.context() as patch:
+        shorten(patch)
+        patch.setattr(bench, "QUICK_SIZES", (8, 10**12))
+        patch.setattr(reductions, "stages", lambda _: ())
+        patch.setattr(compile_times, "text_size", lambda: None)
+        patch.setattr(host, "_work_of_others", lambda: next(at))
+        return bench.bench(quick=True)
+
+
+@pytest.fixture(scope="module")
+def figures(written: Path) -> dict[str, Any]:
+    """The JSON."""
+    found: dict[str, Any] = json.loads((written / "bench.json").read_text())
+    return found
+
+
+def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], written: Path) -> None:
+    motion, text = figures["motion"], (written / "bench.txt").read_text()
+    inverse, peers = motion["ours"][0], motion["peers"]
+    forward = next(entry for entry in motion["ours"] if entry["name"] == FORWARD)
+    assert [entry["name"] for entry in motion["ours"]] == [each.name for each in equation_kernels.FUNCTIONS]
+    assert [entry["name"] for entry in peers] == ["Pinocchio", "MuJoCo"]
+    for entry in (*motion["ours"], *peers):
+        assert len(entry["raw"]) == figures["rounds"]
+        assert entry["ratio_to_inverse_dynamics"] == pytest.approx(entry["median"] / inverse["median"])
+        limits = tuple(entry[name] for name in ("target", "goal") if name in entry)
+        assert limits == MOST.get(entry["name"], ())
+    for net, call, empty in zip(peers, motion["calls"], motion["empty_calls"], strict=True):
+        assert net["raw"] == pytest.approx(np.array(call["raw"]) - np.array(empty["raw"]))
+    better = min(peers, key=lambda entry: float(entry["median"]))
+    assert motion["better_baseline"] == better["name"]
+    assert motion["times_faster"] == pytest.approx(better["median"] / forward["median"])
+    said = f"{motion['times_faster']:.1f} x faster than the better of the two, {better['name']} (target 20)"
+    assert said in text
+    assert all(f"ours: {entry['name']}" in text for entry in motion["ours"])
+    assert all(entry["name"] in (written / "bench_motion.svg").read_text() for entry in motion["ours"])
+
+
+# what is said
+
+
+def test_json_has_every_candidate_with_positive_figures(figures: dict[str, Any]) -> None:
+    for group, expected in (("ours", bench.OURS), ("calls", bench.CALLS)):
+        assert [entry["name"] for entry in figures[group]] == [each.name for each in expected]
+    assert [entry["name"] for entry in figures["peers"]] == [*(each.name for each in PEERS), bench.PINOCCHIO]
+    for entry in (*figures["ours"], *figures["calls"], *figures["peers"], figures["multiply_add"]):
+        low, high = entry["quartiles"]
+        assert len(entry["raw"]) == figures["rounds"] == 3
+        assert 0 < low <= entry["median"] <= high
+        assert min(entry["raw"]) <= entry["median"] <= max(entry["raw"])
+    swept = [(each.name, size) for each in bench.OURS if each.sweep for size in (8, 64)]
+    assert [(entry["name"], entry["poses"]) for entry in figures["sweep"]] == swept
+    assert all(entry["median"] > 0 for entry in figures["sweep"])
+
+
+def test_json_says_where_and_with_what_it_ran(figures: dict[str, Any]) -> None:
+    assert figures["machine"]["processor"]
+    assert figures["machine"]["cores"] >= 1
+    assert {"-O3", "-ffp-contract=off"} <= set(figures["software"]["flags"])
+    assert all(
+        figures["software"][name] for name in ("compiler", "python", "numpy", "casadi", "pin", "mujoco")
+    )
+
+
+def test_ratios_are_of_the_medians_of_the_same_run(figures: dict[str, Any]) -> None:
+    casadi = next(entry for entry in figures["peers"] if entry["name"] == CASADI.name)
+    for entry in (*figures["ours"], *figures["peers"]):
+        assert entry["ratio_to_casadi"] == pytest.approx(np.median(entry["raw"]) / np.median(casadi["raw"]))
+    (call, *_), one_pose = figures["calls"], figures["ours"][0]
+    assert call["overhead_over_c_ns"] == pytest.approx(call["median"] - one_pose["median"])
+
+
+def test_cores_are_compared_on_the_same_batch_round_by_round(figures: dict[str, Any], written: Path) -> None:
+    one, shared = (next(e for e in figures["ours"] if e["name"] == n) for n in (bench.BATCH, bench.ALL_CORES))
+    cores = figures["cores"]
+    assert one["poses"] == shared["poses"] == cores["poses"] >= 2 * forces.LEAST_SHARE
+    assert cores["raw"] == pytest.approx(np.array(one["raw"]) / np.array(shared["raw"]))
+    assert cores["median"] == pytest.approx(np.median(cores["raw"]))
+    assert len(figures["cores_arithmetic"]["raw"]) == len(cores["raw"])
+    assert 0 < figures["cores_arithmetic"]["median"] < 2 * cores["cores"]
+    assert cores["quartiles"] == pytest.approx(np.percentile(cores["raw"], (25, 75)))
+    line = f"{cores['cores']} cores over one core: {cores['median']:.2f} times, quartiles"
+    assert line in (written / "bench.txt").read_text()
+
+
+def test_passes_have_their_operations_and_both_times(figures: dict[str, Any], written: Path) -> None:
+    text = (written / "bench.txt").read_text()
+    for entry, expected in zip(figures["passes"], some_passes(), strict=True):
+        assert (entry["name"], entry["meaning"]) == (expected.name, expected.meaning)
+        assert tuple(entry["operations"].values()) == expected.operations
+        for time in (entry["one_pose"], entry["batch"]):
+            assert len(time["raw"]) == figures["rounds"]
+            assert time["median"] > 0
+        assert re.search(
+            rf"^{expected.name} +{expected.operations[0]} +{expected.operations[1]} ", text, re.M
+        )
+
+
+def test_json_says_how_long_the_kernels_compile(figures: dict[str, Any]) -> None:
+    assert [entry["source"] for entry in figures["compiling"]] == [
+        "stewart_exact.c",
+        "stewart_exact_forces.c",
+    ]
+    assert all(len(entry["raw"]) == 1 and entry["median"] > 0 for entry in figures["compiling"])
+
+
+def test_text_is_of_the_functions_of_one_pose(figures: dict[str, Any], written: Path) -> None:
+    functions = figures["text"]["functions"]
+    assert {"stewart_exact_prepare", "stewart_exact_forces"} <= functions.keys()
+    assert not {"main", "_start", "stewart_exact_forces_batch"} & functions.keys()
+    assert figures["text"]["total"] == sum(functions.values())
+    assert 2_000 < figures["text"]["total"] < 50_000
+    assert f"{figures['text']['total']} bytes" in (written / "bench.txt").read_text()
+
+
+@pytest.mark.parametrize("command", ["gcc", "clang"])
+def test_text_is_found_with_either_compiler(command: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("CC", command)
+    size = compile_times.text_size()
+    assert size is not None
+    assert {"stewart_exact_prepare", "stewart_exact_forces"} <= size.functions.keys()
+
+
+def test_text_is_left_out_where_the_tools_are_missing(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(compile_times, "_LINK_FLAGS", ("-Wl,--no-such-option",))
+    assert compile_times.text_size() is None
+    monkeypatch.undo()
+    monkeypatch.setattr(shutil, "which", lambda name: None if "nm" in name else f"/usr/bin/{name}")
+    assert compile_times.text_size() is None
+
+
+def test_tables_without_passes_and_text_are_left_out(reduced: bench.Benchmark) -> None:
+    assert reduced.as_json()["text"] is None
+    assert "after the pass" not in report(reduced)
+    assert "bytes" not in report(reduced)
+
+
+def test_a_run_that_others_disturbed_says_so(
+    reduced: bench.Benchmark, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert "100 % of the cores' time: the figures" in report(reduced)
+    monkeypatch.setattr(host, "_work_of_others", lambda: 0.0)
+    undisturbed = reduced.machine | {"taken_by_others": host.Others().share()}
+    assert "took 0 % of the cores' time\n" in report(dataclasses.replace(reduced, machine=undisturbed))
+
+
+def test_own_work_is_not_that_of_others() -> None:
+    work, times = host._work_of_others(), os.times()
+    if work is None:
+        assert not sys.platform.startswith("linux")
+        return
+    while sum(os.times()[:2]) - sum(times[:2]) < 0.3:
+        pass
+    again = host._work_of_others()
+    assert again is not None
+    assert work is not None
+    seconds = os.times().elapsed - times.elapsed
+    assert -0.05 < again - work < (os.cpu_count() or 1) * seconds - 0.25
+
+
+def test_pinocchio_is_newton_euler_less_the_call_and_a_solve(figures: dict[str, Any]) -> None:
+    rnea, empty, solve = (np.array(part["raw"]) for part in figures["pinocchio_parts"])
+    assert figures["peers"][-1]["raw"] == pytest.approx(rnea - empty + solve)
+
+
+def test_the_limit_is_the_emitted_operations_at_the_measured_rate(figures: dict[str, Any]) -> None:
+    operations = sum(module("exact").FORCE_OPERATIONS["friction"]["total"])
+    one_pose, (each, paired) = figures["ours"][0], figures["limits"].values()
+    assert one_pose["operations"] == operations
+    assert each == pytest.approx(1e9 * operations / figures["multiply_add"]["rate_per_s"])
+    assert paired == pytest.approx(each / 2)
+
+
+def test_the_table_has_every_candidate(written: Path) -> None:
+    text = (written / "bench.txt").read_text()
+    assert all(each.name in text for each in CONTESTANTS)
+    assert max(map(len, text.splitlines())) <= 115
+
+
+def test_the_picture_shows_every_candidate(written: Path) -> None:
+    drawing = (written / "bench.svg").read_text()
+    assert all(each.name in drawing for each in (*bench.OURS, *PEERS))
+    pixels = matplotlib.image.imread(written / "bench.png")
+    assert min(pixels.shape[:2]) > 500
+    assert 0.01 < np.mean(pixels[..., :3] < 0.9) < 0.5
+
+
+def test_labels_in_the_picture_do_not_overlap(run: tuple[Path, bench.Benchmark]) -> None:
+    for canvas in (picture(run[1]), motion_picture(run[1])):
+        canvas.draw_without_rendering()
+        above = canvas.axes[0]
+        boxes = [text.get_window_extent() for text in (*above.texts, *above.get_yticklabels())]
+        legend = above.get_legend()
+        boxes.append(above.title.get_window_extent() if legend is None else legend.get_window_extent())
+        assert not any(one.overlaps(other) for one, other in itertools.combinations(boxes, 2))
+        assert all(canvas.bbox.x0 < box.x0 and box.x1 < canvas.bbox.x1 for box in boxes)
+
+
+def test_the_command_takes_any_robot_file(figures: dict[str, Any], reduced: bench.Benchmark) -> None:
+    assert (figures["robot"], reduced.robot) == ("mine", dasgupta().name)
+
+
+def test_without_matplotlib_one_line_says_what_to_install(tmp_path: Path) -> None:
+    code = "import sys; sys.modules['matplotlib'] = None; "
+    code += "from stewart_sym.cli.main import main; sys.exit(main())"
+    command = [sys.executable, "-c", code, "bench", "-o", str(tmp_path / "out")]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 2
+    assert done.stdout == ""
+    (line,) = done.stderr.splitlines()
+    assert line.endswith(install("plot"))
+    assert not (tmp_path / "out").exists()
+
+
+def test_the_extra_names_what_the_bench_imports() -> None:
+    project = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text())["project"]
+    needs = project["optional-dependencies"]
+
+    def named(extra: str) -> set[str]:
+        """Requirements of an extra, for those that it takes from other extras their own."""
+        found: set[str] = set()
+        for need in needs[extra]:
+            own = re.fullmatch(r"stewart-sym\[(.*)\]", need)
+            found = found.union(*map(named, own[1].split(","))) if own else found | {need}
+        return found
+
+    assert {need.split(">")[0] for need in named("bench")} == {*bench.COMPARED.values(), "matplotlib"}
+    assert named("bench") <= named("test")
+
+
+# how it is measured
+
+
+class Clock:
+    """A clock that stands still but for what tasks take."""
+
+    def __init__(self, monkeypatch: pytest.MonkeyPatch) -> None:
+        self.now = 0
+        self.calls: list[tuple[str, int]] = []
+        monkeypatch.setattr("time.perf_counter_ns", lambda: self.now)
+
+    def task(self, name: str, units: int, ns: int) -> timing.Task:
+        def run(repeats: int) -> None:
+            self.calls.append((name, repeats))
+            self.now += repeats * units * ns
+
+        return timing.Task(run, units)
+
+
+def test_a_figure_is_the_time_of_one_unit(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    tasks = {"short": clock.task("short", 64, 100), "long": clock.task("long", 10**6, 750)}
+    raw = timing.measured(tasks, {"short": 5, "long": 3}, lambda _: None)
+    assert raw["short"] == pytest.approx(5 * (100.0,))
+    assert raw["long"] == pytest.approx(3 * (750.0,))
+
+
+def test_candidates_take_turns_and_every_sample_is_long_enough(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    names = ("a", "b", "c")
+    tasks = {name: clock.task(name, 64, 100) for name in names}
+    timing.measured(tasks, dict.fromkeys(names, 4), lambda _: None)
+    samples = [(name, repeats) for name, repeats in clock.calls[-2 * 3 * 4 :] if repeats > 1]
+    assert len(samples) == 3 * 4
+    assert all(repeats * 64 * 100 >= 1e9 * timing.SHORTEST for _, repeats in samples)
+    rounds = [tuple(name for name, _ in samples[i : i + 3]) for i in range(0, 12, 3)]
+    assert [sorted(turn) for turn in rounds] == 4 * [[*names]]
+    assert len(set(rounds)) == 3
+
+
+def test_every_sample_but_an_enormous_one_comes_after_a_run_that_is_not_timed(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    clock = Clock(monkeypatch)
+    tasks = {
+        "large": clock.task("large", timing.ENORMOUS - 1, 100),
+        "enormous": clock.task("enormous", timing.ENORMOUS, 100),
+    }
+    timing.measured(tasks, dict.fromkeys(tasks, 3), lambda _: None)
+    turns = [name for name, _ in clock.calls[-3 * 3 :]]
+    one, other = ["large", "large"], ["enormous"]
+    assert turns == [*one, *other, *other, *one, *one, *other]
+
+
+def test_a_sample_that_turns_out_short_is_taken_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = Clock(monkeypatch)
+    speeds = itertools.chain(8 * [1000], itertools.repeat(1))
+    taken: list[int] = []
+
+    def run(repeats: int) -> None:
+        taken.append(repeats * 64 * next(speeds))
+        clock.now += taken[-1]
+
+    raw = timing.measured({"task": timing.Task(run, 64)}, {"task": 3}, lambda _: None)
+    assert taken[-1] >= 1e9 * timing.SHORTEST
+    assert raw["task"] == pytest.approx(3 * (1.0,))
+
+
+def test_a_coarse_clock_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
+    ticks = itertools.count(0, 50_000)
+    monkeypatch.setattr("time.perf_counter_ns", lambda: next(ticks))
+    with pytest.raises(ValueError, match="clock is too coarse"):
+        timing.time_source()
+
+
+def test_batches_that_do_not_fit_into_memory_are_left_out(reduced: bench.Benchmark) -> None:
+    assert {figure.poses for figure in reduced.sweep} == {8}
+
+
+def test_multiply_adds_are_what_their_count_says() -> None:
+    loop = multiply_add()
+    assert loop.lanes in (2, 4, 8)
+    assert loop.count % (12 * loop.lanes) == 0
+    loop.run(1)

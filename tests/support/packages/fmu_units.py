@@ -1,0 +1,252 @@
+"""FMI units of some machines, unpacked, with their kernels beside them and an instance to step."""
+
+import ctypes
+import functools
+import io
+import re
+import tempfile
+import zipfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import fmpy
+import machines
+import numpy as np
+import pytest
+from fmpy.fmi2 import (
+    FMU2Slave,
+    defaultCallbacks,
+    fmi2CallbackFunctions,
+    fmi2CallbackLoggerTYPE,
+)
+from numpy.typing import NDArray
+
+from stewart_sym import PATHS
+from stewart_sym.backend import native
+from stewart_sym.backend.kernel import MOTION, robot_numbers
+from stewart_sym.derive.package.words import robot_symbol
+from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.kit import Choice, kit
+from stewart_sym.kit.fmu import UnitKernel, fmu_unit
+from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+CASES = {
+    "lanes": Choice(fmu=True),
+    "scalar": Choice(scalar=True, fmu=True),
+    "baked": Choice(bake=True, fmu=True),
+    "float": Choice(precision="float", fmu=True),
+    "spherical": Choice(fmu=True),
+    "massless": Choice(fidelity="massless", fmu=True),
+}
+SLOW = ("massless",)
+EVERY = [pytest.param(case, marks=[pytest.mark.slow] if case in SLOW else []) for case in CASES]
+PREPARED = [case for case in EVERY if case.values != ("baked",)]
+PAYLOAD = ("M", "R_0", "I_p", "g")
+FORCES = range(30, 36)
+NOT_FINITE, ZERO_LENGTH, SINGULAR = 1, 2, 4
+
+
+@dataclass(frozen=True)
+class Made:
+    """A unit and what it was made of."""
+
+    robot: Robot
+    kernel: UnitKernel
+    sources: dict[str, str]
+    content: bytes
+
+    @property
+    def symbol(self) -> str:
+        return robot_symbol(self.robot.name)
+
+
+def robot_of(case: str) -> Robot:
+    if case == "spherical":
+        return machines.random_robot(np.random.default_rng(3), "spherical")
+    return machines.dasgupta()
+
+
+def numbers(robot: Robot) -> dict[str, object]:
+    return {field: np.asarray(getattr(robot, field)).tolist() for field in PAYLOAD}
+
+
+def pose(motion: Motion) -> dict[str, object]:
+    return {field: getattr(motion, field).tolist() for field in ("R", "t")}
+
+
+def unit(robot: Robot, kernel: UnitKernel, sources: dict[str, str]) -> bytes:
+    start = {"R": np.eye(3).tolist(), "t": home_pose(robot).t.tolist()}
+    payload = None if kernel.baked else numbers(robot)
+    return fmu_unit(robot.name, robot_symbol(robot.name), sources, kernel, start, payload, "0" * 64, "1.2.3")
+
+
+@functools.cache
+def made(case: str) -> Made:
+    robot = robot_of(case)
+    files = kit(robot, CASES[case]).files
+    unused = ("example/main.c", "test/selftest.c", "stewart_rotation.h", "stewart_rotation.c")
+    sources = {
+        name: text.decode()
+        for name, text in files.items()
+        if name.endswith((".c", ".h")) and name not in unused
+    }
+    header, prefix = forces_function(sources)
+    kernel = UnitKernel(header, prefix, case == "baked", CASES[case].precision)
+    return Made(robot, kernel, sources, files[f"{robot_symbol(robot.name)}.fmu"])
+
+
+def forces_function(sources: dict[str, str]) -> tuple[str, str]:
+    for name, text in sources.items():
+        found = (
+            re.search(r"^STEWART_NODISCARD int (stewart_\w+)_forces\(", text, re.MULTILINE)
+            if name.endswith(".h")
+            else None
+        )
+        if found is not None:
+            return name, found[1]
+    raise AssertionError("no header declares forces")
+
+
+@functools.cache
+def folder(case: str) -> Path:
+    """The unit, unpacked for as long as the tests run."""
+    place = Path(KEEP.name) / case
+    with zipfile.ZipFile(io.BytesIO(made(case).content)) as archive:
+        archive.extractall(place)
+    return place
+
+
+KEEP = tempfile.TemporaryDirectory(prefix="stewart-sym-fmu-", ignore_cleanup_errors=True)
+
+
+# --- the same kernel without a unit -----------------------------------------------------------
+
+
+@functools.cache
+def library(case: str) -> ctypes.CDLL:
+    """The kernel compiled as in the unit, its functions shown."""
+    place = Path(KEEP.name) / f"{case}_kernel"
+    place.mkdir()
+    flags = ("-fvisibility=default",)
+    return ctypes.CDLL(
+        str(native.compiled(place, "kernel", made(case).sources, flags, native.PORTABLE_FLAGS))
+    )
+
+
+def forces(case: str, rows: Array, robot: Robot | None = None) -> Array:
+    """Forces (n, 6) of motions (n, 30), every one of which has some."""
+    kernel, code = made(case).kernel, library(case)
+    real = np.float32 if kernel.precision == "float" else np.float64
+    constants = robot_numbers(made(case).robot if robot is None else robot).astype(real)
+    model, found = ctypes.create_string_buffer(1 << 15), np.zeros((len(rows), 78), dtype=real)
+    owner = [] if kernel.baked else [model]
+    if not kernel.baked:
+        assert getattr(code, f"{kernel.prefix}_prepare")(pointer(constants), model) == 0
+    for row, F in zip(np.ascontiguousarray(rows, dtype=real), found, strict=True):
+        assert getattr(code, f"{kernel.prefix}_forces")(*owner, pointer(row), pointer(F)) == 0
+    return found[:, :6].astype(np.float64)
+
+
+def pointer(array: NDArray[np.generic]) -> ctypes.c_void_p:
+    return ctypes.c_void_p(array.ctypes.data)
+
+
+def rows_of(motion: Motion) -> Array:
+    """Motions as the unit's inputs in their order, (n, 30)."""
+    fields = [getattr(motion, name) for name in MOTION]
+    count = len(motion.t)
+    return np.concatenate(
+        [np.zeros((count, 3)) if value is None else value.reshape(count, -1) for value in fields], axis=1
+    )
+
+
+def path(case: str, times: Array) -> Motion:
+    if case == "spherical":
+        return machines.random_path(np.random.default_rng(4), made(case).robot)(times)
+    return PATHS["I"].path.sample(times)
+
+
+# --- an instance ------------------------------------------------------------------------------
+
+
+@contextmanager
+def loaded(case: str, place: Path | None = None) -> Iterator[FMU2Slave]:
+    where = folder(case) if place is None else place
+    told = fmpy.read_model_description(str(where))
+    slave = FMU2Slave(
+        guid=told.guid,
+        unzipDirectory=str(where),
+        modelIdentifier=told.coSimulation.modelIdentifier,
+        instanceName="one",
+    )
+    try:
+        yield slave
+    finally:
+        slave.freeLibrary()
+
+
+@contextmanager
+def running(case: str, log: list[tuple[int, str, str]] | None = None) -> Iterator[FMU2Slave]:
+    """An initialised instance; with a log, logging is on."""
+    callbacks = fmi2CallbackFunctions()
+    callbacks.allocateMemory, callbacks.freeMemory = (
+        defaultCallbacks.allocateMemory,
+        defaultCallbacks.freeMemory,
+    )
+
+    def logger(_: object, __: bytes, status: int, category: bytes, message: bytes) -> None:
+        assert log is not None
+        log.append((status, category.decode(), message.decode()))
+
+    callbacks.logger = fmi2CallbackLoggerTYPE(logger)
+    with loaded(case) as slave:
+        slave.instantiate(callbacks=callbacks, loggingOn=log is not None)
+        started(slave)
+        yield slave
+        slave.fmi2FreeInstance(slave.component)
+
+
+def started(slave: FMU2Slave) -> None:
+    slave.setupExperiment(startTime=0.0)
+    slave.enterInitializationMode()
+    slave.exitInitializationMode()
+
+
+def step(slave: FMU2Slave, row: Array, time: float = 0.0) -> Array:
+    slave.setReal(range(30), row)
+    slave.doStep(time, 0.001)
+    return np.array(slave.getReal(FORCES))
+
+
+def references(case: str) -> dict[str, int]:
+    told = fmpy.read_model_description(str(folder(case)))
+    return {variable.name: variable.valueReference for variable in told.modelVariables}
+
+
+def status(slave: FMU2Slave, case: str = "lanes") -> int:
+    return int(slave.getInteger([references(case)["status"]])[0])
+
+
+def some_rows(case: str = "lanes") -> Array:
+    """Motions that differ in all that moves, and loads."""
+    rng = np.random.default_rng(7)
+    return rows_of(machines.random_motion(rng, made(case).robot, (3,)))
+
+
+# --- the archive ------------------------------------------------------------------------------
+
+
+def contents(content: bytes) -> dict[str, bytes]:
+    with zipfile.ZipFile(io.BytesIO(content)) as archive:
+        return {name: archive.read(name) for name in archive.namelist()}
+
+
+def guid(content: bytes) -> str:
+    found = re.search(rb'guid="(.*?)"', contents(content)["modelDescription.xml"])
+    assert found is not None
+    return found[1].decode()

@@ -1,0 +1,87 @@
+"""Kits of some robots, made once a process, and programs built of them without a warning."""
+
+import dataclasses
+import re
+import subprocess
+from functools import cache
+from pathlib import Path
+
+import machines
+import numpy as np
+
+from stewart_sym.kit import Choice, Kit, kit
+from stewart_sym.kit.choice import DEFAULT
+from stewart_sym.robot.robot import Robot
+
+STRICT = ("-pedantic", "-Wall", "-Wextra", "-Wconversion", "-Wdouble-promotion", "-Wshadow", "-Werror")
+COMPILERS = {
+    "gcc": ("gcc", "-std=c99"),
+    "clang": ("clang", "-std=c99"),
+    "g++": ("g++", "-x", "c++", "-std=c++11"),
+    "clang++": ("clang++", "-x", "c++", "-std=c++11"),
+}
+
+
+@cache
+def machine(which: str) -> Robot:
+    rng = np.random.default_rng(20)
+    if which == "dasgupta":
+        return machines.dasgupta()
+    return machines.random_robot(rng, "spherical" if which == "spherical" else "universal")
+
+
+@cache
+def renamed(name: str) -> Robot:
+    return dataclasses.replace(machines.dasgupta(), name=name)
+
+
+@cache
+def kit_of(name: str = "Dasgupta & Mruthyunjaya 1998", choice: Choice = DEFAULT) -> Kit:
+    return kit(renamed(name), choice)
+
+
+@cache
+def kit_for(which: str, choice: Choice) -> Kit:
+    """A kit of one of the machines above."""
+    return kit(machine(which), choice)
+
+
+def build(folder: Path, compiler: str, level: str = "-O1") -> dict[str, Path]:
+    """Compile the kit with all warnings as errors and not a word printed; return its programs."""
+    flags = (*COMPILERS[compiler], *STRICT, level, "-ffp-contract=off")
+    objects = {}
+    for source in sorted(folder.rglob("*.c")):
+        objects[source.stem] = folder.parent / f"{compiler}-{source.stem}.o"
+        silently([*flags, f"-I{folder}", "-c", str(source), "-o", str(objects[source.stem])])
+    programs = ("selftest", "main")
+    library = [str(path) for name, path in objects.items() if name not in programs]
+    made = {}
+    for name in programs:
+        made[name] = folder.parent / f"{compiler}-{name}"
+        silently([COMPILERS[compiler][0], str(objects[name]), *library, "-o", str(made[name]), "-lm"])
+    return made
+
+
+def silently(command: list[str]) -> None:
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout + done.stderr) == (0, "")
+
+
+def run(program: Path) -> tuple[int, str]:
+    done = subprocess.run([str(program)], capture_output=True, text=True, check=False)
+    return done.returncode, done.stdout
+
+
+def proves_itself(folder: Path, compiler: str = "gcc", level: str = "-O1") -> None:
+    """Build and run self-test and example."""
+    programs = build(folder, compiler, level)
+    code, output = run(programs["selftest"])
+    assert code == 0, output
+    assert re.search(r"^selftest +(\d+) of +\1 right, worst error \S+ of its bound$", output, re.M), output
+    assert run(programs["main"])[0] == 0
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    return {
+        path.relative_to(folder).as_posix(): path.read_bytes() for path in folder.rglob("*") if path.is_file()
+    }

@@ -1,0 +1,380 @@
+"""Sound machines, published ones and absurd ones."""
+
+import dataclasses
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+from stewart_sym.motion.rotation import rotation_from_quaternion
+from stewart_sym.robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+BASE, PLATFORM = (-10, 10, 110, 130, 230, 250), (-48, 48, 72, 168, 192, 288)
+
+
+def ring(size: float, angles: object, z: float = 0.0) -> Array:
+    angle = np.radians(np.asarray(angles, dtype=np.float64))
+    return np.column_stack([size * np.cos(angle), size * np.sin(angle), np.full(6, z)])
+
+
+def across(rng: np.random.Generator, s: Array) -> Array:
+    """Unit vectors within some 30 degrees of the plane across s (6, 3)."""
+    k = np.cross(s, rng.normal(size=3))
+    k = k / np.linalg.norm(k, axis=-1, keepdims=True) + 0.2 * rng.normal(size=k.shape)
+    return np.asarray(k / np.linalg.norm(k, axis=-1, keepdims=True))
+
+
+def rods(masses: Array, length: Array, thickness: Array) -> Array:
+    """Inertias of round bars along x, (6, 3, 3)."""
+    axial, transverse = masses * thickness**2 / 2, masses * (length**2 / 12 + thickness**2 / 4)
+    return np.array([np.diag([a, t, t]) for a, t in zip(axial, transverse, strict=True)])
+
+
+def machine_of(
+    rng: np.random.Generator,
+    b: Array,
+    p: Array,
+    t: Array,
+    joint: str = "universal",
+    limited: bool = True,
+    gravity: object = (0.0, 0.0, -9.81),
+) -> Robot:
+    """A machine of those points, at home at t: actuators that carry it, rods in tubes."""
+    S = t + p - b
+    L = np.linalg.norm(S, axis=-1)
+    size = float(np.linalg.norm(p - p.mean(axis=0), axis=-1).max())
+    M = 4.0 * size**3 * 10 ** rng.uniform(1.5, 3.7)
+    masses = M * rng.uniform(0.01, 0.3, (2, 6))
+    stroke = L * rng.uniform(0.2, 0.4, 6)
+    lower, upper = (L * rng.uniform(0.45, 0.6, 6) for _ in range(2))
+    robot = Robot(
+        name="sound",
+        base_joint=joint,
+        g=gravity,
+        M=M,
+        R_0=p.mean(axis=0) + 0.3 * size * rng.normal(size=3),
+        I_p=M * size**2 * np.diag(rng.uniform(0.2, 0.38, 3)),
+        b=b,
+        p=p,
+        k=across(rng, S / L[:, None]) if joint == "universal" else np.zeros((6, 3)),
+        m_d=masses[0],
+        r_d0=np.column_stack([lower / 2, np.zeros((6, 2))]),
+        I_d0=rods(masses[0], lower, L / 20),
+        m_u=masses[1],
+        r_u0=np.column_stack([-upper / 2, np.zeros((6, 2))]),
+        I_u0=rods(masses[1], upper, L / 40),
+        C_u=np.zeros(6),
+        C_p=M * np.sqrt(9.81 / size) * rng.uniform(0.0, 1.0, 6),
+        C_s=np.zeros(6),
+    )
+    if not limited:
+        return robot
+    zero = np.zeros(3)
+    rest = ss.Motion(R=np.eye(3), t=t, omega=zero, v=zero, alpha=zero, a=zero)
+    hold = np.abs(ss.inverse_dynamics(robot, rest, backend="numpy").F).max()
+    return dataclasses.replace(
+        robot,
+        length_limits=np.column_stack([L - stroke, L + stroke]),
+        force_limit=rng.uniform(4.0, 20.0, 6) * (hold + 0.1 * M),
+        speed_limit=rng.uniform(0.1, 3.0, 6) * np.sqrt(size),
+    )
+
+
+def sound_machine(rng: np.random.Generator) -> Robot:
+    """A machine of 1 mm to 10 m whose legs differ; its frames lie anywhere, its base in any plane."""
+    size = 10 ** rng.uniform(-3.0, 1.0)
+    half = rng.uniform(0.0, 20.0, 2)
+    b = ring(size, [c + d * half[0] for c in (0, 120, 240) for d in (-1, 1)])
+    p = ring(size * rng.uniform(0.35, 1.2), [c + d * (60 - half[1]) for c in (0, 120, 240) for d in (-1, 1)])
+    height = size * rng.uniform(0.6, 1.8)
+    t = np.array([0.0, 0.0, height])
+    b, p = b + 0.06 * size * rng.normal(size=(6, 3)), p + 0.04 * size * rng.normal(size=(6, 3))
+    kind = rng.integers(4)
+    if kind == 0:  # the platform's frame is off the platform, on the side away from the base
+        shift = np.array([0.0, 0.0, -size * rng.uniform(0.2, 2.0)])
+        p, t = p + shift, t - shift
+    if kind == 1:  # the legs are numbered in another order
+        order = rng.permutation(6)
+        b, p = b[order], p[order]
+    if kind == 2:  # the machine hangs, or is seen in a mirror
+        b, p, t = (x * [1.0, -1.0, rng.choice([-1.0, 1.0])] for x in (b, p, t))
+    if kind == 3:  # the base frame is anywhere
+        turn = rotation_from_quaternion(rng.normal(size=4)) if rng.random() < 0.5 else np.eye(3)
+        b, p, t = b @ turn.T, p @ turn.T, turn @ t
+        shift = size * rng.normal(size=3)
+        b, t = b + shift, t + shift
+    direction = rng.normal(size=3)
+    gravity = 9.81 * direction / np.linalg.norm(direction) * rng.choice([0.0, 0.17, 1.0, 1.0, 2.5])
+    joint = ("universal", "spherical")[rng.integers(2)]
+    return machine_of(rng, b, p, t, joint, bool(rng.random() < 0.6), gravity)
+
+
+# Published machines: base points, platform points, home position
+
+
+def published() -> dict[str, tuple[Array, Array, Array]]:
+    m2_b = [[0, 1701.8, 114.3], [-1542.35, -719.21, 114.3], [1542.35, -719.21, 114.3]]
+    m2_b += [[0.79, 1460.49, 228.6], [-1503.37, 7.66, 228.6], [1503.37, 7.66, 228.6]]
+    m2_p = [[0, 1701.8, 607.3], [-1542.35, -719.21, 607.3], [1542.35, -719.21, 607.3]]
+    m2_p += [[493.79, 1460.49, 228.6], [-1256.87, -419.29, 228.6], [1256.87, -419.29, 228.6]]
+    camera_b = [[227.6, 653.8], [-227.6, 653.8], [-680, -129.7], [-452.3, -524], [452.3, -524], [680, -129.7]]
+    camera_p = [[472.8, 512.2], [-472.8, 512.2], [-680, 153.3], [-207.2, -665.5], [207.2, -665.5]]
+    camera_p += [[680, 153.3]]
+    tsai_b = [[-2.12, 1.374], [-2.38, 1.224], [-2.38, -1.224], [-2.12, -1.374], [0, -0.15], [0, 0.15]]
+    tsai_p = [[0.17, 0.595], [-0.6, 0.15], [-0.6, -0.15], [0.17, -0.595], [0.43, -0.445], [0.43, 0.445]]
+
+    def flat(points: object, z: float, unit: float = 1.0) -> Array:
+        return unit * np.column_stack([np.asarray(points, dtype=np.float64), np.full(6, z)])
+
+    def sixth(radius: float, half: float, z: float, start: float = 0.0) -> Array:
+        return ring(radius, [start + c + d * half for c in (0, 120, 240) for d in (-1, 1)], z)
+
+    zero = np.zeros(3)
+    up = np.array([0.0, 0.0, 1.0])
+    return {
+        "Tsai 2000": (flat(tsai_b, 0), flat(tsai_p, -0.4), np.array([-1.5, 0, 1])),
+        "UNAL": (
+            ring(0.15, 90 - np.array([10, 110, 130, 230, 250, 350]), 0.038),
+            ring(0.09, 90 - np.array([45, 75, 165, 195, 285, 315]), -0.052),
+            0.75 * up,
+        ),
+        "MathWorks 2002": (
+            sixth(3, 2.5, 0),
+            np.roll(sixth(1, 10, 0, 60), 1, axis=0),
+            2 * up,
+        ),
+        "krex4715": (
+            ring(0.12, [20, 100, 140, 220, 260, 340]),
+            ring(0.095, [40, 80, 160, 200, 280, 320]),
+            0.39 * up,
+        ),
+        "Rubin camera": (flat(camera_b, -525, 1e-3), flat(camera_p, -121.4, 1e-3), zero),
+        "Rubin M2": (1e-3 * np.array(m2_b), 1e-3 * np.array(m2_p), zero),
+        "nano-hexapod": (
+            sixth(0.115, 10, 0.015),
+            ring(0.09, [-50, 50, 70, 170, 190, -70], -0.015),
+            0.09 * up,
+        ),
+        "TU Braunschweig": (sixth(0.25145, 48.53, 0), sixth(0.2169, 12.86, 0), 0.5 * up),
+    }
+
+
+# Absurd machines
+
+
+def sound() -> Robot:
+    rng = np.random.default_rng(7)
+    return machine_of(rng, ring(0.5, BASE), ring(0.3, PLATFORM), np.array([0.0, 0.0, 0.7]))
+
+
+def unlimited() -> Robot:
+    none = sound()
+    return dataclasses.replace(
+        none,
+        length_limits=np.tile([0.0, np.inf], (6, 1)),
+        force_limit=np.full(6, np.inf),
+        speed_limit=np.full(6, np.inf),
+    )
+
+
+def of(**changes: Callable[[Array], object]) -> Callable[[Robot], Robot]:
+    """A change of a robot: field -> what becomes of its value."""
+    return lambda robot: dataclasses.replace(
+        robot, **{name: change(getattr(robot, name)) for name, change in changes.items()}
+    )
+
+
+def alike(unit: float) -> Callable[[Robot], Robot]:
+    """Limits that are those of all legs, in another unit: a platform far away has its legs within them."""
+    return of(length_limits=lambda x: np.tile([unit * x[:, 0].min(), unit * x[:, 1].max()], (6, 1)))
+
+
+def aside(leg: int, centers: str, across: float) -> Callable[[Robot], Robot]:
+    """The centre of mass of one part moved off the leg's axis, m."""
+
+    def changed(robot: Robot) -> Robot:
+        values = getattr(robot, centers).copy()
+        values[leg, 1] += across
+        return dataclasses.replace(robot, **{centers: values})
+
+    return changed
+
+
+def one_leg(name: str, leg: int, factor: float) -> Callable[[Robot], Robot]:
+    def changed(values: Array) -> Array:
+        values = values.copy()
+        values[leg] *= factor
+        return values
+
+    return of(**{name: changed})
+
+
+MIRROR, SECOND, OPPOSITE = [0, 5, 4, 3, 2, 1], [1, 0, 2, 3, 4, 5], [0, 4, 2, 3, 1, 5]
+ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
+    # what is wrong: change of a sound machine, name of the doubt, words of its cause
+    "millimetres": (of(b=lambda b: 1e3 * b, p=lambda p: 1e3 * p), "length-unit", "points in millimetres"),
+    "base in millimetres": (of(b=lambda b: 1e3 * b), "proportion", "base points in millimetres"),
+    "platform in millimetres": (of(p=lambda p: 1e3 * p), "proportion", "platform points in millimetres"),
+    "one point in millimetres": (one_leg("b", 2, 1e3), "stray-point", "base_point of leg 3"),
+    "base and platform exchanged": (
+        lambda robot: dataclasses.replace(robot, b=robot.p * 0.6, p=robot.b),
+        "proportion",
+        "base_point and platform_point exchanged",
+    ),
+    "gravity in mm/s^2": (of(g=lambda g: 1e3 * g), "gravity", "given in mm/s^2"),
+    "mass in grams": (of(M=lambda M: 1e3 * M, m_d=lambda m: 1e3 * m, m_u=lambda m: 1e3 * m), "", "grams"),
+    "mass of the platform in grams": (of(M=lambda M: 1e3 * M, I_p=lambda I_p: 1e3 * I_p), "mass", "in grams"),
+    "a robot of 20 mm in millimetres": (
+        of(b=lambda b: 20.0 * b, p=lambda p: 20.0 * p, M=lambda M: 1e-5 * M),
+        "length-unit",
+        "points in millimetres",
+    ),
+    "platform's inertia 1e-6 of what it is": (
+        of(I_p=lambda inertia: 1e-6 * inertia),
+        "inertia-size",
+        "converted from kg mm^2 twice",
+    ),
+    "lower parts' inertia 1e-6 of what it is": (
+        of(I_d0=lambda inertia: 1e-6 * inertia),
+        "inertia-size",
+        "converted from kg mm^2 twice",
+    ),
+    "one upper part's inertia 1e-6 of what it is": (
+        one_leg("I_u0", 3, 1e-6),
+        "inertia-size",
+        "converted from kg mm^2 twice",
+    ),
+    "platform's inertia in kg mm^2": (
+        of(I_p=lambda inertia: 1e6 * inertia),
+        "inertia-size",
+        "platform: inertia",
+    ),
+    "platform's inertia in g cm^2": (of(I_p=lambda inertia: 1e7 * inertia), "inertia-size", "g cm^2"),
+    "upper parts' inertia in kg cm^2": (
+        of(I_u0=lambda inertia: 1e4 * inertia),
+        "inertia-size",
+        "upper part of all legs",
+    ),
+    "one lower part's inertia in kg mm^2": (one_leg("I_d0", 4, 1e6), "inertia-size", "lower part of leg 5"),
+    "platform's centre of mass in millimetres": (
+        of(R_0=lambda R_0: 1e3 * (R_0 + 0.1)),
+        "center-of-mass",
+        "platform: center_of_mass",
+    ),
+    "lower centres of mass in millimetres": (
+        of(r_d0=lambda r: 1e3 * r),
+        "center-of-mass",
+        "lower part of all legs: center_of_mass",
+    ),
+    "upper centres of mass of the wrong sign": (
+        of(r_u0=lambda r: -r),
+        "center-of-mass",
+        "wrong sign, expected a negative",
+    ),
+    "lower centres of mass of the wrong sign": (
+        of(r_d0=lambda r: -1.3 * r),
+        "center-of-mass",
+        "wrong sign, expected a positive",
+    ),
+    "lower centre of mass off the leg's axis": (
+        aside(2, "r_d0", 0.6),
+        "center-of-mass",
+        "lower part of leg 3: center_of_mass 0.6 m off the leg's axis",
+    ),
+    "upper centres of mass along the third axis": (
+        of(r_u0=lambda r: r[:, [2, 1, 0]]),
+        "center-of-mass",
+        "expected the first along the leg",
+    ),
+    "friction of the legs in another unit": (of(C_p=lambda C: 1e5 * C), "friction", "C_p of all legs"),
+    "friction of one base joint in another unit": (
+        lambda robot: dataclasses.replace(robot, C_u=1e6 * np.eye(6)[1] * robot.M),
+        "friction",
+        "C_u of leg 2",
+    ),
+    "friction of the platform's joints in another unit": (
+        lambda robot: dataclasses.replace(robot, C_s=np.full(6, 1e6 * robot.M)),
+        "friction",
+        "C_s of all legs",
+    ),
+    "platform points shifted by one": (of(p=lambda p: np.roll(p, 1, axis=0)), "leg-order", "shifted by 1"),
+    "platform points shifted by two": (of(p=lambda p: np.roll(p, 2, axis=0)), "leg-order", "shifted by 2"),
+    "platform points shifted by three": (of(p=lambda p: np.roll(p, 3, axis=0)), "leg-order", "shifted by 3"),
+    "platform points numbered the other way": (of(p=lambda p: p[MIRROR]), "", "mirrored"),
+    "platform points of a left-handed frame": (of(p=lambda p: p[MIRROR] * [1, -1, 1]), "", ""),
+    "two platform points exchanged": (of(p=lambda p: p[SECOND]), "crossing", "legs 1, 2 cross"),
+    "platform points of opposite legs exchanged": (
+        of(p=lambda p: p[OPPOSITE]),
+        "crossing",
+        "legs 2, 5 cross",
+    ),
+    "universal axis along the leg": (
+        lambda robot: dataclasses.replace(robot, k=robot.p + np.array([0, 0, 0.7]) - robot.b),
+        "joint-singularity",
+        "across the leg",
+    ),
+    "limits in millimetres, alike": (alike(1e3), "length-limits", "limits in millimetres"),
+    "limits in centimetres, alike": (alike(1e2), "length-limits", "limits in centimetres"),
+    "limits in millimetres": (of(length_limits=lambda x: 1e3 * x), "length-limits", "in millimetres"),
+    "limits in centimetres": (of(length_limits=lambda x: 1e2 * x), "length-limits", "in centimetres"),
+    "the stroke for limits": (
+        lambda robot: dataclasses.replace(robot, length_limits=np.tile([0.0, 0.2], (6, 1))),
+        "length-limits",
+        "the stroke given",
+    ),
+    "force limit in kN": (of(force_limit=lambda F: 1e-3 * F), "force-limit", "force_limit in kN"),
+    "speed limit in mm/s": (of(speed_limit=lambda v: 1e3 * v), "speed-limit", "given in mm/s"),
+    "parts that overlap": (
+        lambda robot: dataclasses.replace(
+            robot, r_d0=np.tile([0.55, 0, 0], (6, 1)), r_u0=np.tile([-0.65, 0, 0], (6, 1))
+        ),
+        "overlap",
+        "both measured from one end",
+    ),
+    "base points on one line": (
+        of(b=lambda b: b * [1, 0, 0]),
+        "singular-everywhere",
+        "base points on one line",
+    ),
+    "platform points on one line": (
+        of(p=lambda p: p @ np.diag([1, 0, 0]) @ np.array([[1, 2, 3], [0, 0, 0], [0, 0, 0]])),
+        "singular-everywhere",
+        "platform points on one line",
+    ),
+    "four legs from one base point": (
+        of(b=lambda b: b[[0, 0, 0, 0, 4, 5]]),
+        "singular-everywhere",
+        "base points of legs 1, 2, 3, 4 in one place",
+    ),
+    "similar hexagons": (of(p=lambda p: ring(0.3, BASE)), "singular-everywhere", "similar hexagons"),
+    "similar hexagons to four digits": (
+        of(b=lambda b: np.round(b, 4), p=lambda p: np.round(ring(0.3, BASE), 4)),
+        "singular-everywhere",
+        "similar hexagons",
+    ),
+    "affine hexagons": (
+        of(p=lambda p: ring(0.5, BASE) @ np.array([[0.6, 0.2, 0.1], [0.0, 0.4, -0.1], [0.0, 0.0, 0.0]])),
+        "singular-everywhere",
+        "similar hexagons",
+    ),
+    "all platform points in one place": (of(p=lambda p: p[[0] * 6]), "singular-everywhere", "in one place"),
+    "all points in one place each, written with decimals": (
+        of(b=lambda b: np.tile([0.6, 0.2, 0.0], (6, 1)), p=lambda p: np.tile([0.3, 0.0, 0.1], (6, 1))),
+        "singular-everywhere",
+        "all legs coincide",
+    ),
+    "all legs the same": (
+        of(b=lambda b: b[[0] * 6], p=lambda p: p[[0] * 6]),
+        "singular-everywhere",
+        "all legs coincide",
+    ),
+    "two legs the same": (
+        of(b=lambda b: b[[0, 0, 2, 3, 4, 5]], p=lambda p: p[[0, 0, 2, 3, 4, 5]]),
+        "singular-everywhere",
+        "legs 1, 2 coincide",
+    ),
+    "parallel legs": (of(p=lambda p: ring(0.5, BASE)), "singular-everywhere", "similar hexagons"),
+}
