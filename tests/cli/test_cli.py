@@ -74,7 +74,7 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     captured = capsys.readouterr()
     assert captured.err == ""
     names = [f"path_{p}_{f}.csv" for p in ("I", "II", "III") for f in ("exact", "paper")]
-    assert results(target) == sorted([*names, "report.txt"])
+    assert results(target) == sorted([*names, "report.json", "report.txt"])
     assert (target / "report.txt").read_text() in captured.out
     rows = read(target / "path_I_paper.csv")
     assert len(rows) == 61
@@ -612,6 +612,7 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, capsys: pytest.
         "events.csv",
         "path.csv",
         "path.png",
+        "report.json",
         "report.txt",
     ]
     text = (folder / "report.txt").read_text()
@@ -633,7 +634,7 @@ def test_singularities_of_a_path_that_crosses_none(
 ) -> None:
     folder = robot.parent / "found"
     assert main(["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-pictures"]) == 0
-    assert results(folder) == ["events.csv", "path.csv", "report.txt"]
+    assert results(folder) == ["events.csv", "path.csv", "report.json", "report.txt"]
     out = capsys.readouterr().out
     assert "crossings  0" in out
     assert "Nearest approach at" in out

@@ -197,6 +197,33 @@ class Digest:
         kept = self._joined()
         return _summary(self.robot, self.time, kept)
 
+    def as_json(self) -> dict[str, Any]:
+        """What the summary says, for programs."""
+        kept = self._joined()
+        worst = _worst_condition(kept)
+        verdicts, known = force_verdicts(self.robot, kept.F, kept.F_sd), np.isfinite(kept.L).all(axis=-1)
+        return {
+            "instants": len(self.time),
+            "start_s": self.time[0],
+            "end_s": self.time[-1],
+            "condition_number_peak": kept.condition[worst],
+            "condition_number_peak_time_s": kept.time[worst],
+            "legs": [
+                {
+                    "leg": leg + 1,
+                    "peak_force_N": kept.F[i, leg],
+                    "peak_force_sd_N": None if kept.F_sd is None else kept.F_sd[i, leg],
+                    "peak_force_time_s": kept.time[i],
+                    "force_limit_N": self.robot.force_limit[leg],
+                    "force_limit": verdicts[leg],
+                    "least_length_m": kept.L[known, leg].min(initial=np.inf),
+                    "greatest_length_m": kept.L[known, leg].max(initial=-np.inf),
+                    "peak_speed_m_per_s": np.abs(kept.L_dot[known, leg]).max(initial=0.0),
+                }
+                for leg, i in enumerate(_peaks(kept.F))
+            ],
+        }
+
     def _joined(self) -> Part:
         arrays = [
             None if x[0] is None else np.concatenate(x)
@@ -355,6 +382,11 @@ def _noisy(time: Array, F: Array, F_sd: Array, share: float) -> list[str]:
     ]
 
 
+def _worst_condition(part: Part) -> int:
+    """Index of the largest condition number."""
+    return int(np.argmax(np.nan_to_num(part.condition, nan=-1.0)))
+
+
 def _summary(robot: Robot, times: Array, part: Part) -> str:
     """Lines of text about a run at some times, of which ``part`` has the extremes."""
     _, time, F, F_sd, L, L_dot, condition, _, _ = part
@@ -371,7 +403,7 @@ def _summary(robot: Robot, times: Array, part: Part) -> str:
         )
         for leg, i in enumerate(peaks)
     ]
-    worst = int(np.argmax(np.nan_to_num(condition, nan=-1.0)))
+    worst = _worst_condition(part)
     return "\n".join(
         [
             f"{len(times)} instants, {times[0]:g} to {times[-1]:g} s; condition number of H up to "
