@@ -59,5 +59,10 @@ def run(arguments: argparse.Namespace) -> int:
             path, times, name = between(trajectory), trajectory.time, Path(name).name
         progress("looking for singular poses")
         found = singularities.examine(robot, name, path, times, arguments.formulation)
-        take(singularities.full_report(found, arguments.pictures), progress)
+        figures = {}
+        if arguments.pictures:
+            from ...studies.reports.singularities_plot import pictures
+
+            figures = pictures(found)
+        take(singularities.full_report(found, figures), progress)
     return 0

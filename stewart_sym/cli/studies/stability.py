@@ -49,5 +49,10 @@ def run(arguments: argparse.Namespace) -> int:
         found = atlas.atlas(progress)
         cases = CASES if arguments.cases is None else arguments.cases
         found = dataclasses.replace(found, sweep=sweep(cases, arguments.seed, progress))
-        take(atlas.full_report(found, arguments.pictures), progress)
+        figures = {}
+        if arguments.pictures:
+            from ...studies.robustness.pictures import pictures
+
+            figures = pictures(found)
+        take(atlas.full_report(found, figures), progress)
     return 0

@@ -3,7 +3,7 @@
 Takes a Robot and a path as a function of time; reads and writes no file.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -27,7 +27,7 @@ from ...singularities.along_path import (
     singularities_along,
 )
 from ...singularities.singular_poses import Singularity
-from ..common.report import Report
+from ..common.report import Picture, Report
 from ..common.table import aligned
 
 Array = NDArray[np.float64]
@@ -122,14 +122,9 @@ def report(found: Examination) -> str:
     return "\n".join([*lines, "", _legs_table(found)])
 
 
-def full_report(found: Examination, pictures: bool = True) -> Report:
-    """The lines of text, events, curves over time, and if wanted pictures of both."""
-    columns, figures = curves(found), {}
-    if pictures:
-        from . import singularities_plot
-
-        figures = singularities_plot.pictures(found, columns)
-    return Report(report(found), {"events": events(found), "path": columns}, _data(found), figures)
+def full_report(found: Examination, figures: Mapping[str, Picture]) -> Report:
+    """The lines of text, events and curves over time, with the pictures given."""
+    return Report(report(found), {"events": events(found), "path": curves(found)}, _data(found), figures)
 
 
 def _data(found: Examination) -> dict[str, Any]:

@@ -16,7 +16,7 @@ from ...robot.robot import LEGS, Robot
 from ...singularities.singular_poses import Singularity
 from ..common.drawing import log_numbers
 from ..common.report import Picture
-from .singularities import Columns, Examination
+from .singularities import Columns, Examination, curves
 
 with needed_for("drawing"):
     from matplotlib.axes import Axes
@@ -34,8 +34,9 @@ _LEGS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
 _ARROW = 0.3
 
 
-def pictures(found: Examination, columns: Columns) -> dict[str, Picture]:
+def pictures(found: Examination) -> dict[str, Picture]:
     """``path``, and ``crossing_<n>`` for each crossing or ``nearest`` where there is none."""
+    columns = curves(found)
     drawn = {"path": Picture(lambda: path_figure(found, columns))}
     for name, time, at, title in _poses(found):
         drawn[name] = Picture(functools.partial(pose_figure, found, columns, time, at, title))

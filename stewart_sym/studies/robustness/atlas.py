@@ -3,13 +3,14 @@
 Knows which families there are; writes no file.
 """
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
 from ...io.progress import Progress, silent, tracked
-from ..common.report import Report
+from ..common.report import Picture, Report
 from ..common.table import aligned
 from . import attitude, leg_frame, lengths, poses, runs, scales, singular
 from .family import WRONG, Family, Verdict, verdict
@@ -51,13 +52,8 @@ def atlas(progress: Progress = silent) -> Atlas:
     return Atlas(tuple(found), basins())
 
 
-def full_report(found: Atlas, pictures: bool = True) -> Report:
-    """Verdicts, the families' errors, and if wanted a picture of each."""
-    figures = {}
-    if pictures:
-        from . import pictures as drawn
-
-        figures = drawn.pictures(found)
+def full_report(found: Atlas, figures: Mapping[str, Picture]) -> Report:
+    """Verdicts and the families' errors, with the pictures given."""
     tables = {family.name: family.columns() for family in found.families}
     return Report(report(found), tables, as_json(found), figures)
 
