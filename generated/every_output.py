@@ -11,7 +11,7 @@ arithmetic of arithmetic.py. Nothing is checked but what a status says.
 
 from typing import Any
 
-from .arithmetic import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
+from .arithmetic import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Arithmetic
 
 
 class Leg:
@@ -74,8 +74,8 @@ def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
     fault = OK
-    fault = on.where(k3 > on.POLE_SINE, fault, POLE)
-    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
+    fault = on.where(k3 > on.JOINT_SINGULAR_SINE, fault, JOINT_SINGULAR)
+    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, ZERO_LENGTH)
     return on.where(L <= on.MAX, fault, NOT_FINITE)
 
 

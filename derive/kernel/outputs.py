@@ -168,7 +168,7 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     found["solve_pivoted"] = Text(solve.solve_pivoted, given=LONG_ROWS)
     found["solve_definite"] = Text(solve.solve_definite, given=DEFINITE)
     found["singular_status"] = Text(solve.singular_status, given={**INVERSE, **CARRIED})
-    if kernel.leg_near_pole is None:
+    if kernel.leg_near_singular is None:
         found["find_legs"] = Text(forces.find_legs_of_one_form)
     return found
 
@@ -189,7 +189,7 @@ def _quantities(block: Block) -> tuple[Quantity, ...]:
 
 def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
     """Blocks of the actuator forces; moments about platform point 1."""
-    blocks = [kernel.leg] if kernel.leg_near_pole is None else [kernel.leg, kernel.leg_near_pole]
+    blocks = [kernel.leg] if kernel.leg_near_singular is None else [kernel.leg, kernel.leg_near_singular]
     of_legs = [_complete(block, _LEG_OUTPUTS) for block in blocks]
     moments = _complete(kernel.moments, (n.H_moment, p.arm_c))
     shared = _quantities(kernel.shared)

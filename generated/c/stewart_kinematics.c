@@ -186,8 +186,8 @@ static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], c
 static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
     int fault = STEWART_OK;
-    fault = (k3 > STEWART_POLE_SINE) ? fault : STEWART_POLE;
-    fault = (L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST)) ? fault : STEWART_SHORT_LEG;
+    fault = (k3 > STEWART_JOINT_SINGULAR_SINE) ? fault : STEWART_JOINT_SINGULAR;
+    fault = (L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST)) ? fault : STEWART_ZERO_LENGTH;
     return (L <= STEWART_MAX) ? fault : STEWART_NOT_FINITE;
 }
 
@@ -488,7 +488,7 @@ static int first_fault(const stewart_real L[6], const stewart_pose *guess)
         status = (STEWART_FABS(guess->t[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
     }
     for (i = 0; i < 6; ++i) {
-        status = ((status != STEWART_OK) || (L[i] > REAL(0))) ? status : STEWART_SHORT_LEG;
+        status = ((status != STEWART_OK) || (L[i] > REAL(0))) ? status : STEWART_ZERO_LENGTH;
     }
     return status;
 }

@@ -113,8 +113,8 @@ static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], c
 static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
     int fault = STEWART_OK;
-    fault = k3 > STEWART_POLE_SINE ? fault : STEWART_POLE;
-    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_SHORT_LEG;
+    fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : STEWART_JOINT_SINGULAR;
+    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_ZERO_LENGTH;
     return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
 }
 

@@ -69,8 +69,8 @@ STEWART_SHARED stewart_real largest_component(const stewart_real vector[3], stew
 STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
     int fault = STEWART_OK;
-    fault = k3 > STEWART_POLE_SINE ? fault : STEWART_POLE;
-    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_SHORT_LEG;
+    fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : STEWART_JOINT_SINGULAR;
+    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_ZERO_LENGTH;
     return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
 }
 

@@ -6,7 +6,7 @@ def find_legs(model: "Model", motion: "Motion", shared: "SharedTerms", sums: "Su
     near = 0
     for i in range(6):
         sums.leg[i] = leg_terms(model.leg[i], model.platform, motion, shared)
-        near = where(sums.leg[i].k3 > NEAR_POLE, near, 1)
+        near = where(sums.leg[i].k3 > NEAR_JOINT_SINGULAR, near, 1)
     if anywhere(near == 1):
         for i in range(6):
             other = leg_near_terms(model.leg[i], model.platform, motion, shared)

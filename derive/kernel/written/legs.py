@@ -4,8 +4,8 @@
 def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
     fault = OK
-    fault = where(k3 > POLE_SINE, fault, POLE)
-    fault = where(L > larger(ROUNDING * reach, SHORTEST), fault, SHORT_LEG)
+    fault = where(k3 > JOINT_SINGULAR_SINE, fault, JOINT_SINGULAR)
+    fault = where(L > larger(ROUNDING * reach, SHORTEST), fault, ZERO_LENGTH)
     return where(L <= MAX, fault, NOT_FINITE)
 
 

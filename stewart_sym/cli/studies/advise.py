@@ -40,13 +40,13 @@ def run(arguments: argparse.Namespace) -> int:
     from ...kit import Choice, write_kit
     from ...studies.accuracy import advice
     from ...studies.accuracy.budget import read_budget
-    from ...studies.accuracy.cost import economy
+    from ...studies.accuracy.cost import cost
     from ...studies.common.report import Report
 
     budget = read_budget(arguments.scene)
     warn_of_doubts(budget.robot, arguments.scene)
     with results(arguments, read=budget.files) as take, progress_line() as progress:
-        found = advice.advice(economy(budget.robot, budget.motions, progress=progress), budget)
+        found = advice.advice(cost(budget.robot, budget.motions, progress=progress), budget)
         written: list[Path] = []
         if arguments.generate is not None and found.chosen is not None:
             progress("generating")

@@ -30,7 +30,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run ``chart``; returns the exit code."""
     from ...studies.accuracy.budget import papers_motions, read_budget
     from ...studies.accuracy.charts import full_report
-    from ...studies.accuracy.cost import ROUNDS, economy
+    from ...studies.accuracy.cost import ROUNDS, cost
     from ...studies.paper.reproduce import paper_machine
 
     need_drawing(arguments)
@@ -41,6 +41,6 @@ def run(arguments: argparse.Namespace) -> int:
         robot, motions, read = scene.robot, dict(scene.motions), scene.files
         warn_of_doubts(robot, arguments.scene)
     with results(arguments, "chart", read=read) as take, progress_line() as progress:
-        found = economy(robot, motions, True, ROUNDS, progress)
+        found = cost(robot, motions, True, ROUNDS, progress)
         take(full_report(found, robot, arguments.pictures, progress), progress)
     return 0

@@ -35,18 +35,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> int:
     """Run ``stability``; returns the exit code."""
     from ...studies.common.report import Report
-    from ...studies.robustness import atlas
+    from ...studies.robustness import study
     from ...studies.robustness.sweep.sweep import report, sweep
 
     if arguments.cases is not None and arguments.output is None:
         with results(arguments) as take, progress_line() as progress:
             swept = sweep(arguments.cases, arguments.seed, progress)
-            take(Report(report(swept), data=atlas.sweep_json(swept)))
-        return 1 if swept.wrong or swept.refused_good else 0
+            take(Report(report(swept), data=study.sweep_json(swept)))
+        return 1 if swept.wrong or swept.rejected_good else 0
     need_drawing(arguments)
     arguments.output = arguments.output or Path("stability")
     with results(arguments, "stability") as take, progress_line() as progress:
-        found = atlas.atlas(progress)
+        found = study.study(progress)
         cases = CASES if arguments.cases is None else arguments.cases
         found = dataclasses.replace(found, sweep=sweep(cases, arguments.seed, progress))
         figures = {}
@@ -54,5 +54,5 @@ def run(arguments: argparse.Namespace) -> int:
             from ...studies.robustness.pictures import pictures
 
             figures = pictures(found)
-        take(atlas.full_report(found, figures), progress)
+        take(study.full_report(found, figures), progress)
     return 0

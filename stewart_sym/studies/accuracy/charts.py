@@ -10,7 +10,7 @@ from ..common import host
 from ..common.report import Picture, Report
 from . import bound_plot, cost_plot, scales
 from .advice import table
-from .cost import Economy
+from .cost import CostAccuracy
 
 Chart = tuple[str, str, Picture]
 """A picture's name, its rows as CSV, and what draws it."""
@@ -18,7 +18,9 @@ Chart = tuple[str, str, Picture]
 _KINDS = ("png", "svg")
 
 
-def full_report(found: Economy, robot: Robot, pictures: bool = True, progress: Progress = silent) -> Report:
+def full_report(
+    found: CostAccuracy, robot: Robot, pictures: bool = True, progress: Progress = silent
+) -> Report:
     """The table of ``found``, and every chart's rows, with its picture if wanted."""
     every = list(charts(found, robot, progress))
     return Report(
@@ -29,7 +31,7 @@ def full_report(found: Economy, robot: Robot, pictures: bool = True, progress: P
     )
 
 
-def charts(found: Economy, robot: Robot, progress: Progress = silent) -> Iterator[Chart]:
+def charts(found: CostAccuracy, robot: Robot, progress: Progress = silent) -> Iterator[Chart]:
     """Speed against accuracy, rounding over the machine's size, and rounding with its bound.
 
     The last two are left out, with a warning, for machines and compilers that they can't be had with.

@@ -1,6 +1,6 @@
 """Speed against accuracy as a picture and as rows: time per pose over error, total and of rounding alone.
 
-Takes what ``economy`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
+Takes what ``cost`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
 """
 
 import math
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..common.host import DISTURBED
 from ..common.output import csv_text
-from .cost import Economy, Entry
+from .cost import CostAccuracy, Entry
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -53,7 +53,7 @@ class Point:
         return max(self.errors.values())
 
 
-def points(found: Economy) -> list[Point]:
+def points(found: CostAccuracy) -> list[Point]:
     """Total errors of every fidelity, one pose in both precisions; rounding of every implementation."""
     fidelities = [_of_fidelity(entry) for entry in found.entries]
     general = [entry for entry in found.entries if entry.candidate.fidelity == "general"]
@@ -101,7 +101,7 @@ def front(given: Sequence[Point]) -> list[Point]:
 _COLUMNS = ("error", "name", "ns", "motion", "largest", "pareto")
 
 
-def csv_rows(found: Economy) -> str:
+def csv_rows(found: CostAccuracy) -> str:
     """Every point of the picture and motion as CSV, all digits."""
     every = points(found)
     best = [point for panel in (TOTAL, ROUNDING) for point in front(_of(every, panel))]
@@ -120,7 +120,7 @@ def _of(every: Sequence[Point], panel: str) -> list[Point]:
 # --- the picture ------------------------------------------------------------------------------
 
 
-def figure(found: Economy) -> "Figure":
+def figure(found: CostAccuracy) -> "Figure":
     """Two panels, time per pose over the errors: of model and rounding together, and of rounding."""
     import matplotlib
     from matplotlib.figure import Figure
@@ -142,7 +142,7 @@ def figure(found: Economy) -> "Figure":
     return picture
 
 
-def _disturbance(found: Economy) -> list[str]:
+def _disturbance(found: CostAccuracy) -> list[str]:
     """What others did to the times, a line; nothing if they did little or the system doesn't tell."""
     taken = found.taken_by_others
     if taken is None or taken <= DISTURBED:

@@ -14,8 +14,8 @@ from tempfile import TemporaryDirectory
 
 from ...backend import kernel, native
 from ...io.progress import Progress, silent
+from .baselines import NAME
 from .figures import CompileTime, TextSize
-from .peers import NAME
 
 COMPILED = (NAME, f"{NAME}_forces")
 """Kernels whose compilation is timed: every output, and the forces alone."""

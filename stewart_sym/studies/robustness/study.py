@@ -1,4 +1,4 @@
-"""The failure atlas whole: every family, its verdicts, the report, and the JSON for the README's table.
+"""The stability study whole: every family, its verdicts, the report, and the JSON for the README's table.
 
 Knows which families there are; writes no file.
 """
@@ -20,7 +20,7 @@ from .sweep.sweep import report as sweep_report
 
 PARTS = {
     "H singular": singular.families,
-    "the pole of the universal joint": leg_frame.families,
+    "the singularity of the universal joint": leg_frame.families,
     "lengths": lengths.families,
     "orientation": attitude.families,
     "forward kinematics": poses.families,
@@ -31,7 +31,7 @@ PARTS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Atlas:
+class Study:
     """Families with their verdicts, the basins of forward kinematics, and the sweep if one was made."""
 
     families: tuple[Family, ...]
@@ -43,22 +43,22 @@ class Atlas:
         return {curve.method: verdict(curve, family.distance) for curve in family.curves}
 
 
-def atlas(progress: Progress = silent) -> Atlas:
+def study(progress: Progress = silent) -> Study:
     """Walk into every failure; takes about a minute. Raises native.CompilerError without ``__float128``."""
     found: list[Family] = []
     for _, families in tracked(progress, PARTS.items(), lambda part: f"approaching {part[0]}"):
         found += families()
     progress("looking for the basins of Newton's steps")
-    return Atlas(tuple(found), basins())
+    return Study(tuple(found), basins())
 
 
-def full_report(found: Atlas, figures: Mapping[str, Picture]) -> Report:
+def full_report(found: Study, figures: Mapping[str, Picture]) -> Report:
     """Verdicts and the families' errors, with the pictures given."""
     tables = {family.name: family.columns() for family in found.families}
     return Report(report(found), tables, as_json(found), figures)
 
 
-def report(found: Atlas) -> str:
+def report(found: Study) -> str:
     """Every family's verdicts as text."""
     parts = [
         "Errors against 50 digits along families of poses that approach a degenerate configuration.\n"
@@ -74,7 +74,7 @@ def report(found: Atlas) -> str:
                 _number(each.where),
                 f"{each.digits:.1f}",
                 _number(each.last),
-                "-" if each.refused_at is None else _number(each.refused_at),
+                "-" if each.rejected_at is None else _number(each.rejected_at),
                 f"{each.silent}",
                 "right" if _right(family, each) else "WRONG",
             )
@@ -102,7 +102,7 @@ def basins_report(found: Basins) -> str:
     )
 
 
-def as_json(found: Atlas) -> dict[str, Any]:
+def as_json(found: Study) -> dict[str, Any]:
     """Everything that the report says, as plain numbers."""
     families = [
         {
@@ -136,7 +136,7 @@ def as_json(found: Atlas) -> dict[str, Any]:
         "units": {
             "worst": "rounding units over the condition number of the problem",
             "where": "distance from the degenerate configuration, as of the family's axis",
-            "refused_at": "condition number",
+            "rejected_at": "condition number",
             "last": "distance, as of the family's axis",
             "shares": "of the starts",
             "wrong_above": "rounding units over the condition number of the problem",
@@ -151,7 +151,7 @@ def sweep_json(found: Sweep) -> dict[str, Any]:
     return {
         "cases": found.cases,
         "wrong": found.wrong,
-        "refused_good": found.refused_good,
+        "rejected_good": found.rejected_good,
         "wrong_above": WRONG,
         "good_below": GOOD,
         "counts": counts,
