@@ -2,9 +2,10 @@
 
 import argparse
 import warnings
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from ..io.progress import Progress
 
 if TYPE_CHECKING:
     from ..motion.logs import LogFormat
@@ -35,7 +36,7 @@ def warn_of_doubts(robot: "Robot", source: Path) -> None:
 
 
 def trajectory_of(
-    robot: "Robot", source: Path, arguments: argparse.Namespace, progress: Callable[[str], None]
+    robot: "Robot", source: Path, arguments: argparse.Namespace, progress: Progress
 ) -> "Trajectory | PoseLog":
     """Poses over time from a CSV file of poses or of leg lengths, read as the options say."""
     from ..motion.interpolation import resampled
@@ -63,7 +64,7 @@ def poses_of(
     robot: "Robot",
     log: "Trajectory | PoseLog | JointTrajectory",
     start: list[float] | None,
-    progress: Callable[[str], None],
+    progress: Progress,
 ) -> "Trajectory | PoseLog":
     """Poses of a log, found from leg lengths if it holds these."""
     import numpy as np

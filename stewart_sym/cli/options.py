@@ -27,6 +27,19 @@ def force(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--force", action="store_true", help="replace edited files and others' files")
 
 
+def json_file(parser: argparse.ArgumentParser) -> None:
+    """``--json``."""
+    parser.add_argument(
+        "--json",
+        metavar="FILE",
+        nargs="?",
+        type=path_name,
+        const=Path("-"),
+        help="write all figures to a file as JSON, units in the keys or under `units`, null for what is not "
+        "finite; without FILE or with -: to standard output, instead of the text",
+    )
+
+
 def path_name(text: str) -> Path:
     """A name of a file or folder."""
     if not text.strip():

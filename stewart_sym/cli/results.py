@@ -1,40 +1,97 @@
-"""Where a subcommand writes: never over its inputs nor over files of others."""
+"""Where a subcommand's result goes: terminal, folder, JSON file; never over inputs nor files of others."""
 
 import argparse
 import contextlib
 import itertools
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path
-from types import ModuleType
+from typing import Protocol
 
-from ..io.extras import needed_for
+from ..io.extras import need
+from ..io.progress import Progress, silent
+from ..studies.common.report import Report, write
 
 
-def results_folder(
-    arguments: argparse.Namespace, *names: str, read: Iterable[Path] = ()
-) -> contextlib.AbstractContextManager[Path]:
-    """The folder of a subcommand's results.
+class Taker(Protocol):
+    """Writes a report where it belongs; ``progress`` is given what is being drawn."""
 
-    names: of files in it, so that a clash is said at once. read: inputs that are no arguments by themselves.
+    def __call__(self, report: Report, progress: Progress = silent) -> None:
+        """Once."""
+        ...
+
+
+@contextlib.contextmanager
+def results(
+    arguments: argparse.Namespace, stem: str | None = None, *tables: str, read: Iterable[Path] = ()
+) -> Iterator[Taker]:
+    """Give what takes a subcommand's report; all is in its place and printed when the block ends well.
+
+    Parameters
+    ----------
+    stem : name of the text and the JSON file in the folder ``arguments.output``; None: no folder is written.
+    tables : names of other files there, so that a clash is reported before the work.
+    read : inputs that are no arguments by themselves.
+
+    Raises
+    ------
+    ValueError
+        In one line: a file to write that is an input, or that another wrote or changed.
+    OSError
+        Naming the file or folder that can't be written.
     """
-    from ..io.writing import result_folder
+    from ..io.json_text import json_text
+    from ..io.writing import replaced_file, result_folder
 
-    given = (value if isinstance(value, list) else [value] for value in vars(arguments).values())
-    inputs = [path for path in itertools.chain(*given) if isinstance(path, Path) and path != arguments.output]
-    return result_folder(arguments.output, arguments.force, [*inputs, *read], names)
+    inputs, lines = [*_paths(arguments), *read], []
+    with contextlib.ExitStack() as stack:
+        stream = folder = None
+        if arguments.json is not None:
+            _reject_json(arguments.json, *inputs)
+            stream = stack.enter_context(replaced_file(arguments.json))
+        if stem is not None and arguments.output is not None:
+            names = (f"{stem}.txt", f"{stem}.json", *tables)
+            folder = stack.enter_context(result_folder(arguments.output, arguments.force, inputs, names))
+
+        def take(report: Report, progress: Progress = silent) -> None:
+            if report.text:
+                lines.append(report.text.rstrip("\n"))
+            if folder is not None and stem is not None:
+                write(report, folder, stem, progress)
+                written = sorted(path.name for path in folder.iterdir())
+                lines.append(f"Written to {arguments.output}: {', '.join(written)}")
+            if stream is not None:
+                stream.write(json_text(report.data))
+
+        yield take
+    if str(arguments.json) != "-":
+        for line in lines:
+            print(line)
 
 
-def reject_inputs(output: Path, *inputs: Path) -> None:
-    """ValueError if the file to write is one of the inputs."""
+def _reject_json(output: Path, *inputs: Path) -> None:
+    """ValueError if the file for JSON is an input, or the one argument that ``--json`` took for its file."""
+    reject_inputs("--json", output, *inputs)
+    if output.suffix in (".toml", ".csv"):
+        raise ValueError(
+            f"--json {output}: expected a file for JSON, got one of input: name inputs before --json"
+        )
+
+
+def _paths(arguments: argparse.Namespace) -> list[Path]:
+    """The inputs among the arguments."""
+    values = {name: value for name, value in vars(arguments).items() if name not in ("output", "json")}
+    given = (value if isinstance(value, list) else [value] for value in values.values())
+    return [path for path in itertools.chain(*given) if isinstance(path, Path)]
+
+
+def reject_inputs(option: str, output: Path, *inputs: Path) -> None:
+    """ValueError if the file to write is one of the inputs; ``option``: by which it is named."""
     for path in inputs:
         if output.exists() and path.exists() and output.samefile(path):
-            raise ValueError(f"-o {output}: is an input, name another file")
+            raise ValueError(f"{option} {output}: is an input, name another file")
 
 
-def drawing() -> ModuleType:
-    """The pictures of Figs. 4-10; ImportError names the extra where Matplotlib is missing."""
-    with needed_for("drawing", ", or give --no-pictures"):
-        import matplotlib  # noqa: F401
-    from ..studies.paper import plots
-
-    return plots
+def need_drawing(arguments: argparse.Namespace) -> None:
+    """ImportError that names the extra if pictures are wanted and Matplotlib is missing."""
+    if arguments.pictures:
+        need("matplotlib", "drawing", ", or give --no-pictures")

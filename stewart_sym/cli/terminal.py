@@ -2,41 +2,68 @@
 
 import contextlib
 import os
+import shutil
 import sys
 import time
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import TextIO
+
+from ..io.progress import Progress, silent
 
 PROGRAM = "stewart-sym"
 
+_WIDTH = 24
+"""Characters of a bar."""
+_PAUSE = 0.2
+"""Seconds between two showings of a task."""
+
 
 @contextlib.contextmanager
-def progress_line() -> Iterator[Callable[[str], None]]:
+def progress_line() -> Iterator[Progress]:
     """Show what is being done in one line of a terminal, gone at the end; nothing in a pipe."""
     if not sys.stderr.isatty():
-        yield lambda _: None
+        yield silent
         return
     try:
-        yield lambda text: print(f"\r\x1b[K{text} ...", end="", file=sys.stderr, flush=True)
+        yield _Line()
     finally:
         print("\r\x1b[K", end="", file=sys.stderr, flush=True)
 
 
-def shares(progress: Callable[[str], None], text: str) -> Callable[[float], None]:
-    """Show the share of a task that is done, 0 to 1, and the time left at that pace, five times a second."""
-    began = shown = time.monotonic()
-    progress(text)
+class _Line:
+    """Text and, of a task whose share done is known, a bar and the time left at its pace so far."""
 
-    def reached(share: float) -> None:
-        nonlocal shown
+    def __init__(self) -> None:
+        """Begin without a task."""
+        self._share: float | None = None
+        self._began = self._shown = 0.0
+
+    def __call__(self, text: str, share: float | None = None) -> None:
+        """Show a step; a share that is lower than before, or the first one, begins another task."""
         now = time.monotonic()
-        if share > 0.0 and now - shown >= 0.2:
-            shown = now
-            left = (now - began) * (1.0 - share) / share
-            progress(f"{text}, {100.0 * share:.0f} %, {left:.0f} s left")
+        another = share is None or self._share is None or share < self._share
+        self._share = share
+        if another:
+            self._began = now
+        elif now - self._shown < _PAUSE:
+            return
+        self._shown = now
+        line = f"{text} ..." if share is None else f"{_bar(share, now - self._began)}  {text}"
+        width = shutil.get_terminal_size().columns - 1
+        print(f"\r\x1b[K{line[:width]}", end="", file=sys.stderr, flush=True)
 
-    return reached
+
+def _bar(share: float, passed: float) -> str:
+    """A bar, per cent, and the time left; ``passed``: since the share was 0, s."""
+    full = round(_WIDTH * share)
+    left = "" if share <= 0.0 else f", {_time(passed * (1.0 - share) / share)} left"
+    return f"[{'#' * full}{' ' * (_WIDTH - full)}] {100.0 * share:3.0f} %{left}"
+
+
+def _time(seconds: float) -> str:
+    minutes, rest = divmod(round(seconds), 60)
+    return f"{minutes} min {rest:02d} s" if minutes else f"{rest} s"
 
 
 @contextlib.contextmanager

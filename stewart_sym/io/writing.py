@@ -21,6 +21,7 @@ from pathlib import Path
 from typing import TextIO
 
 from . import interrupts
+from .json_text import json_text
 
 RECORD = ".stewart-sym.json"
 """Names and SHA-256 of the files that this program wrote into a folder."""
@@ -131,7 +132,7 @@ def result_folder(
 def record(files: Mapping[str, str]) -> str:
     """Text of a record: names and digests of files."""
     generator = f"stewart-sym {version('stewart-sym')}"
-    return json.dumps({"generator": generator, "files": dict(sorted(files.items()))}, indent=1) + "\n"
+    return json_text({"generator": generator, "files": dict(sorted(files.items()))})
 
 
 def recorded(directory: Path, name: str) -> Mapping[str, str]:

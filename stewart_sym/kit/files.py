@@ -27,6 +27,7 @@ from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files, ro
 from ..derive.package.selftest import Case, Rejected, selftest
 from ..derive.package.words import robot_symbol
 from ..dynamics.home_pose import home_pose
+from ..io.json_text import json_text
 from ..motion.motion import Motion
 from ..results import OK
 from ..robot.robot import Robot
@@ -273,7 +274,7 @@ def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes
         "options": asdict(choice) | {"functions": list(choice.groups)},
         "files": {name: hashlib.sha256(content).hexdigest() for name, content in sorted(files.items())},
     }
-    return (json.dumps(found, indent=1, ensure_ascii=False) + "\n").encode()
+    return json_text(found).encode()
 
 
 def _start(robot: Robot, formulation: str) -> Motion:

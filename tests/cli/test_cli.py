@@ -29,7 +29,7 @@ def test_reproduce_writes_tables_and_curves_without_matplotlib(
     captured = capsys.readouterr()
     assert captured.err == ""
     names = [f"path_{p}_{f}.csv" for p in ("I", "II", "III") for f in ("exact", "paper")]
-    assert results(target) == sorted([*names, "report.txt"])
+    assert results(target) == sorted([*names, "report.json", "report.txt"])
     assert (target / "report.txt").read_text() in captured.out
     rows = read(target / "path_I_paper.csv")
     assert len(rows) == 61

@@ -310,7 +310,7 @@ def test_singularities_of_a_path_that_crosses_none(
 ) -> None:
     folder = robot.parent / "found"
     assert main(["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-pictures"]) == 0
-    assert results(folder) == ["events.csv", "path.csv", "report.txt"]
+    assert results(folder) == ["events.csv", "path.csv", "report.json", "report.txt"]
     out = capsys.readouterr().out
     assert "crossings  0" in out
     assert "Nearest approach at" in out

@@ -210,6 +210,7 @@ def test_identify_writes_a_table_a_trajectory_and_forces(
     assert sorted(p.name for p in target.glob("[!.]*")) == [
         "forces.csv",
         "parameters.csv",
+        "report.json",
         "report.txt",
         "trajectory.csv",
     ]
@@ -245,7 +246,7 @@ def test_measured_forces_are_identified_with_a_wrong_robot_file(
     inputs = [str(simulated / name) for name in ("trajectory.csv", "forces.csv")]
     assert main(["identify", str(wrong), "--measured", *inputs, "-o", str(measured)]) == 0
     assert (measured / "report.txt").read_text() in capsys.readouterr().out
-    assert sorted(p.name for p in measured.glob("[!.]*")) == ["parameters.csv", "report.txt"]
+    assert sorted(p.name for p in measured.glob("[!.]*")) == ["parameters.csv", "report.json", "report.txt"]
     tables = []
     for folder in (simulated, measured):
         with open(folder / "parameters.csv", newline="") as stream:

@@ -62,7 +62,12 @@ def test_a_scene_runs_as_the_library_does(scene: Path, capsys: pytest.CaptureFix
     output = scene.parent / "deep" / "out"
     assert main(["simulate", str(scene), "-o", str(output)]) == 0
     captured = capsys.readouterr()
-    assert sorted(path.name for path in output.glob("[!.]*")) == ["run.csv", "run.png", "summary.txt"]
+    assert sorted(path.name for path in output.glob("[!.]*")) == [
+        "run.csv",
+        "run.png",
+        "summary.json",
+        "summary.txt",
+    ]
     assert (output / "summary.txt").read_text() in captured.out
     assert "ran to its end at 0.1 s" in captured.out
     robot = ss.Robot.from_toml(scene.parent / "robots" / "robot.toml")
@@ -88,7 +93,7 @@ def test_energy_drift_is_written_and_drawn(scene: Path, capsys: pytest.CaptureFi
     output = scene.parent / "out"
     assert main(["simulate", str(scene), "-o", str(output), "--energy-drift"]) == 0
     tables = {name: f"energy_drift_{name}.csv" for name in ("exact", "paper")}
-    names = ["energy_drift.png", *tables.values(), "run.csv", "run.png", "summary.txt"]
+    names = ["energy_drift.png", *tables.values(), "run.csv", "run.png", "summary.json", "summary.txt"]
     assert sorted(path.name for path in output.glob("[!.]*")) == names
     worst = {
         name: max(abs(float(row["drift"])) for row in read(output / table)) for name, table in tables.items()
@@ -108,7 +113,11 @@ def test_tables_need_no_matplotlib(
     assert install("plot") in fails_in_one_line(capsys, "simulate", scene, "-o", scene.parent / "out")
     assert folder_state(scene.parent) == before
     assert main(["simulate", str(scene), "-o", str(scene.parent / "out"), "--no-pictures"]) == 0
-    assert sorted(path.name for path in (scene.parent / "out").glob("[!.]*")) == ["run.csv", "summary.txt"]
+    assert sorted(path.name for path in (scene.parent / "out").glob("[!.]*")) == [
+        "run.csv",
+        "summary.json",
+        "summary.txt",
+    ]
 
 
 def test_tracking_starts_on_its_path_and_stays_there(scene: Path) -> None:

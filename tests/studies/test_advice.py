@@ -24,6 +24,7 @@ from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated import exact, paper
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.io.extras import install
+from stewart_sym.io.json_text import json_text
 from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot
@@ -245,7 +246,7 @@ def test_report_and_help_say_where_rounding_is_measured(
 def test_json_holds_what_was_found_and_no_infinity(on_path_i: CostAccuracy) -> None:
     given = made_up(dataclasses.replace(CHEAP, errors={"I": Errors(math.inf, math.inf, math.inf)}), DEAR)
     for found in (advice(on_path_i, budget(1e-9)), advice(given, budget(0.1))):
-        written: dict[str, Any] = json.loads(json.dumps(as_json(found), allow_nan=False))
+        written: dict[str, Any] = json.loads(json_text(as_json(found)))
         assert written["chosen"] == {"formulation": "exact", "fidelity": "general", "precision": "double"}
         assert len(written["candidates"]) == len(found.cost.entries)
         assert [each["terms"] for each in written["needed"]] == [sorted(t) for t, _ in found.needed()]

@@ -13,6 +13,7 @@ from stewart_sym.backend.kernel import FORMULATIONS
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.motion.trajectory import PATHS
 from stewart_sym.reference.newton_euler import EXACT, PAPER
+from stewart_sym.studies.common.report import draw
 from stewart_sym.studies.paper import plots
 from stewart_sym.studies.paper.claims import (
     FAILS,
@@ -190,7 +191,8 @@ def test_the_command_draws_the_pictures_and_their_svg_is_reproducible(
     assert (done.returncode, done.stderr) == (0, "")
     assert "34.69 to" in done.stdout
     folders[1].mkdir()
-    plots.draw(found, folders[1])
+    for name, picture in plots.pictures(found).items():
+        draw(picture, folders[1] / name)
     names = sorted(path.name for path in folders[1].glob("[!.]*"))
     assert names == sorted(path.name for path in folders[0].glob("fig*"))
     assert names[0] == "fig04_path_I_forces.png"

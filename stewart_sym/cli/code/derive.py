@@ -2,11 +2,13 @@
 
 import argparse
 import time
+from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
+from typing import Any
 
-from ..options import output
-from ..results import results_folder
+from ..options import json_file, output
+from ..results import results
 from ..terminal import progress_line
 
 HELP = "derive the kernels again and write them"
@@ -19,80 +21,111 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--check", action="store_true", help="write nothing; exit 1 with the names of files that differ"
     )
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``derive``; returns the exit code."""
-    from ...io.writing import staged_folder
+    from ...io.writing import result_folder, staged_folder
+    from ...studies.common.report import Report
 
     directory = arguments.output or _generated_folder()
-    if arguments.check:
-        if not directory.is_dir():
-            raise NotADirectoryError(20, "expected a folder of generated files", str(directory))
-        return _compare(directory, _derived())
-    own = arguments.output is None
-    with staged_folder(directory) if own else results_folder(arguments) as folder:
-        texts = _derived()
-        for name, text in texts.items():
-            (folder / name).parent.mkdir(exist_ok=True)
-            (folder / name).write_text(text, encoding="utf-8", newline="\n")
-    print(f"{len(texts)} files written to {directory}")
-    return 0
+    if arguments.check and not directory.is_dir():
+        raise NotADirectoryError(20, "expected a folder of generated files", str(directory))
+    with results(arguments) as take:
+        if arguments.check:
+            kernels, texts = _derived()
+            lines, data = _compared(directory, texts)
+        else:
+            own = arguments.output is None
+            with staged_folder(directory) if own else result_folder(directory, arguments.force) as folder:
+                kernels, texts = _derived()
+                for name, text in texts.items():
+                    (folder / name).parent.mkdir(exist_ok=True)
+                    (folder / name).write_text(text, encoding="utf-8", newline="\n")
+            lines, data = [f"{len(texts)} files written to {directory}"], {}
+        every = [each.line for each in kernels] + lines
+        figures = {"files": len(texts), "kernels": [each.as_json() for each in kernels], **data}
+        take(Report("\n".join(every), data=figures))
+    return 1 if any(data.values()) else 0
+
+
+@dataclass(frozen=True)
+class _Derived:
+    """One kernel: its name, time, s, and operations per pose with and without friction, if counted."""
+
+    name: str
+    seconds: float
+    operations: tuple[int, int] | None
+
+    @property
+    def line(self) -> str:
+        """All of it."""
+        counts = ""
+        if self.operations is not None:
+            counts = "operations per pose: {} with friction, {} without".format(*self.operations)
+        return f"{self.name:<16} {self.seconds:6.1f} s   {counts}".rstrip()
+
+    def as_json(self) -> dict[str, Any]:
+        """All of it, with units."""
+        counts = self.operations or (None, None)
+        return {
+            "name": self.name,
+            "time_s": self.seconds,
+            "operations_per_pose_with_friction": counts[0],
+            "operations_per_pose_without_friction": counts[1],
+        }
 
 
 def _generated_folder() -> Path:
     return Path(str(files("stewart_sym.generated")))
 
 
-def _derived() -> dict[str, str]:
-    """Derive every kernel and print what was derived, how long it took and what it costs."""
+def _derived() -> tuple[list[_Derived], dict[str, str]]:
+    """Derive every kernel: what each took and costs, and the texts of all files."""
     from ...derive.generate import generated_files
 
     starts: list[tuple[str, float]] = []
     with progress_line() as progress:
 
-        def note(text: str) -> None:
-            progress(text)
-            starts.append((text, time.perf_counter()))
+        def note(text: str, share: float | None = None) -> None:
+            progress(text, share)
+            starts.append((text.removeprefix("deriving "), time.perf_counter()))
 
         texts: dict[str, str] = generated_files(note)
     ends = [start for _, start in starts[1:]] + [time.perf_counter()]
-    for (text, start), end in zip(starts, ends, strict=True):
-        name = text.removeprefix("deriving ")
-        counts = _operations(texts.get(f"{name}.py", ""))
-        print(f"{name:<16} {end - start:6.1f} s   {counts}".rstrip())
-    return texts
+    return [
+        _Derived(name, end - start, _operations(texts.get(f"{name}.py", "")))
+        for (name, start), end in zip(starts, ends, strict=True)
+    ], texts
 
 
-def _operations(module: str) -> str:
-    """Totals in the text of a generated module, in words; empty if it has none."""
+def _operations(module: str) -> tuple[int, int] | None:
+    """Totals with and without friction in the text of a generated module; None if it has none."""
     import ast
 
     for node in ast.parse(module).body:
         if isinstance(node, ast.AnnAssign) and ast.unparse(node.target) == "OPERATIONS" and node.value:
             counts = ast.literal_eval(node.value)
             with_friction, without = (sum(counts[key]["total"]) for key in ("friction", "frictionless"))
-            return f"operations per pose: {with_friction} with friction, {without} without"
-    return ""
+            return with_friction, without
+    return None
 
 
-def _compare(directory: Path, texts: dict[str, str]) -> int:
-    """Name the files that differ, are missing or are not generated; 1 if there are any."""
+def _compared(directory: Path, texts: dict[str, str]) -> tuple[list[str], dict[str, list[str]]]:
+    """Lines on, and names of, the files that differ, are missing or are not generated."""
     present = {
         path.relative_to(directory).as_posix()
         for pattern in ("*.py", "c/*.[ch]")
         for path in directory.glob(pattern)
     }
     different = [name for name in sorted(texts) if _differs(directory / name, texts[name])]
+    missing = [name for name in different if name not in present]
     stray = sorted(present - texts.keys())
-    for name in different:
-        print(f"differs: {name}" if name in present else f"missing: {name}")
-    for name in stray:
-        print(f"not generated: {name}")
-    if different or stray:
-        return 1
-    print(f"{directory}: all {len(texts)} files are as derived")
-    return 0
+    lines = [f"missing: {name}" if name in missing else f"differs: {name}" for name in different]
+    lines += [f"not generated: {name}" for name in stray]
+    names = {"differ": sorted({*different} - {*missing}), "missing": missing, "not_generated": stray}
+    return lines or [f"{directory}: all {len(texts)} files are as derived"], names
 
 
 def _differs(path: Path, text: str) -> bool:

@@ -2,11 +2,16 @@
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ...io.arguments import no_option
 from ..inputs import robot_of
-from ..options import formulation, output, robot_file
+from ..options import formulation, json_file, output, robot_file
+from ..results import results
 from ..terminal import progress_line
+
+if TYPE_CHECKING:
+    from ...studies.common.report import Report
 
 HELP = "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example"
 EXAMPLE = "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit"
@@ -53,6 +58,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "constants, self-test, example and README, of forces, motion, derivatives, kinematics; default: c",
     )
     parser.add_argument("--list", action="store_true", help="print the names of the files, write none")
+    json_file(parser)
 
 
 def _language(name: str) -> str:
@@ -73,17 +79,24 @@ def run(arguments: argparse.Namespace) -> int:
     names = ("formulation", "fidelity", "bake", "scalar", "precision", "fmu", "language")
     functions = tuple(name.strip() for name in arguments.functions.split(","))
     choice = Choice(functions, **{name: getattr(arguments, name) for name in names})
-    if arguments.list:
-        for name in kit_names(robot, choice):
-            print(arguments.output / name)
-        return 0
-    with progress_line() as progress:
-        progress("generating")
-        made, written = write_kit(robot, arguments.output, choice, arguments.force, [Path(arguments.robot)])
-    for path in written:
-        print(path)
-    if made.operations is not None:
-        after = made.baked_operations
-        folded = "" if after is None else f", with the numbers folded in {after}"
-        print(f"operations per pose: {made.operations}{folded}")
+    with results(arguments) as take, progress_line() as progress:
+        if arguments.list:
+            take(_report([arguments.output / name for name in kit_names(robot, choice)]))
+        else:
+            progress("generating")
+            inputs = [Path(arguments.robot)]
+            made, written = write_kit(robot, arguments.output, choice, arguments.force, inputs)
+            take(_report(written, made.operations, made.baked_operations))
     return 0
+
+
+def _report(files: "list[Path]", operations: int | None = None, baked: int | None = None) -> "Report":
+    """A kit's files, and operations of its forces per pose, before and after numbers are folded in."""
+    from ...studies.common.report import Report
+
+    lines = [str(path) for path in files]
+    if operations is not None:
+        folded = "" if baked is None else f", with the numbers folded in {baked}"
+        lines.append(f"operations per pose: {operations}{folded}")
+    counts = {"operations_per_pose": operations, "baked_operations_per_pose": baked}
+    return Report("\n".join(lines), data={"files": lines[: len(files)], **counts})

@@ -3,7 +3,8 @@
 import argparse
 
 from ..inputs import robot_of
-from ..options import robot_file
+from ..options import json_file, robot_file
+from ..results import results
 
 HELP = "validate and describe a robot file"
 EXAMPLE = "stewart-sym check hexapod.toml"
@@ -18,11 +19,13 @@ MORE = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``check``."""
     robot_file(parser)
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``check``; returns the exit code."""
-    from ...studies.reports.describe import description
+    from ...studies.reports.describe import report
 
-    print(description(robot_of(arguments.robot)))
+    with results(arguments) as take:
+        take(report(robot_of(arguments.robot)))
     return 0

@@ -6,9 +6,9 @@ from pathlib import Path
 
 from ...io.error_policy import SingularPoseWarning
 from ..inputs import robot_of, trajectory_of
-from ..options import formulation, log_options, output, positive, robot_file, start_pose
-from ..results import reject_inputs
-from ..terminal import progress_line, shares
+from ..options import formulation, json_file, log_options, output, positive, robot_file, start_pose
+from ..results import reject_inputs, results
+from ..terminal import progress_line
 
 HELP = "actuator forces along a trajectory"
 EXAMPLE = "stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm --angle-unit deg"
@@ -47,6 +47,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="of a leg's peak force that noise may make (three deviations) without a warning; default: 0.02",
     )
     log_options(parser)
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -55,16 +56,19 @@ def run(arguments: argparse.Namespace) -> int:
     from ...motion.interpolation import between
     from ...motion.trajectory import noise_text
     from ...studies.common.output import csv_lines
+    from ...studies.common.report import Report
     from ...studies.reports.singularities import crossing_warning
     from ...studies.reports.track import Digest, in_parts, replaced_rows
 
-    reject_inputs(arguments.output, arguments.robot, arguments.trajectory)
+    reject_inputs("-o", arguments.output, arguments.robot, arguments.trajectory)
+    if arguments.output == arguments.json:
+        raise ValueError(f"--json {arguments.json}: is where the forces go (-o), name another file")
     robot = robot_of(arguments.robot)
-    with replaced_file(arguments.output) as stream, progress_line() as progress:
+    with results(arguments) as take, replaced_file(arguments.output) as stream, progress_line() as progress:
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
         count = len(trajectory.time)
-        reached = shares(progress, f"computing {count} instants")
+        progress(f"computing {count} instants", 0.0)
         for part in in_parts(
             robot,
             trajectory,
@@ -75,17 +79,19 @@ def run(arguments: argparse.Namespace) -> int:
         ):
             stream.writelines(csv_lines(part.columns, header=part.where.start == 0))
             digest.add(part)
-            reached(min(1.0, part.where.stop / count))
+            progress(f"computing {count} instants", min(1.0, part.where.stop / count))
         if len(trajectory.time) > 1:
             progress("looking for singular poses")
             crossed = crossing_warning(robot, trajectory, between(trajectory))
             if crossed is not None:
                 warnings.warn(crossed, SingularPoseWarning, stacklevel=2)
-    for line in digest.doubts(arguments.noise_share):
+        lines = []
+        if str(arguments.output) != "-":
+            lines = [digest.summary(), f"Written to {arguments.output}"]
+            if trajectory.noise is not None and trajectory.noise.sigma.any():
+                lines.insert(1, f"{noise_text(trajectory.noise)}: F_sd is what it leaves")
+        doubts = digest.doubts(arguments.noise_share)
+        take(Report("\n".join(lines), data={**digest.as_json(), "doubts": doubts}))
+    for line in doubts:
         warnings.warn(line, stacklevel=2)
-    if str(arguments.output) != "-":
-        print(digest.summary())
-        if trajectory.noise is not None and trajectory.noise.sigma.any():
-            print(f"{noise_text(trajectory.noise)}: F_sd is what it leaves")
-        print(f"Written to {arguments.output}")
     return 0

@@ -3,19 +3,20 @@
 import argparse
 import dataclasses
 import warnings
-from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, cast
 
 from ...io.extras import need
+from ...io.progress import Progress
 from ..inputs import log_format, poses_of, robot_of
-from ..options import finite, log_form, output, positive, robot_file, start_pose, whole
-from ..results import results_folder
+from ..options import finite, json_file, log_form, output, positive, robot_file, start_pose, whole
+from ..results import results
 from ..terminal import progress_line
 
 if TYPE_CHECKING:
     from ...identification.estimation import Estimate
     from ...motion.trajectory import Trajectory
+    from ...studies.common.report import Report
 
 
 HELP = "identify inertial parameters from measured forces, or show it on a simulated measurement"
@@ -76,34 +77,29 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--candidates", type=whole, default=50, help="random series to try; default: 50")
     start_pose(parser)
     log_form(parser)
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``identify``; returns the exit code."""
     from ...studies.reports.identify import doubts
 
-    with results_folder(arguments, "report.txt", "trajectory.csv") as folder, progress_line() as progress:
+    with results(arguments, "report", "trajectory.csv") as take, progress_line() as progress:
         progress("identifying")
-        read = _measured if arguments.measured else _simulated
-        texts, found = read(arguments, progress)
-        for name, text in texts.items():
-            (folder / name).write_text(text, encoding="utf-8", newline="\n")
-    print(texts["report.txt"])
-    print(f"Written to {arguments.output}: {', '.join(sorted(texts))}")
+        report, found = (_measured if arguments.measured else _simulated)(arguments, progress)
+        take(report, progress)
     for line in doubts(found):
         warnings.warn(line, stacklevel=2)
     return 1 if found.verdict == "rejected" else 0
 
 
-def _measured(
-    arguments: argparse.Namespace, progress: Callable[[str], None]
-) -> "tuple[dict[str, str], Estimate]":
-    """Texts of the files about measured forces, by name, and the estimate."""
+def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
+    """The report on measured forces, and the estimate."""
     from ...identification.physical import POSSIBLE
     from ...motion.logs import HeaderError
     from ...motion.smooth_motion import WITHOUT_PERIOD, PoseNoise
     from ...motion.trajectory import FORCES, Smoothing, read_any_csv, read_forces_csv
-    from ...studies.reports.identify import from_measurement, measured_texts
+    from ...studies.reports.identify import from_measurement, measured_report
 
     if arguments.physical:
         need("scipy", POSSIBLE)
@@ -130,15 +126,13 @@ def _measured(
         noise = PoseNoise(trajectory.time, arguments.noise_position, arguments.noise_angle, *series)
     model = (not arguments.no_friction, arguments.physical)
     found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model)
-    return measured_texts(robot, found, arguments.sigma, noise), found
+    return measured_report(robot, found, arguments.sigma, noise), found
 
 
-def _simulated(
-    arguments: argparse.Namespace, progress: Callable[[str], None]
-) -> "tuple[dict[str, str], Estimate]":
-    """Texts of the files about a simulated measurement, by name, and the estimate."""
+def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
+    """The report on a simulated measurement, and the estimate."""
     from ...motion.logs import LogFormat
-    from ...studies.reports.identify import identification, simulated_texts
+    from ...studies.reports.identify import identification, simulated_report
 
     for option in ("no_friction", "physical"):
         if getattr(arguments, option):
@@ -155,7 +149,7 @@ def _simulated(
     if _pose_noise(arguments):
         options |= {name: getattr(arguments, name) for name in ("noise_position", "noise_angle")}
     found = identification(robot, **options, progress=progress)
-    return simulated_texts(robot, found), found.estimate
+    return simulated_report(robot, found), found.estimate
 
 
 def _pose_noise(arguments: argparse.Namespace) -> bool:

@@ -3,12 +3,16 @@
 import argparse
 import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ...io.extras import need
 from ..inputs import warn_of_doubts
-from ..options import no_pictures, output
-from ..results import drawing, results_folder
-from ..terminal import progress_line, shares
+from ..options import json_file, no_pictures, output
+from ..results import need_drawing, results
+from ..terminal import progress_line
+
+if TYPE_CHECKING:
+    from ...dynamics.inverse import Formulation
 
 HELP = "let a machine move under its legs' forces: a table, a summary and pictures"
 EXAMPLE = "stewart-sym simulate swing.toml -o swing"
@@ -34,51 +38,30 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="compare the energy in both formulations, without friction and dampers (springs only)",
     )
     no_pictures(parser)
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``simulate``; returns the exit code."""
-    from ...io.writing import replaced_file
     from ...simulation.scene import read_scene
-    from ...studies.common.output import csv_lines
     from ...studies.reports import energy_drift, run
 
     need("scipy", "simulation")
-    if arguments.pictures:
-        drawing()
+    need_drawing(arguments)
     scene = read_scene(arguments.scene)
     warn_of_doubts(scene.robot, arguments.scene)
     springs = energy_drift.springs_of(scene) if arguments.energy_drift else None
-    with (
-        results_folder(arguments, "summary.txt", "run.csv", read=scene.files) as folder,
-        progress_line() as progress,
-    ):
-        done = scene.run(shares(progress, "simulating"))
-        tables = {"run": run.run_columns(done)}
-        text = run.summary(done, scene.law)
-        drifts = {}
+    with results(arguments, "summary", "run.csv", read=scene.files) as take, progress_line() as progress:
+        done = scene.run(lambda share: progress("simulating", share))
+        drifts: dict[Formulation, energy_drift.Drift] = {}
         if springs is not None:
             progress("comparing the formulations")
             drifts = energy_drift.energy_drift(
                 springs, scene.state, scene.duration, scene.rtol, scene.thresholds
             )
-            tables |= {f"energy_drift_{name}": drift.columns() for name, drift in drifts.items()}
-            text += "\n" + energy_drift.summary(drifts)
-        for name, columns in tables.items():
-            with replaced_file(folder / f"{name}.csv") as stream:
-                stream.writelines(csv_lines(columns))
-        (folder / "summary.txt").write_text(text + "\n", encoding="utf-8", newline="\n")
-        if arguments.pictures:
-            progress("drawing")
-            pictures = {"run": run.figure(done)} | (
-                {"energy_drift": energy_drift.figure(drifts)} if drifts else {}
-            )
-            for name, picture in pictures.items():
-                if picture is None:
-                    warnings.warn(f"{name}.png: not drawn, the run ended where it began", stacklevel=2)
-                else:
-                    run.save(picture, folder / f"{name}.png")
-        names = sorted(path.name for path in folder.iterdir())
-    print(text)
-    print(f"Written to {arguments.output}: {', '.join(names)}")
+        report = run.report(done, scene.law, drifts, arguments.pictures)
+        take(report, progress)
+    if arguments.pictures:
+        for name in {"run", *(["energy_drift"] if drifts else [])} - report.figures.keys():
+            warnings.warn(f"{name}.png: not drawn, the run ended where it began", stacklevel=2)
     return 0

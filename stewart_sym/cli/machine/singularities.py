@@ -5,8 +5,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..inputs import robot_of, trajectory_of
-from ..options import formulation, log_options, no_pictures, output, robot_file, start_pose
-from ..results import drawing, results_folder
+from ..options import formulation, json_file, log_options, no_pictures, output, robot_file, start_pose
+from ..results import need_drawing, results
 from ..terminal import progress_line
 
 if TYPE_CHECKING:
@@ -31,23 +31,21 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     start_pose(parser)
     log_options(parser)
     no_pictures(parser)
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``singularities``; returns the exit code."""
-    from ...io.writing import replaced_file
     from ...kinematics.paths import PATHS, path_for
     from ...motion.interpolation import between
-    from ...studies.common.output import csv_lines
     from ...studies.reports import singularities
 
-    if arguments.pictures:
-        drawing()
-        from ...studies.reports import singularities_plot
+    need_drawing(arguments)
     robot = robot_of(arguments.robot)
     name = arguments.path
-    names, read = ("report.txt", "events.csv", "path.csv"), [] if name in PATHS else [Path(name)]
-    with results_folder(arguments, *names, read=read) as folder, progress_line() as progress:
+    read = [] if name in PATHS else [Path(name)]
+    tables = ("events.csv", "path.csv")
+    with results(arguments, "report", *tables, read=read) as take, progress_line() as progress:
         if name in PATHS:
             if arguments.start is not None:
                 raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
@@ -61,16 +59,10 @@ def run(arguments: argparse.Namespace) -> int:
             path, times, name = between(trajectory), trajectory.time, Path(name).name
         progress("looking for singular poses")
         found = singularities.examine(robot, name, path, times, arguments.formulation)
-        text = singularities.report(found)
-        (folder / "report.txt").write_text(text + "\n", encoding="utf-8", newline="\n")
-        tables = {"events": singularities.events(found), "path": singularities.curves(found)}
-        for table, columns in tables.items():
-            with replaced_file(folder / f"{table}.csv") as stream:
-                stream.writelines(csv_lines(columns))
+        figures = {}
         if arguments.pictures:
-            progress("drawing")
-            singularities_plot.draw(found, folder)
-        written = sorted(path.name for path in folder.iterdir())
-    print(text)
-    print(f"Written to {arguments.output}: {', '.join(written)}")
+            from ...studies.reports.singularities_plot import pictures
+
+            figures = pictures(found)
+        take(singularities.full_report(found, figures), progress)
     return 0

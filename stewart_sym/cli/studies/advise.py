@@ -1,12 +1,11 @@
 """``stewart-sym advise``: the cheapest kernel that suffices."""
 
 import argparse
-import contextlib
 from pathlib import Path
 
 from ..inputs import warn_of_doubts
-from ..options import force, path_name
-from ..results import reject_inputs
+from ..options import force, json_file, path_name
+from ..results import results
 from ..terminal import progress_line
 
 HELP = "the cheapest kernel that is good enough for a machine's motions, and what physics it needs"
@@ -25,9 +24,7 @@ MORE = (
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``advise``."""
     parser.add_argument("scene", metavar="SCENE.toml", type=Path, help="scene file, schema 1")
-    parser.add_argument(
-        "--json", metavar="FILE", type=path_name, help="write all figures and the answer to a file"
-    )
+    json_file(parser)
     parser.add_argument(
         "--generate",
         metavar="DIR",
@@ -40,23 +37,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``advise``; returns the exit code."""
-    import json
-
-    from ...io.writing import replaced_file
     from ...kit import Choice, write_kit
     from ...studies.accuracy import advice
     from ...studies.accuracy.budget import read_budget
     from ...studies.accuracy.cost import cost
+    from ...studies.common.report import Report
 
     budget = read_budget(arguments.scene)
-    if arguments.json is not None:
-        reject_inputs(arguments.json, *budget.files)
     warn_of_doubts(budget.robot, arguments.scene)
-    with contextlib.ExitStack() as opened, progress_line() as progress:
-        stream = None if arguments.json is None else opened.enter_context(replaced_file(arguments.json))
+    with results(arguments, read=budget.files) as take, progress_line() as progress:
         found = advice.advice(cost(budget.robot, budget.motions, progress=progress), budget)
-        if stream is not None:
-            stream.write(json.dumps(advice.as_json(found), indent=1) + "\n")
         written: list[Path] = []
         if arguments.generate is not None and found.chosen is not None:
             progress("generating")
@@ -68,9 +58,7 @@ def run(arguments: argparse.Namespace) -> int:
                 precision=it.precision,
             )
             _, written = write_kit(budget.robot, arguments.generate, choice, arguments.force, budget.files)
-    print(advice.report(found))
-    for path in written:
-        print(path)
+        take(Report("\n".join([advice.report(found), *map(str, written)]), data=advice.as_json(found)))
     if found.chosen is None:
         raise ValueError(f"{arguments.scene}: nothing keeps the budget; closest: {advice.closest(found)}")
     return 0

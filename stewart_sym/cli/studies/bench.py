@@ -4,8 +4,8 @@ import argparse
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import output
-from ..results import results_folder
+from ..options import json_file, output
+from ..results import results
 from ..terminal import progress_line
 
 HELP = "time the kernels beside CasADi, Pinocchio, MuJoCo and the processor's limit: tables, JSON, pictures"
@@ -23,25 +23,15 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1; default: the paper's machine"
     )
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``bench``; returns the exit code."""
-    import json
-
-    from ...studies.benchmark import bench, plot
+    from ...studies.benchmark.bench import bench
+    from ...studies.benchmark.plot import full_report
 
     robot = None if arguments.robot is None else robot_of(arguments.robot)
-    with results_folder(arguments, "bench.txt", "bench.json") as folder:
-        with progress_line() as progress:
-            found = bench.bench(robot, arguments.quick, progress)
-            progress("drawing")
-            plot.draw(found, folder)
-        text = plot.report(found)
-        (folder / "bench.txt").write_text(text, encoding="utf-8", newline="\n")
-        figures = json.dumps(found.as_json(), indent=1) + "\n"
-        (folder / "bench.json").write_text(figures, encoding="utf-8", newline="\n")
-        names = sorted(path.name for path in folder.iterdir())
-    print(text)
-    print(f"Written to {arguments.output}: {', '.join(names)}")
+    with results(arguments, "bench") as take, progress_line() as progress:
+        take(full_report(bench(robot, arguments.quick, progress)), progress)
     return 0

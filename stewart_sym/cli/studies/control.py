@@ -5,8 +5,8 @@ import warnings
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import no_pictures, output, positive
-from ..results import drawing, results_folder
+from ..options import json_file, no_pictures, output, positive
+from ..results import need_drawing, results
 from ..terminal import progress_line
 
 HELP = "track the paper's paths with controllers that differ in their model: table, CSV, JSON, pictures"
@@ -30,48 +30,25 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--rate", metavar="HZ", type=positive, default=1000.0, help="of the controllers, Hz; default: 1000"
     )
     no_pictures(parser)
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``control``; returns the exit code."""
-    import json
-
-    from ...io.writing import replaced_file
-    from ...studies.common.output import csv_lines
     from ...studies.control import control
-    from ...studies.control import report as control_report
-    from ...studies.reports import run
+    from ...studies.control.report import full_report
 
-    if arguments.pictures:
-        drawing()
+    need_drawing(arguments)
     machines = control.papers_machines()
     if arguments.robot is not None:
         machines = {"robot": robot_of(arguments.robot)}
     paths = control.TRACKED if arguments.path is None else (arguments.path,)
     settings = control.Settings(rate=arguments.rate)
-    with (
-        results_folder(arguments, "control.txt", "control.csv", "control.json") as folder,
-        progress_line() as progress,
-    ):
+    with results(arguments, "control", "control.csv") as take, progress_line() as progress:
         studies = {
             label: control.track_paths(robot, paths, settings, progress) for label, robot in machines.items()
         }
-        text = control_report.report(studies)
-        figures = json.dumps(control_report.as_json(studies), indent=1) + "\n"
-        texts = {"txt": text + "\n", "csv": control_report.csv_rows(studies), "json": figures}
-        for kind, content in texts.items():
-            (folder / f"control.{kind}").write_text(content, encoding="utf-8", newline="\n")
-        for number, (label, study) in enumerate(studies.items()):
-            suffix = f"_{label}" if number else ""
-            for path, runs in study.runs.items():
-                with replaced_file(folder / f"path_{path}{suffix}.csv") as stream:
-                    stream.writelines(csv_lines(control_report.run_columns(runs)))
-            if arguments.pictures:
-                progress("drawing")
-                run.save(control_report.figure(study), folder / f"control{suffix}.png")
-        names = sorted(path.name for path in folder.iterdir())
-    print(text)
-    print(f"Written to {arguments.output}: {', '.join(names)}")
+        take(full_report(studies, arguments.pictures), progress)
     for study in studies.values():
         for line in study.exceeded:
             warnings.warn(line, stacklevel=2)

@@ -1,12 +1,11 @@
 """``stewart-sym controller``: kernels on a microcontroller."""
 
 import argparse
-import contextlib
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import output
-from ..results import results_folder
+from ..options import json_file, output
+from ..results import results
 from ..terminal import progress_line
 
 HELP = "kernels for a machine on a microcontroller, under emulation: answers, instructions, flash, stack"
@@ -34,27 +33,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fidelity", metavar="LEVEL", default="general", help="as of `generate`; default: general"
     )
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``controller``; returns the exit code."""
-    from ...studies.microcontroller import measure, report
+    from ...studies.microcontroller import measure
+    from ...studies.microcontroller.report import full_report
     from ...studies.paper.reproduce import paper_machine
 
     robot = paper_machine() if arguments.robot is None else robot_of(arguments.robot)
-    with contextlib.ExitStack() as stack:
-        folder = (
-            None
-            if arguments.output is None
-            else stack.enter_context(results_folder(arguments, "controller.txt", "controller.json"))
-        )
-        with progress_line() as progress:
-            found = measure.study(robot, progress, arguments.fidelity)
-        text = report.report(found)
-        if folder is not None:
-            for kind, content in (("txt", text + "\n"), ("json", report.json_text(found))):
-                (folder / f"controller.{kind}").write_text(content, encoding="utf-8", newline="\n")
-    print(text)
-    if arguments.output is not None:
-        print(f"\nWritten to {arguments.output}: controller.json, controller.txt")
+    with results(arguments, "controller") as take, progress_line() as progress:
+        found = measure.study(robot, progress, arguments.fidelity)
+        take(full_report(found), progress)
     return 0 if all(row.right for row in found.rows) else 2

@@ -4,8 +4,8 @@ import argparse
 import dataclasses
 from pathlib import Path
 
-from ..options import no_pictures, output, whole
-from ..results import drawing, results_folder
+from ..options import json_file, no_pictures, output, whole
+from ..results import need_drawing, results
 from ..terminal import progress_line
 
 HELP = "approach every degenerate configuration with every method: tables, CSV, JSON, pictures"
@@ -29,43 +29,30 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--seed", type=whole, default=0, help="of the random cases; default: 0")
     no_pictures(parser)
+    json_file(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``stability``; returns the exit code."""
-    import json
-
-    from ...io.writing import replaced_file
-    from ...studies.common.output import csv_lines
+    from ...studies.common.report import Report
+    from ...studies.robustness import study
     from ...studies.robustness.sweep.sweep import report, sweep
 
     if arguments.cases is not None and arguments.output is None:
-        with progress_line() as progress:
+        with results(arguments) as take, progress_line() as progress:
             swept = sweep(arguments.cases, arguments.seed, progress)
-        print(report(swept))
+            take(Report(report(swept), data=study.sweep_json(swept)))
         return 1 if swept.wrong or swept.rejected_good else 0
-    if arguments.pictures:
-        drawing()
-    from ...studies.robustness import study
-
-    output = arguments.output = arguments.output or Path("stability")
-    with results_folder(arguments, "stability.txt", "stability.json") as folder, progress_line() as progress:
+    need_drawing(arguments)
+    arguments.output = arguments.output or Path("stability")
+    with results(arguments, "stability") as take, progress_line() as progress:
         found = study.study(progress)
         cases = CASES if arguments.cases is None else arguments.cases
         found = dataclasses.replace(found, sweep=sweep(cases, arguments.seed, progress))
-        for family in found.families:
-            with replaced_file(folder / f"{family.name}.csv") as stream:
-                stream.writelines(csv_lines(family.columns()))
-        text = study.report(found)
-        (folder / "stability.txt").write_text(text + "\n", encoding="utf-8", newline="\n")
-        figures = json.dumps(study.as_json(found), indent=1, allow_nan=False) + "\n"
-        (folder / "stability.json").write_text(figures, encoding="utf-8", newline="\n")
+        figures = {}
         if arguments.pictures:
-            from ...studies.robustness import pictures
+            from ...studies.robustness.pictures import pictures
 
-            progress("drawing")
-            pictures.draw(found, folder)
-        names = sorted(path.name for path in folder.iterdir())
-    print(text)
-    print(f"Written to {output}: {', '.join(names)}")
+            figures = pictures(found)
+        take(study.full_report(found, figures), progress)
     return 0

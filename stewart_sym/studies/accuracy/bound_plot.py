@@ -4,7 +4,7 @@ Takes a robot, draws random motions around its home pose and returns records; dr
 ``plot``). Truth is quadruple precision (``quad``). Writes no file.
 """
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from ...dynamics.bounds import forces_with_bounds
 from ...dynamics.forces import Precision
 from ...dynamics.home_pose import radius
+from ...io.progress import Progress, tracked, undetected
 from ...motion.motion import Motion
 from ...precision.quad import error, quad_forces
 from ...results import OK
@@ -66,7 +67,7 @@ Bounds = Mapping[Precision, Precise]
 
 
 def bounds_study(
-    progress: Callable[[str], None] = lambda _: None,
+    progress: Progress = undetected,
     cases: int = CASES,
     robot: Robot | None = None,
     seed: int = 0,
@@ -82,8 +83,9 @@ def bounds_study(
     gravity = float(np.linalg.norm(robot.g)) or radius(robot.b)
     motion = random_motions(np.random.default_rng(seed), robot, cases, SPREAD, gravity)
     found: dict[Precision, Precise] = {}
-    for precision, dtype in _PRECISIONS.items():
-        progress(f"bounding the rounding errors of {precision}")
+    for precision, dtype in tracked(
+        progress, _PRECISIONS.items(), lambda each: f"bounding the rounding errors of {each[0]}"
+    ):
         found[precision] = _compared(robot, motion, precision, dtype)
     return found
 

@@ -1,38 +1,43 @@
-"""The pictures that ``chart`` writes, each with its rows: what they are called and how they come about.
-
-One entry for each picture; the studies know how to measure and draw.
-"""
+"""What ``chart`` finds: cost and accuracy, and the pictures with their rows."""
 
 import warnings
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from collections.abc import Iterator
 
 from ...backend.native import CompilerError
+from ...io.progress import Progress, undetected
 from ...robot.robot import Robot
-from ..common.timing import Progress
+from ..common import host
+from ..common.report import Picture, Report
 from . import bound_plot, cost_plot, scales
+from .advice import table
 from .cost import CostAccuracy
 
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+Chart = tuple[str, str, Picture]
+"""A picture's name, its rows as CSV, and what draws it."""
+
+_KINDS = ("png", "svg")
 
 
-@dataclass(frozen=True)
-class Chart:
-    """A picture's name, its data as CSV, and what draws it."""
+def full_report(
+    found: CostAccuracy, robot: Robot, pictures: bool = True, progress: Progress = undetected
+) -> Report:
+    """The table of ``found``, and every chart's rows, with its picture if wanted."""
+    every = list(charts(found, robot, progress))
+    return Report(
+        table(found),
+        {name: rows for name, rows, _ in every},
+        {**found.as_json(), "machine": host.machine(), "software": host.software()},
+        {name: picture for name, _, picture in every} if pictures else {},
+    )
 
-    name: str
-    rows: str
-    draw: Callable[[], "Figure"]
 
-
-def charts(found: CostAccuracy, robot: Robot, progress: Progress = lambda _: None) -> Iterator[Chart]:
+def charts(found: CostAccuracy, robot: Robot, progress: Progress = undetected) -> Iterator[Chart]:
     """Speed against accuracy, rounding over the machine's size, and rounding with its bound.
 
     The last two are left out, with a warning, for machines and compilers that they can't be had with.
     """
-    yield Chart("chart", cost_plot.csv_rows(found), lambda: cost_plot.figure(found))
+    drawn = Picture(lambda: cost_plot.figure(found), cost_plot.STYLE, _KINDS)
+    yield "chart", cost_plot.csv_rows(found), drawn
     for name, made in (("scales", _scales), ("bounds", _bounds)):
         try:
             yield made(name, robot, progress)
@@ -42,9 +47,9 @@ def charts(found: CostAccuracy, robot: Robot, progress: Progress = lambda _: Non
 
 def _scales(name: str, robot: Robot, progress: Progress) -> Chart:
     found = scales.scales_study(progress, robot)
-    return Chart(name, scales.csv_rows(found), lambda: scales.figure(found))
+    return name, scales.csv_rows(found), Picture(lambda: scales.figure(found), kinds=_KINDS)
 
 
 def _bounds(name: str, robot: Robot, progress: Progress) -> Chart:
     found = bound_plot.bounds_study(progress, robot=robot)
-    return Chart(name, bound_plot.csv_rows(found), lambda: bound_plot.figure(found))
+    return name, bound_plot.csv_rows(found), Picture(lambda: bound_plot.figure(found), kinds=_KINDS)

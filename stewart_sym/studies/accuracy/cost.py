@@ -21,6 +21,7 @@ from ...backend import fidelity, native
 from ...backend.kernel import FORMULATIONS, MOTION, address, loaded
 from ...dynamics.forces import CORES, ForceKernel, Precision, prepare
 from ...dynamics.inverse import Backend, prepared_kernel
+from ...io.progress import Progress, tracked, undetected
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
@@ -28,7 +29,7 @@ from ...precision.truth import Truth, deviation
 from ...robot.robot import Robot
 from ..benchmark.compile_times import text_size
 from ..common import host
-from ..common.timing import Progress, Task, measured
+from ..common.timing import Task, measured
 
 Array = NDArray[np.float64]
 
@@ -197,6 +198,14 @@ class CostAccuracy:
             },
             "candidates": [entry.as_json() for entry in self.entries],
             "implementations": [each.as_json() for each in self.implementations],
+            "units": {
+                "errors": "share of the motion's peak force",
+                "rounding": "share of the motion's peak force",
+                "operations": "per pose",
+                "ns": "per pose",
+                "taken_by_others": "share of the cores' time",
+                "load": "busy processes",
+            },
         }
 
 
@@ -213,7 +222,7 @@ def cost(
     motions: Mapping[str, Motion],
     implementations: bool = False,
     rounds: int = QUICK_ROUNDS,
-    progress: Progress = lambda _: None,
+    progress: Progress = undetected,
 ) -> CostAccuracy:
     """Measure every candidate on the motions, each of shape (n,), with an answer at every pose.
 
@@ -222,19 +231,18 @@ def cost(
     A precision that can't hold the robot's constants is left out. Raises ValueError where all forces of a
     motion are zero, native.CompilerError without a C compiler.
     """
-    progress("compiling the kernels")
-    kernels, texts = _compiled(robot)
+    kernels, texts = _compiled(robot, progress)
     progress("comparing the models")
     cases = {name: _Case.of(robot, motion, name) for name, motion in motions.items()}
     ways = _ways(robot) if implementations else {}
     errors: dict[Candidate, dict[str, Errors]] = {candidate: {} for candidate in kernels}
     rounding: dict[str, dict[str, float]] = {way: {} for way in ways}
+    models = [(name, candidates) for name in cases for candidates in _by_model(kernels)]
+    for name, candidates in tracked(progress, models, lambda model: f"computing {model[0]} at 50 digits"):
+        errors_of = cases[name].errors({each: kernels[each] for each in candidates})
+        for candidate, found in errors_of.items():
+            errors[candidate][name] = found
     for name, case in cases.items():
-        progress(f"computing {name} at 50 digits")
-        for candidates in _by_model(kernels):
-            errors_of = case.errors({each: kernels[each] for each in candidates})
-            for candidate, found in errors_of.items():
-                errors[candidate][name] = found
         for way, forces in ways.items():
             rounding[way][name] = case.rounding_of(forces)
     tasks = _tasks(tuple(motions.values()), kernels, ways)
@@ -295,13 +303,17 @@ def _by_model(kernels: Iterable[Candidate]) -> list[list[Candidate]]:
 # --- compiling --------------------------------------------------------------------------------
 
 
-def _compiled(robot: Robot) -> tuple[dict[Candidate, ForceKernel], dict[Candidate, int | None]]:
+def _compiled(
+    robot: Robot, progress: Progress
+) -> tuple[dict[Candidate, ForceKernel], dict[Candidate, int | None]]:
     """Kernels, and bytes of their code, compiled side by side."""
     every = candidates(robot)
     with ThreadPoolExecutor(CORES) as pool:
         made = [pool.submit(_kernel, robot, candidate) for candidate in every]
         sizes = [pool.submit(_text, robot, candidate) for candidate in every]
-        kernels = {each: future.result() for each, future in zip(every, made, strict=True)}
+        pairs = list(zip(every, made, strict=True))
+        done = tracked(progress, pairs, lambda pair: f"compiling {pair[0].name}")
+        kernels = {each: future.result() for each, future in done}
         texts = {each: future.result() for each, future in zip(every, sizes, strict=True)}
     return {each: kernel for each, kernel in kernels.items() if kernel is not None}, texts
 

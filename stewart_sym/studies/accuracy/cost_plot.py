@@ -6,7 +6,6 @@ Takes what ``cost`` measured; computes nothing but the layout. Pictures need the
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from ..common.host import DISTURBED
@@ -17,9 +16,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-_STYLE: Any = {
-    "svg.hashsalt": "stewart-sym",
-    "svg.fonttype": "none",
+STYLE: Any = {
     "font.size": 9.0,
     "axes.grid": True,
     "axes.axisbelow": True,
@@ -130,7 +127,7 @@ def figure(found: CostAccuracy) -> "Figure":
 
     every = points(found)
     marks = dict(zip(found.peaks, _MARKERS * len(found.peaks), strict=False))
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(STYLE):
         picture = Figure(figsize=(12.4, 7.8), layout="constrained")
         left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
         picture.suptitle("\n".join([f"Speed against accuracy: {found.robot}", *_disturbance(found)]))
@@ -143,15 +140,6 @@ def figure(found: CostAccuracy) -> "Figure":
         for axes, panel in ((left, TOTAL), (right, ROUNDING)):
             _name(axes, _of(every, panel))
     return picture
-
-
-def save(picture: "Figure", path: Path) -> None:
-    """Write a picture as PNG and as SVG, with their endings, the same bytes for the same picture."""
-    import matplotlib
-
-    with matplotlib.rc_context(_STYLE):
-        picture.savefig(path.with_suffix(".png"), dpi=160, metadata={"Software": None})
-        picture.savefig(path.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
 
 
 def _disturbance(found: CostAccuracy) -> list[str]:

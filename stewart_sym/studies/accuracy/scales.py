@@ -7,7 +7,7 @@ records; draws them if asked (extra ``plot``). Writes no file.
 
 import ctypes
 import dataclasses
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -20,6 +20,7 @@ from ...backend.kernel import MOTION, address, c_sources, kernel_name, loaded, r
 from ...dynamics.home_pose import radius
 from ...dynamics.inverse import Formulation, inverse_dynamics
 from ...generated.interface import MODELS
+from ...io.progress import Progress, tracked, undetected
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
 from ...motion.motion import Motion
@@ -119,7 +120,7 @@ class Scales:
 
 
 def scales_study(
-    progress: Callable[[str], None] = lambda _: None,
+    progress: Progress = undetected,
     robot: Robot | None = None,
     formulation: Formulation = "exact",
     sizes: Sequence[float] = SIZES,
@@ -144,8 +145,10 @@ def scales_study(
     checked = {name: how for name, how in _ARITHMETIC.items() if name != DOUBLE or _is_wider()}
     shape = (len(sizes), len(masses), len(masses), machines, poses)
     errors = {name: np.empty(shape) for name in checked}
-    for p, leg in np.ndindex(len(masses), len(masses)):
-        progress(f"platform of {masses[p]:g} kg, legs of {masses[leg]:g} kg")
+    pairs = list(np.ndindex(len(masses), len(masses)))
+    for p, leg in tracked(
+        progress, pairs, lambda pair: f"platform of {masses[pair[0]]:g} kg, legs of {masses[pair[1]]:g} kg"
+    ):
         for k in range(machines):
             kind, motion = _case(rng, robot, k > 0, poses)
             for s, size in enumerate(sizes):

@@ -24,13 +24,14 @@ from ...backend import kernel, native
 from ...dynamics import forces
 from ...dynamics.inverse import inverse_dynamics
 from ...io.extras import EXTRAS, absent
+from ...io.progress import Progress, undetected
 from ...motion.rotation import rotation_from_rpy
 from ...motion.trajectory import PATHS
 from ...reference import newton_euler as reference
 from ...robot.robot import Robot
 from ..common import host, timing
 from ..common.loops import loop_source
-from ..common.timing import Progress, Task, measured, time_source
+from ..common.timing import Task, measured, time_source
 from ..paper.reproduce import paper_machine
 from . import compile_times as bench_compile
 from . import equation_kernels, reductions
@@ -190,7 +191,7 @@ ARITHMETIC = f"multiply-add, {CORES} cores"
 # --- the run ----------------------------------------------------------------------------------
 
 
-def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = lambda _: None) -> Benchmark:
+def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = undetected) -> Benchmark:
     """Measure everything on this machine.
 
     robot: None for the paper's machine near its Paths I and II; another one moves about its middle. quick:

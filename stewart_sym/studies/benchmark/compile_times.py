@@ -7,11 +7,12 @@ import functools
 import shutil
 import sys
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from ...backend import kernel, native
+from ...io.progress import Progress, undetected
 from .baselines import NAME
 from .figures import CompileTime, TextSize
 
@@ -37,14 +38,14 @@ int main(int count, char **words)
 _EMPTY = "int main(void)\n{\n    return 0;\n}\n"
 
 
-def compile_times(times: int, progress: Callable[[str], None] = lambda _: None) -> tuple[CompileTime, ...]:
+def compile_times(times: int, progress: Progress = undetected) -> tuple[CompileTime, ...]:
     """Compile each kernel anew ``times`` times, by turns, with the flags that all libraries are built with.
 
     Raises native.CompilerError.
     """
     raw: dict[str, list[float]] = {name: [] for name in COMPILED}
     for number in range(times):
-        progress(f"compiling, {number + 1} of {times}")
+        progress(f"compiling, {number + 1} of {times}", number / times)
         for name in COMPILED:
             raw[name].append(_seconds(name))
     return tuple(CompileTime(f"stewart_{name}.c", tuple(values)) for name, values in raw.items())

@@ -3,26 +3,24 @@
 Computes nothing but the layout. The picture needs Matplotlib, the extra ``bench``.
 """
 
+import functools
 import textwrap
 from collections.abc import Sequence
-from pathlib import Path
 from typing import Any
 
 from ...io.extras import install, needed_for
 from ..common.host import DISTURBED
+from ..common.report import Picture, Report
 from ..common.table import aligned
 from .figures import MOST, TIMES_FASTER, Benchmark, Figure, MotionFigures, Samples
 
 with needed_for("drawing"):
-    import matplotlib
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure as Canvas
 
 WIDTH = 110
 
 _STYLE: Any = {
-    "svg.hashsalt": "stewart-sym",
-    "svg.fonttype": "none",
     "font.size": 9.0,
     "axes.grid": True,
     "axes.axisbelow": True,
@@ -301,16 +299,13 @@ def _number(value: float) -> str:
 # --- the picture ------------------------------------------------------------------------------
 
 
-def draw(found: Benchmark, directory: Path) -> list[Path]:
-    """Write ``bench`` and ``bench_motion`` as png and svg into ``directory``; returns the paths."""
-    paths = []
-    with matplotlib.rc_context(_STYLE):
-        for name, canvas in (("bench", picture(found)), ("bench_motion", motion_picture(found))):
-            png, svg = directory / f"{name}.png", directory / f"{name}.svg"
-            canvas.savefig(png, dpi=160, metadata={"Software": None})
-            canvas.savefig(svg, metadata={"Date": None, "Creator": None})
-            paths += [png, svg]
-    return paths
+def full_report(found: Benchmark) -> Report:
+    """All figures as tables, for programs, and as pictures."""
+    drawn = {"bench": picture, "bench_motion": motion_picture}
+    figures = {
+        name: Picture(functools.partial(draw, found), _STYLE, ("png", "svg")) for name, draw in drawn.items()
+    }
+    return Report(report(found), data=found.as_json(), figures=figures)
 
 
 def picture(found: Benchmark) -> Canvas:

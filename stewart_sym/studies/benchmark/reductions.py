@@ -5,7 +5,6 @@ one candidate for a pose in a C loop and one for a batch. The derivation runs wh
 """
 
 import ctypes
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -14,6 +13,7 @@ from numpy.typing import NDArray
 
 from ...backend import kernel, native
 from ...backend.kernel import address
+from ...io.progress import Progress, undetected
 from ...robot.robot import Robot
 from .baselines import FEW, MANY, NAME, Candidate, Poses, Runner, c_loop, forces_loop, repeated, succeed
 
@@ -37,7 +37,7 @@ class Stage:
         return self.one_pose, self.batch
 
 
-def stages(progress: Callable[[str], None] = lambda _: None) -> tuple[Stage, ...]:
+def stages(progress: Progress = undetected) -> tuple[Stage, ...]:
     """Derive the kernel after every pass, in their order."""
     from ...derive.passes import passes
 

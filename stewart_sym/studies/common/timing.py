@@ -10,7 +10,8 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
-Progress = Callable[[str], None]
+from ...io.progress import Progress
+
 Key = TypeVar("Key")
 
 SHORTEST = 2e-3
@@ -35,10 +36,10 @@ def measured(
     progress("warming up")
     repeats = {key: _enough(task) for key, task in tasks.items()}
     raw: dict[Key, list[float]] = {key: [] for key in tasks}
-    keys = list(tasks)
+    keys, most = list(tasks), max(rounds.values())
     with _no_collection():
-        for number in range(max(rounds.values())):
-            progress(f"round {number + 1} of {max(rounds.values())}")
+        for number in range(most):
+            progress(f"round {number + 1} of {most}", number / most)
             first = number % len(keys)
             for key in keys[first:] + keys[:first]:
                 if number < rounds[key]:

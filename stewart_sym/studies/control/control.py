@@ -6,7 +6,7 @@ its forces. Takes robots and paths, returns records of errors and forces. Writes
 
 import dataclasses
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any, NamedTuple
 
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
 from ...dynamics.forces import OnePose, prepare
 from ...dynamics.inverse import Formulation, massless_forces
+from ...io.progress import Progress, tracked, undetected
 from ...kinematics.inverse import inverse_kinematics
 from ...kinematics.paths import path_for
 from ...motion.motion import Motion
@@ -193,7 +194,7 @@ def track_paths(
     robot: Robot,
     paths: Sequence[str] = TRACKED,
     settings: Settings | None = None,
-    progress: Callable[[str], None] = lambda _: None,
+    progress: Progress = undetected,
 ) -> Study:
     """Track the paths named, of ``TRACKED``, with every controller.
 
@@ -203,8 +204,7 @@ def track_paths(
     settings = settings or Settings()
     runs: dict[str, dict[str, Run]] = {}
     beyond: list[str] = []
-    for name in paths:
-        progress(f"tracking Path {name}")
+    for name in tracked(progress, paths, lambda name: f"tracking Path {name}"):
         path = path_for(robot, name).path
         try:
             runs[name] = follow(robot, path, settings)

@@ -3,12 +3,14 @@
 Takes the studies of one or several machines by label. The picture needs the extra ``plot``; writes no file.
 """
 
+import functools
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
 from ..common.output import csv_text
+from ..common.report import Picture, Report, Table
 from ..common.table import aligned
 from .control import Run, Settings, Study
 
@@ -42,6 +44,30 @@ _STYLE: Mapping[str, Mapping[str, Any]] = {
     "massless": {"color": "#3a3a3a", "linewidth": 1.2, "linestyle": (0, (5, 1.5))},
     "gravity": {"color": "#2a8a4a", "linewidth": 1.3, "linestyle": (0, (1.2, 1.2))},
 }
+
+_UNITS = {
+    "rate": "Hz",
+    "k_p": "1/s^2",
+    "k_d": "1/s",
+    "offset_t": "m",
+    "offset_phi": "rad",
+    "step": "s",
+    "C_u": "N m s",
+    "C_p": "N s/m",
+    "C_s": "N m s",
+}
+
+
+def full_report(studies: Mapping[str, Study], pictures: bool = True) -> Report:
+    """Table, figures, errors and forces over time, and if wanted a picture of each machine."""
+    tables: dict[str, Table] = {"control": csv_rows(studies)}
+    figures = {}
+    for number, (label, study) in enumerate(studies.items()):
+        suffix = f"_{label}" if number else ""
+        tables |= {f"path_{path}{suffix}": run_columns(runs) for path, runs in study.runs.items()}
+        if pictures:
+            figures[f"control{suffix}"] = Picture(functools.partial(figure, study))
+    return Report(report(studies), tables, as_json(studies), figures)
 
 
 def report(studies: Mapping[str, Study]) -> str:
@@ -79,7 +105,7 @@ def as_json(studies: Mapping[str, Study]) -> dict[str, Any]:
     """Settings and, by label, machines with their figures."""
     settings = next(iter(studies.values())).settings
     machines = {label: study.as_json() for label, study in studies.items()}
-    return {"settings": {**vars(settings)}, "machines": machines}
+    return {"settings": {**vars(settings)}, "machines": machines, "units": _UNITS}
 
 
 def run_columns(runs: Mapping[str, Run]) -> dict[str, NDArray[Any]]:

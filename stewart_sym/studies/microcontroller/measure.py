@@ -6,7 +6,7 @@ Takes a Robot, hands back figures for each kit.
 import re
 import shutil
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import asdict, dataclass
 from importlib.resources import files
 from pathlib import Path
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from ...backend.kernel import MOTION
 from ...backend.native import CompilerError
 from ...derive.package.words import robot_symbol
+from ...io.progress import Progress, tracked, undetected
 from ...kinematics.inverse import inverse_kinematics
 from ...kit import Choice, kit
 from ...kit.poses import sample
@@ -28,7 +29,6 @@ from . import toolchain
 from .toolchain import CORES, Core
 
 Array = NDArray[np.float64]
-Progress = Callable[[str], None]
 
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""
@@ -101,18 +101,20 @@ class Study:
         return asdict(self)
 
 
-def study(robot: Robot, progress: Progress = lambda _: None, level: str = "general") -> Study:
+def study(robot: Robot, progress: Progress = undetected, level: str = "general") -> Study:
     """Measure general and baked kits, double on a Cortex-M7 and float on a Cortex-M4F.
 
     Raises CompilerError where a tool is missing or fails, ValueError as ``kit`` does.
     """
     if said := toolchain.missing():
         raise CompilerError(said)
-    rows = []
-    for precision in CORES:
-        for bake in (False, True):
-            progress(f"{'baked' if bake else 'general'} kit in {precision}")
-            rows.append(measured(robot, level, bake, precision))
+    kits = [(precision, bake) for precision in CORES for bake in (False, True)]
+    rows = [
+        measured(robot, level, bake, precision)
+        for precision, bake in tracked(
+            progress, kits, lambda kit: f"{'baked' if kit[1] else 'general'} kit in {kit[0]}"
+        )
+    ]
     return Study(robot.name, level, tuple(rows), toolchain.versions(), toolchain.FLAGS)
 
 

@@ -3,8 +3,7 @@
 Takes its figures; writes no file.
 """
 
-import json
-
+from ..common.report import Report
 from ..common.table import aligned
 from .measure import Figures, Study
 
@@ -22,6 +21,18 @@ HEADER = (
     ),
     *("RAM kit", "model", "stack pose", "frames", "prepare", "foreign symbols", "doubles"),
 )
+
+_UNITS = {
+    "worst": "share of the bound",
+    "instructions": "per call",
+    "near_singular_joints": "instructions per call",
+    **dict.fromkeys(("flash", "ram", "stack"), "bytes"),
+}
+
+
+def full_report(study: Study) -> Report:
+    """The table, and all figures with the tools that made them."""
+    return Report(report(study), data={**study.as_json(), "units": _UNITS})
 
 
 def report(study: Study) -> str:
@@ -65,8 +76,3 @@ def answers(row: Figures) -> str:
     }
     said = [f"{name} wrong" for name, count in wrong.items() if count]
     return "; ".join(said) or f"{row.poses} poses right"
-
-
-def json_text(study: Study) -> str:
-    """All figures, with the tools that made them."""
-    return json.dumps(study.as_json(), indent=1) + "\n"

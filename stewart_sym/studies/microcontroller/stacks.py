@@ -5,14 +5,15 @@ they take no more than the same kernels without.
 """
 
 import dataclasses
-import json
 import tempfile
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
 from ...backend import fidelity
 from ...backend.native import CompilerError
+from ...io.json_text import json_text
+from ...io.progress import Progress, undetected
 from ...kit import Choice
 from ...kit.choice import check
 from ...kit.files import stack_key
@@ -24,7 +25,7 @@ from .toolchain import CORES, Core
 
 def stacks(
     robots: Iterable[Robot],
-    progress: Callable[[str], None] = lambda _: None,
+    progress: Progress = undetected,
     levels: Iterable[str] = fidelity.FIDELITIES,
 ) -> dict[str, Any]:
     """Bytes by function and precision, and by whom they were told.
@@ -48,7 +49,7 @@ def stacks(
 
 def as_text(found: dict[str, Any]) -> str:
     """The table as it is kept."""
-    return json.dumps(found, indent=1) + "\n"
+    return json_text(found)
 
 
 def _all_parts(robot: Robot, levels: Iterable[str]) -> Iterator[tuple[Parts, Choice]]:

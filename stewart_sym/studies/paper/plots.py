@@ -4,9 +4,9 @@ Draws what ``reproduce`` computed; needs Matplotlib, the extra ``plot``. The SVG
 and on Matplotlib's version alone.
 """
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -14,10 +14,10 @@ from numpy.typing import NDArray
 
 from ...io.extras import needed_for
 from ..common.drawing import legend_below, log_numbers
+from ..common.report import Picture
 from .reproduce import PathRun, Reproduction
 
 with needed_for("drawing"):
-    import matplotlib
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from matplotlib.lines import Line2D
@@ -25,8 +25,6 @@ with needed_for("drawing"):
 Array = NDArray[np.float64]
 
 _STYLE: Any = {
-    "svg.hashsalt": "stewart-sym",
-    "svg.fonttype": "none",
     "font.size": 9.0,
     "axes.grid": True,
     "grid.alpha": 0.35,
@@ -57,21 +55,16 @@ _CURVES = (
 )
 
 
-def draw(
-    found: Reproduction, directory: Path, progress: Callable[[str], None] = lambda _: None
-) -> list[Path]:
-    """Write every picture into ``directory`` as PNG and SVG; returns the paths."""
-    written: list[Path] = []
-    with matplotlib.rc_context(_STYLE):
-        for number, path, kind, make in _FIGURES:
-            progress(f"drawing Fig. {number}")
-            pair = found.runs[path, "paper"], found.runs[path, "exact"]
-            figure = make(number, *pair)
-            stem = f"fig{number:02d}_path_{path}_{kind}"
-            figure.savefig(directory / f"{stem}.png", dpi=160, metadata={"Software": None})
-            figure.savefig(directory / f"{stem}.svg", metadata={"Date": None, "Creator": None})
-            written += [directory / f"{stem}.png", directory / f"{stem}.svg"]
-    return written
+def pictures(found: Reproduction) -> dict[str, Picture]:
+    """Every picture by name, as PNG and SVG."""
+    return {
+        f"fig{number:02d}_path_{path}_{kind}": Picture(
+            functools.partial(make, number, found.runs[path, "paper"], found.runs[path, "exact"]),
+            _STYLE,
+            ("png", "svg"),
+        )
+        for number, path, kind, make in _FIGURES
+    }
 
 
 def forces_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:

@@ -5,14 +5,17 @@ Lays out what ``reproduce`` computed and ``claims`` checked; computes nothing it
 
 import textwrap
 from collections.abc import Sequence
+from dataclasses import asdict
+from typing import Any
 
 import numpy as np
 
 from ...motion.trajectory import PATHS
 from ...reference.newton_euler import EXACT, PAPER
+from ..common.report import Report
 from ..common.table import aligned
 from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, Claim, claims, counted_fractions
-from .reproduce import Operations, Reproduction
+from .reproduce import Operations, Reproduction, run_columns
 
 WIDTH = 110
 
@@ -24,6 +27,48 @@ _FAULT_NAMES = {
     frozenset({4}): "4  sign of sum K, (33); not in `paper`",
     EXACT: "none: `exact`",
 }
+
+
+def full_report(found: Reproduction, pictures: bool = True) -> Report:
+    """All tables, the runs over time, and if wanted the pictures of Figs. 4-10."""
+    tables = {f"path_{path}_{form}": run_columns(run) for (path, form), run in found.runs.items()}
+    figures = {}
+    if pictures:
+        from . import plots
+
+        figures = plots.pictures(found)
+    return Report(report(found), tables, _data(found), figures)
+
+
+def _data(found: Reproduction) -> dict[str, Any]:
+    """The tables for programs."""
+    return {
+        "robot": found.robot.name,
+        "computed_by": found.backend,
+        "impossible_inertias": found.robot.physicality(),
+        "claims": [asdict(row) for row in claims(found)],
+        "fault_costs": [
+            {"faults": sorted(cost.faults), "moving": cost.moving, "at_rest": cost.at_rest}
+            for cost in found.fault_costs
+        ],
+        "work_and_energy": [
+            {
+                "path": row.path,
+                "faults": sorted(row.faults),
+                "work_J": row.work,
+                "gain_J": row.gain,
+                "mismatch": row.mismatch,
+            }
+            for row in found.work_energy
+        ],
+        "operations": [asdict(row) for row in found.operations],
+        "singular_time_path_III_s": found.singular_time,
+        "units": {
+            "fault_costs": "RMS of F - F_exact over RMS of F_exact",
+            "mismatch": "share of the gain",
+            "operations": "multiplications, additions, divisions, square roots",
+        },
+    }
 
 
 def report(found: Reproduction) -> str:

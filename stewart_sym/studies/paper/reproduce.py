@@ -7,7 +7,7 @@ Takes the paper's machine and the generated kernels and returns plain records. `
 import dataclasses
 import functools
 import importlib
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +17,7 @@ from ... import robots
 from ...backend import native
 from ...backend.kernel import FORMULATIONS, kernel_name, library
 from ...dynamics.inverse import Formulation, inverse_dynamics, massless_forces
+from ...io.progress import Progress, tracked, undetected
 from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
 from ...motion.motion import Motion
 from ...motion.trajectory import PATHS, StraightLinePath
@@ -24,7 +25,6 @@ from ...reference import newton_euler
 from ...robot.robot import Robot
 
 Array = NDArray[np.float64]
-Progress = Callable[[str], None]
 
 LIGHT_PLATFORM = 4.0
 """Platform mass, kg, of the order of one leg's, for the claim on the mass ratio."""
@@ -133,7 +133,7 @@ class Reproduction:
     operations: tuple[Operations, ...]
 
 
-def reproduce(progress: Progress = lambda _: None) -> Reproduction:
+def reproduce(progress: Progress = undetected) -> Reproduction:
     """Compute everything on the paper's machine; ``progress`` is given what is being computed."""
     robot = paper_machine()
     progress("compiling the kernels")
@@ -141,10 +141,14 @@ def reproduce(progress: Progress = lambda _: None) -> Reproduction:
     progress("running Paths I-III")
     lighter = dataclasses.replace(robot, M=LIGHT_PLATFORM)
     runs = {(name, form): run_path(robot, name, form) for name in PATHS for form in FORMULATIONS}
-    progress("measuring the printed faults")
-    costs = tuple(fault_cost(robot, faults) for faults in FAULTS)
-    progress("comparing work and energy")
-    kept = (newton_euler.EXACT, *FAULTS)
+    costs = tuple(
+        fault_cost(robot, faults)
+        for faults in tracked(progress, FAULTS, lambda _: "measuring the printed faults")
+    )
+    kept = [(name, faults) for name in PATHS for faults in (newton_euler.EXACT, *FAULTS)]
+    work = tuple(
+        work_energy(robot, *each) for each in tracked(progress, kept, lambda _: "comparing work and energy")
+    )
     return Reproduction(
         robot=robot,
         backend=backend,
@@ -153,7 +157,7 @@ def reproduce(progress: Progress = lambda _: None) -> Reproduction:
         rest={form: run_path(robot, "I", form, rest=True) for form in FORMULATIONS},
         singular_time=singular_time(robot, PATHS["III"].path, *_steepest(runs["III", "paper"])),
         fault_costs=costs,
-        work_energy=tuple(work_energy(robot, name, faults) for name in PATHS for faults in kept),
+        work_energy=work,
         operations=operations(),
     )
 

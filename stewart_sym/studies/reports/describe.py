@@ -4,6 +4,7 @@ Reads a checked Robot; prints nothing.
 """
 
 import warnings
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,6 +14,7 @@ from ...kinematics.conditioning import characteristic_length
 from ...kinematics.mounting import AssemblyModeWarning
 from ...results import STATUS_TEXT
 from ...robot.robot import Robot, legs_text
+from ..common.report import Report
 
 Array = NDArray[np.float64]
 
@@ -20,7 +22,54 @@ Array = NDArray[np.float64]
 _ALONG = 0.9
 
 
-def description(robot: Robot) -> str:
+def report(robot: Robot) -> Report:
+    """Everything about the robot, SI units."""
+    with warnings.catch_warnings():
+        # The row "above" names both sides where they are equally plausible.
+        warnings.simplefilter("ignore", AssemblyModeWarning)
+        home = home_pose(robot)
+    return Report(_description(robot, home), data={**_data(robot), "home_pose": _home_data(robot, home)})
+
+
+def _data(robot: Robot) -> dict[str, Any]:
+    """Sizes, masses and limits, for programs."""
+    return {
+        "robot": robot.name,
+        "base_joint": robot.base_joint,
+        "gravity_m_per_s2": robot.g,
+        "platform_mass_kg": robot.M,
+        "platform_centre_of_mass_m": robot.R_0,
+        "lower_mass_kg": robot.m_d,
+        "upper_mass_kg": robot.m_u,
+        "mass_ratio_platform_to_leg": robot.M / np.mean(robot.m_d + robot.m_u),
+        "base_radius_m": radius(robot.b),
+        "platform_radius_m": radius(robot.p),
+        "friction_universal_N_m_s": robot.C_u,
+        "friction_prismatic_N_s_per_m": robot.C_p,
+        "friction_spherical_N_m_s": robot.C_s,
+        "length_limits_m": robot.length_limits,
+        "force_limit_N": robot.force_limit,
+        "speed_limit_m_per_s": robot.speed_limit,
+        "impossible_inertias": robot.physicality(),
+    }
+
+
+def _home_data(robot: Robot, home: HomePose) -> dict[str, Any]:
+    """The home pose, for programs."""
+    return {
+        "rule": home.rule,
+        "above": home.side.direction,
+        "position_m": home.t,
+        "leg_lengths_m": home.L,
+        "status": home.status,
+        "holding_forces_N": home.F,
+        "condition_number": home.condition,
+        "scaled_condition_number": home.scaled_condition,
+        "characteristic_length_m": characteristic_length(robot),
+    }
+
+
+def _description(robot: Robot, home: HomePose) -> str:
     """Everything about the robot in lines of text, SI units."""
     rows = [
         ("name", robot.name),
@@ -41,10 +90,6 @@ def description(robot: Robot) -> str:
         ("limits", _limits(robot)),
         ("inertias", _inertias(robot)),
     ]
-    with warnings.catch_warnings():
-        # The row "above" names both sides where they are equally plausible.
-        warnings.simplefilter("ignore", AssemblyModeWarning)
-        home = home_pose(robot)
     return "\n".join([*_rows(rows), "", *_home_lines(robot, home)])
 
 

@@ -123,15 +123,13 @@ def summary(drifts: Mapping[Formulation, Drift]) -> str:
     return "\n".join(lines)
 
 
-def figure(drifts: Mapping[Formulation, Drift]) -> "Figure | None":
-    """The drifts over time, their magnitudes on a logarithmic axis; None where no run has two instants."""
+def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
+    """The drifts over time, their magnitudes on a logarithmic axis; of runs of more than one instant."""
     from matplotlib.figure import Figure
 
     from ..common.drawing import legend_below, log_numbers
 
     drifts = {name: drift for name, drift in drifts.items() if len(drift.times) > 1}
-    if not drifts:
-        return None
     picture = Figure(figsize=(8.0, 4.2), layout="constrained")
     axes = picture.subplots()
     for name, drift in drifts.items():

@@ -3,10 +3,9 @@
 Prints nothing, writes no file.
 """
 
-import csv
-import io
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,11 +14,13 @@ from ...identification.base_parameters import BaseParameters, base_parameters
 from ...identification.estimation import Estimate, Experiment, identify, simulated_experiment
 from ...identification.excitation import choose_excitation
 from ...identification.parameters import inertial_parameters
+from ...io.progress import Progress, undetected
 from ...motion.rotation import rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
-from ..common.output import csv_lines
+from ..common.output import csv_text
+from ..common.report import Report
 from ..common.table import aligned
 
 Array = NDArray[np.float64]
@@ -43,7 +44,7 @@ def identification(
     candidates: int,
     noise_position: float = 0.0,
     noise_angle: float = 0.0,
-    progress: Callable[[str], None] = lambda _: None,
+    progress: Progress = undetected,
 ) -> Experiment:
     """Choose the motion, measure along it and identify.
 
@@ -131,8 +132,8 @@ def verdict(found: Estimate) -> list[str]:
     ]
 
 
-def measured_texts(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) -> dict[str, str]:
-    """Texts of the files about measured forces, by name."""
+def measured_report(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) -> Report:
+    """What measured forces tell: parameters, and bodies if the fit kept to possible ones."""
     base = found.base
     departure, p = found.departure(robot)
     file = base.matrix @ inertial_parameters(robot).values
@@ -156,15 +157,44 @@ def measured_texts(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise
         *verdict(found),
         f"robot file: {agreement}{named}",
     ]
-    texts = {
-        "parameters.csv": _csv(head, rows),
-        "report.txt": "\n".join([*lines, "", table, "", *_merged(base)]) + "\n",
-    }
+    tables = {"parameters": csv_text([head, *rows])}
     if found.parameters is not None:
         bodies = found.parameters
         full = zip(bodies.names, bodies.units, bodies.values.tolist(), strict=True)
-        texts["bodies.csv"] = _csv(("name", "unit", "value"), full)
-    return texts
+        tables["bodies"] = csv_text([("name", "unit", "value"), *full])
+    data = {
+        **_data(robot, found, sigma, noise),
+        "robot_file": {"agreement": agrees, "probability": p, "compared": found.verdict != "rejected"},
+        "parameters": [dict(zip(head, row, strict=True)) for row in rows],
+    }
+    return Report("\n".join([*lines, "", table, "", *_merged(base)]), tables, data)
+
+
+def _data(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) -> dict[str, Any]:
+    """What the lines above the table say, for programs."""
+    return {
+        "robot": robot.name,
+        "base_parameters": found.base.rank,
+        "of_parameters": found.base.matrix.shape[1],
+        "gap": found.base.gap,
+        "force_noise_N": sigma,
+        "position_noise_m": 0.0 if noise is None else noise.position,
+        "angle_noise_rad": 0.0 if noise is None else noise.angle,
+        "verdict": found.verdict,
+        "residual": found.misfit,
+        "residual_probability": found.p_noise,
+        "smooth_residual_probability": found.p_model,
+        "inflation": found.inflation,
+        "doubts": found.doubts,
+        "impossible": found.impossible,
+        "near_zero": found.near_zero,
+        "units": {
+            "residual": "of its expectation",
+            "inflation": "of the standard deviations",
+            "departure": "standard deviations",
+            "deviation": "standard deviations",
+        },
+    }
 
 
 def _noise(sigma: float, noise: PoseNoise | None) -> str:
@@ -172,14 +202,23 @@ def _noise(sigma: float, noise: PoseNoise | None) -> str:
     return f"noise: {sigma:g} N on each force, {poses}"
 
 
-def simulated_texts(robot: Robot, found: Experiment) -> dict[str, str]:
-    """Texts of the files about a simulated measurement, by name."""
-    return {
-        "parameters.csv": parameter_text(found),
-        "trajectory.csv": "".join(csv_lines(trajectory_columns(found))),
-        "forces.csv": "".join(csv_lines(force_columns(found))),
-        "report.txt": report(robot, found) + "\n",
+def simulated_report(robot: Robot, found: Experiment) -> Report:
+    """What a simulated measurement tells: parameters beside the true ones, the motion and its forces."""
+    excited, (head, *rows) = found.excitation, _parameter_rows(found)
+    tables: dict[str, str | Mapping[str, Array]] = {
+        "parameters": csv_text([head, *rows]),
+        "trajectory": trajectory_columns(found),
+        "forces": force_columns(found),
     }
+    data = {
+        **_data(robot, found.estimate, found.sigma, found.noise),
+        "period_s": excited.path.period,
+        "harmonics": len(excited.path.sine),
+        "instants": len(excited.time),
+        "condition_number": excited.condition,
+        "parameters": [dict(zip(head, row, strict=True)) for row in rows],
+    }
+    return Report(report(robot, found), tables, data)
 
 
 def report(robot: Robot, found: Experiment) -> str:
@@ -217,17 +256,11 @@ def _merged(base: BaseParameters) -> list[str]:
     return ["Parameters stand for these combinations:", *found]
 
 
-def parameter_text(found: Experiment) -> str:
-    """A CSV file: name, formula, unit, true, estimated, sigma, deviation of each base parameter."""
+def _parameter_rows(found: Experiment) -> list[tuple[Any, ...]]:
+    """A header and name, formula, unit, true, estimated, sigma, deviation of each base parameter."""
     head = ("name", "formula", "unit", "true", "estimated", "sigma", "deviation")
     rows = zip(_rows(found), found.estimate.base.formulas, strict=True)
-    return _csv(head, [(row[0], formula, *row[1:]) for row, formula in rows])
-
-
-def _csv(head: Sequence[str], rows: Iterable[Sequence[str | float]]) -> str:
-    stream = io.StringIO()
-    csv.writer(stream, lineterminator="\n").writerows([head, *rows])
-    return stream.getvalue()
+    return [head, *((row[0], formula, *row[1:]) for row, formula in rows)]
 
 
 def trajectory_columns(found: Experiment) -> dict[str, Array]:

@@ -4,16 +4,18 @@ Takes a Simulation and the law it ran under. The pictures need the extra ``plot`
 """
 
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...dynamics.inverse import Formulation
 from ...motion.rotation import rpy_from_rotation
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.simulation import Simulation
-from .energy_drift import drift_of, energy_scale
+from ..common.report import Picture, Report
+from . import energy_drift
+from .energy_drift import Drift, drift_of, energy_scale
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -33,6 +35,66 @@ def run_columns(run: Simulation) -> Columns:
     return columns | {"kinetic": run.kinetic, "potential": run.potential}
 
 
+def report(
+    run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift], pictures: bool = True
+) -> Report:
+    """Everything about a run; ``drifts``: of its energy, as ``energy_drift`` gives them, or none.
+
+    Without a picture of what has one instant alone.
+    """
+    text, figures = summary(run, law), {}
+    if pictures and len(run.times) > 1:
+        figures["run"] = Picture(lambda: figure(run))
+    if drifts:
+        text += "\n" + energy_drift.summary(drifts)
+        if pictures and any(len(drift.times) > 1 for drift in drifts.values()):
+            figures["energy_drift"] = Picture(lambda: energy_drift.figure(drifts))
+    tables = {f"energy_drift_{name}": drift.columns() for name, drift in drifts.items()}
+    return Report(text, {"run": run_columns(run), **tables}, _data(run, law, drifts), figures)
+
+
+def _data(run: Simulation, law: ForceLaw, drifts: Mapping[Formulation, Drift]) -> dict[str, Any]:
+    """What the summary says, for programs."""
+    peaks = np.argmax(np.abs(run.F), axis=0)
+    return {
+        "stop": {"kind": run.stop.kind, "time_s": run.stop.time, "leg": run.stop.leg, "text": run.stop.text},
+        "steps": run.steps,
+        "legs": [
+            {
+                "leg": leg + 1,
+                "peak_force_N": run.F[peak, leg],
+                "peak_force_time_s": run.times[peak],
+                "least_length_m": run.L[:, leg].min(),
+                "greatest_length_m": run.L[:, leg].max(),
+                "saturated_s": run.saturation.time[leg],
+                "saturation_excess_N": run.saturation.excess[leg],
+            }
+            for leg, peak in enumerate(peaks)
+        ],
+        "energy_start_J": run.energy[0],
+        "energy_end_J": run.energy[-1],
+        "kinetic_energy_peak_J": run.kinetic.max(),
+        "springs_energy_drift": _springs_drift(run, law),
+        "energy_drift": {name: drift.worst for name, drift in drifts.items()},
+        "units": {
+            "springs_energy_drift": "share of the mean kinetic energy",
+            "energy_drift": "share of the mean kinetic energy",
+        },
+    }
+
+
+def _springs_drift(run: Simulation, law: ForceLaw) -> float | None:
+    drift = _drift(run, law)
+    return None if drift is None else drift.worst
+
+
+def _drift(run: Simulation, law: ForceLaw) -> Drift | None:
+    """Drift of machine and springs; None for other laws, and for springs whose forces are clipped."""
+    if not isinstance(law, LegSprings) or (run.saturation.excess > 0.0).any():
+        return None
+    return drift_of(run, law, energy_scale(run, law))
+
+
 def summary(run: Simulation, law: ForceLaw) -> str:
     """A few lines: why the run ended, the largest force, the legs' travel, the energy and its drift."""
     i, leg = np.unravel_index(int(np.argmax(np.abs(run.F))), run.F.shape)
@@ -49,18 +111,16 @@ def summary(run: Simulation, law: ForceLaw) -> str:
         for i, time in enumerate(run.saturation.time)
         if run.saturation.excess[i] > 0.0
     ]
-    # Of springs whose forces are clipped no energy is kept.
-    if isinstance(law, LegSprings) and not (run.saturation.excess > 0.0).any():
-        lines.append(f"springs    {drift_of(run, law, energy_scale(run, law)).text}")
+    drift = _drift(run, law)
+    if drift is not None:
+        lines.append(f"springs    {drift.text}")
     return "\n".join(lines)
 
 
-def figure(run: Simulation) -> "Figure | None":
-    """Position, attitude, forces, lengths and energy over time; None of a run of one instant."""
+def figure(run: Simulation) -> "Figure":
+    """Position, attitude, forces, lengths and energy over time."""
     from matplotlib.figure import Figure
 
-    if len(run.times) < 2:
-        return None
     axes_of = dict(zip("xyz", range(3), strict=True))
     legs = {f"leg {leg + 1}": leg for leg in range(6)}
     angles = dict(zip(("roll", "pitch", "yaw"), range(3), strict=True))
@@ -84,11 +144,6 @@ def figure(run: Simulation) -> "Figure | None":
         axes.set_xlabel("time, s")
     picture.suptitle(run.stop.text, fontsize=10.0)
     return picture
-
-
-def save(picture: "Figure", path: Path) -> None:
-    """Write a picture as PNG; the same numbers give the same bytes."""
-    picture.savefig(path, dpi=160, metadata={"Software": None})
 
 
 def _curves(axes: "Axes", times: Array, values: Array, names: Mapping[str, int], label: str) -> None:

@@ -3,7 +3,7 @@
 Takes a Robot and a path as a function of time; reads and writes no file.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -27,6 +27,7 @@ from ...singularities.along_path import (
     singularities_along,
 )
 from ...singularities.singular_poses import Singularity
+from ..common.report import Picture, Report
 from ..common.table import aligned
 
 Array = NDArray[np.float64]
@@ -119,6 +120,65 @@ def report(found: Examination) -> str:
         lines += ["", "Other minima of the smallest singular value"]
         lines += [f"  {_near(approach.time, approach.at)}" for approach in others]
     return "\n".join([*lines, "", _legs_table(found)])
+
+
+def full_report(found: Examination, figures: Mapping[str, Picture]) -> Report:
+    """The lines of text, events and curves over time, with the pictures given."""
+    return Report(report(found), {"events": events(found), "path": curves(found)}, _data(found), figures)
+
+
+def _data(found: Examination) -> dict[str, Any]:
+    """What the text says, for programs."""
+    along = found.along
+    return {
+        "robot": found.robot.name,
+        "path": found.name,
+        "start_s": along.start,
+        "end_s": along.end,
+        "crossings": [
+            {
+                "time_s": crossing.time,
+                "uncertainty_s": crossing.uncertainty,
+                "side_before": crossing.before,
+                "side_after": crossing.after,
+                "residue_N_s": sides.residue,
+                **_pose_data(crossing.at),
+            }
+            for crossing, sides in zip(along.crossings, found.sides, strict=True)
+        ],
+        "nearest": {"time_s": along.nearest.time, **_pose_data(along.nearest.at)},
+        "minima": [{"time_s": each.time, **_pose_data(each.at)} for each in along.approaches],
+        "singular_throughout_s": along.spans,
+        "legs": [
+            {
+                "leg": leg + 1,
+                "least_joint_sine": along.joint_sine.value[leg],
+                "least_joint_sine_time_s": along.joint_sine.time[leg],
+                "least_length_m": along.shortest.value[leg],
+                "least_length_time_s": along.shortest.time[leg],
+                "greatest_length_m": along.longest.value[leg],
+                "greatest_length_time_s": along.longest.time[leg],
+            }
+            for leg in range(LEGS)
+        ],
+    }
+
+
+def _pose_data(at: Singularity) -> dict[str, Any]:
+    return {
+        "scaled_condition_number": at.condition,
+        "characteristic_length_m": at.length,
+        "smallest_singular_value": at.smallest,
+        "degrees_of_freedom_lost": at.lost,
+        "twist_v_m_per_s": at.twist[:3],
+        "twist_omega_rad_per_s": at.twist[3:],
+        "pitch_m_per_rad": at.pitch,
+        "axis": at.axis,
+        "axis_point_m": at.point,
+        "lost_force_N": at.wrench[:3],
+        "lost_moment_N_m": at.wrench[3:],
+        "idle_forces_N": at.forces,
+    }
 
 
 def events(found: Examination) -> Columns:

@@ -3,8 +3,8 @@
 Draws what ``singularities`` found; needs Matplotlib, the extra ``plot``.
 """
 
+import functools
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,7 +15,7 @@ from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from ...singularities.singular_poses import Singularity
 from ..common.drawing import log_numbers
-from .run import save
+from ..common.report import Picture
 from .singularities import Columns, Examination, curves
 
 with needed_for("drawing"):
@@ -34,12 +34,13 @@ _LEGS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
 _ARROW = 0.3
 
 
-def draw(found: Examination, folder: Path) -> None:
-    """Write path.png, and crossing_<n>.png for each crossing or nearest.png where there is none."""
+def pictures(found: Examination) -> dict[str, Picture]:
+    """``path``, and ``crossing_<n>`` for each crossing or ``nearest`` where there is none."""
     columns = curves(found)
-    save(path_figure(found, columns), folder / "path.png")
+    drawn = {"path": Picture(lambda: path_figure(found, columns))}
     for name, time, at, title in _poses(found):
-        save(pose_figure(found, columns, time, at, title), folder / f"{name}.png")
+        drawn[name] = Picture(functools.partial(pose_figure, found, columns, time, at, title))
+    return drawn
 
 
 def path_figure(found: Examination, columns: Columns) -> Figure:

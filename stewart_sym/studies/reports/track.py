@@ -238,6 +238,33 @@ class Digest:
             f" and {len(names) - _MOST_NAMED} more" if len(names) > _MOST_NAMED else ""
         )
 
+    def as_json(self) -> dict[str, Any]:
+        """What the summary says, for programs."""
+        kept = self._joined()
+        worst = _worst_condition(kept)
+        verdicts, known = self._force_verdicts(kept), np.isfinite(kept.L).all(axis=-1)
+        return {
+            "instants": len(self.time),
+            "start_s": self.time[0],
+            "end_s": self.time[-1],
+            "condition_number_peak": kept.condition[worst],
+            "condition_number_peak_time_s": kept.time[worst],
+            "legs": [
+                {
+                    "leg": leg + 1,
+                    "peak_force_N": kept.F[i, leg],
+                    "peak_force_sd_N": None if kept.F_sd is None else kept.F_sd[i, leg],
+                    "peak_force_time_s": kept.time[i],
+                    "force_limit_N": self.robot.force_limit[leg],
+                    "force_limit": verdicts[leg],
+                    "least_length_m": kept.L[known, leg].min(initial=np.inf),
+                    "greatest_length_m": kept.L[known, leg].max(initial=-np.inf),
+                    "peak_speed_m_per_s": np.abs(kept.L_dot[known, leg]).max(initial=0.0),
+                }
+                for leg, i in enumerate(_peaks(kept.F))
+            ],
+        }
+
     def _joined(self) -> Part:
         arrays = [
             None if x[0] is None else np.concatenate(x)
@@ -449,6 +476,11 @@ def _noisy(
     )
 
 
+def _worst_condition(part: Part) -> int:
+    """Index of the largest condition number."""
+    return int(np.argmax(np.nan_to_num(part.condition, nan=-1.0)))
+
+
 def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str:
     """Lines of text about a run at some times, of which ``part`` has the extremes; verdicts of forces."""
     _, time, F, F_sd, L, L_dot, condition, _, _ = part
@@ -465,7 +497,7 @@ def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str
         )
         for leg, i in enumerate(peaks)
     ]
-    worst = int(np.argmax(np.nan_to_num(condition, nan=-1.0)))
+    worst = _worst_condition(part)
     return "\n".join(
         [
             f"{len(times)} instants, {times[0]:g} to {times[-1]:g} s; condition number of H up to "

@@ -3,19 +3,20 @@
 Colours are Okabe and Ito's, distinct to the colour blind; no method is marked by its colour alone.
 """
 
-from pathlib import Path
+import functools
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
 
 from ...io.extras import needed_for
 from ...results import STATUS_TEXT
+from ..common.report import Picture
 from .family import WRONG, Curve, Family
 from .poses import OUTCOMES, Basins
 from .study import Study
 
 with needed_for("drawing"):
-    import matplotlib
     from matplotlib.axes import Axes
     from matplotlib.colors import ListedColormap
     from matplotlib.figure import Figure
@@ -37,17 +38,13 @@ _FLOOR = 1e-17
 _CEILING = 1e4
 
 
-def draw(found: Study, folder: Path) -> list[Path]:
-    """Write every picture into a folder as PNG; returns the paths."""
-    written = []
-    with matplotlib.rc_context(_STYLE):
-        pictures = {family.name: family_figure(family) for family in found.families}
-        pictures["basins"] = basins_figure(found.basins)
-        for name, figure in pictures.items():
-            path = folder / f"{name}.png"
-            figure.savefig(path, dpi=130, metadata={"Software": None})
-            written.append(path)
-    return written
+def pictures(found: Study) -> dict[str, Picture]:
+    """Every picture by name."""
+    drawn: dict[str, Callable[[], Figure]] = {
+        family.name: functools.partial(family_figure, family) for family in found.families
+    }
+    drawn["basins"] = functools.partial(basins_figure, found.basins)
+    return {name: Picture(draw, _STYLE, dpi=130) for name, draw in drawn.items()}
 
 
 def family_figure(family: Family) -> Figure:

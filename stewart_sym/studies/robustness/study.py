@@ -1,11 +1,13 @@
 """The stability study whole: every family, its verdicts, the report, and the JSON for the README's table."""
 
-from collections.abc import Callable
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
 
+from ...io.progress import Progress, tracked, undetected
+from ..common.report import Picture, Report
 from ..common.table import aligned
 from . import attitude, leg_frame, lengths, poses, runs, scales, singular
 from .family import WRONG, Family, Verdict, verdict
@@ -38,14 +40,19 @@ class Study:
         return {curve.method: verdict(curve, family.distance) for curve in family.curves}
 
 
-def study(progress: Callable[[str], None] = lambda _: None) -> Study:
+def study(progress: Progress = undetected) -> Study:
     """Walk into every failure; takes about a minute. Raises native.CompilerError without ``__float128``."""
     found: list[Family] = []
-    for name, families in PARTS.items():
-        progress(f"approaching {name}")
+    for _, families in tracked(progress, PARTS.items(), lambda part: f"approaching {part[0]}"):
         found += families()
     progress("looking for the basins of Newton's steps")
     return Study(tuple(found), basins())
+
+
+def full_report(found: Study, figures: Mapping[str, Picture]) -> Report:
+    """Verdicts and the families' errors, with the pictures given."""
+    tables = {family.name: family.columns() for family in found.families}
+    return Report(report(found), tables, as_json(found), figures)
 
 
 def report(found: Study) -> str:
@@ -93,7 +100,7 @@ def basins_report(found: Basins) -> str:
 
 
 def as_json(found: Study) -> dict[str, Any]:
-    """Everything that the report says, as plain numbers; NaN as null."""
+    """Everything that the report says, as plain numbers."""
     families = [
         {
             "name": family.name,
@@ -108,7 +115,7 @@ def as_json(found: Study) -> dict[str, Any]:
                     "shipped": curve.shipped,
                     "status": curve.status is not None,
                     "right": _right(family, each),
-                    **{name: _plain(value) for name, value in asdict(each).items()},
+                    **asdict(each),
                 }
                 for curve, each in ((curve, verdict(curve, family.distance)) for curve in family.curves)
             ],
@@ -122,12 +129,22 @@ def as_json(found: Study) -> dict[str, Any]:
     return {
         "families": families,
         "basins": {"shares": shares, "poses": found.basins.poses, "proven": found.basins.proven},
-        "sweep": None if found.sweep is None else _sweep_json(found.sweep),
+        "sweep": None if found.sweep is None else sweep_json(found.sweep),
+        "units": {
+            "worst": "rounding units over the condition number of the problem",
+            "where": "distance from the degenerate configuration, as of the family's axis",
+            "rejected_at": "condition number",
+            "last": "distance, as of the family's axis",
+            "shares": "of the starts",
+            "wrong_above": "rounding units over the condition number of the problem",
+            "good_below": "condition number",
+        },
     }
 
 
-def _sweep_json(found: Sweep) -> dict[str, Any]:
-    counts = [{name: _plain(value) for name, value in asdict(count).items()} for count in found.counts]
+def sweep_json(found: Sweep) -> dict[str, Any]:
+    """Counts of the sweep, as plain numbers."""
+    counts = [asdict(count) for count in found.counts]
     return {
         "cases": found.cases,
         "wrong": found.wrong,
@@ -141,12 +158,6 @@ def _sweep_json(found: Sweep) -> dict[str, Any]:
 def _right(family: Family, found: Verdict) -> bool:
     """Whether the status is where it must be; beyond the range of double it may be on any pose."""
     return found.undetected == 0 and (family.beyond_range or found.false_alarms == 0)
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, float) and not np.isfinite(value):
-        return None
-    return value
 
 
 def _number(value: float) -> str:

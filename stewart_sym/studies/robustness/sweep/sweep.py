@@ -4,7 +4,6 @@ Makes machines, some of them singular at every pose; ``oracle`` makes the cases 
 against wider arithmetic; counts.
 """
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....backend.kernel import robot_numbers
+from ....io.progress import Progress, undetected
 from ....results import OK, STATUS_TEXT
 from ...common.table import aligned
 from .machines import LEGS, machine_size, random_machine
@@ -111,7 +111,7 @@ class Sweep:
 def sweep(
     cases: int,
     seed: int = 0,
-    progress: Callable[[str], None] = lambda _: None,
+    progress: Progress = undetected,
     kinds: tuple[str, ...] = KINDS,
     legs: tuple[str, ...] = LEGS,
 ) -> Sweep:
@@ -125,9 +125,11 @@ def sweep(
     counts: list[Count] = []
     shown: list[Case] = []
     in_quad = 0
+    done = 0.0
     for precision, share in (("double", 1), ("float", FLOAT_SHARE)):
         for kind in kinds:
-            progress(f"computing {kind}, {precision}")
+            progress(f"computing {kind}, {precision}", done / (len(kinds) * (1.0 + 1.0 / FLOAT_SHARE)))
+            done += 1.0 / share
             wanted = -(-cases // (share * len(kinds)))
             each = min(PER_MACHINE, max(1, wanted // 20))
             rng = np.random.default_rng([seed, KINDS.index(kind)])

@@ -1,0 +1,81 @@
+"""What a command found, in one shape: text, tables, figures for programs, pictures; and how it is written."""
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from numpy.typing import NDArray
+
+from ...io.json_text import json_text
+from ...io.progress import Progress, undetected
+from ...io.writing import replaced_file
+from .output import csv_lines
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Table = str | Mapping[str, NDArray[Any]]
+"""CSV text, or columns (n,) by name."""
+
+_METADATA: dict[str, dict[str, None]] = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None}}
+# The same numbers give the same bytes.
+_SVG: dict[Any, Any] = {"svg.hashsalt": "stewart-sym", "svg.fonttype": "none"}
+
+
+@dataclass(frozen=True)
+class Picture:
+    """What draws a picture, in which of Matplotlib's styles, and as files of which kinds."""
+
+    draw: "Callable[[], Figure]"
+    style: Mapping[Any, Any] = field(default_factory=dict)
+    kinds: tuple[str, ...] = ("png",)
+    dpi: int = 160
+
+
+@dataclass(frozen=True, eq=False)
+class Report:
+    """A command's result.
+
+    text: for people. tables: by name of the CSV file without its ending. data: figures for programs, with
+    units in the keys or in a table ``units``. figures: by name of the picture without its ending.
+    """
+
+    text: str
+    tables: Mapping[str, Table] = field(default_factory=dict)
+    data: Mapping[str, Any] = field(default_factory=dict)
+    figures: Mapping[str, Picture] = field(default_factory=dict)
+
+
+def write(
+    report: Report,
+    folder: Path,
+    name: str,
+    progress: Progress = undetected,
+) -> None:
+    """Write ``name.txt``, ``name.json``, every table as CSV and every picture into a folder.
+
+    Raises OSError naming the file that can't be written, ImportError for pictures without Matplotlib.
+    """
+    texts: dict[str, Table] = {
+        f"{name}.txt": report.text.rstrip("\n") + "\n",
+        f"{name}.json": json_text(report.data),
+    }
+    texts |= {f"{table}.csv": content for table, content in report.tables.items()}
+    for file, content in texts.items():
+        with replaced_file(folder / file) as stream:
+            stream.writelines([content] if isinstance(content, str) else csv_lines(content))
+    for number, (stem, picture) in enumerate(report.figures.items()):
+        progress(f"drawing {stem}", number / len(report.figures))
+        draw(picture, folder / stem)
+
+
+def draw(picture: Picture, stem: Path) -> None:
+    """Draw a picture and write it to a path, to which the endings are added."""
+    import matplotlib
+
+    with matplotlib.rc_context({**_SVG, **picture.style}):
+        figure = picture.draw()
+        for kind in picture.kinds:
+            path = stem.with_name(f"{stem.name}.{kind}")
+            figure.savefig(path, dpi=picture.dpi, metadata=_METADATA[kind])

@@ -1,0 +1,149 @@
+"""``--json``: every subcommand that prints figures has it, and what it writes is JSON of the same result."""
+
+import argparse
+import json
+import shutil
+import sys
+from importlib.resources import as_file, files
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command_line import fails_in_one_line
+
+from stewart_sym.cli import main as cli
+from stewart_sym.cli import terminal
+from stewart_sym.cli.main import SUBCOMMANDS, main
+from stewart_sym.io.json_text import json_text
+from stewart_sym.io.progress import tracked
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Path:
+    """The paper's robot file."""
+    target = tmp_path / "robot.toml"
+    with as_file(files("stewart_sym.robots") / "dasgupta1998.toml") as source:
+        shutil.copy(source, target)
+    return target
+
+
+@pytest.fixture
+def trajectory(tmp_path: Path) -> Path:
+    """A platform that rises in half a second, without rates."""
+    time = np.linspace(0.0, 0.5, 6)
+    rows = [f"{t!r},0,0,{0.45 + 0.1 * t * t!r},0,0,0" for t in time.tolist()]
+    target = tmp_path / "trajectory.csv"
+    target.write_text("\n".join(["time,t_x,t_y,t_z,theta_x,theta_y,theta_z", *rows]) + "\n")
+    return target
+
+
+def strict(text: str) -> object:
+    """JSON without the constants that are none."""
+
+    def constant(name: str) -> None:
+        raise AssertionError(f"{name} is no JSON")
+
+    assert text.endswith("}\n")
+    return json.loads(text, parse_constant=constant)
+
+
+def test_every_subcommand_but_that_of_a_path_has_it() -> None:
+    (action,) = (each for each in cli._parser()._actions if isinstance(each, argparse._SubParsersAction))
+    with_json = {name for name, parser in action.choices.items() if "--json" in parser.format_help()}
+    assert with_json == SUBCOMMANDS.keys() - {"cmake-dir"}
+
+
+@pytest.mark.parametrize("option", [["--json"], ["--json", "-"]])
+def test_on_standard_output_stands_nothing_but_the_figures(
+    robot: Path, capsys: pytest.CaptureFixture[str], option: list[str]
+) -> None:
+    assert main(["check", str(robot), *option]) == 0
+    found = strict(capsys.readouterr().out)
+    assert isinstance(found, dict)
+    assert found["platform_mass_kg"] == 40.0
+    # The paper's machine has no limits, and JSON has no infinity.
+    assert found["force_limit_N"] == [None] * 6
+    assert len(found["home_pose"]["holding_forces_N"]) == 6
+
+
+def test_a_file_has_the_figures_beside_the_text(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    csv, figures = robot.parent / "forces.csv", robot.parent / "figures.json"
+    assert main(["forces", str(robot), str(trajectory), "-o", str(csv), "--json", str(figures)]) == 0
+    found = strict(figures.read_text())
+    assert isinstance(found, dict)
+    printed = capsys.readouterr().out
+    for leg, row in zip(found["legs"], printed.splitlines()[3:], strict=False):
+        assert row.split()[:2] == [str(leg["leg"]), f"{leg['peak_force_N']:.6g}"]
+    written = np.genfromtxt(csv, delimiter=",", names=True)
+    assert abs(found["legs"][2]["peak_force_N"]) == np.abs(written["F3"]).max()
+
+
+def test_a_folder_has_the_same_figures(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    folder = robot.parent / "out"
+    asked = ["singularities", str(robot), str(trajectory), "-o", str(folder), "--no-pictures", "--json"]
+    assert main(asked) == 0
+    text = capsys.readouterr().out
+    found = strict(text)
+    assert isinstance(found, dict)
+    assert text == (folder / "report.json").read_text()
+    assert found["crossings"] == []
+    assert found["nearest"]["scaled_condition_number"] > 1.0
+
+
+def test_inputs_and_forces_are_not_written_over(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    before = {path: path.read_bytes() for path in (robot, trajectory)}
+    for name in (robot, trajectory):
+        line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", "f.csv", "--json", name)
+        assert "is an input" in line
+    # The one argument that may be left out is taken for the option's.
+    assert "name inputs before" in fails_in_one_line(capsys, "chart", "--json", robot.parent / "scene.toml")
+    line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", "-", "--json")
+    assert "is where the forces go" in line
+    assert {path: path.read_bytes() for path in before} == before
+
+
+def test_what_is_not_finite_is_null() -> None:
+    data = {"a": np.array([1.0, np.nan]), "b": (np.float64(np.inf), np.int32(3)), "c": {2: [-np.inf, "x"]}}
+    assert strict(json_text(data)) == {"a": [1.0, None], "b": [None, 3], "c": {"2": [None, "x"]}}
+    assert json_text({"a": 1}) == '{\n "a": 1\n}\n'
+
+
+def test_a_task_shows_its_share_and_the_time_left(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    now = [100.0]
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr(terminal.time, "monotonic", lambda: now[0])
+    with terminal.progress_line() as progress:
+        for _ in tracked(progress, range(4), lambda number: f"part {number}"):
+            now[0] += 30.0
+        progress("another")
+    shown = [line.removeprefix("\x1b[K") for line in capsys.readouterr().err.split("\r")[1:-1]]
+    assert [line.split("]")[-1] for line in shown] == [
+        "   0 %  part 0",
+        "  25 %, 1 min 30 s left  part 1",
+        "  50 %, 1 min 00 s left  part 2",
+        "  75 %, 30 s left  part 3",
+        "another ...",
+    ]
+    assert shown[2].startswith("[############            ]")
+
+
+def test_another_task_begins_its_own_time(
+    capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    now = [0.0]
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr(terminal.time, "monotonic", lambda: now[0])
+    with terminal.progress_line() as progress:
+        for seconds in (1.0, 10.0):
+            for _ in tracked(progress, range(2), str):
+                now[0] += seconds
+    assert "50 %, 1 s left  1" in (err := capsys.readouterr().err)
+    assert "50 %, 10 s left  1" in err
