@@ -289,6 +289,7 @@ def test_singularities_reports_time_twist_and_signs(robot: Path, capsys: pytest.
         "events.csv",
         "path.csv",
         "path.png",
+        "report.json",
         "report.txt",
     ]
     text = (folder / "report.txt").read_text()
