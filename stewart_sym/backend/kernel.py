@@ -1,36 +1,21 @@
-"""The generated kernels, bound to a robot: C through ctypes, and NumPy.
+"""The generated kernels by name: their sources and modules, and a robot's numbers as they take them."""
 
-Takes a checked Robot and Motion, hands arrays to the generated code and its results back.
-"""
-
-import ctypes
-import functools
 import importlib
-import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from importlib.resources import files
-from types import ModuleType, SimpleNamespace
-from typing import Any
+from types import ModuleType
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..generated.interface import HEADERS, OUTPUTS, STRUCTS
+from ..generated.interface import STRUCTS
 from ..io.arguments import option
-from ..io.frozen import Frozen, read_only
-from ..motion.motion import Motion
-from ..results import OK, Forces, Reactions
 from ..robot.robot import Robot
-from . import native
 
 Array = NDArray[np.float64]
 
 FORMULATIONS = ("exact", "paper")
 MOTION = STRUCTS["motion"]
 """Arrays of a motion in the order of ``stewart_motion``, with the shape of a pose's part."""
-
-_LEG, _PLATFORM = (tuple(STRUCTS[name]) for name in ("leg", "platform"))
+LEG, PLATFORM = (tuple(STRUCTS[name]) for name in ("leg", "platform"))
 _UPPER = np.triu_indices(3)
 
 
@@ -40,43 +25,25 @@ def kernel_name(formulation: str, base_joint: str) -> str:
     return formulation if base_joint == "universal" else f"{formulation}_{base_joint}"
 
 
-def c_sources(name: str) -> dict[str, str]:
-    """File name -> text of the generated C of one kernel."""
-    folder = files("stewart_sym.generated") / "c"
-    return {
-        file: (folder / file).read_text(encoding="utf-8")
-        for file in (*HEADERS, f"stewart_{name}.h", f"stewart_{name}.c")
-    }
-
-
 def module(name: str) -> ModuleType:
     """The generated NumPy module of one kernel."""
     return importlib.import_module(f"stewart_sym.generated.{name}")
 
 
-@functools.cache
-def library(name: str, defines: tuple[str, ...] = ()) -> ctypes.CDLL:
-    """The compiled C of one kernel, with macros defined.
-
-    Raises native.CompilerError where there is no working compiler.
-    """
-    return native.load(f"stewart_{name}", c_sources(name), defines=dict.fromkeys(defines, 1))
-
-
 def robot_numbers(robot: Robot) -> Array:
     """The robot as the numbers of ``struct stewart_robot``, in its order."""
-    legs = np.concatenate([_columns(getattr(robot, name)) for name in _LEG], axis=1)
-    platform = [np.ravel(stored(np.asarray(getattr(robot, name)))) for name in _PLATFORM]
+    legs = np.concatenate([columns(getattr(robot, name)) for name in LEG], axis=1)
+    platform = [np.ravel(stored(np.asarray(getattr(robot, name)))) for name in PLATFORM]
     return np.concatenate([legs.ravel(), *platform])
 
 
 def need_held(robot: Robot, precision: str) -> None:
     """Raise ValueError naming the first constant that is too large for ``precision``, "double" or "float"."""
     largest = float(np.finfo(np.float64 if precision == "double" else np.float32).max)
-    for name in (*_LEG, *_PLATFORM):
+    for name in (*LEG, *PLATFORM):
         values = np.asarray(getattr(robot, name))
         for index in np.argwhere(np.abs(values) > largest):
-            where = f"leg {index[0] + 1}: {name}" if name in _LEG else name
+            where = f"leg {index[0] + 1}: {name}" if name in LEG else name
             got = f"{values[tuple(index)]:g}"
             raise ValueError(f"robot: {where}: expected a number that {precision} can hold, got {got}")
 
@@ -87,216 +54,11 @@ def overflows(robot: Robot, precision: str) -> ValueError:
     return ValueError(f"robot: expected constants whose products {precision} can hold, some overflow")
 
 
-def _columns(values: Array) -> Array:
+def columns(values: Array) -> Array:
+    """A robot's numbers of all legs, (6, n), symmetric tensors as stored."""
     return stored(values).reshape(6, -1)
 
 
 def stored(values: Array) -> Array:
     """A symmetric tensor as its six stored components; anything else unchanged."""
     return values[..., *_UPPER] if values.shape[-2:] == (3, 3) else values
-
-
-@dataclass(frozen=True, eq=False)
-class CKernel(Frozen):
-    """The C kernel of one formulation with one robot's numbers. Calls release the interpreter lock."""
-
-    name: str
-    numbers: Array
-
-    @classmethod
-    def prepare(cls, robot: Robot, formulation: str) -> "CKernel":
-        """Compile or find the kernel and lay out the robot."""
-        name = kernel_name(formulation, robot.base_joint)
-        library(name)
-        return cls(name, read_only(robot_numbers(robot)))
-
-    def forces(self, motion: Motion) -> Forces:
-        """Inverse dynamics of every pose; NaN where the status is not 0."""
-        outputs, status = self._run("inverse_dynamics", motion, None)
-        return Forces(**outputs, status=status)
-
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
-        """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
-        outputs, status = self._run("joint_reactions", motion, np.ascontiguousarray(bearing))
-        return Reactions(**outputs, status=status)
-
-    def _run(
-        self, function: str, motion: Motion, bearing: Array | None
-    ) -> tuple[dict[str, Array], NDArray[np.int32]]:
-        inputs = [contiguous(getattr(motion, name)) for name in MOTION]
-        outputs = {
-            name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[function].items()
-        }
-        status = np.zeros(motion.shape, dtype=np.int32)
-        call = getattr(library(self.name), f"stewart_{self.name}_{function}_batch")
-        call(
-            address(self.numbers),
-            ctypes.c_size_t(status.size),
-            (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
-            *([] if bearing is None else [address(bearing)]),
-            (ctypes.c_void_p * len(outputs))(*[address(array) for array in outputs.values()]),
-            address(status),
-        )
-        return outputs, status
-
-
-def contiguous(array: Array | None) -> Array | None:
-    """The array as C takes it; None for None."""
-    return None if array is None else np.ascontiguousarray(array)
-
-
-def address(array: NDArray[Any] | None, entries: int = 0) -> ctypes.c_void_p:
-    """Where an entry of a contiguous array lies; null for None."""
-    if array is None:
-        return ctypes.c_void_p(None)
-    try:
-        # Far quicker than the array's interface, which has to serve where an array is read-only or empty.
-        start = ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
-    except (TypeError, ValueError):
-        start = array.__array_interface__["data"][0]
-    return ctypes.c_void_p(start + entries * array.itemsize)
-
-
-# Poses that the NumPy kernels take at once: arrays of more leave the processor's nearer memory.
-_AT_ONCE = 1024
-
-
-@dataclass(frozen=True, eq=False)
-class NumpyKernel:
-    """The NumPy kernel of one formulation with one robot."""
-
-    name: str
-    robot: Robot
-
-    @classmethod
-    def prepare(cls, robot: Robot, formulation: str) -> "NumpyKernel":
-        """Choose the module."""
-        return cls(kernel_name(formulation, robot.base_joint), robot)
-
-    def forces(self, motion: Motion) -> Forces:
-        """Inverse dynamics of every pose; NaN where the status is not 0."""
-        source, suspect = module(self.name), np.zeros(math.prod(motion.shape), dtype=np.bool_)
-
-        def solved(on: Any, robot: Any, part: Any, at: slice) -> Any:
-            found = source.solved(on, robot, part)
-            suspect[at] = found.suspect
-            return {**vars(found.terms), **vars(found)}
-
-        def checked(on: Any, robot: Any, part: Any, _: slice) -> Any:
-            return vars(source.inverse_dynamics(on, robot, part))
-
-        found, status = on_arrays(solved, self._robot, motion, OUTPUTS["inverse_dynamics"])
-        if suspect.any():
-            close = suspect.reshape(motion.shape)
-            few = Motion.unchecked(**{name: value[close] for name, value in vars(loaded(motion)).items()})
-            status[close] = on_arrays(checked, self._robot, few, {})[1]
-            _blank(found, status)
-        return Forces(**found, status=status)
-
-    def terms(self, motion: Motion) -> dict[str, Array]:
-        """D, K, H and c of every pose, nothing solved: numbers where H is singular, no status."""
-
-        def run(on: Any, robot: Any, part: Any, _: slice) -> Any:
-            return vars(module(self.name).terms(on, robot, part))
-
-        shapes = {name: OUTPUTS["inverse_dynamics"][name] for name in ("D", "K", "H", "c")}
-        return on_arrays(run, self._robot, motion, shapes)[0]
-
-    def reactions_of(self, motion: Motion, x: Array, bearing: Array) -> dict[str, Array]:
-        """Joint reactions by name under axial forces x, N, (..., 6); ``bearing`` (6,), m. No status."""
-        axial = np.broadcast_to(x, (*motion.shape, 6)).reshape(-1, 6)
-
-        def run(on: Any, robot: Any, part: Any, at: slice) -> Any:
-            reactions = module(self.name).leg_reactions
-            found = vars(reactions(on, robot.leg, robot, part, axial[at].T, bearing[:, None]))
-            by_leg = {
-                name: [list(leg) for leg in zip(*value, strict=True)]
-                for name, value in found.items()
-                if isinstance(value, list)
-            }
-            return found | by_leg
-
-        return on_arrays(run, self._robot, motion, OUTPUTS["joint_reactions"])[0]
-
-    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
-        """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
-        forces = self.forces(motion)
-        found = self.reactions_of(motion, forces.x, bearing)
-        _blank(found, forces.status)
-        return Reactions(**found, status=forces.status)
-
-    @functools.cached_property
-    def _robot(self) -> SimpleNamespace:
-        return legs_side_by_side(self.robot)
-
-
-def on_arrays(
-    run: Callable[[Any, Any, Any, slice], Any],
-    robot: SimpleNamespace,
-    motion: Motion,
-    shapes: Mapping[str, tuple[int, ...]],
-) -> tuple[dict[str, Array], NDArray[np.int32]]:
-    """What a function of a generated module finds for every pose: arrays of these shapes, NaN where the
-    status is not 0, and the status.
-
-    run: from the arithmetic, the robot, a motion and the slice of the poses that it is of to results by name.
-    """
-    count = math.prod(motion.shape)
-    found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
-    status = np.zeros(count, dtype=np.int32)
-    given = {name: _components(value, motion.shape) for name, value in vars(loaded(motion)).items()}
-    for first in range(0, count, _AT_ONCE):
-        at = slice(first, min(first + _AT_ONCE, count))
-        part = SimpleNamespace(**{name: list(rows[:, at]) for name, rows in given.items()})
-        with np.errstate(all="ignore"):
-            made = run(_arithmetic(), robot, part, at)
-        for name, target in found.items():
-            _store(target[at], made[name])
-        status[at] = made.get("status", OK)
-    _blank(found, status)
-    shaped = {name: each.reshape(*motion.shape, *shapes[name]) for name, each in found.items()}
-    return shaped, status.reshape(motion.shape)
-
-
-def _blank(found: Mapping[str, Array], status: NDArray[np.int32]) -> None:
-    """NaN where a status is not 0."""
-    bad = status != OK
-    if bad.any():
-        for values in found.values():
-            values[bad] = np.nan
-
-
-@functools.cache
-def _arithmetic() -> Any:
-    return module("arithmetic").Arithmetic(np)
-
-
-def legs_side_by_side(robot: Robot) -> SimpleNamespace:
-    """The robot as a structure of a generated module, a number of the legs as (6, 1)."""
-    legs = {name: _columns(getattr(robot, name)).T[..., None] for name in _LEG}
-    leg = {name: list(rows) if np.ndim(getattr(robot, name)) > 1 else rows[0] for name, rows in legs.items()}
-    platform = {name: stored(np.asarray(getattr(robot, name))) for name in _PLATFORM}
-    parts = {name: list(each) if each.shape else each for name, each in platform.items()}
-    return SimpleNamespace(leg=SimpleNamespace(**leg), **parts)
-
-
-def _components(value: Array, shape: tuple[int, ...]) -> Array:
-    """Components of an array with a leading shape, (components, poses)."""
-    return np.ascontiguousarray(value.reshape(math.prod(shape), math.prod(value.shape[len(shape) :])).T)
-
-
-def _store(target: Array, value: Any) -> None:
-    """Puts lists of arrays, one for each component, into an array of poses; legs come before poses."""
-    if isinstance(value, list):
-        for i, each in enumerate(value):
-            _store(target[:, i], each)
-    else:
-        target[...] = np.transpose(value)
-
-
-def loaded(motion: Motion) -> SimpleNamespace:
-    """The motion with zeros for a load that is not given."""
-    given = {name: getattr(motion, name) for name in MOTION}
-    return SimpleNamespace(
-        **{name: np.zeros((*motion.shape, 3)) if value is None else value for name, value in given.items()}
-    )

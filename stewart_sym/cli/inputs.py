@@ -40,7 +40,8 @@ def trajectory_of(
 ) -> "Trajectory | PoseLog":
     """Poses over time from a CSV file of poses or of leg lengths, read as the options say."""
     from ..motion.interpolation import resampled
-    from ..motion.trajectory import Smoothing, read_log
+    from ..motion.log_reader import read_log
+    from ..motion.trajectory import Smoothing
 
     progress("reading the trajectory")
     smoothing = Smoothing(

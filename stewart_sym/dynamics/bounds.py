@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.kernel import MOTION, address, kernel_name, library, overflows, robot_numbers
+from ..backend.c_kernel import address, library
+from ..backend.kernel import MOTION, kernel_name, overflows, robot_numbers
 from ..generated.interface import MODELS
 from ..io.arguments import option
 from ..io.error_policy import ON_FAULT, OnFault

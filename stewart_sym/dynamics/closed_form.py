@@ -13,8 +13,10 @@ from typing import Any, Literal, Protocol, get_args
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend import kernel, native
-from ..backend.kernel import MOTION, address, contiguous, loaded, module, stored
+from ..backend import c_kernel, native
+from ..backend.c_kernel import address, contiguous
+from ..backend.kernel import MOTION, module, stored
+from ..backend.numpy_kernel import loaded
 from ..generated.interface import OUTPUTS as _OUTPUTS
 from ..generated.interface import STRUCTS
 from ..motion.motion import Motion
@@ -38,7 +40,7 @@ class ClosedForm(Protocol):
 
 def c_sources() -> dict[str, str]:
     """File name -> text of the generated C of the closed form and of the force kernel it stands on."""
-    return kernel.c_sources(f"{NAME}_forces") | kernel.c_sources(f"{NAME}_motion")
+    return c_kernel.c_sources(f"{NAME}_forces") | c_kernel.c_sources(f"{NAME}_motion")
 
 
 @functools.cache

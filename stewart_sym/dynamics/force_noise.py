@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.arguments import instance
-from ..kinematics.forward import forward_acceleration, forward_velocity, jacobian, solve
+from ..kinematics.forward import forward_acceleration, forward_velocity
+from ..kinematics.pose_search import jacobian, solve
 from ..motion.motion import Motion
 from ..motion.rotation import (
     angular_acceleration_from_rpy,

@@ -13,8 +13,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from ..backend.c_kernel import address, library
 from ..backend.fidelity import force_kernel_name, model_numbers
-from ..backend.kernel import FORMULATIONS, MOTION, address, library, overflows, robot_numbers
+from ..backend.kernel import FORMULATIONS, MOTION, overflows, robot_numbers
 from ..io.arguments import instance, option, shown
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen

@@ -14,8 +14,10 @@ from typing import Any, Literal, Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..backend.kernel import FORMULATIONS, CKernel, NumpyKernel, kernel_name
+from ..backend.c_kernel import CKernel
+from ..backend.kernel import FORMULATIONS, kernel_name
 from ..backend.native import CompilerError
+from ..backend.numpy_kernel import NumpyKernel
 from ..io import error_policy
 from ..io.arguments import instance, option, real_array
 from ..io.error_policy import ON_SINGULAR, OnSingular

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.kernel import legs_side_by_side, on_arrays
+from ..backend.numpy_kernel import legs_side_by_side, on_arrays
 from ..dynamics.inverse import need_motion, need_universal, report_faults
 from ..generated import exact_regressor
 from ..io.arguments import option

@@ -24,8 +24,9 @@ from ..io.arguments import instance, leading_shape
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
-from .forward import checked_lengths, jacobian
+from .forward import checked_lengths
 from .inverse import leg_vectors
+from .pose_search import jacobian
 
 Array = NDArray[np.float64]
 Rational = Fraction

@@ -10,7 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.kernel import MOTION, address, contiguous, library, robot_numbers
+from ..backend.c_kernel import address, contiguous, library
+from ..backend.kernel import MOTION, robot_numbers
 from ..backend.native import CompilerError
 from ..generated.interface import STRUCTS
 from ..io.arguments import instance

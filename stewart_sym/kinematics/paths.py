@@ -5,7 +5,7 @@ Needs the robot file and the paths, no dynamics.
 
 from dataclasses import replace
 
-from ..motion.trajectory import PATHS, PaperPath
+from ..motion.straight_line import PATHS, PaperPath
 from ..robot.robot import Robot
 from .mounting import platform_side, upright
 

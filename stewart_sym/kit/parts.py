@@ -8,7 +8,8 @@ from importlib.metadata import version
 import numpy as np
 
 from ..backend import fidelity
-from ..backend.kernel import c_sources, kernel_name, module
+from ..backend.c_kernel import c_sources
+from ..backend.kernel import kernel_name, module
 from ..derive.emit import lanes, scalar
 from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header

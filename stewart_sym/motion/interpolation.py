@@ -22,7 +22,8 @@ from .rotation import (
     vector_rate,
     vector_second_rate,
 )
-from .trajectory import MOST_STEPS, PoseLog, Trajectory, need_trajectory
+from .straight_line import MOST_STEPS
+from .trajectory import PoseLog, Trajectory, need_trajectory
 
 Array = NDArray[np.float64]
 Path = Callable[[Array], Motion]

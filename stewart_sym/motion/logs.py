@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 
 from ..io.arguments import option, shown
 from ..io.tables import as_utf8
-from .smoothing import LogWarning
+from .noise_level import LogWarning
 
 if TYPE_CHECKING:
     import _csv

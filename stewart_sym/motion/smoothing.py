@@ -17,24 +17,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
 from ..io.tables import positive
+from .noise_level import SEEN, Level, noise_level, stated
 
 Array = NDArray[np.float64]
 
 DEGREE = 5
-
-
-class LogWarning(UserWarning):
-    """Noise in a log, or numbers in it that no machine makes."""
-
-
 ORDERS = (3, 4, 6, 8)
 """Orders of the differences that the penalty may be of: from jerks that jump to band-limited motion."""
 CUTOFF_ORDER = 4
 WINDOW = 96
 """Knot intervals of a window."""
-LEAST_SAMPLES = 40
-"""Below which noise is not estimated from the samples themselves."""
-
 _FEWEST_CELLS = 24
 # Samples of a chosen few windows settle knots and order for all of them.
 _TRIAL_WINDOWS = 8
@@ -45,21 +37,6 @@ _EDGE = 2.0 * math.sin(math.pi / 8.0)
 _WEIGHTS = 10.0 ** np.linspace(-9.0, 12.0, 127)
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Of value, rate and second rate in a covariance."""
-
-# Digits of a number that is taken for exact, and noise below that share of the largest value for none.
-_EXACT_DIGITS = 12
-# Least part that the samples have in a mode whose noise is counted.
-_SEEN = 1e-6
-# How far columns of one sensor differ in noise.
-_ALIKE = 3.0
-# Samples of which means are taken to see correlated noise, and the fewest means.
-_MEANS, _LEAST_MEANS = (2, 3, 4, 6, 8, 12, 16, 24, 32), 60
-# Share of what differences of order 5 show that those of order 8 show of noise, and growths that white
-# noise does not have: over all, and from single samples to means of two.
-_NOISE_LIKE, _CORRELATED, _AT_ONCE = 0.75, 1.6, 1.1
-# Growth, for each sample of the means, that noise has at most; share of the numbers that are to change;
-# columns that tell; noise beyond that of rounding.
-_STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
 _CHUNK = 1 << 16
 
 
@@ -85,18 +62,6 @@ class Smooth(NamedTuple):
     sigma: Array
     grid: Array
     covariance: Array
-
-
-class Level(NamedTuple):
-    """Standard deviations of the noise of columns, (c,): as counted for white, and the least it can be.
-
-    correlation: how much larger the noise of slow changes, which ``sigma`` is for, is than that from one
-    sample to the next; 1 for white noise.
-    """
-
-    sigma: Array
-    least: Array
-    correlation: float = 1.0
 
 
 def smooth(
@@ -163,133 +128,11 @@ def smoothed(time: Array, columns: Array, level: Level | None, cutoff: float | N
     return _smoothed(time, columns, np.where(known, level.sigma, likely), knots, orders, None)
 
 
-def stated(sigma: Array) -> Level:
-    """A level that is known."""
-    return Level(sigma, sigma)
-
-
-def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
-    """Noise of each column of (n, c); 0 where there is none.
-
-    That of rounding to ``step``, (c,), None: ``rounding_step``, or that of noise where larger: high divided
-    differences of a smooth motion shrink with their order, those of white noise do not. Noise that means of
-    several samples show more of than white noise leaves them is correlated: what the slowest of these that
-    still look like noise show is taken for white. A number that stays the same over several samples counts as
-    one observation.
-    """
-    rounding = (rounding_steps(values) if step is None else step) / math.sqrt(12.0)
-    runs = 1 + np.count_nonzero(np.diff(values, axis=0), axis=0)
-    white, correlation = white_noise(time, values), _correlation(time, values, rounding)
-    sigma = np.maximum(rounding * np.sqrt(len(values) / runs), correlation * white)
-    # The residuals of correlated noise show less than what slow changes are made of.
-    known = (correlation > 1.0) & (white > 0.0)
-    return Level(sigma, np.where(known, sigma, rounding), correlation)
-
-
 def _scaled(unit: Smooth, columns: Array) -> Smooth:
     """A fit under noise of deviation 1 with the deviation that its residuals show."""
     leverage = np.mean(unit.covariance[..., 0], axis=0)
     left = np.mean((columns - unit.values) ** 2, axis=0) / np.maximum(1.0 - leverage, 1.0 / len(columns))
     return unit._replace(sigma=np.sqrt(left), covariance=unit.covariance * left[:, None])
-
-
-def rounding_steps(values: Array) -> Array:
-    """``rounding_step`` of each column of (n, c), (c,)."""
-    return np.array([rounding_step(column) for column in values.T])
-
-
-def rounding_step(values: Array) -> float:
-    """Step to which the numbers, (n,), are rounded: by decimals or significant digits; 0 for none found."""
-    largest = float(np.abs(values).max(initial=0.0))
-    if largest == 0.0:
-        return 0.0
-    decade = math.floor(math.log10(largest))
-    some = values[np.abs(values) > 1e-9 * largest]
-    decades = np.floor(np.log10(np.abs(some)))
-    found = [0.0]
-    for digits in range(-1, _EXACT_DIGITS):
-        if _written(values, digits, decade):
-            found.append(10.0 ** (decade - digits))
-            break
-    for digits in range(1, _EXACT_DIGITS - 1):
-        if _written(some, digits, decades):
-            found.append(float(np.sqrt(np.mean(10.0 ** (2.0 * (decades - digits))))))
-            break
-    return max(found)
-
-
-def white_noise(time: Array, values: Array) -> Array:
-    """Standard deviation of noise from one sample to the next, (c,), from divided differences; 0 for none."""
-    if len(time) < LEAST_SAMPLES:
-        return np.zeros(values.shape[1])
-    return _noisy_columns(*_levels(time, values), values)
-
-
-def _levels(time: Array, values: Array) -> tuple[Array, Array]:
-    """Noise as differences of low and of high order show it, (c,) each."""
-    low, high = (_difference_level(time, values, order) for order in (5, 8))
-    return low, high
-
-
-def _noisy_columns(low: Array, high: Array, values: Array) -> Array:
-    counts = high > 10.0**-_EXACT_DIGITS * np.abs(values).max(axis=0)
-    noisy = (high > 0.6 * low) & counts
-    if 2 * np.count_nonzero(noisy) >= len(noisy):
-        # Short logs show it too little in some of the columns of a sensor.
-        usual = float(np.median(high[noisy]))
-        noisy |= counts & (high > usual / _ALIKE) & (low < usual * _ALIKE)
-    return np.where(noisy, high, 0.0)
-
-
-def _correlation(time: Array, values: Array, rounding: Array) -> float:
-    """How much larger the noise of slow changes is in most columns (n, c); 1 for white noise and for none.
-
-    Of each column with more noise than rounding makes, the longest means count whose differences still look
-    like noise, not like motion.
-    """
-    first = white_noise(time, values)
-    changing = np.count_nonzero(np.diff(values, axis=0), axis=0) >= _CHANGING * (len(values) - 1)
-    noisy = np.flatnonzero((first > _BEYOND * rounding) & changing)
-    if len(noisy) < _FEWEST_COLUMNS:
-        return 1.0
-    found = np.ones(len(noisy))
-    like = np.ones(len(noisy), dtype=bool)
-    for length in _MEANS:
-        count = len(time) // length
-        if count < _LEAST_MEANS or not like.any():
-            break
-        whole = values[: count * length, noisy].reshape(count, length, -1).mean(axis=1)
-        low, high = _levels(time[: count * length].reshape(count, length).mean(axis=1), whole)
-        growth = high / first[noisy] * math.sqrt(length)
-        like &= (high > _NOISE_LIKE * low) & (growth < _STEEPEST * length)
-        found = np.where(like, growth, found)
-        if length == _MEANS[0] and np.quantile(found, 1 / 3) < _AT_ONCE:
-            return 1.0
-    slow = float(np.quantile(found, 1 / 3))
-    return slow if slow > _CORRELATED else 1.0
-
-
-def _written(values: Array, digits: int, decades: Array | int) -> bool:
-    """Whether all numbers end so many digits after their decade, or one for all; a few are tried first."""
-    for part in (slice(100), slice(None)):
-        per_step = 10.0 ** (digits - (decades if isinstance(decades, int) else decades[part]))
-        if not (np.rint(values[part] * per_step) / per_step == values[part]).all():
-            return False
-    return True
-
-
-def _difference_level(time: Array, values: Array, order: int) -> Array:
-    """Size of divided differences, (c,), over that for white noise of deviation 1.
-
-    Of the smallest fifth of them, in which there is no jump of an acceleration.
-    """
-    count = len(time) - order
-    at = np.arange(0, count, max(1, count // 20_000))[:, None] + np.arange(order + 1)
-    apart = (time[at][:, :, None] - time[at][:, None, :]) / (time[at[:, -1]] - time[at[:, 0]])[:, None, None]
-    apart[:, np.arange(order + 1), np.arange(order + 1)] = 1.0
-    factors = 1.0 / apart.prod(axis=-1)
-    factors /= np.linalg.norm(factors, axis=-1, keepdims=True)
-    return np.asarray(np.quantile(np.abs(np.einsum("nk,nkc->nc", factors, values[at])), 0.2, axis=0) / 0.2533)
 
 
 # Knots
@@ -464,8 +307,8 @@ class _Window(NamedTuple):
         cost = np.sum(np.log1p(gamma / (pull + loose)), axis=1) + squares / sigma**2
         best = np.argmin(cost, axis=0)
         pull, A = pull[best, :, 0].T, A[best, :, 0].T
-        idle = (pull > 10.0 * gamma) & (gamma > _SEEN)
-        seen = np.maximum(gamma, _SEEN)
+        idle = (pull > 10.0 * gamma) & (gamma > SEEN)
+        seen = np.maximum(gamma, SEEN)
         noise = np.where(idle, (gamma * bent + z) ** 2 / seen, 0.0)
         # Expected square of the error: the noise's, and that of smoothing as far as the samples show it.
         steep = (np.maximum(rho, 1e-300) / seen) ** (2.0 / order) * (pull / A) ** 2 * (pull < 3.0 * gamma)

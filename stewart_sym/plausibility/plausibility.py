@@ -5,22 +5,19 @@ between what machines have and what the mistake makes of it; where a machine may
 said.
 """
 
-import itertools
 import warnings
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
-from typing import NamedTuple
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..dynamics.home_pose import home_pose, radius
-from ..dynamics.inverse import inverse_dynamics
-from ..kinematics.conditioning import scaled_condition_number
+from ..dynamics.home_pose import radius
 from ..kinematics.mounting import AssemblyModeWarning
-from ..motion.motion import Motion
-from ..motion.rotation import rotation_from_quaternion, rotation_from_vector
+from ..motion.rotation import rotation_from_quaternion
 from ..robot.robot import LEGS, Robot, legs_text
+from .leg_order import of_order
+from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
 
 Array = NDArray[np.float64]
 
@@ -45,14 +42,6 @@ MOST_FRICTION = 1e3
 """Viscous friction over the machine's weight, at the speed that it falls its own size with."""
 MOST_SPEED = 50.0
 """m/s."""
-GOOD_CONDITION, MISPAIRED, TWISTED = 12.0, 6.0, np.radians(75.0)
-"""Level poses of machines have scaled condition numbers of 1.5 to 3, of unusual ones up to 30; legs in wrong
-order have 15 and more, 6 times and more of what they have in the right order, or a platform twisted by 120
-degrees."""
-MOST_CONDITION = 1e3
-EXCHANGED = -0.5
-"""Of two legs, the way between their base points times that between their platform points, over both radii,
-seen along the machine's axis: negative where they cross, and no sound machine's are below this."""
 SINGULAR_SHARE = 1e-3
 """Least singular value over the largest: of sound machines it is above this at some of the random poses."""
 MOST_LEGS = 5.0
@@ -66,24 +55,6 @@ times its place along the axis."""
 MOST_OVERLAP = 1.25
 """Distances of both centres of mass from their joints, over the leg: parts that just slide past each other
 have 1 when the leg is shortest."""
-
-
-class Doubt(NamedTuple):
-    """One line about a robot: name, as ``accept`` takes it, and text with the likely cause."""
-
-    name: str
-    text: str
-
-
-@dataclass(frozen=True, eq=False)
-class _Home:
-    """A pose at rest: R, t, L, m, and F, N; ``fits``: whether the legs are within their limits."""
-
-    R: Array
-    t: Array
-    L: Array
-    F: Array
-    fits: bool
 
 
 def doubts(robot: Robot) -> list[Doubt]:
@@ -115,8 +86,8 @@ def _found(robot: Robot) -> list[Doubt]:
     if not found:
         found = left(_of_geometry(robot))
     if not found:
-        t = _level_home(robot)
-        found = left(_of_order(robot, t)) or left(_of_home(robot, _home(robot, t)))
+        t = level_home(robot)
+        found = left(of_order(robot, t)) or left(_of_home(robot, home_of(robot, t)))
     return found
 
 
@@ -297,21 +268,11 @@ def _singular_shares(robot: Robot) -> tuple[Array, Array]:
     R = rotation_from_quaternion(rng.normal(size=(count, 4)))
     middle = robot.b.mean(axis=0) + size * rng.normal(size=(count, 3))
     t = middle - R @ robot.p.mean(axis=0)
-    H, L = _centred_H(robot.b, robot.p, R, t)
+    H, L = centred_H(robot.b, robot.p, R, t)
     values = np.linalg.svd(H, compute_uv=False)
     reach = np.abs(t).max(axis=-1) + np.abs(robot.p).max() + np.abs(robot.b).max()
     shares = np.nan_to_num(values[:, -1] / values[:, 0])
     return shares, 64.0 * np.finfo(np.float64).eps * reach / L.min(axis=-1)
-
-
-def _centred_H(b: Array, p: Array, R: Array, t: Array) -> tuple[Array, Array]:
-    """H with moments about the middle of the platform points over their radius, (n, 6, 6), and L, (n, 6)."""
-    q = p @ np.swapaxes(R, -1, -2)
-    S = q + t[..., None, :] - b
-    L = np.linalg.norm(S, axis=-1)
-    s = S / np.where(L > 0.0, L, 1.0)[..., None]
-    arm = (q - q.mean(axis=-2, keepdims=True)) / (radius(p) or 1.0)
-    return np.swapaxes(np.concatenate([s, np.cross(arm, s)], axis=-1), -1, -2), L
 
 
 def _why_singular(robot: Robot) -> str:
@@ -347,196 +308,10 @@ def _near(points: Array, i: int) -> list[int]:
     return np.flatnonzero(np.linalg.norm(points - points[i], axis=-1) < _SAME).tolist()
 
 
-# Level poses
-
-
-def _level_home(robot: Robot) -> Array:
-    """Position of the home pose, or of a better one of the level poses beside it.
-
-    Along the base's normal where ``home_pose`` does not suit the machine, as one on a wall; and where there
-    are no length limits, whose home pose is a guess, at the best height at which the legs' parts do not
-    overlap.
-    """
-    t = home_pose(robot).t
-    condition = float(_level_conditions(robot.b, robot.p, t[None])[0])
-    limited = np.all(np.isfinite(robot.length_limits))
-    towards = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
-    directions = [towards / np.linalg.norm(towards)]
-    if not condition <= GOOD_CONDITION:
-        normal = np.linalg.svd(robot.b - robot.b.mean(axis=0))[2][2]
-        directions += [normal, -normal]
-    others = np.concatenate([_heights(robot, direction) for direction in directions])
-    found = _level_conditions(robot.b, robot.p, others)
-    lengths = _lengths(robot, others)
-    if limited:
-        score = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
-        score[found > max(GOOD_CONDITION, found.min())] = np.inf
-    else:
-        passing = np.all(lengths >= _parts(robot), axis=-1)
-        score = np.where(passing | ~passing.any(), found, np.inf)
-    best = int(np.argmin(score))
-    if not limited or MISPAIRED * found[best] < condition:
-        return np.asarray(others[best])
-    return t
-
-
-def _home(robot: Robot, t: Array) -> _Home:
-    """The level pose at t, or one beside it where the legs are within their limits."""
-    low, high = robot.length_limits.T
-    margin = np.where(np.isfinite(high), 0.25 * (high - low), 0.0)
-    R, L, fits = np.eye(3), _lengths(robot, t), False
-    for inner in (margin, 0.0 * margin):
-        pose = _pose_within(robot, t, low + inner, high - inner)
-        if pose is not None:
-            (R, t), fits = pose, True
-            L = np.linalg.norm(t + robot.p @ R.T - robot.b, axis=-1)
-            break
-    zero = np.zeros(3)
-    rest = Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero)
-    forces = inverse_dynamics(robot, rest, backend="numpy", on_singular="nan")
-    return _Home(R, t, L, forces.F, fits)
-
-
-def _lengths(robot: Robot, t: Array) -> Array:
-    """Legs of level poses at t (..., 3), (..., 6)."""
-    return np.asarray(np.linalg.norm(t[..., None, :] + robot.p - robot.b, axis=-1))
-
-
-def _parts(robot: Robot) -> Array:
-    """Distances of both centres of mass from their joints along each leg, together, m, (6,)."""
-    return np.asarray(robot.r_d0[:, 0] - robot.r_u0[:, 0])
-
-
-def _heights(robot: Robot, direction: Array) -> Array:
-    """Positions of the level platform, its middle along a direction from the base's, (50, 3)."""
-    middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
-    size = radius(robot.b) + radius(robot.p)
-    return np.asarray(middle + np.linspace(0.05, 3.0, 50)[:, None] * size * direction)
-
-
-def _level_conditions(b: Array, p: Array, t: Array) -> Array:
-    """Scaled condition numbers of level poses at t (n, 3), (n,); infinity where H is singular."""
-    H, _ = _centred_H(b, p, np.broadcast_to(np.eye(3), (len(t), 3, 3)), t)
-    return scaled_condition_number(H, 1.0)
-
-
-# The order of legs
-
-
-def _of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
-    """Doubts about which base point belongs to which platform point.
-
-    Legs are sorted by the angle of their base points; platform points are paired with these in their own
-    order and shifted or reversed, twelve ways in all.
-    """
-    axis = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
-    axis /= np.linalg.norm(axis)
-    around_b, around_p = (_around(points, axis) for points in (robot.b, robot.p))
-    crossed = _crossed(around_b, around_p)
-    if crossed is not None and crossed.undone:
-        yield _crossing(*crossed.legs)
-        return
-    order = np.argsort(np.angle(around_b), kind="stable")
-    b, p, heights = robot.b[order], robot.p[order], _heights(robot, axis)
-    ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
-    best = {way: float(_level_conditions(b, paired, heights).min()) for way, paired in ways.items()}
-    given, (turn, k) = best[1, 0], min(best, key=lambda way: best[way])
-    ratio = given / best[turn, k] if np.isfinite(given) else np.inf
-    turned = np.sum(around_p * np.conj(around_b))
-    clear = abs(turned) > 0.5 * np.sum(np.abs(around_p) * np.abs(around_b))
-    twisted = clear and abs(np.angle(turned)) > TWISTED and ratio > 2.0
-    if (given > GOOD_CONDITION and ratio > MISPAIRED) or twisted:
-        shift = min(k, LEGS - k)
-        cause = "in the opposite sense (mirrored)" if turn < 0 else f"shifted by {shift} of six places"
-        yield Doubt(
-            "leg-order",
-            f"{_level(given)} with the platform parallel to the base, {best[turn, k]:.2g} with its points in "
-            f"another order; likely cause: platform points {cause} against the base points, or a "
-            "platform frame "
-            f"turned about its normal",
-        )
-        return
-    if given > MOST_CONDITION:
-        yield Doubt(
-            "condition",
-            f"{_level(given)} with the platform parallel to the base, at any height; likely cause: points of "
-            f"wrong legs, or nearly parallel or concurrent legs",
-        )
-    for i, j in itertools.combinations(range(LEGS), 2):
-        if _cross(robot, t, i, j):
-            yield _crossing(i, j)
-            return
-    if crossed is not None:
-        yield _crossing(*crossed.legs, cause="platform points in another order than base points, or mirrored")
-
-
-def _crossing(i: int, j: int, cause: str = "their platform points exchanged") -> Doubt:
-    return Doubt("crossing", f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: {cause}")
-
-
-class _Crossed(NamedTuple):
-    """Two legs that cross; undone: by an exchange of their platform points, and not as well by a reversal of
-    the order of all."""
-
-    legs: tuple[int, int]
-    undone: bool
-
-
-def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> _Crossed | None:
-    """Legs that cross as seen along the machine's axis, b and p as points of a plane, or None."""
-    pairs = list(itertools.combinations(range(LEGS), 2))
-    first, second = np.array(pairs).T
-    sizes = np.sqrt(np.mean(np.abs(b) ** 2) * np.mean(np.abs(p) ** 2))
-
-    def ways(p: NDArray[np.complex128]) -> Array:
-        return np.asarray(((b[first] - b[second]) * np.conj(p[first] - p[second])).real / sizes)
-
-    given = ways(p)
-    if not given.min() < EXCHANGED:
-        return None
-    order = np.argsort(np.angle(b))
-    reversed_ = [ways(p[order][np.roll(range(LEGS), k)[::-1]][np.argsort(order)]).min() for k in range(LEGS)]
-    undone = []
-    for i, j in pairs:
-        other = p.copy()
-        other[[i, j]] = other[[j, i]]
-        undone.append(ways(other).min())
-    best = int(np.argmax(undone))
-    if undone[best] > max(EXCHANGED, *reversed_):
-        return _Crossed(pairs[best], True)
-    return _Crossed(pairs[int(np.argmin(given))], False)
-
-
-def _level(condition: float) -> str:
-    return f"scaled condition number {condition:.2g}" if np.isfinite(condition) else "H is singular"
-
-
-def _around(points: Array, axis: Array) -> NDArray[np.complex128]:
-    """Points about their middle as complex numbers of a plane across an axis."""
-    plane = np.linalg.svd(axis[None])[2][1:]
-    plane = plane if np.linalg.det(np.vstack([axis, plane])) > 0.0 else plane[::-1]
-    x, y = plane @ (points - points.mean(axis=0)).T
-    return np.asarray(x + 1j * y)
-
-
-def _cross(robot: Robot, t: Array, i: int, j: int) -> bool:
-    """Whether two legs of a level pose meet away from their joints."""
-    a, b = robot.b[[i, j]]
-    u, v = t + robot.p[[i, j]] - robot.b[[i, j]]
-    normal = np.cross(u, v)
-    square = float(normal @ normal)
-    if square < 1e-6 * float(u @ u) * float(v @ v):
-        return False
-    along = [float(np.cross(b - a, other) @ normal) / square for other in (v, u)]
-    apart = abs(float((b - a) @ normal)) / np.sqrt(square)
-    inner = all(0.02 < share < 0.98 for share in along)
-    return inner and apart < 1e-4 * (radius(robot.b) + radius(robot.p))
-
-
 # The home pose
 
 
-def _of_home(robot: Robot, home: _Home) -> Iterator[Doubt]:
+def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
     if robot.base_joint == "universal":
         yield from _of_axes(robot, home)
     if not home.fits or _too_long(robot):
@@ -560,7 +335,7 @@ def _of_home(robot: Robot, home: _Home) -> Iterator[Doubt]:
         )
 
 
-def _of_axes(robot: Robot, home: _Home) -> Iterator[Doubt]:
+def _of_axes(robot: Robot, home: Home) -> Iterator[Doubt]:
     s = (home.t + robot.p @ home.R.T - robot.b) / home.L[:, None]
     limited = bool(np.all(np.isfinite(robot.length_limits)))
     sine = np.linalg.norm(np.cross(s, robot.k), axis=-1)
@@ -582,7 +357,7 @@ def _too_long(robot: Robot) -> bool:
     return bool(np.mean(low) > MOST_LEGS * (radius(robot.b) + radius(robot.p)))
 
 
-def _of_limits(robot: Robot, home: _Home) -> Doubt:
+def _of_limits(robot: Robot, home: Home) -> Doubt:
     low, high = robot.length_limits.T
     finite = np.isfinite(high)
     ratio = float(np.mean(high[finite]) / np.mean(home.L[finite]))
@@ -610,35 +385,10 @@ _UNITS = (("millimetres", 1e-3), ("centimetres", 1e-2), ("inches", 0.0254))
 def _fits(robot: Robot, limits: Array) -> bool:
     """Whether a pose has all legs within other limits."""
     other = replace(robot, length_limits=limits)
-    return _home(other, _level_home(other)).fits
+    return home_of(other, level_home(other)).fits
 
 
-def _pose_within(robot: Robot, t: Array, low: Array, high: Array) -> tuple[Array, Array] | None:
-    """A pose (R, t) with legs between low and high, m, (6,), by damped Newton steps from level poses."""
-    middle, offset = robot.b.mean(axis=0), robot.p.mean(axis=0)
-    reach = robot.p - offset
-    unit = np.repeat([1.0, radius(robot.p)], 3)
-    for share in (1.0, 0.7, 1.4):
-        R, r = np.eye(3), (t + offset - middle) * share + middle
-        for _ in range(_MOST_STEPS):
-            q = reach @ R.T
-            S = r + q - robot.b
-            L = np.linalg.norm(S, axis=-1)
-            miss = np.clip(L, low, high) - L
-            if np.abs(miss).max() <= 1e-9 * L.max():
-                return R, r - R @ offset
-            s = S / np.where(L > 0.0, L, 1.0)[:, None]
-            J = np.concatenate([s, np.cross(q, s)], axis=-1) / unit
-            step = np.linalg.solve(J.T @ J + 1e-4 * np.eye(6), J.T @ miss) / unit
-            step *= min(1.0, 0.3 / max(float(np.abs(step[3:]).max()), 0.3))
-            R, r = rotation_from_vector(step[3:]) @ R, r + step[:3]
-    return None
-
-
-_MOST_STEPS = 100
-
-
-def _of_parts(robot: Robot, home: _Home) -> Iterator[Doubt]:
+def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
     """Centres of mass of a leg's parts that lie beyond the leg, on the wrong side or far away."""
     for part, along, sign, least in (
         ("upper", robot.r_u0[:, 0], "negative", -0.05),
@@ -676,12 +426,12 @@ def _of_parts(robot: Robot, home: _Home) -> Iterator[Doubt]:
             )
 
 
-def _of_overlap(robot: Robot, home: _Home) -> Iterator[Doubt]:
+def _of_overlap(robot: Robot, home: Home) -> Iterator[Doubt]:
     lower, upper = robot.r_d0[:, 0], -robot.r_u0[:, 0]
-    over = _parts(robot) > MOST_OVERLAP * home.L
+    over = parts_of(robot) > MOST_OVERLAP * home.L
     legs = np.flatnonzero(over).tolist()
     if legs:
-        i = max(legs, key=lambda leg: float(_parts(robot)[leg] / home.L[leg]))
+        i = max(legs, key=lambda leg: float(parts_of(robot)[leg] / home.L[leg]))
         yield Doubt(
             "overlap",
             f"lower and upper parts overlap at the home pose in {legs_text(legs)}: centres of mass "

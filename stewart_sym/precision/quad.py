@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend import native
-from ..backend.kernel import MOTION, address, c_sources, contiguous, kernel_name, robot_numbers
+from ..backend.c_kernel import address, c_sources, contiguous
+from ..backend.kernel import MOTION, kernel_name, robot_numbers
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 

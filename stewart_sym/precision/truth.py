@@ -14,7 +14,8 @@ import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.kernel import kernel_name, loaded
+from ..backend.kernel import kernel_name
+from ..backend.numpy_kernel import loaded
 from ..derive.kernel.outputs import FORCES, program
 from ..derive.kernel.tree.constants import unchecked
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter

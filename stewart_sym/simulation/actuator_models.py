@@ -18,7 +18,7 @@ from ..io.frozen import Frozen
 from ..kinematics.inverse import inverse_kinematics, leg_vectors, tip_velocities
 from ..motion.motion import Motion
 from ..motion.rotation import vector_from_rotation
-from ..motion.trajectory import StraightLinePath
+from ..motion.straight_line import StraightLinePath
 from ..robot.robot import Robot
 
 Array = NDArray[np.float64]

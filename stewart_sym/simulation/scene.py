@@ -14,23 +14,24 @@ from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.arguments import shown
 from ..kinematics.paths import PATHS, path_for
+from ..motion.log_rates import interpolated
+from ..motion.log_reader import read_csv
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
-from ..motion.trajectory import interpolated, read_csv
 from ..robot.robot import Robot
 from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Wanted, along
+from .limits import Thresholds
 from .simulation import (
     METHODS,
     ON_FORCE_LIMIT,
     Method,
     OnForceLimit,
     Progress,
-    Simulation,
-    Thresholds,
     check_output_step,
     check_rtol,
     simulate,
 )
+from .trace import Simulation
 
 Array = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -18,238 +18,40 @@ from ..dynamics.equations import ForwardDynamics
 from ..dynamics.inverse import Backend, Formulation
 from ..io.arguments import instance, option, real_array, shown
 from ..io.extras import needed_for
-from ..kinematics.conditioning import characteristic_length, condition_number
-from ..kinematics.inverse import leg_vectors, tip_velocities
 from ..motion import rotation_vector
 from ..motion.motion import Motion
-from ..motion.rotation import cross, orthonormal, rotation_from_vector
-from ..reference import newton_euler
+from ..motion.rotation import orthonormal, rotation_from_vector
 from ..results import STATUS_TEXT
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
+from .limits import Thresholds, Watch, det_sign, need_between
+from .trace import (
+    Actuators,
+    Load,
+    Piece,
+    Simulation,
+    Stop,
+    motion_of,
+    output_times,
+    sampled_at,
+    saturation_of,
+    six_forces,
+)
 
 Array = NDArray[np.float64]
-Method = Literal["DOP853", "Radau"]
-Load = Callable[[float, Motion], ArrayLike]
-"""(time, s, state) -> [F_ext; M_ext], N and N m, platform frame, (6,)."""
 
+Method = Literal["DOP853", "Radau"]
 Progress = Callable[[float], None]
 """Is told the share that is done, 0 to 1."""
 OnForceLimit = Literal["stop", "saturate"]
-
 METHODS = ("DOP853", "Radau")
 ON_FORCE_LIMIT = ("stop", "saturate")
 CHART_RADIUS = 1.0
 """Angle from its centre, rad, at which a chart is left for a new one; charts end at 2 pi."""
-WATCHED = 5
-"""Instants of each step at which limits are looked at."""
-NEAR_SINGULAR, CROSSING = 36, 37
-"""Columns of the watched margins: condition number of H, and det H on the side where the run began."""
 MOST_INSTANTS = 10_000_000
 """Of a trace."""
 RTOL_RANGE = (1e-13, 1e-2)
 """From where rounding is the error of a step to where the run is no longer that of the machine."""
-
-
-@dataclass(frozen=True)
-class Thresholds:
-    """Where a run stops because the model ends, besides the robot's own limits.
-
-    Attributes
-    ----------
-    max_condition : float, optional
-        Scaled condition number of H (see ``scaled_condition_number``), > 1; inf: a run goes through singular
-        poses.
-    min_length : float, optional
-        Of a leg, m, > 0; None: a thousandth of the machine's characteristic length.
-    min_joint_sine : float, optional
-        Sine of the angle between a leg and its universal axis, > 0 and < 1.
-
-    Raises
-    ------
-    ValueError
-        Naming the argument.
-    """
-
-    max_condition: float = 1e6
-    min_length: float | None = None
-    min_joint_sine: float = 1e-3
-
-    def __post_init__(self) -> None:
-        """Check every threshold."""
-        ranges = {
-            "max_condition": (1.0, math.inf),
-            "min_length": (0.0, math.inf),
-            "min_joint_sine": (0.0, 1.0),
-        }
-        for name, (low, high) in ranges.items():
-            value = getattr(self, name)
-            through = name == "max_condition" and isinstance(value, float) and value == math.inf
-            if value is not None and not through:
-                _number(value, name, low, high)
-
-
-@dataclass(frozen=True)
-class Stop:
-    """Why and when a run ended.
-
-    Attributes
-    ----------
-    kind : str
-        "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit", "singular",
-        "zero_length", "joint singularity" or "failed" (no step is small enough).
-    time : float
-        s.
-    leg : int
-        Its number from 1, None where no leg is to blame.
-    text : str
-        All of it in one line.
-    """
-
-    kind: str
-    time: float
-    leg: int | None
-    text: str
-
-
-@dataclass(frozen=True, eq=False)
-class Saturation:
-    """How long and by how much each leg's actuator was asked for more than its limit; zeros if it never was.
-
-    Attributes
-    ----------
-    time : ndarray
-        s, (6,), of a law that is not sampled to a small part of a step.
-    excess : ndarray
-        The largest force beyond the limit, N, (6,).
-    """
-
-    time: Array
-    excess: Array
-
-
-@dataclass(frozen=True, eq=False)
-class Trace:
-    """States and forces at n instants; SI units, base frame.
-
-    Attributes
-    ----------
-    times : ndarray
-        s, (n,).
-    R : ndarray
-        (n, 3, 3).
-    t, v : ndarray
-        m and m/s, (n, 3).
-    omega : ndarray
-        Rad/s, (n, 3).
-    F : ndarray
-        Actuator forces, N, (n, 6).
-    L : ndarray
-        Leg lengths, m, (n, 6).
-    kinetic, potential : ndarray
-        Energy of the platform and the twelve leg parts, J, (n,), with the exact kinematics of the legs in
-        either formulation; the potential energy is that of weight, zero at the base frame's origin.
-    """
-
-    times: Array
-    R: Array
-    t: Array
-    v: Array
-    omega: Array
-    F: Array
-    L: Array
-    kinetic: Array
-    potential: Array
-
-    @property
-    def energy(self) -> Array:
-        """Kinetic and potential energy, J, (n,)."""
-        return self.kinetic + self.potential
-
-    @property
-    def motion(self) -> Motion:
-        """The states as a Motion of shape (n,) without accelerations."""
-        return Motion(self.R, self.t, self.omega, self.v)
-
-
-class _Actuators(NamedTuple):
-    """The law and the limits, N, (6,), inf for none, to which the forces it commands are clipped."""
-
-    law: ForceLaw
-    limit: Array
-
-    def at(self, time: float, state: Motion) -> Array:
-        """Forces of one state, N, (6,)."""
-        return self.clipped(six_forces(self.law(time, state), time))
-
-    def asked(self, when: Array, states: Motion, held: Array | None) -> Array:
-        """Forces that the law commands at n instants, N, (n, 6)."""
-        if held is not None:
-            return np.broadcast_to(held, (len(when), 6))
-        rows = [
-            Motion.unchecked(states.R[i], states.t[i], states.omega[i], states.v[i]) for i in range(len(when))
-        ]
-        found = [six_forces(self.law(float(time), row), time) for time, row in zip(when, rows, strict=True)]
-        return np.array(found).reshape(-1, 6)
-
-    def forces(self, when: Array, states: Motion, held: Array | None) -> Array:
-        """Forces that act at n instants, N, (n, 6)."""
-        return self.clipped(self.asked(when, states, held))
-
-    def clipped(self, F: Array) -> Array:
-        """Forces (..., 6) within the limits."""
-        return np.minimum(np.maximum(F, -self.limit), self.limit)
-
-
-class _Piece(NamedTuple):
-    """An accepted step: its times, the interpolant of the chart's numbers, the centre, the held forces.
-
-    held: as the law asked for them; None where the law is not sampled.
-    """
-
-    start: float
-    end: float
-    interpolant: Callable[[Any], Array]
-    center: Array
-    held: Array | None
-
-
-@dataclass(frozen=True, eq=False)
-class Simulation(Trace):
-    """A run: its trace, why it stopped, how its forces saturated, and any instant between by ``at``.
-
-    Attributes
-    ----------
-    stop : Stop
-        Why and where the run ended.
-    saturation : Saturation
-        What clipping left out, by leg.
-    """
-
-    stop: Stop
-    saturation: Saturation
-    _robot: Robot
-    _actuators: _Actuators
-    _pieces: tuple[_Piece, ...]
-
-    @property
-    def steps(self) -> int:
-        """How many steps the integration took."""
-        return len(self._pieces)
-
-    def at(self, times: ArrayLike) -> Trace:
-        """States and forces at times, s, (n,), interpolated to the accuracy of the run.
-
-        Raises ValueError for times outside the run.
-        """
-        when = real_array(times, "times", "times of shape (n,)")
-        end = self.stop.time
-        if when.ndim != 1:
-            raise ValueError(f"times: expected shape (n,), got {when.shape}")
-        outside = ~((when >= 0.0) & (when <= end))
-        if outside.any():
-            raise ValueError(f"times: expected times in [0, {end:g}] s, got {when[outside][0]:g}")
-        return _sampled(self._robot, self._actuators, self._pieces, when)
 
 
 def simulate(
@@ -330,9 +132,9 @@ def simulate(
     option(method, METHODS, "method")
     option(on_force_limit, ON_FORCE_LIMIT, "on_force_limit")
     for name, value in (("duration", duration), ("atol", atol)):
-        _number(value, name, 0.0, math.inf)
+        need_between(value, name, 0.0, math.inf)
     if rate is not None:
-        _number(rate, "rate", 0.0, math.inf)
+        need_between(rate, "rate", 0.0, math.inf)
     check_rtol(rtol)
     check_output_step(output_step, duration)
     for name, function, call in (
@@ -345,7 +147,7 @@ def simulate(
         instance(thresholds, Thresholds, "thresholds")
     unlimited = np.full(6, math.inf)
     clips = on_force_limit == "saturate"
-    actuators = _Actuators(law, robot.force_limit if clips else unlimited)
+    actuators = Actuators(law, robot.force_limit if clips else unlimited)
     stops_at = unlimited if clips else robot.force_limit
     run = _Run(
         robot=robot,
@@ -355,16 +157,16 @@ def simulate(
         constant=(start.F_ext, start.M_ext),
         solver=_solver(method),
         tolerances={"rtol": float(rtol), "atol": float(atol)},
-        watch=_Watch(robot, thresholds or Thresholds(), stops_at, _det_sign(robot, start)),
+        watch=Watch(robot, thresholds or Thresholds(), stops_at, det_sign(robot, start)),
         reached=lambda time: None if progress is None else progress(time / duration),
     )
     stop, pieces = run.through(start, float(duration), rate)
-    times = _output_times(pieces, stop.time, output_step)
-    trace = _sampled(robot, actuators, tuple(pieces), times)
+    times = output_times(pieces, stop.time, output_step)
+    trace = sampled_at(robot, actuators, tuple(pieces), times)
     return Simulation(
         **vars(trace),
         stop=stop,
-        saturation=_saturation(actuators, pieces),
+        saturation=saturation_of(actuators, pieces),
         _robot=robot,
         _actuators=actuators,
         _pieces=tuple(pieces),
@@ -380,25 +182,25 @@ class _Run:
 
     robot: Robot
     accelerations: Callable[[Motion, Array], tuple[Array, int]]
-    actuators: _Actuators
+    actuators: Actuators
     load: Load | None
     constant: tuple[Array | None, Array | None]
     solver: Any
     tolerances: dict[str, float]
-    watch: _Watch
+    watch: Watch
     reached: Callable[[float], None]
     fault: int = 0
 
-    def through(self, state: Motion, duration: float, rate: float | None) -> tuple[Stop, list[_Piece]]:
+    def through(self, state: Motion, duration: float, rate: float | None) -> tuple[Stop, list[Piece]]:
         """Go from sample to sample of the law, or in one go, until the end or a stop."""
-        pieces: list[_Piece] = []
+        pieces: list[Piece] = []
         time, center = 0.0, np.array(state.R)
         y = np.concatenate([state.t, np.zeros(3), state.v, state.omega])
         step: float | None = None
         sample = 0
         while time < duration:
             sample += 1
-            held = None if rate is None else six_forces(self.actuators.law(time, _motion(y, center)), time)
+            held = None if rate is None else six_forces(self.actuators.law(time, motion_of(y, center)), time)
             if sample == 1:
                 self._reject_bad_start(y, center, held)
             end = duration if rate is None else min(sample / rate, duration)
@@ -410,7 +212,7 @@ class _Run:
 
     def _chart(
         self,
-        pieces: list[_Piece],
+        pieces: list[Piece],
         time: float,
         end: float,
         y: Array,
@@ -432,7 +234,7 @@ class _Run:
                 if not pieces:
                     raise ValueError(f"initial_state: {failure.text}")
                 return failure, failure.time, solver.y, center, step
-            piece = _Piece(solver.t_old, solver.t, solver.dense_output(), center, held)
+            piece = Piece(solver.t_old, solver.t, solver.dense_output(), center, held)
             stop = self.watch.first(piece, self.actuators)
             if stop is not None:
                 # A stop where the step begins leaves no piece but the first, which the trace needs.
@@ -474,215 +276,6 @@ class _Run:
         return STATUS_TEXT[self.fault] if self.fault else "forces or accelerations grow without bound"
 
 
-def _motion(y: Array, center: Array) -> Motion:
-    """The chart's numbers [t; phi; v; omega], (..., 12), as states."""
-    R = rotation_from_vector(y[..., 3:6]) @ center
-    return Motion.unchecked(R, y[..., :3], omega=y[..., 9:], v=y[..., 6:9])
-
-
-# Limits
-
-
-@dataclass(frozen=True, eq=False)
-class _Watch:
-    """Everything that stops a run, as numbers that are positive while all is well.
-
-    force_limit: N, (6,); inf where forces are clipped instead. side: sign of det H at the start of the run.
-    """
-
-    robot: Robot
-    thresholds: Thresholds
-    force_limit: Array
-    side: float
-
-    def first(self, piece: _Piece, actuators: _Actuators) -> Stop | None:
-        """The first stop in a piece, None if there is none."""
-        when = np.linspace(piece.start, piece.end, WATCHED + 1)
-        margins = self._margins(when, piece, actuators)
-        below = margins <= 0.0
-        if not below.any():
-            return None
-        roots = []
-        for row in np.flatnonzero(below.any(axis=0)).tolist():
-            i = int(np.argmax(below[:, row]))
-            start = float(when[max(i - 1, 0)])
-            time = start if i == 0 else self._root(row, start, float(when[i]), piece, actuators)
-            if row == CROSSING:
-                # The condition number passes its threshold on the way, too shortly to be seen itself.
-                time = self._root(NEAR_SINGULAR, start, time, piece, actuators)
-            roots.append((time, row))
-        return self._stop(*min(roots), piece, actuators)
-
-    def _root(self, row: int, start: float, end: float, piece: _Piece, actuators: _Actuators) -> float:
-        """Where a margin comes to zero; an end of the span where it doesn't within."""
-        from scipy.optimize import brentq
-
-        def margin(time: float) -> float:
-            return float(self._margins(np.array([time]), piece, actuators)[0, row])
-
-        if not margin(start) > 0.0:
-            return start
-        if margin(end) > 0.0:
-            return end
-        return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
-
-    def _margins(self, when: Array, piece: _Piece, actuators: _Actuators) -> Array:
-        """(n, 38): shortest, longest, speed, force, length zero, joint sine, 6 each; condition, side of H."""
-        robot = self.robot
-        state = _motion(piece.interpolant(when).T, piece.center)
-        legs = _legs(robot, state)
-        F = np.zeros((len(when), 6))
-        if np.isfinite(self.force_limit).any():
-            F = actuators.forces(when, state, piece.held)
-        shortest = self.thresholds.min_length or 1e-3 * self._size
-        margins = [
-            legs.L - np.where(robot.length_limits[:, 0] > 0.0, robot.length_limits[:, 0], -math.inf),
-            robot.length_limits[:, 1] - legs.L,
-            robot.speed_limit - np.abs(legs.L_dot),
-            self.force_limit - np.abs(F),
-            legs.L - shortest,
-            self._joint_sine(legs.s) - self.thresholds.min_joint_sine,
-            *self._singular_margins(legs),
-        ]
-        return np.concatenate(margins, axis=-1)
-
-    def _singular_margins(self, legs: _Legs) -> tuple[Array, Array]:
-        if self.thresholds.max_condition == math.inf:
-            none = np.ones((len(legs.L), 1))
-            return none, none
-        near = 1.0 / self._condition(legs) - 1.0 / self.thresholds.max_condition
-        return near[:, None], self.side * np.linalg.det(_scaled_H(legs, self._size))[:, None]
-
-    @property
-    def _size(self) -> float:
-        return _size(self.robot)
-
-    def _joint_sine(self, s: Array) -> Array:
-        if self.robot.base_joint == "spherical":
-            return np.ones(s.shape[:-1])
-        return np.asarray(np.linalg.norm(cross(self.robot.k, s), axis=-1))
-
-    def _condition(self, legs: _Legs) -> Array:
-        return condition_number(_scaled_H(legs, self._size))
-
-    def _stop(self, time: float, row: int, piece: _Piece, actuators: _Actuators) -> Stop:
-        robot, leg = self.robot, row % 6
-        at = np.array([time])
-        state = _motion(piece.interpolant(at).T, piece.center)
-        legs = _legs(robot, state)
-        low, high = robot.length_limits[leg]
-        length = f"{legs.L[0, leg]:.6g} m"
-        if row >= NEAR_SINGULAR:
-            text = f"condition number of H reaches {self._condition(legs)[0]:.4g} at {time:.9g} s"
-            return Stop("singular", time, None, f"near a singular pose: {text}")
-        kind, text = (
-            ("length_limits", f"length {length} reaches its lower limit {low:g} m"),
-            ("length_limits", f"length {length} reaches its upper limit {high:g} m"),
-            (
-                "speed_limit",
-                f"speed {legs.L_dot[0, leg]:.6g} m/s reaches its limit {robot.speed_limit[leg]:g} m/s",
-            ),
-            (
-                "force_limit",
-                f"force {actuators.forces(at, state, piece.held)[0, leg]:.6g} N reaches its limit "
-                f"{robot.force_limit[leg]:g} N",
-            ),
-            ("zero_length", f"length {length} is near zero"),
-            ("joint singularity", "lies nearly along the fixed axis of its universal joint"),
-        )[row // 6]
-        return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
-
-
-class _Legs(NamedTuple):
-    q: Array
-    L: Array
-    L_dot: Array
-    s: Array
-
-
-def _legs(robot: Robot, state: Motion) -> _Legs:
-    """Leg kinematics without the rejections of ``inverse_kinematics``: a watched leg may come to nothing."""
-    q, S, L = leg_vectors(robot, state.R, state.t)
-    with np.errstate(all="ignore"):
-        s = S / L[..., None]
-    return _Legs(q, L, np.einsum("...i,...i->...", s, tip_velocities(state, q)), s)
-
-
-def _size(robot: Robot) -> float:
-    return characteristic_length(robot) or 1.0
-
-
-def _scaled_H(legs: _Legs, size: float) -> Array:
-    """H^T with its moments over a length, (..., 6, 6)."""
-    return np.concatenate([legs.s, cross(legs.q, legs.s) / size], axis=-1)
-
-
-def _det_sign(robot: Robot, state: Motion) -> float:
-    return float(np.sign(np.linalg.det(_scaled_H(_legs(robot, state), _size(robot)))))
-
-
-# Results
-
-
-def _sampled(robot: Robot, actuators: _Actuators, pieces: tuple[_Piece, ...], when: Array) -> Trace:
-    """The trace at times within the pieces."""
-    n = len(when)
-    y, centers, F = np.empty((n, 12)), np.empty((n, 3, 3)), np.empty((n, 6))
-    of = np.searchsorted([piece.start for piece in pieces], when, side="right") - 1
-    order = np.argsort(of, kind="stable")
-    for here in np.split(order, np.flatnonzero(np.diff(of[order])) + 1) if n else ():
-        piece = pieces[of[here[0]]]
-        y[here], centers[here] = piece.interpolant(when[here]).T, piece.center
-        if piece.held is not None:
-            F[here] = actuators.clipped(piece.held)
-    motion = _motion(y, centers)
-    if pieces[0].held is None:
-        F = actuators.forces(when, motion, None)
-    rest = Motion.unchecked(motion.R, motion.t, np.zeros((n, 3)), np.zeros((n, 3)))
-    potential = newton_euler.energy(robot, rest)
-    kinetic = newton_euler.energy(robot, motion) - potential
-    L = _legs(robot, motion).L
-    return Trace(when, motion.R, motion.t, motion.v, motion.omega, F, L, kinetic, potential)
-
-
-def _saturation(actuators: _Actuators, pieces: list[_Piece]) -> Saturation:
-    """What the forces asked for exceed their limits by, in all pieces."""
-    time, excess = np.zeros(6), np.zeros(6)
-    for piece in pieces if np.isfinite(actuators.limit).any() else ():
-        when = np.linspace(piece.start, piece.end, WATCHED + 1)
-        state = _motion(piece.interpolant(when).T, piece.center)
-        beyond = np.abs(actuators.asked(when, state, piece.held)) - actuators.limit
-        excess = np.maximum(excess, beyond.max(axis=0))
-        time += np.diff(when) @ _share_above_zero(beyond[:-1], beyond[1:])
-    return Saturation(time, excess)
-
-
-def _share_above_zero(start: Array, end: Array) -> Array:
-    """Of the way from one number to another, the share on which a straight line is above zero, 0 to 1."""
-    above = np.maximum(start, 0.0) + np.maximum(end, 0.0)
-    with np.errstate(invalid="ignore"):
-        share = above / (np.abs(start) + np.abs(end))
-    return np.where(above > 0.0, np.where(np.minimum(start, end) >= 0.0, 1.0, share), 0.0)
-
-
-def _output_times(pieces: list[_Piece], end: float, step: float | None) -> Array:
-    if step is None:
-        return np.unique([pieces[0].start, *(piece.end for piece in pieces)])
-    grid = np.arange(math.floor(end / step * (1.0 + 1e-12)) + 1) * step
-    return np.append(grid[grid < end * (1.0 - 1e-12)], end)
-
-
-# Arguments
-
-
-def six_forces(value: ArrayLike, time: float) -> Array:
-    """What a law returned, as six numbers; ValueError if it is anything else."""
-    F = real_array(value, "forces", "six numbers")
-    if F.shape != (6,):
-        raise ValueError(f"forces: expected six numbers from the law at {time:g} s, got shape {F.shape}")
-    return F
-
-
 def check_rtol(rtol: object) -> None:
     """Reject, by ValueError, what is no number in ``RTOL_RANGE``."""
     low, high = RTOL_RANGE
@@ -696,7 +289,7 @@ def check_output_step(output_step: float | None, duration: float) -> None:
     """Reject, by ValueError, what is no number > 0, or makes more than ``MOST_INSTANTS`` of a duration, s."""
     if output_step is None:
         return
-    _number(output_step, "output_step", 0.0, math.inf)
+    need_between(output_step, "output_step", 0.0, math.inf)
     if duration > MOST_INSTANTS * output_step:
         raise ValueError(
             f"output_step: expected at least {duration / MOST_INSTANTS:g} s, for at most {MOST_INSTANTS} "
@@ -725,13 +318,6 @@ def _state(given: Motion | str, law: ForceLaw) -> Motion:
     if given.shape != ():
         raise ValueError(f"initial_state: expected one state, of shape (), got {given.shape}")
     return given
-
-
-def _number(value: object, name: str, low: float, high: float) -> None:
-    text = f"a number > {low:g}" + (f" and < {high:g}" if math.isfinite(high) else "")
-    number = real_array(value, name, text)
-    if number.shape != () or not low < float(number) < high:
-        raise ValueError(f"{name}: expected {text}, got {shown(value)}")
 
 
 def _solver(method: str) -> Any:

@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..backend.kernel import FORMULATIONS, NumpyKernel
+from ..backend.kernel import FORMULATIONS
+from ..backend.numpy_kernel import NumpyKernel
 from ..dynamics.inverse import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
 from ..kinematics.conditioning import characteristic_length, moments_over

@@ -25,7 +25,8 @@ from unsolvable_poses import singular
 
 import stewart_sym as ss
 from stewart_sym.backend import native
-from stewart_sym.backend.kernel import MOTION, address, c_sources, library
+from stewart_sym.backend.c_kernel import address, c_sources, library
+from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.derive.program.adjoint import adjoint
 from stewart_sym.derive.program.block import Builder, Quantity, run

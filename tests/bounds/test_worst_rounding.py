@@ -21,7 +21,7 @@ from drawn_poses import PATH, drawn
 from machines import random_motion, random_robot
 from sweeps import share
 
-from stewart_sym.backend.kernel import c_sources
+from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

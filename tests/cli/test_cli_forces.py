@@ -12,9 +12,9 @@ from command_files import edit, results
 from command_line import fails_in_one_line, folder_state, read
 
 import stewart_sym as ss
-from stewart_sym.backend import kernel
+from stewart_sym.backend import c_kernel
 from stewart_sym.cli.main import main
-from stewart_sym.motion.trajectory import read_csv
+from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.studies.common.output import csv_lines
 from stewart_sym.studies.reports import track
 
@@ -206,7 +206,7 @@ def test_warnings_come_before_the_error_that_ends_a_command(
 def test_a_rejected_compiler_flag_is_not_blamed_on_the_trajectory(
     robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    kernel.library.cache_clear()
+    c_kernel.library.cache_clear()
     monkeypatch.setenv("CC", "gcc -ffast-math")
     line = fails_in_one_line(capsys, "forces", robot, trajectory, "-o", robot.parent / "f.csv")
     assert line.startswith("stewart-sym: error: CC: -ffast-math is rejected")

@@ -10,7 +10,8 @@ import pytest
 from counting_c import COUNTING, REPORT
 from machines import dasgupta, random_motion, random_robot
 
-from stewart_sym.backend.kernel import c_sources, module, robot_numbers
+from stewart_sym.backend.c_kernel import c_sources
+from stewart_sym.backend.kernel import module, robot_numbers
 from stewart_sym.derive.emit import lanes, scalar
 from stewart_sym.derive.emit.closed_form import sum_operations
 from stewart_sym.derive.emit.header import common_header

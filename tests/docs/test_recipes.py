@@ -11,7 +11,7 @@ from machines import random_motion, random_robot
 from reduced_machines import as_simple_as, at_rest
 
 import stewart_sym as ss
-from stewart_sym.backend import kernel, native
+from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.derive import generate
 from stewart_sym.derive.mechanics.reduced_models import AXISYMMETRIC, FIDELITIES, Fidelity
 
@@ -30,7 +30,7 @@ def test_a_line_gives_a_kernel_in_c_with_the_forces_of_such_a_machine(
     assert LEVEL.meaning in files["fidelities.py"]
 
     made = {path.removeprefix("c/"): text for path, text in files.items() if path.startswith("c/")}
-    library = native.load(name, kernel.c_sources("exact") | made)
+    library = native.load(name, c_kernel.c_sources("exact") | made)
     rng = np.random.default_rng(3)
     robot = as_simple_as(random_robot(rng), LEVEL)
     motion = random_motion(rng, robot)

@@ -159,13 +159,13 @@ def test_inverse_dynamics_needs_accelerations() -> None:
 
 
 def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
-    from stewart_sym.backend import kernel, native
+    from stewart_sym.backend import c_kernel, native
     from stewart_sym.dynamics import inverse
 
     monkeypatch.setenv("PATH", "")
     monkeypatch.delenv("CC", raising=False)
     monkeypatch.setattr(native, "_candidates", lambda: iter(()))
-    kernel.library.cache_clear()
+    c_kernel.library.cache_clear()
     inverse._say_once.cache_clear()
     robot, motion = dasgupta(), at_rest([0.1, 0, 0.5])
     with pytest.warns(RuntimeWarning, match="NumPy kernels serve"):
@@ -175,4 +175,4 @@ def test_without_a_compiler_numpy_serves_and_says_so_once(monkeypatch) -> None:
         second = ss.inverse_dynamics(robot, motion).F
     assert (first == second).all()
     assert (first == ss.inverse_dynamics(robot, motion, backend="numpy").F).all()
-    kernel.library.cache_clear()
+    c_kernel.library.cache_clear()

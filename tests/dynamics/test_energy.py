@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from stewart_sym.dynamics.forces import prepare
 from stewart_sym.dynamics.inverse import Formulation, inverse_dynamics
 from stewart_sym.motion.motion import Motion
-from stewart_sym.motion.trajectory import PATHS
+from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.reference import newton_euler
 from stewart_sym.reference.newton_euler import EXACT, PAPER
 from stewart_sym.robot.robot import Robot

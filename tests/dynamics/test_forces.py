@@ -16,7 +16,8 @@ from motion_fields import FIELDS
 from unsolvable_poses import CASES, at_rest
 
 import stewart_sym as ss
-from stewart_sym.backend.kernel import address, c_sources, robot_numbers
+from stewart_sym.backend.c_kernel import address, c_sources
+from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.dynamics import forces
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.motion.motion import Motion

@@ -17,8 +17,9 @@ from numpy.typing import NDArray
 from unsolvable_poses import semiregular
 
 import stewart_sym as ss
+from stewart_sym.backend.c_kernel import CKernel
 from stewart_sym.backend.fidelity import available
-from stewart_sym.backend.kernel import CKernel, NumpyKernel
+from stewart_sym.backend.numpy_kernel import NumpyKernel
 from stewart_sym.dynamics import forces
 from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
 from stewart_sym.motion.motion import Motion

@@ -9,7 +9,7 @@ from machines import dasgupta, machine_size, path_period, random_motion, random_
 from numpy.typing import NDArray
 
 from stewart_sym.motion.motion import Motion
-from stewart_sym.motion.trajectory import PATHS
+from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.reference import newton_euler
 from stewart_sym.reference.newton_euler import EXACT, PAPER
 from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Forces

@@ -14,7 +14,8 @@ from machines import dasgupta
 from sweeps import FULL, share
 
 from stewart_sym import results
-from stewart_sym.backend.kernel import address, library, robot_numbers
+from stewart_sym.backend.c_kernel import address, library
+from stewart_sym.backend.kernel import robot_numbers
 
 SANITIZED = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all"]
 MEMORY = ["-fsanitize=memory", "-fno-sanitize-recover=all"]

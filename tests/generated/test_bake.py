@@ -13,7 +13,8 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
-from stewart_sym.backend.kernel import MOTION, address
+from stewart_sym.backend.c_kernel import address
+from stewart_sym.backend.kernel import MOTION
 from stewart_sym.derive.mechanics.baked_constants import _Constants
 from stewart_sym.derive.mechanics.quantities import Quantity
 from stewart_sym.derive.package.words import robot_symbol

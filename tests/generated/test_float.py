@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from sweeps import share
 
 import stewart_sym as ss
-from stewart_sym.backend.kernel import c_sources
+from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.derive.emit import lanes
 from stewart_sym.derive.generate import shared_blocks
 from stewart_sym.derive.mechanics import quantities as n

@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.backend.kernel import address, c_sources, robot_numbers
+from stewart_sym.backend.c_kernel import address, c_sources
+from stewart_sym.backend.kernel import robot_numbers
 from stewart_sym.derive.emit.kinematics import STEPS
 from stewart_sym.derive.generate import reduced_kinematics
 from stewart_sym.derive.kernel.kinematics import search_operations
@@ -26,7 +27,7 @@ from stewart_sym.derive.mechanics import quantities as n
 from stewart_sym.derive.mechanics.kinematics import kinematics, turn
 from stewart_sym.derive.program.block import Operations
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
-from stewart_sym.kinematics.forward import jacobian
+from stewart_sym.kinematics.pose_search import jacobian
 from stewart_sym.motion.rotation import rotation_from_vector
 
 # By how much exact lengths of what is found may miss, in rounding units of the terms of S: 16 and their own.

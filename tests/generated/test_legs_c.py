@@ -11,7 +11,8 @@ from machines import dasgupta, home_position, machine_size, random_motion, rando
 import stewart_sym as ss
 from stewart_sym import results
 from stewart_sym.backend import native
-from stewart_sym.backend.kernel import MOTION, address, contiguous, library, robot_numbers
+from stewart_sym.backend.c_kernel import address, contiguous, library
+from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.kinematics import inverse
 from stewart_sym.motion import rotation
 

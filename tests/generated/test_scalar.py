@@ -16,7 +16,9 @@ from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
-from stewart_sym.backend.kernel import MOTION, c_sources, loaded, robot_numbers
+from stewart_sym.backend.c_kernel import c_sources
+from stewart_sym.backend.kernel import MOTION, robot_numbers
+from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.derive.emit import scalar
 from stewart_sym.derive.generate import shared_blocks
 from stewart_sym.derive.kernel.elimination import BY_POINTERS

@@ -18,7 +18,7 @@ from stewart_sym.cli.main import main
 from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.kinematics.conditioning import characteristic_length
 from stewart_sym.kinematics.inverse import inverse_kinematics
-from stewart_sym.motion.trajectory import read_any_csv
+from stewart_sym.motion.log_reader import read_any_csv
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.reports.identify import NORMAL
 

@@ -11,7 +11,7 @@ import pytest
 from machines import dasgupta, random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym.backend.kernel import CKernel
+from stewart_sym.backend.c_kernel import CKernel
 from stewart_sym.io.frozen import Frozen
 from stewart_sym.simulation.actuator_models import GravityCompensation
 

@@ -25,7 +25,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.motion.trajectory import read_any_csv, read_csv, read_forces_csv
+from stewart_sym.motion.log_reader import read_any_csv, read_csv, read_forces_csv
 from stewart_sym.robot.robot import Robot
 from stewart_sym.simulation.scene import read_scene
 

@@ -9,7 +9,7 @@ from machines import dasgupta, random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.kinematics.forward import newton
+from stewart_sym.kinematics.pose_search import newton
 from stewart_sym.motion.rotation import rotation_from_vector
 from stewart_sym.studies.robustness.poses import _exact_pose
 from stewart_sym.studies.robustness.singular import path_III

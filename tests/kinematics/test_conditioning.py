@@ -17,7 +17,7 @@ from stewart_sym.kinematics.conditioning import (
 )
 from stewart_sym.kinematics.inverse import inverse_kinematics
 from stewart_sym.motion.motion import Motion
-from stewart_sym.motion.trajectory import PATHS
+from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]

@@ -16,7 +16,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.kinematics.forward import jacobian, solve
+from stewart_sym.kinematics.pose_search import jacobian, solve
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
 
 EPS = float(np.finfo(np.float64).eps)

@@ -11,9 +11,10 @@ from robot_files import PAPERS
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.kinematics.forward import jacobian
+from stewart_sym.kinematics.pose_search import jacobian
+from stewart_sym.motion.log_reader import read_any_csv, read_csv
 from stewart_sym.motion.rotation import rotation_from_rpy
-from stewart_sym.motion.trajectory import JointTrajectory, read_any_csv, read_csv
+from stewart_sym.motion.trajectory import JointTrajectory
 from stewart_sym.studies.common.output import csv_lines
 
 # Joint-space trajectories

@@ -17,7 +17,7 @@ from stewart_sym.kinematics.inverse import (
 )
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_from_rpy
-from stewart_sym.motion.trajectory import PATHS
+from stewart_sym.motion.straight_line import PATHS
 
 Array = NDArray[np.float64]
 

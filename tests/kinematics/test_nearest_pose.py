@@ -8,7 +8,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym import results
-from stewart_sym.kinematics.forward import distance
+from stewart_sym.kinematics.pose_search import distance
 from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector
 
 Array = NDArray[np.float64]

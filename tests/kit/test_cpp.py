@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 from builds import ROBOT, SYMBOL, needed, run, texts, written
 
-from stewart_sym.backend.kernel import c_sources
+from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.derive.package import build as kit_build
 from stewart_sym.derive.package import cpp as kit_cpp

@@ -21,7 +21,7 @@ from numpy.typing import NDArray
 from sweeps import FULL
 
 from stewart_sym import inverse_kinematics
-from stewart_sym.backend import fidelity, kernel, native
+from stewart_sym.backend import c_kernel, fidelity, kernel, native
 from stewart_sym.derive.mechanics import quantities
 from stewart_sym.derive.package.robot import robot_files
 from stewart_sym.derive.package.words import robot_symbol
@@ -209,7 +209,7 @@ def test_constants_reach_the_compiled_robot_to_the_bit(which: str) -> None:
 def test_kernel_files_are_the_committed_ones() -> None:
     for formulation in FORMULATIONS:
         files = kit_of(choice=Choice(("forces", "reactions"), formulation)).files
-        committed = kernel.c_sources(formulation) | kernel.c_sources(f"{formulation}_forces")
+        committed = c_kernel.c_sources(formulation) | c_kernel.c_sources(f"{formulation}_forces")
         assert {name: files[name].decode() for name in committed} == committed
         assert set(files) - set(committed) == NAMES - set(HEADERS)
 

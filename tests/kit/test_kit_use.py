@@ -13,7 +13,7 @@ import machines
 import numpy as np
 import pytest
 
-from stewart_sym.backend import kernel, native
+from stewart_sym.backend import c_kernel, kernel, native
 from stewart_sym.cli.main import main
 from stewart_sym.derive.package.licence import SPDX
 from stewart_sym.derive.package.words import robot_symbol
@@ -209,7 +209,7 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
     library = native.load("kit_of_all", files)
     constants = kernel.robot_numbers(robot)
     model = np.zeros(4096)
-    assert library.stewart_exact_prepare(kernel.address(constants), kernel.address(model)) == 0
+    assert library.stewart_exact_prepare(c_kernel.address(constants), c_kernel.address(model)) == 0
     functions = {
         "stewart_exact_forces": (model, 6),
         "stewart_exact_bias": (model, 6),
@@ -220,15 +220,15 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
     for name, (first, count) in functions.items():
         call = getattr(library, name)
         apart = np.zeros(count)
-        assert call(kernel.address(first), kernel.address(motion), kernel.address(apart)) == 0
+        assert call(c_kernel.address(first), c_kernel.address(motion), c_kernel.address(apart)) == 0
         for offset in (0, 5, 9, 24):
             both = np.concatenate([motion, np.zeros(count)])
             out = both[offset : offset + count]
-            assert call(kernel.address(first), kernel.address(both), kernel.address(out)) == 0
+            assert call(c_kernel.address(first), c_kernel.address(both), c_kernel.address(out)) == 0
             np.testing.assert_array_equal(out, apart, err_msg=f"{name} at {offset}")
     force = apart[:6].copy()
-    assert library.stewart_exact_forward_dynamics(*map(kernel.address, (model, motion, force, apart))) == 0
-    assert library.stewart_exact_forward_dynamics(*map(kernel.address, (model, motion, force, force))) == 0
+    assert library.stewart_exact_forward_dynamics(*map(c_kernel.address, (model, motion, force, apart))) == 0
+    assert library.stewart_exact_forward_dynamics(*map(c_kernel.address, (model, motion, force, force))) == 0
     np.testing.assert_array_equal(force, apart[:6])
 
 
@@ -238,10 +238,10 @@ def test_outputs_of_one_pose_may_overlap_the_motion(tmp_path: Path) -> None:
 def oriented(function: str, *given: np.ndarray, precision: type = np.float64) -> tuple[int, np.ndarray]:
     """Status, and a motion that was all ones before."""
     defines = {"STEWART_FLOAT": 1} if precision is np.float32 else {}
-    library = native.load("stewart_rotation", kernel.c_sources("rotation"), defines=defines)
+    library = native.load("stewart_rotation", c_kernel.c_sources("rotation"), defines=defines)
     motion = np.ones(30, dtype=precision)
     arrays = [np.ascontiguousarray(each, dtype=precision) for each in given]
-    return getattr(library, function)(*map(kernel.address, (*arrays, motion))), motion
+    return getattr(library, function)(*map(c_kernel.address, (*arrays, motion))), motion
 
 
 def expected(motion: Motion) -> np.ndarray:

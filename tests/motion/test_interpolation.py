@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.motion.interpolation import between
+from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import angular_motion_from_vector, rotation_from_vector, vector_second_rate
-from stewart_sym.motion.trajectory import Trajectory, read_csv
+from stewart_sym.motion.trajectory import Trajectory
 
 Array = NDArray[np.float64]
 FIELDS = ("R", "t", "omega", "v", "alpha", "a")

@@ -13,9 +13,10 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.motion.log_faults import Fault, faults, offsets
+from stewart_sym.motion.log_reader import from_poses
 from stewart_sym.motion.log_sampling import slower_sampling, spread
-from stewart_sym.motion.smoothing import noise_level, rounding_steps
-from stewart_sym.motion.trajectory import Trajectory, from_poses
+from stewart_sym.motion.noise_level import noise_level, rounding_steps
+from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.studies.reports.track import track
 
 Array = NDArray[np.float64]

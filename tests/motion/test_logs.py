@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.motion.log_reader import read_any_csv, read_csv
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
-from stewart_sym.motion.trajectory import PoseLog, Trajectory, read_any_csv, read_csv
+from stewart_sym.motion.trajectory import PoseLog, Trajectory
 from stewart_sym.studies.reports.track import angle_doubt, length_doubt, peak_noise, side_doubt, track
 
 Array = NDArray[np.float64]

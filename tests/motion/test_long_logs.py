@@ -16,8 +16,9 @@ from robot_files import PAPERS
 import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.motion.interpolation import between
+from stewart_sym.motion.log_reader import read_csv, read_log
 from stewart_sym.motion.logs import LogFormat, read_columns
-from stewart_sym.motion.trajectory import Trajectory, read_csv, read_log
+from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.singularities import along_path, joint_space
 from stewart_sym.studies.common.output import csv_lines

@@ -12,9 +12,10 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.motion import smoothing
+from stewart_sym.motion.log_reader import from_poses, read_any_csv, read_csv
+from stewart_sym.motion.noise_level import rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
-from stewart_sym.motion.smoothing import rounding_step, white_noise
-from stewart_sym.motion.trajectory import JointTrajectory, Trajectory, from_poses, read_any_csv, read_csv
+from stewart_sym.motion.trajectory import JointTrajectory, Trajectory
 from stewart_sym.singularities.joint_space import on_platform
 from stewart_sym.studies.reports.track import EXCEEDED, NOISE_SHARE, NOT_DECIDED, force_verdicts, peak_noise
 

@@ -14,9 +14,10 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from stewart_sym.io.extras import install
+from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
-from stewart_sym.motion.trajectory import PATHS, StraightLinePath, read_csv
+from stewart_sym.motion.straight_line import PATHS, StraightLinePath
 
 Array = NDArray[np.float64]
 POSE = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]

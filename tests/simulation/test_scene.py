@@ -13,8 +13,9 @@ import stewart_sym as ss
 from stewart_sym.cli.machine.simulate import MORE
 from stewart_sym.cli.main import main
 from stewart_sym.io.extras import install
+from stewart_sym.motion.log_rates import interpolated
+from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.rotation import rotation_from_rpy, rpy_from_rotation
-from stewart_sym.motion.trajectory import interpolated, read_csv
 from stewart_sym.simulation import scene as scenes
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.common.output import csv_lines

@@ -30,7 +30,7 @@ from sweeps import FULL, share
 
 import stewart_sym as ss
 from stewart_sym.backend import native
-from stewart_sym.backend.kernel import c_sources
+from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.derive.kernel.tree.constants import constants
 from stewart_sym.dynamics import forces as force_kernels
 from stewart_sym.precision.truth import digits

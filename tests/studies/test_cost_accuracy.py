@@ -19,8 +19,8 @@ from stewart_sym.backend import fidelity
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
+from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.motion import Motion
-from stewart_sym.motion.trajectory import read_csv
 from stewart_sym.precision.truth import Truth, deviation
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.robot import Robot

@@ -11,7 +11,7 @@ import pytest
 
 from stewart_sym.backend.kernel import FORMULATIONS
 from stewart_sym.dynamics.inverse import inverse_dynamics
-from stewart_sym.motion.trajectory import PATHS
+from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.reference.newton_euler import EXACT, PAPER
 from stewart_sym.studies.common.report import draw
 from stewart_sym.studies.paper import plots

@@ -15,14 +15,14 @@ import atheris
 with atheris.instrument_imports(include=["tomllib", "stewart_sym.io.tables", "stewart_sym.robot.robot"]):
     import stewart_sym.robot.robot
 with atheris.instrument_imports(include=["stewart_sym.simulation.scene", "stewart_sym.motion.trajectory"]):
-    from stewart_sym.motion import trajectory
+    from stewart_sym.motion import log_reader
     from stewart_sym.simulation import scene
 
 READERS = (
     stewart_sym.robot.robot.Robot.from_toml,
     scene.read_scene,
-    trajectory.read_any_csv,
-    trajectory.read_forces_csv,
+    log_reader.read_any_csv,
+    log_reader.read_forces_csv,
 )
 LONGEST = 1000
 

@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
     """Run ``forces``; returns the exit code."""
     from ...io.writing import replaced_file
     from ...motion.interpolation import between
-    from ...motion.trajectory import noise_text
+    from ...motion.log_rates import noise_text
     from ...studies.common.output import csv_lines
     from ...studies.common.report import Report
     from ...studies.reports.singularities import crossing_warning

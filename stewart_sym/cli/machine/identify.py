@@ -14,7 +14,7 @@ from ..results import results
 from ..terminal import progress_line
 
 if TYPE_CHECKING:
-    from ...identification.estimation import Estimate
+    from ...identification.estimates import Estimate
     from ...motion.trajectory import Trajectory
     from ...studies.common.report import Report
 
@@ -96,9 +96,10 @@ def run(arguments: argparse.Namespace) -> int:
 def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
     """The report on measured forces, and the estimate."""
     from ...identification.physical import POSSIBLE
+    from ...motion.log_reader import FORCES, read_any_csv, read_forces_csv
     from ...motion.logs import HeaderError
     from ...motion.smooth_motion import WITHOUT_PERIOD, PoseNoise
-    from ...motion.trajectory import FORCES, Smoothing, read_any_csv, read_forces_csv
+    from ...motion.trajectory import Smoothing
     from ...studies.reports.identify import from_measurement, measured_report
 
     if arguments.physical:

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from ...dynamics.bounds import forces_with_bounds
 from ...dynamics.forces import Precision
 from ...dynamics.home_pose import radius
-from ...io.progress import Progress, tracked, undetected
+from ...io.progress import Progress, silent, tracked
 from ...motion.motion import Motion
 from ...precision.quad import error, quad_forces
 from ...results import OK
@@ -67,7 +67,7 @@ Bounds = Mapping[Precision, Precise]
 
 
 def bounds_study(
-    progress: Progress = undetected,
+    progress: Progress = silent,
     cases: int = CASES,
     robot: Robot | None = None,
     seed: int = 0,

@@ -12,8 +12,9 @@ from ...dynamics.inverse import first_fault
 from ...io import tables
 from ...io.arguments import shown
 from ...kinematics.paths import PATHS, path_for
+from ...motion.log_reader import read_any_csv
 from ...motion.motion import Motion
-from ...motion.trajectory import JointTrajectory, Trajectory, read_any_csv
+from ...motion.trajectory import JointTrajectory, Trajectory
 from ...reference.newton_euler import inverse_dynamics
 from ...robot.robot import Robot
 from ...singularities.joint_space import on_platform

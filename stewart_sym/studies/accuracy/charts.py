@@ -4,7 +4,7 @@ import warnings
 from collections.abc import Iterator
 
 from ...backend.native import CompilerError
-from ...io.progress import Progress, undetected
+from ...io.progress import Progress, silent
 from ...robot.robot import Robot
 from ..common import host
 from ..common.report import Picture, Report
@@ -19,7 +19,7 @@ _KINDS = ("png", "svg")
 
 
 def full_report(
-    found: CostAccuracy, robot: Robot, pictures: bool = True, progress: Progress = undetected
+    found: CostAccuracy, robot: Robot, pictures: bool = True, progress: Progress = silent
 ) -> Report:
     """The table of ``found``, and every chart's rows, with its picture if wanted."""
     every = list(charts(found, robot, progress))
@@ -31,7 +31,7 @@ def full_report(
     )
 
 
-def charts(found: CostAccuracy, robot: Robot, progress: Progress = undetected) -> Iterator[Chart]:
+def charts(found: CostAccuracy, robot: Robot, progress: Progress = silent) -> Iterator[Chart]:
     """Speed against accuracy, rounding over the machine's size, and rounding with its bound.
 
     The last two are left out, with a warning, for machines and compilers that they can't be had with.

@@ -18,10 +18,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import fidelity, native
-from ...backend.kernel import FORMULATIONS, MOTION, address, loaded
+from ...backend.c_kernel import address
+from ...backend.kernel import FORMULATIONS, MOTION
+from ...backend.numpy_kernel import loaded
 from ...dynamics.forces import CORES, ForceKernel, Precision, prepare
 from ...dynamics.inverse import Backend, prepared_kernel
-from ...io.progress import Progress, tracked, undetected
+from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
@@ -222,7 +224,7 @@ def cost(
     motions: Mapping[str, Motion],
     implementations: bool = False,
     rounds: int = QUICK_ROUNDS,
-    progress: Progress = undetected,
+    progress: Progress = silent,
 ) -> CostAccuracy:
     """Measure every candidate on the motions, each of shape (n,), with an answer at every pose.
 

@@ -245,7 +245,7 @@ def _legend(picture: "Figure", axes: "Axes", marks: Mapping[str, str]) -> None:
 
 
 def _motion_name(name: str) -> str:
-    from ...motion.trajectory import PATHS
+    from ...motion.straight_line import PATHS
 
     return f"Path {name}" if name in PATHS else name
 

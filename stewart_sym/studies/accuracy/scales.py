@@ -16,11 +16,13 @@ from numpy.typing import NDArray
 
 from ... import robots
 from ...backend import native
-from ...backend.kernel import MOTION, address, c_sources, kernel_name, loaded, robot_numbers
+from ...backend.c_kernel import address, c_sources
+from ...backend.kernel import MOTION, kernel_name, robot_numbers
+from ...backend.numpy_kernel import loaded
 from ...dynamics.home_pose import radius
 from ...dynamics.inverse import Formulation, inverse_dynamics
 from ...generated.interface import MODELS
-from ...io.progress import Progress, tracked, undetected
+from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
 from ...motion.motion import Motion
@@ -120,7 +122,7 @@ class Scales:
 
 
 def scales_study(
-    progress: Progress = undetected,
+    progress: Progress = silent,
     robot: Robot | None = None,
     formulation: Formulation = "exact",
     sizes: Sequence[float] = SIZES,

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import kernel, native
-from ...backend.kernel import address
+from ...backend.c_kernel import address
 from ...dynamics.arrays import array_kernel
 from ...dynamics.inverse import Formulation
 from ...motion.motion import Motion

@@ -20,13 +20,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from ...backend import kernel, native
+from ...backend import c_kernel, kernel, native, numpy_kernel
 from ...dynamics import forces
 from ...dynamics.inverse import inverse_dynamics
 from ...io.extras import EXTRAS, absent
-from ...io.progress import Progress, undetected
+from ...io.progress import Progress, silent
 from ...motion.rotation import rotation_from_rpy
-from ...motion.trajectory import PATHS
+from ...motion.straight_line import PATHS
 from ...reference import newton_euler as reference
 from ...robot.robot import Robot
 from ..common import host, timing
@@ -77,13 +77,13 @@ def _one_pose(poses: Poses) -> Runner:
         "memcpy(F, out.F, sizeof out.F); return status;"
     )
     loop = loop_source(f"stewart_{NAME}.h", body)
-    library = native.load("bench_one_pose", kernel.c_sources(NAME) | loop)
+    library = native.load("bench_one_pose", c_kernel.c_sources(NAME) | loop)
     return c_loop(library, kernel.robot_numbers(poses.robot), poses)
 
 
 def _fast_pose(poses: Poses) -> Runner:
     """``stewart_exact_forces`` with prepared constants, called from a C loop."""
-    sources = kernel.c_sources(f"{NAME}_forces") | forces_loop()
+    sources = c_kernel.c_sources(f"{NAME}_forces") | forces_loop()
     library = native.load("bench_fast_pose", sources)
     return c_loop(library, forces.prepare(poses.robot, NAME).model, poses)
 
@@ -139,7 +139,7 @@ def _python_call(poses: Poses) -> Runner:
 
 
 def _numpy(poses: Poses) -> Runner:
-    prepared, motion = kernel.NumpyKernel.prepare(poses.robot, NAME), poses.motion
+    prepared, motion = numpy_kernel.NumpyKernel.prepare(poses.robot, NAME), poses.motion
     return repeated(lambda: prepared.forces(motion), lambda: prepared.forces(motion).F)
 
 
@@ -191,7 +191,7 @@ ARITHMETIC = f"multiply-add, {CORES} cores"
 # --- the run ----------------------------------------------------------------------------------
 
 
-def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = undetected) -> Benchmark:
+def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = silent) -> Benchmark:
     """Measure everything on this machine.
 
     robot: None for the paper's machine near its Paths I and II; another one moves about its middle. quick:

@@ -11,8 +11,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
-from ...backend import kernel, native
-from ...io.progress import Progress, undetected
+from ...backend import c_kernel, native
+from ...io.progress import Progress, silent
 from .baselines import NAME
 from .figures import CompileTime, TextSize
 
@@ -38,7 +38,7 @@ int main(int count, char **words)
 _EMPTY = "int main(void)\n{\n    return 0;\n}\n"
 
 
-def compile_times(times: int, progress: Progress = undetected) -> tuple[CompileTime, ...]:
+def compile_times(times: int, progress: Progress = silent) -> tuple[CompileTime, ...]:
     """Compile each kernel anew ``times`` times, by turns, with the flags that all libraries are built with.
 
     Raises native.CompilerError.
@@ -52,7 +52,7 @@ def compile_times(times: int, progress: Progress = undetected) -> tuple[CompileT
 
 
 def _seconds(name: str) -> float:
-    sources = kernel.c_sources(name)
+    sources = c_kernel.c_sources(name)
     with _folder() as folder:
         start = time.perf_counter()
         native.compiled(Path(folder), f"stewart_{name}", sources)
@@ -73,7 +73,7 @@ def text_size(name: str = NAME, defines: Sequence[str] = ()) -> TextSize | None:
     if sys.platform in ("win32", "darwin"):
         return None
     flags = (*SIZE_FLAGS, *(f"-D{macro}" for macro in defines))
-    sources = {**kernel.c_sources(f"{name}_forces"), "main.c": _PROGRAM.format(name=name)}
+    sources = {**c_kernel.c_sources(f"{name}_forces"), "main.c": _PROGRAM.format(name=name)}
     try:
         left, empty = _functions(compiler, sources, flags), _empty_functions(compiler)
     except (native.CompilerError, FileNotFoundError):

@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...backend import kernel, native
-from ...backend.kernel import address
+from ...backend import c_kernel, native
+from ...backend.c_kernel import address
 from ...dynamics import forces
 from ...dynamics.equations import joint_space_inertia
 from ...kinematics.inverse import wrench_matrix, wrench_matrix_rate
@@ -154,8 +154,8 @@ def library() -> ctypes.CDLL:
         for each in FUNCTIONS
     )
     sources = {
-        **kernel.c_sources(f"{NAME}_forces"),
-        **kernel.c_sources(f"{NAME}_motion"),
+        **c_kernel.c_sources(f"{NAME}_forces"),
+        **c_kernel.c_sources(f"{NAME}_motion"),
         "loop_of_outputs.h": own_source("loop_of_outputs.h"),
         "drive.c": f'#include "stewart_{NAME}_motion.h"\n{loops}',
     }

@@ -12,8 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import kernel, native
-from ...backend.kernel import address
-from ...io.progress import Progress, undetected
+from ...backend.c_kernel import address
+from ...io.progress import Progress, silent
 from ...robot.robot import Robot
 from .baselines import FEW, MANY, NAME, Candidate, Poses, Runner, c_loop, forces_loop, repeated, succeed
 
@@ -37,7 +37,7 @@ class Stage:
         return self.one_pose, self.batch
 
 
-def stages(progress: Progress = undetected) -> tuple[Stage, ...]:
+def stages(progress: Progress = silent) -> tuple[Stage, ...]:
     """Derive the kernel after every pass, in their order."""
     from ...derive.passes import passes
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from numpy.typing import NDArray
 
 from ...io.json_text import json_text
-from ...io.progress import Progress, undetected
+from ...io.progress import Progress, silent
 from ...io.writing import replaced_file
 from .output import csv_lines
 
@@ -51,7 +51,7 @@ def write(
     report: Report,
     folder: Path,
     name: str,
-    progress: Progress = undetected,
+    progress: Progress = silent,
 ) -> None:
     """Write ``name.txt``, ``name.json``, every table as CSV and every picture into a folder.
 

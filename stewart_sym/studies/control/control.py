@@ -16,12 +16,12 @@ from numpy.typing import NDArray
 from ...dynamics.equations import ForwardDynamics, equations_of_motion
 from ...dynamics.forces import OnePose, prepare
 from ...dynamics.inverse import Formulation, massless_forces
-from ...io.progress import Progress, tracked, undetected
+from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
 from ...kinematics.paths import path_for
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_vector, vector_from_rotation
-from ...motion.trajectory import StraightLinePath
+from ...motion.straight_line import StraightLinePath
 from ...results import OK, STATUS_TEXT
 from ...robot.robot import Robot
 from ...robots import dasgupta1998
@@ -194,7 +194,7 @@ def track_paths(
     robot: Robot,
     paths: Sequence[str] = TRACKED,
     settings: Settings | None = None,
-    progress: Progress = undetected,
+    progress: Progress = silent,
 ) -> Study:
     """Track the paths named, of ``TRACKED``, with every controller.
 

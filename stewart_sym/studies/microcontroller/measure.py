@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ...backend.kernel import MOTION
 from ...backend.native import CompilerError
 from ...derive.package.words import robot_symbol
-from ...io.progress import Progress, tracked, undetected
+from ...io.progress import Progress, silent, tracked
 from ...kinematics.inverse import inverse_kinematics
 from ...kit import Choice, kit
 from ...kit.poses import sample
@@ -101,7 +101,7 @@ class Study:
         return asdict(self)
 
 
-def study(robot: Robot, progress: Progress = undetected, level: str = "general") -> Study:
+def study(robot: Robot, progress: Progress = silent, level: str = "general") -> Study:
     """Measure general and baked kits, double on a Cortex-M7 and float on a Cortex-M4F.
 
     Raises CompilerError where a tool is missing or fails, ValueError as ``kit`` does.

@@ -13,7 +13,7 @@ from typing import Any
 from ...backend import fidelity
 from ...backend.native import CompilerError
 from ...io.json_text import json_text
-from ...io.progress import Progress, undetected
+from ...io.progress import Progress, silent
 from ...kit import Choice
 from ...kit.choice import check
 from ...kit.files import stack_key
@@ -25,7 +25,7 @@ from .toolchain import CORES, Core
 
 def stacks(
     robots: Iterable[Robot],
-    progress: Progress = undetected,
+    progress: Progress = silent,
     levels: Iterable[str] = fidelity.FIDELITIES,
 ) -> dict[str, Any]:
     """Bytes by function and precision, and by whom they were told.

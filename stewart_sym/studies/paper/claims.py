@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...motion.trajectory import PATHS
+from ...motion.straight_line import PATHS
 from .reproduce import LIGHT_PLATFORM, Operations, PathRun, Reproduction
 
 Array = NDArray[np.float64]

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ...motion.trajectory import PATHS
+from ...motion.straight_line import PATHS
 from ...reference.newton_euler import EXACT, PAPER
 from ..common.report import Report
 from ..common.table import aligned

@@ -15,12 +15,13 @@ from numpy.typing import NDArray
 
 from ... import robots
 from ...backend import native
-from ...backend.kernel import FORMULATIONS, kernel_name, library
+from ...backend.c_kernel import library
+from ...backend.kernel import FORMULATIONS, kernel_name
 from ...dynamics.inverse import Formulation, inverse_dynamics, massless_forces
-from ...io.progress import Progress, tracked, undetected
+from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
 from ...motion.motion import Motion
-from ...motion.trajectory import PATHS, StraightLinePath
+from ...motion.straight_line import PATHS, StraightLinePath
 from ...reference import newton_euler
 from ...robot.robot import Robot
 
@@ -133,7 +134,7 @@ class Reproduction:
     operations: tuple[Operations, ...]
 
 
-def reproduce(progress: Progress = undetected) -> Reproduction:
+def reproduce(progress: Progress = silent) -> Reproduction:
     """Compute everything on the paper's machine; ``progress`` is given what is being computed."""
     robot = paper_machine()
     progress("compiling the kernels")

@@ -16,8 +16,10 @@ from ...backend.kernel import FORMULATIONS
 from ...dynamics.inverse import Formulation
 from ...motion.motion import Motion
 from ...simulation.actuator_models import LegSprings
+from ...simulation.limits import Thresholds
 from ...simulation.scene import Scene
-from ...simulation.simulation import Simulation, Stop, Thresholds, simulate
+from ...simulation.simulation import simulate
+from ...simulation.trace import Simulation, Stop
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...identification.base_parameters import BaseParameters, base_parameters
-from ...identification.estimation import Estimate, Experiment, identify, simulated_experiment
+from ...identification.estimates import Estimate
+from ...identification.estimation import Experiment, identify, simulated_experiment
 from ...identification.excitation import choose_excitation
 from ...identification.parameters import inertial_parameters
-from ...io.progress import Progress, undetected
+from ...io.progress import Progress, silent
 from ...motion.rotation import rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
@@ -44,7 +45,7 @@ def identification(
     candidates: int,
     noise_position: float = 0.0,
     noise_angle: float = 0.0,
-    progress: Progress = undetected,
+    progress: Progress = silent,
 ) -> Experiment:
     """Choose the motion, measure along it and identify.
 

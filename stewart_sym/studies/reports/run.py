@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...dynamics.inverse import Formulation
 from ...motion.rotation import rpy_from_rotation
 from ...simulation.actuator_models import ForceLaw, LegSprings
-from ...simulation.simulation import Simulation
+from ...simulation.trace import Simulation
 from ..common.report import Picture, Report
 from . import energy_drift
 from .energy_drift import Drift, drift_of, energy_scale

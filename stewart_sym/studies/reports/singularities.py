@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from ...dynamics.inverse import Formulation, inverse_dynamics
 from ...kinematics.conditioning import characteristic_length, moments_over
-from ...kinematics.forward import jacobian
 from ...kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix
+from ...kinematics.pose_search import jacobian
 from ...motion.interpolation import Path
 from ...motion.trajectory import PoseLog, Trajectory
 from ...results import OK

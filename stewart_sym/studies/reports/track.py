@@ -14,9 +14,9 @@ from ...dynamics.force_noise import deviations_in_parts
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.error_policy import SingularPoseWarning
 from ...kinematics.conditioning import condition_number
-from ...kinematics.forward import jacobian
 from ...kinematics.inverse import LegKinematics, inverse_kinematics
 from ...kinematics.mounting import platform_side
+from ...kinematics.pose_search import jacobian
 from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy

@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 
 from ...kinematics.certificate import certify_pose
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.forward import forward_kinematics, jacobian, newton, solve
+from ...kinematics.forward import forward_kinematics
 from ...kinematics.inverse import leg_vectors
+from ...kinematics.pose_search import jacobian, newton, solve
 from ...motion.rotation import orthonormal, rotation_from_vector
-from ...motion.trajectory import PATHS
+from ...motion.straight_line import PATHS
 from ...robot.robot import Robot
 from .family import Curve, Family, distances
 from .singular import path_III

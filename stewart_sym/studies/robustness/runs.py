@@ -10,13 +10,14 @@ from ...dynamics.equations import ForwardDynamics
 from ...dynamics.home_pose import home_pose
 from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
-from ...motion.trajectory import PATHS
+from ...motion.straight_line import PATHS
 from ...reference import newton_euler
 from ...results import NOT_FINITE, OK
 from ...robot.robot import Robot
 from ...simulation.actuator_models import LegSprings
 from ...simulation.fixed_step import advance
-from ...simulation.simulation import METHODS, Method, Thresholds, simulate
+from ...simulation.limits import Thresholds
+from ...simulation.simulation import METHODS, Method, simulate
 from .family import EPS, Curve, Family
 from .singular import crossing_of_path_III
 from .sweep.machines import GRAVITY, machine_size, papers_machine, random_machine

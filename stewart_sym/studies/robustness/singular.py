@@ -9,7 +9,7 @@ from ...kinematics.conditioning import characteristic_length
 from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
 from ...motion.rotation import cross, rotation_from_rpy, rotation_from_vector, rpy_from_rotation
-from ...motion.trajectory import PATHS
+from ...motion.straight_line import PATHS
 from ...reference.newton_euler import actuator_wrench
 from ...robot.robot import Robot
 from . import shipped

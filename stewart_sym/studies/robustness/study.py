@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...io.progress import Progress, tracked, undetected
+from ...io.progress import Progress, silent, tracked
 from ..common.report import Picture, Report
 from ..common.table import aligned
 from . import attitude, leg_frame, lengths, poses, runs, scales, singular
@@ -40,7 +40,7 @@ class Study:
         return {curve.method: verdict(curve, family.distance) for curve in family.curves}
 
 
-def study(progress: Progress = undetected) -> Study:
+def study(progress: Progress = silent) -> Study:
     """Walk into every failure; takes about a minute. Raises native.CompilerError without ``__float128``."""
     found: list[Family] = []
     for _, families in tracked(progress, PARTS.items(), lambda part: f"approaching {part[0]}"):

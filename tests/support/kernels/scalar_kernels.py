@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stewart_sym.backend import fidelity, native
-from stewart_sym.backend.kernel import MOTION, kernel_name, loaded, robot_numbers
+from stewart_sym.backend.kernel import MOTION, kernel_name, robot_numbers
+from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.derive.emit import scalar
 from stewart_sym.derive.emit.header import common_header
 from stewart_sym.derive.emit.shared import shared_headers

@@ -18,7 +18,8 @@ from kinematics_calls import library
 from machines import random_motion, random_robot
 
 import stewart_sym as ss
-from stewart_sym.backend.kernel import MOTION, address, robot_numbers
+from stewart_sym.backend.c_kernel import address
+from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.derive.kernel.interface import CALLS
 from stewart_sym.dynamics import closed_form
 from stewart_sym.generated.interface import MODELS

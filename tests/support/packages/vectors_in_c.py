@@ -7,8 +7,9 @@ import machines
 import numpy as np
 from numpy.typing import NDArray
 
-from stewart_sym.backend import kernel, native
-from stewart_sym.backend.kernel import MOTION, address, kernel_name, robot_numbers
+from stewart_sym.backend import c_kernel, native
+from stewart_sym.backend.c_kernel import address
+from stewart_sym.backend.kernel import MOTION, kernel_name, robot_numbers
 from stewart_sym.dynamics import closed_form
 from stewart_sym.dynamics.forces import prepare
 from stewart_sym.kit.vectors import CLOSED_FORM, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
@@ -47,7 +48,7 @@ def in_c(robot: Robot, vector: Vector, formulation: str, precision: str, fidelit
         further.append(np.empty(78, dtype=kind))  # the forces, F D x K H c
     if vector.function in WHOLE:
         name = kernel_name(formulation, robot.base_joint)
-        library = kernel.library(name, ("STEWART_FLOAT",) if precision == "float" else ())
+        library = c_kernel.library(name, ("STEWART_FLOAT",) if precision == "float" else ())
         model = robot_numbers(robot).astype(kind)
     else:
         level = fidelity if vector.function == "forces" else "general"
@@ -77,7 +78,7 @@ def kinematics_in_c(robot: Robot, vector: Vector, precision: str) -> dict[str, A
         pose = np.concatenate([given["R"], given["t"]]).astype(kind)
         arguments = [pose, given["L_dot"].astype(kind), found[:3], found[3:]]
     defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
-    library = native.load("stewart_kinematics", kernel.c_sources("kinematics"), defines=defines)
+    library = native.load("stewart_kinematics", c_kernel.c_sources("kinematics"), defines=defines)
     assert getattr(library, f"stewart_{vector.function}")(*map(address, (constants, *arguments))) == 0
     return split(vector, found)
 
@@ -85,7 +86,7 @@ def kinematics_in_c(robot: Robot, vector: Vector, precision: str) -> dict[str, A
 def rotation_in_c(vector: Vector, precision: str) -> dict[str, Array]:
     """The same of the functions of an orientation."""
     defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
-    library = native.load("stewart_rotation", kernel.c_sources("rotation"), defines=defines)
+    library = native.load("stewart_rotation", c_kernel.c_sources("rotation"), defines=defines)
     motion = np.zeros(30, dtype=KIND[precision])
     given = [value.astype(KIND[precision]) for value in vector.inputs.values()]
     assert getattr(library, f"stewart_{vector.function}")(*map(address, (*given, motion))) == 0

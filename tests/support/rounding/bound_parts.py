@@ -15,7 +15,7 @@ import numpy as np
 import worst_rounding as rounding
 from numpy.typing import NDArray
 
-from stewart_sym.backend.kernel import c_sources
+from stewart_sym.backend.c_kernel import c_sources
 
 Array = NDArray[np.float64]
 

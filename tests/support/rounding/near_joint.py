@@ -16,7 +16,9 @@ from machines import Array, random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.backend import native
-from stewart_sym.backend.kernel import MOTION, address, loaded, robot_numbers
+from stewart_sym.backend.c_kernel import address
+from stewart_sym.backend.kernel import MOTION, robot_numbers
+from stewart_sym.backend.numpy_kernel import loaded
 from stewart_sym.dynamics.closed_form import OUTPUTS, c_sources
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot

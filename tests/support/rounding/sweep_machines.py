@@ -10,7 +10,8 @@ import pytest
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.backend.kernel import MOTION, address, robot_numbers
+from stewart_sym.backend.c_kernel import address
+from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.backend.native import CompilerError
 from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
 from stewart_sym.precision.truth import Truth, digits

@@ -19,7 +19,8 @@ import numpy as np
 from bound_statements import mutants, split
 from numpy.typing import NDArray
 
-from stewart_sym.backend.kernel import MOTION, c_sources, robot_numbers
+from stewart_sym.backend.c_kernel import c_sources
+from stewart_sym.backend.kernel import MOTION, robot_numbers
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

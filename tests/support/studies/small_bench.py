@@ -10,7 +10,7 @@ from motion_fields import FIELDS
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.backend.kernel import c_sources
+from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.generated.interface import MODELS
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark import bench

@@ -18,7 +18,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....backend import native
-from ....backend.kernel import MOTION, address, c_sources, loaded, robot_numbers
+from ....backend.c_kernel import address, c_sources
+from ....backend.kernel import MOTION, robot_numbers
+from ....backend.numpy_kernel import loaded
 from ....dynamics import closed_form
 from ....motion.motion import Motion
 from ....robot.robot import Robot

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ....backend.kernel import robot_numbers
-from ....io.progress import Progress, undetected
+from ....io.progress import Progress, silent
 from ....results import OK, STATUS_TEXT
 from ...common.table import aligned
 from .machines import LEGS, machine_size, random_machine
@@ -111,7 +111,7 @@ class Sweep:
 def sweep(
     cases: int,
     seed: int = 0,
-    progress: Progress = undetected,
+    progress: Progress = silent,
     kinds: tuple[str, ...] = KINDS,
     legs: tuple[str, ...] = LEGS,
 ) -> Sweep:

@@ -1,0 +1,99 @@
+"""The C kernels through ctypes: arrays of poses in, arrays and statuses out."""
+
+import ctypes
+import functools
+from dataclasses import dataclass
+from importlib.resources import files
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..generated.interface import HEADERS, OUTPUTS
+from ..io.frozen import Frozen, read_only
+from ..motion.motion import Motion
+from ..results import Forces, Reactions
+from ..robot.robot import Robot
+from . import native
+from .kernel import MOTION, kernel_name, robot_numbers
+
+Array = NDArray[np.float64]
+
+
+def c_sources(name: str) -> dict[str, str]:
+    """File name -> text of the generated C of one kernel."""
+    folder = files("stewart_sym.generated") / "c"
+    return {
+        file: (folder / file).read_text(encoding="utf-8")
+        for file in (*HEADERS, f"stewart_{name}.h", f"stewart_{name}.c")
+    }
+
+
+@functools.cache
+def library(name: str, defines: tuple[str, ...] = ()) -> ctypes.CDLL:
+    """The compiled C of one kernel, with macros defined.
+
+    Raises native.CompilerError where there is no working compiler.
+    """
+    return native.load(f"stewart_{name}", c_sources(name), defines=dict.fromkeys(defines, 1))
+
+
+@dataclass(frozen=True, eq=False)
+class CKernel(Frozen):
+    """The C kernel of one formulation with one robot's numbers. Calls release the interpreter lock."""
+
+    name: str
+    numbers: Array
+
+    @classmethod
+    def prepare(cls, robot: Robot, formulation: str) -> "CKernel":
+        """Compile or find the kernel and lay out the robot."""
+        name = kernel_name(formulation, robot.base_joint)
+        library(name)
+        return cls(name, read_only(robot_numbers(robot)))
+
+    def forces(self, motion: Motion) -> Forces:
+        """Inverse dynamics of every pose; NaN where the status is not 0."""
+        outputs, status = self._run("inverse_dynamics", motion, None)
+        return Forces(**outputs, status=status)
+
+    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
+        outputs, status = self._run("joint_reactions", motion, np.ascontiguousarray(bearing))
+        return Reactions(**outputs, status=status)
+
+    def _run(
+        self, function: str, motion: Motion, bearing: Array | None
+    ) -> tuple[dict[str, Array], NDArray[np.int32]]:
+        inputs = [contiguous(getattr(motion, name)) for name in MOTION]
+        outputs = {
+            name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[function].items()
+        }
+        status = np.zeros(motion.shape, dtype=np.int32)
+        call = getattr(library(self.name), f"stewart_{self.name}_{function}_batch")
+        call(
+            address(self.numbers),
+            ctypes.c_size_t(status.size),
+            (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
+            *([] if bearing is None else [address(bearing)]),
+            (ctypes.c_void_p * len(outputs))(*[address(array) for array in outputs.values()]),
+            address(status),
+        )
+        return outputs, status
+
+
+def contiguous(array: Array | None) -> Array | None:
+    """The array as C takes it; None for None."""
+    return None if array is None else np.ascontiguousarray(array)
+
+
+def address(array: NDArray[Any] | None, entries: int = 0) -> ctypes.c_void_p:
+    """Where an entry of a contiguous array lies; null for None."""
+    if array is None:
+        return ctypes.c_void_p(None)
+    try:
+        # Far quicker than the array's interface, which has to serve where an array is read-only or empty.
+        start = ctypes.addressof(ctypes.c_char.from_buffer(array))  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        start = array.__array_interface__["data"][0]
+    return ctypes.c_void_p(start + entries * array.itemsize)

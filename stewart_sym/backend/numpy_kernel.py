@@ -1,0 +1,163 @@
+"""The NumPy kernels: components of poses as arrays in, arrays and statuses out."""
+
+import functools
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..generated.interface import OUTPUTS
+from ..motion.motion import Motion
+from ..results import OK, Forces, Reactions
+from ..robot.robot import Robot
+from .kernel import LEG, MOTION, PLATFORM, columns, kernel_name, module, stored
+
+Array = NDArray[np.float64]
+
+# Poses that the NumPy kernels take at once: arrays of more leave the processor's nearer memory.
+_AT_ONCE = 1024
+
+
+@dataclass(frozen=True, eq=False)
+class NumpyKernel:
+    """The NumPy kernel of one formulation with one robot."""
+
+    name: str
+    robot: Robot
+
+    @classmethod
+    def prepare(cls, robot: Robot, formulation: str) -> "NumpyKernel":
+        """Choose the module."""
+        return cls(kernel_name(formulation, robot.base_joint), robot)
+
+    def forces(self, motion: Motion) -> Forces:
+        """Inverse dynamics of every pose; NaN where the status is not 0."""
+        source, suspect = module(self.name), np.zeros(math.prod(motion.shape), dtype=np.bool_)
+
+        def solved(on: Any, robot: Any, part: Any, at: slice) -> Any:
+            found = source.solved(on, robot, part)
+            suspect[at] = found.suspect
+            return {**vars(found.terms), **vars(found)}
+
+        def checked(on: Any, robot: Any, part: Any, _: slice) -> Any:
+            return vars(source.inverse_dynamics(on, robot, part))
+
+        found, status = on_arrays(solved, self._robot, motion, OUTPUTS["inverse_dynamics"])
+        if suspect.any():
+            close = suspect.reshape(motion.shape)
+            few = Motion.unchecked(**{name: value[close] for name, value in vars(loaded(motion)).items()})
+            status[close] = on_arrays(checked, self._robot, few, {})[1]
+            _blank(found, status)
+        return Forces(**found, status=status)
+
+    def terms(self, motion: Motion) -> dict[str, Array]:
+        """D, K, H and c of every pose, nothing solved: numbers where H is singular, no status."""
+
+        def run(on: Any, robot: Any, part: Any, _: slice) -> Any:
+            return vars(module(self.name).terms(on, robot, part))
+
+        shapes = {name: OUTPUTS["inverse_dynamics"][name] for name in ("D", "K", "H", "c")}
+        return on_arrays(run, self._robot, motion, shapes)[0]
+
+    def reactions_of(self, motion: Motion, x: Array, bearing: Array) -> dict[str, Array]:
+        """Joint reactions by name under axial forces x, N, (..., 6); ``bearing`` (6,), m. No status."""
+        axial = np.broadcast_to(x, (*motion.shape, 6)).reshape(-1, 6)
+
+        def run(on: Any, robot: Any, part: Any, at: slice) -> Any:
+            reactions = module(self.name).leg_reactions
+            found = vars(reactions(on, robot.leg, robot, part, axial[at].T, bearing[:, None]))
+            by_leg = {
+                name: [list(leg) for leg in zip(*value, strict=True)]
+                for name, value in found.items()
+                if isinstance(value, list)
+            }
+            return found | by_leg
+
+        return on_arrays(run, self._robot, motion, OUTPUTS["joint_reactions"])[0]
+
+    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """Joint reactions of every pose; ``bearing`` (6,), m. NaN where the status is not 0."""
+        forces = self.forces(motion)
+        found = self.reactions_of(motion, forces.x, bearing)
+        _blank(found, forces.status)
+        return Reactions(**found, status=forces.status)
+
+    @functools.cached_property
+    def _robot(self) -> SimpleNamespace:
+        return legs_side_by_side(self.robot)
+
+
+def on_arrays(
+    run: Callable[[Any, Any, Any, slice], Any],
+    robot: SimpleNamespace,
+    motion: Motion,
+    shapes: Mapping[str, tuple[int, ...]],
+) -> tuple[dict[str, Array], NDArray[np.int32]]:
+    """What a function of a generated module finds for every pose: arrays of these shapes, NaN where the
+    status is not 0, and the status.
+
+    run: from the arithmetic, the robot, a motion and the slice of the poses that it is of to results by name.
+    """
+    count = math.prod(motion.shape)
+    found = {name: np.empty((count, *shape)) for name, shape in shapes.items()}
+    status = np.zeros(count, dtype=np.int32)
+    given = {name: _components(value, motion.shape) for name, value in vars(loaded(motion)).items()}
+    for first in range(0, count, _AT_ONCE):
+        at = slice(first, min(first + _AT_ONCE, count))
+        part = SimpleNamespace(**{name: list(rows[:, at]) for name, rows in given.items()})
+        with np.errstate(all="ignore"):
+            made = run(_arithmetic(), robot, part, at)
+        for name, target in found.items():
+            _store(target[at], made[name])
+        status[at] = made.get("status", OK)
+    _blank(found, status)
+    shaped = {name: each.reshape(*motion.shape, *shapes[name]) for name, each in found.items()}
+    return shaped, status.reshape(motion.shape)
+
+
+def _blank(found: Mapping[str, Array], status: NDArray[np.int32]) -> None:
+    """NaN where a status is not 0."""
+    bad = status != OK
+    if bad.any():
+        for values in found.values():
+            values[bad] = np.nan
+
+
+@functools.cache
+def _arithmetic() -> Any:
+    return module("arithmetic").Arithmetic(np)
+
+
+def legs_side_by_side(robot: Robot) -> SimpleNamespace:
+    """The robot as a structure of a generated module, a number of the legs as (6, 1)."""
+    legs = {name: columns(getattr(robot, name)).T[..., None] for name in LEG}
+    leg = {name: list(rows) if np.ndim(getattr(robot, name)) > 1 else rows[0] for name, rows in legs.items()}
+    platform = {name: stored(np.asarray(getattr(robot, name))) for name in PLATFORM}
+    parts = {name: list(each) if each.shape else each for name, each in platform.items()}
+    return SimpleNamespace(leg=SimpleNamespace(**leg), **parts)
+
+
+def _components(value: Array, shape: tuple[int, ...]) -> Array:
+    """Components of an array with a leading shape, (components, poses)."""
+    return np.ascontiguousarray(value.reshape(math.prod(shape), math.prod(value.shape[len(shape) :])).T)
+
+
+def _store(target: Array, value: Any) -> None:
+    """Puts lists of arrays, one for each component, into an array of poses; legs come before poses."""
+    if isinstance(value, list):
+        for i, each in enumerate(value):
+            _store(target[:, i], each)
+    else:
+        target[...] = np.transpose(value)
+
+
+def loaded(motion: Motion) -> SimpleNamespace:
+    """The motion with zeros for a load that is not given."""
+    given = {name: getattr(motion, name) for name in MOTION}
+    return SimpleNamespace(
+        **{name: np.zeros((*motion.shape, 3)) if value is None else value for name, value in given.items()}
+    )

@@ -1,0 +1,102 @@
+"""What identification hands back: base parameters with their covariance and a verdict on the fit."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..motion.motion import Motion
+from ..robot.robot import Robot
+from .base_parameters import BaseParameters
+from .parameters import Parameters, inertial_parameters
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Estimate:
+    """Base parameters identified from forces, and whether model and stated noise explain the measurement.
+
+    Attributes
+    ----------
+    base : BaseParameters
+        What they are.
+    values : ndarray
+        SI, (rank,).
+    covariance : ndarray
+        (rank, rank), inflated by the square of ``inflation``; infinite on its diagonal if the fit is
+        rejected.
+    misfit : float
+        RMS of the residual over its expectation, near 1 if model and noise are right.
+    p_noise : float
+        Probability of so large a residual under the stated noise.
+    p_model : float
+        Of so large a smooth part of it, or one that a changing load explains so well, whatever the size of
+        the noise.
+    inflation : float
+        Factor on the deviations, at least 1, from the residual.
+    verdict : str
+        "consistent"; "misfit": one of the two is below 0.001; "rejected": inflation would be above 3, or the
+        fit did not converge or is not linear within its deviations; "untested": no more forces than unknowns.
+    doubts : tuple
+        A line for each reason.
+    impossible : tuple
+        A line for each value that no machine can have, more than four deviations below zero.
+    near_zero : tuple
+        A line for each value that is below zero by less: not distinguishable from 0.
+    motion : Motion
+        Along which the parameters were estimated, (...).
+    parameters : Parameters, optional
+        Of possible bodies that have these values, (148,), if they were asked for.
+    free : Estimate, optional
+        The estimate that was not kept to possible bodies, then.
+    """
+
+    base: BaseParameters
+    values: Array
+    covariance: Array
+    misfit: float
+    p_noise: float
+    p_model: float
+    inflation: float
+    verdict: str
+    doubts: tuple[str, ...]
+    impossible: tuple[str, ...]
+    near_zero: tuple[str, ...]
+    motion: Motion
+    parameters: Parameters | None = None
+    free: Estimate | None = None
+
+    @property
+    def sigma(self) -> Array:
+        """Standard deviation of each value, (rank,)."""
+        return np.sqrt(np.diagonal(self.covariance))
+
+    def departure(self, robot: Robot) -> tuple[Array, float]:
+        """How far the values are from a robot's: in standard deviations, (rank,), and the p-value of all.
+
+        The probability that a robot with its own parameters would be identified so far from these or farther;
+        1 if the fit is rejected.
+        """
+        if self.free is not None:
+            return self.free.departure(robot)
+        off = self.values - self.base.matrix @ inertial_parameters(robot).values
+        if not np.isfinite(self.covariance).all():
+            return np.zeros(len(off)), 1.0
+        sigma = self.sigma
+        squares = off / sigma @ np.linalg.solve(self.covariance / np.outer(sigma, sigma), off / sigma)
+        return off / sigma, tail(float(squares) / len(off), len(off))
+
+
+def tail(ratio: float, freedom: float, other: float = math.inf) -> float:
+    """Probability of an F ratio above this one; chi-square over its freedom if ``other`` is infinite.
+
+    Paulson's normal approximation of its cube root, right to some per cent of the probability from 10 degrees
+    of freedom on, to a sixth from 4 on.
+    """
+    a, b = 2.0 / (9.0 * freedom), 2.0 / (9.0 * other)
+    root = math.cbrt(ratio)
+    return 0.5 * math.erfc(((1.0 - b) * root - (1.0 - a)) / math.sqrt(2.0 * (b * root**2 + a)))

@@ -1,0 +1,156 @@
+"""The joint fit of a smooth motion and base parameters to measured poses and forces: Gauss-Newton steps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dynamics.equations import force_derivatives
+from ..motion.motion import Motion
+from ..motion.smooth_motion import (
+    Basis,
+    PoseNoise,
+    chain,
+    coordinates,
+    from_best,
+    pose_fit,
+    residual,
+)
+from ..robot.robot import LEGS
+from .linear_fit import Data, Fit, exact_fit, factors, linear_system
+from .parameters import inertial_parameters, is_friction, with_parameters
+from .residual_test import DRAWS
+
+Array = NDArray[np.float64]
+
+# Steps of the joint fit, halvings of one, and the decrease of the sum of squares that counts as none.
+_STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
+
+
+def joint_fit(data: Data, noise: PoseNoise) -> Fit:
+    """The fit whose basis is the next beyond that which explains poses and forces best for its size (Akaike).
+
+    With one size more, what a basis cannot follow of the motion stays below the noise.
+    """
+    q = coordinates(data.motion, noise)
+    best, least, before = None, math.inf, q
+    for basis in from_best(noise, q):
+        if 6 * basis.size + data.base.rank >= 2 * q.size:
+            break
+        c = pose_fit(basis, before)
+        fit, c = _gauss_newton(data, noise, basis, c)
+        criterion = _squares(fit.parts) + 2.0 * 6 * basis.size
+        if best is None or fit.converged:
+            best = fit
+        if criterion >= least:
+            break
+        least, before = criterion, basis.value @ c
+    if best is None:
+        raise ValueError(f"noise: expected more than {len(q)} instants to fit motion and parameters to")
+    return best
+
+
+def _gauss_newton(data: Data, noise: PoseNoise, basis: Basis, c: Array) -> tuple[Fit, Array]:
+    """Least squares in the base parameters and, from c on, the coefficients of the motion, (m, 6)."""
+    values = exact_fit(data, basis.motion(c, data.motion)).values
+    parts = _residuals(data, noise, basis, values, c)
+    for _ in range(_STEPS):
+        r = np.concatenate([part.ravel() for part in parts])
+        span, back = factors(_jacobian(data, noise, basis, values, c))
+        along = span.T @ r
+        step = back @ along
+        converged = bool(along @ along < _NO_DECREASE)
+        if converged:
+            break
+        for halving in range(_HALVINGS):
+            share = 0.5**halving
+            next_values = values + share * step[: data.base.rank]
+            next_c = c + share * step[data.base.rank :].reshape(6, -1).T
+            try:
+                next_parts = _residuals(data, noise, basis, next_values, next_c)
+            except ValueError:
+                continue
+            if _squares(next_parts) < _squares(parts):
+                break
+        else:
+            break
+        values, c, parts = next_values, next_c, next_parts
+    motion = basis.motion(c, data.motion)
+    spread = back[: data.base.rank]
+
+    def residuals(by_values: Array, by_c: Array) -> Array:
+        shifted = _residuals(data, noise, basis, values + by_values, c + by_c)
+        return np.concatenate([part.ravel() for part in shifted])
+
+    curvature = _curvature(residuals, span, back, data.base.rank) if converged else math.inf
+    return Fit(parts, values, spread @ spread.T, span, motion, converged, curvature), c
+
+
+def _curvature(residuals: Callable[[Array, Array], Array], span: Array, back: Array, rank: int) -> float:
+    """Largest RMS error of a base parameter, in deviations, since the residual is not linear in the unknowns.
+
+    residuals: of changes of values and coefficients. Seen over opposite errors drawn as the fit states them;
+    inf where such an error makes a pose unsolvable.
+    """
+    sigma = np.linalg.norm(back[:rank], axis=1)
+    centre = residuals(np.zeros(rank), np.zeros((1, 6)))
+    shifts = []
+    for z in np.random.default_rng(0).normal(size=(DRAWS, back.shape[1])):
+        for errors in (z, -z):
+            step = back @ errors
+            try:
+                changed = residuals(step[:rank], step[rank:].reshape(6, -1).T) - centre
+            except ValueError:
+                return math.inf
+            shifts.append(back[:rank] @ (span.T @ changed + errors) / sigma)
+    return float(np.max(np.sqrt(np.mean(np.square(shifts), axis=0))))
+
+
+def _residuals(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> tuple[Array, Array]:
+    A, y = linear_system(data, basis.motion(c, data.motion))
+    return y - A @ values, residual(basis, c, data.motion, noise)
+
+
+def _squares(parts: tuple[Array, ...]) -> float:
+    return float(sum(np.sum(part**2) for part in parts))
+
+
+def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Array) -> Array:
+    """Of forces and poses by base parameters and coefficients, over the deviations, (12 n, rank + 6 m)."""
+    motion = basis.motion(c, data.motion)
+    A, _ = linear_system(data, motion)
+    maps = chain(basis, c, motion)
+    by_c = np.zeros((*motion.shape, LEGS, 6, basis.size))
+    for slopes, parts in zip(_force_slopes(data, motion, values), maps, strict=True):
+        for matrix, functions in zip(parts, basis, strict=False):
+            by_c += (slopes @ matrix)[..., None] * functions[:, None, None, :]
+    by_c /= data.deviations[..., None, None]
+    poses = (noise.weights[:, None] * maps[0][0])[..., None] * basis.value[:, None, None, :]
+    unknowns = data.base.rank
+    J = np.zeros((2 * LEGS * len(by_c), unknowns + 6 * basis.size))
+    J[: LEGS * len(by_c), :unknowns] = A.reshape(-1, unknowns)
+    J[:, unknowns:] = np.concatenate([by_c, poses]).reshape(len(J), -1)
+    return J
+
+
+def _force_slopes(data: Data, motion: Motion, values: Array) -> tuple[Array, ...]:
+    """Derivatives of the forces by pose, twist and acceleration at these base parameters, (n, 6, 6) each.
+
+    Identified parameters may belong to no machine (masses or friction below zero). Forces are linear in them,
+    so they are the difference of two machines that exist.
+    """
+    lifted = np.zeros(data.base.matrix.shape[1])
+    lifted[data.base.kept] = values
+    own = inertial_parameters(data.robot)
+    mass = own.names.index("M")
+    lesser = np.where(is_friction(own.names), np.abs(lifted), own.values)
+    lesser[mass] += abs(lifted[mass])
+    unloaded = Motion(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
+    more = force_derivatives(with_parameters(data.robot, lesser + lifted), motion)
+    less = force_derivatives(with_parameters(data.robot, lesser), unloaded)
+    return tuple(
+        getattr(more, name) - getattr(less, name) for name in ("by_pose", "by_twist", "by_acceleration")
+    )

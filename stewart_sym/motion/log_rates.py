@@ -1,0 +1,260 @@
+"""Rates of a log: splines through its poses, smooth curves where there is noise, gaps, rows that are off."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import math
+import warnings
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..io.extras import needed_for
+from .log_faults import Fault, faults, offsets
+from .log_sampling import slower_sampling, spread
+from .motion import Motion
+from .noise_level import Level, LogWarning, noise_level, stated
+from .rotation import rpy_from_rotation
+from .smoothing import PAIRS, smoothed
+from .trajectory import POSE, Log, Trajectory, Uncertainty, changed_instants, replaced_rows, rows_text
+
+Array = NDArray[np.float64]
+
+_MIN_SPLINE_POINTS = 4
+# What needs SciPy, and what helps without.
+SPLINE = ("a trajectory without derivatives", ", or add columns of all velocities and accelerations")
+_PART = 1 << 14
+
+
+def interpolated(trajectory: Trajectory) -> Callable[[float], Motion]:
+    """A trajectory as a motion at any time since its first instant, s: at rest at its last pose afterwards.
+
+    Positions and unwrapped angles (38) are interpolated by splines, of degree 5 (of degree 3 with 4 or 5
+    rows); given derivatives and loads don't count.  Raises as ``read_csv`` where a spline is needed.
+    """
+    since = trajectory.time - trajectory.time[0]
+    theta = np.unwrap(rpy_from_rotation(trajectory.motion.R), axis=0)
+    spline = _spline(since, np.hstack([trajectory.motion.t, theta]), trajectory.source)
+    end = float(since[-1])
+
+    def motion(time: float) -> Motion:
+        at = min(max(time, 0.0), end)
+        pose, rate, second = (
+            np.asarray(spline(at, order)) * (order == 0 or time < end) for order in range(3)
+        )
+        return Motion.from_rpy(*(half for x in (pose, rate, second) for half in (x[:3], x[3:])))
+
+    return motion
+
+
+def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
+    """Coordinates, (n, 6), with rates and second rates, (3, n, 6), smoothed where there is noise.
+
+    Poses that a log repeats or interpolates from those of a slower sensor don't count. Rows of poses that no
+    motion makes are replaced, with a warning; what that changes counts as a deviation.
+    """
+    _warn_of_gap(log)
+    slower = slower_sampling(values, steps) if log.smoothing.on and "L" not in log.written else None
+    if slower is None:
+        return _replaced(log, values, steps)
+    rows, kind = slower
+    text = f"{len(log.time)} rows are {kind} between {len(rows)} measured ones, each taken for its first row"
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+    measured = dataclasses.replace(log, time=log.time[rows], rows=[log.rows[i] for i in rows])
+    few, noise = _replaced(measured, values[rows], steps)
+    found = spread(log.time, rows, few)
+    return found, None if noise is None else noise._replace(coordinates=found)
+
+
+def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
+    """``rates_of`` of rows that were measured."""
+    level = _level(log, values, steps)
+    bad = [] if "L" in log.written else faults(log.time, values, level.sigma)
+    if bad:
+        _tell_faults(log, bad)
+    if not bad or not log.smoothing.on:
+        return _derivatives(log, values, level)
+    good = values - offsets(bad, values.shape)
+    found, noise = _derivatives(log, good, _level(log, good, steps))
+    changed = found - _derivatives(log, values, level, tell=False)[0]
+    near = changed_instants(changed)
+    return found, _with_changes(log.time, found, noise, changed, near)._replace(
+        replaced=replaced_rows(log, bad, near)
+    )
+
+
+def _with_changes(
+    time: Array, found: Array, noise: Uncertainty | None, changed: Array, near: NDArray[np.bool_]
+) -> Uncertainty:
+    """Uncertainty in which changes of coordinates and rates, (3, n, 6), count as a deviation, ``near``."""
+    if noise is None:
+        noise = Uncertainty(found, time[[0, -1]], np.zeros((2, 6, len(PAIRS))), np.zeros(6))
+    rows = np.flatnonzero(np.convolve(near, np.ones(3), "same"))
+    squares = np.stack([changed[i, rows] * changed[j, rows] for i, j in PAIRS], axis=-1)
+    squares *= near[rows, None, None]
+    grid = np.union1d(noise.grid, time[rows])
+
+    def on_grid(times: Array, covariance: Array) -> Array:
+        flat = covariance.reshape(len(times), -1)
+        return np.stack([np.interp(grid, times, x) for x in flat.T], axis=-1).reshape(-1, 6, len(PAIRS))
+
+    covariance = on_grid(noise.grid, noise.covariance) + on_grid(time[rows], squares)
+    return noise._replace(grid=grid, covariance=covariance)
+
+
+def _derivatives(
+    log: Log, values: Array, level: Level, tell: bool = True
+) -> tuple[Array, Uncertainty | None]:
+    """``rates_of`` of numbers with a level of noise."""
+    noisy = level.sigma > 0.0
+    if log.smoothing.cutoff is not None:
+        noisy[:] = True
+    if len(log.time) < _MIN_SPLINE_POINTS or not log.smoothing.on:
+        noisy[:] = False
+    found = np.empty((3, *values.shape))
+    if not noisy.all():
+        found[0][:, ~noisy] = values[:, ~noisy]
+        since = log.time - log.time[0]
+        spline = _spline(since, values[:, ~noisy], log.source)
+        # In parts, since a spline's values come in arrays of their own.
+        for part in (slice(i, i + _PART) for i in range(0, len(since), _PART)):
+            for order in (1, 2):
+                found[order, part][:, ~noisy] = spline(since[part], order)
+    if not noisy.any():
+        return found, None
+    own = Level(level.sigma[noisy], level.least[noisy])
+    smooth = smoothed(log.time, values[:, noisy], own if own.sigma.all() else None, log.smoothing.cutoff)
+    found[..., noisy] = [smooth.values, smooth.rates, smooth.second_rates]
+    covariance, sigma = np.zeros((len(smooth.grid), 6, 6)), np.zeros(6)
+    covariance[:, noisy], sigma[noisy] = smooth.covariance, smooth.sigma
+    noise = Uncertainty(found, smooth.grid, covariance, sigma, "L" in log.written)
+    if tell and _matters(noise):
+        more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
+        warnings.warn(f"{log.source}: {noise_text(noise)}: smoothed{more}", LogWarning, stacklevel=8)
+    return found, noise
+
+
+# Noise that is not told: shares of the largest acceleration, gravity's at least, and of the path.
+_LITTLE, _PATH = 1e-3, 1e-6
+_GRAVITY = 9.81
+_CORRELATED = (
+    "; it is correlated, {:.2g} times as large in slow changes as white noise is, which the deviations hold "
+    "as far as it shows beside the motion"
+)
+
+
+def _matters(noise: Uncertainty) -> bool:
+    """Whether noise in the log is beyond a small share of the path or of the accelerations."""
+    second = np.sqrt(np.max(noise.covariance[:, :, 5], axis=0))
+    for part in (slice(6),) if noise.in_joints else (slice(3), slice(3, 6)):
+        values, _, seconds = noise.coordinates[..., part]
+        largest = max(float(np.abs(seconds).max()), _GRAVITY)
+        path = float(np.ptp(values, axis=0).max())
+        if second[part].max() > _LITTLE * largest or noise.sigma[part].max() > _PATH * path:
+            return True
+    return False
+
+
+def noise_text(noise: Uncertainty) -> str:
+    """The noise found in a log, in words."""
+    parts = [(slice(6), "m")] if noise.in_joints else [(slice(3), "m"), (slice(3, 6), "rad")]
+    text = " and ".join(
+        f"{noise.sigma[part].max():.2g} {unit}" for part, unit in parts if noise.sigma[part].any()
+    )
+    return f"noise of {text} in the log"
+
+
+def _level(log: Log, values: Array, steps: Array) -> Level:
+    """Noise of six coordinates as stated or as the numbers show it."""
+    names = ("L", "L") if "L" in log.written else POSE
+    shown_noise = noise_level(log.time, values, steps)
+    known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
+    if log.smoothing.cutoff is not None:
+        return stated(known)
+    return Level(
+        np.where(known > 0.0, known, shown_noise.sigma),
+        np.where(known > 0.0, known, shown_noise.least),
+        1.0 if known.all() else shown_noise.correlation,
+    )
+
+
+def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | None:
+    """Uncertainty of coordinates and rates, (3, n, 6), all of them measured and rounded to steps, (3, 6)."""
+    names = ("L", "L") if "L" in log.written else POSE
+    known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
+    sigma = np.array(steps) / math.sqrt(12.0)
+    sigma[0] = np.where(known > 0.0, known, sigma[0])
+    if not sigma.any() or not log.smoothing.on:
+        return None
+    covariance = np.zeros((2, 6, 6))
+    covariance[:, :, [0, 2, 5]] = sigma.T**2
+    return Uncertainty(found, log.time[[0, -1]], covariance, sigma[0])
+
+
+# A step in time that is this many times the usual one, and of nine in ten steps, is a gap.
+_GAP = 5.0
+
+
+def _warn_of_gap(log: Log) -> None:
+    """Warn of the longest gap in time, which a curve bridges."""
+    step = np.diff(log.time)
+    if len(step) < _MIN_SPLINE_POINTS:
+        return
+    usual, most = (float(x) for x in np.quantile(step, (0.5, 0.9)))
+    gaps = np.flatnonzero(step > _GAP * max(usual, most))
+    if not gaps.size:
+        return
+    i = int(gaps[np.argmax(step[gaps])])
+    text = (
+        f"rows {log.rows[i]} and {log.rows[i + 1]}: nothing from {log.time[i]:.6g} s "
+        f"to {log.time[i + 1]:.6g} s, {step[i] / usual:.3g} times the usual step of {usual:.3g} s"
+    )
+    more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
+    warnings.warn(f"{log.source}: {text}{more}: bridged by a smooth curve", LogWarning, stacklevel=7)
+
+
+# Rows that one line names at most; coordinates of a row that point to the row itself.
+_MOST_NAMED, _MANY = 4, 3
+
+
+def _tell_faults(log: Log, found: Sequence[Fault]) -> None:
+    """Warn of rows that no motion makes: when, which columns and by how much."""
+    by_rows: dict[tuple[int, int | None], list[str]] = {}
+    for fault in found:
+        names = ("t", "t", "t", "theta", "theta", "theta")
+        unit = "m" if fault.column < 3 else "rad"
+        text = f"{names[fault.column]}_{'xyz'[fault.column % 3]} by {fault.size:.3g} {unit}"
+        by_rows.setdefault((fault.first, fault.end), []).append(text)
+    lines = []
+    for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
+        lines.append(f"{rows_text(log, first, end)} ({log.time[first]:.6g} s): {', '.join(texts)}")
+    more = len(by_rows) - len(lines)
+    ending = f"; and {more} more" if more > 0 else ""
+    done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"
+    cause = " (rows repeated or missing?)" if any(len(texts) >= _MANY for texts in by_rows.values()) else ""
+    warnings.warn(
+        f"{log.source}: numbers are off as no motion makes them{cause}: {'; '.join(lines)}{ending}: {done}",
+        LogWarning,
+        stacklevel=7,
+    )
+
+
+def _spline(since: Array, values: Array, source: str) -> Callable[..., Array]:
+    if len(since) < _MIN_SPLINE_POINTS:
+        raise ValueError(
+            f"{source}: expected at least {_MIN_SPLINE_POINTS} rows to fit a spline, got {len(since)}; "
+            "add rows, or columns with velocities and accelerations"
+        )
+    degree = 5 if len(since) > 5 else 3
+    try:
+        return _spline_maker()(since, values, k=degree)
+    except (ValueError, np.linalg.LinAlgError) as error:
+        raise ValueError(f"{source}: no spline fits these times: {' '.join(str(error).split())}") from None
+
+
+def _spline_maker() -> Callable[..., Callable[..., Array]]:
+    with needed_for(*SPLINE):
+        from scipy.interpolate import make_interp_spline
+    return make_interp_spline  # type: ignore[no-any-return]

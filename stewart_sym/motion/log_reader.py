@@ -1,0 +1,322 @@
+"""Trajectories and forces read from CSV files, with a warning for each doubt about units and rates."""
+
+from __future__ import annotations
+
+import math
+import os
+import warnings
+from functools import partial
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import finite_array, real_array
+from ..io.extras import need
+from ..io.tables import file_name, opened
+from .log_rates import SPLINE, as_given, rates_of
+from .logs import LogFormat, read_columns
+from .noise_level import LogWarning
+from .trajectory import (
+    DERIVATIVES,
+    LOADS,
+    LONG_STEPS,
+    MOST_TURNS,
+    POSE,
+    JointTrajectory,
+    Log,
+    PoseLog,
+    Smoothing,
+    Trajectory,
+)
+
+Array = NDArray[np.float64]
+
+# Of a CSV file; more than two million rows with everything in them.
+_MOST_BYTES = 1 << 30
+QUATERNION = ("t", "q")
+_LENGTHS = ("L",)
+_LENGTH_DERIVATIVES = ("L_dot", "L_ddot")
+FORCES = ("F1", "F2", "F3", "F4", "F5", "F6")
+"""Columns of actuator forces."""
+# Columns in words.
+_KNOWN = (
+    "time and either t_x t_y t_z with theta_x theta_y theta_z or q_w q_x q_y q_z, v_*, theta_dot_*, a_*, "
+    "theta_ddot_*, or L_1 to L_6, L_dot_*, L_ddot_*; F_ext_*, M_ext_*; for other names give "
+    "--columns NAME=HEADER,..."
+)
+PLAIN = LogFormat()
+AS_SHOWN = Smoothing()
+
+
+def read_csv(
+    path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
+) -> Trajectory:
+    """Read a trajectory of poses: a header line that names the columns, then one row per instant.
+
+    Columns, in any order: ``time`` (s), increasing; ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad,
+    (38)) or a quaternion ``q_w q_x q_y q_z``; optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and
+    ``theta_ddot_*``; optionally ``F_ext_*`` (N) and ``M_ext_*`` (N m), platform frame.  Without derivatives,
+    columns that show rounding or noise are smoothed, which a ``LogWarning`` tells, and all others
+    interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
+    Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
+    or interpolate those of a slower sensor don't count; gaps in time are named.
+
+    form: names, units and marks of the file. smoothing: what is known of the noise.
+
+    Raises ``ValueError`` of one line that names the file and the row (the header is row 1) or column, and
+    ``ImportError`` when an interpolating spline is needed and SciPy is missing.
+    """
+    found = read_any_csv(path, form, smoothing)
+    if isinstance(found, JointTrajectory):
+        raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
+    return found
+
+
+def read_any_csv(
+    path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
+) -> Trajectory | JointTrajectory:
+    """Read a trajectory of poses, as ``read_csv``, or of leg lengths: the header tells which it is.
+
+    Columns of the latter: ``time``; ``L_1`` to ``L_6`` (m); optionally all of ``L_dot_*`` and ``L_ddot_*``,
+    else those of a spline as for poses; optionally loads.  Raises as ``read_csv``.
+    """
+    found = read_log(path, form, smoothing)
+    return found if isinstance(found, JointTrajectory) else _trajectory(found)
+
+
+def read_log(
+    path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
+) -> PoseLog | JointTrajectory:
+    """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs."""
+    source = file_name(path)
+    with opened(source, "trajectory", _MOST_BYTES) as stream:
+        columns, rows = read_columns(stream, source, partial(_check_log, smoothing=smoothing), form)
+    names = {name.rpartition("_")[0] for name in columns} - {""}
+    written = {name: [columns[c] for c in _components(name)] for name in names}
+    log = Log(source, rows, columns["time"], written, form, smoothing)
+    return _joint_trajectory(log) if "L" in names else _pose_log(log)
+
+
+def from_poses(
+    time: ArrayLike,
+    t: ArrayLike,
+    theta: ArrayLike,
+    smoothing: Smoothing = AS_SHOWN,
+    source: str = "poses",
+) -> Trajectory:
+    """Return the trajectory of poses over time, differentiated as those of ``read_csv``.
+
+    time: increasing, s, (n,). t: m, theta: angles of (38), rad, (n, 3). source: name in warnings and errors.
+    """
+    when = real_array(time, "time")
+    if when.ndim != 1 or not len(when) or not (np.diff(when) > 0.0).all():
+        raise ValueError(f"time: expected increasing times (n,), got shape {when.shape}")
+    poses = {"t": finite_array(t, (3,), "t"), "theta": finite_array(theta, (3,), "theta")}
+    for name, values in poses.items():
+        if values.shape != (len(when), 3):
+            raise ValueError(f"{name}: expected shape ({len(when)}, 3), got {values.shape}")
+    written = {name: [*values.T] for name, values in poses.items()}
+    return _trajectory(_pose_log(Log(source, range(len(when)), when, written, smoothing=smoothing)))
+
+
+def _trajectory(log: PoseLog) -> Trajectory:
+    return Trajectory(log.time, log.motion, log.source, log.rows, log.noise)
+
+
+def read_forces_csv(path: str | os.PathLike[str], form: LogFormat = PLAIN) -> tuple[Array, Array]:
+    """Read actuator forces over time: columns ``time`` (s), increasing, and ``F1`` to ``F6`` (N).
+
+    Other columns, such as those that the command ``forces`` writes, are read over. form: unit of time, marks
+    and names of the columns. Returns times (n,) and forces (n, 6). Raises ``ValueError`` of one line that
+    names the file and the row or column.
+    """
+    source = file_name(path)
+    wanted = ["time", *FORCES]
+
+    def check(header: list[str], source: str) -> None:
+        _check_names(header, [*wanted, *header], source)
+        for column in wanted:
+            if column not in header:
+                raise ValueError(f"{source}: missing column {column}")
+
+    with opened(source, "forces", _MOST_BYTES) as stream:
+        columns, _ = read_columns(stream, source, check, form)
+    return columns["time"], np.stack([columns[name] for name in FORCES], axis=-1)
+
+
+# Accelerations that no platform has, m/s^2, or m/s^2 per metre of a log's lengths where these are larger; and
+# the steps, s, of a log of so slow a motion that time must be in milli- or microseconds.
+_MOST_ACCELERATION, _LEAST_ACCELERATION = 1e5, 1e-4
+
+
+def _warn_of_angles(log: Log) -> None:
+    """Warn of angles that no machine makes, and of quaternions whose scalar seems to come last."""
+    if "theta" in log.written:
+        spans = np.ptp(log.vector("theta"), axis=0) / MOST_TURNS
+        axis = int(np.argmax(spans))
+        if spans[axis] > 1.0 + 1e-9:
+            span = np.ptp(log.vector("theta")[:, axis])
+            text = f"theta_{'xyz'[axis]} over {span:.4g} rad: are angles in degrees (--angle-unit deg)?"
+            warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+    if "q" in log.written:
+        q = np.abs(log.vector("q"))
+        if (np.median(q, axis=0) @ (-1.0, 0.0, 0.0, 1.0)) > 0.5 * float(
+            np.median(np.linalg.norm(q, axis=-1))
+        ):
+            text = (
+                "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last?"
+            )
+            warnings.warn(
+                f"{log.source}: {text} (--columns with q_w=q_z,q_x=q_w,q_y=q_x,q_z=q_y)",
+                LogWarning,
+                stacklevel=6,
+            )
+
+
+def _warn_of_units(log: Log, coordinates: Array) -> None:
+    """Warn of times and lengths, (3, n, 6), that no machine makes."""
+    lengths = coordinates[..., : 6 if "L" in log.written else 3]
+    largest = float(np.abs(lengths[2]).max())
+    # In millimetres lengths and accelerations are a thousand times as large: both tell of time alone.
+    unit = max(1.0, float(np.median(np.linalg.norm(lengths[0], axis=-1))))
+    step = float(np.median(np.diff(log.time))) if len(log.time) > 1 else 0.0
+    moves = float(np.ptp(coordinates[0], axis=0).max()) > 0.0
+    slow = [name for name, least in LONG_STEPS.items() if step >= least]
+    if largest > _MOST_ACCELERATION * unit:
+        hint = (
+            "are time or lengths in another unit (--time-unit, --length-unit mm)"
+            if log.form.time_unit == "s"
+            else f"is time in seconds, expected {log.form.time_unit} (--time-unit)"
+        )
+    elif moves and slow and largest < _LEAST_ACCELERATION * unit:
+        hint = f"is time in another unit (--time-unit {slow[-1]})"
+    else:
+        return
+    text = f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?"
+    warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+
+
+# How far from a power of 1000 the ratio of changes to rates is where a unit is wrong: decades.
+_NEAR_UNIT = 0.2
+
+
+def _warn_of_rates(log: Log, coordinates: Array) -> None:
+    """Warn of given rates, (3, n, 6), that differ by a power of 1000 from what coordinates and times say."""
+    steps = np.diff(log.time)
+    # One column after the other: of a long log, differences of all at once would take half its room again.
+    changed = sum(float(np.abs(np.diff(column)).sum()) for column in coordinates[0].T)
+    rates = sum(np.abs(column) for column in coordinates[1].T)
+    expected = float(0.5 * (rates[1:] + rates[:-1]) @ steps)
+    if changed == 0.0 or expected == 0.0:
+        return
+    decades = math.log10(changed / expected)
+    nearest = 3 * round(decades / 3)
+    if nearest and abs(decades - nearest) < _NEAR_UNIT:
+        unit = {-3: "ms", -6: "us"}.get(nearest)
+        hint = f"is time in another unit (--time-unit {unit})" if unit else "are rates in another unit"
+        text = f"coordinates change by {changed / expected:.2g} of what their rates say: {hint}?"
+        warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
+
+
+def _joint_trajectory(log: Log) -> JointTrajectory:
+    L = log.vector("L")
+    if np.any(L <= 0.0):
+        i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
+        raise ValueError(
+            f"{log.source}: row {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}"
+        )
+    if "L_dot" in log.written:
+        found = np.empty((3, *L.shape))
+        found[0] = L
+        for i, name in enumerate(_LENGTH_DERIVATIVES):
+            found[i + 1] = log.vector(name)
+        noise = as_given(log, found, [log.steps(name) for name in ("L", "L_dot", "L_ddot")])
+        _warn_of_rates(log, found)
+    else:
+        found, noise = rates_of(log, L, log.steps("L"))
+    noise = None if noise is None else noise._replace(in_joints=True)
+    _warn_of_units(log, found)
+    F_ext, M_ext = (log.load(name) for name in LOADS)
+    L, L_dot, L_ddot = found
+    return JointTrajectory(log.time, L, L_dot, L_ddot, F_ext, M_ext, log.source, log.rows, noise)
+
+
+def _pose_log(log: Log) -> PoseLog:
+    _warn_of_angles(log)
+    theta, step = log.angles()
+    steps = np.concatenate([log.steps("t"), step])
+    if "v" in log.written:
+        found = np.empty((3, len(log.time), 6))
+        found[0, :, 3:] = theta
+        del theta
+        for i, name in ((0, "t"), *((2 + k, name) for k, name in enumerate(DERIVATIVES))):
+            found[i // 2, :, 3 * (i % 2) : 3 * (i % 2) + 3] = log.vector(name)
+        rates = [
+            np.concatenate([log.steps(one), log.steps(other)])
+            for one, other in (DERIVATIVES[:2], DERIVATIVES[2:])
+        ]
+        noise = as_given(log, found, [steps, *rates])
+        _warn_of_rates(log, found)
+    else:
+        found, noise = rates_of(log, np.hstack([log.vector("t"), theta]), steps)
+    _warn_of_units(log, found)
+    F_ext, M_ext = (log.load(name) for name in LOADS)
+    in_radians = "theta" in log.written and log.form.angle_unit == "rad"
+    return PoseLog(log.time, found, F_ext, M_ext, log.source, log.rows, noise, in_radians)
+
+
+def _components(*names: str) -> list[str]:
+    return [
+        f"{name}_{part}"
+        for name in names
+        for part in (
+            "123456" if name in (*_LENGTHS, *_LENGTH_DERIVATIVES) else "wxyz" if name == "q" else "xyz"
+        )
+    ]
+
+
+def _check_log(header: list[str], source: str, smoothing: Smoothing) -> None:
+    """Reject a header, and rows that nothing will differentiate, before they are read."""
+    _check_header(header, source)
+    if not smoothing.on and not {"v_x", "L_dot_1"} & set(header):
+        need("scipy", *SPLINE)
+
+
+def _check_header(header: list[str], source: str) -> None:
+    in_joints = _components(*_LENGTHS, *_LENGTH_DERIVATIVES)
+    of_pose = _components(*POSE, *DERIVATIVES)
+    lengths, poses = ([c for c in header if c in known] for known in (in_joints, of_pose))
+    if lengths and poses:
+        raise ValueError(
+            f"{source}: columns {poses[0]} and {lengths[0]}: expected poses or leg lengths, got both"
+        )
+    # Poses are what a header without any of the two is taken to lack.
+    joints = bool(lengths)
+    position: tuple[str, ...] = QUATERNION if "q_w" in header else POSE
+    derivatives: tuple[str, ...] = () if "q_w" in header else DERIVATIVES
+    if joints:
+        position, derivatives = _LENGTHS, _LENGTH_DERIVATIVES
+    _check_names(header, ["time", *_components(*position, *derivatives, *LOADS)], source, _KNOWN)
+    missing = [c for c in _components(*derivatives) if c not in header]
+    if missing and len(missing) < len(_components(*derivatives)):
+        raise ValueError(
+            f"{source}: missing column {missing[0]}: "
+            f"expected velocities and accelerations ({', '.join(derivatives)}) all, or none of them"
+        )
+    required = ["time", *_components(*position)]
+    for name in LOADS:
+        if any(c in header for c in _components(name)):
+            required += _components(name)
+    for column in required:
+        if column not in header:
+            raise ValueError(f"{source}: missing column {column}")
+
+
+def _check_names(header: list[str], known: list[str], source: str, expected: str = "") -> None:
+    """Reject columns that are not known, with what is expected in words, or that are given twice."""
+    for column in header:
+        if column not in known:
+            raise ValueError(f"{source}: unknown column {column[:40]!r}, expected {expected}")
+        if header.count(column) > 1:
+            name = column if column.isprintable() and len(column) <= 40 else repr(column[:40])
+            raise ValueError(f"{source}: column {name} is given twice")

@@ -1,0 +1,255 @@
+"""The paper's straight-line paths, (39), (40): lines with parabolic blends; Paths I, II and III."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from types import MappingProxyType
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import finite_array, real_array, shown
+from ..io.tables import number
+from .motion import Motion
+
+Array = NDArray[np.float64]
+
+Vector = tuple[float, float, float]
+Rows = tuple[Vector, Vector, Vector]
+# Times that differ by rounding only are the same time: share of tau_f.
+_ROUNDING = 1e-12
+# Ten million instants take up a gigabyte as motions do.
+MOST_STEPS = 10_000_000
+
+
+@dataclass(frozen=True)
+class StraightLinePath:
+    """A straight line in position and in roll-pitch-yaw angles, linear in time with parabolic blends.
+
+    Position and angles each speed up with constant acceleration, go at constant speed and slow down; both
+    start at 0 and end at tau_f, (39), (40).
+
+    Attributes
+    ----------
+    t0, t1 : tuple of float
+        First and last position of the reference point, m, base frame.
+    theta0, theta1 : tuple of float
+        First and last angles (theta_x, theta_y, theta_z), rad.
+    tau_f : float
+        Duration, s.
+    V, Omega : float
+        Top speed of position, m/s, and of the vector of angles, rad/s. Each must lie in (d/tau_f, 2 d/tau_f]
+        for its distance d; where d = 0 that part rests and its speed is not used.
+    axes : Rows, optional
+        Rotation, by rows, from the axes of position and angles to those of base and platform.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument; for V and Omega it says which range works.
+    """
+
+    t0: Vector
+    theta0: Vector
+    t1: Vector
+    theta1: Vector
+    tau_f: float
+    V: float
+    Omega: float
+    axes: Rows = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
+
+    def __post_init__(self) -> None:
+        """Check every argument."""
+        for field in fields(self)[:-1]:
+            value = getattr(self, field.name)
+            vector = field.name in ("t0", "theta0", "t1", "theta1")
+            object.__setattr__(
+                self, field.name, _triple(value, field.name) if vector else number(value, field.name)
+            )
+        axes = finite_array(self.axes, (3, 3), "axes")
+        if (
+            axes.shape != (3, 3)
+            or np.abs(axes @ axes.T - np.eye(3)).max() > 1e-9
+            or np.linalg.det(axes) < 0.0
+        ):
+            raise ValueError(f"axes: expected a rotation (3, 3), got {shown(self.axes)}")
+        object.__setattr__(self, "axes", tuple(tuple(row) for row in axes.tolist()))
+        if self.tau_f <= 0.0:
+            raise ValueError(f"tau_f: expected a duration > 0 s, got {self.tau_f:g}")
+        _check_speed("V", self.V, self.distance, self.tau_f, "m/s")
+        _check_speed("Omega", self.Omega, self.angle, self.tau_f, "rad/s")
+
+    @property
+    def distance(self) -> float:
+        """Length of the line of positions, m."""
+        return math.dist(self.t0, self.t1)
+
+    @property
+    def angle(self) -> float:
+        """Length of the line of angles, rad."""
+        return math.dist(self.theta0, self.theta1)
+
+    @property
+    def tau_t(self) -> float:
+        """Duration of each blend of the position, s, (39); 0 when the position rests."""
+        return _blend(self.distance, self.V, self.tau_f)
+
+    @property
+    def tau_theta(self) -> float:
+        """Duration of each blend of the angles, s, as (39); 0 when the angles rest."""
+        return _blend(self.angle, self.Omega, self.tau_f)
+
+    def breaks(self) -> Array:
+        """Return the sorted times, s, at which an acceleration jumps, with 0 and tau_f."""
+        times = {0.0, self.tau_f}
+        for distance, blend in ((self.distance, self.tau_t), (self.angle, self.tau_theta)):
+            if distance > 0.0:
+                times |= {blend, self.tau_f - blend}
+        distinct: list[float] = []
+        for time in sorted(times):
+            if not distinct or time - distinct[-1] > _ROUNDING * self.tau_f:
+                distinct.append(time)
+        return np.array([*distinct[:-1], self.tau_f])
+
+    def times(self, dtau: float) -> Array:
+        """Return the times 0, dtau, 2 dtau, ... s, and tau_f as the last; at most ten million steps."""
+        dtau = number(dtau, "dtau")
+        if not 0.0 < dtau <= self.tau_f * (1.0 + _ROUNDING):
+            raise ValueError(f"dtau: expected a step > 0 and <= tau_f = {self.tau_f:g} s, got {dtau:g}")
+        if self.tau_f > MOST_STEPS * dtau:
+            raise ValueError(
+                f"dtau: expected at most {MOST_STEPS:,} steps, so {self.tau_f / MOST_STEPS:g} s or more, "
+                f"got {dtau:g}"
+            )
+        steps = round(self.tau_f / dtau)
+        if math.isclose(steps * dtau, self.tau_f, rel_tol=1e-9):
+            return np.arange(steps + 1) * self.tau_f / steps
+        return np.append(np.arange(math.floor(self.tau_f / dtau) + 1) * dtau, self.tau_f)
+
+    def sample(self, tau: ArrayLike) -> Motion:
+        """Return the motion at times tau, s, of any shape; no external load.
+
+        Where an acceleration jumps, the value is the one that follows, at tau_f the one before.  Raises
+        ``ValueError`` when a time lies outside [0, tau_f].
+        """
+        time = self._checked(tau)
+        t, v, a = _line(self.t0, self.t1, self.distance, self.V, self.tau_t, self.tau_f, time)
+        theta, theta_dot, theta_ddot = _line(
+            self.theta0, self.theta1, self.angle, self.Omega, self.tau_theta, self.tau_f, time
+        )
+        motion = Motion.from_rpy(t, theta, v, theta_dot, a, theta_ddot)
+        Q = np.array(self.axes)
+        return motion if np.array_equal(Q, np.eye(3)) else motion.in_axes(Q)
+
+    def _checked(self, tau: ArrayLike) -> Array:
+        time = real_array(tau, "tau", "times")
+        slack = _ROUNDING * self.tau_f
+        outside = ~((time >= -slack) & (time <= self.tau_f + slack))
+        if np.any(outside):
+            raise ValueError(f"tau: expected times in [0, {self.tau_f:g}] s, got {time[outside][0]:g}")
+        return np.clip(time, 0.0, self.tau_f)
+
+
+def _check_speed(name: str, speed: float, distance: float, tau_f: float, unit: str) -> None:
+    if distance == 0.0:
+        return
+    low, high = distance / tau_f, 2.0 * distance / tau_f
+    if not low * (1.0 + _ROUNDING) < speed <= high * (1.0 + _ROUNDING):
+        kind = "small" if speed <= high else "large"
+        raise ValueError(
+            f"{name}: {speed:g} {unit} is too {kind} for tau_f = {tau_f:g} s, "
+            f"expected more than {low:.6g} and at most {high:.6g} {unit}"
+        )
+
+
+def _blend(distance: float, speed: float, tau_f: float) -> float:
+    return min(tau_f - distance / speed, 0.5 * tau_f) if distance > 0.0 else 0.0
+
+
+def _line(
+    start: Vector, end: Vector, distance: float, speed: float, blend: float, tau_f: float, time: Array
+) -> tuple[Array, Array, Array]:
+    """Return the coordinates and their first and second derivatives, each (..., 3)."""
+    origin = np.array(start)
+    if distance == 0.0:
+        zero = np.zeros((*time.shape, 3))
+        return origin + zero, zero, zero
+    direction = (np.array(end) - origin) / distance
+    acceleration = speed / blend
+    left = tau_f - time
+    rounding = _ROUNDING * tau_f
+    ending = left <= blend + rounding
+    starting = ~ending & (time < blend - rounding)
+    phases = [starting, ending]
+    x = np.select(
+        phases,
+        [0.5 * acceleration * time**2, -0.5 * acceleration * left**2],
+        speed * (time - 0.5 * blend),
+    )
+    x_dot = np.select(phases, [acceleration * time, acceleration * left], speed)
+    x_ddot = np.select(phases, [acceleration, -acceleration], 0.0)
+    # Measured from the end that is near, both end values come out exact.
+    from_end = x[..., None] * direction
+    coordinates = np.where(ending[..., None], np.array(end), origin) + from_end
+    return coordinates, x_dot[..., None] * direction, x_ddot[..., None] * direction
+
+
+def _triple(value: object, name: str) -> Vector:
+    items = value.tolist() if isinstance(value, np.ndarray) else value
+    if not isinstance(items, list | tuple) or len(items) != 3:
+        raise ValueError(f"{name}: expected three numbers, got {shown(value)}")
+    x, y, z = (number(item, name) for item in items)
+    return x, y, z
+
+
+class PaperPath(NamedTuple):
+    """A path of the paper's section 5 and its time step dtau, s."""
+
+    path: StraightLinePath
+    dtau: float
+
+
+PATHS: Mapping[str, PaperPath] = MappingProxyType(
+    {
+        "I": PaperPath(
+            StraightLinePath(
+                (0.1, 0.0, 0.4),
+                (0.0, 0.0, -0.2),
+                (0.3, 0.0, 0.6),
+                (0.0, 0.0, 0.2),
+                tau_f=6.0,
+                V=0.08,
+                Omega=0.08,
+            ),
+            dtau=0.1,
+        ),
+        "II": PaperPath(
+            StraightLinePath(
+                (0.1, 0.0, 0.4),
+                (0.0, 0.0, -0.2),
+                (0.3, 0.0, 0.6),
+                (0.0, 0.0, 0.2),
+                tau_f=0.6,
+                V=0.8,
+                Omega=0.8,
+            ),
+            dtau=0.01,
+        ),
+        "III": PaperPath(
+            StraightLinePath(
+                (0.4, 1.4, 1.2),
+                (0.1, 0.2, 0.0),
+                (0.8, 1.8, 1.8),
+                (0.3, 0.4, 0.0),
+                tau_f=6.0,
+                V=0.2,
+                Omega=0.08,
+            ),
+            dtau=0.1,
+        ),
+    }
+)
+"""Paths I, II and III of section 5."""

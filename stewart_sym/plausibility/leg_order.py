@@ -1,0 +1,136 @@
+"""Whether legs are listed in an order that crosses them: points exchanged, turned or counted backward."""
+
+import itertools
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dynamics.home_pose import radius
+from ..robot.robot import LEGS, Robot
+from .level_poses import (
+    GOOD_CONDITION,
+    MISPAIRED,
+    MOST_CONDITION,
+    TWISTED,
+    Doubt,
+    heights_of,
+    level_conditions,
+)
+
+Array = NDArray[np.float64]
+
+EXCHANGED = -0.5
+"""Of two legs, the way between their base points times that between their platform points, over both radii,
+seen along the machine's axis: negative where they cross, and no sound machine's are below this."""
+
+
+def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
+    """Doubts about which base point belongs to which platform point.
+
+    Legs are sorted by the angle of their base points; platform points are paired with these in their own
+    order and shifted or reversed, twelve ways in all.
+    """
+    axis = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    axis /= np.linalg.norm(axis)
+    around_b, around_p = (_around(points, axis) for points in (robot.b, robot.p))
+    crossed = _crossed(around_b, around_p)
+    if crossed is not None and crossed.undone:
+        yield _crossing(*crossed.legs)
+        return
+    order = np.argsort(np.angle(around_b), kind="stable")
+    b, p, heights = robot.b[order], robot.p[order], heights_of(robot, axis)
+    ways = {(turn, k): np.roll(p[::turn], k, axis=0) for turn in (1, -1) for k in range(LEGS)}
+    best = {way: float(level_conditions(b, paired, heights).min()) for way, paired in ways.items()}
+    given, (turn, k) = best[1, 0], min(best, key=lambda way: best[way])
+    ratio = given / best[turn, k] if np.isfinite(given) else np.inf
+    turned = np.sum(around_p * np.conj(around_b))
+    clear = abs(turned) > 0.5 * np.sum(np.abs(around_p) * np.abs(around_b))
+    twisted = clear and abs(np.angle(turned)) > TWISTED and ratio > 2.0
+    if (given > GOOD_CONDITION and ratio > MISPAIRED) or twisted:
+        shift = min(k, LEGS - k)
+        cause = "in the opposite sense (mirrored)" if turn < 0 else f"shifted by {shift} of six places"
+        yield Doubt(
+            "leg-order",
+            f"{_level(given)} with the platform parallel to the base, {best[turn, k]:.2g} with its points in "
+            f"another order; likely cause: platform points {cause} against the base points, or a "
+            "platform frame "
+            f"turned about its normal",
+        )
+        return
+    if given > MOST_CONDITION:
+        yield Doubt(
+            "condition",
+            f"{_level(given)} with the platform parallel to the base, at any height; likely cause: points of "
+            f"wrong legs, or nearly parallel or concurrent legs",
+        )
+    for i, j in itertools.combinations(range(LEGS), 2):
+        if _cross(robot, t, i, j):
+            yield _crossing(i, j)
+            return
+    if crossed is not None:
+        yield _crossing(*crossed.legs, cause="platform points in another order than base points, or mirrored")
+
+
+def _crossing(i: int, j: int, cause: str = "their platform points exchanged") -> Doubt:
+    return Doubt("crossing", f"legs {i + 1}, {j + 1} cross at the home pose; likely cause: {cause}")
+
+
+class _Crossed(NamedTuple):
+    """Two legs that cross; undone: by an exchange of their platform points, and not as well by a reversal of
+    the order of all."""
+
+    legs: tuple[int, int]
+    undone: bool
+
+
+def _crossed(b: NDArray[np.complex128], p: NDArray[np.complex128]) -> _Crossed | None:
+    """Legs that cross as seen along the machine's axis, b and p as points of a plane, or None."""
+    pairs = list(itertools.combinations(range(LEGS), 2))
+    first, second = np.array(pairs).T
+    sizes = np.sqrt(np.mean(np.abs(b) ** 2) * np.mean(np.abs(p) ** 2))
+
+    def ways(p: NDArray[np.complex128]) -> Array:
+        return np.asarray(((b[first] - b[second]) * np.conj(p[first] - p[second])).real / sizes)
+
+    given = ways(p)
+    if not given.min() < EXCHANGED:
+        return None
+    order = np.argsort(np.angle(b))
+    reversed_ = [ways(p[order][np.roll(range(LEGS), k)[::-1]][np.argsort(order)]).min() for k in range(LEGS)]
+    undone = []
+    for i, j in pairs:
+        other = p.copy()
+        other[[i, j]] = other[[j, i]]
+        undone.append(ways(other).min())
+    best = int(np.argmax(undone))
+    if undone[best] > max(EXCHANGED, *reversed_):
+        return _Crossed(pairs[best], True)
+    return _Crossed(pairs[int(np.argmin(given))], False)
+
+
+def _level(condition: float) -> str:
+    return f"scaled condition number {condition:.2g}" if np.isfinite(condition) else "H is singular"
+
+
+def _around(points: Array, axis: Array) -> NDArray[np.complex128]:
+    """Points about their middle as complex numbers of a plane across an axis."""
+    plane = np.linalg.svd(axis[None])[2][1:]
+    plane = plane if np.linalg.det(np.vstack([axis, plane])) > 0.0 else plane[::-1]
+    x, y = plane @ (points - points.mean(axis=0)).T
+    return np.asarray(x + 1j * y)
+
+
+def _cross(robot: Robot, t: Array, i: int, j: int) -> bool:
+    """Whether two legs of a level pose meet away from their joints."""
+    a, b = robot.b[[i, j]]
+    u, v = t + robot.p[[i, j]] - robot.b[[i, j]]
+    normal = np.cross(u, v)
+    square = float(normal @ normal)
+    if square < 1e-6 * float(u @ u) * float(v @ v):
+        return False
+    along = [float(np.cross(b - a, other) @ normal) / square for other in (v, u)]
+    apart = abs(float((b - a) @ normal)) / np.sqrt(square)
+    inner = all(0.02 < share < 0.98 for share in along)
+    return inner and apart < 1e-4 * (radius(robot.b) + radius(robot.p))

@@ -1,0 +1,145 @@
+"""A doubt about a robot, and the level poses at which machines are looked at."""
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dynamics.home_pose import home_pose, radius
+from ..dynamics.inverse import inverse_dynamics
+from ..kinematics.conditioning import scaled_condition_number
+from ..motion.motion import Motion
+from ..motion.rotation import rotation_from_vector
+from ..robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+GOOD_CONDITION, MISPAIRED, TWISTED = 12.0, 6.0, np.radians(75.0)
+"""Level poses of machines have scaled condition numbers of 1.5 to 3, of unusual ones up to 30; legs in wrong
+order have 15 and more, 6 times and more of what they have in the right order, or a platform twisted by 120
+degrees."""
+MOST_CONDITION = 1e3
+
+
+class Doubt(NamedTuple):
+    """One line about a robot: name, as ``accept`` takes it, and text with the likely cause."""
+
+    name: str
+    text: str
+
+
+@dataclass(frozen=True, eq=False)
+class Home:
+    """A pose at rest: R, t, L, m, and F, N; ``fits``: whether the legs are within their limits."""
+
+    R: Array
+    t: Array
+    L: Array
+    F: Array
+    fits: bool
+
+
+def centred_H(b: Array, p: Array, R: Array, t: Array) -> tuple[Array, Array]:
+    """H with moments about the middle of the platform points over their radius, (n, 6, 6), and L, (n, 6)."""
+    q = p @ np.swapaxes(R, -1, -2)
+    S = q + t[..., None, :] - b
+    L = np.linalg.norm(S, axis=-1)
+    s = S / np.where(L > 0.0, L, 1.0)[..., None]
+    arm = (q - q.mean(axis=-2, keepdims=True)) / (radius(p) or 1.0)
+    return np.swapaxes(np.concatenate([s, np.cross(arm, s)], axis=-1), -1, -2), L
+
+
+def level_home(robot: Robot) -> Array:
+    """Position of the home pose, or of a better one of the level poses beside it.
+
+    Along the base's normal where ``home_pose`` does not suit the machine, as one on a wall; and where there
+    are no length limits, whose home pose is a guess, at the best height at which the legs' parts do not
+    overlap.
+    """
+    t = home_pose(robot).t
+    condition = float(level_conditions(robot.b, robot.p, t[None])[0])
+    limited = np.all(np.isfinite(robot.length_limits))
+    towards = t + robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    directions = [towards / np.linalg.norm(towards)]
+    if not condition <= GOOD_CONDITION:
+        normal = np.linalg.svd(robot.b - robot.b.mean(axis=0))[2][2]
+        directions += [normal, -normal]
+    others = np.concatenate([heights_of(robot, direction) for direction in directions])
+    found = level_conditions(robot.b, robot.p, others)
+    lengths = lengths_at(robot, others)
+    if limited:
+        score = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
+        score[found > max(GOOD_CONDITION, found.min())] = np.inf
+    else:
+        passing = np.all(lengths >= parts_of(robot), axis=-1)
+        score = np.where(passing | ~passing.any(), found, np.inf)
+    best = int(np.argmin(score))
+    if not limited or MISPAIRED * found[best] < condition:
+        return np.asarray(others[best])
+    return t
+
+
+def home_of(robot: Robot, t: Array) -> Home:
+    """The level pose at t, or one beside it where the legs are within their limits."""
+    low, high = robot.length_limits.T
+    margin = np.where(np.isfinite(high), 0.25 * (high - low), 0.0)
+    R, L, fits = np.eye(3), lengths_at(robot, t), False
+    for inner in (margin, 0.0 * margin):
+        pose = _pose_within(robot, t, low + inner, high - inner)
+        if pose is not None:
+            (R, t), fits = pose, True
+            L = np.linalg.norm(t + robot.p @ R.T - robot.b, axis=-1)
+            break
+    zero = np.zeros(3)
+    rest = Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero)
+    forces = inverse_dynamics(robot, rest, backend="numpy", on_singular="nan")
+    return Home(R, t, L, forces.F, fits)
+
+
+def lengths_at(robot: Robot, t: Array) -> Array:
+    """Legs of level poses at t (..., 3), (..., 6)."""
+    return np.asarray(np.linalg.norm(t[..., None, :] + robot.p - robot.b, axis=-1))
+
+
+def parts_of(robot: Robot) -> Array:
+    """Distances of both centres of mass from their joints along each leg, together, m, (6,)."""
+    return np.asarray(robot.r_d0[:, 0] - robot.r_u0[:, 0])
+
+
+def heights_of(robot: Robot, direction: Array) -> Array:
+    """Positions of the level platform, its middle along a direction from the base's, (50, 3)."""
+    middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
+    size = radius(robot.b) + radius(robot.p)
+    return np.asarray(middle + np.linspace(0.05, 3.0, 50)[:, None] * size * direction)
+
+
+def level_conditions(b: Array, p: Array, t: Array) -> Array:
+    """Scaled condition numbers of level poses at t (n, 3), (n,); infinity where H is singular."""
+    H, _ = centred_H(b, p, np.broadcast_to(np.eye(3), (len(t), 3, 3)), t)
+    return scaled_condition_number(H, 1.0)
+
+
+def _pose_within(robot: Robot, t: Array, low: Array, high: Array) -> tuple[Array, Array] | None:
+    """A pose (R, t) with legs between low and high, m, (6,), by damped Newton steps from level poses."""
+    middle, offset = robot.b.mean(axis=0), robot.p.mean(axis=0)
+    reach = robot.p - offset
+    unit = np.repeat([1.0, radius(robot.p)], 3)
+    for share in (1.0, 0.7, 1.4):
+        R, r = np.eye(3), (t + offset - middle) * share + middle
+        for _ in range(_MOST_STEPS):
+            q = reach @ R.T
+            S = r + q - robot.b
+            L = np.linalg.norm(S, axis=-1)
+            miss = np.clip(L, low, high) - L
+            if np.abs(miss).max() <= 1e-9 * L.max():
+                return R, r - R @ offset
+            s = S / np.where(L > 0.0, L, 1.0)[:, None]
+            J = np.concatenate([s, np.cross(q, s)], axis=-1) / unit
+            step = np.linalg.solve(J.T @ J + 1e-4 * np.eye(6), J.T @ miss) / unit
+            step *= min(1.0, 0.3 / max(float(np.abs(step[3:]).max()), 0.3))
+            R, r = rotation_from_vector(step[3:]) @ R, r + step[:3]
+    return None
+
+
+_MOST_STEPS = 100

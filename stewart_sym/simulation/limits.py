@@ -1,0 +1,191 @@
+"""Where a simulated run stops: limits of the legs, singular poses and joints, watched during each step."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..io.arguments import real_array, shown
+from ..kinematics.conditioning import characteristic_length, condition_number
+from ..motion.motion import Motion
+from ..motion.rotation import cross
+from ..robot.robot import Robot
+from .trace import WATCHED, Actuators, LegStates, Piece, Stop, leg_states, motion_of
+
+Array = NDArray[np.float64]
+
+NEAR_SINGULAR, CROSSING = 36, 37
+"""Columns of the watched margins: condition number of H, and det H on the side where the run began."""
+
+
+@dataclass(frozen=True)
+class Thresholds:
+    """Where a run stops because the model ends, besides the robot's own limits.
+
+    Attributes
+    ----------
+    max_condition : float, optional
+        Scaled condition number of H (see ``scaled_condition_number``), > 1; inf: a run goes through singular
+        poses.
+    min_length : float, optional
+        Of a leg, m, > 0; None: a thousandth of the machine's characteristic length.
+    min_joint_sine : float, optional
+        Sine of the angle between a leg and its universal axis, > 0 and < 1.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument.
+    """
+
+    max_condition: float = 1e6
+    min_length: float | None = None
+    min_joint_sine: float = 1e-3
+
+    def __post_init__(self) -> None:
+        """Check every threshold."""
+        ranges = {
+            "max_condition": (1.0, math.inf),
+            "min_length": (0.0, math.inf),
+            "min_joint_sine": (0.0, 1.0),
+        }
+        for name, (low, high) in ranges.items():
+            value = getattr(self, name)
+            through = name == "max_condition" and isinstance(value, float) and value == math.inf
+            if value is not None and not through:
+                need_between(value, name, low, high)
+
+
+@dataclass(frozen=True, eq=False)
+class Watch:
+    """Everything that stops a run, as numbers that are positive while all is well.
+
+    force_limit: N, (6,); inf where forces are clipped instead. side: sign of det H at the start of the run.
+    """
+
+    robot: Robot
+    thresholds: Thresholds
+    force_limit: Array
+    side: float
+
+    def first(self, piece: Piece, actuators: Actuators) -> Stop | None:
+        """The first stop in a piece, None if there is none."""
+        when = np.linspace(piece.start, piece.end, WATCHED + 1)
+        margins = self._margins(when, piece, actuators)
+        below = margins <= 0.0
+        if not below.any():
+            return None
+        roots = []
+        for row in np.flatnonzero(below.any(axis=0)).tolist():
+            i = int(np.argmax(below[:, row]))
+            start = float(when[max(i - 1, 0)])
+            time = start if i == 0 else self._root(row, start, float(when[i]), piece, actuators)
+            if row == CROSSING:
+                # The condition number passes its threshold on the way, too shortly to be seen itself.
+                time = self._root(NEAR_SINGULAR, start, time, piece, actuators)
+            roots.append((time, row))
+        return self._stop(*min(roots), piece, actuators)
+
+    def _root(self, row: int, start: float, end: float, piece: Piece, actuators: Actuators) -> float:
+        """Where a margin comes to zero; an end of the span where it doesn't within."""
+        from scipy.optimize import brentq
+
+        def margin(time: float) -> float:
+            return float(self._margins(np.array([time]), piece, actuators)[0, row])
+
+        if not margin(start) > 0.0:
+            return start
+        if margin(end) > 0.0:
+            return end
+        return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
+
+    def _margins(self, when: Array, piece: Piece, actuators: Actuators) -> Array:
+        """(n, 38): shortest, longest, speed, force, length zero, joint sine, 6 each; condition, side of H."""
+        robot = self.robot
+        state = motion_of(piece.interpolant(when).T, piece.center)
+        legs = leg_states(robot, state)
+        F = np.zeros((len(when), 6))
+        if np.isfinite(self.force_limit).any():
+            F = actuators.forces(when, state, piece.held)
+        shortest = self.thresholds.min_length or 1e-3 * self._size
+        margins = [
+            legs.L - np.where(robot.length_limits[:, 0] > 0.0, robot.length_limits[:, 0], -math.inf),
+            robot.length_limits[:, 1] - legs.L,
+            robot.speed_limit - np.abs(legs.L_dot),
+            self.force_limit - np.abs(F),
+            legs.L - shortest,
+            self._joint_sine(legs.s) - self.thresholds.min_joint_sine,
+            *self._singular_margins(legs),
+        ]
+        return np.concatenate(margins, axis=-1)
+
+    def _singular_margins(self, legs: LegStates) -> tuple[Array, Array]:
+        if self.thresholds.max_condition == math.inf:
+            none = np.ones((len(legs.L), 1))
+            return none, none
+        near = 1.0 / self._condition(legs) - 1.0 / self.thresholds.max_condition
+        return near[:, None], self.side * np.linalg.det(_scaled_H(legs, self._size))[:, None]
+
+    @property
+    def _size(self) -> float:
+        return _size(self.robot)
+
+    def _joint_sine(self, s: Array) -> Array:
+        if self.robot.base_joint == "spherical":
+            return np.ones(s.shape[:-1])
+        return np.asarray(np.linalg.norm(cross(self.robot.k, s), axis=-1))
+
+    def _condition(self, legs: LegStates) -> Array:
+        return condition_number(_scaled_H(legs, self._size))
+
+    def _stop(self, time: float, row: int, piece: Piece, actuators: Actuators) -> Stop:
+        robot, leg = self.robot, row % 6
+        at = np.array([time])
+        state = motion_of(piece.interpolant(at).T, piece.center)
+        legs = leg_states(robot, state)
+        low, high = robot.length_limits[leg]
+        length = f"{legs.L[0, leg]:.6g} m"
+        if row >= NEAR_SINGULAR:
+            text = f"condition number of H reaches {self._condition(legs)[0]:.4g} at {time:.9g} s"
+            return Stop("singular", time, None, f"near a singular pose: {text}")
+        kind, text = (
+            ("length_limits", f"length {length} reaches its lower limit {low:g} m"),
+            ("length_limits", f"length {length} reaches its upper limit {high:g} m"),
+            (
+                "speed_limit",
+                f"speed {legs.L_dot[0, leg]:.6g} m/s reaches its limit {robot.speed_limit[leg]:g} m/s",
+            ),
+            (
+                "force_limit",
+                f"force {actuators.forces(at, state, piece.held)[0, leg]:.6g} N reaches its limit "
+                f"{robot.force_limit[leg]:g} N",
+            ),
+            ("zero_length", f"length {length} is near zero"),
+            ("joint singularity", "lies nearly along the fixed axis of its universal joint"),
+        )[row // 6]
+        return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
+
+
+def _size(robot: Robot) -> float:
+    return characteristic_length(robot) or 1.0
+
+
+def _scaled_H(legs: LegStates, size: float) -> Array:
+    """H^T with its moments over a length, (..., 6, 6)."""
+    return np.concatenate([legs.s, cross(legs.q, legs.s) / size], axis=-1)
+
+
+def det_sign(robot: Robot, state: Motion) -> float:
+    """Sign of det H."""
+    return float(np.sign(np.linalg.det(_scaled_H(leg_states(robot, state), _size(robot)))))
+
+
+def need_between(value: object, name: str, low: float, high: float) -> None:
+    """Reject, by ValueError, what is no number between two others."""
+    text = f"a number > {low:g}" + (f" and < {high:g}" if math.isfinite(high) else "")
+    number = real_array(value, name, text)
+    if number.shape != () or not low < float(number) < high:
+        raise ValueError(f"{name}: expected {text}, got {shown(value)}")

@@ -1,0 +1,269 @@
+"""A simulated run as it is handed back: why it stopped, states and forces over time, saturation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..io.arguments import real_array
+from ..kinematics.inverse import leg_vectors, tip_velocities
+from ..motion.motion import Motion
+from ..motion.rotation import rotation_from_vector
+from ..reference import newton_euler
+from ..robot.robot import Robot
+from .actuator_models import ForceLaw
+
+Array = NDArray[np.float64]
+
+Load = Callable[[float, Motion], ArrayLike]
+"""(time, s, state) -> [F_ext; M_ext], N and N m, platform frame, (6,)."""
+WATCHED = 5
+"""Instants of each step at which limits are looked at."""
+
+
+@dataclass(frozen=True)
+class Stop:
+    """Why and when a run ended.
+
+    Attributes
+    ----------
+    kind : str
+        "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit", "singular",
+        "zero_length", "joint singularity" or "failed" (no step is small enough).
+    time : float
+        s.
+    leg : int
+        Its number from 1, None where no leg is to blame.
+    text : str
+        All of it in one line.
+    """
+
+    kind: str
+    time: float
+    leg: int | None
+    text: str
+
+
+@dataclass(frozen=True, eq=False)
+class Saturation:
+    """How long and by how much each leg's actuator was asked for more than its limit; zeros if it never was.
+
+    Attributes
+    ----------
+    time : ndarray
+        s, (6,), of a law that is not sampled to a small part of a step.
+    excess : ndarray
+        The largest force beyond the limit, N, (6,).
+    """
+
+    time: Array
+    excess: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Trace:
+    """States and forces at n instants; SI units, base frame.
+
+    Attributes
+    ----------
+    times : ndarray
+        s, (n,).
+    R : ndarray
+        (n, 3, 3).
+    t, v : ndarray
+        m and m/s, (n, 3).
+    omega : ndarray
+        Rad/s, (n, 3).
+    F : ndarray
+        Actuator forces, N, (n, 6).
+    L : ndarray
+        Leg lengths, m, (n, 6).
+    kinetic, potential : ndarray
+        Energy of the platform and the twelve leg parts, J, (n,), with the exact kinematics of the legs in
+        either formulation; the potential energy is that of weight, zero at the base frame's origin.
+    """
+
+    times: Array
+    R: Array
+    t: Array
+    v: Array
+    omega: Array
+    F: Array
+    L: Array
+    kinetic: Array
+    potential: Array
+
+    @property
+    def energy(self) -> Array:
+        """Kinetic and potential energy, J, (n,)."""
+        return self.kinetic + self.potential
+
+    @property
+    def motion(self) -> Motion:
+        """The states as a Motion of shape (n,) without accelerations."""
+        return Motion(self.R, self.t, self.omega, self.v)
+
+
+class Actuators(NamedTuple):
+    """The law and the limits, N, (6,), inf for none, to which the forces it commands are clipped."""
+
+    law: ForceLaw
+    limit: Array
+
+    def at(self, time: float, state: Motion) -> Array:
+        """Forces of one state, N, (6,)."""
+        return self.clipped(six_forces(self.law(time, state), time))
+
+    def asked(self, when: Array, states: Motion, held: Array | None) -> Array:
+        """Forces that the law commands at n instants, N, (n, 6)."""
+        if held is not None:
+            return np.broadcast_to(held, (len(when), 6))
+        rows = [
+            Motion.unchecked(states.R[i], states.t[i], states.omega[i], states.v[i]) for i in range(len(when))
+        ]
+        found = [six_forces(self.law(float(time), row), time) for time, row in zip(when, rows, strict=True)]
+        return np.array(found).reshape(-1, 6)
+
+    def forces(self, when: Array, states: Motion, held: Array | None) -> Array:
+        """Forces that act at n instants, N, (n, 6)."""
+        return self.clipped(self.asked(when, states, held))
+
+    def clipped(self, F: Array) -> Array:
+        """Forces (..., 6) within the limits."""
+        return np.minimum(np.maximum(F, -self.limit), self.limit)
+
+
+class Piece(NamedTuple):
+    """An accepted step: its times, the interpolant of the chart's numbers, the centre, the held forces.
+
+    held: as the law asked for them; None where the law is not sampled.
+    """
+
+    start: float
+    end: float
+    interpolant: Callable[[Any], Array]
+    center: Array
+    held: Array | None
+
+
+@dataclass(frozen=True, eq=False)
+class Simulation(Trace):
+    """A run: its trace, why it stopped, how its forces saturated, and any instant between by ``at``.
+
+    Attributes
+    ----------
+    stop : Stop
+        Why and where the run ended.
+    saturation : Saturation
+        What clipping left out, by leg.
+    """
+
+    stop: Stop
+    saturation: Saturation
+    _robot: Robot
+    _actuators: Actuators
+    _pieces: tuple[Piece, ...]
+
+    @property
+    def steps(self) -> int:
+        """How many steps the integration took."""
+        return len(self._pieces)
+
+    def at(self, times: ArrayLike) -> Trace:
+        """States and forces at times, s, (n,), interpolated to the accuracy of the run.
+
+        Raises ValueError for times outside the run.
+        """
+        when = real_array(times, "times", "times of shape (n,)")
+        end = self.stop.time
+        if when.ndim != 1:
+            raise ValueError(f"times: expected shape (n,), got {when.shape}")
+        outside = ~((when >= 0.0) & (when <= end))
+        if outside.any():
+            raise ValueError(f"times: expected times in [0, {end:g}] s, got {when[outside][0]:g}")
+        return sampled_at(self._robot, self._actuators, self._pieces, when)
+
+
+def motion_of(y: Array, center: Array) -> Motion:
+    """The chart's numbers [t; phi; v; omega], (..., 12), as states."""
+    R = rotation_from_vector(y[..., 3:6]) @ center
+    return Motion.unchecked(R, y[..., :3], omega=y[..., 9:], v=y[..., 6:9])
+
+
+class LegStates(NamedTuple):
+    """Points, lengths, rates and directions of the legs."""
+
+    q: Array
+    L: Array
+    L_dot: Array
+    s: Array
+
+
+def leg_states(robot: Robot, state: Motion) -> LegStates:
+    """Leg kinematics without the rejections of ``inverse_kinematics``: a watched leg may come to nothing."""
+    q, S, L = leg_vectors(robot, state.R, state.t)
+    with np.errstate(all="ignore"):
+        s = S / L[..., None]
+    return LegStates(q, L, np.einsum("...i,...i->...", s, tip_velocities(state, q)), s)
+
+
+def sampled_at(robot: Robot, actuators: Actuators, pieces: tuple[Piece, ...], when: Array) -> Trace:
+    """The trace at times within the pieces."""
+    n = len(when)
+    y, centers, F = np.empty((n, 12)), np.empty((n, 3, 3)), np.empty((n, 6))
+    of = np.searchsorted([piece.start for piece in pieces], when, side="right") - 1
+    order = np.argsort(of, kind="stable")
+    for here in np.split(order, np.flatnonzero(np.diff(of[order])) + 1) if n else ():
+        piece = pieces[of[here[0]]]
+        y[here], centers[here] = piece.interpolant(when[here]).T, piece.center
+        if piece.held is not None:
+            F[here] = actuators.clipped(piece.held)
+    motion = motion_of(y, centers)
+    if pieces[0].held is None:
+        F = actuators.forces(when, motion, None)
+    rest = Motion.unchecked(motion.R, motion.t, np.zeros((n, 3)), np.zeros((n, 3)))
+    potential = newton_euler.energy(robot, rest)
+    kinetic = newton_euler.energy(robot, motion) - potential
+    L = leg_states(robot, motion).L
+    return Trace(when, motion.R, motion.t, motion.v, motion.omega, F, L, kinetic, potential)
+
+
+def saturation_of(actuators: Actuators, pieces: list[Piece]) -> Saturation:
+    """What the forces asked for exceed their limits by, in all pieces."""
+    time, excess = np.zeros(6), np.zeros(6)
+    for piece in pieces if np.isfinite(actuators.limit).any() else ():
+        when = np.linspace(piece.start, piece.end, WATCHED + 1)
+        state = motion_of(piece.interpolant(when).T, piece.center)
+        beyond = np.abs(actuators.asked(when, state, piece.held)) - actuators.limit
+        excess = np.maximum(excess, beyond.max(axis=0))
+        time += np.diff(when) @ _share_above_zero(beyond[:-1], beyond[1:])
+    return Saturation(time, excess)
+
+
+def _share_above_zero(start: Array, end: Array) -> Array:
+    """Of the way from one number to another, the share on which a straight line is above zero, 0 to 1."""
+    above = np.maximum(start, 0.0) + np.maximum(end, 0.0)
+    with np.errstate(invalid="ignore"):
+        share = above / (np.abs(start) + np.abs(end))
+    return np.where(above > 0.0, np.where(np.minimum(start, end) >= 0.0, 1.0, share), 0.0)
+
+
+def output_times(pieces: list[Piece], end: float, step: float | None) -> Array:
+    """Times of a run's results, s: ends of steps, or every ``step`` s."""
+    if step is None:
+        return np.unique([pieces[0].start, *(piece.end for piece in pieces)])
+    grid = np.arange(math.floor(end / step * (1.0 + 1e-12)) + 1) * step
+    return np.append(grid[grid < end * (1.0 - 1e-12)], end)
+
+
+def six_forces(value: ArrayLike, time: float) -> Array:
+    """What a law returned, as six numbers; ValueError if it is anything else."""
+    F = real_array(value, "forces", "six numbers")
+    if F.shape != (6,):
+        raise ValueError(f"forces: expected six numbers from the law at {time:g} s, got shape {F.shape}")
+    return F

@@ -1,0 +1,283 @@
+"""Poses of leg lengths from the pose of the sample before, in steps that keep to one assembly mode."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..kinematics.conditioning import characteristic_length
+from ..kinematics.inverse import leg_vectors
+from ..kinematics.pose_search import ToSingular, jacobian, newton, other_side, solve, way_to_singular
+from ..motion.rotation import (
+    cross,
+    rotation_from_vector,
+    vector_from_rotation,
+    vector_rate,
+    vector_second_rate,
+)
+from ..robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+NO_WAY = (
+    "no way here from the sample before in the same assembly mode: the lengths jump, belong to no pose, "
+    "or lead through one where H is singular"
+)
+CROSSED = (
+    "a singular pose is crossed on the way from the sample before: there the forces are without bound, and "
+    "from there on the same lengths belong to two motions"
+)
+UNDECIDED = (
+    "a singular pose is as near as the noise of the lengths, {:.2g} m: not decided at this noise whether the "
+    "platform crosses it or turns back"
+)
+# A sample is approached in parts no smaller than this share of the way from the one before.
+_SMALLEST_PART = 2.0**-20
+# A step this share of its length away from where it was foretold may have left the way.
+_ASTRAY = 0.1
+# Part of the machine's size below which two poses are taken for one.
+_SAME_POSE = 1e-8
+# Samples found at once at most.
+_MANY = 256
+# A pose on the other side of the singular poses is looked for when these are nearer than this, rad.
+_NEAR = 1.0
+
+
+class _Pose(NamedTuple):
+    """Poses with leading shape (n,), their lengths, (n, 6), J there and the sign of its determinant."""
+
+    R: Array
+    t: Array
+    L: Array
+    J: Array
+    sign: Array
+
+    def at(self, part: slice) -> _Pose:
+        """Some of the poses."""
+        return _Pose(*(x[part] for x in self))
+
+
+class Legs(NamedTuple):
+    """What the legs do at n samples: (n, 6) each."""
+
+    L: Array
+    L_dot: Array
+    L_ddot: Array
+
+    def at(self, part: slice) -> Legs:
+        """Some of the samples."""
+        return Legs(*(x[part] for x in self))
+
+
+class _State(NamedTuple):
+    """Poses and the platform's motion there: [v; omega] and [a; alpha], (n, 6)."""
+
+    pose: _Pose
+    twist: Array
+    rate: Array
+
+    def at(self, part: slice) -> _State:
+        """Some of the states."""
+        return _State(self.pose.at(part), self.twist[part], self.rate[part])
+
+
+class Steps(NamedTuple):
+    """States of samples that follow one another, and the way from each to the next singular pose."""
+
+    state: _State
+    near: ToSingular
+
+    def first(self, count: int) -> Steps:
+        """The first of them."""
+        return Steps(self.state.at(slice(count)), ToSingular(*(x[:count] for x in self.near)))
+
+
+class LostError(ValueError):
+    """No motion at a sample: its index and why."""
+
+    def __init__(self, sample: int, reason: str) -> None:
+        """Name the sample."""
+        super().__init__(f"L[{sample}]: {reason}")
+        self.sample, self.reason = sample, reason
+
+
+def _joined(poses: Sequence[_Pose]) -> _Pose:
+    return _Pose(*(np.concatenate(parts) for parts in zip(*poses, strict=True)))
+
+
+def walked(robot: Robot, first: _Pose, legs: Legs, steps: Array) -> Iterator[Steps]:
+    """The states from the first pose on, up to the first sample without one or with J's other sign.
+
+    Where all goes smoothly, many samples are found at once; where it does not, one after another, and ever
+    more of them before many are tried again.
+    """
+    last, done = _state(robot, first, legs.at(slice(1))), 1
+    yield Steps(last, way_to_singular(robot, first.R, first.t))
+    many, alone, again = 1, 1, 1
+    while done < len(legs.L) and last.pose.sign[0] == first.sign[0]:
+        here = slice(done, done + many)
+        run = _run(robot, last, legs.at(here), steps[done - 1 : done - 1 + many]) if done >= again else None
+        if run is not None and len(run.state.twist):
+            many, alone = min(2 * many, _MANY) if len(run.state.twist) == many else 1, 1
+        else:
+            if run is not None:
+                many, alone, again = 1, min(2 * alone, _MANY), done + alone
+            state = _next(robot, last, legs.at(slice(done, done + 1)), steps[done - 1 : done])
+            if state is None:
+                break
+            run = Steps(state, way_to_singular(robot, state.pose.R, state.pose.t))
+        yield run
+        last = run.state.at(slice(-1, None))
+        done += len(run.state.twist)
+
+
+def _run(robot: Robot, last: _State, legs: Legs, h: Array) -> Steps:
+    """The states at the next samples, h s after one another, up to the first that ``_next`` must settle."""
+    R, t = (np.repeat(x, len(h), axis=0) for x in (last.pose.R, last.pose.t))
+    ends = newton(robot, legs.L, R, t)
+    after = _state(robot, pose_of(robot, ends.R, ends.t, legs.L), legs)
+    poses = _joined([last.pose, after.pose.at(slice(-1))])
+    before = _State(
+        poses, *(np.concatenate([x[0], x[1][:-1]]) for x in zip(last[1:], after[1:], strict=True))
+    )
+    run = Steps(after, way_to_singular(robot, ends.R, ends.t))
+    near = np.abs(run.near.way)
+    clear = (near >= _NEAR * characteristic_length(robot)) | (
+        _misfit(robot, before, after, h) < _ASTRAY * near
+    )
+    sure = ends.found & clear & _foretold(robot, before, after.pose, h) & (after.pose.sign == last.pose.sign)
+    return run.first(len(h) if sure.all() else int(np.argmin(sure)))
+
+
+def _next(robot: Robot, state: _State, legs: Legs, h: Array) -> _State | None:
+    """Return the state at the next sample, h s later, (1,), that fits the one before best, or None."""
+    found = _with_other_side(robot, _found(robot, legs.L, *_ahead(state, h)), state, legs, h)
+    if not found or not _foretold(robot, state, found[0][1].pose, h).all():
+        found += _with_other_side(robot, _approach(robot, state.pose, legs.L), state, legs, h)
+    return min(found, key=lambda entry: entry[0])[1] if found else None
+
+
+def _foretold(robot: Robot, before: _State, after: _Pose, h: Array) -> NDArray[np.bool_]:
+    """Whether poses, (n,), are where the states before them lead."""
+    ahead = _ahead(before, h)
+    off, step = (
+        np.linalg.norm(_apart(robot, (pose.R, pose.t), ahead), axis=-1) for pose in (after, before.pose)
+    )
+    return np.asarray(off <= _ASTRAY * step + _SAME_POSE * characteristic_length(robot))
+
+
+def _with_other_side(
+    robot: Robot, pose: _Pose | None, before: _State, legs: Legs, h: Array
+) -> list[tuple[float, _State]]:
+    """Return a pose and that on the other side of the next singular one: misfit to ``before``, state."""
+    if pose is None:
+        return []
+    state = _state(robot, pose, legs)
+    found = [(float(_misfit(robot, before, state, h)[0]), state)]
+    way = abs(float(way_to_singular(robot, pose.R, pose.t).way[0]))
+    # As far away as this, the pose on the other side cannot fit better.
+    if way < _NEAR * characteristic_length(robot) and not found[0][0] < _ASTRAY * way:
+        mirrored = other_side(robot, legs.L, pose.R, pose.t)
+        if mirrored.found.all():
+            other = _state(robot, pose_of(robot, mirrored.R, mirrored.t, legs.L), legs)
+            found.append((float(_misfit(robot, before, other, h)[0]), other))
+    return found
+
+
+def _misfit(robot: Robot, before: _State, after: _State, h: Array) -> Array:
+    """Return by how far poses and rates miss a smooth motion, m, (n,): in the step and in h times the rates.
+
+    Both follow from what changes from one sample to the other by Hermite's rules, to h^5 and h^4.
+    """
+    h = h[:, None]
+    turn = vector_from_rotation(after.pose.R @ np.swapaxes(before.pose.R, -1, -2))
+    with np.errstate(invalid="ignore"):
+        omega, alpha = after.twist[:, 3:], after.rate[:, 3:]
+        twist = np.hstack([after.twist[:, :3], vector_rate(turn, omega)])
+        rate = np.hstack([after.rate[:, :3], vector_second_rate(turn, omega, alpha)])
+        made = np.hstack([after.pose.t - before.pose.t, turn])
+        step = made - 0.5 * h * (before.twist + twist) - h**2 / 12.0 * (before.rate - rate)
+        change = twist - before.twist - 0.5 * h * (before.rate + rate)
+        unit = np.repeat([1.0, characteristic_length(robot)], 3)
+        miss = np.linalg.norm(np.hstack([step * unit, h * change * unit]), axis=-1)
+    return np.where(np.isfinite(miss), miss, np.inf)
+
+
+def _ahead(state: _State, h: Array) -> tuple[Array, Array]:
+    step = h[:, None] * state.twist + 0.5 * h[:, None] ** 2 * state.rate
+    turn = step[:, 3:] / np.maximum(1.0, np.linalg.norm(step[:, 3:], axis=-1, keepdims=True))
+    return rotation_from_vector(turn) @ state.pose.R, state.pose.t + step[:, :3]
+
+
+def _apart(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array]) -> Array:
+    """Difference of two poses (n, ...) as a twist, (n, 6), m, angles times the platform's size."""
+    turn = vector_from_rotation(other[0] @ np.swapaxes(one[0], -1, -2))
+    return np.hstack([other[1] - one[1], characteristic_length(robot) * turn])
+
+
+def _state(robot: Robot, pose: _Pose, legs: Legs) -> _State:
+    """The platform's motion at a pose from that of its legs, (5), (8); not finite where J is singular."""
+    q, S, L = leg_vectors(robot, pose.R, pose.t)
+    with np.errstate(all="ignore"):
+        twist, regular = solve(pose.J, legs.L_dot)
+        omega = twist[:, None, 3:]
+        S_dot = twist[:, None, :3] + cross(omega, q)
+        s = S / L[..., None]
+        centripetal = np.sum(s * cross(omega, cross(omega, q)), axis=-1)
+        across = (np.sum(S_dot**2, axis=-1) - legs.L_dot**2) / L
+        rate, _ = solve(pose.J, legs.L_ddot - centripetal - across)
+    return _State(pose, *(np.where(regular[:, None], x, np.nan) for x in (twist, rate)))
+
+
+def _found(robot: Robot, L: Array, R: Array, t: Array) -> _Pose | None:
+    end = newton(robot, L, R, t)
+    return pose_of(robot, end.R, end.t, L) if end.found.all() else None
+
+
+def at_rest(robot: Robot, pose: _Pose, L: Array) -> tuple[Array, Array]:
+    """Poses without rates: each is approached from the one before along a straight line of lengths."""
+    poses = [pose]
+    for i in range(1, len(L)):
+        found = _approach(robot, poses[-1], L[i : i + 1])
+        if found is None:
+            raise LostError(i, NO_WAY)
+        poses.append(found)
+    return _joined(poses)[:2]
+
+
+def _approach(robot: Robot, pose: _Pose, target: Array) -> _Pose | None:
+    """Return the pose at lengths ``target``, (1, 6), on the way from ``pose``; None if there is no way."""
+    origin, done, part = pose.L, 0.0, 1.0
+    while done < 1.0:
+        # The last part ends at the target itself, not at a rounded sum.
+        end = done + part
+        found = _step(robot, pose, target if end >= 1.0 else origin + end * (target - origin))
+        if found is None:
+            part *= 0.5
+            if part < _SMALLEST_PART:
+                return None
+        else:
+            pose, done, part = found, end, min(2.0 * part, 1.0 - end)
+    return pose
+
+
+def _step(robot: Robot, pose: _Pose, L: Array) -> _Pose | None:
+    """Return the pose at lengths L if it lies where the tangent at ``pose`` points, with J's sign there."""
+    foretold, regular = solve(pose.J, L - pose.L)
+    found = _found(robot, L, pose.R, pose.t)
+    if found is None or not regular.all() or found.sign[0] != pose.sign[0]:
+        return None
+    made = _apart(robot, (pose.R, pose.t), (found.R, found.t))[0]
+    size = characteristic_length(robot)
+    step = foretold[0] * np.repeat([1.0, size], 3)
+    near = np.linalg.norm(made - step) <= _ASTRAY * np.linalg.norm(step) + _SAME_POSE * size
+    return found if near else None
+
+
+def pose_of(robot: Robot, R: Array, t: Array, L: Array) -> _Pose:
+    """A pose with its Jacobian and the sign of its determinant."""
+    J = jacobian(robot, R, t)
+    return _Pose(R, t, L, J, np.linalg.slogdet(J)[0])
