@@ -566,10 +566,11 @@ def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
 
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
-    fault = OK
-    fault = on.where(k3 > on.POLE_SINE, fault, POLE)
-    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, SHORT_LEG)
-    return on.where(L <= on.MAX, fault, NOT_FINITE)
+    status = OK
+    status = on.where((status != OK) | (L <= on.MAX), status, NOT_FINITE)
+    status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, SHORT_LEG)
+    status = on.where((status != OK) | (k3 > on.POLE_SINE), status, POLE)
+    return status
 
 
 def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:

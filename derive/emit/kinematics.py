@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable
 
 from ..kernel.kinematics import legs_batch, rotation_program, search_operations, search_program
+from ..kernel.shared import FAULT_RETURNED
 from ..kernel.tree.constants import SEARCH
 from ..kernel.tree.nodes import Program
 from ..kernel.tree.settle import of_one_pose
@@ -28,7 +29,7 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
     """``stewart_kinematics``: one pose, forward and inverse; its header says what it costs."""
     return _files(
         "kinematics",
-        of_one_pose(search_program(blocks)),
+        of_one_pose(search_program(blocks, check=FAULT_RETURNED)),
         _OF_POSES,
         version,
         operations="\n".join(f" * {name:15s} {count}" for name, count in search_operations(blocks).items()),

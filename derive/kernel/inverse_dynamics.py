@@ -18,7 +18,7 @@ from .elimination import CARRIED, INVERSE, ONCE
 from .layouts import Written
 from .model import STATUS_FIELD, machine_structures
 from .prepare import ABOUT_REFERENCE as SIZES
-from .shared import ABOUT_REFERENCE
+from .shared import ABOUT_REFERENCE, FAULT_CARRIED
 from .tree import read
 from .tree.lower import Arguments, block_function, component, structure
 from .tree.nodes import (
@@ -121,7 +121,7 @@ def shared_program() -> Program:
     """What the programs with legs side by side have in common: robot and motion, checks, the solve."""
     structures = _machine()
     texts = _texts(structures, [])
-    _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of)
+    _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=FAULT_CARRIED)
     _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
     _add(texts, forces.per_length_of, written.largest_of, written.scale_of, given=_SMALLEST)
     _add(texts, written.eliminate, given=_ELIMINATION)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from .batches import LOADS, MOTIONS, parts_at, parts_of_one
-from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
+from .elimination import CARRIED, INVERSE, ONCE, RETURNED, by_rows, in_lanes
 from .layouts import Written
 from .prepare import MOTION
 from .tree.constants import LARGEST
@@ -16,6 +16,11 @@ ABOUT_REFERENCE: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus,
 """How a leg is added to the platform's equations."""
 WITH_ERRORS: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus_error, "ABOUT_TIP": 1}
 """The same about platform point 1, with rounding errors."""
+_FAULT: dict[str, Given] = {"check_leg": legs.check_leg, "HAS_SINE": 1}
+FAULT_RETURNED: dict[str, Given] = {**_FAULT, **RETURNED}
+"""How a leg is checked where the first fault ends a function."""
+FAULT_CARRIED: dict[str, Given] = {**_FAULT, **CARRIED}
+"""The same where it is a status that is carried on."""
 
 _NUMBERS = Pointer(Real())
 _VECTORS = Array(Real(), (3, LANES))
@@ -63,7 +68,7 @@ def shared(about_tip: bool = True) -> Shared:
             read(solve.per_length_of, given={"LARGEST": Number(LARGEST)}, largest=f"{LARGEST:g}"),
             read(solve.scaled_axis),
             read(legs.largest_component),
-            read(legs.fault_of, apart=True),
+            read(legs.fault_of, apart=True, given=FAULT_RETURNED),
             read(solve.singular_status, apart=True, given={**INVERSE, **RETURNED}),
         ),
         (

@@ -112,10 +112,16 @@ static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], c
 /* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
 static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
-    int fault = STEWART_OK;
-    fault = k3 > STEWART_POLE_SINE ? fault : STEWART_POLE;
-    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_SHORT_LEG;
-    return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
+    if (!(L <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(L > STEWART_ROUNDING*reach && L > STEWART_SHORTEST)) {
+        return STEWART_SHORT_LEG;
+    }
+    if (!(k3 > STEWART_POLE_SINE)) {
+        return STEWART_POLE;
+    }
+    return STEWART_OK;
 }
 
 /* Lengths of the legs, their rates and second rates, their directions and vectors, and a status. */

@@ -68,10 +68,16 @@ STEWART_SHARED stewart_real largest_component(const stewart_real vector[3], stew
 /* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
 STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
-    int fault = STEWART_OK;
-    fault = k3 > STEWART_POLE_SINE ? fault : STEWART_POLE;
-    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_SHORT_LEG;
-    return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
+    if (!(L <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(L > STEWART_ROUNDING*reach && L > STEWART_SHORTEST)) {
+        return STEWART_SHORT_LEG;
+    }
+    if (!(k3 > STEWART_POLE_SINE)) {
+        return STEWART_POLE;
+    }
+    return STEWART_OK;
 }
 
 /* Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.

@@ -1,12 +1,20 @@
 """What can be wrong with a leg, and what it adds to the platform's equations."""
 
 
+def check_leg(L, k3, reach) -> None:
+    """A leg is finite, longer than the rounding of the vectors that it is the sum of, and not along k."""
+    reject(L <= MAX, NOT_FINITE)
+    reject((L > ROUNDING * reach) & (L > SHORTEST), SHORT_LEG)
+    if HAS_SINE:
+        reject(k3 > POLE_SINE, POLE)
+
+
 def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
-    fault = OK
-    fault = where(k3 > POLE_SINE, fault, POLE)
-    fault = where(L > larger(ROUNDING * reach, SHORTEST), fault, SHORT_LEG)
-    return where(L <= MAX, fault, NOT_FINITE)
+    if CARRIED:
+        status = OK
+    check_leg(L, k3, reach)
+    return status if CARRIED else OK
 
 
 def reach_of(b: "array(3)", t: "array(3)", q: "array(3)") -> "Real":
