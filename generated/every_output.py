@@ -166,16 +166,26 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any) -> Any
     return status
 
 
-def per_length_of(on: Arithmetic, extent: Any) -> Any:
-    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the
-    least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them.
+def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
+    """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
+    1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
+    2^-100 to 2^100, that is as large.
     """
-    unit = 1.0
-    for turn in range(100):
-        unit = on.where(unit < extent, 2.0 * unit, unit)
-    for turn in range(100):
-        unit = on.where((extent > 0.0) & (0.5 * unit >= extent), 0.5 * unit, unit)
-    return on.where((extent >= 0.0625) & (extent <= on.LARGEST), 1.0, 1.0 / unit)
+    per_length = 1.0
+    if on.anywhere((size < smallest) | (size > on.LARGEST)):
+        unit = 1.0
+        for i in range(100):
+            if on.anywhere(unit < size):
+                unit = on.where(unit < size, 2.0 * unit, unit)
+            else:
+                break
+        for i in range(100):
+            if on.anywhere((size > 0.0) & (0.5 * unit >= size)):
+                unit = on.where((size > 0.0) & (0.5 * unit >= size), 0.5 * unit, unit)
+            else:
+                break
+        per_length = on.where((size < smallest) | (size > on.LARGEST), 1.0 / unit, 1.0)
+    return per_length
 
 
 def largest_of(on: Arithmetic, sizes: Any) -> Any:
@@ -184,15 +194,6 @@ def largest_of(on: Arithmetic, sizes: Any) -> Any:
     for i in range(6):
         most = on.larger(sizes[i], most)
     return most
-
-
-def scale_of(on: Arithmetic, q: Any) -> Any:
-    """By what the solve multiplies moments about the reference point."""
-    extent = largest_of(on, largest_component(on, q, 0.0))
-    per_length = 1.0
-    if on.anywhere((extent < 0.0625) | (extent > on.LARGEST)):
-        per_length = per_length_of(on, extent)
-    return per_length
 
 
 def eliminate(on: Arithmetic, H: Any, c: Any, x: Any) -> Any:

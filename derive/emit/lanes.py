@@ -31,7 +31,7 @@ from ..kernel.layouts import (
     suspicion,
 )
 from ..kernel.operations import force_operations
-from ..kernel.shared import shared
+from ..kernel.shared import legs_in_lanes, shared
 from ..kernel.tree.constants import SMALLEST
 from ..kernel.tree.lower import expression, steps_of
 from ..kernel.tree.nodes import (
@@ -250,7 +250,10 @@ class _Source:
         if kernel.about_tip:
             yield from self._moments_of_pose()
         yield read(written.pose_status, apart=True)
-        yield read(written.forces, f"{name}_forces", public=True, given=self._public("motion", "F"))
+        in_lanes = legs_in_lanes("legs", "A") | self.flags
+        yield read(
+            written.forces, f"{name}_forces", public=True, given=in_lanes | self._public("motion", "F")
+        )
         yield made["Block"]
         if kernel.about_tip:
             yield made["LegBlock"]

@@ -36,7 +36,7 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
         for j in range(3):
             arm[i][j] = terms.q[j]
             out.K[i][j] = terms.K[j]
-            add_leg(i, j, out, terms)
+            add_leg(i, j)
     for i in range(6):
         for j in range(6):
             A[i][j] = out.H[i][j]

@@ -48,7 +48,7 @@ def terms_of(legs: "Legs", robot: "Robot", motion: "Motion") -> "Terms":
         out.D[i] = leg.D
         for j in range(3):
             out.K[i][j] = leg.K[j]
-            add_leg(i, j, out, leg)
+            add_leg(i, j)
     return out
 
 
@@ -62,7 +62,7 @@ def solved(robot: "Robot", motion: "Motion") -> "Forces":
     reach = reach_of(robot.leg.b, motion.t, legs.q)
     status = first_of(fault_of(legs.L, legs.k3, reach))
     close = first_of(where(legs.L > SHORT_SHARE * reach, 0, 1))
-    per_length = scale_of(legs.q)
+    per_length = per_length_of(largest_of(largest_component(legs.q, 0.0)), SMALLEST)
     for i in range(3):
         H[i] = legs.H_force[i]
         H[i + 3] = legs.H_moment[i] * per_length
@@ -112,15 +112,6 @@ def first_of(codes: "array(6)") -> "Integer":
     for i in range(6):
         found = where(found == OK, codes[i], found)
     return found
-
-
-def scale_of(q: "array(3, 6)") -> "Real":
-    """By what the solve multiplies moments about the reference point."""
-    extent = largest_of(largest_component(q, 0.0))
-    per_length = 1.0
-    if anywhere((extent < SMALLEST) | (extent > LARGEST)):
-        per_length = per_length_of(extent)
-    return per_length
 
 
 def largest_of(sizes: "array(6)") -> "Real":
