@@ -11,7 +11,7 @@ arithmetic of arithmetic.py. Nothing is checked but what a status says.
 
 from typing import Any
 
-from .arithmetic import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
+from .arithmetic import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Arithmetic
 
 
 class Leg:
@@ -75,8 +75,8 @@ def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
     status = OK
     status = on.where((status != OK) | (L <= on.MAX), status, NOT_FINITE)
-    status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, SHORT_LEG)
-    status = on.where((status != OK) | (k3 > on.POLE_SINE), status, POLE)
+    status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, ZERO_LENGTH)
+    status = on.where((status != OK) | (k3 > on.JOINT_SINGULAR_SINE), status, JOINT_SINGULAR)
     return status
 
 

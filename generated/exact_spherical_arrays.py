@@ -10,7 +10,7 @@ selections, square roots and constants. Where a status is not 0, the other numbe
 
 from typing import Any
 
-from .arithmetic import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Arithmetic
+from .arithmetic import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Arithmetic
 
 
 class Leg:
@@ -72,7 +72,7 @@ class LegConstants:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
-        self.M_add: Any = 0.0  # kg: mass that rides on the platform
+        self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
         self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
         self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
@@ -82,7 +82,7 @@ class Added:
     """What the legs add to the platform's constants."""
 
     def __init__(self) -> None:
-        self.M_add: Any = 0.0  # kg: mass that rides on the platform
+        self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
         self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
         self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
         self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
@@ -213,7 +213,7 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     arm_x = R_0_x - p_1_x
     arm_y = R_0_y - p_1_y
     arm_z = R_0_z - p_1_z
-    # first moment of what rides on it about that centre
+    # first moment of what is lumped with it about that centre
     e_x = h_add_x - M_add * arm_x
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z
@@ -590,8 +590,8 @@ def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
     status = OK
     status = on.where((status != OK) | (L <= on.MAX), status, NOT_FINITE)
-    status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, SHORT_LEG)
-    status = on.where((status != OK) | (k3 > on.POLE_SINE), status, POLE)
+    status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, ZERO_LENGTH)
+    status = on.where((status != OK) | (k3 > on.JOINT_SINGULAR_SINE), status, JOINT_SINGULAR)
     return status
 
 

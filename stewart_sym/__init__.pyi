@@ -80,9 +80,9 @@ from .simulation.simulation import simulate as simulate
 from .singularities.along_path import Approach as Approach
 from .singularities.along_path import Crossing as Crossing
 from .singularities.along_path import LegExtreme as LegExtreme
-from .singularities.along_path import Passage as Passage
+from .singularities.along_path import PathSingularities as PathSingularities
 from .singularities.along_path import crossings as crossings
-from .singularities.along_path import force_pole as force_pole
+from .singularities.along_path import force_residue as force_residue
 from .singularities.along_path import singularities_along as singularities_along
 from .singularities.joint_space import motion_from_lengths as motion_from_lengths
 from .singularities.singular_poses import Singularity as Singularity

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from .generated.interface import STATUS
 
-OK, NOT_FINITE, SHORT_LEG, POLE, SINGULAR, BAD_ARGUMENT, INDEFINITE, NOT_CONVERGED = (
+OK, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR, BAD_ARGUMENT, INDEFINITE, NOT_CONVERGED = (
     code for code, _ in STATUS.values()
 )
 OUT_OF_LIMITS = 8

@@ -351,5 +351,5 @@ def _checks(block: Block) -> tuple[Statement, ...]:
         *reach([*given[n.q], *n.t.symbols, *n.b.symbols]),
         Assign(of_lane("reach"), Name("reach")),
         *(Assign(of_lane(q.name), expression(given[q][0])) for q in (n.L, n.k3)),
-        *suspicion(block, Number(0.0), of_lane("bad"), "ROUNDING", "POLE_SINE"),
+        *suspicion(block, Number(0.0), of_lane("bad"), "ROUNDING", "JOINT_SINGULAR_SINE"),
     )

@@ -155,7 +155,7 @@ class _Source:
             "HAS_C": int(n.c_force in self.given),
             "HAS_C_MOMENT": int(n.c_moment in self.given),
             "HAS_SINE": int(n.k3 in self.given),
-            "HAS_NEAR": int(kernel.leg_near_pole is not None),
+            "HAS_NEAR": int(kernel.leg_near_singular is not None),
             "SCALED": 0 if not p.is_scaled(kernel) else 2 if self.baked else 1,
             "SMALLEST": Number(SMALLEST),
             "PER_LENGTH": Number(p.per_length(kernel.size)),
@@ -313,12 +313,12 @@ class _Source:
 
     def _legs_of_pose(self) -> Iterable[Function]:
         """The legs of a pose, and the code path near the joint singularity where the kernel has one."""
-        kernel, near = self.kernel, self.kernel.leg_near_pole
-        least = "POLE_SINE" if near is None else "NEAR_POLE"
+        kernel, near = self.kernel, self.kernel.leg_near_singular
+        least = "JOINT_SINGULAR_SINE" if near is None else "NEAR_JOINT_SINGULAR"
         yield self._legs(kernel.leg, "legs_of_pose", least, "The legs of one pose side by side")
         if near is not None:
             says = "The same for a pose in which a leg is near its joint singularity"
-            yield self._legs(near, "legs_near_pole", "POLE_SINE", says)
+            yield self._legs(near, "legs_near_singular", "JOINT_SINGULAR_SINE", says)
 
     def _legs(self, leg: Block, name: str, least: str, says: str) -> Function:
         """A leg's block as the body of a loop over the legs of a pose."""
@@ -392,7 +392,7 @@ class _Source:
                 at("bad", "l"),
                 at("bad", "l"),
                 "SHORT_SHARE",
-                "POLE_SINE" if kernel.leg_near_pole is None else "NEAR_POLE",
+                "JOINT_SINGULAR_SINE" if kernel.leg_near_singular is None else "NEAR_JOINT_SINGULAR",
             ),
         )
         given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body, "c" if about_tip else "own": False}

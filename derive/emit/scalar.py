@@ -64,7 +64,7 @@ from .shared import SOLVE, top
 A = Name("A")
 RIGHT_SIDE = (n.c_force, n.c_moment)
 _LEAST_PIVOTS = Function("STEWART_LEAST_PIVOTS", "", (Argument("size", Real()),), Real(), ())
-_CLOSE = Field("close", Integer(), "whether H may be singular to rounding for a short leg")
+_CLOSE = Field("close", Integer(), "whether H may be singular to rounding for a zero-length leg")
 _LEAST = Field("least", Real(), "product of the pivots of H below which it may be singular to rounding")
 _SIZE = Field("size", Real(), "m: no platform point and no base point is farther from its origin")
 
@@ -111,7 +111,7 @@ class _Source:
             "BAKED": int(self.baked),
             "HAS_D": int(n.D in given),
             "HAS_SINE": int(n.k3 in given),
-            "HAS_NEAR": int(kernel.leg_near_pole is not None),
+            "HAS_NEAR": int(kernel.leg_near_singular is not None),
             "SCALED": 0 if not p.is_scaled(kernel) else 2 if self.baked else 1,
             "SMALLEST": Number(SMALLEST),
             "SIZE": Number(kernel.extent) if self.baked else Member(model, "size"),
@@ -184,8 +184,8 @@ class _Source:
         yield read(written.leg_closely, apart=True, given=self._closely())
         yield read(written.short_status, apart=True)
         yield read(written.shift_of, given={"SHIFT": self._shift()})
-        if kernel.leg_near_pole is not None:
-            yield self._leg(kernel.leg_near_pole, near=True)
+        if kernel.leg_near_singular is not None:
+            yield self._leg(kernel.leg_near_singular, near=True)
         yield self._leg(kernel.leg, near=False)
         if p.is_scaled(kernel):
             yield read(written.scale_moments)
@@ -282,12 +282,12 @@ class _Source:
         column = (*exprs[n.H_force], *exprs[n.H_moment])
         parts = ((n.c_force, 0), (n.c_moment, 3), (arm_c, 3))
         c = [(i + k, e) for q, i in parts for k, e in enumerate(exprs.get(q, ()))]
-        alone = near or kernel.leg_near_pole is None
+        alone = near or kernel.leg_near_singular is None
         given: dict[str, Given] = {
             "NEAR": int(near),
             "LENGTH": expression(exprs[n.L][0]),
             "SINE": expression(exprs[n.k3][0]) if n.k3 in exprs else 0,
-            "LEAST_SINE": Name("STEWART_POLE_SINE" if alone else "STEWART_NEAR_POLE"),
+            "LEAST_SINE": Name("STEWART_JOINT_SINGULAR_SINE" if alone else "STEWART_NEAR_JOINT_SINGULAR"),
             "BEFORE": (*loads((q for q in block.inputs if q != q_1), used, self._layout), *steps_of(before)),
             "AFTER": tuple(steps_of(after)),
             "FIRST": set_in_order(Member(Name("pose"), "q_1"), exprs[n.q]),
@@ -301,7 +301,7 @@ class _Source:
         }
         given |= {"least": False} if near else {}
         count = own.operations() + kernel.moments.operations()
-        name = "leg_near_pole" if near else "leg_of"
+        name = "leg_near_singular" if near else "leg_of"
         return self.texts.function(written.leg_of, name, apart=near, given=given, count=count)
 
 

@@ -28,9 +28,13 @@ CASES = 1_000_000
 
 THRESHOLDS = (
     Threshold(
-        "SHORT_LEG", "short leg", "within 16 rounding units of the vectors it is the sum of", 7, "8.9e-01"
+        "ZERO_LENGTH",
+        "zero-length leg",
+        "within 16 rounding units of the vectors it is the sum of",
+        7,
+        "8.9e-01",
     ),
-    Threshold("POLE", "pole", "sine below 4096 rounding units", 19, "5.4e-02"),
+    Threshold("JOINT_SINGULAR", "joint singularity", "sine below 4096 rounding units", 19, "5.4e-02"),
     Threshold(
         "SINGULAR",
         "singular",

@@ -88,7 +88,7 @@ class BoundedForces:
 
     def __init__(self, kernel: ForceKernel) -> None:
         """Finds the errors of every block; ValueError for a kernel that is no such."""
-        if not kernel.about_tip or kernel.leg_near_pole is None:
+        if not kernel.about_tip or kernel.leg_near_singular is None:
             raise ValueError("kernel: expected one with moments about platform point 1 and universal joints")
         kernel = kernel.whole()
         self.kernel = kernel
@@ -102,7 +102,7 @@ class BoundedForces:
         self.shared = rounded(kernel.shared, R | constants)
         inexact = R | constants | component_errors((B, q_1))
         # By the ending of the functions' names: away from the joint singularity and near it.
-        near = kernel.leg_near_pole
+        near = kernel.leg_near_singular
         assert near is not None
         self.legs = {"": rounded(kernel.leg, inexact), "_near_singularity": rounded(near, inexact)}
         self.structures = {

@@ -14,8 +14,8 @@ from ..program.block import Quantity
 STATUS = (
     ("OK", 0, "solved"),
     ("NOT_FINITE", 1, "an input is not finite, or a result overflows"),
-    ("SHORT_LEG", 2, "a leg has length zero"),
-    ("POLE", 3, "a leg lies along the fixed axis of its universal joint"),
+    ("ZERO_LENGTH", 2, "a leg has length zero"),
+    ("JOINT_SINGULAR", 3, "a leg lies along the fixed axis of its universal joint"),
     ("SINGULAR", 4, "H is singular: no leg forces can hold the platform"),
     ("BAD_ARGUMENT", 5, "a pointer that must not be null is null"),
     ("INDEFINITE", 6, "the inertia matrix M is not positive definite: no body has such inertias"),

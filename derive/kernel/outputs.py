@@ -170,7 +170,7 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     found["solve_definite"] = Text(solve.solve_definite, given=DEFINITE)
     found["singular_status"] = Text(solve.singular_status, given={**INVERSE, **CARRIED})
     found["size_of"] = Text(solve.size_of, given={"BY_LEGS": 1})
-    has_near = {"HAS_NEAR": int(kernel.leg_near_pole is not None)}
+    has_near = {"HAS_NEAR": int(kernel.leg_near_singular is not None)}
     found["forces"] = Text(forces.forces, given=legs_in_turn("sums", "leg", "turned") | has_near)
     return found
 
@@ -191,7 +191,7 @@ def _quantities(block: Block) -> tuple[Quantity, ...]:
 
 def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
     """Blocks of the actuator forces; moments about platform point 1."""
-    blocks = [kernel.leg] if kernel.leg_near_pole is None else [kernel.leg, kernel.leg_near_pole]
+    blocks = [kernel.leg] if kernel.leg_near_singular is None else [kernel.leg, kernel.leg_near_singular]
     of_legs = [_complete(block, _LEG_OUTPUTS) for block in blocks]
     moments = _complete(kernel.moments, (n.H_moment, p.arm_c))
     shared = _quantities(kernel.shared)

@@ -47,8 +47,8 @@ class ForceKernel:
     """The blocks from which the actuator forces are computed.
 
     prepare_leg, prepare_platform: constants, once per robot; shared: what the pose has for all legs, with the
-    platform's part of c; leg: D, a column of H and a part of c of one leg; leg_near_pole: the same, for poses
-    in which a leg is near its joint singularity. about_tip: moments are about platform point 1, made by
+    platform's part of c; leg: D, a column of H and a part of c of one leg; leg_near_singular: the same, for
+    poses in which a leg is near its joint singularity. about_tip: moments are about platform point 1, made by
     ``moments`` and ``shift``, and of moments a leg's own block has no more than its friction; otherwise they
     are about the reference point, and a leg's block has them. size, extent: m, of a baked kernel, the largest
     coordinate of the arms of its moments, and the largest sum of sizes of a point's coordinates.
@@ -60,7 +60,7 @@ class ForceKernel:
     prepare_platform: Block
     shared: Block
     leg: Block
-    leg_near_pole: Block | None = None
+    leg_near_singular: Block | None = None
     about_tip: bool = False
     fidelity: str = "general"
     meaning: str = ""
@@ -105,12 +105,12 @@ class ForceKernel:
 
     def changed(self, change: Callable[[Block], Block]) -> "ForceKernel":
         """The kernel with the blocks of a pose changed, its own and those of the legs."""
-        near = None if self.leg_near_pole is None else change(self.leg_near_pole)
-        return replace(self, shared=change(self.shared), leg=change(self.leg), leg_near_pole=near)
+        near = None if self.leg_near_singular is None else change(self.leg_near_singular)
+        return replace(self, shared=change(self.shared), leg=change(self.leg), leg_near_singular=near)
 
     def blocks(self) -> tuple[Block, ...]:
         """The blocks of a pose: its own and those of the legs."""
-        return self.shared, self.leg, *(() if self.leg_near_pole is None else (self.leg_near_pole,))
+        return self.shared, self.leg, *(() if self.leg_near_singular is None else (self.leg_near_singular,))
 
     def leg_constants(self) -> tuple[Quantity, ...]:
         """Constants of each leg in the prepared model."""
@@ -148,22 +148,22 @@ def regrouped(form: Formulation, friction: bool = True) -> ForceKernel:
     """All constants regrouped, moments about the reference point."""
     if form.base_joint == SPHERICAL:
         return with_shared_pose(form, friction)
-    riding = p.Riding(mass=True, friction=friction)
+    lumped = p.Riding(mass=True, friction=friction)
     if form.no_spin:
-        leg, near = (_printed_leg(form, friction, near_pole) for near_pole in (False, True))
+        leg, near = (_printed_leg(form, friction, near_singular) for near_singular in (False, True))
     else:
-        leg, near = (joint_leg(friction, near_pole) for near_pole in (False, True))
-    return replace(with_constants(form, friction, shared(friction), leg, riding), leg_near_pole=near)
+        leg, near = (joint_leg(friction, near_singular) for near_singular in (False, True))
+    return replace(with_constants(form, friction, shared(friction), leg, lumped), leg_near_singular=near)
 
 
 def with_constants(
-    form: Formulation, friction: bool, pose: Block, leg: Block, riding: p.Riding
+    form: Formulation, friction: bool, pose: Block, leg: Block, lumped: p.Riding
 ) -> ForceKernel:
-    """The kernel with the constants that its blocks read; ``riding`` as in ``prepare_leg``."""
+    """The kernel with the constants that its blocks read; ``lumped`` as in ``prepare_leg``."""
     return ForceKernel(
         form,
         friction,
-        p.prepare_leg(leg.inputs, riding),
+        p.prepare_leg(leg.inputs, lumped),
         p.prepare_platform(dict.fromkeys((*pose.inputs, *(q for q in leg.inputs if q == n.g)))),
         pose,
         leg,
@@ -179,14 +179,14 @@ def with_numbers(kernel: ForceKernel, numbers: Iterable[Quantity]) -> ForceKerne
     )
     return replace(
         kernel,
-        prepare_leg=p.prepare_leg(of_leg, p.riding(kernel.prepare_leg)),
+        prepare_leg=p.prepare_leg(of_leg, p.lumped(kernel.prepare_leg)),
         prepare_platform=p.prepare_platform(of_platform),
     )
 
 
 def without_zeros(kernel: ForceKernel) -> ForceKernel:
     """The kernel without outputs that are zero; a leg keeps what it has on either road."""
-    legs = [leg for leg in (kernel.leg, kernel.leg_near_pole) if leg is not None]
+    legs = [leg for leg in (kernel.leg, kernel.leg_near_singular) if leg is not None]
     of_legs = {
         n.H_force,
         n.H_moment,
@@ -212,10 +212,10 @@ def _is_not_zero(out: Output) -> bool:
 def about_tip(kernel: ForceKernel) -> ForceKernel:
     """The same kernel with moments about platform point 1, and S = q + (t - b)."""
     leg = _leg_without_moments(kernel.leg)
-    riding = p.riding(kernel.prepare_leg)
-    moved = with_constants(kernel.formulation, kernel.friction, kernel.shared, leg, riding)
-    near = None if kernel.leg_near_pole is None else _leg_without_moments(kernel.leg_near_pole)
-    return replace(moved, leg_near_pole=near, about_tip=True, fidelity=kernel.fidelity)
+    lumped = p.lumped(kernel.prepare_leg)
+    moved = with_constants(kernel.formulation, kernel.friction, kernel.shared, leg, lumped)
+    near = None if kernel.leg_near_singular is None else _leg_without_moments(kernel.leg_near_singular)
+    return replace(moved, leg_near_singular=near, about_tip=True, fidelity=kernel.fidelity)
 
 
 def from_difference(leg: Block) -> Block:
@@ -271,12 +271,14 @@ def _whole(kernel: ForceKernel) -> ForceKernel:
     tip = [Step(name, expr, "(1)", p.q_1.meaning) for name, expr in turned]
     pose = joined(kernel.shared, kernel.shift, tip, (n.R, n.p_1))
     pose = replace(pose, outputs=(*pose.outputs, Output(p.q_1, p.q_1.symbols)))
-    near = None if kernel.leg_near_pole is None else joined(kernel.leg_near_pole, kernel.moments)
+    near = None if kernel.leg_near_singular is None else joined(kernel.leg_near_singular, kernel.moments)
     before = kernel.prepare_platform
     inputs = tuple(dict.fromkeys((*before.inputs, n.p_1)))
     given = replace(before, inputs=inputs, outputs=(*before.outputs, Output(n.p_1, n.p_1.symbols)))
     leg = joined(kernel.leg, kernel.moments)
-    return replace(kernel, shared=pose, leg=leg, leg_near_pole=near, prepare_platform=given, about_tip=False)
+    return replace(
+        kernel, shared=pose, leg=leg, leg_near_singular=near, prepare_platform=given, about_tip=False
+    )
 
 
 def joined(
@@ -410,7 +412,7 @@ def closed_leg(
     f: sp.Matrix,
 ) -> Block:
     """The leg's block, moments about the reference point; k3 None where there is no universal joint."""
-    pole = [] if k3 is None else [(n.k3, k3)]
+    joint = [] if k3 is None else [(n.k3, k3)]
     return build.block(
         "leg_terms_of",
         meaning,
@@ -418,7 +420,7 @@ def closed_leg(
         [
             (n.q, q),
             (n.L, L),
-            *pole,
+            *joint,
             (n.D, D),
             (n.H_force, s),
             (n.H_moment, cross(q, s)),
@@ -437,10 +439,10 @@ def tip_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
     return S_dot, S_ddot
 
 
-def joint_leg(friction: bool, near_pole: bool = False) -> Block:
-    """The general leg in the coordinates of its joints; ``near_pole``: measured along its third axis."""
+def joint_leg(friction: bool, near_singular: bool = False) -> Block:
+    """The general leg in the coordinates of its joints; ``near_singular``: measured along its third axis."""
     build = Builder()
-    at = joint_frame(build, near_pole)
+    at = joint_frame(build, near_singular)
     S_dot, S_ddot = tip_motion(build, at.q)
     rates = joint_rates(build, at, S_dot)
     accelerations = joint_accelerations(build, at, rates, S_ddot)
@@ -449,10 +451,10 @@ def joint_leg(friction: bool, near_pole: bool = False) -> Block:
     return closed_leg(build, meaning, at.q, at.s, at.L, at.k3, D, K, friction_moment(at, rates, friction))
 
 
-def _printed_leg(form: Formulation, friction: bool, near_pole: bool) -> Block:
+def _printed_leg(form: Formulation, friction: bool, near_singular: bool) -> Block:
     build = Builder()
     meaning = "one leg in its frame: D, its column of H and its part of c"
-    return closed_leg(build, meaning, *printed_leg(build, form, friction, near_pole))
+    return closed_leg(build, meaning, *printed_leg(build, form, friction, near_singular))
 
 
 def _plain_leg(form: Formulation, share: LegShare, friction: bool) -> Block:

@@ -54,7 +54,7 @@ def baked(kernel: ForceKernel, robot: Numbers, name: str) -> ForceKernel:
         given = specialised(block, simple)
         # Near a joint singularity speed hardly matters; with constants of its own that block would have to be
         # tested for each, where rounding errors are largest.
-        return given if block is kernel.leg_near_pole else _folded(given, constants)
+        return given if block is kernel.leg_near_singular else _folded(given, constants)
 
     kernel = without_zeros(kernel.changed(lambda block: _with_inputs(change(block), constants)))
     used = {q for block in kernel.blocks() for q in block.inputs}

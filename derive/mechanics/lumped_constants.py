@@ -45,7 +45,7 @@ COMBINED: dict[Quantity, sp.Expr] = {
 """Constants that stand for combinations of h and J."""
 
 # What one leg hands to the platform's constants.
-M_add = Quantity("M_add", (), "kg", "mass that rides on the platform")
+M_add = Quantity("M_add", (), "kg", "mass that is lumped with the platform")
 h_add = Quantity("h_add", (3,), "kg m", "its first moment about platform point 1, platform frame")
 J_add = Quantity("J_add", (3, 3), "kg m^2", "its inertia about platform point 1, platform frame", True)
 C_add = Quantity("C_add", (), "N m s", "friction of the leg's spherical joint")
@@ -82,7 +82,7 @@ def differences(tensor: sp.Matrix) -> sp.Matrix:
 
 @dataclass(frozen=True)
 class Riding:
-    """What of a leg rides on the platform: the upper part's mass, the spherical joint's friction."""
+    """What of a leg is lumped with the platform: the upper part's mass, the spherical joint's friction."""
 
     mass: bool
     friction: bool
@@ -91,16 +91,16 @@ class Riding:
 NOTHING_RIDES = Riding(mass=False, friction=False)
 
 
-def riding(prepare: Block) -> Riding:
-    """What rides on the platform, from the block that prepares a leg."""
+def lumped(prepare: Block) -> Riding:
+    """What is lumped with the platform, from the block that prepares a leg."""
     added = {out.quantity: out.exprs for out in prepare.outputs}
     return Riding(mass=added[M_add][0] != 0, friction=added[C_add][0] != 0)
 
 
-def prepare_leg(needed: Iterable[Quantity], riding: Riding) -> Block:
+def prepare_leg(needed: Iterable[Quantity], lumped: Riding) -> Block:
     """The constants in ``needed``, and what the leg adds to the platform, from the robot's numbers.
 
-    needed: prepared or raw constants of a leg; others are passed over. riding: what rides on the platform.
+    needed: prepared or raw constants of a leg; others are passed over. lumped: with the platform.
     """
     build = Builder()
     raw = n.k.value
@@ -125,14 +125,14 @@ def prepare_leg(needed: Iterable[Quantity], riding: Riding) -> Block:
         m_L2: m_u,
         **_axial(first, both, tensor),
     }
-    mass = m_u if riding.mass else sp.S.Zero
+    mass = m_u if lumped.mass else sp.S.Zero
     # Not from the reference point: however far off that lies, no digits of the platform's own size are lost.
     arm = build.vector("arm", n.p.value - n.p_1.value, "", "platform point from platform point 1")
     added = [
         (M_add, mass),
         (h_add, mass * arm),
         (J_add, point_inertia(mass, arm)),
-        (C_add, n.C_s.value if riding.friction else sp.S.Zero),
+        (C_add, n.C_s.value if lumped.friction else sp.S.Zero),
     ]
     return build.block(
         "prepare_leg",
@@ -163,7 +163,9 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
     arm = build.vector(
         "arm", R_0 - n.p_1.value, "", "the platform's own centre of mass from platform point 1"
     )
-    e = build.vector("e", h - M_add.value * arm, "", "first moment of what rides on it about that centre")
+    e = build.vector(
+        "e", h - M_add.value * arm, "", "first moment of what is lumped with it about that centre"
+    )
     center = build.vector("r_C", R_0 + e / mass)
     # Not the inertia about a given point less M_P r r: that cancels where nothing rides.
     r = build.vector("r", h / mass)

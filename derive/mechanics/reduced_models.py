@@ -88,17 +88,17 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
         )
     if form != EXACT:
         raise ValueError(f"fidelity: {level.name} is a reduction of exact, not of {form.kernel_name}")
-    riding = p.Riding(mass=level.legs != MASSLESS, friction=level.friction)
-    kernel = actuator_forces.with_constants(form, level.friction, _platform(level), _leg(level), riding)
-    near = _leg(level, near_pole=True) if n.k in kernel.leg.inputs else None
-    kernel = actuator_forces.about_tip(replace(kernel, leg_near_pole=near))
+    lumped = p.Riding(mass=level.legs != MASSLESS, friction=level.friction)
+    kernel = actuator_forces.with_constants(form, level.friction, _platform(level), _leg(level), lumped)
+    near = _leg(level, near_singular=True) if n.k in kernel.leg.inputs else None
+    kernel = actuator_forces.about_tip(replace(kernel, leg_near_singular=near))
     if not level.moving:
         kernel = kernel.changed(lambda block: _weighed(specialised(block, _AT_REST)))
     kernel = actuator_forces.without_zeros(kernel)
-    final = actuator_forces.with_constants(form, level.friction, kernel.shared, kernel.leg, riding)
+    final = actuator_forces.with_constants(form, level.friction, kernel.shared, kernel.leg, lumped)
     return replace(
         final,
-        leg_near_pole=kernel.leg_near_pole,
+        leg_near_singular=kernel.leg_near_singular,
         about_tip=True,
         fidelity=level.name,
         meaning=level.meaning,
@@ -124,12 +124,12 @@ def _platform(level: Fidelity) -> Block:
     return actuator_forces.shared(level.friction)
 
 
-def _leg(level: Fidelity, near_pole: bool = False) -> Block:
+def _leg(level: Fidelity, near_singular: bool = False) -> Block:
     if level.legs == GENERAL:
-        return actuator_forces.joint_leg(level.friction, near_pole)
+        return actuator_forces.joint_leg(level.friction, near_singular)
     if level.legs == AXISYMMETRIC or level.friction:
         return specialised(
-            actuator_forces.joint_leg(level.friction, near_pole), _constants(level.legs), p.LEG
+            actuator_forces.joint_leg(level.friction, near_singular), _constants(level.legs), p.LEG
         )
     return _massless_leg() if level.legs == MASSLESS else _slender_leg(_across(level.legs))
 

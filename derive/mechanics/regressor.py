@@ -73,11 +73,11 @@ def dependencies() -> dict[str, dict[str, sp.Expr]]:
     are no others: on random machines the columns left are independent.
     """
     at_tip = p.point_inertia(sp.S.One, n.p.value)
-    riding = {n.M.name: sp.S.One}
-    riding |= dict(zip(h_P.names, n.p.value, strict=True))
-    riding |= {name: at_tip[key] for name, key in zip(J_P.names, J_P.keys, strict=True)}
+    lumped = {n.M.name: sp.S.One}
+    lumped |= dict(zip(h_P.names, n.p.value, strict=True))
+    lumped |= {name: at_tip[key] for name, key in zip(J_P.names, J_P.keys, strict=True)}
     alike = {lower: {upper: sp.S.One} for lower, upper in zip(J_d.names, J_u.names, strict=True)}
-    return {n.m_d.name: {}, n.m_u.name: riding, **alike}
+    return {n.m_d.name: {}, n.m_u.name: lumped, **alike}
 
 
 # ---------------------------------------------------------------- one leg

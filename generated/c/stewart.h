@@ -49,8 +49,8 @@ typedef double stewart_real;
  * robot and model, and no other output. Batches: no output may overlap an input or another output. */
 #define STEWART_OK 0 /* solved */
 #define STEWART_NOT_FINITE 1 /* an input is not finite, or a result overflows */
-#define STEWART_SHORT_LEG 2 /* a leg has length zero */
-#define STEWART_POLE 3 /* a leg lies along the fixed axis of its universal joint */
+#define STEWART_ZERO_LENGTH 2 /* a leg has length zero */
+#define STEWART_JOINT_SINGULAR 3 /* a leg lies along the fixed axis of its universal joint */
 #define STEWART_SINGULAR 4 /* H is singular: no leg forces can hold the platform */
 #define STEWART_BAD_ARGUMENT 5 /* a pointer that must not be null is null */
 #define STEWART_INDEFINITE 6 /* the inertia matrix M is not positive definite: no body has such inertias */
@@ -59,8 +59,8 @@ typedef double stewart_real;
 /* Where a status begins, and the worst error seen on this side of it among 10^6
  * random poses near failure, in rounding units times the condition number of the problem itself, at
  * which distance from the failure (`stewart-sym stability`):
- * STEWART_SHORT_LEG: within 16 rounding units of the vectors it is the sum of; 7, at 8.9e-01
- * STEWART_POLE: sine below 4096 rounding units; 19, at 5.4e-02
+ * STEWART_ZERO_LENGTH: within 16 rounding units of the vectors it is the sum of; 7, at 8.9e-01
+ * STEWART_JOINT_SINGULAR: sine below 4096 rounding units; 19, at 5.4e-02
  * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; 19, at 5.3e-10 */
 
 /* One leg. Frame D has its origin at the base point, frame U at the platform point; both have x along the

@@ -29,7 +29,7 @@
 
 /* Below this sine of the angle between a leg and the fixed axis of its universal joint, what is measured
  * along that axis has lost five bits; the leg's third axis is taken instead. */
-#define STEWART_NEAR_POLE ((stewart_real)0.03125)
+#define STEWART_NEAR_JOINT_SINGULAR ((stewart_real)0.03125)
 
 /* A leg shorter than this has a square that the arithmetic does not hold to all its digits. */
 #if !defined(STEWART_SHORTEST)
@@ -42,7 +42,7 @@
 
 /* Sine of the angle between a leg and the fixed axis below which rounding decides where the leg's second axis
  * points: the singularity of the universal joint. */
-#define STEWART_POLE_SINE (REAL(4096) * STEWART_EPSILON)
+#define STEWART_JOINT_SINGULAR_SINE (REAL(4096) * STEWART_EPSILON)
 
 /* Below this share of the vectors that it is the sum of, a leg has lost so many digits that its column of H
  * may be singular to rounding with others while the pivots are large. */

@@ -529,10 +529,10 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
             return STEWART_NOT_FINITE;
         }
         if (!(terms.L > STEWART_ROUNDING*reach[i] && terms.L > STEWART_SHORTEST)) {
-            return STEWART_SHORT_LEG;
+            return STEWART_ZERO_LENGTH;
         }
-        if (!(terms.k3 > STEWART_POLE_SINE)) {
-            return STEWART_POLE;
+        if (!(terms.k3 > STEWART_JOINT_SINGULAR_SINE)) {
+            return STEWART_JOINT_SINGULAR;
         }
         close = L[i] > STEWART_SHORT_SHARE*reach[i] ? close : 1;
         out->D[i] = terms.D;

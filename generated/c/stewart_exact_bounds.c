@@ -514,7 +514,7 @@ static void prepare_platform(
     const stewart_real arm_z = R_0_z - p_1_z;
     const stewart_real arm_z_err = STEWART_UNIT*STEWART_FABS(arm_z);
     const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
-    /* first moment of what rides on it about that centre */
+    /* first moment of what is lumped with it about that centre */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_x_err = M_add_err*arm_x_max + M_add_max*arm_x_err + h_add_x_err + STEWART_UNIT*(M_add_max*arm_x_max
         + STEWART_FABS(e_x));
@@ -4812,7 +4812,7 @@ static int equations_of_pose(
             if (status != STEWART_OK) {
                 return status;
             }
-            out->near = leg.k3 > STEWART_NEAR_POLE ? out->near : 1;
+            out->near = leg.k3 > STEWART_NEAR_JOINT_SINGULAR ? out->near : 1;
             out->close = leg.L > STEWART_SHORT_SHARE*leg.reach ? out->close : 1;
         }
         D[i] = leg.D;

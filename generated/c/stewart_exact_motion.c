@@ -639,7 +639,7 @@ STEWART_APART static void equations_of_leg(
         out->checked.k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
 }
@@ -991,7 +991,7 @@ STEWART_APART static void equations_of_near(
         out->checked.k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
 }
@@ -1398,7 +1398,7 @@ STEWART_APART static void bias_of_leg(
         out->checked.k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
 }
@@ -1798,7 +1798,7 @@ STEWART_APART static void forward_of_leg(
         out->checked.k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
 }
@@ -2276,7 +2276,7 @@ STEWART_APART static void joint_rows_of_leg(
         out->checked.k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
 }
@@ -3820,7 +3820,7 @@ STEWART_APART static void derivatives_of_leg(
         out->checked.k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
 }
@@ -4584,7 +4584,7 @@ STEWART_APART static void derivatives_of_near(
         out->checked.k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
 }
@@ -5844,7 +5844,7 @@ STEWART_APART static void joint_slopes_of_leg(
         out->checked.k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
 }

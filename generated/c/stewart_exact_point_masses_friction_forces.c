@@ -158,7 +158,7 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what rides on it about that centre */
+    /* first moment of what is lumped with it about that centre */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
@@ -535,14 +535,14 @@ static void legs_of_pose(
         out->k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
-        fault = k3 > STEWART_NEAR_POLE ? fault : REAL(1);
+        fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
         out->bad[l] = fault;
     }
 }
 
 /* The same for a pose in which a leg is near its joint singularity: 220 (136 mul, 80 add, 2 div, 2 sqrt)
  * operations each. */
-static void legs_near_pole(
+static void legs_near_singular(
     const stewart_exact_point_masses_friction_model *STEWART_RESTRICT model,
     const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
     leg_lanes *STEWART_RESTRICT out)
@@ -695,7 +695,7 @@ static void legs_near_pole(
         out->k3[l] = k3;
         stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
         fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
-        fault = k3 > STEWART_POLE_SINE ? fault : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->bad[l] = fault;
     }
 }
@@ -760,7 +760,7 @@ int stewart_exact_point_masses_friction_forces(
     stewart_real x[6];
     stewart_real found[6];
     int close = 0;
-    int near_pole = 0;
+    int near_singular = 0;
     if (model == NULL || motion == NULL || F == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
@@ -773,11 +773,11 @@ int stewart_exact_point_masses_friction_forces(
                 return status;
             }
             close = legs.L[i] > STEWART_SHORT_SHARE*legs.reach[i] ? close : 1;
-            near_pole = legs.k3[i] > STEWART_NEAR_POLE ? near_pole : 1;
+            near_singular = legs.k3[i] > STEWART_NEAR_JOINT_SINGULAR ? near_singular : 1;
         }
     }
-    if (near_pole != 0) {
-        legs_near_pole(model, motion, &shared, &legs);
+    if (near_singular != 0) {
+        legs_near_singular(model, motion, &shared, &legs);
     }
     shift_of_pose(&legs, &shared);
     moments_of_pose(&legs);
@@ -1075,7 +1075,7 @@ static void leg_of_block(
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
         stewart_real fault = L <= STEWART_MAX ? bad[l] : REAL(1);
         fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
-        fault = k3 > STEWART_NEAR_POLE ? fault : REAL(1);
+        fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
         bad[l] = fault;
     }
 }

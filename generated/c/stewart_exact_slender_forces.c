@@ -131,7 +131,7 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real arm_x = R_0_x - p_1_x;
     const stewart_real arm_y = R_0_y - p_1_y;
     const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what rides on it about that centre */
+    /* first moment of what is lumped with it about that centre */
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;

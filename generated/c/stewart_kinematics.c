@@ -189,10 +189,10 @@ static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
         return STEWART_NOT_FINITE;
     }
     if (!((L > (STEWART_ROUNDING*reach)) && (L > STEWART_SHORTEST))) {
-        return STEWART_SHORT_LEG;
+        return STEWART_ZERO_LENGTH;
     }
-    if (!(k3 > STEWART_POLE_SINE)) {
-        return STEWART_POLE;
+    if (!(k3 > STEWART_JOINT_SINGULAR_SINE)) {
+        return STEWART_JOINT_SINGULAR;
     }
     return STEWART_OK;
 }
@@ -494,7 +494,7 @@ static int first_fault(const stewart_real L[6], const stewart_pose *guess)
         status = (STEWART_FABS(guess->t[i]) <= STEWART_MAX) ? status : STEWART_NOT_FINITE;
     }
     for (i = 0; i < 6; ++i) {
-        status = ((status != STEWART_OK) || (L[i] > REAL(0))) ? status : STEWART_SHORT_LEG;
+        status = ((status != STEWART_OK) || (L[i] > REAL(0))) ? status : STEWART_ZERO_LENGTH;
     }
     return status;
 }

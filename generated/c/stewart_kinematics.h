@@ -38,7 +38,7 @@ typedef struct {
 
 /* Lengths L of the legs, m, (2), and their rates L_dot, m/s, (5), at R, t, v and omega of a motion;
  * nothing else of it is read. L_dot may be null: then neither v nor omega is read. Returns a status:
- * STEWART_SHORT_LEG if a leg is no longer than the rounding of the terms of S = q + t - b,
+ * STEWART_ZERO_LENGTH if a leg is no longer than the rounding of the terms of S = q + t - b,
  * STEWART_NOT_FINITE. */
 STEWART_NODISCARD int stewart_inverse_kinematics(
     const stewart_robot *robot, const stewart_motion *motion, stewart_real L[6], stewart_real L_dot[6]);
@@ -55,14 +55,14 @@ STEWART_NODISCARD int stewart_inverse_kinematics(
  *     the pose open: its condition number, by Frobenius norms and with moments over the root mean square
  *     distance of the platform points from the reference point, exceeds 1 / (16 sqrt(eps)). That number is no
  *     less than the one by largest and smallest singular value, and no more than six times it.
- * STEWART_SHORT_LEG: a length is not > 0, or a leg has length zero at the guess.
+ * STEWART_ZERO_LENGTH: a length is not > 0, or a leg has length zero at the guess.
  * STEWART_NOT_FINITE: an input is not finite, or the lengths at the guess overflow. */
 STEWART_NODISCARD int stewart_forward_kinematics(
     const stewart_robot *robot, const stewart_real L[6], stewart_pose *pose);
 
 /* Velocity v, m/s, of the reference point and angular velocity omega, rad/s, of the platform, base frame,
  * from the rates of the legs, m/s, at a pose: L_dot = H^T [v; omega], (5). Returns a status:
- * STEWART_SINGULAR as above, STEWART_SHORT_LEG and STEWART_NOT_FINITE. */
+ * STEWART_SINGULAR as above, STEWART_ZERO_LENGTH and STEWART_NOT_FINITE. */
 STEWART_NODISCARD int stewart_forward_velocity(
     const stewart_robot *robot, const stewart_pose *pose, const stewart_real L_dot[6], stewart_real v[3],
     stewart_real omega[3]);

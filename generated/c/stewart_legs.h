@@ -28,7 +28,7 @@ typedef struct {
 
 /* Kinematics of the legs at R, t, omega, v, alpha and a of motions; alpha and a may be null where L_ddot is.
  * Writes each pose's status unless `status` is null, and returns the first that is not STEWART_OK:
- * STEWART_SHORT_LEG if a leg is no longer than the rounding of the terms of S = q + t - b,
+ * STEWART_ZERO_LENGTH if a leg is no longer than the rounding of the terms of S = q + t - b,
  * STEWART_NOT_FINITE. Outputs of such a pose are left as they were. */
 STEWART_NODISCARD int stewart_legs_batch(
     const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_legs_arrays *legs,

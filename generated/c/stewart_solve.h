@@ -76,10 +76,10 @@ STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewa
         return STEWART_NOT_FINITE;
     }
     if (!(L > STEWART_ROUNDING*reach && L > STEWART_SHORTEST)) {
-        return STEWART_SHORT_LEG;
+        return STEWART_ZERO_LENGTH;
     }
-    if (!(k3 > STEWART_POLE_SINE)) {
-        return STEWART_POLE;
+    if (!(k3 > STEWART_JOINT_SINGULAR_SINE)) {
+        return STEWART_JOINT_SINGULAR;
     }
     return STEWART_OK;
 }

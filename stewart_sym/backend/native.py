@@ -34,7 +34,7 @@ _VERSION_TIMEOUT = 60.0
 _STALE_SECONDS = 24 * 3600.0
 
 _NATIVE = "-march=native"
-# Code on Windows is position independent anyway, and clang refuses the flag there.
+# Code on Windows is position independent anyway, and clang rejects the flag there.
 _POSITION = () if sys.platform == "win32" else ("-fPIC",)
 FLAGS = ("-O3", "-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off", _NATIVE)
 """Of the compiler, for every library of this machine."""

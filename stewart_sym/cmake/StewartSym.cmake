@@ -14,7 +14,7 @@
 # generator knows the names of its files. <target>_selftest, built when asked for, is its self-test. Robot file, generator and every file of the kit are watched: where
 # one is newer than the last run, or gone, the build configures itself anew before it compiles anything.
 # Files that come out equal keep their time, so nothing is compiled in vain; one that was edited by hand makes
-# the generator refuse. What the generator says against a robot stops the build.
+# the generator reject. What the generator says against a robot stops the build.
 
 cmake_policy(VERSION 3.15...3.31)
 

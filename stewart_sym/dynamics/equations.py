@@ -107,7 +107,7 @@ def linearise(
     """Linear state equations of the `exact` machine about a motion under actuator forces F, N, (..., 6).
 
     motion: poses, rates and load; accelerations don't count. Other arguments and errors: as for
-    ``forward_dynamics``; spherical base joints are refused.
+    ``forward_dynamics``; spherical base joints are rejected.
 
     Returns Linearisation; shapes and units there.
     """
@@ -250,7 +250,7 @@ def _faults(formulation: str) -> frozenset[int]:
 
 def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> NDArray[np.bool_]:
     """Where double precision loses digits that the machine has, (...): then the reference takes 50."""
-    near = newton_euler.legs(robot, _at_rest(motion), faults).sin_pole.min(axis=(-2, -1)) < _KEPT
+    near = newton_euler.legs(robot, _at_rest(motion), faults).sin_joint.min(axis=(-2, -1)) < _KEPT
     return np.asarray(near | ~(digits_kept(M) > _KEPT))
 
 
@@ -305,7 +305,7 @@ def solve_positive(M: Array, w: Array) -> tuple[Array, NDArray[np.bool_]]:
         G = np.linalg.cholesky(M)
         definite = np.ones(M.shape[:-2], dtype=np.bool_)
     except np.linalg.LinAlgError:
-        # One bad matrix refuses a whole batch: find out which, and put the unit matrix in its place.
+        # One bad matrix rejects a whole batch: find out which, and put the unit matrix in its place.
         flat = np.array([_is_positive(matrix) for matrix in M.reshape(-1, *M.shape[-2:])], dtype=np.bool_)
         definite = flat.reshape(M.shape[:-2])
         G = np.linalg.cholesky(np.where(definite[..., None, None], M, np.eye(M.shape[-1])))

@@ -23,7 +23,7 @@ from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
 from ..reference import newton_euler
-from ..results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, STATUS_TEXT, Forces, Reactions
+from ..results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, STATUS_TEXT, ZERO_LENGTH, Forces, Reactions
 from ..robot.robot import Robot
 from .damping import damped_solution
 
@@ -150,7 +150,7 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
 
 
 def need_motion(robot: Robot, motion: Motion) -> None:
-    """Refuse, by ValueError, what is no robot and no motion with accelerations."""
+    """Reject, by ValueError, what is no robot and no motion with accelerations."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
     if motion.alpha is None or motion.a is None:
@@ -158,7 +158,7 @@ def need_motion(robot: Robot, motion: Motion) -> None:
 
 
 def need_universal(robot: Robot) -> None:
-    """Refuse, by ValueError, what is no robot with universal base joints."""
+    """Reject, by ValueError, what is no robot with universal base joints."""
     instance(robot, Robot, "robot")
     if robot.base_joint != "universal":
         raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
@@ -212,7 +212,7 @@ def _without_overflow(found: Reactions) -> Reactions:
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
     """F, D, x, K, H, c and wrench_error by ``damped_solution``, of poses that may be singular; no status.
 
-    By the NumPy kernel, whatever backend refused the poses. NaN where a leg has no direction.
+    By the NumPy kernel, whatever backend rejected the poses. NaN where a leg has no direction.
     """
     terms = NumpyKernel.prepare(robot, formulation).terms(motion)
     with np.errstate(over="ignore", invalid="ignore"):
@@ -276,7 +276,11 @@ def first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> tupl
     """
     where, others = error_policy.first(status)
     code = int(status[where])
-    leg = f" (leg {_worst_leg(code, robot, motion[where]) + 1})" if code in (SHORT_LEG, POLE) else ""
+    leg = (
+        f" (leg {_worst_leg(code, robot, motion[where]) + 1})"
+        if code in (ZERO_LENGTH, JOINT_SINGULAR)
+        else ""
+    )
     return where, f"{STATUS_TEXT[code]}{leg}{others}"
 
 
@@ -284,4 +288,4 @@ def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:
     """Index of the shortest leg, or of the one nearest to its universal axis."""
     S = robot.p @ motion.R.T + motion.t - robot.b
     L = np.linalg.norm(S, axis=-1)
-    return int(np.argmin(L if code == SHORT_LEG else np.linalg.norm(np.cross(robot.k, S), axis=-1) / L))
+    return int(np.argmin(L if code == ZERO_LENGTH else np.linalg.norm(np.cross(robot.k, S), axis=-1) / L))

@@ -211,7 +211,7 @@ def _positive(value: object, name: str, expected: str) -> float:
 
 
 def need_seed(value: object) -> None:
-    """Refuse, by ValueError, what is no whole number >= 0."""
+    """Reject, by ValueError, what is no whole number >= 0."""
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 0:
         raise ValueError(f"seed: expected a whole number >= 0, got {type(value).__name__}")
 

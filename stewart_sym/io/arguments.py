@@ -1,4 +1,4 @@
-"""What an argument must be, asked in one place so that every refusal is one line that names it.
+"""What an argument must be, asked in one place so that every rejection is one line that names it.
 
 Stands at the bottom; knows nothing of what the arguments mean.
 """
@@ -58,19 +58,19 @@ def leading_shape(leading: Mapping[str, tuple[int, ...]]) -> tuple[int, ...]:
 
 
 def instance(value: object, kind: type, name: str) -> None:
-    """Refuse, by ValueError, what is no ``kind``."""
+    """Reject, by ValueError, what is no ``kind``."""
     if not isinstance(value, kind):
         raise ValueError(f"{name}: expected a {kind.__name__}, got {type(value).__name__}")
 
 
 def truth(value: object, name: str) -> None:
-    """Refuse, by ValueError, what is no truth value."""
+    """Reject, by ValueError, what is no truth value."""
     if not isinstance(value, bool | np.bool_):
         raise ValueError(f"{name}: expected True or False, got {shown(value)}")
 
 
 def option(value: object, options: Sequence[str], name: str) -> None:
-    """Refuse, by ValueError, what is none of the options."""
+    """Reject, by ValueError, what is none of the options."""
     if not isinstance(value, str) or value not in options:
         quoted = [f'"{text}"' for text in options]
         choice = f"{', '.join(quoted[:-1])} or {quoted[-1]}"

@@ -1,4 +1,4 @@
-"""Text files read within bounds, and tables of TOML checked key by key; each refusal is one line.
+"""Text files read within bounds, and tables of TOML checked key by key; each rejection is one line.
 
 The prefix or place handed in begins every message: ``file: key: what was expected``. Stands at the bottom,
 below the readers of robots, scenes and trajectories; knows nothing of what the keys mean.
@@ -149,7 +149,7 @@ def checked_table(
 
 
 def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: str) -> None:
-    """Refuse a table that lacks one of the keys, with a reason."""
+    """Reject a table that lacks one of the keys, with a reason."""
     for key in keys:
         if key not in table:
             raise ValueError(f"{prefix}{key}: {reason}")
@@ -166,7 +166,7 @@ def one_line(value: object, where: str) -> str:
 
 
 def need_schema(value: object, known: int, where: str) -> None:
-    """Refuse the number of a schema that is not the known one."""
+    """Reject the number of a schema that is not the known one."""
     if isinstance(value, bool) or not isinstance(value, int | float | np.integer) or value != known:
         raise ValueError(f"{where}: expected {known}, got {shown(value)}")
 

@@ -24,7 +24,7 @@ from ..robot.robot import Robot
 
 Array = NDArray[np.float64]
 
-MIN_SIN_POLE = 0.3
+MIN_JOINT_SINE = 0.3
 """Sine of the angle between a leg and its universal axis from which on the leg is clear of it."""
 
 ROUNDING = 16 * np.finfo(np.float64).eps
@@ -62,7 +62,7 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
     rounding units of the largest component of the terms of S = q + t - b, (1); and when a result overflows.
     """
     legs = legs_or_overflow(robot, motion)
-    _refuse_overflow(legs.L, legs.L_dot, legs.L_ddot)
+    _reject_overflow(legs.L, legs.L_dot, legs.L_ddot)
     return legs
 
 
@@ -104,7 +104,7 @@ def wrench_matrix(robot: Robot, motion: Motion) -> Array:
     wrench H F.  Raises ``ValueError`` as ``inverse_kinematics``.
     """
     legs = _legs(robot, motion, ("L", "q", "s"))
-    _refuse_overflow(legs["L"])
+    _reject_overflow(legs["L"])
     return _columns(legs["s"], cross(legs["q"], legs["s"]))
 
 
@@ -119,7 +119,7 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
         s_dot = (legs["S_dot"] - legs["L_dot"][..., None] * s) / legs["L"][..., None]
         q_dot = cross(motion.omega[..., None, :], q)
         H_dot = _columns(s_dot, cross(q_dot, s) + cross(q, s_dot))
-    _refuse_overflow(legs["L"], H_dot)
+    _reject_overflow(legs["L"], H_dot)
     return H_dot
 
 
@@ -135,13 +135,13 @@ def tip_velocities(motion: Motion, q: Array) -> Array:
     return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
 
 
-def clear_of_poles(robot: Robot, legs: LegKinematics) -> NDArray[np.bool_]:
+def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> NDArray[np.bool_]:
     """Whether all six legs are clear of their universal axes k, (...,); always with spherical base joints.
 
-    Clear: the sine of the angle between k and s is ``MIN_SIN_POLE`` or more.
+    Clear: the sine of the angle between k and s is ``MIN_JOINT_SINE`` or more.
     """
     sines = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
-    return np.asarray((sines >= MIN_SIN_POLE).all(axis=-1) | (robot.base_joint == "spherical"))
+    return np.asarray((sines >= MIN_JOINT_SINE).all(axis=-1) | (robot.base_joint == "spherical"))
 
 
 def _legs(robot: Robot, motion: Motion, wanted: Sequence[str]) -> dict[str, Any]:
@@ -167,7 +167,7 @@ def _legs(robot: Robot, motion: Motion, wanted: Sequence[str]) -> dict[str, Any]
         part = slice(start, start + BLOCK)
         with np.errstate(all="ignore"):
             block = _block(robot, {name: array[part].T.copy() for name, array in flat.items()})
-        _refuse_short(block["L"][0], ROUNDING * block["reach"][0], motion.shape, start)
+        _reject_short(block["L"][0], ROUNDING * block["reach"][0], motion.shape, start)
         for name, array in found.items():
             # As rows of six or eighteen numbers: copies of long rows are the fast ones.
             rows = np.stack(block[name], axis=1).reshape(array[0].size, -1)
@@ -212,7 +212,7 @@ def _columns(force: Array, moment: Array) -> Array:
     return np.swapaxes(np.concatenate([force, moment], axis=-1), -1, -2)
 
 
-def _refuse_short(L: Array, rounding: Array, shape: tuple[int, ...], start: int) -> None:
+def _reject_short(L: Array, rounding: Array, shape: tuple[int, ...], start: int) -> None:
     """Name the first leg, (6, n), of length zero; ``start``: number of the first pose of ``shape``."""
     short = np.argwhere((rounding >= L).T)
     if short.size:
@@ -221,6 +221,6 @@ def _refuse_short(L: Array, rounding: Array, shape: tuple[int, ...], start: int)
         raise ValueError(f"motion: leg {leg + 1} has length zero{f' at motion[{where}]' if where else ''}")
 
 
-def _refuse_overflow(*results: Array | None) -> None:
+def _reject_overflow(*results: Array | None) -> None:
     if not all(values is None or np.isfinite(values).all() for values in results):
         raise ValueError("motion: the kinematics of its legs overflow")

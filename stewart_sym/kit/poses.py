@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..dynamics.inverse import Formulation, inverse_dynamics
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
-from ..kinematics.inverse import clear_of_poles, inverse_kinematics
+from ..kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
 from ..kinematics.mounting import platform_side
 from ..motion.motion import Motion
 from ..results import Forces
@@ -60,7 +60,7 @@ def sample(robot: Robot, formulation: str) -> tuple[Motion, Forces, float]:
     Raises ValueError if there is none.
     """
     # NumPy, as it rounds like the C and is there without a compiler.
-    poses, condition, clear, within = _judged(robot, _candidates(robot), formulation)
+    poses, condition, clear, within = _checked(robot, _candidates(robot), formulation)
     for also in (within, np.full_like(within, True)):
         for bound in (GOOD_CONDITION, MAX_CONDITION):
             good = np.flatnonzero(clear & also & (condition <= bound))
@@ -81,7 +81,7 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
     backwards or without load. A machine may have fewer than asked for. Raises ValueError as ``sample``.
     """
     first, _, _ = sample(robot, formulation)
-    around, condition, clear, within = _judged(robot, _neighbours(robot, first), formulation)
+    around, condition, clear, within = _checked(robot, _neighbours(robot, first), formulation)
     fit = clear & (condition <= MAX_CONDITION)
     # The order of numbers is kept within a rank: the sort is stable.
     rank = 2 * ~within + (condition > GOOD_CONDITION)
@@ -113,7 +113,7 @@ def significant(values: ArrayLike, digits: int) -> Array:
 Flags = NDArray[np.bool_]
 
 
-def _judged(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, Array, Flags, Flags]:
+def _checked(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, Array, Flags, Flags]:
     """Those that solve; condition numbers; are all legs clear of their axes, are all within their limits."""
     status = _forces(robot, motions, formulation).status
     solved = motions[np.flatnonzero(status == 0)]
@@ -122,7 +122,7 @@ def _judged(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, Ar
     condition = scaled_condition_number(_forces(robot, solved, formulation).H, characteristic_length(robot))
     legs = inverse_kinematics(robot, solved)
     within = np.clip(legs.L, *robot.length_limits.T) == legs.L
-    return solved, condition, clear_of_poles(robot, legs), within.all(axis=-1)
+    return solved, condition, clear_of_joint_singularities(robot, legs), within.all(axis=-1)
 
 
 def _forces(robot: Robot, motion: Motion, formulation: str) -> Forces:

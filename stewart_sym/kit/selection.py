@@ -22,9 +22,9 @@ from ..kinematics.conditioning import characteristic_length, scaled_condition_nu
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
 from ..robot.robot import Robot
+from .interpreter import LEG_FIELDS, NEAR_JOINT_SINGULAR, PLATFORM_FIELDS
 from .parts import folded_kernel, plain_kernel
 from .poses import MAX_CONDITION, WHOLE, sample, significant, size_of, whole_turn
-from .readings import LEG_FIELDS, NEAR_POLE, PLATFORM_FIELDS
 from .running import FORCES_MARGIN
 from .sensitivity import Forces, changes
 
@@ -98,7 +98,7 @@ def selection(numbered: Numbered, formulation: str, fidelity: str, precision: st
     ratios, motions = search.shown(near=False)
     hidden = _hidden(ratios)
     chosen = [_flat(motions, i) for i in _cover(ratios)]
-    if kernel.leg_near_pole is not None:
+    if kernel.leg_near_singular is not None:
         ratios, motions = search.shown(near=True)
         beside = {name: row for name, row in ratios.items() if name in hidden}
         needed, good = _cover(beside), _cover(ratios)
@@ -212,7 +212,11 @@ class _Search:
             k = self.robot.k / np.linalg.norm(self.robot.k, axis=1)[:, None]
             sines = np.linalg.norm(np.cross(k, legs.s), axis=-1).min(axis=-1)
             least = _LEAST * np.finfo(kind).eps
-            solves &= (sines > least) & (sines < _BESIDE * NEAR_POLE) if near else sines > _CLEAR * NEAR_POLE
+            solves &= (
+                (sines > least) & (sines < _BESIDE * NEAR_JOINT_SINGULAR)
+                if near
+                else sines > _CLEAR * NEAR_JOINT_SINGULAR
+            )
         pool = _some(pool, solves)
         return self._unloaded(pool, near)
 

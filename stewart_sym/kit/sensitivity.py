@@ -123,7 +123,7 @@ def _raw(robot: Numbers) -> Constants:
 
 
 def _first(raw: Constants) -> dict[str, Any]:
-    """Platform point 1, from which what rides on the platform is measured: no constant depends on it."""
+    """Platform point 1, from which lumped masses are measured: no constant depends on it."""
     return {name: raw.leg[own][0, 0] for name, own in zip(n.p_1.names, n.p.names, strict=True)}
 
 
@@ -194,7 +194,7 @@ class Forces:
 
     def __init__(self, kernel: ForceKernel, robot: Numbers, motions: Numbers, near: bool) -> None:
         """Solve for the forces, and bound their errors."""
-        block = kernel.leg_near_pole if near else kernel.leg
+        block = kernel.leg_near_singular if near else kernel.leg
         assert block is not None
         self._kernel, self._block = kernel, block
         self._constants, self._motion = _held(kernel, robot), _components_of(n.MOTION, motions)

@@ -1,6 +1,6 @@
 """Test vectors: what a kit's functions have to answer on a target, and how close.
 
-Takes a checked Robot, tries ``poses``, has them read at 50 digits (``readings``), and hands out inputs,
+Takes a checked Robot, tries ``poses``, has them read at 50 digits (``interpreter``), and hands out inputs,
 answers and bounds as plain arrays. Knows no C: who prints them decides how.
 
 A bound holds for any sound build: other orders of sums, other pivots, fused multiply-add, legs one after the
@@ -24,10 +24,10 @@ from ..kinematics.forward import forward_kinematics
 from ..kinematics.inverse import wrench_matrix
 from ..motion.motion import Motion
 from ..motion.rotation import orthonormal
-from ..results import POLE, SHORT_LEG, SINGULAR
+from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
 from ..robot.robot import Robot
+from .interpreter import LEG_FIELDS, PLATFORM_FIELDS, Found, KitInterpreter, Numbers
 from .poses import neighbour, poses, significant
-from .readings import LEG_FIELDS, PLATFORM_FIELDS, Found, Numbers, Readings
 from .running import FORCES_MARGIN, MARGIN, errors, values
 from .selection import Numbered, selection
 
@@ -117,10 +117,10 @@ def _made(
     }
     if not baked:
         constants = {name: _rounded(value, kind) for name, value in constants.items()}
-    readings = Readings(constants, robot.base_joint, formulation, level, baked)
+    interpreter = KitInterpreter(constants, robot.base_joint, formulation, level, baked)
     every = poses(robot, formulation, count)
     ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
-    made = partial(_vector, readings, robot, kind)
+    made = partial(_vector, interpreter, robot, kind)
     found: list[Vector] = []
     for function in functions:
         motions = ordinary[:FEW] if function in _LARGE else ordinary
@@ -139,14 +139,14 @@ def rejected(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str
     start = _input(robot, first, _PRECISION[precision])
     still = start | {"R": np.eye(3).ravel()}
     cases = [
-        (still | {"t": robot.b[2] - robot.p[2]}, SHORT_LEG),
+        (still | {"t": robot.b[2] - robot.p[2]}, ZERO_LENGTH),
         # With all platform points in one place the legs' lines meet there.
         (start | {"R": np.zeros(9)}, SINGULAR),
     ]
     if knows_axes(robot, fidelity):
         k = robot.k[4] / np.linalg.norm(robot.k[4])
         along = k * np.linalg.norm(start["t"] - robot.b[4])
-        cases.append((still | {"t": robot.b[4] + along - robot.p[4]}, POLE))
+        cases.append((still | {"t": robot.b[4] + along - robot.p[4]}, JOINT_SINGULAR))
     return cases
 
 
@@ -183,33 +183,33 @@ def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
     return 2.0 * condition <= 1.0 / (16.0 * math.sqrt(np.finfo(kind).eps))
 
 
-def _vector(readings: Readings, robot: Robot, kind: type, function: str, motion: Numbers) -> Vector:
+def _vector(interpreter: KitInterpreter, robot: Robot, kind: type, function: str, motion: Numbers) -> Vector:
     rounded = partial(_rounded, kind=kind)
     inputs = dict(motion)
     at = motion
     if function in ("forward_dynamics", "linearisation"):
         # More than what holds the motion: the platform has to be accelerated.
-        inputs["F"] = rounded(significant(1.5 * values(readings.forces(motion)["F"]), 4))
+        inputs["F"] = rounded(significant(1.5 * values(interpreter.forces(motion)["F"]), 4))
     elif function == "joint_reactions":
-        L = values(readings.inverse_kinematics(motion)["L"])
+        L = values(interpreter.inverse_kinematics(motion)["L"])
         inputs["bearing"] = rounded(significant(L * np.linspace(0.3, 0.8, 6), 2))
     elif function in ROTATION:
         inputs = {name: rounded(value) for name, value in _rotation_inputs(function, motion).items()}
     elif function in KINEMATICS:
-        inputs, at = _kinematic_inputs(readings, robot, kind, function, motion)
-    found = getattr(readings, function)(at if function == "forward_kinematics" else inputs)
+        inputs, at = _kinematic_inputs(interpreter, robot, kind, function, motion)
+    found = getattr(interpreter, function)(at if function == "forward_kinematics" else inputs)
     margin = FORCES_MARGIN if function == "forces" else MARGIN
     return Vector(function, inputs, *_answers(found, kind, margin))
 
 
 def _kinematic_inputs(
-    readings: Readings, robot: Robot, kind: type, function: str, motion: Numbers
+    interpreter: KitInterpreter, robot: Robot, kind: type, function: str, motion: Numbers
 ) -> tuple[dict[str, Array], Numbers]:
     """What a function of the kinematics is given, and what its reading is."""
     if function == "inverse_kinematics":
         inputs = {name: motion[name] for name in ("R", "t", "omega", "v")}
         return inputs, inputs
-    legs = readings.inverse_kinematics(motion)
+    legs = interpreter.inverse_kinematics(motion)
     pose = {name: motion[name] for name in ("R", "t")}
     if function == "forward_velocity":
         inputs = {**pose, "L_dot": _rounded(significant(values(legs["L_dot"]), 4), kind)}

@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..motion.motion import Motion
-from ..results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Forces, Reactions
+from ..results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Forces, Reactions
 from ..robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -68,7 +68,7 @@ class _Velocities(_Positions):
     r_u: Array
     I_d: Array
     I_u: Array
-    sin_pole: Array
+    sin_joint: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -262,8 +262,8 @@ def _velocities(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) ->
     # A leg between two spherical joints is axisymmetric: any y across s will do.
     k = np.eye(3)[np.argmin(np.abs(s), axis=-1)] if spherical else np.broadcast_to(robot.k, s.shape)
     k_x_s = _cross(k, s)
-    sin_pole = np.sqrt(_dot(k_x_s, k_x_s))
-    y = k_x_s / sin_pole
+    sin_joint = np.sqrt(_dot(k_x_s, k_x_s))
+    y = k_x_s / sin_joint
     z = _cross(s, y)
     T = np.stack([s, y, z], axis=-1)  # (10)
     n = _cross(k, y)
@@ -287,7 +287,7 @@ def _velocities(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) ->
     I_d = T @ robot.I_d0 @ _transpose(T)  # (15)
     I_u = T @ I_u0 @ _transpose(T)  # (16)
     return _Velocities(
-        **vars(leg), T=T, y=y, n=n, axis=axis, W=W, r_d=r_d, r_u=r_u, I_d=I_d, I_u=I_u, sin_pole=sin_pole
+        **vars(leg), T=T, y=y, n=n, axis=axis, W=W, r_d=r_d, r_u=r_u, I_d=I_d, I_u=I_u, sin_joint=sin_joint
     )
 
 
@@ -349,13 +349,13 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
 
 
 def _equations(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Array, Array, Codes]:
-    """The legs, then H and c of (36) and a status that does not judge H."""
+    """The legs, then H and c of (36) and a status that does not assess H."""
     leg, H, c = balance(robot, motion, faults)
     D, K = leg.D[..., 0], leg.K
     faults_of_legs = _leg_faults(robot, motion, leg)
-    at_pole = (faults_of_legs == OK) & ~(leg.sin_pole[..., 0] > ROUNDING)
+    joint_singular = (faults_of_legs == OK) & ~(leg.sin_joint[..., 0] > ROUNDING)
     finite = _finite(H, 2) & _finite(c, 1) & _finite(D, 1) & _finite(K, 2)
-    return leg, H, c, _status(np.where(at_pole, POLE, faults_of_legs), finite)
+    return leg, H, c, _status(np.where(joint_singular, JOINT_SINGULAR, faults_of_legs), finite)
 
 
 def balance(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tuple[Legs, Array, Array]:
@@ -430,7 +430,7 @@ def _leg_faults(robot: Robot, motion: Motion, leg: _Positions) -> Codes:
     """Codes of the legs, (..., 6): a length that overflows, or is rounding beside the terms of S, (2)."""
     L = leg.L[..., 0]
     reach = np.max(np.abs(np.broadcast_arrays(leg.q, motion.t[..., None, :], robot.b)), axis=(0, -1))
-    return np.where(np.isfinite(L), np.where(ROUNDING * reach >= L, SHORT_LEG, OK), NOT_FINITE)
+    return np.where(np.isfinite(L), np.where(ROUNDING * reach >= L, ZERO_LENGTH, OK), NOT_FINITE)
 
 
 def _status(faults_of_legs: Codes, finite: NDArray[np.bool_]) -> Codes:

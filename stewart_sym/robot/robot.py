@@ -413,7 +413,7 @@ def _inertia(value: object, where: str) -> Array:
 
 
 def _axisymmetric(center: Array, inertia: Array, where_center: str, where_inertia: str) -> None:
-    """Refuse a part that is no body of revolution about the leg: spherical joints leave its spin free."""
+    """Reject a part that is no body of revolution about the leg: spherical joints leave its spin free."""
     if np.any(np.abs(center[1:]) > SYMMETRY_TOLERANCE * np.max(np.abs(center))):
         got = _vector_text(center)
         raise ValueError(f'{where_center}: expected (x, 0, 0) when base_joint is "spherical", got {got}')

@@ -59,7 +59,7 @@ _TOP_KEYS = (
 )
 _STATE_KEYS = ("t", "theta", "v", "omega")
 _LOAD_KEYS = ("F_ext", "M_ext")
-_THRESHOLD_KEYS = ("max_condition", "min_length", "min_pole_sine")
+_THRESHOLD_KEYS = ("max_condition", "min_length", "min_joint_sine")
 _LAW_KEYS = {
     "forces": ("law", "forces"),
     "springs": ("law", "stiffness", "rest_length", "damping"),

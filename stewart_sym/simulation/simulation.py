@@ -59,21 +59,21 @@ class Thresholds:
     max_condition: scaled condition number of H (see ``scaled_condition_number``), > 1; inf: a run goes
     through singular poses.
     min_length: of a leg, m, > 0; None: a thousandth of the machine's characteristic length.
-    min_pole_sine: sine of the angle between a leg and its universal axis, > 0 and < 1.
+    min_joint_sine: sine of the angle between a leg and its universal axis, > 0 and < 1.
 
     Raises ValueError naming the argument.
     """
 
     max_condition: float = 1e6
     min_length: float | None = None
-    min_pole_sine: float = 1e-3
+    min_joint_sine: float = 1e-3
 
     def __post_init__(self) -> None:
         """Check every threshold."""
         ranges = {
             "max_condition": (1.0, math.inf),
             "min_length": (0.0, math.inf),
-            "min_pole_sine": (0.0, 1.0),
+            "min_joint_sine": (0.0, 1.0),
         }
         for name, (low, high) in ranges.items():
             value = getattr(self, name)
@@ -87,7 +87,7 @@ class Stop:
     """Why and when a run ended.
 
     kind: "duration" (it ran to its end), "length_limits", "speed_limit", "force_limit", "singular",
-    "short_leg", "pole" or "failed" (no step is small enough).
+    "zero_length", "joint singularity" or "failed" (no step is small enough).
     time: s. leg: its number from 1, None where no leg is to blame. text: all of it in one line.
     """
 
@@ -328,7 +328,7 @@ class _Run:
             sample += 1
             held = None if rate is None else six_forces(self.actuators.law(time, _motion(y, center)), time)
             if sample == 1:
-                self._refuse_bad_start(y, center, held)
+                self._reject_bad_start(y, center, held)
             end = duration if rate is None else min(sample / rate, duration)
             while time < end:
                 stop, time, y, center, step = self._chart(pieces, time, end, y, center, step, held)
@@ -390,7 +390,7 @@ class _Run:
             F_ext, M_ext = wrench[:3], wrench[3:]
         return Motion.unchecked(state.R, state.t, state.omega, state.v, F_ext=F_ext, M_ext=M_ext)
 
-    def _refuse_bad_start(self, y: Array, center: Array, held: Array | None) -> None:
+    def _reject_bad_start(self, y: Array, center: Array, held: Array | None) -> None:
         if not np.isfinite(self._rates(0.0, y, center, held)).all():
             raise ValueError(f"initial_state: no accelerations: {self._reason()}")
         self.fault = 0
@@ -455,7 +455,7 @@ class _Watch:
         return float(brentq(margin, start, end, xtol=1e-14 * max(end, 1.0), rtol=1e-14))
 
     def _margins(self, when: Array, piece: _Piece, actuators: _Actuators) -> Array:
-        """(n, 38): shortest, longest, speed, force, length zero, pole, six each; condition and side of H."""
+        """(n, 38): shortest, longest, speed, force, length zero, joint sine, 6 each; condition, side of H."""
         robot = self.robot
         state = _motion(piece.interpolant(when).T, piece.center)
         legs = _legs(robot, state)
@@ -469,7 +469,7 @@ class _Watch:
             robot.speed_limit - np.abs(legs.L_dot),
             self.force_limit - np.abs(F),
             legs.L - shortest,
-            self._pole_sine(legs.s) - self.thresholds.min_pole_sine,
+            self._joint_sine(legs.s) - self.thresholds.min_joint_sine,
             *self._singular_margins(legs),
         ]
         return np.concatenate(margins, axis=-1)
@@ -485,7 +485,7 @@ class _Watch:
     def _size(self) -> float:
         return _size(self.robot)
 
-    def _pole_sine(self, s: Array) -> Array:
+    def _joint_sine(self, s: Array) -> Array:
         if self.robot.base_joint == "spherical":
             return np.ones(s.shape[:-1])
         return np.asarray(np.linalg.norm(cross(self.robot.k, s), axis=-1))
@@ -515,8 +515,8 @@ class _Watch:
                 f"force {actuators.forces(at, state, piece.held)[0, leg]:.6g} N reaches its limit "
                 f"{robot.force_limit[leg]:g} N",
             ),
-            ("short_leg", f"length {length} is near zero"),
-            ("pole", "lies nearly along the fixed axis of its universal joint"),
+            ("zero_length", f"length {length} is near zero"),
+            ("joint singularity", "lies nearly along the fixed axis of its universal joint"),
         )[row // 6]
         return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
 
@@ -529,7 +529,7 @@ class _Legs(NamedTuple):
 
 
 def _legs(robot: Robot, state: Motion) -> _Legs:
-    """Leg kinematics without the refusals of ``inverse_kinematics``: a watched leg may come to nothing."""
+    """Leg kinematics without the rejections of ``inverse_kinematics``: a watched leg may come to nothing."""
     q, S, L = leg_vectors(robot, state.R, state.t)
     with np.errstate(all="ignore"):
         s = S / L[..., None]
@@ -612,7 +612,7 @@ def six_forces(value: ArrayLike, time: float) -> Array:
 
 
 def check_rtol(rtol: object) -> None:
-    """Refuse, by ValueError, what is no number in ``RTOL_RANGE``."""
+    """Reject, by ValueError, what is no number in ``RTOL_RANGE``."""
     low, high = RTOL_RANGE
     text = f"a number in [{low:g}, {high:g}]"
     number = real_array(rtol, "rtol", text)
@@ -621,7 +621,7 @@ def check_rtol(rtol: object) -> None:
 
 
 def check_output_step(output_step: float | None, duration: float) -> None:
-    """Refuse, by ValueError, what is no number > 0, or makes more than ``MOST_INSTANTS`` of a duration, s."""
+    """Reject, by ValueError, what is no number > 0, or makes more than ``MOST_INSTANTS`` of a duration, s."""
     if output_step is None:
         return
     _number(output_step, "output_step", 0.0, math.inf)

@@ -75,13 +75,13 @@ class LegExtreme(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Passage:
+class PathSingularities:
     """How a path passes singular poses and limits.
 
     start, end: s. crossings: where det H changes its sign, in order of time. approaches: the other local
     minima of the smallest singular value, in order of time. spans: times (from, to), s, through which H
     is singular to rounding. nearest: of all times, ends and crossings included, the one with the smallest
-    singular value. pole: least sine of the angle between each leg and its universal joint's fixed axis;
+    singular value. joint_sine: least sine of the angle between each leg and its universal joint's fixed axis;
     1 with spherical base joints. shortest, longest: least and greatest length of each leg, m.
     """
 
@@ -91,7 +91,7 @@ class Passage:
     approaches: tuple[Approach, ...]
     spans: tuple[tuple[float, float], ...]
     nearest: Approach
-    pole: LegExtreme
+    joint_sine: LegExtreme
     shortest: LegExtreme
     longest: LegExtreme
 
@@ -108,8 +108,8 @@ def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...
         return _Search(robot, path, _checked(robot, path, times), everywhere=False).crossings
 
 
-def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> Passage:
-    """Return how a path passes singular poses, the poles of the universal joints and the legs' limits.
+def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> PathSingularities:
+    """Return how a path passes singular poses, singularities of the universal joints and the legs' limits.
 
     Arguments and errors as for ``crossings``. Times of minima are known as well as values tell them, to about
     1e-8 of the interval between two times.
@@ -119,24 +119,24 @@ def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> Passage:
         approaches = search.approaches()
     ends = [Approach(time, search.at(time)) for time in (float(search.times[0]), float(search.times[-1]))]
     known = [*ends, *approaches, *(Approach(found.time, found.at) for found in search.crossings)]
-    pole, shortest, longest = _leg_extremes(robot, path, search.times)
-    return Passage(
+    joint_sine, shortest, longest = _leg_extremes(robot, path, search.times)
+    return PathSingularities(
         start=ends[0].time,
         end=ends[1].time,
         crossings=search.crossings,
         approaches=approaches,
         spans=search.spans,
         nearest=min(known, key=lambda approach: float(approach.at.smallest)),
-        pole=pole,
+        joint_sine=joint_sine,
         shortest=shortest,
         longest=longest,
     )
 
 
-def force_pole(robot: Robot, motion: Motion, formulation: Formulation = "exact") -> Array:
+def force_residue(robot: Robot, motion: Motion, formulation: Formulation = "exact") -> Array:
     """Return the actuator forces' residue, N s, (..., 6), where ``motion`` crosses a singular pose.
 
-    Within a crossing at time t_0 they go as F = force_pole / (t - t_0): to one infinity before and to the
+    Within a crossing at time t_0 they go as F = force_residue / (t - t_0): to one infinity before and to the
     other after. It is -v_6 (u_6 . c) / (u_6 . H' v_6), see ``Singularity``; not finite where the motion rests
     or moves along singular poses, 0 where nothing loads the lost motion. Raises ValueError as
     ``inverse_dynamics``.
@@ -366,7 +366,7 @@ def _runs(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
 
 
 def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, LegExtreme, LegExtreme]:
-    """Least pole sine, least and greatest length of each leg."""
+    """Least joint sine, least and greatest length of each leg."""
     filled = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
 
     def sine(when: Array) -> Array:

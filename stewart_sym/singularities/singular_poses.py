@@ -35,7 +35,7 @@ class Singularity:
     condition: scaled condition number s_1 / s_6, (...); inf where H is singular to rounding.
     smallest: s_6, no unit, (...).
     determinant: of the scaled H, no unit, (...); its sign is that of det H and tells the side.
-    lost: number of freedoms lost to rounding, int, (...); with several, the twist is one of them.
+    lost: number of degrees of freedom lost to rounding, int, (...); with several, the twist is one of them.
     twist: [v; omega], m/s and rad/s, (..., 6), with |v|^2 + |length omega|^2 = 1: of all such twists the one
         that moves the legs least, by rates H^T twist of magnitude s_6; at a singular pose the lost motion.
     wrench: [force; moment], N and N m, (..., 6), with |force|^2 + |moment / length|^2 = 1: the one that costs

@@ -175,7 +175,7 @@ def test_the_grid_runs_through_z_first() -> None:
     ("t", "theta", "name"),
     [(np.zeros((4, 2)), np.zeros(3), "t"), (np.zeros((4, 3)), np.zeros((5, 3)), "theta")],
 )
-def test_points_of_another_shape_are_refused(t: np.ndarray, theta: np.ndarray, name: str) -> None:
+def test_points_of_another_shape_are_rejected(t: np.ndarray, theta: np.ndarray, name: str) -> None:
     with pytest.raises(ValueError, match=rf"^{name}: expected"):
         workspace_map(dasgupta(), t, theta)
 

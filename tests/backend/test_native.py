@@ -382,14 +382,14 @@ def test_read_only_cache_serves_what_it_holds_and_no_more(
 ) -> None:
     cache.mkdir(mode=0o500)
     try:
-        refused = f"import os\nassert not os.access({str(cache)!r}, os.W_OK, effective_ids=True)\n" + CHILD
-        assert run_child(refused, obey_permissions).is_relative_to(temporary.resolve())
+        rejected = f"import os\nassert not os.access({str(cache)!r}, os.W_OK, effective_ids=True)\n" + CHILD
+        assert run_child(rejected, obey_permissions).is_relative_to(temporary.resolve())
         assert len(compiler.calls) == 1
         cache.chmod(0o700)
         held = run_child()
         assert len(compiler.calls) == 2
         cache.chmod(0o500)
-        assert run_child(refused, obey_permissions) == held
+        assert run_child(rejected, obey_permissions) == held
         assert len(compiler.calls) == 2
     finally:
         cache.chmod(0o700)
@@ -586,7 +586,7 @@ def test_flags_are_strict_arithmetic(cache: Path, compiler: LoggedCompiler) -> N
     assert not any("fast" in word for word in words)
 
 
-def test_fast_math_is_refused_wherever_it_stands(
+def test_fast_math_is_rejected_wherever_it_stands(
     compiler: LoggedCompiler, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     with pytest.raises(ValueError, match=r"^flags: -ffast-math is rejected"):
@@ -645,18 +645,18 @@ def test_compiler_has_no_standard_input(cache: Path, tmp_path: Path, monkeypatch
 
 
 @pytest.mark.parametrize("name", ["", "a b", "../a", "ä"])
-def test_bad_library_name_is_refused(name: str) -> None:
+def test_bad_library_name_is_rejected(name: str) -> None:
     with pytest.raises(ValueError, match=r"^name: expected letters"):
         native.load(name, ADD)
 
 
 @pytest.mark.parametrize("file", ["../a.c", "/a.c", "-o.c", "a.o", ""])
-def test_bad_source_name_is_refused(file: str) -> None:
+def test_bad_source_name_is_rejected(file: str) -> None:
     with pytest.raises(ValueError, match=r"^sources: expected plain file names"):
         native.load("adder", ADD | {file: ""})
 
 
-def test_headers_alone_are_refused() -> None:
+def test_headers_alone_are_rejected() -> None:
     with pytest.raises(ValueError, match=r"^sources: expected at least one \.c file"):
         native.load("adder", {"adder.h": ""})
 

@@ -241,21 +241,21 @@ def test_poses_without_an_answer_raise_warn_or_are_nan() -> None:
     ("options", "text"),
     [({"precision": "half"}, 'precision: expected "double" or "float"'), ({"on_singular": 1}, "on_singular")],
 )
-def test_unknown_options_are_refused(options: dict[str, Any], text: str) -> None:
+def test_unknown_options_are_rejected(options: dict[str, Any], text: str) -> None:
     rng = np.random.default_rng(7)
     robot = random_robot(rng)
     with pytest.raises(ValueError, match=re.escape(text)):
         ss.forces_with_bounds(robot, random_motion(rng, robot), **options)
 
 
-def test_robots_without_universal_joints_are_refused_in_one_line() -> None:
+def test_robots_without_universal_joints_are_rejected_in_one_line() -> None:
     rng = np.random.default_rng(8)
     robot = random_robot(rng, "spherical")
     with pytest.raises(ValueError, match='robot: expected base_joint "universal", got "spherical"'):
         ss.forces_with_bounds(robot, random_motion(rng, robot))
 
 
-def test_robots_that_float_cannot_hold_are_refused() -> None:
+def test_robots_that_float_cannot_hold_are_rejected() -> None:
     rng = np.random.default_rng(9)
     robot = random_robot(rng, scale=1e20)
     with pytest.raises(ValueError, match=r"robot: .*expected .* float can hold"):

@@ -11,7 +11,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.precision.quad import error, quad_forces
-from stewart_sym.results import OK, POLE
+from stewart_sym.results import JOINT_SINGULAR, OK
 
 
 def swept(precision: Any, cases: int) -> dict[str, int]:
@@ -24,7 +24,7 @@ def swept(precision: Any, cases: int) -> dict[str, int]:
         kernel = ss.prepare(robot, precision=precision)
         assert found.status == kernel.status(motion)
         if found.status != OK:
-            assert found.status == POLE
+            assert found.status == JOINT_SINGULAR
             assert sine < 2 * LEAST * np.finfo(DTYPE[precision]).eps
             seen["singular"] += 1
             continue

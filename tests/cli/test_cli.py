@@ -1,4 +1,4 @@
-"""The command line: every verb does its job; what goes wrong is one line and leaves nothing behind."""
+"""The command line: every subcommand does its job; what goes wrong is one line and leaves nothing behind."""
 
 import os
 import re
@@ -92,7 +92,7 @@ def test_reproduce_without_matplotlib_says_how_to_get_it_and_writes_nothing(
     assert not list(tmp_path.iterdir())
 
 
-def test_reproduce_refuses_a_folder_it_cannot_write_before_computing(
+def test_reproduce_rejects_a_folder_it_cannot_write_before_computing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def unreachable(*_: object) -> None:
@@ -178,17 +178,17 @@ def test_check_says_when_friction_is_off(robot: Path, capsys: pytest.CaptureFixt
         ("schema = 1", "schema = ", "TOML"),
     ],
 )
-def test_bad_robot_files_are_refused_by_every_verb(
+def test_bad_robot_files_are_rejected_by_every_subcommand(
     robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
 ) -> None:
     edit(robot, old, new)
     before = folder_state(robot.parent)
-    for verb in (
+    for subcommand in (
         ["check", robot],
         ["forces", robot, trajectory, "-o", robot.parent / "f.csv"],
         ["generate", robot, "-o", robot.parent / "kit"],
     ):
-        line = fails_in_one_line(capsys, *verb)
+        line = fails_in_one_line(capsys, *subcommand)
         assert str(robot) in line
         assert words in line
     assert folder_state(robot.parent) == before
@@ -272,7 +272,7 @@ def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
         (lambda rows: [], "empty"),
     ],
 )
-def test_bad_trajectories_are_refused(
+def test_bad_trajectories_are_rejected(
     robot: Path,
     trajectory: Path,
     capsys: pytest.CaptureFixture[str],
@@ -295,7 +295,7 @@ def test_a_missing_trajectory_is_named(robot: Path, capsys: pytest.CaptureFixtur
     assert not (robot.parent / "f.csv").exists()
 
 
-def test_a_pose_without_an_answer_is_refused_unless_it_is_allowed(
+def test_a_pose_without_an_answer_is_rejected_unless_it_is_allowed(
     robot: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     # Leg 1 has length zero at the second instant: t = b_1 - p_1.
@@ -341,15 +341,15 @@ def test_a_full_disk_is_blamed_on_the_output(robot: Path, trajectory: Path) -> N
 def test_a_standard_output_that_takes_nothing_is_one_line(
     robot: Path, trajectory: Path, arguments: list[str]
 ) -> None:
-    verb, *options = arguments
-    inputs = [robot, trajectory][: 1 if verb == "check" else 2]
+    subcommand, *options = arguments
+    inputs = [robot, trajectory][: 1 if subcommand == "check" else 2]
     command = [
         sys.executable,
         "-W",
         "ignore",
         "-m",
         "stewart_sym.cli.main",
-        verb,
+        subcommand,
         *map(str, inputs),
         *options,
     ]
@@ -377,7 +377,7 @@ def test_warnings_come_before_the_error_that_ends_a_command(
     assert "--length-unit mm" not in error
 
 
-def test_a_refused_compiler_flag_is_not_blamed_on_the_trajectory(
+def test_a_rejected_compiler_flag_is_not_blamed_on_the_trajectory(
     robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     kernel.library.cache_clear()
@@ -456,7 +456,7 @@ def test_derive_check_tells_which_files_differ(
     assert folder_state(target) == before
 
 
-def test_derive_refuses_a_folder_it_cannot_write_before_deriving(
+def test_derive_rejects_a_folder_it_cannot_write_before_deriving(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr("stewart_sym.derive.generate.generated_files", None)
@@ -506,7 +506,7 @@ def test_generate_says_what_folding_the_numbers_in_saves(
     assert int(found[2]) < int(found[1])
 
 
-def test_generate_refuses_a_level_that_there_is_not(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_generate_rejects_a_level_that_there_is_not(robot: Path, capsys: pytest.CaptureFixture[str]) -> None:
     error = fails_in_one_line(capsys, "generate", robot, "-o", robot.parent / "kit", "--fidelity", "rigid")
     assert "fidelity: expected one of general, " in error
     assert not (robot.parent / "kit").exists()
@@ -641,7 +641,7 @@ def test_singularities_of_a_path_that_crosses_none(
     assert {event["crossing"] for event in events} == {"0"}
 
 
-def test_singularities_refuses_in_one_line(
+def test_singularities_rejects_in_one_line(
     robot: Path, trajectory: Path, crossing: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     folder = robot.parent / "found"
@@ -661,12 +661,13 @@ def test_singularities_refuses_in_one_line(
 
 
 @pytest.mark.parametrize(
-    "verb", ["reproduce", "check", "forces", "singularities", "derive", "generate", "control", "controller"]
+    "subcommand",
+    ["reproduce", "check", "forces", "singularities", "derive", "generate", "control", "controller"],
 )
-def test_help_shows_an_example(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
+def test_help_shows_an_example(subcommand: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit, match="0"):
-        main([verb, "--help"])
-    assert f"Example: stewart-sym {verb}" in " ".join(capsys.readouterr().out.split())
+        main([subcommand, "--help"])
+    assert f"Example: stewart-sym {subcommand}" in " ".join(capsys.readouterr().out.split())
 
 
 @pytest.mark.parametrize("arguments", [[], ["chek"], ["check"], ["forces", "a", "b"], ["check", "a", "--x"]])
@@ -706,9 +707,9 @@ def test_progress_shows_on_a_terminal_and_leaves_no_line(
 # writing
 
 
-@pytest.mark.parametrize("verb", ["reproduce", "control"])
-def test_the_default_folder_is_no_part_of_the_repository(verb: str) -> None:
-    folder = cli._parser().parse_args([verb]).output
+@pytest.mark.parametrize("subcommand", ["reproduce", "control"])
+def test_the_default_folder_is_no_part_of_the_repository(subcommand: str) -> None:
+    folder = cli._parser().parse_args([subcommand]).output
     ignored = (Path(__file__).parents[2] / ".gitignore").read_text().splitlines()
     assert f"/{folder}/" in ignored
 

@@ -121,7 +121,7 @@ def figures(study: str = "bench") -> dict[str, Any]:
 
 def test_times_in_the_readme_are_those_of_the_benchmark() -> None:
     found = figures()
-    for figure in (*found["ours"], *found["peers"]):
+    for figure in (*found["ours"], *found["baselines"]):
         assert table_row(figure["name"]) == [f"{figure['median']:.0f}", f"{figure['ratio_to_casadi']:.2f}"]
     prose = " ".join(README.split())
     for source in found["compiling"]:
@@ -150,14 +150,14 @@ def test_the_committed_run_keeps_what_the_kernels_promise() -> None:
 
 def motion_figures() -> dict[str, Any]:
     """The second group as ``Benchmark.as_json`` writes it, from figures made up."""
-    ours, peers = (
+    ours, baselines = (
         tuple(Figure(name, f"{name}, how", "one pose", 16, (time,)) for name, time in group)
         for group in (
             (("inverse dynamics", 300.0), ("forward dynamics", 400.0), ("derivatives", 1500.0)),
             (("Pinocchio", 9000.0), ("MuJoCo", 8000.0)),
         )
     )
-    found = MotionFigures("machine", ours, peers, (), (), 2e-8, {"Pinocchio": 1e-8, "MuJoCo": 2e-6})
+    found = MotionFigures("machine", ours, baselines, (), (), 2e-8, {"Pinocchio": 1e-8, "MuJoCo": 2e-6})
     return found.as_json()
 
 
@@ -168,7 +168,7 @@ def test_motion_in_the_readme_has_every_figure_with_its_target() -> None:
         "| forward dynamics | 400 | 1.33 | 2 |",
         "| derivatives | 1500 | 5.00 | 8, goal 5 |",
         "| MuJoCo, forward dynamics | 8000 | 26.67 | |",
-        "Forward dynamics is 20.0 times as fast as the better of the two peers, MuJoCo (target 20).",
+        "Forward dynamics is 20.0 times as fast as the better of the two baselines, MuJoCo (target 20).",
     ):
         assert line in prose
 
@@ -186,10 +186,10 @@ def test_every_figure_that_changes_changes_the_readme() -> None:
         ("flatness", next(iter(found["flatness"]))),
         ("text", "total"),
         ("passes", 0, "operations", "with_friction"),
-        *((group, -1, "median") for group in ("ours", "peers", "sweep", "calls", "compiling")),
+        *((group, -1, "median") for group in ("ours", "baselines", "sweep", "calls", "compiling")),
         *(("motion", name) for name in ("times_faster", "loops_open_m")),
         ("motion", "largest_difference", "MuJoCo"),
-        *(("motion", kind, -1, "median") for kind in ("ours", "peers")),
+        *(("motion", kind, -1, "median") for kind in ("ours", "baselines")),
         *(("passes", 0, kind, "median") for kind in ("one_pose", "batch")),
     ]
     for place in places:
@@ -222,19 +222,19 @@ def test_every_figure_of_control_that_the_readme_shows_changes_it() -> None:
         assert readme_control.text(changed) != text, name
 
 
-def test_failures_in_the_readme_are_those_of_the_atlas() -> None:
+def test_failures_in_the_readme_are_those_of_the_study() -> None:
     assert readme_stability.replaced(README, figures("stability")) == README, REWRITE
 
 
 def test_every_figure_of_failures_that_the_readme_shows_changes_it() -> None:
     found = figures("stability")
     text = readme_stability.text(found)
-    for name in ("worst", "digits", "refused_at", "silent"):
+    for name in ("worst", "digits", "rejected_at", "silent"):
         changed = copy.deepcopy(found)
         for method in changed["families"][0]["methods"]:
             method[name] = 7 * (method[name] or 1)
         assert readme_stability.text(changed) != text, name
-    for name in ("cases", "wrong", "refused_good"):
+    for name in ("cases", "wrong", "rejected_good"):
         assert readme_stability.text({**found, "sweep": {**found["sweep"], name: 12345}}) != text, name
 
 

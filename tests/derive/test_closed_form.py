@@ -156,12 +156,12 @@ def test_platform_itself_follows_from_newton_and_euler_and_its_rest_is_skew() ->
     assert vanishes(M_dot - 2 * C + (M_dot - 2 * C).T)
 
 
-def test_mass_at_the_platform_point_is_the_mass_that_rides() -> None:
+def test_mass_at_the_platform_point_is_the_mass_lumped_with_it() -> None:
     block = p.prepare_leg((), p.Riding(mass=True, friction=False))
     J = sp.Matrix.hstack(sp.eye(3), -tip.skew(n.p.value - n.p_1.value))
     M_add, h_add, J_add = (filled(q, block.formula(q.name)) for q in (p.M_add, p.h_add, p.J_add))
-    riding = sp.BlockMatrix([[M_add * sp.eye(3), -tip.skew(h_add)], [tip.skew(h_add), J_add]])
-    assert vanishes(J.T * m_u * J - sp.Matrix(riding))
+    lumped = sp.BlockMatrix([[M_add * sp.eye(3), -tip.skew(h_add)], [tip.skew(h_add), J_add]])
+    assert vanishes(J.T * m_u * J - sp.Matrix(lumped))
 
 
 # ---------------------------------------------------------------- derivatives

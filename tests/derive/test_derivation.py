@@ -174,7 +174,7 @@ def test_platform_equations_give_H_and_c_of_equation_35() -> None:
     assert same(found.c, c)
 
 
-def test_legs_that_enter_differently_are_refused() -> None:
+def test_legs_that_enter_differently_are_rejected() -> None:
     N, R_G, F, E, M = (vector(name) for name in ("N", "R_G", "F", "E", "M"))
     found = platform.equations_of_motion(N, R_G, F, E, M)
     twisted = platform.PlatformEquations(found.H * sp.diag(1, 1, 1, 1, 1, 2), found.x, found.c)
@@ -195,7 +195,7 @@ def test_isotropic_vector_is_written_in_base_vectors() -> None:
     assert same(found, a * v.base + 3 * vector("s").cross(v.base))
 
 
-def test_anisotropic_results_are_refused() -> None:
+def test_anisotropic_results_are_rejected() -> None:
     v = transverse("v")
     with pytest.raises(ValueError, match="not isotropic in v"):
         vector_form(Builder(), "Q", sp.Matrix([2 * v.y, v.z]), (v,), vector("s"))

@@ -133,7 +133,7 @@ def test_regressor_depends_on_the_geometry_alone() -> None:
     assert np.array_equal(ss.regressor(robot, motion), ss.regressor(other, motion))
 
 
-def test_what_has_no_regressor_is_refused_in_one_line() -> None:
+def test_what_has_no_regressor_is_rejected_in_one_line() -> None:
     rng = np.random.default_rng(0)
     robot, ball = random_robot(rng), random_robot(rng, "spherical")
     motion = random_motion(rng, robot, (2,))

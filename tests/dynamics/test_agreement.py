@@ -71,7 +71,7 @@ def hexagon(degrees: tuple[int, ...]) -> NDArray[np.float64]:
 
 def doubtful(rng: np.random.Generator, robot: Robot) -> Motion:
     """Random poses, among them turns about z to and through a singular one, in which pivots are equally large
-    but for the last digits; short legs, legs along their axes, numbers that are not finite or overflow."""
+    but for the last digits; legs of length zero or along their axes, numbers not finite or overflowing."""
     motion = random_motion(rng, robot, (60,))
     parts = {name: getattr(motion, name).copy() for name in kernel.MOTION}
     R, t = parts["R"], parts["t"]

@@ -306,7 +306,7 @@ def test_cholesky_solves_and_tells_which_of_a_batch_is_not_positive() -> None:
         (np.zeros((3, 6)), r"^F: expected a leading shape that broadcasts with \(2,\), got \(3,\)$"),
     ],
 )
-def test_bad_forces_are_refused(F: Any, words: str) -> None:
+def test_bad_forces_are_rejected(F: Any, words: str) -> None:
     robot = random_robot(np.random.default_rng(11))
     motion = random_motion(np.random.default_rng(11), robot, (2,))
     with pytest.raises(ValueError, match=words):
@@ -314,7 +314,7 @@ def test_bad_forces_are_refused(F: Any, words: str) -> None:
 
 
 @pytest.mark.parametrize("option", ["formulation", "backend", "on_singular"])
-def test_unknown_options_are_refused(option: str) -> None:
+def test_unknown_options_are_rejected(option: str) -> None:
     robot = random_robot(np.random.default_rng(12))
     motion = random_motion(np.random.default_rng(12), robot)
     with pytest.raises(ValueError, match=rf"^{option}: expected"):

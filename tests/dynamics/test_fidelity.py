@@ -113,7 +113,7 @@ def test_spherical_base_joints_have_the_levels_that_know_no_universal_joint(name
     )
 
 
-def test_what_there_is_not_is_refused_in_one_line() -> None:
+def test_what_there_is_not_is_rejected_in_one_line() -> None:
     rng = np.random.default_rng(0)
     with pytest.raises(ValueError, match=r"^fidelity: expected one of general, .* got 'stiff'$"):
         ss.prepare(random_robot(rng), fidelity="stiff")

@@ -158,7 +158,7 @@ def test_a_bad_pose_has_its_status_and_leaves_its_neighbours_bit_identical(case:
 
 
 def test_non_finite_numbers_poison_only_their_own_pose() -> None:
-    """Motion refuses them, so they are written past it, as a sensor might."""
+    """Motion rejects them, so they are written past it, as a sensor might."""
     rng = np.random.default_rng(24)
     robot = random_robot(rng)
     kernel = ss.prepare(robot)
@@ -328,7 +328,7 @@ def test_a_warning_points_at_the_line_of_the_caller() -> None:
     assert [warning.filename for warning in (*fast, *full)] == [__file__, __file__]
 
 
-def test_constants_that_overflow_the_precision_are_refused() -> None:
+def test_constants_that_overflow_the_precision_are_rejected() -> None:
     robot = dasgupta()
     heavy = dataclasses.replace(robot, M=1e39)
     ss.prepare(heavy)

@@ -12,7 +12,7 @@ from sweeps import share
 import stewart_sym as ss
 from stewart_sym.dynamics.closed_form import CClosedForm, NumpyClosedForm
 from stewart_sym.reference import equations_of_motion
-from stewart_sym.results import OK, POLE, SHORT_LEG
+from stewart_sym.results import JOINT_SINGULAR, OK, ZERO_LENGTH
 
 MOST = 10.0
 FORMS = {"c": CClosedForm, "numpy": NumpyClosedForm}
@@ -50,7 +50,7 @@ def fast_case(kind: str, index: int) -> tuple[tuple, Truth]:
 def worst(given: tuple, true: Truth, backend: str) -> float:
     """The largest error of all outputs over the sensitivity; statuses must be those of the truth."""
     found, status = BACKENDS[backend](*given)
-    if set(status.values()) & {POLE, SHORT_LEG}:
+    if set(status.values()) & {JOINT_SINGULAR, ZERO_LENGTH}:
         return 0.0
     assert status == {name: true.status[name] for name in status}
     found = {name: value for name, value in found.items() if status[name.split(".")[0]] == OK}

@@ -20,7 +20,7 @@ from stewart_sym.backend.kernel import CKernel, NumpyKernel
 from stewart_sym.dynamics import forces
 from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
 from stewart_sym.motion.motion import Motion
-from stewart_sym.results import NOT_FINITE, POLE, SHORT_LEG, SINGULAR
+from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, SINGULAR, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -55,11 +55,11 @@ def poisoned(robot: Robot) -> tuple[Motion, Motion, NDArray[np.int32]]:
         elif kind < 11:
             leg = kind - 8
             parts["t"][i] = robot.b[leg] - parts["R"][i] @ robot.p[leg]
-            status[i] = SHORT_LEG
+            status[i] = ZERO_LENGTH
         elif kind < 14:
             leg = kind - 8
             parts["t"][i] = robot.b[leg] + robot.k[leg] - parts["R"][i] @ robot.p[leg]
-            status[i] = POLE
+            status[i] = JOINT_SINGULAR
         elif kind == 14:
             parts["R"][i] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
             parts["t"][i] = (0, 0, 1)
@@ -94,7 +94,7 @@ def check(run: Callable[[Motion], tuple[dict[str, Any], NDArray[np.int32]]], cod
 
 def test_one_pose_in_a_hundred_is_poisoned_in_every_way() -> None:
     assert np.count_nonzero(STATUS) == POSES // 100 + 6
-    assert set(STATUS) == {0, NOT_FINITE, SHORT_LEG, POLE, SINGULAR}
+    assert set(STATUS) == {0, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR}
 
 
 @pytest.mark.parametrize("threads", [1, 2, 5])
@@ -152,8 +152,8 @@ def test_the_closed_form_of_sound_poses_keeps_every_bit(kind: Any, what: Any) ->
     none, status = clean.pop("status"), spoilt.pop("status")
     assert not none.any()
     assert not status[GOOD].any()
-    assert np.isin(status, [*(0, NOT_FINITE, SHORT_LEG, POLE, SINGULAR)]).all()
-    assert (status[np.isin(STATUS, (SHORT_LEG, POLE))] != 0).all()
+    assert np.isin(status, [*(0, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR)]).all()
+    assert (status[np.isin(STATUS, (ZERO_LENGTH, JOINT_SINGULAR))] != 0).all()
     for name, value in clean.items():
         assert same_bits(spoilt[name][GOOD], value[GOOD]), name
         assert np.isfinite(spoilt[name][status == 0]).all(), name

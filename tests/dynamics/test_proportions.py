@@ -9,7 +9,7 @@ from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.kinematics.conditioning import characteristic_length
-from stewart_sym.studies.robustness.sweep.judge import judge_poses
+from stewart_sym.studies.robustness.sweep.oracle import check_poses
 
 UNITS = 10.0
 """Largest error in rounding units of the largest force, times the condition number."""
@@ -54,19 +54,19 @@ def far_off(
     return robot, motion, dataclasses.replace(robot, p=robot.p + d, R_0=robot.R_0 + d), moved
 
 
-def judged_from_afar(precision: str, seeds: range) -> np.ndarray:
+def checked_from_afar(precision: str, seeds: range) -> np.ndarray:
     """The same with a far reference point; the condition number of H is that from the platform itself."""
     cases = [far_off(np.random.default_rng(seed)) for seed in seeds]
     robots, motions, far_robots, far_motions = zip(*cases, strict=True)
-    near, far = judge_poses(robots, motions, precision), judge_poses(far_robots, far_motions, precision)
+    near, far = check_poses(robots, motions, precision), check_poses(far_robots, far_motions, precision)
     assert (far["truth"] == 0).all()
     return np.asarray(far["error"] / np.maximum(far["own"], near["scaled"])[:, None])
 
 
-def judged(precision: str, seeds: range) -> np.ndarray:
+def checked(precision: str, seeds: range) -> np.ndarray:
     """Largest error of each kernel over the condition number, (cases, kernels)."""
     robots, motions = zip(*(proportioned(np.random.default_rng(seed)) for seed in seeds), strict=True)
-    found = judge_poses(robots, motions, precision)
+    found = check_poses(robots, motions, precision)
     assert (found["truth"] == 0).all()
     condition = np.maximum(found["own"], found["scaled"])
     return np.asarray(found["error"] / condition[:, None])
@@ -74,14 +74,14 @@ def judged(precision: str, seeds: range) -> np.ndarray:
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_no_kernel_loses_digits_with_the_proportions(precision: str) -> None:
-    error = judged(precision, range(100))
+    error = checked(precision, range(100))
     assert np.isfinite(error).all()
     assert error.max() <= UNITS
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_nor_with_the_distance_of_the_reference_point(precision: str) -> None:
-    error = judged_from_afar(precision, range(40))
+    error = checked_from_afar(precision, range(40))
     assert np.isfinite(error).all()
     assert error.max() <= UNITS
 
@@ -89,7 +89,7 @@ def test_nor_with_the_distance_of_the_reference_point(precision: str) -> None:
 def test_bounds_are_no_wider_from_a_far_reference_point() -> None:
     for seed in range(12):
         robot, motion, far_robot, far_motion = far_off(np.random.default_rng(seed))
-        near, far = judge_poses([robot, far_robot], [motion, far_motion])
+        near, far = check_poses([robot, far_robot], [motion, far_motion])
         unit = np.finfo(float).eps * far["size"] * max(far["own"], near["scaled"])
         assert ss.forces_with_bounds(far_robot, far_motion).bound.max() <= WIDEST * unit
 
@@ -98,5 +98,5 @@ def test_bounds_are_no_wider_from_a_far_reference_point() -> None:
 @pytest.mark.parametrize("precision", ["double", "float"])
 def test_nor_in_ten_thousand_cases(precision: str) -> None:
     seeds = range(100, 100 + share(10_000))
-    assert np.nanmax(judged(precision, seeds)) <= UNITS
-    assert np.nanmax(judged_from_afar(precision, seeds)) <= UNITS
+    assert np.nanmax(checked(precision, seeds)) <= UNITS
+    assert np.nanmax(checked_from_afar(precision, seeds)) <= UNITS

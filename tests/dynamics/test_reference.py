@@ -12,7 +12,7 @@ from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.trajectory import PATHS
 from stewart_sym.reference import newton_euler
 from stewart_sym.reference.newton_euler import EXACT, PAPER
-from stewart_sym.results import NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR, Forces
+from stewart_sym.results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Forces
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -286,7 +286,7 @@ def test_bearing_must_be_one_number_or_six(bearing: object) -> None:
         newton_euler.joint_reactions(robot, motion, bearing=bearing)  # type: ignore[arg-type]
 
 
-def test_unknown_faults_are_refused() -> None:
+def test_unknown_faults_are_rejected() -> None:
     robot, motion = _random_case()
     with pytest.raises(ValueError, match=r"^faults: expected numbers from 1 to 4, got \[5\]"):
         newton_euler.inverse_dynamics(robot, motion, frozenset({5}))
@@ -295,12 +295,12 @@ def test_unknown_faults_are_refused() -> None:
 # Poses without an answer
 
 
-def _short_leg() -> tuple[Robot, Motion]:
+def _zero_length_leg() -> tuple[Robot, Motion]:
     robot = random_robot(np.random.default_rng(10))
     return robot, _at_rest(robot.b[3] - robot.p[3])
 
 
-def _pole(k: Array) -> tuple[Robot, Motion]:
+def _joint_singular(k: Array) -> tuple[Robot, Motion]:
     robot = random_robot(np.random.default_rng(11))
     axes = robot.k.copy()
     axes[2] = k
@@ -316,7 +316,7 @@ def _parallel_legs() -> tuple[Robot, Motion]:
 
 
 def _far_away() -> tuple[Robot, Motion]:
-    """L is finite and its square is not: no pole, though s comes out as zero."""
+    """L is finite and its square is not: no joint singularity, though s comes out as zero."""
     robot, motion = _random_case()
     return robot, dataclasses.replace(motion[0], t=np.full(3, 1e155))
 
@@ -327,9 +327,9 @@ def _overflow() -> tuple[Robot, Motion]:
 
 
 NO_ANSWER = {
-    "short leg": (_short_leg, SHORT_LEG),
-    "pole": (lambda: _pole(np.array([0.0, 0.0, 1.0])), POLE),
-    "oblique pole": (lambda: _pole(np.array([1.0, 2.0, 3.0])), POLE),
+    "zero-length leg": (_zero_length_leg, ZERO_LENGTH),
+    "joint singularity": (lambda: _joint_singular(np.array([0.0, 0.0, 1.0])), JOINT_SINGULAR),
+    "oblique joint singularity": (lambda: _joint_singular(np.array([1.0, 2.0, 3.0])), JOINT_SINGULAR),
     "parallel legs": (_parallel_legs, SINGULAR),
     "overflow": (_overflow, NOT_FINITE),
     "far away": (_far_away, NOT_FINITE),
@@ -379,7 +379,7 @@ def test_equal_hexagons_on_a_circle_are_singular_in_every_pose_though_no_pivot_i
     assert np.all(newton_euler.inverse_dynamics(equal, good).status == SINGULAR)
 
 
-@pytest.mark.parametrize("make", [_short_leg, _parallel_legs])
+@pytest.mark.parametrize("make", [_zero_length_leg, _parallel_legs])
 def test_massless_forces_without_an_answer_are_nan(make: object) -> None:
     robot, motion = make()  # type: ignore[operator]
     with warnings.catch_warnings():

@@ -1,7 +1,7 @@
 """The generated C under sanitizers and a fuzzer: no undefined behaviour, and every output keeps its contract.
 
 Oracles in tests/support/c: status in the known set, outputs untouched on a status other than 0 and finite
-on 0, one pose equal to the batch bit for bit, null pointers refused, no byte beside an array.
+on 0, one pose equal to the batch bit for bit, null pointers rejected, no byte beside an array.
 """
 
 import os

@@ -331,8 +331,8 @@ def test_the_study_hands_out_a_row_for_every_machine_and_a_picture_of_all_arithm
     assert set(found.errors) <= drawn
 
 
-def test_a_machine_without_good_poses_is_refused_in_one_line() -> None:
+def test_a_machine_without_good_poses_is_rejected_in_one_line() -> None:
     robot = dataclasses.replace(dasgupta(), p=np.tile([0.1, 0.0, 0.0], (6, 1)))
-    with pytest.raises(ValueError, match=r"^robot '.*': too few poses around its home") as refused:
+    with pytest.raises(ValueError, match=r"^robot '.*': too few poses around its home") as rejected:
         scales.scales_study(robot=robot, machines=1, poses=2)
-    assert "\n" not in str(refused.value)
+    assert "\n" not in str(rejected.value)

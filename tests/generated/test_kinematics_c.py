@@ -320,10 +320,10 @@ def test_lengths_that_are_not_positive_are_told(length: float) -> None:
     motion = random_motion(rng, robot, (1,))
     L = ss.inverse_kinematics(robot, motion).L
     L[0, 5] = length
-    assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.SHORT_LEG]
+    assert forward(robot, L, motion.R, motion.t)[2].tolist() == [results.ZERO_LENGTH]
 
 
-def test_null_pointers_are_refused_and_nothing_is_written() -> None:
+def test_null_pointers_are_rejected_and_nothing_is_written() -> None:
     robot, c = robot_numbers(dasgupta()), library()
     motion, given, pose = np.ones(30), np.ones(6), np.ones(12)
     out = [np.full(6, 7.0) for _ in range(2)]

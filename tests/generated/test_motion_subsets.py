@@ -102,6 +102,6 @@ def test_the_files_of_all_functions_are_the_committed_ones() -> None:
 
 
 @pytest.mark.parametrize("functions", [(), ("bias", "forces")])
-def test_other_functions_and_none_are_refused_by_name(functions: tuple[str, ...]) -> None:
+def test_other_functions_and_none_are_rejected_by_name(functions: tuple[str, ...]) -> None:
     with pytest.raises(ValueError, match="functions: expected some of equations, "):
         motion_files(functions)

@@ -12,7 +12,7 @@ from machines import dasgupta, random_motion, random_robot
 from near_singular import near_singular_motion
 from scalar_kernels import UNTOUCHED, Array, Kernel, compiled, numbers, plain_blocks, prepared
 from sweeps import FULL, share
-from unsolvable_poses import leg_along_its_axis, short_leg, singular
+from unsolvable_poses import leg_along_its_axis, singular, zero_length_leg
 
 import stewart_sym as ss
 from stewart_sym.backend import fidelity, native
@@ -26,7 +26,7 @@ from stewart_sym.derive.mechanics import quantities as n
 from stewart_sym.derive.mechanics.baked_constants import baked
 from stewart_sym.derive.print.c import C
 from stewart_sym.motion.motion import Motion
-from stewart_sym.results import BAD_ARGUMENT, NOT_FINITE, OK, POLE, SHORT_LEG, SINGULAR
+from stewart_sym.results import BAD_ARGUMENT, JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot
 
 EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}
@@ -160,7 +160,9 @@ def test_moments_over_a_length_leave_the_forces_those_of_the_lanes(scale: float)
 
 @pytest.mark.parametrize("precision", ["double", "float"])
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
-def test_near_a_pole_the_status_and_the_road_are_those_of_the_lanes(formulation: str, precision: str) -> None:
+def test_near_a_joint_singularity_status_and_code_path_are_those_of_the_lanes(
+    formulation: str, precision: str
+) -> None:
     rng = np.random.default_rng(9)
     seen = set()
     for sine in 10.0 ** rng.uniform(-17, 0, 40):
@@ -176,7 +178,7 @@ def test_near_a_pole_the_status_and_the_road_are_those_of_the_lanes(formulation:
         if status == OK:
             # The leg's spin grows like the inverse sine, and with it what the rounding of a number does.
             assert np.abs(F - expected).max() <= 1e5 * EPSILON[precision] / sine * np.abs(expected).max()
-    assert seen == {OK, POLE}
+    assert seen == {OK, JOINT_SINGULAR}
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
@@ -192,7 +194,7 @@ def test_near_singular_poses_have_the_status_of_the_lanes(joint: str, level: str
     rng = np.random.default_rng(10)
     for _ in range(4):
         robot = random_robot(rng, joint, scale=float(10 ** rng.uniform(-3, 1)))  # type: ignore[arg-type]
-        # With universal axes, of which there is no pole to keep away from.
+        # With universal axes, whose singularities are kept away from.
         axes = dataclasses.replace(robot, k=random_robot(rng).k, base_joint="universal")
         motion = joined([near_singular_motion(rng, axes) for _ in range(2)])
         agree(prepared(robot, "exact", level, precision), robot, motion, "exact", level, BOUND)
@@ -202,7 +204,7 @@ def test_near_singular_poses_have_the_status_of_the_lanes(joint: str, level: str
 @pytest.mark.parametrize(
     "level", ["general", *(pytest.param(level, marks=pytest.mark.slow) for level in ("slender", "massless"))]
 )
-def test_short_legs_have_the_status_of_the_lanes_at_every_length(level: str, precision: str) -> None:
+def test_zero_length_legs_have_the_status_of_the_lanes_at_every_length(level: str, precision: str) -> None:
     rng = np.random.default_rng(11)
     seen = set()
     for length in 10.0 ** rng.uniform(-18, -3, 40):
@@ -216,11 +218,11 @@ def test_short_legs_have_the_status_of_the_lanes_at_every_length(level: str, pre
         status, _ = prepared(robot, "exact", level, precision).one(numbers(motion))
         assert status == lanes.status(motion)
         seen.add(int(status))
-    assert {OK, SHORT_LEG} <= seen
+    assert {OK, ZERO_LENGTH} <= seen
 
 
 @pytest.mark.parametrize("precision", ["double", "float"])
-@pytest.mark.parametrize("make", [short_leg, leg_along_its_axis, singular])
+@pytest.mark.parametrize("make", [zero_length_leg, leg_along_its_axis, singular])
 def test_failures_have_the_status_of_the_lanes(make: Any, precision: str) -> None:
     robot, motion = make()
     for level in ("general", "massless_static"):
@@ -263,7 +265,7 @@ def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None
         kernel = prepared(robot, "exact", level, precision)
         blank = dataclasses.replace(kernel, model=np.zeros_like(cast(Array, kernel.model)))
         status, F = blank.one(motion)
-        assert status in (SHORT_LEG, POLE, SINGULAR)
+        assert status in (ZERO_LENGTH, JOINT_SINGULAR, SINGULAR)
         assert (F == UNTOUCHED).all()
         given, F = motion.astype(kernel.dtype), np.full(6, UNTOUCHED, dtype=kernel.dtype)
         pointers = [cast(Array, kernel.model).ctypes.data, given.ctypes.data, F.ctypes.data]
@@ -275,7 +277,7 @@ def test_an_unprepared_model_and_null_pointers_have_a_status(level: str) -> None
 
 
 @pytest.mark.parametrize("level", LEVELS)
-def test_a_robot_that_is_not_finite_is_refused_and_the_model_left_alone(level: str) -> None:
+def test_a_robot_that_is_not_finite_is_rejected_and_the_model_left_alone(level: str) -> None:
     robot = machine_of(level, 16)
     kernel = prepared(robot, "exact", level)
     call = getattr(kernel.library, f"stewart_{kernel.name}_pose_prepare")
@@ -283,7 +285,7 @@ def test_a_robot_that_is_not_finite_is_refused_and_the_model_left_alone(level: s
     model = np.full(1000, UNTOUCHED)
     lanes_name = fidelity.force_kernel_name(robot, "exact", level)
     lanes = getattr(lanes_library(lanes_name), f"stewart_{lanes_name}_prepare")
-    other, refused = np.full(5000, UNTOUCHED), 0
+    other, rejected = np.full(5000, UNTOUCHED), 0
     for where in range(numbers.size):
         for value in (np.nan, np.inf, 1e308):
             given = numbers.copy()
@@ -292,10 +294,10 @@ def test_a_robot_that_is_not_finite_is_refused_and_the_model_left_alone(level: s
             expected = lanes(ctypes.c_void_p(given.ctypes.data), ctypes.c_void_p(other.ctypes.data))
             assert status == expected, (where, value)
             if status != OK:
-                refused += 1
+                rejected += 1
                 assert (model == UNTOUCHED).all()
             model[:], other[:] = UNTOUCHED, UNTOUCHED
-    assert refused > 50
+    assert rejected > 50
     for pointers in ((0, model.ctypes.data), (numbers.ctypes.data, 0)):
         assert call(*map(ctypes.c_void_p, pointers)) == BAD_ARGUMENT
 

@@ -12,7 +12,7 @@ import pytest
 
 from stewart_sym.derive import package
 from stewart_sym.precision import quad
-from stewart_sym.studies.robustness.sweep import judge
+from stewart_sym.studies.robustness.sweep import oracle
 
 REPOSITORY = Path(__file__).parents[2]
 STRICT = ("-std=gnu99", "-fsyntax-only", "-Wall", "-Wextra", "-Wconversion", "-Wshadow", "-Werror")
@@ -20,7 +20,7 @@ TEMPLATES = files(package) / "templates" / "kit"
 LONGEST = 20
 """Lines of another language that may stand in a Python string."""
 
-SWEEP = judge.sources()
+SWEEP = oracle.sources()
 OWN = sorted(name for name in SWEEP if not name.startswith("stewart_") and name.endswith(".c"))
 UNIT = {
     "prepared": '#include "stewart_exact_forces.h"\n#define ROBOT {0}\n#define MODEL stewart_exact_model\n'

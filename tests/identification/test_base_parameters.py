@@ -118,7 +118,7 @@ def test_a_motion_tells_no_more_than_it_excites() -> None:
     assert np.max(np.abs(Y[..., base.kept] @ base.matrix - Y)) <= 1e-6 * np.max(np.abs(Y))
 
 
-def test_what_has_no_base_parameters_is_refused_in_one_line() -> None:
+def test_what_has_no_base_parameters_is_rejected_in_one_line() -> None:
     ball = random_robot(np.random.default_rng(0), "spherical")
     with pytest.raises(ValueError, match=r'robot: expected base_joint "universal"'):
         ss.base_parameters(ball)

@@ -166,7 +166,7 @@ def test_bad_arguments_of_the_excitation_are_named(name: str, value: object) -> 
         ss.choose_excitation(robot(0), **{name: value})  # type: ignore[arg-type]
 
 
-def test_machines_that_cannot_be_excited_are_refused() -> None:
+def test_machines_that_cannot_be_excited_are_rejected() -> None:
     machine = robot(0)
     with pytest.raises(ValueError, match="without gravity"):
         ss.choose_excitation(dataclasses.replace(machine, g=np.zeros(3)))
@@ -269,7 +269,7 @@ def test_measured_forces_are_identified_with_a_wrong_robot_file(
         ("\n0.0,", "\n-1.0,1,1,1,1,1,1\n0.0,", "expected 60 rows"),
     ],
 )
-def test_bad_forces_are_refused_in_one_line(
+def test_bad_forces_are_rejected_in_one_line(
     robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
 ) -> None:
     assert main(["identify", str(robot_file), *FEW, "-o", str(tmp_path)]) == 0
@@ -312,7 +312,7 @@ def test_swapped_files_of_a_measurement_are_told(
         (("--period", "-2"), "period: expected"),
     ],
 )
-def test_identify_refuses_in_one_line_and_writes_nothing(
+def test_identify_rejects_in_one_line_and_writes_nothing(
     robot_file: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], options: tuple[str, str], words: str
 ) -> None:
     try:

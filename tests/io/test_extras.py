@@ -50,14 +50,19 @@ def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extr
     for name, error in errors.items():
         assert error.startswith("MissingExtraError: "), f"{name}: {error}"
         assert " needs " in error, f"{name}: {error}"
-    drawing = ("bench", "drawing", "peers", "plot", "pictures", "labels", "workspace")
+    drawing = ("bench", "drawing", "baselines", "plot", "pictures", "labels", "workspace")
     assert not [name for name in errors if not any(part in name for part in drawing)]
 
 
 def test_what_the_readme_installs_serves_all_but_the_comparisons() -> None:
     errors = errors_without(of_extras("bench", "casadi", "cluster"))
     assert {name.rpartition(".")[2] for name in errors} == {
-        *("peers_casadi", "peers_constraints_mujoco", "peers_constraints_pinocchio", "peers_pinocchio"),
+        *(
+            "baselines_casadi",
+            "baselines_constraints_mujoco",
+            "baselines_constraints_pinocchio",
+            "baselines_pinocchio",
+        ),
         "workspace",
     }
 

@@ -1,4 +1,4 @@
-"""Files that are no robot, scene or trajectory: refused in one line, in bounded time and memory.
+"""Files that are no robot, scene or trajectory: rejected in one line, in bounded time and memory.
 
 The fuzzer of fuzz_files.py starts from sound files; what it can't reach by changing bytes stands here.
 """
@@ -60,8 +60,8 @@ MILLIONS = 5_000_000
 pytestmark = pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
 
 
-def refused(read: Callable[[Any], Any], path: Path) -> str:
-    """The line in which a file is refused, without its name."""
+def rejected(read: Callable[[Any], Any], path: Path) -> str:
+    """The line in which a file is rejected, without its name."""
     with pytest.raises(ValueError) as caught:  # noqa: PT011 # the line is what is looked at
         read(path)
     text = str(caught.value)
@@ -109,9 +109,11 @@ def test_the_sound_files_are_read(name: str, tmp_path: Path) -> None:
         (lambda sound: b"", ""),
     ],
 )
-def test_odd_bytes_are_refused(name: str, spoil: Callable[[bytes], bytes], told: str, tmp_path: Path) -> None:
+def test_odd_bytes_are_rejected(
+    name: str, spoil: Callable[[bytes], bytes], told: str, tmp_path: Path
+) -> None:
     read, sound = READERS[name]
-    assert told in refused(read, written(tmp_path, spoil(sound)))
+    assert told in rejected(read, written(tmp_path, spoil(sound)))
 
 
 @pytest.mark.parametrize(
@@ -138,8 +140,8 @@ def test_odd_bytes_are_refused(name: str, spoil: Callable[[bytes], bytes], told:
     ],
     ids=lambda value: value[:12].decode(),
 )
-def test_values_that_are_no_mass_are_refused(value: bytes, tmp_path: Path) -> None:
-    told = refused(Robot.from_toml, written(tmp_path, ROBOT.replace(MASS, b"mass = " + value)))
+def test_values_that_are_no_mass_are_rejected(value: bytes, tmp_path: Path) -> None:
+    told = rejected(Robot.from_toml, written(tmp_path, ROBOT.replace(MASS, b"mass = " + value)))
     assert told.startswith(("platform.mass: ", "not valid TOML: "))
 
 
@@ -149,7 +151,7 @@ def test_scenes_take_no_number_of_thousands_of_digits(key: bytes, tmp_path: Path
     text = key + b" = 0x" + b"F" * 5000 + b"\n" + b"\n".join(lines)
     if key == b"legs":
         text = text.replace(b"[legs]\n", b"")
-    assert refused(read_scene, written(tmp_path, text)).startswith((key.decode(), "not valid TOML"))
+    assert rejected(read_scene, written(tmp_path, text)).startswith((key.decode(), "not valid TOML"))
 
 
 @pytest.mark.parametrize(
@@ -160,7 +162,7 @@ def test_scenes_take_no_number_of_thousands_of_digits(key: bytes, tmp_path: Path
 def test_a_column_given_twice_is_shown_in_one_line(column: bytes, tmp_path: Path) -> None:
     header, numbers, _ = FORCES.split(b"\n")
     twice = b"\n".join([b",".join([header, column, column]), numbers + b",0,0", b""])
-    assert refused(read_forces_csv, written(tmp_path, twice)).endswith("is given twice")
+    assert rejected(read_forces_csv, written(tmp_path, twice)).endswith("is given twice")
 
 
 def repeated(line: bytes) -> bytes:
@@ -182,7 +184,7 @@ def repeated(line: bytes) -> bytes:
     ],
     ids=["comments", "tables", "dotted", "array", "header", "blank", "digits", "rows", "quote"],
 )
-def test_ten_megabytes_are_refused_in_seconds_and_little_memory(data: bytes, tmp_path: Path) -> None:
+def test_ten_megabytes_are_rejected_in_seconds_and_little_memory(data: bytes, tmp_path: Path) -> None:
     """Each reader in a process of its own with a gigabyte and 20 s of processor time."""
     path = written(tmp_path, data)
     code = (
@@ -216,11 +218,11 @@ def test_ten_megabytes_are_refused_in_seconds_and_little_memory(data: bytes, tmp
 @pytest.mark.parametrize(
     "line", [b"%b = 1\n", b"[%b]\n", b"a = {%b = 1}\n"], ids=["value", "table", "inline"]
 )
-def test_keys_of_thousands_of_parts_are_refused_before_they_are_parsed(
+def test_keys_of_thousands_of_parts_are_rejected_before_they_are_parsed(
     name: str, key: bytes, line: bytes, tmp_path: Path
 ) -> None:
     read, sound = READERS[name]
-    assert refused(read, written(tmp_path, line % key + sound)) == "not valid TOML: nested too deeply"
+    assert rejected(read, written(tmp_path, line % key + sound)) == "not valid TOML: nested too deeply"
 
 
 def test_as_many_parts_as_a_robot_file_needs_are_read(tmp_path: Path) -> None:
@@ -254,7 +256,7 @@ def test_dotted_words_in_comments_and_texts_are_no_key(line: bytes, tmp_path: Pa
 )
 def test_keys_of_too_many_parts_are_found_behind_texts_and_comments(before: bytes, tmp_path: Path) -> None:
     text = before + b".".join([b"a"] * 16) + b" = 1\n"
-    assert refused(Robot.from_toml, written(tmp_path, text)) == "not valid TOML: nested too deeply"
+    assert rejected(Robot.from_toml, written(tmp_path, text)) == "not valid TOML: nested too deeply"
 
 
 # What is no file
@@ -264,7 +266,7 @@ def test_keys_of_too_many_parts_are_found_behind_texts_and_comments(before: byte
 @pytest.mark.parametrize(
     "place", ["/dev/zero", "/dev/null", "/dev/urandom", "/", "no/such/file", "a\0b", "", "x" * 5000]
 )
-def test_what_is_no_file_is_refused(
+def test_what_is_no_file_is_rejected(
     name: str, place: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
@@ -274,18 +276,18 @@ def test_what_is_no_file_is_refused(
 
 
 @pytest.mark.parametrize("name", READERS)
-def test_links_in_circles_sockets_and_closed_files_are_refused(name: str, tmp_path: Path) -> None:
+def test_links_in_circles_sockets_and_closed_files_are_rejected(name: str, tmp_path: Path) -> None:
     read, sound = READERS[name]
     circle = tmp_path / "circle"
     circle.symlink_to(circle)
-    assert "cannot read" in refused(read, circle)
+    assert "cannot read" in rejected(read, circle)
     with socket.socket(socket.AF_UNIX) as ear:
         ear.bind(str(tmp_path / "ear"))
-        assert "cannot read" in refused(read, tmp_path / "ear")
+        assert "cannot read" in rejected(read, tmp_path / "ear")
     closed = written(tmp_path, sound)
     closed.chmod(0)
     if not os.access(closed, os.R_OK):
-        assert "cannot read" in refused(read, closed)
+        assert "cannot read" in rejected(read, closed)
 
 
 @pytest.mark.parametrize("name", READERS)
@@ -346,7 +348,7 @@ def spoilt_tables(draw: st.DrawFn) -> dict[str, Any]:
 
 @settings(derandomize=True, deadline=None, max_examples=120)
 @given(spoilt_tables())
-def test_spoilt_tables_are_refused_in_one_line_or_make_a_sound_robot(tables: dict[str, Any]) -> None:
+def test_spoilt_tables_are_rejected_in_one_line_or_make_a_sound_robot(tables: dict[str, Any]) -> None:
     told = "robot: "
     try:
         robot = Robot.from_dict(tables)
@@ -378,7 +380,7 @@ def test_fuzzing_the_readers_finds_nothing(tmp_path: Path) -> None:
 @pytest.mark.parametrize("name", TOML)
 @pytest.mark.parametrize("text", [b"", b"\n \n", b"\xef\xbb\xbf"])
 def test_an_empty_file_is_called_empty(name: str, text: bytes, tmp_path: Path) -> None:
-    assert refused(READERS[name][0], written(tmp_path, text)).endswith("the file is empty")
+    assert rejected(READERS[name][0], written(tmp_path, text)).endswith("the file is empty")
 
 
 KINDS = {

@@ -19,7 +19,7 @@ from stewart_sym.derive.kernel.kinematics import PUBLIC, rotation_program, searc
 from stewart_sym.derive.kernel.tree.interpret import Interpreter
 from stewart_sym.derive.kernel.tree.nodes import Program
 from stewart_sym.kit import Choice, write_kit
-from stewart_sym.results import NOT_CONVERGED, NOT_FINITE, OK, SHORT_LEG, SINGULAR
+from stewart_sym.results import NOT_CONVERGED, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH
 
 Array = np.ndarray
 
@@ -68,7 +68,7 @@ def test_poses_side_by_side_are_found_as_the_c_finds_each(tree: Program) -> None
     np.testing.assert_array_equal(stacked(found.pose.R)[good], R_c.reshape(-1, 9)[good])
     np.testing.assert_array_equal(stacked(found.pose.t)[good], t_c[good])
     assert np.isnan(stacked(found.pose.R)[~good]).all()
-    assert list(status[1:6]) == [SHORT_LEG, NOT_FINITE, NOT_CONVERGED, NOT_CONVERGED, NOT_FINITE]
+    assert list(status[1:6]) == [ZERO_LENGTH, NOT_FINITE, NOT_CONVERGED, NOT_CONVERGED, NOT_FINITE]
     assert good.sum() > 30
 
 

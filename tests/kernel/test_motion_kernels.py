@@ -16,7 +16,7 @@ import stewart_sym as ss
 from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
 from stewart_sym.motion.motion import Motion
-from stewart_sym.results import INDEFINITE, NOT_FINITE, POLE, SHORT_LEG, SINGULAR
+from stewart_sym.results import INDEFINITE, JOINT_SINGULAR, NOT_FINITE, SINGULAR, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -142,7 +142,7 @@ def test_numpy_has_the_bits_of_the_c_batch_near_joint_singularities() -> None:
     robot = random_robot(rng)
     motions = [beside_the_joint_axis(rng, robot, sine) for sine in (0.12, 0.015, 1e-5, 1e-10, 0.0)]
     motion = Motion(*(np.stack([getattr(each, name) for each in motions]) for name in NAMES))
-    assert check_bits(robot, motion) == {0, POLE}
+    assert check_bits(robot, motion) == {0, JOINT_SINGULAR}
 
 
 def test_numpy_has_the_bits_of_the_c_batch_with_long_arms_and_unlike_inertias() -> None:
@@ -278,7 +278,7 @@ def test_a_bad_pose_has_its_status_and_leaves_its_neighbours_as_they_are(kind: t
     for what in OUTPUTS:
         F = np.ones((4, 6)) if what in FORCED else None
         good, found = kind(robot).run(what, motion, F), kind(robot).run(what, bad, F)
-        assert list(found["status"]) == [0, NOT_FINITE, SHORT_LEG, POLE], what
+        assert list(found["status"]) == [0, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR], what
         for name in OUTPUTS[what]:
             np.testing.assert_array_equal(found[name][0], good[name][0])
             assert np.isnan(found[name][1:]).all()
@@ -309,7 +309,7 @@ def test_one_state_gives_what_the_batch_gives() -> None:
     np.testing.assert_array_equal(slot.acceleration, np.concatenate(ss.forward_dynamics(robot, motion, F)))
 
 
-def test_spherical_base_joints_and_unknown_backends_are_refused_by_name() -> None:
+def test_spherical_base_joints_and_unknown_backends_are_rejected_by_name() -> None:
     rng = np.random.default_rng(14)
     robot = random_robot(rng, "spherical")
     motion = random_motion(rng, robot)

@@ -152,7 +152,7 @@ def test_platform_is_found_wherever_the_base_stands() -> None:
             assert same_pose(moved, found, Q @ motion.R, motion.t @ Q.T + away).all()
 
 
-def test_there_is_no_pole_where_roll_pitch_yaw_has_one() -> None:
+def test_there_is_no_singularity_where_roll_pitch_yaw_has_one() -> None:
     rng = np.random.default_rng(5)
     robot = random_robot(rng, scale=1.0)
     motion = random_motion(rng, robot, (50,))
@@ -368,7 +368,7 @@ def test_rates_broadcast() -> None:
     np.testing.assert_allclose(v[1, 2], alone, rtol=1e-12)
 
 
-def test_rates_at_a_singular_pose_are_refused() -> None:
+def test_rates_at_a_singular_pose_are_rejected() -> None:
     robot = dasgupta()
     R, t = paper_poses(np.random.default_rng(15), 3, angle=0.1, way=0.1)
     R[1], t[1] = singular_pose()

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.kinematics.inverse import (
-    MIN_SIN_POLE,
-    clear_of_poles,
+    MIN_JOINT_SINE,
+    clear_of_joint_singularities,
     inverse_kinematics,
     wrench_matrix,
     wrench_matrix_rate,
@@ -94,7 +94,7 @@ def test_batch_is_its_poses() -> None:
         )
 
 
-def test_zero_length_is_judged_beside_the_terms_of_the_leg() -> None:
+def test_zero_length_is_checked_beside_the_terms_of_the_leg() -> None:
     """A leg from a base far away is known to rounding of the base's distance, one nearby much better."""
     robot = random_robot(np.random.default_rng(11), scale=1.0)
     still, far = np.zeros(3), np.array([1e4, 0.0, 0.0])
@@ -152,9 +152,9 @@ def test_a_leg_near_its_universal_axis_is_not_clear_of_it() -> None:
     legs = inverse_kinematics(robot, motion)
     across = np.cross(legs.s, [1.0, 0.0, 0.0])
     across /= np.linalg.norm(across, axis=-1)[:, None]
-    for off, expected in ((1.01 * MIN_SIN_POLE, True), (0.99 * MIN_SIN_POLE, False)):
+    for off, expected in ((1.01 * MIN_JOINT_SINE, True), (0.99 * MIN_JOINT_SINE, False)):
         k = across.copy()
         k[3] = off * across[3] + np.sqrt(1 - off**2) * legs.s[3]
-        assert clear_of_poles(dataclasses.replace(robot, k=k), legs) == expected
+        assert clear_of_joint_singularities(dataclasses.replace(robot, k=k), legs) == expected
     spherical = random_robot(np.random.default_rng(0), "spherical")
-    assert clear_of_poles(spherical, legs)
+    assert clear_of_joint_singularities(spherical, legs)

@@ -319,7 +319,7 @@ def test_wrong_calls_are_told(tmp_path: Path, generator: Path) -> None:
         assert said in " ".join(output.split()), output
 
 
-def test_verb_prints_the_folder_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
+def test_subcommand_prints_the_folder_of_the_package(capsys: pytest.CaptureFixture[str]) -> None:
     assert cli.main(["cmake-dir"]) == 0
     folder = Path(capsys.readouterr().out.strip())
     assert {path.name for path in folder.iterdir()} >= {"stewart-symConfig.cmake", "StewartSym.cmake"}

@@ -67,7 +67,7 @@ COMPILERS = {
 }
 PAYLOAD = ("M", "R_0", "I_p", "g")
 FORCES = range(30, 36)
-NOT_FINITE, SHORT_LEG, SINGULAR = 1, 2, 4
+NOT_FINITE, ZERO_LENGTH, SINGULAR = 1, 2, 4
 
 
 @dataclass(frozen=True)
@@ -399,7 +399,7 @@ def bad_rows() -> dict[str, tuple[Array, int]]:
     short, infinite, nan = good.copy(), good.copy(), good.copy()
     short[:9], short[9:12] = np.eye(3).ravel(), robot.b[0] - robot.p[0]
     infinite[20], nan[3] = np.inf, np.nan
-    return {"short": (short, SHORT_LEG), "infinite": (infinite, NOT_FINITE), "nan": (nan, NOT_FINITE)}
+    return {"short": (short, ZERO_LENGTH), "infinite": (infinite, NOT_FINITE), "nan": (nan, NOT_FINITE)}
 
 
 @pytest.mark.parametrize("which", ["short", "infinite", "nan"])
@@ -460,12 +460,12 @@ def test_payload_that_is_not_finite_is_told_and_mended_by_the_next() -> None:
         assert status(slave) == 0
 
 
-def test_calls_that_make_no_sense_are_refused_and_change_nothing() -> None:
+def test_calls_that_make_no_sense_are_rejected_and_change_nothing() -> None:
     good = some_rows()[0]
     log: list[tuple[int, str, str]] = []
     with running("lanes", log) as slave:
         before = step(slave, good)
-        refused = [
+        rejected = [
             lambda: slave.setReal([30], [1.0]),
             lambda: slave.setReal([0, 50], [9.0, 9.0]),
             lambda: slave.getReal([49]),
@@ -480,17 +480,17 @@ def test_calls_that_make_no_sense_are_refused_and_change_nothing() -> None:
             lambda: slave.cancelStep(),
             lambda: slave.deSerializeFMUstate(b"x"),
         ]
-        for call in refused:
+        for call in rejected:
             with pytest.raises(FMICallException):
                 call()
-        assert [entry[:2] for entry in log] == [(3, "logStatusError")] * len(refused)
+        assert [entry[:2] for entry in log] == [(3, "logStatusError")] * len(rejected)
         slave.doStep(0.001, 0.001)
         np.testing.assert_array_equal(slave.getReal(FORCES), before)
         slave.setDebugLogging(False, ["logStatusError"])
         with pytest.raises(FMICallException):
             slave.cancelStep()
         step(slave, bad_rows()["nan"][0])
-        assert len(log) == len(refused) + 1
+        assert len(log) == len(rejected) + 1
 
 
 # --- instances and their states ---------------------------------------------------------------
@@ -551,7 +551,7 @@ def test_reset_gives_a_fresh_instance() -> None:
 
 
 @pytest.mark.parametrize("wrong", ["guid", "kind", "name"])
-def test_unit_refuses_what_does_not_belong_to_it(wrong: str) -> None:
+def test_unit_rejects_what_does_not_belong_to_it(wrong: str) -> None:
     told: list[bytes] = []
     callbacks = fmi2CallbackFunctions()
     callbacks.allocateMemory, callbacks.freeMemory = (

@@ -387,7 +387,7 @@ def test_any_name_compiles(tmp_path: Path, compiler: str) -> None:
 # ---------------------------------------------------------------- what is there already
 
 
-def test_edited_file_is_refused_without_force_and_replaced_with_it(tmp_path: Path) -> None:
+def test_edited_file_is_rejected_without_force_and_replaced_with_it(tmp_path: Path) -> None:
     put(kit_of(), tmp_path)
     fresh = contents(tmp_path)
     (tmp_path / "stewart_robot.c").write_text("mine", encoding="utf-8")
@@ -516,7 +516,7 @@ def test_folder_that_cannot_be_written_is_one_line(tmp_path: Path) -> None:
     assert os.listdir(tmp_path) == ["file"]
 
 
-def test_folder_in_the_place_of_a_file_is_refused_even_with_force(tmp_path: Path) -> None:
+def test_folder_in_the_place_of_a_file_is_rejected_even_with_force(tmp_path: Path) -> None:
     (tmp_path / "stewart_robot.h").mkdir()
     with pytest.raises(ValueError, match=r"robot\.h: expected a file or nothing, found a folder"):
         put(kit_of(), tmp_path, force=True)
@@ -538,7 +538,7 @@ def test_folder_in_the_place_of_a_file_is_refused_even_with_force(tmp_path: Path
         (Choice(fidelity="rigid"), "random", "fidelity: expected one of general, .*"),
     ],
 )
-def test_wishes_that_do_not_go_together_are_refused_in_one_line(
+def test_wishes_that_do_not_go_together_are_rejected_in_one_line(
     tmp_path: Path, choice: Choice, which: str, message: str
 ) -> None:
     with pytest.raises(ValueError, match=rf"\A{message}\Z"):
@@ -587,7 +587,7 @@ def test_pose_keeps_within_length_limits_that_exist() -> None:
 
 
 @pytest.mark.parametrize("case", ["similar circles", "one platform point", "all points at the origin"])
-def test_robot_without_a_good_pose_is_refused(tmp_path: Path, case: str) -> None:
+def test_robot_without_a_good_pose_is_rejected(tmp_path: Path, case: str) -> None:
     robot = machines.dasgupta()
     angle = np.array([0.1, 1.0, 2.3, 3.1, 4.4, 5.0])
     circle = np.column_stack([np.cos(angle), np.sin(angle), np.zeros(6)])

@@ -22,9 +22,9 @@ from stewart_sym.backend.kernel import MOTION, address, kernel_name, robot_numbe
 from stewart_sym.dynamics import closed_form
 from stewart_sym.dynamics.forces import prepare
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
-from stewart_sym.kinematics.inverse import clear_of_poles
+from stewart_sym.kinematics.inverse import clear_of_joint_singularities
+from stewart_sym.kit.interpreter import LEG_FIELDS, PLATFORM_FIELDS, KitInterpreter
 from stewart_sym.kit.poses import MAX_CONDITION, poses, sample
-from stewart_sym.kit.readings import LEG_FIELDS, PLATFORM_FIELDS, Readings
 from stewart_sym.kit.running import Running
 from stewart_sym.kit.vectors import CLOSED_FORM, FEW, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
 from stewart_sym.motion.motion import Motion
@@ -192,8 +192,8 @@ def off(found: NDArray[Any], wanted: NDArray[Any]) -> float:
 def test_derived_and_generated_forces_are_the_same_to_45_digits(base_joint: str, formulation: str) -> None:
     """Where rotation and axes are of length one exactly: the two readings share no text of the equations."""
     robot, at = exactly_orthonormal(machine(base_joint))
-    readings = Readings(robot, base_joint, formulation)
-    assert off(readings.forces(at)["F"], readings.inverse_dynamics(at)["F"]) < 1e-45
+    interpreter = KitInterpreter(robot, base_joint, formulation)
+    assert off(interpreter.forces(at)["F"], interpreter.inverse_dynamics(at)["F"]) < 1e-45
 
 
 def test_forces_of_vectors_are_those_of_truth_to_the_bit() -> None:
@@ -208,14 +208,14 @@ def test_forces_of_vectors_are_those_of_truth_to_the_bit() -> None:
 def test_closed_form_is_the_inverse_dynamics_to_45_digits() -> None:
     """M [a; alpha] + bias = H F + external wrench, and forward dynamics goes back."""
     robot, at = exactly_orthonormal(machine())
-    readings = Readings(robot, "universal")
-    F, terms = readings.forces(at)["F"], readings.equations(at)
+    interpreter = KitInterpreter(robot, "universal")
+    F, terms = interpreter.forces(at)["F"], interpreter.equations(at)
     M, H = terms["M"].reshape(6, 6), terms["H"].reshape(6, 6)
     acceleration = np.concatenate([at["a"], at["alpha"]])
     load = np.concatenate([at["F_ext"], at["M_ext"]])
     assert off(M @ acceleration + terms["bias"], H @ F + load) < 1e-45
-    assert off(readings.bias(at)["bias"], terms["bias"]) < 1e-45
-    back = readings.forward_dynamics({**at, "F": np.array([number.value for number in F])})["acceleration"]
+    assert off(interpreter.bias(at)["bias"], terms["bias"]) < 1e-45
+    back = interpreter.forward_dynamics({**at, "F": np.array([number.value for number in F])})["acceleration"]
     assert off(back, np.array([Running(number) for number in acceleration])) < 1e-45
 
 
@@ -238,12 +238,12 @@ def _cayley(by: NDArray[Any], R: NDArray[Any]) -> NDArray[Any]:
 def test_derivatives_are_differences_of_the_forces_to_25_digits() -> None:
     robot, at = exactly_orthonormal(machine())
     at = {name: np.array([Running(number).value for number in array]) for name, array in at.items()}
-    readings = Readings(robot, "universal")
-    found = readings.derivatives(at)
+    interpreter = KitInterpreter(robot, "universal")
+    found = interpreter.derivatives(at)
     step = Running(1e-15).value
     by = np.concatenate([found[f"by_{name}"].reshape(6, 6) for name in ("pose", "twist", "acceleration")], 1)
     for column in (0, 2, 3, 4, 5, 6, 8, 9, 11, 13, 16):
-        there, back = (readings.forces(moved(at, column, sign * step))["F"] for sign in (1, -1))
+        there, back = (interpreter.forces(moved(at, column, sign * step))["F"] for sign in (1, -1))
         assert off((there - back) / (2 * step), by[:, column]) < 1e-25
 
 
@@ -251,15 +251,15 @@ def test_linearisation_is_that_of_forward_dynamics_to_25_digits() -> None:
     robot, at = exactly_orthonormal(machine())
     at = {name: np.array([Running(number).value for number in array]) for name, array in at.items()}
     at["F"] = np.array([Running(number).value for number in (10.0, -20.0, 30.0, 40.0, -50.0, 60.0)])
-    readings = Readings(robot, "universal")
-    found = readings.linearisation(at)
+    interpreter = KitInterpreter(robot, "universal")
+    found = interpreter.linearisation(at)
     A, B = found["A"].reshape(12, 12), found["B"].reshape(12, 6)
     step = Running(1e-15).value
     for column in (1, 3, 5, 7, 9, 11):
-        pair = [readings.forward_dynamics(moved(at, column, sign * step)) for sign in (1, -1)]
+        pair = [interpreter.forward_dynamics(moved(at, column, sign * step)) for sign in (1, -1)]
         slope = (pair[0]["acceleration"] - pair[1]["acceleration"]) / (2 * step)
         assert off(slope, A[6:, column]) < 1e-25
-    pushed = readings.forward_dynamics({**at, "F": at["F"] + np.eye(6, dtype=int)[2]})["acceleration"]
+    pushed = interpreter.forward_dynamics({**at, "F": at["F"] + np.eye(6, dtype=int)[2]})["acceleration"]
     assert off(pushed - found["acceleration"], B[6:, 2]) < 1e-40
 
 
@@ -404,7 +404,7 @@ def test_poses_begin_with_the_examples_and_are_all_good() -> None:
     assert poses(robot, "exact", 1).shape == (1,)
     H = ss.wrench_matrix(robot, motions)
     assert (scaled_condition_number(H, characteristic_length(robot)) <= MAX_CONDITION).all()
-    assert clear_of_poles(robot, ss.inverse_kinematics(robot, motions)).all()
+    assert clear_of_joint_singularities(robot, ss.inverse_kinematics(robot, motions)).all()
     assert (motions.omega == 0).all(axis=-1).any()
     apart = np.abs(motions.R[:, None] - motions.R[None]).max(axis=(-1, -2)) + np.eye(8)
     assert apart.min() > 0.01
@@ -468,13 +468,13 @@ def test_vectors_are_the_same_under_any_hash_seed() -> None:
         ),
     ],
 )
-def test_bad_arguments_are_refused(change: dict[str, Any], message: str) -> None:
+def test_bad_arguments_are_rejected(change: dict[str, Any], message: str) -> None:
     arguments: dict[str, Any] = {"functions": ("forces",), **change}
     with pytest.raises(ValueError, match=message):
         vectors(machine(), **arguments)
 
 
-def test_constants_that_float_cannot_hold_are_refused() -> None:
+def test_constants_that_float_cannot_hold_are_rejected() -> None:
     heavy = dataclasses.replace(machine(), M=1e39)
     with pytest.raises(ValueError, match=r"^robot: M: expected a number that float can hold, got 1e\+39$"):
         vectors(heavy, ("forces",), precision="float")
@@ -499,7 +499,7 @@ def test_the_constant_that_float_cannot_hold_is_named(
         vectors(dataclasses.replace(machine(), **change), ("forces",), precision="float", baked=baked)
 
 
-def test_machine_without_a_good_pose_is_refused() -> None:
+def test_machine_without_a_good_pose_is_rejected() -> None:
     robot = machine()
     with pytest.raises(ValueError, match="no good pose for the example"):
         vectors(dataclasses.replace(robot, p=np.zeros((6, 3))), ("forces",))

@@ -82,7 +82,7 @@ def test_second_rates_of_a_rotation_vector_and_back(angle: float) -> None:
     np.testing.assert_allclose([spin[2, 1], spin[0, 2], spin[1, 0]], omega, atol=1e-7)
 
 
-def test_times_outside_and_single_instants_are_refused() -> None:
+def test_times_outside_and_single_instants_are_rejected() -> None:
     trajectory = wild(2)
     path = between(trajectory)
     for time in (trajectory.time[0] - 1e-3, trajectory.time[1] + 1e-3, np.nan):

@@ -1,4 +1,4 @@
-"""Motion: angles and rates agree with each other, shapes broadcast, what is no motion is refused by name."""
+"""Motion: angles and rates agree with each other, shapes broadcast, what is no motion is rejected by name."""
 
 from collections.abc import Callable
 from typing import Any
@@ -107,7 +107,7 @@ def test_angles_in_their_range_come_back(x: float, y: float, z: float) -> None:
 
 
 @pytest.mark.parametrize("sign", [-1.0, 1.0])
-def test_angles_at_the_pole_give_the_rotation_back(sign: float) -> None:
+def test_angles_in_gimbal_lock_give_the_rotation_back(sign: float) -> None:
     R = turn(2, 0.7) @ np.array([[0.0, 0.0, sign], [0.0, 1.0, 0.0], [-sign, 0.0, 0.0]]) @ turn(0, -1.9)
     np.testing.assert_allclose(rotation_from_rpy(rpy_from_rotation(R)), R, atol=1e-15)
 

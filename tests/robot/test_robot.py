@@ -322,7 +322,7 @@ def test_no_tables_at_all() -> None:
     assert error_of(lambda: Robot.from_dict([])) == "robot: expected a table, got []"  # type: ignore[arg-type]
 
 
-def test_spherical_base_joint_refuses_axes_and_asymmetric_legs() -> None:
+def test_spherical_base_joint_rejects_axes_and_asymmetric_legs() -> None:
     d = spherical_machine()
     d["leg"][1]["universal_axis"] = [1, 0, 0]
     assert error_of(lambda: Robot.from_dict(d)).startswith("robot: leg 2: universal_axis: expected none")

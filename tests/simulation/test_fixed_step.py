@@ -85,7 +85,7 @@ def test_a_state_without_accelerations_has_a_status_and_leaves_the_others_alone(
     np.testing.assert_array_equal(end.t[0], alone.t[0])
 
 
-def test_no_steps_are_refused() -> None:
+def test_no_steps_are_rejected() -> None:
     robot = machine()
     with pytest.raises(ValueError, match=r"^steps: expected at least 1, got 0"):
         advance(ForwardDynamics(robot), swinging(robot), np.zeros((1, 6)), 0.01, 0)

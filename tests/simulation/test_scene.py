@@ -196,7 +196,7 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, capsys: pytest.Ca
         ('"robots/robot.toml"', "7", "robot: expected one line of text, got 7"),
     ],
 )
-def test_bad_scenes_are_refused_in_one_line_and_leave_nothing(
+def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
     scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
 ) -> None:
     assert old in SWING
@@ -217,7 +217,7 @@ def test_bad_scenes_are_refused_in_one_line_and_leave_nothing(
         ('model = "paper"', 'model = "best"', 'legs.model: expected "exact" or "paper"'),
     ],
 )
-def test_bad_tracking_is_refused(
+def test_bad_tracking_is_rejected(
     scene: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, words: str
 ) -> None:
     scene.write_text(TRACK.replace(old, new, 1))

@@ -1,4 +1,4 @@
-"""Simulation: energy is kept, attitude has no pole, limits stop a run where they are reached."""
+"""Simulation: energy is kept, attitude has no singularity, limits stop a run where they are reached."""
 
 import dataclasses
 from typing import Any
@@ -120,7 +120,7 @@ def test_runs_of_twice_the_accuracy_agree() -> None:
         np.testing.assert_allclose(at.R, true.R, atol=2e-6)
 
 
-def test_orientation_passes_the_pole_of_roll_pitch_yaw() -> None:
+def test_orientation_passes_gimbal_lock_of_roll_pitch_yaw() -> None:
     """A platform on legs so far below that it can turn over about y, through 90 degrees and on."""
     robot = machine(base_joint="spherical", friction=False)
     robot = dataclasses.replace(
@@ -268,22 +268,22 @@ def test_a_machine_that_falls_stops_where_det_H_first_changes_its_sign(soft: flo
     assert np.sign(np.linalg.det(ss.wrench_matrix(robot, after))) == -sides[0]
 
 
-def test_short_legs_and_legs_along_their_axes_stop_the_run() -> None:
+def test_zero_length_legs_and_legs_along_their_axes_stop_the_run() -> None:
     robot = machine()
     L = ss.inverse_kinematics(robot, home(robot)).L
     short = ss.simulate(
         robot, home(robot), np.zeros(6), 3.0, thresholds=ss.Thresholds(min_length=L.min() - 0.02)
     )
-    assert short.stop.kind == "short_leg"
+    assert short.stop.kind == "zero_length"
     assert short.L[-1].min() == pytest.approx(L.min() - 0.02, abs=1e-13)
     sine = np.linalg.norm(np.cross(robot.k, ss.inverse_kinematics(robot, home(robot)).s), axis=-1)
     limit = sine.min() - 1e-3
     state = home(robot, v=[3.0, 0.0, 0.0])
-    pole = ss.simulate(robot, state, np.zeros(6), 3.0, thresholds=ss.Thresholds(min_pole_sine=limit))
-    assert pole.stop.kind == "pole"
-    assert pole.stop.leg is not None
-    s = ss.inverse_kinematics(robot, pole.motion).s[-1, pole.stop.leg - 1]
-    assert np.linalg.norm(np.cross(robot.k[pole.stop.leg - 1], s)) == pytest.approx(limit, abs=1e-12)
+    joint = ss.simulate(robot, state, np.zeros(6), 3.0, thresholds=ss.Thresholds(min_joint_sine=limit))
+    assert joint.stop.kind == "joint singularity"
+    assert joint.stop.leg is not None
+    s = ss.inverse_kinematics(robot, joint.motion).s[-1, joint.stop.leg - 1]
+    assert np.linalg.norm(np.cross(robot.k[joint.stop.leg - 1], s)) == pytest.approx(limit, abs=1e-12)
 
 
 def test_a_limit_broken_at_the_start_stops_there() -> None:
@@ -392,7 +392,7 @@ def test_bad_arguments_are_named(wrong: dict[str, Any], words: str) -> None:
         ss.simulate(robot, **arguments)
 
 
-def test_a_start_without_accelerations_is_refused() -> None:
+def test_a_start_without_accelerations_is_rejected() -> None:
     robot = machine()
     state = home(robot)
     on_base = ss.Motion(state.R, robot.b[3] - robot.p[3], ZERO, ZERO)
@@ -406,7 +406,7 @@ def test_forces_that_are_no_numbers_after_the_start_leave_no_run() -> None:
         ss.simulate(robot, home(robot), lambda time, _: np.full(6, np.nan if time > 0.0 else 0.0), 1.0)
 
 
-def test_times_outside_a_run_are_refused() -> None:
+def test_times_outside_a_run_are_rejected() -> None:
     robot = machine()
     run = ss.simulate(robot, home(robot), np.zeros(6), 0.1)
     with pytest.raises(ValueError, match=r"^times: expected times in \[0, 0.1\] s, got 0.2$"):
@@ -418,7 +418,7 @@ def test_times_outside_a_run_are_refused() -> None:
     [
         ({"max_condition": 1.0}, r"^max_condition: expected a number > 1"),
         ({"min_length": 0.0}, r"^min_length"),
-        ({"min_pole_sine": 1.0}, r"^min_pole_sine: expected a number > 0 and < 1"),
+        ({"min_joint_sine": 1.0}, r"^min_joint_sine: expected a number > 0 and < 1"),
     ],
 )
 def test_bad_thresholds_are_named(wrong: dict[str, Any], words: str) -> None:

@@ -22,7 +22,7 @@ from stewart_sym.dynamics import forces as force_kernels
 from stewart_sym.dynamics.closed_form import OUTPUTS, NumpyClosedForm
 from stewart_sym.precision.truth import Truth, digits
 from stewart_sym.results import OK
-from stewart_sym.studies.robustness.sweep import judge
+from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine, random_motion
 from stewart_sym.studies.robustness.sweep.singular_machines import (
     FAMILIES,
@@ -36,11 +36,11 @@ Array = NDArray[np.float64]
 WITHIN = 10.0
 """Rounding units times the condition number that every output of every kernel must keep."""
 PRECISIONS = ("double", "float")
-NEAR_JOINT = ("pole", "short leg", "heavy leg")
+NEAR_JOINT = ("joint singularity", "zero-length leg", "heavy leg")
 PER_MACHINE = 10
 
 try:
-    judge._library()
+    oracle._library()
 except CompilerError:
     pytest.skip("needs a compiler with __float128", allow_module_level=True)
 
@@ -135,8 +135,8 @@ def answered_with_limit(
 
 def answers_of_singular_machines(cases: int) -> list[str]:
     """Kernels, precisions and counts of answers with status ok."""
-    found = sweep(cases, seed=23, kinds=(judge.MACHINE,))
-    assert {count.kernel for count in found.counts} == {*judge.KERNELS, "joint inertia", "derivatives"}
+    found = sweep(cases, seed=23, kinds=(oracle.MACHINE,))
+    assert {count.kernel for count in found.counts} == {*oracle.KERNELS, "joint inertia", "derivatives"}
     return [
         f"{count.kernel}, {count.precision}: {count.answered}" for count in found.counts if count.answered
     ]
@@ -199,27 +199,27 @@ def good_poses_rejected(cases: int) -> dict[tuple[str, str], int]:
     numbers, sizes = random_machines(np.random.default_rng(25), -(-cases // each), LEGS, False)
     found: dict[tuple[str, str], int] = {}
     for precision in PRECISIONS:
-        forces = judge.judge_random("singular", numbers, sizes, each, 26, precision, samples=0)
+        forces = oracle.check_random("singular", numbers, sizes, each, 26, precision, samples=0)
         good = np.maximum(condition_of(forces), forces["frames"]) < GOOD[precision]
         good &= (forces["made"] == 1) & (forces["truth"] == OK)
         assert good.sum() > 0.25 * cases
-        closed = judge.closed_form_errors(
+        closed = oracle.closed_form_errors(
             "singular", numbers, sizes, max(1, each // 20), 26, precision, 0, ("joint_inertia", "derivatives")
         )
         fine = np.maximum(closed["scaled"], closed["frames"]) < GOOD[precision]
-        for column, name in enumerate(judge.KERNELS):
+        for column, name in enumerate(oracle.KERNELS):
             found[name, precision] = int(np.sum(good & (forces["status"][:, column] != OK)))
         for column in (3, 4):
             of_kernel = fine & (closed["made"] == 1) & (closed["truth"][:, column] == OK)
             status = closed["status"][:, column]
-            found[judge.CLOSED_KERNELS[column], precision] = int(np.sum(of_kernel & (status != OK)))
+            found[oracle.CLOSED_KERNELS[column], precision] = int(np.sum(of_kernel & (status != OK)))
     return {name: count for name, count in found.items() if count}
 
 
 @pytest.mark.parametrize("backend", ["numpy", "reference"])
 def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
     numbers, sizes, robots = machines_of(27, 12)
-    found = judge.judge_random("singular", numbers, sizes, 40, 28, samples=0)
+    found = oracle.check_random("singular", numbers, sizes, 40, 28, samples=0)
     good = np.maximum(condition_of(found), found["frames"]) < GOOD["double"]
     for index in np.flatnonzero(good & (found["made"] == 1)):
         robot, motion = case("singular", numbers, sizes, robots, 40, 28, int(index))
@@ -251,22 +251,22 @@ def beyond(kind: str, precision: str, cases: int) -> list[str]:
     """Kernels that err by more than ``WITHIN``, or reject a good pose: the worst case of each in a line."""
     seed, each = 29, PER_MACHINE
     numbers, sizes = random_machines(np.random.default_rng(seed), -(-cases // each), LEGS, False)
-    forces = judge.judge_random(kind, numbers, sizes, each, seed, precision, 8, WITHIN)
-    closed = judge.closed_form_errors(
+    forces = oracle.check_random(kind, numbers, sizes, each, seed, precision, 8, WITHIN)
+    closed = oracle.closed_form_errors(
         kind, numbers, sizes, each, seed, precision, samples=8, in_quad=True, doubtful=WITHIN
     )
     good = np.maximum(closed["scaled"], closed["frames"]) < GOOD[precision]
     lines = []
-    for column, kernel in enumerate((*judge.KERNELS, *judge.CLOSED_KERNELS)):
-        of_forces = column < len(judge.KERNELS)
-        place = column if of_forces else column - len(judge.KERNELS)
+    for column, kernel in enumerate((*oracle.KERNELS, *oracle.CLOSED_KERNELS)):
+        of_forces = column < len(oracle.KERNELS)
+        place = column if of_forces else column - len(oracle.KERNELS)
         status = (forces if of_forces else closed)["status"][:, place]
         truth = forces["truth"] if of_forces else closed["truth"][:, place]
         ratio = forces["error"][:, place] / condition_of(forces) if of_forces else closed["error"][:, place]
         ratio = np.where(status == OK, np.where(ratio >= 0.0, ratio, np.inf), 0.0)
         rejected = (closed["made"] == 1) & (status != OK) & (truth == OK) & good
         worst = int(np.argmax(ratio))
-        block = "" if of_forces else f" ({list(judge.BLOCKS)[closed['block'][worst, place]]})"
+        block = "" if of_forces else f" ({list(oracle.BLOCKS)[closed['block'][worst, place]]})"
         if ratio[worst] > WITHIN:
             lines.append(
                 f"{kernel}{block}: {int(np.sum(ratio > WITHIN))} of {len(ratio)} beyond, worst "
@@ -292,7 +292,7 @@ def test_numpy_is_as_good_as_its_problem_allows(kind: str) -> None:
             ss.scaled_condition_number(high[BLOCK_H].reshape(6, 6), length) if kind == "proportions" else 1.0
         )
         flat, codes = numpy_outputs(robot, motion, F)
-        for name, part in judge.BLOCKS.items():
+        for name, part in oracle.BLOCKS.items():
             kernel = part[0]
             if codes[kernel] == OK and status[kernel] == OK:
                 error = block_error(part, length, scaled, flat, high, low, change)
@@ -300,7 +300,7 @@ def test_numpy_is_as_good_as_its_problem_allows(kind: str) -> None:
                     change = wider(robot, motion, F, samples=-1)[2]
                     error = block_error(part, length, scaled, flat, high, low, change)
                 worst[name] = max(worst.get(name, 0.0), error)
-    assert worst.keys() == judge.BLOCKS.keys()
+    assert worst.keys() == oracle.BLOCKS.keys()
     assert {name: ratio for name, ratio in worst.items() if ratio > WITHIN} == {}
 
 
@@ -323,7 +323,7 @@ def test_wider_arithmetic_agrees_with_fifty_digits_of_the_derived_equations(kind
         if status.any():
             continue
         for name, truth in fifty_digits(robot, motion, F).items():
-            part = judge.BLOCKS[name]
+            part = oracle.BLOCKS[name]
             error = block_error(part, ss.characteristic_length(robot), 1.0, truth, high, low, change)
             # In units of 2e-16, and R and k are what they should be to such a unit.
             assert error < 2.0, (name, index)
@@ -343,7 +343,7 @@ def test_wider_arithmetic_agrees_with_differences_of_the_derived_equations(kind:
         with digits.workdps(150):
             slopes = differentiated(robot, motion, F)
         for name, truth in slopes.items():
-            part = judge.BLOCKS[name]
+            part = oracle.BLOCKS[name]
             error = block_error(part, ss.characteristic_length(robot), 1.0, truth, high, low, change)
             assert error < 2.0, (name, index)
 
@@ -430,7 +430,7 @@ def columns_of_fifty_digits(robot: ss.Robot, motion: ss.Motion) -> Any:
 
 # --- helpers ----------------------------------------------------------------------------------------
 
-BLOCK_H = slice(judge.BLOCKS["H"][1], judge.BLOCKS["H"][1] + 36)
+BLOCK_H = slice(oracle.BLOCKS["H"][1], oracle.BLOCKS["H"][1] + 36)
 
 
 def machines_of(seed: int, count: int) -> tuple[Array, Array, list[ss.Robot]]:
@@ -444,7 +444,7 @@ def case(
     kind: str, numbers: Array, sizes: Array, robots: list[ss.Robot], each: int, seed: int, index: int
 ) -> tuple[ss.Robot, ss.Motion]:
     """The machine and the motion of a random case."""
-    found, pose = judge.random_case(kind, numbers, sizes, each, seed, index)
+    found, pose = oracle.random_case(kind, numbers, sizes, each, seed, index)
     return robot_of(robots[index // each], found), motion_of(pose)
 
 
@@ -493,9 +493,9 @@ def wider(
 ) -> tuple[Array, Array, Array, NDArray[np.int32]]:
     """Outputs of the closed form's kernels in quadruple precision, high + low, their change and statuses."""
     high, low, change = np.zeros((3, OUTPUT_NUMBERS))
-    status = np.zeros(len(judge.CLOSED_KERNELS), dtype=np.int32)
-    numbers, pose = robot_numbers(robot), judge.motion_numbers(motion)
-    judge._library().quad_closed_form(
+    status = np.zeros(len(oracle.CLOSED_KERNELS), dtype=np.int32)
+    numbers, pose = robot_numbers(robot), oracle.motion_numbers(motion)
+    oracle._library().quad_closed_form(
         *(address(np.ascontiguousarray(array)) for array in (numbers, pose, F)),
         ctypes.c_int(2 ** len(status) - 1),
         ctypes.c_double(1e-20),

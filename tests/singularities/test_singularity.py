@@ -116,7 +116,7 @@ def test_legs_between_corresponding_corners_of_similar_hexagons_are_singular_eve
     assert found.lost >= 1
 
 
-def test_a_flat_machine_has_lost_three_freedoms() -> None:
+def test_a_flat_machine_has_lost_three_degrees_of_freedom() -> None:
     robot, R = hexagons(0.3)
     found = ss.singularity(robot, (R, np.zeros(3)))
     assert found.lost == 3

@@ -27,11 +27,19 @@ from stewart_sym.generated.interface import MODELS
 from stewart_sym.io.extras import EXTRAS, install
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
+from stewart_sym.studies.benchmark.baselines import (
+    CASADI,
+    JAX,
+    PEERS,
+    Contestant,
+    Poses,
+    Runner,
+    multiply_add,
+)
+from stewart_sym.studies.benchmark.baselines_constraints import engines
+from stewart_sym.studies.benchmark.baselines_pinocchio import PinocchioMachine
+from stewart_sym.studies.benchmark.baselines_tree import tensors_of_bodies, tree
 from stewart_sym.studies.benchmark.figures import FORWARD, MOST
-from stewart_sym.studies.benchmark.peers import CASADI, JAX, PEERS, Contestant, Poses, Runner, multiply_add
-from stewart_sym.studies.benchmark.peers_constraints import engines
-from stewart_sym.studies.benchmark.peers_pinocchio import PinocchioMachine
-from stewart_sym.studies.benchmark.peers_tree import tensors_of_bodies, tree
 from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
 from stewart_sym.studies.common import host, timing
 
@@ -217,13 +225,13 @@ def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
     assert all(len(np.unique(column)) == 500 for column in rows.T)
 
 
-def test_a_machine_without_universal_joints_is_refused() -> None:
+def test_a_machine_without_universal_joints_is_rejected() -> None:
     robot = random_robot(np.random.default_rng(3), "spherical")
     with pytest.raises(ValueError, match="expected universal base joints"):
         bench.bench_poses(robot, 10)
 
 
-def test_a_machine_that_is_singular_everywhere_is_refused() -> None:
+def test_a_machine_that_is_singular_everywhere_is_rejected() -> None:
     robot = dasgupta()
     none = dataclasses.replace(robot, p=np.tile(robot.p[:1], (6, 1)))
     with pytest.raises(ValueError, match="no regular poses"):
@@ -268,7 +276,7 @@ def test_a_pass_with_wrong_forces_stops_the_run(kind: str, monkeypatch: pytest.M
         bench.bench(quick=True)
 
 
-# equations of motion and their peers
+# equations of motion and their baselines
 
 
 @pytest.mark.parametrize("seed", [7, 8])
@@ -277,15 +285,15 @@ def test_all_of_the_second_group_agree_on_any_machine(seed: int) -> None:
     robot = random_robot(rng, friction=seed % 2 == 0)
     group = equation_kernels.motion_group(poses_of(robot, random_motion(rng, robot, (20,))))
     assert all(np.array_equal(getattr(group.robot, name), getattr(robot, name)) for name in TENSORS)
-    peers = [engine.name for engine in group.engines]
-    assert [*group.differences] == [*(each.name for each in equation_kernels.FUNCTIONS), *peers]
-    assert len(group.tasks) == len(equation_kernels.FUNCTIONS) + 2 * len(peers)
-    assert all(group.differences[name] < 1e-6 for name in peers)
+    baselines = [engine.name for engine in group.engines]
+    assert [*group.differences] == [*(each.name for each in equation_kernels.FUNCTIONS), *baselines]
+    assert len(group.tasks) == len(equation_kernels.FUNCTIONS) + 2 * len(baselines)
+    assert all(group.differences[name] < 1e-6 for name in baselines)
 
 
 @pytest.mark.parametrize("number", [0, 1], ids=["Pinocchio", "MuJoCo"])
 @pytest.mark.parametrize("change", ["rates", "friction", "load", "gravity"])
-def test_a_peer_feels_rates_friction_load_and_gravity(number: int, change: str, stranger: Poses) -> None:
+def test_a_baseline_has_rates_friction_load_and_gravity(number: int, change: str, stranger: Poses) -> None:
     motion, none = stranger.motion[:2], np.zeros(6)
     robot, zero = stranger.robot, np.zeros((2, 3))
     F = ss.inverse_dynamics(robot, motion, backend="reference").F
@@ -329,7 +337,7 @@ def test_a_wrong_answer_of_the_second_group_stops_the_run(
         equation_kernels.motion_group(stranger)
 
 
-def test_a_wrong_peer_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: Poses) -> None:
+def test_a_wrong_baseline_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: Poses) -> None:
     def heavier(robot: Robot, *rest: Any) -> Any:
         return engines(dataclasses.replace(robot, M=1.01 * robot.M), *rest)
 
@@ -340,19 +348,19 @@ def test_a_wrong_peer_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: P
 
 def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], written: Path) -> None:
     motion, text = figures["motion"], (written / "bench.txt").read_text()
-    inverse, peers = motion["ours"][0], motion["peers"]
+    inverse, baselines = motion["ours"][0], motion["baselines"]
     forward = next(entry for entry in motion["ours"] if entry["name"] == FORWARD)
     assert [entry["name"] for entry in motion["ours"]] == [each.name for each in equation_kernels.FUNCTIONS]
-    assert [entry["name"] for entry in peers] == ["Pinocchio", "MuJoCo"]
-    for entry in (*motion["ours"], *peers):
+    assert [entry["name"] for entry in baselines] == ["Pinocchio", "MuJoCo"]
+    for entry in (*motion["ours"], *baselines):
         assert len(entry["raw"]) == figures["rounds"]
         assert entry["ratio_to_inverse_dynamics"] == pytest.approx(entry["median"] / inverse["median"])
         limits = tuple(entry[name] for name in ("target", "goal") if name in entry)
         assert limits == MOST.get(entry["name"], ())
-    for net, call, empty in zip(peers, motion["calls"], motion["empty_calls"], strict=True):
+    for net, call, empty in zip(baselines, motion["calls"], motion["empty_calls"], strict=True):
         assert net["raw"] == pytest.approx(np.array(call["raw"]) - np.array(empty["raw"]))
-    better = min(peers, key=lambda entry: float(entry["median"]))
-    assert motion["better_peer"] == better["name"]
+    better = min(baselines, key=lambda entry: float(entry["median"]))
+    assert motion["better_baseline"] == better["name"]
     assert motion["times_faster"] == pytest.approx(better["median"] / forward["median"])
     said = f"{motion['times_faster']:.1f} x faster than the better of the two, {better['name']} (target 20)"
     assert said in text
@@ -366,8 +374,11 @@ def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], wr
 def test_json_has_every_contestant_with_positive_figures(figures: dict[str, Any]) -> None:
     for group, expected in (("ours", bench.OURS), ("calls", bench.CALLS)):
         assert [entry["name"] for entry in figures[group]] == [each.name for each in expected]
-    assert [entry["name"] for entry in figures["peers"]] == [*(each.name for each in PEERS), bench.PINOCCHIO]
-    for entry in (*figures["ours"], *figures["calls"], *figures["peers"], figures["multiply_add"]):
+    assert [entry["name"] for entry in figures["baselines"]] == [
+        *(each.name for each in PEERS),
+        bench.PINOCCHIO,
+    ]
+    for entry in (*figures["ours"], *figures["calls"], *figures["baselines"], figures["multiply_add"]):
         low, high = entry["quartiles"]
         assert len(entry["raw"]) == figures["rounds"] == 3
         assert 0 < low <= entry["median"] <= high
@@ -387,8 +398,8 @@ def test_json_says_where_and_with_what_it_ran(figures: dict[str, Any]) -> None:
 
 
 def test_ratios_are_of_the_medians_of_the_same_run(figures: dict[str, Any]) -> None:
-    casadi = next(entry for entry in figures["peers"] if entry["name"] == CASADI.name)
-    for entry in (*figures["ours"], *figures["peers"]):
+    casadi = next(entry for entry in figures["baselines"] if entry["name"] == CASADI.name)
+    for entry in (*figures["ours"], *figures["baselines"]):
         assert entry["ratio_to_casadi"] == pytest.approx(np.median(entry["raw"]) / np.median(casadi["raw"]))
     (call, *_), one_pose = figures["calls"], figures["ours"][0]
     assert call["overhead_over_c_ns"] == pytest.approx(call["median"] - one_pose["median"])
@@ -484,7 +495,7 @@ def test_own_work_is_not_that_of_others() -> None:
 
 def test_pinocchio_is_newton_euler_less_the_call_and_a_solve(figures: dict[str, Any]) -> None:
     rnea, empty, solve = (np.array(part["raw"]) for part in figures["pinocchio_parts"])
-    assert figures["peers"][-1]["raw"] == pytest.approx(rnea - empty + solve)
+    assert figures["baselines"][-1]["raw"] == pytest.approx(rnea - empty + solve)
 
 
 def test_the_limit_is_the_emitted_operations_at_the_measured_rate(figures: dict[str, Any]) -> None:
@@ -620,7 +631,7 @@ def test_a_sample_that_turns_out_short_is_taken_again(monkeypatch: pytest.Monkey
     assert raw["task"] == pytest.approx(3 * (1.0,))
 
 
-def test_a_coarse_clock_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_coarse_clock_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
     ticks = itertools.count(0, 50_000)
     monkeypatch.setattr("time.perf_counter_ns", lambda: next(ticks))
     with pytest.raises(ValueError, match="clock is too coarse"):

@@ -13,7 +13,7 @@ from sweeps import FULL
 
 from stewart_sym.backend.native import CompilerError
 from stewart_sym.cli.main import main
-from stewart_sym.results import POLE
+from stewart_sym.results import JOINT_SINGULAR
 from stewart_sym.studies.microcontroller import measure, report, toolchain
 from stewart_sym.studies.microcontroller.measure import Figures, Study
 
@@ -44,7 +44,7 @@ def row(found: Study, request: pytest.FixtureRequest) -> Figures:
 
 def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figures) -> None:
     assert row.poses > measure.MOTIONS
-    assert (row.failed, row.refused_wrongly, row.selftest) == (0, 0, 0)
+    assert (row.failed, row.rejected_wrongly, row.selftest) == (0, 0, 0)
     # Arithmetic that errs by nothing was not run on the processor.
     assert 0 < row.worst <= 1
     assert row.right
@@ -53,9 +53,9 @@ def test_answers_are_within_bounds_and_calls_without_an_answer_say_so(row: Figur
 def test_a_pose_takes_no_more_instructions_than_a_controller_has(row: Figures) -> None:
     assert 1000 < row.instructions <= INSTRUCTIONS[row.baked]
     if not row.baked:
-        assert row.near_poles is not None
+        assert row.near_singular_joints is not None
         # All six legs near their joint singularities at once, which the limit for a pose does not cover.
-        assert row.instructions < row.near_poles <= AT_MOST[False]
+        assert row.instructions < row.near_singular_joints <= AT_MOST[False]
 
 
 def test_float_takes_no_more_instructions_than_double(found: Study) -> None:
@@ -96,7 +96,7 @@ def test_the_committed_figures_are_those_found_today_with_the_same_tools(found: 
     if committed["tools"] != today["tools"]:
         for each in (committed, today):
             for row in each["rows"]:
-                for name in ("instructions", "near_poles", "flash", "ram", "stack", "worst"):
+                for name in ("instructions", "near_singular_joints", "flash", "ram", "stack", "worst"):
                     row.pop(name)
         del committed["tools"], today["tools"]
     assert committed == today, "run `stewart-sym controller -o DIR` and copy controller.json to .docs"
@@ -154,11 +154,13 @@ def test_a_circle_of_calls_has_no_depth_of_stack(tmp_path: Path) -> None:
 def test_a_wrong_force_and_a_wrong_status_are_found(monkeypatch: pytest.MonkeyPatch) -> None:
     cases = measure.Cases.of(dasgupta(), "massless_static", True, "double")
     cases.tests[3].answers["F"][2] *= 1 + 1e-9
-    refused = cases.rejected()
+    rejected = cases.rejected()
     monkeypatch.setattr(measure.Cases, "of", lambda *_: cases)
-    monkeypatch.setattr(measure.Cases, "rejected", lambda *_: [(refused[0][0], POLE), *refused[1:]])
+    monkeypatch.setattr(
+        measure.Cases, "rejected", lambda *_: [(rejected[0][0], JOINT_SINGULAR), *rejected[1:]]
+    )
     row = measure.measured(dasgupta(), "massless_static", True, "double")
-    assert (row.failed, row.refused_wrongly) == (1, 1)
+    assert (row.failed, row.rejected_wrongly) == (1, 1)
     assert row.worst > 1
     assert not row.right
 

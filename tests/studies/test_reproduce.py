@@ -61,7 +61,7 @@ def test_peaks_of_path_three(found: Reproduction) -> None:
 
 
 def test_path_three_is_singular_between_two_instants_of_the_grid(found: Reproduction) -> None:
-    assert found.pole == pytest.approx(3.6705, abs=1e-4)
+    assert found.singular_time == pytest.approx(3.6705, abs=1e-4)
     path = PATHS["III"].path
     with pytest.raises(ValueError, match="keeps its sign between 0 s and 1 s"):
         singular_time(paper_machine(), path, 0.0, 1.0)

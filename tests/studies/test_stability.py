@@ -1,4 +1,4 @@
-"""The failure atlas: what it measures with is right, and it finds of the kernels what it must."""
+"""The stability study: what it measures with is right, and it finds of the kernels what it must."""
 
 import dataclasses
 import json
@@ -22,19 +22,19 @@ from stewart_sym.results import OK
 from stewart_sym.studies.robustness import attitude, leg_frame, lengths, poses, singular
 from stewart_sym.studies.robustness.family import Curve, verdict
 from stewart_sym.studies.robustness.solves import CANDIDATES
-from stewart_sym.studies.robustness.sweep import judge
+from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_machine
 from stewart_sym.studies.robustness.sweep.sweep import sweep
 
 REPOSITORY = Path(__file__).parents[2]
 
 try:
-    judge._library()
+    oracle._library()
 except CompilerError:
     pytest.skip("needs a compiler with __float128", allow_module_level=True)
 
 
-def test_the_judge_agrees_with_fifty_digits() -> None:
+def test_the_check_agrees_with_fifty_digits() -> None:
     rng = np.random.default_rng(1)
     # Exact numbers: the two differ in what they make of an R that is a rotation to rounding only.
     robot = dataclasses.replace(random_robot(rng), k=np.eye(3)[[0, 1, 1, 0, 0, 1]])
@@ -43,38 +43,38 @@ def test_the_judge_agrees_with_fifty_digits() -> None:
     truth = Truth(robot).forces(motion)
     high, low = quad_forces(robot, motion, as_given=True)
     assert np.abs(deviation(high, truth) + low).max() < 1e-26 * np.abs(high).max()
-    judged = judge.judge_poses([robot] * 3, [motion[i] for i in range(3)])
+    checked = oracle.check_poses([robot] * 3, [motion[i] for i in range(3)])
     for i in range(3):
         F, status = ss.prepare(robot).forces_and_status(motion[i])
         assert status == OK
-        units = np.abs(deviation(F, truth[i])).max() / (np.finfo(float).eps * judged["size"][i])
-        assert judged["error"][i, 0] == pytest.approx(units, rel=1e-9)
+        units = np.abs(deviation(F, truth[i])).max() / (np.finfo(float).eps * checked["size"][i])
+        assert checked["error"][i, 0] == pytest.approx(units, rel=1e-9)
 
 
-def test_the_judge_sees_an_error_of_a_few_units() -> None:
+def test_the_check_sees_an_error_of_a_few_units() -> None:
     rng = np.random.default_rng(2)
     robot = random_robot(rng)
     motion = random_motion(rng, robot)
     wrong = dataclasses.replace(robot, M=robot.M * (1.0 + 1e-9))
     truth = Truth(wrong).forces(motion)
-    judged = judge.judge_poses([robot], [motion])
+    checked = oracle.check_poses([robot], [motion])
     F, _ = ss.prepare(robot).forces_and_status(motion)
-    assert np.abs(deviation(F, truth)).max() / judged["size"][0] > 1e4 * judged["error"][0, 0] * 2e-16
+    assert np.abs(deviation(F, truth)).max() / checked["size"][0] > 1e4 * checked["error"][0, 0] * 2e-16
 
 
 def test_long_double_and_quadruple_precision_find_the_same() -> None:
     rng = np.random.default_rng(3)
     robots = [random_machine(rng) for _ in range(4)]
     numbers, sizes = np.array([robot_numbers(robot) for robot in robots]), np.ones(4)
-    found = judge.judge_random("singular", numbers, sizes, 20, 5)
+    found = oracle.check_random("singular", numbers, sizes, 20, 5)
     found = found[(found["made"] == 1) & (found["status"][:, 0] == OK)]
     assert len(found) > 40
     assert not found["in_quad"].all()
     for index in range(0, 20, 5):
-        robot_, motion = judge.random_case("singular", numbers, sizes, 20, 5, index)
-        again = np.zeros(1, dtype=judge.RESULT)
-        judge._judge(0, "double", True, 3, 0.0, 0, robot_[None], np.ones(1), motion[None], 1, again)
-        first = judge.judge_random("singular", numbers, sizes, 20, 5)[index]
+        robot_, motion = oracle.random_case("singular", numbers, sizes, 20, 5, index)
+        again = np.zeros(1, dtype=oracle.RESULT)
+        oracle._check(0, "double", True, 3, 0.0, 0, robot_[None], np.ones(1), motion[None], 1, again)
+        first = oracle.check_random("singular", numbers, sizes, 20, 5)[index]
         if first["status"][0] == OK:
             assert again["error"][0, 0] == pytest.approx(
                 first["error"][0], rel=0.05, abs=0.01 * first["scaled"]
@@ -84,7 +84,7 @@ def test_long_double_and_quadruple_precision_find_the_same() -> None:
 
 def test_the_condition_of_a_leg_frame_is_one_over_the_sine() -> None:
     robots, motions = leg_frame._walk(2, LEGS[1], rest=True)
-    frames = judge.judge_poses(robots[8:30], motions[8:30])["frames"]
+    frames = oracle.check_poses(robots[8:30], motions[8:30])["frames"]
     from stewart_sym.studies.robustness.family import distances
 
     assert frames == pytest.approx(1.0 / np.sin(distances()[8:30]), rel=1e-4)
@@ -97,7 +97,7 @@ def test_a_verdict_tells_a_silent_error_from_a_status() -> None:
     assert (silent.silent, silent.alarmed, silent.where) == (1, 0, 0.1)
     said = verdict(Curve("a", error, condition * [1, 1e9, 1], np.array([0, 4, 0], np.int32)), distance)
     assert said.right
-    assert said.refused_at == 1e9
+    assert said.rejected_at == 1e9
     alarmed = verdict(Curve("a", error, condition, np.array([0, 4, 0], np.int32)), distance)
     assert (alarmed.silent, alarmed.alarmed) == (0, 1)
 
@@ -121,7 +121,7 @@ def test_near_a_singular_pose_every_kernel_is_right_or_says_so() -> None:
 
 
 def test_the_sine_from_the_cosine_loses_what_the_product_keeps() -> None:
-    family = next(each for each in leg_frame.families() if each.name == "pole_sine")
+    family = next(each for each in leg_frame.families() if each.name == "joint_sine")
     found = {curve.method: verdict(curve, family.distance) for curve in family.curves}
     assert found["sqrt(1 - (k.s)^2)"].worst > 1e6
     assert found["|k x s|"].worst < 10
@@ -133,7 +133,7 @@ def test_limits_of_length_are_told_from_the_first_rounding_unit_on() -> None:
     assert any((curve.status != OK).any() for curve in family.curves if curve.status is not None)
 
 
-def test_orientations_without_a_pole_keep_their_digits_at_a_pitch_of_90_degrees() -> None:
+def test_orientations_without_a_singularity_keep_their_digits_at_a_pitch_of_90_degrees() -> None:
     family = attitude.families()[0]
     found = {curve.method: verdict(curve, family.distance) for curve in family.curves}
     assert found["roll-pitch-yaw"].digits < 2
@@ -148,29 +148,31 @@ def test_damped_steps_find_more_poses_than_newton_s_own() -> None:
     assert found.proven == 1.0
 
 
-def wrong_and_refused(cases: int, legs: tuple[str, ...] = LEGS, kinds: tuple[str, ...] = judge.KINDS) -> Any:
+def wrong_and_rejected(
+    cases: int, legs: tuple[str, ...] = LEGS, kinds: tuple[str, ...] = oracle.KINDS
+) -> Any:
     found = sweep(cases, seed=11, legs=legs, kinds=kinds)
     assert found.cases >= cases
-    return found.wrong, found.refused_good, [case.text for case in found.shown]
+    return found.wrong, found.rejected_good, [case.text for case in found.shown]
 
 
 def test_random_cases_near_failure_are_right_or_say_so() -> None:
-    assert wrong_and_refused(2_000) == (0, 0, [])
+    assert wrong_and_rejected(2_000) == (0, 0, [])
 
 
 @pytest.mark.slow
 def test_many_random_cases_near_failure_are_right_or_say_so() -> None:
-    assert wrong_and_refused(share(100_000)) == (0, 0, [])
+    assert wrong_and_rejected(share(100_000)) == (0, 0, [])
 
 
-def test_a_case_shown_is_the_case_that_was_judged() -> None:
+def test_a_case_shown_is_the_case_that_was_checked() -> None:
     rng = np.random.default_rng(6)
     numbers = np.array([robot_numbers(random_machine(rng)) for _ in range(2)])
-    found = judge.judge_random("pole", numbers, np.ones(2), 10, 3)
+    found = oracle.check_random("joint singularity", numbers, np.ones(2), 10, 3)
     for index in (0, 7, 13):
-        robot, motion = judge.random_case("pole", numbers, np.ones(2), 10, 3, index)
-        again = np.zeros(1, dtype=judge.RESULT)
-        judge._judge(0, "double", True, 3, 0.0, 0, robot[None], np.ones(1), motion[None], 1, again)
+        robot, motion = oracle.random_case("joint singularity", numbers, np.ones(2), 10, 3, index)
+        again = np.zeros(1, dtype=oracle.RESULT)
+        oracle._check(0, "double", True, 3, 0.0, 0, robot[None], np.ones(1), motion[None], 1, again)
         assert again["frames"][0] == pytest.approx(found["frames"][index], rel=1e-6)
         assert again["size"][0] == pytest.approx(found["size"][index], rel=1e-6)
 
@@ -181,13 +183,13 @@ def test_the_command_prints_the_sweep(capsys: pytest.CaptureFixture[str]) -> Non
     assert "random cases near failure" in capsys.readouterr().out
 
 
-def test_too_few_cases_are_refused_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
+def test_too_few_cases_are_rejected_in_one_line(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["stability", "--cases", "3"]) == 2
     assert capsys.readouterr().err.startswith("stewart-sym: error: cases: expected at least")
 
 
 @pytest.mark.slow
-def test_the_command_writes_the_atlas(tmp_path: Path) -> None:
+def test_the_command_writes_the_study(tmp_path: Path) -> None:
     assert main(["stability", "-o", str(tmp_path), "--cases", "500"]) == 0
     figures = json.loads((tmp_path / "stability.json").read_text(encoding="utf-8"))
     names = {family["name"] for family in figures["families"]}

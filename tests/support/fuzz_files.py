@@ -1,7 +1,7 @@
 """A fuzzer of the readers of files:  python tests/support/fuzz_files.py -runs=20000 -seed=1 FOLDER
 
 Bytes become a file that Robot.from_toml, read_scene and the readers of CSV get to read; the first byte says
-which. Any of them must read it or refuse it by a ValueError of one line that begins with the file's name.
+which. Any of them must read it or reject it by a ValueError of one line that begins with the file's name.
 FOLDER holds the files to start from and takes those that reach new code. Needs Atheris.
 """
 

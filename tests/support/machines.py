@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 GRAVITY = 9.81
 MAX_CONDITION = 60.0
-MIN_SIN_POLE = 0.35
+MIN_JOINT_SINE = 0.35
 
 
 def random_robot(
@@ -160,7 +160,7 @@ def _good_pose(rng: np.random.Generator, robot: Robot) -> tuple[Array, Array]:
         s = S / np.linalg.norm(S, axis=-1, keepdims=True)
         H = np.vstack([s.T, np.cross(q, s).T / size])
         clear = robot.base_joint == "spherical" or np.all(
-            np.linalg.norm(np.cross(robot.k, s), axis=-1) > MIN_SIN_POLE
+            np.linalg.norm(np.cross(robot.k, s), axis=-1) > MIN_JOINT_SINE
         )
         if clear and np.linalg.cond(H) < MAX_CONDITION:
             return R, t

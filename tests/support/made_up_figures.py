@@ -1,6 +1,6 @@
 """Made-up figures of cost and accuracy."""
 
-from stewart_sym.studies.accuracy.cost import Candidate, Economy, Entry, Errors, Implementation
+from stewart_sym.studies.accuracy.cost import Candidate, CostAccuracy, Entry, Errors, Implementation
 
 LEVELS = (
     ("exact massless_static", 475, 0.46),
@@ -20,7 +20,7 @@ LEVELS = (
 )
 
 
-def made_up(spread: float = 1.0, error: float = 1.0) -> Economy:
+def made_up(spread: float = 1.0, error: float = 1.0) -> CostAccuracy:
     """Figures like those of the paper's machine; times drawn together by ``spread`` < 1."""
     entries = []
     for name, operations, off in LEVELS:
@@ -39,4 +39,4 @@ def made_up(spread: float = 1.0, error: float = 1.0) -> Economy:
         for name, ns in (("every output", 760.0), ("NumPy kernel", 8e3), ("vector reference", 16e3))
     ]
     peaks = {"I": 1434.0, "II": 2133.0, "poses.csv": 10.0}
-    return Economy("machine", peaks, dict.fromkeys(peaks, 61), tuple(entries), tuple(others))
+    return CostAccuracy("machine", peaks, dict.fromkeys(peaks, 61), tuple(entries), tuple(others))

@@ -7,7 +7,7 @@ import functools
 from collections.abc import Callable
 
 import numpy as np
-from machines import MIN_SIN_POLE, Array, machine_size, random_motion, rotation
+from machines import MIN_JOINT_SINE, Array, machine_size, random_motion, rotation
 
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
@@ -17,7 +17,7 @@ NEAREST = 1e-4
 
 
 def near_singular_motion(rng: np.random.Generator, robot: Robot) -> Motion:
-    """A motion on the way to a singular pose, 1e-4 to 0.3 of the way before it; no leg is near its pole."""
+    """A motion to a singular pose, 1e-4 to 0.3 of the way before it; no leg is near its joint singularity."""
     for _ in range(1000):
         start = random_motion(rng, robot)
         turn, shift = 1.5 * rng.normal(size=3), 0.3 * machine_size(robot) * rng.normal(size=3)
@@ -27,7 +27,7 @@ def near_singular_motion(rng: np.random.Generator, robot: Robot) -> Motion:
         if singular is None:
             continue
         R, t = pose(singular * (1 - 10 ** rng.uniform(np.log10(NEAREST), np.log10(0.3))))
-        if _clear_of_poles(robot, R, t):
+        if _clear_of_joint_singularities(robot, R, t):
             return Motion(
                 R, t, start.omega, start.v, start.alpha, start.a, F_ext=start.F_ext, M_ext=start.M_ext
             )
@@ -64,6 +64,6 @@ def _determinant(robot: Robot, R: Array, t: Array) -> float:
     return float(np.linalg.det(np.vstack([s.T, np.cross(q, s).T])))
 
 
-def _clear_of_poles(robot: Robot, R: Array, t: Array) -> bool:
+def _clear_of_joint_singularities(robot: Robot, R: Array, t: Array) -> bool:
     _, s = _legs(robot, R, t)
-    return bool(np.all(np.linalg.norm(np.cross(robot.k, s), axis=-1) > MIN_SIN_POLE))
+    return bool(np.all(np.linalg.norm(np.cross(robot.k, s), axis=-1) > MIN_JOINT_SINE))

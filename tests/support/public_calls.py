@@ -18,7 +18,7 @@ from stewart_sym.motion.trajectory import Trajectory
 RECORDS = {
     *("BaseParameters", "EquationsOfMotion", "Estimate", "Excitation", "Experiment", "ForceDerivatives"),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
-    *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "Passage", "Singularity"),
+    *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
     *("LogWarning", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
@@ -137,7 +137,7 @@ def calls() -> dict[str, Call]:
         "ComputedTorque": Call(
             ss.ComputedTorque, {**tracking, "formulation": "exact", "backend": "c"}, free=("wanted",)
         ),
-        "Thresholds": Call(ss.Thresholds, {"max_condition": 1e6, "min_length": 0.1, "min_pole_sine": 1e-3}),
+        "Thresholds": Call(ss.Thresholds, {"max_condition": 1e6, "min_length": 0.1, "min_joint_sine": 1e-3}),
         "simulate": Call(
             ss.simulate,
             {
@@ -155,7 +155,7 @@ def calls() -> dict[str, Call]:
         "singularities_along": Call(
             ss.singularities_along, {"robot": robot, "path": path.sample, "times": [0.0, 1.0]}
         ),
-        "force_pole": Call(ss.force_pole, {**both, "formulation": "exact"}),
+        "force_residue": Call(ss.force_residue, {**both, "formulation": "exact"}),
         "damped_solution": Call(ss.damped_solution, {"H": H, "c": np.ones(6), "length": 1.0, "share": 1e-4}),
         "certify_pose": Call(ss.certify_pose, {"robot": robot, "L": legs.L, "pose": (motion.R, motion.t)}),
         "Units": Call(ss.Units, {"length": 1.0, "mass": 2.0, "time": 0.5}),

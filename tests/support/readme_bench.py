@@ -42,7 +42,7 @@ def times(found: dict[str, Any]) -> str:
     vectors = f" with {machine['vectors']}" if machine["vectors"] else ""
     rows = [
         (each["name"], f"{each['median']:.0f}", f"{each['ratio_to_casadi']:.2f}")
-        for each in (*found["ours"], *found["peers"])
+        for each in (*found["ours"], *found["baselines"])
     ]
     return paragraph(
         f"Nanoseconds a pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
@@ -100,9 +100,11 @@ def passes(found: dict[str, Any]) -> str:
 
 def motion(found: dict[str, Any], rounds: int) -> str:
     poses = found["ours"][0]["poses"]
-    better = next(each for each in found["peers"] if each["name"] == found["better_peer"])
-    agreement = " and ".join(f"{found['largest_difference'][each['name']]:.0e}" for each in found["peers"])
-    names = " and ".join(f"{each['name']}'s `{each['what'].split(',')[0]}`" for each in found["peers"])
+    better = next(each for each in found["baselines"] if each["name"] == found["better_baseline"])
+    agreement = " and ".join(
+        f"{found['largest_difference'][each['name']]:.0e}" for each in found["baselines"]
+    )
+    names = " and ".join(f"{each['name']}'s `{each['what'].split(',')[0]}`" for each in found["baselines"])
     rows = [
         (
             each["name"],
@@ -119,15 +121,15 @@ def motion(found: dict[str, Any], rounds: int) -> str:
             f"{each['ratio_to_inverse_dynamics']:.2f}",
             "",
         )
-        for each in found["peers"]
+        for each in found["baselines"]
     ]
     lead = paragraph(
         "The closed form's functions in C (`stewart_exact_motion.h`), one pose at a time, nanoseconds a "
         f"pose, medians of the same {rounds} rounds over {poses} poses, and the ratio to inverse dynamics:"
     )
     about = paragraph(
-        f"Forward dynamics is {found['times_faster']:.1f} times as fast as the better of the two peers, "
-        f"{better['name']} (target {found['target_times_faster']:g}). The peers are {names} over all 13 "
+        f"Forward dynamics is {found['times_faster']:.1f} times as fast as the better of the two baselines, "
+        f"{better['name']} (target {found['target_times_faster']:g}). The baselines are {names} over all 13 "
         "bodies as a tree with five points closed by constraints, same load and friction, called from "
         "Python, less a call over a model without bodies; their state and generalised forces are given to "
         f"them, and their accelerations agree with ours to {agreement} of a pose's largest (MuJoCo's "

@@ -35,14 +35,14 @@ def conditions(found: Figures) -> str:
         f"`stewart-sym controller` writes one-pose kernels for {found['robot']}, cross-compiles them with "
         f"{gcc}, `{' '.join(found['flags'])}` and {' or '.join(own.values())}, and runs them "
         f"under QEMU {qemu}, which counts instructions. The most of {found['rows'][0]['poses']} poses, one "
-        "of them with a leg near the pole of its joint, all within the bounds of 50-digit forces; flash, RAM "
+        "of them with a leg near its joint singularity, all within the bounds of 50-digit forces; flash, RAM "
         "and stack in bytes:"
     )
 
 
 def figures(rows: list[Figures]) -> str:
     header = (
-        *("kit", "processor", "instructions", "near poles", "flash, kernel", "robot"),
+        *("kit", "processor", "instructions", "near joint singularities", "flash, kernel", "robot"),
         *("RAM, model", "stack, pose", "preparation", "error over bound"),
     )
     return table(header, [cells(row) for row in rows])
@@ -53,7 +53,7 @@ def cells(row: Figures) -> tuple[str, ...]:
         f"{'baked' if row['baked'] else 'general'}, `{row['precision']}`",
         row["core"],
         number(row["instructions"]),
-        number(row["near_poles"]),
+        number(row["near_singular_joints"]),
         number(row["flash"]["kernel"]),
         number(row["flash"]["robot"]),
         number(row["ram"].get("model", 0)),
@@ -64,12 +64,15 @@ def cells(row: Figures) -> tuple[str, ...]:
 
 
 def remarks(rows: list[Figures]) -> str:
-    assert not any(row["foreign"] or row["double"] or row["failed"] or row["refused_wrongly"] for row in rows)
+    assert not any(
+        row["foreign"] or row["double"] or row["failed"] or row["rejected_wrongly"] for row in rows
+    )
     assert not any(row["ram"]["kit"] for row in rows)
     return paragraph(
-        "Near poles: all six legs within 1/1000 rad of the fixed axes of their universal joints, the longest "
-        "way through the kernel. The model, prepared once, is the caller's; the kits have no data of their "
-        "own. The objects ask of a library nothing beyond square root and copies of memory; those in `float` "
+        "Near joint singularities: all six legs within 1/1000 rad of the fixed axes of their universal "
+        "joints, the longest way through the kernel. The model, prepared once, is the caller's; the kits "
+        "have no data of their own. The objects need nothing of a library but square root and copies of "
+        "memory; those in `float` "
         "hold no double-precision instruction."
     )
 

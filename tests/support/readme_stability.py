@@ -27,7 +27,7 @@ def text(found: Figures) -> str:
     return "".join([lead(), table(HEADER, [row(family) for family in shown]), cases(found["sweep"])])
 
 
-HEADER = ("what fails", "walk", "what we do", "worst", "refused at", "digits left", "silent")
+HEADER = ("what fails", "walk", "what we do", "worst", "rejected at", "digits left", "silent")
 
 
 def lead() -> str:
@@ -35,7 +35,7 @@ def lead() -> str:
         "`stewart-sym stability` walks into each failure, from a distance of 1 to 1e-16, with every kernel, "
         "and measures errors against 50 digits. Worst: the largest error of any kernel with status ok, in "
         "rounding units over the condition number of the problem itself, what changes of its inputs by "
-        "rounding units do to its answer. Refused at: the condition number of the first pose with a status. "
+        "rounding units do to its answer. Rejected at: the condition number of the first pose with a status. "
         "Digits left: at the worst answer with status ok. Silent: the kernels that give a wrong answer "
         "(above 1000) with status ok."
     )
@@ -44,7 +44,7 @@ def lead() -> str:
 def row(family: Figures) -> tuple[str, ...]:
     ours = [method for method in family["methods"] if method["shipped"]]
     worst = max((each["worst"] for each in ours if each["worst"] is not None), default=None)
-    refused = min((each["refused_at"] for each in ours if each["refused_at"] is not None), default=None)
+    rejected = min((each["rejected_at"] for each in ours if each["rejected_at"] is not None), default=None)
     digits = min((each["digits"] for each in ours if each["digits"] is not None), default=None)
     silent = [each["method"] for each in ours if each["silent"]]
     return (
@@ -52,7 +52,7 @@ def row(family: Figures) -> tuple[str, ...]:
         family["title"],
         family["remedy"],
         "" if worst is None else f"{worst:.2g}",
-        "never" if refused is None else f"{refused:.0e}",
+        "never" if rejected is None else f"{rejected:.0e}",
         "" if digits is None else f"{digits:.0f}",
         "; ".join(silent) or "none",
     )
@@ -70,9 +70,9 @@ def cases(sweep: Figures) -> str:
     )
     lead = paragraph(
         f"Of {sweep['cases']:,} random cases, in double and float, {sweep['wrong']:,} answers are wrong with "
-        f"status ok, and {sweep['refused_good']:,} good poses have a status, by kind as follows. Worst: as "
+        f"status ok, and {sweep['rejected_good']:,} good poses have a status, by kind as follows. Worst: as "
         "above, with the precision and the kernel where it is; of a singular machine any answer is wrong. In "
-        f"double no pose is refused at a condition number below {lowest:.0e}. "
+        f"double no pose is rejected at a condition number below {lowest:.0e}. "
         "`stewart-sym stability --cases N` draws N others with `--seed`."
     )
     return lead + table(CASES_HEADER, rows)
@@ -93,5 +93,5 @@ def of_kind(kind: str, counts: list[Figures]) -> tuple[str, ...]:
         if wrong
         else "no answer",
         f"{wrong:,}",
-        f"{sum(count['refused_good'] for count in counts):,}",
+        f"{sum(count['rejected_good'] for count in counts):,}",
     )

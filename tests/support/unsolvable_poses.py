@@ -18,7 +18,7 @@ def at_rest(t: list[float]) -> ss.Motion:
     return ss.Motion(np.eye(3), np.array(t), zero, zero, zero, zero)
 
 
-def short_leg() -> tuple[ss.Robot, ss.Motion]:
+def zero_length_leg() -> tuple[ss.Robot, ss.Motion]:
     robot = dasgupta()
     return robot, at_rest(list(robot.b[2] - robot.p[2]))
 
@@ -47,7 +47,7 @@ def singular() -> tuple[ss.Robot, ss.Motion]:
 
 Case = tuple[Callable[[], tuple[ss.Robot, ss.Motion]], int, str]
 CASES: dict[str, Case] = {
-    "short": (short_leg, results.SHORT_LEG, "length zero (leg 3)"),
-    "pole": (leg_along_its_axis, results.POLE, "universal joint (leg 5)"),
+    "short": (zero_length_leg, results.ZERO_LENGTH, "length zero (leg 3)"),
+    "joint singularity": (leg_along_its_axis, results.JOINT_SINGULAR, "universal joint (leg 5)"),
     "singular": (singular, results.SINGULAR, "H is singular"),
 }

@@ -263,7 +263,7 @@ def equations_of_pose(
             status = fault_of(leg.L, leg.k3, leg.reach)
             if status != OK:
                 return status
-            out.near = where(leg.k3 > NEAR_POLE, out.near, 1)
+            out.near = where(leg.k3 > NEAR_JOINT_SINGULAR, out.near, 1)
             out.close = where(leg.L > SHORT_SHARE * leg.reach, out.close, 1)
         D[i] = leg.D
         out.L[i] = leg.L

@@ -21,7 +21,7 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
         status = where(status == OK, fault, status)
         suspect = where(leg.L > SHORT_SHARE * reach[i], suspect, 1)
         if HAS_NEAR:
-            near = where(leg.k3 > NEAR_POLE, near, 1)
+            near = where(leg.k3 > NEAR_JOINT_SINGULAR, near, 1)
         sums.leg[i] = leg
     if HAS_NEAR:
         if anywhere(near == 1):

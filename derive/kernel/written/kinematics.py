@@ -268,7 +268,7 @@ def first_fault(L: "array(6)", guess: "Pose") -> "Integer":
     for i in range(3):
         status = where(size(guess.t[i]) <= MAX, status, NOT_FINITE)
     for i in range(6):
-        status = where((status != OK) | (L[i] > 0.0), status, SHORT_LEG)
+        status = where((status != OK) | (L[i] > 0.0), status, ZERO_LENGTH)
     return status
 
 

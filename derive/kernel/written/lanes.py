@@ -116,7 +116,7 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
     found = blank(array(6))
     close = 0
     if HAS_NEAR:
-        near_pole = 0
+        near_singular = 0
     if MISSING:
         return BAD_ARGUMENT
     shared_of_pose(model, motion, shared)
@@ -128,10 +128,10 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
                 return status
             close = where(legs.L[i] > SHORT_SHARE * legs.reach[i], close, 1)
             if HAS_NEAR:
-                near_pole = where(legs.k3[i] > NEAR_POLE, near_pole, 1)
+                near_singular = where(legs.k3[i] > NEAR_JOINT_SINGULAR, near_singular, 1)
     if HAS_NEAR:
-        if near_pole != 0:
-            legs_near_pole(model, motion, shared, legs)
+        if near_singular != 0:
+            legs_near_singular(model, motion, shared, legs)
     if ABOUT_TIP:
         shift_of_pose(legs, shared)
         moments_of_pose(legs)

@@ -4,9 +4,9 @@
 def check_leg(L, k3, reach) -> None:
     """A leg is finite, longer than the rounding of the vectors that it is the sum of, and not along k."""
     reject(L <= MAX, NOT_FINITE)
-    reject((L > ROUNDING * reach) & (L > SHORTEST), SHORT_LEG)
+    reject((L > ROUNDING * reach) & (L > SHORTEST), ZERO_LENGTH)
     if HAS_SINE:
-        reject(k3 > POLE_SINE, POLE)
+        reject(k3 > JOINT_SINGULAR_SINE, JOINT_SINGULAR)
 
 
 def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":

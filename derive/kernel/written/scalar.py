@@ -98,7 +98,7 @@ def leg_of(
     if HAS_SINE:
         if not SINE > LEAST_SINE:
             if HAS_NEAR and not NEAR:
-                return leg_near_pole(model, leg, at, pose, column, A, known)
+                return leg_near_singular(model, leg, at, pose, column, A, known)
             else:
                 return fault_of(LENGTH, SINE, 0.0)
     AFTER

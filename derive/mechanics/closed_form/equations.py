@@ -114,7 +114,7 @@ def joint_rows_kernel(friction: bool) -> SumKernel:
     """The same without the legs in M: what they have of it by the joint coordinates, which M would add up.
 
     M = M_platform + sum of G^T M_xi G with G = [row_v row_w], and the right side lacks G^T tau. An upper part
-    is with its leg as a whole: riding on the platform, a heavy one's mass would be in the way of its digits.
+    stays with its leg: lumped with the platform, a heavy one's mass would cost digits.
     """
     build = Builder()
     leg = leg_of(build)

@@ -54,7 +54,7 @@ def platform_inertia(at: Platform) -> list[tuple[Quantity, sp.Matrix]]:
 
 
 def platform_bias(at: Platform, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
-    """C twist + g + friction of the platform with what rides on it, force and moment."""
+    """C twist + g + friction of the platform with what is lumped with it, force and moment."""
     omega, g = n.omega.value, n.g.value
     moment = cross(omega, at.J_w) - cross(at.h, g)
     if friction:

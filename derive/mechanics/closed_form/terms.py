@@ -90,7 +90,7 @@ class SumKernel:
     """A pose's part and one leg's part of sums over the machine.
 
     summed: quantities that both blocks hand out and that are added up; the leg's block also hands out its
-    column of H where it is needed, and q, L, k3 by which the leg is judged. near: the leg's block for poses
+    column of H where it is needed, and q, L, k3 by which the leg is checked. near: the leg's block for poses
     in which a leg is near its joint singularity, where the other loses digits.
     """
 

@@ -109,7 +109,7 @@ def joint_frame(build: Builder, with_z: bool = False) -> JointFrame:
     """(1)-(3) and (10), with the fixed axis as the measure of everything.
 
     with_z: with the leg's third axis. What is measured along the fixed axis loses digits like k1 / k3 near
-    the joint's pole; what is measured along z does not.
+    the joint singularity; what is measured along z does not.
     """
     k = n.k.value
     q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
@@ -238,7 +238,7 @@ def _turning(
     """M_theta theta_ddot - M_phi,theta phi_dot^2 / 2, M_phi phi_ddot and M_phi,theta theta_dot / 2.
 
     Along z without what the turning of the frame about s adds to both terms of each sum, with opposite signs:
-    near the pole it grows like 1 / k3.
+    near the joint singularity it grows like 1 / k3.
     """
     if accelerations.own_theta is None or accelerations.own_phi is None:
         return (

@@ -194,7 +194,7 @@ def rotation(
     acceleration = L_ddot * X_AXIS + cross(W, cross(W, S)) + 2 * L_dot * cross(W, X_AXIS) + cross(A, S) - m.e
     L_ddot = build.scalar("L_ddot", solve_one(acceleration[0], L_ddot), "(8)", "sliding acceleration")
     about = "angular acceleration of the leg, leg frame"
-    # What the spin adds to A_y and A_z cancels further on, and near the pole it is large: it gets no name.
+    # What the spin adds to A_y and A_z cancels further on, and is large near the joint singularity: no name.
     own = "angular acceleration of the leg but for its spin, leg frame"
     turned_z, turned_y = (solve_one(acceleration[i], A[j]) for i, j in ((1, 2), (2, 1)))
     spun_z, spun_y = -W[0] * W[1], W[0] * W[2]

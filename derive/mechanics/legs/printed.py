@@ -14,14 +14,14 @@ from .leg import axes, cross, leg_vector
 
 
 def printed_leg(
-    build: Builder, form: Formulation, friction: bool, near_pole: bool = False
+    build: Builder, form: Formulation, friction: bool, near_singular: bool = False
 ) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr, sp.Expr, sp.Matrix, sp.Matrix]:
     """q, s, L, k3, D, K and f of the leg, (1)-(24).
 
-    near_pole: with y made perpendicular to s once more.
+    near_singular: with y made perpendicular to s once more.
     """
     q, _, L, inv_L, s = leg_vector(build)
-    y, z, k3 = _frame(build, s, near_pole)
+    y, z, k3 = _frame(build, s, near_singular)
     S_dot = build.vector(
         "S_dot", cross(n.omega.value, q) + n.v.value, "(4)", "velocity of the platform point"
     )
@@ -52,10 +52,10 @@ def printed_leg(
     return q, s, L, k3, build.scalar("D", D, "(24)", "known part of the actuator force"), K, f
 
 
-def _frame(build: Builder, s: sp.Matrix, near_pole: bool) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
+def _frame(build: Builder, s: sp.Matrix, near_singular: bool) -> tuple[sp.Matrix, sp.Matrix, sp.Expr]:
     """y, z and k3 of (10)."""
     normal = build.vector("k_cross_s", cross(n.k.value, s), "(10)", "normal to the fixed axis and the leg")
-    if near_pole:
+    if near_singular:
         y, z, k3, _ = axes(build, s, normal, "k3", "|k x s|")
         return y, z, k3
     k3 = build.scalar("k3", sp.sqrt(normal.dot(normal)), "(10)", "|k x s|")

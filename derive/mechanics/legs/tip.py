@@ -40,7 +40,7 @@ def along(expr: sp.Expr | sp.Matrix, coordinate: int) -> sp.Expr | sp.Matrix:
 
 
 def inertia() -> sp.Matrix:
-    """M of (L, theta, phi), 3x3, from J and h; the upper part's mass rides on the platform."""
+    """M of (L, theta, phi), 3x3, from J and h; the upper part's mass is lumped with the platform."""
     build = Builder()
     nowhere = sp.zeros(3, 1)
     frame = JointFrame(nowhere, nowhere, nowhere, L, inv_L, inv_rho, k1, k3, kappa)

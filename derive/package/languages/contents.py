@@ -89,7 +89,7 @@ class Contents:
         """Value and meaning of each status that a function may return, by name."""
         possible = {"OK", *self.read} - {"MAX_STEPS"}
         if not self.prepared:
-            possible.discard("POLE")  # kinematics alone needs no joint axes
+            possible.discard("JOINT_SINGULAR")  # kinematics alone needs no joint axes
         return {name: of for name, of in INTEGERS.items() if name in possible}
 
 

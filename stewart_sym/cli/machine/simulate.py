@@ -15,7 +15,7 @@ EXAMPLE = "stewart-sym simulate swing.toml -o swing"
 MORE = (
     "The scene is a TOML file: schema = 1, robot (a file beside it), duration (s), and if you like "
     "formulation, output_step (s), method, rtol. [state]: t, theta (roll, pitch, yaw), v, omega. "
-    "[load]: F_ext, M_ext, platform frame. [thresholds]: max_condition, min_length, min_pole_sine. "
+    "[load]: F_ext, M_ext, platform frame. [thresholds]: max_condition, min_length, min_joint_sine. "
     '[legs]: law = "forces" with forces; "springs" with stiffness, damping, rest_length (without it '
     'they balance the weight at the start); "tracking" by computed torque with path (I, II, III or a '
     "CSV file as for `forces`), gains k_p and k_d, model, rate (Hz). SI units. A run stops where a "

@@ -46,7 +46,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...kit import Choice, write_kit
     from ...studies.accuracy import advice
     from ...studies.accuracy.budget import read_budget
-    from ...studies.accuracy.cost import economy
+    from ...studies.accuracy.cost import cost
 
     budget = read_budget(arguments.scene)
     if arguments.json is not None:
@@ -54,7 +54,7 @@ def run(arguments: argparse.Namespace) -> int:
     warn_of_doubts(budget.robot, arguments.scene)
     with contextlib.ExitStack() as opened, progress_line() as progress:
         stream = None if arguments.json is None else opened.enter_context(replaced_file(arguments.json))
-        found = advice.advice(economy(budget.robot, budget.motions, progress=progress), budget)
+        found = advice.advice(cost(budget.robot, budget.motions, progress=progress), budget)
         if stream is not None:
             stream.write(json.dumps(advice.as_json(found), indent=1) + "\n")
         written: list[Path] = []

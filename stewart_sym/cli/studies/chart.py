@@ -32,7 +32,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.accuracy.advice import table
     from ...studies.accuracy.budget import papers_motions, read_budget
     from ...studies.accuracy.charts import charts
-    from ...studies.accuracy.cost import ROUNDS, economy
+    from ...studies.accuracy.cost import ROUNDS, cost
     from ...studies.accuracy.cost_plot import save
     from ...studies.common import host
     from ...studies.paper.reproduce import paper_machine
@@ -49,7 +49,7 @@ def run(arguments: argparse.Namespace) -> int:
         results_folder(arguments, "chart.txt", "chart.json", read=read) as folder,
         progress_line() as progress,
     ):
-        found = economy(robot, motions, True, ROUNDS, progress)
+        found = cost(robot, motions, True, ROUNDS, progress)
         text = table(found)
         figures = {**found.as_json(), "machine": host.machine(), "software": host.software()}
         texts = {"chart.txt": text + "\n", "chart.json": json.dumps(figures, indent=1) + "\n"}

@@ -43,22 +43,22 @@ def run(arguments: argparse.Namespace) -> int:
         with progress_line() as progress:
             swept = sweep(arguments.cases, arguments.seed, progress)
         print(report(swept))
-        return 1 if swept.wrong or swept.refused_good else 0
+        return 1 if swept.wrong or swept.rejected_good else 0
     if arguments.pictures:
         drawing()
-    from ...studies.robustness import atlas
+    from ...studies.robustness import study
 
     output = arguments.output = arguments.output or Path("stability")
     with results_folder(arguments, "stability.txt", "stability.json") as folder, progress_line() as progress:
-        found = atlas.atlas(progress)
+        found = study.study(progress)
         cases = CASES if arguments.cases is None else arguments.cases
         found = dataclasses.replace(found, sweep=sweep(cases, arguments.seed, progress))
         for family in found.families:
             with replaced_file(folder / f"{family.name}.csv") as stream:
                 stream.writelines(csv_lines(family.columns()))
-        text = atlas.report(found)
+        text = study.report(found)
         (folder / "stability.txt").write_text(text + "\n", encoding="utf-8", newline="\n")
-        figures = json.dumps(atlas.as_json(found), indent=1, allow_nan=False) + "\n"
+        figures = json.dumps(study.as_json(found), indent=1, allow_nan=False) + "\n"
         (folder / "stability.json").write_text(figures, encoding="utf-8", newline="\n")
         if arguments.pictures:
             from ...studies.robustness import pictures

@@ -1,6 +1,6 @@
 """Advice: the cheapest kernel that keeps a budget, and what physics forbids a cheaper one.
 
-Takes the figures of ``economy`` and the budget they are held against. Cost is operations, then precision:
+Takes the figures of ``cost`` and the budget they are held against. Cost is operations, then precision:
 counts, and no times, so that the same scene gets the same answer on every run and machine; times count only
 where the budget names a rate. Knows what each fidelity leaves out, in words; measures nothing.
 """
@@ -11,7 +11,7 @@ from typing import Any
 
 from ..common.table import aligned
 from .budget import Budget
-from .cost import SAMPLED, Candidate, Economy, Entry, finite
+from .cost import SAMPLED, Candidate, CostAccuracy, Entry, finite
 
 TERMS: Mapping[str, str] = {
     "friction": "joint friction",
@@ -42,7 +42,7 @@ class Advice:
     """What to take. chosen: None where nothing keeps the budget; closest: what comes nearest to it then."""
 
     budget: Budget
-    economy: Economy
+    cost: CostAccuracy
     chosen: Entry | None
     closest: Entry
 
@@ -56,7 +56,7 @@ class Advice:
         kept = terms(self.chosen.candidate)
         if "rates" not in kept:
             kept -= _INERTIA
-        cheaper = self.economy.entries[: self.economy.entries.index(self.chosen)]
+        cheaper = self.cost.entries[: self.cost.entries.index(self.chosen)]
         dropped: dict[frozenset[str], Entry] = {}
         for entry in cheaper:
             # The last is the dearest, the next cheaper one.
@@ -68,11 +68,11 @@ class Advice:
         )
 
 
-def advice(economy: Economy, budget: Budget) -> Advice:
-    """Choose the first good enough candidate of those that ``economy`` lists by cost."""
-    chosen = next((entry for entry in economy.entries if excess(entry, budget) <= 1.0), None)
-    closest = min(economy.entries, key=lambda entry: excess(entry, budget))
-    return Advice(budget, economy, chosen, closest)
+def advice(cost: CostAccuracy, budget: Budget) -> Advice:
+    """Choose the first good enough candidate of those that ``cost`` lists by cost."""
+    chosen = next((entry for entry in cost.entries if excess(entry, budget) <= 1.0), None)
+    closest = min(cost.entries, key=lambda entry: excess(entry, budget))
+    return Advice(budget, cost, chosen, closest)
 
 
 def excess(entry: Entry, budget: Budget) -> float:
@@ -110,13 +110,12 @@ def _legs(fidelity: str) -> str:
 
 def report(found: Advice) -> str:
     """Machine, budget, a table of all candidates and the answer, as one text."""
-    economy = found.economy
+    cost = found.cost
     motions = ", ".join(
-        f"{name} ({economy.poses[name]} poses, peak force {peak:.4g} N)"
-        for name, peak in economy.peaks.items()
+        f"{name} ({cost.poses[name]} poses, peak force {peak:.4g} N)" for name, peak in cost.peaks.items()
     )
-    head = f"{economy.robot}: {motions}\n{_limits(found.budget)}"
-    return "\n\n".join([head, table(economy, found), "\n".join(answer(found))])
+    head = f"{cost.robot}: {motions}\n{_limits(found.budget)}"
+    return "\n\n".join([head, table(cost, found), "\n".join(answer(found))])
 
 
 _WHERE = (
@@ -130,7 +129,7 @@ _COLUMNS = (
 )
 
 
-def table(economy: Economy, found: Advice | None = None) -> str:
+def table(cost: CostAccuracy, found: Advice | None = None) -> str:
     """All candidates, the cheapest first; with advice, the choice is marked."""
     header = [*_COLUMNS, *([] if found is None else [""])]
     rows = [
@@ -143,7 +142,7 @@ def table(economy: Economy, found: Advice | None = None) -> str:
             *map(_share, (entry.model, entry.model_rms, entry.rounding, entry.total)),
             *([] if found is None else [_mark(entry, found)]),
         )
-        for entry in economy.entries
+        for entry in cost.entries
     ]
     note = "Errors are shares of the peak force of their motion, the worst motion counts."
     return f"{aligned(header, rows)}\n\n{note}\n{_WHERE}"
@@ -176,7 +175,7 @@ def answer(found: Advice) -> list[str]:
         f"error {found.chosen.total:.1e}."
     ]
     reasons = found.needed()
-    if found.chosen is found.economy.entries[0]:
+    if found.chosen is found.cost.entries[0]:
         lines.append("Nothing is cheaper.")
     elif not reasons:
         lines.append("Cheaper ones leave nothing out that it has, yet err more.")
@@ -216,7 +215,7 @@ def as_json(found: Advice) -> dict[str, Any]:
     """The budget, all figures, the choice and the reasons for it."""
     budget, chosen = found.budget, found.chosen
     return {
-        **found.economy.as_json(),
+        **found.cost.as_json(),
         "tolerance": budget.tolerance,
         "margin": budget.margin,
         "rate_Hz": budget.rate,

@@ -1,6 +1,6 @@
 """Budgets: the error and the time that a machine's motions allow, as a TOML file says it, read and checked.
 
-Stands above the readers of robots and trajectories; the study of economy takes what is read here. Knows files
+Stands above the readers of robots and trajectories; the study of cost takes what is read here. Knows files
 and keys, no kernel.
 """
 
@@ -104,11 +104,11 @@ def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
     trajectory = read_any_csv(folder / name)
     if isinstance(trajectory, JointTrajectory):
         trajectory = on_platform(robot, trajectory, None)
-    _refuse_faults(robot, trajectory)
+    _reject_faults(robot, trajectory)
     return trajectory.motion
 
 
-def _refuse_faults(robot: Robot, trajectory: Trajectory) -> None:
+def _reject_faults(robot: Robot, trajectory: Trajectory) -> None:
     found = _fault(robot, trajectory.motion)
     if found is not None:
         raise ValueError(f"{trajectory.source}: row {trajectory.rows[found[0]]}: {found[1]}")

@@ -12,7 +12,7 @@ from ...backend.native import CompilerError
 from ...robot.robot import Robot
 from ..common.timing import Progress
 from . import bound_plot, cost_plot, scales
-from .cost import Economy
+from .cost import CostAccuracy
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,7 +27,7 @@ class Chart:
     draw: Callable[[], "Figure"]
 
 
-def charts(found: Economy, robot: Robot, progress: Progress = lambda _: None) -> Iterator[Chart]:
+def charts(found: CostAccuracy, robot: Robot, progress: Progress = lambda _: None) -> Iterator[Chart]:
     """Speed against accuracy, rounding over the machine's size, and rounding with its bound.
 
     The last two are left out, with a warning, for machines and compilers that they can't be had with.

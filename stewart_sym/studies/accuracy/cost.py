@@ -2,8 +2,7 @@
 
 Cost is operations, time and bytes of code; error is told apart into that of the model, beside `exact` general
 in double, and that of rounding, beside the kernel's own equations at 50 digits. All errors are shares of the
-largest actuator force of their motion. ``advice`` chooses by these figures, ``economy_plot`` draws them; this
-module prints and writes nothing.
+largest actuator force of their motion. ``advice`` chooses by these figures, ``cost_plot`` draws them.
 """
 
 import ctypes
@@ -164,7 +163,7 @@ class Implementation:
 
 
 @dataclass(frozen=True)
-class Economy:
+class CostAccuracy:
     """All figures of one machine.
 
     peaks: largest actuator force, N, and poses: how many, by motion. entries: the cheapest first, by
@@ -208,13 +207,13 @@ def finite(error: float) -> float | None:
 # --- the study --------------------------------------------------------------------------------
 
 
-def economy(
+def cost(
     robot: Robot,
     motions: Mapping[str, Motion],
     implementations: bool = False,
     rounds: int = QUICK_ROUNDS,
     progress: Progress = lambda _: None,
-) -> Economy:
+) -> CostAccuracy:
     """Measure every candidate on the motions, each of shape (n,), with an answer at every pose.
 
     implementations: also other ways to compute `exact` general, for comparison. rounds: of timing.
@@ -252,7 +251,7 @@ def economy(
         )
         for candidate in kernels
     ]
-    return Economy(
+    return CostAccuracy(
         robot.name,
         {name: case.peak for name, case in cases.items()},
         {name: len(case.F) for name, case in cases.items()},
@@ -451,7 +450,7 @@ int drive(
 
 
 def _one_pose(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], object]:
-    loop = native.load("economy_loop", {"loop.c": _LOOP})
+    loop = native.load("cost_loop", {"loop.c": _LOOP})
     count = len(poses[0])
     rows = np.concatenate([array.reshape(count, -1) for array in poses], axis=1).astype(kernel.dtype)
     F = np.zeros(6, dtype=kernel.dtype)

@@ -1,6 +1,6 @@
 """Speed against accuracy as a picture and as rows: time per pose over error, total and of rounding alone.
 
-Takes what ``economy`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
+Takes what ``cost`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
 """
 
 import math
@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from ..common.host import DISTURBED
 from ..common.output import csv_text
-from .cost import Economy, Entry
+from .cost import CostAccuracy, Entry
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,7 +56,7 @@ class Point:
         return max(self.errors.values())
 
 
-def points(found: Economy) -> list[Point]:
+def points(found: CostAccuracy) -> list[Point]:
     """Total errors of every fidelity, one pose in both precisions; rounding of every implementation."""
     fidelities = [_of_fidelity(entry) for entry in found.entries]
     general = [entry for entry in found.entries if entry.candidate.fidelity == "general"]
@@ -104,7 +104,7 @@ def front(given: Sequence[Point]) -> list[Point]:
 _COLUMNS = ("error", "name", "ns", "motion", "largest", "pareto")
 
 
-def csv_rows(found: Economy) -> str:
+def csv_rows(found: CostAccuracy) -> str:
     """Every point of the picture and motion as CSV, all digits."""
     every = points(found)
     best = [point for panel in (TOTAL, ROUNDING) for point in front(_of(every, panel))]
@@ -123,7 +123,7 @@ def _of(every: Sequence[Point], panel: str) -> list[Point]:
 # --- the picture ------------------------------------------------------------------------------
 
 
-def figure(found: Economy) -> "Figure":
+def figure(found: CostAccuracy) -> "Figure":
     """Two panels, time per pose over the errors: of model and rounding together, and of rounding."""
     import matplotlib
     from matplotlib.figure import Figure
@@ -154,7 +154,7 @@ def save(picture: "Figure", path: Path) -> None:
         picture.savefig(path.with_suffix(".svg"), metadata={"Date": None, "Creator": None})
 
 
-def _disturbance(found: Economy) -> list[str]:
+def _disturbance(found: CostAccuracy) -> list[str]:
     """What others did to the times, a line; nothing if they did little or the system doesn't tell."""
     taken = found.taken_by_others
     if taken is None or taken <= DISTURBED:

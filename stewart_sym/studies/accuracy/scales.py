@@ -21,7 +21,7 @@ from ...dynamics.home_pose import radius
 from ...dynamics.inverse import Formulation, inverse_dynamics
 from ...generated.interface import MODELS
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
-from ...kinematics.inverse import clear_of_poles, inverse_kinematics
+from ...kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
 from ...motion.motion import Motion
 from ...results import OK
 from ...robot.robot import Robot
@@ -86,7 +86,7 @@ class Scales:
     robot, formulation: what was scaled and how it was computed. sizes: m, (s,). platform_masses, leg_masses:
     kg, (p,) and (l,). errors: (s, p, l, n) by arithmetic, of n poses each, in rounding units of that
     arithmetic, times the scaled condition number of H, times the largest of |F|, |D| and |x|; ``double`` is
-    missing where the C has no wider type to judge it by. faults: poses without an answer by arithmetic; their
+    missing where the C has no wider type to check it by. faults: poses without an answer by arithmetic; their
     errors are infinite.
     """
 
@@ -136,21 +136,21 @@ def scales_study(
     accelerations and loads of the order that gravity sets. ``progress`` is told the masses at hand.
 
     Raises ValueError if the robot has too few poses with a scaled condition number below ``MAX_CONDITION``
-    and with sines of the angles between legs and universal axes above ``MIN_SIN_POLE``,
+    and with sines of the angles between legs and universal axes above ``MIN_JOINT_SINE``,
     native.CompilerError without a C compiler.
     """
     robot = robots.dasgupta1998() if robot is None else robot
     rng = np.random.default_rng(seed)
-    judged = {name: how for name, how in _ARITHMETIC.items() if name != DOUBLE or _is_wider()}
+    checked = {name: how for name, how in _ARITHMETIC.items() if name != DOUBLE or _is_wider()}
     shape = (len(sizes), len(masses), len(masses), machines, poses)
-    errors = {name: np.empty(shape) for name in judged}
+    errors = {name: np.empty(shape) for name in checked}
     for p, leg in np.ndindex(len(masses), len(masses)):
         progress(f"platform of {masses[p]:g} kg, legs of {masses[leg]:g} kg")
         for k in range(machines):
             kind, motion = _case(rng, robot, k > 0, poses)
             for s, size in enumerate(sizes):
                 case = _scaled(kind, motion, size, masses[p], masses[leg])
-                for name, found in _errors(*case, formulation, judged).items():
+                for name, found in _errors(*case, formulation, checked).items():
                     errors[name][s, p, leg, k] = found
     return Scales(
         robot.name,
@@ -189,7 +189,7 @@ def _motions(rng: np.random.Generator, robot: Robot, count: int) -> Motion:
     motion = random_motions(rng, robot, _DRAWS * count, _SPREAD, _STANDARD_GRAVITY, 1.0)
     found = inverse_dynamics(robot, motion, on_singular="nan")
     condition = scaled_condition_number(found.H, characteristic_length(robot))
-    clear = clear_of_poles(robot, inverse_kinematics(robot, motion))
+    clear = clear_of_joint_singularities(robot, inverse_kinematics(robot, motion))
     good = np.flatnonzero((found.status == OK) & (condition < MAX_CONDITION) & clear)[:count]
     return motion[good]
 
@@ -232,7 +232,7 @@ def _is_wider() -> bool:
 
 
 def _errors(
-    robot: Robot, motion: Motion, formulation: Formulation, judged: Mapping[str, _Arithmetic]
+    robot: Robot, motion: Motion, formulation: Formulation, checked: Mapping[str, _Arithmetic]
 ) -> dict[str, Array]:
     """Errors, (n,), by arithmetic, all of them given the same numbers, which float can hold."""
     numbers = _rounded(robot_numbers(robot))
@@ -244,7 +244,7 @@ def _errors(
     return {
         each: _error(_forces(name, how, numbers, motion), truth)
         / (float(np.finfo(how.dtype).eps) * condition * largest)
-        for each, how in judged.items()
+        for each, how in checked.items()
     }
 
 

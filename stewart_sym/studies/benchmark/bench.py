@@ -1,4 +1,4 @@
-"""Nanoseconds a pose: the generated kernels beside their peers and the processor's limit, in one process.
+"""Nanoseconds a pose: the generated kernels beside their baselines and the processor's limit, in one process.
 
 Every contestant computes the actuator forces of `exact`, friction, load and solve included, for the same
 poses; those of the second group, ``bench_motion``, the equations of motion and what follows from them. Their
@@ -33,8 +33,7 @@ from ..common.timing import Progress, Task, measured, time_source
 from ..paper.reproduce import paper_machine
 from . import compile_times as bench_compile
 from . import equation_kernels, reductions
-from .figures import Benchmark, Figure, PassFigures, Speedup
-from .peers import (
+from .baselines import (
     AGREEMENT,
     FEW,
     JAX,
@@ -52,9 +51,10 @@ from .peers import (
     repeated,
     succeed,
 )
+from .figures import Benchmark, Figure, PassFigures, Speedup
 
 if TYPE_CHECKING:
-    from .peers_pinocchio import PinocchioMachine
+    from .baselines_pinocchio import PinocchioMachine
 
 Array = NDArray[np.float64]
 
@@ -209,9 +209,9 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     missing = absent(*compared)
     pinocchio = None if "pinocchio" in missing else _pinocchio(few)
     present = {None, *compared} - {*missing}
-    peers = tuple(each for each in (*PEERS, JAX) if each.package in present)
+    baselines = tuple(each for each in (*PEERS, JAX) if each.package in present)
     stages = reductions.stages(progress)
-    contestants = (*OURS, *CALLS, *peers, *(each for stage in stages for each in stage.contestants))
+    contestants = (*OURS, *CALLS, *baselines, *(each for stage in stages for each in stage.contestants))
     sized = functools.cache(poses.resized)
     runners = {each.name: each.make(sized(each.poses)) for each in contestants}
     progress("comparing their forces")
@@ -239,7 +239,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
         rounds=rounds,
         shortest_sample=timing.SHORTEST,
         ours=tuple(_figure(each, raw) for each in OURS),
-        peers=(*(_figure(each, raw) for each in peers), *_pinocchio_figure(parts)),
+        baselines=(*(_figure(each, raw) for each in baselines), *_pinocchio_figure(parts)),
         cores=Speedup(CORES, LARGE, _times(raw[BATCH], raw[ALL_CORES])),
         arithmetic=Speedup(CORES, 0, _times(raw["multiply-add"], raw[ARITHMETIC])),
         calls=tuple(_figure(each, raw) for each in CALLS),
@@ -288,7 +288,7 @@ def _pass_figures(stage: reductions.Stage, raw: Mapping[str, tuple[float, ...]])
 
 
 def _pinocchio(poses: Poses) -> "PinocchioMachine":
-    from .peers_pinocchio import PinocchioMachine
+    from .baselines_pinocchio import PinocchioMachine
 
     return PinocchioMachine(poses.robot, poses.motion)
 

@@ -13,8 +13,8 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from ...backend import kernel, native
+from .baselines import NAME
 from .figures import CompileTime, TextSize
-from .peers import NAME
 
 COMPILED = (NAME, f"{NAME}_forces")
 """Kernels whose compilation is timed: every output, and the forces alone."""

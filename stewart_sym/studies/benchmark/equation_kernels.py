@@ -1,4 +1,4 @@
-"""The second group of ``bench``: equations of motion, one pose a call, and the peers of forward dynamics.
+"""The second group of ``bench``: equations of motion, one pose a call, and the baselines of forward dynamics.
 
 Builds one library of the closed form's functions with a C loop around each, compares every answer with the
 vector reference, or with its differences, and hands out what is to be timed. All of the group share one
@@ -25,10 +25,10 @@ from ...reference import newton_euler
 from ...reference.equations_of_motion import equations_of_motion
 from ...robot.robot import Robot
 from ..common.loops import own_source
+from .baselines import AGREEMENT, NAME, Poses, Runner, succeed
+from .baselines_constraints import engines
+from .baselines_tree import Engine, tensors_of_bodies, tree
 from .figures import DERIVATIVES, FORWARD, Figure, MotionFigures
-from .peers import AGREEMENT, NAME, Poses, Runner, succeed
-from .peers_constraints import engines
-from .peers_tree import Engine, tensors_of_bodies, tree
 
 Array = NDArray[np.float64]
 Run = Callable[[int], object]
@@ -180,7 +180,7 @@ class MotionGroup:
 
     def figures(self, raw: Mapping[str, tuple[float, ...]]) -> MotionFigures:
         """The group's figures from ns per pose of every task."""
-        ours, calls, empty, peers = [], [], [], []
+        ours, calls, empty, baselines = [], [], [], []
         for each in FUNCTIONS:
             what = f"stewart_{NAME}_{each.function}"
             ours.append(Figure(each.name, what, "one pose", POSES, raw[_task(each.name)]))
@@ -189,11 +189,11 @@ class MotionGroup:
             net = tuple(one - none for one, none in zip(call, nothing, strict=True))
             calls.append(Figure(engine.name, engine.what, "call", 1, call))
             empty.append(Figure(engine.name, "call over a model without bodies", "call", 1, nothing))
-            peers.append(Figure(engine.name, f"{engine.what} - call", "call", 1, net))
+            baselines.append(Figure(engine.name, f"{engine.what} - call", "call", 1, net))
         return MotionFigures(
             robot=self.robot.name,
             ours=tuple(ours),
-            peers=tuple(peers),
+            baselines=tuple(baselines),
             calls=tuple(calls),
             empty=tuple(empty),
             opened=next((engine.opened for engine in self.engines if engine.opened is not None), None),
@@ -217,12 +217,17 @@ def motion_group(poses: Poses) -> MotionGroup:
         runner.run(1)
         differences[each.name] = _difference(each.name, runner.F(), parts, each.tolerance)
         tasks[_task(each.name)] = (runner.run, POSES)
-    peers = engines(robot, tree(robot, motion, F))
-    for peer in peers:
-        found = peer.accelerations()
-        differences[peer.name] = _difference(peer.name, found, [acceleration(motion)], peer.tolerance)
-        tasks[_task(peer.name)], tasks[_task(peer.name, _EMPTY)] = (peer.run, POSES), (peer.empty, POSES)
-    return MotionGroup(robot, tasks, peers, differences)
+    baselines = engines(robot, tree(robot, motion, F))
+    for baseline in baselines:
+        found = baseline.accelerations()
+        differences[baseline.name] = _difference(
+            baseline.name, found, [acceleration(motion)], baseline.tolerance
+        )
+        tasks[_task(baseline.name)], tasks[_task(baseline.name, _EMPTY)] = (
+            (baseline.run, POSES),
+            (baseline.empty, POSES),
+        )
+    return MotionGroup(robot, tasks, baselines, differences)
 
 
 def robot_of_bodies(robot: Robot) -> Robot:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from .peers import CASADI, NAME
+from .baselines import CASADI, NAME
 
 FORWARD, DERIVATIVES = "forward dynamics", "derivatives"
 
@@ -18,7 +18,7 @@ MOST = {FORWARD: (2.0,), DERIVATIVES: (8.0, 5.0)}
 """Targets: the most that a function may take, in times of inverse dynamics; and the goal beyond."""
 
 TIMES_FASTER = 20.0
-"""Target: how many times as fast as the better peer forward dynamics is to be."""
+"""Target: how many times as fast as the better baseline forward dynamics is to be."""
 
 
 class Samples:
@@ -118,16 +118,16 @@ class PassFigures:
 
 @dataclass(frozen=True)
 class MotionFigures:
-    """Equations of motion, one pose: our functions, the first of which ratios refer to, and the peers.
+    """Equations of motion, one pose: our functions, the first of which ratios refer to, and the baselines.
 
-    peers: those installed. calls, empty: what each peer's figure is the difference of, a call from Python and
-    one over nothing. opened: m, how far MuJoCo's loops are open, None without it. differences: by contestant,
-    from the reference's numbers, share of a pose's largest.
+    baselines: those installed. calls, empty: what each baseline's figure is the difference of, a call from
+    Python and one over nothing. opened: m, how far MuJoCo's loops are open, None without it. differences: by
+    program, from the reference's numbers, share of a pose's largest.
     """
 
     robot: str
     ours: tuple[Figure, ...]
-    peers: tuple[Figure, ...]
+    baselines: tuple[Figure, ...]
     calls: tuple[Figure, ...]
     empty: tuple[Figure, ...]
     opened: float | None
@@ -140,12 +140,12 @@ class MotionFigures:
 
     @property
     def better(self) -> Figure | None:
-        """The faster of the peers; None without any."""
-        return min(self.peers, key=lambda figure: figure.median, default=None)
+        """The faster of the baselines; None without any."""
+        return min(self.baselines, key=lambda figure: figure.median, default=None)
 
     @property
     def times_faster(self) -> float | None:
-        """Time of the faster peer over ours, forward dynamics; None without a peer."""
+        """Time of the faster baseline over ours, forward dynamics; None without a baseline."""
         return None if self.better is None else self.better.median / self.forward.median
 
     def ratio(self, figure: Figure) -> float:
@@ -160,14 +160,14 @@ class MotionFigures:
             "inertia_tensors": "near the given ones, such as bodies can have",
             "ratio_to": self.ours[0].name,
             "ours": [self._entry(figure) for figure in self.ours],
-            "peers": [
+            "baselines": [
                 {**self._entry(figure), "ratio_to_forward_dynamics": figure.median / self.forward.median}
-                for figure in self.peers
+                for figure in self.baselines
             ],
             "calls": [figure.as_json() for figure in self.calls],
             "empty_calls": [figure.as_json() for figure in self.empty],
             **_measured(
-                better_peer=None if self.better is None else self.better.name,
+                better_baseline=None if self.better is None else self.better.name,
                 times_faster=self.times_faster,
             ),
             "target_times_faster": TIMES_FASTER,
@@ -189,21 +189,21 @@ def _measured(**entries: Any) -> dict[str, Any]:
 class Benchmark:
     """Everything that ``bench`` measured.
 
-    shortest_sample: seconds that a sample lasted at least. ours, peers: time per pose. cores, arithmetic:
+    shortest_sample: seconds that a sample lasted at least. ours, baselines: time per pose. cores, arithmetic:
     all cores over one. calls: time of a Python call for one pose. parts: what Pinocchio's figure is made
     of. sweep: batches of all sizes. motion: the second group. passes: the kernel after each reduction.
     compiling: time of the compiler. text: None where the system's linker or ``nm`` can't tell.
     multiply_add: ns for one fused multiply-add of one number, on one core; lanes: numbers in one
     instruction. differences: by contestant, from the reference's forces, share of a pose's largest.
     machine, software, clock: as JSON takes them. left_out: software that is not installed and not compared;
-    ours, peers and all that follows from them are without it.
+    ours, baselines and all that follows from them are without it.
     """
 
     robot: str
     rounds: int
     shortest_sample: float
     ours: tuple[Figure, ...]
-    peers: tuple[Figure, ...]
+    baselines: tuple[Figure, ...]
     cores: Speedup
     arithmetic: Speedup
     calls: tuple[Figure, ...]
@@ -224,7 +224,7 @@ class Benchmark:
     @property
     def casadi(self) -> Figure | None:
         """What ratios refer to; None where CasADi is left out."""
-        return next((figure for figure in self.peers if figure.name == CASADI.name), None)
+        return next((figure for figure in self.baselines if figure.name == CASADI.name), None)
 
     @property
     def limits(self) -> Mapping[str, float]:
@@ -261,7 +261,7 @@ class Benchmark:
             "left_out": list(self.left_out),
             **_measured(ratio_to=None if self.casadi is None else CASADI.name),
             "ours": [self._entry(figure) for figure in self.ours],
-            "peers": [self._entry(figure) for figure in self.peers],
+            "baselines": [self._entry(figure) for figure in self.baselines],
             "cores": {**self.cores.as_json(), "unit": "times as fast as one core"},
             "cores_arithmetic": {**self.arithmetic.as_json(), "unit": "times as fast as one core"},
             "pinocchio_parts": [figure.as_json() for figure in self.parts],

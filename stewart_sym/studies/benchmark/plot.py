@@ -81,7 +81,7 @@ def _contestants(found: Benchmark) -> str:
     ratio = "" if found.casadi is None else "x CasADi"
     header = ("contestant", "what", "poses", "operations", "ns per pose", "quartiles", ratio)
     rows = [_row(found, figure, f"ours: {figure.name}") for figure in found.ours]
-    rows += [_row(found, figure, figure.name) for figure in found.peers]
+    rows += [_row(found, figure, figure.name) for figure in found.baselines]
     rows += [
         (name, "one core", "", _count(found.ours[0]), _number(value), "", _ratio(found, value))
         for name, value in found.limits.items()
@@ -181,7 +181,7 @@ def _sizes(found: Benchmark) -> str:
 def _motion(found: MotionFigures) -> str:
     header = ("equations of motion, one pose in a C loop", "ns per pose", "quartiles", "x inverse", "target")
     rows = [(f"ours: {each.name}", *_motion_cells(found, each), _target(each.name)) for each in found.ours]
-    rows += [(f"{each.name}, {each.what}", *_motion_cells(found, each), "") for each in found.peers]
+    rows += [(f"{each.name}, {each.what}", *_motion_cells(found, each), "") for each in found.baselines]
     return "\n\n".join(filter(None, [aligned(header, rows), _faster(found), _motion_notes(found)]))
 
 
@@ -194,10 +194,10 @@ def _target(name: str) -> str:
 
 
 def _faster(found: MotionFigures) -> str:
-    """Forward dynamics beside the faster peer; empty without any."""
+    """Forward dynamics beside the faster baseline; empty without any."""
     if found.better is None:
         return ""
-    which = f"the better of the two, {found.better.name}" if len(found.peers) > 1 else found.better.name
+    which = f"the better of the two, {found.better.name}" if len(found.baselines) > 1 else found.better.name
     return f"forward dynamics: {found.times_faster:.1f} x faster than {which} (target {TIMES_FASTER:g})"
 
 
@@ -207,25 +207,25 @@ def _motion_notes(found: MotionFigures) -> str:
         f"{found.robot} with inertia tensors that bodies can have, for everybody here; same "
         f"rounds and turns, {found.ours[0].poses} poses. All were compared with the vector reference and its "
         f"differences first, ours to {ours:.0e} of a pose's largest number."
-        f"{_peers_note(found)}{_opened_note(found)}",
+        f"{_baselines_note(found)}{_opened_note(found)}",
         WIDTH,
         break_on_hyphens=False,
     )
 
 
-def _peers_note(found: MotionFigures) -> str:
-    if not found.peers:
+def _baselines_note(found: MotionFigures) -> str:
+    if not found.baselines:
         return ""
     taken = ", ".join(
         f"{call.name} {_number(call.median)} less {_number(empty.median)} ns"
         for call, empty in zip(found.calls, found.empty, strict=True)
     )
-    peers = ", ".join(f"{each.name} {found.differences[each.name]:.0e}" for each in found.peers)
+    baselines = ", ".join(f"{each.name} {found.differences[each.name]:.0e}" for each in found.baselines)
     return (
-        " Peers: forward dynamics over a tree of all 13 bodies, five points closed by constraints, same "
+        " Baselines: forward dynamics over a tree of all 13 bodies, five points closed by constraints, same "
         "friction, load and gravity; called from Python, less a call over a model without bodies "
         f"({taken}); joint coordinates, rates and generalised forces are given to them. Their accelerations "
-        f"agree with the motion's to {peers} of a pose's largest."
+        f"agree with the motion's to {baselines} of a pose's largest."
     )
 
 
@@ -315,7 +315,7 @@ def draw(found: Benchmark, directory: Path) -> list[Path]:
 
 def picture(found: Benchmark) -> Canvas:
     """Every contestant's time on a log axis, with the ratio to CasADi; below, time over batch size."""
-    rows = len(found.ours) + len(found.peers)
+    rows = len(found.ours) + len(found.baselines)
     heights = [0.36 * rows + 1.0, 2.3]
     canvas = Canvas(figsize=(8.6, sum(heights) + 0.7), layout="constrained")
     canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)
@@ -329,7 +329,7 @@ def picture(found: Benchmark) -> Canvas:
 
 def _draw_contestants(axes: Axes, found: Benchmark) -> None:
     rows = [(figure, f"ours: {figure.name} ({figure.what})", _OURS) for figure in found.ours]
-    rows += [(figure, f"{figure.name} ({figure.what})", _PEER) for figure in found.peers]
+    rows += [(figure, f"{figure.name} ({figure.what})", _PEER) for figure in found.baselines]
     rows.sort(key=lambda row: row[0].median)
     limits = found.limits
     low = 0.6 * min(*limits.values(), rows[0][0].median)
@@ -400,10 +400,10 @@ def _draw_sizes(axes: Axes, found: Benchmark) -> None:
 
 
 def motion_picture(found: Benchmark) -> Canvas:
-    """Equations of motion and the peers of forward dynamics, with the ratio to our inverse dynamics."""
+    """Equations of motion and the baselines of forward dynamics, with the ratio to our inverse dynamics."""
     motion = found.motion
     rows = [(figure, f"ours: {figure.name}", _OURS) for figure in motion.ours]
-    rows += [(figure, f"{figure.name}: forward dynamics", _PEER) for figure in motion.peers]
+    rows += [(figure, f"{figure.name}: forward dynamics", _PEER) for figure in motion.baselines]
     rows.sort(key=lambda row: row[0].median)
     canvas = Canvas(figsize=(8.6, 0.36 * len(rows) + 1.7), layout="constrained")
     canvas.set_layout_engine("constrained", w_pad=0.12, h_pad=0.06)

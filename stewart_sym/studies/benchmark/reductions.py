@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from ...backend import kernel, native
 from ...backend.kernel import address
 from ...robot.robot import Robot
-from .peers import FEW, MANY, NAME, Contestant, Poses, Runner, c_loop, forces_loop, repeated, succeed
+from .baselines import FEW, MANY, NAME, Contestant, Poses, Runner, c_loop, forces_loop, repeated, succeed
 
 if TYPE_CHECKING:
     from ...derive.passes import Pass

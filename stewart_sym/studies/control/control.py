@@ -269,14 +269,14 @@ def _runs(
         t[i], R[i] = state.t, state.R
         for j, law in enumerate(laws.values()):
             F[i, j] = law(time, Motion.unchecked(state.R[j], state.t[j], state.omega[j], state.v[j]))
-        _refuse(laws, time, ["" if np.isfinite(of_law).all() else "no finite forces" for of_law in F[i]])
+        _reject(laws, time, ["" if np.isfinite(of_law).all() else "no finite forces" for of_law in F[i]])
         if i + 1 < len(times):
             state, status = advance(plant, state, F[i], times[i + 1] - time, steps)
-            _refuse(laws, time, ["" if code == OK else STATUS_TEXT[code] for code in status.tolist()])
+            _reject(laws, time, ["" if code == OK else STATUS_TEXT[code] for code in status.tolist()])
     return _States(t, R), F
 
 
-def _refuse(laws: Mapping[str, ForceLaw], time: float, reasons: Sequence[str]) -> None:
+def _reject(laws: Mapping[str, ForceLaw], time: float, reasons: Sequence[str]) -> None:
     """Raise ValueError for the first law that there is a reason against."""
     for name, reason in zip(laws, reasons, strict=True):
         if reason:

@@ -55,15 +55,15 @@ static int prepare(void)
 }
 #endif
 
-#if defined(NEAR_POLES)
-/* The robot with all legs near the poles of their joints at the first motion. */
+#if defined(NEAR_SINGULAR_JOINTS)
+/* The robot with all legs near singularities of their joints at the first motion. */
 static int lean(void)
 {
     int i, j;
     odd = ROBOT;
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
-            odd.leg[i].k[j] = near_poles[i][j];
+            odd.leg[i].k[j] = near_singular_joints[i][j];
         }
     }
     return PREPARE(&odd, &model);
@@ -90,7 +90,7 @@ static int32_t wrong(int status, int expected)
 }
 
 /* Calls with wrong arguments or without an answer; returns how many were not told so. */
-static int32_t refused(void)
+static int32_t rejected(void)
 {
     int32_t found = 0;
     int i;
@@ -106,8 +106,8 @@ static int32_t refused(void)
     found += wrong(PREPARE(&odd, &blank), STEWART_NOT_FINITE);
     found += wrong(FORCES(&blank, &motions[0], F) == STEWART_OK, 0);
 #endif
-    for (i = 0; i < REFUSED; ++i) {
-        found += wrong(FORCES_OF(&refused_motions[i], F), refused_status[i]);
+    for (i = 0; i < REJECTED; ++i) {
+        found += wrong(FORCES_OF(&rejected_motions[i], F), rejected_status[i]);
     }
     return found;
 }
@@ -135,8 +135,8 @@ int main(void)
         }
     }
     board_print_number("worst_error_ppm_of_bound", worst <= 2000 ? (int32_t)(worst * 1e6) : 2000000000);
-    untold = refused();
-    board_print_number("refused_wrongly", untold);
+    untold = rejected();
+    board_print_number("rejected_wrongly", untold);
     board_print_number("known", (int32_t)board_ticks_of_known());
     at = motions[0];
     empty = board_ticks(no_forces, TIMES);
@@ -151,10 +151,10 @@ int main(void)
         deepest = depth > deepest ? depth : deepest;
     }
     board_print_number("times", TIMES);
-#if defined(NEAR_POLES)
+#if defined(NEAR_SINGULAR_JOINTS)
     at = motions[0];
     failed += lean() != STEWART_OK || forces() != STEWART_OK;
-    board_print_number("ticks_near_poles", (int32_t)board_ticks(forces, TIMES));
+    board_print_number("ticks_near_singular_joints", (int32_t)board_ticks(forces, TIMES));
     deepest = board_stack(forces) > deepest ? board_stack(forces) : deepest;
 #endif
     board_print_number("stack_forces", (int32_t)deepest);

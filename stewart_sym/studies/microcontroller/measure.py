@@ -32,7 +32,7 @@ Progress = Callable[[str], None]
 
 MOTIONS = 8
 """Poses on which a kernel is checked and counted."""
-NEAR_POLE = 1e-3
+NEAR_JOINT_SINGULAR = 1e-3
 """Sine of a leg's angle to its fixed axis: below 1/32 the code path near the joint singularity is taken."""
 _SELFTEST = "selftest.c"
 _OWN = ("start.c", "count.c", "board.h", "link.ld")
@@ -44,10 +44,10 @@ class Figures:
     """What one kit takes on its processor.
 
     precision: "double" or "float"; baked; core: the processor, flags: its own of the compiler, board: QEMU's
-    with it. failed, refused_wrongly: forces beyond their bound and calls without an answer that were not told
-    so; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test.
-    instructions: executed for a pose at most, of the poses; near_poles: the same with all
-    six legs near the poles of their joints, None where that cannot be tried: baked, or no universal joint.
+    with it. failed, rejected_wrongly: forces beyond their bound, and unsolvable poses without their
+    status; worst: largest error over its bound; poses: how many; selftest: exit code of the kit's own test.
+    instructions: executed for a pose at most, of the poses; near_singular_joints: the same with all
+    six legs near singularities of their joints, None where it cannot be tried: baked, or no universal joint.
     flash: bytes of the ``kernel``'s code and constants, of the ``robot``'s numbers, and of all of the test's
     program, ``image``; ram: bytes of the data of kernel and robot, ``kit``, and of the prepared constants,
     ``model``, which the caller holds. stack: bytes below the caller that a ``pose`` was seen to write, and
@@ -62,12 +62,12 @@ class Figures:
     flags: tuple[str, ...]
     board: str
     failed: int
-    refused_wrongly: int
+    rejected_wrongly: int
     worst: float
     poses: int
     selftest: int
     instructions: int
-    near_poles: int | None
+    near_singular_joints: int | None
     flash: dict[str, int]
     ram: dict[str, int]
     stack: dict[str, int]
@@ -77,7 +77,7 @@ class Figures:
     @property
     def right(self) -> bool:
         """Whether all that was tried came out as it has to, and nothing is asked of heap or libm."""
-        tried = self.failed == 0 and self.refused_wrongly == 0 and self.selftest == 0
+        tried = self.failed == 0 and self.rejected_wrongly == 0 and self.selftest == 0
         return tried and not self.foreign and not self.double
 
     @property
@@ -146,14 +146,14 @@ class Cases:
             (start | {"F_ext": np.full(3, np.inf)}, NOT_FINITE),
         ]
 
-    def near_poles(self) -> Array | None:
-        """Fixed axes, (6, 3), with which all legs are near their poles at the first motion."""
+    def near_singular_joints(self) -> Array | None:
+        """Fixed axes, (6, 3), with which all legs are near their joint singularities at the first motion."""
         if not knows_axes(self.robot, self.level):
             return None
         s = inverse_kinematics(self.robot, sample(self.robot, "exact")[0]).s
         across = np.cross(s, np.roll(s, 1, axis=-1))
         across /= np.linalg.norm(across, axis=-1, keepdims=True)
-        return np.asarray(np.sqrt(1 - NEAR_POLE**2) * s + NEAR_POLE * across)
+        return np.asarray(np.sqrt(1 - NEAR_JOINT_SINGULAR**2) * s + NEAR_JOINT_SINGULAR * across)
 
 
 # --- one kit ----------------------------------------------------------------------------------
@@ -209,7 +209,7 @@ def _figures(
     # An empty function took one instruction.
     counts = {
         name: max(round((ticks - said["empty"][0]) * per_call + 1) for ticks in said[name])
-        for name in ("ticks", "ticks_near_poles")
+        for name in ("ticks", "ticks_near_singular_joints")
         if name in said
     }
     parts = [toolchain.sizes(path) for path in objects]
@@ -234,12 +234,12 @@ def _figures(
         flags=core.flags,
         board=core.board,
         failed=said["failed"][0],
-        refused_wrongly=said["refused_wrongly"][0],
+        rejected_wrongly=said["rejected_wrongly"][0],
         worst=said["worst_error_ppm_of_bound"][0] / 1e6,
         poses=len(said["ticks"]),
         selftest=selftest,
         instructions=counts["ticks"],
-        near_poles=counts.get("ticks_near_poles"),
+        near_singular_joints=counts.get("ticks_near_singular_joints"),
         flash={
             "kernel": parts[0]["flash"],
             "robot": sum(part["flash"] for part in parts[1:]),
@@ -285,7 +285,8 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
             f"#define PREPARE {kernel}_prepare",
         ]
         names.append(f"#define ROBOT {symbol}")
-    axes = cases.near_poles() if symbol else None
+    axes = cases.near_singular_joints() if symbol else None
+    codes = ", ".join(str(code) for _, code in rejected)
     given = _motions(test.inputs for test in cases.tests)
     expected = np.array([test.answers["F"] for test in cases.tests])
     bounds = np.array([test.bounds["F"] for test in cases.tests]) * epsilon
@@ -297,20 +298,20 @@ def _cases_header(cases: Cases, kernel: str, symbol: str) -> str:
             *names,
             "#define REAL(value) ((stewart_real)(value))",
             f"#define MOTIONS {len(cases.tests)}",
-            f"#define REFUSED {len(rejected)}",
+            f"#define REJECTED {len(rejected)}",
             f"static const stewart_motion motions[MOTIONS] = {given};",
             f"static const double expected[MOTIONS][6] = {_nested(expected)};",
             f"static const double bounds[MOTIONS][6] = {_nested(bounds)};",
-            f"static const stewart_motion refused_motions[REFUSED] = {without};",
-            *([] if axes is None else ["#define NEAR_POLES", _axes_text(axes)]),
-            f"static const int refused_status[REFUSED] = {{{', '.join(str(code) for _, code in rejected)}}};",
+            f"static const stewart_motion rejected_motions[REJECTED] = {without};",
+            *([] if axes is None else ["#define NEAR_SINGULAR_JOINTS", _axes_text(axes)]),
+            f"static const int rejected_status[REJECTED] = {{{codes}}};",
             "",
         ]
     )
 
 
 def _axes_text(axes: Array) -> str:
-    return f"static const stewart_real near_poles[6][3] = {_nested(axes, 'REAL({})')};"
+    return f"static const stewart_real near_singular_joints[6][3] = {_nested(axes, 'REAL({})')};"
 
 
 def _motions(all_numbers: Any) -> str:

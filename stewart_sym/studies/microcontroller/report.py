@@ -15,7 +15,7 @@ HEADER = (
         "answers",
         "worst/bound",
         "instructions",
-        "near poles",
+        "near joint singularities",
         "flash kernel",
         "robot",
         "image",
@@ -30,8 +30,8 @@ def report(study: Study) -> str:
         f"{study.robot}, fidelity {study.fidelity}: one-pose kernels, {' '.join(study.flags)}",
         *(f"{row.core}: {' '.join(row.flags)}, QEMU {row.board}" for row in study.rows if row.baked),
         *study.tools.values(),
-        "Instructions are executed ones of a call, the most of the poses tried; near poles: with all legs",
-        "near the poles of their universal joints. Flash, RAM and stack in bytes; stack of a pose as painted",
+        "Instructions are executed ones of a call, the most of the poses tried; near joint singularities:",
+        "with all six legs. Flash, RAM and stack in bytes; stack of a pose as painted",
         "and found again, and of all frames on its deepest way, as the compiler says; of the preparation as",
         "painted.",
     ]
@@ -47,7 +47,7 @@ def cells(row: Figures) -> list[str]:
         answers(row),
         f"{row.worst:.3f}",
         f"{row.instructions:,}",
-        "-" if row.near_poles is None else f"{row.near_poles:,}",
+        "-" if row.near_singular_joints is None else f"{row.near_singular_joints:,}",
         *(f"{row.flash[name]:,}" for name in ("kernel", "robot", "image")),
         *(f"{row.ram[name]:,}" if name in row.ram else "-" for name in ("kit", "model")),
         *(f"{row.stack[name]:,}" if name in row.stack else "-" for name in ("pose", "frames", "prepare")),
@@ -60,7 +60,7 @@ def answers(row: Figures) -> str:
     """Whether forces, statuses and the kit's own test came out right."""
     wrong = {
         "forces": row.failed,
-        "statuses": row.refused_wrongly,
+        "statuses": row.rejected_wrongly,
         "self-test": row.selftest,
     }
     said = [f"{name} wrong" for name, count in wrong.items() if count]

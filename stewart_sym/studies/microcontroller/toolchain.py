@@ -28,7 +28,11 @@ SECONDS = 120
 
 HARMLESS = frozenset(
     {"sqrt", "sqrtf", "fabs", "fabsf", "memcpy", "memset", "memmove"}
-    | {f"__aeabi_mem{verb}{width}" for verb in ("cpy", "set", "move", "clr") for width in ("", "4", "8")}
+    | {
+        f"__aeabi_mem{subcommand}{width}"
+        for subcommand in ("cpy", "set", "move", "clr")
+        for width in ("", "4", "8")
+    }
 )
 """What a kernel may ask of a library."""
 _SECTIONS = {

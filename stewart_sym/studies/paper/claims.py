@@ -46,8 +46,8 @@ class Claim:
 def claims(found: Reproduction) -> list[Claim]:
     """Judge every claim, in the order of the text."""
     return [
-        Claim(where, says, rule, *(judge(found, form) for form in ("paper", "exact")))
-        for where, says, rule, judge in _CLAIMS
+        Claim(where, says, rule, *(check(found, form) for form in ("paper", "exact")))
+        for where, says, rule, check in _CLAIMS
     ]
 
 
@@ -154,7 +154,9 @@ def _steep(found: Reproduction, form: str) -> Measured:
 
 def _singular(found: Reproduction, form: str) -> Measured:
     run = found.runs["III", form]
-    text = f"{_short(largest(run))} N at {_worst_time(run):.1f} s; H is singular at {found.pole:.3f} s"
+    text = (
+        f"{_short(largest(run))} N at {_worst_time(run):.1f} s; H is singular at {found.singular_time:.3f} s"
+    )
     return Measured(text, _verdict(1e5 <= largest(run) < 1e6, largest(run) >= 1e5))
 
 
@@ -207,7 +209,7 @@ def _relation(found: Reproduction, form: str) -> Measured:
     return Measured(text, _verdict(all(strong), any(strong)))
 
 
-def _economy(found: Reproduction, form: str) -> Measured:
+def _cost(found: Reproduction, form: str) -> Measured:
     total = sum(_kernel(found, form).total)
     text = f"{total}, {total / SERIAL_ARM_FLOPS:.2f} times the arm's {SERIAL_ARM_FLOPS}"
     return Measured(text, _verdict(total <= PAPER_FLOPS["total"]))
@@ -236,7 +238,7 @@ _CLAIMS: tuple[tuple[str, str, str, Callable[[Reproduction, str], Measured]], ..
         "4.5",
         "4889 floating point operations a time-step without friction, only 3.36 times those of a serial arm",
         "the emitted kernel needs no more",
-        _economy,
+        _cost,
     ),
     (
         "5.1, Fig. 4",

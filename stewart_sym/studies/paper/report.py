@@ -1,6 +1,6 @@
 """The tables of ``reproduce`` as plain aligned text.
 
-Lays out what ``reproduce`` computed and ``claims`` judged; computes nothing itself.
+Lays out what ``reproduce`` computed and ``claims`` checked; computes nothing itself.
 """
 
 import textwrap
@@ -103,7 +103,7 @@ def _energy_table(found: Reproduction) -> str:
         "No friction. Work: integral of F.Ldot, by Gauss-Legendre (24 points) between the jumps of "
         "acceleration; F is the kernels' where none or all of 1, 2 and 3 are kept, else the reference's. "
         "Gain: kinetic and potential energy of all 13 bodies with their true motion. Path III "
-        f"passes a singular pose at {found.pole:.3f} s, where F has no bound; the power has one, "
+        f"passes a singular pose at {found.singular_time:.3f} s, where F has no bound; the power has one, "
         "F.Ldot = D.Ldot - c.twist, so the integral exists, with rounding enlarged by the condition number.",
     )
 

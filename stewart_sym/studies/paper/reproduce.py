@@ -1,6 +1,6 @@
 """Section 5 of the paper computed again: Paths I-III, what each printed fault costs, work and energy.
 
-Takes the paper's machine and the generated kernels and returns plain records. ``claims`` judges them,
+Takes the paper's machine and the generated kernels and returns plain records. ``claims`` checks them,
 ``report`` prints them and ``plots`` draws them; this module prints and writes nothing.
 """
 
@@ -118,7 +118,7 @@ class Reproduction:
     """Everything that ``reproduce`` computed.
 
     runs: by (path, formulation). light: Path I with a platform of ``LIGHT_PLATFORM`` kg, by formulation.
-    rest: Path I's poses at rest, by formulation. pole: time, s, at which H is singular on Path III.
+    rest: Path I's poses at rest, by formulation. singular_time: time, s, at which H is singular on Path III.
     backend: one line on what computed the runs.
     """
 
@@ -127,7 +127,7 @@ class Reproduction:
     runs: Mapping[tuple[str, str], PathRun]
     light: Mapping[str, PathRun]
     rest: Mapping[str, PathRun]
-    pole: float
+    singular_time: float
     fault_costs: tuple[FaultCost, ...]
     work_energy: tuple[WorkEnergy, ...]
     operations: tuple[Operations, ...]
@@ -151,7 +151,7 @@ def reproduce(progress: Progress = lambda _: None) -> Reproduction:
         runs=runs,
         light={form: run_path(lighter, "I", form) for form in FORMULATIONS},
         rest={form: run_path(robot, "I", form, rest=True) for form in FORMULATIONS},
-        pole=singular_time(robot, PATHS["III"].path, *_steepest(runs["III", "paper"])),
+        singular_time=singular_time(robot, PATHS["III"].path, *_steepest(runs["III", "paper"])),
         fault_costs=costs,
         work_energy=tuple(work_energy(robot, name, faults) for name in PATHS for faults in kept),
         operations=operations(),
@@ -283,7 +283,7 @@ def _difference(robot: Robot, motion: Motion, faults: frozenset[int]) -> float:
 
 
 def _steepest(run: PathRun) -> tuple[float, float]:
-    """The step in which the forces change most: a pole turns their signs."""
+    """The step in which the forces change most: their signs turn at a singular pose."""
     i = int(np.argmax(np.max(np.abs(np.diff(run.F, axis=0)), axis=-1)))
     return float(run.time[i]), float(run.time[i + 1])
 

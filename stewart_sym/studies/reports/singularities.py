@@ -21,9 +21,9 @@ from ...robot.robot import LEGS, Robot
 from ...singularities.along_path import (
     Crossing,
     LegExtreme,
-    Passage,
+    PathSingularities,
     crossings,
-    force_pole,
+    force_residue,
     singularities_along,
 )
 from ...singularities.singular_poses import Singularity
@@ -69,7 +69,7 @@ class Examination:
     name: str
     path: Path
     formulation: Formulation
-    passage: Passage
+    along: PathSingularities
     sides: tuple[Sides, ...]
 
 
@@ -77,9 +77,9 @@ def examine(
     robot: Robot, name: str, path: Path, times: Array, formulation: Formulation = "exact"
 ) -> Examination:
     """Find where a path, called ``name``, passes singular poses; path, times as for ``crossings``."""
-    passage = singularities_along(robot, path, times)
-    sides = tuple(_sides(robot, path, passage, found, formulation) for found in passage.crossings)
-    return Examination(robot, name, path, formulation, passage, sides)
+    along = singularities_along(robot, path, times)
+    sides = tuple(_sides(robot, path, along, found, formulation) for found in along.crossings)
+    return Examination(robot, name, path, formulation, along, sides)
 
 
 def crossing_warning(robot: Robot, trajectory: Trajectory | PoseLog, path: Path) -> str | None:
@@ -102,19 +102,19 @@ def crossing_warning(robot: Robot, trajectory: Trajectory | PoseLog, path: Path)
 
 def report(found: Examination) -> str:
     """Everything in lines of text, SI units."""
-    passage = found.passage
+    along = found.along
     lines = [
         f"robot      {found.robot.name}",
-        f"path       {found.name}, {passage.start:g} s to {passage.end:g} s",
-        f"crossings  {len(passage.crossings)}",
-        f"nearest    {_near(passage.nearest.time, passage.nearest.at)}",
+        f"path       {found.name}, {along.start:g} s to {along.end:g} s",
+        f"crossings  {len(along.crossings)}",
+        f"nearest    {_near(along.nearest.time, along.nearest.at)}",
     ]
-    lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in passage.spans]
-    for number, (crossing, sides) in enumerate(zip(passage.crossings, found.sides, strict=True), 1):
+    lines += [f"singular   from {start:.9f} s to {end:.9f} s throughout" for start, end in along.spans]
+    for number, (crossing, sides) in enumerate(zip(along.crossings, found.sides, strict=True), 1):
         lines += ["", f"Crossing {number} at {_time(crossing)}", *_crossing_lines(found, crossing, sides)]
-    if not passage.crossings:
-        lines += ["", f"Nearest approach at {passage.nearest.time:.9f} s", *_pose_lines(passage.nearest.at)]
-    others = [approach for approach in passage.approaches if approach is not passage.nearest]
+    if not along.crossings:
+        lines += ["", f"Nearest approach at {along.nearest.time:.9f} s", *_pose_lines(along.nearest.at)]
+    others = [approach for approach in along.approaches if approach is not along.nearest]
     if others:
         lines += ["", "Other minima of the smallest singular value"]
         lines += [f"  {_near(approach.time, approach.at)}" for approach in others]
@@ -123,12 +123,12 @@ def report(found: Examination) -> str:
 
 def events(found: Examination) -> Columns:
     """Columns (n,), one row for each crossing (crossing 1) and each local minimum (0), in order of time."""
-    passage, none = found.passage, np.full(LEGS, np.nan)
+    along, none = found.along, np.full(LEGS, np.nan)
     rows = [
         (item.time, 1, item.uncertainty, item.before, item.after, item.at, sides.residue)
-        for item, sides in zip(passage.crossings, found.sides, strict=True)
+        for item, sides in zip(along.crossings, found.sides, strict=True)
     ]
-    minima = [*passage.approaches, *([] if passage.crossings else [passage.nearest])]
+    minima = [*along.approaches, *([] if along.crossings else [along.nearest])]
     for approach in {item.time: item for item in minima}.values():
         side = int(np.sign(approach.at.determinant))
         rows.append((approach.time, 0, np.nan, side, side, approach.at, none))
@@ -152,16 +152,16 @@ def curves(found: Examination) -> Columns:
     """Columns (n,) over time, denser towards each crossing and minimum; nan where a pose has no answer.
 
     time; smallest_singular_value with the sign of det H; scaled_condition, inf where that is 0; F1..F6;
-    pole_sine1..6; L1..L6.
+    joint_sine1..6; L1..L6.
     """
-    robot, passage = found.robot, found.passage
-    duration = passage.end - passage.start
-    marks = [crossing.time for crossing in passage.crossings]
-    marks += [approach.time for approach in (*passage.approaches, passage.nearest)]
+    robot, along = found.robot, found.along
+    duration = along.end - along.start
+    marks = [crossing.time for crossing in along.crossings]
+    marks += [approach.time for approach in (*along.approaches, along.nearest)]
     near = np.geomspace(1e-7, 0.1, _NEAR) * duration
     dense = [np.concatenate([mark - near, mark + near]) for mark in marks[:_MARKS]]
-    times = np.unique(np.concatenate([np.linspace(passage.start, passage.end, _EVEN), *dense]))
-    times = times[(times >= passage.start) & (times <= passage.end)]
+    times = np.unique(np.concatenate([np.linspace(along.start, along.end, _EVEN), *dense]))
+    times = times[(times >= along.start) & (times <= along.end)]
     motion = found.path(times)
     length = characteristic_length(robot) or 1.0
     H = moments_over(np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2), length)
@@ -178,10 +178,10 @@ def curves(found: Examination) -> Columns:
         "smallest_singular_value": np.sign(np.linalg.det(H)) * smallest,
         "scaled_condition": condition,
     }
-    for name, values in (("F", forces.F), ("pole_sine", sine), ("L", L)):
+    for name, values in (("F", forces.F), ("joint_sine", sine), ("L", L)):
         columns |= {f"{name}{leg + 1}": values[:, leg] for leg in range(LEGS)}
     if robot.base_joint == "spherical":
-        columns = {name: values for name, values in columns.items() if not name.startswith("pole_sine")}
+        columns = {name: values for name, values in columns.items() if not name.startswith("joint_sine")}
     return columns
 
 
@@ -193,8 +193,10 @@ def twist_text(at: Singularity) -> str:
 # Parts
 
 
-def _sides(robot: Robot, path: Path, passage: Passage, crossing: Crossing, formulation: Formulation) -> Sides:
-    room = min(crossing.time - passage.start, passage.end - crossing.time)
+def _sides(
+    robot: Robot, path: Path, along: PathSingularities, crossing: Crossing, formulation: Formulation
+) -> Sides:
+    room = min(crossing.time - along.start, along.end - crossing.time)
     distances = np.array([d for d in DISTANCES if d <= room and d > 10.0 * crossing.uncertainty])
     solved = inverse_dynamics(
         robot,
@@ -203,7 +205,7 @@ def _sides(robot: Robot, path: Path, passage: Passage, crossing: Crossing, formu
         on_singular="nan",
     )
     F = np.where((solved.status == OK)[:, None], solved.F, np.nan)
-    residue = force_pole(robot, path(np.array([crossing.time])), formulation)[0]
+    residue = force_residue(robot, path(np.array([crossing.time])), formulation)[0]
     return Sides(residue, distances, F[: len(distances)], F[len(distances) :])
 
 
@@ -216,11 +218,14 @@ def _crossing_lines(found: Examination, crossing: Crossing, sides: Sides) -> lis
         f"  leg rates      at most {np.max(np.abs(rates)):.1e} m/s under this motion",
     ]
     if not np.isfinite(sides.residue).all():
-        return [*lines, "  force pole     no simple one: the path rests there or runs along singular poses"]
+        return [
+            *lines,
+            "  force residue  no simple one: the path rests there or runs along singular poses",
+        ]
     A = ", ".join(f"{value:.6g}" for value in sides.residue)
     ends = ["-inf", "+inf"] if sides.residue[leg] > 0.0 else ["+inf", "-inf"]
     lines += [
-        f"  force pole     F = A / (t - t_0), A = ({A}) N s",
+        f"  force residue  F = A / (t - t_0), A = ({A}) N s",
         f"  most affected  leg {leg + 1}: {ends[0]} before, {ends[1]} after",
     ]
     rows = [
@@ -253,17 +258,17 @@ def _pose_lines(at: Singularity) -> list[str]:
 
 
 def _legs_table(found: Examination) -> str:
-    passage, limits = found.passage, found.robot.length_limits
+    along, limits = found.along, found.robot.length_limits
     rows = []
     for leg in range(LEGS):
         low, high = limits[leg]
         rows.append((
             str(leg + 1),
-            *_cells(passage.pole, leg),
-            *_cells(passage.shortest, leg),
-            f"{passage.shortest.value[leg] - low:.4g}" if low > 0.0 else "none",
-            *_cells(passage.longest, leg),
-            f"{high - passage.longest.value[leg]:.4g}" if np.isfinite(high) else "none",
+            *_cells(along.joint_sine, leg),
+            *_cells(along.shortest, leg),
+            f"{along.shortest.value[leg] - low:.4g}" if low > 0.0 else "none",
+            *_cells(along.longest, leg),
+            f"{high - along.longest.value[leg]:.4g}" if np.isfinite(high) else "none",
         ))  # fmt: skip
     header = (
         "leg",

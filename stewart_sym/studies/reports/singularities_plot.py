@@ -62,11 +62,11 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
         _plain(axes)
         if axes.get_yscale() == "log":
             log_numbers(axes.yaxis)
-        for crossing in found.passage.crossings:
+        for crossing in found.along.crossings:
             axes.axvline(crossing.time, color=_RED, linewidth=0.9, linestyle=(0, (4, 2)))
-    count = len(found.passage.crossings)
+    count = len(found.along.crossings)
     where = f"{count} crossing{'' if count == 1 else 's'} of a singular pose"
-    if found.passage.spans:
+    if found.along.spans:
         where += ", and a way along singular poses"
     figure.suptitle(f"{found.robot.name}, path {found.name}: {where}", fontsize=11.0)
     return figure
@@ -78,11 +78,11 @@ def pose_figure(found: Examination, columns: Columns, time: float, at: Singulari
     panes: Any = figure.subfigures(1, 2, width_ratios=(1.0, 1.05))
     left, right = panes
     upper, lower = left.subplots(2, 1, sharex=True, height_ratios=(1.0, 1.7))
-    window = (0.05 if found.passage.crossings else 1.0) * (found.passage.end - found.passage.start)
-    low, high = max(found.passage.start, time - window), min(found.passage.end, time + window)
-    crossed = [crossing.time for crossing in found.passage.crossings if low <= crossing.time <= high]
+    window = (0.05 if found.along.crossings else 1.0) * (found.along.end - found.along.start)
+    low, high = max(found.along.start, time - window), min(found.along.end, time + window)
+    crossed = [crossing.time for crossing in found.along.crossings if low <= crossing.time <= high]
     inside = (columns["time"] >= low) & (columns["time"] <= high)
-    # No line joins the branches of a pole.
+    # No line joins the branches on either side of a crossing.
     when, *rest = _broken(
         crossed,
         columns["time"][inside],
@@ -150,13 +150,13 @@ def draw_machine(axes: Axes3D, robot: Robot, pose: Motion, at: Singularity) -> N
 
 def _poses(found: Examination) -> Iterator[tuple[str, float, Singularity, str]]:
     """Name of the file, time, pose and title of each picture of the machine."""
-    passage = found.passage
-    for number, crossing in enumerate(passage.crossings[:MOST], 1):
+    along = found.along
+    for number, crossing in enumerate(along.crossings[:MOST], 1):
         title = f"path {found.name}: H singular at {crossing.time:.9f} s"
         yield f"crossing_{number}", crossing.time, crossing.at, title
-    if not passage.crossings:
-        title = f"path {found.name}: nearest to a singular pose at {passage.nearest.time:.6f} s"
-        yield "nearest", passage.nearest.time, passage.nearest.at, title
+    if not along.crossings:
+        title = f"path {found.name}: nearest to a singular pose at {along.nearest.time:.6f} s"
+        yield "nearest", along.nearest.time, along.nearest.at, title
 
 
 def _frame(axes: Axes3D, extent: Array) -> None:

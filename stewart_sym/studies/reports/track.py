@@ -18,7 +18,7 @@ from ...kinematics.inverse import LegKinematics, inverse_kinematics
 from ...kinematics.mounting import platform_side
 from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Trajectory
-from ...results import NOT_FINITE, OK, SHORT_LEG, Reactions
+from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
 from ..common.table import aligned
 
@@ -118,7 +118,7 @@ def in_parts(
         where = slice(start, start + _PART)
         motion = trajectory.at(where)
         found = inverse_dynamics(robot, motion, formulation, backend, on_singular="nan")
-        L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(found.status, (SHORT_LEG, NOT_FINITE)))
+        L, L_dot = _lengths_and_rates(robot, motion, ~np.isin(found.status, (ZERO_LENGTH, NOT_FINITE)))
         status, more = found.status, None
         if reactions:
             more = joint_reactions(robot, motion, formulation, backend, on_singular="nan")

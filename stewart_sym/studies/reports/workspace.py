@@ -29,7 +29,7 @@ from ...io.extras import needed_for
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
-from ...results import NOT_FINITE, SHORT_LEG
+from ...results import NOT_FINITE, ZERO_LENGTH
 from ...robot.robot import Robot
 
 with needed_for("a map of the workspace"):
@@ -113,7 +113,7 @@ def map_block(
 def _condition(robot: Robot, motion: Motion, status: NDArray[np.int32]) -> Array:
     """Condition number of H of (36), wherever the legs have directions."""
     condition = np.full(motion.shape, np.nan)
-    sound = ~np.isin(status, (SHORT_LEG, NOT_FINITE))
+    sound = ~np.isin(status, (ZERO_LENGTH, NOT_FINITE))
     if sound.any():
         there = motion[sound]
         condition[sound] = condition_number(wrench_matrix(robot, there))

@@ -1,4 +1,4 @@
-"""Family 4: roll-pitch-yaw angles at theta_y = 90 degrees beside inputs that have no pole.
+"""Family 4: roll-pitch-yaw angles at theta_y = 90 degrees beside inputs that have no singularity.
 
 One motion is written down in each kind of input, its numbers rounded last; what comes back of it are forces.
 """
@@ -23,8 +23,8 @@ from ...precision.quad import error as quad_error
 from ...precision.quad import quad_forces
 from ...robot.robot import Robot
 from .family import Curve, Family, distances
-from .sweep.judge import judge_poses
 from .sweep.machines import random_machine, random_motion
+from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
 
 Array = NDArray[np.float64]
@@ -44,7 +44,7 @@ def families(seed: int = 4) -> list[Family]:
     angles = [np.array([0.3, 0.5 * np.pi - distance, 0.2]) for distance in distances()]
     rates = [_angle_rates(theta, moving) for theta in angles]
     poses = [dataclasses.replace(moving, R=rotation_from_rpy(theta)) for theta in angles]
-    judged = judge_poses([robot] * len(poses), poses)
+    checked = check_poses([robot] * len(poses), poses)
     # What rounding the rates of the angles alone does to alpha, which the forces then feel.
     fastest = np.array([np.abs(second).max() + np.abs(first).max() ** 2 for first, second in rates])
     lost = 1.0 + fastest / np.abs(_given(moving.alpha)).max()
@@ -52,9 +52,9 @@ def families(seed: int = 4) -> list[Family]:
     for name in INPUTS:
         error = [
             _error(robot, pose, _rewritten(name, pose, theta, *rate)) / size
-            for pose, theta, rate, size in zip(poses, angles, rates, judged["size"], strict=True)
+            for pose, theta, rate, size in zip(poses, angles, rates, checked["size"], strict=True)
         ]
-        condition = condition_of(judged) * (lost if name == INPUTS[0] else 1.0)
+        condition = condition_of(checked) * (lost if name == INPUTS[0] else 1.0)
         curves.append(Curve(name, np.array(error), condition, shipped=True))
     second_rate = np.array([np.abs(second).max() for _, second in rates])
     return [
@@ -62,7 +62,7 @@ def families(seed: int = 4) -> list[Family]:
             "attitude",
             "Orientation near a pitch of 90 degrees, by kind of input",
             "roll-pitch-yaw at theta_y = 90 degrees",
-            "give a rotation matrix, quaternion or rotation vector: they have no pole; no status",
+            "give a rotation matrix, quaternion or rotation vector: they have no singularity; no status",
             "pitch from 90 degrees, rad",
             distances(),
             tuple(curves),

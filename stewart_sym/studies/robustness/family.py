@@ -1,4 +1,4 @@
-"""What the atlas is made of: a family of poses that walks into a failure, a curve for each method, a verdict.
+"""What the study is made of: a family of poses that walks into a failure, a curve for each method, a verdict.
 
 Records and measures alone; knows no machine and no file.
 """
@@ -67,7 +67,7 @@ class Verdict:
 
     worst: largest error in rounding units over the condition number with status ok, at distance ``where``.
     digits: decimal digits left at the worst answer with status ok.
-    last: nearest distance with an answer. refused_at: condition number of the first pose with a status, None
+    last: nearest distance with an answer. rejected_at: condition number of the first pose with a status, None
     if there is none.
     silent: distances at which an answer is wrong and no status says so. alarmed: distances at which a good
     pose has a status.
@@ -77,7 +77,7 @@ class Verdict:
     where: float
     digits: float
     last: float
-    refused_at: float | None
+    rejected_at: float | None
     silent: int
     alarmed: int
 
@@ -127,11 +127,11 @@ def verdict(curve: Curve, distance: Array) -> Verdict:
     """Weigh a curve over its family's distances."""
     ratio, answered = curve.ratio, curve.answered
     of_pose = curve.condition if curve.pose is None else np.maximum(curve.condition, curve.pose)
-    refused = np.zeros(len(distance), dtype=np.bool_) if curve.status is None else curve.status != OK
+    rejected = np.zeros(len(distance), dtype=np.bool_) if curve.status is None else curve.status != OK
     if not answered.any():
         nothing = float("nan")
-        first = float(of_pose[refused].min(initial=np.inf))
-        return Verdict(nothing, nothing, nothing, nothing, first, 0, int(np.sum(refused & (of_pose < GOOD))))
+        first = float(of_pose[rejected].min(initial=np.inf))
+        return Verdict(nothing, nothing, nothing, nothing, first, 0, int(np.sum(rejected & (of_pose < GOOD))))
     worst = int(np.nanargmax(ratio))
     largest = float(np.max(curve.error[answered]))
     return Verdict(
@@ -139,7 +139,7 @@ def verdict(curve: Curve, distance: Array) -> Verdict:
         where=float(distance[worst]),
         digits=max(0.0, float(-np.log10(max(largest, curve.epsilon / 2.0)))),
         last=float(distance[answered].min()),
-        refused_at=float(of_pose[refused].min()) if refused.any() else None,
+        rejected_at=float(of_pose[rejected].min()) if rejected.any() else None,
         silent=int(np.sum(answered & (ratio > WRONG))),
-        alarmed=int(np.sum(refused & (of_pose < GOOD))),
+        alarmed=int(np.sum(rejected & (of_pose < GOOD))),
     )

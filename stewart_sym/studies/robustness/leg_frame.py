@@ -11,8 +11,8 @@ from ...motion.motion import Motion
 from ...robot.robot import Robot
 from . import shipped
 from .family import Curve, Family, distances
-from .sweep.judge import judge_poses
 from .sweep.machines import LEGS, at_rest, random_machine, random_motion
+from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
 
 Array = NDArray[np.float64]
@@ -50,17 +50,17 @@ def _walk(seed: int, legs: str, rest: bool) -> tuple[list[Robot], list[Motion]]:
 
 
 def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot], list[Motion]]) -> Family:
-    judged, calm = judge_poses(*moving), judge_poses(*resting)
+    checked, calm = check_poses(*moving), check_poses(*resting)
     growth = {
-        "largest force, moving, N": judged["size"],
+        "largest force, moving, N": checked["size"],
         "largest force, axisymmetric at rest, N": calm["size"],
-        "condition, moving": condition_of(judged),
+        "condition, moving": condition_of(checked),
         "condition, axisymmetric at rest": condition_of(calm),
     }
-    fastest = float(judged["size"].max() / judged["size"][0])
+    fastest = float(checked["size"].max() / checked["size"][0])
     return Family(
-        "pole_forces",
-        "Forces near the pole of a universal joint, moving machine",
+        "joint_singularity_forces",
+        "Forces near the joint singularity of a universal joint, moving machine",
         FAILS,
         "sine and frame from k x s; status 3 where the sine is rounding error",
         "angle between leg 1 and its fixed axis, rad",
@@ -78,8 +78,8 @@ def _forces(moving: tuple[list[Robot], list[Motion]], resting: tuple[list[Robot]
 
 def _resting(resting: tuple[list[Robot], list[Motion]]) -> Family:
     return Family(
-        "pole_at_rest",
-        "Forces near the pole, axisymmetric legs at rest: the problem itself does not care",
+        "joint_singularity_at_rest",
+        "Forces near the joint singularity, axisymmetric legs at rest: the problem itself does not care",
         f"{FAILS}, at rest",
         "status 3 where the sine is rounding error",
         "angle between leg 1 and its fixed axis, rad",
@@ -114,8 +114,8 @@ def _spin(robots: list[Robot], motions: list[Motion]) -> Family:
         condition = np.array([float(1 / k_3) for _, k_3 in truth])
         curves.append(Curve(name, error, condition))
     return Family(
-        "pole_sine",
-        "Spin of a leg near the pole, by the way to its sine",
+        "joint_sine",
+        "Spin of a leg near the joint singularity, by the way to its sine",
         FAILS,
         "",
         "angle between leg 1 and its fixed axis, rad",

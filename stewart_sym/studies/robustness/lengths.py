@@ -34,16 +34,16 @@ def _short(seed: int) -> Family:
         b[0] = tip - distance * way
         robots.append(dataclasses.replace(robot, b=b))
     motions = [motion] * len(robots)
-    judged_growth = {"condition of the pose": shipped.pose_condition(robots, motions)}
+    growth_of_errors = {"condition of the pose": shipped.pose_condition(robots, motions)}
     return Family(
-        "short_leg",
+        "zero_length",
         "Forces where a leg's length goes to zero",
         "leg of length zero",
         "status 2 where the length is rounding error of its terms",
         "length of leg 1, m",
         distances(),
         shipped.curves(robots, motions),
-        judged_growth,
+        growth_of_errors,
         "condition number",
     )
 

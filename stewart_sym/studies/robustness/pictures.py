@@ -1,4 +1,4 @@
-"""Pictures of the atlas, one for each family, and the basins of forward kinematics; needs Matplotlib.
+"""Pictures of the study, one for each family, and the basins of forward kinematics; needs Matplotlib.
 
 Colours are Okabe and Ito's, told apart by the colour blind; no method is told by its colour alone.
 """
@@ -10,9 +10,9 @@ import numpy as np
 
 from ...io.extras import needed_for
 from ...results import STATUS_TEXT
-from .atlas import Atlas
 from .family import WRONG, Curve, Family
 from .poses import OUTCOMES, Basins
+from .study import Study
 
 with needed_for("drawing"):
     import matplotlib
@@ -37,7 +37,7 @@ _FLOOR = 1e-17
 _CEILING = 1e4
 
 
-def draw(found: Atlas, folder: Path) -> list[Path]:
+def draw(found: Study, folder: Path) -> list[Path]:
     """Write every picture into a folder as PNG; returns the paths."""
     written = []
     with matplotlib.rc_context(_STYLE):
@@ -121,11 +121,11 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
             label=curve.method,
             **style,
         )
-        refused = np.zeros_like(curve.answered) if curve.status is None else curve.status != 0
-        if refused.any():
-            height = np.full(int(refused.sum()), 0.03 + 0.025 * number)
+        rejected = np.zeros_like(curve.answered) if curve.status is None else curve.status != 0
+        if rejected.any():
+            height = np.full(int(rejected.sum()), 0.03 + 0.025 * number)
             ax.plot(
-                family.distance[refused],
+                family.distance[rejected],
                 height,
                 linestyle="",
                 marker="|",
@@ -149,7 +149,7 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
         labels.append(f"{WRONG:g} units x condition")
     if any(curve.status is not None and (curve.status != 0).any() for curve in curves):
         handles.append(Line2D([], [], color="#555555", linestyle="", marker="|"))
-        labels.append("refused, by its status")
+        labels.append("rejected, by its status")
     ax.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, fontsize=8.0)
 
 

@@ -22,7 +22,7 @@ from ...precision.truth import Truth, deviation
 from ...results import NOT_FINITE, OK
 from ...robot.robot import Robot
 from .family import EPS, Array, Curve
-from .sweep.judge import CLOSED_KERNELS, closed_form_errors, judge_poses, motion_numbers
+from .sweep.oracle import CLOSED_KERNELS, check_poses, closed_form_errors, motion_numbers
 from .sweep.sweep import condition_of
 
 FLOAT_EPS = float(np.finfo(np.float32).eps)
@@ -35,10 +35,10 @@ def curves(robots: Sequence[Robot], motions: Sequence[Motion], in_float: bool = 
     rounded to float first. The condition number is the problem's own, never less than the scaled one of H.
     Raises native.CompilerError without ``__float128``.
     """
-    judged = judge_poses(robots, motions)
+    checked = check_poses(robots, motions)
     truth = np.array([_truth(robot, motion) for robot, motion in zip(robots, motions, strict=True)])
     found = [
-        _curve(name, road, robots, motions, truth, judged)
+        _curve(name, road, robots, motions, truth, checked)
         for name, road in (
             ("forces, one pose", _one_pose),
             ("forces, batch", _batch),
@@ -51,17 +51,17 @@ def curves(robots: Sequence[Robot], motions: Sequence[Motion], in_float: bool = 
 
 
 def float_curve(robots: Sequence[Robot], motions: Sequence[Motion]) -> Curve:
-    """The forces alone in float, with inputs rounded to float and judged so."""
-    judged = judge_poses(robots, motions, "float")
-    condition = condition_of(judged)
+    """The forces alone in float, with inputs rounded to float and checked so."""
+    checked = check_poses(robots, motions, "float")
+    condition = condition_of(checked)
     return Curve(
         "forces, float",
-        judged["error"][:, 0] * FLOAT_EPS,
-        np.where(judged["truth"] == OK, condition, np.inf),
-        judged["status"][:, 0].copy(),
+        checked["error"][:, 0] * FLOAT_EPS,
+        np.where(checked["truth"] == OK, condition, np.inf),
+        checked["status"][:, 0].copy(),
         shipped=True,
         epsilon=FLOAT_EPS,
-        pose=judged["frames"].copy(),
+        pose=checked["frames"].copy(),
     )
 
 
@@ -69,7 +69,9 @@ def closed_form_curves(robots: Sequence[Robot], motions: Sequence[Motion]) -> tu
     """One curve for each kernel of the closed form: of its outputs the worst, beside quadruple precision."""
     numbers = np.array([robot_numbers(robot) for robot in robots])
     poses = np.array([motion_numbers(motion) for motion in motions])
-    found = closed_form_errors("pole", numbers, np.ones(len(numbers)), 1, 0, in_quad=True, motions=poses)
+    found = closed_form_errors(
+        "joint singularity", numbers, np.ones(len(numbers)), 1, 0, in_quad=True, motions=poses
+    )
     pose = np.maximum(found["frames"], found["scaled"])
     return tuple(
         Curve(
@@ -88,8 +90,8 @@ def closed_form_curves(robots: Sequence[Robot], motions: Sequence[Motion]) -> tu
 
 def pose_condition(robots: Sequence[Robot], motions: Sequence[Motion]) -> Array:
     """Condition number of poses: the problem's own, the scaled one of H, that of the legs' frames, (n,)."""
-    judged = judge_poses(robots, motions)
-    return np.asarray(np.maximum(condition_of(judged), judged["frames"]))
+    checked = check_poses(robots, motions)
+    return np.asarray(np.maximum(condition_of(checked), checked["frames"]))
 
 
 def _curve(
@@ -98,22 +100,22 @@ def _curve(
     robots: Sequence[Robot],
     motions: Sequence[Motion],
     truth: NDArray[np.object_],
-    judged: NDArray[Any],
+    checked: NDArray[Any],
 ) -> Curve:
     error, status = np.full(len(robots), np.nan), np.zeros(len(robots), dtype=np.int32)
-    size = np.where(judged["truth"] == OK, judged["size"], 1.0)
+    size = np.where(checked["truth"] == OK, checked["size"], 1.0)
     for i, (robot, motion) in enumerate(zip(robots, motions, strict=True)):
         F, status[i] = road(robot, motion)
-        if status[i] != OK or judged["truth"][i] != OK:
+        if status[i] != OK or checked["truth"][i] != OK:
             continue
         if truth[i, 0] is not None:
             off = deviation(F, truth[i])
         else:
-            # Fifty digits refuse matrices of very unlike rows; quadruple precision pivots as the kernels do.
+            # Fifty digits reject matrices of very unlike rows; quadruple precision pivots as the kernels do.
             off = quad_error(F, quad_forces(robot, motion, as_given=True))
         error[i] = np.abs(off).max() / size[i]
-    condition = np.where(judged["truth"] == OK, condition_of(judged), np.inf)
-    return Curve(name, error, condition, status, shipped=True, pose=judged["frames"].copy())
+    condition = np.where(checked["truth"] == OK, condition_of(checked), np.inf)
+    return Curve(name, error, condition, status, shipped=True, pose=checked["frames"].copy())
 
 
 def _truth(robot: Robot, motion: Motion) -> NDArray[np.object_]:

@@ -19,7 +19,7 @@ static attack_oracle *const ORACLES[] = {
 };
 #define ORACLE_COUNT (sizeof ORACLES / sizeof *ORACLES)
 
-/* Arrays, canaries, judgements */
+/* Arrays, canaries, verdicts */
 
 stewart_real *attack_array(const attack_case *it, size_t numbers, void **block)
 {

@@ -2,8 +2,8 @@
 #include "attack.h"
 #include HEADER
 
-static const unsigned POSE_STATUS = ALLOWED(STEWART_OK) | ALLOWED(STEWART_NOT_FINITE) | ALLOWED(STEWART_SHORT_LEG)
-    | ALLOWED(STEWART_POLE) | ALLOWED(STEWART_SINGULAR);
+static const unsigned POSE_STATUS = ALLOWED(STEWART_OK) | ALLOWED(STEWART_NOT_FINITE) | ALLOWED(STEWART_ZERO_LENGTH)
+    | ALLOWED(STEWART_JOINT_SINGULAR) | ALLOWED(STEWART_SINGULAR);
 
 #define NUMBERS(type) (sizeof(type) / sizeof(stewart_real))
 
@@ -76,7 +76,7 @@ static void drop(outputs *out)
     }
 }
 
-static void judge(const attack_case *it, int found, const int *expected, const int *status)
+static void check(const attack_case *it, int found, const int *expected, const int *status)
 {
     const unsigned needed = NULL_MODEL | NULL_MOTIONS | NULL_OUT | 0x3Fu << FIRST_ARRAY;
     if (it->flags & needed) {
@@ -131,7 +131,7 @@ void JOINED(attack_, KERNEL, _dynamics)(const attack_case *it)
         }
         check(it, force_width, &out, pose, (const stewart_real *)&forces);
     }
-    judge(it, found, expected, status);
+    check(it, found, expected, status);
     drop(&out);
 
     memset(status, ATTACK_UNTOUCHED, it->count * sizeof *status);
@@ -151,7 +151,7 @@ void JOINED(attack_, KERNEL, _dynamics)(const attack_case *it)
         }
         check(it, reaction_width, &out, pose, (const stewart_real *)&reactions);
     }
-    judge(it, found, expected, status);
+    check(it, found, expected, status);
     drop(&out);
     attack_arrays_free(&arrays);
     free(status);

@@ -4,8 +4,8 @@
 
 #define MODEL KERNEL_NAME(_model)
 
-static const unsigned POSE_STATUS = ALLOWED(STEWART_OK) | ALLOWED(STEWART_NOT_FINITE) | ALLOWED(STEWART_SHORT_LEG)
-    | ALLOWED(STEWART_POLE) | ALLOWED(STEWART_SINGULAR);
+static const unsigned POSE_STATUS = ALLOWED(STEWART_OK) | ALLOWED(STEWART_NOT_FINITE) | ALLOWED(STEWART_ZERO_LENGTH)
+    | ALLOWED(STEWART_JOINT_SINGULAR) | ALLOWED(STEWART_SINGULAR);
 
 static MODEL *prepared(const attack_case *it)
 {
@@ -37,7 +37,7 @@ static int one_pose(const attack_case *it, const MODEL *model, size_t pose, stew
     return status;
 }
 
-/* A refusal where something is missing that this kernel reads, else what one pose at a time gives. */
+/* A rejection where something is missing that this kernel reads, else what one pose at a time gives. */
 static void batch(
     const attack_case *it, const MODEL *model, stewart_real (*alone)[6], const int *expected, int *status)
 {

@@ -6,8 +6,8 @@
 #define MOST_NUMBERS 256
 #define MOST_ARRAYS 8
 
-static const unsigned POSE_STATUS = ALLOWED(STEWART_OK) | ALLOWED(STEWART_NOT_FINITE) | ALLOWED(STEWART_SHORT_LEG)
-    | ALLOWED(STEWART_POLE) | ALLOWED(STEWART_SINGULAR) | ALLOWED(STEWART_INDEFINITE);
+static const unsigned POSE_STATUS = ALLOWED(STEWART_OK) | ALLOWED(STEWART_NOT_FINITE) | ALLOWED(STEWART_ZERO_LENGTH)
+    | ALLOWED(STEWART_JOINT_SINGULAR) | ALLOWED(STEWART_SINGULAR) | ALLOWED(STEWART_INDEFINITE);
 
 enum { EQUATIONS, BIAS, FORWARD_DYNAMICS, JOINT_INERTIA, DERIVATIVES, LINEARISATION, FUNCTIONS };
 
@@ -71,8 +71,8 @@ static int one_pose(const attack_case *it, int what, const MODEL *model, size_t 
     return status;
 }
 
-/* Whether this function must refuse, or may, since a pointer is null that it reads, or might. */
-static int must_refuse(const attack_case *it, int what)
+/* Whether this function must reject, or may, since a pointer is null that it reads, or might. */
+static int must_reject(const attack_case *it, int what)
 {
     const unsigned forced = what == FORWARD_DYNAMICS || what == LINEARISATION ? NULL_FORCES : 0;
     const unsigned accelerated = what == DERIVATIVES ? NULL_ARRAY(ARRAY_ALPHA) | NULL_ARRAY(ARRAY_A) : 0;
@@ -114,7 +114,7 @@ static void attack(const attack_case *it, int what, const MODEL *model)
     found = many(
         what, it->flags & NULL_MODEL ? 0 : model, it->count, it->flags & NULL_MOTIONS ? 0 : &arrays.motions,
         it->flags & NULL_FORCES ? 0 : F, out, (it->flags & NULL_OUT) != 0, it->flags & NULL_STATUS ? 0 : status);
-    EXPECT((found == STEWART_BAD_ARGUMENT) == must_refuse(it, what));
+    EXPECT((found == STEWART_BAD_ARGUMENT) == must_reject(it, what));
     for (pose = 0; pose < it->count; ++pose) {
         const stewart_real *part = alone;
         expected[pose] = one_pose(it, what, model, pose, alone);

@@ -4,7 +4,7 @@
 #include <string.h>
 #include "sweep.h"
 
-enum { SINGULAR, POLE, SHORT, SCALE, POLE_AND_SINGULAR, HEAVY, PROPORTIONS, MACHINE };
+enum { SINGULAR, JOINT_SINGULAR, SHORT, SCALE, BOTH_SINGULAR, HEAVY, PROPORTIONS, MACHINE };
 /* Where numbers stand in a leg and in a motion. */
 #define PLACE(type, member) ((int)(offsetof(type, member) / sizeof(stewart_real)))
 #define LEG NUMBERS(stewart_leg)
@@ -194,7 +194,7 @@ static int near_singular(
 }
 
 /* Turns a leg's fixed axis to an angle from the leg. */
-static void near_pole(double *leg, double distance, const double *motion, uint64_t *seed)
+static void near_singular(double *leg, double distance, const double *motion, uint64_t *seed)
 {
     double q[3], S[3], across[3], random[3];
     const double sign = between(seed) < 0 ? -1 : 1;
@@ -337,12 +337,12 @@ int make_case(
         memset(motion + OMEGA, 0, 12 * sizeof *motion);
     }
     *distance = way;
-    if ((kind == SINGULAR || kind == POLE_AND_SINGULAR)
+    if ((kind == SINGULAR || kind == BOTH_SINGULAR)
         && !near_singular(numbers, size, way, motion, &seed)) {
         return 0;
     }
-    if (kind == POLE || kind == POLE_AND_SINGULAR) {
-        near_pole(leg, kind == POLE ? way : pow(10, -nearest * uniform(&seed)), motion, &seed);
+    if (kind == JOINT_SINGULAR || kind == BOTH_SINGULAR) {
+        near_singular(leg, kind == JOINT_SINGULAR ? way : pow(10, -nearest * uniform(&seed)), motion, &seed);
     }
     if (kind == SHORT) {
         near_short(leg, way, motion, &seed);
@@ -352,7 +352,7 @@ int make_case(
         for (i = 0; i < 3; ++i) {
             scaled(leg + masses[i][0], masses[i][1], 1 / *distance);
         }
-        near_pole(leg, pow(10, -3 * uniform(&seed)), motion, &seed);
+        near_singular(leg, pow(10, -3 * uniform(&seed)), motion, &seed);
     }
     if (kind == PROPORTIONS) {
         out_of_proportion(numbers, motion, in_float, distance, &seed);

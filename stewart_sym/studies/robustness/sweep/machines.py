@@ -1,4 +1,4 @@
-"""Machines and motions of the atlas: general and special, of any size and mass, every leg its own.
+"""Machines and motions of the study: general and special, of any size and mass, every leg its own.
 
 Knows Robot and Motion only.
 """

@@ -1,6 +1,6 @@
 """Random cases near failure by the million: no wrong answer with status ok, no status on a good pose.
 
-Makes machines, some of them singular at every pose; ``judge`` makes the cases and holds the answers against
+Makes machines, some of them singular at every pose; ``oracle`` makes the cases and holds the answers against
 wider arithmetic; counts.
 """
 
@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from ....backend.kernel import robot_numbers
 from ....results import OK, STATUS_TEXT
 from ...common.table import aligned
-from .judge import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, closed_form_errors, judge_random, random_case
 from .machines import LEGS, machine_size, random_machine
+from .oracle import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, check_random, closed_form_errors, random_case
 from .singular_machines import FAMILIES, singular_machine
 
 Array = NDArray[np.float64]
@@ -67,7 +67,7 @@ class Count:
     """One kernel on one kind of cases.
 
     cases: how many. answered: with status ok. wrong: of those, how many err by more than ``WRONG`` units
-    times the condition number. refused_good: cases with a status, their condition number below ``GOOD``.
+    times the condition number. rejected_good: cases with a status, their condition number below ``GOOD``.
     worst: largest error over condition number with status ok, at distance ``where``. lowest: least
     condition number of a case with a status, inf if there is none.
     """
@@ -78,7 +78,7 @@ class Count:
     cases: int
     answered: int
     wrong: int
-    refused_good: int
+    rejected_good: int
     worst: float
     where: float
     lowest: float
@@ -86,7 +86,7 @@ class Count:
 
 @dataclass(frozen=True)
 class Sweep:
-    """All counts, the worst cases of them, and how many were judged in quadruple precision."""
+    """All counts, the worst cases of them, and how many were checked in quadruple precision."""
 
     counts: tuple[Count, ...]
     shown: tuple[Case, ...]
@@ -103,9 +103,9 @@ class Sweep:
         return sum(count.wrong for count in self.counts)
 
     @property
-    def refused_good(self) -> int:
+    def rejected_good(self) -> int:
         """Statuses on good poses."""
-        return sum(count.refused_good for count in self.counts)
+        return sum(count.rejected_good for count in self.counts)
 
 
 def sweep(
@@ -132,7 +132,7 @@ def sweep(
             each = min(PER_MACHINE, max(1, wanted // 20))
             rng = np.random.default_rng([seed, KINDS.index(kind)])
             numbers, sizes = random_machines(rng, -(-wanted // each), legs, kind == MACHINE)
-            found = judge_random(kind, numbers, sizes, each, seed, precision)
+            found = check_random(kind, numbers, sizes, each, seed, precision)
             in_quad += int(found["in_quad"].sum())
             answers = [_of_forces(found, column) for column in range(len(KERNELS))]
             each_closed = each if kind == MACHINE else max(1, each // CLOSED_SHARE)
@@ -145,7 +145,7 @@ def sweep(
             ):
                 count, index = _counted(answer, kind, precision)
                 counts.append(count)
-                if count.wrong or count.refused_good:
+                if count.wrong or count.rejected_good:
                     robot, motion = random_case(kind, numbers, sizes, every, seed, index, precision)
                     shown.append(answer.case(index, count, robot, motion))
     return Sweep(tuple(counts), tuple(shown), in_quad)
@@ -225,7 +225,7 @@ def report(found: Sweep) -> str:
             f"{count.where:.1e}",
             f"{count.wrong}",
             f"{count.lowest:.1e}",
-            f"{count.refused_good}",
+            f"{count.rejected_good}",
         )
         for count in found.counts
     ]
@@ -236,7 +236,7 @@ def report(found: Sweep) -> str:
     head = (
         f"{found.cases} random cases near failure, each put to {len(KERNELS)} kernels, a part of them to "
         f"{len(CLOSED)} more: {found.wrong} wrong "
-        f"answers with status ok, {found.refused_good} statuses on good poses.\n"
+        f"answers with status ok, {found.rejected_good} statuses on good poses.\n"
         f"worst: error in rounding units over the problem's own condition number; wrong: above {WRONG:g}, or "
         "with a singular machine.\n"
         "least rejected: least condition number of a case with a status; good: below "
@@ -277,8 +277,8 @@ def _counted(found: _Answers, kind: str, precision: str) -> tuple[Count, int]:
     # An answer where there is none is wrong however small.
     ratio = np.where(found.truth == OK, found.error / found.condition, np.inf)
     ratio = np.where(answered, np.where(np.isnan(ratio), np.inf, ratio), -1.0)
-    refused = found.made & (found.status != OK) & (found.truth == OK)
-    good = refused & (found.of_pose < GOOD[precision])
+    rejected = found.made & (found.status != OK) & (found.truth == OK)
+    good = rejected & (found.of_pose < GOOD[precision])
     worst = int(np.argmax(ratio))
     count = Count(
         kind,
@@ -290,6 +290,6 @@ def _counted(found: _Answers, kind: str, precision: str) -> tuple[Count, int]:
         int(good.sum()),
         float(ratio[worst]),
         float(found.distance[worst]),
-        float(found.of_pose[refused].min(initial=np.inf)),
+        float(found.of_pose[rejected].min(initial=np.inf)),
     )
     return count, int(np.flatnonzero(good)[0]) if good.any() and not count.wrong else worst

@@ -70,20 +70,20 @@ def test_the_json_holds_what_was_measured(hidden: tuple[str, ...], figures: dict
     there = [name for name in NAMES if name not in hidden]
     assert figures["left_out"] == [NAMES[name] for name in hidden]
     expected = {"vector reference", *itertools.chain(*(PEERS[name] for name in there))}
-    assert {entry["name"] for entry in figures["peers"]} == expected
+    assert {entry["name"] for entry in figures["baselines"]} == expected
     assert {name for name in VERSIONS.values() if name in figures["software"]} == {
         VERSIONS[name] for name in there
     }
     assert bool(figures["pinocchio_parts"]) == ("pinocchio" in there)
     assert ("ratio_to" in figures) == ("casadi" in there)
-    for entry in (*figures["ours"], *figures["peers"]):
+    for entry in (*figures["ours"], *figures["baselines"]):
         assert ("ratio_to_casadi" in entry) == ("casadi" in there)
         assert len(entry["raw"]) == 3
 
     motion, engines = figures["motion"], [NAMES[name] for name in there if name != "casadi"]
-    for kind in ("peers", "calls", "empty_calls"):
+    for kind in ("baselines", "calls", "empty_calls"):
         assert [entry["name"] for entry in motion[kind]] == engines
-    assert motion.get("better_peer") in (engines or [None])
+    assert motion.get("better_baseline") in (engines or [None])
     assert ("times_faster" in motion) == bool(engines)
     assert ("loops_open_m" in motion) == ("mujoco" in there)
     compared = {*figures["largest_difference"], *motion["largest_difference"]}

@@ -2,8 +2,7 @@
 
 Six legs, each revolute about k, revolute about y, prismatic along s; the platform hangs on the last leg by a
 spherical joint, and five points remain to be closed. Joint coordinates, rates and generalised forces are
-prepared for ``peers_constraints``, whose engines share no equation with the generated kernels. Knows robots
-and motions and no engine.
+prepared for ``baselines_constraints``, whose engines share no equation with the generated kernels.
 """
 
 from collections.abc import Callable
@@ -48,7 +47,7 @@ def base_frames(robot: Robot) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Engine:
-    """One peer: ``run(n)`` computes all poses n times, ``empty(n)`` calls as often over nothing.
+    """One baseline: ``run(n)`` computes all poses n times, ``empty(n)`` calls as often over nothing.
 
     accelerations: [a; alpha] of the platform that it found, (poses, 6). tolerance: of them, share of a pose's
     largest. opened: by how much the loops are open, m; None where constraints are rigid.

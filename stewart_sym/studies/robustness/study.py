@@ -1,4 +1,4 @@
-"""The failure atlas whole: every family, its verdicts, the report, and the JSON for the README's table.
+"""The stability study whole: every family, its verdicts, the report, and the JSON for the README's table.
 
 Knows which families there are; writes no file.
 """
@@ -18,7 +18,7 @@ from .sweep.sweep import report as sweep_report
 
 PARTS = {
     "H singular": singular.families,
-    "the pole of the universal joint": leg_frame.families,
+    "the singularity of the universal joint": leg_frame.families,
     "lengths": lengths.families,
     "orientation": attitude.families,
     "forward kinematics": poses.families,
@@ -29,7 +29,7 @@ PARTS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Atlas:
+class Study:
     """Families with their verdicts, the basins of forward kinematics, and the sweep if one was made."""
 
     families: tuple[Family, ...]
@@ -41,17 +41,17 @@ class Atlas:
         return {curve.method: verdict(curve, family.distance) for curve in family.curves}
 
 
-def atlas(progress: Callable[[str], None] = lambda _: None) -> Atlas:
+def study(progress: Callable[[str], None] = lambda _: None) -> Study:
     """Walk into every failure; takes about a minute. Raises native.CompilerError without ``__float128``."""
     found: list[Family] = []
     for name, families in PARTS.items():
         progress(f"approaching {name}")
         found += families()
     progress("looking for the basins of Newton's steps")
-    return Atlas(tuple(found), basins())
+    return Study(tuple(found), basins())
 
 
-def report(found: Atlas) -> str:
+def report(found: Study) -> str:
     """Every family's verdicts as text."""
     parts = [
         "Errors against 50 digits along families of poses that approach a degenerate configuration.\n"
@@ -67,7 +67,7 @@ def report(found: Atlas) -> str:
                 _number(each.where),
                 f"{each.digits:.1f}",
                 _number(each.last),
-                "-" if each.refused_at is None else _number(each.refused_at),
+                "-" if each.rejected_at is None else _number(each.rejected_at),
                 f"{each.silent}",
                 "right" if _right(family, each) else "WRONG",
             )
@@ -95,7 +95,7 @@ def basins_report(found: Basins) -> str:
     )
 
 
-def as_json(found: Atlas) -> dict[str, Any]:
+def as_json(found: Study) -> dict[str, Any]:
     """Everything that the report says, as plain numbers; NaN as null."""
     families = [
         {
@@ -134,7 +134,7 @@ def _sweep_json(found: Sweep) -> dict[str, Any]:
     return {
         "cases": found.cases,
         "wrong": found.wrong,
-        "refused_good": found.refused_good,
+        "rejected_good": found.rejected_good,
         "wrong_above": WRONG,
         "good_below": GOOD,
         "counts": counts,

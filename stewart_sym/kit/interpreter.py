@@ -39,7 +39,7 @@ Found = dict[str, Objects]
 
 LEG_FIELDS = tuple(q.name for q in n.LEG)
 PLATFORM_FIELDS = tuple(q.name for q in n.PLATFORM)
-NEAR_POLE = constants("double")["NEAR_POLE"]
+NEAR_JOINT_SINGULAR = constants("double")["NEAR_JOINT_SINGULAR"]
 """Sine of the angle between a leg and its fixed axis below which a third axis takes the place of that one."""
 
 # Rotations and axes are of length one only to rounding; other forms of the equations use that they are.
@@ -77,7 +77,7 @@ ON_ARRAYS = _OnArrays()
 
 
 @dataclass(frozen=True, eq=False)
-class Readings:
+class KitInterpreter:
     """The functions of one robot in one formulation.
 
     robot: arrays of LEG_FIELDS and PLATFORM_FIELDS, legs first, as the C holds them. folded: the constants

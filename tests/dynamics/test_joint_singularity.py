@@ -1,4 +1,4 @@
-"""Near the pole of a universal joint only the machine's own sensitivity costs digits."""
+"""Near the singularity of a universal joint only the machine's own sensitivity costs digits."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ from stewart_sym.backend import fidelity
 from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS
 from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
 from stewart_sym.motion.motion import Motion
-from stewart_sym.results import OK, POLE
+from stewart_sym.results import JOINT_SINGULAR, OK
 from stewart_sym.robot.robot import Robot
 
 EPSILON = np.finfo(np.float64).eps
@@ -22,14 +22,14 @@ SINES = [10.0**-n for n in range(1, 12)]
 
 
 def calm(seed: int) -> tuple[Robot, Motion]:
-    """A machine at rest whose legs are alike all round their axis: no force feels the pole."""
+    """A machine at rest with axisymmetric legs: no force depends on the joint singularity."""
     rng = np.random.default_rng(seed)
     robot = as_simple_as(random_robot(rng), FIDELITIES["axisymmetric"])
     return robot, at_rest(random_motion(rng, robot))
 
 
 @pytest.mark.parametrize("sine", SINES)
-def test_a_machine_that_does_not_feel_the_pole_keeps_its_digits(sine: float) -> None:
+def test_a_machine_that_does_not_feel_the_joint_singularity_keeps_its_digits(sine: float) -> None:
     robot, motion = calm(1)
     robot = leaning(robot, motion, sine)
     with mp.workdps(50):
@@ -45,7 +45,7 @@ def test_a_machine_that_does_not_feel_the_pole_keeps_its_digits(sine: float) -> 
 
 
 @pytest.mark.parametrize("sine", SINES)
-def test_moving_legs_without_axial_inertia_do_not_feel_the_pole_either(sine: float) -> None:
+def test_moving_legs_without_axial_inertia_do_not_feel_the_joint_singularity_either(sine: float) -> None:
     rng = np.random.default_rng(1)
     robot = as_simple_as(random_robot(rng), FIDELITIES["slender"])
     motion = random_motion(rng, robot)
@@ -76,7 +76,7 @@ def test_a_general_machine_loses_no_more_than_its_own_sensitivity(formulation: s
     assert error <= UNITS * EPSILON * 60 / sine
 
 
-def test_one_pose_and_batch_take_the_same_road_near_the_pole() -> None:
+def test_one_pose_and_batch_take_the_same_code_path_near_the_joint_singularity() -> None:
     rng = np.random.default_rng(5)
     robot = random_robot(rng)
     motion = random_motion(rng, robot, (9,))
@@ -88,9 +88,9 @@ def test_one_pose_and_batch_take_the_same_road_near_the_pole() -> None:
             np.testing.assert_array_equal(kernel.forces(motion[i]), batch[i])
 
 
-def test_the_pole_itself_is_said_by_every_kernel() -> None:
+def test_the_joint_singularity_itself_is_said_by_every_kernel() -> None:
     robot, motion = calm(0)
-    for sine, status in ((3e-12, OK), (3e-13, POLE), (0.0, POLE)):
+    for sine, status in ((3e-12, OK), (3e-13, JOINT_SINGULAR), (0.0, JOINT_SINGULAR)):
         leaned = leaning(robot, motion, sine)
         for name in ("general", "axisymmetric", "general_static"):
             assert ss.prepare(leaned, fidelity=name).status(motion) == status

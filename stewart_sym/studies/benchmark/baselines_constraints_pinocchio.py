@@ -1,4 +1,4 @@
-"""Forward dynamics by Pinocchio's ``constraintDynamics``, for ``peers_constraints``."""
+"""Forward dynamics by Pinocchio's ``constraintDynamics``, for ``baselines_constraints``."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from ...io.extras import needed_for
 from ...motion.rotation import quaternion_from_rotation
 from ...robot.robot import Robot
-from .peers_tree import CARRIER, Engine, Tree, base_frames
+from .baselines_tree import CARRIER, Engine, Tree, base_frames
 
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin

@@ -1,4 +1,4 @@
-"""Answers of the shipped C judged in wider arithmetic: error over the problem's own condition number.
+"""Answers of the shipped C checked in wider arithmetic: error over the problem's own condition number.
 
 Compiles the plain elimination kernel for ``long double`` and ``__float128`` beside the shipped kernels in
 double and float; wider types share neither regrouping nor preparation with the fast ones. The problem's own
@@ -26,11 +26,19 @@ from ....robot.robot import Robot
 Array = NDArray[np.float64]
 
 KERNELS = ("one pose", "batch", "every output")
-"""Shipped kernels that are judged."""
+"""Shipped kernels that are checked."""
 CLOSED_KERNELS = tuple(closed_form.OUTPUTS)
 """Shipped kernels of the closed form that are held against wider arithmetic."""
 KINDS = (
-    *("singular", "pole", "short leg", "scales", "pole and singular", "heavy leg", "proportions"),
+    *(
+        "singular",
+        "joint singularity",
+        "zero-length leg",
+        "scales",
+        "joint singularity and singular H",
+        "heavy leg",
+        "proportions",
+    ),
     "singular machine",
 )
 """Failures that random cases come near to, and machines that are singular at every pose."""
@@ -60,7 +68,7 @@ RESULT = np.dtype(
 """Of a case: distance from the failure; size, the largest of |F|, |D| and |x|, N; the problem's own condition
 number, the scaled one of H and that of the legs' frames, the largest of 1 over |k x s| and of the terms of S
 over L; error of each kernel, in rounding units of the size, NaN without an answer; status of the truth;
-whether it was judged in quadruple precision; status of each kernel; whether such a case was found."""
+whether it was checked in quadruple precision; status of each kernel; whether such a case was found."""
 
 CLOSED_RESULT = np.dtype(
     [
@@ -121,7 +129,7 @@ _SOURCES = {
 """Arithmetics: the macro that ``arithmetic.h`` goes by, and the C files that are compiled for each."""
 
 
-def judge_poses(
+def check_poses(
     robots: Sequence[Robot], motions: Sequence[Motion], precision: str = "double", samples: int = SAMPLES
 ) -> NDArray[Any]:
     """Judge the answers to poses in quadruple precision: one record of ``RESULT`` each, (n,).
@@ -133,11 +141,11 @@ def judge_poses(
     if precision == "float":
         numbers, poses = (array.astype(np.float32).astype(np.float64) for array in (numbers, poses))
     results = np.zeros(len(numbers), dtype=RESULT)
-    _judge(0, precision, True, samples, 0.0, 0, numbers, np.zeros(len(numbers)), poses, 1, results)
+    _check(0, precision, True, samples, 0.0, 0, numbers, np.zeros(len(numbers)), poses, 1, results)
     return results
 
 
-def judge_random(
+def check_random(
     kind: str,
     numbers: Array,
     sizes: Array,
@@ -151,10 +159,10 @@ def judge_random(
 
     kind: of ``KINDS``. numbers: robots as in ``struct stewart_robot``, (robots, 205), and their sizes, m.
     Distances are spread evenly in their logarithm, from 1 to a tenth of a rounding unit. Doubtful answers
-    are judged again in quadruple precision. Raises native.CompilerError without ``__float128``.
+    are checked again in quadruple precision. Raises native.CompilerError without ``__float128``.
     """
     results = np.zeros(len(numbers) * each, dtype=RESULT)
-    _judge(
+    _check(
         KINDS.index(kind),
         precision,
         False,
@@ -184,7 +192,7 @@ def closed_form_errors(
     motions: Array | None = None,
     doubtful: float = DOUBTFUL,
 ) -> NDArray[Any]:
-    """The closed form's kernels on the cases of ``judge_random``: records of ``CLOSED_RESULT``.
+    """The closed form's kernels on the cases of ``check_random``: records of ``CLOSED_RESULT``.
 
     kernels: which of ``CLOSED_KERNELS``. in_quad: in quadruple precision throughout, else in long double with
     the doubtful ones again. motions: given ones, (robots * each, 30), in place of random ones. Of machines
@@ -216,7 +224,7 @@ def closed_form_errors(
 def random_case(
     kind: str, numbers: Array, sizes: Array, each: int, seed: int, index: int, precision: str = "double"
 ) -> tuple[Array, Array]:
-    """Robot's numbers, (205,), and the motion's, (30,), of the case that ``judge_random`` has at an index."""
+    """Robot's numbers, (205,), and the motion's, (30,), of the case that ``check_random`` has at an index."""
     mine, motion = np.zeros(numbers.shape[1]), np.zeros(30)
     _library().show_case(
         ctypes.c_int(KINDS.index(kind)),
@@ -244,7 +252,7 @@ def _nearest(precision: str) -> float:
     return float(1.0 - np.log10(epsilon))
 
 
-def _judge(
+def _check(
     kind: int,
     precision: str,
     in_quad: bool,

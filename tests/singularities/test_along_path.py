@@ -1,4 +1,4 @@
-"""Crossings are located between samples, none is missed, and the forces' pole is what the forces do there."""
+"""Crossings are located between samples, none is missed, and the residue is what the forces do there."""
 
 import dataclasses
 from collections.abc import Callable
@@ -11,7 +11,7 @@ from mpmath import mp
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.singularities.along_path import crossings, force_pole, singularities_along
+from stewart_sym.singularities.along_path import crossings, force_residue, singularities_along
 
 Array = NDArray[np.float64]
 Path = Callable[[Array], ss.Motion]
@@ -101,7 +101,7 @@ def test_the_crossing_of_path_iii_is_located_to_a_nanosecond(root: float) -> Non
 def test_forces_go_to_one_infinity_before_and_to_the_other_after(root: float, formulation: str) -> None:
     robot = dasgupta()
     (found,) = crossings(robot, III.sample, III.breaks())
-    A = force_pole(robot, III.sample(found.time), formulation)  # type: ignore[arg-type]
+    A = force_residue(robot, III.sample(found.time), formulation)  # type: ignore[arg-type]
     for distance in (1e-3, 1e-5, 1e-7):
         times = root + np.array([-distance, distance])
         before, after = ss.inverse_dynamics(robot, III.sample(times), formulation).F  # type: ignore[arg-type]
@@ -117,9 +117,9 @@ def test_forces_go_to_one_infinity_before_and_to_the_other_after(root: float, fo
 def test_forces_need_known_options_and_accelerations() -> None:
     motion = III.sample(1.0)
     with pytest.raises(ValueError, match=r'^formulation: expected "exact" or "paper", got "?\'?printed'):
-        force_pole(dasgupta(), motion, "printed")  # type: ignore[arg-type]
+        force_residue(dasgupta(), motion, "printed")  # type: ignore[arg-type]
     with pytest.raises(ValueError, match=r"^motion: expected accelerations"):
-        force_pole(dasgupta(), ss.Motion(motion.R, motion.t, motion.omega, motion.v))
+        force_residue(dasgupta(), ss.Motion(motion.R, motion.t, motion.omega, motion.v))
 
 
 @pytest.mark.parametrize("half", [0.5, 1e-2, 1e-3, 1e-4])
@@ -243,15 +243,17 @@ def test_leg_extremes_are_those_of_dense_samples() -> None:
     for extreme, expected in (
         (found.shortest, legs.L.min(axis=0)),
         (found.longest, legs.L.max(axis=0)),
-        (found.pole, sine.min(axis=0)),
+        (found.singular_time, sine.min(axis=0)),
     ):
         np.testing.assert_allclose(extreme.value, expected, rtol=1e-6)
     at = [ss.inverse_kinematics(robot, path(found.shortest.time[[leg]])).L[0, leg] for leg in range(6)]
     np.testing.assert_array_equal(found.shortest.value, at)
-    assert (singularities_along(random_robot(rng, "spherical"), path, [0.0, 0.1]).pole.value == 1.0).all()
+    assert (
+        singularities_along(random_robot(rng, "spherical"), path, [0.0, 0.1]).joint_sine.value == 1.0
+    ).all()
 
 
-def test_a_leg_through_its_universal_pole_is_found_between_samples() -> None:
+def test_a_leg_through_its_joint_singularity_is_found_between_samples() -> None:
     robot, v, zero = dasgupta(), np.array([0.05, 0.02, 0.1]), np.zeros(3)
     start = np.array([0.1, 0.0, 0.5])
     axes = robot.k.copy()
@@ -261,9 +263,9 @@ def test_a_leg_through_its_universal_pole_is_found_between_samples() -> None:
     def path(times: Array) -> ss.Motion:
         return ss.Motion(np.eye(3), start + times[:, None] * v, zero, v, zero, zero)
 
-    pole = singularities_along(robot, path, [0.0, 1.0]).pole
-    assert pole.time[4] == pytest.approx(0.123, abs=1e-6)
-    assert pole.value[4] < 1e-6
+    sine = singularities_along(robot, path, [0.0, 1.0]).joint_sine
+    assert sine.time[4] == pytest.approx(0.123, abs=1e-6)
+    assert sine.value[4] < 1e-6
 
 
 @pytest.mark.parametrize(

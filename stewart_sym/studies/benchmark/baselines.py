@@ -23,7 +23,7 @@ from ...robot.robot import Robot
 from ..common.loops import loop_source, own_source
 
 if TYPE_CHECKING:
-    from .peers_casadi import Program
+    from .baselines_casadi import Program
 
 Array = NDArray[np.float64]
 
@@ -148,13 +148,13 @@ def _reference(poses: Poses) -> Runner:
 
 
 def _casadi(name: str, what: str, equations: str) -> Contestant:
-    """One of the legs' equations that ``peers_casadi`` writes out; CasADi is imported when it runs."""
+    """One of the legs' equations that ``baselines_casadi`` writes out; CasADi is imported when it runs."""
 
     @functools.cache
     def program() -> "Program":
-        from . import peers_casadi
+        from . import baselines_casadi
 
-        return peers_casadi.program(getattr(peers_casadi, equations))
+        return baselines_casadi.program(getattr(baselines_casadi, equations))
 
     def make(poses: Poses) -> Runner:
         library = native.load("bench_casadi", program().sources)

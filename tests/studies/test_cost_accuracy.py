@@ -50,7 +50,7 @@ from stewart_sym.studies.accuracy.advice import (
 )
 from stewart_sym.studies.accuracy.budget import MARGIN, Budget, papers_motions, read_budget
 from stewart_sym.studies.accuracy.charts import charts
-from stewart_sym.studies.accuracy.cost import Candidate, Economy, Entry, Errors, economy
+from stewart_sym.studies.accuracy.cost import Candidate, CostAccuracy, Entry, Errors, cost
 from stewart_sym.studies.common import timing
 from stewart_sym.studies.common.output import csv_lines
 
@@ -94,15 +94,15 @@ def hasty(patch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.fixture(scope="module")
-def found() -> Economy:
+def found() -> CostAccuracy:
     """Figures of the paper's machine on all paths, and of other implementations."""
     with pytest.MonkeyPatch.context() as patch:
         hasty(patch)
-        return economy(dasgupta(), papers_motions(), True, 1)
+        return cost(dasgupta(), papers_motions(), True, 1)
 
 
 @pytest.fixture
-def on_path_i(found: Economy) -> Economy:
+def on_path_i(found: CostAccuracy) -> CostAccuracy:
     """The same on Path I alone."""
     entries = tuple(dataclasses.replace(entry, errors={"I": entry.errors["I"]}) for entry in found.entries)
     return dataclasses.replace(found, peaks={"I": found.peaks["I"]}, poses={"I": 61}, entries=entries)
@@ -174,15 +174,17 @@ def test_margin_and_rate_have_defaults(scene: Path) -> None:
         ("rate = 1000.0", "rate = inf", "rate: expected a finite number, got inf"),
     ],
 )
-@pytest.mark.parametrize("verb", ["advise", "chart"])
-def test_bad_scenes_are_refused_in_one_line_and_leave_nothing(
-    scene: Path, capsys: pytest.CaptureFixture[str], verb: str, old: str, new: str, words: str
+@pytest.mark.parametrize("subcommand", ["advise", "chart"])
+def test_bad_scenes_are_rejected_in_one_line_and_leave_nothing(
+    scene: Path, capsys: pytest.CaptureFixture[str], subcommand: str, old: str, new: str, words: str
 ) -> None:
     assert old in SCENE
     scene.write_text(SCENE.replace(old, new, 1))
     before = folder_state(scene.parent)
-    more = {"advise": ["--json", scene.parent / "out.json"], "chart": ["-o", scene.parent / "out"]}[verb]
-    line = fails_in_one_line(capsys, verb, scene, *more)
+    more = {"advise": ["--json", scene.parent / "out.json"], "chart": ["-o", scene.parent / "out"]}[
+        subcommand
+    ]
+    line = fails_in_one_line(capsys, subcommand, scene, *more)
     assert words in line
     elsewhere = "cannot read the" in words
     assert str(scene.parent if elsewhere else scene) in line
@@ -248,7 +250,7 @@ def test_deviations_keep_digits_that_double_has_not() -> None:
 # the figures
 
 
-def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: Economy) -> None:
+def test_every_candidate_is_there_once_and_the_cheapest_comes_first(found: CostAccuracy) -> None:
     names = [vars(entry.candidate) for entry in found.entries]
     expected = [
         {"formulation": formulation, "fidelity": level, "precision": precision}
@@ -280,7 +282,7 @@ def model_errors(robot: Robot, motion: Motion) -> dict[str, tuple[float, float]]
 
 
 @pytest.mark.parametrize("path", ["I", "II", "III"])
-def test_model_errors_are_those_of_the_reference(found: Economy, path: str) -> None:
+def test_model_errors_are_those_of_the_reference(found: CostAccuracy, path: str) -> None:
     for name, expected in model_errors(dasgupta(), papers_motions()[path]).items():
         of = ("paper", "general") if name == "paper" else ("exact", name)
         for precision in ("double", "float"):
@@ -288,14 +290,14 @@ def test_model_errors_are_those_of_the_reference(found: Economy, path: str) -> N
             assert (errors.model, errors.model_rms) == pytest.approx(expected, rel=1e-6)
 
 
-def test_exact_general_has_no_model_error_and_others_are_off(found: Economy) -> None:
+def test_exact_general_has_no_model_error_and_others_are_off(found: CostAccuracy) -> None:
     for entry in found.entries:
         right = (entry.candidate.formulation, entry.candidate.fidelity) == ("exact", "general")
         assert (entry.model == 0.0) == right
         assert (entry.model_rms == 0.0) == right
 
 
-def test_rounding_errors_are_those_beside_50_digits(found: Economy) -> None:
+def test_rounding_errors_are_those_beside_50_digits(found: CostAccuracy) -> None:
     robot, motions = dasgupta(), papers_motions()
     for name in ("general", "slender", "massless_static"):
         for precision, epsilon in (("double", EPSILON), ("float", np.finfo(np.float32).eps)):
@@ -306,7 +308,7 @@ def test_rounding_errors_are_those_beside_50_digits(found: Economy) -> None:
             assert 0.2 * off <= errors.rounding * found.peaks["I"] <= 100 * epsilon * found.peaks["I"]
 
 
-def test_rounding_in_float_is_the_worst_of_all_poses(found: Economy) -> None:
+def test_rounding_in_float_is_the_worst_of_all_poses(found: CostAccuracy) -> None:
     robot, motions = dasgupta(), papers_motions()
     for path, motion in motions.items():
         one, other = (ss.prepare(robot, "exact", p).forces(motion) for p in ("float", "double"))  # type: ignore[arg-type]
@@ -315,14 +317,14 @@ def test_rounding_in_float_is_the_worst_of_all_poses(found: Economy) -> None:
         assert errors.rounding == pytest.approx(worst, rel=1e-6)
 
 
-def test_peaks_are_the_largest_forces(found: Economy) -> None:
+def test_peaks_are_the_largest_forces(found: CostAccuracy) -> None:
     for name, motion in papers_motions().items():
         F = newton_euler.inverse_dynamics(dasgupta(), motion).F
         assert found.peaks[name] == pytest.approx(np.abs(F).max(), rel=1e-9)
         assert found.poses[name] == 61
 
 
-def test_other_implementations_are_near_the_truth(found: Economy) -> None:
+def test_other_implementations_are_near_the_truth(found: CostAccuracy) -> None:
     assert [each.name for each in found.implementations] == [
         "every output",
         "NumPy kernel",
@@ -333,17 +335,17 @@ def test_other_implementations_are_near_the_truth(found: Economy) -> None:
         assert 0.0 < each.rounding["I"] < 1e-13
 
 
-def test_a_motion_without_forces_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_motion_without_forces_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
     robot = dataclasses.replace(dasgupta(), g=np.zeros(3))
     with pytest.raises(ValueError, match="still: all forces are zero"):
-        economy(robot, {"still": at_rest(papers_motions()["I"])})
+        cost(robot, {"still": at_rest(papers_motions()["I"])})
 
 
 def test_constants_that_float_cannot_hold_leave_float_out(monkeypatch: pytest.MonkeyPatch) -> None:
     hasty(monkeypatch)
     robot = dataclasses.replace(dasgupta(), M=1e39)
-    made = economy(robot, {"I": papers_motions()["I"][:4]})
+    made = cost(robot, {"I": papers_motions()["I"][:4]})
     assert {entry.candidate.precision for entry in made.entries} == {"double"}
 
 
@@ -351,7 +353,7 @@ def test_a_machine_with_spherical_base_joints_has_fewer_candidates(monkeypatch: 
     hasty(monkeypatch)
     rng = np.random.default_rng(8)
     robot = random_robot(rng, "spherical")
-    made = economy(robot, {"some": random_motion(rng, robot, (4,))})
+    made = cost(robot, {"some": random_motion(rng, robot, (4,))})
     levels = {entry.candidate.fidelity for entry in made.entries}
     assert levels == set(fidelity.available(robot))
     assert made.entry("exact", "general", "double").model == 0.0
@@ -400,7 +402,7 @@ def brute_force(tolerance: float) -> tuple[str, str, str]:
     return chosen
 
 
-def test_path_i_gets_four_answers_and_each_is_the_cheapest(on_path_i: Economy) -> None:
+def test_path_i_gets_four_answers_and_each_is_the_cheapest(on_path_i: CostAccuracy) -> None:
     answers = []
     for tolerance in TOLERANCES:
         chosen = advice(on_path_i, budget(tolerance)).chosen
@@ -411,7 +413,7 @@ def test_path_i_gets_four_answers_and_each_is_the_cheapest(on_path_i: Economy) -
     assert answers[-1] == ("exact", "general", "double")
 
 
-def test_a_choice_does_not_depend_on_times(on_path_i: Economy) -> None:
+def test_a_choice_does_not_depend_on_times(on_path_i: CostAccuracy) -> None:
     rng = np.random.default_rng(9)
     for tolerance in TOLERANCES:
         chosen = advice(on_path_i, budget(tolerance)).chosen
@@ -439,7 +441,7 @@ def test_a_machine_that_truly_is_simple_gets_the_simple_kernel(
 ) -> None:
     hasty(monkeypatch)
     robot, motion = simple(level, 11)
-    made = economy(robot, {"some": motion})
+    made = cost(robot, {"some": motion})
     assert made.entry("exact", level, "double").model == 0.0
     chosen = advice(made, Budget(robot, {"some": motion}, 1e-9)).chosen
     assert chosen is not None
@@ -452,8 +454,8 @@ def entry(name: str, operations: int, error: float, ns: float = 100.0) -> Entry:
     return Entry(Candidate(formulation, level, precision), operations, (ns,), (ns / 2,), 1000, errors)
 
 
-def made_up(*entries: Entry) -> Economy:
-    return Economy("machine", {"I": 1000.0}, {"I": 61}, entries)
+def made_up(*entries: Entry) -> CostAccuracy:
+    return CostAccuracy("machine", {"I": 1000.0}, {"I": 61}, entries)
 
 
 CHEAP = entry("exact massless_static float", 400, 0.4)
@@ -518,7 +520,7 @@ def reasons(found: Advice) -> dict[frozenset[str], str]:
     return {left_out: entry.candidate.name for left_out, entry in found.needed()}
 
 
-def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i: Economy) -> None:
+def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i: CostAccuracy) -> None:
     found = advice(on_path_i, budget(1e-9))
     assert reasons(found) == {
         frozenset({"digits"}): "exact general, float",
@@ -536,7 +538,7 @@ def test_what_forces_a_choice_is_what_the_next_cheaper_ones_leave_out(on_path_i:
         assert excess(without, found.budget) > 1.0
 
 
-def test_at_rest_inertia_forces_nothing(on_path_i: Economy) -> None:
+def test_at_rest_inertia_forces_nothing(on_path_i: CostAccuracy) -> None:
     found = advice(on_path_i, budget(0.05))
     assert found.chosen is not None
     assert found.chosen.candidate.fidelity == "general_static"
@@ -567,7 +569,7 @@ def test_terms_are_what_the_derivation_says_of_each_fidelity() -> None:
             assert (term in has) == (order.index(level.legs) <= order.index(last)), (name, term)
 
 
-def test_the_report_has_every_figure(on_path_i: Economy) -> None:
+def test_the_report_has_every_figure(on_path_i: CostAccuracy) -> None:
     text = report(advice(on_path_i, budget(0.05)))
     assert "tolerance 0.05, margin 3: good enough up to an error of 1.67e-02" in text
     for each in on_path_i.entries:
@@ -578,7 +580,7 @@ def test_the_report_has_every_figure(on_path_i: Economy) -> None:
 
 
 def test_report_and_help_say_where_rounding_is_measured(
-    on_path_i: Economy, capsys: pytest.CaptureFixture[str]
+    on_path_i: CostAccuracy, capsys: pytest.CaptureFixture[str]
 ) -> None:
     with pytest.raises(SystemExit):
         main(["advise", "--help"])
@@ -587,12 +589,12 @@ def test_report_and_help_say_where_rounding_is_measured(
         assert said in " ".join(text.split())
 
 
-def test_json_holds_what_was_found_and_no_infinity(on_path_i: Economy) -> None:
+def test_json_holds_what_was_found_and_no_infinity(on_path_i: CostAccuracy) -> None:
     given = made_up(dataclasses.replace(CHEAP, errors={"I": Errors(math.inf, math.inf, math.inf)}), DEAR)
     for found in (advice(on_path_i, budget(1e-9)), advice(given, budget(0.1))):
         written: dict[str, Any] = json.loads(json.dumps(as_json(found), allow_nan=False))
         assert written["chosen"] == {"formulation": "exact", "fidelity": "general", "precision": "double"}
-        assert len(written["candidates"]) == len(found.economy.entries)
+        assert len(written["candidates"]) == len(found.cost.entries)
         assert [each["terms"] for each in written["needed"]] == [sorted(t) for t, _ in found.needed()]
 
 
@@ -600,14 +602,14 @@ def test_json_holds_what_was_found_and_no_infinity(on_path_i: Economy) -> None:
 
 
 @pytest.fixture
-def quick(monkeypatch: pytest.MonkeyPatch, on_path_i: Economy) -> None:
+def quick(monkeypatch: pytest.MonkeyPatch, on_path_i: CostAccuracy) -> None:
     """The study's figures without running it again."""
 
-    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object, **__: object) -> Economy:
+    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object, **__: object) -> CostAccuracy:
         assert list(motions) == ["I"]
         return on_path_i
 
-    monkeypatch.setattr(study, "economy", measured)
+    monkeypatch.setattr(study, "cost", measured)
 
 
 TABLES = ["bounds.csv", "chart.csv", "chart.json", "chart.txt", "scales.csv"]
@@ -628,7 +630,7 @@ def few(patch: pytest.MonkeyPatch) -> None:
 
 
 def test_pictures_that_a_machine_cannot_have_are_left_out_with_a_warning(
-    found: Economy, monkeypatch: pytest.MonkeyPatch
+    found: CostAccuracy, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     few(monkeypatch)
     robot = random_robot(np.random.default_rng(12), "spherical")
@@ -709,16 +711,16 @@ def test_chart_writes_tables_without_matplotlib(
 
 
 def test_chart_of_the_papers_machine_needs_no_scene(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, found: Economy
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, found: CostAccuracy
 ) -> None:
     asked: list[list[str]] = []
 
-    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object) -> Economy:
+    def measured(robot: Robot, motions: Mapping[str, Motion], *_: object) -> CostAccuracy:
         asked.append(list(motions))
         return found
 
     few(monkeypatch)
-    monkeypatch.setattr(study, "economy", measured)
+    monkeypatch.setattr(study, "cost", measured)
     assert main(["chart", "-o", str(tmp_path / "out")]) == 0
     assert asked == [["I", "II", "III"]]
     pictures = [f"{name}.{kind}" for name in ("chart", "scales", "bounds") for kind in ("png", "svg")]
@@ -735,8 +737,8 @@ def test_chart_of_the_papers_machine_needs_no_scene(
     capsys.readouterr()
 
 
-@pytest.mark.parametrize("verb", ["advise", "chart"])
-def test_help_shows_an_example(verb: str, capsys: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize("subcommand", ["advise", "chart"])
+def test_help_shows_an_example(subcommand: str, capsys: pytest.CaptureFixture[str]) -> None:
     with pytest.raises(SystemExit):
-        main([verb, "--help"])
-    assert f"Example: stewart-sym {verb} enough.toml" in capsys.readouterr().out
+        main([subcommand, "--help"])
+    assert f"Example: stewart-sym {subcommand} enough.toml" in capsys.readouterr().out

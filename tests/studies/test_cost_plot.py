@@ -18,7 +18,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Annotation, Text
 from matplotlib.transforms import Bbox
 
-from stewart_sym.studies.accuracy.cost import Economy, Entry, Errors
+from stewart_sym.studies.accuracy.cost import CostAccuracy, Entry, Errors
 from stewart_sym.studies.accuracy.cost_plot import (
     ROUNDING,
     TOTAL,
@@ -156,7 +156,7 @@ def test_points_without_an_answer_are_drawn_above_all_others() -> None:
         )
         for e in found.entries
     )
-    given = Economy("machine", {"I": 1.0}, {"I": 9}, float_ones, ())
+    given = CostAccuracy("machine", {"I": 1.0}, {"I": 9}, float_ones, ())
     left, right = ([text.get_text() for text in axes.get_yticklabels()] for axes in figure(given).axes)
     assert left[-1] == right[-1] == "no answer"
 
@@ -214,7 +214,7 @@ def test_places_are_the_same_on_every_run() -> None:
     assert [text.get_position() for text in first] == [text.get_position() for text in second]
 
 
-def test_too_many_names_are_refused() -> None:
+def test_too_many_names_are_rejected() -> None:
     with pytest.raises(ValueError, match="labels: expected room for all of them"):
         crowd([(5.0, 5.0)] * 40, (2.0, 1.5))
 
