@@ -196,6 +196,11 @@ def largest_of(on: Arithmetic, sizes: Any) -> Any:
     return most
 
 
+def scale_of(on: Arithmetic, q: Any) -> Any:
+    """By what the solve multiplies moments about the reference point."""
+    return per_length_of(on, largest_of(on, largest_component(on, q, 0.0)), 0.0625)
+
+
 def eliminate(on: Arithmetic, H: Any, c: Any, x: Any) -> Any:
     """Solves H x = c by elimination with partial pivoting, (36), the columns of H side by side; replaces
     H and c. Returns 1 where a pivot is small.

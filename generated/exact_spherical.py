@@ -18,7 +18,7 @@ total    1946 (1087 mul, 841 add, 12 div, 6 sqrt)  1544 (841 mul, 685 add, 12 di
 from typing import Any
 
 from .arithmetic import NOT_FINITE, OK, Arithmetic
-from .every_output import eliminate, fault_of, first_of, largest_component, largest_of, per_length_of, reach_of, singular_status
+from .every_output import eliminate, fault_of, first_of, reach_of, scale_of, singular_status
 
 # (mul, add, div, sqrt) of each part of one pose, and of all.
 OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
@@ -514,6 +514,12 @@ def terms_of(on: Arithmetic, legs: Any, robot: Any, motion: Any) -> Any:
     return out
 
 
+def terms(on: Arithmetic, robot: Any, motion: Any) -> Any:
+    """D, K, H and c of (21), (24), (36): H x = c and F = D - x; moments about the reference point."""
+    legs = legs_of(on, robot, motion)
+    return terms_of(on, legs, robot, motion)
+
+
 def solved(on: Arithmetic, robot: Any, motion: Any) -> Any:
     """The same as `inverse_dynamics`, but `suspect` is 1 where H may be singular to rounding."""
     out = Forces()
@@ -524,7 +530,7 @@ def solved(on: Arithmetic, robot: Any, motion: Any) -> Any:
     reach = reach_of(on, robot.leg.b, motion.t, legs.q)
     status = first_of(on, fault_of(on, legs.L, legs.k3, reach))
     close = first_of(on, on.where(legs.L > on.SHORT_SHARE * reach, 0, 1))
-    per_length = per_length_of(on, largest_of(on, largest_component(on, legs.q, 0.0)), 0.0625)
+    per_length = scale_of(on, legs.q)
     for i in range(3):
         H[i] = legs.H_force[i]
         H[i + 3] = legs.H_moment[i] * per_length
@@ -540,12 +546,6 @@ def solved(on: Arithmetic, robot: Any, motion: Any) -> Any:
     out.reach = reach
     out.status = status
     return out
-
-
-def terms(on: Arithmetic, robot: Any, motion: Any) -> Any:
-    """D, K, H and c of (21), (24), (36): H x = c and F = D - x; moments about the reference point."""
-    legs = legs_of(on, robot, motion)
-    return terms_of(on, legs, robot, motion)
 
 
 def inverse_dynamics(on: Arithmetic, robot: Any, motion: Any) -> Any:

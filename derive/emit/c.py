@@ -30,7 +30,6 @@ def header(
     """``stewart_<kernel>.h``: what the kernel computes, its cost, its functions."""
     name = kernel.formulation.kernel_name
     made = _Source(kernel)
-    public = [C(made.functions).declaration(each) for each in made.functions if each.public]
     return filled(
         "every_output.h",
         name=name,
@@ -39,7 +38,7 @@ def header(
         about=_about(kernel),
         interface=_interface(kernel),
         operations=operations_table(with_friction, frictionless, " * "),
-        declarations="\n".join("\n".join([*lines, ""]) for lines in public),
+        declarations=C(made.functions).interface(*made.functions),
     )
 
 

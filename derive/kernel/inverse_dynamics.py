@@ -111,8 +111,7 @@ def arrays_program(kernel: Kernel) -> Program:
     texts.function(written.legs_side_by_side, "legs_of")
     texts.function(written.leg_of_lanes, "leg_of", given={"COPIED": tuple(_one_leg())})
     _add(texts, written.terms_of, given=legs_in_turn("out", "leg"))
-    _add(texts, written.solved, given={"SMALLEST": Number(SIZES[0])})
-    _add(texts, written.terms, written.inverse_dynamics)
+    _add(texts, written.terms, written.solved, written.inverse_dynamics)
     return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
 
 
@@ -124,6 +123,7 @@ def shared_program() -> Program:
     _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=FAULT_CARRIED)
     _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
     _add(texts, solve.per_length_of, written.largest_of)
+    _add(texts, written.scale_of, given={"SMALLEST": Number(SIZES[0])})
     _add(texts, written.eliminate, given=_ELIMINATION)
     return Program("every_output", tuple(structures), tuple(texts.functions.values()))
 

@@ -42,22 +42,13 @@ _MOTION: Arguments = {"motion": ("Motion", n.MOTION)}
 _VECTORS = (n.q, k.S, n.L)
 
 
-def legs_program(blocks: k.Kinematics) -> Program:
-    """``motions_of``: lengths of the legs, their rates and second rates, and their vectors."""
+def legs_batch(blocks: k.Kinematics) -> Program:
+    """``motions_of``: lengths of the legs, their rates and second rates, and their vectors; and
+    ``stewart_legs_batch``, of many poses, for C."""
     held = [structure("LegMotion", "A leg.", _outputs(blocks.second)), _LEG_MOTIONS]
     made = [_read(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
-    return _program(
-        "legs",
-        held,
-        made,
-        (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of),
-        FAULT_RETURNED,
-    )
-
-
-def legs_batch(blocks: k.Kinematics) -> Program:
-    """``stewart_legs_batch``: the same of many poses, for C."""
-    program = legs_program(blocks)
+    called = (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of)
+    program = _program("legs", held, made, called, FAULT_RETURNED)
     dims = {each.name: each.type.dims for each in _LEG_MOTIONS.members if isinstance(each.type, Array)}
     arrays = Structure("LegsArrays", "", tuple(Field(name, NUMBERS) for name in dims))
     structures = (*program.structures, arrays)

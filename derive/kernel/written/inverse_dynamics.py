@@ -62,7 +62,7 @@ def solved(robot: "Robot", motion: "Motion") -> "Forces":
     reach = reach_of(robot.leg.b, motion.t, legs.q)
     status = first_of(fault_of(legs.L, legs.k3, reach))
     close = first_of(where(legs.L > SHORT_SHARE * reach, 0, 1))
-    per_length = per_length_of(largest_of(largest_component(legs.q, 0.0)), SMALLEST)
+    per_length = scale_of(legs.q)
     for i in range(3):
         H[i] = legs.H_force[i]
         H[i + 3] = legs.H_moment[i] * per_length
@@ -112,6 +112,11 @@ def first_of(codes: "array(6)") -> "Integer":
     for i in range(6):
         found = where(found == OK, codes[i], found)
     return found
+
+
+def scale_of(q: "array(3, 6)") -> "Real":
+    """By what the solve multiplies moments about the reference point."""
+    return per_length_of(largest_of(largest_component(q, 0.0)), SMALLEST)
 
 
 def largest_of(sizes: "array(6)") -> "Real":
