@@ -25,7 +25,7 @@ from .tree.nodes import (
 )
 from .tree.read import LANES, Given
 from .tree.settle import settled
-from .written import batch, every_output, lanes, legs, solve
+from .written import batch, lanes, legs, solve
 
 _ADDED: dict[str, Given] = {
     "add_leg": legs.add_leg,
@@ -144,7 +144,7 @@ def shared(about_tip: bool = True) -> Shared:
             read(lanes.solve_block, apart=True, given=in_lanes(about_tip)),
         ),
         (
-            read(every_output.solve, given=ONCE),
+            read(solve.eliminate, given=ONCE),
             read(batch.is_finite),
             read(batch.pose_at, given=parts_at(LOADS)),
             read(batch.motion_as_arrays, given=parts_of_one()),

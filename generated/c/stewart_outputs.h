@@ -9,9 +9,8 @@
 
 #include "stewart_solve.h"
 
-/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where
- * a pivot is small, else 0. */
-STEWART_SHARED int solve(stewart_real A[6][7], stewart_real x[6])
+/* Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small. */
+STEWART_SHARED int eliminate(stewart_real A[6][7], stewart_real x[6])
 {
     int i, j, k;
     stewart_real inverse[6];

@@ -482,7 +482,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
             A[5][i] = A[5][i]*per_length;
         }
     }
-    const int suspect = solve(A, out->x);
+    const int suspect = eliminate(A, out->x);
     if (close != 0 || suspect != 0) {
         stewart_real H[6][6];
         for (i = 0; i < 6; ++i) {

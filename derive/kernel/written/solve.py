@@ -3,6 +3,8 @@
 
 def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":
     """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
+    if HAS_INVERSE:
+        inverse = blank(array(6))
     suspect = 0
     elimination()
     return suspect
