@@ -10,7 +10,7 @@ from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
 from ..kernel.layouts import Place, Written, described, loads, member, names_used, stores
 from ..kernel.operations import KernelOperations
-from ..kernel.shared import FAULT_RETURNED, legs_in_turn, shared
+from ..kernel.shared import legs_in_turn, shared
 from ..kernel.tree.lower import steps_of
 from ..kernel.tree.nodes import Argument, Array, Field, Function, Number, Real, Record, Statement, Structure
 from ..kernel.tree.read import Given
@@ -133,7 +133,7 @@ class _Source:
             function = _block_function(block, structure)
             self.texts.functions[function.name] = function
             yield function
-        yield read(written.pose_forces, given=FAULT_RETURNED | legs_in_turn("out", "terms") | self.flags)
+        yield read(written.pose_forces, given=legs_in_turn("out", "terms"))
         yield read(written.pose_reactions)
         single: tuple[Callable[..., object], ...] = (written.inverse_dynamics, written.joint_reactions)
         for one in single:

@@ -18,7 +18,7 @@ from .elimination import CARRIED, INVERSE, ONCE
 from .layouts import Written
 from .model import STATUS_FIELD, machine_structures
 from .prepare import ABOUT_REFERENCE as SIZES
-from .shared import FAULT_CARRIED, legs_in_turn
+from .shared import legs_in_turn
 from .tree import read
 from .tree.lower import Arguments, block_function, component, structure
 from .tree.nodes import (
@@ -120,7 +120,7 @@ def shared_program() -> Program:
     """What the programs with legs side by side have in common: robot and motion, checks, the solve."""
     structures = _machine()
     texts = _texts(structures, [])
-    _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=FAULT_CARRIED)
+    _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=CARRIED)
     _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
     _add(texts, solve.per_length_of, written.largest_of)
     _add(texts, written.scale_of, given={"SMALLEST": Number(SIZES[0])})

@@ -13,9 +13,9 @@ from ..mechanics import quantities as n
 from ..program.block import Block, Operations, Quantity
 from . import batches
 from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
+from .elimination import CARRIED, RETURNED
 from .layouts import Written
 from .model import STATUS_FIELD, machine_structures
-from .shared import FAULT_CARRIED, FAULT_RETURNED
 from .tree import read
 from .tree.counted import counted
 from .tree.lower import Arguments, block_function, structure
@@ -48,7 +48,7 @@ def legs_batch(blocks: k.Kinematics) -> Program:
     held = [structure("LegMotion", "A leg.", _outputs(blocks.second)), _LEG_MOTIONS]
     made = [_read(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
     called = (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of)
-    program = _program("legs", held, made, called, FAULT_RETURNED)
+    program = _program("legs", held, made, called, RETURNED)
     dims = {each.name: each.type.dims for each in _LEG_MOTIONS.members if isinstance(each.type, Array)}
     arrays = Structure("LegsArrays", "", tuple(Field(name, NUMBERS) for name in dims))
     structures = (*program.structures, arrays)
@@ -67,12 +67,12 @@ def legs_batch(blocks: k.Kinematics) -> Program:
 
 
 def search_program(
-    blocks: k.Kinematics, public: Collection[str] = (), check: Mapping[str, read.Given] = FAULT_CARRIED
+    blocks: k.Kinematics, public: Collection[str] = (), check: Mapping[str, read.Given] = CARRIED
 ) -> Program:
     """``rates_of``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
 
     public: some of ``PUBLIC`` as well, whose numbers are NaN where the status is not OK. check: of legs,
-    ``FAULT_RETURNED`` for one pose.
+    ``RETURNED`` for one pose.
     """
     of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
     held = [

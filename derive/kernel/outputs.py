@@ -21,7 +21,7 @@ from .model import (
     model_functions,
     model_structures,
 )
-from .shared import FAULT_CARRIED, legs_in_turn, shared
+from .shared import legs_in_turn, shared
 from .tree import read
 from .tree.lower import Arguments, block_function, stored_type, structure
 from .tree.nodes import Argument, Array, Field, Function, Integer, Program, Real, Record, Structure, Type
@@ -164,7 +164,7 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     found: dict[str, Definition] = {
         name: Text(text) for module in _MODULES for name, text in vars(module).items() if callable(text)
     }
-    found["fault_of"] = Text(legs.fault_of, given=FAULT_CARRIED)
+    found["fault_of"] = Text(legs.fault_of, given=CARRIED)
     found["eliminate"] = Text(solve.eliminate, given=IN_ARRAYS)
     found["solve_pivoted"] = Text(solve.solve_pivoted, given=LONG_ROWS)
     found["solve_definite"] = Text(solve.solve_definite, given=DEFINITE)

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from .batches import LOADS, MOTIONS, parts_at, parts_of_one
-from .elimination import CARRIED, INVERSE, ONCE, RETURNED, by_rows, in_lanes
+from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
 from .layouts import Written
 from .prepare import MOTION
 from .tree.constants import LARGEST
@@ -82,12 +82,6 @@ def legs_in_lanes(owner: str, rows: str) -> dict[str, Given]:
     }
 
 
-_FAULT: dict[str, Given] = {"check_leg": legs.check_leg, "HAS_SINE": 1}
-FAULT_RETURNED: dict[str, Given] = {**_FAULT, **RETURNED}
-"""How a leg is checked where the first fault ends a function."""
-FAULT_CARRIED: dict[str, Given] = {**_FAULT, **CARRIED}
-"""The same where it is a status that is carried on."""
-
 _NUMBERS = Pointer(Real())
 _VECTORS = Array(Real(), (3, LANES))
 
@@ -134,7 +128,7 @@ def shared(about_tip: bool = True) -> Shared:
             settled(read(solve.per_length_of, given={"LARGEST": Number(LARGEST)})),
             read(solve.scaled_axis),
             read(legs.largest_component),
-            read(legs.fault_of, apart=True, given=FAULT_RETURNED),
+            read(legs.fault_of, apart=True, given=RETURNED),
             read(solve.singular_status, apart=True, given={**INVERSE, **RETURNED}),
         ),
         (
@@ -145,6 +139,8 @@ def shared(about_tip: bool = True) -> Shared:
         ),
         (
             read(solve.eliminate, given=ONCE),
+            # No call where every leg of every pose is checked.
+            read(legs.fault_of, "status_of_leg", given=RETURNED),
             read(batch.is_finite),
             read(batch.pose_at, given=parts_at(LOADS)),
             read(batch.motion_as_arrays, given=parts_of_one()),

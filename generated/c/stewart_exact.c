@@ -525,14 +525,9 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         extent = STEWART_LARGER(reach[i], extent);
         reach[i] = largest_component(robot->leg[i].b, largest_component(at->t, reach[i]));
         L[i] = terms.L;
-        if (!(terms.L <= STEWART_MAX)) {
-            return STEWART_NOT_FINITE;
-        }
-        if (!(terms.L > STEWART_ROUNDING*reach[i] && terms.L > STEWART_SHORTEST)) {
-            return STEWART_ZERO_LENGTH;
-        }
-        if (!(terms.k3 > STEWART_JOINT_SINGULAR_SINE)) {
-            return STEWART_JOINT_SINGULAR;
+        const int status = status_of_leg(terms.L, terms.k3, reach[i]);
+        if (status != STEWART_OK) {
+            return status;
         }
         close = L[i] > STEWART_SHORT_SHARE*reach[i] ? close : 1;
         out->D[i] = terms.D;

@@ -49,6 +49,21 @@ STEWART_SHARED int eliminate(stewart_real A[6][7], stewart_real x[6])
     return suspect;
 }
 
+/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+STEWART_SHARED int status_of_leg(stewart_real L, stewart_real k3, stewart_real reach)
+{
+    if (!(L <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(L > STEWART_ROUNDING*reach && L > STEWART_SHORTEST)) {
+        return STEWART_ZERO_LENGTH;
+    }
+    if (!(k3 > STEWART_JOINT_SINGULAR_SINE)) {
+        return STEWART_JOINT_SINGULAR;
+    }
+    return STEWART_OK;
+}
+
 /* 1 where all numbers are finite, else 0. */
 STEWART_SHARED int is_finite(const stewart_real *values, int count)
 {

@@ -21,7 +21,9 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
         extent = larger(reach[i], extent)
         reach[i] = largest_component(robot.leg[i].b, largest_component(at.t, reach[i]))
         L[i] = terms.L
-        check_leg(terms.L, terms.k3, reach[i])
+        status = status_of_leg(terms.L, terms.k3 if HAS_SINE else 1.0, reach[i])
+        if status != OK:
+            return status
         close = where(L[i] > SHORT_SHARE * reach[i], close, 1)
         out.D[i] = terms.D
         for j in range(3):

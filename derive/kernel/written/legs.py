@@ -1,19 +1,13 @@
 """What can be wrong with a leg, and what it adds to the platform's equations."""
 
 
-def check_leg(L, k3, reach) -> None:
-    """A leg is finite, longer than the rounding of the vectors that it is the sum of, and not along k."""
-    reject(L <= MAX, NOT_FINITE)
-    reject((L > ROUNDING * reach) & (L > SHORTEST), ZERO_LENGTH)
-    if HAS_SINE:
-        reject(k3 > JOINT_SINGULAR_SINE, JOINT_SINGULAR)
-
-
 def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
     if CARRIED:
         status = OK
-    check_leg(L, k3, reach)
+    reject(L <= MAX, NOT_FINITE)
+    reject((L > ROUNDING * reach) & (L > SHORTEST), ZERO_LENGTH)
+    reject(k3 > JOINT_SINGULAR_SINE, JOINT_SINGULAR)
     return status if CARRIED else OK
 
 
