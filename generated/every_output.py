@@ -73,10 +73,11 @@ def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
 
 def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
-    fault = OK
-    fault = on.where(k3 > on.JOINT_SINGULAR_SINE, fault, JOINT_SINGULAR)
-    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, ZERO_LENGTH)
-    return on.where(L <= on.MAX, fault, NOT_FINITE)
+    status = OK
+    status = on.where((status != OK) | (L <= on.MAX), status, NOT_FINITE)
+    status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, ZERO_LENGTH)
+    status = on.where((status != OK) | (k3 > on.JOINT_SINGULAR_SINE), status, JOINT_SINGULAR)
+    return status
 
 
 def first_of(on: Arithmetic, codes: Any) -> Any:
@@ -166,16 +167,26 @@ def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: A
     return status
 
 
-def per_length_of(on: Arithmetic, extent: Any) -> Any:
-    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the
-    least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them.
+def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
+    """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
+    1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
+    2^-100 to 2^100, that is as large.
     """
-    unit = 1.0
-    for turn in range(100):
-        unit = on.where(unit < extent, 2.0 * unit, unit)
-    for turn in range(100):
-        unit = on.where((extent > 0.0) & (0.5 * unit >= extent), 0.5 * unit, unit)
-    return on.where((extent >= 0.0625) & (extent <= on.LARGEST), 1.0, 1.0 / unit)
+    per_length = 1.0
+    if on.anywhere((size < smallest) | (size > on.LARGEST)):
+        unit = 1.0
+        for i in range(100):
+            if on.anywhere(unit < size):
+                unit = on.where(unit < size, 2.0 * unit, unit)
+            else:
+                break
+        for i in range(100):
+            if on.anywhere((size > 0.0) & (0.5 * unit >= size)):
+                unit = on.where((size > 0.0) & (0.5 * unit >= size), 0.5 * unit, unit)
+            else:
+                break
+        per_length = on.where((size < smallest) | (size > on.LARGEST), 1.0 / unit, 1.0)
+    return per_length
 
 
 def largest_of(on: Arithmetic, sizes: Any) -> Any:
@@ -188,11 +199,7 @@ def largest_of(on: Arithmetic, sizes: Any) -> Any:
 
 def scale_of(on: Arithmetic, q: Any) -> Any:
     """By what the solve multiplies moments about the reference point."""
-    extent = largest_of(on, largest_component(on, q, 0.0))
-    per_length = 1.0
-    if on.anywhere((extent < 0.0625) | (extent > on.LARGEST)):
-        per_length = per_length_of(on, extent)
-    return per_length
+    return per_length_of(on, largest_of(on, largest_component(on, q, 0.0)), 0.0625)
 
 
 def eliminate(on: Arithmetic, H: Any, c: Any, x: Any) -> Any:

@@ -148,9 +148,8 @@ class Sums:
     """H, c, and what moments are made with."""
 
     def __init__(self) -> None:
-        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
-        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
         self.q_1: Any = [0.0] * 3  # m: platform point 1 from the reference point, base frame
+        self.c: Any = [0.0] * 6  # N, N m: wrench that the axial forces balance, (36)
         self.leg: Any = [LegTerms() for _ in range(6)]  # the legs
         self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from x to the wrench on the platform, (36)
         self.arm: Any = [[0.0] * 3 for _ in range(6)]  # m: arms of the moments
@@ -859,16 +858,35 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
     return lost
 
 
-def per_length_of(on: Arithmetic, extent: Any) -> Any:
-    """By what moments are multiplied in the solve, 1/m: 1 for arms of about a metre, else one over the
-    least power of two, from 2^-100 to 2^100, that is no smaller than the longest of them.
+def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
+    """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
+    1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
+    2^-100 to 2^100, that is as large.
     """
-    unit = 1.0
-    for turn in range(100):
-        unit = on.where(unit < extent, 2.0 * unit, unit)
-    for turn in range(100):
-        unit = on.where((extent > 0.0) & (0.5 * unit >= extent), 0.5 * unit, unit)
-    return on.where((extent >= on.SMALLEST) & (extent <= on.LARGEST), 1.0, 1.0 / unit)
+    per_length = 1.0
+    if on.anywhere((size < smallest) | (size > on.LARGEST)):
+        unit = 1.0
+        for i in range(100):
+            if on.anywhere(unit < size):
+                unit = on.where(unit < size, 2.0 * unit, unit)
+            else:
+                break
+        for i in range(100):
+            if on.anywhere((size > 0.0) & (0.5 * unit >= size)):
+                unit = on.where((size > 0.0) & (0.5 * unit >= size), 0.5 * unit, unit)
+            else:
+                break
+        per_length = on.where((size < smallest) | (size > on.LARGEST), 1.0 / unit, 1.0)
+    return per_length
+
+
+def size_of(on: Arithmetic, model: Any) -> Any:
+    """Largest coordinate of the arms of moments about platform point 1, m."""
+    largest = 0.0
+    for j in range(3):
+        for i in range(1, 6):
+            largest = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), largest)
+    return largest
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
@@ -881,11 +899,7 @@ def prepare(on: Arithmetic, robot: Any) -> Any:
         model.leg[i] = found
         total = add_up(on, total, found)
     model.platform = prepare_platform(on, robot, robot.leg[0].p, total)
-    extent = 0.0
-    for i in range(6):
-        for j in range(3):
-            extent = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), extent)
-    model.per_length = per_length_of(on, extent)
+    model.per_length = per_length_of(on, size_of(on, model), on.SMALLEST)
     model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
     return model
 
@@ -963,6 +977,44 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
         M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + N_y * R_C_x - C_P * omega_z - N_x * R_C_y,
     ]
     return out
+
+
+def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
+    """The platform's part of c: 12 (6 mul, 6 add, 0 div, 0 sqrt)."""
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    c_force_x, c_force_y, c_force_z = shared.c_force
+    c_moment_x, c_moment_y, c_moment_z = shared.c_moment
+    out = ShiftTerms()
+    out.c_tip = [
+        c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y,
+        c_force_z * q_1_x + c_moment_y - c_force_x * q_1_z,
+        c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x,
+    ]
+    return out
+
+
+def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
+    """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
+    suspect = 0
+    for k in range(6):
+        for i in range(k + 1, 6):
+            larger_below = on.size(A[i][k]) > on.size(A[k][k])
+            for j in range(k, 7):
+                above = A[k][j]
+                A[k][j] = on.where(larger_below, A[i][j], A[k][j])
+                A[i][j] = on.where(larger_below, above, A[i][j])
+        suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
+        x[k] = 1.0 / A[k][k]
+        for i in range(k + 1, 6):
+            factor = A[i][k] * x[k]
+            for j in range(k + 1, 7):
+                A[i][j] = A[i][j] - factor * A[k][j]
+    for i in range(5, -1, -1):
+        total = A[i][6]
+        for j in range(i + 1, 6):
+            total = total - A[i][j] * x[j]
+        x[i] = on.where(i == 5, total / A[i][i], total * x[i])
+    return suspect
 
 
 def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
@@ -1097,6 +1149,131 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     out.H_force = [s_x, s_y, s_z]
     out.c_force = [-K_x, -K_y, -K_z]
     out.c_moment = [c1 * k_x + c2 * y_x, c1 * k_y + c2 * y_y, c1 * k_z + c2 * y_z]
+    return out
+
+
+def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
+    """The largest of ``least`` and the sizes of a vector's components."""
+    most = least
+    for j in range(3):
+        most = on.larger(on.size(vector[j]), most)
+    return most
+
+
+def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
+    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    return largest_component(on, b, largest_component(on, t, largest_component(on, q, 0.0)))
+
+
+def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
+    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    status = OK
+    status = on.where((status != OK) | (L <= on.MAX), status, NOT_FINITE)
+    status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, ZERO_LENGTH)
+    status = on.where((status != OK) | (k3 > on.JOINT_SINGULAR_SINE), status, JOINT_SINGULAR)
+    return status
+
+
+def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: Any) -> Any:
+    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of;
+    tip: of the platform point that the arms are measured from, whose rounding they have, 0 for none.
+    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number
+    that goes in and of each operation, and what the elimination adds. Its column of H, (s, arm x s),
+    errs by that through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken
+    about, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v <
+    v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more.
+    Powers of G make v; 1/2 leaves room for the errors of Y itself.
+    """
+    Y = [[0.0] * 6 for _ in range(6)]
+    G = [[0.0] * 6 for _ in range(6)]
+    v = [0.0] * 6
+    grown = [0.0] * 6
+    extent = tip
+    least = 1.0
+    status = OK
+    for i in range(6):
+        v[i] = 1.0
+        for j in range(3):
+            extent = on.larger(on.size(arm[i][j]), extent)
+    for i in range(6):
+        for j in range(6):
+            status = on.where((status != OK) | (on.size(H[i][j]) <= on.MAX), status, NOT_FINITE)
+            H[i][j] = on.where(i < 3, H[i][j], H[i][j] / extent)
+            Y[i][j] = on.where(i == j, 1.0, 0.0)
+    for k in range(6):
+        pivot = k
+        most = on.size(H[k][k])
+        for i in range(k + 1, 6):
+            entry = on.size(H[i][k])
+            pivot = on.where(entry > most, i, pivot)
+            most = on.where(entry > most, entry, most)
+        if on.anywhere(pivot != k):
+            for j in range(6):
+                moved = H[k][j]
+                H[k][j] = on.at(H, pivot, j)
+                on.put(H, moved, pivot, j)
+                beside = Y[k][j]
+                Y[k][j] = on.at(Y, pivot, j)
+                on.put(Y, beside, pivot, j)
+        status = on.where((status != OK) | (on.size(H[k][k]) > 0.0), status, SINGULAR)
+        for i in range(6):
+            if i != k:
+                factor = H[i][k] / H[k][k]
+                for j in range(6):
+                    H[i][j] = H[i][j] - factor * H[k][j]
+                    Y[i][j] = Y[i][j] - factor * Y[k][j]
+    for i in range(6):
+        by_moment = on.size(Y[i][3]) + on.size(Y[i][4]) + on.size(Y[i][5])
+        for k in range(6):
+            x = on.size(Y[i][0] + (Y[i][4] * arm[k][2] - Y[i][5] * arm[k][1]) / extent)
+            y = on.size(Y[i][1] + (Y[i][5] * arm[k][0] - Y[i][3] * arm[k][2]) / extent)
+            z = on.size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
+            turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
+            G[i][k] = turned * (4.0 * on.EPSILON) / on.size(H[i][i])
+    for turn in range(4):
+        if on.anywhere(least > 0.5):
+            worst = 0.0
+            greatest = 0.0
+            for i in range(6):
+                total = 0.0
+                for k in range(6):
+                    total = total + G[i][k] * v[k]
+                share = total / v[i]
+                worst = on.where(share <= worst, worst, share)
+                greatest = on.larger(total, greatest)
+                grown[i] = total
+            least = on.where(worst <= least, worst, least)
+            for i in range(6):
+                v[i] = on.larger(grown[i] / greatest, on.EPSILON)
+        else:
+            break
+    status = on.where((status != OK) | (least <= 0.5), status, SINGULAR)
+    return status
+
+
+def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
+    """Moments of one leg: 21 (12 mul, 9 add, 0 div, 0 sqrt)."""
+    q_x, q_y, q_z = leg.q
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    H_force_x, H_force_y, H_force_z = leg.H_force
+    c_force_x, c_force_y, c_force_z = leg.c_force
+    # platform point from platform point 1
+    arm_x = q_x - q_1_x
+    arm_y = q_y - q_1_y
+    arm_z = q_z - q_1_z
+    out = MomentTerms()
+    out.H_moment = [
+        H_force_z * arm_y - H_force_y * arm_z,
+        H_force_x * arm_z - H_force_z * arm_x,
+        H_force_y * arm_x - H_force_x * arm_y,
+    ]
+    out.arm_c = [
+        arm_y * c_force_z - arm_z * c_force_y,
+        arm_z * c_force_x - arm_x * c_force_z,
+        arm_x * c_force_y - arm_y * c_force_x,
+    ]
     return out
 
 
@@ -1247,202 +1424,6 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     return out
 
 
-def find_legs(on: Arithmetic, model: Any, motion: Any, shared: Any, sums: Any) -> None:
-    """The legs, all by the block that suits a pose in which one is near its joint singularity, if one
-    is.
-    """
-    near = 0
-    for i in range(6):
-        sums.leg[i] = leg_terms(on, model.leg[i], model.platform, motion, shared)
-        near = on.where(sums.leg[i].k3 > on.NEAR_JOINT_SINGULAR, near, 1)
-    if on.anywhere(near == 1):
-        for i in range(6):
-            other = leg_near_terms(on, model.leg[i], model.platform, motion, shared)
-            sums.leg[i] = on.where(near == 1, other, sums.leg[i])
-
-
-def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
-    """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
-    suspect = 0
-    for k in range(6):
-        for i in range(k + 1, 6):
-            larger_below = on.size(A[i][k]) > on.size(A[k][k])
-            for j in range(k, 7):
-                above = A[k][j]
-                A[k][j] = on.where(larger_below, A[i][j], A[k][j])
-                A[i][j] = on.where(larger_below, above, A[i][j])
-        suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
-        x[k] = 1.0 / A[k][k]
-        for i in range(k + 1, 6):
-            factor = A[i][k] * x[k]
-            for j in range(k + 1, 7):
-                A[i][j] = A[i][j] - factor * A[k][j]
-    for i in range(5, -1, -1):
-        total = A[i][6]
-        for j in range(i + 1, 6):
-            total = total - A[i][j] * x[j]
-        x[i] = on.where(i == 5, total / A[i][i], total * x[i])
-    return suspect
-
-
-def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
-    """The largest of ``least`` and the sizes of a vector's components."""
-    most = least
-    for j in range(3):
-        most = on.larger(on.size(vector[j]), most)
-    return most
-
-
-def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
-    """Size of the vectors q, t and b that a leg is the sum of, m."""
-    return largest_component(on, b, largest_component(on, t, largest_component(on, q, 0.0)))
-
-
-def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
-    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
-    fault = OK
-    fault = on.where(k3 > on.JOINT_SINGULAR_SINE, fault, JOINT_SINGULAR)
-    fault = on.where(L > on.larger(on.ROUNDING * reach, on.SHORTEST), fault, ZERO_LENGTH)
-    return on.where(L <= on.MAX, fault, NOT_FINITE)
-
-
-def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
-    """The platform's part of c: 12 (6 mul, 6 add, 0 div, 0 sqrt)."""
-    q_1_x, q_1_y, q_1_z = sums.q_1
-    c_force_x, c_force_y, c_force_z = shared.c_force
-    c_moment_x, c_moment_y, c_moment_z = shared.c_moment
-    out = ShiftTerms()
-    out.c_tip = [
-        c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y,
-        c_force_z * q_1_x + c_moment_y - c_force_x * q_1_z,
-        c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x,
-    ]
-    return out
-
-
-def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
-    """Moments of one leg: 21 (12 mul, 9 add, 0 div, 0 sqrt)."""
-    q_x, q_y, q_z = leg.q
-    q_1_x, q_1_y, q_1_z = sums.q_1
-    H_force_x, H_force_y, H_force_z = leg.H_force
-    c_force_x, c_force_y, c_force_z = leg.c_force
-    # platform point from platform point 1
-    arm_x = q_x - q_1_x
-    arm_y = q_y - q_1_y
-    arm_z = q_z - q_1_z
-    out = MomentTerms()
-    out.H_moment = [
-        H_force_z * arm_y - H_force_y * arm_z,
-        H_force_x * arm_z - H_force_z * arm_x,
-        H_force_y * arm_x - H_force_x * arm_y,
-    ]
-    out.arm_c = [
-        arm_y * c_force_z - arm_z * c_force_y,
-        arm_z * c_force_x - arm_x * c_force_z,
-        arm_x * c_force_y - arm_y * c_force_x,
-    ]
-    return out
-
-
-def add_leg(on: Arithmetic, leg: Any, i: Any, shared: Any, sums: Any) -> None:
-    """Adds a leg's column of H and its part of c, moments about platform point 1."""
-    if i == 0:
-        for j in range(3):
-            sums.q_1[j] = leg.q[j]
-        tip = shift(on, sums, shared)
-        for j in range(3):
-            sums.c_force[j] = shared.c_force[j] + leg.c_force[j]
-            sums.c_moment[j] = tip.c_tip[j] + leg.c_moment[j]
-    if i != 0:
-        turned = moments_of(on, leg, sums)
-        for j in range(3):
-            sums.c_force[j] = sums.c_force[j] + leg.c_force[j]
-            sums.c_moment[j] = sums.c_moment[j] + leg.c_moment[j] + turned.arm_c[j]
-            sums.H[j + 3][i] = turned.H_moment[j]
-            sums.arm[i][j] = leg.q[j] - sums.q_1[j]
-    for j in range(3):
-        sums.H[j][i] = leg.H_force[j]
-
-
-def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: Any) -> Any:
-    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
-
-    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of;
-    tip: of the platform point that the arms are measured from, whose rounding they have, 0 for none.
-    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number
-    that goes in and of each operation, and what the elimination adds. Its column of H, (s, arm x s),
-    errs by that through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken
-    about, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v <
-    v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more.
-    Powers of G make v; 1/2 leaves room for the errors of Y itself.
-    """
-    Y = [[0.0] * 6 for _ in range(6)]
-    G = [[0.0] * 6 for _ in range(6)]
-    v = [0.0] * 6
-    grown = [0.0] * 6
-    extent = tip
-    least = 1.0
-    status = OK
-    for i in range(6):
-        v[i] = 1.0
-        for j in range(3):
-            extent = on.larger(on.size(arm[i][j]), extent)
-    for i in range(6):
-        for j in range(6):
-            status = on.where((status != OK) | (on.size(H[i][j]) <= on.MAX), status, NOT_FINITE)
-            H[i][j] = on.where(i < 3, H[i][j], H[i][j] / extent)
-            Y[i][j] = on.where(i == j, 1.0, 0.0)
-    for k in range(6):
-        pivot = k
-        most = on.size(H[k][k])
-        for i in range(k + 1, 6):
-            entry = on.size(H[i][k])
-            pivot = on.where(entry > most, i, pivot)
-            most = on.where(entry > most, entry, most)
-        if on.anywhere(pivot != k):
-            for j in range(6):
-                moved = H[k][j]
-                H[k][j] = on.at(H, pivot, j)
-                on.put(H, moved, pivot, j)
-                beside = Y[k][j]
-                Y[k][j] = on.at(Y, pivot, j)
-                on.put(Y, beside, pivot, j)
-        status = on.where((status != OK) | (on.size(H[k][k]) > 0.0), status, SINGULAR)
-        for i in range(6):
-            if i != k:
-                factor = H[i][k] / H[k][k]
-                for j in range(6):
-                    H[i][j] = H[i][j] - factor * H[k][j]
-                    Y[i][j] = Y[i][j] - factor * Y[k][j]
-    for i in range(6):
-        by_moment = on.size(Y[i][3]) + on.size(Y[i][4]) + on.size(Y[i][5])
-        for k in range(6):
-            x = on.size(Y[i][0] + (Y[i][4] * arm[k][2] - Y[i][5] * arm[k][1]) / extent)
-            y = on.size(Y[i][1] + (Y[i][5] * arm[k][0] - Y[i][3] * arm[k][2]) / extent)
-            z = on.size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
-            turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
-            G[i][k] = turned * (4.0 * on.EPSILON) / on.size(H[i][i])
-    for turn in range(4):
-        if on.anywhere(least > 0.5):
-            worst = 0.0
-            greatest = 0.0
-            for i in range(6):
-                total = 0.0
-                for k in range(6):
-                    total = total + G[i][k] * v[k]
-                share = total / v[i]
-                worst = on.where(share <= worst, worst, share)
-                greatest = on.larger(total, greatest)
-                grown[i] = total
-            least = on.where(worst <= least, worst, least)
-            for i in range(6):
-                v[i] = on.larger(grown[i] / greatest, on.EPSILON)
-        else:
-            break
-    status = on.where((status != OK) | (least <= 0.5), status, SINGULAR)
-    return status
-
-
 def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
     model = on.arrays(on.checked(Model(), "model", model))
@@ -1451,26 +1432,47 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
     out = Forces()
     sums = Sums()
     A = [[0.0] * 7 for _ in range(6)]
-    D = [0.0] * 6
     L = [0.0] * 6
     reach = [0.0] * 6
     x = [0.0] * 6
     status = model.status
     suspect = 0
+    near = 0
     shared = shared_terms(on, model.platform, motion)
-    find_legs(on, model, motion, shared, sums)
     for i in range(6):
-        leg = sums.leg[i]
+        leg = leg_terms(on, model.leg[i], model.platform, motion, shared)
         reach[i] = reach_of(on, model.leg[i].b, motion.t, leg.q)
         fault = fault_of(on, leg.L, leg.k3, reach[i])
         status = on.where(status == OK, fault, status)
         suspect = on.where(leg.L > on.SHORT_SHARE * reach[i], suspect, 1)
+        near = on.where(leg.k3 > on.NEAR_JOINT_SINGULAR, near, 1)
+        sums.leg[i] = leg
+    if on.anywhere(near == 1):
+        for i in range(6):
+            other = leg_near_terms(on, model.leg[i], model.platform, motion, shared)
+            sums.leg[i] = on.where(near == 1, other, sums.leg[i])
+    for j in range(3):
+        sums.q_1[j] = sums.leg[0].q[j]
+    tip = shift(on, sums, shared)
+    for j in range(3):
+        sums.c[j] = shared.c_force[j]
+        sums.c[j + 3] = tip.c_tip[j]
+    for i in range(6):
+        leg = sums.leg[i]
+        turned = MomentTerms()
+        if i > 0:
+            turned = moments_of(on, leg, sums)
         L[i] = leg.L
-        D[i] = leg.D
-        add_leg(on, leg, i, shared, sums)
+        for j in range(3):
+            sums.arm[i][j] = leg.q[j] - sums.q_1[j]
+            sums.H[j][i] = leg.H_force[j]
+            sums.H[j + 3][i] = turned.H_moment[j]
+            sums.c[j] = sums.c[j] + leg.c_force[j]
+            sums.c[j + 3] = sums.c[j + 3] + leg.c_moment[j]
+            sums.c[j + 3] = sums.c[j + 3] + turned.arm_c[j]
     for i in range(3):
-        A[i][6] = sums.c_force[i]
-        A[i + 3][6] = sums.c_moment[i] * model.per_length
+        A[i][6] = sums.c[i]
+        A[i + 3][6] = sums.c[i + 3] * model.per_length
         for j in range(6):
             A[i][j] = sums.H[i][j]
             A[i + 3][j] = sums.H[i + 3][j] * model.per_length
@@ -1480,7 +1482,7 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
         found = singular_status(on, sums.H, sums.arm, L, reach, largest_component(on, sums.q_1, 0.0))
         status = on.where((status == OK) & (suspect == 1), found, status)
     for i in range(6):
-        out.F[i] = D[i] - x[i]
+        out.F[i] = sums.leg[i].D - x[i]
         status = on.where((status != OK) | (on.size(out.F[i]) <= on.MAX), status, NOT_FINITE)
     for i in range(6):
         out.F[i] = on.where(status == OK, out.F[i], on.NAN)

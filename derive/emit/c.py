@@ -10,7 +10,7 @@ from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
 from ..kernel.layouts import Place, Written, described, loads, member, names_used, stores
 from ..kernel.operations import KernelOperations
-from ..kernel.shared import ABOUT_REFERENCE, shared
+from ..kernel.shared import legs_in_turn, shared
 from ..kernel.tree.lower import steps_of
 from ..kernel.tree.nodes import Argument, Array, Field, Function, Number, Real, Record, Statement, Structure
 from ..kernel.tree.read import Given
@@ -30,7 +30,6 @@ def header(
     """``stewart_<kernel>.h``: what the kernel computes, its cost, its functions."""
     name = kernel.formulation.kernel_name
     made = _Source(kernel)
-    public = [C(made.functions).declaration(each) for each in made.functions if each.public]
     return filled(
         "every_output.h",
         name=name,
@@ -39,7 +38,7 @@ def header(
         about=_about(kernel),
         interface=_interface(kernel),
         operations=operations_table(with_friction, frictionless, " * "),
-        declarations="\n".join("\n".join([*lines, ""]) for lines in public),
+        declarations=C(made.functions).interface(*made.functions),
     )
 
 
@@ -118,12 +117,12 @@ class _Source:
             "PlatformTerms": platform,
             "ReactionTerms": reactions,
         }
-        flags: dict[str, Given] = {
+        self.flags: dict[str, Given] = {
             "HAS_SINE": int(any(out.quantity == n.k3 for out in kernel.leg.outputs)),
             "COUNT": sum(each.count for each in STRUCTS["reactions"]),
             "SMALLEST": Number(p.ABOUT_REFERENCE[0]),
         }
-        self.texts = Written(structures, flags, shared().by_name)
+        self.texts = Written(structures, self.flags, shared().by_name)
         self.parts = list(self._parts())
         self.functions = [each for each in self.parts if isinstance(each, Function)]
 
@@ -134,7 +133,7 @@ class _Source:
             function = _block_function(block, structure)
             self.texts.functions[function.name] = function
             yield function
-        yield read(written.pose_forces, given=ABOUT_REFERENCE)
+        yield read(written.pose_forces, given=legs_in_turn("out", "terms"))
         yield read(written.pose_reactions)
         single: tuple[Callable[..., object], ...] = (written.inverse_dynamics, written.joint_reactions)
         for one in single:

@@ -6,6 +6,7 @@ One pose at a time, for processors without vector registers, and the legs of man
 import re
 from collections.abc import Iterable
 
+from ..kernel.elimination import RETURNED
 from ..kernel.kinematics import legs_batch, rotation_program, search_operations, search_program
 from ..kernel.tree.constants import SEARCH
 from ..kernel.tree.nodes import Program
@@ -28,7 +29,7 @@ def kinematics_files(blocks: Kinematics, version: str) -> dict[str, str]:
     """``stewart_kinematics``: one pose, forward and inverse; its header says what it costs."""
     return _files(
         "kinematics",
-        of_one_pose(search_program(blocks)),
+        of_one_pose(search_program(blocks, check=RETURNED)),
         _OF_POSES,
         version,
         operations="\n".join(f" * {name:15s} {count}" for name, count in search_operations(blocks).items()),

@@ -13,10 +13,11 @@ from ..kernel import prepare as p
 from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_one, missing
 from ..kernel.layouts import (
     LANE,
+    RIGHT_SIDE,
     Layout,
     Place,
     Written,
-    added,
+    assembled,
     described,
     exprs_of,
     loaded,
@@ -31,8 +32,7 @@ from ..kernel.layouts import (
     suspicion,
 )
 from ..kernel.operations import force_operations
-from ..kernel.shared import shared
-from ..kernel.tree.constants import SMALLEST
+from ..kernel.shared import legs_in_lanes, shared
 from ..kernel.tree.lower import expression, steps_of
 from ..kernel.tree.nodes import (
     Array,
@@ -72,7 +72,6 @@ from .c import operations_table
 from .shared import LANES as HEADER
 from .shared import SIZES, top
 
-RIGHT_SIDE = (n.c_force, n.c_moment)
 CHECKED = (n.q, n.L, n.k3)
 """Outputs of a leg by which it is checked; they are not stored as they are."""
 _WITHOUT_D = "#define STEWART_FORCE(D, x) (-(x))\n"
@@ -101,9 +100,7 @@ def baked_header(kernel: ForceKernel, before: ForceKernel, version: str) -> str:
 
 def _header(kernel: ForceKernel, title: str, says: str, operations: str, version: str) -> str:
     made = _Source(kernel)
-    printer = C(made.functions)
-    parts = [] if made.baked else [printer.structure(made.structures["Model"])]
-    parts += [printer.declaration(each) for each in made.functions if each.public]
+    model = [] if made.baked else [made.structures["Model"]]
     return filled(
         "forces.h",
         name=kernel.name,
@@ -112,7 +109,7 @@ def _header(kernel: ForceKernel, title: str, says: str, operations: str, version
         says=says,
         operations=operations,
         guard=f"STEWART_{kernel.name.upper()}_FORCES_H",
-        declarations="\n".join("\n".join([*lines, ""]) for lines in parts),
+        declarations=C(made.functions).interface(*model, *made.functions),
     )
 
 
@@ -148,17 +145,10 @@ class _Source:
         self.given = exprs_of(kernel.leg)
         self.structures = p.structures(kernel) | self._structures()
         self.structures |= {each.name: each for each in self.structures.values()}
-        self.flags: dict[str, Given] = {
-            "BAKED": int(self.baked),
+        self.flags = p.flags(kernel) | {
             "ABOUT_TIP": int(kernel.about_tip),
-            "HAS_D": int(n.D in self.given),
             "HAS_C": int(n.c_force in self.given),
             "HAS_C_MOMENT": int(n.c_moment in self.given),
-            "HAS_SINE": int(n.k3 in self.given),
-            "HAS_NEAR": int(kernel.leg_near_singular is not None),
-            "SCALED": 0 if not p.is_scaled(kernel) else 2 if self.baked else 1,
-            "SMALLEST": Number(SMALLEST),
-            "PER_LENGTH": Number(p.per_length(kernel.size)),
         }
         self.texts = Written(self.structures, self.flags, shared(kernel.about_tip).by_name)
         self.parts = list(self._parts())
@@ -250,7 +240,10 @@ class _Source:
         if kernel.about_tip:
             yield from self._moments_of_pose()
         yield read(written.pose_status, apart=True)
-        yield read(written.forces, f"{name}_forces", public=True, given=self._public("motion", "F"))
+        in_lanes = legs_in_lanes("legs", "A") | self.flags
+        yield read(
+            written.forces, f"{name}_forces", public=True, given=in_lanes | self._public("motion", "F")
+        )
         yield made["Block"]
         if kernel.about_tip:
             yield made["LegBlock"]
@@ -373,15 +366,13 @@ class _Source:
         leg, about_tip = kernel.leg, kernel.about_tip
         terms, more = reach_terms(kernel)
         outside, inside = parted(loaded(leg, self._place("at", LANE, leg=Name("leg")), *more))
-        column = [e for q in (n.H_force, n.H_moment) for e in exprs.get(q, ())]
-        own = [out for out in leg.outputs if out.quantity in (n.q, *RIGHT_SIDE)]
-        right = [e for q in RIGHT_SIDE for e in exprs.get(q, ())]
-        sums = tuple(added(at("c", i, "l"), e) for i, e in enumerate(right))
+        own = [out for out in leg.outputs if about_tip and out.quantity in (n.q, *RIGHT_SIDE)]
+        kept = {out.quantity for out in own}
         body = (
             *inside,
             *steps_of(leg.steps),
-            *set_in_order(Name("column"), column, LANE),
-            *(stores(own, lambda q: member("own", q, LANE)) if about_tip else sums),
+            *assembled({q: e for q, e in exprs.items() if q not in kept}, _column, _c),
+            *stores(own, lambda q: member("own", q, LANE)),
             *(Assign(at("known", "l"), expression(e)) for e in exprs.get(n.D, ())),
             *reach(terms),
             *suspicion(
@@ -421,9 +412,9 @@ class _Source:
         arrays = {q_1: "q_1", n.H_force: "column"}
         moments: tuple[Statement, ...] = (
             *_lines(leg, lambda q: Place(Name(arrays[q]), (LANE,)) if q in arrays else own(q)),
-            *(Assign(at("column", i + 3, "l"), expression(e)) for i, e in enumerate(exprs[n.H_moment])),
+            *assembled({n.H_moment: exprs[n.H_moment]}, _column, _c),
             *sums,
-            *(added(at("c", i + 3, "l"), e) for i, e in enumerate(exprs.get(arm_c, ()))),
+            *assembled({arm_c: exprs.get(arm_c, ())}, _column, _c),
         )
         read = self.texts.function
         yield read(written.moments_of_first, given={"FIRST": first})
@@ -456,6 +447,14 @@ class _Source:
     def _without(self) -> dict[str, Given]:
         """Of baked kernels no model is handed on."""
         return {"model": False} if self.baked else {}
+
+
+def _column(row: int) -> Expression:
+    return at("column", row, "l")
+
+
+def _c(row: int) -> Expression:
+    return at("c", row, "l")
 
 
 def _out(*lane: Expression) -> Layout:

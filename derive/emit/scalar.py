@@ -11,9 +11,10 @@ import sympy as sp
 from ..kernel import prepare as p
 from ..kernel.elimination import BY_POINTERS
 from ..kernel.layouts import (
+    RIGHT_SIDE,
     Place,
     Written,
-    added,
+    assembled,
     described,
     exprs_of,
     loaded,
@@ -27,7 +28,6 @@ from ..kernel.layouts import (
 )
 from ..kernel.operations import force_operations
 from ..kernel.shared import shared
-from ..kernel.tree.constants import SMALLEST
 from ..kernel.tree.lower import expression, steps_of
 from ..kernel.tree.nodes import (
     Argument,
@@ -54,7 +54,7 @@ from ..kernel.tree.read import Given
 from ..kernel.written import scalar as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel, joined
-from ..mechanics.lumped_constants import ADDED, arm_c, q_1
+from ..mechanics.lumped_constants import ADDED, q_1
 from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block, Quantity, Step, rebuilt
@@ -62,7 +62,6 @@ from .c import operations_table
 from .shared import SOLVE, top
 
 A = Name("A")
-RIGHT_SIDE = (n.c_force, n.c_moment)
 _LEAST_PIVOTS = Function("STEWART_LEAST_PIVOTS", "", (Argument("size", Real()),), Real(), ())
 _CLOSE = Field("close", Integer(), "whether H may be singular to rounding for a zero-length leg")
 _LEAST = Field("least", Real(), "product of the pivots of H below which it may be singular to rounding")
@@ -76,10 +75,7 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
         count = force_operations(before, scalar_text=True).total.total
         folded = f" The machine's numbers are folded in; without, a pose took {count} operations."
     made = _Source(kernel)
-    public = [each for each in made.functions if each.public]
     structures = [made.structures[name] for name in ("Leg", "Model") if before is None]
-    printer = C(made.functions)
-    parts = [printer.structure(each) for each in structures] + [printer.declaration(each) for each in public]
     return filled(
         "forces_pose.h",
         name=kernel.name,
@@ -87,7 +83,7 @@ def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str
         fidelity=f" * Fidelity: {kernel.meaning or 'everything'}.{folded}",
         operations=operations_table(force_operations(kernel, scalar_text=True), None, " * "),
         guard=f"STEWART_{kernel.name.upper()}_POSE_H",
-        declarations="\n".join("\n".join([*lines, ""]) for lines in parts),
+        declarations=C(made.functions).interface(*structures, *made.functions),
     )
 
 
@@ -107,15 +103,8 @@ class _Source:
         self.structures = p.structures(kernel) | self._structures()
         given, model = exprs_of(kernel.leg), Name("model")
         size = kernel.size * p.per_length(kernel.size)
-        self.flags: dict[str, Given] = {
-            "BAKED": int(self.baked),
-            "HAS_D": int(n.D in given),
-            "HAS_SINE": int(n.k3 in given),
-            "HAS_NEAR": int(kernel.leg_near_singular is not None),
-            "SCALED": 0 if not p.is_scaled(kernel) else 2 if self.baked else 1,
-            "SMALLEST": Number(SMALLEST),
+        self.flags = p.flags(kernel) | {
             "SIZE": Number(kernel.extent) if self.baked else Member(model, "size"),
-            "PER_LENGTH": Number(p.per_length(kernel.size)),
             "LEAST": Call(_LEAST_PIVOTS.name, (Number(size),)) if self.baked else Member(model, "least"),
         }
         self.flags |= {"model": False} if self.baked else {}
@@ -279,9 +268,6 @@ class _Source:
         block = joined(own, kernel.moments)
         exprs, used = exprs_of(block), names_used(block)
         before, after = _parted(own, (*exprs[n.L], *exprs.get(n.k3, ())))
-        column = (*exprs[n.H_force], *exprs[n.H_moment])
-        parts = ((n.c_force, 0), (n.c_moment, 3), (arm_c, 3))
-        c = [(i + k, e) for q, i in parts for k, e in enumerate(exprs.get(q, ()))]
         alone = near or kernel.leg_near_singular is None
         given: dict[str, Given] = {
             "NEAR": int(near),
@@ -294,8 +280,7 @@ class _Source:
             "MOMENTS": (
                 *loads([q_1], used, self._layout),
                 *steps_of(block.steps[len(own.steps) :]),
-                *(Assign(_at(i, Name("column")), expression(e)) for i, e in enumerate(column)),
-                *(added(_at(i, 6), e) for i, e in c),
+                *assembled(exprs, lambda i: _at(i, Name("column")), lambda i: _at(i, 6)),
                 *(Assign(Name("known"), expression(e)) for e in exprs.get(n.D, ())),
             ),
         }

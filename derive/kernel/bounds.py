@@ -43,7 +43,7 @@ from .error_steps import (
     with_errors,
 )
 from .layouts import Place, Written, described, loads, member, names_used, reach, stored, stores
-from .shared import WITH_ERRORS, shared
+from .shared import legs_with_errors, shared
 from .tree.constants import SMALLEST
 from .tree.lower import expression, steps_of
 from .tree.nodes import (
@@ -208,7 +208,7 @@ class BoundedForces:
         yield read(written.shared_errors, given=self._shared_errors())
         for end, leg in self.legs.items():
             yield read(written.leg_errors, f"leg_errors{end}", given=self._leg_errors(leg))
-        yield read(written.equations_of_pose, given=WITH_ERRORS)
+        yield read(written.equations_of_pose, given=legs_with_errors("out", "leg"))
         yield read(written.pose_status)
         yield read(written.solution)
         slopes = Element(Member(Name("slopes"), "force"), (Name("i"),))

@@ -68,12 +68,13 @@ _EXCHANGED_ONCE: Mapping[str, Given] = {
 IN_ARRAYS: Mapping[str, Given] = {
     **_LOOPS,
     "inverse": _entries("x"),
+    "HAS_INVERSE": 0,
     "exchange": text.exchange_selected,
     "weigh_pivot": text.suspicion,
 }
 """Loops over rows and columns, for poses side by side in arrays."""
 
-ONCE: Mapping[str, Given] = {**_EXCHANGED_ONCE, "DIVIDES": 0, "WIDTH": 7, "LONG": 0}
+ONCE: Mapping[str, Given] = {**_EXCHANGED_ONCE, "DIVIDES": 0, "WIDTH": 7, "LONG": 0, "HAS_INVERSE": 1}
 """Loops for one pose, small in code."""
 
 LONG_ROWS: Mapping[str, Given] = {

@@ -18,7 +18,7 @@ from .elimination import CARRIED, INVERSE, ONCE
 from .layouts import Written
 from .model import STATUS_FIELD, machine_structures
 from .prepare import ABOUT_REFERENCE as SIZES
-from .shared import ABOUT_REFERENCE
+from .shared import legs_in_turn
 from .tree import read
 from .tree.lower import Arguments, block_function, component, structure
 from .tree.nodes import (
@@ -37,8 +37,8 @@ from .tree.nodes import (
     Statement,
     Structure,
 )
-from .written import forces, legs, solve
 from .written import inverse_dynamics as written
+from .written import legs, solve
 
 Text = Callable[..., object]
 
@@ -83,7 +83,6 @@ _ELIMINATION: Mapping[str, read.Given] = {
     "bring": written.exchange_rows,
     "update": written.by_whole_rows,
 }
-_SMALLEST: Mapping[str, read.Given] = {"SMALLEST": Number(SIZES[0])}
 
 
 def terms_program(kernel: Kernel) -> Program:
@@ -96,7 +95,7 @@ def terms_program(kernel: Kernel) -> Program:
     texts = _texts(structures, _blocks(kernel, kernel.leg, of_leg.name))
     texts.function(written.legs_in_turn, "legs_of")
     texts.function(written.leg_of_array, "leg_of")
-    texts.function(written.terms_of, given=ABOUT_REFERENCE)
+    texts.function(written.terms_of, given=legs_in_turn("out", "leg"))
     texts.function(written.terms, TERMS, public=True)
     return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
 
@@ -111,7 +110,7 @@ def arrays_program(kernel: Kernel) -> Program:
     texts = _texts(structures, [*shared_program().functions, *_blocks(kernel, leg, of_legs.name)])
     texts.function(written.legs_side_by_side, "legs_of")
     texts.function(written.leg_of_lanes, "leg_of", given={"COPIED": tuple(_one_leg())})
-    _add(texts, written.terms_of, given=ABOUT_REFERENCE)
+    _add(texts, written.terms_of, given=legs_in_turn("out", "leg"))
     _add(texts, written.terms, written.solved, written.inverse_dynamics)
     return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
 
@@ -121,9 +120,10 @@ def shared_program() -> Program:
     """What the programs with legs side by side have in common: robot and motion, checks, the solve."""
     structures = _machine()
     texts = _texts(structures, [])
-    _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of)
+    _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=CARRIED)
     _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
-    _add(texts, forces.per_length_of, written.largest_of, written.scale_of, given=_SMALLEST)
+    _add(texts, solve.per_length_of, written.largest_of)
+    _add(texts, written.scale_of, given={"SMALLEST": Number(SIZES[0])})
     _add(texts, written.eliminate, given=_ELIMINATION)
     return Program("every_output", tuple(structures), tuple(texts.functions.values()))
 

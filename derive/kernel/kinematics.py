@@ -2,9 +2,10 @@
 
 import itertools
 import random
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from dataclasses import replace
 from math import prod
+from types import MappingProxyType
 from typing import Any
 
 from ..mechanics import kinematics as k
@@ -12,6 +13,7 @@ from ..mechanics import quantities as n
 from ..program.block import Block, Operations, Quantity
 from . import batches
 from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
+from .elimination import CARRIED, RETURNED
 from .layouts import Written
 from .model import STATUS_FIELD, machine_structures
 from .tree import read
@@ -40,18 +42,13 @@ _MOTION: Arguments = {"motion": ("Motion", n.MOTION)}
 _VECTORS = (n.q, k.S, n.L)
 
 
-def legs_program(blocks: k.Kinematics) -> Program:
-    """``motions_of``: lengths of the legs, their rates and second rates, and their vectors."""
+def legs_batch(blocks: k.Kinematics) -> Program:
+    """``motions_of``: lengths of the legs, their rates and second rates, and their vectors; and
+    ``stewart_legs_batch``, of many poses, for C."""
     held = [structure("LegMotion", "A leg.", _outputs(blocks.second)), _LEG_MOTIONS]
     made = [_read(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
-    return _program(
-        "legs", held, made, (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of)
-    )
-
-
-def legs_batch(blocks: k.Kinematics) -> Program:
-    """``stewart_legs_batch``: the same of many poses, for C."""
-    program = legs_program(blocks)
+    called = (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of)
+    program = _program("legs", held, made, called, RETURNED)
     dims = {each.name: each.type.dims for each in _LEG_MOTIONS.members if isinstance(each.type, Array)}
     arrays = Structure("LegsArrays", "", tuple(Field(name, NUMBERS) for name in dims))
     structures = (*program.structures, arrays)
@@ -69,10 +66,13 @@ def legs_batch(blocks: k.Kinematics) -> Program:
     return replace(program, structures=structures, functions=tuple(dict.fromkeys(texts.functions.values())))
 
 
-def search_program(blocks: k.Kinematics, public: Collection[str] = ()) -> Program:
+def search_program(
+    blocks: k.Kinematics, public: Collection[str] = (), check: Mapping[str, read.Given] = CARRIED
+) -> Program:
     """``rates_of``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
 
-    public: some of ``PUBLIC`` as well, whose numbers are NaN where the status is not OK.
+    public: some of ``PUBLIC`` as well, whose numbers are NaN where the status is not OK. check: of legs,
+    ``RETURNED`` for one pose.
     """
     of_leg: Arguments = {"leg": ("LegVectors", _VECTORS)}
     held = [
@@ -96,7 +96,7 @@ def search_program(blocks: k.Kinematics, public: Collection[str] = ()) -> Progra
         *_SEARCH,
         *(PUBLIC[name] for name in public),
     )
-    return _program("kinematics", held, made, texts)
+    return _program("kinematics", held, made, texts, check)
 
 
 def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
@@ -146,12 +146,18 @@ def _read(block: Block, name: str, result: str, arguments: Arguments) -> Functio
 
 
 def _program(
-    name: str, held: list[Structure], blocks: list[Function], texts: Iterable[Callable[..., Any]]
+    name: str,
+    held: list[Structure],
+    blocks: list[Function],
+    texts: Iterable[Callable[..., Any]],
+    given: Mapping[str, read.Given] = MappingProxyType({}),
 ) -> Program:
     structures = {each.name: each for each in (*machine_structures(), *held)}
     functions = {each.name: each for each in blocks}
     for text in texts:
-        functions[text.__name__] = read.function(text, structures, functions, public=text in PUBLIC.values())
+        functions[text.__name__] = read.function(
+            text, structures, functions, public=text in PUBLIC.values(), given=given
+        )
     return Program(name, tuple(structures.values()), tuple(functions.values()))
 
 

@@ -11,6 +11,7 @@ from string import Template
 import sympy as sp
 
 from ..mechanics import quantities as n
+from ..mechanics.lumped_constants import arm_c
 from ..program.block import Block, Output, Quantity
 from .tree import read
 from .tree.lower import expression
@@ -39,6 +40,7 @@ from .tree.nodes import (
 LANE = Name("l")
 REACH, FAULT = Name("reach"), Name("fault")
 ONE = Number(1.0)
+RIGHT_SIDE = (n.c_force, n.c_moment)
 
 
 @dataclass(frozen=True)
@@ -111,6 +113,21 @@ def added(target: Expression, term: sp.Expr) -> Assign:
     if not term.is_Add and term.could_extract_minus_sign():
         return Assign(target, Binary("-", target, expression(-term)))
     return Assign(target, Binary("+", target, expression(term)))
+
+
+def assembled(
+    exprs: Mapping[Quantity, Sequence[sp.Expr]],
+    H: Callable[[int], Expression],
+    c: Callable[[int], Expression],
+) -> tuple[Statement, ...]:
+    """``written.legs.add_leg`` of what a block makes and does not store: column of H set, part of c added.
+
+    H, c: places of a row.
+    """
+    column = [(i, e) for i, q in ((0, n.H_force), (3, n.H_moment)) for i, e in enumerate(exprs.get(q, ()), i)]
+    rows = ((0, n.c_force), (3, n.c_moment), (3, arm_c))
+    part = [(i, e) for i, q in rows for i, e in enumerate(exprs.get(q, ()), i)]
+    return (*(Assign(H(i), expression(e)) for i, e in column), *(added(c(i), e) for i, e in part))
 
 
 def names_used(block: Block) -> set[str]:

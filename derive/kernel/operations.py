@@ -21,7 +21,7 @@ from .tree import read
 from .tree.counted import counted
 from .tree.nodes import Name, Program, Return
 from .tree.read import LANES, Given
-from .written import every_output, lanes, scalar
+from .written import lanes, scalar, solve
 
 LEGS = 6
 NOTHING = Operations()
@@ -60,7 +60,7 @@ class KernelOperations:
 
 
 _SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
-    "every output": (every_output.solve, ONCE, 1),
+    "every output": (solve.eliminate, ONCE, 1),
     "block": (lanes.solve_block, in_lanes(about_tip=False), LANES),
     "block about tip": (lanes.solve_block, in_lanes(about_tip=True), LANES),
     "one pose": (scalar.solve, BY_POINTERS, 1),

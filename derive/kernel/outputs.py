@@ -21,7 +21,7 @@ from .model import (
     model_functions,
     model_structures,
 )
-from .shared import shared
+from .shared import legs_in_turn, shared
 from .tree import read
 from .tree.lower import Arguments, block_function, stored_type, structure
 from .tree.nodes import Argument, Array, Field, Function, Integer, Program, Real, Record, Structure, Type
@@ -164,12 +164,14 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     found: dict[str, Definition] = {
         name: Text(text) for module in _MODULES for name, text in vars(module).items() if callable(text)
     }
+    found["fault_of"] = Text(legs.fault_of, given=CARRIED)
     found["eliminate"] = Text(solve.eliminate, given=IN_ARRAYS)
     found["solve_pivoted"] = Text(solve.solve_pivoted, given=LONG_ROWS)
     found["solve_definite"] = Text(solve.solve_definite, given=DEFINITE)
     found["singular_status"] = Text(solve.singular_status, given={**INVERSE, **CARRIED})
-    if kernel.leg_near_singular is None:
-        found["find_legs"] = Text(forces.find_legs_of_one_form)
+    found["size_of"] = Text(solve.size_of, given={"BY_LEGS": 1})
+    has_near = {"HAS_NEAR": int(kernel.leg_near_singular is not None)}
+    found["forces"] = Text(forces.forces, given=legs_in_turn("sums", "leg", "turned") | has_near)
     return found
 
 
@@ -206,7 +208,8 @@ def _of_forces(kernel: ForceKernel) -> dict[str, Definition]:
         structure(
             "Sums",
             "H, c, and what moments are made with.",
-            (n.c_force, n.c_moment, p.q_1),
+            [p.q_1],
+            Field("c", _numbers(6), "N, N m: wrench that the axial forces balance, (36)"),
             Field("leg", Array(Record("LegTerms"), (6,)), "the legs"),
             Field("H", _numbers(6, 6), "1 and m: from x to the wrench on the platform, (36)"),
             Field("arm", _numbers(6, 3), "m: arms of the moments"),

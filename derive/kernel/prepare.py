@@ -13,7 +13,7 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Block, Quantity
-from .layouts import Layout, Place, Written, loads, member, names_used, stored, stores
+from .layouts import Layout, Place, Written, exprs_of, loads, member, names_used, stored, stores
 from .tree.constants import LARGEST, SMALLEST
 from .tree.lower import steps_of
 from .tree.nodes import (
@@ -71,6 +71,20 @@ def per_length(size: float) -> float:
 def is_scaled(kernel: ForceKernel) -> bool:
     """Whether moments are multiplied by a length at all: a prepared model decides when it is prepared."""
     return kernel.constants is None or per_length(kernel.size) != 1.0
+
+
+def flags(kernel: ForceKernel) -> dict[str, Given]:
+    """What texts of the forces ask of a kernel."""
+    given, baked = exprs_of(kernel.leg), kernel.constants is not None
+    return {
+        "BAKED": int(baked),
+        "HAS_D": int(n.D in given),
+        "HAS_SINE": int(n.k3 in given),
+        "HAS_NEAR": int(kernel.leg_near_singular is not None),
+        "SCALED": 0 if not is_scaled(kernel) else 2 if baked else 1,
+        "SMALLEST": Number(SMALLEST),
+        "PER_LENGTH": Number(per_length(kernel.size)),
+    }
 
 
 def size_of(texts: Written, by_legs: bool) -> Function:

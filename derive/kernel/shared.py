@@ -8,14 +8,79 @@ from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
 from .layouts import Written
 from .prepare import MOTION
 from .tree.constants import LARGEST
-from .tree.nodes import Argument, Array, Count, Function, Number, Pointer, Real, Type
+from .tree.nodes import (
+    Argument,
+    Array,
+    Compare,
+    Count,
+    Function,
+    Name,
+    Number,
+    Pointer,
+    Real,
+    Select,
+    Type,
+    at,
+    of,
+)
 from .tree.read import LANES, Given
-from .written import batch, every_output, lanes, legs, solve
+from .tree.settle import settled
+from .written import batch, lanes, legs, solve
 
-ABOUT_REFERENCE: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus, "ABOUT_TIP": 0}
-"""How a leg is added to the platform's equations."""
-WITH_ERRORS: dict[str, Given] = {"add_leg": legs.add_leg, "plus": legs.plus_error, "ABOUT_TIP": 1}
-"""The same about platform point 1, with rounding errors."""
+_ADDED: dict[str, Given] = {
+    "add_leg": legs.add_leg,
+    "column_of_leg": legs.column_of_leg,
+    "part_of_leg": legs.part_of_leg,
+    "plus": legs.plus,
+    "HAS_C_MOMENT": 1,
+    "ALL_LEGS": 1,
+}
+
+
+def legs_in_turn(out: str, leg: str, moments: str = "") -> dict[str, Given]:
+    """How a leg at a time is added to H and c of ``out``.
+
+    moments: what holds those about platform point 1, if they are not about the reference point.
+    """
+
+    def part(owner: str, name: str) -> Given:
+        return lambda j, _: at(of(owner, name), j)
+
+    return {
+        **_ADDED,
+        "H": lambda j, i: at(of(out, "H"), j, i),
+        "c": lambda j: at(of(out, "c"), j),
+        **{name: part(leg, name) for name in ("H_force", "c_force", "c_moment")},
+        **{name: part(moments or leg, name) for name in ("H_moment", "arm_c")},
+        "ABOUT_TIP": int(bool(moments)),
+    }
+
+
+def legs_with_errors(out: str, leg: str) -> dict[str, Given]:
+    """The same with rounding errors of the sums; leg 1 has no moments about its own point."""
+    return {
+        **legs_in_turn(out, leg, leg),
+        "plus": legs.plus_error,
+        "c_own": lambda j: at(of(out, "c_own"), j),
+        "H_moment": lambda j, i: Select(Compare(">", i, Number(0)), at(of(leg, "H_moment"), j), Number(0.0)),
+        "ALL_LEGS": 0,
+    }
+
+
+def legs_in_lanes(owner: str, rows: str) -> dict[str, Given]:
+    """The legs side by side: columns of ``rows``, and sums of one row in ``force`` and ``turn``."""
+
+    def part(name: str) -> Given:
+        return lambda j, i: at(of(owner, name), j, i)
+
+    of_legs = ("H_force", "H_moment", "c_force", "c_moment", "arm_c")
+    return {
+        **_ADDED,
+        "H": lambda j, i: at(rows, j, i),
+        "c": lambda j: Name("force") if isinstance(j, Name) else Name("turn"),
+        **{name: part(name) for name in of_legs},
+    }
+
 
 _NUMBERS = Pointer(Real())
 _VECTORS = Array(Real(), (3, LANES))
@@ -60,10 +125,10 @@ def shared(about_tip: bool = True) -> Shared:
     rows = (lanes.exchange_rows, lanes.subtract_row)
     return Shared(
         (
-            read(solve.per_length_of, given={"LARGEST": Number(LARGEST)}, largest=f"{LARGEST:g}"),
+            settled(read(solve.per_length_of, given={"LARGEST": Number(LARGEST)})),
             read(solve.scaled_axis),
             read(legs.largest_component),
-            read(legs.fault_of, apart=True),
+            read(legs.fault_of, apart=True, given=RETURNED),
             read(solve.singular_status, apart=True, given={**INVERSE, **RETURNED}),
         ),
         (
@@ -73,7 +138,9 @@ def shared(about_tip: bool = True) -> Shared:
             read(lanes.solve_block, apart=True, given=in_lanes(about_tip)),
         ),
         (
-            read(every_output.solve, given=ONCE),
+            read(solve.eliminate, given=ONCE),
+            # No call where every leg of every pose is checked.
+            read(legs.fault_of, "status_of_leg", given=RETURNED),
             read(batch.is_finite),
             read(batch.pose_at, given=parts_at(LOADS)),
             read(batch.motion_as_arrays, given=parts_of_one()),

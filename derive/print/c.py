@@ -340,6 +340,12 @@ class C(Printer):
             "}",
         ]
 
+    def interface(self, *parts: Structure | Function) -> str:
+        """Structures, and the functions that are public, as a header has them."""
+        found = [self.structure(each) for each in parts if isinstance(each, Structure)]
+        found += [self.declaration(each) for each in parts if isinstance(each, Function) and each.public]
+        return "\n".join("\n".join([*lines, ""]) for lines in found)
+
     def declaration(self, function: Function) -> list[str]:
         """A function of the interface with its comment, as a header has it."""
         checked = "" if function.result is None else "STEWART_NODISCARD "

@@ -30,7 +30,7 @@ class Matlab(Printer):
     unequal = "~="
     opening, closing = "", "end"
     alternative, negation = "else", "~"
-    comment = "% {}"
+    comment = "% ", ""
     continued = " ..."
 
     def __init__(self, program: Program, package: str = "stewart") -> None:

@@ -40,7 +40,7 @@ class Python(Printer):
     both, either = "&", "|"
     opening, closing = ":", ""
     alternative, negation = "else:", "~"
-    comment = "# {}"
+    comment = "# ", ""
 
     def __init__(self, program: Program) -> None:
         self.program = program

@@ -1,5 +1,7 @@
 """Rust without its standard library: structures that are copied, functions that borrow."""
 
+from functools import reduce
+
 from ..kernel.tree.nodes import (
     Array,
     Call,
@@ -26,7 +28,7 @@ from .spelling import SUM, WIDTH, Printer, remark
 class Rust(Printer):
     """Spells one program; ``Real`` is ``f64``, or ``f32`` in kits of single precision."""
 
-    comment = "// {}"
+    comment = "// ", ""
 
     def __init__(self, program: Program) -> None:
         self.program = program
@@ -43,10 +45,7 @@ class Rust(Printer):
         """A type's name."""
         match kind:
             case Array(item, dims):
-                text = self.type(item)
-                for count in reversed(dims):
-                    text = f"[{text}; {count}]"
-                return text
+                return _nested(self.type(item), dims)
             case Record(name):
                 return name
         return {Real: "Real", Integer: "usize", Count: "usize", Truth: "bool"}[type(kind)]
@@ -55,10 +54,7 @@ class Rust(Printer):
         """Zeros of a type."""
         match kind:
             case Array(item, dims):
-                text = self.zero(item)
-                for count in reversed(dims):
-                    text = f"[{text}; {count}]"
-                return text
+                return _nested(self.zero(item), dims)
             case Record(name):
                 return f"{name}::ZERO"
         return {Real: "0.0", Integer: "0", Count: "0", Truth: "false"}[type(kind)]
@@ -160,3 +156,8 @@ class Rust(Printer):
 
 def _by_value(kind: Type) -> bool:
     return not isinstance(kind, Array | Record)
+
+
+def _nested(text: str, dims: tuple[int, ...]) -> str:
+    """Of arrays in arrays."""
+    return reduce(lambda inner, count: f"[{inner}; {count}]", reversed(dims), text)

@@ -48,7 +48,7 @@ class Printer(ABC):
     opening, closing = " {", "}"
     alternative = "} else {"
     negation = "!"
-    comment = "/* {} */"
+    comment = "/* ", " */"
     select_level = SELECT
 
     # ------------------------------------------------------------ what differs
@@ -141,7 +141,7 @@ class Printer(ABC):
         for node in statements:
             match node:
                 case Comment(text):
-                    lines.append(before + self.comment.format(text))
+                    lines.append(text.join([before + self.comment[0], self.comment[1]]))
                 case Let():
                     lines += self.lines(before, self.let(node))
                 case Variable():

@@ -525,7 +525,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
         extent = STEWART_LARGER(reach[i], extent);
         reach[i] = largest_component(robot->leg[i].b, largest_component(at->t, reach[i]));
         L[i] = terms.L;
-        const int status = fault_of(terms.L, terms.k3, reach[i]);
+        const int status = status_of_leg(terms.L, terms.k3, reach[i]);
         if (status != STEWART_OK) {
             return status;
         }
@@ -554,7 +554,7 @@ static int pose_forces(const stewart_robot *robot, const stewart_motions *at, st
             A[5][i] = A[5][i]*per_length;
         }
     }
-    const int suspect = solve(A, out->x);
+    const int suspect = eliminate(A, out->x);
     if (close != 0 || suspect != 0) {
         stewart_real H[6][6];
         for (i = 0; i < 6; ++i) {

@@ -112,10 +112,16 @@ static stewart_real reach_of(const stewart_real b[3], const stewart_real t[3], c
 /* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
 static int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
-    int fault = STEWART_OK;
-    fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : STEWART_JOINT_SINGULAR;
-    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_ZERO_LENGTH;
-    return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
+    if (!(L <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(L > STEWART_ROUNDING*reach && L > STEWART_SHORTEST)) {
+        return STEWART_ZERO_LENGTH;
+    }
+    if (!(k3 > STEWART_JOINT_SINGULAR_SINE)) {
+        return STEWART_JOINT_SINGULAR;
+    }
+    return STEWART_OK;
 }
 
 /* Lengths of the legs, their rates and second rates, their directions and vectors, and a status. */

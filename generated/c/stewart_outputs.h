@@ -9,9 +9,8 @@
 
 #include "stewart_solve.h"
 
-/* Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where
- * a pivot is small, else 0. */
-STEWART_SHARED int solve(stewart_real A[6][7], stewart_real x[6])
+/* Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small. */
+STEWART_SHARED int eliminate(stewart_real A[6][7], stewart_real x[6])
 {
     int i, j, k;
     stewart_real inverse[6];
@@ -48,6 +47,21 @@ STEWART_SHARED int solve(stewart_real A[6][7], stewart_real x[6])
         x[i] = total*inverse[i];
     }
     return suspect;
+}
+
+/* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
+STEWART_SHARED int status_of_leg(stewart_real L, stewart_real k3, stewart_real reach)
+{
+    if (!(L <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(L > STEWART_ROUNDING*reach && L > STEWART_SHORTEST)) {
+        return STEWART_ZERO_LENGTH;
+    }
+    if (!(k3 > STEWART_JOINT_SINGULAR_SINE)) {
+        return STEWART_JOINT_SINGULAR;
+    }
+    return STEWART_OK;
 }
 
 /* 1 where all numbers are finite, else 0. */

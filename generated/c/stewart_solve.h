@@ -10,27 +10,31 @@
 #include "stewart_arithmetic.h"
 
 /* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
- * from `smallest` to 16 m, else one over the least power of two, from 2^-100 to 2^100, that is as large. */
+ * for arms of about a metre, `smallest` and more, else one over the least power of two, from 2^-100 to
+ * 2^100, that is as large. */
 STEWART_SHARED stewart_real per_length_of(stewart_real size, stewart_real smallest)
 {
     int i;
-    stewart_real unit = REAL(1);
-    if (size >= smallest && size <= REAL(16)) {
-        return unit;
-    }
-    for (i = 0; i < 100; ++i) {
-        if (!(unit < size)) {
-            break;
+    stewart_real per_length = REAL(1);
+    if (size < smallest || size > REAL(16)) {
+        stewart_real unit = REAL(1);
+        for (i = 0; i < 100; ++i) {
+            if (unit < size) {
+                unit = REAL(2)*unit;
+            } else {
+                break;
+            }
         }
-        unit = REAL(2)*unit;
-    }
-    for (i = 0; i < 100; ++i) {
-        if (!(size > REAL(0) && STEWART_HALF*unit >= size)) {
-            break;
+        for (i = 0; i < 100; ++i) {
+            if (size > REAL(0) && STEWART_HALF*unit >= size) {
+                unit = STEWART_HALF*unit;
+            } else {
+                break;
+            }
         }
-        unit = STEWART_HALF*unit;
+        per_length = REAL(1)/unit;
     }
-    return REAL(1)/unit;
+    return per_length;
 }
 
 /* The fixed axis times a power of two that makes its square a number of the arithmetic: it may have any
@@ -68,10 +72,16 @@ STEWART_SHARED stewart_real largest_component(const stewart_real vector[3], stew
 /* What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k. */
 STEWART_APART STEWART_SHARED int fault_of(stewart_real L, stewart_real k3, stewart_real reach)
 {
-    int fault = STEWART_OK;
-    fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : STEWART_JOINT_SINGULAR;
-    fault = L > STEWART_LARGER(STEWART_ROUNDING*reach, STEWART_SHORTEST) ? fault : STEWART_ZERO_LENGTH;
-    return L <= STEWART_MAX ? fault : STEWART_NOT_FINITE;
+    if (!(L <= STEWART_MAX)) {
+        return STEWART_NOT_FINITE;
+    }
+    if (!(L > STEWART_ROUNDING*reach && L > STEWART_SHORTEST)) {
+        return STEWART_ZERO_LENGTH;
+    }
+    if (!(k3 > STEWART_JOINT_SINGULAR_SINE)) {
+        return STEWART_JOINT_SINGULAR;
+    }
+    return STEWART_OK;
 }
 
 /* Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.

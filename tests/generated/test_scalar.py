@@ -329,7 +329,7 @@ DRIVER = """#include "stewart_lanes.h"
 int of_pose(stewart_real A[6][8], stewart_real x[6]);
 int of_pose(stewart_real A[6][8], stewart_real x[6]) { return solve_pose(A, x); }
 int of_outputs(stewart_real A[6][7], stewart_real x[6]);
-int of_outputs(stewart_real A[6][7], stewart_real x[6]) { return solve(A, x); }
+int of_outputs(stewart_real A[6][7], stewart_real x[6]) { return eliminate(A, x); }
 double of_pointers(stewart_real A[6][7], stewart_real x[6]);
 double of_pointers(stewart_real A[6][7], stewart_real x[6]) { return by_pointers(A, x); }
 void of_block(stewart_real column[7][6][8], stewart_real D[6][8], stewart_real F[6][8], stewart_real bad[8]);

@@ -114,14 +114,14 @@ def used(
     names: Names = MappingProxyType({}),
     given: Mapping[str, Given] = MappingProxyType({}),
 ) -> list[str]:
-    """Names of the structures and functions that a text and those given to it use, in their order."""
+    """Names of the structures and functions that a text and those read in its place use, in their order."""
     tree = parsed(written, names)
     typed = [each.annotation for each in tree.args.args] + [tree.returns]
     quoted = [node.value for node in typed if isinstance(node, ast.Constant) and isinstance(node.value, str)]
     called = [called_name(node) for node in ast.walk(tree) if isinstance(node, ast.Call)]
-    texts = (text for each in called if inspect.isfunction(text := given.get(each)))
-    inside = [each for text in texts for each in used(text, names, given)]
-    return list(dict.fromkeys([*quoted, *inside, *called]))
+    texts = {each: text for each in called if inspect.isfunction(text := given.get(each))}
+    inside = [each for text in texts.values() for each in used(text, names, given)]
+    return list(dict.fromkeys([*quoted, *inside, *(each for each in called if each not in texts)]))
 
 
 class _Reader:

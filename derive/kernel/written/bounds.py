@@ -270,7 +270,7 @@ def equations_of_pose(
         out.reach[i] = leg.reach
         for j in range(3):
             out.arm[i][j] = leg.arm[j]
-            add_leg(i, j, out, leg)
+            add_leg(i, j)
     return OK
 
 

@@ -1,15 +1,6 @@
 """Every output of the inverse dynamics around its blocks, in the part of Python that ``read`` reads."""
 
 
-def solve(A: "array(6, 7)", x: "array(6)") -> "Integer":
-    """Solves the augmented system [H | c] for x by elimination with partial pivoting, (36). Returns 1 where a
-    pivot is small, else 0."""
-    inverse = blank(array(6))
-    suspect = 0
-    elimination()
-    return suspect
-
-
 def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
     """Inverse dynamics of one pose, (1)-(37)."""
     terms = blank(LegTerms)
@@ -30,7 +21,7 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
         extent = larger(reach[i], extent)
         reach[i] = largest_component(robot.leg[i].b, largest_component(at.t, reach[i]))
         L[i] = terms.L
-        status = fault_of(terms.L, terms.k3 if HAS_SINE else 1.0, reach[i])
+        status = status_of_leg(terms.L, terms.k3 if HAS_SINE else 1.0, reach[i])
         if status != OK:
             return status
         close = where(L[i] > SHORT_SHARE * reach[i], close, 1)
@@ -38,7 +29,7 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
         for j in range(3):
             arm[i][j] = terms.q[j]
             out.K[i][j] = terms.K[j]
-            add_leg(i, j, out, terms)
+            add_leg(i, j)
     for i in range(6):
         for j in range(6):
             A[i][j] = out.H[i][j]
@@ -49,7 +40,7 @@ def pose_forces(robot: "Robot", at: "Motions", out: "Forces") -> "Integer":
             A[3][i] = A[3][i] * per_length
             A[4][i] = A[4][i] * per_length
             A[5][i] = A[5][i] * per_length
-    suspect = solve(A, out.x)
+    suspect = eliminate(A, out.x)
     if close != 0 or suspect != 0:
         H = blank(array(6, 6))
         for i in range(6):

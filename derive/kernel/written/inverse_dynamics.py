@@ -49,7 +49,7 @@ def terms_of(legs: "Legs", robot: "Robot", motion: "Motion") -> "Terms":
         out.D[i] = leg.D
         for j in range(3):
             out.K[i][j] = leg.K[j]
-            add_leg(i, j, out, leg)
+            add_leg(i, j)
     return out
 
 
@@ -117,11 +117,7 @@ def first_of(codes: "array(6)") -> "Integer":
 
 def scale_of(q: "array(3, 6)") -> "Real":
     """By what the solve multiplies moments about the reference point."""
-    extent = largest_of(largest_component(q, 0.0))
-    per_length = 1.0
-    if anywhere((extent < SMALLEST) | (extent > LARGEST)):
-        per_length = per_length_of(extent)
-    return per_length
+    return per_length_of(largest_of(largest_component(q, 0.0)), SMALLEST)
 
 
 def largest_of(sizes: "array(6)") -> "Real":

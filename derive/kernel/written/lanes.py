@@ -145,14 +145,9 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
         turn = shared.c_tip[j] if ABOUT_TIP else shared.c_moment[j]
         if HAS_C:
             for i in range(6):
-                force = force + legs.c_force[j][i]
-                if HAS_C_MOMENT:
-                    turn = turn + legs.c_moment[j][i]
-                if ABOUT_TIP:
-                    turn = turn + legs.arm_c[j][i]
+                part_of_leg(i, j)
         for i in range(LANES):
-            A[j][i] = legs.H_force[j][i]
-            A[j + 3][i] = legs.H_moment[j][i]
+            column_of_leg(i, j)
         A[j][6] = force
         A[j + 3][6] = turn
         A[j][7] = 0.0

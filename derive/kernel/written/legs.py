@@ -3,10 +3,12 @@
 
 def fault_of(L: "Real", k3: "Real", reach: "Real") -> "Integer":
     """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
-    fault = OK
-    fault = where(k3 > JOINT_SINGULAR_SINE, fault, JOINT_SINGULAR)
-    fault = where(L > larger(ROUNDING * reach, SHORTEST), fault, ZERO_LENGTH)
-    return where(L <= MAX, fault, NOT_FINITE)
+    if CARRIED:
+        status = OK
+    reject(L <= MAX, NOT_FINITE)
+    reject((L > ROUNDING * reach) & (L > SHORTEST), ZERO_LENGTH)
+    reject(k3 > JOINT_SINGULAR_SINE, JOINT_SINGULAR)
+    return status if CARRIED else OK
 
 
 def reach_of(b: "array(3)", t: "array(3)", q: "array(3)") -> "Real":
@@ -22,22 +24,38 @@ def largest_component(vector: "array(3)", least: "Real") -> "Real":
     return most
 
 
-def add_leg(i, j, out, leg) -> None:
-    """A component of a leg's column of H and of its part of c; no moment of leg 1 about its own point."""
-    out.H[j][i] = leg.H_force[j]
-    out.H[j + 3][i] = where(i > 0, leg.H_moment[j], 0.0) if ABOUT_TIP else leg.H_moment[j]
-    plus(out, j, leg.c_force[j])
-    plus(out, j + 3, leg.c_moment[j])
-    if ABOUT_TIP:
+# ---------------------------------------------------------------- what a leg adds; places: ``kernel.shared``
+
+
+def add_leg(i, j) -> None:
+    """A component of a leg's column of H and of its part of c."""
+    column_of_leg(i, j)
+    part_of_leg(i, j)
+
+
+def column_of_leg(i, j) -> None:
+    """Of H."""
+    H[j, i] = H_force[j, i]
+    H[j + 3, i] = H_moment[j, i]
+
+
+def part_of_leg(i, j) -> None:
+    """Of c; with moments about platform point 1 leg 1 has no arm."""
+    plus(j, c_force[j, i])
+    if HAS_C_MOMENT:
+        plus(j + 3, c_moment[j, i])
+    if ABOUT_TIP and ALL_LEGS:
+        plus(j + 3, arm_c[j, i])
+    if ABOUT_TIP and not ALL_LEGS:
         if i > 0:
-            plus(out, j + 3, leg.arm_c[j])
+            plus(j + 3, arm_c[j, i])
 
 
-def plus(out, i, term) -> None:
+def plus(row, term) -> None:
     """One term more."""
-    out.c[i] = out.c[i] + term
+    c[row,] = c[row,] + term
 
 
-def plus_error(out, i, term) -> None:
+def plus_error(row, term) -> None:
     """And the rounding error of the sum."""
-    add(out.c[i], out.c_own[i], term, 0.0)
+    add(c[row,], c_own[row,], term, 0.0)

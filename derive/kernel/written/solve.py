@@ -3,6 +3,8 @@
 
 def eliminate(A: "array(6, 7)", x: "array(6)") -> "Integer":
     """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
+    if HAS_INVERSE:
+        inverse = blank(array(6))
     suspect = 0
     elimination()
     return suspect
@@ -121,20 +123,23 @@ def substitute_back(A: "array(6, WIDTH)", inverse: "array(6)") -> None:
 
 def per_length_of(size: "Real", smallest: "Real") -> "Real":
     """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
-    from `smallest` to $largest m, else one over the least power of two, from 2^-100 to 2^100, that is as
-    large."""
-    unit = 1.0
-    if size >= smallest and size <= LARGEST:
-        return unit
-    for i in range(100):
-        if not unit < size:
-            break
-        unit = 2.0 * unit
-    for i in range(100):
-        if not (size > 0.0 and 0.5 * unit >= size):
-            break
-        unit = 0.5 * unit
-    return 1.0 / unit
+    for arms of about a metre, `smallest` and more, else one over the least power of two, from 2^-100 to
+    2^100, that is as large."""
+    per_length = 1.0
+    if anywhere((size < smallest) | (size > LARGEST)):
+        unit = 1.0
+        for i in range(100):
+            if anywhere(unit < size):
+                unit = where(unit < size, 2.0 * unit, unit)
+            else:
+                break
+        for i in range(100):
+            if anywhere((size > 0.0) & (0.5 * unit >= size)):
+                unit = where((size > 0.0) & (0.5 * unit >= size), 0.5 * unit, unit)
+            else:
+                break
+        per_length = where((size < smallest) | (size > LARGEST), 1.0 / unit, 1.0)
+    return per_length
 
 
 def size_of(model: "Model") -> "Real":

@@ -78,12 +78,11 @@ class Language(ABC):
             **more,
         }
 
-    def assignments(self, kit: Contents, made: str, leg: str, indent: str, one: str) -> str:
-        """Statements that fill a robot, one line a quantity."""
-        lines = [_assigned(indent, made, q, stored(kit.numbers, q), one) for q in n.PLATFORM]
-        for i in range(6):
-            owner = leg.format(i, i + 1)
-            lines += [_assigned(indent, f"{made}.{owner}", q, stored(kit.numbers, q, i), one) for q in n.LEG]
+    def assignments(self, kit: Contents, made: str, legs: Iterable[str], end: str) -> str:
+        """Statements that fill a robot, one line a quantity; legs: what each is called."""
+        lines = [_assigned(made, q, stored(kit.numbers, q), end) for q in n.PLATFORM]
+        for i, leg in enumerate(legs):
+            lines += [_assigned(f"{made}.{leg}", q, stored(kit.numbers, q, i), end) for q in n.LEG]
         return "\n".join(lines)
 
 
@@ -103,9 +102,8 @@ def spoilt(test: Test) -> list[tuple[str, str]]:
     ]
 
 
-def _assigned(indent: str, owner: str, quantity: Quantity, values: Sequence[float], one: str) -> str:
-    text = one.format(", ".join(map(repr, values))) if quantity.shape else repr(values[0])
-    return f"{indent}{owner}.{quantity.name} = {text}{';' if one.endswith('.') else ''}".replace("].;", "];")
+def _assigned(owner: str, quantity: Quantity, values: Sequence[float], end: str) -> str:
+    return f"    {owner}.{quantity.name} = {array(values) if quantity.shape else repr(values[0])}{end}"
 
 
 def array(values: Iterable[float]) -> str:

@@ -24,7 +24,7 @@ class MatlabKit(Language):
         shown = set(map(id, kit.shown.values()))
         tests = "\n".join(line for test in kit.tests for line in self._test(kit, test, id(test) in shown))
         calls = "\n".join(self.calls(kit).values())
-        fill = self.assignments(kit, "made", "leg({1})", "    ", "[{}].")
+        fill = self.assignments(kit, "made", (f"leg({i})" for i in range(1, 7)), ";")
         made = {f"+stewart/{name}": text for name, text in Matlab(of_one_pose(kit.program)).files().items()}
         values = self.values(
             kit,

@@ -26,7 +26,7 @@ class PythonKit(Language):
             f"        {_plain(test.answers)!r},\n        {_plain(test.bounds)!r},\n    ],\n"
             for test in kit.tests
         )
-        fill = self.assignments(kit, "made", "leg[{0}]", "    ", "[{}]")
+        fill = self.assignments(kit, "made", (f"leg[{i}]" for i in range(6)), "")
         made = {
             "robot": kit.name.replace("\\", "\\\\").replace('"', '\\"'),
             "prepare": self.prepare if kit.prepared else "model = None",
