@@ -194,7 +194,7 @@ static int near_singular(
 }
 
 /* Turns a leg's fixed axis to an angle from the leg. */
-static void near_singular(double *leg, double distance, const double *motion, uint64_t *seed)
+static void near_joint_singular(double *leg, double distance, const double *motion, uint64_t *seed)
 {
     double q[3], S[3], across[3], random[3];
     const double sign = between(seed) < 0 ? -1 : 1;
@@ -342,7 +342,7 @@ int make_case(
         return 0;
     }
     if (kind == JOINT_SINGULAR || kind == BOTH_SINGULAR) {
-        near_singular(leg, kind == JOINT_SINGULAR ? way : pow(10, -nearest * uniform(&seed)), motion, &seed);
+        near_joint_singular(leg, kind == JOINT_SINGULAR ? way : pow(10, -nearest * uniform(&seed)), motion, &seed);
     }
     if (kind == SHORT) {
         near_short(leg, way, motion, &seed);
@@ -352,7 +352,7 @@ int make_case(
         for (i = 0; i < 3; ++i) {
             scaled(leg + masses[i][0], masses[i][1], 1 / *distance);
         }
-        near_singular(leg, pow(10, -3 * uniform(&seed)), motion, &seed);
+        near_joint_singular(leg, pow(10, -3 * uniform(&seed)), motion, &seed);
     }
     if (kind == PROPORTIONS) {
         out_of_proportion(numbers, motion, in_float, distance, &seed);
