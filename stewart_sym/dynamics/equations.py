@@ -65,7 +65,7 @@ def equations_of_motion(
         Poses and rates; accelerations and load don't count.
     formulation, backend, on_singular : str, optional
         As for ``inverse_dynamics``. "c" and "numpy" evaluate the closed form in `exact`; of `paper` and of
-        machines with spherical base joints they draw the terms from inverse dynamics, which has no answer
+        machines with spherical base joints they draw the terms from inverse dynamics, which fails
         where H is singular.
 
     Returns

@@ -80,18 +80,18 @@ def figures(written: Path) -> dict[str, Any]:
 
 def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], written: Path) -> None:
     motion, text = figures["motion"], (written / "bench.txt").read_text()
-    inverse, peers = motion["ours"][0], motion["peers"]
+    inverse, baselines = motion["ours"][0], motion["baselines"]
     forward = next(entry for entry in motion["ours"] if entry["name"] == FORWARD)
     assert [entry["name"] for entry in motion["ours"]] == [each.name for each in equation_kernels.FUNCTIONS]
-    assert [entry["name"] for entry in peers] == ["Pinocchio", "MuJoCo"]
-    for entry in (*motion["ours"], *peers):
+    assert [entry["name"] for entry in baselines] == ["Pinocchio", "MuJoCo"]
+    for entry in (*motion["ours"], *baselines):
         assert len(entry["raw"]) == figures["rounds"]
         assert entry["ratio_to_inverse_dynamics"] == pytest.approx(entry["median"] / inverse["median"])
         limits = tuple(entry[name] for name in ("target", "goal") if name in entry)
         assert limits == MOST.get(entry["name"], ())
-    for net, call, empty in zip(peers, motion["calls"], motion["empty_calls"], strict=True):
+    for net, call, empty in zip(baselines, motion["calls"], motion["empty_calls"], strict=True):
         assert net["raw"] == pytest.approx(np.array(call["raw"]) - np.array(empty["raw"]))
-    better = min(peers, key=lambda entry: float(entry["median"]))
+    better = min(baselines, key=lambda entry: float(entry["median"]))
     assert motion["better_baseline"] == better["name"]
     assert motion["times_faster"] == pytest.approx(better["median"] / forward["median"])
     said = f"{motion['times_faster']:.1f} x faster than the better of the two, {better['name']} (target 20)"
@@ -106,8 +106,11 @@ def test_the_second_group_has_its_ratios_and_targets(figures: dict[str, Any], wr
 def test_json_has_every_candidate_with_positive_figures(figures: dict[str, Any]) -> None:
     for group, expected in (("ours", bench.OURS), ("calls", bench.CALLS)):
         assert [entry["name"] for entry in figures[group]] == [each.name for each in expected]
-    assert [entry["name"] for entry in figures["peers"]] == [*(each.name for each in PEERS), bench.PINOCCHIO]
-    for entry in (*figures["ours"], *figures["calls"], *figures["peers"], figures["multiply_add"]):
+    assert [entry["name"] for entry in figures["baselines"]] == [
+        *(each.name for each in PEERS),
+        bench.PINOCCHIO,
+    ]
+    for entry in (*figures["ours"], *figures["calls"], *figures["baselines"], figures["multiply_add"]):
         low, high = entry["quartiles"]
         assert len(entry["raw"]) == figures["rounds"] == 3
         assert 0 < low <= entry["median"] <= high
@@ -127,8 +130,8 @@ def test_json_says_where_and_with_what_it_ran(figures: dict[str, Any]) -> None:
 
 
 def test_ratios_are_of_the_medians_of_the_same_run(figures: dict[str, Any]) -> None:
-    casadi = next(entry for entry in figures["peers"] if entry["name"] == CASADI.name)
-    for entry in (*figures["ours"], *figures["peers"]):
+    casadi = next(entry for entry in figures["baselines"] if entry["name"] == CASADI.name)
+    for entry in (*figures["ours"], *figures["baselines"]):
         assert entry["ratio_to_casadi"] == pytest.approx(np.median(entry["raw"]) / np.median(casadi["raw"]))
     (call, *_), one_pose = figures["calls"], figures["ours"][0]
     assert call["overhead_over_c_ns"] == pytest.approx(call["median"] - one_pose["median"])
@@ -224,7 +227,7 @@ def test_own_work_is_not_that_of_others() -> None:
 
 def test_pinocchio_is_newton_euler_less_the_call_and_a_solve(figures: dict[str, Any]) -> None:
     rnea, empty, solve = (np.array(part["raw"]) for part in figures["pinocchio_parts"])
-    assert figures["peers"][-1]["raw"] == pytest.approx(rnea - empty + solve)
+    assert figures["baselines"][-1]["raw"] == pytest.approx(rnea - empty + solve)
 
 
 def test_the_limit_is_the_emitted_operations_at_the_measured_rate(figures: dict[str, Any]) -> None:

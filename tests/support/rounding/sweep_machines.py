@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 WITHIN = 10.0
 """Rounding units times the condition number that every output of every kernel must keep."""
 PRECISIONS = ("double", "float")
-NEAR_JOINT = ("pole", "short leg", "heavy leg")
+NEAR_JOINT = ("joint singularity", "zero-length leg", "heavy leg")
 PER_MACHINE = 10
 
 try:
