@@ -177,7 +177,7 @@ def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> PathSingu
 
     Returns
     -------
-    Passage
+    PathSingularities
         Crossings, nearest approaches and extremes of the legs.
     """
     with np.errstate(over="ignore", invalid="ignore"):

@@ -38,7 +38,7 @@ def test_tests_run_from_the_sdist(tmp_path: Path) -> None:
     run = [sys.executable, "-c", SDIST, str(tmp_path)]
     subprocess.run(run, check=True, capture_output=True, cwd=tmp_path / "clone")
     (archive,) = tmp_path.glob("*.tar.gz")
-    shutil.unpack_archive(archive, tmp_path, filter="data")
+    shutil.unpack_archive(archive, tmp_path)
     unpacked = tmp_path / archive.name.removesuffix(".tar.gz")
     tracked = subprocess.run(["git", "ls-files"], check=True, capture_output=True, text=True, cwd=REPOSITORY)
     missing = [name for name in tracked.stdout.splitlines() if not (unpacked / name).exists()]
