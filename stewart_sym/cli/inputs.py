@@ -73,7 +73,7 @@ def poses_of(
     from ..motion.rotation import rotation_from_rpy
     from ..motion.trajectory import JointTrajectory, PoseLog
     from ..singularities.joint_space import on_platform
-    from ..studies.reports.track import angle_doubt, length_doubt, side_doubt
+    from ..studies.reports.doubts import angle_doubt, length_doubt, side_doubt
 
     some = np.linspace(0, len(log.time) - 1, min(len(log.time), _SOME)).astype(np.int64)
     if isinstance(log, JointTrajectory):

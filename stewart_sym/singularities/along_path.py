@@ -23,7 +23,7 @@ from ..motion.interpolation import Path
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
-from .search import minimum, root, turning_points
+from .search import minimum, root, runs, turning_points
 from .singular_poses import Singularity, last_directions, singularity
 
 Array = NDArray[np.float64]
@@ -263,8 +263,7 @@ class _Search:
         looks = [at_times[:, :3], *([self._look(inner)] if len(inner) else [])]
         self.samples = _Samples(*np.concatenate(looks)[order].T)
         self.singular = self.samples.smallest <= _NOTHING * self.samples.largest
-        runs = _runs(self.singular)
-        self.spans = tuple((float(self.points[i]), float(self.points[j])) for i, j in runs)
+        self.spans = tuple((float(self.points[i]), float(self.points[j])) for i, j in runs(self.singular))
         self.crossings = tuple(self._crossings())
 
     def at(self, time: float) -> Singularity:
@@ -438,12 +437,6 @@ def _minima(values: Array) -> list[tuple[int, int, int]]:
             if np.all(flat >= values[i] * (1.0 - _SHALLOW)):
                 found.append((int(before[-1]), int(i), int(i + after[0])))
     return found
-
-
-def _runs(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
-    """First and last index of each run of at least three flags; fewer are a crossing looked at closely."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
-    return [(int(i), int(j) - 1) for i, j in edges.reshape(-1, 2) if j - i >= 3]
 
 
 # The legs

@@ -108,3 +108,9 @@ def _zeros(series: Array) -> Array:
     zeros = chebyshev.chebroots(trimmed)
     real = zeros.real[np.abs(zeros.imag) < 1e-3]
     return np.asarray(real[np.abs(real) < 1.0])
+
+
+def runs(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
+    """First and last index of each run of at least three flags; fewer are a crossing looked at closely."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
+    return [(int(i), int(j) - 1) for i, j in edges.reshape(-1, 2) if j - i >= 3]

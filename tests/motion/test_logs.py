@@ -17,7 +17,8 @@ from stewart_sym.motion.log_reader import read_any_csv, read_csv
 from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
-from stewart_sym.studies.reports.track import angle_doubt, length_doubt, peak_noise, side_doubt, track
+from stewart_sym.studies.reports.doubts import angle_doubt, length_doubt, side_doubt
+from stewart_sym.studies.reports.track import peak_noise, track
 
 Array = NDArray[np.float64]
 NAMES = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]

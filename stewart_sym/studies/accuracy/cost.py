@@ -31,6 +31,7 @@ from ...precision.truth import Truth, deviation
 from ...robot.robot import Robot
 from ..benchmark.compile_times import text_size
 from ..common import host
+from ..common.loops import own_source
 from ..common.timing import Task, measured
 
 Array = NDArray[np.float64]
@@ -442,30 +443,8 @@ def _poses(motions: Sequence[Motion], count: int) -> list[Array]:
     return [np.resize(array[every], (count, *array.shape[1:])) for array in arrays]
 
 
-_LOOP = """\
-#include <stddef.h>
-
-typedef int forces_of(const void *model, const void *motion, void *F);
-
-int drive(
-    forces_of *forces, const void *model, size_t count, size_t repeats, const char *motions, size_t size,
-    void *F)
-{
-    size_t n, i;
-    int status = 0;
-    for (n = 0; n < repeats; ++n) {
-        for (i = 0; i < count; ++i) {
-            status |= forces(model, motions + size * i, F);
-        }
-    }
-    return status;
-}
-"""
-"""Calls a kernel of either precision for one pose after the other, each ``size`` bytes."""
-
-
 def _one_pose(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], object]:
-    loop = native.load("cost_loop", {"loop.c": _LOOP})
+    loop = native.load("cost_loop", {"loop.c": own_source("kernel_loop.c")})
     count = len(poses[0])
     rows = np.concatenate([array.reshape(count, -1) for array in poses], axis=1).astype(kernel.dtype)
     F = np.zeros(6, dtype=kernel.dtype)

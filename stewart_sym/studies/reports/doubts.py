@@ -1,0 +1,80 @@
+"""Doubts about a log: lengths and angles in another unit, a platform on the other side of the base."""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...kinematics.mounting import platform_side
+from ...kinematics.pose_search import jacobian
+from ...motion.logs import LENGTH_UNITS
+from ...motion.motion import Motion
+from ...motion.rotation import rotation_from_rpy
+from ...motion.trajectory import MOST_TURNS, PoseLog
+from ...robot.robot import Robot
+
+Array = NDArray[np.float64]
+
+
+def length_doubt(robot: Robot, lengths: Array) -> str | None:
+    """One line about leg lengths, m, that are no machine's of the robot's size; None for plausible ones."""
+    limits = robot.length_limits[np.isfinite(robot.length_limits[:, 1]), 1]
+    if limits.size:
+        size, (near, far), of = float(limits.max()), _SHARES_OF_LIMITS, "legs of up to"
+    else:
+        size = max(float(np.ptp(robot.b, axis=0).max()), float(np.ptp(robot.p, axis=0).max()))
+        (near, far), of = _SHARES_OF_SIZE, "a machine of"
+    typical = float(np.median(lengths))
+    if near * size <= typical <= far * size:
+        return None
+    low, high = _USUAL
+    units = [name for name, unit in LENGTH_UNITS.items() if low * size <= unit * typical <= high * size]
+    cause = (
+        "is --length-unit right, and are those of the robot file in metres"
+        if typical < size
+        else f"are they in another unit (--length-unit {' or '.join(units)})"
+        if units
+        else "is it the log of another machine, or are those of the robot file not in metres"
+    )
+    return f"lengths of {typical:.4g} m beside {of} {size:.4g} m: {cause}?"
+
+
+def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
+    """One line about angles that the legs allow in degrees alone, at some instants; None else."""
+    theta, t = log.coordinates[0, :, 3:], log.coordinates[0, some, :3]
+    spans = np.ptp(theta, axis=0)
+    axis = int(np.argmax(spans))
+    if not log.in_radians or not _LEAST_TURN < spans[axis] or np.any(spans > MOST_TURNS):
+        return None
+    how = _impossible(robot, t, theta[some])
+    if how is None or _impossible(robot, t, np.radians(theta[some])) is not None:
+        return None
+    return (
+        f"theta_{'xyz'[axis]} over {spans[axis]:.4g} rad leads {how}, in degrees it does not: "
+        "are angles in degrees (--angle-unit deg)?"
+    )
+
+
+def _impossible(robot: Robot, t: Array, theta: Array) -> str | None:
+    """Where poses lead that a machine does not reach: beyond limits, or through singular poses."""
+    R = rotation_from_rpy(theta)
+    L = np.linalg.norm(t[:, None] + robot.p @ np.swapaxes(R, -1, -2) - robot.b, axis=-1)
+    if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):
+        return "legs beyond length_limits"
+    turned = np.linalg.det(jacobian(robot, R, t))
+    return "through a singular pose" if np.ptp(np.sign(turned)) > 0.0 else None
+
+
+def side_doubt(robot: Robot, motion: Motion) -> str | None:
+    """One line about poses (n,) that are all on the other side of the base than gravity says; None else."""
+    side = platform_side(robot)
+    centre = motion.t + motion.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)
+    if not side.by_gravity or np.any(centre @ side.direction >= 0.0):
+        return None
+    return (
+        "the platform is below the base, where gravity pulls, at every instant: does z of the log point "
+        "the other way than in the robot file? (forces are right as they are for a machine that hangs)"
+    )
+
+
+# Shares of a machine's size, or of its longest leg, between which legs are; what they usually are; and the
+# turn, rad, that may be one in degrees.
+_SHARES_OF_SIZE, _SHARES_OF_LIMITS, _USUAL, _LEAST_TURN = (1.0 / 200.0, 20.0), (0.02, 5.0), (0.15, 3.0), 0.5
