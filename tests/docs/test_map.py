@@ -73,3 +73,11 @@ def test_contributing_and_changes_are_linked_from_the_readme() -> None:
         f"({page.relative_to(TOP).as_posix()})" in readme
         for page in (DOCS / "contributing.md", DOCS / "changelog.md")
     )
+
+
+def test_folders_have_at_most_14_modules_and_modules_500_lines() -> None:
+    modules = [path for name in ("derive", "stewart_sym", "tests") for path in (TOP / name).rglob("*.py")]
+    lines = {path: path.read_text(encoding="utf-8").count("\n") for path in modules}
+    assert {str(path): count for path, count in lines.items() if count > 500} == {}
+    inside = [path.parent for path in modules if path.name != "__init__.py"]
+    assert {str(folder) for folder in inside if inside.count(folder) > 14} == set()
