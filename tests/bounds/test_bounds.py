@@ -292,7 +292,7 @@ def test_c_takes_one_pose_and_outputs_that_nobody_wants() -> None:
 
 def test_study_finds_every_force_within_its_bound_and_draws_it(tmp_path: Path) -> None:
     told: list[str] = []
-    data = bounds_study(told.append, cases=60)
+    data = bounds_study(lambda text, share=None: told.append(text), cases=60)
     assert len(told) == 2
     for precision, found in data.items():
         assert found.covered.all()

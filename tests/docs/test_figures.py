@@ -232,7 +232,7 @@ def test_every_figure_of_control_that_is_shown_changes_a_table() -> None:
 def test_every_figure_of_failures_that_is_shown_changes_a_table() -> None:
     found = figures("stability")
     text = written_tables("stability", found)
-    for name in ("worst", "digits", "rejected_at", "silent"):
+    for name in ("worst", "digits", "rejected_at", "undetected"):
         changed = copy.deepcopy(found)
         for method in changed["families"][0]["methods"]:
             method[name] = 7 * (method[name] or 1)

@@ -327,7 +327,12 @@ def test_a_unit_that_is_no_power_of_two_is_named(name: str, bad: float) -> None:
 def test_the_study_hands_out_a_row_for_every_machine_and_a_picture_of_all_arithmetics() -> None:
     told: list[str] = []
     found = scales.scales_study(
-        told.append, dasgupta(), sizes=(0.01, 1.0), masses=(1.0, 10.0, 100.0), machines=2, poses=3
+        lambda text, share=None: told.append(text),
+        dasgupta(),
+        sizes=(0.01, 1.0),
+        masses=(1.0, 10.0, 100.0),
+        machines=2,
+        poses=3,
     )
     assert len(told) == 3 * 3
     assert told[1] == "platform of 1 kg, legs of 10 kg"

@@ -190,7 +190,7 @@ def test_ten_megabytes_are_rejected_in_seconds_and_little_memory(data: bytes, tm
     code = (
         "import sys, warnings\nwarnings.simplefilter('ignore')\n"
         "from stewart_sym.robot.robot import Robot\nfrom stewart_sym.simulation.scene import read_scene\n"
-        "from stewart_sym.motion.trajectory import read_any_csv, read_forces_csv\n"
+        "from stewart_sym.motion.log_reader import read_any_csv, read_forces_csv\n"
         "for read in (Robot.from_toml, read_scene, read_any_csv, read_forces_csv):\n"
         "    try:\n        read(sys.argv[1])\n    except ValueError as error:\n        print(error)\n"
     )

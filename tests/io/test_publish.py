@@ -232,7 +232,7 @@ import resource, sys
 import numpy as np
 import scipy.interpolate, scipy.linalg, stewart_sym.motion.logs
 from stewart_sym.cli.main import main
-from stewart_sym.motion.trajectory import _spline
+from stewart_sym.motion.log_rates import _spline
 
 used = int(open("/proc/self/statm").read().split()[0]) * resource.getpagesize()
 resource.setrlimit(resource.RLIMIT_AS, (used + (16 << 20), resource.RLIM_INFINITY))

@@ -280,7 +280,7 @@ def test_zero_length_legs_and_legs_along_their_axes_stop_the_run() -> None:
     limit = sine.min() - 1e-3
     state = home(robot, v=[3.0, 0.0, 0.0])
     near_joint = ss.simulate(robot, state, np.zeros(6), 3.0, thresholds=ss.Thresholds(min_joint_sine=limit))
-    assert near_joint.stop.kind == "joint"
+    assert near_joint.stop.kind == "joint singularity"
     leg = near_joint.stop.leg
     assert leg is not None
     s = ss.inverse_kinematics(robot, near_joint.motion).s[-1, leg - 1]

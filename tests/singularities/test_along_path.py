@@ -243,7 +243,7 @@ def test_leg_extremes_are_those_of_dense_samples() -> None:
     for extreme, expected in (
         (found.shortest, legs.L.min(axis=0)),
         (found.longest, legs.L.max(axis=0)),
-        (found.singular_time, sine.min(axis=0)),
+        (found.joint_sine, sine.min(axis=0)),
     ):
         np.testing.assert_allclose(extreme.value, expected, rtol=1e-6)
     at = [ss.inverse_kinematics(robot, path(found.shortest.time[[leg]])).L[0, leg] for leg in range(6)]

@@ -23,6 +23,7 @@ from stewart_sym.backend.kernel import module
 from stewart_sym.cli.main import main
 from stewart_sym.dynamics import forces
 from stewart_sym.io.extras import install
+from stewart_sym.io.progress import silent
 from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
 from stewart_sym.studies.benchmark.baselines import CASADI, PEERS, multiply_add
 from stewart_sym.studies.benchmark.figures import FORWARD, MOST
@@ -317,7 +318,7 @@ class Clock:
 def test_a_figure_is_the_time_of_one_unit(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock(monkeypatch)
     tasks = {"short": clock.task("short", 64, 100), "long": clock.task("long", 10**6, 750)}
-    raw = timing.measured(tasks, {"short": 5, "long": 3}, lambda _: None)
+    raw = timing.measured(tasks, {"short": 5, "long": 3}, silent)
     assert raw["short"] == pytest.approx(5 * (100.0,))
     assert raw["long"] == pytest.approx(3 * (750.0,))
 
@@ -326,7 +327,7 @@ def test_candidates_take_turns_and_every_sample_is_long_enough(monkeypatch: pyte
     clock = Clock(monkeypatch)
     names = ("a", "b", "c")
     tasks = {name: clock.task(name, 64, 100) for name in names}
-    timing.measured(tasks, dict.fromkeys(names, 4), lambda _: None)
+    timing.measured(tasks, dict.fromkeys(names, 4), silent)
     samples = [(name, repeats) for name, repeats in clock.calls[-2 * 3 * 4 :] if repeats > 1]
     assert len(samples) == 3 * 4
     assert all(repeats * 64 * 100 >= 1e9 * timing.SHORTEST for _, repeats in samples)
@@ -343,7 +344,7 @@ def test_every_sample_but_an_enormous_one_comes_after_a_run_that_is_not_timed(
         "large": clock.task("large", timing.ENORMOUS - 1, 100),
         "enormous": clock.task("enormous", timing.ENORMOUS, 100),
     }
-    timing.measured(tasks, dict.fromkeys(tasks, 3), lambda _: None)
+    timing.measured(tasks, dict.fromkeys(tasks, 3), silent)
     turns = [name for name, _ in clock.calls[-3 * 3 :]]
     one, other = ["large", "large"], ["enormous"]
     assert turns == [*one, *other, *other, *one, *one, *other]
@@ -358,7 +359,7 @@ def test_a_sample_that_turns_out_short_is_taken_again(monkeypatch: pytest.Monkey
         taken.append(repeats * 64 * next(speeds))
         clock.now += taken[-1]
 
-    raw = timing.measured({"task": timing.Task(run, 64)}, {"task": 3}, lambda _: None)
+    raw = timing.measured({"task": timing.Task(run, 64)}, {"task": 3}, silent)
     assert taken[-1] >= 1e9 * timing.SHORTEST
     assert raw["task"] == pytest.approx(3 * (1.0,))
 

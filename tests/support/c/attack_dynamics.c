@@ -76,7 +76,7 @@ static void drop(outputs *out)
     }
 }
 
-static void check(const attack_case *it, int found, const int *expected, const int *status)
+static void check_case(const attack_case *it, int found, const int *expected, const int *status)
 {
     const unsigned needed = NULL_MODEL | NULL_MOTIONS | NULL_OUT | 0x3Fu << FIRST_ARRAY;
     if (it->flags & needed) {
@@ -131,7 +131,7 @@ void JOINED(attack_, KERNEL, _dynamics)(const attack_case *it)
         }
         check(it, force_width, &out, pose, (const stewart_real *)&forces);
     }
-    check(it, found, expected, status);
+    check_case(it, found, expected, status);
     drop(&out);
 
     memset(status, ATTACK_UNTOUCHED, it->count * sizeof *status);
@@ -151,7 +151,7 @@ void JOINED(attack_, KERNEL, _dynamics)(const attack_case *it)
         }
         check(it, reaction_width, &out, pose, (const stewart_real *)&reactions);
     }
-    check(it, found, expected, status);
+    check_case(it, found, expected, status);
     drop(&out);
     attack_arrays_free(&arrays);
     free(status);
