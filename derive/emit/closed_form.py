@@ -117,7 +117,7 @@ def asked_for(functions: Collection[str]) -> list[str]:
 
 
 def sum_operations(kernel: SumKernel) -> Operations:
-    """Operations of a pose before any solve: six legs, the platform, the sums."""
+    """Operations per pose before any solve: six legs, the platform, the sums."""
     sums = LEGS * sum(len(q.keys) for q in kernel.summed)
     return LEGS * kernel.leg.operations() + kernel.pose.operations() + Operations(add=sums)
 

@@ -11,7 +11,7 @@
  * Link with stewart_exact_forces.c, whose prepared model is used; accelerations in the motion are read by
  * `derivatives` alone.
  *
- * Operations of a pose before any solve      with friction                                without
+ * Operations per pose before any solve       with friction                                without
  * equations         4634 (2625 mul, 1985 add, 12 div, 12 sqrt)   4289
  * bias              2031 (1197 mul, 810 add, 12 div, 12 sqrt)    1815
  * forward_dynamics  2913 (1677 mul, 1212 add, 12 div, 12 sqrt)   2697

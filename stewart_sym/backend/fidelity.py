@@ -62,7 +62,7 @@ def model_numbers(robot: Robot, formulation: str, fidelity: str) -> int:
 
 
 def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERAL) -> int:
-    """Operations of a pose: +, -, *, / and sqrt one each, solve included."""
+    """Operations per pose: +, -, *, / and sqrt one each, solve included."""
     level = resolved(robot, formulation, fidelity)
     if level == _GENERAL:
         counts = module(kernel_name(formulation, robot.base_joint)).FORCE_OPERATIONS["friction"]

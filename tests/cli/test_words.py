@@ -26,7 +26,7 @@ TEXTS = {
 
 # Left: what is not written. Right: what is.
 WORDS = {
-    r"ns a pose|operations of a pose": "ns per pose, operations per pose",
+    r"(?i:ns a pose|operations of a pose)": "ns per pose, operations per pose",
     r"\bverbs?\b": "subcommand",
     r"\broads?\b": "code path",
     r"\bpoles?\b|(?<![a-z])[Pp]oles?_|_poles?\b|_POLE\b": "joint singularity",
