@@ -7,7 +7,7 @@ T = TypeVar("T")
 
 
 class Progress(Protocol):
-    """Is told what is being done."""
+    """Called with what is being done."""
 
     def __call__(self, text: str, share: float | None = None) -> None:
         """``share``: of a task that is done, 0 to 1, never falling while the task lasts; None: not known."""
