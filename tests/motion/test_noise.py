@@ -139,6 +139,27 @@ def test_one_window_and_many_agree() -> None:
     assert np.all(np.abs(both[0].second_rates - both[1].second_rates)[:, 0] < 0.05 * sd[0])
 
 
+def test_windows_of_an_even_log_share_their_matrices(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    rng = np.random.default_rng(8)
+    time = 3.0 + 0.01 * np.arange(6_401)
+    values = np.sin(np.outer(time, [3.0, 7.0])) + 1e-4 * rng.normal(size=(len(time), 2))
+    calls: list[int] = []
+    eigh = np.linalg.eigh
+    monkeypatch.setattr(np.linalg, "eigh", lambda matrix: calls.append(len(matrix)) or eigh(matrix))
+    even = smoothing.smooth(time, values)
+    shared = len(calls)
+    calls.clear()
+    uneven = smoothing.smooth(time + 2e-5 * 0.01 * np.sin(time), values)
+    windows = (len(even.grid) // 2) / (smoothing.WINDOW // 2) - 1
+    assert windows > 10
+    assert len(calls) - shared > windows - 4
+    for rate, (one, other) in enumerate(zip(even[:3], uneven[:3], strict=True)):
+        deviation = np.sqrt(even.covariance[..., smoothing.PAIRS.index((rate, rate))].max(axis=0))
+        assert (np.abs(one - other) < 0.5 * deviation).all()
+
+
 def test_given_rates_count_as_measured_with_their_own_rounding(tmp_path: Path) -> None:
     one = case(1)
     header = "time," + ",".join(
