@@ -182,8 +182,8 @@ class _Knots(NamedTuple):
         whole = clock.even and cells > WINDOW
         if whole:
             step = math.ceil(half * step) / half
-        filled = _whole(math.ceil(span / step * (1.0 - 1e-12)))
-        return cls(step, filled, len(clock.since) * step / span, whole)
+        needed = math.ceil(span / step * (1.0 - 1e-12))
+        return cls(step, needed if whole else _whole(needed), len(clock.since) * step / span, whole)
 
     def place(self, cell: int) -> float:
         """Time at which a cell begins."""
@@ -191,12 +191,12 @@ class _Knots(NamedTuple):
 
     def windows(self) -> list[int]:
         """First cell of every window; a single one takes all."""
-        return list(range(0, max(1, self.cells - WINDOW // 2), WINDOW // 2)) if self.cells > WINDOW else [0]
+        return list(range(0, max(0, self.cells - WINDOW) + 1, WINDOW // 2))
 
-    @property
-    def width(self) -> int:
-        """Cells of a window."""
-        return min(self.cells, WINDOW)
+    def width(self, start: int) -> int:
+        """Cells of the window from cell ``start``; the last takes all that are left."""
+        left = self.cells - start
+        return left if left < 3 * WINDOW // 2 else WINDOW
 
     def share(self, start: int, places: Array) -> Array:
         """Weight of the window from cell ``start`` at places in cells: those of all windows add up to 1.
@@ -204,9 +204,9 @@ class _Knots(NamedTuple):
         It is 0 next to an end that another window overlaps, where the one has fewer samples than the other.
         """
         margin = WINDOW / 6.0
-        last = start + self.width >= self.cells
+        last = start + self.width(start) >= self.cells
         rise = np.ones_like(places) if start == 0 else (places - start) / margin - 1.0
-        fall = np.ones_like(places) if last else (start + self.width - places) / margin - 1.0
+        fall = np.ones_like(places) if last else (start + WINDOW - places) / margin - 1.0
         return np.clip(np.minimum(rise, fall), 0.0, 1.0)
 
 
@@ -327,12 +327,12 @@ class _Window(NamedTuple):
     @classmethod
     def of(cls, since: Array, values: Array, knots: _Knots, start: int) -> _Window:
         """The window that begins with a cell."""
-        begin = knots.place(start)
-        first, last = np.searchsorted(since, [begin, knots.place(start + knots.width)])
-        end = len(since) if start + knots.width >= knots.cells else int(last)
-        cell, u = _places(since[first:end] - begin, knots.step, knots.width)
+        begin, width = knots.place(start), knots.width(start)
+        first, last = np.searchsorted(since, [begin, knots.place(start + width)])
+        end = len(since) if start + width >= knots.cells else int(last)
+        cell, u = _places(since[first:end] - begin, knots.step, width)
         N, y = _b_splines(u, DEGREE), values[first:end]
-        size, inner = knots.width + DEGREE, range(DEGREE + 1)
+        size, inner = width + DEGREE, range(DEGREE + 1)
         # Samples lie in order of time, those of a cell side by side.
         filled, starts = np.unique(cell, return_index=True)
 
@@ -420,15 +420,16 @@ def _smoothed(
     covariance = np.zeros((len(grid), count, len(PAIRS)))
     for start in knots.windows():
         window = _Window.of(clock.since, values, knots, start)
-        inside = slice(2 * start, 2 * (start + knots.width) + 1)
+        width = knots.width(start)
+        inside = slice(2 * start, 2 * (start + width) + 1)
         share = knots.share(start, grid[inside])
-        centres = np.clip(np.arange(window.size) - DEGREE // 2, 0, knots.width)
+        centres = np.clip(np.arange(window.size) - DEGREE // 2, 0, width)
         blend = knots.share(start, (start + centres).astype(np.float64))
         for order in np.unique(orders):
             own = np.flatnonzero(orders == order)
             fit = window.columns(own).likeliest(int(order), sigma[own], weight)
             coefficients[start : start + window.size, own] += blend[:, None] * (fit.modes.X @ fit.mean)
-            for k, product in enumerate(_products(fit.modes, knots.width)):
+            for k, product in enumerate(_products(fit.modes, width)):
                 scaled = share[:, None] / step ** sum(PAIRS[k])
                 covariance[inside, own, k] += scaled * (product @ fit.variance)
     found = np.empty((3, *values.shape))

@@ -160,6 +160,17 @@ def test_windows_of_an_even_log_share_their_matrices(
         assert (np.abs(one - other) < 0.5 * deviation).all()
 
 
+def test_logs_of_any_length_are_smoothed() -> None:
+    rng = np.random.default_rng(9)
+    for count in (*range(4, 40), 97, 98, 193, 289, 337, *rng.integers(400, 30_000, 12)):
+        time = 1e-3 * np.arange(count)
+        values = np.sin(np.outer(time, [9.0, 7.0])) + 1e-4 * rng.normal(size=(count, 2))
+        for cutoff in (None, 20.0):
+            found = smoothing.smooth(time, values, 1e-4, cutoff)
+            assert (np.abs(found.values - values) < 1e-3).all()
+            assert found.covariance[..., 0].min() > 0.0
+
+
 def test_given_rates_count_as_measured_with_their_own_rounding(tmp_path: Path) -> None:
     one = case(1)
     header = "time," + ",".join(
