@@ -251,12 +251,12 @@ def _motion_name(name: str) -> str:
 
 
 def _name(axes: "Axes", given: Sequence[Point]) -> None:
-    from ..common.labels import Label, place
+    from ..common.drawing import name_points
 
     height = _heights(given)
-    labels = [
-        Label(point.name, point.ns, height(point.worst), point.color) for point in given if not point.beside
+    names = [
+        (point.name, (point.ns, height(point.worst)), point.color) for point in given if not point.beside
     ]
     markers = [[(point.ns, height(error)) for error in point.errors.values()] for point in given]
     bars = [(min(of_point), max(of_point)) for of_point in markers]
-    place(axes, labels, [marker for of_point in markers for marker in of_point], bars)
+    name_points(axes, names, [marker for of_point in markers for marker in of_point], bars)
