@@ -19,7 +19,6 @@ from matplotlib.transforms import Bbox
 from stewart_sym.studies.accuracy.cost import CostAccuracy, Entry, Errors
 from stewart_sym.studies.accuracy.cost_plot import (
     ROUNDING,
-    STYLE,
     TOTAL,
     Point,
     csv_rows,
@@ -28,7 +27,7 @@ from stewart_sym.studies.accuracy.cost_plot import (
     points,
 )
 from stewart_sym.studies.common.drawing import name_points
-from stewart_sym.studies.common.report import Picture, draw
+from stewart_sym.studies.common.report import SMALL, Picture, draw
 
 
 @pytest.fixture(scope="module")
@@ -216,7 +215,7 @@ def test_too_many_names_are_rejected() -> None:
 
 def test_pictures_are_written_as_png_and_svg_with_the_same_bytes(tmp_path: Path, picture: Figure) -> None:
     for name, made in (("one", picture), ("other", figure(made_up()))):
-        draw(Picture(lambda made=made: made, STYLE, ("png", "svg")), tmp_path / name)  # type: ignore[misc]
+        draw(Picture(lambda made=made: made, SMALL, ("png", "svg")), tmp_path / name)  # type: ignore[misc]
     for kind in ("png", "svg"):
         assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"other.{kind}").read_bytes()
     pixels = matplotlib.image.imread(tmp_path / "one.png")

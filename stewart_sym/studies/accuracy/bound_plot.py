@@ -153,8 +153,6 @@ def figure(data: Bounds) -> "Figure":
     axes.set_ylabel("bound, largest of six, N")
     (name,) = {found.robot for found in data.values()}
     axes.set_title(f"Rounding error of the forces and its bound\n{name}", fontsize=10.0)
-    axes.grid(alpha=0.35, linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)
     for axis in (axes.xaxis, axes.yaxis):
         log_numbers(axis)
     legend_below(picture, fontsize=8.0, markerscale=2.5)

@@ -16,15 +16,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-STYLE: Any = {
-    "font.size": 9.0,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.alpha": 0.35,
-    "grid.linewidth": 0.6,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-}
 _EXACT, _PAPER, _FLOAT, _OTHER, _FRONT = "#1f4e9c", "#c1440e", "#2e7d32", "#5a5a5a", "#9a9a9a"
 _MARKERS = "os^vDPX*"
 _FILLED: Any = {"markersize": 4.5, "markeredgewidth": 0.0}
@@ -122,23 +113,21 @@ def _of(every: Sequence[Point], panel: str) -> list[Point]:
 
 def figure(found: CostAccuracy) -> "Figure":
     """Two panels, time per pose over the errors: of model and rounding together, and of rounding."""
-    import matplotlib
     from matplotlib.figure import Figure
 
     every = points(found)
     marks = dict(zip(found.peaks, _MARKERS * len(found.peaks), strict=False))
-    with matplotlib.rc_context(STYLE):
-        picture = Figure(figsize=(12.4, 7.8), layout="constrained")
-        left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
-        picture.suptitle("\n".join([f"Speed against accuracy: {found.robot}", *_disturbance(found)]))
-        _draw(left, _of(every, TOTAL), marks)
-        _draw(right, _of(every, ROUNDING), marks)
-        left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
-        right.set_title("error of rounding: exact, general", fontsize="medium")
-        left.set_ylabel("largest error, share of the motion's peak force")
-        _legend(picture, left, marks)
-        for axes, panel in ((left, TOTAL), (right, ROUNDING)):
-            _name(axes, _of(every, panel))
+    picture = Figure(figsize=(12.4, 7.8), layout="constrained")
+    left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
+    picture.suptitle("\n".join([f"Speed against accuracy: {found.robot}", *_disturbance(found)]))
+    _draw(left, _of(every, TOTAL), marks)
+    _draw(right, _of(every, ROUNDING), marks)
+    left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
+    right.set_title("error of rounding: exact, general", fontsize="medium")
+    left.set_ylabel("largest error, share of the motion's peak force")
+    _legend(picture, marks)
+    for axes, panel in ((left, TOTAL), (right, ROUNDING)):
+        _name(axes, _of(every, panel))
     return picture
 
 
@@ -217,7 +206,7 @@ def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], floa
     axes.xaxis.set_minor_formatter(NullFormatter())
 
 
-def _legend(picture: "Figure", axes: "Axes", marks: Mapping[str, str]) -> None:
+def _legend(picture: "Figure", marks: Mapping[str, str]) -> None:
     from matplotlib.lines import Line2D
 
     from ..common.drawing import legend_below

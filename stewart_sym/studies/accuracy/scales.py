@@ -327,8 +327,6 @@ def figure(data: Scales) -> "Figure":
         _panel(axes, data, axis, places)
         axes.set_xlabel(label)
         axes.xaxis.set_major_locator(LogLocator(numticks=8))
-        axes.grid(alpha=0.35, linewidth=0.6)
-        axes.spines[["top", "right"]].set_visible(False)
     low, high = panels[0].get_ylim()
     panels[0].set_ylim(0.5 * low, 2.0 * high)
     panels[0].axvspan(*MEANT, color="#0072b2", alpha=0.07, linewidth=0.0)

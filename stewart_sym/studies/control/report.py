@@ -15,7 +15,6 @@ from ..common.table import aligned
 from .control import Run, Settings, Study
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 NAMES = {
@@ -134,7 +133,7 @@ def figure(study: Study) -> "Figure":
             column[2].plot(run.time, run.largest_force, **style)
         column[2].set_xlabel("time, s")
         for axes in column:
-            _tidy(axes)
+            axes.margins(x=0.0)
         for axes in column[:2]:
             log_numbers(axes.yaxis)
     for row, label in zip(
@@ -144,9 +143,3 @@ def figure(study: Study) -> "Figure":
     picture.suptitle(study.robot.name, fontsize=10.0)
     legend_below(picture)
     return picture
-
-
-def _tidy(axes: "Axes") -> None:
-    axes.margins(x=0.0)
-    axes.grid(alpha=0.35, linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...io.extras import needed_for
 from ..common.drawing import legend_below, log_numbers
-from ..common.report import Picture
+from ..common.report import SMALL, Picture
 from .reproduce import PathRun, Reproduction
 
 with needed_for("drawing"):
@@ -24,15 +24,6 @@ with needed_for("drawing"):
 
 Array = NDArray[np.float64]
 
-_STYLE: Any = {
-    "font.size": 9.0,
-    "axes.grid": True,
-    "grid.alpha": 0.35,
-    "grid.linewidth": 0.6,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "legend.frameon": False,
-}
 _PAPER_LINE: dict[str, Any] = {"linewidth": 1.3, "zorder": 3}
 _EXACT_LINE: dict[str, Any] = {"linewidth": 3.6, "alpha": 0.35, "zorder": 2, "solid_capstyle": "butt"}
 
@@ -60,7 +51,7 @@ def pictures(found: Reproduction) -> dict[str, Picture]:
     return {
         f"fig{number:02d}_path_{path}_{kind}": Picture(
             functools.partial(make, number, found.runs[path, "paper"], found.runs[path, "exact"]),
-            _STYLE,
+            SMALL,
             ("png", "svg"),
         )
         for number, path, kind, make in _FIGURES

@@ -151,7 +151,5 @@ def _curves(axes: "Axes", times: Array, values: Array, names: Mapping[str, int],
         axes.plot(times, values[:, column], linewidth=1.1, label=name)
     axes.set_ylabel(label)
     axes.margins(x=0.0)
-    axes.grid(alpha=0.35, linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)
     # Beside the panel, where no curve can run through it.
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False, fontsize=8.0)
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)
