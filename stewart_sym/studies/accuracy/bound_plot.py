@@ -106,16 +106,6 @@ def _compared(robot: Robot, motion: Motion, precision: Precision, dtype: type[np
     )
 
 
-def summary(data: Bounds) -> str:
-    """One line for each precision: whether the bounds hold, and how far above the errors they lie."""
-    return "\n".join(
-        f"{precision:<6}  {found.error.size} poses: bound over error at least {found.ratio.min():.1f}, "
-        f"{np.median(found.ratio):.0f} in the median, {np.percentile(found.ratio, 95):.0f} at 95 %; "
-        f"{np.count_nonzero(~found.covered)} forces beyond their bound"
-        for precision, found in data.items()
-    )
-
-
 def csv_rows(data: Bounds) -> str:
     """The poses as CSV, precision, error and bound in N and rcond, with all their digits."""
     rows = [

@@ -67,36 +67,6 @@ class Part(NamedTuple):
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
-class Track(NamedTuple):
-    """A trajectory run through the dynamics.
-
-    columns: (n,) by name, as of ``Part``. doubts: one line for each limit exceeded or not decided, and for
-    noise. summary: what it comes to, lines of text.
-    """
-
-    columns: Columns
-    doubts: list[str]
-    summary: str
-
-
-def track(
-    robot: Robot,
-    trajectory: Trajectory | PoseLog,
-    formulation: Formulation = "exact",
-    backend: Backend = "c",
-    reactions: bool = False,
-    allow_singular: bool = False,
-    noise_share: float = NOISE_SHARE,
-) -> Track:
-    """Run a trajectory of n instants, as ``in_parts``, and keep all columns."""
-    digest, columns = Digest(robot, trajectory.time, replaced_rows(trajectory)), []
-    for part in in_parts(robot, trajectory, formulation, backend, reactions, allow_singular):
-        digest.add(part)
-        columns.append(part.columns)
-    joined = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
-    return Track(joined, digest.doubts(noise_share), digest.summary())
-
-
 def in_parts(
     robot: Robot,
     trajectory: Trajectory | PoseLog,
