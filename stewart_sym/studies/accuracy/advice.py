@@ -11,7 +11,7 @@ from typing import Any
 
 from ..common.table import aligned
 from .budget import Budget
-from .cost import SAMPLED, Candidate, CostAccuracy, Entry, finite
+from .cost import SAMPLED, Candidate, CostAccuracy, Entry
 
 TERMS: Mapping[str, str] = {
     "friction": "joint friction",
@@ -222,7 +222,7 @@ def as_json(found: Advice) -> dict[str, Any]:
         "chosen": None if chosen is None else vars(chosen.candidate),
         "closest": vars(found.closest.candidate),
         "needed": [
-            {"terms": sorted(left_out), "without": vars(entry.candidate), "error": finite(entry.total)}
+            {"terms": sorted(left_out), "without": vars(entry.candidate), "error": entry.total}
             for left_out, entry in found.needed()
         ],
     }

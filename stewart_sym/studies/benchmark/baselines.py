@@ -20,6 +20,7 @@ from ...dynamics.inverse import Formulation
 from ...motion.motion import Motion
 from ...reference import newton_euler
 from ...robot.robot import Robot
+from ..common import timing
 from ..common.loops import loop_source, own_source
 
 if TYPE_CHECKING:
@@ -102,12 +103,7 @@ class Candidate:
 
 def repeated(call: Callable[[], object], F: Callable[[], Array], kept: object = None) -> Runner:
     """Return a runner of one call for all poses."""
-
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            call()
-
-    return Runner(run, F, kept)
+    return Runner(timing.repeated(call), F, kept)
 
 
 def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:

@@ -29,6 +29,16 @@ class Task:
     units: int
 
 
+def repeated(call: Callable[[], object]) -> Callable[[int], None]:
+    """What makes a call n times."""
+
+    def run(repeats: int) -> None:
+        for _ in range(repeats):
+            call()
+
+    return run
+
+
 def measured(
     tasks: Mapping[Key, Task], rounds: Mapping[Key, int], progress: Progress
 ) -> dict[Key, tuple[float, ...]]:
