@@ -10,6 +10,7 @@ from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
 from ...motion.rotation import cross, rotation_from_rpy, rotation_from_vector, rpy_from_rotation
 from ...motion.straight_line import PATHS
+from ...precision.truth import digits
 from ...reference.newton_euler import actuator_wrench
 from ...robot.robot import Robot
 from . import shipped
@@ -32,9 +33,6 @@ REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding 
 
 DAMPED = "damped least squares"
 """As ``on_singular="damped"`` has it: bounded forces of another wrench, which it tells."""
-
-_digits = mpmath.MPContext()
-_digits.dps = 50
 
 
 def families(seed: int = 6) -> list[Family]:
@@ -79,7 +77,7 @@ def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
             with np.errstate(all="ignore"):
                 got = damped_solution(H, c, lengths[i])[0] if name == DAMPED else CANDIDATES[name](H, c)
             if np.isfinite(got).all():
-                worst = max(abs(_digits.mpf(float(a)) - b) for a, b in zip(got, x, strict=True))
+                worst = max(abs(digits.mpf(float(a)) - b) for a, b in zip(got, x, strict=True))
                 error[i] = float(worst / max(abs(b) for b in x))
         found.append(Curve(name, error, condition))
     return found
@@ -163,6 +161,6 @@ def _condition(H: Array, length: float) -> float:
 
 def _exact(H: Array, c: Array) -> list[mpmath.mpf] | None:
     try:
-        return list(_digits.lu_solve(_digits.matrix(H.tolist()), _digits.matrix(c.tolist())))
+        return list(digits.lu_solve(digits.matrix(H.tolist()), digits.matrix(c.tolist())))
     except ZeroDivisionError:
         return None
