@@ -1,8 +1,7 @@
 """Advice: the cheapest kernel that keeps a budget, and what physics forbids a cheaper one.
 
-Takes the figures of ``cost`` and the budget they are held against. Cost is operations, then precision:
-counts, and no times, so that the same scene gets the same answer on every run and machine; times count only
-where the budget names a rate.
+Cost is operations, then precision, and no times, so that the same scene gets the same answer on every
+machine; times count only where the budget names a rate.
 """
 
 from collections.abc import Mapping

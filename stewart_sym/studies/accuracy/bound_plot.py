@@ -1,7 +1,6 @@
 """True rounding error of the forces against the bound that comes with them, double and float, on one machine.
 
-Takes a robot, draws random motions around its home pose and returns records; draws them if asked (extra
-``plot``). Truth is quadruple precision (``quad``). Writes no file.
+Truth is quadruple precision (``quad``).
 """
 
 from collections.abc import Mapping

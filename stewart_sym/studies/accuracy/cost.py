@@ -1,9 +1,7 @@
 """What each kernel costs and how far it is off on a machine's motions, in every fidelity and precision.
 
-Cost is operations, time and bytes of code; error is split into that of the model, beside `exact`
-general in double, and that of rounding, beside the kernel's own equations at 50 digits. All errors are
-shares of the largest actuator force of their motion. ``advice`` chooses by these figures, ``cost_plot``
-draws them.
+Error is split into that of the model, beside `exact` general in double, and that of rounding, beside the
+kernel's own equations at 50 digits. All errors are shares of the largest actuator force of their motion.
 """
 
 import ctypes

@@ -1,7 +1,4 @@
-"""Speed against accuracy as a picture and as rows: time per pose over error, total and of rounding alone.
-
-Takes what ``cost`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
-"""
+"""Speed against accuracy as a picture and as rows: time per pose over error, total and of rounding alone."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence

@@ -1,8 +1,6 @@
 """Rounding error of the force kernels over size and mass of the machine, in double and in float.
 
-Takes a robot, makes similar machines of every size and mass, and compares each arithmetic with one of more
-digits that is given the same numbers; float with the unit of length for its moments and without. Returns
-records; draws them if asked (extra ``plot``). Writes no file.
+Each arithmetic is compared with one of more digits that is given the same numbers.
 """
 
 import ctypes

@@ -1,8 +1,4 @@
-"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, the processor.
-
-Turns code of any origin into something that can be run n times over given poses and asked for its forces.
-Pinocchio, whose figure is put together from parts, has a module of its own. Times nothing.
-"""
+"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, the processor."""
 
 import ctypes
 import functools

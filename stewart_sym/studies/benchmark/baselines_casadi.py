@@ -1,8 +1,7 @@
 """CasADi as a candidate of ``bench``: the `exact` equations in its symbols, emitted by it as C.
 
-The equations are written out here again, plainly; shared terms and the linear solve are CasADi's own. Takes
-the order in which a robot's and a motion's numbers lie and hands over C text; must not depend on
-the derivation and the generated kernels. The text is compiled and timed elsewhere.
+The equations are written out here again, plainly; shared terms and the linear solve are CasADi's own. Must
+not depend on the derivation and the generated kernels.
 """
 
 import itertools

@@ -1,8 +1,7 @@
 """Pinocchio as a candidate of ``bench``: recursive Newton-Euler over the machine's tree, then a 6x6 solve.
 
-Takes the numbers of a Robot and of a Motion and shares no dynamics with the other candidates. Joint
-angles, rates, accelerations, friction and the Jacobians of the closed loops are prepared beforehand and not
-timed: what remains is what Pinocchio is good at.
+Shares no dynamics with the other candidates. Joint angles, rates, accelerations, friction and the Jacobians
+of the closed loops are prepared beforehand and not timed.
 """
 
 from typing import Any

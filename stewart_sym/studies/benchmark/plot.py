@@ -1,7 +1,4 @@
-"""What ``bench`` measured, as tables for the terminal and as a picture.
-
-Computes nothing but the layout. The picture needs Matplotlib, the extra ``bench``.
-"""
+"""What ``bench`` measured, as tables for the terminal and as a picture."""
 
 import functools
 import textwrap

@@ -1,7 +1,4 @@
-"""Tables of results as CSV text.
-
-Used by the commands that write.
-"""
+"""Tables of results as CSV text."""
 
 import csv
 import io

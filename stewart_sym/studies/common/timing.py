@@ -1,7 +1,4 @@
-"""Nanoseconds of tasks that take turns: whatever slows the machine down slows all of them.
-
-Used by the studies that measure.
-"""
+"""Nanoseconds of tasks that take turns: whatever slows the machine down slows all of them."""
 
 import contextlib
 import gc

@@ -1,7 +1,4 @@
-"""The control study for people and programs: table, CSV rows, JSON, and curves over time.
-
-Takes the studies of one or several machines by label. The picture needs the extra ``plot``; writes no file.
-"""
+"""The control study for people and programs: table, CSV rows, JSON, and curves over time."""
 
 import functools
 from collections.abc import Mapping, Sequence

@@ -1,6 +1,6 @@
 """The claims of the paper's text beside what was computed, each with a verdict by a rule that is stated.
 
-Reads a ``Reproduction``; computes no dynamics. The paper's own numbers stand here and nowhere else.
+The paper's own numbers stand here and nowhere else.
 """
 
 from collections.abc import Callable

@@ -1,8 +1,4 @@
-"""Pictures of the paper's Figs. 4-10 with `paper` and `exact` in each, as PNG and SVG.
-
-Draws what ``reproduce`` computed; needs Matplotlib, the extra ``plot``. The SVG text depends on the numbers
-and on Matplotlib's version alone.
-"""
+"""Pictures of the paper's Figs. 4-10 with `paper` and `exact` in each, as PNG and SVG."""
 
 import functools
 from collections.abc import Callable

@@ -1,8 +1,4 @@
-"""Section 5 of the paper computed again: Paths I-III, what each printed fault costs, work and energy.
-
-Takes the paper's machine and the generated kernels and returns plain records. ``claims`` checks them,
-``report`` prints them and ``plots`` draws them; this module prints and writes nothing.
-"""
+"""Section 5 of the paper computed again: Paths I-III, what each printed fault costs, work and energy."""
 
 import dataclasses
 import functools

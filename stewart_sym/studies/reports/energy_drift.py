@@ -1,7 +1,6 @@
 """Energy of a free-swinging machine on leg springs over time, in both formulations: what is right keeps it.
 
 Without friction or drive, and with springs for actuators, the energy of machine and springs is constant.
-Takes a robot and returns records; draws them if asked (extra ``plot``). Writes no file.
 """
 
 import dataclasses

@@ -1,7 +1,4 @@
-"""Identification from beginning to end: of measured forces, or simulated with the truth beside the estimates.
-
-Prints nothing, writes no file.
-"""
+"""Identification from beginning to end: of measured forces, or simulated beside the truth."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import replace

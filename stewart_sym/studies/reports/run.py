@@ -1,7 +1,4 @@
-"""A simulation's run as ``simulate`` writes it: columns by name, a summary, a picture.
-
-Takes a Simulation and the law it ran under. The pictures need the extra ``plot``; nothing else is written.
-"""
+"""A simulation's run as ``simulate`` writes it: columns by name, a summary, a picture."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any

@@ -1,7 +1,4 @@
-"""What ``singularities`` writes of a path: where it crosses singular poses and what is lost there.
-
-Takes a Robot and a path as a function of time; reads and writes no file.
-"""
+"""What ``singularities`` writes of a path: where it crosses singular poses and what is lost there."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

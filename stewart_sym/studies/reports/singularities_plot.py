@@ -1,7 +1,4 @@
-"""Pictures of a path's singular poses: over the whole path, and at each the machine with its free twist.
-
-Draws what ``singularities`` found; needs Matplotlib, the extra ``plot``.
-"""
+"""Pictures of a path's singular poses: over the whole path, and at each the machine with its free twist."""
 
 import functools
 from collections.abc import Iterator

@@ -1,10 +1,7 @@
-"""A trajectory run through the dynamics, as ``forces`` writes it: columns, limits exceeded, a summary.
-
-Takes a Robot and a Trajectory; reads and writes no file.
-"""
+"""A trajectory run through the dynamics, as ``forces`` writes it: columns, limits exceeded, a summary."""
 
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -240,44 +237,34 @@ class Digest:
 
 
 class _Limit(NamedTuple):
-    """A limit of the robot's legs: its name, unit, values that it limits and by how much these exceed it."""
+    """A limit of the robot's legs: its name, unit, and the values of a part that it limits.
+
+    end: column of the lowest or highest value; None for the largest magnitude.
+    """
 
     name: str
     unit: str
-    values: Callable[[Part], Array]
-    bound: Callable[[Robot], Array]
-    excess: Callable[[Robot, Part], Array]
+    values: str
+    end: int | None = None
+
+    def bound(self, robot: Robot) -> Array:
+        """The limit of each leg, (6,)."""
+        limits: Array = getattr(robot, self.name)
+        return limits if self.end is None else limits[:, self.end]
+
+    def excess(self, robot: Robot, part: Part) -> Array:
+        """By how much values are beyond it, (n, 6)."""
+        values: Array = getattr(part, self.values)
+        if self.end is None:
+            return np.abs(values) - self.bound(robot)
+        return np.asarray((values - self.bound(robot)) * (1.0 if self.end else -1.0))
 
 
 _LIMITS = (
-    _Limit(
-        "force_limit",
-        "N",
-        lambda part: part.F,
-        lambda robot: robot.force_limit,
-        lambda robot, part: np.abs(part.F) - robot.force_limit,
-    ),
-    _Limit(
-        "speed_limit",
-        "m/s",
-        lambda part: part.L_dot,
-        lambda robot: robot.speed_limit,
-        lambda robot, part: np.abs(part.L_dot) - robot.speed_limit,
-    ),
-    _Limit(
-        "length_limits",
-        "m",
-        lambda part: part.L,
-        lambda robot: robot.length_limits[:, 1],
-        lambda robot, part: part.L - robot.length_limits[:, 1],
-    ),
-    _Limit(
-        "length_limits",
-        "m",
-        lambda part: part.L,
-        lambda robot: robot.length_limits[:, 0],
-        lambda robot, part: robot.length_limits[:, 0] - part.L,
-    ),
+    _Limit("force_limit", "N", "F"),
+    _Limit("speed_limit", "m/s", "L_dot"),
+    _Limit("length_limits", "m", "L", 1),
+    _Limit("length_limits", "m", "L", 0),
 )
 
 
@@ -334,7 +321,7 @@ def _worst(robot: Robot, limit: _Limit, leg: int, part: Part) -> str:
     i, _ = _excess(robot, limit, leg, part)
     sd = part.F_sd if limit.name == "force_limit" else None
     spread = "" if sd is None else f" +- {sd[i, leg]:.3g}"
-    value = f"{limit.values(part)[i, leg]:.6g}{spread} {limit.unit} at {part.time[i]:g} s"
+    value = f"{getattr(part, limit.values)[i, leg]:.6g}{spread} {limit.unit} at {part.time[i]:g} s"
     return f"{value}, limit {limit.bound(robot)[leg]:g} {limit.unit}"
 
 

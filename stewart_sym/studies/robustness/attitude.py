@@ -1,7 +1,6 @@
 """Family 4: roll-pitch-yaw angles at theta_y = 90 degrees beside inputs that have no singularity.
 
-One motion is written down in each kind of input, its numbers rounded last; what comes back of it are
-forces.
+One motion is written down in each kind of input, its numbers rounded last; errors are of its forces.
 """
 
 import dataclasses

@@ -1,7 +1,4 @@
-"""Families of poses that approach a degenerate configuration: a curve for each method, a verdict.
-
-Records and measures alone.
-"""
+"""Families of poses that approach a degenerate configuration: a curve for each method, a verdict."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
