@@ -10,6 +10,20 @@ from numpy.typing import NDArray
 _ROWS = 4096
 
 
+Columns = dict[str, NDArray[Any]]
+"""Columns (n,) by name."""
+
+
+def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
+    """Columns of each leg, ``name1`` to ``name6``, from (n, 6)."""
+    return {f"{name}{leg + 1}{ending}": column for leg, column in enumerate(values.T)}
+
+
+def of_axes(name: str, values: NDArray[Any]) -> Columns:
+    """Columns of each axis, ``name_x`` to ``name_z``, from (n, 3)."""
+    return {f"{name}_{axis}": column for axis, column in zip("xyz", values.T, strict=True)}
+
+
 def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Iterator[str]:
     """Lines of a CSV file, header first; columns (n,) by name, floats with all their digits."""
     if header:

@@ -4,9 +4,7 @@ import functools
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from numpy.typing import NDArray
-
-from ..common.output import csv_text
+from ..common.output import Columns, csv_text, of_legs
 from ..common.report import Picture, Report, Table
 from ..common.table import aligned
 from .control import Run, Settings, Study
@@ -104,12 +102,12 @@ def as_json(studies: Mapping[str, Study]) -> dict[str, Any]:
     return {"settings": {**vars(settings)}, "machines": machines, "units": _UNITS}
 
 
-def run_columns(runs: Mapping[str, Run]) -> dict[str, NDArray[Any]]:
+def run_columns(runs: Mapping[str, Run]) -> Columns:
     """Columns (n,) of one path: time, s, and for each controller errors, m and rad, and forces, N."""
-    columns: dict[str, NDArray[Any]] = {"time": next(iter(runs.values())).time}
+    columns: Columns = {"time": next(iter(runs.values())).time}
     for name, run in runs.items():
         columns |= {f"{name}_position": run.position, f"{name}_orientation": run.orientation}
-        columns |= {f"{name}_F{leg + 1}": run.F[:, leg] for leg in range(6)}
+        columns |= of_legs(f"{name}_F", run.F)
     return columns
 
 

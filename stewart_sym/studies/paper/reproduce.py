@@ -20,6 +20,7 @@ from ...motion.motion import Motion
 from ...motion.straight_line import PATHS, StraightLinePath
 from ...reference import newton_euler
 from ...robot.robot import Robot
+from ..common.output import Columns, of_legs
 
 Array = NDArray[np.float64]
 
@@ -181,11 +182,11 @@ def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool
     )
 
 
-def run_columns(run: PathRun) -> dict[str, Array]:
+def run_columns(run: PathRun) -> Columns:
     """The columns of a run's CSV file by name, each (n,), SI units."""
-    columns = {"time": run.time}
+    columns: Columns = {"time": run.time}
     for name, values in (("F", run.F), ("F0_", run.F0), ("Fd_", run.Fd), ("dynamic_fraction_", run.fraction)):
-        columns |= {f"{name}{leg + 1}": values[:, leg] for leg in range(6)}
+        columns |= of_legs(name, values)
     return columns | {
         "condition_number": run.condition,
         "scaled_condition_number": run.scaled_condition,

@@ -10,6 +10,7 @@ from ...dynamics.inverse import Formulation
 from ...motion.rotation import rpy_from_rotation
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.trace import Simulation
+from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from . import energy_drift
 from .energy_drift import Drift, drift_of, energy_scale
@@ -19,16 +20,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-Columns = dict[str, NDArray[Any]]
 
 
 def run_columns(run: Simulation) -> Columns:
     """Columns (n,) in SI units: time, pose (angles of (38), |theta_y| <= pi/2), rates, F, L and energies."""
     vectors = {"t": run.t, "theta": rpy_from_rotation(run.R), "v": run.v, "omega": run.omega}
     columns: Columns = {"time": run.times}
-    columns |= {f"{name}_{axis}": x[:, j] for name, x in vectors.items() for j, axis in enumerate("xyz")}
-    for name, of_legs in (("F", run.F), ("L", run.L)):
-        columns |= {f"{name}{leg + 1}": of_legs[:, leg] for leg in range(6)}
+    for name, values in vectors.items():
+        columns |= of_axes(name, values)
+    columns |= of_legs("F", run.F) | of_legs("L", run.L)
     return columns | {"kinetic": run.kinetic, "potential": run.potential}
 
 

@@ -16,10 +16,10 @@ from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
+from ..common.output import Columns, of_axes, of_legs
 from ..common.table import aligned
 
 Array = NDArray[np.float64]
-Columns = dict[str, NDArray[Any]]
 
 
 SURE = 3.0
@@ -57,9 +57,9 @@ class Part(NamedTuple):
         with reactions, the components of F_s, F_u, F_p, F_c, M_p (about the base point) and M_u leg by leg.
         """
         found: Columns = {"time": self.time}
-        for name, ending, of_legs in (("F", "", self.F), ("F", "_sd", self.F_sd), ("L", "", self.L)):
-            if of_legs is not None:
-                found |= {f"{name}{i + 1}{ending}": of_legs[:, i] for i in range(6)}
+        for name, ending, values in (("F", "", self.F), ("F", "_sd", self.F_sd), ("L", "", self.L)):
+            if values is not None:
+                found |= of_legs(name, values, ending)
         found |= {"condition_number": self.condition, "status": self.status}
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
@@ -416,5 +416,5 @@ def _reaction_columns(found: Reactions) -> Columns:
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p"):
         values = getattr(found, name)
         for leg in range(6):
-            columns |= {f"{name}{leg + 1}_{axis}": values[:, leg, j] for j, axis in enumerate("xyz")}
-    return columns | {f"M_u{leg + 1}": found.M_u[:, leg] for leg in range(6)}
+            columns |= of_axes(f"{name}{leg + 1}", values[:, leg])
+    return columns | of_legs("M_u", found.M_u)
