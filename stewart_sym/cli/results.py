@@ -92,6 +92,6 @@ def reject_inputs(option: str, output: Path, *inputs: Path) -> None:
 
 
 def need_drawing(arguments: argparse.Namespace) -> None:
-    """ImportError that names the extra if pictures are wanted and Matplotlib is missing."""
-    if arguments.pictures:
-        need("matplotlib", "drawing", ", or give --no-pictures")
+    """ImportError that names the extra if pictures are wanted and what draws them is missing."""
+    for package in ("matplotlib", "textalloc") if arguments.pictures else ():
+        need(package, "drawing", ", or give --no-pictures")

@@ -21,6 +21,7 @@ EXTRAS = {
     "mujoco": ("MuJoCo", "bench"),
     "pinocchio": ("Pinocchio", "bench"),
     "scipy": ("SciPy", "sim"),
+    "textalloc": ("textalloc", "plot"),
 }
 """Name and extra of each optional package, by the name it is imported by."""
 

@@ -35,7 +35,7 @@ from stewart_sym.motion.motion import Motion
 from stewart_sym.precision.quad import error, quad_forces
 from stewart_sym.results import BAD_ARGUMENT, OK, SINGULAR
 from stewart_sym.robot.robot import Robot
-from stewart_sym.studies.accuracy.bound_plot import bounds_study, csv_rows, figure, summary
+from stewart_sym.studies.accuracy.bound_plot import bounds_study, csv_rows, figure
 
 Array = NDArray[Any]
 
@@ -294,10 +294,9 @@ def test_study_finds_every_force_within_its_bound_and_draws_it(tmp_path: Path) -
     told: list[str] = []
     data = bounds_study(lambda text, share=None: told.append(text), cases=60)
     assert len(told) == 2
-    for precision, found in data.items():
+    for found in data.values():
         assert found.covered.all()
         assert found.error.size >= 50
-        assert f"{precision}" in summary(data)
     rows = list(csv.DictReader(csv_rows(data).splitlines()))
     assert [float(row["bound"]) for row in rows] == [b for found in data.values() for b in found.bound]
     assert {row["precision"] for row in rows} == set(PRECISIONS)

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import whole_track
 from command_files import edit, results
 from command_line import fails_in_one_line, folder_state, read
 
@@ -225,9 +226,9 @@ def test_reactions_that_overflow_are_a_pose_without_an_answer(
     read_back = read_csv(trajectory)
     machine = ss.Robot.from_toml(robot)
     with pytest.raises(ValueError, match=r"csv: row 2: an input is not finite, or a result overflows"):
-        track.track(machine, read_back, reactions=True)
+        whole_track.track(machine, read_back, reactions=True)
     with pytest.warns(ss.SingularPoseWarning, match=r"csv: row 2: "):
-        columns = track.track(machine, read_back, reactions=True, allow_singular=True).columns
+        columns = whole_track.track(machine, read_back, reactions=True, allow_singular=True).columns
     assert np.all(columns["status"] == 1)
     assert np.all(np.isnan(columns["M_p1_x"]))
 

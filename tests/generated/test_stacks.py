@@ -10,15 +10,16 @@ from pathlib import Path
 import machines
 import numpy as np
 import pytest
+from cortex_stacks import stacks
 
 from stewart_sym.backend import fidelity
 from stewart_sym.generated.fidelities import FIDELITIES
+from stewart_sym.io.json_text import json_text
 from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.files import stack_key
 from stewart_sym.kit.parts import parts
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.microcontroller import toolchain
-from stewart_sym.studies.microcontroller.stacks import as_text, stacks
 
 TABLE = Path(__file__).parents[2] / "stewart_sym" / "kit" / "stack.json"
 REWRITE = "run `PYTHONPATH=tests/support python tests/generated/test_stacks.py`"
@@ -60,4 +61,4 @@ def test_readme_of_a_kit_quotes_it() -> None:
 
 
 if __name__ == "__main__":
-    TABLE.write_text(as_text(stacks(robots(), print)), encoding="utf-8")
+    TABLE.write_text(json_text(stacks(robots(), print)), encoding="utf-8")

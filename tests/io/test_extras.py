@@ -50,7 +50,7 @@ def test_every_module_imports_with_numpy_sympy_and_scipy_alone_or_names_its_extr
     for name, error in errors.items():
         assert error.startswith("MissingExtraError: "), f"{name}: {error}"
         assert " needs " in error, f"{name}: {error}"
-    drawing = ("bench", "drawing", "baselines", "plot", "pictures", "labels", "workspace")
+    drawing = ("bench", "drawing", "baselines", "plot", "pictures", "workspace")
     assert not [name for name in errors if not any(part in name for part in drawing)]
 
 

@@ -10,6 +10,7 @@ import pytest
 from noisy_logs import WHITE, Case, case, coordinates, logged, motion
 from numpy.typing import NDArray
 from sweeps import share
+from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.motion.log_faults import Fault, faults, offsets
@@ -17,7 +18,6 @@ from stewart_sym.motion.log_reader import from_poses
 from stewart_sym.motion.log_sampling import slower_sampling, spread
 from stewart_sym.motion.noise_level import noise_level, rounding_steps
 from stewart_sym.motion.trajectory import Trajectory
-from stewart_sym.studies.reports.track import track
 
 Array = NDArray[np.float64]
 FAULTS = ("repeated", "missing", "step", "spike", "zeros")

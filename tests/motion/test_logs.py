@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from machines import dasgupta, home_position, machine_size, random_robot
 from numpy.typing import NDArray
+from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
@@ -18,7 +19,7 @@ from stewart_sym.motion.logs import EULER_ORDERS, LENGTH_UNITS, LogFormat
 from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_rpy
 from stewart_sym.motion.trajectory import PoseLog, Trajectory
 from stewart_sym.studies.reports.doubts import angle_doubt, length_doubt, side_doubt
-from stewart_sym.studies.reports.track import peak_noise, track
+from stewart_sym.studies.reports.track import peak_noise
 
 Array = NDArray[np.float64]
 NAMES = ["time", "t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"]

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import whole_track
 from robot_files import PAPERS
 
 import stewart_sym as ss
@@ -98,9 +99,9 @@ def test_line_ends_of_all_systems_are_read(end: str) -> None:
 
 def test_a_track_in_parts_is_that_of_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
     robot, given = dasgupta1998(), trajectory(100)
-    whole = track.track(robot, given)
+    whole = whole_track.track(robot, given)
     monkeypatch.setattr(track, "_PART", 16)
-    parts = track.track(robot, given)
+    parts = whole_track.track(robot, given)
     assert parts.summary == whole.summary
     for name, column in whole.columns.items():
         assert np.array_equal(column, parts.columns[name]), name
@@ -109,8 +110,8 @@ def test_a_track_in_parts_is_that_of_the_whole(monkeypatch: pytest.MonkeyPatch) 
 def test_a_track_takes_a_part_of_the_room_of_all_outputs(monkeypatch: pytest.MonkeyPatch) -> None:
     robot, given = dasgupta1998(), trajectory(20_000)
     monkeypatch.setattr(track, "_PART", 1024)
-    track.track(robot, trajectory(100))
-    _, most = peak(lambda: track.track(robot, given))
+    whole_track.track(robot, trajectory(100))
+    _, most = peak(lambda: whole_track.track(robot, given))
     assert most < 20_000 * 8 * 60
 
 
@@ -229,9 +230,9 @@ def test_limits_and_peaks_of_parts_are_those_of_the_whole(monkeypatch: pytest.Mo
         speed_limit=np.full(6, 0.02),
         length_limits=np.tile([0.5, 0.6], (6, 1)),
     )
-    whole = track.track(tight, given)
+    whole = whole_track.track(tight, given)
     monkeypatch.setattr(track, "_PART", 7)
-    parts = track.track(tight, given)
+    parts = whole_track.track(tight, given)
     assert (parts.summary, parts.doubts) == (whole.summary, whole.doubts)
     assert {line.split()[0] for line in whole.doubts} == {"force_limit", "speed_limit", "length_limits"}
 

@@ -3,6 +3,7 @@ lose no more than the problem itself does: every kernel, by wider arithmetic.
 """
 
 import dataclasses
+from fractions import Fraction
 from typing import Any
 
 import numpy as np
@@ -27,6 +28,8 @@ from sweep_machines import (
     wider,
 )
 from sweeps import FULL, share
+from sympy import QQ
+from sympy.polys.matrices import DomainMatrix
 
 import stewart_sym as ss
 from stewart_sym.backend import native
@@ -39,12 +42,20 @@ from stewart_sym.studies.robustness.sweep import oracle
 from stewart_sym.studies.robustness.sweep.machines import LEGS, random_motion
 from stewart_sym.studies.robustness.sweep.singular_machines import (
     FAMILIES,
-    exact_determinant,
     singular_machine,
 )
 from stewart_sym.studies.robustness.sweep.sweep import GOOD, condition_of, random_machines, sweep
 
 # --- machines that are singular at every pose -----------------------------------------------------
+
+
+def exact_determinant(robot: ss.Robot, R: NDArray[np.float64], t: NDArray[np.float64]) -> Any:
+    """det of the six [S; q x S] of the stored numbers, in rational arithmetic: 0 where det H is."""
+    R_, t_, b, p = (np.vectorize(Fraction, otypes=[object])(each) for each in (R, t, robot.b, robot.p))
+    q = p @ R_.T
+    S = q + t_ - b
+    moments = [q[:, i - 2] * S[:, i - 1] - q[:, i - 1] * S[:, i - 2] for i in range(3)]
+    return DomainMatrix(np.column_stack([S, *moments]).tolist(), (6, 6), QQ).det()
 
 
 @pytest.mark.parametrize("family", FAMILIES)

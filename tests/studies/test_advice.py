@@ -274,7 +274,7 @@ def few(patch: pytest.MonkeyPatch) -> None:
     scales_study, bounds_study = scales.scales_study, bound_plot.bounds_study
 
     def some_scales(progress: Any, robot: Robot) -> scales.Scales:
-        return scales_study(progress, robot, "exact", (1.0,), (1.0,), 1, 4)
+        return scales_study(progress, robot, (1.0,), (1.0,), 1, 4)
 
     def some_bounds(progress: Any, robot: Robot) -> bound_plot.Bounds:
         return bounds_study(progress, 20, robot)

@@ -287,10 +287,9 @@ def test_bytes_of_code_are_those_of_a_program_of_one_pose(precision: str) -> Non
     assert 1_000 < sizes["massless_static"] < sizes["general"] < 50_000
 
 
-def test_one_pose_and_batch_run_the_kernel_they_are_named_after() -> None:
+def test_one_pose_runs_the_kernel_it_is_named_after() -> None:
     robot, motion = dasgupta(), papers_motions()["II"]
     poses = study._poses([motion], 64)
     for precision in ("double", "float"):
         kernel = ss.prepare(robot, "exact", precision, "slender")  # type: ignore[arg-type]
         assert study._one_pose(kernel, poses)(2) == 0
-        study._batch(kernel, poses)(2)

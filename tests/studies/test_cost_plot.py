@@ -6,7 +6,6 @@ import io
 import itertools
 import math
 from pathlib import Path
-from typing import Any
 
 import matplotlib.image
 import numpy as np
@@ -15,13 +14,11 @@ from made_up_figures import LEVELS, made_up
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.text import Annotation, Text
 from matplotlib.transforms import Bbox
 
 from stewart_sym.studies.accuracy.cost import CostAccuracy, Entry, Errors
 from stewart_sym.studies.accuracy.cost_plot import (
     ROUNDING,
-    STYLE,
     TOTAL,
     Point,
     csv_rows,
@@ -29,8 +26,8 @@ from stewart_sym.studies.accuracy.cost_plot import (
     front,
     points,
 )
-from stewart_sym.studies.common.labels import Label, place
-from stewart_sym.studies.common.report import Picture, draw
+from stewart_sym.studies.common.drawing import name_points
+from stewart_sym.studies.common.report import SMALL, Picture, draw
 
 
 @pytest.fixture(scope="module")
@@ -44,9 +41,7 @@ def boxes(axes: Axes) -> dict[str, Bbox]:
     assert isinstance(canvas, Figure)
     renderer = FigureCanvasAgg(canvas).get_renderer()
     canvas.draw_without_rendering()  # type: ignore[no-untyped-call]
-    texts = [child for child in axes.get_children() if isinstance(child, Annotation)]
-    # The text alone, without its line.
-    return {text.get_text(): Text.get_window_extent(text, renderer) for text in texts}
+    return {text.get_text(): text.get_window_extent(renderer) for text in axes.texts}
 
 
 def overlapping(found: dict[str, Bbox]) -> list[tuple[str, str]]:
@@ -186,43 +181,41 @@ def test_a_run_that_others_disturbed_says_so(picture: Figure) -> None:
         assert title.endswith(said)
 
 
-def crowd(
-    where: list[tuple[float, float]], size: tuple[float, float] = (6.0, 4.0)
-) -> tuple[Axes, list[Label], list[Any]]:
+def crowd(where: list[tuple[float, float]], size: tuple[float, float] = (6.0, 4.0)) -> Axes:
     picture = Figure(figsize=size, layout="constrained")
     axes = picture.subplots()
     axes.set_xlim(0, 10)
     axes.set_ylim(0, 10)
-    labels = [Label(f"point number {i}", x, y, "black") for i, (x, y) in enumerate(where)]
-    return axes, labels, place(axes, labels, where)
+    name_points(axes, [(f"point number {i}", at, "black") for i, at in enumerate(where)], where)
+    return axes
 
 
 def test_names_of_points_at_one_place_do_not_overlap() -> None:
-    axes, labels, written = crowd([(5.0, 5.0)] * 14)
-    assert [text.get_text() for text in written] == [label.text for label in labels]
+    axes = crowd([(5.0, 5.0)] * 14)
+    assert [text.get_text() for text in axes.texts] == [f"point number {i}" for i in range(14)]
     assert not overlapping(boxes(axes))
 
 
 def test_names_of_points_in_the_corners_stay_inside() -> None:
-    axes, _, _ = crowd([(0.0, 0.0), (10.0, 0.0), (0.0, 10.0), (10.0, 10.0)])
+    axes = crowd([(0.0, 0.0), (10.0, 0.0), (0.0, 10.0), (10.0, 10.0)])
     frame = axes.get_window_extent()
     assert all(frame.x0 <= box.x0 and box.x1 <= frame.x1 for box in boxes(axes).values())
 
 
 def test_places_are_the_same_on_every_run() -> None:
     where = [(float(x), float(y)) for x, y in np.random.default_rng(3).uniform(1, 9, (12, 2))]
-    first, second = (crowd(where)[2] for _ in range(2))
+    first, second = (crowd(where).texts for _ in range(2))
     assert [text.get_position() for text in first] == [text.get_position() for text in second]
 
 
 def test_too_many_names_are_rejected() -> None:
-    with pytest.raises(ValueError, match="labels: expected room for all of them"):
+    with pytest.raises(ValueError, match="expected room for all of them"):
         crowd([(5.0, 5.0)] * 40, (2.0, 1.5))
 
 
 def test_pictures_are_written_as_png_and_svg_with_the_same_bytes(tmp_path: Path, picture: Figure) -> None:
     for name, made in (("one", picture), ("other", figure(made_up()))):
-        draw(Picture(lambda made=made: made, STYLE, ("png", "svg")), tmp_path / name)  # type: ignore[misc]
+        draw(Picture(lambda made=made: made, SMALL, ("png", "svg")), tmp_path / name)  # type: ignore[misc]
     for kind in ("png", "svg"):
         assert (tmp_path / f"one.{kind}").read_bytes() == (tmp_path / f"other.{kind}").read_bytes()
     pixels = matplotlib.image.imread(tmp_path / "one.png")

@@ -32,7 +32,6 @@ from stewart_sym.studies.paper.reproduce import (
     paper_machine,
     reproduce,
     run_columns,
-    singular_time,
     work_energy,
 )
 
@@ -63,9 +62,6 @@ def test_peaks_of_path_three(found: Reproduction) -> None:
 
 def test_path_three_is_singular_between_two_instants_of_the_grid(found: Reproduction) -> None:
     assert found.singular_time == pytest.approx(3.6705, abs=1e-4)
-    path = PATHS["III"].path
-    with pytest.raises(ValueError, match="keeps its sign between 0 s and 1 s"):
-        singular_time(paper_machine(), path, 0.0, 1.0)
 
 
 def test_both_formulations_share_massless_forces_and_condition(found: Reproduction) -> None:

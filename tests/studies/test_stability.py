@@ -72,8 +72,7 @@ def test_long_double_and_quadruple_precision_find_the_same() -> None:
     assert not found["in_quad"].all()
     for index in range(0, 20, 5):
         robot_, motion = oracle.random_case("singular", numbers, sizes, 20, 5, index)
-        again = np.zeros(1, dtype=oracle.RESULT)
-        oracle._check(0, "double", True, 3, 0.0, 0, robot_[None], np.ones(1), motion[None], 1, again)
+        again = oracle.check_numbers(robot_[None], motion[None])
         first = oracle.check_random("singular", numbers, sizes, 20, 5)[index]
         if first["status"][0] == OK:
             assert again["error"][0, 0] == pytest.approx(
@@ -171,8 +170,7 @@ def test_a_case_shown_is_the_case_that_was_checked() -> None:
     found = oracle.check_random("joint singularity", numbers, np.ones(2), 10, 3)
     for index in (0, 7, 13):
         robot, motion = oracle.random_case("joint singularity", numbers, np.ones(2), 10, 3, index)
-        again = np.zeros(1, dtype=oracle.RESULT)
-        oracle._check(0, "double", True, 3, 0.0, 0, robot[None], np.ones(1), motion[None], 1, again)
+        again = oracle.check_numbers(robot[None], motion[None])
         assert again["frames"][0] == pytest.approx(found["frames"][index], rel=1e-6)
         assert again["size"][0] == pytest.approx(found["size"][index], rel=1e-6)
 

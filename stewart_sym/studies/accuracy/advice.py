@@ -1,8 +1,7 @@
 """Advice: the cheapest kernel that keeps a budget, and what physics forbids a cheaper one.
 
-Takes the figures of ``cost`` and the budget they are held against. Cost is operations, then precision:
-counts, and no times, so that the same scene gets the same answer on every run and machine; times count only
-where the budget names a rate.
+Cost is operations, then precision, and no times, so that the same scene gets the same answer on every
+machine; times count only where the budget names a rate.
 """
 
 from collections.abc import Mapping
@@ -11,7 +10,7 @@ from typing import Any
 
 from ..common.table import aligned
 from .budget import Budget
-from .cost import SAMPLED, Candidate, CostAccuracy, Entry, finite
+from .cost import SAMPLED, Candidate, CostAccuracy, Entry
 
 TERMS: Mapping[str, str] = {
     "friction": "joint friction",
@@ -222,7 +221,7 @@ def as_json(found: Advice) -> dict[str, Any]:
         "chosen": None if chosen is None else vars(chosen.candidate),
         "closest": vars(found.closest.candidate),
         "needed": [
-            {"terms": sorted(left_out), "without": vars(entry.candidate), "error": finite(entry.total)}
+            {"terms": sorted(left_out), "without": vars(entry.candidate), "error": entry.total}
             for left_out, entry in found.needed()
         ],
     }

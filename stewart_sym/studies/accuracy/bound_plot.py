@@ -1,7 +1,6 @@
 """True rounding error of the forces against the bound that comes with them, double and float, on one machine.
 
-Takes a robot, draws random motions around its home pose and returns records; draws them if asked (extra
-``plot``). Truth is quadruple precision (``quad``). Writes no file.
+Truth is quadruple precision (``quad``).
 """
 
 from collections.abc import Mapping
@@ -106,16 +105,6 @@ def _compared(robot: Robot, motion: Motion, precision: Precision, dtype: type[np
     )
 
 
-def summary(data: Bounds) -> str:
-    """One line for each precision: whether the bounds hold, and how far above the errors they lie."""
-    return "\n".join(
-        f"{precision:<6}  {found.error.size} poses: bound over error at least {found.ratio.min():.1f}, "
-        f"{np.median(found.ratio):.0f} in the median, {np.percentile(found.ratio, 95):.0f} at 95 %; "
-        f"{np.count_nonzero(~found.covered)} forces beyond their bound"
-        for precision, found in data.items()
-    )
-
-
 def csv_rows(data: Bounds) -> str:
     """The poses as CSV, precision, error and bound in N and rcond, with all their digits."""
     rows = [
@@ -153,8 +142,6 @@ def figure(data: Bounds) -> "Figure":
     axes.set_ylabel("bound, largest of six, N")
     (name,) = {found.robot for found in data.values()}
     axes.set_title(f"Rounding error of the forces and its bound\n{name}", fontsize=10.0)
-    axes.grid(alpha=0.35, linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)
     for axis in (axes.xaxis, axes.yaxis):
         log_numbers(axis)
     legend_below(picture, fontsize=8.0, markerscale=2.5)

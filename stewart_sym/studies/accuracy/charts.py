@@ -7,7 +7,7 @@ from ...backend.native import CompilerError
 from ...io.progress import Progress, silent
 from ...robot.robot import Robot
 from ..common import host
-from ..common.report import Picture, Report
+from ..common.report import SMALL, Picture, Report
 from . import bound_plot, cost_plot, scales
 from .advice import table
 from .cost import CostAccuracy
@@ -36,7 +36,7 @@ def charts(found: CostAccuracy, robot: Robot, progress: Progress = silent) -> It
 
     The last two are left out, with a warning, for machines and compilers that they can't be had with.
     """
-    drawn = Picture(lambda: cost_plot.figure(found), cost_plot.STYLE, _KINDS)
+    drawn = Picture(lambda: cost_plot.figure(found), SMALL, _KINDS)
     yield "chart", cost_plot.csv_rows(found), drawn
     for name, made in (("scales", _scales), ("bounds", _bounds)):
         try:

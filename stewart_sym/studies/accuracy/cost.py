@@ -1,13 +1,11 @@
 """What each kernel costs and how far it is off on a machine's motions, in every fidelity and precision.
 
-Cost is operations, time and bytes of code; error is split into that of the model, beside `exact`
-general in double, and that of rounding, beside the kernel's own equations at 50 digits. All errors are
-shares of the largest actuator force of their motion. ``advice`` chooses by these figures, ``cost_plot``
-draws them.
+Error is split into that of the model, beside `exact` general in double, and that of rounding, beside the
+kernel's own equations at 50 digits. All errors are shares of the largest actuator force of their motion.
 """
 
 import ctypes
-import math
+import functools
 import statistics
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
@@ -32,7 +30,7 @@ from ...robot.robot import Robot
 from ..benchmark.compile_times import text_size
 from ..common import host
 from ..common.loops import own_source
-from ..common.timing import Task, measured
+from ..common.timing import Task, measured, repeated
 
 Array = NDArray[np.float64]
 
@@ -84,9 +82,9 @@ class Errors:
         """Bound of the largest error: the two add up at worst."""
         return self.model + self.rounding
 
-    def as_json(self) -> dict[str, float | None]:
-        """Every field, ready for ``json``."""
-        return {name: finite(error) for name, error in vars(self).items()}
+    def as_json(self) -> dict[str, float]:
+        """Every field."""
+        return {**vars(self)}
 
 
 @dataclass(frozen=True)
@@ -163,8 +161,7 @@ class Implementation:
 
     def as_json(self) -> dict[str, Any]:
         """Every field and the median, ready for ``json``."""
-        rounding = {name: finite(error) for name, error in self.rounding.items()}
-        return {"name": self.name, "ns": self.ns, "raw_ns": self.raw, "rounding": rounding}
+        return {"name": self.name, "ns": self.ns, "raw_ns": self.raw, "rounding": self.rounding}
 
 
 @dataclass(frozen=True)
@@ -210,11 +207,6 @@ class CostAccuracy:
                 "load": "busy processes",
             },
         }
-
-
-def finite(error: float) -> float | None:
-    """JSON has no infinity."""
-    return error if math.isfinite(error) else None
 
 
 # --- the study --------------------------------------------------------------------------------
@@ -427,10 +419,13 @@ def _tasks(
     tasks: dict[tuple[Candidate | str, str], Task] = {}
     for candidate, kernel in kernels.items():
         tasks[candidate, "one pose"] = Task(_one_pose(kernel, few), FEW)
-        tasks[candidate, "batch"] = Task(_batch(kernel, many), MANY)
+        arrays = [np.ascontiguousarray(array, dtype=kernel.dtype) for array in many]
+        F, status = np.zeros((MANY, 6), dtype=kernel.dtype), np.zeros(MANY, dtype=np.int32)
+        batch = functools.partial(kernel.forces_into, arrays, F, status)
+        tasks[candidate, "batch"] = Task(repeated(batch), MANY)
     motion = Motion(*slow)
     for name, forces in ways.items():
-        tasks[name, ""] = Task(_repeated(forces, motion), SLOW)
+        tasks[name, ""] = Task(repeated(functools.partial(forces, motion)), SLOW)
     return tasks
 
 
@@ -461,25 +456,5 @@ def _one_pose(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], ob
             row_bytes,
             address(F),
         )
-
-    return run
-
-
-def _batch(kernel: ForceKernel, poses: Sequence[Array]) -> Callable[[int], object]:
-    arrays = [np.ascontiguousarray(array, dtype=kernel.dtype) for array in poses]
-    F = np.zeros((len(arrays[0]), 6), dtype=kernel.dtype)
-    status = np.zeros(len(arrays[0]), dtype=np.int32)
-
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            kernel.forces_into(arrays, F, status)
-
-    return run
-
-
-def _repeated(forces: Callable[[Motion], Array], motion: Motion) -> Callable[[int], object]:
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            forces(motion)
 
     return run

@@ -1,7 +1,4 @@
-"""Speed against accuracy as a picture and as rows: time per pose over error, total and of rounding alone.
-
-Takes what ``cost`` measured; computes nothing but the layout. Pictures need the extra ``plot``.
-"""
+"""Speed against accuracy as a picture and as rows: time per pose over error, total and of rounding alone."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence
@@ -16,15 +13,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-STYLE: Any = {
-    "font.size": 9.0,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.alpha": 0.35,
-    "grid.linewidth": 0.6,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-}
 _EXACT, _PAPER, _FLOAT, _OTHER, _FRONT = "#1f4e9c", "#c1440e", "#2e7d32", "#5a5a5a", "#9a9a9a"
 _MARKERS = "os^vDPX*"
 _FILLED: Any = {"markersize": 4.5, "markeredgewidth": 0.0}
@@ -122,23 +110,21 @@ def _of(every: Sequence[Point], panel: str) -> list[Point]:
 
 def figure(found: CostAccuracy) -> "Figure":
     """Two panels, time per pose over the errors: of model and rounding together, and of rounding."""
-    import matplotlib
     from matplotlib.figure import Figure
 
     every = points(found)
     marks = dict(zip(found.peaks, _MARKERS * len(found.peaks), strict=False))
-    with matplotlib.rc_context(STYLE):
-        picture = Figure(figsize=(12.4, 7.8), layout="constrained")
-        left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
-        picture.suptitle("\n".join([f"Speed against accuracy: {found.robot}", *_disturbance(found)]))
-        _draw(left, _of(every, TOTAL), marks)
-        _draw(right, _of(every, ROUNDING), marks)
-        left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
-        right.set_title("error of rounding: exact, general", fontsize="medium")
-        left.set_ylabel("largest error, share of the motion's peak force")
-        _legend(picture, left, marks)
-        for axes, panel in ((left, TOTAL), (right, ROUNDING)):
-            _name(axes, _of(every, panel))
+    picture = Figure(figsize=(12.4, 7.8), layout="constrained")
+    left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
+    picture.suptitle("\n".join([f"Speed against accuracy: {found.robot}", *_disturbance(found)]))
+    _draw(left, _of(every, TOTAL), marks)
+    _draw(right, _of(every, ROUNDING), marks)
+    left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")
+    right.set_title("error of rounding: exact, general", fontsize="medium")
+    left.set_ylabel("largest error, share of the motion's peak force")
+    _legend(picture, marks)
+    for axes, panel in ((left, TOTAL), (right, ROUNDING)):
+        _name(axes, _of(every, panel))
     return picture
 
 
@@ -217,7 +203,7 @@ def _limits(axes: "Axes", given: Sequence[Point], height: Callable[[float], floa
     axes.xaxis.set_minor_formatter(NullFormatter())
 
 
-def _legend(picture: "Figure", axes: "Axes", marks: Mapping[str, str]) -> None:
+def _legend(picture: "Figure", marks: Mapping[str, str]) -> None:
     from matplotlib.lines import Line2D
 
     from ..common.drawing import legend_below
@@ -251,12 +237,12 @@ def _motion_name(name: str) -> str:
 
 
 def _name(axes: "Axes", given: Sequence[Point]) -> None:
-    from ..common.labels import Label, place
+    from ..common.drawing import name_points
 
     height = _heights(given)
-    labels = [
-        Label(point.name, point.ns, height(point.worst), point.color) for point in given if not point.beside
+    names = [
+        (point.name, (point.ns, height(point.worst)), point.color) for point in given if not point.beside
     ]
     markers = [[(point.ns, height(error)) for error in point.errors.values()] for point in given]
     bars = [(min(of_point), max(of_point)) for of_point in markers]
-    place(axes, labels, [marker for of_point in markers for marker in of_point], bars)
+    name_points(axes, names, [marker for of_point in markers for marker in of_point], bars)

@@ -1,8 +1,6 @@
 """Rounding error of the force kernels over size and mass of the machine, in double and in float.
 
-Takes a robot, makes similar machines of every size and mass, and compares each arithmetic with one of more
-digits that is given the same numbers; float with the unit of length for its moments and without. Returns
-records; draws them if asked (extra ``plot``). Writes no file.
+Each arithmetic is compared with one of more digits that is given the same numbers.
 """
 
 import ctypes
@@ -20,7 +18,7 @@ from ...backend.c_kernel import address, c_sources
 from ...backend.kernel import MOTION, kernel_name, robot_numbers
 from ...backend.numpy_kernel import loaded
 from ...dynamics.home_pose import radius
-from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...dynamics.inverse import inverse_dynamics
 from ...generated.interface import MODELS
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
@@ -86,45 +84,22 @@ _WIDE = _Arithmetic(
 class Scales:
     """Errors of the forces over size and mass.
 
-    robot, formulation: what was scaled and how it was computed. sizes: m, (s,). platform_masses, leg_masses:
+    robot: what was scaled. sizes: m, (s,). platform_masses, leg_masses:
     kg, (p,) and (l,). errors: (s, p, l, n) by arithmetic, of n poses each, in rounding units of that
     arithmetic, times the scaled condition number of H, times the largest of |F|, |D| and |x|; ``double`` is
-    missing where the C has no wider type to check it by. faults: unsolvable poses by arithmetic; their
-    errors are infinite.
+    missing where the C has no wider type to check it by; errors are infinite where poses are unsolvable.
     """
 
     robot: str
-    formulation: Formulation
     sizes: Array
     platform_masses: Array
     leg_masses: Array
     errors: Mapping[str, Array]
 
-    @property
-    def faults(self) -> dict[str, int]:
-        """How many poses are unsolvable, by arithmetic."""
-        return {name: int(np.isinf(errors).sum()) for name, errors in self.errors.items()}
-
-    def meant(self, name: str) -> Array:
-        """Errors of one arithmetic on machines of the sizes that float is meant for."""
-        low, high = MEANT
-        return self.errors[name][(self.sizes >= 0.999 * low) & (self.sizes <= 1.001 * high)]
-
-    @property
-    def text(self) -> str:
-        """A line for each arithmetic: median and largest error, and the largest of the sizes meant."""
-        lines = [
-            f"{name:<30} median {np.median(errors):.2f}, largest {errors.max():.3g}; "
-            f"from {MEANT[0]:g} to {MEANT[1]:g} m {self.meant(name).max():.3g}"
-            for name, errors in self.errors.items()
-        ]
-        return "\n".join(lines)
-
 
 def scales_study(
     progress: Progress = silent,
     robot: Robot | None = None,
-    formulation: Formulation = "exact",
     sizes: Sequence[float] = SIZES,
     masses: Sequence[float] = MASSES,
     machines: int = 16,
@@ -155,11 +130,10 @@ def scales_study(
             kind, motion = _case(rng, robot, k > 0, poses)
             for s, size in enumerate(sizes):
                 case = _scaled(kind, motion, size, masses[p], masses[leg])
-                for name, found in _errors(*case, formulation, checked).items():
+                for name, found in _errors(*case, checked).items():
                     errors[name][s, p, leg, k] = found
     return Scales(
         robot.name,
-        formulation,
         np.array(sizes),
         np.array(masses),
         np.array(masses),
@@ -236,14 +210,12 @@ def _is_wider() -> bool:
     return bool(np.finfo(np.longdouble).eps < np.finfo(np.float64).eps / 64)
 
 
-def _errors(
-    robot: Robot, motion: Motion, formulation: Formulation, checked: Mapping[str, _Arithmetic]
-) -> dict[str, Array]:
+def _errors(robot: Robot, motion: Motion, checked: Mapping[str, _Arithmetic]) -> dict[str, Array]:
     """Errors, (n,), by arithmetic, all of them given the same numbers, which float can hold."""
     numbers = _rounded(robot_numbers(robot))
-    name = kernel_name(formulation, robot.base_joint)
+    name = kernel_name("exact", robot.base_joint)
     truth = _forces(name, _WIDE if _is_wider() else _ARITHMETIC[DOUBLE], numbers, motion)
-    full = inverse_dynamics(robot, motion, formulation, on_singular="nan")
+    full = inverse_dynamics(robot, motion, on_singular="nan")
     condition = scaled_condition_number(full.H, characteristic_length(robot))
     largest = np.max([np.abs(values).max(axis=-1) for values in (full.F, full.D, full.x)], axis=0)
     return {
@@ -316,7 +288,7 @@ def figure(data: Scales) -> "Figure":
 
     picture = Figure(figsize=(10.0, 4.4), layout="constrained")
     picture.suptitle(
-        f"Rounding error of the leg forces, {data.formulation}, machines similar to {data.robot}:\n"
+        f"Rounding error of the leg forces, exact, machines similar to {data.robot}:\n"
         r"rounding units of each arithmetic $\times$ scaled condition number $\times$ largest force",
         fontsize=10.0,
     )
@@ -327,8 +299,6 @@ def figure(data: Scales) -> "Figure":
         _panel(axes, data, axis, places)
         axes.set_xlabel(label)
         axes.xaxis.set_major_locator(LogLocator(numticks=8))
-        axes.grid(alpha=0.35, linewidth=0.6)
-        axes.spines[["top", "right"]].set_visible(False)
     low, high = panels[0].get_ylim()
     panels[0].set_ylim(0.5 * low, 2.0 * high)
     panels[0].axvspan(*MEANT, color="#0072b2", alpha=0.07, linewidth=0.0)

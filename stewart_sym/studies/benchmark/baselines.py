@@ -1,8 +1,4 @@
-"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, the processor.
-
-Turns code of any origin into something that can be run n times over given poses and asked for its forces.
-Pinocchio, whose figure is put together from parts, has a module of its own. Times nothing.
-"""
+"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, the processor."""
 
 import ctypes
 import functools
@@ -20,6 +16,7 @@ from ...dynamics.inverse import Formulation
 from ...motion.motion import Motion
 from ...reference import newton_euler
 from ...robot.robot import Robot
+from ..common import timing
 from ..common.loops import loop_source, own_source
 
 if TYPE_CHECKING:
@@ -102,12 +99,7 @@ class Candidate:
 
 def repeated(call: Callable[[], object], F: Callable[[], Array], kept: object = None) -> Runner:
     """Return a runner of one call for all poses."""
-
-    def run(repeats: int) -> None:
-        for _ in range(repeats):
-            call()
-
-    return Runner(run, F, kept)
+    return Runner(timing.repeated(call), F, kept)
 
 
 def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:

@@ -1,14 +1,15 @@
 """CasADi as a candidate of ``bench``: the `exact` equations in its symbols, emitted by it as C.
 
-The equations are written out here again, plainly; shared terms and the linear solve are CasADi's own. Takes
-the order in which a robot's and a motion's numbers lie and hands over C text; must not depend on
-the derivation and the generated kernels. The text is compiled and timed elsewhere.
+The equations are written out here again, plainly; shared terms and the linear solve are CasADi's own. Must
+not depend on the derivation and the generated kernels.
 """
 
+import itertools
 import tempfile
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 from ...io.extras import needed_for
@@ -17,12 +18,20 @@ from ..common.loops import loop_source
 with needed_for("the comparison with CasADi"):
     import casadi
 
-LEG_NUMBERS = 32
-ROBOT_NUMBERS = 6 * LEG_NUMBERS + 13
-MOTION_NUMBERS = 30
+_LEG = {"b": 3, "p": 3, "k": 3, "m_d": 1, "r_d0": 3, "I_d0": 6, "m_u": 1, "r_u0": 3, "I_u0": 6}
+_LEG |= dict.fromkeys(("C_u", "C_p", "C_s"), 1)
+_PLATFORM = {"M": 1, "R_0": 3, "I_p": 6, "g": 3}
+_MOTION = {"R": 9, **dict.fromkeys(("t", "omega", "v", "alpha", "a", "F_ext", "M_ext"), 3)}
+"""How many numbers of a leg, of the platform with gravity and of a motion make a quantity, in their order."""
+
+LEG_NUMBERS, MOTION_NUMBERS = sum(_LEG.values()), sum(_MOTION.values())
+ROBOT_NUMBERS = 6 * LEG_NUMBERS + sum(_PLATFORM.values())
 
 Matrix = Any
 """CasADi's SX: it ships no types."""
+
+Numbers = SimpleNamespace
+"""Quantities by their names in the layout."""
 
 _SYMMETRIC = (0, 1, 2, 1, 3, 4, 2, 4, 5)
 _FREE = ("INPUT", "OUTPUT", "PARAMETER", "CONST", "ASSIGN", "NEG")
@@ -37,39 +46,6 @@ class Program:
 
 
 @dataclass(frozen=True)
-class _Leg:
-    """One leg's numbers."""
-
-    b: Matrix
-    p: Matrix
-    k: Matrix
-    m_d: Matrix
-    r_d0: Matrix
-    I_d0: Matrix
-    m_u: Matrix
-    r_u0: Matrix
-    I_u0: Matrix
-    C_u: Matrix
-    C_p: Matrix
-    C_s: Matrix
-
-
-@dataclass(frozen=True)
-class _Motion:
-    """The platform's motion and load, with gravity."""
-
-    R: Matrix
-    t: Matrix
-    omega: Matrix
-    v: Matrix
-    alpha: Matrix
-    a: Matrix
-    F_ext: Matrix
-    M_ext: Matrix
-    g: Matrix
-
-
-@dataclass(frozen=True)
 class _LegResult:
     """What a leg says to the platform: q, s, K, D of (1), (3), (21), (24), friction moment f of (18)."""
 
@@ -80,7 +56,8 @@ class _LegResult:
     f: Matrix
 
 
-LegEquations = Callable[[_Leg, _Motion], _LegResult]
+LegEquations = Callable[[Numbers, Numbers], _LegResult]
+"""Of a leg's numbers and those of the platform's motion, load and gravity."""
 
 
 def program(equations: LegEquations) -> Program:
@@ -122,9 +99,11 @@ def _operations(function: Any) -> int:
 
 def _forces(robot: Matrix, numbers: Matrix, equations: LegEquations) -> Matrix:
     """F, (30)-(37)."""
-    legs, (M, R_0, I_p, g) = _read_robot(robot)
-    at = _read_motion(numbers, g)
-    done = [equations(leg, at) for leg in legs]
+    legs = casadi.vertsplit(robot[: 6 * LEG_NUMBERS], LEG_NUMBERS)
+    platform, at = _named(robot[6 * LEG_NUMBERS :], _PLATFORM), _named(numbers, _MOTION)
+    at.g = platform.g
+    done = [equations(_named(leg, _LEG), at) for leg in legs]
+    M, R_0, I_p, g = platform.M, platform.R_0, platform.I_p, platform.g
     R, omega, alpha = at.R, at.omega, at.alpha
 
     R_c = R @ R_0  # (30)
@@ -142,7 +121,7 @@ def _forces(robot: Matrix, numbers: Matrix, equations: LegEquations) -> Matrix:
     return D - casadi.solve(H, casadi.vertcat(force, moment))  # (37)
 
 
-def base_frame(leg: _Leg, at: _Motion) -> _LegResult:
+def base_frame(leg: Numbers, at: Numbers) -> _LegResult:
     """Equations (1)-(24), corrected, in vectors of the base frame."""
     cross, dot = casadi.cross, casadi.dot
     omega, alpha, g = at.omega, at.alpha, at.g
@@ -186,7 +165,7 @@ def base_frame(leg: _Leg, at: _Motion) -> _LegResult:
     return _LegResult(q, s, K, D, f)
 
 
-def leg_frame(leg: _Leg, at: _Motion) -> _LegResult:
+def leg_frame(leg: Numbers, at: Numbers) -> _LegResult:
     """The same leg in components of its own frame T, where the inertias are constant and S = (L, 0, 0)."""
     cross, dot = casadi.cross, casadi.dot
     q = at.R @ leg.p
@@ -228,27 +207,12 @@ def leg_frame(leg: _Leg, at: _Motion) -> _LegResult:
     return _LegResult(q, s, K, D, T @ f)
 
 
-def _read_robot(numbers: Matrix) -> tuple[list[_Leg], tuple[Matrix, Matrix, Matrix, Matrix]]:
-    legs = []
-    for leg in casadi.vertsplit(numbers[: 6 * LEG_NUMBERS], LEG_NUMBERS):
-        b, p, k, m_d, r_d0, I_d0, m_u, r_u0, I_u0, C_u, C_p, C_s = _split(
-            leg, (3, 3, 3, 1, 3, 6, 1, 3, 6, 1, 1, 1)
-        )
-        legs.append(_Leg(b, p, k, m_d, r_d0, _tensor(I_d0), m_u, r_u0, _tensor(I_u0), C_u, C_p, C_s))
-    M, R_0, I_p, g = _split(numbers[6 * LEG_NUMBERS :], (1, 3, 6, 3))
-    return legs, (M, R_0, _tensor(I_p), g)
-
-
-def _read_motion(numbers: Matrix, g: Matrix) -> _Motion:
-    R, t, omega, v, alpha, a, F_ext, M_ext = _split(numbers, (9, *7 * (3,)))
-    return _Motion(casadi.reshape(R, 3, 3).T, t, omega, v, alpha, a, F_ext, M_ext, g)
-
-
-def _split(numbers: Matrix, sizes: tuple[int, ...]) -> list[Matrix]:
-    ends = [sum(sizes[:i]) for i in range(len(sizes) + 1)]
-    return [*casadi.vertsplit(numbers, ends)]
-
-
-def _tensor(stored: Matrix) -> Matrix:
-    """A symmetric matrix from its components xx xy xz yy yz zz."""
-    return casadi.reshape(stored[list(_SYMMETRIC)], 3, 3)
+def _named(numbers: Matrix, sizes: Mapping[str, int]) -> Numbers:
+    """Quantities in the order of ``sizes``: nine numbers are a matrix by rows, six a symmetric one."""
+    parts = casadi.vertsplit(numbers, [0, *itertools.accumulate(sizes.values())])
+    found = dict(zip(sizes, parts, strict=True))
+    for name, part in found.items():
+        if part.numel() > 3:
+            rows = part if part.numel() == 9 else part[list(_SYMMETRIC)]
+            found[name] = casadi.reshape(rows, 3, 3).T
+    return Numbers(**found)

@@ -9,22 +9,21 @@ from numpy.typing import NDArray
 from ...io.extras import needed_for
 from ...motion.rotation import quaternion_from_rotation
 from ...robot.robot import Robot
-from .baselines_tree import CARRIER, Engine, Tree, base_frames
+from .baselines_pinocchio import QUATERNION_W_LAST, model_of_legs
+from .baselines_tree import CARRIER, Engine, Tree
 
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin
 
 Array = NDArray[np.float64]
 
-_QUATERNION_W_LAST = [1, 2, 3, 0]
-
 
 def pinocchio_engine(robot: Robot, tree: Tree) -> Engine:
     """``constraintDynamics``: the five points as rigid constraints, one step of its proximal solver."""
     machine = _constrained(*_pinocchio_model(robot))
     nothing = _constrained(pin.Model(), [])
-    quaternions = quaternion_from_rotation(tree.relative)[:, _QUATERNION_W_LAST]
-    joints = tree.angles_and_length.reshape(len(quaternions), -1)
+    quaternions = quaternion_from_rotation(tree.relative)[:, QUATERNION_W_LAST]
+    joints = tree.legs.coordinates.reshape(len(quaternions), -1)
     states = list(zip(np.hstack([joints, quaternions]), tree.rates, tree.forces, strict=True))
     none = [3 * (np.zeros(0),) for _ in states]
 
@@ -61,16 +60,8 @@ def _constrained(model: Any, constraints: Sequence[Any]) -> tuple[Any, ...]:
 
 
 def _pinocchio_model(robot: Robot) -> tuple[Any, list[Any]]:
-    model, here = pin.Model(), pin.SE3.Identity()
-    model.gravity = pin.Motion(robot.g, np.zeros(3))
-    uppers = []
-    for i, frame in enumerate(base_frames(robot)):
-        first = model.addJoint(0, pin.JointModelRX(), pin.SE3(frame, robot.b[i]), f"fixed axis {i + 1}")
-        lower = model.addJoint(first, pin.JointModelRY(), here, f"moving axis {i + 1}")
-        upper = model.addJoint(lower, pin.JointModelPX(), here, f"actuator {i + 1}")
-        model.appendBodyToJoint(lower, pin.Inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]), here)
-        model.appendBodyToJoint(upper, pin.Inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]), here)
-        uppers.append(upper)
+    here = pin.SE3.Identity()
+    model, uppers = model_of_legs(robot)
     platform = model.addJoint(uppers[CARRIER], pin.JointModelSpherical(), here, "platform")
     carried = robot.p[CARRIER]
     model.appendBodyToJoint(platform, pin.Inertia(robot.M, robot.R_0 - carried, robot.I_p), here)

@@ -1,50 +1,30 @@
 """Pinocchio as a candidate of ``bench``: recursive Newton-Euler over the machine's tree, then a 6x6 solve.
 
-Takes the numbers of a Robot and of a Motion and shares no equation with the other candidates. Joint
-angles, rates, accelerations, friction and the Jacobians of the closed loops are prepared beforehand and not
-timed: what remains is what Pinocchio is good at.
+Shares no dynamics with the other candidates. Joint angles, rates, accelerations, friction and the Jacobians
+of the closed loops are prepared beforehand and not timed.
 """
 
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...backend.numpy_kernel import loaded
 from ...io.extras import needed_for
 from ...motion.motion import Motion
+from ...motion.rotation import cross_matrix, quaternion_from_rotation
 from ...robot.robot import Robot
+from .baselines_tree import Legs, base_frames, legs_of, turned
 
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin
 
 Array = NDArray[np.float64]
 
+QUATERNION_W_LAST = [1, 2, 3, 0]
+
 _SOLVED = 1024
 """Systems in one call of the solve, so that the call itself costs nothing a system."""
-
-
-@dataclass(frozen=True, eq=False)
-class _Legs:
-    """Joint numbers of the tree: six of each, and the platform's."""
-
-    lower: tuple[int, ...]
-    upper: tuple[int, ...]
-    platform: int
-
-
-@dataclass(frozen=True, eq=False)
-class _Pose:
-    """One pose as Pinocchio takes it, and how its joint forces come together at the actuators.
-
-    state: q, v, a and the forces from outside, for ``rnea``. project (6, nv), Ldot_of_twist (6, 6) and Ldot
-    (6,): Ldot_of_twist^T F = project tau, but for the friction C_p Ldot of the actuators.
-    """
-
-    state: tuple[Array, Array, Array, Any]
-    project: Array
-    Ldot_of_twist: Array
-    Ldot: Array
 
 
 class PinocchioMachine:
@@ -52,27 +32,38 @@ class PinocchioMachine:
 
     def __init__(self, robot: Robot, motion: Motion) -> None:
         """Build the tree and prepare every pose; base joints must be universal."""
-        self._robot = robot
-        self._model, self._legs = _tree(robot)
-        self._data = self._model.createData()
-        self._poses = [self._prepared(motion[i]) for i in range(motion.shape[0])]
+        self._model, upper = model_of_legs(robot)
+        platform = self._model.addJoint(0, pin.JointModelFreeFlyer(), pin.SE3.Identity(), "platform")
+        inertia = pin.Inertia(robot.M, robot.R_0, robot.I_p)
+        self._model.appendBodyToJoint(platform, inertia, pin.SE3.Identity())
+        self._data, self._poses = self._model.createData(), motion.shape[0]
         self._nothing = pin.Model(), pin.Model().createData(), _forces(1)
-        several = np.resize(np.arange(len(self._poses)), _SOLVED)
-        self._matrices = np.array([pose.Ldot_of_twist.T for pose in self._poses])[several]
-        self._right = np.array([self._right_side(pose) for pose in self._poses])[several]
+        legs = legs_of(robot, motion)
+        self._states = _states(robot, motion, legs, self._model.njoints, upper)
+        # F Ldot is the power of all joints; Ldot and the joints' rates are of the twist.
+        arms = np.concatenate(
+            [np.broadcast_to(np.eye(3), (*legs.q.shape, 3)), -cross_matrix(legs.q)], axis=-1
+        )
+        joints = np.linalg.inv(legs.jacobian) @ arms
+        turns = np.array([np.kron(np.eye(2), R.T) for R in motion.R])
+        tau = np.array([pin.rnea(self._model, self._data, *state) for state in self._states])
+        every = np.concatenate([joints.reshape(self._poses, -1, 6), turns], axis=1)
+        several = np.resize(np.arange(self._poses), _SOLVED)
+        self._matrices = np.swapaxes(joints[:, :, 2], -1, -2)[several]
+        self._right = np.einsum("nji,nj->ni", every, tau)[several, :, None]
+        self._friction = robot.C_p * legs.rates[..., 2]
 
     def newton_euler(self, repeats: int) -> None:
         """Run ``rnea`` over all poses, ``repeats`` times."""
         rnea, model, data = pin.rnea, self._model, self._data
-        states = [pose.state for pose in self._poses]
         for _ in range(repeats):
-            for q, v, a, outside in states:
+            for q, v, a, outside in self._states:
                 rnea(model, data, q, v, a, outside)
 
     def empty_calls(self, repeats: int) -> None:
         """Run ``rnea`` as often over a model without joints: what a call costs before it computes."""
         rnea, (model, data, outside) = pin.rnea, self._nothing
-        states = [3 * (np.zeros(0),) for _ in self._poses]
+        states = [3 * (np.zeros(0),) for _ in self._states]
         for _ in range(repeats):
             for q, v, a in states:
                 rnea(model, data, q, v, a, outside)
@@ -87,61 +78,57 @@ class PinocchioMachine:
 
     def F(self) -> Array:
         """Actuator forces, N, (n, 6)."""
-        F = np.linalg.solve(self._matrices, self._right)[: len(self._poses), :, 0]
-        return np.array(F + self._robot.C_p * np.array([pose.Ldot for pose in self._poses]))
+        F = np.linalg.solve(self._matrices, self._right)[: self._poses, :, 0]
+        return np.array(F + self._friction)
 
-    def _right_side(self, pose: _Pose) -> Array:
-        tau = pin.rnea(self._model, self._data, *pose.state)
-        return np.array(pose.project @ tau)[:, None]
 
-    def _prepared(self, motion: Motion) -> _Pose:
-        assert motion.a is not None
-        assert motion.alpha is not None
-        robot, model, data, legs = self._robot, self._model, self._data, self._legs
-        R, omega = motion.R, motion.omega
-        q_i = robot.p @ R.T
-        S = motion.t + q_i - robot.b
-        Sdot = motion.v + np.cross(omega, q_i)
-        Sddot = motion.a + np.cross(motion.alpha, q_i) + np.cross(omega, np.cross(omega, q_i))
+def model_of_legs(robot: Robot) -> tuple[Any, list[int]]:
+    """Six chains, revolute about k, revolute about y, prismatic along s, and the joints of the upper parts.
 
-        q = np.concatenate([*map(_angles, robot.k, S), motion.t, pin.Quaternion(R).coeffs()])
-        pin.computeJointJacobians(model, data, q)
-        world = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED
-        tips = [pin.getJointJacobian(model, data, upper, world)[:3] for upper in legs.upper]
-        inverses = [np.linalg.inv(tip[:, 3 * i : 3 * i + 3]) for i, tip in enumerate(tips)]
+    The joint of a lower part is the one before that of its upper part.
+    """
+    model, here = pin.Model(), pin.SE3.Identity()
+    model.gravity = pin.Motion(robot.g, np.zeros(3))
+    uppers = []
+    for i, frame in enumerate(base_frames(robot)):
+        first = model.addJoint(0, pin.JointModelRX(), pin.SE3(frame, robot.b[i]), f"fixed axis {i + 1}")
+        lower = model.addJoint(first, pin.JointModelRY(), here, f"moving axis {i + 1}")
+        upper = model.addJoint(lower, pin.JointModelPX(), here, f"actuator {i + 1}")
+        model.appendBodyToJoint(lower, pin.Inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]), here)
+        model.appendBodyToJoint(upper, pin.Inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]), here)
+        uppers.append(upper)
+    return model, uppers
 
-        rates = [J @ rate for J, rate in zip(inverses, Sdot, strict=True)]
-        v = np.concatenate([*rates, R.T @ motion.v, R.T @ omega])
-        pin.forwardKinematics(model, data, q, v, np.zeros(model.nv))
-        drift = [pin.getClassicalAcceleration(model, data, upper, world).linear for upper in legs.upper]
-        W = [np.array(pin.getVelocity(model, data, upper, world).angular) for upper in legs.upper]
-        second = [J @ (e - d) for J, e, d in zip(inverses, Sddot, drift, strict=True)]
-        # Pinocchio's spatial acceleration differs from that of the reference point by omega x v.
-        platform = [R.T @ (motion.a - np.cross(omega, motion.v)), R.T @ motion.alpha]
-        a = np.concatenate([*second, *platform])
 
-        to_joints = [
-            J @ np.hstack([np.eye(3), -pin.skew(lever)]) for J, lever in zip(inverses, q_i, strict=True)
-        ]
-        to_platform = np.kron(np.eye(2), R.T)
-        project = np.vstack([*to_joints, to_platform]).T
-        Ldot_of_twist = np.array([joints[2] for joints in to_joints])
-        Ldot = np.array([rate[2] for rate in rates])
-        return _Pose((q, v, a, self._outside(motion, np.array(W))), project, Ldot_of_twist, Ldot)
-
-    def _outside(self, motion: Motion, W: Array) -> Any:
-        """Load, and friction of universal and spherical joints, in the frames of the bodies they act on."""
-        robot, legs, placements = self._robot, self._legs, self._data.oMi
-        forces = _forces(self._model.njoints)
-        f = robot.C_s[:, None] * (W - motion.omega)
-        for i, (lower, upper) in enumerate(zip(legs.lower, legs.upper, strict=True)):
-            forces[lower] = pin.Force(np.zeros(3), placements[lower].rotation.T @ (-robot.C_u[i] * W[i]))
-            forces[upper] = pin.Force(np.zeros(3), placements[upper].rotation.T @ -f[i])
-        none = np.zeros(3)
-        F_ext = none if motion.F_ext is None else motion.F_ext
-        M_ext = none if motion.M_ext is None else motion.M_ext
-        forces[legs.platform] = pin.Force(F_ext, M_ext + motion.R.T @ f.sum(axis=0))
-        return forces
+def _states(robot: Robot, motion: Motion, legs: Legs, joints: int, upper: list[int]) -> list[tuple[Any, ...]]:
+    """Every pose as ``rnea`` takes it: q, v, a and the forces from outside."""
+    given = loaded(motion)
+    R_T, omega, moving = np.swapaxes(motion.R, -1, -2), motion.omega, motion.omega[:, None]
+    Sddot = (
+        given.a[:, None] + np.cross(given.alpha[:, None], legs.q) + np.cross(moving, np.cross(moving, legs.q))
+    )
+    drift, _ = legs.accelerations(np.zeros_like(legs.S))
+    second = np.linalg.solve(legs.jacobian, (Sddot - drift)[..., None])
+    quaternions = quaternion_from_rotation(motion.R)[:, QUATERNION_W_LAST]
+    q = np.hstack([legs.coordinates.reshape(len(R_T), -1), motion.t, quaternions])
+    v = np.hstack([legs.rates.reshape(len(R_T), -1), turned(R_T, motion.v), turned(R_T, omega)])
+    # Pinocchio's spatial acceleration differs from that of the reference point by omega x v.
+    platform = [turned(R_T, given.a - np.cross(omega, motion.v)), turned(R_T, given.alpha)]
+    a = np.hstack([second.reshape(len(R_T), -1), *platform])
+    # Load, and friction of universal and spherical joints, in the frames of the bodies they act on.
+    inward = np.swapaxes(legs.upper, -1, -2)
+    f = robot.C_s[:, None] * (legs.W - moving)
+    below, above = turned(inward, -robot.C_u[:, None] * legs.W), turned(inward, -f)
+    moment = given.M_ext + turned(R_T, f.sum(axis=1))
+    states = []
+    for i, state in enumerate(zip(q, v, a, strict=True)):
+        forces = _forces(joints)
+        for leg, joint in enumerate(upper):
+            forces[joint - 1] = pin.Force(np.zeros(3), below[i, leg])
+            forces[joint] = pin.Force(np.zeros(3), above[i, leg])
+        forces[joints - 1] = pin.Force(given.F_ext[i], moment[i])
+        states.append((*state, forces))
+    return states
 
 
 def _forces(count: int) -> Any:
@@ -149,35 +136,3 @@ def _forces(count: int) -> Any:
     for _ in range(count):
         forces.append(pin.Force.Zero())
     return forces
-
-
-def _tree(robot: Robot) -> tuple[Any, _Legs]:
-    """Six chains, revolute about k, revolute about y, prismatic along s; and the platform as a free body."""
-    model = pin.Model()
-    model.gravity = pin.Motion(robot.g, np.zeros(3))
-    here = pin.SE3.Identity()
-    lower, upper = [], []
-    for i in range(6):
-        at = pin.SE3(_frame(robot.k[i]), robot.b[i])
-        first = model.addJoint(0, pin.JointModelRX(), at, f"fixed axis {i + 1}")
-        lower.append(model.addJoint(first, pin.JointModelRY(), here, f"moving axis {i + 1}"))
-        upper.append(model.addJoint(lower[i], pin.JointModelPX(), here, f"actuator {i + 1}"))
-        model.appendBodyToJoint(lower[i], pin.Inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]), here)
-        model.appendBodyToJoint(upper[i], pin.Inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]), here)
-    platform = model.addJoint(0, pin.JointModelFreeFlyer(), here, "platform")
-    model.appendBodyToJoint(platform, pin.Inertia(robot.M, robot.R_0, robot.I_p), here)
-    return model, _Legs(tuple(lower), tuple(upper), platform)
-
-
-def _frame(k: Array) -> Array:
-    """A frame with its x axis along k."""
-    across = np.cross(k, np.eye(3)[np.argmin(np.abs(k))])
-    across /= np.linalg.norm(across)
-    return np.column_stack([k, across, np.cross(k, across)])
-
-
-def _angles(k: Array, S: Array) -> Array:
-    """Joint coordinates of a leg: s = frame Rx(q1) Ry(q2) e_x, then its length."""
-    L = np.linalg.norm(S)
-    along, second, third = _frame(k).T @ S / L
-    return np.array([np.arctan2(second, -third), np.arccos(along), L])

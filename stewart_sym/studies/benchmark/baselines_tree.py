@@ -66,51 +66,53 @@ class Engine:
 class Tree:
     """Poses (n,) in joint coordinates.
 
-    angles_and_length: (n, 6, 3), the legs'. relative: (n, 3, 3), the platform's orientation against the upper
+    legs: their angles and lengths. relative: (n, 3, 3), the platform's orientation against the upper
     part that carries it. rates: (n, 21), three of each leg, in order, then the platform's angular velocity
     against its leg, platform frame. forces: (n, 21), actuators, friction of all joints and load.
     """
 
-    angles_and_length: Array
+    legs: "Legs"
     relative: Array
     rates: Array
     forces: Array
-    _leg: "_Legs"
-    _R: Array
-    _omega: Array
-    _q: Array
+    _motion: Motion
 
     def accelerations(self, joints: Array) -> Array:
         """[a; alpha] of the platform, (n, 6), that the accelerations of the joints, (n, 21), mean."""
-        tips, turns = self._leg.accelerations(joints[:, :-3].reshape(-1, 6, 3))
-        omega, q, W = self._omega, self._q[:, CARRIER], self._leg.W[:, CARRIER]
-        alpha = turns[:, CARRIER] + _turned(self._R, joints[:, -3:]) + np.cross(W, omega)
+        tips, turns = self.legs.accelerations(joints[:, :-3].reshape(-1, 6, 3))
+        omega, q, W = self._motion.omega, self.legs.q[:, CARRIER], self.legs.W[:, CARRIER]
+        alpha = turns[:, CARRIER] + turned(self._motion.R, joints[:, -3:]) + np.cross(W, omega)
         a = tips[:, CARRIER] - np.cross(alpha, q) - np.cross(omega, np.cross(omega, q))
         return np.concatenate([a, alpha], axis=-1)
 
     def gaps(self, joints: Array) -> Array:
         """Accelerations, (n, 5, 3), of the tips of the other legs from the platform's points, base frame."""
-        tips, _ = self._leg.accelerations(joints[:, :-3].reshape(-1, 6, 3))
+        tips, _ = self.legs.accelerations(joints[:, :-3].reshape(-1, 6, 3))
         platform = self.accelerations(joints)[:, None]
-        a, alpha, omega = platform[..., :3], platform[..., 3:], self._omega[:, None]
-        points = a + np.cross(alpha, self._q) + np.cross(omega, np.cross(omega, self._q))
+        a, alpha, omega = platform[..., :3], platform[..., 3:], self._motion.omega[:, None]
+        points = a + np.cross(alpha, self.legs.q) + np.cross(omega, np.cross(omega, self.legs.q))
         return (tips - points)[:, :CARRIER]
 
     def moved(self, tips: Array) -> Array:
-        """``angles_and_length`` after small moves of the tips of the other legs, (n, 5, 3), base frame."""
-        found = self.angles_and_length.copy()
-        found[:, :CARRIER] += np.linalg.solve(self._leg.jacobian[:, :CARRIER], tips[..., None])[..., 0]
+        """``legs.coordinates`` after small moves of the tips of the other legs, (n, 5, 3), base frame."""
+        found = self.legs.coordinates.copy()
+        found[:, :CARRIER] += np.linalg.solve(self.legs.jacobian[:, :CARRIER], tips[..., None])[..., 0]
         return found
 
 
 @dataclass(frozen=True, eq=False)
-class _Legs:
-    """Kinematics of the legs, base frame, (n, 6, ...).
+class Legs:
+    """Kinematics of the legs at poses (n,), base frame, (n, 6, ...).
 
-    jacobian: of the tip by the joints. axes: of both revolute joints, in columns. W: angular velocity.
+    q, S: platform points from the reference point, legs. coordinates: two angles and the length,
+    s = frame Rx(q1) Ry(q2) e_x. upper: orientation of both parts. jacobian: of the tip by the joints. axes:
+    of both revolute joints, in columns. rates: of the joints. W: angular velocity.
     """
 
+    q: Array
     S: Array
+    coordinates: Array
+    upper: Array
     jacobian: Array
     axes: Array
     rates: Array
@@ -121,49 +123,42 @@ class _Legs:
         k, y = self.axes[..., 0], self.axes[..., 1]
         along = self.jacobian[..., 2]
         moving = np.cross(self.rates[..., :1] * k, self.rates[..., 1:2] * y)
-        turn = _turned(self.axes, joints[..., :2]) + moving
+        turn = turned(self.axes, joints[..., :2]) + moving
         spin = np.cross(self.W, np.cross(self.W, self.S)) + np.cross(moving, self.S)
-        tip = _turned(self.jacobian, joints) + spin + 2 * self.rates[..., 2:] * np.cross(self.W, along)
+        tip = turned(self.jacobian, joints) + spin + 2 * self.rates[..., 2:] * np.cross(self.W, along)
         return tip, turn
 
 
-def tree(robot: Robot, motion: Motion, F: Array) -> Tree:
-    """Joint coordinates of poses (n,) under actuator forces F, N, (n, 6); base joints must be universal."""
-    R, omega = motion.R, motion.omega
-    q = np.einsum("nij,kj->nki", R, robot.p)
-    S = motion.t[:, None] + q - robot.b
-    Sdot = motion.v[:, None] + np.cross(omega[:, None], q)
+def legs_of(robot: Robot, motion: Motion) -> Legs:
+    """The legs at poses (n,); base joints must be universal."""
     frames = base_frames(robot)
-    coordinates = _coordinates(frames, S)
-    legs, upper = _legs(frames, coordinates, S, Sdot)
-    relative = np.swapaxes(upper[:, CARRIER], -1, -2) @ R
-    turning = _turned(np.swapaxes(R, -1, -2), omega - legs.W[:, CARRIER])
-    rates = np.concatenate([legs.rates.reshape(len(S), -1), turning], axis=-1)
-    return Tree(coordinates, relative, rates, _forces(robot, motion, F, legs, q), legs, R, omega, q)
-
-
-def _coordinates(frames: Array, S: Array) -> Array:
-    """Angles and length of the legs: s = frame Rx(q1) Ry(q2) e_x."""
+    q = np.einsum("nij,kj->nki", motion.R, robot.p)
+    S = motion.t[:, None] + q - robot.b
     L = np.linalg.norm(S, axis=-1)
     along, second, third = np.moveaxis(np.einsum("kji,nkj->nki", frames, S) / L[..., None], -1, 0)
-    return np.stack([np.arctan2(second, -third), np.arccos(along), L], axis=-1)
-
-
-def _legs(frames: Array, coordinates: Array, S: Array, Sdot: Array) -> tuple[_Legs, Array]:
-    """Kinematics of the legs, and the orientation of their upper parts, (n, 6, 3, 3)."""
+    coordinates = np.stack([np.arctan2(second, -third), np.arccos(along), L], axis=-1)
     (sin_1, sin_2), (cos_1, cos_2) = (np.moveaxis(f(coordinates[..., :2]), -1, 0) for f in (np.sin, np.cos))
-    zero = np.zeros_like(sin_1)
     x = np.stack([cos_2, sin_1 * sin_2, -cos_1 * sin_2], axis=-1)
-    y = np.stack([zero, cos_1, sin_1], axis=-1)
+    y = np.stack([np.zeros_like(sin_1), cos_1, sin_1], axis=-1)
     upper = frames @ np.stack([x, y, np.cross(x, y)], axis=-1)
     axes = np.stack([np.broadcast_to(frames[..., 0], S.shape), upper[..., 1]], axis=-1)
     sideways = np.cross(np.swapaxes(axes, -1, -2), S[..., None, :])
     jacobian = np.concatenate([np.swapaxes(sideways, -1, -2), upper[..., :1]], axis=-1)
+    Sdot = motion.v[:, None] + np.cross(motion.omega[:, None], q)
     rates = np.linalg.solve(jacobian, Sdot[..., None])[..., 0]
-    return _Legs(S, jacobian, axes, rates, _turned(axes, rates[..., :2])), upper
+    return Legs(q, S, coordinates, upper, jacobian, axes, rates, turned(axes, rates[..., :2]))
 
 
-def _forces(robot: Robot, motion: Motion, F: Array, legs: _Legs, q: Array) -> Array:
+def tree(robot: Robot, motion: Motion, F: Array) -> Tree:
+    """Joint coordinates of poses (n,) under actuator forces F, N, (n, 6); base joints must be universal."""
+    legs = legs_of(robot, motion)
+    relative = np.swapaxes(legs.upper[:, CARRIER], -1, -2) @ motion.R
+    turning = turned(np.swapaxes(motion.R, -1, -2), motion.omega - legs.W[:, CARRIER])
+    rates = np.concatenate([legs.rates.reshape(len(F), -1), turning], axis=-1)
+    return Tree(legs, relative, rates, _forces(robot, motion, F, legs), motion)
+
+
+def _forces(robot: Robot, motion: Motion, F: Array, legs: Legs) -> Array:
     """Generalised forces of the joints, (n, 21)."""
     R, omega = motion.R, motion.omega
     friction = robot.C_s[:, None] * (legs.W - omega[:, None])
@@ -172,17 +167,17 @@ def _forces(robot: Robot, motion: Motion, F: Array, legs: _Legs, q: Array) -> Ar
     joints[..., :2] -= np.einsum("nkij,nki->nkj", legs.axes, friction)
 
     def load(vector: Array | None) -> Array:
-        return np.zeros_like(motion.t) if vector is None else _turned(R, vector)
+        return np.zeros_like(motion.t) if vector is None else turned(R, vector)
 
     # The load at the reference point, taken to the point that the last leg carries.
     force = load(motion.F_ext)
-    moment = load(motion.M_ext) + friction.sum(axis=1) - np.cross(q[:, CARRIER], force)
+    moment = load(motion.M_ext) + friction.sum(axis=1) - np.cross(legs.q[:, CARRIER], force)
     joints[:, CARRIER] += np.einsum("nij,ni->nj", legs.jacobian[:, CARRIER], force)
     joints[:, CARRIER, :2] += np.einsum("nij,ni->nj", legs.axes[:, CARRIER], moment)
-    return np.concatenate([joints.reshape(len(F), -1), _turned(np.swapaxes(R, -1, -2), moment)], axis=-1)
+    return np.concatenate([joints.reshape(len(F), -1), turned(np.swapaxes(R, -1, -2), moment)], axis=-1)
 
 
-def _turned(matrix: Array, vector: Array) -> Array:
+def turned(matrix: Array, vector: Array) -> Array:
     """Products of matrices and vectors."""
     return np.asarray(np.einsum("...ij,...j->...i", matrix, vector))
 

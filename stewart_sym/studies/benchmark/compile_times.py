@@ -1,7 +1,4 @@
-"""How long a C compiler works on the kernels, and how many bytes of code a controller is left with.
-
-The part of ``bench`` that times the compiler and not the code.
-"""
+"""How long a C compiler works on the kernels, and how many bytes of code a controller is left with."""
 
 import functools
 import shutil

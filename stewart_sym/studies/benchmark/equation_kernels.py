@@ -1,8 +1,6 @@
 """The second group of ``bench``: equations of motion, one pose a call, and the baselines of forward dynamics.
 
-Builds one library of the closed form's functions with a C loop around each, compares every answer with the
-vector reference, or with its differences, and hands out what is to be timed. All of the group share one
-machine, whose inertia tensors are those of bodies: MuJoCo takes no others. Times nothing.
+All of the group share one machine, whose inertia tensors are those of bodies: MuJoCo takes no others.
 """
 
 import ctypes

@@ -1,7 +1,4 @@
-"""What ``bench`` measured: figures with all their samples, and the ratios that are made of them.
-
-Filled in by ``bench``, shown by ``bench_plot``.
-"""
+"""What ``bench`` measured: figures with all their samples, and the ratios that are made of them."""
 
 import dataclasses
 from collections.abc import Mapping

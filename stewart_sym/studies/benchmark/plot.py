@@ -1,16 +1,12 @@
-"""What ``bench`` measured, as tables for the terminal and as a picture.
-
-Computes nothing but the layout. The picture needs Matplotlib, the extra ``bench``.
-"""
+"""What ``bench`` measured, as tables for the terminal and as a picture."""
 
 import functools
 import textwrap
 from collections.abc import Sequence
-from typing import Any
 
 from ...io.extras import install, needed_for
 from ..common.host import DISTURBED
-from ..common.report import Picture, Report
+from ..common.report import SMALL, Picture, Report
 from ..common.table import aligned
 from .figures import MOST, TIMES_FASTER, Benchmark, Figure, MotionFigures, Samples
 
@@ -20,16 +16,6 @@ with needed_for("drawing"):
 
 WIDTH = 110
 
-_STYLE: Any = {
-    "font.size": 9.0,
-    "axes.grid": True,
-    "axes.axisbelow": True,
-    "grid.alpha": 0.35,
-    "grid.linewidth": 0.6,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "legend.frameon": False,
-}
 _OURS, _PEER, _LIMIT = "#1f4e9c", "#5a5a5a", "#c1440e"
 _SOFTWARE = {
     "casadi": "CasADi",
@@ -303,7 +289,7 @@ def full_report(found: Benchmark) -> Report:
     """All figures as tables, for programs, and as pictures."""
     drawn = {"bench": picture, "bench_motion": motion_picture}
     figures = {
-        name: Picture(functools.partial(draw, found), _STYLE, ("png", "svg")) for name, draw in drawn.items()
+        name: Picture(functools.partial(draw, found), SMALL, ("png", "svg")) for name, draw in drawn.items()
     }
     return Report(report(found), data=found.as_json(), figures=figures)
 

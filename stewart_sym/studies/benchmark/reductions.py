@@ -1,8 +1,4 @@
-"""The derivation's reduction passes as candidates of ``bench``: the kernel as each pass leaves it.
-
-Takes the C that ``derive.passes`` writes after every pass, gives each a library of its own, and hands back
-one candidate for a pose in a C loop and one for a batch. The derivation runs when asked. Times nothing.
-"""
+"""The derivation's reduction passes as candidates of ``bench``: the kernel as each pass leaves it."""
 
 import ctypes
 from dataclasses import dataclass

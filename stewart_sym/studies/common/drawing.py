@@ -1,14 +1,20 @@
-"""What pictures share: legends that fit the figure, numbers of logarithmic axes. Needs the extra ``plot``."""
+"""What pictures share: legends, names of points, numbers of logarithmic axes. Needs the extra ``plot``."""
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 from ...io.extras import needed_for
 
 with needed_for("drawing"):
+    import textalloc
+    from matplotlib.axes import Axes
     from matplotlib.axis import Axis
     from matplotlib.figure import Figure
     from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+Place = tuple[float, float]
+"""Data coordinates (x, y)."""
 
 _DECADES = 2.0
 """Below which ticks of a logarithmic axis stand between powers of ten too, as plain numbers."""
@@ -37,6 +43,54 @@ def legend_below(figure: Figure, handles: list[Any] | None = None, **style: Any)
             return
         if columns > 1:
             legend.remove()
+
+
+def name_points(
+    axes: Axes,
+    names: Sequence[tuple[str, Place, str]],
+    markers: Sequence[Place],
+    bars: Sequence[tuple[Place, Place]] = (),
+    size: float = 7.5,
+) -> None:
+    """Write names, each with its point and colour, beside the points, with thin lines to them.
+
+    markers: everything that is drawn as a point; names keep off them. bars: ends of drawn lines, from which
+    they keep off as well. size: of the font. The layout of the figure is fixed from here on. Raises
+    ValueError if there is no room.
+    """
+    figure: Any = axes.get_figure()
+    figure.draw_without_rendering()
+    figure.set_layout_engine("none")
+    # Its types do not say what may be None.
+    allocate: Any = textalloc.allocate
+    texts, at, colors = zip(*names, strict=True)
+    # The order in which names choose their places matters: the given one first, then others.
+    for clear, order in [(True, None), *((clear, order) for clear in (True, False) for order in range(4))]:
+        *_, written, lines = allocate(
+            axes,
+            *zip(*at, strict=True),
+            texts,
+            x_scatter=[x for x, _ in markers],
+            y_scatter=[y for _, y in markers],
+            x_lines=[[start[0], end[0]] for start, end in bars],
+            y_lines=[[start[1], end[1]] for start, end in bars],
+            avoid_label_lines_overlap=clear,
+            priority_strategy=order,
+            draw_all=False,
+            textsize=size,
+            textcolor=colors,
+            linecolor=colors,
+            linewidth=0.6,
+            margin=0.006,
+            max_distance=0.4,
+            nbr_candidates=400,
+        )
+        if None not in written:
+            return
+        for drawn in (*written, *lines):
+            if drawn is not None:
+                drawn.remove()
+    raise ValueError("names of points: expected room for all of them in the picture")
 
 
 def log_numbers(axis: Axis) -> None:

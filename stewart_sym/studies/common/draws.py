@@ -1,7 +1,4 @@
-"""Random motions of a machine around its home pose, for studies of rounding.
-
-Takes a robot and a random generator; which of the motions have an answer is the caller's to find out.
-"""
+"""Random motions of a machine around its home pose, for studies of rounding."""
 
 from dataclasses import dataclass
 from typing import Any

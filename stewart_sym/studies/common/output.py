@@ -1,7 +1,4 @@
-"""Tables of results as CSV text.
-
-Used by the commands that write.
-"""
+"""Tables of results as CSV text."""
 
 import csv
 import io
@@ -11,6 +8,20 @@ from typing import Any
 from numpy.typing import NDArray
 
 _ROWS = 4096
+
+
+Columns = dict[str, NDArray[Any]]
+"""Columns (n,) by name."""
+
+
+def of_legs(name: str, values: NDArray[Any], ending: str = "") -> Columns:
+    """Columns of each leg, ``name1`` to ``name6``, from (n, 6)."""
+    return {f"{name}{leg + 1}{ending}": column for leg, column in enumerate(values.T)}
+
+
+def of_axes(name: str, values: NDArray[Any]) -> Columns:
+    """Columns of each axis, ``name_x`` to ``name_z``, from (n, 3)."""
+    return {f"{name}_{axis}": column for axis, column in zip("xyz", values.T, strict=True)}
 
 
 def csv_lines(columns: Mapping[str, NDArray[Any]], header: bool = True) -> Iterator[str]:

@@ -18,6 +18,17 @@ if TYPE_CHECKING:
 Table = str | Mapping[str, NDArray[Any]]
 """CSV text, or columns (n,) by name."""
 
+STYLE: Mapping[Any, Any] = {
+    "axes.grid": True,
+    "grid.alpha": 0.35,
+    "grid.linewidth": 0.6,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "legend.frameon": False,
+}
+"""Of all pictures; ``SMALL``: with smaller letters."""
+SMALL: Mapping[Any, Any] = {**STYLE, "font.size": 9.0, "axes.axisbelow": True}
+
 _METADATA: dict[str, dict[str, None]] = {"png": {"Software": None}, "svg": {"Date": None, "Creator": None}}
 # The same numbers give the same bytes.
 _SVG: dict[Any, Any] = {"svg.hashsalt": "stewart-sym", "svg.fonttype": "none"}
@@ -28,7 +39,7 @@ class Picture:
     """What draws a picture, in which of Matplotlib's styles, and as files of which kinds."""
 
     draw: "Callable[[], Figure]"
-    style: Mapping[Any, Any] = field(default_factory=dict)
+    style: Mapping[Any, Any] = field(default_factory=lambda: STYLE)
     kinds: tuple[str, ...] = ("png",)
     dpi: int = 160
 

@@ -1,7 +1,4 @@
-"""Nanoseconds of tasks that take turns: whatever slows the machine down slows all of them.
-
-Used by the studies that measure.
-"""
+"""Nanoseconds of tasks that take turns: whatever slows the machine down slows all of them."""
 
 import contextlib
 import gc
@@ -27,6 +24,16 @@ class Task:
 
     run: Callable[[int], object]
     units: int
+
+
+def repeated(call: Callable[[], object]) -> Callable[[int], None]:
+    """What makes a call n times."""
+
+    def run(repeats: int) -> None:
+        for _ in range(repeats):
+            call()
+
+    return run
 
 
 def measured(

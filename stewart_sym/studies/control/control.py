@@ -1,7 +1,7 @@
 """Control: the paper's paths tracked by controllers that differ in nothing but their model of the machine.
 
 The plant is `exact` with friction, carried on in fixed steps between the samples of a controller that holds
-its forces. Takes robots and paths, returns records of errors and forces. Writes no file, draws nothing.
+its forces.
 """
 
 import dataclasses

@@ -1,21 +1,15 @@
-"""The control study for people and programs: table, CSV rows, JSON, and curves over time.
-
-Takes the studies of one or several machines by label. The picture needs the extra ``plot``; writes no file.
-"""
+"""The control study for people and programs: table, CSV rows, JSON, and curves over time."""
 
 import functools
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
-from numpy.typing import NDArray
-
-from ..common.output import csv_text
+from ..common.output import Columns, csv_text, of_legs
 from ..common.report import Picture, Report, Table
 from ..common.table import aligned
 from .control import Run, Settings, Study
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 NAMES = {
@@ -108,12 +102,12 @@ def as_json(studies: Mapping[str, Study]) -> dict[str, Any]:
     return {"settings": {**vars(settings)}, "machines": machines, "units": _UNITS}
 
 
-def run_columns(runs: Mapping[str, Run]) -> dict[str, NDArray[Any]]:
+def run_columns(runs: Mapping[str, Run]) -> Columns:
     """Columns (n,) of one path: time, s, and for each controller errors, m and rad, and forces, N."""
-    columns: dict[str, NDArray[Any]] = {"time": next(iter(runs.values())).time}
+    columns: Columns = {"time": next(iter(runs.values())).time}
     for name, run in runs.items():
         columns |= {f"{name}_position": run.position, f"{name}_orientation": run.orientation}
-        columns |= {f"{name}_F{leg + 1}": run.F[:, leg] for leg in range(6)}
+        columns |= of_legs(f"{name}_F", run.F)
     return columns
 
 
@@ -134,7 +128,7 @@ def figure(study: Study) -> "Figure":
             column[2].plot(run.time, run.largest_force, **style)
         column[2].set_xlabel("time, s")
         for axes in column:
-            _tidy(axes)
+            axes.margins(x=0.0)
         for axes in column[:2]:
             log_numbers(axes.yaxis)
     for row, label in zip(
@@ -144,9 +138,3 @@ def figure(study: Study) -> "Figure":
     picture.suptitle(study.robot.name, fontsize=10.0)
     legend_below(picture)
     return picture
-
-
-def _tidy(axes: "Axes") -> None:
-    axes.margins(x=0.0)
-    axes.grid(alpha=0.35, linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)

@@ -1,7 +1,4 @@
-"""Kits on a controller: written, cross-compiled, run under QEMU, measured.
-
-Takes a Robot, hands back figures for each kit.
-"""
+"""Kits on a controller: written, cross-compiled, run under QEMU, measured."""
 
 import re
 import shutil

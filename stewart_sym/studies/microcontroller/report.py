@@ -1,7 +1,4 @@
-"""The study of a controller's processor for people and programs: a table and JSON.
-
-Takes its figures; writes no file.
-"""
+"""The study of a controller's processor for people and programs: a table and JSON."""
 
 from ..common.report import Report
 from ..common.table import aligned

@@ -1,8 +1,4 @@
-"""Pictures of the paper's Figs. 4-10 with `paper` and `exact` in each, as PNG and SVG.
-
-Draws what ``reproduce`` computed; needs Matplotlib, the extra ``plot``. The SVG text depends on the numbers
-and on Matplotlib's version alone.
-"""
+"""Pictures of the paper's Figs. 4-10 with `paper` and `exact` in each, as PNG and SVG."""
 
 import functools
 from collections.abc import Callable
@@ -14,7 +10,7 @@ from numpy.typing import NDArray
 
 from ...io.extras import needed_for
 from ..common.drawing import legend_below, log_numbers
-from ..common.report import Picture
+from ..common.report import SMALL, Picture
 from .reproduce import PathRun, Reproduction
 
 with needed_for("drawing"):
@@ -24,15 +20,6 @@ with needed_for("drawing"):
 
 Array = NDArray[np.float64]
 
-_STYLE: Any = {
-    "font.size": 9.0,
-    "axes.grid": True,
-    "grid.alpha": 0.35,
-    "grid.linewidth": 0.6,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "legend.frameon": False,
-}
 _PAPER_LINE: dict[str, Any] = {"linewidth": 1.3, "zorder": 3}
 _EXACT_LINE: dict[str, Any] = {"linewidth": 3.6, "alpha": 0.35, "zorder": 2, "solid_capstyle": "butt"}
 
@@ -60,7 +47,7 @@ def pictures(found: Reproduction) -> dict[str, Picture]:
     return {
         f"fig{number:02d}_path_{path}_{kind}": Picture(
             functools.partial(make, number, found.runs[path, "paper"], found.runs[path, "exact"]),
-            _STYLE,
+            SMALL,
             ("png", "svg"),
         )
         for number, path, kind, make in _FIGURES

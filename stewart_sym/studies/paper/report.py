@@ -1,7 +1,4 @@
-"""The tables of ``reproduce`` as plain aligned text.
-
-Lays out what ``reproduce`` computed and ``claims`` checked; computes nothing itself.
-"""
+"""The tables of ``reproduce`` as plain aligned text."""
 
 import textwrap
 from collections.abc import Sequence

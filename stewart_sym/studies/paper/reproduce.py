@@ -1,11 +1,6 @@
-"""Section 5 of the paper computed again: Paths I-III, what each printed fault costs, work and energy.
-
-Takes the paper's machine and the generated kernels and returns plain records. ``claims`` checks them,
-``report`` prints them and ``plots`` draws them; this module prints and writes nothing.
-"""
+"""Section 5 of the paper computed again: Paths I-III, what each printed fault costs, work and energy."""
 
 import dataclasses
-import functools
 import importlib
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -21,9 +16,11 @@ from ...dynamics.inverse import Formulation, inverse_dynamics, massless_forces
 from ...io.progress import Progress, silent, tracked
 from ...kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
 from ...motion.motion import Motion
-from ...motion.straight_line import PATHS, StraightLinePath
+from ...motion.straight_line import PATHS
 from ...reference import newton_euler
 from ...robot.robot import Robot
+from ...singularities.along_path import crossings
+from ..common.output import Columns, of_legs
 
 Array = NDArray[np.float64]
 
@@ -136,7 +133,7 @@ class Reproduction:
 
 def reproduce(progress: Progress = silent) -> Reproduction:
     """Compute everything on the paper's machine; ``progress`` is given what is being computed."""
-    robot = paper_machine()
+    robot, path = paper_machine(), PATHS["III"].path
     progress("compiling the kernels")
     backend = _backend(robot)
     progress("running Paths I-III")
@@ -156,7 +153,7 @@ def reproduce(progress: Progress = silent) -> Reproduction:
         runs=runs,
         light={form: run_path(lighter, "I", form) for form in FORMULATIONS},
         rest={form: run_path(robot, "I", form, rest=True) for form in FORMULATIONS},
-        singular_time=singular_time(robot, PATHS["III"].path, *_steepest(runs["III", "paper"])),
+        singular_time=crossings(robot, path.sample, path.breaks())[0].time,
         fault_costs=costs,
         work_energy=work,
         operations=operations(),
@@ -185,11 +182,11 @@ def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool
     )
 
 
-def run_columns(run: PathRun) -> dict[str, Array]:
+def run_columns(run: PathRun) -> Columns:
     """The columns of a run's CSV file by name, each (n,), SI units."""
-    columns = {"time": run.time}
+    columns: Columns = {"time": run.time}
     for name, values in (("F", run.F), ("F0_", run.F0), ("Fd_", run.Fd), ("dynamic_fraction_", run.fraction)):
-        columns |= {f"{name}{leg + 1}": values[:, leg] for leg in range(6)}
+        columns |= of_legs(name, values)
     return columns | {
         "condition_number": run.condition,
         "scaled_condition_number": run.scaled_condition,
@@ -248,25 +245,6 @@ def _kernel_forces(robot: Robot, motion: Motion, faults: frozenset[int]) -> Arra
     return inverse_dynamics(robot, motion, formulation).F
 
 
-def singular_time(robot: Robot, path: StraightLinePath, before: float, after: float) -> float:
-    """Time at which det H changes its sign between two times, s, by bisection.
-
-    Raises ValueError when it has the same sign at both.
-    """
-
-    @functools.cache
-    def side(time: float) -> float:
-        H = newton_euler.inverse_dynamics(robot, path.sample(time)).H
-        return float(np.linalg.slogdet(H)[0])
-
-    if side(before) == side(after):
-        raise ValueError(f"det H keeps its sign between {before:g} s and {after:g} s")
-    while after - before > 1e-9 * path.tau_f:
-        middle = (before + after) / 2
-        before, after = (middle, after) if side(middle) == side(before) else (before, middle)
-    return (before + after) / 2
-
-
 def operations() -> tuple[Operations, ...]:
     """Counts of the emitted kernels of the paper's kind of machine."""
     return tuple(_operations(form, friction) for form in FORMULATIONS for friction in (False, True))
@@ -285,12 +263,6 @@ def _difference(robot: Robot, motion: Motion, faults: frozenset[int]) -> float:
     exact = newton_euler.inverse_dynamics(robot, motion).F
     faulty = newton_euler.inverse_dynamics(robot, motion, faults).F
     return float(np.linalg.norm(faulty - exact) / np.linalg.norm(exact))
-
-
-def _steepest(run: PathRun) -> tuple[float, float]:
-    """The step in which the forces change most: their signs turn at a singular pose."""
-    i = int(np.argmax(np.max(np.abs(np.diff(run.F, axis=0)), axis=-1)))
-    return float(run.time[i]), float(run.time[i + 1])
 
 
 def _backend(robot: Robot) -> str:

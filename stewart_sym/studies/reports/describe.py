@@ -1,7 +1,4 @@
-"""What ``check`` says of a robot: sizes, masses, limits, and its condition at a home pose at rest.
-
-Reads a checked Robot; prints nothing.
-"""
+"""What ``check`` says of a robot: sizes, masses, limits, and its condition at a home pose at rest."""
 
 import warnings
 from typing import Any

@@ -1,7 +1,6 @@
 """Energy of a free-swinging machine on leg springs over time, in both formulations: what is right keeps it.
 
 Without friction or drive, and with springs for actuators, the energy of machine and springs is constant.
-Takes a robot and returns records; draws them if asked (extra ``plot``). Writes no file.
 """
 
 import dataclasses
@@ -147,8 +146,6 @@ def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
     axes.set_ylabel("change of energy / mean kinetic energy")
     axes.set_title("Energy of the frictionless machine on leg springs", fontsize=10.0)
     axes.margins(x=0.0)
-    axes.grid(alpha=0.35, linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)
     log_numbers(axes.yaxis)
     legend_below(picture)
     return picture

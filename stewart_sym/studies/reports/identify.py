@@ -1,9 +1,6 @@
-"""Identification from beginning to end: of measured forces, or simulated with the truth beside the estimates.
+"""Identification from beginning to end: of measured forces, or simulated beside the truth."""
 
-Prints nothing, writes no file.
-"""
-
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
@@ -20,7 +17,7 @@ from ...motion.rotation import rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
-from ..common.output import csv_text
+from ..common.output import csv_text, of_axes, of_legs
 from ..common.report import Report
 from ..common.table import aligned
 
@@ -138,37 +135,66 @@ def measured_report(robot: Robot, found: Estimate, sigma: float, noise: PoseNois
     base = found.base
     departure, p = found.departure(robot)
     file = base.matrix @ inertial_parameters(robot).values
-    head = ("name", "formula", "unit", "estimated", "sigma", "robot_file", "departure")
-    numbers = (x.tolist() for x in (found.values, found.sigma, file, departure))
-    rows = list(zip(base.names, base.formulas, base.units, *numbers, strict=True))
-    cells = [
-        [name, unit, f"{value:.6g}", f"{width:.2g}", f"{given:.6g}", f"{off:+.2f}"]
-        for name, _, unit, value, width, given, off in rows
-    ]
-    table = aligned(["parameter", "unit", "estimated", "sigma", "robot file", "off/sigma"], cells, left=2)
     far = [name for name, off in zip(base.names, departure, strict=True) if abs(off) > _FAR]
     agrees = "agrees" if p >= _FAR_LEVEL and not far else "does not agree"
     agreement = f"{agrees} with the forces, probability of such a departure {p:.2g}"
     if found.verdict == "rejected":
         agreement = "not compared, for the fit is rejected"
     named = f"; farther off than {_FAR:g} sigma: {', '.join(far)}" if far else ""
-    lines = [
-        _count(robot, base),
-        _noise(sigma, noise),
-        *verdict(found),
-        f"robot file: {agreement}{named}",
-    ]
-    tables = {"parameters": csv_text([head, *rows])}
+    tables: dict[str, str | Mapping[str, Array]] = {}
     if found.parameters is not None:
         bodies = found.parameters
         full = zip(bodies.names, bodies.units, bodies.values.tolist(), strict=True)
         tables["bodies"] = csv_text([("name", "unit", "value"), *full])
-    data = {
-        **_data(robot, found, sigma, noise),
-        "robot_file": {"agreement": agrees, "probability": p, "compared": found.verdict != "rejected"},
-        "parameters": [dict(zip(head, row, strict=True)) for row in rows],
-    }
-    return Report("\n".join([*lines, "", table, "", *_merged(base)]), tables, data)
+    return _report(
+        [
+            _count(robot, base),
+            _noise(sigma, noise),
+            *verdict(found),
+            f"robot file: {agreement}{named}",
+        ],
+        base,
+        {"estimated": found.values, "sigma": found.sigma, "robot_file": file, "departure": departure},
+        tables,
+        {
+            **_data(robot, found, sigma, noise),
+            "robot_file": {"agreement": agrees, "probability": p, "compared": found.verdict != "rejected"},
+        },
+    )
+
+
+def _report(
+    lines: list[str],
+    base: BaseParameters,
+    numbers: Mapping[str, Array],
+    tables: Mapping[str, str | Mapping[str, Array]],
+    data: Mapping[str, Any],
+) -> Report:
+    """Lines, then a table of the base parameters with their numbers, (n,) each by name."""
+    columns = (values.tolist() for values in numbers.values())
+    head = ("name", "formula", "unit", *numbers)
+    rows = list(zip(base.names, base.formulas, base.units, *columns, strict=True))
+    shown = [(_SHOWN.get(name, (name, ".6g"))) for name in numbers]
+    cells = [
+        [name, unit, *(f"{value:{digits}}" for value, (_, digits) in zip(values, shown, strict=True))]
+        for name, _, unit, *values in rows
+    ]
+    table = aligned(["parameter", "unit", *(title for title, _ in shown)], cells, left=2)
+    merged = [text for name, text in zip(base.names, base.formulas, strict=True) if text != name]
+    return Report(
+        "\n".join([*lines, "", table, "", "Parameters stand for these combinations:", *merged]),
+        {"parameters": csv_text([head, *rows]), **tables},
+        {**data, "parameters": [dict(zip(head, row, strict=True)) for row in rows]},
+    )
+
+
+_SHOWN = {
+    "sigma": ("sigma", ".2g"),
+    "robot_file": ("robot file", ".6g"),
+    "departure": ("off/sigma", "+.2f"),
+    "deviation": ("error/sigma", "+.2f"),
+}
+"""Title and digits of columns of the table in the text."""
 
 
 def _data(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) -> dict[str, Any]:
@@ -205,63 +231,42 @@ def _noise(sigma: float, noise: PoseNoise | None) -> str:
 
 def simulated_report(robot: Robot, found: Experiment) -> Report:
     """What a simulated measurement tells: parameters beside the true ones, the motion and its forces."""
-    excited, (head, *rows) = found.excitation, _parameter_rows(found)
-    tables: dict[str, str | Mapping[str, Array]] = {
-        "parameters": csv_text([head, *rows]),
-        "trajectory": trajectory_columns(found),
-        "forces": force_columns(found),
-    }
-    data = {
-        **_data(robot, found.estimate, found.sigma, found.noise),
-        "period_s": excited.path.period,
-        "harmonics": len(excited.path.sine),
-        "instants": len(excited.time),
-        "condition_number": excited.condition,
-        "parameters": [dict(zip(head, row, strict=True)) for row in rows],
-    }
-    return Report(report(robot, found), tables, data)
-
-
-def report(robot: Robot, found: Experiment) -> str:
-    """What was done and the table: true, estimated, sigma, deviation in sigmas."""
     excited, estimate = found.excitation, found.estimate
-    base = estimate.base
     size = np.abs(found.deviation)
     shares = ", ".join(
         f"{100 * np.mean(size <= width):.0f} % ({100 * normal:.1f} %) within {width}"
         for width, normal in zip((1, 2, 3), NORMAL, strict=True)
     )
-    harmonics = len(excited.path.sine)
-    lines = [
-        _count(robot, base),
-        f"motion: {harmonics} harmonics, period {excited.path.period:.4g} s, {len(excited.time)} instants; "
-        f"condition number {excited.condition:.4g}",
-        _noise(found.sigma, found.noise),
-        *verdict(estimate),
-        f"errors in standard deviations (of a normal distribution): {shares}; largest {np.max(size):.2f}",
-    ]
-    rows = [
-        [name, unit, *(f"{value:.6g}" for value in numbers[:2]), f"{numbers[2]:.2g}", f"{numbers[3]:+.2f}"]
-        for name, unit, *numbers in _rows(found)
-    ]
-    head = ["parameter", "unit", "true", "estimated", "sigma", "error/sigma"]
-    return "\n".join([*lines, "", aligned(head, rows, left=2), "", *_merged(base)])
+    harmonics, period = len(excited.path.sine), excited.path.period
+    return _report(
+        [
+            _count(robot, estimate.base),
+            f"motion: {harmonics} harmonics, period {period:.4g} s, {len(excited.time)} instants; "
+            f"condition number {excited.condition:.4g}",
+            _noise(found.sigma, found.noise),
+            *verdict(estimate),
+            f"errors in standard deviations (of a normal distribution): {shares}; largest {np.max(size):.2f}",
+        ],
+        estimate.base,
+        {
+            "true": found.truth,
+            "estimated": estimate.values,
+            "sigma": estimate.sigma,
+            "deviation": found.deviation,
+        },
+        {"trajectory": trajectory_columns(found), "forces": force_columns(found)},
+        {
+            **_data(robot, estimate, found.sigma, found.noise),
+            "period_s": period,
+            "harmonics": harmonics,
+            "instants": len(excited.time),
+            "condition_number": excited.condition,
+        },
+    )
 
 
 def _count(robot: Robot, base: BaseParameters) -> str:
     return f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.gap:.2g}"
-
-
-def _merged(base: BaseParameters) -> list[str]:
-    found = [text for name, text in zip(base.names, base.formulas, strict=True) if text != name]
-    return ["Parameters stand for these combinations:", *found]
-
-
-def _parameter_rows(found: Experiment) -> list[tuple[Any, ...]]:
-    """A header and name, formula, unit, true, estimated, sigma, deviation of each base parameter."""
-    head = ("name", "formula", "unit", "true", "estimated", "sigma", "deviation")
-    rows = zip(_rows(found), found.estimate.base.formulas, strict=True)
-    return [head, *((row[0], formula, *row[1:]) for row, formula in rows)]
 
 
 def trajectory_columns(found: Experiment) -> dict[str, Array]:
@@ -270,25 +275,11 @@ def trajectory_columns(found: Experiment) -> dict[str, Array]:
     coordinates: tuple[Array, ...] = found.excitation.path.coordinates(columns["time"])
     if found.noise is not None:
         coordinates = (np.hstack([found.measured.t, rpy_from_rotation(found.measured.R)]),)
-    for names, x in zip(_COORDINATES, coordinates, strict=False):
-        for j, name in enumerate(f"{name}_{axis}" for name in names for axis in "xyz"):
-            columns[name] = x[:, j]
+    for (place, turn), x in zip(_COORDINATES, coordinates, strict=False):
+        columns |= of_axes(place, x[:, :3]) | of_axes(turn, x[:, 3:])
     return columns
 
 
 def force_columns(found: Experiment) -> dict[str, Array]:
     """Time and the noisy forces."""
-    return {"time": found.excitation.time} | {f"F{leg + 1}": found.F[:, leg] for leg in range(6)}
-
-
-def _rows(found: Experiment) -> Iterator[tuple[str, str, float, float, float, float]]:
-    estimate = found.estimate
-    numbers = zip(
-        found.truth.tolist(),
-        estimate.values.tolist(),
-        estimate.sigma.tolist(),
-        found.deviation.tolist(),
-        strict=True,
-    )
-    for name, unit, four in zip(estimate.base.names, estimate.base.units, numbers, strict=True):
-        yield (name, unit, *four)
+    return {"time": found.excitation.time} | of_legs("F", found.F)

@@ -1,7 +1,4 @@
-"""A simulation's run as ``simulate`` writes it: columns by name, a summary, a picture.
-
-Takes a Simulation and the law it ran under. The pictures need the extra ``plot``; nothing else is written.
-"""
+"""A simulation's run as ``simulate`` writes it: columns by name, a summary, a picture."""
 
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
@@ -13,6 +10,7 @@ from ...dynamics.inverse import Formulation
 from ...motion.rotation import rpy_from_rotation
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.trace import Simulation
+from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from . import energy_drift
 from .energy_drift import Drift, drift_of, energy_scale
@@ -22,16 +20,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
-Columns = dict[str, NDArray[Any]]
 
 
 def run_columns(run: Simulation) -> Columns:
     """Columns (n,) in SI units: time, pose (angles of (38), |theta_y| <= pi/2), rates, F, L and energies."""
     vectors = {"t": run.t, "theta": rpy_from_rotation(run.R), "v": run.v, "omega": run.omega}
     columns: Columns = {"time": run.times}
-    columns |= {f"{name}_{axis}": x[:, j] for name, x in vectors.items() for j, axis in enumerate("xyz")}
-    for name, of_legs in (("F", run.F), ("L", run.L)):
-        columns |= {f"{name}{leg + 1}": of_legs[:, leg] for leg in range(6)}
+    for name, values in vectors.items():
+        columns |= of_axes(name, values)
+    columns |= of_legs("F", run.F) | of_legs("L", run.L)
     return columns | {"kinetic": run.kinetic, "potential": run.potential}
 
 
@@ -151,7 +148,5 @@ def _curves(axes: "Axes", times: Array, values: Array, names: Mapping[str, int],
         axes.plot(times, values[:, column], linewidth=1.1, label=name)
     axes.set_ylabel(label)
     axes.margins(x=0.0)
-    axes.grid(alpha=0.35, linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)
     # Beside the panel, where no curve can run through it.
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False, fontsize=8.0)
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=8.0)

@@ -1,7 +1,4 @@
-"""What ``singularities`` writes of a path: where it crosses singular poses and what is lost there.
-
-Takes a Robot and a path as a function of time; reads and writes no file.
-"""
+"""What ``singularities`` writes of a path: where it crosses singular poses and what is lost there."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -27,11 +24,11 @@ from ...singularities.along_path import (
     singularities_along,
 )
 from ...singularities.singular_poses import Singularity
+from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from ..common.table import aligned
 
 Array = NDArray[np.float64]
-Columns = dict[str, NDArray[Any]]
 
 DISTANCES = tuple(10.0**-n for n in range(1, 8))
 """From a crossing at which the forces on both sides are computed, s."""
@@ -201,11 +198,10 @@ def events(found: Examination) -> Columns:
     for name in ("condition", "smallest", "lost", "pitch"):
         columns[name] = np.array([getattr(pose, name) for pose in poses])
     for name, part in (("v", slice(0, 3)), ("omega", slice(3, 6))):
-        columns |= _vector(name, [pose.twist[part] for pose in poses])
-    columns |= _vector("axis", [pose.axis for pose in poses]) | _vector(
-        "point", [pose.point for pose in poses]
-    )
-    return columns | {f"A{leg + 1}": np.array([row[6][leg] for row in rows]) for leg in range(LEGS)}
+        columns |= of_axes(name, _stacked([pose.twist[part] for pose in poses]))
+    for name in ("axis", "point"):
+        columns |= of_axes(name, _stacked([getattr(pose, name) for pose in poses]))
+    return columns | of_legs("A", np.array([row[6] for row in rows]).reshape(-1, LEGS))
 
 
 def curves(found: Examination) -> Columns:
@@ -239,7 +235,7 @@ def curves(found: Examination) -> Columns:
         "scaled_condition": condition,
     }
     for name, values in (("F", forces.F), ("joint_sine", sine), ("L", L)):
-        columns |= {f"{name}{leg + 1}": values[:, leg] for leg in range(LEGS)}
+        columns |= of_legs(name, values)
     if robot.base_joint == "spherical":
         columns = {name: values for name, values in columns.items() if not name.startswith("joint_sine")}
     return columns
@@ -367,6 +363,5 @@ def _triple(values: Sequence[float] | Array) -> str:
     return "(" + ", ".join(f"{round(float(value), 6) + 0.0:.6f}" for value in values) + ")"
 
 
-def _vector(name: str, values: list[Array]) -> Columns:
-    stacked = np.array(values).reshape(-1, 3)
-    return {f"{name}_{axis}": stacked[:, j] for j, axis in enumerate("xyz")}
+def _stacked(vectors: list[Array]) -> Array:
+    return np.array(vectors).reshape(-1, 3)

@@ -1,7 +1,4 @@
-"""Pictures of a path's singular poses: over the whole path, and at each the machine with its free twist.
-
-Draws what ``singularities`` found; needs Matplotlib, the extra ``plot``.
-"""
+"""Pictures of a path's singular poses: over the whole path, and at each the machine with its free twist."""
 
 import functools
 from collections.abc import Iterator
@@ -60,7 +57,6 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
     panels[2].set_xlim(time[0], time[-1])
     for axes, values in zip(panels, (columns["scaled_condition"], time, largest), strict=True):
         _if_empty(axes, values)
-        _plain(axes)
         if axes.get_yscale() == "log":
             log_numbers(axes.yaxis)
         for crossing in found.along.crossings:
@@ -104,10 +100,9 @@ def pose_figure(found: Examination, columns: Columns, time: float, at: Singulari
     lower.set_xlabel("time, s")
     lower.set_xlim(low, high)
     lower.locator_params(axis="x", nbins=6)
-    lower.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=LEGS, frameon=False, fontsize=8.0,
+    lower.legend(loc="upper center", bbox_to_anchor=(0.5, -0.2), ncols=LEGS, fontsize=8.0,
                  handlelength=1.2, columnspacing=1.0)  # fmt: skip
     for axes in (upper, lower):
-        _plain(axes)
         for mark in crossed:
             axes.axvline(mark, color=_RED, linewidth=0.9, linestyle=(0, (4, 2)))
     machine: Axes3D = right.add_subplot(projection="3d")
@@ -202,8 +197,3 @@ def _if_empty(axes: Axes, values: Array) -> None:
         axes.text(0.5, 0.55, text, transform=axes.transAxes, ha="center", va="bottom", color=_DARK)
         axes.set_yticks([], minor=False)
         axes.set_yticks([], minor=True)
-
-
-def _plain(axes: Axes) -> None:
-    axes.grid(alpha=0.35, linewidth=0.6)
-    axes.spines[["top", "right"]].set_visible(False)

@@ -1,10 +1,7 @@
-"""A trajectory run through the dynamics, as ``forces`` writes it: columns, limits exceeded, a summary.
-
-Takes a Robot and a Trajectory; reads and writes no file.
-"""
+"""A trajectory run through the dynamics, as ``forces`` writes it: columns, limits exceeded, a summary."""
 
 import warnings
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -19,10 +16,10 @@ from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
+from ..common.output import Columns, of_axes, of_legs
 from ..common.table import aligned
 
 Array = NDArray[np.float64]
-Columns = dict[str, NDArray[Any]]
 
 
 SURE = 3.0
@@ -60,41 +57,11 @@ class Part(NamedTuple):
         with reactions, the components of F_s, F_u, F_p, F_c, M_p (about the base point) and M_u leg by leg.
         """
         found: Columns = {"time": self.time}
-        for name, ending, of_legs in (("F", "", self.F), ("F", "_sd", self.F_sd), ("L", "", self.L)):
-            if of_legs is not None:
-                found |= {f"{name}{i + 1}{ending}": of_legs[:, i] for i in range(6)}
+        for name, ending, values in (("F", "", self.F), ("F", "_sd", self.F_sd), ("L", "", self.L)):
+            if values is not None:
+                found |= of_legs(name, values, ending)
         found |= {"condition_number": self.condition, "status": self.status}
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
-
-
-class Track(NamedTuple):
-    """A trajectory run through the dynamics.
-
-    columns: (n,) by name, as of ``Part``. doubts: one line for each limit exceeded or not decided, and for
-    noise. summary: what it comes to, lines of text.
-    """
-
-    columns: Columns
-    doubts: list[str]
-    summary: str
-
-
-def track(
-    robot: Robot,
-    trajectory: Trajectory | PoseLog,
-    formulation: Formulation = "exact",
-    backend: Backend = "c",
-    reactions: bool = False,
-    allow_singular: bool = False,
-    noise_share: float = NOISE_SHARE,
-) -> Track:
-    """Run a trajectory of n instants, as ``in_parts``, and keep all columns."""
-    digest, columns = Digest(robot, trajectory.time, replaced_rows(trajectory)), []
-    for part in in_parts(robot, trajectory, formulation, backend, reactions, allow_singular):
-        digest.add(part)
-        columns.append(part.columns)
-    joined = {name: np.concatenate([each[name] for each in columns]) for name in columns[0]}
-    return Track(joined, digest.doubts(noise_share), digest.summary())
 
 
 def in_parts(
@@ -270,44 +237,34 @@ class Digest:
 
 
 class _Limit(NamedTuple):
-    """A limit of the robot's legs: its name, unit, values that it limits and by how much these exceed it."""
+    """A limit of the robot's legs: its name, unit, and the values of a part that it limits.
+
+    end: column of the lowest or highest value; None for the largest magnitude.
+    """
 
     name: str
     unit: str
-    values: Callable[[Part], Array]
-    bound: Callable[[Robot], Array]
-    excess: Callable[[Robot, Part], Array]
+    values: str
+    end: int | None = None
+
+    def bound(self, robot: Robot) -> Array:
+        """The limit of each leg, (6,)."""
+        limits: Array = getattr(robot, self.name)
+        return limits if self.end is None else limits[:, self.end]
+
+    def excess(self, robot: Robot, part: Part) -> Array:
+        """By how much values are beyond it, (n, 6)."""
+        values: Array = getattr(part, self.values)
+        if self.end is None:
+            return np.abs(values) - self.bound(robot)
+        return np.asarray((values - self.bound(robot)) * (1.0 if self.end else -1.0))
 
 
 _LIMITS = (
-    _Limit(
-        "force_limit",
-        "N",
-        lambda part: part.F,
-        lambda robot: robot.force_limit,
-        lambda robot, part: np.abs(part.F) - robot.force_limit,
-    ),
-    _Limit(
-        "speed_limit",
-        "m/s",
-        lambda part: part.L_dot,
-        lambda robot: robot.speed_limit,
-        lambda robot, part: np.abs(part.L_dot) - robot.speed_limit,
-    ),
-    _Limit(
-        "length_limits",
-        "m",
-        lambda part: part.L,
-        lambda robot: robot.length_limits[:, 1],
-        lambda robot, part: part.L - robot.length_limits[:, 1],
-    ),
-    _Limit(
-        "length_limits",
-        "m",
-        lambda part: part.L,
-        lambda robot: robot.length_limits[:, 0],
-        lambda robot, part: robot.length_limits[:, 0] - part.L,
-    ),
+    _Limit("force_limit", "N", "F"),
+    _Limit("speed_limit", "m/s", "L_dot"),
+    _Limit("length_limits", "m", "L", 1),
+    _Limit("length_limits", "m", "L", 0),
 )
 
 
@@ -364,7 +321,7 @@ def _worst(robot: Robot, limit: _Limit, leg: int, part: Part) -> str:
     i, _ = _excess(robot, limit, leg, part)
     sd = part.F_sd if limit.name == "force_limit" else None
     spread = "" if sd is None else f" +- {sd[i, leg]:.3g}"
-    value = f"{limit.values(part)[i, leg]:.6g}{spread} {limit.unit} at {part.time[i]:g} s"
+    value = f"{getattr(part, limit.values)[i, leg]:.6g}{spread} {limit.unit} at {part.time[i]:g} s"
     return f"{value}, limit {limit.bound(robot)[leg]:g} {limit.unit}"
 
 
@@ -459,5 +416,5 @@ def _reaction_columns(found: Reactions) -> Columns:
     for name in ("F_s", "F_u", "F_p", "F_c", "M_p"):
         values = getattr(found, name)
         for leg in range(6):
-            columns |= {f"{name}{leg + 1}_{axis}": values[:, leg, j] for j, axis in enumerate("xyz")}
-    return columns | {f"M_u{leg + 1}": found.M_u[:, leg] for leg in range(6)}
+            columns |= of_axes(f"{name}{leg + 1}", values[:, leg])
+    return columns | of_legs("M_u", found.M_u)

@@ -1,15 +1,14 @@
 """Family 4: roll-pitch-yaw angles at theta_y = 90 degrees beside inputs that have no singularity.
 
-One motion is written down in each kind of input, its numbers rounded last; what comes back of it are
-forces.
+One motion is written down in each kind of input, its numbers rounded last; errors are of its forces.
 """
 
 import dataclasses
 
-import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
+from ...backend.numpy_kernel import loaded
 from ...dynamics.inverse import inverse_dynamics
 from ...motion.motion import Motion
 from ...motion.rotation import (
@@ -22,6 +21,7 @@ from ...motion.rotation import (
 )
 from ...precision.quad import error as quad_error
 from ...precision.quad import quad_forces
+from ...precision.truth import digits
 from ...robot.robot import Robot
 from .family import Curve, Family, distances
 from .sweep.machines import random_machine, random_motion
@@ -32,9 +32,6 @@ Array = NDArray[np.float64]
 
 INPUTS = ("roll-pitch-yaw", "rotation matrix", "quaternion", "rotation vector")
 """Ways to give an orientation and its rates."""
-
-_digits = mpmath.MPContext()
-_digits.dps = 50
 
 
 def families(seed: int = 4) -> list[Family]:
@@ -48,7 +45,7 @@ def families(seed: int = 4) -> list[Family]:
     checked = check_poses([robot] * len(poses), poses)
     # What rounding the rates of the angles alone does to alpha, which the forces then feel.
     fastest = np.array([np.abs(second).max() + np.abs(first).max() ** 2 for first, second in rates])
-    lost = 1.0 + fastest / np.abs(_given(moving.alpha)).max()
+    lost = 1.0 + fastest / np.abs(loaded(moving).alpha).max()
     curves = []
     for name in INPUTS:
         error = [
@@ -84,7 +81,8 @@ def _error(robot: Robot, pose: Motion, given: Motion) -> float:
 
 def _rewritten(name: str, pose: Motion, theta: Array, first: Array, second: Array) -> Motion:
     """The motion as its user would give it in another kind of input."""
-    omega, alpha, a = (_given(part) for part in (pose.omega, pose.alpha, pose.a))
+    given = loaded(pose)
+    omega, alpha, a = given.omega, given.alpha, given.a
     load = {"F_ext": pose.F_ext, "M_ext": pose.M_ext}
     if name == "roll-pitch-yaw":
         return Motion.from_rpy(pose.t, theta, pose.v, first, a, second, **load)
@@ -104,22 +102,18 @@ def _rewritten(name: str, pose: Motion, theta: Array, first: Array, second: Arra
 
 def _angle_rates(theta: Array, motion: Motion) -> tuple[Array, Array]:
     """Rates of the angles from omega = E theta', alpha = E theta'' + E' theta', at 50 digits."""
-    y, z = (_digits.mpf(float(angle)) for angle in theta[1:])
-    sy, cy, sz, cz = _digits.sin(y), _digits.cos(y), _digits.sin(z), _digits.cos(z)
-    E = _digits.matrix([[cz * cy, -sz, 0], [sz * cy, cz, 0], [-sy, 0, 1]])
-    omega, alpha = (_digits.matrix(_given(part).tolist()) for part in (motion.omega, motion.alpha))
-    first = _digits.lu_solve(E, omega)
+    y, z = (digits.mpf(float(angle)) for angle in theta[1:])
+    sy, cy, sz, cz = digits.sin(y), digits.cos(y), digits.sin(z), digits.cos(z)
+    E = digits.matrix([[cz * cy, -sz, 0], [sz * cy, cz, 0], [-sy, 0, 1]])
+    omega, alpha = (digits.matrix(part.tolist()) for part in (motion.omega, loaded(motion).alpha))
+    first = digits.lu_solve(E, omega)
     dy, dz = first[1], first[2]
-    E_dot = _digits.matrix(
+    E_dot = digits.matrix(
         [
             [-sz * cy * dz - cz * sy * dy, -cz * dz, 0],
             [cz * cy * dz - sz * sy * dy, -sz * dz, 0],
             [-cy * dy, 0, 0],
         ]
     )
-    second = _digits.lu_solve(E, alpha - E_dot * first)
+    second = digits.lu_solve(E, alpha - E_dot * first)
     return np.array([float(x) for x in first]), np.array([float(x) for x in second])
-
-
-def _given(part: Array | None) -> Array:
-    return np.zeros(3) if part is None else part

@@ -1,7 +1,4 @@
-"""Families of poses that approach a degenerate configuration: a curve for each method, a verdict.
-
-Records and measures alone.
-"""
+"""Families of poses that approach a degenerate configuration: a curve for each method, a verdict."""
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -10,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...precision.truth import digits
 from ...results import OK
 
 Array = NDArray[np.float64]
@@ -27,6 +25,11 @@ POINTS = 49
 def distances(points: int = POINTS, nearest: float = 1e-16) -> Array:
     """From 1 to the nearest, even in their logarithm, (points,)."""
     return np.asarray(np.logspace(0.0, np.log10(nearest), points))
+
+
+def exact(array: Array) -> NDArray[np.object_]:
+    """The same numbers with 50 digits."""
+    return np.asarray(np.vectorize(digits.mpf, otypes=[object])(array))
 
 
 @dataclass(frozen=True, eq=False)

@@ -8,9 +8,10 @@ from numpy.typing import NDArray
 
 from ...kinematics.inverse import leg_vectors
 from ...motion.motion import Motion
+from ...precision.truth import digits
 from ...robot.robot import Robot
 from . import shipped
-from .family import Curve, Family, distances
+from .family import Curve, Family, distances, exact
 from .sweep.machines import LEGS, at_rest, random_machine, random_motion
 from .sweep.oracle import check_poses
 from .sweep.sweep import condition_of
@@ -18,8 +19,6 @@ from .sweep.sweep import condition_of
 Array = NDArray[np.float64]
 
 FAILS = "leg along its universal joint's fixed axis"
-_digits = mpmath.MPContext()
-_digits.dps = 50
 
 
 def families(seed: int = 2) -> list[Family]:
@@ -110,7 +109,7 @@ def _spin(robots: list[Robot], motions: list[Motion]) -> Family:
             with np.errstate(all="ignore"):
                 found = _spin_of(robot, motion, name)
             if np.isfinite(found):
-                error[i] = float(abs(_digits.mpf(float(found)) - spin) / abs(spin))
+                error[i] = float(abs(digits.mpf(float(found)) - spin) / abs(spin))
         condition = np.array([float(1 / k_3) for _, k_3 in truth])
         curves.append(Curve(name, error, condition))
     return Family(
@@ -156,23 +155,12 @@ def _spin_of(robot: Robot, motion: Motion, name: str) -> float:
 
 def _exact_spin(robot: Robot, motion: Motion) -> tuple[mpmath.mpf, mpmath.mpf]:
     """The spin and the sine from the same numbers at 50 digits."""
-
-    def numbers(array: Array) -> list[mpmath.mpf]:
-        return [_digits.mpf(float(x)) for x in array]
-
-    def dot(a: list[mpmath.mpf], b: list[mpmath.mpf]) -> mpmath.mpf:
-        return _digits.fdot(a, b)
-
-    def cross(a: list[mpmath.mpf], b: list[mpmath.mpf]) -> list[mpmath.mpf]:
-        return [a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3] for i in range(3)]
-
-    k, p, b, t = (numbers(array) for array in (robot.k[0], robot.p[0], robot.b[0], motion.t))
-    q = [dot(numbers(row), p) for row in motion.R]
-    S = [q[i] + t[i] - b[i] for i in range(3)]
-    L = _digits.sqrt(dot(S, S))
-    s = [part / L for part in S]
-    turning = cross(numbers(motion.omega), q)
-    S_dot = [v + w for v, w in zip(numbers(motion.v), turning, strict=True)]
-    normal = cross(k, s)
-    k_3 = _digits.sqrt(dot(normal, normal))
-    return dot(k, s) / k_3 * dot(normal, S_dot) / k_3 / L, k_3
+    given = (robot.k[0], robot.p[0], robot.b[0], motion.R, motion.t, motion.omega, motion.v)
+    k, p, b, R, t, omega, v = map(exact, given)
+    q = R @ p
+    S = q + t - b
+    L = digits.sqrt(S @ S)
+    s = S / L
+    normal = np.cross(k, s)
+    k_3 = digits.sqrt(normal @ normal)
+    return k @ s / k_3 * (normal @ (v + np.cross(omega, q))) / k_3 / L, k_3

@@ -11,7 +11,7 @@ import numpy as np
 
 from ...io.extras import needed_for
 from ...results import STATUS_TEXT
-from ..common.report import Picture
+from ..common.report import SMALL, Picture
 from .family import WRONG, Curve, Family
 from .poses import OUTCOMES, Basins
 from .study import Study
@@ -25,15 +25,6 @@ with needed_for("drawing"):
 
 _COLORS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8A8A00", "#7F7F7F")
 _MARKS = ("o", "s", "^", "v", "D", "P", "X", "*", "p")
-_STYLE: Any = {
-    "font.size": 9.0,
-    "axes.grid": True,
-    "grid.alpha": 0.3,
-    "grid.linewidth": 0.5,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "legend.frameon": False,
-}
 _FLOOR = 1e-17
 _CEILING = 1e4
 
@@ -44,7 +35,7 @@ def pictures(found: Study) -> dict[str, Picture]:
         family.name: functools.partial(family_figure, family) for family in found.families
     }
     drawn["basins"] = functools.partial(basins_figure, found.basins)
-    return {name: Picture(draw, _STYLE, dpi=130) for name, draw in drawn.items()}
+    return {name: Picture(draw, SMALL, dpi=130) for name, draw in drawn.items()}
 
 
 def family_figure(family: Family) -> Figure:

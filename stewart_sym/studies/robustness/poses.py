@@ -1,8 +1,8 @@
 """Family 5: forward kinematics towards a singular pose, its certificate, and the basins of Newton's steps."""
 
 from dataclasses import dataclass
+from typing import Any
 
-import mpmath
 import numpy as np
 from numpy.typing import NDArray
 
@@ -13,8 +13,9 @@ from ...kinematics.inverse import leg_vectors
 from ...kinematics.pose_search import jacobian, newton, solve
 from ...motion.rotation import orthonormal, rotation_from_vector
 from ...motion.straight_line import PATHS
+from ...precision.truth import digits
 from ...robot.robot import Robot
-from .family import Curve, Family, distances
+from .family import Curve, Family, distances, exact
 from .singular import path_III
 from .sweep.machines import papers_machine
 
@@ -24,9 +25,6 @@ RIGHT, OTHER, LOST = 0, 1, 2
 OUTCOMES = ("the pose asked for", "another pose with these lengths", "no pose found")
 GRID = 81
 """Start poses along each side of the picture."""
-
-_digits = mpmath.MPContext()
-_digits.dps = 50
 
 
 @dataclass(frozen=True, eq=False)
@@ -140,40 +138,25 @@ def _plain_newton(robot: Robot, L: Array, R: Array, t: Array) -> tuple[Array, Ar
     return R, t, np.asarray(miss < 1e-12)
 
 
-def _exact_pose(robot: Robot, L: Array, R: Array, t: Array) -> tuple[mpmath.matrix, mpmath.matrix]:
+def _exact_pose(robot: Robot, L: Array, R: Array, t: Array) -> tuple[NDArray[Any], NDArray[Any]]:
     """The pose with exactly these lengths next to a found one, at 50 digits."""
-    turn, place = _digits.matrix(R.tolist()), _digits.matrix(t.tolist())
+    turn, place, p, b, lengths = map(exact, (R, t, robot.p, robot.b, L))
+    unit = exact(np.eye(3))
     for _ in range(4):
-        turn = turn * (3 * _digits.eye(3) - turn.T * turn) / 2
+        turn = turn @ (3 * unit - turn.T @ turn) / 2
     for _ in range(60):
-        J, miss = _digits.matrix(6, 6), _digits.matrix(6, 1)
-        for i in range(6):
-            q = turn * _digits.matrix(robot.p[i].tolist())
-            S = q + place - _digits.matrix(robot.b[i].tolist())
-            row = [S[0], S[1], S[2], *_cross(q, S)]
-            for j in range(6):
-                J[i, j] = row[j]
-            miss[i] = (_digits.mpf(float(L[i])) ** 2 - _digits.fdot(S, S)) / 2
-        step = _digits.lu_solve(J, miss)
+        q = p @ turn.T
+        S = q + place - b
+        J, miss = np.hstack([S, np.cross(q, S)]), (lengths**2 - (S * S).sum(axis=-1)) / 2
+        step = np.array(list(digits.lu_solve(digits.matrix(J.tolist()), digits.matrix(miss.tolist()))))
         place = place + step[:3]
-        turn = _digits.expm(_skew(step[3:])) * turn
-        if max(abs(x) for x in step) < _digits.mpf(10) ** -35:
+        turn = np.array(digits.expm(digits.matrix(np.cross(step[3:], unit).T.tolist())).tolist()) @ turn
+        if np.abs(step).max() < digits.mpf(10) ** -35:
             break
     return turn, place
 
 
-def _distance(robot: Robot, exact: tuple[mpmath.matrix, mpmath.matrix], found: tuple[Array, Array]) -> float:
+def _distance(robot: Robot, truth: tuple[NDArray[Any], NDArray[Any]], found: tuple[Array, Array]) -> float:
     """Largest component of the difference in position, over the reach, and in the rotation."""
-    reach = float(np.abs(robot.b).max())
-    turn = max(abs(exact[0][i, j] - _digits.mpf(float(found[0][i, j]))) for i in range(3) for j in range(3))
-    place = max(abs(exact[1][i] - _digits.mpf(float(found[1][i]))) for i in range(3))
-    return float(max(place / reach, turn))
-
-
-def _cross(a: mpmath.matrix, b: mpmath.matrix) -> list[mpmath.mpf]:
-    return [a[(i + 1) % 3] * b[(i + 2) % 3] - a[(i + 2) % 3] * b[(i + 1) % 3] for i in range(3)]
-
-
-def _skew(v: mpmath.matrix) -> mpmath.matrix:
-    x, y, z = v
-    return _digits.matrix([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    turn, place = (np.abs(one - exact(other)).max() for one, other in zip(truth, found, strict=True))
+    return float(max(place / float(np.abs(robot.b).max()), turn))

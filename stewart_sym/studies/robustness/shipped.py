@@ -1,7 +1,4 @@
-"""Every shipped code path to the actuator forces along a family, beside 50 digits.
-
-Takes robots and motions pose by pose; returns curves.
-"""
+"""Every shipped code path to the actuator forces along a family, beside 50 digits."""
 
 import warnings
 from collections.abc import Sequence

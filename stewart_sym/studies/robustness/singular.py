@@ -6,12 +6,14 @@ from numpy.typing import NDArray
 
 from ...dynamics.damping import damped_solution
 from ...kinematics.conditioning import characteristic_length
-from ...kinematics.inverse import leg_vectors
+from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
-from ...motion.rotation import cross, rotation_from_rpy, rotation_from_vector, rpy_from_rotation
+from ...motion.rotation import rotation_from_rpy, rotation_from_vector, rpy_from_rotation
 from ...motion.straight_line import PATHS
+from ...precision.truth import digits
 from ...reference.newton_euler import actuator_wrench
 from ...robot.robot import Robot
+from ...singularities.along_path import crossings
 from . import shipped
 from .family import Curve, Family, distances
 from .solves import CANDIDATES
@@ -32,9 +34,6 @@ REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding 
 
 DAMPED = "damped least squares"
 """As ``on_singular="damped"`` has it: bounded forces of another wrench, which it tells."""
-
-_digits = mpmath.MPContext()
-_digits.dps = 50
 
 
 def families(seed: int = 6) -> list[Family]:
@@ -79,27 +78,16 @@ def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
             with np.errstate(all="ignore"):
                 got = damped_solution(H, c, lengths[i])[0] if name == DAMPED else CANDIDATES[name](H, c)
             if np.isfinite(got).all():
-                worst = max(abs(_digits.mpf(float(a)) - b) for a, b in zip(got, x, strict=True))
+                worst = max(abs(digits.mpf(float(a)) - b) for a, b in zip(got, x, strict=True))
                 error[i] = float(worst / max(abs(b) for b in x))
         found.append(Curve(name, error, condition))
     return found
 
 
 def crossing_of_path_III() -> float:
-    """Time, s, at which det H changes its sign on Path III, to rounding."""
-    robot, path = papers_machine(), PATHS["III"].path
-
-    def side(time: float) -> float:
-        return float(np.linalg.det(_wrench_matrix(robot, path.sample(time))))
-
-    times = path.times(PATHS["III"].dtau)
-    sides = np.array([side(float(time)) for time in times])
-    first = int(np.flatnonzero(np.diff(np.sign(sides)))[0])
-    low, high = float(times[first]), float(times[first + 1])
-    start = np.sign(sides[first])
-    while low < (middle := 0.5 * (low + high)) < high:
-        low, high = (middle, high) if np.sign(side(middle)) == start else (low, middle)
-    return low
+    """Time, s, at which Path III crosses a singular pose, to rounding."""
+    path = PATHS["III"].path
+    return crossings(papers_machine(), path.sample, path.breaks())[0].time
 
 
 def _family(name: str, title: str, axis: str, robots_: list[Robot], motions: list[Motion]) -> Family:
@@ -147,13 +135,7 @@ def _flat(rng: np.random.Generator) -> tuple[list[Robot], list[Motion]]:
 
 
 def _system(robot: Robot, motion: Motion) -> tuple[Array, Array]:
-    return _wrench_matrix(robot, motion), actuator_wrench(robot, motion)[0]
-
-
-def _wrench_matrix(robot: Robot, motion: Motion) -> Array:
-    q, S, L = leg_vectors(robot, motion.R, motion.t)
-    s = S / L[..., None]
-    return np.asarray(np.concatenate([s, cross(q, s)], axis=-1).T)
+    return wrench_matrix(robot, motion), actuator_wrench(robot, motion)[0]
 
 
 def _condition(H: Array, length: float) -> float:
@@ -163,6 +145,6 @@ def _condition(H: Array, length: float) -> float:
 
 def _exact(H: Array, c: Array) -> list[mpmath.mpf] | None:
     try:
-        return list(_digits.lu_solve(_digits.matrix(H.tolist()), _digits.matrix(c.tolist())))
+        return list(digits.lu_solve(digits.matrix(H.tolist()), digits.matrix(c.tolist())))
     except ZeroDivisionError:
         return None

@@ -35,17 +35,9 @@ def complete_pivoting(A: Array, y: Array) -> Array:
 
 
 def householder(A: Array, y: Array) -> Array:
-    """QR by reflections."""
-    A, y = A.copy(), y.copy()
-    n = len(y)
-    for k in range(n - 1):
-        v = A[k:, k].copy()
-        v[0] += np.copysign(np.linalg.norm(v), v[0])
-        square = v @ v
-        if square > 0.0:
-            A[k:, k:] -= np.outer(v, 2.0 / square * (v @ A[k:, k:]))
-            y[k:] -= v * (2.0 / square * (v @ y[k:]))
-    return _back(A, y)
+    """QR by LAPACK's reflections."""
+    Q, R = np.linalg.qr(A)
+    return _back(R, Q.T @ y)
 
 
 def singular_values(A: Array, y: Array) -> Array:

@@ -10,7 +10,7 @@ from ...io.progress import Progress, silent, tracked
 from ..common.report import Picture, Report
 from ..common.table import aligned
 from . import attitude, leg_frame, lengths, poses, runs, scales, singular
-from .family import WRONG, Family, Verdict, verdict
+from .family import WRONG, Curve, Family, Verdict, verdict
 from .poses import OUTCOMES, Basins, basins
 from .sweep.sweep import GOOD, Sweep
 from .sweep.sweep import report as sweep_report
@@ -35,13 +35,14 @@ class Study:
     basins: Basins
     sweep: Sweep | None = None
 
-    def verdicts(self, family: Family) -> dict[str, Verdict]:
-        """One for each method."""
-        return {curve.method: verdict(curve, family.distance) for curve in family.curves}
+
+def verdicts(family: Family) -> list[tuple[Curve, Verdict]]:
+    """Each method's curve and its verdict."""
+    return [(curve, verdict(curve, family.distance)) for curve in family.curves]
 
 
 def study(progress: Progress = silent) -> Study:
-    """Walk into every failure; takes about a minute. Raises native.CompilerError without ``__float128``."""
+    """Make every family; takes about a minute. Raises native.CompilerError without ``__float128``."""
     found: list[Family] = []
     for _, families in tracked(progress, PARTS.items(), lambda part: f"approaching {part[0]}"):
         found += families()
@@ -75,7 +76,7 @@ def report(found: Study) -> str:
                 f"{each.undetected}",
                 "right" if _right(family, each) else "WRONG",
             )
-            for curve, each in ((curve, verdict(curve, family.distance)) for curve in family.curves)
+            for curve, each in verdicts(family)
         ]
         header = ("method", "worst", "at", "digits", "last answer at", "rejected at", "undetected", "status")
         lines = [f"{family.title}\n({family.axis})", aligned(header, rows), *family.notes]
@@ -117,7 +118,7 @@ def as_json(found: Study) -> dict[str, Any]:
                     "right": _right(family, each),
                     **asdict(each),
                 }
-                for curve, each in ((curve, verdict(curve, family.distance)) for curve in family.curves)
+                for curve, each in verdicts(family)
             ],
         }
         for family in found.families

@@ -11,7 +11,6 @@ import functools
 import math
 from collections.abc import Sequence
 from importlib.resources import files
-from importlib.resources.abc import Traversable
 from typing import Any
 
 import numpy as np
@@ -142,8 +141,16 @@ def check_poses(
     poses = np.array([motion_numbers(motion) for motion in motions])
     if precision == "float":
         numbers, poses = (array.astype(np.float32).astype(np.float64) for array in (numbers, poses))
-    results = np.zeros(len(numbers), dtype=RESULT)
-    _check(0, precision, True, samples, 0.0, 0, numbers, np.zeros(len(numbers)), poses, 1, results)
+    return check_numbers(numbers, poses, precision, samples)
+
+
+def check_numbers(
+    numbers: Array, poses: Array, precision: str = "double", samples: int = SAMPLES
+) -> NDArray[Any]:
+    """The same of robots and motions as in the C structures, (n, 205) and (n, 30)."""
+    results, sizes = np.zeros(len(numbers), dtype=RESULT), np.zeros(len(numbers))
+    given = _cases(KINDS[0], precision, True, samples, 0, numbers, sizes, poses, 1)
+    _call("sweep_cases", *given, DOUBTFUL, results)
     return results
 
 
@@ -164,20 +171,8 @@ def check_random(
     are checked again in quadruple precision. Raises native.CompilerError without ``__float128``.
     """
     results = np.zeros(len(numbers) * each, dtype=RESULT)
-    _check(
-        KINDS.index(kind),
-        precision,
-        False,
-        samples,
-        _nearest(precision),
-        seed,
-        numbers,
-        sizes,
-        None,
-        each,
-        results,
-        doubtful,
-    )
+    given = _cases(kind, precision, False, samples, seed, numbers, sizes, None, each)
+    _call("sweep_cases", *given, doubtful, results)
     return results
 
 
@@ -202,24 +197,9 @@ def closed_form_errors(
     """
     results = np.zeros(len(numbers) * each, dtype=CLOSED_RESULT)
     blocks = np.array([*BLOCKS.values()], dtype=np.int32)
-    _library().closed_form_cases(
-        ctypes.c_int(KINDS.index(kind)),
-        ctypes.c_int(precision == "float"),
-        ctypes.c_int(in_quad),
-        ctypes.c_int(samples),
-        ctypes.c_double(_nearest(precision)),
-        ctypes.c_uint64(seed),
-        ctypes.c_size_t(len(numbers)),
-        address(np.ascontiguousarray(numbers)),
-        address(np.ascontiguousarray(sizes)),
-        address(None if motions is None else np.ascontiguousarray(motions)),
-        ctypes.c_size_t(each),
-        ctypes.c_int(sum(1 << CLOSED_KERNELS.index(kernel) for kernel in kernels)),
-        address(blocks),
-        ctypes.c_int(len(blocks)),
-        ctypes.c_double(doubtful),
-        address(results),
-    )
+    chosen = sum(1 << CLOSED_KERNELS.index(kernel) for kernel in kernels)
+    given = _cases(kind, precision, in_quad, samples, seed, numbers, sizes, motions, each)
+    _call("closed_form_cases", *given, chosen, blocks, len(blocks), doubtful, results)
     return results
 
 
@@ -228,17 +208,9 @@ def random_case(
 ) -> tuple[Array, Array]:
     """Robot's numbers, (205,), and the motion's, (30,), of the case that ``check_random`` has at an index."""
     mine, motion = np.zeros(numbers.shape[1]), np.zeros(30)
-    _library().show_case(
-        ctypes.c_int(KINDS.index(kind)),
-        ctypes.c_int(precision == "float"),
-        ctypes.c_double(_nearest(precision)),
-        ctypes.c_uint64(seed),
-        ctypes.c_size_t(index),
-        address(np.ascontiguousarray(numbers[index // each])),
-        ctypes.c_double(sizes[index // each]),
-        address(mine),
-        address(motion),
-    )
+    robot = index // each
+    drawn = (KINDS.index(kind), precision == "float", _nearest(precision), seed, index)
+    _call("show_case", *drawn, numbers[robot], sizes[robot], mine, motion)
     return mine, motion
 
 
@@ -254,35 +226,38 @@ def _nearest(precision: str) -> float:
     return float(1.0 - np.log10(epsilon))
 
 
-def _check(
-    kind: int,
+def _cases(
+    kind: str,
     precision: str,
     in_quad: bool,
     samples: int,
-    nearest: float,
     seed: int,
     numbers: Array,
     sizes: Array,
     motions: Array | None,
     each: int,
-    results: NDArray[Any],
-    doubtful: float = DOUBTFUL,
-) -> None:
-    _library().sweep_cases(
-        ctypes.c_int(kind),
-        ctypes.c_int(precision == "float"),
-        ctypes.c_int(in_quad),
-        ctypes.c_int(samples),
-        ctypes.c_double(nearest),
-        ctypes.c_uint64(seed),
-        ctypes.c_size_t(len(numbers)),
-        address(np.ascontiguousarray(numbers)),
-        address(np.ascontiguousarray(sizes)),
-        address(None if motions is None else np.ascontiguousarray(motions)),
-        ctypes.c_size_t(each),
-        ctypes.c_double(doubtful),
-        address(results),
-    )
+) -> tuple[Any, ...]:
+    """What both functions that check cases are given first."""
+    how = (KINDS.index(kind), precision == "float", in_quad, samples, _nearest(precision), seed)
+    return (*how, len(numbers), numbers, sizes, motions, each)
+
+
+def _call(name: str, *arguments: Any) -> None:
+    """Call a function of the sweep's C; arrays by their addresses."""
+    kept = [np.ascontiguousarray(each) if isinstance(each, np.ndarray) else each for each in arguments]
+    function = getattr(_library(), name)
+    function.argtypes = _TYPES[name]
+    function(*(address(each) if isinstance(each, np.ndarray) else each for each in kept))
+
+
+_INT, _REAL, _SEED = ctypes.c_int, ctypes.c_double, ctypes.c_uint64
+_SIZE, _AT = ctypes.c_size_t, ctypes.c_void_p
+_CASES = [_INT, _INT, _INT, _INT, _REAL, _SEED, _SIZE, _AT, _AT, _AT, _SIZE]
+_TYPES: dict[str, list[Any]] = {
+    "sweep_cases": [*_CASES, _REAL, _AT],
+    "closed_form_cases": [*_CASES, _INT, _AT, _INT, _REAL, _AT],
+    "show_case": [_INT, _INT, _REAL, _SEED, _SIZE, _AT, _REAL, _AT, _AT],
+}
 
 
 def sources() -> dict[str, str]:
@@ -292,9 +267,8 @@ def sources() -> dict[str, str]:
     each includes under names of its own.
     """
     every = c_sources("exact") | closed_form.c_sources()
-    own = {
-        path.name: path.read_text(encoding="utf-8") for path in files(__package__).iterdir() if _is_c(path)
-    }
+    here = [path for path in files(__package__).iterdir() if path.name.endswith((".c", ".h"))]
+    own = {path.name: path.read_text(encoding="utf-8") for path in here}
     repeated = {part for _, parts in _SOURCES.values() for part in parts}
     found = {}
     for name, text in (every | own).items():
@@ -305,10 +279,6 @@ def sources() -> dict[str, str]:
         for part in parts:
             found[f"{name}_{part}.c"] = f'#define {macro}\n#include "{part}_text.h"\n'
     return found
-
-
-def _is_c(path: Traversable) -> bool:
-    return path.name.endswith((".c", ".h"))
 
 
 @functools.cache

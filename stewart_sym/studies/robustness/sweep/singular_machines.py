@@ -7,7 +7,6 @@ platform: each machine gets one of each at random, similar hexagons the same for
 
 import dataclasses
 from collections.abc import Callable
-from fractions import Fraction
 
 import numpy as np
 from numpy.typing import NDArray
@@ -55,33 +54,6 @@ def singular_machine(
         alike = np.unique(b, axis=0, return_inverse=True)[1].ravel()
         points[0] *= 2.0 ** (rng.integers(14) * rng.integers(2, size=6)[alike, None])
     return dataclasses.replace(machine, b=points[0], p=points[1], name=family)
-
-
-def exact_determinant(robot: Robot, R: Array, t: Array) -> Fraction:
-    """det of the six [S; q x S] of the stored numbers, in rational arithmetic: 0 where det H is."""
-    R_, t_, b, p = (
-        [[Fraction(x) for x in row] for row in np.atleast_2d(a)] for a in (R, t, robot.b, robot.p)
-    )
-    rows = []
-    for tip, base in zip(p, b, strict=True):
-        q = [sum((a * x for a, x in zip(row, tip, strict=True)), Fraction(0)) for row in R_]
-        S = [q[i] + t_[0][i] - base[i] for i in range(3)]
-        rows.append([*S, *(q[i - 2] * S[i - 1] - q[i - 1] * S[i - 2] for i in range(3))])
-    return _determinant(rows)
-
-
-def _determinant(rows: list[list[Fraction]]) -> Fraction:
-    found = Fraction(1)
-    for k in range(len(rows)):
-        pivot = next((i for i in range(k, len(rows)) if rows[i][k]), None)
-        if pivot is None:
-            return Fraction(0)
-        rows[k], rows[pivot] = rows[pivot], rows[k]
-        found *= rows[k][k] if pivot == k else -rows[k][k]
-        for row in rows[k + 1 :]:
-            factor = row[k] / rows[k][k]
-            row[k:] = [x - factor * y for x, y in zip(row[k:], rows[k][k:], strict=True)]
-    return found
 
 
 def _map(rng: np.random.Generator) -> Whole:

@@ -1,8 +1,4 @@
-"""Random cases near failure by the million: no wrong answer with status ok, no status on a good pose.
-
-Makes machines, some of them singular at every pose; ``oracle`` makes the cases and holds the answers
-against wider arithmetic; counts.
-"""
+"""Random cases near failure by the million: no wrong answer with status ok, no status on a good pose."""
 
 from dataclasses import dataclass
 from typing import Any

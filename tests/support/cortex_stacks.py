@@ -10,17 +10,16 @@ from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
-from ...backend import fidelity
-from ...backend.native import CompilerError
-from ...io.json_text import json_text
-from ...io.progress import Progress, silent
-from ...kit import Choice
-from ...kit.choice import check
-from ...kit.files import stack_key
-from ...kit.parts import Parts, parts
-from ...robot.robot import Robot
-from . import toolchain
-from .toolchain import CORES, Core
+from stewart_sym.backend import fidelity
+from stewart_sym.backend.native import CompilerError
+from stewart_sym.io.progress import Progress, silent
+from stewart_sym.kit import Choice
+from stewart_sym.kit.choice import check
+from stewart_sym.kit.files import stack_key
+from stewart_sym.kit.parts import Parts, parts
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.microcontroller import toolchain
+from stewart_sym.studies.microcontroller.toolchain import CORES, Core
 
 
 def stacks(
@@ -45,11 +44,6 @@ def stacks(
     cores = " and ".join(f"{core.name} ({precision})" for precision, core in CORES.items())
     flags = " ".join(flag for flag in toolchain.FLAGS if flag.startswith(("-O", "-f")))
     return {"by": f"{compiler}, {flags}, {cores}", "bytes": dict(sorted(found.items()))}
-
-
-def as_text(found: dict[str, Any]) -> str:
-    """The table as it is kept."""
-    return json_text(found)
 
 
 def _all_parts(robot: Robot, levels: Iterable[str]) -> Iterator[tuple[Parts, Choice]]:
