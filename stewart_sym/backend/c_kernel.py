@@ -10,14 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated.interface import HEADERS, OUTPUTS
+from ..io.array_types import Array, Codes
 from ..io.frozen import Frozen, read_only
 from ..motion.motion import Motion
 from ..results import Forces, Reactions
 from ..robot.robot import Robot
 from . import native
 from .kernel import MOTION, kernel_name, robot_numbers
-
-Array = NDArray[np.float64]
 
 
 def c_sources(name: str) -> dict[str, str]:
@@ -62,9 +61,7 @@ class CKernel(Frozen):
         outputs, status = self._run("joint_reactions", motion, np.ascontiguousarray(bearing))
         return Reactions(**outputs, status=status)
 
-    def _run(
-        self, function: str, motion: Motion, bearing: Array | None
-    ) -> tuple[dict[str, Array], NDArray[np.int32]]:
+    def _run(self, function: str, motion: Motion, bearing: Array | None) -> tuple[dict[str, Array], Codes]:
         inputs = [contiguous(getattr(motion, name)) for name in MOTION]
         outputs = {
             name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[function].items()

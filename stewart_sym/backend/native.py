@@ -60,7 +60,7 @@ _lock = threading.Lock()
 
 
 def _renew_locks() -> None:
-    """Give a forked child locks of its own: the threads that held them are not in it."""
+    """Give a forked child locks of its own: the threads that owned them are not in it."""
     global _lock
     _lock = threading.Lock()
     _turns.clear()
@@ -92,9 +92,9 @@ def find_compiler() -> Compiler | None:
 
     ``$CC`` may hold arguments. If it is set and does not work, nothing else is tried: CompilerError.
     """
-    asked = os.environ.get("CC", "").strip()
-    if asked:
-        return _asked_compiler(asked)
+    requested = os.environ.get("CC", "").strip()
+    if requested:
+        return _requested_compiler(requested)
     for command in _candidates():
         with contextlib.suppress(CompilerError):
             return Compiler(command, _version(command))
@@ -215,16 +215,16 @@ def _check_names(name: str, sources: Mapping[str, str]) -> None:
 # --- compilers --------------------------------------------------------------------------------
 
 
-def _asked_compiler(asked: str) -> Compiler:
+def _requested_compiler(requested: str) -> Compiler:
     try:
-        words = shlex.split(asked, posix=sys.platform != "win32")
+        words = shlex.split(requested, posix=sys.platform != "win32")
         program = shutil.which(words[0].strip('"'))
         if program is None:
             raise CompilerError(f"{words[0]} not found")
         command = (os.path.abspath(program), *words[1:])
         return Compiler(command, _version(command))
     except (ValueError, CompilerError) as error:
-        raise CompilerError(f"CC={asked!r} is not a working C compiler: {error}") from error
+        raise CompilerError(f"CC={requested!r} is not a working C compiler: {error}") from error
 
 
 def _candidates() -> Iterator[tuple[str, ...]]:

@@ -19,11 +19,11 @@ from ..backend.kernel import MOTION, module, stored
 from ..backend.numpy_kernel import loaded
 from ..generated.interface import OUTPUTS as _OUTPUTS
 from ..generated.interface import STRUCTS
+from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .forces import ForceKernel, prepare
 
-Array = NDArray[np.float64]
 What = Literal["equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation"]
 
 NAME = "exact"
@@ -154,8 +154,8 @@ def robot_structure(made: Any, robot: Any) -> Any:
 
 def _parts(value: Any) -> Any:
     """A quantity of no or one index as it is stored, a number or a list of them."""
-    held = stored(np.asarray(value))
-    return list(held) if held.shape else held[()]
+    components = stored(np.asarray(value))
+    return list(components) if components.shape else components[()]
 
 
 def _stacked(value: Any, shape: tuple[int, ...]) -> NDArray[Any]:

@@ -5,16 +5,12 @@ the directions that are all but lost, by as much as their singular values ask fo
 of Maciejewski and Klein, J. Robotic Systems 5 (1988) 527-552.
 """
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import real_array, shown
 from ..kinematics.conditioning import moments_over
 from ..results import DampedSolution
-
-Array = NDArray[np.float64]
 
 SHARE = float(np.finfo(np.float64).eps) ** 0.25
 """Share of the largest singular value below which one is damped: rounding in a singular value of 0 then moves

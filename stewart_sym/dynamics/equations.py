@@ -3,17 +3,16 @@
 Turns a status into an error, a warning or NaN.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
 from ..io.arguments import instance, option, real_array
+from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
 from ..kinematics.inverse import leg_vectors, wrench_matrix
 from ..motion.motion import Motion
@@ -43,9 +42,6 @@ from .inverse import (
     report_faults,
     with_compiler,
 )
-
-Array = NDArray[np.float64]
-Codes = NDArray[np.int32]
 
 
 def equations_of_motion(
@@ -295,8 +291,8 @@ class ForwardDynamics:
         return x[..., :3], x[..., 3:], status
 
     def _at_50_digits(
-        self, motion: Motion, F: Array, M: Array, x: Array, definite: Array, good: NDArray[np.bool_]
-    ) -> tuple[Array, NDArray[np.bool_]]:
+        self, motion: Motion, F: Array, M: Array, x: Array, definite: Array, good: Flags
+    ) -> tuple[Array, Flags]:
         """x and where M is definite, with 50 digits at the good poses where M has lost digits."""
         faults = _faults(self.formulation)
         x, known = x.copy(), np.array(definite, dtype=np.bool_)
@@ -329,7 +325,7 @@ def _faults(formulation: str) -> frozenset[int]:
     return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
 
 
-def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> NDArray[np.bool_]:
+def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> Flags:
     """Where double precision loses digits that the machine has, (...): then the reference takes 50."""
     near = newton_euler.legs(robot, _at_rest(motion), faults).sin_joint.min(axis=(-2, -1)) < _KEPT
     return np.asarray(near | ~(digits_kept(M) > _KEPT))
@@ -380,7 +376,7 @@ def _one_state(closed: CClosedForm) -> Callable[[Motion, Array], tuple[Array, in
     return solve
 
 
-def solve_positive(M: Array, w: Array) -> tuple[Array, NDArray[np.bool_]]:
+def solve_positive(M: Array, w: Array) -> tuple[Array, Flags]:
     """x of M x = w by Cholesky's method, (..., n), and where M is positive definite, (...); NaN elsewhere."""
     try:
         G = np.linalg.cholesky(M)

@@ -4,14 +4,12 @@ The deviations of the six coordinates and their rates, as smoothing or rounding 
 through kinematics and dynamics one after another, so every formulation and every machine is served.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io.arguments import instance
+from ..io.array_types import Array
 from ..kinematics.forward import forward_acceleration, forward_velocity
 from ..kinematics.pose_search import jacobian, solve
 from ..motion.motion import Motion
@@ -26,8 +24,6 @@ from ..motion.trajectory import PoseLog, Trajectory, Uncertainty, need_trajector
 from ..robot.robot import Robot
 from .forces import prepare
 from .inverse import Backend, Formulation, inverse_dynamics, with_compiler
-
-Array = NDArray[np.float64]
 
 # Instants at a time: their eighteen deviations fit into memory whatever the length of the log.
 _CHUNK = 16_384

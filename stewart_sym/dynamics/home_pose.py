@@ -3,15 +3,13 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
 from ..kinematics.mounting import Side, level_positions, platform_side, radius, up_direction, upright
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .inverse import inverse_dynamics
-
-Array = NDArray[np.float64]
 
 __all__ = ["HomePose", "home_pose", "platform_side", "radius", "up_direction", "upright"]
 

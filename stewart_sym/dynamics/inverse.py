@@ -3,8 +3,6 @@
 Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller chooses.
 """
 
-from __future__ import annotations
-
 import dataclasses
 import functools
 import warnings
@@ -12,7 +10,7 @@ from collections.abc import Callable
 from typing import Any, Literal, Protocol, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..backend.c_kernel import CKernel
 from ..backend.kernel import FORMULATIONS, kernel_name
@@ -20,6 +18,7 @@ from ..backend.native import CompilerError
 from ..backend.numpy_kernel import NumpyKernel
 from ..io import error_policy
 from ..io.arguments import instance, option, real_array
+from ..io.array_types import Array, Codes
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
@@ -28,7 +27,6 @@ from ..results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, STATUS_TEXT, ZER
 from ..robot.robot import Robot
 from .damping import damped_solution
 
-Array = NDArray[np.float64]
 Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]
 
@@ -325,16 +323,14 @@ def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_sin
     return result
 
 
-def report_faults(
-    status: NDArray[np.int32], robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4
-) -> None:
+def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4) -> None:
     """Raise or warn, as ``on_singular`` says, if a pose is unsolvable; stacklevel: of the user's call."""
     error_policy.report(
         status, "motion", lambda: first_fault(status, robot, motion), on_singular, stacklevel + 1
     )
 
 
-def first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
+def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
     """Index of the first unsolvable pose, and in one line why it is unsolvable.
 
     status: codes of ``STATUS_TEXT``, one at least not 0, of the motion's shape.

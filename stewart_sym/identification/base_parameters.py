@@ -19,14 +19,13 @@ from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse import need_universal
 from ..generated import exact_regressor
 from ..io.arguments import instance, truth
+from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
 from ..robot.robot import LEGS, Robot
 from .parameters import is_friction, leg_name, parameter_names, regressor
-
-Array = NDArray[np.float64]
 
 MERGED: Mapping[str, str] = MappingProxyType(dict(exact_regressor.MERGED))
 """Base parameters of every machine that take up others, with formulas; sum runs over the legs."""
@@ -222,7 +221,7 @@ def _random_motion(robot: Robot) -> Motion:
     raise ValueError("robot: found too few regular poses about its home pose, give a motion")
 
 
-def _regular(robot: Robot, motion: Motion, size: float) -> NDArray[np.bool_]:
+def _regular(robot: Robot, motion: Motion, size: float) -> Flags:
     legs = inverse_kinematics(robot, motion)
     off_axis = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
     return np.asarray(np.all((off_axis > _REGULAR) & (legs.L > _REGULAR * size), axis=-1))

@@ -1,16 +1,15 @@
 """Excitation: a periodic motion within the machine's limits in whose forces its base parameters show."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse import inverse_dynamics, need_universal
 from ..io.arguments import finite_array, real_array, shown
+from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics
@@ -18,8 +17,6 @@ from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .base_parameters import BaseParameters, base_parameters
 from .parameters import regressor
-
-Array = NDArray[np.float64]
 
 # Widths of the first harmonic's coefficients: share of the base's radius, and rad.
 _WIDTH = np.array([0.1, 0.1, 0.1, 0.2, 0.2, 0.2])

@@ -1,19 +1,15 @@
 """The linear fit of base parameters to forces along a known motion, and what every fit hands on."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..dynamics.inverse import inverse_dynamics
+from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
 from .excitation import force_regressor
-
-Array = NDArray[np.float64]
 
 # Singular values below this share of the largest say that the motion does not excite all parameters.
 _ROUNDING = 1e-12

@@ -1,4 +1,4 @@
-"""What an argument must be, asked in one place so that every rejection is one line that names it."""
+"""What an argument must be, checked in one place so that every rejection is one line that names it."""
 
 from collections.abc import Mapping, Sequence
 from typing import Any

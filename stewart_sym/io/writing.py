@@ -51,7 +51,7 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
             yield stream
         return
     target = path.resolve()
-    with interrupts.held():
+    with interrupts.deferred():
         _remove_left_behind(target.parent)
         with _blamed_on(path):
             descriptor, name = tempfile.mkstemp(prefix=_PREFIX, dir=target.parent)
@@ -59,7 +59,7 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
         try:
             with _locked(temporary):
                 with (
-                    interrupts.held(False),
+                    interrupts.deferred(False),
                     named(path),
                     open(descriptor, "w", encoding="utf-8", newline="\n") as stream,
                 ):
@@ -201,7 +201,7 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
         place = place.parent
     if not place.is_dir():
         raise NotADirectoryError(ENOTDIR, f"expected a folder, but {place} is none", str(directory))
-    with interrupts.held():
+    with interrupts.deferred():
         _remove_left_behind(place)
         with _blamed_on(directory):
             # Inside, as a folder may be a mount point or stand in one that is closed to us.
@@ -211,7 +211,7 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
             with _locked(temporary):
                 staged.mkdir()
                 replaced.mkdir()
-                with interrupts.held(False), named(directory):
+                with interrupts.deferred(False), named(directory):
                     yield staged
                 _move_all(staged, target, replaced, gone)
                 for folder in {parent for name in gone for parent in name.parents[:-1]}:
@@ -337,7 +337,7 @@ def named(path: Path | str) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _blamed_on(path: Path) -> Iterator[None]:
-    """Let an OSError name what the user asked for instead of a temporary file beside it."""
+    """Let an OSError name what the user gave instead of a temporary file beside it."""
     try:
         yield
     except OSError as error:

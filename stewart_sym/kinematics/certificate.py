@@ -18,9 +18,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import instance, leading_shape
+from ..io.array_types import Array, Flags
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
@@ -28,7 +29,6 @@ from .forward import checked_lengths
 from .inverse import leg_vectors
 from .pose_search import jacobian
 
-Array = NDArray[np.float64]
 Rational = Fraction
 Vector = list[Rational]
 
@@ -51,7 +51,7 @@ class Certificate:
         proven.
     """
 
-    proven: NDArray[np.bool_]
+    proven: Flags
     position: Array
     angle: Array
     alone: Array

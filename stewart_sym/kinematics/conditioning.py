@@ -1,16 +1,13 @@
 """Condition number of H: how near the platform is to a singular pose, section 4.2."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import instance, real_array, shown
+from ..io.array_types import Array
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 
 def condition_number(H: ArrayLike) -> Array:

@@ -4,8 +4,6 @@ Six leg lengths belong to up to forty poses, the assembly modes: which one is fo
 search starts.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
@@ -14,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io import error_policy
 from ..io.arguments import finite_array, instance, leading_shape, option, truth
+from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion
 from ..results import (
@@ -40,9 +39,7 @@ from .pose_search import (
     solve,
 )
 
-Array = NDArray[np.float64]
-
-Status = NDArray[np.int32]
+Status = Codes
 Guess = tuple[ArrayLike, ArrayLike]
 REASONS = STATUS_TEXT | {SINGULAR: "H is singular there: leg lengths and rates do not settle the platform's"}
 """One line for each status code of forward kinematics."""
@@ -61,7 +58,7 @@ class PlatformPose:
     t : ndarray
         Position of the reference point, m, (..., 3). Both are nan where the status is not 0.
     residual : ndarray
-        Largest difference between the lengths asked for and those of the last pose tried, m, (...).
+        Largest difference between the lengths requested and those of the last pose tried, m, (...).
     iterations : ndarray of int
         Steps taken, those from starts that led nowhere included; int, (...).
     status : Status
@@ -273,7 +270,7 @@ def _rates(
     return solution[..., :3], solution[..., 3:]
 
 
-def _unsettled(robot: Robot, R: Array, t: Array) -> NDArray[np.bool_]:
+def _unsettled(robot: Robot, R: Array, t: Array) -> Flags:
     """Where H is so near to singular that lengths known to rounding leave the pose open."""
     H = moments_over(np.swapaxes(jacobian(robot, R, t), -1, -2), platform_size(robot))
     size = np.linalg.norm(H, axis=(-2, -1))

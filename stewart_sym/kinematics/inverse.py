@@ -8,19 +8,17 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend.c_kernel import address, contiguous, library
 from ..backend.kernel import MOTION, robot_numbers
 from ..backend.native import CompilerError
 from ..generated.interface import STRUCTS
 from ..io.arguments import instance
+from ..io.array_types import Array, Flags
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..results import OK
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 MIN_JOINT_SINE = 0.3
 """Sine of the angle between a leg and its universal axis from which on the leg is clear of it."""
@@ -184,7 +182,7 @@ def tip_velocities(motion: Motion, q: Array) -> Array:
     return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
 
 
-def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> NDArray[np.bool_]:
+def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> Flags:
     """Whether all six legs are clear of their universal axes k, (...,); always with spherical base joints.
 
     Clear: the sine of the angle between k and s is ``MIN_JOINT_SINE`` or more.

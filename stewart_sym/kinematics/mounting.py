@@ -1,20 +1,16 @@
 """Which side of the base the platform is on: against gravity, whatever axes the robot file uses."""
 
-from __future__ import annotations
-
 import warnings
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io.arguments import instance
+from ..io.array_types import Array
 from ..motion.rotation import cross
 from ..robot.robot import Robot
 from .conditioning import characteristic_length, scaled_condition_number
 from .inverse import leg_vectors
-
-Array = NDArray[np.float64]
 
 # Gravity decides where it pulls along the base's normal with this share of itself or more.
 _DECISIVE = 0.1

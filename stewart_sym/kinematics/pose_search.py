@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..io.array_types import Array, Flags
 from ..motion.rotation import (
     cross,
     orthonormal,
@@ -20,8 +21,6 @@ from ..robot.robot import Robot
 from .conditioning import characteristic_length
 from .inverse import ROUNDING, leg_vectors
 from .mounting import base_normal, upright
-
-Array = NDArray[np.float64]
 
 Poses = tuple[Array, Array]
 EPS = float(np.finfo(np.float64).eps)
@@ -47,7 +46,7 @@ def jacobian(robot: Robot, R: Array, t: Array) -> Array:
     return length_rows(*leg_vectors(robot, R, t))
 
 
-def solve(A: Array, y: Array) -> tuple[Array, NDArray[np.bool_]]:
+def solve(A: Array, y: Array) -> tuple[Array, Flags]:
     """Return x, (..., 6), of A x = y and where A has one; 0 where elimination meets a pivot of 0."""
     regular = np.ones(y.shape[:-1], dtype=np.bool_)
     try:
@@ -67,7 +66,7 @@ class Found(NamedTuple):
     t: Array
     residual: Array
     iterations: NDArray[np.int64]
-    found: NDArray[np.bool_]
+    found: Flags
 
     def at(self, where: NDArray[np.intp]) -> Found:
         """What was found from some of the starts, as copies."""
@@ -191,12 +190,12 @@ def distance(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array])
     return np.hypot(_size(other[1] - one[1]), platform_size(robot) * _size(turn))
 
 
-def _impossible(robot: Robot, L: Array) -> NDArray[np.bool_]:
+def _impossible(robot: Robot, L: Array) -> Flags:
     """Where lengths, (n, 6), have no pose for certain, (n,)."""
     return np.asarray(impossible_pairs(robot, L).any(axis=(-2, -1)))
 
 
-def impossible_pairs(robot: Robot, L: Array) -> NDArray[np.bool_]:
+def impossible_pairs(robot: Robot, L: Array) -> Flags:
     """Which two legs' lengths, (..., 6), differ by more, or add up to less, than their joints allow."""
     base, platform = (np.linalg.norm(x[:, None] - x, axis=-1) for x in (robot.b, robot.p))
     one, other = L[..., :, None], L[..., None, :]

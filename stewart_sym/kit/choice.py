@@ -1,4 +1,4 @@
-"""What a kit is asked for: functions, formulation, fidelity, arithmetic.
+"""What a kit contains: functions, formulation, fidelity, arithmetic.
 
 The bottom of the kit.
 """
@@ -51,7 +51,7 @@ class Choice:
 
     @property
     def groups(self) -> tuple[str, ...]:
-        """The functions asked for, in the order of ``FUNCTIONS``."""
+        """The functions requested, in the order of ``FUNCTIONS``."""
         return tuple(name for name in FUNCTIONS if name in self.functions)
 
 

@@ -10,7 +10,6 @@ from importlib.resources import files as resources
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend import fidelity
 from ..backend.kernel import MOTION
@@ -27,6 +26,7 @@ from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files, ro
 from ..derive.package.selftest import Case, Rejected, selftest
 from ..derive.package.words import robot_symbol
 from ..dynamics.home_pose import home_pose
+from ..io.array_types import Array
 from ..io.json_text import json_text
 from ..motion.motion import Motion
 from ..results import OK
@@ -38,8 +38,6 @@ from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
 from .selection import SHARE, Numbered, selection
 from .vectors import Vector, rejected, vectors
-
-Array = NDArray[np.float64]
 
 LICENCE, ROBOT = "LICENSE", "robot.toml"
 MANIFEST = "manifest.json"
@@ -142,9 +140,9 @@ def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector
     stems = tuple(function.stem for function in made.functions)
     others = tuple(stem for stem in stems if stem != "forces")
     found: dict[str, list[Vector]] = {stem: [] for stem in stems}
-    asked = partial(vectors, robot, formulation=choice.formulation, precision=choice.precision)
-    of_forces = asked(("forces",), fidelity=choice.level, baked=choice.bake) if "forces" in stems else ()
-    for vector in (*of_forces, *(asked(others) if others else ())):
+    vectors_of = partial(vectors, robot, formulation=choice.formulation, precision=choice.precision)
+    of_forces = vectors_of(("forces",), fidelity=choice.level, baked=choice.bake) if "forces" in stems else ()
+    for vector in (*of_forces, *(vectors_of(others) if others else ())):
         found[vector.function].append(vector)
     return found
 

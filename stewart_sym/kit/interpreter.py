@@ -14,7 +14,6 @@ from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend.kernel import kernel_name, module
 from ..derive.generate import reduced_kinematics, reduced_rotation
@@ -27,13 +26,13 @@ from ..derive.mechanics import quantities as n
 from ..derive.mechanics.formulation import EXACT
 from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
+from ..io.array_types import Array
 from ..precision.truth import ON_DIGITS, number_of_digits
 from ..results import OK
 from ..robot.robot import LEGS
 from .parts import plain_kernel
 from .running import HALF_UNIT, Objects, Running, array, errors, inverse_sizes, sizes, solve, solve_definite
 
-Array = NDArray[np.float64]
 Numbers = Mapping[str, Array]
 Found = dict[str, Objects]
 
@@ -306,13 +305,13 @@ def _motion(at: Numbers) -> SimpleNamespace:
     return structure(n.MOTION, at, _number)
 
 
-def _rounded_once(held: Any) -> Any:
+def _rounded_once(value: Any) -> Any:
     """Constants that are prepared exactly and rounded once."""
-    if isinstance(held, SimpleNamespace):
-        return SimpleNamespace(**{name: _rounded_once(part) for name, part in vars(held).items()})
-    if isinstance(held, list):
-        return [_rounded_once(part) for part in held]
-    return held if isinstance(held, int) else Running(held.value, rounded=True)
+    if isinstance(value, SimpleNamespace):
+        return SimpleNamespace(**{name: _rounded_once(part) for name, part in vars(value).items()})
+    if isinstance(value, list):
+        return [_rounded_once(part) for part in value]
+    return value if isinstance(value, int) else Running(value.value, rounded=True)
 
 
 def _by_leg(value: Any) -> Objects:
@@ -331,8 +330,8 @@ def _with_errors(numbers: Objects, bound: Array) -> Objects:
 
 def _flat(found: Any) -> Found:
     """Members but the status, which is OK; accelerations of both kinds as one."""
-    held = dict(found if isinstance(found, Mapping) else vars(found))
-    assert held.pop("status", OK) == OK
-    if {"a", "alpha"} <= held.keys():
-        held = {"acceleration": [*held.pop("a"), *held.pop("alpha")], **held}
-    return {name: array(value).ravel() for name, value in held.items()}
+    members = dict(found if isinstance(found, Mapping) else vars(found))
+    assert members.pop("status", OK) == OK
+    if {"a", "alpha"} <= members.keys():
+        members = {"acceleration": [*members.pop("a"), *members.pop("alpha")], **members}
+    return {name: array(value).ravel() for name, value in members.items()}

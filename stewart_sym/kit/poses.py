@@ -12,14 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..dynamics.inverse import Formulation, inverse_dynamics
+from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
 from ..kinematics.mounting import platform_side
 from ..motion.motion import Motion
 from ..results import Forces
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 GOOD_CONDITION = 50.0
 MAX_CONDITION = 1000.0
@@ -78,7 +77,7 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
 
     The others have condition numbers up to MAX_CONDITION and legs clear of their universal axes; those within
     the length limits come first, then those with good condition numbers. Some are at rest, others move
-    backwards or without load. A machine may have fewer than asked for. Raises ValueError as ``sample``.
+    backwards or without load. A machine may have fewer than requested. Raises ValueError as ``sample``.
     """
     first, _, _ = sample(robot, formulation)
     around, condition, clear, within = _checked(robot, _neighbours(robot, first), formulation)
@@ -108,9 +107,6 @@ def significant(values: ArrayLike, digits: int) -> Array:
     """Values (...) rounded to so many significant decimal digits."""
     given = np.asarray(values, dtype=np.float64)
     return np.array([float(f"{value:.{digits - 1}e}") for value in given.flat]).reshape(given.shape)
-
-
-Flags = NDArray[np.bool_]
 
 
 def _checked(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, Array, Flags, Flags]:

@@ -46,11 +46,11 @@ class Running:
 
     def __init__(self, value: Any, error: Any = 0.0, rounded: bool = False) -> None:
         """Take value at 50 digits; ``rounded``: it is the result of an operation that rounds."""
-        self.value, self.size = self._held(value)
+        self.value, self.size = self._stored(value)
         self.error = error + HALF_UNIT * self.size if rounded else error
 
     @staticmethod
-    def _held(value: Any) -> tuple[Any, Any]:
+    def _stored(value: Any) -> tuple[Any, Any]:
         """The value as it is kept, and its size in double."""
         number = value if isinstance(value, digits.mpf) else digits.mpf(value)
         return number, abs(float(number))
@@ -148,9 +148,9 @@ class RunningArrays(Running):
     __array_ufunc__ = None
 
     @staticmethod
-    def _held(value: Any) -> tuple[Any, Any]:
-        held = np.asarray(value, dtype=np.float64)
-        return held, np.abs(held)
+    def _stored(value: Any) -> tuple[Any, Any]:
+        stored = np.asarray(value, dtype=np.float64)
+        return stored, np.abs(stored)
 
     @staticmethod
     def _root(value: Any) -> Any:

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from ..backend.kernel import MOTION
 from ..derive.mechanics.actuator_forces import ForceKernel
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
@@ -28,7 +29,6 @@ from .poses import MAX_CONDITION, WHOLE, sample, significant, size_of, whole_tur
 from .running import FORCES_MARGIN
 from .sensitivity import Forces, changes
 
-Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
 SHARE = {"double": 1e-9, "float": 1e-3}

@@ -12,15 +12,14 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from ..derive.mechanics import quantities as n
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.lumped_constants import ADDED
 from ..derive.program.block import Block, Quantity
+from ..io.array_types import Array
 from .running import HALF_UNIT, RunningArrays, factor_sizes
 
-Array = NDArray[np.float64]
 Values = Mapping[str, Any]
 Numbers = Mapping[str, Array]
 
@@ -49,7 +48,7 @@ class Change:
     constants: Constants
 
 
-def _held(kernel: ForceKernel, robot: Numbers) -> Constants:
+def _constants_of(kernel: ForceKernel, robot: Numbers) -> Constants:
     """The constants as the kernel's code holds them: folded in, or prepared from the robot's numbers."""
     return _prepared(kernel, _raw(robot)) if kernel.constants is None else _folded(kernel)
 
@@ -197,7 +196,7 @@ class Forces:
         block = kernel.leg_near_singular if near else kernel.leg
         assert block is not None
         self._kernel, self._block = kernel, block
-        self._constants, self._motion = _held(kernel, robot), _components_of(n.MOTION, motions)
+        self._constants, self._motion = _constants_of(kernel, robot), _components_of(n.MOTION, motions)
         self._count = motions["t"].shape[-1]
         self._base: Terms | None = None
         self._solve(self._terms(_rounded(kernel, robot), None))

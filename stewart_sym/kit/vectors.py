@@ -13,12 +13,12 @@ from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend import fidelity as fidelities
-from ..backend.kernel import MOTION, need_held
+from ..backend.kernel import MOTION, need_representable
 from ..generated.fidelities import FIDELITIES
 from ..io.arguments import instance, option
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.forward import forward_kinematics
 from ..kinematics.inverse import wrench_matrix
@@ -30,8 +30,6 @@ from .interpreter import LEG_FIELDS, PLATFORM_FIELDS, Found, KitInterpreter, Num
 from .poses import neighbour, poses, significant
 from .running import FORCES_MARGIN, MARGIN, errors, values
 from .selection import Numbered, selection
-
-Array = NDArray[np.float64]
 
 KINEMATICS = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
 CLOSED_FORM = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
@@ -89,7 +87,7 @@ def vectors(
 
     fidelity: of "forces", None for "general"; all others have everything. precision: "double" or "float";
     inputs and the robot's constants are rounded to it before anything is computed. baked: the constants are
-    folded into the code, so they are the robot's own, rounded last. Forward kinematics is asked only where
+    folded into the code, so they are the robot's own, rounded last. Forward kinematics is tested only where
     lengths settle the pose in that precision, which may be nowhere in "float".
 
     Raises ValueError naming the argument, and for a robot without a good pose.
@@ -97,7 +95,7 @@ def vectors(
     instance(robot, Robot, "robot")
     _check(robot, functions, formulation, precision, count)
     level = fidelities.resolved(robot, formulation, fidelity or "general")
-    need_held(robot, precision)
+    need_representable(robot, precision)
     return _made(Numbered.of(robot), functions, formulation, level, precision, count, baked)
 
 

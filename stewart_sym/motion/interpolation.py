@@ -4,14 +4,13 @@ Between instants whose rates come from a spline of degree 5, as those of ``read_
 spline.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
+from ..io.array_types import Array
 from ..io.tables import positive
 from .motion import Motion
 from .rotation import (
@@ -25,7 +24,6 @@ from .rotation import (
 from .straight_line import MOST_STEPS
 from .trajectory import PoseLog, Trajectory, need_trajectory
 
-Array = NDArray[np.float64]
 Path = Callable[[Array], Motion]
 """Times, s, (n,) -> the motion there, of shape (n,)."""
 

@@ -1,16 +1,15 @@
 """Trajectories and forces read from CSV files, with a warning for each doubt about units and rates."""
 
-from __future__ import annotations
-
 import math
 import os
 import warnings
 from functools import partial
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, real_array
+from ..io.array_types import Array
 from ..io.extras import need
 from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
@@ -28,8 +27,6 @@ from .trajectory import (
     Smoothing,
     Trajectory,
 )
-
-Array = NDArray[np.float64]
 
 # Of a CSV file; more than two million rows with everything in them.
 _MOST_BYTES = 1 << 30

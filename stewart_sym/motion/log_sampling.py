@@ -1,14 +1,13 @@
 """Rows of a log that were not measured: held, or interpolated linearly, between those of a slower sensor."""
 
-from __future__ import annotations
-
 import itertools
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..io.array_types import Array
+
 Rows = NDArray[np.int64]
 
 # Rows that must have been measured for their distances to tell.
@@ -35,9 +34,9 @@ def slower_sampling(values: Array, steps: Array) -> Sampling | None:
     """
     rounding = np.maximum(steps, _DIGITS * np.abs(values).max(axis=0, initial=0.0)) + np.finfo(float).tiny
     change = np.abs(np.diff(values, axis=0)) / rounding
-    held = _regular(np.max(change, axis=1, initial=0.0), 0.0, len(values), 1)
-    if held is not None:
-        return Sampling(held, "held")
+    repeated = _regular(np.max(change, axis=1, initial=0.0), 0.0, len(values), 1)
+    if repeated is not None:
+        return Sampling(repeated, "held")
     bend = np.abs(np.diff(values, n=2, axis=0)) / rounding
     bent = _regular(np.max(bend, axis=1, initial=0.0), 2.5, len(values), 1)
     return None if bent is None else Sampling(bent, "interpolated linearly")

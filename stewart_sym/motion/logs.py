@@ -17,16 +17,14 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io.arguments import option, shown
+from ..io.array_types import Array
 from ..io.tables import as_utf8
 from .noise_level import LogWarning
 
 if TYPE_CHECKING:
     import _csv
-
-Array = NDArray[np.float64]
 
 LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
 ANGLE_UNITS = {"rad": 1.0, "deg": math.pi / 180.0}

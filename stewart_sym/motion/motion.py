@@ -7,9 +7,10 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, leading_shape
+from ..io.array_types import Array
 from ..io.frozen import Frozen, read_only
 from .rotation import (
     angular_acceleration_from_quaternion,
@@ -33,7 +34,6 @@ __all__ = [
     "rpy_from_rotation",
 ]
 
-Array = NDArray[np.float64]
 
 ROTATION_TOLERANCE = 1e-9
 FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)

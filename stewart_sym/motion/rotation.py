@@ -4,19 +4,17 @@ Plain vectorised functions; angles are ``theta = (theta_x, theta_y, theta_z)``, 
 axis times the angle, base axes.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.polynomial import polynomial
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import real_array
+from ..io.array_types import Array
 
-Array = NDArray[np.float64]
 _Trig = tuple[Array, Array, Array, Array, Array, Array]
 
 BLOCK = 2048

@@ -5,22 +5,19 @@ place of the measured poses keeps their noise out of the accelerations; ``chain`
 moves.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import instance, real_array, shown
+from ..io.array_types import Array
 from ..io.extras import needed_for
 from .motion import Motion
 from .rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
-
-Array = NDArray[np.float64]
 
 WITHOUT_PERIOD = "a smooth motion without a period"
 """What needs SciPy, in words."""

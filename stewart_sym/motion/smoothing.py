@@ -16,10 +16,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
+from ..io.array_types import Array
 from ..io.tables import positive
 from .noise_level import SEEN, Level, noise_level, stated
-
-Array = NDArray[np.float64]
 
 DEGREE = 5
 ORDERS = (3, 4, 6, 8)

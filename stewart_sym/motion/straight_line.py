@@ -1,7 +1,5 @@
 """The paper's straight-line paths, (39), (40): lines with parabolic blends; Paths I, II and III."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields
@@ -9,13 +7,12 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, real_array, shown
+from ..io.array_types import Array
 from ..io.tables import number
 from .motion import Motion
-
-Array = NDArray[np.float64]
 
 Vector = tuple[float, float, float]
 Rows = tuple[Vector, Vector, Vector]

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..dynamics.home_pose import radius
+from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot
 from .level_poses import (
     GOOD_CONDITION,
@@ -18,8 +19,6 @@ from .level_poses import (
     heights_of,
     level_conditions,
 )
-
-Array = NDArray[np.float64]
 
 EXCHANGED = -0.5
 """Of two legs, the way between their base points times that between their platform points, over both radii,

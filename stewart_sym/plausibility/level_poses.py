@@ -4,16 +4,14 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..dynamics.home_pose import home_pose, radius
 from ..dynamics.inverse import inverse_dynamics
+from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 GOOD_CONDITION, MISPAIRED, TWISTED = 12.0, 6.0, np.radians(75.0)
 """Level poses of machines have scaled condition numbers of 1.5 to 3, of unusual ones up to 30; legs in wrong

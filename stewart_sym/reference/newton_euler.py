@@ -8,8 +8,6 @@ Shapes: `(...)` is the motion's leading shape; a quantity of the legs is (..., 6
 6, 1) as a scalar, so that scalars multiply vectors as in the paper. SI units.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -8,13 +8,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io import tables
 from ..io.arguments import shown
+from ..io.array_types import Array
 from ..io.frozen import Frozen
-
-Array = NDArray[np.float64]
 
 SCHEMA = 1
 LEGS = 6

@@ -10,10 +10,11 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..dynamics.inverse import Backend, Formulation, inverse_dynamics, prepared_kernel
 from ..io.arguments import instance, real_array, shown
+from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..kinematics.inverse import inverse_kinematics, leg_vectors, tip_velocities
 from ..motion.motion import Motion
@@ -21,7 +22,6 @@ from ..motion.rotation import vector_from_rotation
 from ..motion.straight_line import StraightLinePath
 from ..robot.robot import Robot
 
-Array = NDArray[np.float64]
 ForceLaw = Callable[[float, Motion], ArrayLike]
 """(time, s, state) -> actuator forces, N, (6,)."""
 Wanted = Callable[[float], Motion]
@@ -177,7 +177,7 @@ class GravityCompensation(Frozen):
 
     Errors as in ``ModelTorque``; no inertia is computed, and the wanted accelerations don't count.
 
-    model: inverse dynamics, Motion of shape () with accelerations and load -> F, N, (6,), asked at rest.
+    model: inverse dynamics, Motion of shape () with accelerations and load -> F, N, (6,), evaluated at rest.
     inertia: M_0 of twists [v; omega], base frame, (6, 6), constant; it turns the gains of ``ModelTorque``,
     k_p, 1/s^2, and k_d, 1/s, into stiffness and damping.
 
@@ -201,7 +201,7 @@ class GravityCompensation(Frozen):
     def __call__(self, time: float, state: Motion) -> Array:
         """Forces, N, (6,), of a state."""
         wrench = self.inertia @ np.concatenate(feedback(self.wanted(time), state, self.k_p, self.k_d))
-        # The wrench asked for is what the legs would hold if its opposite lay on the platform.
+        # The wrench commanded is what the legs would hold if its opposite lay on the platform.
         load = -wrench.reshape(2, 3) @ state.R
         zero = np.zeros(3)
         return self.model(Motion.unchecked(state.R, state.t, zero, zero, zero, zero, load[0], load[1]))

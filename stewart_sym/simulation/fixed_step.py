@@ -4,15 +4,12 @@ Needs NumPy alone.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..dynamics.equations import ForwardDynamics
 from ..io.arguments import shown
+from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
 from ..motion.rotation import orthonormal, rotation_from_vector, vector_rate
-
-Array = NDArray[np.float64]
-Codes = NDArray[np.int32]
 
 
 def advance(

@@ -1,21 +1,17 @@
 """Where a simulated run stops: limits of the legs, singular poses and joints, watched during each step."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io.arguments import real_array, shown
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
 from .trace import WATCHED, Actuators, LegStates, Piece, Stop, leg_states, motion_of
-
-Array = NDArray[np.float64]
 
 NEAR_SINGULAR, CROSSING = 36, 37
 """Columns of the watched margins: condition number of H, and det H on the side where the run began."""
@@ -109,7 +105,7 @@ class Watch:
         legs = leg_states(robot, state)
         F = np.zeros((len(when), 6))
         if np.isfinite(self.force_limit).any():
-            F = actuators.forces(when, state, piece.held)
+            F = actuators.forces(when, state, piece.sampled)
         shortest = self.thresholds.min_length or 1e-3 * self._size
         margins = [
             legs.L - np.where(robot.length_limits[:, 0] > 0.0, robot.length_limits[:, 0], -math.inf),
@@ -160,7 +156,7 @@ class Watch:
             ),
             (
                 "force_limit",
-                f"force {actuators.forces(at, state, piece.held)[0, leg]:.6g} N reaches its limit "
+                f"force {actuators.forces(at, state, piece.sampled)[0, leg]:.6g} N reaches its limit "
                 f"{robot.force_limit[leg]:g} N",
             ),
             ("zero_length", f"length {length} is near zero"),

@@ -4,19 +4,18 @@ Orientation lives in a local chart, the rotation vector from a centre that moves
 is special and R stays orthonormal to rounding.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..dynamics.equations import ForwardDynamics
 from ..dynamics.inverse import Backend, Formulation
 from ..io.arguments import instance, option, real_array, shown
+from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..motion import rotation_vector
 from ..motion.motion import Motion
@@ -37,8 +36,6 @@ from .trace import (
     saturation_of,
     six_forces,
 )
-
-Array = NDArray[np.float64]
 
 Method = Literal["DOP853", "Radau"]
 Progress = Callable[[float], None]
@@ -200,12 +197,14 @@ class _Run:
         sample = 0
         while time < duration:
             sample += 1
-            held = None if rate is None else six_forces(self.actuators.law(time, motion_of(y, center)), time)
+            sampled = (
+                None if rate is None else six_forces(self.actuators.law(time, motion_of(y, center)), time)
+            )
             if sample == 1:
-                self._reject_bad_start(y, center, held)
+                self._reject_bad_start(y, center, sampled)
             end = duration if rate is None else min(sample / rate, duration)
             while time < end:
-                stop, time, y, center, step = self._chart(pieces, time, end, y, center, step, held)
+                stop, time, y, center, step = self._chart(pieces, time, end, y, center, step, sampled)
                 if stop is not None:
                     return stop, pieces
         return Stop("duration", duration, None, f"ran to its end at {duration:g} s"), pieces
@@ -218,13 +217,13 @@ class _Run:
         y: Array,
         center: Array,
         step: float | None,
-        held: Array | None,
+        sampled: Array | None,
     ) -> tuple[Stop | None, float, Array, Array, float | None]:
         """Integrate in one chart, to its rim or to ``end``; hand back the state in a chart of its own."""
         first = None if step is None else min(step, end - time)
 
         def rates(time: float, y: Array) -> Array:
-            return self._rates(time, y, center, held)
+            return self._rates(time, y, center, sampled)
 
         solver = self.solver(rates, time, y, end, first_step=first, **self.tolerances)
         while solver.status == "running" and np.linalg.norm(solver.y[3:6]) < CHART_RADIUS:
@@ -234,7 +233,7 @@ class _Run:
                 if not pieces:
                     raise ValueError(f"initial_state: {failure.text}")
                 return failure, failure.time, solver.y, center, step
-            piece = Piece(solver.t_old, solver.t, solver.dense_output(), center, held)
+            piece = Piece(solver.t_old, solver.t, solver.dense_output(), center, sampled)
             stop = self.watch.first(piece, self.actuators)
             if stop is not None:
                 # A stop where the step begins leaves no piece but the first, which the trace needs.
@@ -248,9 +247,9 @@ class _Run:
         y[3:6] = 0.0
         return None, float(solver.t), y, center, float(solver.h_abs)
 
-    def _rates(self, time: float, y: Array, center: Array, held: Array | None) -> Array:
+    def _rates(self, time: float, y: Array, center: Array, sampled: Array | None) -> Array:
         state = Motion.unchecked(rotation_vector.turned(y[3:6], center), y[:3], omega=y[9:], v=y[6:9])
-        F = self.actuators.at(time, state) if held is None else self.actuators.clipped(held)
+        F = self.actuators.at(time, state) if sampled is None else self.actuators.clipped(sampled)
         acceleration, status = self.accelerations(self._loaded(time, state), F)
         self.fault = status or self.fault
         return np.concatenate([state.v, rotation_vector.rate(y[3:6], state.omega), acceleration])
@@ -264,8 +263,8 @@ class _Run:
             F_ext, M_ext = wrench[:3], wrench[3:]
         return Motion.unchecked(state.R, state.t, state.omega, state.v, F_ext=F_ext, M_ext=M_ext)
 
-    def _reject_bad_start(self, y: Array, center: Array, held: Array | None) -> None:
-        if not np.isfinite(self._rates(0.0, y, center, held)).all():
+    def _reject_bad_start(self, y: Array, center: Array, sampled: Array | None) -> None:
+        if not np.isfinite(self._rates(0.0, y, center, sampled)).all():
             raise ValueError(f"initial_state: no accelerations: {self._reason()}")
         self.fault = 0
 

@@ -3,20 +3,19 @@ function of time, so its roots are found from its sign at all its turning points
 is settled by the rate of H: no singular value changes faster than H does (Weyl).
 """
 
-from __future__ import annotations
-
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
 from ..backend.numpy_kernel import NumpyKernel
 from ..dynamics.inverse import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
+from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix_rate
 from ..motion.interpolation import Path
@@ -26,7 +25,6 @@ from ..robot.robot import Robot
 from .search import minimum, root, runs, turning_points
 from .singular_poses import Singularity, last_directions, singularity
 
-Array = NDArray[np.float64]
 # Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.
 _CARE = 2.0
 # Intervals are passed over unseen only where bounds of them exceed four times that, and what H changes.
@@ -414,7 +412,7 @@ def _scaled_rate(robot: Robot, motion: Motion, length: float) -> Array:
     return moments_over(wrench_matrix_rate(robot, motion), length)
 
 
-def _known(H: Array) -> NDArray[np.bool_]:
+def _known(H: Array) -> Flags:
     """Which matrices, (n, 6, 6), belong to legs that all have a direction, (n,)."""
     return np.asarray(np.isfinite(H).all(axis=(-2, -1)))
 

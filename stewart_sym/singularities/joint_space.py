@@ -8,16 +8,15 @@ of the lengths hides on which side the pose is, it hides what the motion does th
 not decided.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, instance, real_array
+from ..io.array_types import Array, Flags
 from ..kinematics.forward import (
     REASONS,
     Guess,
@@ -37,8 +36,6 @@ from ..results import SINGULAR
 from ..robot.robot import Robot
 from .along_path import crossings
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
-
-Array = NDArray[np.float64]
 
 JUMPED = "the lengths jump here: no motion with the accelerations of the samples around it makes this step"
 OFF_RATES = "the step in lengths from the sample before is not what the rates at both samples make of it"
@@ -80,7 +77,7 @@ def motion_from_lengths(
         Of the samples, s, (n,), increasing; None: the steps that fit L and L_dot.
     sigma : array_like, optional
         Standard deviation of each length, m, broadcasts to (n, 6); None: what rounding or scatter of the
-        numbers show, from 40 samples on. The robot's length_limits are not asked for.
+        numbers show, from 40 samples on. The robot's length_limits do not count.
 
     Returns
     -------
@@ -233,7 +230,7 @@ def _noise(time: Array, L: Array) -> Array:
     return np.broadcast_to(shown_noise, L.shape)
 
 
-def _may_be_singular(near: ToSingular, sigma: Array) -> NDArray[np.bool_]:
+def _may_be_singular(near: ToSingular, sigma: Array) -> Flags:
     """Whether noise of lengths, (n, 6), could carry poses through a singular one."""
     return np.asarray(near.lengths <= _SURE * np.linalg.norm(near.legs * sigma, axis=-1))
 

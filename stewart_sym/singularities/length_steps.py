@@ -6,8 +6,8 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import leg_vectors
 from ..kinematics.pose_search import ToSingular, jacobian, newton, other_side, solve, way_to_singular
@@ -19,8 +19,6 @@ from ..motion.rotation import (
     vector_second_rate,
 )
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 NO_WAY = (
     "no way here from the sample before in the same assembly mode: the lengths jump, belong to no pose, "
@@ -160,7 +158,7 @@ def _next(robot: Robot, state: _State, legs: Legs, h: Array) -> _State | None:
     return min(found, key=lambda entry: entry[0])[1] if found else None
 
 
-def _foretold(robot: Robot, before: _State, after: _Pose, h: Array) -> NDArray[np.bool_]:
+def _foretold(robot: Robot, before: _State, after: _Pose, h: Array) -> Flags:
     """Whether poses, (n,), are where the states before them lead."""
     ahead = _ahead(before, h)
     off, step = (

@@ -1,19 +1,17 @@
 """Singular poses as objects: how near a pose is to one, the motion that is lost there, and as a screw."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import instance
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, moments_over
 from ..kinematics.inverse import ROUNDING, wrench_matrix
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 
-Array = NDArray[np.float64]
 Pose = Motion | tuple[ArrayLike, ArrayLike]
 
 # A twist that turns by less than this share of what it moves does not turn: rounding leaves no more digits.
