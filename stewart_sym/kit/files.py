@@ -28,6 +28,7 @@ from ..derive.package.words import robot_symbol
 from ..dynamics.home_pose import home_pose
 from ..io.array_types import Array
 from ..io.json_text import json_text
+from ..io.progress import Progress, silent
 from ..motion.motion import Motion
 from ..results import OK
 from ..robot.robot import Robot
@@ -67,12 +68,15 @@ class Kit:
     baked_operations: int | None
 
 
-def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
+def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> Kit:
     """The kit of a robot. Raises ValueError for an unknown option, or if no pose suits the self-test."""
     check(choice, robot)
     if choice.language != "c":
+        progress(f"generating {choice.language}")
         return _of_language(robot, choice)
+    progress("generating kernels")
     made = parts(robot, choice)
+    progress("computing test vectors")
     found = _vectors(robot, choice, made)
     cases = {stem: [_case(vector) for vector in group] for stem, group in found.items()}
     tested = [function for function in made.functions if cases[function.stem]]
@@ -87,6 +91,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     texts[ROBOT] = robot_toml(robot.to_dict(), options(choice))
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:
+        progress("building the FMU")
         files[f"{symbol}.fmu"] = _unit(robot, choice, made, texts)
     files["README.md"] = _readme(robot, choice, made, found).encode()
     files[MANIFEST] = _manifest(robot, choice, files)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 from ..io.arguments import finite_array, real_array
 from ..io.array_types import Array
 from ..io.extras import need
+from ..io.progress import Progress, silent
 from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import LogFormat, read_columns
@@ -82,12 +83,17 @@ def read_any_csv(
 
 
 def read_log(
-    path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
+    path: str | os.PathLike[str],
+    form: LogFormat = PLAIN,
+    smoothing: Smoothing = AS_SHOWN,
+    progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
-    """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs."""
+    """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs, with progress."""
     source = file_name(path)
     with opened(source, "trajectory", _MOST_BYTES) as stream:
-        columns, rows = read_columns(stream, source, partial(_check_log, smoothing=smoothing), form)
+        check = partial(_check_log, smoothing=smoothing)
+        columns, rows = read_columns(stream, source, check, form, progress)
+    progress(f"differentiating {len(rows)} rows")
     names = {name.rpartition("_")[0] for name in columns} - {""}
     written = {name: [columns[c] for c in _components(name)] for name in names}
     log = Log(source, rows, columns["time"], written, form, smoothing)
