@@ -11,17 +11,17 @@ from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend import c_kernel, native
-from ..backend.c_kernel import address, contiguous
-from ..backend.kernel import MOTION, module, stored
+from ..backend.c_kernel import address, call, contiguous, pointers
+from ..backend.kernel import module
 from ..backend.numpy_kernel import loaded
 from ..generated.interface import OUTPUTS as _OUTPUTS
 from ..generated.interface import STRUCTS
 from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
+from .arrays import robot_structure, stacked
 from .forces import ForceKernel, prepare
 
 What = Literal["equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation"]
@@ -65,17 +65,10 @@ class CClosedForm:
         """See ``ClosedForm``."""
         outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[what].items()}
         status = np.zeros(motion.shape, dtype=np.int32)
-        inputs = [contiguous(getattr(motion, name)) for name in MOTION]
         forces = [] if F is None else [contiguous(F)]
-        targets = [address(array) for array in outputs.values()]
-        getattr(library(), f"stewart_{NAME}_{what}_batch")(
-            address(self._forces.model),
-            ctypes.c_size_t(status.size),
-            (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
-            *(address(array) for array in forces),
-            (ctypes.c_void_p * len(targets))(*targets) if what in STRUCTS else targets[0],
-            address(status),
-        )
+        (*targets,) = [pointers(outputs.values())] if what in STRUCTS else map(address, outputs.values())
+        code = getattr(library(), f"stewart_{NAME}_{what}_batch")
+        call(code, self._forces.model, motion, *map(address, forces), *targets, address(status))
         return {**outputs, "status": status}
 
     def one_pose(self) -> "OneState":
@@ -136,30 +129,7 @@ class NumpyClosedForm:
         with np.errstate(all="ignore"):
             result = getattr(source, what)(self._on, self._model, given, *forces)
         shape = motion.t.shape[:-1]
-        found = {name: _stacked(value, shape) for name, value in vars(result).items()}
+        found = {name: stacked(np, value, shape) for name, value in vars(result).items()}
         if "alpha" in found:
             found["acceleration"] = np.concatenate([found.pop("a"), found.pop("alpha")], axis=-1)
         return {name: found[name] for name in OUTPUTS[what]} | {"status": found["status"].astype(np.int32)}
-
-
-def robot_structure(made: Any, robot: Any) -> Any:
-    """A generated module's structure filled with a robot's numbers, legs first; (6,) of symmetric tensors."""
-    for i, leg in enumerate(made.leg):
-        for name in vars(leg):
-            setattr(leg, name, _parts(getattr(robot, name)[i]))
-    for name in vars(made).keys() - {"leg"}:
-        setattr(made, name, _parts(getattr(robot, name)))
-    return made
-
-
-def _parts(value: Any) -> Any:
-    """A quantity of no or one index as it is stored, a number or a list of them."""
-    components = stored(np.asarray(value))
-    return list(components) if components.shape else components[()]
-
-
-def _stacked(value: Any, shape: tuple[int, ...]) -> NDArray[Any]:
-    """Lists of arrays, one for each component, as one array (*shape, ...)."""
-    if isinstance(value, list):
-        return np.stack([_stacked(each, shape) for each in value], axis=len(shape))
-    return np.broadcast_to(value, shape)

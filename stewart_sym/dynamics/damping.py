@@ -8,7 +8,7 @@ of Maciejewski and Klein, J. Robotic Systems 5 (1988) 527-552.
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import real_array, shown
+from ..io.arguments import number_in, real_array
 from ..kinematics.conditioning import moments_over
 from ..results import DampedSolution
 
@@ -47,8 +47,7 @@ def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SH
     ValueError
         Naming the argument.
     """
-    if isinstance(share, bool) or not (isinstance(share, int | float) and 0.0 < share < 1.0):
-        raise ValueError(f"share: expected a number > 0 and < 1, got {shown(share)}")
+    share = number_in(share, "share", "a number > 0 and < 1", high=1.0)
     scaled, wrench = moments_over(H, length), real_array(c, "c", "wrenches of shape (..., 6)")
     if wrench.shape[-1:] != (6,):
         raise ValueError(f"c: expected wrenches of shape (..., 6), got shape {wrench.shape}")

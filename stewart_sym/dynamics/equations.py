@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
-from ..io.arguments import instance, option, real_array
+from ..io.arguments import instance, leading_shape, option, real_array
 from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
 from ..kinematics.inverse import leg_vectors, wrench_matrix
@@ -100,10 +100,8 @@ def force_derivatives(
     motion : Motion
         With accelerations. Other arguments: as for ``inverse_dynamics``. Poses move by [dt; dphi], R becoming
         exp([dphi]x) R; the load moves with the platform.
-    backend : {"c", "numpy"}, optional
-        What computes.
-    on_singular : {"raise", "nan", "warn"}, optional
-        What to do about unsolvable poses, as for ``inverse_dynamics``.
+    backend, on_singular : str, optional
+        As for ``inverse_dynamics``: "c" or "numpy"; nothing is damped.
 
     Returns
     -------
@@ -140,10 +138,8 @@ def linearise(
         ``forward_dynamics``; spherical base joints are rejected.
     F : array_like
         Actuator forces, N, (..., 6).
-    backend : {"c", "numpy"}, optional
-        What computes.
-    on_singular : {"raise", "nan", "warn"}, optional
-        What to do about unsolvable poses, as for ``inverse_dynamics``.
+    backend, on_singular : str, optional
+        As for ``inverse_dynamics``: "c" or "numpy"; nothing is damped.
 
     Returns
     -------
@@ -178,12 +174,8 @@ def forward_dynamics(
         machine whose inertias belong to no body may be unsolvable.
     F : array_like
         Actuator forces, N, (..., 6).
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    backend : {"c", "numpy", "reference"}, optional
-        What computes.
-    on_singular : {"raise", "nan", "warn"}, optional
-        What to do about unsolvable poses, as for ``inverse_dynamics``.
+    formulation, backend, on_singular : str, optional
+        As for ``inverse_dynamics``, but nothing is damped.
 
     Returns
     -------
@@ -219,12 +211,8 @@ def joint_space_inertia(
         The machine.
     motion : Motion
         Motion of the platform, any leading shape.
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    backend : {"c", "numpy", "reference"}, optional
-        What computes.
-    on_singular : {"raise", "nan", "warn"}, optional
-        What to do about unsolvable poses, as for ``inverse_dynamics``.
+    formulation, backend, on_singular : str, optional
+        As for ``inverse_dynamics``, but nothing is damped.
 
     Returns
     -------
@@ -279,14 +267,12 @@ class ForwardDynamics:
         with np.errstate(all="ignore"):
             M, bias, status = inertia_and_bias(self._wrench, self.robot, motion)
             rest = _wrench_of(self.robot, motion, F) - bias
-            finite = np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1)
-            status = np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
+            status = _not_finite(status, np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1))
             x, definite = solve_positive(M, rest)
             if self.backend == "reference":
                 x, definite = self._at_50_digits(motion, F, M, x, definite & (status == OK), status == OK)
             status = np.where((status == OK) & ~definite, INDEFINITE, status)
-            finite = np.isfinite(x).all(axis=-1)
-            status = np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
+            status = _not_finite(status, np.isfinite(x).all(axis=-1))
             x = np.where((status == OK)[..., None], x, np.nan)
         return x[..., :3], x[..., 3:], status
 
@@ -314,6 +300,10 @@ class ForwardDynamics:
             return np.concatenate([a, alpha]), int(status)
 
         return solve
+
+
+def _not_finite(status: Codes, finite: Flags | np.bool_) -> Codes:
+    return np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
 
 
 _KEPT = 2.0**-5
@@ -457,12 +447,7 @@ def _together(motion: Motion, F: ArrayLike) -> tuple[Motion, Array]:
         raise ValueError(f"F: expected forces of shape (..., 6), got {forces.shape}")
     if not np.isfinite(forces).all():
         raise ValueError(f"F: expected finite forces, got {forces[~np.isfinite(forces)][0]}")
-    try:
-        shape = np.broadcast_shapes(motion.shape, forces.shape[:-1])
-    except ValueError:
-        raise ValueError(
-            f"F: expected a leading shape that broadcasts with {motion.shape}, got {forces.shape[:-1]}"
-        ) from None
+    shape = leading_shape({"motion": motion.shape, "F": forces.shape[:-1]})
     return _broadcast(motion, shape), np.broadcast_to(forces, (*shape, 6))
 
 

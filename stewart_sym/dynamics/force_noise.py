@@ -43,10 +43,8 @@ def force_deviations(
         The machine.
     trajectory : Trajectory or PoseLog
         Times and poses, or a log of poses.
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    backend : {"c", "numpy", "reference"}, optional
-        What computes.
+    formulation, backend : str, optional
+        As for ``inverse_dynamics``.
 
     Returns
     -------

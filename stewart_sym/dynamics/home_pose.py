@@ -36,7 +36,7 @@ class HomePose:
 def home_pose(robot: Robot) -> HomePose:
     """Choose a height: legs in the middle of their length limits, or where there are none H at its best."""
     t = level_positions(robot, up_direction(robot))
-    L = _lengths(robot, t)
+    L = level_lengths(robot, t)
     forces = inverse_dynamics(robot, _resting(t), backend="numpy", on_singular="nan")
     scaled = scaled_condition_number(forces.H, characteristic_length(robot))
     if np.all(np.isfinite(robot.length_limits)):
@@ -57,8 +57,9 @@ def home_pose(robot: Robot) -> HomePose:
     )
 
 
-def _lengths(robot: Robot, t: Array) -> Array:
-    return np.asarray(np.linalg.norm(t[:, None, :] + robot.p - robot.b, axis=-1))
+def level_lengths(robot: Robot, t: Array) -> Array:
+    """Legs of level poses at t (..., 3), m, (..., 6)."""
+    return np.asarray(np.linalg.norm(t[..., None, :] + robot.p - robot.b, axis=-1))
 
 
 def _resting(t: Array) -> Motion:

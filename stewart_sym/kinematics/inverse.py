@@ -1,6 +1,5 @@
 """Inverse kinematics of the legs, (1)-(5), (8), and H of (36) with its rate, of the platform's motion."""
 
-import ctypes
 import functools
 import math
 from collections.abc import Sequence
@@ -9,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from ..backend.c_kernel import address, contiguous, library
-from ..backend.kernel import MOTION, robot_numbers
+from ..backend.c_kernel import call, library, pointers
+from ..backend.kernel import robot_numbers
 from ..backend.native import CompilerError
 from ..generated.interface import STRUCTS
 from ..io.arguments import instance
@@ -98,15 +97,8 @@ def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
         return None
     wanted = {name: shape for name, shape in _SHAPES.items() if name != "L_ddot" or motion.a is not None}
     found = {name: np.empty((*motion.shape, *shape)) for name, shape in wanted.items()}
-    # Held by names until the call is done: an address alone keeps no array alive.
-    numbers, inputs = robot_numbers(robot), [contiguous(getattr(motion, name)) for name in MOTION]
-    status = code.stewart_legs_batch(
-        address(numbers),
-        ctypes.c_size_t(math.prod(motion.shape)),
-        (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
-        (ctypes.c_void_p * len(_SHAPES))(*[address(found.get(name)) for name in _SHAPES]),
-        None,
-    )
+    outputs = pointers(map(found.get, _SHAPES))
+    status = call(code.stewart_legs_batch, robot_numbers(robot), motion, outputs, None)
     return dict.fromkeys(_SHAPES) | found if status == OK else None
 
 

@@ -15,7 +15,7 @@ from ..dynamics.inverse import Formulation, inverse_dynamics
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
-from ..kinematics.mounting import platform_side
+from ..kinematics.mounting import platform_side, radius
 from ..motion.motion import Motion
 from ..results import Forces
 from ..robot.robot import Robot
@@ -204,9 +204,4 @@ def _quarter_turns() -> list[Array]:
 
 def size_of(robot: Robot) -> float:
     """The machine's radius to two digits, m."""
-    return float(significant(max(_radius(robot.b), _radius(robot.p)), 2)) or 1.0
-
-
-def _radius(points: Array) -> float:
-    """Root mean square distance of points (6, 3) from their middle, m."""
-    return float(np.sqrt(np.mean(np.sum((points - points.mean(axis=0)) ** 2, axis=-1))))
+    return float(significant(max(radius(robot.b), radius(robot.p)), 2)) or 1.0

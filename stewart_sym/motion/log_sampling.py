@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
+from .interpolation import quintic, values
 
 Rows = NDArray[np.int64]
 
@@ -69,21 +70,8 @@ def spread(time: Array, rows: Rows, found: Array) -> Array:
     at = time[rows]
     i = np.clip(np.searchsorted(at, time, side="right") - 1, 0, len(rows) - 2)
     h, since = (at[i + 1] - at[i])[:, None], (time - at[i])[:, None]
-    (x, v, a), (X, V, A) = found[:, i], found[:, i + 1]
-    # What the first acceleration alone does not reach, by h^2.
-    gap = (X - x - h * v - 0.5 * h**2 * a) / h**2
-    rate, second = (V - v - h * a) / h, A - a
-    c3 = 10.0 * gap - 4.0 * rate + 0.5 * second
-    c4 = -15.0 * gap + 7.0 * rate - second
-    c5 = 6.0 * gap - 3.0 * rate + 0.5 * second
-    inside = (time >= at[0]) & (time <= at[-1])
-    late = time > at[-1]
-    s = np.where(inside[:, None], since / h, 0.0)
-    value = x + since * v + 0.5 * since**2 * a + h**2 * s**3 * (c3 + s * (c4 + s * c5))
-    slope = v + since * a + h * s**2 * (3.0 * c3 + s * (4.0 * c4 + 5.0 * s * c5))
-    bend = a + s * (6.0 * c3 + s * (12.0 * c4 + 20.0 * s * c5))
-    spread = np.stack([value, slope, bend])
-    since = (time[late] - at[-1])[:, None]
-    x, v, a = found[:, -1]
-    spread[:, late] = x + since * (v + 0.5 * since * a), v + since * a, a + 0.0 * since
-    return spread
+    between = np.stack(values(quintic(h, tuple(found[:, i]), tuple(found[:, i + 1])), since / h, h))
+    for outside, end in ((time < at[0], 0), (time > at[-1], -1)):
+        since, (x, v, a) = (time[outside] - at[end])[:, None], found[:, end]
+        between[:, outside] = x + since * (v + 0.5 * since * a), v + since * a, a + 0.0 * since
+    return between

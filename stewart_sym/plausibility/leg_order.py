@@ -53,9 +53,8 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
         yield Doubt(
             "leg-order",
             f"{_level(given)} with the platform parallel to the base, {best[turn, k]:.2g} with its points in "
-            f"another order; likely cause: platform points {cause} against the base points, or a "
-            "platform frame "
-            f"turned about its normal",
+            f"another order; likely cause: platform points {cause} against the base points, or a platform "
+            "frame turned about its normal",
         )
         return
     if given > MOST_CONDITION:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..dynamics.home_pose import home_pose, radius
+from ..dynamics.home_pose import home_pose, level_lengths, radius
 from ..dynamics.inverse import inverse_dynamics
 from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
@@ -65,7 +65,7 @@ def level_home(robot: Robot) -> Array:
         directions += [normal, -normal]
     others = np.concatenate([heights_of(robot, direction) for direction in directions])
     found = level_conditions(robot.b, robot.p, others)
-    lengths = lengths_at(robot, others)
+    lengths = level_lengths(robot, others)
     if limited:
         score = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
         score[found > max(GOOD_CONDITION, found.min())] = np.inf
@@ -82,7 +82,7 @@ def home_of(robot: Robot, t: Array) -> Home:
     """The level pose at t, or one beside it where the legs are within their limits."""
     low, high = robot.length_limits.T
     margin = np.where(np.isfinite(high), 0.25 * (high - low), 0.0)
-    R, L, fits = np.eye(3), lengths_at(robot, t), False
+    R, L, fits = np.eye(3), level_lengths(robot, t), False
     for inner in (margin, 0.0 * margin):
         pose = _pose_within(robot, t, low + inner, high - inner)
         if pose is not None:
@@ -93,11 +93,6 @@ def home_of(robot: Robot, t: Array) -> Home:
     rest = Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero)
     forces = inverse_dynamics(robot, rest, backend="numpy", on_singular="nan")
     return Home(R, t, L, forces.F, fits)
-
-
-def lengths_at(robot: Robot, t: Array) -> Array:
-    """Legs of level poses at t (..., 3), (..., 6)."""
-    return np.asarray(np.linalg.norm(t[..., None, :] + robot.p - robot.b, axis=-1))
 
 
 def parts_of(robot: Robot) -> Array:

@@ -48,7 +48,7 @@ def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> Equati
     overflown = (status == OK) & ~np.logical_and.reduce(finite)
     status = np.where(overflown, NOT_FINITE, status).astype(np.int32)
     bad = status != OK
-    blank = {name: _blank(value, bad) for name, value in parts.items()}
+    blank = {name: newton_euler.blank(value, bad) for name, value in parts.items()}
     return EquationsOfMotion(**blank, status=status)
 
 
@@ -208,8 +208,3 @@ def _without(robot: Robot, names: tuple[str, ...]) -> Robot:
 @functools.lru_cache(maxsize=16)
 def _zeroed(robot: Robot, names: tuple[str, ...]) -> Robot:
     return dataclasses.replace(robot, **{name: np.zeros_like(getattr(robot, name)) for name in names})
-
-
-def _blank(value: Array, bad: NDArray[np.bool_]) -> Array:
-    wide = bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim))
-    return np.where(wide, np.nan, value)

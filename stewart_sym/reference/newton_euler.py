@@ -134,12 +134,12 @@ def joint_reactions(
         )
         bad = forces.status != OK
         return Reactions(
-            F_s=_blank(F_s, bad),
-            F_u=_blank(F_u, bad),
-            F_p=_blank(F_p, bad),
-            F_c=_blank(F_c, bad),
-            M_p=_blank(M_p, bad),
-            M_u=_blank(leg.M_u[..., 0], bad),
+            F_s=blank(F_s, bad),
+            F_u=blank(F_u, bad),
+            F_p=blank(F_p, bad),
+            F_c=blank(F_c, bad),
+            M_p=blank(M_p, bad),
+            M_u=blank(leg.M_u[..., 0], bad),
             status=forces.status,
         )
 
@@ -162,7 +162,7 @@ def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT
     with np.errstate(all="ignore"):
         leg, H, c, status = _equations(robot, motion, faults)
         wrench = _mul(H, leg.D[..., 0]) - c
-        return _blank(wrench, status != OK), status
+        return blank(wrench, status != OK), status
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
@@ -206,7 +206,7 @@ def energy(robot: Robot, motion: Motion) -> Array:
         potential_platform = -robot.M * _dot(motion.t + R, robot.g)
         total = np.sum(kinetic_legs + potential_legs, axis=(-2, -1))
         total = total + (kinetic_platform + potential_platform)[..., 0]
-        return _blank(total, ~np.isfinite(total))
+        return blank(total, ~np.isfinite(total))
 
 
 def friction_power(robot: Robot, motion: Motion) -> Array:
@@ -223,7 +223,7 @@ def friction_power(robot: Robot, motion: Motion) -> Array:
             + robot.C_s[:, None] * _dot(slip, slip)
         )
         total: Array = np.sum(power, axis=(-2, -1))
-        return _blank(total, ~np.isfinite(total))
+        return blank(total, ~np.isfinite(total))
 
 
 def actuator_power(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
@@ -334,12 +334,12 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
     F = leg.D[..., 0] - x  # (37)
     bad = status != OK
     return leg, Forces(
-        F=_blank(F, bad),
-        D=_blank(leg.D[..., 0], bad),
-        x=_blank(x, bad),
-        K=_blank(leg.K, bad),
-        H=_blank(H, bad),
-        c=_blank(c, bad),
+        F=blank(F, bad),
+        D=blank(leg.D[..., 0], bad),
+        x=blank(x, bad),
+        K=blank(leg.K, bad),
+        H=blank(H, bad),
+        c=blank(c, bad),
         status=status,
     )
 
@@ -462,7 +462,7 @@ def _finite(value: Array, axes: int) -> NDArray[np.bool_]:
     return finite
 
 
-def _blank(value: Array, bad: NDArray[np.bool_]) -> Array:
+def blank(value: Array, bad: NDArray[np.bool_]) -> Array:
     """`value` with NaN at the bad poses."""
     wide = bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim))
     return np.where(wide, np.nan, value)

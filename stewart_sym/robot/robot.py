@@ -294,7 +294,7 @@ def _leg(value: object, shared: Mapping[str, Any], joint: str, prefix: str) -> d
 
 def _values(table: Mapping[str, Any], prefix: str) -> dict[str, Any]:
     """Checked values of a table and of those in it, by path; any of them may be absent."""
-    found = {}
+    found: dict[str, Any] = {}
     for key, value in table.items():
         if key in _TABLES:
             inner = tables.checked_table(value, f"{prefix}{key}.", _TABLES[key])

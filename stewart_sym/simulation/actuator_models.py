@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..dynamics.inverse import Backend, Formulation, inverse_dynamics, prepared_kernel
-from ..io.arguments import instance, real_array, shown
+from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..kinematics.inverse import inverse_kinematics, leg_vectors, tip_velocities
@@ -227,9 +227,7 @@ def along(path: StraightLinePath) -> Wanted:
 
 def _gains(k_p: float, k_d: float) -> None:
     for name, value in (("k_p", k_p), ("k_d", k_d)):
-        gain = real_array(value, name, "a finite gain >= 0")
-        if gain.shape != () or not (np.isfinite(gain) and gain >= 0.0):
-            raise ValueError(f"{name}: expected a finite gain >= 0, got {shown(value)}")
+        number_in(value, name, "a finite gain >= 0", closed=True)
 
 
 def of_six(value: ArrayLike, name: str) -> Array:

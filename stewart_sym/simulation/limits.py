@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..io.arguments import real_array, shown
+from ..io.arguments import number_in
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number
 from ..motion.motion import Motion
@@ -182,6 +182,4 @@ def det_sign(robot: Robot, state: Motion) -> float:
 def need_between(value: object, name: str, low: float, high: float) -> None:
     """Reject, by ValueError, what is no number between two others."""
     text = f"a number > {low:g}" + (f" and < {high:g}" if math.isfinite(high) else "")
-    number = real_array(value, name, text)
-    if number.shape != () or not low < float(number) < high:
-        raise ValueError(f"{name}: expected {text}, got {shown(value)}")
+    number_in(value, name, text, low, high)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from ..dynamics.equations import ForwardDynamics
 from ..dynamics.inverse import Backend, Formulation
-from ..io.arguments import instance, option, real_array, shown
+from ..io.arguments import instance, number_in, option, real_array, shown
 from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..motion import rotation_vector
@@ -278,10 +278,7 @@ class _Run:
 def check_rtol(rtol: object) -> None:
     """Reject, by ValueError, what is no number in ``RTOL_RANGE``."""
     low, high = RTOL_RANGE
-    text = f"a number in [{low:g}, {high:g}]"
-    number = real_array(rtol, "rtol", text)
-    if number.shape != () or not low <= float(number) <= high:
-        raise ValueError(f"rtol: expected {text}, got {shown(rtol)}")
+    number_in(rtol, "rtol", f"a number in [{low:g}, {high:g}]", low, high, closed=True)
 
 
 def check_output_step(output_step: float | None, duration: float) -> None:
