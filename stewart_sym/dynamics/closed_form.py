@@ -6,7 +6,7 @@ Takes checked robots and motions, hands arrays to the generated code and its res
 
 import ctypes
 import functools
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol, get_args
 
@@ -20,6 +20,7 @@ from ..generated.interface import OUTPUTS as _OUTPUTS
 from ..generated.interface import STRUCTS
 from ..io.array_types import Array
 from ..motion.motion import Motion
+from ..results import OK
 from ..robot.robot import Robot
 from .arrays import robot_structure, stacked
 from .forces import ForceKernel, prepare
@@ -71,34 +72,23 @@ class CClosedForm:
         call(code, self._forces.model, motion, *map(address, forces), *targets, address(status))
         return {**outputs, "status": status}
 
-    def one_pose(self) -> "OneState":
-        """Buffers for the forward dynamics of one state at a time, for loops."""
-        return OneState(self)
+    def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
+        """Forward dynamics of one state at a time, for loops: see ``ForwardDynamics.one_state``."""
+        numbers, forces, x = np.zeros(30), np.zeros(6), np.empty(6)
+        R, t, omega, v, _, _, F_ext, M_ext = np.split(numbers, np.arange(9, 30, 3))
+        nothing, code = np.zeros(3), getattr(library(), f"stewart_{NAME}_forward_dynamics")
+        # Looked up once; the arrays live as long as the function below.
+        addresses = [address(array) for array in (self._forces.model, numbers, forces, x)]
 
+        def solve(motion: Motion, F: Array) -> tuple[Array, int]:
+            R[:], t[:], omega[:], v[:] = motion.R.ravel(), motion.t, motion.omega, motion.v
+            F_ext[:] = nothing if motion.F_ext is None else motion.F_ext
+            M_ext[:] = nothing if motion.M_ext is None else motion.M_ext
+            forces[:] = F
+            status = int(code(*addresses))
+            return (x.copy() if status == OK else np.full(6, np.nan)), status
 
-@dataclass(frozen=True, eq=False)
-class OneState:
-    """Buffers of one state under forces: fill ``numbers`` and ``F``, ``solve``, read ``acceleration``.
-
-    numbers: R (9), t, omega, v (3 each), alpha, a (3 each, not read), F_ext, M_ext (3 each), (30,); F: N,
-    (6,); acceleration: [a; alpha], (6,). ``solve`` returns the status and leaves the acceleration as it was
-    if that is not 0.
-    """
-
-    kernel: CClosedForm
-    numbers: Array = field(default_factory=lambda: np.zeros(30))
-    F: Array = field(default_factory=lambda: np.zeros(6))
-    acceleration: Array = field(default_factory=lambda: np.full(6, np.nan))
-
-    def __post_init__(self) -> None:
-        """Look the function and the addresses up once; the buffers live as long as this object."""
-        arrays = (self.kernel._forces.model, self.numbers, self.F, self.acceleration)
-        object.__setattr__(self, "_call", getattr(library(), f"stewart_{NAME}_forward_dynamics"))
-        object.__setattr__(self, "_addresses", tuple(address(array) for array in arrays))
-
-    def solve(self) -> int:
-        """Compute the acceleration from the numbers in place; returns the status."""
-        return int(self._call(*self._addresses))  # type: ignore[attr-defined]
+        return solve
 
 
 @dataclass(frozen=True, eq=False)

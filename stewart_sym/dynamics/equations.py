@@ -293,7 +293,7 @@ class ForwardDynamics:
         What is returned has buffers of its own: one for each thread.
         """
         if isinstance(self.closed, CClosedForm):
-            return _one_state(self.closed)
+            return self.closed.one_state()
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:
             a, alpha, status = self.solve(motion, F)
@@ -350,22 +350,6 @@ def digits_kept(M: Array) -> Array:
     return np.asarray(kept)
 
 
-def _one_state(closed: CClosedForm) -> Callable[[Motion, Array], tuple[Array, int]]:
-    buffers = closed.one_pose()
-    R, t, omega, v, _, _, F_ext, M_ext = np.split(buffers.numbers, np.arange(9, 30, 3))
-    nothing = np.zeros(3)
-
-    def solve(motion: Motion, F: Array) -> tuple[Array, int]:
-        R[:], t[:], omega[:], v[:] = motion.R.ravel(), motion.t, motion.omega, motion.v
-        F_ext[:] = nothing if motion.F_ext is None else motion.F_ext
-        M_ext[:] = nothing if motion.M_ext is None else motion.M_ext
-        buffers.F[:] = F
-        status = buffers.solve()
-        return (buffers.acceleration.copy() if status == OK else np.full(6, np.nan)), status
-
-    return solve
-
-
 def solve_positive(M: Array, w: Array) -> tuple[Array, Flags]:
     """x of M x = w by Cholesky's method, (..., n), and where M is positive definite, (...); NaN elsewhere."""
     try:
@@ -393,12 +377,8 @@ def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
     """H F + W_ext, (..., 6). NaN where a leg has length zero."""
     q, S, L = leg_vectors(robot, motion.R, motion.t)
     push = S * (F / L)[..., None]
-    force, moment = push.sum(axis=-2), cross(q, push).sum(axis=-2)
-    if motion.F_ext is not None:
-        force = force + np.einsum("...ij,...j->...i", motion.R, motion.F_ext)
-    if motion.M_ext is not None:
-        moment = moment + np.einsum("...ij,...j->...i", motion.R, motion.M_ext)
-    return np.concatenate([force, moment], axis=-1)
+    actuators = np.concatenate([push.sum(axis=-2), cross(q, push).sum(axis=-2)], axis=-1)
+    return np.asarray(actuators + motion.external_wrench())
 
 
 def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:

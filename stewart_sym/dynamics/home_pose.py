@@ -7,7 +7,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
 from ..kinematics.mounting import Side, level_positions, platform_side, radius, up_direction, upright
-from ..motion.motion import Motion
+from ..motion.motion import at_rest
 from ..robot.robot import Robot
 from .inverse import inverse_dynamics
 
@@ -37,7 +37,7 @@ def home_pose(robot: Robot) -> HomePose:
     """Choose a height: legs in the middle of their length limits, or where there are none H at its best."""
     t = level_positions(robot, up_direction(robot))
     L = level_lengths(robot, t)
-    forces = inverse_dynamics(robot, _resting(t), backend="numpy", on_singular="nan")
+    forces = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan")
     scaled = scaled_condition_number(forces.H, characteristic_length(robot))
     if np.all(np.isfinite(robot.length_limits)):
         rule = "the height that puts the legs, on average, in the middle of their length limits"
@@ -60,8 +60,3 @@ def home_pose(robot: Robot) -> HomePose:
 def level_lengths(robot: Robot, t: Array) -> Array:
     """Legs of level poses at t (..., 3), m, (..., 6)."""
     return np.asarray(np.linalg.norm(t[..., None, :] + robot.p - robot.b, axis=-1))
-
-
-def _resting(t: Array) -> Motion:
-    zero = np.zeros(3)
-    return Motion(np.eye(3), t, zero, zero, zero, zero)

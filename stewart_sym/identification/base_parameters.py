@@ -117,7 +117,8 @@ def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool =
     values, directions = _singular(stack / np.where(lengths > 0.0, lengths, np.inf))
     rank = int(np.count_nonzero(values > _ROUNDING * values[0])) if values[0] > 0.0 else 0
     unfelt = directions[rank:].T
-    lost = _given_up(unfelt, _preferred(names))
+    dependent = {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
+    lost = _given_up(unfelt, np.flatnonzero([name in dependent for name in names]))
     kept = np.setdiff1d(np.arange(len(names)), lost)
     shares = np.linalg.solve(unfelt[lost].T, -unfelt[kept].T).T
     shares = np.where(np.abs(shares) > _NOTHING, shares, 0.0)
@@ -159,11 +160,6 @@ def _singular(stack: Array) -> tuple[Array, Array]:
     # R of QR has the singular values and vectors of the stack, however many poses there are.
     _, values, directions = np.linalg.svd(np.linalg.qr(padded, mode="r"))
     return values, directions
-
-
-def _preferred(names: Sequence[str]) -> NDArray[np.intp]:
-    dependent = {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
-    return np.array([i for i, name in enumerate(names) if name in dependent])
 
 
 def _given_up(unfelt: Array, preferred: NDArray[np.intp]) -> NDArray[np.intp]:

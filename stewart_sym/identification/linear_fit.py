@@ -80,13 +80,8 @@ def _load_forces(robot: Robot, motion: Motion) -> Array:
     """H^-1 [R F_ext; R M_ext], (..., 6)."""
     if motion.F_ext is None and motion.M_ext is None:
         return np.zeros((*motion.shape, LEGS))
-    zero = np.zeros((*motion.shape, 3))
-    load = [
-        np.einsum("...ij,...j", motion.R, zero if vector is None else vector)
-        for vector in (motion.F_ext, motion.M_ext)
-    ]
     H = inverse_dynamics(robot, motion).H
-    return np.asarray(np.linalg.solve(H, np.concatenate(load, axis=-1)[..., None])[..., 0])
+    return np.asarray(np.linalg.solve(H, motion.external_wrench()[..., None])[..., 0])
 
 
 def factors(J: Array) -> tuple[Array, Array]:

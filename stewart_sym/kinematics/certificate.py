@@ -136,7 +136,11 @@ def _prove(robot: Robot, L: Array, R: Array, t: Array) -> tuple[float, float, fl
     r = max(Rational(_above(float(2 * Y / (1 - Z)))), Rational(1, 2**1000))
     proven = r if r <= radius and _holds(Y, Z, bound, r) else radius
     alone = _alone(A, legs, length, Y, Z, proven)
-    return _above(float(proven)), _above(float(proven / length)), _below(float(alone / length))
+    return (
+        _above(float(proven)),
+        _above(float(proven / length)),
+        max(0.0, math.nextafter(float(alone / length), 0.0)),
+    )
 
 
 @dataclass(frozen=True)
@@ -247,7 +251,3 @@ def _norm(values: Vector) -> Rational:
 
 def _above(value: float) -> float:
     return math.nextafter(value, math.inf)
-
-
-def _below(value: float) -> float:
-    return max(0.0, math.nextafter(value, 0.0))

@@ -228,7 +228,9 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
             if not live.size:
                 break
             J = length_rows(q, S, now) / np.repeat([1.0, length], 3)
-            d = _damped_step(J, miss, damping[live])
+            J_T = np.swapaxes(J, -1, -2)
+            A = J_T @ J + damping[live][:, None, None] * np.eye(6)
+            d, _ = solve(A, np.einsum("...ji,...j->...i", J, miss))
             d[:, 3:] /= length
             # Beyond its own reach or a turn of one radian a step has nothing to do with the machine.
             share = np.maximum(_size(d[:, :3]) / np.max(L[live], axis=-1), _size(d[:, 3:])) / most
@@ -246,11 +248,6 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
         q, _, now = leg_vectors(robot, R, t)
         residual = np.max(np.abs(L - now), axis=-1)
     return Found(R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t))
-
-
-def _damped_step(J: Array, miss: Array, damping: Array) -> Array:
-    J_T = np.swapaxes(J, -1, -2)
-    return solve(J_T @ J + damping[:, None, None] * np.eye(6), np.einsum("...ji,...j->...i", J, miss))[0]
 
 
 def length_rows(q: Array, S: Array, L: Array) -> Array:

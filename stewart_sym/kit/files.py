@@ -29,11 +29,11 @@ from ..dynamics.home_pose import home_pose
 from ..io.array_types import Array
 from ..io.json_text import json_text
 from ..io.progress import Progress, silent
-from ..motion.motion import Motion
+from ..motion.motion import Motion, at_rest
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
-from .choice import DEFAULT, Choice, check, options
+from .choice import DEFAULT, PRECISIONS, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
@@ -44,7 +44,6 @@ LICENCE, ROBOT = "LICENSE", "robot.toml"
 MANIFEST = "manifest.json"
 """What a later run reads to tell its own files from edited ones."""
 
-_EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}
 _TEXTS = (
     build.SELFTEST,
     build.EXAMPLE,
@@ -82,8 +81,12 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
     tested = [function for function in made.functions if cases[function.stem]]
     texts = _sources(robot, choice, made)
     symbol = robot_symbol(robot.name)
+    unsolvable = [
+        Rejected(_motion(inputs), status)
+        for inputs, status in rejected(robot, choice.level, choice.precision)
+    ]
     texts[build.SELFTEST] = selftest(
-        robot.name, symbol, _numbers(robot), tested, cases, _rejected(robot, choice), generator()
+        robot.name, symbol, _numbers(robot), tested, cases, unsolvable, generator()
     )
     texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
@@ -164,13 +167,6 @@ def _case(vector: Vector) -> Case:
     )
 
 
-def _rejected(robot: Robot, choice: Choice) -> list[Rejected]:
-    return [
-        Rejected(_motion(inputs), status)
-        for inputs, status in rejected(robot, choice.level, choice.precision)
-    ]
-
-
 def _motion(inputs: Mapping[str, Array]) -> dict[str, Any]:
     """Fields of a ``stewart_motion``; what a function does not read stands still."""
     given = {name: inputs.get(name, np.zeros(3)) for name in MOTION}
@@ -197,7 +193,10 @@ def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Cho
 
 def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:
     unit = f"{robot_symbol(robot.name)}.fmu" if choice.fmu else ""
-    errors = {stem: _errors(group) * _EPSILON[choice.precision] for stem, group in found.items()}
+    errors = {
+        stem: _errors(group) * float(np.finfo(PRECISIONS[choice.precision]).eps)
+        for stem, group in found.items()
+    }
     figures = {
         function.stem: Figures(
             error=float(errors[function.stem][0]),
@@ -282,10 +281,8 @@ def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes
 
 def _start(robot: Robot, formulation: str) -> Motion:
     """The pose of inputs that nobody connects: home, or the example's where home has no forces."""
-    home, still = home_pose(robot), np.zeros(3)
-    if home.status != OK:
-        return sample(robot, formulation)[0]
-    return Motion(np.eye(3), home.t, still, still, still, still)
+    home = home_pose(robot)
+    return at_rest(np.eye(3), home.t) if home.status == OK else sample(robot, formulation)[0]
 
 
 def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -> bytes:

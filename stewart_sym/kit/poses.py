@@ -109,6 +109,12 @@ def significant(values: ArrayLike, digits: int) -> Array:
     return np.array([float(f"{value:.{digits - 1}e}") for value in given.flat]).reshape(given.shape)
 
 
+def rounded(numbers: ArrayLike, kind: type) -> Array:
+    """The nearest numbers of a precision, as doubles; infinity for those too large for it."""
+    with np.errstate(over="ignore"):
+        return np.asarray(numbers, dtype=kind).astype(np.float64)
+
+
 def _checked(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, Array, Flags, Flags]:
     """Those that solve; condition numbers; are all legs clear of their axes, are all within their limits."""
     status = _forces(robot, motions, formulation).status

@@ -130,6 +130,12 @@ class Motion(Frozen):
             picked[field.name] = None if value is None else value[(*index, *rest, *own)]
         return Motion(**picked)
 
+    def external_wrench(self) -> Array:
+        """[R F_ext; R M_ext], N and N m, base axes, (..., 6); 0 without a load."""
+        load = [np.zeros(3) if vector is None else vector for vector in (self.F_ext, self.M_ext)]
+        turned = [np.einsum("...ij,...j->...i", self.R, vector) for vector in load]
+        return np.concatenate(turned, axis=-1)
+
     def in_axes(self, Q: Array) -> Motion:
         """Return the motion in base and platform frames turned by a rotation Q, (3, 3): x becomes Q x."""
         vectors = {
@@ -269,6 +275,25 @@ class Motion(Frozen):
             name: None if value is None else finite_array(value, (3,), name) for name, value in given.items()
         }
         return cls(R=R, omega=omega, alpha=alpha, **checked)  # type: ignore[arg-type]
+
+
+def at_rest(
+    R: ArrayLike, t: ArrayLike, F_ext: ArrayLike | None = None, M_ext: ArrayLike | None = None
+) -> Motion:
+    """Poses that are held, under a load: all rates and accelerations are 0."""
+    zero = np.zeros(3)
+    return Motion(R, t, zero, zero, zero, zero, F_ext, M_ext)  # type: ignore[arg-type]
+
+
+def pose_of(value: object, name: str, expected: str) -> Motion:
+    """A pose (R, t) as a motion at rest without accelerations; ValueError that begins with the name."""
+    if not isinstance(value, tuple | list) or len(value) != 2:
+        raise ValueError(f"{name}: expected {expected}, got {type(value).__name__}")
+    R, t = value
+    try:
+        return Motion(R, t, np.zeros(3), np.zeros(3))
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from None
 
 
 def _turns(core: tuple[int, ...], given: dict[str, ArrayLike | None], a: ArrayLike | None) -> list[Array]:

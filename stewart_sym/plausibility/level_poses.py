@@ -9,7 +9,7 @@ from ..dynamics.home_pose import home_pose, level_lengths, radius
 from ..dynamics.inverse import inverse_dynamics
 from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
-from ..motion.motion import Motion
+from ..motion.motion import at_rest
 from ..motion.rotation import rotation_from_vector
 from ..robot.robot import Robot
 
@@ -89,9 +89,7 @@ def home_of(robot: Robot, t: Array) -> Home:
             (R, t), fits = pose, True
             L = np.linalg.norm(t + robot.p @ R.T - robot.b, axis=-1)
             break
-    zero = np.zeros(3)
-    rest = Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero)
-    forces = inverse_dynamics(robot, rest, backend="numpy", on_singular="nan")
+    forces = inverse_dynamics(robot, at_rest(R, t), backend="numpy", on_singular="nan")
     return Home(R, t, L, forces.F, fits)
 
 

@@ -58,7 +58,7 @@ def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[s
     g, _ = wrench(robot, _with(motion, zero, zero, zero, zero))
     # Of rates so slow that no inertial force, their square, is left beside the friction.
     slow = _with(motion, motion.v * _SLOWLY, motion.omega * _SLOWLY, zero, zero)
-    resisted, inertial = (wrench(machine, slow)[0] for machine in (_weightless(robot), _bare(robot)))
+    resisted, inertial = (wrench(machine, slow)[0] for machine in (_without(robot, ("g",)), _bare(robot)))
     C = _coriolis(wrench, robot, motion, M)
     return {"M": M, "C": C, "g": g, "friction": (resisted - inertial) / _SLOWLY, "bias": bias}, status
 
@@ -186,10 +186,6 @@ def _with(motion: Motion, v: Array, omega: Array, a: Array, alpha: Array) -> Mot
 
 def _size(vectors: Array) -> Array:
     return np.asarray(np.sqrt(np.sum(vectors * vectors, axis=-1)))
-
-
-def _weightless(robot: Robot) -> Robot:
-    return _without(robot, ("g",))
 
 
 def _bare(robot: Robot) -> Robot:

@@ -17,7 +17,7 @@ from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..kinematics.inverse import inverse_kinematics, leg_vectors, tip_velocities
-from ..motion.motion import Motion
+from ..motion.motion import Motion, at_rest
 from ..motion.rotation import vector_from_rotation
 from ..motion.straight_line import StraightLinePath
 from ..robot.robot import Robot
@@ -77,8 +77,7 @@ class LegSprings(Frozen):
         k = of_six(stiffness, "stiffness")
         if not k.all():
             raise ValueError("stiffness: expected numbers other than 0, since springs are to hold the weight")
-        zero = np.zeros(3)
-        rest = Motion(pose.R, pose.t, zero, zero, zero, zero, pose.F_ext, pose.M_ext)
+        rest = at_rest(pose.R, pose.t, pose.F_ext, pose.M_ext)
         F = inverse_dynamics(robot, rest).F
         return cls(robot, k, inverse_kinematics(robot, rest).L + F / k, of_six(damping, "damping"))
 
@@ -219,8 +218,7 @@ def along(path: StraightLinePath) -> Wanted:
 
     def wanted(time: float) -> Motion:
         motion = path.sample(min(time, path.tau_f))
-        zero = np.zeros(3)
-        return motion if time < path.tau_f else Motion(motion.R, motion.t, zero, zero, zero, zero)
+        return motion if time < path.tau_f else at_rest(motion.R, motion.t)
 
     return wanted
 

@@ -7,7 +7,8 @@ import numpy as np
 
 from ..io.arguments import number_in
 from ..io.array_types import Array
-from ..kinematics.conditioning import characteristic_length, condition_number
+from ..kinematics.conditioning import condition_number
+from ..kinematics.pose_search import platform_size
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
@@ -127,7 +128,7 @@ class Watch:
 
     @property
     def _size(self) -> float:
-        return _size(self.robot)
+        return platform_size(self.robot)
 
     def _joint_sine(self, s: Array) -> Array:
         if self.robot.base_joint == "spherical":
@@ -165,10 +166,6 @@ class Watch:
         return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
 
 
-def _size(robot: Robot) -> float:
-    return characteristic_length(robot) or 1.0
-
-
 def _scaled_H(legs: LegStates, size: float) -> Array:
     """H^T with its moments over a length, (..., 6, 6)."""
     return np.concatenate([legs.s, cross(legs.q, legs.s) / size], axis=-1)
@@ -176,7 +173,7 @@ def _scaled_H(legs: LegStates, size: float) -> Array:
 
 def det_sign(robot: Robot, state: Motion) -> float:
     """Sign of det H."""
-    return float(np.sign(np.linalg.det(_scaled_H(leg_states(robot, state), _size(robot)))))
+    return float(np.sign(np.linalg.det(_scaled_H(leg_states(robot, state), platform_size(robot)))))
 
 
 def need_between(value: object, name: str, low: float, high: float) -> None:

@@ -201,7 +201,9 @@ class _Run:
                 None if rate is None else six_forces(self.actuators.law(time, motion_of(y, center)), time)
             )
             if sample == 1:
-                self._reject_bad_start(y, center, sampled)
+                if not np.isfinite(self._rates(0.0, y, center, sampled)).all():
+                    raise ValueError(f"initial_state: no accelerations: {self._reason()}")
+                self.fault = 0
             end = duration if rate is None else min(sample / rate, duration)
             while time < end:
                 stop, time, y, center, step = self._chart(pieces, time, end, y, center, step, sampled)
@@ -229,10 +231,10 @@ class _Run:
         while solver.status == "running" and np.linalg.norm(solver.y[3:6]) < CHART_RADIUS:
             solver.step()
             if solver.status == "failed":
-                failure = self._failed(solver.t)
+                text = f"no step is small enough at {solver.t:.9g} s: {self._reason()}"
                 if not pieces:
-                    raise ValueError(f"initial_state: {failure.text}")
-                return failure, failure.time, solver.y, center, step
+                    raise ValueError(f"initial_state: {text}")
+                return Stop("failed", solver.t, None, text), solver.t, solver.y, center, step
             piece = Piece(solver.t_old, solver.t, solver.dense_output(), center, sampled)
             stop = self.watch.first(piece, self.actuators)
             if stop is not None:
@@ -262,14 +264,6 @@ class _Run:
                 raise ValueError(f"load: expected six numbers, [F_ext; M_ext], got shape {wrench.shape}")
             F_ext, M_ext = wrench[:3], wrench[3:]
         return Motion.unchecked(state.R, state.t, state.omega, state.v, F_ext=F_ext, M_ext=M_ext)
-
-    def _reject_bad_start(self, y: Array, center: Array, sampled: Array | None) -> None:
-        if not np.isfinite(self._rates(0.0, y, center, sampled)).all():
-            raise ValueError(f"initial_state: no accelerations: {self._reason()}")
-        self.fault = 0
-
-    def _failed(self, time: float) -> Stop:
-        return Stop("failed", time, None, f"no step is small enough at {time:.9g} s: {self._reason()}")
 
     def _reason(self) -> str:
         return STATUS_TEXT[self.fault] if self.fault else "forces or accelerations grow without bound"

@@ -186,10 +186,10 @@ class Simulation(Trace):
         return sampled_at(self._robot, self._actuators, self._pieces, when)
 
 
-def motion_of(y: Array, center: Array) -> Motion:
-    """The chart's numbers [t; phi; v; omega], (..., 12), as states."""
+def motion_of(y: Array, center: Array, F_ext: Array | None = None, M_ext: Array | None = None) -> Motion:
+    """The chart's numbers [t; phi; v; omega], (..., 12), as states under a load."""
     R = rotation_from_vector(y[..., 3:6]) @ center
-    return Motion.unchecked(R, y[..., :3], omega=y[..., 9:], v=y[..., 6:9])
+    return Motion.unchecked(R, y[..., :3], y[..., 9:], y[..., 6:9], F_ext=F_ext, M_ext=M_ext)
 
 
 class LegStates(NamedTuple):

@@ -3,7 +3,6 @@ function of time, so its roots are found from its sign at all its turning points
 is settled by the rate of H: no singular value changes faster than H does (Weyl).
 """
 
-import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -464,15 +463,14 @@ def _extreme(function: Callable[[Array], Array], points: Array) -> LegExtreme:
     time = np.empty(6)
     for leg, i in enumerate(np.argmin(values, axis=0)):
         low, high = points[max(i - 1, 0)], points[min(i + 1, len(points) - 1)]
-        of_leg = functools.partial(_column, function, leg)
+
+        def of_leg(when: Array, leg: int = leg) -> Array:
+            return np.asarray(function(when)[:, leg])
+
         refined = minimum(of_leg, float(low), float(high))
         given, better = function(np.array([points[i], refined]))[:, leg]
         time[leg] = refined if better < given - _SHALLOW * abs(given) else points[i]
     return LegExtreme(time, np.array([function(time[leg : leg + 1])[0, leg] for leg in range(6)]))
-
-
-def _column(function: Callable[[Array], Array], column: int, times: Array) -> Array:
-    return np.asarray(function(times)[:, column])
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:

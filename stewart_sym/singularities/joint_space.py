@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, instance, real_array
-from ..io.array_types import Array, Flags
+from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from ..kinematics.forward import (
     REASONS,
@@ -28,7 +28,7 @@ from ..kinematics.forward import (
     forward_velocity,
 )
 from ..kinematics.leg_steps import accelerations, jump, step_beyond_rates, times_from_rates
-from ..kinematics.pose_search import ToSingular, newton
+from ..kinematics.pose_search import newton
 from ..motion.interpolation import between
 from ..motion.motion import Motion
 from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
@@ -211,7 +211,9 @@ def _follow(
         progress(f"finding {len(L)} poses", done / len(L))
         here = slice(done, done + len(run.state.twist))
         R[here], t[here], twist[here], rate[here] = run.state.pose.R, run.state.pose.t, *run.state[1:]
-        undecided = np.flatnonzero(_may_be_singular(run.near, noise[here]))
+        # Where noise of the lengths could carry poses through a singular one.
+        open_ = _SURE * np.linalg.norm(run.near.legs * noise[here], axis=-1)
+        undecided = np.flatnonzero(run.near.lengths <= open_)
         if noisy and undecided.size:
             decided = min(decided, max(1, done + int(undecided[0])))
         done, sign = here.stop, run.state.pose.sign[-1]
@@ -237,11 +239,6 @@ def _noise(time: Array, L: Array) -> Array:
         return np.zeros(L.shape)
     shown_noise = np.maximum(rounding_steps(L) / math.sqrt(12.0), white_noise(time, L))
     return np.broadcast_to(shown_noise, L.shape)
-
-
-def _may_be_singular(near: ToSingular, sigma: Array) -> Flags:
-    """Whether noise of lengths, (n, 6), could carry poses through a singular one."""
-    return np.asarray(near.lengths <= _SURE * np.linalg.norm(near.legs * sigma, axis=-1))
 
 
 def _reject_crossings(robot: Robot, time: Array, R: Array, t: Array, twist: Array, rate: Array) -> None:
