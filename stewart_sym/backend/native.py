@@ -12,7 +12,6 @@ import importlib.util
 import json
 import os
 import platform
-import re
 import shlex
 import shutil
 import signal
@@ -117,7 +116,7 @@ def load(
     others may write, is replaced by a temporary folder. Calls into the library release the
     interpreter lock. Loading the same thing again returns the same object.
 
-    Raises CompilerError if there is no compiler, or it fails; ValueError for a bad name or flag.
+    Raises CompilerError if there is no compiler, or it fails; ValueError for a flag that is rejected.
     """
     recipe = _recipe(name, sources, flags, defines)
     key = recipe.key()
@@ -165,7 +164,6 @@ def _recipe(
     defines: Mapping[str, str | int] | None,
     base: Sequence[str] = FLAGS,
 ) -> "_Recipe":
-    _check_names(name, sources)
     compiler = find_compiler()
     if compiler is None:
         raise CompilerError("no C compiler found: install gcc or clang, set CC, or `pip install ziglang`")
@@ -200,16 +198,6 @@ class _Recipe:
             _processor(),
         ]
         return hashlib.sha256(json.dumps(parts).encode()).hexdigest()[:32]
-
-
-def _check_names(name: str, sources: Mapping[str, str]) -> None:
-    if not re.fullmatch(r"\w+", name, re.ASCII):
-        raise ValueError(f"name: expected letters, digits and underscores, got {name!r}")
-    for file in sources:
-        if not re.fullmatch(r"\w[\w.-]*\.[ch]", file, re.ASCII):
-            raise ValueError(f"sources: expected plain file names that end in .c or .h, got {file!r}")
-    if not any(file.endswith(".c") for file in sources):
-        raise ValueError("sources: expected at least one .c file")
 
 
 # --- compilers --------------------------------------------------------------------------------

@@ -13,6 +13,7 @@ import numpy as np
 
 from ..backend import fidelity
 from ..backend.kernel import MOTION
+from ..backend.kernel import robot_numbers as robot_values
 from ..derive.generate import generator_version
 from ..derive.kernel.interface import CALLS
 from ..derive.mechanics import quantities
@@ -86,7 +87,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
         for inputs, status in rejected(robot, choice.level, choice.precision)
     ]
     texts[build.SELFTEST] = selftest(
-        robot.name, symbol, _numbers(robot), tested, cases, unsolvable, generator()
+        robot.name, symbol, robot_values(robot).tolist(), tested, cases, unsolvable, generator()
     )
     texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
@@ -130,13 +131,6 @@ def _limits(robot: Robot) -> dict[str, list[float]]:
     shortest, longest = robot.length_limits.T.tolist()
     force, speed = robot.force_limit.tolist(), robot.speed_limit.tolist()
     return {"shortest": shortest, "longest": longest, "force": force, "speed": speed}
-
-
-def _numbers(robot: Robot) -> list[float]:
-    """Numbers of ``stewart_robot`` in its order, read off the robot and not off the text of the constants."""
-    legs = [(q.name, (i, *key)) for i in range(6) for q in quantities.LEG for key in q.keys]
-    platform = [(q.name, key) for q in quantities.PLATFORM for key in q.keys]
-    return [float(np.asarray(getattr(robot, name))[key]) for name, key in legs + platform]
 
 
 def _has_robot(made: Parts) -> bool:

@@ -17,7 +17,6 @@ import numpy as np
 from ..backend import fidelity as fidelities
 from ..backend.kernel import MOTION, need_representable
 from ..generated.fidelities import FIDELITIES
-from ..io.arguments import instance, option
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.forward import forward_kinematics
@@ -90,10 +89,8 @@ def vectors(
     folded into the code, so they are the robot's own, rounded last. Forward kinematics is tested only where
     lengths settle the pose in that precision, which may be nowhere in "float".
 
-    Raises ValueError naming the argument, and for a robot without a good pose.
+    Arguments are those of a checked ``Choice``. Raises ValueError for a robot without a good pose.
     """
-    instance(robot, Robot, "robot")
-    _check(robot, functions, formulation, precision, count)
     level = fidelities.resolved(robot, formulation, fidelity or "general")
     need_representable(robot, precision)
     return _made(Numbered.of(robot), functions, formulation, level, precision, count, baked)
@@ -152,22 +149,6 @@ def knows_axes(robot: Robot, fidelity: str) -> bool:
     """Whether a level's forces depend on the fixed axes of the universal joints."""
     level = fidelities.resolved(robot, "exact", fidelity)
     return robot.base_joint == "universal" and bool(FIDELITIES[level]["universal"])
-
-
-def _check(robot: Robot, functions: tuple[str, ...], formulation: str, precision: str, count: int) -> None:
-    if not isinstance(functions, tuple):
-        raise ValueError(f"functions: expected a tuple of names, got {functions!r}")
-    for function in functions:
-        option(function, FUNCTIONS, "functions")
-    option(precision, tuple(PRECISIONS), "precision")
-    if not isinstance(count, int) or count < 1:
-        raise ValueError(f"count: expected a whole number >= 1, got {count!r}")
-    closed = [function for function in functions if function in CLOSED_FORM]
-    if closed and (formulation, robot.base_joint) != ("exact", "universal"):
-        raise ValueError(
-            f"functions: {closed[0]} is of exact with universal base joints, not of {formulation} with "
-            f"{robot.base_joint} ones"
-        )
 
 
 def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:

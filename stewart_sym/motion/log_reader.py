@@ -6,9 +6,7 @@ import warnings
 from functools import partial
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from ..io.arguments import finite_array, real_array
 from ..io.array_types import Array
 from ..io.extras import need
 from ..io.progress import Progress, silent
@@ -98,28 +96,6 @@ def read_log(
     written = {name: [columns[c] for c in _components(name)] for name in names}
     log = Log(source, rows, columns["time"], written, form, smoothing)
     return _joint_trajectory(log) if "L" in names else _pose_log(log)
-
-
-def from_poses(
-    time: ArrayLike,
-    t: ArrayLike,
-    theta: ArrayLike,
-    smoothing: Smoothing = AS_SHOWN,
-    source: str = "poses",
-) -> Trajectory:
-    """Return the trajectory of poses over time, differentiated as those of ``read_csv``.
-
-    time: increasing, s, (n,). t: m, theta: angles of (38), rad, (n, 3). source: name in warnings and errors.
-    """
-    when = real_array(time, "time")
-    if when.ndim != 1 or not len(when) or not (np.diff(when) > 0.0).all():
-        raise ValueError(f"time: expected increasing times (n,), got shape {when.shape}")
-    poses = {"t": finite_array(t, (3,), "t"), "theta": finite_array(theta, (3,), "theta")}
-    for name, values in poses.items():
-        if values.shape != (len(when), 3):
-            raise ValueError(f"{name}: expected shape ({len(when)}, 3), got {values.shape}")
-    written = {name: [*values.T] for name, values in poses.items()}
-    return _trajectory(_pose_log(Log(source, range(len(when)), when, written, smoothing=smoothing)))
 
 
 def _trajectory(log: PoseLog) -> Trajectory:

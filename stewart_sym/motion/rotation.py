@@ -117,7 +117,7 @@ def rotation_from_vector(phi: ArrayLike) -> Array:
     half = 0.5 * np.linalg.norm(phi, axis=-1)[..., None, None]
     N = cross_matrix(phi)
     # sin(x)/x in both terms of Rodrigues' formula, as nothing cancels in it.
-    return np.asarray(np.eye(3) + _sinc(2.0 * half) * N + 0.5 * _sinc(half) ** 2 * N @ N)
+    return np.asarray(np.eye(3) + np.sinc(2.0 * half / np.pi) * N + 0.5 * np.sinc(half / np.pi) ** 2 * N @ N)
 
 
 def vector_from_rotation(R: ArrayLike) -> Array:
@@ -138,7 +138,8 @@ def rotation_from_quaternion(e: ArrayLike) -> Array:
 
     R x = e x e^-1. Raises ``ValueError`` for a quaternion of length zero.
     """
-    e = _unit_quaternion(_quaternions(e, "e"))
+    (e,) = _shares(_quaternions(e, "e"))
+    e = e / np.linalg.norm(e, axis=-1, keepdims=True)
     N = cross_matrix(e[..., 1:])
     return np.asarray(np.eye(3) + 2.0 * e[..., :1, None] * N + 2.0 * N @ N)
 
@@ -287,11 +288,6 @@ def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
     return a, b, a_slope, b_slope
 
 
-def _unit_quaternion(e: Array) -> Array:
-    (share,) = _shares(e)
-    return np.asarray(share / np.linalg.norm(share, axis=-1, keepdims=True))
-
-
 def _inverse(e: Array) -> Array:
     return np.asarray(e * np.array([1.0, -1.0, -1.0, -1.0]) / np.sum(e * e, axis=-1, keepdims=True))
 
@@ -309,10 +305,6 @@ def _quaternions(value: ArrayLike, name: str) -> Array:
     if name == "e" and not np.all(np.any(numbers != 0.0, axis=-1)):
         raise ValueError("e: expected a quaternion of a length other than zero")
     return numbers
-
-
-def _sinc(x: Array) -> Array:
-    return np.asarray(np.sinc(x / np.pi))
 
 
 def _trig(theta: Array) -> _Trig:

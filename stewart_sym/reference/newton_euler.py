@@ -107,10 +107,9 @@ def joint_reactions(
     bearing: where M_p is taken, m along the leg from its base point, one number or (6,); None is 0.
 
     Returns `Reactions`, base frame; M_u is along s with fault 2 and along n = k x y without.
-    Raises ValueError when the motion has no accelerations, a fault has an unknown number, or `bearing` is
-    neither a finite number nor six.
+    Raises ValueError when the motion has no accelerations or a fault has an unknown number.
     """
-    l = _bearing(bearing)  # noqa: E741
+    l = np.broadcast_to(0.0 if bearing is None else np.asarray(bearing), 6)[:, None]  # noqa: E741
     with np.errstate(all="ignore"):
         leg, forces = _solve(robot, motion, faults)
         g, s = robot.g, leg.s
@@ -407,19 +406,6 @@ def _known(faults: frozenset[int]) -> frozenset[int]:
     if not faults <= {SPIN, MOMENT, TRANSPORT, SIGN}:
         raise ValueError(f"faults: expected numbers from 1 to 4, got {sorted(faults)}")
     return faults
-
-
-def _bearing(bearing: ArrayLike | None) -> Array:
-    """Distance of the bearing from the base point as a column of legs, (6, 1)."""
-    if bearing is None:
-        return np.zeros((6, 1))
-    try:
-        value = np.asarray(bearing, dtype=np.float64)
-    except (TypeError, ValueError):
-        value = np.array(np.nan)
-    if value.shape not in ((), (6,)) or not np.all(np.isfinite(value)):
-        raise ValueError("bearing: expected a finite number of metres, or six, one for each leg")
-    return np.broadcast_to(value, 6)[:, None]
 
 
 def _leg_faults(robot: Robot, motion: Motion, leg: _Positions) -> Codes:
