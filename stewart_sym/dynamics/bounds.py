@@ -58,7 +58,7 @@ def forces_with_bounds(
 
     The bound is rigorous, short of overflow and underflow. It counts every operation from the robot's numbers
     on (running error analysis: Higham, Accuracy and Stability of Numerical Algorithms, 3.3), each by the
-    slope of the force along its result, and it encloses the solution of H x = c (Rump, Acta Numerica 19
+    derivative of the force by its result, and it encloses the solution of H x = c (Rump, Acta Numerica 19
     (2010), 10). Inputs are taken as given, after they have been rounded to the precision, but for R, which
     stands for the rotation nearest to it.
 

@@ -21,7 +21,7 @@ from ..generated import exact_regressor
 from ..io.arguments import instance, truth
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length
-from ..kinematics.inverse import inverse_kinematics
+from ..kinematics.inverse import inverse_kinematics, joint_sines
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
 from ..robot.robot import LEGS, Robot
@@ -219,5 +219,4 @@ def _random_motion(robot: Robot) -> Motion:
 
 def _regular(robot: Robot, motion: Motion, size: float) -> Flags:
     legs = inverse_kinematics(robot, motion)
-    off_axis = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
-    return np.asarray(np.all((off_axis > _REGULAR) & (legs.L > _REGULAR * size), axis=-1))
+    return np.asarray(np.all((joint_sines(robot, legs.s) > _REGULAR) & (legs.L > _REGULAR * size), axis=-1))

@@ -169,6 +169,25 @@ def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
     return q, S, np.linalg.norm(S, axis=-1)
 
 
+def length_rows(q: Array, S: Array, L: Array) -> Array:
+    """Rates of the lengths by shift and turn of the platform, (..., 6, 6): H^T, (5).
+
+    A leg of length zero has no direction: its row is 0 and makes the matrix singular.
+    """
+    s = S / np.where(L > 0.0, L, 1.0)[..., None]
+    return np.concatenate([s, cross(q, s)], axis=-1)
+
+
+def joint_sines(robot: Robot, s: Array) -> Array:
+    """Sines of the angles between legs along s, (..., 6, 3), and their universal axes, (..., 6).
+
+    1 with spherical base joints.
+    """
+    if robot.base_joint == "spherical":
+        return np.ones(s.shape[:-1])
+    return np.asarray(np.linalg.norm(cross(robot.k, s), axis=-1))
+
+
 def tip_velocities(motion: Motion, q: Array) -> Array:
     """Return S_dot of (4), m/s, base frame, (..., 6, 3), of platform points at q (..., 6, 3)."""
     return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
@@ -179,8 +198,7 @@ def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> Flags:
 
     Clear: the sine of the angle between k and s is ``MIN_JOINT_SINE`` or more.
     """
-    sines = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
-    return np.asarray((sines >= MIN_JOINT_SINE).all(axis=-1) | (robot.base_joint == "spherical"))
+    return np.asarray((joint_sines(robot, legs.s) >= MIN_JOINT_SINE).all(axis=-1))
 
 
 def _legs(robot: Robot, motion: Motion, wanted: Sequence[str]) -> dict[str, Any]:

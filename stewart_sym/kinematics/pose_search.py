@@ -1,7 +1,5 @@
 """The search for poses of given leg lengths: Newton's damped steps from likely starts."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -19,7 +17,7 @@ from ..motion.rotation import (
 )
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
-from .inverse import ROUNDING, leg_vectors
+from .inverse import ROUNDING, leg_vectors, length_rows
 from .mounting import base_normal, upright
 
 Poses = tuple[Array, Array]
@@ -68,7 +66,7 @@ class Found(NamedTuple):
     iterations: NDArray[np.int64]
     found: Flags
 
-    def at(self, where: NDArray[np.intp]) -> Found:
+    def at(self, where: NDArray[np.intp]) -> "Found":
         """What was found from some of the starts, as copies."""
         return Found(
             self.R[where], self.t[where], self.residual[where], self.iterations[where], self.found[where]
@@ -248,13 +246,6 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
         q, _, now = leg_vectors(robot, R, t)
         residual = np.max(np.abs(L - now), axis=-1)
     return Found(R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t))
-
-
-def length_rows(q: Array, S: Array, L: Array) -> Array:
-    """Rates of the lengths by shift and turn of the platform, (..., 6, 6); (5)."""
-    # A leg of length zero has no direction: its row is 0 and makes J singular.
-    s = S / np.where(L > 0.0, L, 1.0)[..., None]
-    return np.concatenate([s, cross(q, s)], axis=-1)
 
 
 def _reach(robot: Robot, q: Array, t: Array) -> Array:

@@ -132,7 +132,7 @@ def _derivatives(
     return found, noise
 
 
-# Noise that is not told: shares of the largest acceleration, gravity's at least, and of the path.
+# Noise without a warning: shares of the largest acceleration, gravity's at least, and of the path.
 _LITTLE, _PATH = 1e-3, 1e-6
 _GRAVITY = 9.81
 _CORRELATED = (

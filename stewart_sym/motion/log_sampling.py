@@ -56,10 +56,10 @@ def _regular(size: Array, quiet: float, count: int, offset: int) -> Rows | None:
     if usual < 2.0 or np.mean(alike) < _REGULAR or np.min(gaps) < 0.5 * usual:
         return None
     every = max(2, round(usual))
-    told = rows + offset
-    missing = [np.arange(a + every, b - every // 2, every) for a, b in itertools.pairwise(told)]
-    before, after = np.arange(told[0] - every, -1, -every), np.arange(told[-1] + every, count, every)
-    return np.unique(np.concatenate([before, told, after, *missing]))
+    seen = rows + offset
+    missing = [np.arange(a + every, b - every // 2, every) for a, b in itertools.pairwise(seen)]
+    before, after = np.arange(seen[0] - every, -1, -every), np.arange(seen[-1] + every, count, every)
+    return np.unique(np.concatenate([before, seen, after, *missing]))
 
 
 def spread(time: Array, rows: Rows, found: Array) -> Array:

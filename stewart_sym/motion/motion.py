@@ -189,17 +189,9 @@ class Motion(Frozen):
         theta, theta_dot, theta_ddot: (theta_x, theta_y, theta_z) and rates, rad, rad/s, rad/s^2, (..., 3).
         a and theta_ddot are given together or not at all.  F_ext, M_ext as in ``Motion``.
         """
-        if (a is None) != (theta_ddot is None):
-            missing = "a" if a is None else "theta_ddot"
-            raise ValueError(f"{missing}: expected both accelerations, a and theta_ddot, or neither")
-        angles = {
-            "theta": finite_array(theta, (3,), "theta"),
-            "theta_dot": finite_array(theta_dot, (3,), "theta_dot"),
-        }
-        if theta_ddot is not None:
-            angles["theta_ddot"] = finite_array(theta_ddot, (3,), "theta_ddot")
-        shape = _leading_shape(angles)
-        theta, theta_dot, *second = (np.broadcast_to(array, (*shape, 3)) for array in angles.values())
+        turns = _turns((3,), {"theta": theta, "theta_dot": theta_dot, "theta_ddot": theta_ddot}, a)
+        *shape, _ = np.broadcast_shapes(*(array.shape for array in turns))
+        theta, theta_dot, *second = (np.broadcast_to(array, (*shape, 3)) for array in turns)
         R, omega, alpha = rpy_motion(theta, theta_dot, second[0] if second else None)
         given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
         checked = {
@@ -280,7 +272,7 @@ class Motion(Frozen):
 def at_rest(
     R: ArrayLike, t: ArrayLike, F_ext: ArrayLike | None = None, M_ext: ArrayLike | None = None
 ) -> Motion:
-    """Poses that are held, under a load: all rates and accelerations are 0."""
+    """Poses at rest, under a load: all rates and accelerations are 0."""
     zero = np.zeros(3)
     return Motion(R, t, zero, zero, zero, zero, F_ext, M_ext)  # type: ignore[arg-type]
 

@@ -261,10 +261,12 @@ def cross_matrix(vector: Array) -> Array:
 
 def _turning(phi: Array, phi_dot: Array) -> Array:
     """What alpha has of phi' alone."""
-    _, b, a_slope, b_slope = _vector_factors(phi)
+    _, b, a_by_square, b_by_square = _vector_factors(phi)
     growth = 2.0 * np.sum(phi * phi_dot, axis=-1, keepdims=True)
     once = cross(phi, phi_dot)
-    return np.asarray(growth * (a_slope * once + b_slope * cross(phi, once)) + b * cross(phi_dot, once))
+    return np.asarray(
+        growth * (a_by_square * once + b_by_square * cross(phi, once)) + b * cross(phi_dot, once)
+    )
 
 
 def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
@@ -282,10 +284,10 @@ def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
     )
     series = (_A, _B, polynomial.polyder(_A), polynomial.polyder(_B))
     pairs = zip(closed, series, strict=True)
-    a, b, a_slope, b_slope = (
+    a, b, a_by_square, b_by_square = (
         np.where(square < 1.0, polynomial.polyval(small, terms), far) for far, terms in pairs
     )
-    return a, b, a_slope, b_slope
+    return a, b, a_by_square, b_by_square
 
 
 def _inverse(e: Array) -> Array:

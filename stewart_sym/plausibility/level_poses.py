@@ -9,6 +9,7 @@ from ..dynamics.home_pose import home_pose, level_lengths, radius
 from ..dynamics.inverse import inverse_dynamics
 from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
+from ..kinematics.inverse import length_rows
 from ..motion.motion import at_rest
 from ..motion.rotation import rotation_from_vector
 from ..robot.robot import Robot
@@ -43,9 +44,8 @@ def centred_H(b: Array, p: Array, R: Array, t: Array) -> tuple[Array, Array]:
     q = p @ np.swapaxes(R, -1, -2)
     S = q + t[..., None, :] - b
     L = np.linalg.norm(S, axis=-1)
-    s = S / np.where(L > 0.0, L, 1.0)[..., None]
     arm = (q - q.mean(axis=-2, keepdims=True)) / (radius(p) or 1.0)
-    return np.swapaxes(np.concatenate([s, np.cross(arm, s)], axis=-1), -1, -2), L
+    return np.swapaxes(length_rows(arm, S, L), -1, -2), L
 
 
 def level_home(robot: Robot) -> Array:
@@ -125,8 +125,7 @@ def _pose_within(robot: Robot, t: Array, low: Array, high: Array) -> tuple[Array
             miss = np.clip(L, low, high) - L
             if np.abs(miss).max() <= 1e-9 * L.max():
                 return R, r - R @ offset
-            s = S / np.where(L > 0.0, L, 1.0)[:, None]
-            J = np.concatenate([s, np.cross(q, s)], axis=-1) / unit
+            J = length_rows(q, S, L) / unit
             step = np.linalg.solve(J.T @ J + 1e-4 * np.eye(6), J.T @ miss) / unit
             step *= min(1.0, 0.3 / max(float(np.abs(step[3:]).max()), 0.3))
             R, r = rotation_from_vector(step[3:]) @ R, r + step[:3]

@@ -1,4 +1,4 @@
-"""Fixed steps: states under held forces carried on by a Runge-Kutta method on rotations, many side by side.
+"""Fixed steps: states under constant forces carried on by a Runge-Kutta method on rotations, many at once.
 
 Needs NumPy alone.
 """

@@ -8,6 +8,7 @@ import numpy as np
 from ..io.arguments import number_in
 from ..io.array_types import Array
 from ..kinematics.conditioning import condition_number
+from ..kinematics.inverse import joint_sines
 from ..kinematics.pose_search import platform_size
 from ..motion.motion import Motion
 from ..motion.rotation import cross
@@ -114,7 +115,7 @@ class Watch:
             robot.speed_limit - np.abs(legs.L_dot),
             self.force_limit - np.abs(F),
             legs.L - shortest,
-            self._joint_sine(legs.s) - self.thresholds.min_joint_sine,
+            joint_sines(robot, legs.s) - self.thresholds.min_joint_sine,
             *self._singular_margins(legs),
         ]
         return np.concatenate(margins, axis=-1)
@@ -129,11 +130,6 @@ class Watch:
     @property
     def _size(self) -> float:
         return platform_size(self.robot)
-
-    def _joint_sine(self, s: Array) -> Array:
-        if self.robot.base_joint == "spherical":
-            return np.ones(s.shape[:-1])
-        return np.asarray(np.linalg.norm(cross(self.robot.k, s), axis=-1))
 
     def _condition(self, legs: LegStates) -> Array:
         return condition_number(_scaled_H(legs, self._size))

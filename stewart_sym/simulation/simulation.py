@@ -39,7 +39,7 @@ from .trace import (
 
 Method = Literal["DOP853", "Radau"]
 Progress = Callable[[float], None]
-"""Is told the share that is done, 0 to 1."""
+"""Called with the share that is done, 0 to 1."""
 OnForceLimit = Literal["stop", "saturate"]
 METHODS = ("DOP853", "Radau")
 ON_FORCE_LIMIT = ("stop", "saturate")

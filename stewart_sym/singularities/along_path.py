@@ -16,7 +16,7 @@ from ..dynamics.inverse import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, moments_over
-from ..kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix_rate
+from ..kinematics.inverse import ROUNDING, joint_sines, leg_vectors, wrench_matrix_rate
 from ..motion.interpolation import Path
 from ..motion.motion import Motion
 from ..motion.rotation import cross
@@ -444,11 +444,8 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
     filled = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
 
     def sine(when: Array) -> Array:
-        if robot.base_joint == "spherical":
-            return np.ones((len(when), 6))
         _, S, L = leg_vectors(robot, *_pose(path(when)))
-        across = np.linalg.norm(cross(robot.k, S), axis=-1)
-        return np.asarray(across / np.where(L > 0.0, L, 1.0))
+        return joint_sines(robot, S / np.where(L > 0.0, L, 1.0)[..., None])
 
     def length(when: Array) -> Array:
         return leg_vectors(robot, *_pose(path(when)))[2]

@@ -1,7 +1,5 @@
 """Poses of leg lengths from the pose of the sample before, in steps that keep to one assembly mode."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple, TypeVar
 
