@@ -1,6 +1,6 @@
 """What the dynamics functions return: plain records of arrays, the same for every backend.
 
-Their arrays belong to the caller, who may write to them: nothing else holds them.
+Their arrays belong to the caller, who may write to them: nothing else refers to them.
 """
 
 from dataclasses import dataclass
@@ -42,7 +42,7 @@ class Forces:
         0 where the pose was solved, else a code of ``STATUS_TEXT``; int, (...).
     wrench_error : ndarray, optional
         c - H x, N and N m, (..., 6): by how much the wrench of F exceeds the one that the motion needs. 0
-        where H x = c was solved, NaN where the pose is unsolvable; None unless damping was asked for.
+        where H x = c was solved, NaN where the pose is unsolvable; None without damping.
     """
 
     F: NDArray[np.float64]

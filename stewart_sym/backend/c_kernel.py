@@ -2,6 +2,8 @@
 
 import ctypes
 import functools
+import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from importlib.resources import files
 from typing import Any
@@ -10,14 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..generated.interface import HEADERS, OUTPUTS
+from ..io.array_types import Array, Codes
 from ..io.frozen import Frozen, read_only
 from ..motion.motion import Motion
 from ..results import Forces, Reactions
 from ..robot.robot import Robot
 from . import native
 from .kernel import MOTION, kernel_name, robot_numbers
-
-Array = NDArray[np.float64]
 
 
 def c_sources(name: str) -> dict[str, str]:
@@ -62,29 +63,36 @@ class CKernel(Frozen):
         outputs, status = self._run("joint_reactions", motion, np.ascontiguousarray(bearing))
         return Reactions(**outputs, status=status)
 
-    def _run(
-        self, function: str, motion: Motion, bearing: Array | None
-    ) -> tuple[dict[str, Array], NDArray[np.int32]]:
-        inputs = [contiguous(getattr(motion, name)) for name in MOTION]
+    def _run(self, function: str, motion: Motion, bearing: Array | None) -> tuple[dict[str, Array], Codes]:
         outputs = {
             name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[function].items()
         }
         status = np.zeros(motion.shape, dtype=np.int32)
-        call = getattr(library(self.name), f"stewart_{self.name}_{function}_batch")
-        call(
-            address(self.numbers),
-            ctypes.c_size_t(status.size),
-            (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
-            *([] if bearing is None else [address(bearing)]),
-            (ctypes.c_void_p * len(outputs))(*[address(array) for array in outputs.values()]),
-            address(status),
-        )
+        code = getattr(library(self.name), f"stewart_{self.name}_{function}_batch")
+        given = [] if bearing is None else [address(bearing)]
+        call(code, self.numbers, motion, *given, pointers(outputs.values()), address(status))
         return outputs, status
 
 
-def contiguous(array: Array | None) -> Array | None:
-    """The array as C takes it; None for None."""
-    return None if array is None else np.ascontiguousarray(array)
+def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:
+    """Call a C function of many poses with a robot's numbers, a motion in their precision, and what follows.
+
+    Returns what the function returns.
+    """
+    with np.errstate(over="ignore"):
+        inputs = [contiguous(getattr(motion, name), model.dtype) for name in MOTION]
+    return function(address(model), ctypes.c_size_t(math.prod(motion.shape)), pointers(inputs), *arguments)
+
+
+def pointers(arrays: Iterable[Array | None]) -> Any:
+    """The addresses of arrays as C takes them: a structure of pointers."""
+    found = [address(array) for array in arrays]
+    return (ctypes.c_void_p * len(found))(*found)
+
+
+def contiguous(array: Array | None, dtype: Any = None) -> Array | None:
+    """The array as C takes it, of another type if one is given; None for None."""
+    return None if array is None else np.ascontiguousarray(array, dtype=dtype)
 
 
 def address(array: NDArray[Any] | None, entries: int = 0) -> ctypes.c_void_p:

@@ -4,13 +4,11 @@ import importlib
 from types import ModuleType
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..generated.interface import STRUCTS
 from ..io.arguments import option
+from ..io.array_types import Array
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 FORMULATIONS = ("exact", "paper")
 MOTION = STRUCTS["motion"]
@@ -37,7 +35,7 @@ def robot_numbers(robot: Robot) -> Array:
     return np.concatenate([legs.ravel(), *platform])
 
 
-def need_held(robot: Robot, precision: str) -> None:
+def need_representable(robot: Robot, precision: str) -> None:
     """Raise ValueError naming the first constant that is too large for ``precision``, "double" or "float"."""
     largest = float(np.finfo(np.float64 if precision == "double" else np.float32).max)
     for name in (*LEG, *PLATFORM):
@@ -50,7 +48,7 @@ def need_held(robot: Robot, precision: str) -> None:
 
 def overflows(robot: Robot, precision: str) -> ValueError:
     """The error for constants that were too large to be prepared."""
-    need_held(robot, precision)
+    need_representable(robot, precision)
     return ValueError(f"robot: expected constants whose products {precision} can hold, some overflow")
 
 

@@ -8,15 +8,13 @@ from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..generated.interface import OUTPUTS
+from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
 from ..results import OK, Forces, Reactions
 from ..robot.robot import Robot
 from .kernel import LEG, MOTION, PLATFORM, columns, kernel_name, module, stored
-
-Array = NDArray[np.float64]
 
 # Poses that the NumPy kernels take at once: arrays of more leave the processor's nearer memory.
 _AT_ONCE = 1024
@@ -96,7 +94,7 @@ def on_arrays(
     robot: SimpleNamespace,
     motion: Motion,
     shapes: Mapping[str, tuple[int, ...]],
-) -> tuple[dict[str, Array], NDArray[np.int32]]:
+) -> tuple[dict[str, Array], Codes]:
     """What a function of a generated module finds for every pose: arrays of these shapes, NaN where the
     status is not 0, and the status.
 
@@ -119,7 +117,7 @@ def on_arrays(
     return shaped, status.reshape(motion.shape)
 
 
-def _blank(found: Mapping[str, Array], status: NDArray[np.int32]) -> None:
+def _blank(found: Mapping[str, Array], status: Codes) -> None:
     """NaN where a status is not 0."""
     bad = status != OK
     if bad.any():

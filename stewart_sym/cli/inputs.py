@@ -43,12 +43,11 @@ def trajectory_of(
     from ..motion.log_reader import read_log
     from ..motion.trajectory import Smoothing
 
-    progress("reading the trajectory")
     smoothing = Smoothing(
         arguments.noise_position, arguments.noise_angle, arguments.cutoff, arguments.smoothing
     )
     trajectory = poses_of(
-        robot, read_log(source, log_format(arguments), smoothing), arguments.start, progress
+        robot, read_log(source, log_format(arguments), smoothing, progress), arguments.start, progress
     )
     return trajectory if arguments.rate is None else resampled(trajectory, arguments.rate)
 
@@ -88,9 +87,8 @@ def poses_of(
         if doubt is not None:
             warnings.warn(f"{log.source}: {doubt}", stacklevel=2)
     if isinstance(log, JointTrajectory):
-        progress(f"finding {len(log.time)} poses")
         guess = None if start is None else (rotation_from_rpy(start[3:]), start[:3])
-        return on_platform(robot, log, guess)
+        return on_platform(robot, log, guess, progress)
     if start is not None:
         raise ValueError("--start: is for a trajectory of leg lengths, this one is of poses")
     return log

@@ -84,7 +84,7 @@ class ArrayKernel(Frozen):
         source, on_numpy = module(f"{name}_arrays"), module("arithmetic").Arithmetic(np)
         on = module("arithmetic").Arithmetic(self.xp, self.dtype)
         with np.errstate(all="ignore"):
-            model = source.prepare(on_numpy, _numbers(source.Robot(), self.robot))
+            model = source.prepare(on_numpy, robot_structure(source.Robot(), self.robot))
         if model.status != OK:
             raise overflows(self.robot, "double")
         made = {"_source": source, "_on": on, "_model": _converted(model, on), "dtype": on.type}
@@ -143,7 +143,7 @@ class ArrayKernel(Frozen):
         motion = self._source.motion_of(self._on, **given)
         with np.errstate(all="ignore"):
             found = getattr(self._source, function)(self._on, self._model, motion, *more)
-        return {name: _stacked(self.xp, getattr(found, name), shape) for name in kind._fields}
+        return {name: stacked(self.xp, getattr(found, name), shape) for name in kind._fields}
 
     def _array(self, name: str, value: Any) -> Any:
         """An argument as the library's array of real numbers, its shape checked."""
@@ -194,16 +194,20 @@ def array_kernel(robot: Robot, xp: Any, formulation: Formulation = "exact", dtyp
     return ArrayKernel(robot, xp, formulation, dtype)
 
 
-def _numbers(made: Any, robot: Robot) -> Any:
-    """The robot as the generated module stores it."""
-    for name in vars(made):
-        if name == "leg":
-            for i, leg in enumerate(made.leg):
-                for part in vars(leg):
-                    setattr(leg, part, stored(np.asarray(getattr(robot, part)[i])).tolist())
-        else:
-            setattr(made, name, stored(np.asarray(getattr(robot, name))).tolist())
+def robot_structure(made: Any, robot: Any) -> Any:
+    """A generated module's structure filled with a robot's numbers, legs first; (6,) of symmetric tensors."""
+    for i, leg in enumerate(made.leg):
+        for name in vars(leg):
+            setattr(leg, name, _components(getattr(robot, name)[i]))
+    for name in vars(made).keys() - {"leg"}:
+        setattr(made, name, _components(getattr(robot, name)))
     return made
+
+
+def _components(value: Any) -> Any:
+    """A quantity of no or one index as it is stored, a number or a list of them."""
+    components = stored(np.asarray(value))
+    return list(components) if components.shape else components[()]
 
 
 def _converted(value: Any, on: Any) -> Any:
@@ -218,7 +222,7 @@ def _converted(value: Any, on: Any) -> Any:
     return on.real(float(value))
 
 
-def _stacked(xp: Any, value: Any, shape: tuple[int, ...]) -> Any:
+def stacked(xp: Any, value: Any, shape: tuple[int, ...]) -> Any:
     """Lists of arrays, one for each component, as one array (*shape, ...)."""
     dims: tuple[int, ...] = ()
     parts = [value]

@@ -3,15 +3,14 @@
 Lays arrays out for the C of ``stewart_exact_bounds.h``, where all bounding is done.
 """
 
-import ctypes
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.c_kernel import address, library
-from ..backend.kernel import MOTION, kernel_name, overflows, robot_numbers
+from ..backend.c_kernel import address, call, library
+from ..backend.kernel import kernel_name, overflows, robot_numbers
 from ..generated.interface import MODELS
 from ..io.arguments import option
 from ..io.error_policy import ON_FAULT, OnFault
@@ -59,7 +58,7 @@ def forces_with_bounds(
 
     The bound is rigorous, short of overflow and underflow. It counts every operation from the robot's numbers
     on (running error analysis: Higham, Accuracy and Stability of Numerical Algorithms, 3.3), each by the
-    slope of the force along its result, and it encloses the solution of H x = c (Rump, Acta Numerica 19
+    derivative of the force by its result, and it encloses the solution of H x = c (Rump, Acta Numerica 19
     (2010), 10). Inputs are taken as given, after they have been rounded to the precision, but for R, which
     stands for the rotation nearest to it.
 
@@ -95,16 +94,11 @@ def forces_with_bounds(
 
 
 def _run(model: Array, motion: Motion, precision: Precision) -> ForceBounds:
-    inputs = [_laid_out(getattr(motion, name), model.dtype) for name in MOTION]
     F, bound = (np.full((*motion.shape, 6), np.nan, dtype=model.dtype) for _ in range(2))
     rcond = np.full(motion.shape, np.nan, dtype=model.dtype)
     status = np.zeros(motion.shape, dtype=np.int32)
-    _function(precision, "forces_bounded_batch")(
-        address(model),
-        ctypes.c_size_t(status.size),
-        (ctypes.c_void_p * len(inputs))(*map(address, inputs)),
-        *map(address, (F, bound, rcond, status)),
-    )
+    code = _function(precision, "forces_bounded_batch")
+    call(code, model, motion, *map(address, (F, bound, rcond, status)))
     return ForceBounds(F, bound, rcond, status)
 
 
@@ -117,11 +111,6 @@ def _prepared(robot: Robot, precision: Precision) -> Array:
     if _function(precision, "bounds_prepare")(address(numbers), address(model)) != OK:
         raise overflows(robot, precision)
     return model
-
-
-def _laid_out(array: Array | None, dtype: Any) -> Array | None:
-    with np.errstate(over="ignore"):
-        return None if array is None else np.ascontiguousarray(array, dtype=dtype)
 
 
 def _function(precision: Precision, what: str) -> Any:

@@ -6,24 +6,25 @@ Takes checked robots and motions, hands arrays to the generated code and its res
 
 import ctypes
 import functools
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol, get_args
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend import c_kernel, native
-from ..backend.c_kernel import address, contiguous
-from ..backend.kernel import MOTION, module, stored
+from ..backend.c_kernel import address, call, contiguous, pointers
+from ..backend.kernel import module
 from ..backend.numpy_kernel import loaded
 from ..generated.interface import OUTPUTS as _OUTPUTS
 from ..generated.interface import STRUCTS
+from ..io.array_types import Array
 from ..motion.motion import Motion
+from ..results import OK
 from ..robot.robot import Robot
+from .arrays import robot_structure, stacked
 from .forces import ForceKernel, prepare
 
-Array = NDArray[np.float64]
 What = Literal["equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation"]
 
 NAME = "exact"
@@ -65,47 +66,29 @@ class CClosedForm:
         """See ``ClosedForm``."""
         outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[what].items()}
         status = np.zeros(motion.shape, dtype=np.int32)
-        inputs = [contiguous(getattr(motion, name)) for name in MOTION]
         forces = [] if F is None else [contiguous(F)]
-        targets = [address(array) for array in outputs.values()]
-        getattr(library(), f"stewart_{NAME}_{what}_batch")(
-            address(self._forces.model),
-            ctypes.c_size_t(status.size),
-            (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
-            *(address(array) for array in forces),
-            (ctypes.c_void_p * len(targets))(*targets) if what in STRUCTS else targets[0],
-            address(status),
-        )
+        (*targets,) = [pointers(outputs.values())] if what in STRUCTS else map(address, outputs.values())
+        code = getattr(library(), f"stewart_{NAME}_{what}_batch")
+        call(code, self._forces.model, motion, *map(address, forces), *targets, address(status))
         return {**outputs, "status": status}
 
-    def one_pose(self) -> "OneState":
-        """Buffers for the forward dynamics of one state at a time, for loops."""
-        return OneState(self)
+    def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
+        """Forward dynamics of one state at a time, for loops: see ``ForwardDynamics.one_state``."""
+        numbers, forces, x = np.zeros(30), np.zeros(6), np.empty(6)
+        R, t, omega, v, _, _, F_ext, M_ext = np.split(numbers, np.arange(9, 30, 3))
+        nothing, code = np.zeros(3), getattr(library(), f"stewart_{NAME}_forward_dynamics")
+        # Looked up once; the arrays live as long as the function below.
+        addresses = [address(array) for array in (self._forces.model, numbers, forces, x)]
 
+        def solve(motion: Motion, F: Array) -> tuple[Array, int]:
+            R[:], t[:], omega[:], v[:] = motion.R.ravel(), motion.t, motion.omega, motion.v
+            F_ext[:] = nothing if motion.F_ext is None else motion.F_ext
+            M_ext[:] = nothing if motion.M_ext is None else motion.M_ext
+            forces[:] = F
+            status = int(code(*addresses))
+            return (x.copy() if status == OK else np.full(6, np.nan)), status
 
-@dataclass(frozen=True, eq=False)
-class OneState:
-    """Buffers of one state under forces: fill ``numbers`` and ``F``, ``solve``, read ``acceleration``.
-
-    numbers: R (9), t, omega, v (3 each), alpha, a (3 each, not read), F_ext, M_ext (3 each), (30,); F: N,
-    (6,); acceleration: [a; alpha], (6,). ``solve`` returns the status and leaves the acceleration as it was
-    if that is not 0.
-    """
-
-    kernel: CClosedForm
-    numbers: Array = field(default_factory=lambda: np.zeros(30))
-    F: Array = field(default_factory=lambda: np.zeros(6))
-    acceleration: Array = field(default_factory=lambda: np.full(6, np.nan))
-
-    def __post_init__(self) -> None:
-        """Look the function and the addresses up once; the buffers live as long as this object."""
-        arrays = (self.kernel._forces.model, self.numbers, self.F, self.acceleration)
-        object.__setattr__(self, "_call", getattr(library(), f"stewart_{NAME}_forward_dynamics"))
-        object.__setattr__(self, "_addresses", tuple(address(array) for array in arrays))
-
-    def solve(self) -> int:
-        """Compute the acceleration from the numbers in place; returns the status."""
-        return int(self._call(*self._addresses))  # type: ignore[attr-defined]
+        return solve
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,30 +119,7 @@ class NumpyClosedForm:
         with np.errstate(all="ignore"):
             result = getattr(source, what)(self._on, self._model, given, *forces)
         shape = motion.t.shape[:-1]
-        found = {name: _stacked(value, shape) for name, value in vars(result).items()}
+        found = {name: stacked(np, value, shape) for name, value in vars(result).items()}
         if "alpha" in found:
             found["acceleration"] = np.concatenate([found.pop("a"), found.pop("alpha")], axis=-1)
         return {name: found[name] for name in OUTPUTS[what]} | {"status": found["status"].astype(np.int32)}
-
-
-def robot_structure(made: Any, robot: Any) -> Any:
-    """A generated module's structure filled with a robot's numbers, legs first; (6,) of symmetric tensors."""
-    for i, leg in enumerate(made.leg):
-        for name in vars(leg):
-            setattr(leg, name, _parts(getattr(robot, name)[i]))
-    for name in vars(made).keys() - {"leg"}:
-        setattr(made, name, _parts(getattr(robot, name)))
-    return made
-
-
-def _parts(value: Any) -> Any:
-    """A quantity of no or one index as it is stored, a number or a list of them."""
-    held = stored(np.asarray(value))
-    return list(held) if held.shape else held[()]
-
-
-def _stacked(value: Any, shape: tuple[int, ...]) -> NDArray[Any]:
-    """Lists of arrays, one for each component, as one array (*shape, ...)."""
-    if isinstance(value, list):
-        return np.stack([_stacked(each, shape) for each in value], axis=len(shape))
-    return np.broadcast_to(value, shape)

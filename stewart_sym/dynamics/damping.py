@@ -5,16 +5,12 @@ the directions that are all but lost, by as much as their singular values ask fo
 of Maciejewski and Klein, J. Robotic Systems 5 (1988) 527-552.
 """
 
-from __future__ import annotations
-
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ..io.arguments import real_array, shown
+from ..io.arguments import number_in, real_array
 from ..kinematics.conditioning import moments_over
 from ..results import DampedSolution
-
-Array = NDArray[np.float64]
 
 SHARE = float(np.finfo(np.float64).eps) ** 0.25
 """Share of the largest singular value below which one is damped: rounding in a singular value of 0 then moves
@@ -51,8 +47,7 @@ def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SH
     ValueError
         Naming the argument.
     """
-    if isinstance(share, bool) or not (isinstance(share, int | float) and 0.0 < share < 1.0):
-        raise ValueError(f"share: expected a number > 0 and < 1, got {shown(share)}")
+    share = number_in(share, "share", "a number > 0 and < 1", high=1.0)
     scaled, wrench = moments_over(H, length), real_array(c, "c", "wrenches of shape (..., 6)")
     if wrench.shape[-1:] != (6,):
         raise ValueError(f"c: expected wrenches of shape (..., 6), got shape {wrench.shape}")

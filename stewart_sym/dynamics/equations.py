@@ -3,17 +3,16 @@
 Turns a status into an error, a warning or NaN.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
-from ..io.arguments import instance, option, real_array
+from ..io.arguments import instance, leading_shape, option, real_array
+from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
 from ..kinematics.inverse import leg_vectors, wrench_matrix
 from ..motion.motion import Motion
@@ -43,9 +42,6 @@ from .inverse import (
     report_faults,
     with_compiler,
 )
-
-Array = NDArray[np.float64]
-Codes = NDArray[np.int32]
 
 
 def equations_of_motion(
@@ -104,10 +100,8 @@ def force_derivatives(
     motion : Motion
         With accelerations. Other arguments: as for ``inverse_dynamics``. Poses move by [dt; dphi], R becoming
         exp([dphi]x) R; the load moves with the platform.
-    backend : {"c", "numpy"}, optional
-        What computes.
-    on_singular : {"raise", "nan", "warn"}, optional
-        What to do about unsolvable poses, as for ``inverse_dynamics``.
+    backend, on_singular : str, optional
+        As for ``inverse_dynamics``: "c" or "numpy"; nothing is damped.
 
     Returns
     -------
@@ -144,10 +138,8 @@ def linearise(
         ``forward_dynamics``; spherical base joints are rejected.
     F : array_like
         Actuator forces, N, (..., 6).
-    backend : {"c", "numpy"}, optional
-        What computes.
-    on_singular : {"raise", "nan", "warn"}, optional
-        What to do about unsolvable poses, as for ``inverse_dynamics``.
+    backend, on_singular : str, optional
+        As for ``inverse_dynamics``: "c" or "numpy"; nothing is damped.
 
     Returns
     -------
@@ -182,12 +174,8 @@ def forward_dynamics(
         machine whose inertias belong to no body may be unsolvable.
     F : array_like
         Actuator forces, N, (..., 6).
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    backend : {"c", "numpy", "reference"}, optional
-        What computes.
-    on_singular : {"raise", "nan", "warn"}, optional
-        What to do about unsolvable poses, as for ``inverse_dynamics``.
+    formulation, backend, on_singular : str, optional
+        As for ``inverse_dynamics``, but nothing is damped.
 
     Returns
     -------
@@ -223,12 +211,8 @@ def joint_space_inertia(
         The machine.
     motion : Motion
         Motion of the platform, any leading shape.
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    backend : {"c", "numpy", "reference"}, optional
-        What computes.
-    on_singular : {"raise", "nan", "warn"}, optional
-        What to do about unsolvable poses, as for ``inverse_dynamics``.
+    formulation, backend, on_singular : str, optional
+        As for ``inverse_dynamics``, but nothing is damped.
 
     Returns
     -------
@@ -283,20 +267,18 @@ class ForwardDynamics:
         with np.errstate(all="ignore"):
             M, bias, status = inertia_and_bias(self._wrench, self.robot, motion)
             rest = _wrench_of(self.robot, motion, F) - bias
-            finite = np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1)
-            status = np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
+            status = _not_finite(status, np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1))
             x, definite = solve_positive(M, rest)
             if self.backend == "reference":
                 x, definite = self._at_50_digits(motion, F, M, x, definite & (status == OK), status == OK)
             status = np.where((status == OK) & ~definite, INDEFINITE, status)
-            finite = np.isfinite(x).all(axis=-1)
-            status = np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
+            status = _not_finite(status, np.isfinite(x).all(axis=-1))
             x = np.where((status == OK)[..., None], x, np.nan)
         return x[..., :3], x[..., 3:], status
 
     def _at_50_digits(
-        self, motion: Motion, F: Array, M: Array, x: Array, definite: Array, good: NDArray[np.bool_]
-    ) -> tuple[Array, NDArray[np.bool_]]:
+        self, motion: Motion, F: Array, M: Array, x: Array, definite: Array, good: Flags
+    ) -> tuple[Array, Flags]:
         """x and where M is definite, with 50 digits at the good poses where M has lost digits."""
         faults = _faults(self.formulation)
         x, known = x.copy(), np.array(definite, dtype=np.bool_)
@@ -311,13 +293,17 @@ class ForwardDynamics:
         What is returned has buffers of its own: one for each thread.
         """
         if isinstance(self.closed, CClosedForm):
-            return _one_state(self.closed)
+            return self.closed.one_state()
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:
             a, alpha, status = self.solve(motion, F)
             return np.concatenate([a, alpha]), int(status)
 
         return solve
+
+
+def _not_finite(status: Codes, finite: Flags | np.bool_) -> Codes:
+    return np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
 
 
 _KEPT = 2.0**-5
@@ -329,7 +315,7 @@ def _faults(formulation: str) -> frozenset[int]:
     return newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
 
 
-def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> NDArray[np.bool_]:
+def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int]) -> Flags:
     """Where double precision loses digits that the machine has, (...): then the reference takes 50."""
     near = newton_euler.legs(robot, _at_rest(motion), faults).sin_joint.min(axis=(-2, -1)) < _KEPT
     return np.asarray(near | ~(digits_kept(M) > _KEPT))
@@ -364,23 +350,7 @@ def digits_kept(M: Array) -> Array:
     return np.asarray(kept)
 
 
-def _one_state(closed: CClosedForm) -> Callable[[Motion, Array], tuple[Array, int]]:
-    buffers = closed.one_pose()
-    R, t, omega, v, _, _, F_ext, M_ext = np.split(buffers.numbers, np.arange(9, 30, 3))
-    nothing = np.zeros(3)
-
-    def solve(motion: Motion, F: Array) -> tuple[Array, int]:
-        R[:], t[:], omega[:], v[:] = motion.R.ravel(), motion.t, motion.omega, motion.v
-        F_ext[:] = nothing if motion.F_ext is None else motion.F_ext
-        M_ext[:] = nothing if motion.M_ext is None else motion.M_ext
-        buffers.F[:] = F
-        status = buffers.solve()
-        return (buffers.acceleration.copy() if status == OK else np.full(6, np.nan)), status
-
-    return solve
-
-
-def solve_positive(M: Array, w: Array) -> tuple[Array, NDArray[np.bool_]]:
+def solve_positive(M: Array, w: Array) -> tuple[Array, Flags]:
     """x of M x = w by Cholesky's method, (..., n), and where M is positive definite, (...); NaN elsewhere."""
     try:
         G = np.linalg.cholesky(M)
@@ -407,12 +377,8 @@ def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
     """H F + W_ext, (..., 6). NaN where a leg has length zero."""
     q, S, L = leg_vectors(robot, motion.R, motion.t)
     push = S * (F / L)[..., None]
-    force, moment = push.sum(axis=-2), cross(q, push).sum(axis=-2)
-    if motion.F_ext is not None:
-        force = force + np.einsum("...ij,...j->...i", motion.R, motion.F_ext)
-    if motion.M_ext is not None:
-        moment = moment + np.einsum("...ij,...j->...i", motion.R, motion.M_ext)
-    return np.concatenate([force, moment], axis=-1)
+    actuators = np.concatenate([push.sum(axis=-2), cross(q, push).sum(axis=-2)], axis=-1)
+    return np.asarray(actuators + motion.external_wrench())
 
 
 def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:
@@ -461,12 +427,7 @@ def _together(motion: Motion, F: ArrayLike) -> tuple[Motion, Array]:
         raise ValueError(f"F: expected forces of shape (..., 6), got {forces.shape}")
     if not np.isfinite(forces).all():
         raise ValueError(f"F: expected finite forces, got {forces[~np.isfinite(forces)][0]}")
-    try:
-        shape = np.broadcast_shapes(motion.shape, forces.shape[:-1])
-    except ValueError:
-        raise ValueError(
-            f"F: expected a leading shape that broadcasts with {motion.shape}, got {forces.shape[:-1]}"
-        ) from None
+    shape = leading_shape({"motion": motion.shape, "F": forces.shape[:-1]})
     return _broadcast(motion, shape), np.broadcast_to(forces, (*shape, 6))
 
 

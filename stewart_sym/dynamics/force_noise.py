@@ -4,30 +4,20 @@ The deviations of the six coordinates and their rates, as smoothing or rounding 
 through kinematics and dynamics one after another, so every formulation and every machine is served.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io.arguments import instance
+from ..io.array_types import Array
 from ..kinematics.forward import forward_acceleration, forward_velocity
 from ..kinematics.pose_search import jacobian, solve
 from ..motion.motion import Motion
-from ..motion.rotation import (
-    angular_acceleration_from_rpy,
-    angular_velocity_from_rpy,
-    orthonormal,
-    rotation_from_rpy,
-    rotation_from_vector,
-)
+from ..motion.rotation import orthonormal, rotation_from_vector, rpy_motion
 from ..motion.trajectory import PoseLog, Trajectory, Uncertainty, need_trajectory
 from ..robot.robot import Robot
 from .forces import prepare
 from .inverse import Backend, Formulation, inverse_dynamics, with_compiler
-
-Array = NDArray[np.float64]
 
 # Instants at a time: their eighteen deviations fit into memory whatever the length of the log.
 _CHUNK = 16_384
@@ -47,10 +37,8 @@ def force_deviations(
         The machine.
     trajectory : Trajectory or PoseLog
         Times and poses, or a log of poses.
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    backend : {"c", "numpy", "reference"}, optional
-        What computes.
+    formulation, backend : str, optional
+        As for ``inverse_dynamics``.
 
     Returns
     -------
@@ -138,16 +126,8 @@ def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: A
             elif i < 3:
                 yield _moved(motion, t=moved[0, :, :3], v=moved[1, :, :3], a=moved[2, :, :3])
             else:
-                yield _turned(motion, *moved[..., 3:])
-
-
-def _turned(motion: Motion, theta: Array, theta_dot: Array, theta_ddot: Array) -> Motion:
-    return _moved(
-        motion,
-        R=rotation_from_rpy(theta),
-        omega=angular_velocity_from_rpy(theta, theta_dot),
-        alpha=angular_acceleration_from_rpy(theta, theta_dot, theta_ddot),
-    )
+                R, omega, alpha = rpy_motion(*moved[..., 3:])
+                yield _moved(motion, R=R, omega=omega, alpha=np.asarray(alpha))
 
 
 def _on_legs(robot: Robot, motion: Motion, J: Array, shift: Array, legs: Array) -> Motion:

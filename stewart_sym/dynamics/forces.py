@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ..backend.c_kernel import address, library
 from ..backend.fidelity import force_kernel_name, model_numbers
 from ..backend.kernel import FORMULATIONS, MOTION, overflows, robot_numbers
-from ..io.arguments import instance, option, shown
+from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen
 from ..motion.motion import Motion
@@ -144,7 +144,9 @@ class ForceKernel(Frozen):
                 )
         if not F.flags.writeable:
             raise ValueError("F: expected a writeable array")
-        threads = min(_thread_count(threads), max(1, count // LEAST_SHARE))
+        threads = min(
+            whole_number(threads, "threads", 1, "a whole number of at least 1"), max(1, count // LEAST_SHARE)
+        )
         parts = _parts(count, threads)
         turn = itertools.count()
 
@@ -304,9 +306,3 @@ def _pool(threads: int, process: int) -> ThreadPoolExecutor:
 def _lies_plainly(array: Array) -> bool:
     """Whether C can take the array as it lies."""
     return array.flags.c_contiguous and array.flags.aligned
-
-
-def _thread_count(threads: int) -> int:
-    if isinstance(threads, bool) or not isinstance(threads, int | np.integer) or threads < 1:
-        raise ValueError(f"threads: expected a whole number of at least 1, got {shown(threads)}")
-    return int(threads)

@@ -3,15 +3,13 @@
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
 from ..kinematics.mounting import Side, level_positions, platform_side, radius, up_direction, upright
-from ..motion.motion import Motion
+from ..motion.motion import at_rest
 from ..robot.robot import Robot
 from .inverse import inverse_dynamics
-
-Array = NDArray[np.float64]
 
 __all__ = ["HomePose", "home_pose", "platform_side", "radius", "up_direction", "upright"]
 
@@ -38,8 +36,8 @@ class HomePose:
 def home_pose(robot: Robot) -> HomePose:
     """Choose a height: legs in the middle of their length limits, or where there are none H at its best."""
     t = level_positions(robot, up_direction(robot))
-    L = _lengths(robot, t)
-    forces = inverse_dynamics(robot, _resting(t), backend="numpy", on_singular="nan")
+    L = level_lengths(robot, t)
+    forces = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan")
     scaled = scaled_condition_number(forces.H, characteristic_length(robot))
     if np.all(np.isfinite(robot.length_limits)):
         rule = "the height that puts the legs, on average, in the middle of their length limits"
@@ -59,10 +57,6 @@ def home_pose(robot: Robot) -> HomePose:
     )
 
 
-def _lengths(robot: Robot, t: Array) -> Array:
-    return np.asarray(np.linalg.norm(t[:, None, :] + robot.p - robot.b, axis=-1))
-
-
-def _resting(t: Array) -> Motion:
-    zero = np.zeros(3)
-    return Motion(np.eye(3), t, zero, zero, zero, zero)
+def level_lengths(robot: Robot, t: Array) -> Array:
+    """Legs of level poses at t (..., 3), m, (..., 6)."""
+    return np.asarray(np.linalg.norm(t[..., None, :] + robot.p - robot.b, axis=-1))

@@ -3,16 +3,14 @@
 Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller chooses.
 """
 
-from __future__ import annotations
-
 import dataclasses
 import functools
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any, Literal, Protocol, TypeVar
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..backend.c_kernel import CKernel
 from ..backend.kernel import FORMULATIONS, kernel_name
@@ -20,6 +18,7 @@ from ..backend.native import CompilerError
 from ..backend.numpy_kernel import NumpyKernel
 from ..io import error_policy
 from ..io.arguments import instance, option, real_array
+from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
@@ -28,7 +27,6 @@ from ..results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, STATUS_TEXT, ZER
 from ..robot.robot import Robot
 from .damping import damped_solution
 
-Array = NDArray[np.float64]
 Formulation = Literal["exact", "paper"]
 Backend = Literal["c", "numpy", "reference"]
 
@@ -117,16 +115,14 @@ def joint_reactions(
         The machine.
     motion : Motion
         Motion of the platform, any leading shape.
-    formulation : {"exact", "paper"}, optional
-        The corrected equations or those printed.
-    backend : {"c", "numpy", "reference"}, optional
-        What computes.
+    formulation, backend : str, optional
+        As for ``inverse_dynamics``.
     bearing : array_like, optional
         Where M_p is taken, distance along each leg from its base point, m, scalar or (6,); None: at the base
-        point. Other arguments, errors: as for ``inverse_dynamics``; a pose whose reactions overflow has no
-        answer either. Damped, they are those of the damped forces.
-    on_singular : {"raise", "nan", "warn", "damped"}, optional
-        What to do about unsolvable poses, as for ``inverse_dynamics``.
+        point.
+    on_singular : str, optional
+        As for ``inverse_dynamics``, as are errors; a pose whose reactions overflow is unsolvable too. Damped,
+        they are those of the damped forces.
 
     Returns
     -------
@@ -263,15 +259,14 @@ def _bearing(bearing: ArrayLike | None) -> Array:
 
 def _without_overflow(found: Reactions) -> Reactions:
     """Give poses whose reactions overflow, though the forces did not, a status and NaN like any other."""
-    values = {name: getattr(found, name) for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u")}
+    values = {name: value for name, value in vars(found).items() if name != "status"}
     lead = found.status.ndim
     finite = [np.isfinite(value).all(axis=tuple(range(lead, value.ndim))) for value in values.values()]
     overflown = (found.status == OK) & ~np.logical_and.reduce(finite)
     if not overflown.any():
         return found
-    for name, value in values.items():
-        values[name] = np.where(overflown[(..., *(None,) * (value.ndim - lead))], np.nan, value)
-    return Reactions(**values, status=np.where(overflown, NOT_FINITE, found.status).astype(np.int32))
+    status = np.where(overflown, NOT_FINITE, found.status).astype(np.int32)
+    return dataclasses.replace(_replaced(found, overflown, dict.fromkeys(values, np.nan)), status=status)
 
 
 def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Array]:
@@ -288,14 +283,11 @@ def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Ar
 
 def _damped_forces(found: Forces, robot: Robot, motion: Motion, formulation: str) -> Forces:
     error = np.where((found.status == OK)[..., None], np.zeros(6), np.nan)
+    found = dataclasses.replace(found, wrench_error=error)
     singular = found.status == SINGULAR
     if not singular.any():
-        return dataclasses.replace(found, wrench_error=error)
-    values = {name: getattr(found, name).copy() for name in ("F", "D", "x", "K", "H", "c")}
-    values["wrench_error"] = error
-    for name, value in damped_terms(robot, motion[singular], formulation).items():
-        values[name][singular] = value
-    return dataclasses.replace(found, **values)
+        return found
+    return _replaced(found, singular, damped_terms(robot, motion[singular], formulation))
 
 
 def _damped_reactions(
@@ -306,14 +298,19 @@ def _damped_reactions(
         return found
     poses = motion[singular]
     x = damped_terms(robot, poses, formulation)["x"]
-    reactions = NumpyKernel.prepare(robot, formulation).reactions_of(poses, x, bearing)
-    values = {name: getattr(found, name).copy() for name in reactions}
-    for name, value in reactions.items():
-        values[name][singular] = value
-    return dataclasses.replace(found, **values)
+    values = NumpyKernel.prepare(robot, formulation).reactions_of(poses, x, bearing)
+    return _replaced(found, singular, values)
 
 
 Result = TypeVar("Result", Forces, Reactions)
+
+
+def _replaced(found: Result, where: Flags, values: Mapping[str, Any]) -> Result:
+    """Results with other values at some of the poses."""
+    changed = {name: getattr(found, name).copy() for name in values}
+    for name, value in values.items():
+        changed[name][where] = value
+    return dataclasses.replace(found, **changed)
 
 
 def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_singular: str) -> Result:
@@ -325,16 +322,14 @@ def _checked(result: Result, values: Array, robot: Robot, motion: Motion, on_sin
     return result
 
 
-def report_faults(
-    status: NDArray[np.int32], robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4
-) -> None:
+def report_faults(status: Codes, robot: Robot, motion: Motion, on_singular: str, stacklevel: int = 4) -> None:
     """Raise or warn, as ``on_singular`` says, if a pose is unsolvable; stacklevel: of the user's call."""
     error_policy.report(
         status, "motion", lambda: first_fault(status, robot, motion), on_singular, stacklevel + 1
     )
 
 
-def first_fault(status: NDArray[np.int32], robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
+def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int, ...], str]:
     """Index of the first unsolvable pose, and in one line why it is unsolvable.
 
     status: codes of ``STATUS_TEXT``, one at least not 0, of the motion's shape.

@@ -87,14 +87,14 @@ class Symbolic:
         if not isinstance(by, sp.Symbol) or by not in {*arguments, *self.constants}:
             expected = "a symbol of the arguments or the constants"
             raise ValueError(f"by: expected {expected}, got {shown(by)}")
-        slopes: dict[Any, Any] = {by: sp.Integer(1)}
+        derivatives: dict[Any, Any] = {by: sp.Integer(1)}
         steps = []
         for symbol, expr in self.steps:
             steps.append((symbol, expr))
-            if slope := _chained(expr, slopes):
-                slopes[symbol] = sp.Symbol(f"d_{symbol.name}", real=True)
-                steps.append((slopes[symbol], slope))
-        result = self.result.applyfunc(lambda expr: _chained(expr, slopes))
+            if derivative := _chained(expr, derivatives):
+                derivatives[symbol] = sp.Symbol(f"d_{symbol.name}", real=True)
+                steps.append((derivatives[symbol], derivative))
+        result = self.result.applyfunc(lambda expr: _chained(expr, derivatives))
         return replace(self, name=f"d_{self.name}", result=result, steps=tuple(steps))
 
     def function(self) -> Callable[..., NDArray[np.float64]]:
@@ -234,7 +234,9 @@ def _numbers(robot: Robot) -> SimpleNamespace:
     return robot_structure(robot, lambda _, value: np.float64(value))
 
 
-def _chained(expr: Expression, slopes: Mapping[Any, Any]) -> Expression:
+def _chained(expr: Expression, derivatives: Mapping[Any, Any]) -> Expression:
     import sympy as sp
 
-    return sp.Add(*(expr.diff(symbol) * slopes[symbol] for symbol in expr.free_symbols & slopes.keys()))
+    return sp.Add(
+        *(expr.diff(symbol) * derivatives[symbol] for symbol in expr.free_symbols & derivatives.keys())
+    )

@@ -15,9 +15,9 @@ Number = Callable[[str, Any], Any]
 
 def robot_structure(robot: Any, number: Number) -> SimpleNamespace:
     """The robot; robot: what has the fields of ``Robot``."""
-    held = {q.name: np.asarray(getattr(robot, q.name)) for q in (*n.LEG, *n.PLATFORM)}
-    legs = [structure(n.LEG, {q.name: held[q.name][i] for q in n.LEG}, number) for i in range(6)]
-    return SimpleNamespace(leg=legs, **vars(structure(n.PLATFORM, held, number)))
+    numbers = {q.name: np.asarray(getattr(robot, q.name)) for q in (*n.LEG, *n.PLATFORM)}
+    legs = [structure(n.LEG, {q.name: numbers[q.name][i] for q in n.LEG}, number) for i in range(6)]
+    return SimpleNamespace(leg=legs, **vars(structure(n.PLATFORM, numbers, number)))
 
 
 def structure(quantities: Iterable[Quantity], values: Mapping[str, Any], number: Number) -> SimpleNamespace:

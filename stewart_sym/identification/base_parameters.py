@@ -19,14 +19,13 @@ from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse import need_universal
 from ..generated import exact_regressor
 from ..io.arguments import instance, truth
+from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length
-from ..kinematics.inverse import inverse_kinematics
+from ..kinematics.inverse import inverse_kinematics, joint_sines
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
 from ..robot.robot import LEGS, Robot
 from .parameters import is_friction, leg_name, parameter_names, regressor
-
-Array = NDArray[np.float64]
 
 MERGED: Mapping[str, str] = MappingProxyType(dict(exact_regressor.MERGED))
 """Base parameters of every machine that take up others, with formulas; sum runs over the legs."""
@@ -118,7 +117,8 @@ def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool =
     values, directions = _singular(stack / np.where(lengths > 0.0, lengths, np.inf))
     rank = int(np.count_nonzero(values > _ROUNDING * values[0])) if values[0] > 0.0 else 0
     unfelt = directions[rank:].T
-    lost = _given_up(unfelt, _preferred(names))
+    dependent = {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
+    lost = _given_up(unfelt, np.flatnonzero([name in dependent for name in names]))
     kept = np.setdiff1d(np.arange(len(names)), lost)
     shares = np.linalg.solve(unfelt[lost].T, -unfelt[kept].T).T
     shares = np.where(np.abs(shares) > _NOTHING, shares, 0.0)
@@ -160,11 +160,6 @@ def _singular(stack: Array) -> tuple[Array, Array]:
     # R of QR has the singular values and vectors of the stack, however many poses there are.
     _, values, directions = np.linalg.svd(np.linalg.qr(padded, mode="r"))
     return values, directions
-
-
-def _preferred(names: Sequence[str]) -> NDArray[np.intp]:
-    dependent = {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
-    return np.array([i for i, name in enumerate(names) if name in dependent])
 
 
 def _given_up(unfelt: Array, preferred: NDArray[np.intp]) -> NDArray[np.intp]:
@@ -222,7 +217,6 @@ def _random_motion(robot: Robot) -> Motion:
     raise ValueError("robot: found too few regular poses about its home pose, give a motion")
 
 
-def _regular(robot: Robot, motion: Motion, size: float) -> NDArray[np.bool_]:
+def _regular(robot: Robot, motion: Motion, size: float) -> Flags:
     legs = inverse_kinematics(robot, motion)
-    off_axis = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
-    return np.asarray(np.all((off_axis > _REGULAR) & (legs.L > _REGULAR * size), axis=-1))
+    return np.asarray(np.all((joint_sines(robot, legs.s) > _REGULAR) & (legs.L > _REGULAR * size), axis=-1))

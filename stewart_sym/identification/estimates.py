@@ -1,19 +1,15 @@
 """What identification hands back: base parameters with their covariance and a verdict on the fit."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .base_parameters import BaseParameters
 from .parameters import Parameters, inertial_parameters
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +46,7 @@ class Estimate:
     motion : Motion
         Along which the parameters were estimated, (...).
     parameters : Parameters, optional
-        Of possible bodies that have these values, (148,), if they were asked for.
+        Of possible bodies that have these values, (148,), if they were requested.
     free : Estimate, optional
         The estimate that was not kept to possible bodies, then.
     """
@@ -68,7 +64,7 @@ class Estimate:
     near_zero: tuple[str, ...]
     motion: Motion
     parameters: Parameters | None = None
-    free: Estimate | None = None
+    free: "Estimate | None" = None
 
     @property
     def sigma(self) -> Array:

@@ -9,16 +9,15 @@ file only geometry and gravity are used. Every fit is tested by its residual; ``
 what result.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..dynamics.inverse import inverse_dynamics, need_motion, need_universal
 from ..io.arguments import finite_array, instance, real_array, truth
+from ..io.array_types import Array
 from ..io.extras import need
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
@@ -35,8 +34,6 @@ from .linear_fit import Data, exact_fit
 from .parameters import inertial_parameters
 from .physical import POSSIBLE, possible_fit
 from .residual_test import EXACT, LEVEL, tested_estimate
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)

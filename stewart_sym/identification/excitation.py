@@ -1,25 +1,23 @@
 """Excitation: a periodic motion within the machine's limits in whose forces its base parameters show."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse import inverse_dynamics, need_universal
-from ..io.arguments import finite_array, real_array, shown
+from ..io.arguments import finite_array, number_in, real_array, whole_number
+from ..io.array_types import Array
 from ..io.frozen import Frozen
+from ..io.progress import Progress, silent, tracked
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .base_parameters import BaseParameters, base_parameters
 from .parameters import regressor
-
-Array = NDArray[np.float64]
 
 # Widths of the first harmonic's coefficients: share of the base's radius, and rad.
 _WIDTH = np.array([0.1, 0.1, 0.1, 0.2, 0.2, 0.2])
@@ -67,7 +65,7 @@ class FourierPath(Frozen):
             self._set({name: value})
         if self.sine.shape != self.cosine.shape:
             raise ValueError(f"cosine: expected the shape {self.sine.shape} of sine, got {self.cosine.shape}")
-        _positive(self.period, "period", "a duration > 0 s")
+        number_in(self.period, "period", "a duration > 0 s")
 
     def times(self, samples: int) -> Array:
         """Instants of one period, s, equally spaced, (samples,); at most ten million."""
@@ -128,6 +126,7 @@ def choose_excitation(
     samples: int = 200,
     candidates: int = 50,
     seed: int = 0,
+    progress: Progress = silent,
 ) -> Excitation:
     """Draw Fourier series about the home pose and keep the one that tells the base parameters best apart.
 
@@ -150,6 +149,8 @@ def choose_excitation(
         Random series to try.
     seed : int, optional
         Of the draws.
+    progress : Progress, optional
+        Called with what is being done and the share of the candidates that is done, 0 to 1.
 
     Returns
     -------
@@ -165,12 +166,12 @@ def choose_excitation(
     for name, value in (("harmonics", harmonics), ("samples", samples), ("candidates", candidates)):
         _count(value, name)
     need_seed(seed)
-    period = _own_period(robot) if period is None else _positive(period, "period", "a duration > 0 s")
+    period = _own_period(robot) if period is None else number_in(period, "period", "a duration > 0 s")
     base, home, size = base_parameters(robot), home_pose(robot), radius(robot.b)
     width = _WIDTH * np.array([size, size, size, 1.0, 1.0, 1.0]) / np.arange(1, harmonics + 1)[:, None]
     rng, turn = np.random.default_rng(seed), upright(robot)
     best: Excitation | None = None
-    for _ in range(candidates):
+    for _ in tracked(progress, range(candidates), lambda _: f"choosing among {candidates} motions"):
         # The same draw means the same motion of the machine in whatever axes its file is written.
         draws = (width * rng.normal(size=(2, harmonics, 6))).reshape(2, harmonics, 2, 3) @ turn.T
         sine, cosine = draws.reshape(2, harmonics, 6)
@@ -241,20 +242,10 @@ def _own_period(robot: Robot) -> float:
     return 8.0 * math.sqrt(radius(robot.b) / gravity)
 
 
-def _positive(value: object, name: str, expected: str) -> float:
-    number = real_array(value, name, expected)
-    if number.shape != () or not (np.isfinite(number) and number > 0.0):
-        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
-    return float(number)
-
-
 def need_seed(value: object) -> None:
     """Reject, by ValueError, what is no whole number >= 0."""
-    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 0:
-        raise ValueError(f"seed: expected a whole number >= 0, got {type(value).__name__}")
+    whole_number(value, "seed", 0, "a whole number >= 0")
 
 
 def _count(value: object, name: str) -> None:
-    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
-    if not whole or not 0 < value <= _MOST:  # type: ignore[operator]
-        raise ValueError(f"{name}: expected a whole number > 0 and at most {_MOST:,}, got {shown(value)}")
+    whole_number(value, name, 1, f"a whole number > 0 and at most {_MOST:,}", _MOST)

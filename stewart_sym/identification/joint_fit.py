@@ -1,14 +1,12 @@
 """The joint fit of a smooth motion and base parameters to measured poses and forces: Gauss-Newton steps."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..dynamics.equations import force_derivatives
+from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..motion.smooth_motion import (
     Basis,
@@ -23,8 +21,6 @@ from ..robot.robot import LEGS
 from .linear_fit import Data, Fit, exact_fit, factors, linear_system
 from .parameters import inertial_parameters, is_friction, with_parameters
 from .residual_test import DRAWS
-
-Array = NDArray[np.float64]
 
 # Steps of the joint fit, halvings of one, and the decrease of the sum of squares that counts as none.
 _STEPS, _HALVINGS, _NO_DECREASE = 30, 10, 1e-4
@@ -124,9 +120,9 @@ def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Arra
     A, _ = linear_system(data, motion)
     maps = chain(basis, c, motion)
     by_c = np.zeros((*motion.shape, LEGS, 6, basis.size))
-    for slopes, parts in zip(_force_slopes(data, motion, values), maps, strict=True):
+    for derivatives, parts in zip(_force_derivatives(data, motion, values), maps, strict=True):
         for matrix, functions in zip(parts, basis, strict=False):
-            by_c += (slopes @ matrix)[..., None] * functions[:, None, None, :]
+            by_c += (derivatives @ matrix)[..., None] * functions[:, None, None, :]
     by_c /= data.deviations[..., None, None]
     poses = (noise.weights[:, None] * maps[0][0])[..., None] * basis.value[:, None, None, :]
     unknowns = data.base.rank
@@ -136,7 +132,7 @@ def _jacobian(data: Data, noise: PoseNoise, basis: Basis, values: Array, c: Arra
     return J
 
 
-def _force_slopes(data: Data, motion: Motion, values: Array) -> tuple[Array, ...]:
+def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array, ...]:
     """Derivatives of the forces by pose, twist and acceleration at these base parameters, (n, 6, 6) each.
 
     Identified parameters may belong to no machine (masses or friction below zero). Forces are linear in them,

@@ -1,19 +1,15 @@
 """The linear fit of base parameters to forces along a known motion, and what every fit hands on."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..dynamics.inverse import inverse_dynamics
+from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
 from .excitation import force_regressor
-
-Array = NDArray[np.float64]
 
 # Singular values below this share of the largest say that the motion does not excite all parameters.
 _ROUNDING = 1e-12
@@ -84,13 +80,8 @@ def _load_forces(robot: Robot, motion: Motion) -> Array:
     """H^-1 [R F_ext; R M_ext], (..., 6)."""
     if motion.F_ext is None and motion.M_ext is None:
         return np.zeros((*motion.shape, LEGS))
-    zero = np.zeros((*motion.shape, 3))
-    load = [
-        np.einsum("...ij,...j", motion.R, zero if vector is None else vector)
-        for vector in (motion.F_ext, motion.M_ext)
-    ]
     H = inverse_dynamics(robot, motion).H
-    return np.asarray(np.linalg.solve(H, np.concatenate(load, axis=-1)[..., None])[..., 0])
+    return np.asarray(np.linalg.solve(H, motion.external_wrench()[..., None])[..., 0])
 
 
 def factors(J: Array) -> tuple[Array, Array]:

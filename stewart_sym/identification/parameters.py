@@ -11,18 +11,16 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend.numpy_kernel import legs_side_by_side, on_arrays
 from ..dynamics.inverse import need_motion, need_universal, report_faults
 from ..generated import exact_regressor
 from ..io.arguments import option
+from ..io.array_types import Array, Flags
 from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion
 from ..results import NOT_FINITE, OK
 from ..robot.robot import LEGS, Robot
-
-Array = NDArray[np.float64]
 
 _UPPER = np.triu_indices(3)
 # Parameters of a body: mass, first moment, inertia.
@@ -163,7 +161,7 @@ def parameter_names() -> tuple[tuple[str, ...], tuple[str, ...]]:
     return tuple(name for name, _ in rows), tuple(unit for _, unit in rows)
 
 
-def is_friction(names: Sequence[str]) -> NDArray[np.bool_]:
+def is_friction(names: Sequence[str]) -> Flags:
     """Which names are of friction coefficients, (n,)."""
     return np.array([name.startswith("C_") for name in names], dtype=np.bool_)
 

@@ -6,8 +6,6 @@ with the robot file's U U^T and a triangular L with a positive diagonal, it is p
 in L are (Rucker and Wensing 2022).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from functools import partial
@@ -16,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
@@ -29,7 +28,6 @@ from .parameters import (
     symmetric,
 )
 
-Array = NDArray[np.float64]
 Condition = tuple[str, str, Callable[[Array], float]]
 
 POSSIBLE = "an estimate kept to bodies that can exist"
@@ -90,11 +88,11 @@ def negative(robot: Robot, base: BaseParameters, values: Array, covariance: Arra
         if value >= 0.0:
             continue
         step = _STEP * np.sqrt(np.diagonal(covariance))
-        slope = np.array([
+        derivative = np.array([
             (condition(values + shift) - condition(values - shift)) / (2.0 * size) if size > 0.0 else 0.0
             for shift, size in zip(np.diag(step), step, strict=True)
         ])  # fmt: skip
-        sigma = float(np.sqrt(slope @ covariance @ slope))
+        sigma = float(np.sqrt(derivative @ covariance @ derivative))
         got = f"{value:.3g} +- {sigma:.2g} {unit}"
         off = value / sigma if sigma > 0.0 else -np.inf
         if off < -_SURE:
@@ -134,9 +132,9 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
             shift = np.zeros(bodies.shape)
             shift[:, j] = _STEP
             x_bodies = x[: bodies.size].reshape(bodies.shape)
-            slope = (_bodies(roots, x_bodies + shift) - _bodies(roots, x_bodies - shift)) / (2.0 * _STEP)
+            derivative = (_bodies(roots, x_bodies + shift) - _bodies(roots, x_bodies - shift)) / (2.0 * _STEP)
             for i, start in enumerate(first):
-                J[start : start + _BODY, _BODY * i + j] = slope[i]
+                J[start : start + _BODY, _BODY * i + j] = derivative[i]
         J[count, bodies.size + np.arange(len(count))] = unit.ravel()
         return J
 

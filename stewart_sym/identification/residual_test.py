@@ -1,18 +1,14 @@
 """Whether model and stated noise explain a residual: its size, its smooth part, a load that changes."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..io.array_types import Array
 from ..robot.robot import LEGS
 from .estimates import Estimate, tail
 from .linear_fit import LOAD, Data, Fit, linear_system
 from .physical import Negative, negative
-
-Array = NDArray[np.float64]
 
 # Draws of errors by which a fit is seen to be linear within them, and what is too far from it, in deviations.
 DRAWS, _BENT = 8, 0.1

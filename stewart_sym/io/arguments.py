@@ -1,5 +1,7 @@
-"""What an argument must be, asked in one place so that every rejection is one line that names it."""
+"""What an argument must be, checked in one place so that every rejection is one line that names it."""
 
+import contextlib
+import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -26,6 +28,26 @@ def real_array(value: object, name: str, expected: str = "real numbers") -> NDAr
     if given.dtype.kind not in "iuf":
         raise ValueError(f"{name}: expected {expected}, got {given.dtype} entries")
     return np.array(given, dtype=np.float64)
+
+
+def number_in(
+    value: object, name: str, expected: str, low: float = 0.0, high: float = math.inf, closed: bool = False
+) -> float:
+    """Return one finite number between two others, or one of these if ``closed``; ValueError otherwise."""
+    with contextlib.suppress(ValueError):
+        given = real_array(value, name)
+        number = float(given) if given.shape == () else math.nan
+        if math.isfinite(number) and (low < number < high or (closed and number in (low, high))):
+            return number
+    raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
+
+
+def whole_number(value: object, name: str, least: int, expected: str, most: float = math.inf) -> int:
+    """Return a whole number from ``least`` to ``most``; ValueError otherwise."""
+    whole = isinstance(value, int | np.integer) and not isinstance(value, bool)
+    if not whole or not least <= value <= most:  # type: ignore[operator]
+        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")
+    return int(value)  # type: ignore[call-overload, no-any-return]
 
 
 def finite_array(value: object, core: tuple[int, ...], name: str) -> NDArray[np.float64]:

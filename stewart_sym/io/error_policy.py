@@ -26,7 +26,7 @@ def report(
 ) -> None:
     """Raise ValueError or warn, as ``choice`` of ON_SINGULAR says, if a status is not 0; "damped" warns.
 
-    name: the argument that held the pose. describe: index of the first such pose and why it is unsolvable.
+    name: the argument that has the pose. describe: index of the first such pose and why it is unsolvable.
     stacklevel: of the user's call, as ``warnings.warn`` counts: 1 is this function.
     """
     if choice == "nan" or not status.any():

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 _SIGNALS = tuple(name for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name))
 _received: list[int] = []
-_held = False
+_deferred = False
 
 
 @contextlib.contextmanager
@@ -16,7 +16,7 @@ def as_interrupts() -> Iterator[None]:
 
     def interrupt(number: int, frame: object) -> None:
         _received.append(number)
-        if not _held:
+        if not _deferred:
             raise KeyboardInterrupt
 
     if threading.current_thread() is not threading.main_thread():
@@ -47,26 +47,26 @@ def exit_code() -> int:
     return 128 + (_received[0] if _received else signal.SIGINT)
 
 
-class held:  # noqa: N801 - a context manager
-    """Let signals wait in this block, where ``check`` tells of them; ``hold=False``: raise in a block inside.
+class deferred:  # noqa: N801 - a context manager
+    """Let signals wait in this block, where ``check`` tells of them; ``defer=False``: raise in an inner one.
 
     So a temporary file is made and taken away as one, wherever a signal arrives. No generator, as one that is
     left in the middle would set things back when it is collected.
     """
 
-    def __init__(self, hold: bool = True) -> None:
+    def __init__(self, defer: bool = True) -> None:
         """Change nothing yet."""
-        self._hold = hold
+        self._defer = defer
 
     def __enter__(self) -> None:
         """Let signals wait, or raise KeyboardInterrupt if one waits."""
-        global _held
-        self._before = _held
-        _held = self._hold
-        if not _held:
+        global _deferred
+        self._before = _deferred
+        _deferred = self._defer
+        if not _deferred:
             check()
 
     def __exit__(self, *error: object) -> None:
         """Set back what was."""
-        global _held
-        _held = self._before
+        global _deferred
+        _deferred = self._before

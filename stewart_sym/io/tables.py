@@ -16,11 +16,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
 
 from .arguments import option, shown
-
-Array = NDArray[np.float64]
+from .array_types import Array
 
 MOST_BYTES = 1 << 18
 """Of a TOML file: thirty times what a robot takes with every number of every leg."""

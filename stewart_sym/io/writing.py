@@ -51,7 +51,7 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
             yield stream
         return
     target = path.resolve()
-    with interrupts.held():
+    with interrupts.deferred():
         _remove_left_behind(target.parent)
         with _blamed_on(path):
             descriptor, name = tempfile.mkstemp(prefix=_PREFIX, dir=target.parent)
@@ -59,7 +59,7 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
         try:
             with _locked(temporary):
                 with (
-                    interrupts.held(False),
+                    interrupts.deferred(False),
                     named(path),
                     open(descriptor, "w", encoding="utf-8", newline="\n") as stream,
                 ):
@@ -201,7 +201,7 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
         place = place.parent
     if not place.is_dir():
         raise NotADirectoryError(ENOTDIR, f"expected a folder, but {place} is none", str(directory))
-    with interrupts.held():
+    with interrupts.deferred():
         _remove_left_behind(place)
         with _blamed_on(directory):
             # Inside, as a folder may be a mount point or stand in one that is closed to us.
@@ -211,7 +211,7 @@ def staged_folder(directory: Path, gone: Iterable[Path] = ()) -> Iterator[Path]:
             with _locked(temporary):
                 staged.mkdir()
                 replaced.mkdir()
-                with interrupts.held(False), named(directory):
+                with interrupts.deferred(False), named(directory):
                     yield staged
                 _move_all(staged, target, replaced, gone)
                 for folder in {parent for name in gone for parent in name.parents[:-1]}:
@@ -266,15 +266,13 @@ def _remove_if_left(path: Path) -> None:
 
 def _move_all(staged: Path, target: Path, replaced: Path, gone: Iterable[Path]) -> None:
     """Move the staged files to ``target``, those in their places and ``gone`` to ``replaced``, or none."""
-    files = [path.relative_to(staged) for path in sorted(staged.rglob("*")) if path.is_file()]
+    new = {path.relative_to(staged): path for path in sorted(staged.rglob("*")) if path.is_file()}
     with contextlib.ExitStack() as undo:
-        for folder in sorted({target, *((target / file).parent for file in files)}):
+        for folder in sorted({target, *((target / file).parent for file in new)}):
             _make_folder(folder, undo)
-        for number, file in enumerate(files):
+        for number, file in enumerate((*new, *gone)):
             interrupts.check()
-            _move(staged / file, target / file, replaced / str(number), undo)
-        for number, file in enumerate(gone, len(files)):
-            _take_away(target / file, replaced / str(number), undo)
+            _move(new.get(file), target / file, replaced / str(number), undo)
         interrupts.check()
         undo.pop_all()
 
@@ -299,22 +297,18 @@ def _remove_empty(folder: Path) -> None:
         folder.rmdir()
 
 
-def _move(new: Path, path: Path, old: Path, undo: contextlib.ExitStack) -> None:
+def _move(new: Path | None, path: Path, old: Path, undo: contextlib.ExitStack) -> None:
+    """Move what is in a place to ``old``, and a new file, if there is one, into it."""
     if path.is_dir():
         raise IsADirectoryError(EISDIR, "is a folder, expected a file to replace", str(path))
-    undo.callback(_put_back, path, old, new)
+    undo.callback(_put_back, path, old, new or path)
     with _blamed_on(path):
-        if path.is_file():
+        if new is not None and path.is_file():
             new.chmod(_mode(path))
         if os.path.lexists(path):
             path.rename(old)
-        new.rename(path)
-
-
-def _take_away(path: Path, old: Path, undo: contextlib.ExitStack) -> None:
-    undo.callback(_put_back, path, old, path)
-    with _blamed_on(path):
-        path.rename(old)
+        if new is not None:
+            new.rename(path)
 
 
 def _put_back(path: Path, old: Path, new: Path) -> None:
@@ -337,7 +331,7 @@ def named(path: Path | str) -> Iterator[None]:
 
 @contextlib.contextmanager
 def _blamed_on(path: Path) -> Iterator[None]:
-    """Let an OSError name what the user asked for instead of a temporary file beside it."""
+    """Let an OSError name what the user gave instead of a temporary file beside it."""
     try:
         yield
     except OSError as error:

@@ -10,17 +10,16 @@ ball has these lengths, and only one. |d/dtau exp([phi + tau d]x) q| <= |d| |q|,
 |q|, bound the second derivative: |g_i''| <= 1 + (|q_i|/l)^2 + |S_i| |q_i|/l^2.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import instance, leading_shape
+from ..io.array_types import Array, Flags
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
@@ -28,7 +27,6 @@ from .forward import checked_lengths
 from .inverse import leg_vectors
 from .pose_search import jacobian
 
-Array = NDArray[np.float64]
 Rational = Fraction
 Vector = list[Rational]
 
@@ -51,7 +49,7 @@ class Certificate:
         proven.
     """
 
-    proven: NDArray[np.bool_]
+    proven: Flags
     position: Array
     angle: Array
     alone: Array
@@ -122,19 +120,9 @@ def _prove(robot: Robot, L: Array, R: Array, t: Array) -> tuple[float, float, fl
     legs = [_Leg.of(robot, i, L[i], R, t, length) for i in range(6)]
     # Whatever A is, the proof holds if the numbers below do.
     residual = [leg.g for leg in legs]
-    Y = _norm([_dot(row, residual) for row in A])
-    Y += _norm(
-        [sum((abs(a) * leg.g_off for a, leg in zip(row, legs, strict=True)), Rational(0)) for row in A]
-    )
-    defect = [
-        (Rational(int(i == j)) - sum((A[i][m] * legs[m].row[j] for m in range(6)), Rational(0)))
-        for i in range(6)
-        for j in range(6)
-    ]
-    Z = _norm(defect)
-    Z += _norm(
-        [sum((abs(a) * leg.row_off for a, leg in zip(row, legs, strict=True)), Rational(0)) for row in A]
-    )
+    Y = _norm([_dot(row, residual) for row in A]) + _largest(A, [leg.g_off for leg in legs])
+    defect = [int(i == j) - _dot(A[i], [leg.row[j] for leg in legs]) for i in range(6) for j in range(6)]
+    Z = _norm(defect) + _largest(A, [leg.row_off for leg in legs])
     if Z >= 1:
         return None
     # The ball within which second derivatives are bounded; the smallest that may do is tried.
@@ -146,7 +134,11 @@ def _prove(robot: Robot, L: Array, R: Array, t: Array) -> tuple[float, float, fl
     r = max(Rational(_above(float(2 * Y / (1 - Z)))), Rational(1, 2**1000))
     proven = r if r <= radius and _holds(Y, Z, bound, r) else radius
     alone = _alone(A, legs, length, Y, Z, proven)
-    return _above(float(proven)), _above(float(proven / length)), _below(float(alone / length))
+    return (
+        _above(float(proven)),
+        _above(float(proven / length)),
+        max(0.0, math.nextafter(float(alone / length), 0.0)),
+    )
 
 
 @dataclass(frozen=True)
@@ -164,17 +156,14 @@ class _Leg:
     S: Rational
 
     @classmethod
-    def of(cls, robot: Robot, i: int, L: float, R: Array, t: Array, length: Rational) -> _Leg:
+    def of(cls, robot: Robot, i: int, L: float, R: Array, t: Array, length: Rational) -> "_Leg":
         turn = [_rationals(row) for row in R]
         p, b = _rationals(robot.p[i]), _rationals(robot.b[i])
         q = [_dot(row, p) for row in turn]
         S = [x + y - z for x, y, z in zip(q, _rationals(t), b, strict=True)]
         # A rotation lies within |R^T R - E| of R (Frobenius): q is off by at most that share of |p|.
-        gram = [
-            sum((turn[m][j] * turn[m][k] for m in range(3)), Rational(0)) - int(j == k)
-            for j in range(3)
-            for k in range(3)
-        ]
+        columns = list(zip(*turn, strict=True))
+        gram = [_dot(columns[j], columns[k]) - int(j == k) for j in range(3) for k in range(3)]
         off = _norm(gram) * _norm(p)
         size_q, size_S = _norm(q) + off, _norm(S) + off
         return cls(
@@ -207,7 +196,7 @@ def _curvature(A: list[Vector], legs: Sequence[_Leg], length: Rational, radius: 
         speed = 1 + arm * arm
         # |S| grows by at most sqrt(1 + (|q|/l)^2) r <= (1 + |q|/l) r.
         second.append(speed + (leg.S + (1 + arm) * radius) * leg.q / length**2)
-    return _norm([sum((abs(a) * k for a, k in zip(row, second, strict=True)), Rational(0)) for row in A])
+    return _largest(A, second)
 
 
 def _holds(Y: Rational, Z: Rational, bound: Rational, r: Rational) -> bool:
@@ -231,7 +220,12 @@ def _rationals(values: Array) -> Vector:
     return [Rational(float(x)) for x in values]
 
 
-def _dot(a: Vector, b: Vector) -> Rational:
+def _largest(A: list[Vector], off: Vector) -> Rational:
+    """Bound of |A x| over all x whose components are no larger than ``off``."""
+    return _norm([_dot([abs(a) for a in row], off) for row in A])
+
+
+def _dot(a: Sequence[Rational], b: Sequence[Rational]) -> Rational:
     return sum((x * y for x, y in zip(a, b, strict=True)), Rational(0))
 
 
@@ -255,7 +249,3 @@ def _norm(values: Vector) -> Rational:
 
 def _above(value: float) -> float:
     return math.nextafter(value, math.inf)
-
-
-def _below(value: float) -> float:
-    return max(0.0, math.nextafter(value, 0.0))

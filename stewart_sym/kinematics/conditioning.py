@@ -1,16 +1,13 @@
 """Condition number of H: how near the platform is to a singular pose, section 4.2."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ..io.arguments import instance, real_array, shown
+from ..io.arguments import instance, number_in, real_array
+from ..io.array_types import Array
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 
 def condition_number(H: ArrayLike) -> Array:
@@ -63,9 +60,7 @@ def moments_over(H: ArrayLike, length: float) -> Array:
 
     Raises ValueError naming the argument.
     """
-    scale = real_array(length, "length", "a finite length > 0 m")
-    if scale.shape != () or not (math.isfinite(scale) and scale > 0.0):
-        raise ValueError(f"length: expected a finite length > 0 m, got {shown(length)}")
+    scale = number_in(length, "length", "a finite length > 0 m")
     return np.asarray(_matrices(H) / np.array([1.0, 1.0, 1.0, scale, scale, scale])[:, None])
 
 

@@ -4,8 +4,6 @@ Six leg lengths belong to up to forty poses, the assembly modes: which one is fo
 search starts.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
@@ -14,8 +12,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io import error_policy
 from ..io.arguments import finite_array, instance, leading_shape, option, truth
+from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
-from ..motion.motion import Motion
+from ..motion.motion import Motion, pose_of
 from ..results import (
     NOT_CONVERGED,
     NOT_FINITE,
@@ -40,9 +39,7 @@ from .pose_search import (
     solve,
 )
 
-Array = NDArray[np.float64]
-
-Status = NDArray[np.int32]
+Status = Codes
 Guess = tuple[ArrayLike, ArrayLike]
 REASONS = STATUS_TEXT | {SINGULAR: "H is singular there: leg lengths and rates do not settle the platform's"}
 """One line for each status code of forward kinematics."""
@@ -61,7 +58,7 @@ class PlatformPose:
     t : ndarray
         Position of the reference point, m, (..., 3). Both are nan where the status is not 0.
     residual : ndarray
-        Largest difference between the lengths asked for and those of the last pose tried, m, (...).
+        Largest difference between the lengths requested and those of the last pose tried, m, (...).
     iterations : ndarray of int
         Steps taken, those from starts that led nowhere included; int, (...).
     status : Status
@@ -124,7 +121,7 @@ def forward_kinematics(
         flat = lengths.reshape(-1, 6)
         R, t, residual, iterations, found = searched(robot, flat)
     else:
-        start = _checked_guess(guess)
+        start = pose_of(guess, "guess", "a pose (R, t) or None")
         shape = leading_shape({"L": shape, "guess": start.shape})
         flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
         R_0, t_0 = np.broadcast_to(start.R, (*shape, 3, 3)), np.broadcast_to(start.t, (*shape, 3))
@@ -269,11 +266,16 @@ def _rates(
     finite = np.all(np.isfinite(solution), axis=-1)
     status = np.where(unsettled, SINGULAR, np.where(finite, OK, NOT_FINITE))
     solution[status != OK] = np.nan
-    error_policy.report(status, name, lambda: _first_fault(status), on_failure, stacklevel=4)
+
+    def describe() -> tuple[tuple[int, ...], str]:
+        where, others = error_policy.first(status)
+        return where, f"{REASONS[int(status[where])]}{others}"
+
+    error_policy.report(status, name, describe, on_failure, stacklevel=4)
     return solution[..., :3], solution[..., 3:]
 
 
-def _unsettled(robot: Robot, R: Array, t: Array) -> NDArray[np.bool_]:
+def _unsettled(robot: Robot, R: Array, t: Array) -> Flags:
     """Where H is so near to singular that lengths known to rounding leave the pose open."""
     H = moments_over(np.swapaxes(jacobian(robot, R, t), -1, -2), platform_size(robot))
     size = np.linalg.norm(H, axis=(-2, -1))
@@ -283,18 +285,3 @@ def _unsettled(robot: Robot, R: Array, t: Array) -> NDArray[np.bool_]:
     doubtful = np.asarray(~(most <= 0.5 * _MOST_CONDITION))
     doubtful[doubtful] = ~(condition_number(H[doubtful]) <= _MOST_CONDITION)
     return doubtful
-
-
-def _checked_guess(guess: object) -> Motion:
-    if not isinstance(guess, tuple | list) or len(guess) != 2:
-        raise ValueError(f"guess: expected a pose (R, t) or None, got {type(guess).__name__}")
-    R, t = guess
-    try:
-        return Motion(R, t, np.zeros(3), np.zeros(3))
-    except ValueError as error:
-        raise ValueError(f"guess: {error}") from None
-
-
-def _first_fault(status: NDArray[np.integer]) -> tuple[tuple[int, ...], str]:
-    where, others = error_policy.first(status)
-    return where, f"{REASONS[int(status[where])]}{others}"

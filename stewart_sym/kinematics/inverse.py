@@ -1,6 +1,5 @@
 """Inverse kinematics of the legs, (1)-(5), (8), and H of (36) with its rate, of the platform's motion."""
 
-import ctypes
 import functools
 import math
 from collections.abc import Sequence
@@ -8,19 +7,17 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..backend.c_kernel import address, contiguous, library
-from ..backend.kernel import MOTION, robot_numbers
+from ..backend.c_kernel import call, library, pointers
+from ..backend.kernel import robot_numbers
 from ..backend.native import CompilerError
 from ..generated.interface import STRUCTS
 from ..io.arguments import instance
+from ..io.array_types import Array, Flags
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..results import OK
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 MIN_JOINT_SINE = 0.3
 """Sine of the angle between a leg and its universal axis from which on the leg is clear of it."""
@@ -100,15 +97,8 @@ def _compiled_legs(robot: Robot, motion: Motion) -> dict[str, Any] | None:
         return None
     wanted = {name: shape for name, shape in _SHAPES.items() if name != "L_ddot" or motion.a is not None}
     found = {name: np.empty((*motion.shape, *shape)) for name, shape in wanted.items()}
-    # Held by names until the call is done: an address alone keeps no array alive.
-    numbers, inputs = robot_numbers(robot), [contiguous(getattr(motion, name)) for name in MOTION]
-    status = code.stewart_legs_batch(
-        address(numbers),
-        ctypes.c_size_t(math.prod(motion.shape)),
-        (ctypes.c_void_p * len(inputs))(*[address(array) for array in inputs]),
-        (ctypes.c_void_p * len(_SHAPES))(*[address(found.get(name)) for name in _SHAPES]),
-        None,
-    )
+    outputs = pointers(map(found.get, _SHAPES))
+    status = call(code.stewart_legs_batch, robot_numbers(robot), motion, outputs, None)
     return dict.fromkeys(_SHAPES) | found if status == OK else None
 
 
@@ -179,18 +169,36 @@ def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
     return q, S, np.linalg.norm(S, axis=-1)
 
 
+def length_rows(q: Array, S: Array, L: Array) -> Array:
+    """Rates of the lengths by shift and turn of the platform, (..., 6, 6): H^T, (5).
+
+    A leg of length zero has no direction: its row is 0 and makes the matrix singular.
+    """
+    s = S / np.where(L > 0.0, L, 1.0)[..., None]
+    return np.concatenate([s, cross(q, s)], axis=-1)
+
+
+def joint_sines(robot: Robot, s: Array) -> Array:
+    """Sines of the angles between legs along s, (..., 6, 3), and their universal axes, (..., 6).
+
+    1 with spherical base joints.
+    """
+    if robot.base_joint == "spherical":
+        return np.ones(s.shape[:-1])
+    return np.asarray(np.linalg.norm(cross(robot.k, s), axis=-1))
+
+
 def tip_velocities(motion: Motion, q: Array) -> Array:
     """Return S_dot of (4), m/s, base frame, (..., 6, 3), of platform points at q (..., 6, 3)."""
     return cross(motion.omega[..., None, :], q) + motion.v[..., None, :]
 
 
-def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> NDArray[np.bool_]:
+def clear_of_joint_singularities(robot: Robot, legs: LegKinematics) -> Flags:
     """Whether all six legs are clear of their universal axes k, (...,); always with spherical base joints.
 
     Clear: the sine of the angle between k and s is ``MIN_JOINT_SINE`` or more.
     """
-    sines = np.linalg.norm(np.cross(robot.k, legs.s), axis=-1)
-    return np.asarray((sines >= MIN_JOINT_SINE).all(axis=-1) | (robot.base_joint == "spherical"))
+    return np.asarray((joint_sines(robot, legs.s) >= MIN_JOINT_SINE).all(axis=-1))
 
 
 def _legs(robot: Robot, motion: Motion, wanted: Sequence[str]) -> dict[str, Any]:

@@ -1,9 +1,8 @@
 """Steps of leg lengths from sample to sample: their times, accelerations, and those that no motion makes."""
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..io.array_types import Array
 
 # A jump exceeds this many times what accelerations in its surroundings move in a step.
 _JUMP = 10.0

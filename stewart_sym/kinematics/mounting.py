@@ -1,20 +1,15 @@
 """Which side of the base the platform is on: against gravity, whatever axes the robot file uses."""
 
-from __future__ import annotations
-
 import warnings
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io.arguments import instance
-from ..motion.rotation import cross
+from ..io.array_types import Array
 from ..robot.robot import Robot
 from .conditioning import characteristic_length, scaled_condition_number
-from .inverse import leg_vectors
-
-Array = NDArray[np.float64]
+from .inverse import leg_vectors, length_rows
 
 # Gravity decides where it pulls along the base's normal with this share of itself or more.
 _DECISIVE = 0.1
@@ -145,7 +140,6 @@ def _level_scores(robot: Robot, direction: Array) -> tuple[float, float]:
     q, S, L = leg_vectors(robot, np.broadcast_to(np.eye(3), (len(t), 3, 3)), t)
     low, high = robot.length_limits.T
     outside = np.max(np.maximum(np.maximum(low - L, L - high), 0.0), axis=-1)
-    s = S / np.where(L > 0.0, L, 1.0)[..., None]
-    H = np.swapaxes(np.concatenate([s, cross(q, s)], axis=-1), -1, -2)
+    H = np.swapaxes(length_rows(q, S, L), -1, -2)
     condition = scaled_condition_number(H, characteristic_length(robot) or 1.0)
     return float(np.min(outside)), float(np.min(condition))

@@ -1,7 +1,5 @@
 """The search for poses of given leg lengths: Newton's damped steps from likely starts."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -9,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ..io.array_types import Array, Flags
 from ..motion.rotation import (
     cross,
     orthonormal,
@@ -18,10 +17,8 @@ from ..motion.rotation import (
 )
 from ..robot.robot import Robot
 from .conditioning import characteristic_length
-from .inverse import ROUNDING, leg_vectors
+from .inverse import ROUNDING, leg_vectors, length_rows
 from .mounting import base_normal, upright
-
-Array = NDArray[np.float64]
 
 Poses = tuple[Array, Array]
 EPS = float(np.finfo(np.float64).eps)
@@ -47,7 +44,7 @@ def jacobian(robot: Robot, R: Array, t: Array) -> Array:
     return length_rows(*leg_vectors(robot, R, t))
 
 
-def solve(A: Array, y: Array) -> tuple[Array, NDArray[np.bool_]]:
+def solve(A: Array, y: Array) -> tuple[Array, Flags]:
     """Return x, (..., 6), of A x = y and where A has one; 0 where elimination meets a pivot of 0."""
     regular = np.ones(y.shape[:-1], dtype=np.bool_)
     try:
@@ -67,9 +64,9 @@ class Found(NamedTuple):
     t: Array
     residual: Array
     iterations: NDArray[np.int64]
-    found: NDArray[np.bool_]
+    found: Flags
 
-    def at(self, where: NDArray[np.intp]) -> Found:
+    def at(self, where: NDArray[np.intp]) -> "Found":
         """What was found from some of the starts, as copies."""
         return Found(
             self.R[where], self.t[where], self.residual[where], self.iterations[where], self.found[where]
@@ -191,12 +188,12 @@ def distance(robot: Robot, one: tuple[Array, Array], other: tuple[Array, Array])
     return np.hypot(_size(other[1] - one[1]), platform_size(robot) * _size(turn))
 
 
-def _impossible(robot: Robot, L: Array) -> NDArray[np.bool_]:
+def _impossible(robot: Robot, L: Array) -> Flags:
     """Where lengths, (n, 6), have no pose for certain, (n,)."""
     return np.asarray(impossible_pairs(robot, L).any(axis=(-2, -1)))
 
 
-def impossible_pairs(robot: Robot, L: Array) -> NDArray[np.bool_]:
+def impossible_pairs(robot: Robot, L: Array) -> Flags:
     """Which two legs' lengths, (..., 6), differ by more, or add up to less, than their joints allow."""
     base, platform = (np.linalg.norm(x[:, None] - x, axis=-1) for x in (robot.b, robot.p))
     one, other = L[..., :, None], L[..., None, :]
@@ -229,7 +226,9 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
             if not live.size:
                 break
             J = length_rows(q, S, now) / np.repeat([1.0, length], 3)
-            d = _damped_step(J, miss, damping[live])
+            J_T = np.swapaxes(J, -1, -2)
+            A = J_T @ J + damping[live][:, None, None] * np.eye(6)
+            d, _ = solve(A, np.einsum("...ji,...j->...i", J, miss))
             d[:, 3:] /= length
             # Beyond its own reach or a turn of one radian a step has nothing to do with the machine.
             share = np.maximum(_size(d[:, :3]) / np.max(L[live], axis=-1), _size(d[:, 3:])) / most
@@ -247,18 +246,6 @@ def newton(robot: Robot, L: Array, R: Array, t: Array, most: float = 1.0) -> Fou
         q, _, now = leg_vectors(robot, R, t)
         residual = np.max(np.abs(L - now), axis=-1)
     return Found(R, t, residual, iterations, residual <= ROUNDING * _reach(robot, q, t))
-
-
-def _damped_step(J: Array, miss: Array, damping: Array) -> Array:
-    J_T = np.swapaxes(J, -1, -2)
-    return solve(J_T @ J + damping[:, None, None] * np.eye(6), np.einsum("...ji,...j->...i", J, miss))[0]
-
-
-def length_rows(q: Array, S: Array, L: Array) -> Array:
-    """Rates of the lengths by shift and turn of the platform, (..., 6, 6); (5)."""
-    # A leg of length zero has no direction: its row is 0 and makes J singular.
-    s = S / np.where(L > 0.0, L, 1.0)[..., None]
-    return np.concatenate([s, cross(q, s)], axis=-1)
 
 
 def _reach(robot: Robot, q: Array, t: Array) -> Array:

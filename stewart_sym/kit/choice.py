@@ -1,9 +1,11 @@
-"""What a kit is asked for: functions, formulation, fidelity, arithmetic.
+"""What a kit contains: functions, formulation, fidelity, arithmetic.
 
 The bottom of the kit.
 """
 
 from dataclasses import dataclass
+
+import numpy as np
 
 from ..io.arguments import option, shown
 from ..robot.robot import Robot
@@ -19,6 +21,9 @@ STEMS: dict[str, tuple[str, ...]] = {
     "kinematics": ("inverse_kinematics", "forward_kinematics", "forward_velocity"),
 }
 """C functions of each group."""
+
+PRECISIONS: dict[str, type] = {"double": np.float64, "float": np.float32}
+"""Types of the numbers of a kit."""
 
 _OF_FORCES = ("fidelity", "bake", "scalar")
 _UNIVERSAL = ("motion", "derivatives")
@@ -51,7 +56,7 @@ class Choice:
 
     @property
     def groups(self) -> tuple[str, ...]:
-        """The functions asked for, in the order of ``FUNCTIONS``."""
+        """The functions requested, in the order of ``FUNCTIONS``."""
         return tuple(name for name in FUNCTIONS if name in self.functions)
 
 
@@ -61,7 +66,7 @@ DEFAULT = Choice()
 
 def check(choice: Choice, robot: Robot) -> None:
     """Raise ValueError, of one line, for a wish that is unknown or that does not go with the others."""
-    option(choice.precision, ("double", "float"), "precision")
+    option(choice.precision, tuple(PRECISIONS), "precision")
     option(choice.formulation, ("exact", "paper"), "formulation")
     if not choice.functions:
         raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got none")

@@ -10,10 +10,10 @@ from importlib.resources import files as resources
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend import fidelity
 from ..backend.kernel import MOTION
+from ..backend.kernel import robot_numbers as robot_values
 from ..derive.generate import generator_version
 from ..derive.kernel.interface import CALLS
 from ..derive.mechanics import quantities
@@ -27,25 +27,24 @@ from ..derive.package.robot import HEADER, SOURCE, robot_digest, robot_files, ro
 from ..derive.package.selftest import Case, Rejected, selftest
 from ..derive.package.words import robot_symbol
 from ..dynamics.home_pose import home_pose
+from ..io.array_types import Array
 from ..io.json_text import json_text
-from ..motion.motion import Motion
+from ..io.progress import Progress, silent
+from ..motion.motion import Motion, at_rest
 from ..results import OK
 from ..robot.robot import Robot
 from . import languages
-from .choice import DEFAULT, Choice, check, options
+from .choice import DEFAULT, PRECISIONS, Choice, check, options
 from .fmu import UnitKernel, fmu_unit
 from .parts import Parts, generator, parts, robot_numbers
 from .poses import sample
 from .selection import SHARE, Numbered, selection
 from .vectors import Vector, rejected, vectors
 
-Array = NDArray[np.float64]
-
 LICENCE, ROBOT = "LICENSE", "robot.toml"
 MANIFEST = "manifest.json"
 """What a later run reads to tell its own files from edited ones."""
 
-_EPSILON = {"double": float(np.finfo(np.float64).eps), "float": float(np.finfo(np.float32).eps)}
 _TEXTS = (
     build.SELFTEST,
     build.EXAMPLE,
@@ -69,19 +68,26 @@ class Kit:
     baked_operations: int | None
 
 
-def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
+def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> Kit:
     """The kit of a robot. Raises ValueError for an unknown option, or if no pose suits the self-test."""
     check(choice, robot)
     if choice.language != "c":
+        progress(f"generating {choice.language}")
         return _of_language(robot, choice)
+    progress("generating kernels")
     made = parts(robot, choice)
+    progress("computing test vectors")
     found = _vectors(robot, choice, made)
     cases = {stem: [_case(vector) for vector in group] for stem, group in found.items()}
     tested = [function for function in made.functions if cases[function.stem]]
     texts = _sources(robot, choice, made)
     symbol = robot_symbol(robot.name)
+    unsolvable = [
+        Rejected(_motion(inputs), status)
+        for inputs, status in rejected(robot, choice.level, choice.precision)
+    ]
     texts[build.SELFTEST] = selftest(
-        robot.name, symbol, _numbers(robot), tested, cases, _rejected(robot, choice), generator()
+        robot.name, symbol, robot_values(robot).tolist(), tested, cases, unsolvable, generator()
     )
     texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)
@@ -89,6 +95,7 @@ def kit(robot: Robot, choice: Choice = DEFAULT) -> Kit:
     texts[ROBOT] = robot_toml(robot.to_dict(), options(choice))
     files = {name: text.encode() for name, text in texts.items()}
     if choice.fmu:
+        progress("building the FMU")
         files[f"{symbol}.fmu"] = _unit(robot, choice, made, texts)
     files["README.md"] = _readme(robot, choice, made, found).encode()
     files[MANIFEST] = _manifest(robot, choice, files)
@@ -126,13 +133,6 @@ def _limits(robot: Robot) -> dict[str, list[float]]:
     return {"shortest": shortest, "longest": longest, "force": force, "speed": speed}
 
 
-def _numbers(robot: Robot) -> list[float]:
-    """Numbers of ``stewart_robot`` in its order, read off the robot and not off the text of the constants."""
-    legs = [(q.name, (i, *key)) for i in range(6) for q in quantities.LEG for key in q.keys]
-    platform = [(q.name, key) for q in quantities.PLATFORM for key in q.keys]
-    return [float(np.asarray(getattr(robot, name))[key]) for name, key in legs + platform]
-
-
 def _has_robot(made: Parts) -> bool:
     return any(function.subject for function in made.functions)
 
@@ -142,9 +142,9 @@ def _vectors(robot: Robot, choice: Choice, made: Parts) -> dict[str, list[Vector
     stems = tuple(function.stem for function in made.functions)
     others = tuple(stem for stem in stems if stem != "forces")
     found: dict[str, list[Vector]] = {stem: [] for stem in stems}
-    asked = partial(vectors, robot, formulation=choice.formulation, precision=choice.precision)
-    of_forces = asked(("forces",), fidelity=choice.level, baked=choice.bake) if "forces" in stems else ()
-    for vector in (*of_forces, *(asked(others) if others else ())):
+    vectors_of = partial(vectors, robot, formulation=choice.formulation, precision=choice.precision)
+    of_forces = vectors_of(("forces",), fidelity=choice.level, baked=choice.bake) if "forces" in stems else ()
+    for vector in (*of_forces, *(vectors_of(others) if others else ())):
         found[vector.function].append(vector)
     return found
 
@@ -159,13 +159,6 @@ def _case(vector: Vector) -> Case:
         _flat(vector.answers, names),
         _flat(vector.bounds, names),
     )
-
-
-def _rejected(robot: Robot, choice: Choice) -> list[Rejected]:
-    return [
-        Rejected(_motion(inputs), status)
-        for inputs, status in rejected(robot, choice.level, choice.precision)
-    ]
 
 
 def _motion(inputs: Mapping[str, Array]) -> dict[str, Any]:
@@ -194,7 +187,10 @@ def _build_files(symbol: str, made: Parts, texts: Mapping[str, str], choice: Cho
 
 def _readme(robot: Robot, choice: Choice, made: Parts, found: Mapping[str, list[Vector]]) -> str:
     unit = f"{robot_symbol(robot.name)}.fmu" if choice.fmu else ""
-    errors = {stem: _errors(group) * _EPSILON[choice.precision] for stem, group in found.items()}
+    errors = {
+        stem: _errors(group) * float(np.finfo(PRECISIONS[choice.precision]).eps)
+        for stem, group in found.items()
+    }
     figures = {
         function.stem: Figures(
             error=float(errors[function.stem][0]),
@@ -279,10 +275,8 @@ def _manifest(robot: Robot, choice: Choice, files: Mapping[str, bytes]) -> bytes
 
 def _start(robot: Robot, formulation: str) -> Motion:
     """The pose of inputs that nobody connects: home, or the example's where home has no forces."""
-    home, still = home_pose(robot), np.zeros(3)
-    if home.status != OK:
-        return sample(robot, formulation)[0]
-    return Motion(np.eye(3), home.t, still, still, still, still)
+    home = home_pose(robot)
+    return at_rest(np.eye(3), home.t) if home.status == OK else sample(robot, formulation)[0]
 
 
 def _unit(robot: Robot, choice: Choice, made: Parts, texts: Mapping[str, str]) -> bytes:

@@ -49,13 +49,15 @@ def fmu_unit(
 
     Raises ValueError for a number or file that is missing, native.CompilerError if the compiler fails.
     """
-    held = texts.unit(name, symbol, sources, kernel, pose, payload, digest, version)
-    files = {path: text.encode() for path, text in held.items()}
+    texts_by_path = texts.unit(name, symbol, sources, kernel, pose, payload, digest, version)
+    files = {path: text.encode() for path, text in texts_by_path.items()}
     folder = binary_folder()
     if folder is not None:
         identifier = texts.model_identifier(symbol)
         code = {
-            path.removeprefix("sources/"): text for path, text in held.items() if path.startswith("sources/")
+            path.removeprefix("sources/"): text
+            for path, text in texts_by_path.items()
+            if path.startswith("sources/")
         }
         files[f"{folder}/{identifier}{_SUFFIX}"] = _binary(identifier, code)
     return _archive(files)

@@ -8,13 +8,12 @@ takes the motion of one pose as stored and returns what the C writes, flat, in t
 
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
-from functools import cache, cached_property
+from functools import cache, cached_property, partialmethod
 from importlib.util import find_spec, module_from_spec
 from types import ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend.kernel import kernel_name, module
 from ..derive.generate import reduced_kinematics, reduced_rotation
@@ -27,13 +26,13 @@ from ..derive.mechanics import quantities as n
 from ..derive.mechanics.formulation import EXACT
 from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
+from ..io.array_types import Array
 from ..precision.truth import ON_DIGITS, number_of_digits
 from ..results import OK
 from ..robot.robot import LEGS
 from .parts import plain_kernel
 from .running import HALF_UNIT, Objects, Running, array, errors, inverse_sizes, sizes, solve, solve_definite
 
-Array = NDArray[np.float64]
 Numbers = Mapping[str, Array]
 Found = dict[str, Objects]
 
@@ -110,30 +109,23 @@ class KitInterpreter:
         found = self._every_output.leg_reactions(ON_ARRAYS, robot.leg, robot, _motion(at), *axial)
         return _flat({name: _by_leg(value) for name, value in vars(found).items()})
 
-    def equations(self, at: Numbers) -> Found:
-        """M, C, g, friction, bias, H, H_dot."""
-        return self._of_model("equations", at)
+    def _of_model(self, what: str, at: Numbers, **given: Any) -> Found:
+        """A function of the closed form, of F (6,) of ``at`` as well where it is one of forces."""
+        motion = SimpleNamespace(**vars(_motion(at)), **given)
+        forces = [list(array(at["F"]))] if what in ("forward_dynamics", "linearisation") else []
+        return _flat(getattr(_closed_form(), what)(ON_ARRAYS, self._model, motion, *forces))
 
-    def bias(self, at: Numbers) -> Found:
-        """C [v; omega] + g + friction."""
-        return self._of_model("bias", at)
-
-    def forward_dynamics(self, at: Numbers) -> Found:
-        """acceleration [a; alpha] under F (6,) of ``at``."""
-        return self._of_model("forward_dynamics", at, list(array(at["F"])))
-
-    def joint_inertia(self, at: Numbers) -> Found:
-        """H^-1 M H^-T."""
-        return self._of_model("joint_inertia", at)
+    # Each returns the members of the C's structure of its name.
+    equations = partialmethod(_of_model, "equations")
+    bias = partialmethod(_of_model, "bias")
+    forward_dynamics = partialmethod(_of_model, "forward_dynamics")
+    joint_inertia = partialmethod(_of_model, "joint_inertia")
+    linearisation = partialmethod(_of_model, "linearisation")
 
     def derivatives(self, at: Numbers) -> Found:
         """F and its derivatives by_pose, by_twist, by_acceleration."""
         acting = SimpleNamespace(F=self.forces(at)["F"], status=OK)
         return self._of_model("derivatives", at, acting=acting)
-
-    def linearisation(self, at: Numbers) -> Found:
-        """acceleration under F (6,) of ``at``, A and B about the motion with it."""
-        return self._of_model("linearisation", at, list(array(at["F"])))
 
     def inverse_kinematics(self, at: Numbers) -> Found:
         """L and L_dot, (2), (5)."""
@@ -173,11 +165,6 @@ class KitInterpreter:
 
     # ------------------------------------------------------------ interpreters and constants
 
-    def _of_model(self, what: str, at: Numbers, *more: Any, **given: Any) -> Found:
-        """A function of the closed form."""
-        motion = SimpleNamespace(**vars(_motion(at)), **given)
-        return _flat(getattr(_closed_form(), what)(ON_ARRAYS, self._model, motion, *more))
-
     @property
     def _forces(self) -> Interpreter:
         return _of_level(self.base_joint, self.formulation, self.fidelity)
@@ -213,7 +200,8 @@ class KitInterpreter:
 
 @cache
 def _of_level(base_joint: str, formulation: str, fidelity: str) -> Interpreter:
-    return _solving(program(plain_kernel(base_joint, formulation, fidelity)))
+    found = program(plain_kernel(base_joint, formulation, fidelity))
+    return Interpreter(found, ON, _solvers(each.name for each in found.functions))
 
 
 @cache
@@ -254,19 +242,14 @@ def _rotated(function: str, at: Numbers) -> Found:
 # ---------------------------------------------------------------- linear systems
 
 
-def _solving(found: Program) -> Interpreter:
-    """An interpreter that solves by ``running``."""
-    return Interpreter(found, ON, _solvers(each.name for each in found.functions))
-
-
 def _solvers(names: Iterable[str]) -> dict[str, Callable[..., Any]]:
     """What takes the place of functions that solve; near its joint singularity no leg is short."""
     known: dict[str, Callable[..., Any]] = {"eliminate": _eliminate, "singular_status": lambda *_: OK}
     for name in names:
         if name.startswith("solve_pivoted"):
-            known[name] = _solve_pivoted
+            known[name] = lambda A: _solve_rows(A, solve)
         if name.startswith("solve_definite"):
-            known[name] = _solve_definite
+            known[name] = lambda A, kept: _solve_rows(A, solve_definite)
     return known
 
 
@@ -274,14 +257,6 @@ def _eliminate(A: list[list[Running]], x: list[Running]) -> int:
     rows = array(A)
     x[:] = solve(rows[:, :6], rows[:, 6:])[:, 0]
     return 0
-
-
-def _solve_pivoted(A: list[list[Running]]) -> int:
-    return _solve_rows(A, solve)
-
-
-def _solve_definite(A: list[list[Running]], kept: Running) -> int:
-    return _solve_rows(A, solve_definite)
 
 
 def _solve_rows(A: list[list[Running]], how: Callable[[Objects, Objects], Objects]) -> int:
@@ -306,13 +281,13 @@ def _motion(at: Numbers) -> SimpleNamespace:
     return structure(n.MOTION, at, _number)
 
 
-def _rounded_once(held: Any) -> Any:
+def _rounded_once(value: Any) -> Any:
     """Constants that are prepared exactly and rounded once."""
-    if isinstance(held, SimpleNamespace):
-        return SimpleNamespace(**{name: _rounded_once(part) for name, part in vars(held).items()})
-    if isinstance(held, list):
-        return [_rounded_once(part) for part in held]
-    return held if isinstance(held, int) else Running(held.value, rounded=True)
+    if isinstance(value, SimpleNamespace):
+        return SimpleNamespace(**{name: _rounded_once(part) for name, part in vars(value).items()})
+    if isinstance(value, list):
+        return [_rounded_once(part) for part in value]
+    return value if isinstance(value, int) else Running(value.value, rounded=True)
 
 
 def _by_leg(value: Any) -> Objects:
@@ -331,8 +306,8 @@ def _with_errors(numbers: Objects, bound: Array) -> Objects:
 
 def _flat(found: Any) -> Found:
     """Members but the status, which is OK; accelerations of both kinds as one."""
-    held = dict(found if isinstance(found, Mapping) else vars(found))
-    assert held.pop("status", OK) == OK
-    if {"a", "alpha"} <= held.keys():
-        held = {"acceleration": [*held.pop("a"), *held.pop("alpha")], **held}
-    return {name: array(value).ravel() for name, value in held.items()}
+    members = dict(found if isinstance(found, Mapping) else vars(found))
+    assert members.pop("status", OK) == OK
+    if {"a", "alpha"} <= members.keys():
+        members = {"acceleration": [*members.pop("a"), *members.pop("alpha")], **members}
+    return {name: array(value).ravel() for name, value in members.items()}

@@ -19,7 +19,7 @@ from ..io.arguments import option, shown
 from ..robot.robot import Robot
 from .choice import STEMS, Choice, options
 from .parts import generator, robot_numbers
-from .vectors import Vector, rejected, vectors
+from .vectors import rejected, vectors
 
 GROUPS = {name: STEMS[name] for name in ("forces", "motion", "derivatives", "kinematics")}
 """Outputs of each group of functions."""
@@ -55,7 +55,15 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     found = vectors(
         robot, outputs, choice.formulation, fidelity=choice.level, precision=choice.precision, count=5
     )
-    tests = [_test(program, vector) for vector in found]
+    tests = [
+        Test(
+            vector.function,
+            _given(program, vector.function, vector.inputs),
+            _members(program, vector.function, vector.answers),
+            _members(program, vector.function, vector.bounds),
+        )
+        for vector in found
+    ]
     if "forces" in outputs:
         tests += [
             Test("forces", _given(program, "forces", inputs), {}, {}, status)
@@ -83,15 +91,6 @@ def _program(robot: Robot, choice: Choice, outputs: tuple[str, ...]) -> Program:
     level = resolved(robot, choice.formulation, choice.level)
     name = kernel_name(choice.formulation, robot.base_joint if level == "general" else "universal")
     return output_program(next(each for each in FORMULATIONS if each.kernel_name == name), outputs, level)
-
-
-def _test(program: Program, vector: Vector) -> Test:
-    return Test(
-        vector.function,
-        _given(program, vector.function, vector.inputs),
-        _members(program, vector.function, vector.answers),
-        _members(program, vector.function, vector.bounds),
-    )
 
 
 def _given(program: Program, function: str, inputs: Mapping[str, NDArray[np.float64]]) -> dict[str, Value]:

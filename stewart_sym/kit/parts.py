@@ -1,6 +1,6 @@
 """The parts of a kit: which kernels a choice takes, committed ones or such as are derived for one robot."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cache, lru_cache
 from importlib.metadata import version
@@ -85,7 +85,8 @@ def parts(robot: Robot, choice: Choice) -> Parts:
     if {"motion", "derivatives"} & set(choice.functions):
         model = f"stewart_{EXACT.kernel_name}_forces"
         if all(part.name != model for part in found):
-            found.append(_model(model))
+            says = "The prepared constants that the equations of motion read; the forces come with them."
+            found.append(Part(model, _committed(model), (), ("forces",), says, INCLUDED[LANES]))
         found.append(_motion(choice))
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
@@ -176,11 +177,6 @@ def _reactions(robot: Robot, choice: Choice) -> Part:
     return Part(file, _committed(file), tuple(functions), ("reactions",), says, INCLUDED[OUTPUTS])
 
 
-def _model(file: str) -> Part:
-    says = "The prepared constants that the equations of motion read; the forces come with them."
-    return Part(file, _committed(file), (), ("forces",), says, INCLUDED[LANES])
-
-
 def _motion(choice: Choice) -> Part:
     name = EXACT.kernel_name
     file = f"stewart_{name}_motion"
@@ -191,7 +187,8 @@ def _motion(choice: Choice) -> Part:
         for stem in stems
     ]
     files = _committed(file) if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems)
-    return Part(file, files, tuple(functions), tuple(groups), _motion_says(stems), INCLUDED[SOLVE])
+    says = f"Closed form of the equations of motion: {', '.join(stem.replace('_', ' ') for stem in stems)}."
+    return Part(file, files, tuple(functions), tuple(groups), says, INCLUDED[SOLVE])
 
 
 _SUMS = {"joint_inertia": ("equations",), "linearisation": ("forward_dynamics", "derivatives")}
@@ -202,10 +199,6 @@ def _before_solves(stem: str) -> str:
     counts: Mapping[str, int] = module(f"{EXACT.kernel_name}_operations").OPERATIONS
     count = sum(counts[name] for name in _SUMS.get(stem, (stem,)))
     return f"{count:,}" if stem in ("equations", "bias") else f"{count:,} and the solves"
-
-
-def _motion_says(stems: Iterable[str]) -> str:
-    return f"Closed form of the equations of motion: {', '.join(stem.replace('_', ' ') for stem in stems)}."
 
 
 def _kinematics() -> Part:

@@ -12,14 +12,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..dynamics.inverse import Formulation, inverse_dynamics
+from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import clear_of_joint_singularities, inverse_kinematics
-from ..kinematics.mounting import platform_side
+from ..kinematics.mounting import platform_side, radius
 from ..motion.motion import Motion
 from ..results import Forces
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 GOOD_CONDITION = 50.0
 MAX_CONDITION = 1000.0
@@ -78,7 +77,7 @@ def poses(robot: Robot, formulation: str, count: int) -> Motion:
 
     The others have condition numbers up to MAX_CONDITION and legs clear of their universal axes; those within
     the length limits come first, then those with good condition numbers. Some are at rest, others move
-    backwards or without load. A machine may have fewer than asked for. Raises ValueError as ``sample``.
+    backwards or without load. A machine may have fewer than requested. Raises ValueError as ``sample``.
     """
     first, _, _ = sample(robot, formulation)
     around, condition, clear, within = _checked(robot, _neighbours(robot, first), formulation)
@@ -110,7 +109,10 @@ def significant(values: ArrayLike, digits: int) -> Array:
     return np.array([float(f"{value:.{digits - 1}e}") for value in given.flat]).reshape(given.shape)
 
 
-Flags = NDArray[np.bool_]
+def rounded(numbers: ArrayLike, kind: type) -> Array:
+    """The nearest numbers of a precision, as doubles; infinity for those too large for it."""
+    with np.errstate(over="ignore"):
+        return np.asarray(numbers, dtype=kind).astype(np.float64)
 
 
 def _checked(robot: Robot, motions: Motion, formulation: str) -> tuple[Motion, Array, Flags, Flags]:
@@ -208,9 +210,4 @@ def _quarter_turns() -> list[Array]:
 
 def size_of(robot: Robot) -> float:
     """The machine's radius to two digits, m."""
-    return float(significant(max(_radius(robot.b), _radius(robot.p)), 2)) or 1.0
-
-
-def _radius(points: Array) -> float:
-    """Root mean square distance of points (6, 3) from their middle, m."""
-    return float(np.sqrt(np.mean(np.sum((points - points.mean(axis=0)) ** 2, axis=-1))))
+    return float(significant(max(radius(robot.b), radius(robot.p)), 2)) or 1.0

@@ -7,7 +7,6 @@ elimination would grow far beyond what happens.
 """
 
 import math
-from collections.abc import Callable, Sequence
 from functools import total_ordering
 from typing import Any, ClassVar, Self
 
@@ -46,11 +45,11 @@ class Running:
 
     def __init__(self, value: Any, error: Any = 0.0, rounded: bool = False) -> None:
         """Take value at 50 digits; ``rounded``: it is the result of an operation that rounds."""
-        self.value, self.size = self._held(value)
+        self.value, self.size = self._stored(value)
         self.error = error + HALF_UNIT * self.size if rounded else error
 
     @staticmethod
-    def _held(value: Any) -> tuple[Any, Any]:
+    def _stored(value: Any) -> tuple[Any, Any]:
         """The value as it is kept, and its size in double."""
         number = value if isinstance(value, digits.mpf) else digits.mpf(value)
         return number, abs(float(number))
@@ -148,9 +147,9 @@ class RunningArrays(Running):
     __array_ufunc__ = None
 
     @staticmethod
-    def _held(value: Any) -> tuple[Any, Any]:
-        held = np.asarray(value, dtype=np.float64)
-        return held, np.abs(held)
+    def _stored(value: Any) -> tuple[Any, Any]:
+        stored = np.asarray(value, dtype=np.float64)
+        return stored, np.abs(stored)
 
     @staticmethod
     def _root(value: Any) -> Any:
@@ -209,74 +208,43 @@ def solve(A: Objects, right: Objects) -> Objects:
     Its error: |A^-1| (|dA| |X| + |d right| + n / 2 |L| |U| |X|), half a unit for each of n operations that
     end in an entry of L U.
     """
-    return _solved(A, right, _partial_pivot)
+    return _solved(A, right, pivoted=True)
 
 
 def solve_definite(M: Objects, right: Objects) -> Objects:
     """X (n, m) of M X = right, M (n, n) positive definite, as L D L^T finds it; errors as ``solve``."""
-    return _solved(M, right, lambda _: 0)
+    return _solved(M, right, pivoted=False)
 
 
 def inverse_sizes(A: Objects) -> Sizes:
     """|A^-1| (n, n), of A (n, n)."""
-    n = len(A)
-    unit = [[digits.mpf(i == j) for j in range(n)] for i in range(n)]
-    X, _ = _eliminated([[a.value for a in row] for row in A], unit, _partial_pivot)
-    return _rounded_sizes(X)
+    return _rounded_sizes(_inverse(A))
 
 
-def _solved(A: Objects, right: Objects, pivot: Callable[[Sequence[Any]], int]) -> Objects:
-    n, m = right.shape
-    rows = [[a.value for a in row] for row in A]
-    columns = [[b.value for b in right[i]] + [digits.mpf(i == j) for j in range(n)] for i in range(n)]
-    found, factors = _eliminated(rows, columns, pivot)
-    X = _rounded_sizes([row[:m] for row in found])
-    inverse = _rounded_sizes([row[m:] for row in found])
-    error = inverse @ ((errors(A) + n * HALF_UNIT * factors) @ X + errors(right))
-    solution = np.empty((n, m), dtype=object)
-    for i, j in np.ndindex(n, m):
-        solution[i, j] = Running(found[i][j], float(error[i, j]))
+def _inverse(A: Objects) -> Any:
+    return digits.inverse(digits.matrix([[a.value for a in row] for row in A]))
+
+
+def _solved(A: Objects, right: Objects, pivoted: bool) -> Objects:
+    inverse = _inverse(A)
+    found = inverse * digits.matrix([[b.value for b in row] for row in right])
+    factors = factor_sizes(values(A)[None], pivoted)[0]
+    terms = (errors(A) + len(A) * HALF_UNIT * factors) @ _rounded_sizes(found) + errors(right)
+    error = _rounded_sizes(inverse) @ terms
+    solution = np.empty(right.shape, dtype=object)
+    for i, j in np.ndindex(right.shape):
+        solution[i, j] = Running(found[i, j], float(error[i, j]))
     return solution
 
 
-def _partial_pivot(column: Sequence[Any]) -> int:
-    return max(range(len(column)), key=lambda i: abs(column[i]))
-
-
-def _eliminated(
-    A: list[list[Any]], right: list[list[Any]], pivot: Callable[[Sequence[Any]], int]
-) -> tuple[list[list[Any]], Sizes]:
-    """X of A X = right, and |L| |U| with its rows in the order of A's."""
-    n = len(A)
-    rows = [[*a, *b] for a, b in zip(A, right, strict=True)]
-    order, L = list(range(n)), np.eye(n)
-    for k in range(n):
-        p = k + pivot([rows[i][k] for i in range(k, n)])
-        rows[k], rows[p] = rows[p], rows[k]
-        order[k], order[p] = order[p], order[k]
-        L[[k, p], :k] = L[[p, k], :k]
-        for i in range(k + 1, n):
-            factor = rows[i][k] / rows[k][k]
-            L[i, k] = abs(float(factor))
-            for j in range(k, len(rows[i])):
-                rows[i][j] -= factor * rows[k][j]
-    factors = np.empty((n, n))
-    factors[order] = L @ np.triu(_rounded_sizes([row[:n] for row in rows]))
-    for i in reversed(range(n)):
-        for j in range(n, len(rows[i])):
-            total = rows[i][j] - sum(rows[i][k] * rows[k][j] for k in range(i + 1, n))
-            rows[i][j] = total / rows[i][i]
-    return [row[n:] for row in rows], factors
-
-
-def factor_sizes(A: Sizes) -> Sizes:
-    """|L| |U| (m, n, n) of elimination with partial pivoting, rows in the order of A's (m, n, n)."""
+def factor_sizes(A: Sizes, pivoted: bool = True) -> Sizes:
+    """|L| |U| (m, n, n) of elimination, with partial pivoting if any, rows in the order of A's (m, n, n)."""
     U = A.copy()
     count, n, _ = U.shape
     order, L = np.tile(np.arange(n), (count, 1)), np.tile(np.eye(n), (count, 1, 1))
     each = np.arange(count)
     for k in range(n):
-        p = k + np.argmax(np.abs(U[:, k:, k]), axis=1)
+        p = k + (np.argmax(np.abs(U[:, k:, k]), axis=1) if pivoted else np.zeros(count, dtype=int))
         for rows in (U, order, L[:, :, :k]):
             rows[each, k], rows[each, p] = rows[each, p], rows[each, k].copy()
         factor = U[:, k + 1 :, k] / U[:, k, None, k]
@@ -287,5 +255,5 @@ def factor_sizes(A: Sizes) -> Sizes:
     return factors
 
 
-def _rounded_sizes(rows: list[list[Any]]) -> Sizes:
-    return np.array([[abs(float(value)) for value in row] for row in rows])
+def _rounded_sizes(matrix: Any) -> Sizes:
+    return np.abs(np.array(matrix.tolist(), dtype=np.float64))

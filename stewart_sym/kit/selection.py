@@ -18,17 +18,18 @@ from numpy.typing import NDArray
 
 from ..backend.kernel import MOTION
 from ..derive.mechanics.actuator_forces import ForceKernel
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, scaled_condition_number
 from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
 from ..robot.robot import Robot
+from .choice import PRECISIONS
 from .interpreter import LEG_FIELDS, NEAR_JOINT_SINGULAR, PLATFORM_FIELDS
 from .parts import folded_kernel, plain_kernel
-from .poses import MAX_CONDITION, WHOLE, sample, significant, size_of, whole_turn
+from .poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from .running import FORCES_MARGIN
 from .sensitivity import Forces, changes
 
-Array = NDArray[np.float64]
 Arrays = dict[str, Array]
 
 SHARE = {"double": 1e-9, "float": 1e-3}
@@ -38,7 +39,6 @@ SHOWN = 1.5
 """A constant shows where its change moves a force by this many bounds: the code's own errors may be half of
 one, and are a tenth at most wherever they were measured."""
 
-_PRECISION: dict[str, type] = {"double": np.float64, "float": np.float32}
 _AT_REST, _MOVING = 300, 30
 """Poses of the pool at rest and in motion."""
 _NEAR = 12
@@ -126,11 +126,6 @@ def _cover(ratios: Mapping[str, Array]) -> list[int]:
     return chosen
 
 
-def _weak(ratios: Mapping[str, Array]) -> dict[str, Array]:
-    """Those of constants that hardly show, but may."""
-    return {name: row for name, row in ratios.items() if _HOPELESS < row.max(initial=0.0) < _ENOUGH}
-
-
 def _coarse(ratios: Mapping[str, Array]) -> Array:
     """Rows of numbers cut to six bits: rounding of them changes no choice."""
     rows = np.array(list(ratios.values())).reshape(len(ratios), -1 if ratios else 0)
@@ -157,7 +152,8 @@ class _Search:
         pool = self._sound(self._pool(draw, near), near)
         ratios = self._ratios(pool, near)
         for _ in range(0 if near else _GENERATIONS):
-            weak = _weak(ratios)
+            # Those that hardly show, but may.
+            weak = {name: row for name, row in ratios.items() if _HOPELESS < row.max(initial=0.0) < _ENOUGH}
             if not weak:
                 break
             parents = np.unique(np.argmax(_coarse(weak), axis=1))
@@ -173,7 +169,7 @@ class _Search:
     def _ratios(self, pool: Arrays, near: bool, only: Container[str] | None = None) -> dict[str, Array]:
         """Of each constant, or only some, the largest change of a force over its bound (n,)."""
         forces = self._forces(pool, near)
-        tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(_PRECISION[self.precision]).eps)
+        tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(PRECISIONS[self.precision]).eps)
         found: dict[str, Array] = {}
         for change in changes(self.kernel, self._numbers, SHARE[self.precision]):
             if only is not None and not any(name in only for name in change.names):
@@ -189,19 +185,15 @@ class _Search:
 
     @property
     def _numbers(self) -> Arrays:
-        kind = np.float64 if self.kernel.constants is not None else _PRECISION[self.precision]
-        return {
-            name: np.asarray(getattr(self.robot, name), dtype=kind).astype(np.float64)
-            for name in (*LEG_FIELDS, *PLATFORM_FIELDS)
-        }
+        kind = np.float64 if self.kernel.constants is not None else PRECISIONS[self.precision]
+        return {name: rounded(getattr(self.robot, name), kind) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)}
 
     # ------------------------------------------------------------ motions
 
     def _sound(self, pool: Arrays, near: bool) -> Arrays:
         """Those in the precision that solve well, the load taken off where they ask for it."""
-        kind = _PRECISION[self.precision]
-        with np.errstate(over="ignore"):
-            pool = {name: np.asarray(value, dtype=kind).astype(np.float64) for name, value in pool.items()}
+        kind = PRECISIONS[self.precision]
+        pool = {name: rounded(value, kind) for name, value in pool.items()}
         good = np.all([np.isfinite(pool[name].reshape(len(pool["t"]), -1)).all(axis=1) for name in MOTION], 0)
         pool = _some(pool, good)
         legs = inverse_kinematics(self.robot, motion := _as_motion(pool))
@@ -222,17 +214,15 @@ class _Search:
 
     def _unloaded(self, pool: Arrays, near: bool) -> Arrays:
         """The pool with external wrenches, of four digits, that hold the platform, where they are wanted."""
-        kind = _PRECISION[self.precision]
+        kind = PRECISIONS[self.precision]
         load = self._forces(pool, near).load
         wrench = {"F_ext": load[:, :3], "M_ext": load[:, 3:]}
         off = pool["unloaded"] > 0
-        held_by = {
+        without = {
             name: pool[name] - significant(np.einsum("mji,mj->mi", pool["R"], value), 4) * off[:, None]
             for name, value in wrench.items()
         }
-        with np.errstate(over="ignore"):
-            held_by = {name: np.asarray(v, dtype=kind).astype(np.float64) for name, v in held_by.items()}
-        pool = pool | held_by
+        pool = pool | {name: rounded(value, kind) for name, value in without.items()}
         bound = self._forces(pool, near).bound
         return _some(pool, np.isfinite(bound).all(axis=1) & np.isfinite(load).all(axis=1))
 

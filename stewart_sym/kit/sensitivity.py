@@ -12,15 +12,14 @@ from typing import Any
 
 import numpy as np
 import sympy as sp
-from numpy.typing import NDArray
 
 from ..derive.mechanics import quantities as n
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.lumped_constants import ADDED
 from ..derive.program.block import Block, Quantity
+from ..io.array_types import Array
 from .running import HALF_UNIT, RunningArrays, factor_sizes
 
-Array = NDArray[np.float64]
 Values = Mapping[str, Any]
 Numbers = Mapping[str, Array]
 
@@ -49,7 +48,7 @@ class Change:
     constants: Constants
 
 
-def _held(kernel: ForceKernel, robot: Numbers) -> Constants:
+def _constants_of(kernel: ForceKernel, robot: Numbers) -> Constants:
     """The constants as the kernel's code holds them: folded in, or prepared from the robot's numbers."""
     return _prepared(kernel, _raw(robot)) if kernel.constants is None else _folded(kernel)
 
@@ -63,10 +62,12 @@ def _folded(kernel: ForceKernel) -> Constants:
 def _rounded(kernel: ForceKernel, robot: Numbers) -> Constants:
     """The same with their rounding errors: of folded ones one each, else those of the preparation."""
     if kernel.constants is not None:
-        found = _folded(kernel)
+        parts = vars(_folded(kernel)).values()
         return Constants(
-            {name: RunningArrays(value, 0.0, rounded=True) for name, value in found.leg.items()},
-            {name: RunningArrays(value, 0.0, rounded=True) for name, value in found.platform.items()},
+            *(
+                {name: RunningArrays(value, 0.0, rounded=True) for name, value in part.items()}
+                for part in parts
+            )
         )
     raw = _raw(robot)
     given = {name: RunningArrays(value) for name, value in (raw.leg | raw.platform | _first(raw)).items()}
@@ -81,26 +82,16 @@ def _rounded(kernel: ForceKernel, robot: Numbers) -> Constants:
 
 def changes(kernel: ForceKernel, robot: Numbers, share: float) -> Iterator[Change]:
     """Every constant that is not zero, of a baked kernel's code or else of the robot, changed by a share."""
-    if kernel.constants is not None:
-        yield from _baked_changes(_folded(kernel), share)
-        return
-    raw = _raw(robot)
-    for name, value in raw.leg.items():
-        leg = Constants({**raw.leg, name: value * (1.0 + share)}, raw.platform)
-        if np.any(value):
-            yield Change(_of_legs(name, value), _prepared(kernel, leg, raw))
-    for name, value in raw.platform.items():
-        if value:
-            platform = {**raw.platform, name: value * (1.0 + share)}
-            yield Change((name,), _prepared(kernel, Constants(raw.leg, platform)))
-
-
-def _baked_changes(found: Constants, share: float) -> Iterator[Change]:
-    for name, value in found.leg.items():
-        leg = {**found.leg, name: value * (1.0 + share)}
-        yield Change(_of_legs(name, value), Constants(leg, found.platform))
-    for name, value in found.platform.items():
-        yield Change((name,), Constants(found.leg, {**found.platform, name: value * (1.0 + share)}))
+    folded = kernel.constants is not None
+    own = _folded(kernel) if folded else _raw(robot)
+    for name, value in own.leg.items():
+        changed = Constants({**own.leg, name: value * (1.0 + share)}, own.platform)
+        if folded or np.any(value):
+            yield Change(_of_legs(name, value), changed if folded else _prepared(kernel, changed, own))
+    for name, value in own.platform.items():
+        changed = Constants(own.leg, {**own.platform, name: value * (1.0 + share)})
+        if folded or value:
+            yield Change((name,), changed if folded else _prepared(kernel, changed))
 
 
 def _of_legs(name: str, value: Array) -> tuple[str, ...]:
@@ -197,7 +188,7 @@ class Forces:
         block = kernel.leg_near_singular if near else kernel.leg
         assert block is not None
         self._kernel, self._block = kernel, block
-        self._constants, self._motion = _held(kernel, robot), _components_of(n.MOTION, motions)
+        self._constants, self._motion = _constants_of(kernel, robot), _components_of(n.MOTION, motions)
         self._count = motions["t"].shape[-1]
         self._base: Terms | None = None
         self._solve(self._terms(_rounded(kernel, robot), None))
@@ -262,7 +253,7 @@ class Forces:
                 arms = [_zero_of_leg_1(each - one) for each, one in zip(q, first, strict=True)]
             else:
                 first, arms = tip, [each - one for each, one in zip(q, tip, strict=True)]
-            moment = _minus(moment, _cross(first, force))
+            moment = [one - other for one, other in zip(moment, _cross(first, force), strict=True)]
             H_moment = _cross(arms, H_force)
             c_moment = [a + b for a, b in zip(_cross(arms, c_force), c_moment, strict=True)]
         else:
@@ -292,10 +283,6 @@ def _zero_of_leg_1(arm: RunningArrays) -> RunningArrays:
 
 def _cross(a: list[Any], b: list[Any]) -> list[Any]:
     return [a[i - 2] * b[i - 1] - a[i - 1] * b[i - 2] for i in range(3)]
-
-
-def _minus(a: list[Any], b: list[Any]) -> list[Any]:
-    return [one - other for one, other in zip(a, b, strict=True)]
 
 
 def _stacked(rows: list[RunningArrays], what: str, shape: tuple[int, ...]) -> Array:

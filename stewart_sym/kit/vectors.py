@@ -13,12 +13,11 @@ from dataclasses import dataclass, replace
 from functools import lru_cache, partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend import fidelity as fidelities
-from ..backend.kernel import MOTION, need_held
+from ..backend.kernel import MOTION, need_representable
 from ..generated.fidelities import FIDELITIES
-from ..io.arguments import instance, option
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.forward import forward_kinematics
 from ..kinematics.inverse import wrench_matrix
@@ -26,12 +25,11 @@ from ..motion.motion import Motion
 from ..motion.rotation import orthonormal
 from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
 from ..robot.robot import Robot
+from .choice import PRECISIONS
 from .interpreter import LEG_FIELDS, PLATFORM_FIELDS, Found, KitInterpreter, Numbers
-from .poses import neighbour, poses, significant
+from .poses import neighbour, poses, rounded, significant
 from .running import FORCES_MARGIN, MARGIN, errors, values
 from .selection import Numbered, selection
-
-Array = NDArray[np.float64]
 
 KINEMATICS = ("inverse_kinematics", "forward_kinematics", "forward_velocity")
 CLOSED_FORM = ("equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation")
@@ -50,7 +48,6 @@ _SAME = 1e-3
 # Sides of right-angled triangles over their longest; a quaternion of length other than one.
 _SINES, _COSINES = (3 / 5, -5 / 13, 15 / 17), (4 / 5, 12 / 13, -8 / 17)
 _QUATERNION = (1.5, 0.25, -0.5, 0.75)
-_PRECISION = {"double": np.float64, "float": np.float32}
 
 
 @dataclass(frozen=True)
@@ -89,15 +86,13 @@ def vectors(
 
     fidelity: of "forces", None for "general"; all others have everything. precision: "double" or "float";
     inputs and the robot's constants are rounded to it before anything is computed. baked: the constants are
-    folded into the code, so they are the robot's own, rounded last. Forward kinematics is asked only where
+    folded into the code, so they are the robot's own, rounded last. Forward kinematics is tested only where
     lengths settle the pose in that precision, which may be nowhere in "float".
 
-    Raises ValueError naming the argument, and for a robot without a good pose.
+    Arguments are those of a checked ``Choice``. Raises ValueError for a robot without a good pose.
     """
-    instance(robot, Robot, "robot")
-    _check(robot, functions, formulation, precision, count)
     level = fidelities.resolved(robot, formulation, fidelity or "general")
-    need_held(robot, precision)
+    need_representable(robot, precision)
     return _made(Numbered.of(robot), functions, formulation, level, precision, count, baked)
 
 
@@ -111,12 +106,12 @@ def _made(
     count: int,
     baked: bool,
 ) -> tuple[Vector, ...]:
-    robot, kind = numbered.robot, _PRECISION[precision]
+    robot, kind = numbered.robot, PRECISIONS[precision]
     constants = {
         name: np.asarray(getattr(robot, name), dtype=np.float64) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)
     }
     if not baked:
-        constants = {name: _rounded(value, kind) for name, value in constants.items()}
+        constants = {name: rounded(value, kind) for name, value in constants.items()}
     interpreter = KitInterpreter(constants, robot.base_joint, formulation, level, baked)
     every = poses(robot, formulation, count)
     ordinary = [_input(robot, every[i], kind) for i in range(every.shape[0])]
@@ -136,7 +131,7 @@ def _made(
 def rejected(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str, Array], int]]:
     """Motions for which there are no forces, as ``Vector.inputs``, and the status that says so."""
     first = poses(robot, "exact", 1)[0]
-    start = _input(robot, first, _PRECISION[precision])
+    start = _input(robot, first, PRECISIONS[precision])
     still = start | {"R": np.eye(3).ravel()}
     cases = [
         (still | {"t": robot.b[2] - robot.p[2]}, ZERO_LENGTH),
@@ -156,22 +151,6 @@ def knows_axes(robot: Robot, fidelity: str) -> bool:
     return robot.base_joint == "universal" and bool(FIDELITIES[level]["universal"])
 
 
-def _check(robot: Robot, functions: tuple[str, ...], formulation: str, precision: str, count: int) -> None:
-    if not isinstance(functions, tuple):
-        raise ValueError(f"functions: expected a tuple of names, got {functions!r}")
-    for function in functions:
-        option(function, FUNCTIONS, "functions")
-    option(precision, tuple(_PRECISION), "precision")
-    if not isinstance(count, int) or count < 1:
-        raise ValueError(f"count: expected a whole number >= 1, got {count!r}")
-    closed = [function for function in functions if function in CLOSED_FORM]
-    if closed and (formulation, robot.base_joint) != ("exact", "universal"):
-        raise ValueError(
-            f"functions: {closed[0]} is of exact with universal base joints, not of {formulation} with "
-            f"{robot.base_joint} ones"
-        )
-
-
 def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
     """Whether lengths known to rounding settle the pose, with a factor of two to spare.
 
@@ -184,17 +163,17 @@ def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:
 
 
 def _vector(interpreter: KitInterpreter, robot: Robot, kind: type, function: str, motion: Numbers) -> Vector:
-    rounded = partial(_rounded, kind=kind)
+    near = partial(rounded, kind=kind)
     inputs = dict(motion)
     at = motion
     if function in ("forward_dynamics", "linearisation"):
         # More than what holds the motion: the platform has to be accelerated.
-        inputs["F"] = rounded(significant(1.5 * values(interpreter.forces(motion)["F"]), 4))
+        inputs["F"] = near(significant(1.5 * values(interpreter.forces(motion)["F"]), 4))
     elif function == "joint_reactions":
         L = values(interpreter.inverse_kinematics(motion)["L"])
-        inputs["bearing"] = rounded(significant(L * np.linspace(0.3, 0.8, 6), 2))
+        inputs["bearing"] = near(significant(L * np.linspace(0.3, 0.8, 6), 2))
     elif function in ROTATION:
-        inputs = {name: rounded(value) for name, value in _rotation_inputs(function, motion).items()}
+        inputs = {name: near(value) for name, value in _rotation_inputs(function, motion).items()}
     elif function in KINEMATICS:
         inputs, at = _kinematic_inputs(interpreter, robot, kind, function, motion)
     found = getattr(interpreter, function)(at if function == "forward_kinematics" else inputs)
@@ -212,11 +191,11 @@ def _kinematic_inputs(
     legs = interpreter.inverse_kinematics(motion)
     pose = {name: motion[name] for name in ("R", "t")}
     if function == "forward_velocity":
-        inputs = {**pose, "L_dot": _rounded(significant(values(legs["L_dot"]), 4), kind)}
+        inputs = {**pose, "L_dot": rounded(significant(values(legs["L_dot"]), 4), kind)}
         return inputs, inputs
-    L = _rounded(values(legs["L"]), kind)
+    L = rounded(values(legs["L"]), kind)
     R, t = _guess(robot, pose["R"].reshape(3, 3), pose["t"], L)
-    inputs = {"L": L, "R_guess": _rounded(R.ravel(), kind), "t_guess": _rounded(t, kind)}
+    inputs = {"L": L, "R_guess": rounded(R.ravel(), kind), "t_guess": rounded(t, kind)}
     return inputs, {**pose, "L": L}
 
 
@@ -256,14 +235,8 @@ def _answers(found: Found, kind: type, margin: float) -> tuple[dict[str, Array],
 
 def _input(robot: Robot, motion: Motion, kind: type) -> dict[str, Array]:
     """Fields of a ``stewart_motion``; ValueError where the load, some weights of the platform, overflows."""
-    found = {name: _rounded(np.ravel(getattr(motion, name)), kind) for name in MOTION}
+    found = {name: rounded(np.ravel(getattr(motion, name)), kind) for name in MOTION}
     if not all(np.isfinite(value).all() for value in found.values()):
-        precision = next(name for name, known in _PRECISION.items() if known is kind)
+        precision = next(name for name, known in PRECISIONS.items() if known is kind)
         raise ValueError(f"robot: M: expected a mass whose weight {precision} can hold, got {robot.M:g}")
     return found
-
-
-def _rounded(numbers: Array, kind: type) -> Array:
-    """The nearest numbers of the precision, as doubles; infinity for those too large for it."""
-    with np.errstate(over="ignore"):
-        return np.asarray(numbers, dtype=kind).astype(np.float64)

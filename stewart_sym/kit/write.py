@@ -3,6 +3,7 @@
 from collections.abc import Iterable
 from pathlib import Path
 
+from ..io.progress import Progress, silent
 from ..io.writing import digest, must_replace, recorded, staged_folder
 from ..robot.robot import Robot
 from .choice import DEFAULT, Choice
@@ -15,13 +16,14 @@ def write_kit(
     choice: Choice = DEFAULT,
     force: bool = False,
     inputs: Iterable[Path] = (),
+    progress: Progress = silent,
 ) -> tuple[Kit, list[Path]]:
     """Write the C kit of ``robot`` into ``directory``, made if missing, and return it and its files.
 
     The same robot, choice and version give the same bytes. Raises ValueError of one line: an unknown option,
     a robot without a pose for the self-test, and as ``put``.
     """
-    made = kit(robot, choice)
+    made = kit(robot, choice, progress)
     return made, put(made, directory, force, inputs)
 
 

@@ -4,14 +4,13 @@ Between instants whose rates come from a spline of degree 5, as those of ``read_
 spline.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
+from ..io.array_types import Array
 from ..io.tables import positive
 from .motion import Motion
 from .rotation import (
@@ -25,7 +24,6 @@ from .rotation import (
 from .straight_line import MOST_STEPS
 from .trajectory import PoseLog, Trajectory, need_trajectory
 
-Array = NDArray[np.float64]
 Path = Callable[[Array], Motion]
 """Times, s, (n,) -> the motion there, of shape (n,)."""
 
@@ -68,9 +66,9 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
             return trajectory.at(np.asarray(i + (share[..., 0] == 1.0)))
         # The polynomials of the steps in question alone: those of all would take as much room as the motion.
         start, end = trajectory.at(i), trajectory.at(i + 1)
-        places = _quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
-        t, *rates = _values(places, share, h)
-        phi, phi_dot, phi_ddot = _values(_turning(h, start, end), share, h)
+        places = quintic(h, *((each.t, each.v, np.asarray(each.a)) for each in (start, end)))
+        t, *rates = values(places, share, h)
+        phi, phi_dot, phi_ddot = values(_turning(h, start, end), share, h)
         turning = angular_motion_from_vector(phi, phi_dot, phi_ddot)
         R = orthonormal(rotation_from_vector(phi) @ start.R)
         loads = {
@@ -117,8 +115,8 @@ def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     noise = trajectory.noise
     if noise is not None:
         start, end = noise.coordinates[:, :-1], noise.coordinates[:, 1:]
-        c = _quintic(np.diff(time)[:, None], tuple(start), tuple(end))
-        noise = noise._replace(coordinates=np.stack(_values(c[:, i], share, h)))
+        c = quintic(np.diff(time)[:, None], tuple(start), tuple(end))
+        noise = noise._replace(coordinates=np.stack(values(c[:, i], share, h)))
     return Trajectory(when, path(when), trajectory.source, rows, noise)
 
 
@@ -133,15 +131,15 @@ Ends = tuple[Array, Array, Array]
 
 
 def _turning(h: Array, start: Motion, end: Motion) -> Array:
-    """Coefficients as of ``_quintic`` of the rotation vector from the start of each step on."""
+    """Coefficients as of ``quintic`` of the rotation vector from the start of each step on."""
     assert start.alpha is not None
     assert end.alpha is not None
     turn = vector_from_rotation(end.R @ np.swapaxes(start.R, -1, -2))
     rates = vector_rate(turn, end.omega), vector_second_rate(turn, end.omega, end.alpha)
-    return _quintic(h, (np.zeros_like(turn), start.omega, start.alpha), (turn, *rates))
+    return quintic(h, (np.zeros_like(turn), start.omega, start.alpha), (turn, *rates))
 
 
-def _quintic(h: Array, first: Ends, last: Ends) -> Array:
+def quintic(h: Array, first: Ends, last: Ends) -> Array:
     """Coefficients, (6, ..., 3), of powers of the share of a step h, from values, rates and second rates."""
     c_0, c_1, c_2 = first[0], h * first[1], 0.5 * h**2 * first[2]
     d, e, f = last[0] - c_0 - c_1 - c_2, h * last[1] - c_1 - 2.0 * c_2, h**2 * last[2] - 2.0 * c_2
@@ -149,7 +147,7 @@ def _quintic(h: Array, first: Ends, last: Ends) -> Array:
     return np.stack([c_0, c_1, c_2, c_3, c_4, c_5])
 
 
-def _values(c: Array, share: Array, h: Array) -> Ends:
+def values(c: Array, share: Array, h: Array) -> Ends:
     """Value, rate and second rate at shares of steps h, s, of coefficients (6, ..., 3)."""
     x = c[0] + share * (c[1] + share * (c[2] + share * (c[3] + share * (c[4] + share * c[5]))))
     rate = c[1] + share * (2.0 * c[2] + share * (3.0 * c[3] + share * (4.0 * c[4] + share * 5.0 * c[5])))

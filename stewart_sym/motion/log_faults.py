@@ -4,15 +4,13 @@ Blocks of samples, of several lengths, are fitted by polynomials. Where one offs
 leave, and no jump of a velocity, an acceleration or a jerk does nearly as well, it is a fault of the log.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..io.array_types import Array
 
 # Lengths of blocks, samples, and the degrees of their polynomials.
 _BLOCKS = ((8, 3), (16, 5), (32, 5), (64, 5), (128, 5))

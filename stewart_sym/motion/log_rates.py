@@ -1,7 +1,5 @@
 """Rates of a log: splines through its poses, smooth curves where there is noise, gaps, rows that are off."""
 
-from __future__ import annotations
-
 import dataclasses
 import itertools
 import math
@@ -9,8 +7,8 @@ import warnings
 from collections.abc import Callable, Sequence
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..io.array_types import Array, Flags
 from ..io.extras import needed_for
 from .log_faults import Fault, faults, offsets
 from .log_sampling import slower_sampling, spread
@@ -19,8 +17,6 @@ from .noise_level import Level, LogWarning, noise_level, stated
 from .rotation import rpy_from_rotation
 from .smoothing import PAIRS, smoothed
 from .trajectory import POSE, Log, Trajectory, Uncertainty, changed_instants, replaced_rows, rows_text
-
-Array = NDArray[np.float64]
 
 _MIN_SPLINE_POINTS = 4
 # What needs SciPy, and what helps without.
@@ -86,7 +82,7 @@ def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty
 
 
 def _with_changes(
-    time: Array, found: Array, noise: Uncertainty | None, changed: Array, near: NDArray[np.bool_]
+    time: Array, found: Array, noise: Uncertainty | None, changed: Array, near: Flags
 ) -> Uncertainty:
     """Uncertainty in which changes of coordinates and rates, (3, n, 6), count as a deviation, ``near``."""
     if noise is None:
@@ -136,7 +132,7 @@ def _derivatives(
     return found, noise
 
 
-# Noise that is not told: shares of the largest acceleration, gravity's at least, and of the path.
+# Noise without a warning: shares of the largest acceleration, gravity's at least, and of the path.
 _LITTLE, _PATH = 1e-3, 1e-6
 _GRAVITY = 9.81
 _CORRELATED = (

@@ -1,17 +1,15 @@
 """Trajectories and forces read from CSV files, with a warning for each doubt about units and rates."""
 
-from __future__ import annotations
-
 import math
 import os
 import warnings
 from functools import partial
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
 
-from ..io.arguments import finite_array, real_array
+from ..io.array_types import Array
 from ..io.extras import need
+from ..io.progress import Progress, silent
 from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import LogFormat, read_columns
@@ -28,8 +26,6 @@ from .trajectory import (
     Smoothing,
     Trajectory,
 )
-
-Array = NDArray[np.float64]
 
 # Of a CSV file; more than two million rows with everything in them.
 _MOST_BYTES = 1 << 30
@@ -85,38 +81,21 @@ def read_any_csv(
 
 
 def read_log(
-    path: str | os.PathLike[str], form: LogFormat = PLAIN, smoothing: Smoothing = AS_SHOWN
+    path: str | os.PathLike[str],
+    form: LogFormat = PLAIN,
+    smoothing: Smoothing = AS_SHOWN,
+    progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
-    """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs."""
+    """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs, with progress."""
     source = file_name(path)
     with opened(source, "trajectory", _MOST_BYTES) as stream:
-        columns, rows = read_columns(stream, source, partial(_check_log, smoothing=smoothing), form)
+        check = partial(_check_log, smoothing=smoothing)
+        columns, rows = read_columns(stream, source, check, form, progress)
+    progress(f"differentiating {len(rows)} rows")
     names = {name.rpartition("_")[0] for name in columns} - {""}
     written = {name: [columns[c] for c in _components(name)] for name in names}
     log = Log(source, rows, columns["time"], written, form, smoothing)
     return _joint_trajectory(log) if "L" in names else _pose_log(log)
-
-
-def from_poses(
-    time: ArrayLike,
-    t: ArrayLike,
-    theta: ArrayLike,
-    smoothing: Smoothing = AS_SHOWN,
-    source: str = "poses",
-) -> Trajectory:
-    """Return the trajectory of poses over time, differentiated as those of ``read_csv``.
-
-    time: increasing, s, (n,). t: m, theta: angles of (38), rad, (n, 3). source: name in warnings and errors.
-    """
-    when = real_array(time, "time")
-    if when.ndim != 1 or not len(when) or not (np.diff(when) > 0.0).all():
-        raise ValueError(f"time: expected increasing times (n,), got shape {when.shape}")
-    poses = {"t": finite_array(t, (3,), "t"), "theta": finite_array(theta, (3,), "theta")}
-    for name, values in poses.items():
-        if values.shape != (len(when), 3):
-            raise ValueError(f"{name}: expected shape ({len(when)}, 3), got {values.shape}")
-    written = {name: [*values.T] for name, values in poses.items()}
-    return _trajectory(_pose_log(Log(source, range(len(when)), when, written, smoothing=smoothing)))
 
 
 def _trajectory(log: PoseLog) -> Trajectory:

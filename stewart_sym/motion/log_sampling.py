@@ -1,14 +1,14 @@
 """Rows of a log that were not measured: held, or interpolated linearly, between those of a slower sensor."""
 
-from __future__ import annotations
-
 import itertools
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..io.array_types import Array
+from .interpolation import quintic, values
+
 Rows = NDArray[np.int64]
 
 # Rows that must have been measured for their distances to tell.
@@ -35,9 +35,9 @@ def slower_sampling(values: Array, steps: Array) -> Sampling | None:
     """
     rounding = np.maximum(steps, _DIGITS * np.abs(values).max(axis=0, initial=0.0)) + np.finfo(float).tiny
     change = np.abs(np.diff(values, axis=0)) / rounding
-    held = _regular(np.max(change, axis=1, initial=0.0), 0.0, len(values), 1)
-    if held is not None:
-        return Sampling(held, "held")
+    repeated = _regular(np.max(change, axis=1, initial=0.0), 0.0, len(values), 1)
+    if repeated is not None:
+        return Sampling(repeated, "held")
     bend = np.abs(np.diff(values, n=2, axis=0)) / rounding
     bent = _regular(np.max(bend, axis=1, initial=0.0), 2.5, len(values), 1)
     return None if bent is None else Sampling(bent, "interpolated linearly")
@@ -56,10 +56,10 @@ def _regular(size: Array, quiet: float, count: int, offset: int) -> Rows | None:
     if usual < 2.0 or np.mean(alike) < _REGULAR or np.min(gaps) < 0.5 * usual:
         return None
     every = max(2, round(usual))
-    told = rows + offset
-    missing = [np.arange(a + every, b - every // 2, every) for a, b in itertools.pairwise(told)]
-    before, after = np.arange(told[0] - every, -1, -every), np.arange(told[-1] + every, count, every)
-    return np.unique(np.concatenate([before, told, after, *missing]))
+    seen = rows + offset
+    missing = [np.arange(a + every, b - every // 2, every) for a, b in itertools.pairwise(seen)]
+    before, after = np.arange(seen[0] - every, -1, -every), np.arange(seen[-1] + every, count, every)
+    return np.unique(np.concatenate([before, seen, after, *missing]))
 
 
 def spread(time: Array, rows: Rows, found: Array) -> Array:
@@ -70,21 +70,8 @@ def spread(time: Array, rows: Rows, found: Array) -> Array:
     at = time[rows]
     i = np.clip(np.searchsorted(at, time, side="right") - 1, 0, len(rows) - 2)
     h, since = (at[i + 1] - at[i])[:, None], (time - at[i])[:, None]
-    (x, v, a), (X, V, A) = found[:, i], found[:, i + 1]
-    # What the first acceleration alone does not reach, by h^2.
-    gap = (X - x - h * v - 0.5 * h**2 * a) / h**2
-    rate, second = (V - v - h * a) / h, A - a
-    c3 = 10.0 * gap - 4.0 * rate + 0.5 * second
-    c4 = -15.0 * gap + 7.0 * rate - second
-    c5 = 6.0 * gap - 3.0 * rate + 0.5 * second
-    inside = (time >= at[0]) & (time <= at[-1])
-    late = time > at[-1]
-    s = np.where(inside[:, None], since / h, 0.0)
-    value = x + since * v + 0.5 * since**2 * a + h**2 * s**3 * (c3 + s * (c4 + s * c5))
-    slope = v + since * a + h * s**2 * (3.0 * c3 + s * (4.0 * c4 + 5.0 * s * c5))
-    bend = a + s * (6.0 * c3 + s * (12.0 * c4 + 20.0 * s * c5))
-    spread = np.stack([value, slope, bend])
-    since = (time[late] - at[-1])[:, None]
-    x, v, a = found[:, -1]
-    spread[:, late] = x + since * (v + 0.5 * since * a), v + since * a, a + 0.0 * since
-    return spread
+    between = np.stack(values(quintic(h, tuple(found[:, i]), tuple(found[:, i + 1])), since / h, h))
+    for outside, end in ((time < at[0], 0), (time > at[-1], -1)):
+        since, (x, v, a) = (time[outside] - at[end])[:, None], found[:, end]
+        between[:, outside] = x + since * (v + 0.5 * since * a), v + since * a, a + 0.0 * since
+    return between

@@ -17,16 +17,15 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, BinaryIO
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io.arguments import option, shown
+from ..io.array_types import Array
+from ..io.progress import Progress, silent
 from ..io.tables import as_utf8
 from .noise_level import LogWarning
 
 if TYPE_CHECKING:
     import _csv
-
-Array = NDArray[np.float64]
 
 LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
 ANGLE_UNITS = {"rad": 1.0, "deg": math.pi / 180.0}
@@ -94,19 +93,29 @@ class LogFormat:
 
 
 def read_columns(
-    stream: BinaryIO, source: str, check_header: Callable[[list[str], str], None], form: LogFormat
+    stream: BinaryIO,
+    source: str,
+    check_header: Callable[[list[str], str], None],
+    form: LogFormat,
+    progress: Progress = silent,
 ) -> tuple[dict[str, Array], Sequence[int]]:
     """Return the columns of a CSV file by name, as written but for time in s, and the rows where they stand.
 
     stream: the file, which is read in parts, so that the numbers alone take room. check_header: rejects a
-    header of expected names, given the name of the file.
+    header of expected names, given the name of the file. progress: given the share of the file that is read.
     """
+    size = max(1, stream.seek(0, io.SEEK_END))
+    stream.seek(0)
+
+    def read() -> None:
+        progress(f"reading {source}", min(1.0, stream.tell() / size))
+
     with as_utf8(stream, source):
         delimiter, decimal = _marks(stream, form)
         stream.seek(0)
         lines = io.TextIOWrapper(stream, encoding="utf-8-sig", newline="")
         try:
-            columns, rows = _columns(lines, source, check_header, form, delimiter, decimal)
+            columns, rows = _columns(lines, source, check_header, form, delimiter, decimal, read)
         finally:
             lines.detach()
         if _cut_off(stream, delimiter, decimal):
@@ -136,8 +145,9 @@ def _columns(
     form: LogFormat,
     delimiter: str,
     decimal: str,
+    read: Callable[[], None],
 ) -> tuple[dict[str, Array], Sequence[int]]:
-    """Columns of the lines by name, and their rows."""
+    """Columns of the lines by name, and their rows; ``read`` is called now and then."""
     reader = csv.reader(lines, delimiter=delimiter, skipinitialspace=True)
     above = 0
     try:
@@ -158,6 +168,7 @@ def _columns(
             table = _plain_table(part, len(header), used, delimiter, decimal)
             if table is None:
                 break
+            read()
             for column, more in zip(numbers, table.T, strict=True):
                 column.frombytes(more.tobytes())
         rows: Sequence[int] = range(first, first + len(numbers[0]))
@@ -165,7 +176,7 @@ def _columns(
             above = first + len(rows) - 1
             reader = csv.reader(itertools.chain(part, lines), delimiter=delimiter, skipinitialspace=True)
             rows = array.array("q", rows)
-            _add_rows(reader, above, header, source, decimal, numbers, rows)
+            _add_rows(reader, above, header, source, decimal, numbers, rows, read)
     except csv.Error as error:
         raise ValueError(f"{source}: row {above + reader.line_num}: not valid CSV: {error}") from None
     names = (name for name in header if name is not None)
@@ -249,6 +260,7 @@ def _add_rows(
     decimal: str,
     numbers: list[array.array[float]],
     rows: array.array[int],
+    read: Callable[[], None],
 ) -> None:
     """Add the numbers of the used columns, row after row, and the rows; ``above``: lines before them."""
     for cells in reader:
@@ -256,6 +268,8 @@ def _add_rows(
             continue
         row = above + reader.line_num
         rows.append(row)
+        if len(rows) % _ROWS == 0:
+            read()
         for column, value in zip(
             numbers, _row(cells, header, f"{source}: row {row}: ", decimal), strict=True
         ):

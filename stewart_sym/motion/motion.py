@@ -7,9 +7,10 @@ from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, leading_shape
+from ..io.array_types import Array
 from ..io.frozen import Frozen, read_only
 from .rotation import (
     angular_acceleration_from_quaternion,
@@ -33,7 +34,6 @@ __all__ = [
     "rpy_from_rotation",
 ]
 
-Array = NDArray[np.float64]
 
 ROTATION_TOLERANCE = 1e-9
 FLOAT_TOLERANCE = 16.0 * float(np.finfo(np.float32).eps)
@@ -130,6 +130,12 @@ class Motion(Frozen):
             picked[field.name] = None if value is None else value[(*index, *rest, *own)]
         return Motion(**picked)
 
+    def external_wrench(self) -> Array:
+        """[R F_ext; R M_ext], N and N m, base axes, (..., 6); 0 without a load."""
+        load = [np.zeros(3) if vector is None else vector for vector in (self.F_ext, self.M_ext)]
+        turned = [np.einsum("...ij,...j->...i", self.R, vector) for vector in load]
+        return np.concatenate(turned, axis=-1)
+
     def in_axes(self, Q: Array) -> Motion:
         """Return the motion in base and platform frames turned by a rotation Q, (3, 3): x becomes Q x."""
         vectors = {
@@ -183,17 +189,9 @@ class Motion(Frozen):
         theta, theta_dot, theta_ddot: (theta_x, theta_y, theta_z) and rates, rad, rad/s, rad/s^2, (..., 3).
         a and theta_ddot are given together or not at all.  F_ext, M_ext as in ``Motion``.
         """
-        if (a is None) != (theta_ddot is None):
-            missing = "a" if a is None else "theta_ddot"
-            raise ValueError(f"{missing}: expected both accelerations, a and theta_ddot, or neither")
-        angles = {
-            "theta": finite_array(theta, (3,), "theta"),
-            "theta_dot": finite_array(theta_dot, (3,), "theta_dot"),
-        }
-        if theta_ddot is not None:
-            angles["theta_ddot"] = finite_array(theta_ddot, (3,), "theta_ddot")
-        shape = _leading_shape(angles)
-        theta, theta_dot, *second = (np.broadcast_to(array, (*shape, 3)) for array in angles.values())
+        turns = _turns((3,), {"theta": theta, "theta_dot": theta_dot, "theta_ddot": theta_ddot}, a)
+        *shape, _ = np.broadcast_shapes(*(array.shape for array in turns))
+        theta, theta_dot, *second = (np.broadcast_to(array, (*shape, 3)) for array in turns)
         R, omega, alpha = rpy_motion(theta, theta_dot, second[0] if second else None)
         given = {"t": t, "v": v, "a": a, "F_ext": F_ext, "M_ext": M_ext}
         checked = {
@@ -269,6 +267,25 @@ class Motion(Frozen):
             name: None if value is None else finite_array(value, (3,), name) for name, value in given.items()
         }
         return cls(R=R, omega=omega, alpha=alpha, **checked)  # type: ignore[arg-type]
+
+
+def at_rest(
+    R: ArrayLike, t: ArrayLike, F_ext: ArrayLike | None = None, M_ext: ArrayLike | None = None
+) -> Motion:
+    """Poses at rest, under a load: all rates and accelerations are 0."""
+    zero = np.zeros(3)
+    return Motion(R, t, zero, zero, zero, zero, F_ext, M_ext)  # type: ignore[arg-type]
+
+
+def pose_of(value: object, name: str, expected: str) -> Motion:
+    """A pose (R, t) as a motion at rest without accelerations; ValueError that begins with the name."""
+    if not isinstance(value, tuple | list) or len(value) != 2:
+        raise ValueError(f"{name}: expected {expected}, got {type(value).__name__}")
+    R, t = value
+    try:
+        return Motion(R, t, np.zeros(3), np.zeros(3))
+    except ValueError as error:
+        raise ValueError(f"{name}: {error}") from None
 
 
 def _turns(core: tuple[int, ...], given: dict[str, ArrayLike | None], a: ArrayLike | None) -> list[Array]:

@@ -1,14 +1,11 @@
 """How large the noise of a log's numbers is: their last decimals, and what differences of them show."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..io.array_types import Array
 
 
 class LogWarning(UserWarning):

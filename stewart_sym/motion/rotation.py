@@ -4,19 +4,17 @@ Plain vectorised functions; angles are ``theta = (theta_x, theta_y, theta_z)``, 
 axis times the angle, base axes.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 from numpy.polynomial import polynomial
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import real_array
+from ..io.array_types import Array
 
-Array = NDArray[np.float64]
 _Trig = tuple[Array, Array, Array, Array, Array, Array]
 
 BLOCK = 2048
@@ -119,7 +117,7 @@ def rotation_from_vector(phi: ArrayLike) -> Array:
     half = 0.5 * np.linalg.norm(phi, axis=-1)[..., None, None]
     N = cross_matrix(phi)
     # sin(x)/x in both terms of Rodrigues' formula, as nothing cancels in it.
-    return np.asarray(np.eye(3) + _sinc(2.0 * half) * N + 0.5 * _sinc(half) ** 2 * N @ N)
+    return np.asarray(np.eye(3) + np.sinc(2.0 * half / np.pi) * N + 0.5 * np.sinc(half / np.pi) ** 2 * N @ N)
 
 
 def vector_from_rotation(R: ArrayLike) -> Array:
@@ -140,7 +138,8 @@ def rotation_from_quaternion(e: ArrayLike) -> Array:
 
     R x = e x e^-1. Raises ``ValueError`` for a quaternion of length zero.
     """
-    e = _unit_quaternion(_quaternions(e, "e"))
+    (e,) = _shares(_quaternions(e, "e"))
+    e = e / np.linalg.norm(e, axis=-1, keepdims=True)
     N = cross_matrix(e[..., 1:])
     return np.asarray(np.eye(3) + 2.0 * e[..., :1, None] * N + 2.0 * N @ N)
 
@@ -262,10 +261,12 @@ def cross_matrix(vector: Array) -> Array:
 
 def _turning(phi: Array, phi_dot: Array) -> Array:
     """What alpha has of phi' alone."""
-    _, b, a_slope, b_slope = _vector_factors(phi)
+    _, b, a_by_square, b_by_square = _vector_factors(phi)
     growth = 2.0 * np.sum(phi * phi_dot, axis=-1, keepdims=True)
     once = cross(phi, phi_dot)
-    return np.asarray(growth * (a_slope * once + b_slope * cross(phi, once)) + b * cross(phi_dot, once))
+    return np.asarray(
+        growth * (a_by_square * once + b_by_square * cross(phi, once)) + b * cross(phi_dot, once)
+    )
 
 
 def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
@@ -283,15 +284,10 @@ def _vector_factors(phi: Array) -> tuple[Array, Array, Array, Array]:
     )
     series = (_A, _B, polynomial.polyder(_A), polynomial.polyder(_B))
     pairs = zip(closed, series, strict=True)
-    a, b, a_slope, b_slope = (
+    a, b, a_by_square, b_by_square = (
         np.where(square < 1.0, polynomial.polyval(small, terms), far) for far, terms in pairs
     )
-    return a, b, a_slope, b_slope
-
-
-def _unit_quaternion(e: Array) -> Array:
-    (share,) = _shares(e)
-    return np.asarray(share / np.linalg.norm(share, axis=-1, keepdims=True))
+    return a, b, a_by_square, b_by_square
 
 
 def _inverse(e: Array) -> Array:
@@ -311,10 +307,6 @@ def _quaternions(value: ArrayLike, name: str) -> Array:
     if name == "e" and not np.all(np.any(numbers != 0.0, axis=-1)):
         raise ValueError("e: expected a quaternion of a length other than zero")
     return numbers
-
-
-def _sinc(x: Array) -> Array:
-    return np.asarray(np.sinc(x / np.pi))
 
 
 def _trig(theta: Array) -> _Trig:

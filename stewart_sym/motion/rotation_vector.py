@@ -7,9 +7,8 @@ integration evaluates them one state at a time, a dozen times a step.
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..io.array_types import Array
 
 
 def turned(phi: Array, center: Array) -> Array:

@@ -5,22 +5,19 @@ place of the measured poses keeps their noise out of the accelerations; ``chain`
 moves.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-from ..io.arguments import instance, real_array, shown
+from ..io.arguments import instance, number_in, real_array, shown, whole_number
+from ..io.array_types import Array
 from ..io.extras import needed_for
 from .motion import Motion
 from .rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
-
-Array = NDArray[np.float64]
 
 WITHOUT_PERIOD = "a smooth motion without a period"
 """What needs SciPy, in words."""
@@ -70,20 +67,16 @@ class PoseNoise:
         time.setflags(write=False)
         object.__setattr__(self, "time", time)
         for name, unit in (("position", "m"), ("angle", "rad")):
-            _need_positive(getattr(self, name), name, f"a standard deviation > 0 {unit}")
+            number_in(getattr(self, name), name, f"a standard deviation > 0 {unit}")
         if self.period is not None:
-            _need_positive(self.period, "period", "a duration > 0 s or None")
+            number_in(self.period, "period", "a duration > 0 s or None")
         if self.harmonics is None:
             return
         if self.period is None:
             raise ValueError("harmonics: expected None for a motion without a period")
-        if not isinstance(self.harmonics, int | np.integer) or isinstance(self.harmonics, bool):
-            raise ValueError(f"harmonics: expected a whole number or None, got {shown(self.harmonics)}")
         most = (len(time) - 1) // 2
-        if not 1 <= self.harmonics <= most:
-            raise ValueError(
-                f"harmonics: expected 1 to {most} for {len(time)} instants, got {shown(self.harmonics)}"
-            )
+        expected = f"a whole number from 1 to {most} for {len(time)} instants, or None"
+        whole_number(self.harmonics, "harmonics", 1, expected, most)
 
     @property
     def weights(self) -> Array:
@@ -281,9 +274,3 @@ def _spline(time: Array, size: int) -> Basis:
     knots = np.concatenate([np.repeat(since[0], _DEGREE), inner, np.repeat(since[-1], _DEGREE)])
     functions = BSpline(knots, np.eye(size), _DEGREE)
     return Basis(*(np.asarray(functions(since, order)) for order in range(3)))
-
-
-def _need_positive(value: object, name: str, expected: str) -> None:
-    number = real_array(value, name, expected)
-    if number.shape != () or not (np.isfinite(number) and number > 0.0):
-        raise ValueError(f"{name}: expected {expected}, got {shown(value)}")

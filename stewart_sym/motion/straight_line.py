@@ -1,21 +1,18 @@
 """The paper's straight-line paths, (39), (40): lines with parabolic blends; Paths I, II and III."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from types import MappingProxyType
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, real_array, shown
+from ..io.array_types import Array
 from ..io.tables import number
 from .motion import Motion
-
-Array = NDArray[np.float64]
 
 Vector = tuple[float, float, float]
 Rows = tuple[Vector, Vector, Vector]
@@ -212,44 +209,29 @@ class PaperPath(NamedTuple):
     dtau: float
 
 
+_FIRST = StraightLinePath(
+    t0=(0.1, 0.0, 0.4),
+    theta0=(0.0, 0.0, -0.2),
+    t1=(0.3, 0.0, 0.6),
+    theta1=(0.0, 0.0, 0.2),
+    tau_f=6.0,
+    V=0.08,
+    Omega=0.08,
+)
+_THIRD = StraightLinePath(
+    t0=(0.4, 1.4, 1.2),
+    theta0=(0.1, 0.2, 0.0),
+    t1=(0.8, 1.8, 1.8),
+    theta1=(0.3, 0.4, 0.0),
+    tau_f=6.0,
+    V=0.2,
+    Omega=0.08,
+)
 PATHS: Mapping[str, PaperPath] = MappingProxyType(
     {
-        "I": PaperPath(
-            StraightLinePath(
-                (0.1, 0.0, 0.4),
-                (0.0, 0.0, -0.2),
-                (0.3, 0.0, 0.6),
-                (0.0, 0.0, 0.2),
-                tau_f=6.0,
-                V=0.08,
-                Omega=0.08,
-            ),
-            dtau=0.1,
-        ),
-        "II": PaperPath(
-            StraightLinePath(
-                (0.1, 0.0, 0.4),
-                (0.0, 0.0, -0.2),
-                (0.3, 0.0, 0.6),
-                (0.0, 0.0, 0.2),
-                tau_f=0.6,
-                V=0.8,
-                Omega=0.8,
-            ),
-            dtau=0.01,
-        ),
-        "III": PaperPath(
-            StraightLinePath(
-                (0.4, 1.4, 1.2),
-                (0.1, 0.2, 0.0),
-                (0.8, 1.8, 1.8),
-                (0.3, 0.4, 0.0),
-                tau_f=6.0,
-                V=0.2,
-                Omega=0.08,
-            ),
-            dtau=0.1,
-        ),
+        "I": PaperPath(_FIRST, dtau=0.1),
+        "II": PaperPath(replace(_FIRST, tau_f=0.6, V=0.8, Omega=0.8), dtau=0.01),
+        "III": PaperPath(_THIRD, dtau=0.1),
     }
 )
 """Paths I, II and III of section 5."""

@@ -1,7 +1,5 @@
 """Trajectories: motions, coordinates or leg lengths over time; what noise leaves open; a log as read."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 from collections.abc import Mapping, Sequence
@@ -12,14 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.arguments import instance
+from ..io.array_types import Array, Flags
 from ..io.tables import number
 from .log_faults import Fault
 from .logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
 from .motion import Motion
 from .noise_level import rounding_step
 from .rotation import rotation_about_axes, rotation_from_quaternion, rpy_from_rotation
-
-Array = NDArray[np.float64]
 
 # Trajectories from CSV
 
@@ -253,13 +250,13 @@ def _first_bad_row(numbers: Mapping[str, Array], rows: NDArray[np.int64]) -> str
 _CHANGED = 0.02
 
 
-def changed_instants(changed: Array) -> NDArray[np.bool_]:
+def changed_instants(changed: Array) -> Flags:
     """Instants, (n,), at which changes of coordinates and rates, (3, n, 6), count."""
     size = np.abs(changed[2])
     return np.asarray((size > _CHANGED * size.max(axis=0)).any(axis=1))
 
 
-def replaced_rows(log: Log, bad: Sequence[Fault], near: NDArray[np.bool_]) -> tuple[Replaced, ...]:
+def replaced_rows(log: Log, bad: Sequence[Fault], near: Flags) -> tuple[Replaced, ...]:
     """Spans of instants at which replaced rows count, with the faults that are nearest to each."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(np.int8)))
     rows = list(dict.fromkeys((fault.first, fault.end) for fault in bad))

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..dynamics.home_pose import radius
+from ..io.array_types import Array
 from ..robot.robot import LEGS, Robot
 from .level_poses import (
     GOOD_CONDITION,
@@ -18,8 +19,6 @@ from .level_poses import (
     heights_of,
     level_conditions,
 )
-
-Array = NDArray[np.float64]
 
 EXCHANGED = -0.5
 """Of two legs, the way between their base points times that between their platform points, over both radii,
@@ -54,9 +53,8 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
         yield Doubt(
             "leg-order",
             f"{_level(given)} with the platform parallel to the base, {best[turn, k]:.2g} with its points in "
-            f"another order; likely cause: platform points {cause} against the base points, or a "
-            "platform frame "
-            f"turned about its normal",
+            f"another order; likely cause: platform points {cause} against the base points, or a platform "
+            "frame turned about its normal",
         )
         return
     if given > MOST_CONDITION:

@@ -4,16 +4,15 @@ from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..dynamics.home_pose import home_pose, radius
+from ..dynamics.home_pose import home_pose, level_lengths, radius
 from ..dynamics.inverse import inverse_dynamics
+from ..io.array_types import Array
 from ..kinematics.conditioning import scaled_condition_number
-from ..motion.motion import Motion
+from ..kinematics.inverse import length_rows
+from ..motion.motion import at_rest
 from ..motion.rotation import rotation_from_vector
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 GOOD_CONDITION, MISPAIRED, TWISTED = 12.0, 6.0, np.radians(75.0)
 """Level poses of machines have scaled condition numbers of 1.5 to 3, of unusual ones up to 30; legs in wrong
@@ -45,9 +44,8 @@ def centred_H(b: Array, p: Array, R: Array, t: Array) -> tuple[Array, Array]:
     q = p @ np.swapaxes(R, -1, -2)
     S = q + t[..., None, :] - b
     L = np.linalg.norm(S, axis=-1)
-    s = S / np.where(L > 0.0, L, 1.0)[..., None]
     arm = (q - q.mean(axis=-2, keepdims=True)) / (radius(p) or 1.0)
-    return np.swapaxes(np.concatenate([s, np.cross(arm, s)], axis=-1), -1, -2), L
+    return np.swapaxes(length_rows(arm, S, L), -1, -2), L
 
 
 def level_home(robot: Robot) -> Array:
@@ -67,7 +65,7 @@ def level_home(robot: Robot) -> Array:
         directions += [normal, -normal]
     others = np.concatenate([heights_of(robot, direction) for direction in directions])
     found = level_conditions(robot.b, robot.p, others)
-    lengths = lengths_at(robot, others)
+    lengths = level_lengths(robot, others)
     if limited:
         score = np.abs(lengths - robot.length_limits.mean(axis=-1)).mean(axis=-1)
         score[found > max(GOOD_CONDITION, found.min())] = np.inf
@@ -84,22 +82,15 @@ def home_of(robot: Robot, t: Array) -> Home:
     """The level pose at t, or one beside it where the legs are within their limits."""
     low, high = robot.length_limits.T
     margin = np.where(np.isfinite(high), 0.25 * (high - low), 0.0)
-    R, L, fits = np.eye(3), lengths_at(robot, t), False
+    R, L, fits = np.eye(3), level_lengths(robot, t), False
     for inner in (margin, 0.0 * margin):
         pose = _pose_within(robot, t, low + inner, high - inner)
         if pose is not None:
             (R, t), fits = pose, True
             L = np.linalg.norm(t + robot.p @ R.T - robot.b, axis=-1)
             break
-    zero = np.zeros(3)
-    rest = Motion(R=R, t=t, omega=zero, v=zero, alpha=zero, a=zero)
-    forces = inverse_dynamics(robot, rest, backend="numpy", on_singular="nan")
+    forces = inverse_dynamics(robot, at_rest(R, t), backend="numpy", on_singular="nan")
     return Home(R, t, L, forces.F, fits)
-
-
-def lengths_at(robot: Robot, t: Array) -> Array:
-    """Legs of level poses at t (..., 3), (..., 6)."""
-    return np.asarray(np.linalg.norm(t[..., None, :] + robot.p - robot.b, axis=-1))
 
 
 def parts_of(robot: Robot) -> Array:
@@ -134,8 +125,7 @@ def _pose_within(robot: Robot, t: Array, low: Array, high: Array) -> tuple[Array
             miss = np.clip(L, low, high) - L
             if np.abs(miss).max() <= 1e-9 * L.max():
                 return R, r - R @ offset
-            s = S / np.where(L > 0.0, L, 1.0)[:, None]
-            J = np.concatenate([s, np.cross(q, s)], axis=-1) / unit
+            J = length_rows(q, S, L) / unit
             step = np.linalg.solve(J.T @ J + 1e-4 * np.eye(6), J.T @ miss) / unit
             step *= min(1.0, 0.3 / max(float(np.abs(step[3:]).max()), 0.3))
             R, r = rotation_from_vector(step[3:]) @ R, r + step[:3]

@@ -10,16 +10,14 @@ from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..dynamics.home_pose import radius
+from ..io.array_types import Array
 from ..kinematics.mounting import AssemblyModeWarning
 from ..motion.rotation import rotation_from_quaternion
 from ..robot.robot import LEGS, Robot, legs_text
 from .leg_order import of_order
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
-
-Array = NDArray[np.float64]
 
 MOST_GRAVITY = 50.0
 """m/s^2: twice Jupiter's; in mm/s^2 or cm/s^2 the Moon's is 1,620 or 162."""
@@ -109,8 +107,7 @@ def _of_numbers(robot: Robot) -> Iterator[Doubt]:
         yield Doubt(
             "speed-limit",
             f"speed_limit of {legs_text(fast.tolist())}: {robot.speed_limit[fast].max():g} m/s; likely "
-            "cause: "
-            f"given in mm/s",
+            "cause: given in mm/s",
         )
 
 
@@ -125,9 +122,8 @@ def _of_lengths(robot: Robot) -> Iterator[Doubt]:
     if strays:
         yield Doubt(
             "stray-point",
-            f"{', '.join(strays)}: more than {STRAY:g} times as far out as the others; likely cause: "
-            "given in "
-            f"millimetres, or a decimal point lost",
+            f"{', '.join(strays)}: more than {STRAY:g} times as far out as the others; likely cause: given "
+            "in millimetres, or a decimal point lost",
         )
     elif max(base, platform) > MOST_SIZE and min(base, platform) * MOST_PROPORTION[1] > max(base, platform):
         yield Doubt("length-unit", f"{sizes}; likely cause: points in millimetres, expected metres")
@@ -328,10 +324,8 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
         yield Doubt(
             "force-limit",
             f"force_limit of {legs_text(weak)}: {robot.force_limit[worst]:.4g} N, but "
-            f"{abs(home.F[worst]):.4g} N "
-            "hold the machine at rest at the home pose; likely cause: force_limit in kN, masses in "
-            "grams, or "
-            f"actuators too weak",
+            f"{abs(home.F[worst]):.4g} N hold the machine at rest at the home pose; likely cause: "
+            "force_limit in kN, masses in grams, or actuators too weak",
         )
 
 
@@ -343,11 +337,9 @@ def _of_axes(robot: Robot, home: Home) -> Iterator[Doubt]:
     if along:
         yield Doubt(
             "joint-singularity",
-            f"universal_axis of {legs_text(along)}: {np.degrees(np.arcsin(sine[along].min())):.2g} "
-            "degrees from "
-            "the leg at the home pose, a joint singularity; likely cause: the leg's direction given, "
-            "expected "
-            f"the axis fixed in the base, across the leg",
+            f"universal_axis of {legs_text(along)}: {np.degrees(np.arcsin(sine[along].min())):.2g} degrees "
+            "from the leg at the home pose, a joint singularity; likely cause: the leg's direction given, "
+            "expected the axis fixed in the base, across the leg",
         )
 
 
@@ -421,8 +413,7 @@ def _of_parts(robot: Robot, home: Home) -> Iterator[Doubt]:
             yield Doubt(
                 "center-of-mass",
                 f"{part} part of {legs_text(wrong)}: center_of_mass {np.abs(along[wrong]).max():.3g} m "
-                "beyond the "
-                f"{joint}; likely cause: wrong sign, expected a {sign} first component",
+                f"beyond the {joint}; likely cause: wrong sign, expected a {sign} first component",
             )
 
 
@@ -435,8 +426,7 @@ def _of_overlap(robot: Robot, home: Home) -> Iterator[Doubt]:
         yield Doubt(
             "overlap",
             f"lower and upper parts overlap at the home pose in {legs_text(legs)}: centres of mass "
-            f"{lower[i]:.3g} "
-            f"m above the base joint and {upper[i]:.3g} m below the platform joint, leg "
-            f"{home.L[i]:.3g} m; likely "
-            f"cause: both measured from one end, expected lower from the base, upper from the platform point",
+            f"{lower[i]:.3g} m above the base joint and {upper[i]:.3g} m below the platform joint, leg "
+            f"{home.L[i]:.3g} m; likely cause: both measured from one end, expected lower from the base, "
+            "upper from the platform point",
         )

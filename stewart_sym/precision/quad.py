@@ -15,10 +15,9 @@ from numpy.typing import NDArray
 from ..backend import native
 from ..backend.c_kernel import address, c_sources, contiguous
 from ..backend.kernel import MOTION, kernel_name, robot_numbers
+from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 _MACROS = {
     "STEWART_REAL": "__float128",

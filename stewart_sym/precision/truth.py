@@ -24,10 +24,9 @@ from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.formulation import EXACT, FORMULATIONS
 from ..derive.mechanics.reduced_models import FIDELITIES, fidelity_kernel
 from ..formulas.trees import robot_structure, structure
+from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 DIGITS = 50
 

@@ -48,7 +48,7 @@ def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> Equati
     overflown = (status == OK) & ~np.logical_and.reduce(finite)
     status = np.where(overflown, NOT_FINITE, status).astype(np.int32)
     bad = status != OK
-    blank = {name: _blank(value, bad) for name, value in parts.items()}
+    blank = {name: newton_euler.blank(value, bad) for name, value in parts.items()}
     return EquationsOfMotion(**blank, status=status)
 
 
@@ -58,7 +58,7 @@ def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[s
     g, _ = wrench(robot, _with(motion, zero, zero, zero, zero))
     # Of rates so slow that no inertial force, their square, is left beside the friction.
     slow = _with(motion, motion.v * _SLOWLY, motion.omega * _SLOWLY, zero, zero)
-    resisted, inertial = (wrench(machine, slow)[0] for machine in (_weightless(robot), _bare(robot)))
+    resisted, inertial = (wrench(machine, slow)[0] for machine in (_without(robot, ("g",)), _bare(robot)))
     C = _coriolis(wrench, robot, motion, M)
     return {"M": M, "C": C, "g": g, "friction": (resisted - inertial) / _SLOWLY, "bias": bias}, status
 
@@ -188,10 +188,6 @@ def _size(vectors: Array) -> Array:
     return np.asarray(np.sqrt(np.sum(vectors * vectors, axis=-1)))
 
 
-def _weightless(robot: Robot) -> Robot:
-    return _without(robot, ("g",))
-
-
 def _bare(robot: Robot) -> Robot:
     """The robot without gravity and friction."""
     return _without(robot, ("g", "C_u", "C_p", "C_s"))
@@ -208,8 +204,3 @@ def _without(robot: Robot, names: tuple[str, ...]) -> Robot:
 @functools.lru_cache(maxsize=16)
 def _zeroed(robot: Robot, names: tuple[str, ...]) -> Robot:
     return dataclasses.replace(robot, **{name: np.zeros_like(getattr(robot, name)) for name in names})
-
-
-def _blank(value: Array, bad: NDArray[np.bool_]) -> Array:
-    wide = bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim))
-    return np.where(wide, np.nan, value)

@@ -8,8 +8,6 @@ Shapes: `(...)` is the motion's leading shape; a quantity of the legs is (..., 6
 6, 1) as a scalar, so that scalars multiply vectors as in the paper. SI units.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
@@ -109,10 +107,9 @@ def joint_reactions(
     bearing: where M_p is taken, m along the leg from its base point, one number or (6,); None is 0.
 
     Returns `Reactions`, base frame; M_u is along s with fault 2 and along n = k x y without.
-    Raises ValueError when the motion has no accelerations, a fault has an unknown number, or `bearing` is
-    neither a finite number nor six.
+    Raises ValueError when the motion has no accelerations or a fault has an unknown number.
     """
-    l = _bearing(bearing)  # noqa: E741
+    l = np.broadcast_to(0.0 if bearing is None else np.asarray(bearing), 6)[:, None]  # noqa: E741
     with np.errstate(all="ignore"):
         leg, forces = _solve(robot, motion, faults)
         g, s = robot.g, leg.s
@@ -136,12 +133,12 @@ def joint_reactions(
         )
         bad = forces.status != OK
         return Reactions(
-            F_s=_blank(F_s, bad),
-            F_u=_blank(F_u, bad),
-            F_p=_blank(F_p, bad),
-            F_c=_blank(F_c, bad),
-            M_p=_blank(M_p, bad),
-            M_u=_blank(leg.M_u[..., 0], bad),
+            F_s=blank(F_s, bad),
+            F_u=blank(F_u, bad),
+            F_p=blank(F_p, bad),
+            F_c=blank(F_c, bad),
+            M_p=blank(M_p, bad),
+            M_u=blank(leg.M_u[..., 0], bad),
             status=forces.status,
         )
 
@@ -164,7 +161,7 @@ def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT
     with np.errstate(all="ignore"):
         leg, H, c, status = _equations(robot, motion, faults)
         wrench = _mul(H, leg.D[..., 0]) - c
-        return _blank(wrench, status != OK), status
+        return blank(wrench, status != OK), status
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
@@ -208,7 +205,7 @@ def energy(robot: Robot, motion: Motion) -> Array:
         potential_platform = -robot.M * _dot(motion.t + R, robot.g)
         total = np.sum(kinetic_legs + potential_legs, axis=(-2, -1))
         total = total + (kinetic_platform + potential_platform)[..., 0]
-        return _blank(total, ~np.isfinite(total))
+        return blank(total, ~np.isfinite(total))
 
 
 def friction_power(robot: Robot, motion: Motion) -> Array:
@@ -225,7 +222,7 @@ def friction_power(robot: Robot, motion: Motion) -> Array:
             + robot.C_s[:, None] * _dot(slip, slip)
         )
         total: Array = np.sum(power, axis=(-2, -1))
-        return _blank(total, ~np.isfinite(total))
+        return blank(total, ~np.isfinite(total))
 
 
 def actuator_power(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
@@ -336,12 +333,12 @@ def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, 
     F = leg.D[..., 0] - x  # (37)
     bad = status != OK
     return leg, Forces(
-        F=_blank(F, bad),
-        D=_blank(leg.D[..., 0], bad),
-        x=_blank(x, bad),
-        K=_blank(leg.K, bad),
-        H=_blank(H, bad),
-        c=_blank(c, bad),
+        F=blank(F, bad),
+        D=blank(leg.D[..., 0], bad),
+        x=blank(x, bad),
+        K=blank(leg.K, bad),
+        H=blank(H, bad),
+        c=blank(c, bad),
         status=status,
     )
 
@@ -411,19 +408,6 @@ def _known(faults: frozenset[int]) -> frozenset[int]:
     return faults
 
 
-def _bearing(bearing: ArrayLike | None) -> Array:
-    """Distance of the bearing from the base point as a column of legs, (6, 1)."""
-    if bearing is None:
-        return np.zeros((6, 1))
-    try:
-        value = np.asarray(bearing, dtype=np.float64)
-    except (TypeError, ValueError):
-        value = np.array(np.nan)
-    if value.shape not in ((), (6,)) or not np.all(np.isfinite(value)):
-        raise ValueError("bearing: expected a finite number of metres, or six, one for each leg")
-    return np.broadcast_to(value, 6)[:, None]
-
-
 def _leg_faults(robot: Robot, motion: Motion, leg: _Positions) -> Codes:
     """Codes of the legs, (..., 6): a length that overflows, or is rounding beside the terms of S, (2)."""
     L = leg.L[..., 0]
@@ -464,7 +448,7 @@ def _finite(value: Array, axes: int) -> NDArray[np.bool_]:
     return finite
 
 
-def _blank(value: Array, bad: NDArray[np.bool_]) -> Array:
+def blank(value: Array, bad: NDArray[np.bool_]) -> Array:
     """`value` with NaN at the bad poses."""
     wide = bad.reshape(bad.shape + (1,) * (value.ndim - bad.ndim))
     return np.where(wide, np.nan, value)

@@ -8,13 +8,11 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..io import tables
 from ..io.arguments import shown
+from ..io.array_types import Array
 from ..io.frozen import Frozen
-
-Array = NDArray[np.float64]
 
 SCHEMA = 1
 LEGS = 6
@@ -22,9 +20,13 @@ DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
 BASE_JOINTS = ("universal", "spherical")
 SYMMETRY_TOLERANCE = 1e-9
 
+Check = Callable[[object, str], Any]
+"""From a value and where it stands, for messages, to the value as it is kept."""
+
 _TOP_KEYS = ("schema", "name", "base_joint", "gravity", "accept", "platform", "leg_defaults", "leg")
 _BODY_KEYS = ("mass", "center_of_mass", "inertia")
-_FRICTION_KEYS = ("universal", "prismatic", "spherical")
+_TABLES = dict.fromkeys(("platform", "lower", "upper"), _BODY_KEYS)
+_TABLES["friction"] = ("universal", "prismatic", "spherical")
 _SHARED_KEYS = ("lower", "upper", "friction", "length_limits", "force_limit", "speed_limit")
 _NO_LIMITS = {"length_limits": (0.0, math.inf), "force_limit": math.inf, "speed_limit": math.inf}
 _LEG_KEYS = ("base_point", "platform_point", "universal_axis", *_SHARED_KEYS)
@@ -128,24 +130,16 @@ class Robot(Frozen):
         """Check every field and freeze private float64 copies of the arrays."""
         tables.one_line(self.name, "robot: name")
         _base_joint(self.base_joint, "robot: base_joint")
-        checked: dict[str, float | Array | tuple[str, ...]] = {
-            "accept": _accepted(self.accept, "robot: accept"),
-            "g": tables.vector(self.g, "robot: g"),
-            "M": tables.positive(self.M, "robot: M"),
-            "R_0": tables.vector(self.R_0, "robot: R_0"),
-            "I_p": _inertia(self.I_p, "robot: I_p"),
-            "k": self._per_leg("k", _direction if self.base_joint == "universal" else _no_direction),
-        }
-        for name, check in _LEG_FIELDS.items():
-            checked[name] = self._per_leg(name, check)
+        checked: dict[str, Any] = {"accept": _accepted(self.accept, "robot: accept")}
+        for name, (_, check) in _FIELDS.items():
+            checked[name] = check(getattr(self, name), f"robot: {name}")
+        for name, (_, check) in _LEG_FIELDS.items():
+            axis = name == "k" and self.base_joint == "spherical"
+            checked[name] = self._per_leg(name, _no_direction if axis else check)
         self._set(checked)
-        if self.base_joint == "spherical":
-            for i in range(LEGS):
-                where = f"robot: leg {i + 1}: "
-                _axisymmetric(self.r_d0[i], self.I_d0[i], f"{where}r_d0", f"{where}I_d0")
-                _axisymmetric(self.r_u0[i], self.I_u0[i], f"{where}r_u0", f"{where}I_u0")
+        _need_axisymmetric(self, "robot: ", {})
 
-    def _per_leg(self, name: str, check: Callable[[object, str], float | Array]) -> Array:
+    def _per_leg(self, name: str, check: Check) -> Array:
         given = getattr(self, name)
         rows = given.tolist() if isinstance(given, np.ndarray) else given
         if not isinstance(rows, list | tuple) or len(rows) != LEGS:
@@ -177,30 +171,22 @@ class Robot(Frozen):
 
     def to_dict(self) -> dict[str, Any]:
         """Return the robot as the tables of a robot file, schema 1; ``from_dict`` undoes it to the bit."""
+        own = _nested({path: getattr(self, name) for name, (path, _) in _FIELDS.items()})
         return {
             "schema": SCHEMA,
             "name": self.name,
             "base_joint": self.base_joint,
-            "gravity": self.g.tolist(),
+            "gravity": own["gravity"],
             **({"accept": list(self.accept)} if self.accept else {}),
-            "platform": _body_table(self.M, self.R_0, self.I_p),
+            "platform": own["platform"],
             "leg": [self._leg_table(i) for i in range(LEGS)],
         }
 
     def _leg_table(self, i: int) -> dict[str, Any]:
-        leg: dict[str, Any] = {"base_point": self.b[i].tolist(), "platform_point": self.p[i].tolist()}
-        if self.base_joint == "universal":
-            leg["universal_axis"] = self.k[i].tolist()
-        leg["lower"] = _body_table(self.m_d[i], self.r_d0[i], self.I_d0[i])
-        leg["upper"] = _body_table(self.m_u[i], self.r_u0[i], self.I_u0[i])
-        coefficients = (self.C_u[i], self.C_p[i], self.C_s[i])
-        leg["friction"] = {key: float(C) for key, C in zip(_FRICTION_KEYS, coefficients, strict=True)}
-        if np.isfinite(self.length_limits[i, 1]):
-            leg["length_limits"] = self.length_limits[i].tolist()
-        for key, limit in (("force_limit", self.force_limit[i]), ("speed_limit", self.speed_limit[i])):
-            if np.isfinite(limit):
-                leg[key] = float(limit)
-        return leg
+        values = {path: getattr(self, name)[i] for name, (path, _) in _LEG_FIELDS.items()}
+        if self.base_joint == "spherical":
+            del values["universal_axis"]
+        return _nested({path: value for path, value in values.items() if np.isfinite(value).all()})
 
     def physicality(self) -> list[str]:
         """Return one line for each part whose inertia no rigid body can have; empty when all are possible.
@@ -211,8 +197,13 @@ class Robot(Frozen):
         return [message for _, message in _impossible_inertias(self)]
 
 
-def _body_table(mass: float, center: Array, inertia: Array) -> dict[str, Any]:
-    return {"mass": float(mass), "center_of_mass": center.tolist(), "inertia": inertia.tolist()}
+def _nested(values: Mapping[str, Any]) -> dict[str, Any]:
+    """Tables of plain values by their paths."""
+    found: dict[str, Any] = {}
+    for path, value in values.items():
+        table, _, key = path.rpartition(".")
+        (found.setdefault(table, {}) if table else found)[key] = np.asarray(value).tolist()
+    return found
 
 
 # Physicality
@@ -265,94 +256,53 @@ def _from_table(cls: type[Robot], d: object, source: str) -> Robot:
     top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "name", "platform", "leg"))
     tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
     joint = _base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
-    platform = _body(top["platform"], f"{file}platform.")
-    tables.require(platform, _BODY_KEYS, f"{file}platform.", "missing")
+    own = _values({"gravity": top.get("gravity", DEFAULT_GRAVITY), "platform": top["platform"]}, file)
+    tables.require(own, [path for path, _ in _FIELDS.values()], file, "missing")
     defaults = tables.checked_table(top.get("leg_defaults", {}), f"{file}leg_defaults.", _SHARED_KEYS)
-    shared = _shared(defaults, f"{file}leg_defaults.")
+    shared = _NO_LIMITS | _values(defaults, f"{file}leg_defaults.")
     given = top["leg"]
     if not isinstance(given, list | tuple):
         raise ValueError(f"{file}leg: expected six [[leg]] tables, got {shown(given)}")
     if len(given) != LEGS:
         raise ValueError(f"{file}leg: expected exactly six [[leg]] tables, got {len(given)}")
     legs = [_leg(table, shared, joint, f"{file}leg {i}: ") for i, table in enumerate(given, 1)]
-
-    def column(key: str) -> Array:
-        return np.array([leg[key] for leg in legs])
-
-    def parts(part: str, key: str) -> Array:
-        return np.array([leg[part][key] for leg in legs])
-
-    return cls(
-        name=tables.one_line(top["name"], f"{file}name"),
-        base_joint=joint,
-        g=tables.vector(top.get("gravity", DEFAULT_GRAVITY), f"{file}gravity"),
-        M=platform["mass"],
-        R_0=platform["center_of_mass"],
-        I_p=platform["inertia"],
-        b=column("base_point"),
-        p=column("platform_point"),
-        k=column("universal_axis"),
-        m_d=parts("lower", "mass"),
-        r_d0=parts("lower", "center_of_mass"),
-        I_d0=parts("lower", "inertia"),
-        m_u=parts("upper", "mass"),
-        r_u0=parts("upper", "center_of_mass"),
-        I_u0=parts("upper", "inertia"),
-        C_u=parts("friction", "universal"),
-        C_p=parts("friction", "prismatic"),
-        C_s=parts("friction", "spherical"),
-        length_limits=column("length_limits"),
-        force_limit=column("force_limit"),
-        speed_limit=column("speed_limit"),
-        accept=_accepted(top.get("accept", ()), f"{file}accept"),
+    # Checked where a message can name the key, and so not again as fields.
+    robot = object.__new__(cls)
+    robot._set(
+        {name: own[path] for name, (path, _) in _FIELDS.items()}
+        | {name: np.array([leg[path] for leg in legs]) for name, (path, _) in _LEG_FIELDS.items()}
+        | {"name": tables.one_line(top["name"], f"{file}name"), "base_joint": joint}
+        | {"accept": _accepted(top.get("accept", ()), f"{file}accept")}
     )
+    _need_axisymmetric(robot, file, {name: path for name, (path, _) in _LEG_FIELDS.items()})
+    return robot
 
 
 def _leg(value: object, shared: Mapping[str, Any], joint: str, prefix: str) -> dict[str, Any]:
-    """Check one leg's table and fill it up from the defaults, key by key."""
+    """Values of one leg by path, filled up from the defaults."""
     table = tables.checked_table(value, prefix, _LEG_KEYS, ("base_point", "platform_point"))
-    leg = {**_NO_LIMITS, **shared, **_shared(table, prefix)}
-    for part, keys in (("lower", _BODY_KEYS), ("upper", _BODY_KEYS), ("friction", _FRICTION_KEYS)):
-        leg[part] = {**shared.get(part, {}), **leg.get(part, {})}
-        tables.require(leg[part], keys, f"{prefix}{part}.", "missing, here and in leg_defaults")
-    for key in ("base_point", "platform_point"):
-        leg[key] = tables.vector(table[key], prefix + key)
     if joint == "universal":
         tables.require(table, ("universal_axis",), prefix, "missing")
-        leg["universal_axis"] = _direction(table["universal_axis"], f"{prefix}universal_axis")
-        return leg
-    if "universal_axis" in table:
+    elif "universal_axis" in table:
         raise ValueError(f'{prefix}universal_axis: expected none when base_joint is "spherical"')
-    leg["universal_axis"] = np.zeros(3)
-    for part in ("lower", "upper"):
-        center, inertia = leg[part]["center_of_mass"], leg[part]["inertia"]
-        _axisymmetric(center, inertia, f"{prefix}{part}.center_of_mass", f"{prefix}{part}.inertia")
+    leg = {"universal_axis": np.zeros(3), **shared, **_values(table, prefix)}
+    tables.require(
+        leg, [path for path, _ in _LEG_FIELDS.values()], prefix, "missing, here and in leg_defaults"
+    )
     return leg
 
 
-def _shared(table: Mapping[str, Any], prefix: str) -> dict[str, Any]:
-    """Check those keys of a leg that may also stand in ``leg_defaults``; any of them may be absent."""
-    checked: dict[str, Any] = {}
-    for part in ("lower", "upper"):
-        if part in table:
-            checked[part] = _body(table[part], f"{prefix}{part}.")
-    if "friction" in table:
-        friction = tables.checked_table(table["friction"], f"{prefix}friction.", _FRICTION_KEYS)
-        checked["friction"] = {
-            key: tables.not_negative(C, f"{prefix}friction.{key}") for key, C in friction.items()
-        }
-    if "length_limits" in table:
-        checked["length_limits"] = _limits(table["length_limits"], f"{prefix}length_limits")
-    for key in ("force_limit", "speed_limit"):
-        if key in table:
-            checked[key] = tables.positive(table[key], prefix + key)
-    return checked
-
-
-def _body(value: object, prefix: str) -> dict[str, Any]:
-    table = tables.checked_table(value, prefix, _BODY_KEYS)
-    checks = {"mass": tables.positive, "center_of_mass": tables.vector, "inertia": _inertia}
-    return {key: checks[key](given, prefix + key) for key, given in table.items()}
+def _values(table: Mapping[str, Any], prefix: str) -> dict[str, Any]:
+    """Checked values of a table and of those in it, by path; any of them may be absent."""
+    found: dict[str, Any] = {}
+    for key, value in table.items():
+        if key in _TABLES:
+            inner = tables.checked_table(value, f"{prefix}{key}.", _TABLES[key])
+            given = {f"{key}.{name}": each for name, each in inner.items()}
+        else:
+            given = {key: value}
+        found |= {path: _CHECKS[path](each, prefix + path) for path, each in given.items()}
+    return found
 
 
 # Single values
@@ -429,8 +379,18 @@ def _inertia(value: object, where: str) -> Array:
     return np.asarray(0.5 * inertia + 0.5 * inertia.T)
 
 
+def _need_axisymmetric(robot: Robot, prefix: str, names: Mapping[str, str]) -> None:
+    """Reject legs that are no bodies of revolution where spherical joints leave their spin free.
+
+    names: of fields in messages, where these are others.
+    """
+    for i in range(LEGS if robot.base_joint == "spherical" else 0):
+        for center, inertia in (("r_d0", "I_d0"), ("r_u0", "I_u0")):
+            where = (f"{prefix}leg {i + 1}: {names.get(name, name)}" for name in (center, inertia))
+            _axisymmetric(getattr(robot, center)[i], getattr(robot, inertia)[i], *where)
+
+
 def _axisymmetric(center: Array, inertia: Array, where_center: str, where_inertia: str) -> None:
-    """Reject a part that is no body of revolution about the leg: spherical joints leave its spin free."""
     if np.any(np.abs(center[1:]) > SYMMETRY_TOLERANCE * np.max(np.abs(center))):
         got = _vector_text(center)
         raise ValueError(f'{where_center}: expected (x, 0, 0) when base_joint is "spherical", got {got}')
@@ -439,19 +399,36 @@ def _axisymmetric(center: Array, inertia: Array, where_center: str, where_inerti
         raise ValueError(f'{where_inertia}: expected diag(Ia, It, It) when base_joint is "spherical"')
 
 
-_LEG_FIELDS: dict[str, Callable[[object, str], float | Array]] = {
-    "b": tables.vector,
-    "p": tables.vector,
-    "m_d": tables.positive,
-    "r_d0": tables.vector,
-    "I_d0": _inertia,
-    "m_u": tables.positive,
-    "r_u0": tables.vector,
-    "I_u0": _inertia,
-    "C_u": tables.not_negative,
-    "C_p": tables.not_negative,
-    "C_s": tables.not_negative,
-    "length_limits": _limits_or_none,
-    "force_limit": _limit_or_none,
-    "speed_limit": _limit_or_none,
+_FIELDS: dict[str, tuple[str, Check]] = {
+    "g": ("gravity", tables.vector),
+    "M": ("platform.mass", tables.positive),
+    "R_0": ("platform.center_of_mass", tables.vector),
+    "I_p": ("platform.inertia", _inertia),
 }
+"""Path in a robot file and check of each field."""
+
+_LEG_FIELDS: dict[str, tuple[str, Check]] = {
+    "b": ("base_point", tables.vector),
+    "p": ("platform_point", tables.vector),
+    "k": ("universal_axis", _direction),
+    "m_d": ("lower.mass", tables.positive),
+    "r_d0": ("lower.center_of_mass", tables.vector),
+    "I_d0": ("lower.inertia", _inertia),
+    "m_u": ("upper.mass", tables.positive),
+    "r_u0": ("upper.center_of_mass", tables.vector),
+    "I_u0": ("upper.inertia", _inertia),
+    "C_u": ("friction.universal", tables.not_negative),
+    "C_p": ("friction.prismatic", tables.not_negative),
+    "C_s": ("friction.spherical", tables.not_negative),
+    "length_limits": ("length_limits", _limits_or_none),
+    "force_limit": ("force_limit", _limit_or_none),
+    "speed_limit": ("speed_limit", _limit_or_none),
+}
+"""The same of the fields with an entry for each leg, path in a leg's table."""
+
+_CHECKS = dict((*_FIELDS.values(), *_LEG_FIELDS.values())) | {
+    "length_limits": _limits,
+    "force_limit": tables.positive,
+    "speed_limit": tables.positive,
+}
+"""Check of each value of a robot file by path."""

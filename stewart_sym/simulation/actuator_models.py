@@ -4,24 +4,22 @@ A law is any callable (time, state) -> F, N, (6,), where state is a Motion of sh
 accelerations.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..dynamics.inverse import Backend, Formulation, inverse_dynamics, prepared_kernel
-from ..io.arguments import instance, real_array, shown
+from ..io.arguments import instance, number_in, real_array, shown
+from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..kinematics.inverse import inverse_kinematics, leg_vectors, tip_velocities
-from ..motion.motion import Motion
+from ..motion.motion import Motion, at_rest
 from ..motion.rotation import vector_from_rotation
 from ..motion.straight_line import StraightLinePath
 from ..robot.robot import Robot
 
-Array = NDArray[np.float64]
 ForceLaw = Callable[[float, Motion], ArrayLike]
 """(time, s, state) -> actuator forces, N, (6,)."""
 Wanted = Callable[[float], Motion]
@@ -67,7 +65,7 @@ class LegSprings(Frozen):
     @classmethod
     def balanced(
         cls, robot: Robot, pose: Motion, stiffness: ArrayLike, damping: ArrayLike = 0.0
-    ) -> LegSprings:
+    ) -> "LegSprings":
         """Springs that hold the machine at rest in a pose, against its weight and the pose's load.
 
         stiffness: not 0. Raises ValueError as ``inverse_dynamics`` where the pose is unsolvable.
@@ -77,8 +75,7 @@ class LegSprings(Frozen):
         k = of_six(stiffness, "stiffness")
         if not k.all():
             raise ValueError("stiffness: expected numbers other than 0, since springs are to hold the weight")
-        zero = np.zeros(3)
-        rest = Motion(pose.R, pose.t, zero, zero, zero, zero, pose.F_ext, pose.M_ext)
+        rest = at_rest(pose.R, pose.t, pose.F_ext, pose.M_ext)
         F = inverse_dynamics(robot, rest).F
         return cls(robot, k, inverse_kinematics(robot, rest).L + F / k, of_six(damping, "damping"))
 
@@ -177,7 +174,7 @@ class GravityCompensation(Frozen):
 
     Errors as in ``ModelTorque``; no inertia is computed, and the wanted accelerations don't count.
 
-    model: inverse dynamics, Motion of shape () with accelerations and load -> F, N, (6,), asked at rest.
+    model: inverse dynamics, Motion of shape () with accelerations and load -> F, N, (6,), evaluated at rest.
     inertia: M_0 of twists [v; omega], base frame, (6, 6), constant; it turns the gains of ``ModelTorque``,
     k_p, 1/s^2, and k_d, 1/s, into stiffness and damping.
 
@@ -201,7 +198,7 @@ class GravityCompensation(Frozen):
     def __call__(self, time: float, state: Motion) -> Array:
         """Forces, N, (6,), of a state."""
         wrench = self.inertia @ np.concatenate(feedback(self.wanted(time), state, self.k_p, self.k_d))
-        # The wrench asked for is what the legs would hold if its opposite lay on the platform.
+        # The wrench commanded is what the legs would hold if its opposite lay on the platform.
         load = -wrench.reshape(2, 3) @ state.R
         zero = np.zeros(3)
         return self.model(Motion.unchecked(state.R, state.t, zero, zero, zero, zero, load[0], load[1]))
@@ -219,17 +216,14 @@ def along(path: StraightLinePath) -> Wanted:
 
     def wanted(time: float) -> Motion:
         motion = path.sample(min(time, path.tau_f))
-        zero = np.zeros(3)
-        return motion if time < path.tau_f else Motion(motion.R, motion.t, zero, zero, zero, zero)
+        return motion if time < path.tau_f else at_rest(motion.R, motion.t)
 
     return wanted
 
 
 def _gains(k_p: float, k_d: float) -> None:
     for name, value in (("k_p", k_p), ("k_d", k_d)):
-        gain = real_array(value, name, "a finite gain >= 0")
-        if gain.shape != () or not (np.isfinite(gain) and gain >= 0.0):
-            raise ValueError(f"{name}: expected a finite gain >= 0, got {shown(value)}")
+        number_in(value, name, "a finite gain >= 0", closed=True)
 
 
 def of_six(value: ArrayLike, name: str) -> Array:

@@ -1,18 +1,16 @@
-"""Fixed steps: states under held forces carried on by a Runge-Kutta method on rotations, many side by side.
+"""Fixed steps: states under constant forces carried on by a Runge-Kutta method on rotations, many at once.
 
 Needs NumPy alone.
 """
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..dynamics.equations import ForwardDynamics
 from ..io.arguments import shown
+from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
-from ..motion.rotation import orthonormal, rotation_from_vector, vector_rate
-
-Array = NDArray[np.float64]
-Codes = NDArray[np.int32]
+from ..motion.rotation import orthonormal, vector_rate
+from .trace import motion_of
 
 
 def advance(
@@ -47,7 +45,7 @@ def _step(plant: ForwardDynamics, start: Motion, F: Array, h: float) -> tuple[Mo
 
     def rates(y: Array) -> Array:
         nonlocal first
-        state = _state(start, y)
+        state = motion_of(y, start.R, start.F_ext, start.M_ext)
         a, alpha, status = plant.solve(state, F)
         first = np.where(first == 0, status, first)
         return np.concatenate([state.v, vector_rate(y[..., 3:6], state.omega), a, alpha], axis=-1)
@@ -57,17 +55,6 @@ def _step(plant: ForwardDynamics, start: Motion, F: Array, h: float) -> tuple[Mo
     k_2 = rates(y + 0.5 * h * k_1)
     k_3 = rates(y + 0.5 * h * k_2)
     k_4 = rates(y + h * k_3)
-    end = _state(start, y + h / 6.0 * (k_1 + 2.0 * (k_2 + k_3) + k_4))
+    end = motion_of(y + h / 6.0 * (k_1 + 2.0 * (k_2 + k_3) + k_4), start.R)
     R = orthonormal(end.R)
     return Motion.unchecked(R, end.t, end.omega, end.v, F_ext=start.F_ext, M_ext=start.M_ext), first
-
-
-def _state(start: Motion, y: Array) -> Motion:
-    return Motion.unchecked(
-        rotation_from_vector(y[..., 3:6]) @ start.R,
-        y[..., :3],
-        omega=y[..., 9:],
-        v=y[..., 6:9],
-        F_ext=start.F_ext,
-        M_ext=start.M_ext,
-    )

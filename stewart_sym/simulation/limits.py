@@ -1,21 +1,19 @@
 """Where a simulated run stops: limits of the legs, singular poses and joints, watched during each step."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from ..io.arguments import real_array, shown
-from ..kinematics.conditioning import characteristic_length, condition_number
+from ..io.arguments import number_in
+from ..io.array_types import Array
+from ..kinematics.conditioning import condition_number
+from ..kinematics.inverse import joint_sines
+from ..kinematics.pose_search import platform_size
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..robot.robot import Robot
 from .trace import WATCHED, Actuators, LegStates, Piece, Stop, leg_states, motion_of
-
-Array = NDArray[np.float64]
 
 NEAR_SINGULAR, CROSSING = 36, 37
 """Columns of the watched margins: condition number of H, and det H on the side where the run began."""
@@ -109,7 +107,7 @@ class Watch:
         legs = leg_states(robot, state)
         F = np.zeros((len(when), 6))
         if np.isfinite(self.force_limit).any():
-            F = actuators.forces(when, state, piece.held)
+            F = actuators.forces(when, state, piece.sampled)
         shortest = self.thresholds.min_length or 1e-3 * self._size
         margins = [
             legs.L - np.where(robot.length_limits[:, 0] > 0.0, robot.length_limits[:, 0], -math.inf),
@@ -117,7 +115,7 @@ class Watch:
             robot.speed_limit - np.abs(legs.L_dot),
             self.force_limit - np.abs(F),
             legs.L - shortest,
-            self._joint_sine(legs.s) - self.thresholds.min_joint_sine,
+            joint_sines(robot, legs.s) - self.thresholds.min_joint_sine,
             *self._singular_margins(legs),
         ]
         return np.concatenate(margins, axis=-1)
@@ -131,12 +129,7 @@ class Watch:
 
     @property
     def _size(self) -> float:
-        return _size(self.robot)
-
-    def _joint_sine(self, s: Array) -> Array:
-        if self.robot.base_joint == "spherical":
-            return np.ones(s.shape[:-1])
-        return np.asarray(np.linalg.norm(cross(self.robot.k, s), axis=-1))
+        return platform_size(self.robot)
 
     def _condition(self, legs: LegStates) -> Array:
         return condition_number(_scaled_H(legs, self._size))
@@ -160,17 +153,13 @@ class Watch:
             ),
             (
                 "force_limit",
-                f"force {actuators.forces(at, state, piece.held)[0, leg]:.6g} N reaches its limit "
+                f"force {actuators.forces(at, state, piece.sampled)[0, leg]:.6g} N reaches its limit "
                 f"{robot.force_limit[leg]:g} N",
             ),
             ("zero_length", f"length {length} is near zero"),
             ("joint singularity", "lies nearly along the fixed axis of its universal joint"),
         )[row // 6]
         return Stop(kind, time, leg + 1, f"leg {leg + 1}: {text} at {time:.9g} s")
-
-
-def _size(robot: Robot) -> float:
-    return characteristic_length(robot) or 1.0
 
 
 def _scaled_H(legs: LegStates, size: float) -> Array:
@@ -180,12 +169,10 @@ def _scaled_H(legs: LegStates, size: float) -> Array:
 
 def det_sign(robot: Robot, state: Motion) -> float:
     """Sign of det H."""
-    return float(np.sign(np.linalg.det(_scaled_H(leg_states(robot, state), _size(robot)))))
+    return float(np.sign(np.linalg.det(_scaled_H(leg_states(robot, state), platform_size(robot)))))
 
 
 def need_between(value: object, name: str, low: float, high: float) -> None:
     """Reject, by ValueError, what is no number between two others."""
     text = f"a number > {low:g}" + (f" and < {high:g}" if math.isfinite(high) else "")
-    number = real_array(value, name, text)
-    if number.shape != () or not low < float(number) < high:
-        raise ValueError(f"{name}: expected {text}, got {shown(value)}")
+    number_in(value, name, text, low, high)

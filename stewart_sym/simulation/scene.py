@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ..backend.kernel import FORMULATIONS
 from ..dynamics.inverse import Formulation
 from ..io import tables
 from ..io.arguments import shown
+from ..io.array_types import Array
 from ..kinematics.paths import PATHS, path_for
 from ..motion.log_rates import interpolated
 from ..motion.log_reader import read_csv
@@ -32,8 +32,6 @@ from .simulation import (
     simulate,
 )
 from .trace import Simulation
-
-Array = NDArray[np.float64]
 
 SCHEMA = 1
 LAWS = ("forces", "springs", "tracking")

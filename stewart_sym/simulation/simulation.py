@@ -4,19 +4,18 @@ Orientation lives in a local chart, the rotation vector from a centre that moves
 is special and R stays orthonormal to rounding.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Literal
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..dynamics.equations import ForwardDynamics
 from ..dynamics.inverse import Backend, Formulation
-from ..io.arguments import instance, option, real_array, shown
+from ..io.arguments import instance, number_in, option, real_array, shown
+from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..motion import rotation_vector
 from ..motion.motion import Motion
@@ -38,11 +37,9 @@ from .trace import (
     six_forces,
 )
 
-Array = NDArray[np.float64]
-
 Method = Literal["DOP853", "Radau"]
 Progress = Callable[[float], None]
-"""Is told the share that is done, 0 to 1."""
+"""Called with the share that is done, 0 to 1."""
 OnForceLimit = Literal["stop", "saturate"]
 METHODS = ("DOP853", "Radau")
 ON_FORCE_LIMIT = ("stop", "saturate")
@@ -200,12 +197,16 @@ class _Run:
         sample = 0
         while time < duration:
             sample += 1
-            held = None if rate is None else six_forces(self.actuators.law(time, motion_of(y, center)), time)
+            sampled = (
+                None if rate is None else six_forces(self.actuators.law(time, motion_of(y, center)), time)
+            )
             if sample == 1:
-                self._reject_bad_start(y, center, held)
+                if not np.isfinite(self._rates(0.0, y, center, sampled)).all():
+                    raise ValueError(f"initial_state: no accelerations: {self._reason()}")
+                self.fault = 0
             end = duration if rate is None else min(sample / rate, duration)
             while time < end:
-                stop, time, y, center, step = self._chart(pieces, time, end, y, center, step, held)
+                stop, time, y, center, step = self._chart(pieces, time, end, y, center, step, sampled)
                 if stop is not None:
                     return stop, pieces
         return Stop("duration", duration, None, f"ran to its end at {duration:g} s"), pieces
@@ -218,23 +219,23 @@ class _Run:
         y: Array,
         center: Array,
         step: float | None,
-        held: Array | None,
+        sampled: Array | None,
     ) -> tuple[Stop | None, float, Array, Array, float | None]:
         """Integrate in one chart, to its rim or to ``end``; hand back the state in a chart of its own."""
         first = None if step is None else min(step, end - time)
 
         def rates(time: float, y: Array) -> Array:
-            return self._rates(time, y, center, held)
+            return self._rates(time, y, center, sampled)
 
         solver = self.solver(rates, time, y, end, first_step=first, **self.tolerances)
         while solver.status == "running" and np.linalg.norm(solver.y[3:6]) < CHART_RADIUS:
             solver.step()
             if solver.status == "failed":
-                failure = self._failed(solver.t)
+                text = f"no step is small enough at {solver.t:.9g} s: {self._reason()}"
                 if not pieces:
-                    raise ValueError(f"initial_state: {failure.text}")
-                return failure, failure.time, solver.y, center, step
-            piece = Piece(solver.t_old, solver.t, solver.dense_output(), center, held)
+                    raise ValueError(f"initial_state: {text}")
+                return Stop("failed", solver.t, None, text), solver.t, solver.y, center, step
+            piece = Piece(solver.t_old, solver.t, solver.dense_output(), center, sampled)
             stop = self.watch.first(piece, self.actuators)
             if stop is not None:
                 # A stop where the step begins leaves no piece but the first, which the trace needs.
@@ -248,9 +249,9 @@ class _Run:
         y[3:6] = 0.0
         return None, float(solver.t), y, center, float(solver.h_abs)
 
-    def _rates(self, time: float, y: Array, center: Array, held: Array | None) -> Array:
+    def _rates(self, time: float, y: Array, center: Array, sampled: Array | None) -> Array:
         state = Motion.unchecked(rotation_vector.turned(y[3:6], center), y[:3], omega=y[9:], v=y[6:9])
-        F = self.actuators.at(time, state) if held is None else self.actuators.clipped(held)
+        F = self.actuators.at(time, state) if sampled is None else self.actuators.clipped(sampled)
         acceleration, status = self.accelerations(self._loaded(time, state), F)
         self.fault = status or self.fault
         return np.concatenate([state.v, rotation_vector.rate(y[3:6], state.omega), acceleration])
@@ -264,14 +265,6 @@ class _Run:
             F_ext, M_ext = wrench[:3], wrench[3:]
         return Motion.unchecked(state.R, state.t, state.omega, state.v, F_ext=F_ext, M_ext=M_ext)
 
-    def _reject_bad_start(self, y: Array, center: Array, held: Array | None) -> None:
-        if not np.isfinite(self._rates(0.0, y, center, held)).all():
-            raise ValueError(f"initial_state: no accelerations: {self._reason()}")
-        self.fault = 0
-
-    def _failed(self, time: float) -> Stop:
-        return Stop("failed", time, None, f"no step is small enough at {time:.9g} s: {self._reason()}")
-
     def _reason(self) -> str:
         return STATUS_TEXT[self.fault] if self.fault else "forces or accelerations grow without bound"
 
@@ -279,10 +272,7 @@ class _Run:
 def check_rtol(rtol: object) -> None:
     """Reject, by ValueError, what is no number in ``RTOL_RANGE``."""
     low, high = RTOL_RANGE
-    text = f"a number in [{low:g}, {high:g}]"
-    number = real_array(rtol, "rtol", text)
-    if number.shape != () or not low <= float(number) <= high:
-        raise ValueError(f"rtol: expected {text}, got {shown(rtol)}")
+    number_in(rtol, "rtol", f"a number in [{low:g}, {high:g}]", low, high, closed=True)
 
 
 def check_output_step(output_step: float | None, duration: float) -> None:

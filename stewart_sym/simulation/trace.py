@@ -1,24 +1,21 @@
 """A simulated run as it is handed back: why it stopped, states and forces over time, saturation."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import real_array
+from ..io.array_types import Array
 from ..kinematics.inverse import leg_vectors, tip_velocities
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
 from ..reference import newton_euler
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
-
-Array = NDArray[np.float64]
 
 Load = Callable[[float, Motion], ArrayLike]
 """(time, s, state) -> [F_ext; M_ext], N and N m, platform frame, (6,)."""
@@ -51,7 +48,7 @@ class Stop:
 
 @dataclass(frozen=True, eq=False)
 class Saturation:
-    """How long and by how much each leg's actuator was asked for more than its limit; zeros if it never was.
+    """How long and by how much each leg's actuator was commanded more than its limit; zeros if it never was.
 
     Attributes
     ----------
@@ -119,19 +116,19 @@ class Actuators(NamedTuple):
         """Forces of one state, N, (6,)."""
         return self.clipped(six_forces(self.law(time, state), time))
 
-    def asked(self, when: Array, states: Motion, held: Array | None) -> Array:
+    def commanded(self, when: Array, states: Motion, sampled: Array | None) -> Array:
         """Forces that the law commands at n instants, N, (n, 6)."""
-        if held is not None:
-            return np.broadcast_to(held, (len(when), 6))
+        if sampled is not None:
+            return np.broadcast_to(sampled, (len(when), 6))
         rows = [
             Motion.unchecked(states.R[i], states.t[i], states.omega[i], states.v[i]) for i in range(len(when))
         ]
         found = [six_forces(self.law(float(time), row), time) for time, row in zip(when, rows, strict=True)]
         return np.array(found).reshape(-1, 6)
 
-    def forces(self, when: Array, states: Motion, held: Array | None) -> Array:
+    def forces(self, when: Array, states: Motion, sampled: Array | None) -> Array:
         """Forces that act at n instants, N, (n, 6)."""
-        return self.clipped(self.asked(when, states, held))
+        return self.clipped(self.commanded(when, states, sampled))
 
     def clipped(self, F: Array) -> Array:
         """Forces (..., 6) within the limits."""
@@ -139,16 +136,16 @@ class Actuators(NamedTuple):
 
 
 class Piece(NamedTuple):
-    """An accepted step: its times, the interpolant of the chart's numbers, the centre, the held forces.
+    """An accepted step: its times, the interpolant of the chart's numbers, the centre, the sampled forces.
 
-    held: as the law asked for them; None where the law is not sampled.
+    sampled: as the law commanded them; None where the law is not sampled.
     """
 
     start: float
     end: float
     interpolant: Callable[[Any], Array]
     center: Array
-    held: Array | None
+    sampled: Array | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -189,10 +186,10 @@ class Simulation(Trace):
         return sampled_at(self._robot, self._actuators, self._pieces, when)
 
 
-def motion_of(y: Array, center: Array) -> Motion:
-    """The chart's numbers [t; phi; v; omega], (..., 12), as states."""
+def motion_of(y: Array, center: Array, F_ext: Array | None = None, M_ext: Array | None = None) -> Motion:
+    """The chart's numbers [t; phi; v; omega], (..., 12), as states under a load."""
     R = rotation_from_vector(y[..., 3:6]) @ center
-    return Motion.unchecked(R, y[..., :3], omega=y[..., 9:], v=y[..., 6:9])
+    return Motion.unchecked(R, y[..., :3], y[..., 9:], y[..., 6:9], F_ext=F_ext, M_ext=M_ext)
 
 
 class LegStates(NamedTuple):
@@ -221,10 +218,10 @@ def sampled_at(robot: Robot, actuators: Actuators, pieces: tuple[Piece, ...], wh
     for here in np.split(order, np.flatnonzero(np.diff(of[order])) + 1) if n else ():
         piece = pieces[of[here[0]]]
         y[here], centers[here] = piece.interpolant(when[here]).T, piece.center
-        if piece.held is not None:
-            F[here] = actuators.clipped(piece.held)
+        if piece.sampled is not None:
+            F[here] = actuators.clipped(piece.sampled)
     motion = motion_of(y, centers)
-    if pieces[0].held is None:
+    if pieces[0].sampled is None:
         F = actuators.forces(when, motion, None)
     rest = Motion.unchecked(motion.R, motion.t, np.zeros((n, 3)), np.zeros((n, 3)))
     potential = newton_euler.energy(robot, rest)
@@ -234,12 +231,12 @@ def sampled_at(robot: Robot, actuators: Actuators, pieces: tuple[Piece, ...], wh
 
 
 def saturation_of(actuators: Actuators, pieces: list[Piece]) -> Saturation:
-    """What the forces asked for exceed their limits by, in all pieces."""
+    """What the commanded forces exceed their limits by, in all pieces."""
     time, excess = np.zeros(6), np.zeros(6)
     for piece in pieces if np.isfinite(actuators.limit).any() else ():
         when = np.linspace(piece.start, piece.end, WATCHED + 1)
         state = motion_of(piece.interpolant(when).T, piece.center)
-        beyond = np.abs(actuators.asked(when, state, piece.held)) - actuators.limit
+        beyond = np.abs(actuators.commanded(when, state, piece.sampled)) - actuators.limit
         excess = np.maximum(excess, beyond.max(axis=0))
         time += np.diff(when) @ _share_above_zero(beyond[:-1], beyond[1:])
     return Saturation(time, excess)

@@ -3,22 +3,20 @@ function of time, so its roots are found from its sign at all its turning points
 is settled by the rate of H: no singular value changes faster than H does (Weyl).
 """
 
-from __future__ import annotations
-
-import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
 from ..backend.numpy_kernel import NumpyKernel
 from ..dynamics.inverse import Formulation, need_motion
 from ..io.arguments import instance, option, real_array
+from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length, moments_over
-from ..kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix_rate
+from ..kinematics.inverse import ROUNDING, joint_sines, leg_vectors, wrench_matrix_rate
 from ..motion.interpolation import Path
 from ..motion.motion import Motion
 from ..motion.rotation import cross
@@ -26,7 +24,6 @@ from ..robot.robot import Robot
 from .search import minimum, root, runs, turning_points
 from .singular_poses import Singularity, last_directions, singularity
 
-Array = NDArray[np.float64]
 # Intervals are searched unless the singular values at both ends exceed what twice the rate of H there allows.
 _CARE = 2.0
 # Intervals are passed over unseen only where bounds of them exceed four times that, and what H changes.
@@ -414,7 +411,7 @@ def _scaled_rate(robot: Robot, motion: Motion, length: float) -> Array:
     return moments_over(wrench_matrix_rate(robot, motion), length)
 
 
-def _known(H: Array) -> NDArray[np.bool_]:
+def _known(H: Array) -> Flags:
     """Which matrices, (n, 6, 6), belong to legs that all have a direction, (n,)."""
     return np.asarray(np.isfinite(H).all(axis=(-2, -1)))
 
@@ -447,11 +444,8 @@ def _leg_extremes(robot: Robot, path: Path, times: Array) -> tuple[LegExtreme, L
     filled = np.union1d(times, np.linspace(times[0], times[-1], _INSTANTS))
 
     def sine(when: Array) -> Array:
-        if robot.base_joint == "spherical":
-            return np.ones((len(when), 6))
         _, S, L = leg_vectors(robot, *_pose(path(when)))
-        across = np.linalg.norm(cross(robot.k, S), axis=-1)
-        return np.asarray(across / np.where(L > 0.0, L, 1.0))
+        return joint_sines(robot, S / np.where(L > 0.0, L, 1.0)[..., None])
 
     def length(when: Array) -> Array:
         return leg_vectors(robot, *_pose(path(when)))[2]
@@ -466,15 +460,14 @@ def _extreme(function: Callable[[Array], Array], points: Array) -> LegExtreme:
     time = np.empty(6)
     for leg, i in enumerate(np.argmin(values, axis=0)):
         low, high = points[max(i - 1, 0)], points[min(i + 1, len(points) - 1)]
-        of_leg = functools.partial(_column, function, leg)
+
+        def of_leg(when: Array, leg: int = leg) -> Array:
+            return np.asarray(function(when)[:, leg])
+
         refined = minimum(of_leg, float(low), float(high))
         given, better = function(np.array([points[i], refined]))[:, leg]
         time[leg] = refined if better < given - _SHALLOW * abs(given) else points[i]
     return LegExtreme(time, np.array([function(time[leg : leg + 1])[0, leg] for leg in range(6)]))
-
-
-def _column(function: Callable[[Array], Array], column: int, times: Array) -> Array:
-    return np.asarray(function(times)[:, column])
 
 
 def _in_chunks(function: Callable[[Array], Array], times: Array) -> Array:

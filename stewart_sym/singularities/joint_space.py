@@ -8,16 +8,16 @@ of the lengths hides on which side the pose is, it hides what the motion does th
 not decided.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, instance, real_array
+from ..io.array_types import Array
+from ..io.progress import Progress, silent
 from ..kinematics.forward import (
     REASONS,
     Guess,
@@ -28,7 +28,7 @@ from ..kinematics.forward import (
     forward_velocity,
 )
 from ..kinematics.leg_steps import accelerations, jump, step_beyond_rates, times_from_rates
-from ..kinematics.pose_search import ToSingular, newton
+from ..kinematics.pose_search import newton
 from ..motion.interpolation import between
 from ..motion.motion import Motion
 from ..motion.noise_level import LEAST_SAMPLES, rounding_steps, white_noise
@@ -37,8 +37,6 @@ from ..results import SINGULAR
 from ..robot.robot import Robot
 from .along_path import crossings
 from .length_steps import CROSSED, NO_WAY, UNDECIDED, Legs, LostError, at_rest, pose_of, walked
-
-Array = NDArray[np.float64]
 
 JUMPED = "the lengths jump here: no motion with the accelerations of the samples around it makes this step"
 OFF_RATES = "the step in lengths from the sample before is not what the rates at both samples make of it"
@@ -58,6 +56,7 @@ def motion_from_lengths(
     M_ext: ArrayLike | None = None,
     time: ArrayLike | None = None,
     sigma: ArrayLike | None = None,
+    progress: Progress = silent,
 ) -> Motion:
     """Return the platform's motion, of shape (n,), from that of its legs, (n, 6), sample after sample.
 
@@ -80,7 +79,9 @@ def motion_from_lengths(
         Of the samples, s, (n,), increasing; None: the steps that fit L and L_dot.
     sigma : array_like, optional
         Standard deviation of each length, m, broadcasts to (n, 6); None: what rounding or scatter of the
-        numbers show, from 40 samples on. The robot's length_limits are not asked for.
+        numbers show, from 40 samples on. The robot's length_limits do not count.
+    progress : Progress, optional
+        Called with what is being done and the share of the samples that is done, 0 to 1.
 
     Returns
     -------
@@ -106,7 +107,7 @@ def motion_from_lengths(
             raise ValueError(f"{name}: expected the shape of L, {lengths.shape}, got {values.shape}")
     when = _checked_times(time, len(lengths)) if time is not None else None
     deviations = None if sigma is None else _checked_deviations(sigma, lengths.shape)
-    R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, deviations)
+    R, t = _follow(robot, when, lengths, rates["L_dot"], rates.get("L_ddot"), guess, deviations, progress)
     v, omega = _in_parts(lambda i: forward_velocity(robot, R[i], t[i], rates["L_dot"][i], "nan"), len(t))
     a = alpha = None
     if "L_ddot" in rates:
@@ -122,7 +123,9 @@ def motion_from_lengths(
     return Motion(R, t, omega, v, alpha, a, F_ext, M_ext)  # type: ignore[arg-type]
 
 
-def on_platform(robot: Robot, joints: JointTrajectory, guess: Guess | None = None) -> Trajectory:
+def on_platform(
+    robot: Robot, joints: JointTrajectory, guess: Guess | None = None, progress: Progress = silent
+) -> Trajectory:
     """Return a joint-space trajectory as one of the platform; errors name its file and row."""
     try:
         motion = motion_from_lengths(
@@ -135,6 +138,7 @@ def on_platform(robot: Robot, joints: JointTrajectory, guess: Guess | None = Non
             joints.M_ext,
             joints.time,
             None if joints.noise is None else np.sqrt(joints.noise.variances(joints.time)),
+            progress,
         )
     except LostError as error:
         row = joints.rows[error.sample]
@@ -185,6 +189,7 @@ def _follow(
     L_ddot: Array | None,
     guess: Guess | None,
     sigma: Array | None,
+    progress: Progress,
 ) -> tuple[Array, Array]:
     """Return R, (n, 3, 3), and t, (n, 3), along lengths (n, 6)."""
     start = forward_kinematics(robot, L[:1], guess, on_failure="nan", limits=False)
@@ -194,7 +199,7 @@ def _follow(
     if time is None:
         time = times_from_rates(L, L_dot)
     if len(L) < 2 or time is None or not np.any(L_dot):
-        return at_rest(robot, first, L)
+        return at_rest(robot, first, L, progress)
     rates = accelerations(time, L, L_dot) if L_ddot is None else L_ddot
     for sample, reason in ((jump(L), JUMPED), (step_beyond_rates(time, L, L_dot, rates), OFF_RATES)):
         if sample is not None:
@@ -203,9 +208,12 @@ def _follow(
     R, t, twist, rate = (np.empty((len(L), *shape)) for shape in ((3, 3), (3,), (6,), (6,)))
     done, decided, sign, noisy = 0, len(L), first.sign[0], bool(noise.any())
     for run in walked(robot, first, Legs(L, L_dot, rates), np.diff(time)):
+        progress(f"finding {len(L)} poses", done / len(L))
         here = slice(done, done + len(run.state.twist))
         R[here], t[here], twist[here], rate[here] = run.state.pose.R, run.state.pose.t, *run.state[1:]
-        undecided = np.flatnonzero(_may_be_singular(run.near, noise[here]))
+        # Where noise of the lengths could carry poses through a singular one.
+        open_ = _SURE * np.linalg.norm(run.near.legs * noise[here], axis=-1)
+        undecided = np.flatnonzero(run.near.lengths <= open_)
         if noisy and undecided.size:
             decided = min(decided, max(1, done + int(undecided[0])))
         done, sign = here.stop, run.state.pose.sign[-1]
@@ -231,11 +239,6 @@ def _noise(time: Array, L: Array) -> Array:
         return np.zeros(L.shape)
     shown_noise = np.maximum(rounding_steps(L) / math.sqrt(12.0), white_noise(time, L))
     return np.broadcast_to(shown_noise, L.shape)
-
-
-def _may_be_singular(near: ToSingular, sigma: Array) -> NDArray[np.bool_]:
-    """Whether noise of lengths, (n, 6), could carry poses through a singular one."""
-    return np.asarray(near.lengths <= _SURE * np.linalg.norm(near.legs * sigma, axis=-1))
 
 
 def _reject_crossings(robot: Robot, time: Array, R: Array, t: Array, twist: Array, rate: Array) -> None:

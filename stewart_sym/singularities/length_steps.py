@@ -1,13 +1,12 @@
 """Poses of leg lengths from the pose of the sample before, in steps that keep to one assembly mode."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
+from ..io.array_types import Array, Flags
+from ..io.progress import Progress, tracked
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import leg_vectors
 from ..kinematics.pose_search import ToSingular, jacobian, newton, other_side, solve, way_to_singular
@@ -19,8 +18,6 @@ from ..motion.rotation import (
     vector_second_rate,
 )
 from ..robot.robot import Robot
-
-Array = NDArray[np.float64]
 
 NO_WAY = (
     "no way here from the sample before in the same assembly mode: the lengths jump, belong to no pose, "
@@ -55,10 +52,6 @@ class _Pose(NamedTuple):
     J: Array
     sign: Array
 
-    def at(self, part: slice) -> _Pose:
-        """Some of the poses."""
-        return _Pose(*(x[part] for x in self))
-
 
 class Legs(NamedTuple):
     """What the legs do at n samples: (n, 6) each."""
@@ -66,10 +59,6 @@ class Legs(NamedTuple):
     L: Array
     L_dot: Array
     L_ddot: Array
-
-    def at(self, part: slice) -> Legs:
-        """Some of the samples."""
-        return Legs(*(x[part] for x in self))
 
 
 class _State(NamedTuple):
@@ -79,10 +68,6 @@ class _State(NamedTuple):
     twist: Array
     rate: Array
 
-    def at(self, part: slice) -> _State:
-        """Some of the states."""
-        return _State(self.pose.at(part), self.twist[part], self.rate[part])
-
 
 class Steps(NamedTuple):
     """States of samples that follow one another, and the way from each to the next singular pose."""
@@ -90,9 +75,14 @@ class Steps(NamedTuple):
     state: _State
     near: ToSingular
 
-    def first(self, count: int) -> Steps:
-        """The first of them."""
-        return Steps(self.state.at(slice(count)), ToSingular(*(x[:count] for x in self.near)))
+
+Record = TypeVar("Record", bound=tuple[Any, ...])
+
+
+def some(record: Record, part: slice) -> Record:
+    """The records above at some of their samples."""
+    parts = (some(x, part) if isinstance(x, tuple) else x[part] for x in record)
+    return type(record)(*parts)
 
 
 class LostError(ValueError):
@@ -114,23 +104,25 @@ def walked(robot: Robot, first: _Pose, legs: Legs, steps: Array) -> Iterator[Ste
     Where all goes smoothly, many samples are found at once; where it does not, one after another, and ever
     more of them before many are tried again.
     """
-    last, done = _state(robot, first, legs.at(slice(1))), 1
+    last, done = _state(robot, first, some(legs, slice(1))), 1
     yield Steps(last, way_to_singular(robot, first.R, first.t))
     many, alone, again = 1, 1, 1
     while done < len(legs.L) and last.pose.sign[0] == first.sign[0]:
         here = slice(done, done + many)
-        run = _run(robot, last, legs.at(here), steps[done - 1 : done - 1 + many]) if done >= again else None
+        run = (
+            _run(robot, last, some(legs, here), steps[done - 1 : done - 1 + many]) if done >= again else None
+        )
         if run is not None and len(run.state.twist):
             many, alone = min(2 * many, _MANY) if len(run.state.twist) == many else 1, 1
         else:
             if run is not None:
                 many, alone, again = 1, min(2 * alone, _MANY), done + alone
-            state = _next(robot, last, legs.at(slice(done, done + 1)), steps[done - 1 : done])
+            state = _next(robot, last, some(legs, slice(done, done + 1)), steps[done - 1 : done])
             if state is None:
                 break
             run = Steps(state, way_to_singular(robot, state.pose.R, state.pose.t))
         yield run
-        last = run.state.at(slice(-1, None))
+        last = some(run.state, slice(-1, None))
         done += len(run.state.twist)
 
 
@@ -139,7 +131,7 @@ def _run(robot: Robot, last: _State, legs: Legs, h: Array) -> Steps:
     R, t = (np.repeat(x, len(h), axis=0) for x in (last.pose.R, last.pose.t))
     ends = newton(robot, legs.L, R, t)
     after = _state(robot, pose_of(robot, ends.R, ends.t, legs.L), legs)
-    poses = _joined([last.pose, after.pose.at(slice(-1))])
+    poses = _joined([last.pose, some(after.pose, slice(-1))])
     before = _State(
         poses, *(np.concatenate([x[0], x[1][:-1]]) for x in zip(last[1:], after[1:], strict=True))
     )
@@ -149,7 +141,7 @@ def _run(robot: Robot, last: _State, legs: Legs, h: Array) -> Steps:
         _misfit(robot, before, after, h) < _ASTRAY * near
     )
     sure = ends.found & clear & _foretold(robot, before, after.pose, h) & (after.pose.sign == last.pose.sign)
-    return run.first(len(h) if sure.all() else int(np.argmin(sure)))
+    return some(run, slice(len(h) if sure.all() else int(np.argmin(sure))))
 
 
 def _next(robot: Robot, state: _State, legs: Legs, h: Array) -> _State | None:
@@ -160,7 +152,7 @@ def _next(robot: Robot, state: _State, legs: Legs, h: Array) -> _State | None:
     return min(found, key=lambda entry: entry[0])[1] if found else None
 
 
-def _foretold(robot: Robot, before: _State, after: _Pose, h: Array) -> NDArray[np.bool_]:
+def _foretold(robot: Robot, before: _State, after: _Pose, h: Array) -> Flags:
     """Whether poses, (n,), are where the states before them lead."""
     ahead = _ahead(before, h)
     off, step = (
@@ -237,10 +229,10 @@ def _found(robot: Robot, L: Array, R: Array, t: Array) -> _Pose | None:
     return pose_of(robot, end.R, end.t, L) if end.found.all() else None
 
 
-def at_rest(robot: Robot, pose: _Pose, L: Array) -> tuple[Array, Array]:
+def at_rest(robot: Robot, pose: _Pose, L: Array, progress: Progress) -> tuple[Array, Array]:
     """Poses without rates: each is approached from the one before along a straight line of lengths."""
     poses = [pose]
-    for i in range(1, len(L)):
+    for i in tracked(progress, range(1, len(L)), lambda _: f"finding {len(L)} poses"):
         found = _approach(robot, poses[-1], L[i : i + 1])
         if found is None:
             raise LostError(i, NO_WAY)

@@ -4,9 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.polynomial import chebyshev
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from ..io.array_types import Array, Flags
+
 Function = Callable[[Array], Array]
 
 _PARTS = 16
@@ -110,7 +110,7 @@ def _zeros(series: Array) -> Array:
     return np.asarray(real[np.abs(real) < 1.0])
 
 
-def runs(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
+def runs(flags: Flags) -> list[tuple[int, int]]:
     """First and last index of each run of at least three flags; fewer are a crossing looked at closely."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(np.int8)))
     return [(int(i), int(j) - 1) for i, j in edges.reshape(-1, 2) if j - i >= 3]

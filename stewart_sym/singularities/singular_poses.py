@@ -1,19 +1,17 @@
 """Singular poses as objects: how near a pose is to one, the motion that is lost there, and as a screw."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import instance
+from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, moments_over
 from ..kinematics.inverse import ROUNDING, wrench_matrix
-from ..motion.motion import Motion
+from ..motion.motion import Motion, pose_of
 from ..robot.robot import Robot
 
-Array = NDArray[np.float64]
 Pose = Motion | tuple[ArrayLike, ArrayLike]
 
 # A twist that turns by less than this share of what it moves does not turn: rounding leaves no more digits.
@@ -92,7 +90,7 @@ def singularity(robot: Robot, pose: Pose) -> Singularity:
         Naming the argument, as ``inverse_kinematics`` for a leg of length zero.
     """
     instance(robot, Robot, "robot")
-    motion = _motion(pose)
+    motion = pose if isinstance(pose, Motion) else pose_of(pose, "pose", "a Motion or a pose (R, t)")
     length = characteristic_length(robot) or 1.0
     H = moments_over(wrench_matrix(robot, motion), length)
     unit = np.repeat([1.0, length], 3)
@@ -142,15 +140,3 @@ def screw(twist: Array, length: float) -> tuple[Array, Array, Array]:
 
 def _size(vector: Array) -> Array:
     return np.asarray(np.linalg.norm(vector, axis=-1, keepdims=True))
-
-
-def _motion(pose: object) -> Motion:
-    if isinstance(pose, Motion):
-        return pose
-    if not isinstance(pose, tuple | list) or len(pose) != 2:
-        raise ValueError(f"pose: expected a Motion or a pose (R, t), got {type(pose).__name__}")
-    try:
-        R, t = pose
-        return Motion(R, t, np.zeros(3), np.zeros(3))
-    except ValueError as error:
-        raise ValueError(f"pose: {error}") from None

@@ -279,13 +279,6 @@ def test_energy_and_powers_need_no_accelerations_but_forces_do() -> None:
             function(robot, slow)
 
 
-@pytest.mark.parametrize("bearing", [np.zeros(5), np.nan, np.zeros((6, 1)), "a", 1j], ids=str)
-def test_bearing_must_be_one_number_or_six(bearing: object) -> None:
-    robot, motion = _random_case()
-    with pytest.raises(ValueError, match=r"^bearing: expected"):
-        newton_euler.joint_reactions(robot, motion, bearing=bearing)  # type: ignore[arg-type]
-
-
 def test_unknown_faults_are_rejected() -> None:
     robot, motion = _random_case()
     with pytest.raises(ValueError, match=r"^faults: expected numbers from 1 to 4, got \[5\]"):

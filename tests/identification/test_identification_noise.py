@@ -244,7 +244,7 @@ def test_page_states_the_least_move_of_a_payload_that_is_always_named() -> None:
         ({"time": [0.0, 0.0]}, "time: expected increasing instants"),
         ({"period": -1.0}, "period: expected a duration > 0 s"),
         ({"harmonics": 2}, "harmonics: expected None"),
-        ({"period": 1.0, "harmonics": 2}, "harmonics: expected 1 to 1 for 4 instants"),
+        ({"period": 1.0, "harmonics": 2}, "harmonics: expected a whole number from 1 to 1 for 4 instants"),
         ({"period": 1.0, "harmonics": 1.5}, "harmonics: expected a whole number"),
     ],
 )

@@ -7,14 +7,13 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from noisy_logs import WHITE, Case, case, coordinates, logged, motion
+from noisy_logs import WHITE, Case, case, coordinates, from_poses, logged, motion
 from numpy.typing import NDArray
 from sweeps import share
 from whole_track import track
 
 import stewart_sym as ss
 from stewart_sym.motion.log_faults import Fault, faults, offsets
-from stewart_sym.motion.log_reader import from_poses
 from stewart_sym.motion.log_sampling import slower_sampling, spread
 from stewart_sym.motion.noise_level import noise_level, rounding_steps
 from stewart_sym.motion.trajectory import Trajectory

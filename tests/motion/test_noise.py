@@ -7,12 +7,12 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from noisy_logs import Array, Case, case, logged, motion
+from noisy_logs import Array, Case, case, from_poses, logged, motion
 from sweeps import share
 
 import stewart_sym as ss
 from stewart_sym.motion import smoothing
-from stewart_sym.motion.log_reader import from_poses, read_any_csv, read_csv
+from stewart_sym.motion.log_reader import read_any_csv, read_csv
 from stewart_sym.motion.noise_level import rounding_step, white_noise
 from stewart_sym.motion.rotation import rpy_from_rotation
 from stewart_sym.motion.trajectory import JointTrajectory, Trajectory

@@ -83,9 +83,8 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.list:
             take(_report([arguments.output / name for name in kit_names(robot, choice)]))
         else:
-            progress("generating")
             inputs = [Path(arguments.robot)]
-            made, written = write_kit(robot, arguments.output, choice, arguments.force, inputs)
+            made, written = write_kit(robot, arguments.output, choice, arguments.force, inputs, progress)
             take(_report(written, made.operations, made.baked_operations))
     return 0
 

@@ -48,8 +48,7 @@ def identification(
 
     Arguments as for ``choose_excitation`` and ``simulated_experiment``; seed: of both.
     """
-    progress(f"choosing among {candidates} motions")
-    excited = choose_excitation(robot, period, harmonics, samples, candidates, seed)
+    excited = choose_excitation(robot, period, harmonics, samples, candidates, seed, progress)
     progress("identifying")
     return simulated_experiment(robot, excited, sigma, seed, noise_position, noise_angle)
 

@@ -7,6 +7,8 @@ from machines import GRAVITY, home_position, machine_size, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
+from stewart_sym.motion.log_reader import AS_SHOWN, _pose_log, _trajectory
+from stewart_sym.motion.trajectory import Log, Trajectory
 
 Array = NDArray[np.float64]
 WHITE = 1e-4
@@ -56,3 +58,10 @@ def logged(found: Case, noise: str, seed: int) -> Array:
     if noise == "white":
         return values + WHITE * np.random.default_rng([seed, 1]).normal(size=values.shape)
     return np.round(values, int(noise))
+
+
+def from_poses(time: Array, t: Array, theta: Array, smoothing: ss.Smoothing = AS_SHOWN) -> Trajectory:
+    """The trajectory of poses over time, differentiated as those of a file."""
+    written = {"t": [*t.T], "theta": [*theta.T]}
+    log = Log("poses", range(len(time)), time, written, smoothing=smoothing)
+    return _trajectory(_pose_log(log))
