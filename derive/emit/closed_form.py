@@ -12,24 +12,8 @@ from ..kernel import outputs as o
 from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_one, missing
 from ..kernel.model import STATUS_FIELD
 from ..kernel.prepare import MOTION
+from ..kernel.tree import nodes as t
 from ..kernel.tree import read
-from ..kernel.tree.nodes import (
-    Argument,
-    Array,
-    Assign,
-    Element,
-    Field,
-    For,
-    Function,
-    Member,
-    Name,
-    Number,
-    Pointer,
-    Real,
-    Record,
-    Statement,
-    Structure,
-)
 from ..kernel.written import batch
 from ..mechanics import quantities as n
 from ..mechanics.closed_form import NAMES, SumKernel
@@ -130,43 +114,45 @@ def members(what: str) -> dict[str, int]:
     result = o.RESULTS[what]
     found: dict[str, int] = {}
     for each in result.members:
-        if isinstance(each.type, Array):
+        if isinstance(each.type, t.Array):
             whole = PARTS.get((result.name, each.name), (each.name, 0))[0]
             count = each.type.dims[0] * (each.type.dims[1] if len(each.type.dims) == 2 else 1)
             found[whole] = found.get(whole, 0) + count
     return found
 
 
-def _struct(what: str) -> Structure:
-    fields = tuple(Field(each, Array(Real(), (count,))) for each, count in members(what).items())
-    return Structure(f"stewart_{what}", STRUCTS[what], fields)
+def _struct(what: str) -> t.Structure:
+    fields = tuple(t.Field(each, t.Array(t.Real(), (count,))) for each, count in members(what).items())
+    return t.Structure(f"stewart_{what}", STRUCTS[what], fields)
 
 
-def _arrays(what: str, says: str) -> Structure:
-    fields = tuple(Field(each, Pointer(Real()), f"[count][{n}]") for each, n in members(what).items())
-    return Structure(f"stewart_{what}_arrays", says, fields)
+def _arrays(what: str, says: str) -> t.Structure:
+    fields = tuple(t.Field(each, t.Pointer(t.Real()), f"[count][{n}]") for each, n in members(what).items())
+    return t.Structure(f"stewart_{what}_arrays", says, fields)
 
 
-def interface(name: str, what: str) -> tuple[Function, Function]:
+def interface(name: str, what: str) -> tuple[t.Function, t.Function]:
     """The functions of one pose and of many."""
     struct, counts = what in STRUCTS, members(what)
     ((first, count), *_) = counts.items()
     forced = ["F"] if what in o.FORCED else []
     given: dict[str, read.Given] = {} if forced else {"F": False}
-    held = {"Model": Structure(f"stewart_{name}_model", "", ()), "Motion": MOTION, "Motions": MOTIONS}
-    found, out, i = Name("found"), Name("out"), Name("i")
-    whole = Field("of", Record(f"stewart_{what}")) if struct else Field(first, Array(Real(), (count,)))
-    held["Found"] = Structure(f"{what}_found", "", (whole, STATUS_FIELD))
-    arguments = (
-        Argument(each, Record(""), each == "found") for each in ("model", "motion", *forced, "found")
+    held = {"Model": t.Structure(f"stewart_{name}_model", "", ()), "Motion": MOTION, "Motions": MOTIONS}
+    found, out, i = t.Name("found"), t.Name("out"), t.Name("i")
+    whole = (
+        t.Field("of", t.Record(f"stewart_{what}")) if struct else t.Field(first, t.Array(t.Real(), (count,)))
     )
-    find = Function(f"find_{what}", "", tuple(arguments), None, ())
-    taken: Statement = Assign(out, Member(found, "of"))
+    held["Found"] = t.Structure(f"{what}_found", "", (whole, STATUS_FIELD))
+    arguments = (
+        t.Argument(each, t.Record(""), each == "found") for each in ("model", "motion", *forced, "found")
+    )
+    find = t.Function(f"find_{what}", "", tuple(arguments), None, ())
+    taken: t.Statement = t.Assign(out, t.Member(found, "of"))
     if struct:
         held |= {"Result": _struct(what)}
     else:
-        number = Assign(Element(Name(first), (i,)), Element(Member(found, first), (i,)))
-        taken = For("i", Number(0), Number(count), (number,))
+        number = t.Assign(t.Element(t.Name(first), (i,)), t.Element(t.Member(found, first), (i,)))
+        taken = t.For("i", t.Number(0), t.Number(count), (number,))
     own = {} if struct else {"out": first, "Result": f"array({count})"}
     needed = missing(("model", "motion", *forced, own.get("out", "out")))
     one = read.function(

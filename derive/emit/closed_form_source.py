@@ -21,43 +21,15 @@ from ..kernel.layouts import (
     suspicion,
 )
 from ..kernel.shared import shared
+from ..kernel.tree import nodes as t
 from ..kernel.tree import read
 from ..kernel.tree.legs_in_lanes import Layout
 from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.nodes import (
-    Argument,
-    Array,
-    As,
-    Assign,
-    Binary,
-    Call,
-    Compare,
-    Constant,
-    Count,
-    Element,
-    Expression,
-    Field,
-    For,
-    Function,
-    If,
-    Integer,
-    Member,
-    Name,
-    Not,
-    Number,
-    Real,
-    Record,
-    Return,
-    Select,
-    Statement,
-    Structure,
-    Variable,
-)
 from ..kernel.tree.settle import settled
 from ..kernel.written import motion_lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
-from ..mechanics.closed_form import AXIAL, F_LEG, NET, TURNED, SumKernel
+from ..mechanics.closed_form import GIVEN, SumKernel
 from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block, Quantity
@@ -76,21 +48,19 @@ from .closed_form import (
 )
 from .shared import SIZES, SOLVE, top
 
-_INPUTS = (F_LEG, NET, TURNED, AXIAL)
-
-_CHECKS = Structure(
+_CHECKS = t.Structure(
     "leg_checks",
     "What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0.",
-    tuple(Field(each, Array(Real(), (LANES,))) for each in ("L", "reach", "k3", "bad")),
+    tuple(t.Field(each, t.Array(t.Real(), (LANES,))) for each in ("L", "reach", "k3", "bad")),
 )
 
-_ADD_LEGS = Function(
+_ADD_LEGS = t.Function(
     "add_legs",
     "",
     (
-        Argument("lanes", Array(Real(), (1, LANES))),
-        Argument("count", Integer()),
-        Argument("sum", Array(Real(), (1,)), changed=True),
+        t.Argument("lanes", t.Array(t.Real(), (1, LANES))),
+        t.Argument("count", t.Integer()),
+        t.Argument("sum", t.Array(t.Real(), (1,)), changed=True),
     ),
     None,
     (),
@@ -111,7 +81,7 @@ def source(
     name = model.formulation.kernel_name
     before = "\n".join([top(f"stewart_{name}_motion", version, SOLVE), filled("motion.c")])
     made = _Source(kernels, model, asked_for(functions)).parts()
-    parts = (settled(each) if isinstance(each, Function) else each for each in made)
+    parts = (settled(each) if isinstance(each, t.Function) else each for each in made)
     return C(sizes=SIZES).source(before, *parts)
 
 
@@ -140,7 +110,7 @@ class _Source:
         self.public = {what: interface(self.name, what) for what in asked}
         self.functions = {"add_legs": _ADD_LEGS, "fault_of": shared().by_name["fault_of"]}
 
-    def parts(self) -> Iterator[str | Structure | Function]:
+    def parts(self) -> Iterator[str | t.Structure | t.Function]:
         """Structures, functions and texts."""
         skipped = ("Pose", "Leg", "Legs", "Sums")
         for each in self.program.structures:
@@ -169,24 +139,24 @@ class _Source:
     def _uses(self, prefix: str) -> bool:
         return any(each.name == f"{prefix}_sums" for each in self.program.functions)
 
-    def _read(self, text: o.Written, name: str = "", **more: Any) -> Function:
+    def _read(self, text: o.Written, name: str = "", **more: Any) -> t.Function:
         structures = {"Checked": _CHECKS, **more.pop("structures", {})}
         found = read.function(text, structures, self.functions, name, **more)
         self.functions[found.name] = found
         return found
 
-    def _forces(self) -> Function:
-        record = Structure(self.layout.records["Forces"], "", o.RESULTS["forces"].members)
+    def _forces(self) -> t.Function:
+        record = t.Structure(self.layout.records["Forces"], "", o.RESULTS["forces"].members)
         known = f"stewart_{self.name}_forces"
-        self.functions[known] = Function(
+        self.functions[known] = t.Function(
             known,
             "",
             (
-                Argument("model", Record("")),
-                Argument("motion", Record("")),
-                Argument("F", Array(Real(), (LEGS,)), changed=True),
+                t.Argument("model", t.Record("")),
+                t.Argument("motion", t.Record("")),
+                t.Argument("F", t.Array(t.Real(), (LEGS,)), changed=True),
             ),
-            Integer(),
+            t.Integer(),
             (),
         )
         structures = {"Forces": record, **self._given()}
@@ -194,38 +164,38 @@ class _Source:
             written.forces, "find_forces", structures=structures, names={"kernel_forces": known}
         )
 
-    def _check(self, what: str) -> Function:
+    def _check(self, what: str) -> t.Function:
         """Says where a result is not finite: vectors number by number, of matrices how many numbers."""
-        out, lost, i = Name("out"), Name("lost"), Name("i")
-        status, ok, bad = Member(out, "status"), Constant("OK"), Constant("NOT_FINITE")
-        none, one = (As(Count(), Number(each)) for each in (0, 1))
-        vectors: list[Statement] = [If(Compare("!=", status, ok), (Return(None),))]
-        matrices: list[Statement] = []
+        out, lost, i = t.Name("out"), t.Name("lost"), t.Name("i")
+        status, ok, bad = t.Member(out, "status"), t.Constant("OK"), t.Constant("NOT_FINITE")
+        none, one = (t.As(t.Count(), t.Number(each)) for each in (0, 1))
+        vectors: list[t.Statement] = [t.If(t.Compare("!=", status, ok), (t.Return(None),))]
+        matrices: list[t.Statement] = []
         for name, count in members(what).items():
-            number = Element(Member(Member(out, "of") if what in STRUCTS else out, name), (i,))
-            finite = Compare("<=", Call("size", (number,)), Constant("MAX"))
+            number = t.Element(t.Member(t.Member(out, "of") if what in STRUCTS else out, name), (i,))
+            finite = t.Compare("<=", t.Call("size", (number,)), t.Constant("MAX"))
             if count <= LEGS:
-                known = If(Not(finite), (Assign(status, bad), Return(None)))
-                vectors.append(For("i", Number(0), Number(count), (known,)))
+                known = t.If(t.Not(finite), (t.Assign(status, bad), t.Return(None)))
+                vectors.append(t.For("i", t.Number(0), t.Number(count), (known,)))
             else:
-                counted = Assign(lost, Binary("+", lost, Select(finite, none, one)))
-                matrices.append(For("i", Number(0), Number(count), (counted,)))
+                counted = t.Assign(lost, t.Binary("+", lost, t.Select(finite, none, one)))
+                matrices.append(t.For("i", t.Number(0), t.Number(count), (counted,)))
         if matrices:
-            found = Assign(status, Select(Compare("==", lost, none), ok, bad))
-            matrices = [Variable("lost", Count(), none), *matrices, found]
-        return Function(
+            found = t.Assign(status, t.Select(t.Compare("==", lost, none), ok, bad))
+            matrices = [t.Variable("lost", t.Count(), none), *matrices, found]
+        return t.Function(
             f"check_{what}",
             "Says where a number of a result is not finite.",
-            (Argument("out", Record(self.layout.records[o.RESULTS[what].name]), changed=True),),
+            (t.Argument("out", t.Record(self.layout.records[o.RESULTS[what].name]), changed=True),),
             None,
             (*vectors, *matrices),
         )
 
-    def _given(self) -> dict[str, Structure]:
+    def _given(self) -> dict[str, t.Structure]:
         of = self.layout.records
-        return {each: Structure(of[each], "", ()) for each in ("Model", "Motion")}
+        return {each: t.Structure(of[each], "", ()) for each in ("Model", "Motion")}
 
-    def _kernel(self, prefix: str) -> Iterator[Structure | Function]:
+    def _kernel(self, prefix: str) -> Iterator[t.Structure | t.Function]:
         """One kernel: the pose's part, the legs' parts, both added up."""
         kernel = self.kernels[prefix]
         legs = {"leg": kernel.leg} | ({} if kernel.near is None else {"near": kernel.near})
@@ -259,42 +229,42 @@ class _Source:
             names=names,
         )
 
-    def _pose_structure(self, prefix: str, kernel: SumKernel) -> Structure:
+    def _pose_structure(self, prefix: str, kernel: SumKernel) -> t.Structure:
         given = [out.quantity for out in kernel.pose.outputs if out.quantity not in kernel.summed]
-        return Structure(f"{prefix}_pose", "", tuple(stored(q, always=False) for q in given))
+        return t.Structure(f"{prefix}_pose", "", tuple(stored(q, always=False) for q in given))
 
-    def _legs_structure(self, prefix: str, kernel: SumKernel) -> Structure:
+    def _legs_structure(self, prefix: str, kernel: SumKernel) -> t.Structure:
         count = sum(len(q.keys) for q in kernel.summed)
-        held = [q for q in _INPUTS if q in kernel.leg.inputs] + _kept(kernel)
-        return Structure(
+        held = [q for q in GIVEN if q in kernel.leg.inputs] + _kept(kernel)
+        return t.Structure(
             f"{prefix}_legs",
             "",
             (
-                Field("sum", Array(Real(), (count, LANES))),
+                t.Field("sum", t.Array(t.Real(), (count, LANES))),
                 *(stored(q, LANES, always=False) for q in held),
-                Field("checked", Record(_CHECKS.name)),
-                Field("status", Integer()),
+                t.Field("checked", t.Record(_CHECKS.name)),
+                t.Field("status", t.Integer()),
             ),
             aligned=True,
         )
 
-    def _pose_body(self, kernel: SumKernel) -> tuple[Statement, ...]:
+    def _pose_body(self, kernel: SumKernel) -> tuple[t.Statement, ...]:
         block = kernel.pose
         given = [out for out in block.outputs if out.quantity not in kernel.summed]
         return (
             *loaded(block, lambda q: member("at" if q in n.MOTION else "model", q)),
             *steps_of(block.steps),
             *stores(given, lambda q: member("out", q)),
-            *set_in_order(Name("summed"), _sums(kernel, block)),
+            *set_in_order(t.Name("summed"), _sums(kernel, block)),
         )
 
     def _leg_body(
         self, kernel: SumKernel, block: Block
-    ) -> tuple[tuple[Statement, ...], tuple[Statement, ...]]:
+    ) -> tuple[tuple[t.Statement, ...], tuple[t.Statement, ...]]:
         """What all legs share, and what is done for each."""
 
         def place(q: Quantity) -> Place:
-            if q in _INPUTS:
+            if q in GIVEN:
                 return member("out", q, LANE)
             if q in self.model.leg_constants():
                 return member("model", q, LANE)
@@ -306,22 +276,22 @@ class _Source:
         return outside, (
             *inside,
             *steps_of(block.steps),
-            *set_in_order(Member(Name("out"), "sum"), _sums(kernel, block), LANE),
+            *set_in_order(t.Member(t.Name("out"), "sum"), _sums(kernel, block), LANE),
             *stores(kept, lambda q: member("out", q, LANE)),
             *_checks(block),
         )
 
-    def _padding(self, kernel: SumKernel) -> tuple[Statement, ...]:
+    def _padding(self, kernel: SumKernel) -> tuple[t.Statement, ...]:
         """The last two lanes of what the legs are given repeat leg 6."""
-        lane, sixth = Name("l"), Number(LEGS - 1)
+        lane, sixth = t.Name("l"), t.Number(LEGS - 1)
         parts = [
             (member("legs", q, lane).part(q, i), member("legs", q, sixth).part(q, i))
-            for q in _INPUTS
+            for q in GIVEN
             if q in kernel.leg.inputs
             for i in range(len(q.keys))
         ]
-        body = tuple(Assign(to, of) for to, of in parts)
-        return (For("l", Number(LEGS), Number(LANES), body),) if body else ()
+        body = tuple(t.Assign(to, of) for to, of in parts)
+        return (t.For("l", t.Number(LEGS), t.Number(LANES), body),) if body else ()
 
 
 def _kept(kernel: SumKernel) -> list[Quantity]:
@@ -340,16 +310,16 @@ def _sums(kernel: SumKernel, block: Block) -> list[sp.Expr]:
     return [expr for q in kernel.summed for expr in given[q]]
 
 
-def _checks(block: Block) -> tuple[Statement, ...]:
+def _checks(block: Block) -> tuple[t.Statement, ...]:
     """What is wrong with a leg, in its lane."""
-    given, checked = exprs_of(block), Member(Name("out"), "checked")
+    given, checked = exprs_of(block), t.Member(t.Name("out"), "checked")
 
-    def of_lane(name: str) -> Expression:
-        return Element(Member(checked, name), (LANE,))
+    def of_lane(name: str) -> t.Expression:
+        return t.Element(t.Member(checked, name), (LANE,))
 
     return (
         *reach([*given[n.q], *n.t.symbols, *n.b.symbols]),
-        Assign(of_lane("reach"), Name("reach")),
-        *(Assign(of_lane(q.name), expression(given[q][0])) for q in (n.L, n.k3)),
-        *suspicion(block, Number(0.0), of_lane("bad"), "ROUNDING", "JOINT_SINGULAR_SINE"),
+        t.Assign(of_lane("reach"), t.Name("reach")),
+        *(t.Assign(of_lane(q.name), expression(given[q][0])) for q in (n.L, n.k3)),
+        *suspicion(block, t.Number(0.0), of_lane("bad"), "ROUNDING", "JOINT_SINGULAR_SINE"),
     )

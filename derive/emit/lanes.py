@@ -33,32 +33,8 @@ from ..kernel.layouts import (
 )
 from ..kernel.operations import force_operations
 from ..kernel.shared import legs_in_lanes, shared
+from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.nodes import (
-    Array,
-    As,
-    Assign,
-    Binary,
-    Call,
-    Compare,
-    Constant,
-    Count,
-    Do,
-    Expression,
-    Field,
-    Function,
-    If,
-    Let,
-    Name,
-    Number,
-    Real,
-    Select,
-    Statement,
-    Structure,
-    Table,
-    at,
-    of,
-)
 from ..kernel.tree.read import LANES, Given
 from ..kernel.written import batch
 from ..kernel.written import lanes as written
@@ -152,21 +128,21 @@ class _Source:
         }
         self.texts = Written(self.structures, self.flags, shared(kernel.about_tip).by_name)
         self.parts = list(self._parts())
-        self.functions = [each for each in self.parts if isinstance(each, Function)]
+        self.functions = [each for each in self.parts if isinstance(each, t.Function)]
 
     # ------------------------------------------------------------ structures
 
-    def _structures(self) -> dict[str, Structure]:
+    def _structures(self) -> dict[str, t.Structure]:
         kernel = self.kernel
-        lanes, motion = Array(Real(), (LANES,)), kernel.used_motion()
+        lanes, motion = t.Array(t.Real(), (LANES,)), kernel.used_motion()
         moved = [out.quantity for out in kernel.shift.outputs]
         blocks = (kernel.leg, kernel.moments) if kernel.about_tip else (kernel.leg,)
         terms = [out.quantity for block in blocks for out in block.outputs if out.quantity not in CHECKED]
         kept = [q for q in (n.q, *RIGHT_SIDE) if q in self.given]
-        sine = [Field("k3", lanes)] if n.k3 in self.given else []
-        known = [Field("D", Array(Real(), (6, LANES)))] if n.D in self.given else []
+        sine = [t.Field("k3", lanes)] if n.k3 in self.given else []
+        known = [t.Field("D", t.Array(t.Real(), (6, LANES)))] if n.D in self.given else []
         bad = "1 where a leg, a pivot or a force needs a closer look, else 0"
-        model = Structure(
+        model = t.Structure(
             f"stewart_{kernel.name}_model",
             "What differs from leg to leg; the last two lanes repeat leg 6."
             if self.baked
@@ -180,41 +156,41 @@ class _Source:
         return {
             "Model": model,
             "Motions": MOTIONS,
-            "MotionLanes": Structure(
+            "MotionLanes": t.Structure(
                 "motion_lanes",
                 "Motions of eight poses, component by component.",
                 tuple(stored(q, LANES) for q in motion),
             ),
-            "SharedTerms": Structure(
+            "SharedTerms": t.Structure(
                 "shared_terms",
                 "What a pose has for all legs.",
                 tuple(stored(q) for q in (*self.of_pose, *moved)),
             ),
-            "SharedLanes": Structure(
+            "SharedLanes": t.Structure(
                 "shared_lanes", "", tuple(stored(q, LANES) for q in self.of_pose if q not in RIGHT_SIDE)
             ),
-            "LegLanes": Structure(
+            "LegLanes": t.Structure(
                 "leg_lanes",
                 "The legs of one pose.",
                 (
                     *(stored(q, LANES, always=False) for q in (n.q, *terms)),
-                    Field("L", lanes),
-                    Field("reach", lanes),
+                    t.Field("L", lanes),
+                    t.Field("reach", lanes),
                     *sine,
-                    Field("bad", lanes, "1 where the leg needs a closer look, else 0"),
+                    t.Field("bad", lanes, "1 where the leg needs a closer look, else 0"),
                 ),
             ),
-            "Block": Structure(
+            "Block": t.Structure(
                 "block",
                 "Eight poses on their way.",
                 (
-                    Field("column", Array(Real(), (7, 6, LANES)), "[H | c], column by column"),
+                    t.Field("column", t.Array(t.Real(), (7, 6, LANES)), "[H | c], column by column"),
                     *known,
-                    Field("F", Array(Real(), (6, LANES))),
-                    Field("bad", lanes, bad),
+                    t.Field("F", t.Array(t.Real(), (6, LANES))),
+                    t.Field("bad", lanes, bad),
                 ),
             ),
-            "LegBlock": Structure(
+            "LegBlock": t.Structure(
                 "leg_block",
                 "What a leg of eight poses hands to the moments.",
                 tuple(stored(q, LANES) for q in kept),
@@ -223,7 +199,7 @@ class _Source:
 
     # ------------------------------------------------------------ functions
 
-    def _parts(self) -> Iterable[str | Structure | Table | Function]:
+    def _parts(self) -> Iterable[str | t.Structure | t.Table | t.Function]:
         kernel, read, name = self.kernel, self.texts.function, f"stewart_{self.kernel.name}"
         made = self.structures
         yield from (made[each] for each in ("MotionLanes", "SharedTerms", "SharedLanes", "LegLanes"))
@@ -262,25 +238,25 @@ class _Source:
             p.sums(ADDED)
             | p.HANDED_OVER
             | {
-                "COPIED": p.copied(p.numbers("made", of_leg, Name("i")), found),
+                "COPIED": p.copied(p.numbers("made", of_leg, t.Name("i")), found),
                 "COPIED_PLATFORM": p.copied(p.numbers("made", of_platform), platform),
                 "COUNT": model_numbers(self.kernel),
             }
         )
 
-    def _table(self) -> Table:
+    def _table(self) -> t.Table:
         """The constants of a baked kernel; the last two lanes repeat leg 6."""
         assert self.kernel.constants is not None
         columns = [self.kernel.constants[q] for q in self.kernel.leg_constants()]
         row = tuple(value for values in columns for value in (*values, values[-1], values[-1]))
-        return Table("numbers", self.structures["Model"], (row,))
+        return t.Table("numbers", self.structures["Model"], (row,))
 
     def _public(self, *needed: str, quantities: Iterable[Quantity] = ()) -> dict[str, Given]:
         """What the interface's functions reject, and that baked ones have no model."""
         pointers = needed if self.baked else ("model", *needed)
         return missing(pointers, tuple(quantities)) | self._without()
 
-    def _place(self, motion: str, *lane: Expression, leg: Expression | None = None) -> Layout:
+    def _place(self, motion: str, *lane: t.Expression, leg: t.Expression | None = None) -> Layout:
         """Where blocks find what they read.
 
         motion: the argument that holds it; lane: of motion and pose; leg: of the legs' constants.
@@ -288,20 +264,20 @@ class _Source:
         of_legs = () if leg is None else (leg,)
         literals = self.kernel.literals()
 
-        def place(q: Quantity) -> Place | Name:
+        def place(q: Quantity) -> Place | t.Name:
             if q in n.MOTION:
                 return member(motion, q, *lane)
             if q in self.of_pose:
                 return member("shared", q, *lane)
             if q in literals:
-                return Name(p.literal(q))
+                return t.Name(p.literal(q))
             return member("model", q, *(() if q in self.kernel.platform_constants() else of_legs))
 
         return place
 
     # ------------------------------------------------------------ one pose
 
-    def _legs_of_pose(self) -> Iterable[Function]:
+    def _legs_of_pose(self) -> Iterable[t.Function]:
         """The legs of a pose, and the code path near the joint singularity where the kernel has one."""
         kernel, near = self.kernel, self.kernel.leg_near_singular
         least = "JOINT_SINGULAR_SINE" if near is None else "NEAR_JOINT_SINGULAR"
@@ -310,7 +286,7 @@ class _Source:
             says = "The same for a pose in which a leg is near its joint singularity"
             yield self._legs(near, "legs_near_singular", "JOINT_SINGULAR_SINE", says)
 
-    def _legs(self, leg: Block, name: str, least: str, says: str) -> Function:
+    def _legs(self, leg: Block, name: str, least: str, says: str) -> t.Function:
         """A leg's block as the body of a loop over the legs of a pose."""
         terms, more = reach_terms(self.kernel)
         exprs = exprs_of(leg)
@@ -323,17 +299,17 @@ class _Source:
             *steps_of(leg.steps),
             *stores(kept, _out(LANE)),
             *reach(terms),
-            Assign(at(of("out", "reach"), "l"), Name("reach")),
-            *(Assign(at(of("out", q.name), "l"), expression(exprs[q][0])) for q in checked),
-            *suspicion(leg, Number(0.0), at(of("out", "bad"), "l"), "SHORT_SHARE", least),
+            t.Assign(t.at(t.of("out", "reach"), "l"), t.Name("reach")),
+            *(t.Assign(t.at(t.of("out", q.name), "l"), expression(exprs[q][0])) for q in checked),
+            *suspicion(leg, t.Number(0.0), t.at(t.of("out", "bad"), "l"), "SHORT_SHARE", least),
         )
         given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body}
         return self.texts.function(written.legs_of_pose, name, given=given, says=says, count=leg.operations())
 
-    def _moments_of_pose(self) -> Iterable[Function]:
+    def _moments_of_pose(self) -> Iterable[t.Function]:
         """The moments of a pose, legs in lanes."""
         shift, leg = self.kernel.shift, self.kernel.moments
-        first = tuple(Let(name, at(of("legs", "q"), i, 0)) for i, name in enumerate(q_1.names))
+        first = tuple(t.Let(name, t.at(t.of("legs", "q"), i, 0)) for i, name in enumerate(q_1.names))
         moved = (
             *first,
             *_lines(shift, lambda q: member("shared", q), without=(q_1,)),
@@ -347,7 +323,7 @@ class _Source:
 
     # ------------------------------------------------------------ eight poses
 
-    def _shared_of_block(self) -> Function:
+    def _shared_of_block(self) -> t.Function:
         block = self.kernel.shared
         outside, inside = parted(loaded(block, self._place("at", LANE)))
         kept = [out for out in block.outputs if out.quantity not in RIGHT_SIDE]
@@ -356,16 +332,16 @@ class _Source:
             *inside,
             *steps_of(block.steps),
             *stores(kept, _out(LANE)),
-            *set_in_order(Name("c"), right, LANE),
+            *set_in_order(t.Name("c"), right, LANE),
         )
         return self.texts.function(written.shared_of_block, given={"OUTSIDE": outside, "INSIDE": body})
 
-    def _leg_of_block(self) -> Function:
+    def _leg_of_block(self) -> t.Function:
         """The leg's block as the body of a loop over the poses of a block."""
         kernel, exprs = self.kernel, self.given
         leg, about_tip = kernel.leg, kernel.about_tip
         terms, more = reach_terms(kernel)
-        outside, inside = parted(loaded(leg, self._place("at", LANE, leg=Name("leg")), *more))
+        outside, inside = parted(loaded(leg, self._place("at", LANE, leg=t.Name("leg")), *more))
         own = [out for out in leg.outputs if about_tip and out.quantity in (n.q, *RIGHT_SIDE)]
         kept = {out.quantity for out in own}
         body = (
@@ -373,12 +349,12 @@ class _Source:
             *steps_of(leg.steps),
             *assembled({q: e for q, e in exprs.items() if q not in kept}, _column, _c),
             *stores(own, lambda q: member("own", q, LANE)),
-            *(Assign(at("known", "l"), expression(e)) for e in exprs.get(n.D, ())),
+            *(t.Assign(t.at("known", "l"), expression(e)) for e in exprs.get(n.D, ())),
             *reach(terms),
             *suspicion(
                 leg,
-                at("bad", "l"),
-                at("bad", "l"),
+                t.at("bad", "l"),
+                t.at("bad", "l"),
                 "SHORT_SHARE",
                 "JOINT_SINGULAR_SINE" if kernel.leg_near_singular is None else "NEAR_JOINT_SINGULAR",
             ),
@@ -387,31 +363,31 @@ class _Source:
         given |= {} if n.D in exprs else {"known": False}
         return self.texts.function(written.leg_of_block, given=given, count=leg.operations())
 
-    def _moments_of_block(self) -> Iterable[Function]:
+    def _moments_of_block(self) -> Iterable[t.Function]:
         """The moments of one leg of eight poses, and what leg 1 has instead."""
         shift, leg = self.kernel.shift, self.kernel.moments
         c: dict[Quantity, Place] = {
-            n.c_force: Place(Name("c"), (LANE,)),
-            n.c_moment: Place(Name("c"), (LANE,), 3),
+            n.c_force: Place(t.Name("c"), (LANE,)),
+            n.c_moment: Place(t.Name("c"), (LANE,), 3),
         }
         own: Layout = lambda q: member("own", q, LANE)  # noqa: E731
         sums = tuple(
-            Assign(to, Binary("+", to, member("own", q, LANE).part(q, i)))
+            t.Assign(to, t.Binary("+", to, member("own", q, LANE).part(q, i)))
             for q, place in c.items()
             if q in self.given
             for i in range(3)
             for to in [place.part(q, i)]
         )
         exprs = exprs_of(leg)
-        first: tuple[Statement, ...] = (
-            *(Let(name, at(of("own", "q"), i, "l")) for i, name in enumerate(q_1.names)),
-            *(Let(name, place.part(q, i)) for q, place in c.items() for i, name in enumerate(q.names)),
-            *(Assign(at("c", i + 3, "l"), expression(e)) for i, e in enumerate(shift.outputs[0].exprs)),
+        first: tuple[t.Statement, ...] = (
+            *(t.Let(name, t.at(t.of("own", "q"), i, "l")) for i, name in enumerate(q_1.names)),
+            *(t.Let(name, place.part(q, i)) for q, place in c.items() for i, name in enumerate(q.names)),
+            *(t.Assign(t.at("c", i + 3, "l"), expression(e)) for i, e in enumerate(shift.outputs[0].exprs)),
             *sums,
         )
         arrays = {q_1: "q_1", n.H_force: "column"}
-        moments: tuple[Statement, ...] = (
-            *_lines(leg, lambda q: Place(Name(arrays[q]), (LANE,)) if q in arrays else own(q)),
+        moments: tuple[t.Statement, ...] = (
+            *_lines(leg, lambda q: Place(t.Name(arrays[q]), (LANE,)) if q in arrays else own(q)),
             *assembled({n.H_moment: exprs[n.H_moment]}, _column, _c),
             *sums,
             *assembled({arm_c: exprs.get(arm_c, ())}, _column, _c),
@@ -420,19 +396,19 @@ class _Source:
         yield read(written.moments_of_first, given={"FIRST": first})
         yield read(written.moments_of_block, given={"MOMENTS": moments}, count=leg.operations())
 
-    def _batch(self, name: str) -> Iterable[str | Function]:
+    def _batch(self, name: str) -> Iterable[str | t.Function]:
         """The solve of eight poses, and poses eight by eight."""
         kernel, read = self.kernel, self.texts.function
         about_tip, has_d = kernel.about_tip, n.D in self.given
         given = kernel.used_motion()
         needed = [q for q in given if q not in LOADS]
-        first = Compare("==", Name("i"), Number(0))
+        first = t.Compare("==", t.Name("i"), t.Number(0))
         one: dict[str, Given] = {"load_pose": batch.load_pose, **loaded_one(given[1:], LOADS)}
         of_block: dict[str, Given] = {
-            "OWN": Select(first, Name("first"), Name("other")) if about_tip else False,
-            "C": False if about_tip else at(of("out", "column"), 6),
-            "KNOWN": at(of("out", "D"), "i") if has_d else False,
-            "D": of("out", "D") if has_d else Constant("NULL"),
+            "OWN": t.Select(first, t.Name("first"), t.Name("other")) if about_tip else False,
+            "C": False if about_tip else t.at(t.of("out", "column"), 6),
+            "KNOWN": t.at(t.of("out", "D"), "i") if has_d else False,
+            "D": t.of("out", "D") if has_d else t.Constant("NULL"),
         }
         yield read(written.load_block, given={"LOADS": tuple(map(_transposed, given))})
         yield read(written.forces_of_block, given=of_block)
@@ -449,31 +425,31 @@ class _Source:
         return {"model": False} if self.baked else {}
 
 
-def _column(row: int) -> Expression:
-    return at("column", row, "l")
+def _column(row: int) -> t.Expression:
+    return t.at("column", row, "l")
 
 
-def _c(row: int) -> Expression:
-    return at("c", row, "l")
+def _c(row: int) -> t.Expression:
+    return t.at("c", row, "l")
 
 
-def _out(*lane: Expression) -> Layout:
+def _out(*lane: t.Expression) -> Layout:
     return lambda q: member("out", q, *lane)
 
 
-def _lines(block: Block, layout: Layout, without: tuple[Quantity, ...] = ()) -> tuple[Statement, ...]:
+def _lines(block: Block, layout: Layout, without: tuple[Quantity, ...] = ()) -> tuple[t.Statement, ...]:
     """Loads and steps of a block; without: what is loaded already."""
     given = set(without)
     inputs = [q for q in block.inputs if q not in given]
     return (*loads(inputs, names_used(block), layout), *steps_of(block.steps))
 
 
-def _transposed(q: Quantity) -> Statement:
+def _transposed(q: Quantity) -> t.Statement:
     """One quantity of eight poses, component by component; zeros of loads that are not given."""
-    pointer, to = of("motions", q.name), of("at", q.name)
-    width = As(Count(), Number(len(q.keys)))
-    whole = Call("whole", (pointer, width, Name("first"), Name("count"), Name("padded")))
-    spread = Do(Call("spread_matrix" if q == n.R else "spread_vector", (whole, to)))
+    pointer, to = t.of("motions", q.name), t.of("at", q.name)
+    width = t.As(t.Count(), t.Number(len(q.keys)))
+    whole = t.Call("whole", (pointer, width, t.Name("first"), t.Name("count"), t.Name("padded")))
+    spread = t.Do(t.Call("spread_matrix" if q == n.R else "spread_vector", (whole, to)))
     if q not in LOADS:
         return spread
-    return If(Compare("!=", pointer, Constant("NULL")), (spread,), (Do(Call("clear", (to,))),))
+    return t.If(t.Compare("!=", pointer, t.Constant("NULL")), (spread,), (t.Do(t.Call("clear", (to,))),))

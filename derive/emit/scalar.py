@@ -28,28 +28,8 @@ from ..kernel.layouts import (
 )
 from ..kernel.operations import force_operations
 from ..kernel.shared import shared
+from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.nodes import (
-    Argument,
-    Array,
-    Assign,
-    Binary,
-    Call,
-    Element,
-    Expression,
-    Field,
-    Function,
-    Integer,
-    Let,
-    Member,
-    Name,
-    Number,
-    Real,
-    Record,
-    Statement,
-    Structure,
-    Table,
-)
 from ..kernel.tree.read import Given
 from ..kernel.written import scalar as written
 from ..mechanics import quantities as n
@@ -61,11 +41,11 @@ from ..program.block import Block, Quantity, Step, rebuilt
 from .c import operations_table
 from .shared import SOLVE, top
 
-A = Name("A")
-_LEAST_PIVOTS = Function("STEWART_LEAST_PIVOTS", "", (Argument("size", Real()),), Real(), ())
-_CLOSE = Field("close", Integer(), "whether H may be singular to rounding for a zero-length leg")
-_LEAST = Field("least", Real(), "product of the pivots of H below which it may be singular to rounding")
-_SIZE = Field("size", Real(), "m: no platform point and no base point is farther from its origin")
+A = t.Name("A")
+_LEAST_PIVOTS = t.Function("STEWART_LEAST_PIVOTS", "", (t.Argument("size", t.Real()),), t.Real(), ())
+_CLOSE = t.Field("close", t.Integer(), "whether H may be singular to rounding for a zero-length leg")
+_LEAST = t.Field("least", t.Real(), "product of the pivots of H below which it may be singular to rounding")
+_SIZE = t.Field("size", t.Real(), "m: no platform point and no base point is farther from its origin")
 
 
 def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str:
@@ -101,51 +81,53 @@ class _Source:
         self.kernel, self.baked = kernel, kernel.constants is not None
         self.of_pose = [out for out in kernel.shared.outputs if out.quantity not in RIGHT_SIDE]
         self.structures = p.structures(kernel) | self._structures()
-        given, model = exprs_of(kernel.leg), Name("model")
+        given, model = exprs_of(kernel.leg), t.Name("model")
         size = kernel.size * p.per_length(kernel.size)
         self.flags = p.flags(kernel) | {
-            "SIZE": Number(kernel.extent) if self.baked else Member(model, "size"),
-            "LEAST": Call(_LEAST_PIVOTS.name, (Number(size),)) if self.baked else Member(model, "least"),
+            "SIZE": t.Number(kernel.extent) if self.baked else t.Member(model, "size"),
+            "LEAST": t.Call(_LEAST_PIVOTS.name, (t.Number(size),))
+            if self.baked
+            else t.Member(model, "least"),
         }
         self.flags |= {"model": False} if self.baked else {}
         self.flags |= {} if n.D in given else {"known": False}
         known = shared().by_name | {_LEAST_PIVOTS.name: _LEAST_PIVOTS}
         self.texts = Written(self.structures, self.flags, known)
         self.parts = list(self._parts())
-        self.functions = [each for each in self.parts if isinstance(each, Function)]
+        self.functions = [each for each in self.parts if isinstance(each, t.Function)]
 
-    def _structures(self) -> dict[str, Structure]:
-        kernel, vector = self.kernel, Array(Real(), (3,))
+    def _structures(self) -> dict[str, t.Structure]:
+        kernel, vector = self.kernel, t.Array(t.Real(), (3,))
         name = f"stewart_{kernel.name}_pose"
         legs = tuple(described(q) for q in kernel.leg_constants())
         named = (f"{name}_leg", "Constants of one leg.")
-        leg = Structure(*(("leg_numbers", "What differs from leg to leg.") if self.baked else named), legs)
+        leg = t.Structure(*(("leg_numbers", "What differs from leg to leg.") if self.baked else named), legs)
         found = {
             "Leg": leg,
-            "PoseTerms": Structure(
+            "PoseTerms": t.Structure(
                 "pose_terms",
                 "What the pose has for all legs.",
                 (
                     *(stored(out.quantity, always=False) for out in self.of_pose),
-                    Field("q_1", vector, "platform point 1 from the reference point"),
+                    t.Field("q_1", vector, "platform point 1 from the reference point"),
                     _CLOSE,
                 ),
             ),
-            "LegSizes": Structure(
+            "LegSizes": t.Structure(
                 "leg_sizes",
                 "What decides on a leg that may be short.",
                 (
-                    Field("L", Real()),
-                    Field("reach", Real()),
-                    Field("arm", vector),
-                    Field("column", Array(Real(), (6,))),
+                    t.Field("L", t.Real()),
+                    t.Field("reach", t.Real()),
+                    t.Field("arm", vector),
+                    t.Field("column", t.Array(t.Real(), (6,))),
                 ),
             ),
-            "Model": Structure(
+            "Model": t.Structure(
                 f"{name}_model",
                 "A robot's constants, prepared once.",
                 (
-                    Field("leg", Array(Record(leg.name), (6,))),
+                    t.Field("leg", t.Array(t.Record(leg.name), (6,))),
                     _SIZE,
                     *(described(q) for q in kernel.platform_constants()),
                     _LEAST,
@@ -155,7 +137,7 @@ class _Source:
         }
         return found
 
-    def _parts(self) -> Iterable[str | Structure | Table | Function]:
+    def _parts(self) -> Iterable[str | t.Structure | t.Table | t.Function]:
         kernel, read, name = self.kernel, self.texts.function, f"stewart_{self.kernel.name}_pose"
         if self.baked:
             yield p.literals(kernel)
@@ -186,7 +168,7 @@ class _Source:
 
     def _prepared(self) -> dict[str, Given]:
         of_leg, of_platform = self.kernel.leg_constants(), self.kernel.platform_constants()
-        leg = Element(Member(Name("model"), "leg"), (Name("i"),))
+        leg = t.Element(t.Member(t.Name("model"), "leg"), (t.Name("i"),))
         to = [member(leg, q).part(q, i) for q in of_leg for i in range(len(q.keys))]
         found, platform = p.numbers("found", of_leg), p.numbers("platform", of_platform)
         return p.sums(ADDED) | {
@@ -196,15 +178,15 @@ class _Source:
             "COPIED_PLATFORM": p.copied(p.numbers("model", of_platform), platform),
         }
 
-    def _table(self) -> Table:
+    def _table(self) -> t.Table:
         """What differs from leg to leg in a baked kernel."""
         assert self.kernel.constants is not None
         columns = [self.kernel.constants[q] for q in self.kernel.leg_constants()]
-        return Table("legs", self.structures["Leg"], tuple(zip(*columns, strict=True)))
+        return t.Table("legs", self.structures["Leg"], tuple(zip(*columns, strict=True)))
 
     # ------------------------------------------------------------ blocks
 
-    def _layout(self, q: Quantity) -> Place | Name:
+    def _layout(self, q: Quantity) -> Place | t.Name:
         """Where a leg's block finds what it reads."""
         if q in n.MOTION:
             return member("at", q)
@@ -212,7 +194,7 @@ class _Source:
             return member("pose", q)
         return p.place_of(self.kernel, "leg" if q in self.kernel.leg_constants() else "model")(q)
 
-    def _shared(self) -> tuple[Statement, ...]:
+    def _shared(self) -> tuple[t.Statement, ...]:
         block = self.kernel.shared
         right = exprs_of(block)
         zeros = (sp.Integer(0),) * 3
@@ -221,7 +203,7 @@ class _Source:
             *loads(block.inputs, names_used(block), self._layout),
             *steps_of(block.steps),
             *stores(self.of_pose, lambda q: member("out", q)),
-            *(Assign(_at(i, 6), expression(expr)) for i, expr in enumerate(sides)),
+            *(t.Assign(_at(i, 6), expression(expr)) for i, expr in enumerate(sides)),
         )
 
     def _closely(self) -> dict[str, Given]:
@@ -233,36 +215,41 @@ class _Source:
         block = _columns(kernel)
         given = exprs_of(block)
         arms = [
-            Binary("-", expression(e), Name(f"q_1_{axis}")) for e, axis in zip(given[n.q], "xyz", strict=True)
+            t.Binary("-", expression(e), t.Name(f"q_1_{axis}"))
+            for e, axis in zip(given[n.q], "xyz", strict=True)
         ]
-        out = Name("out")
-        places = (Element(Member(out, "arm"), (Number(i),)) for i in range(3))
+        out = t.Name("out")
+        places = (t.Element(t.Member(out, "arm"), (t.Number(i),)) for i in range(3))
         column = [*given[n.H_force], *given[n.H_moment]]
         return {
             "COLUMN": (
-                *loaded(block, lambda q: Place(Name("q_1")) if q == q_1 else self._layout(q), *around),
+                *loaded(block, lambda q: Place(t.Name("q_1")) if q == q_1 else self._layout(q), *around),
                 *steps_of(block.steps),
             ),
             "REACH": reach([*exprs[n.q], *(symbol for q in around for symbol in q.symbols)]),
             "SIZES": (
                 *p.copied(list(places), arms),
-                Assign(Member(out, "L"), expression(exprs[n.L][0])),
-                *set_in_order(Member(out, "column"), column),
+                t.Assign(t.Member(out, "L"), expression(exprs[n.L][0])),
+                *set_in_order(t.Member(out, "column"), column),
             ),
         }
 
-    def _shift(self) -> tuple[Statement, ...]:
+    def _shift(self) -> tuple[t.Statement, ...]:
         """What leg 1 does instead of adding moments."""
         (moved,) = self.kernel.shift.outputs
         c = [_at(i, 6) for i in range(6)]
-        q = [Element(Name("q"), (Number(i),)) for i in range(3)]
+        q = [t.Element(t.Name("q"), (t.Number(i),)) for i in range(3)]
         given = {q_1: q, n.c_force: c[:3], n.c_moment: c[3:]}
         return (
-            *(Let(*pair) for each, places in given.items() for pair in zip(each.names, places, strict=True)),
-            *(Assign(_at(i + 3, 6), expression(e)) for i, e in enumerate(moved.exprs)),
+            *(
+                t.Let(*pair)
+                for each, places in given.items()
+                for pair in zip(each.names, places, strict=True)
+            ),
+            *(t.Assign(_at(i + 3, 6), expression(e)) for i, e in enumerate(moved.exprs)),
         )
 
-    def _leg(self, own: Block, near: bool) -> Function:
+    def _leg(self, own: Block, near: bool) -> t.Function:
         """One leg: its column of H and its D are stored, its part of c is added."""
         kernel = self.kernel
         block = joined(own, kernel.moments)
@@ -273,15 +260,15 @@ class _Source:
             "NEAR": int(near),
             "LENGTH": expression(exprs[n.L][0]),
             "SINE": expression(exprs[n.k3][0]) if n.k3 in exprs else 0,
-            "LEAST_SINE": Name("STEWART_JOINT_SINGULAR_SINE" if alone else "STEWART_NEAR_JOINT_SINGULAR"),
+            "LEAST_SINE": t.Name("STEWART_JOINT_SINGULAR_SINE" if alone else "STEWART_NEAR_JOINT_SINGULAR"),
             "BEFORE": (*loads((q for q in block.inputs if q != q_1), used, self._layout), *steps_of(before)),
             "AFTER": tuple(steps_of(after)),
-            "FIRST": set_in_order(Member(Name("pose"), "q_1"), exprs[n.q]),
+            "FIRST": set_in_order(t.Member(t.Name("pose"), "q_1"), exprs[n.q]),
             "MOMENTS": (
                 *loads([q_1], used, self._layout),
                 *steps_of(block.steps[len(own.steps) :]),
-                *assembled(exprs, lambda i: _at(i, Name("column")), lambda i: _at(i, 6)),
-                *(Assign(Name("known"), expression(e)) for e in exprs.get(n.D, ())),
+                *assembled(exprs, lambda i: _at(i, t.Name("column")), lambda i: _at(i, 6)),
+                *(t.Assign(t.Name("known"), expression(e)) for e in exprs.get(n.D, ())),
             ),
         }
         given |= {"least": False} if near else {}
@@ -290,14 +277,14 @@ class _Source:
         return self.texts.function(written.leg_of, name, apart=near, given=given, count=count)
 
 
-def _at(row: int, column: int | Expression) -> Element:
-    return Element(A, (Number(row), Number(column) if isinstance(column, int) else column))
+def _at(row: int, column: int | t.Expression) -> t.Element:
+    return t.Element(A, (t.Number(row), t.Number(column) if isinstance(column, int) else column))
 
 
-def _held(numbers: list[Expression]) -> tuple[Statement, ...]:
+def _held(numbers: list[t.Expression]) -> tuple[t.Statement, ...]:
     """Adds nothing to ``lost`` as long as the numbers are finite."""
-    lost = Name("lost")
-    return tuple(Assign(lost, Binary("+", lost, Binary("*", Number(0.0), each))) for each in numbers)
+    lost = t.Name("lost")
+    return tuple(t.Assign(lost, t.Binary("+", lost, t.Binary("*", t.Number(0.0), each))) for each in numbers)
 
 
 def _columns(kernel: ForceKernel) -> Block:

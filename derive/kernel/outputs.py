@@ -236,7 +236,6 @@ def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
 # ---------------------------------------------------------------- closed form
 
 
-_GIVEN = (m.F_LEG, m.NET, m.TURNED, m.AXIAL)
 _PREFIX = {"forward_dynamics": "forward"}
 
 
@@ -256,7 +255,7 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
     name = camel(prefix)
     of_pose, of_leg, of_sums, of_legs = (f"{name}{part}" for part in ("Pose", "Leg", "Sums", "Legs"))
     pose = _quantities(sums.pose)
-    arguments = block_arguments(kernel, ("pose", of_pose, pose), ("given", "LegInputs", _GIVEN))
+    arguments = block_arguments(kernel, ("pose", of_pose, pose), ("given", "LegInputs", m.GIVEN))
     before = {each: arguments[each] for each in ("platform", "motion")}
     total = structure(of_sums, "Sums over the machine.", sums.summed)
     given = {"Sums": of_sums, "Legs": of_legs, "Pose": of_pose}
@@ -347,7 +346,7 @@ FORCED = ("forward_dynamics", "linearisation")
 """Outputs that take the actuator forces."""
 
 _STRUCTURES = (
-    structure("LegInputs", "What a leg's blocks are given.", _GIVEN),
+    structure("LegInputs", "What a leg's blocks are given.", m.GIVEN),
     Structure(
         "Rows",
         "M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform.",

@@ -2,6 +2,8 @@
 
 A tree says what is computed and in which order. How that is spelled is a printer's business, which values
 pass through it an interpreter's; neither changes the order of an operation.
+
+Other modules import this one as ``t``.
 """
 
 from collections.abc import Iterator
