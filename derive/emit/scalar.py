@@ -8,24 +8,9 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from ..kernel import layouts as lay
 from ..kernel import prepare as p
 from ..kernel.elimination import BY_POINTERS
-from ..kernel.layouts import (
-    RIGHT_SIDE,
-    Place,
-    Written,
-    assembled,
-    described,
-    exprs_of,
-    loaded,
-    loads,
-    member,
-    names_used,
-    reach,
-    set_in_order,
-    stored,
-    stores,
-)
 from ..kernel.operations import force_operations
 from ..kernel.shared import shared
 from ..kernel.tree import nodes as t
@@ -35,53 +20,44 @@ from ..kernel.written import scalar as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel, joined
 from ..mechanics.lumped_constants import ADDED, q_1
-from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block, Quantity, Step, rebuilt
 from .c import operations_table
-from .shared import SOLVE, top
+from .shared import SOLVE, Part, Source, top
 
 A = t.Name("A")
-_LEAST_PIVOTS = t.Function("STEWART_LEAST_PIVOTS", "", (t.Argument("size", t.Real()),), t.Real(), ())
+_LEAST_PIVOTS = t.signature("STEWART_LEAST_PIVOTS", t.Real(), size=t.Real())
 _CLOSE = t.Field("close", t.Integer(), "whether H may be singular to rounding for a zero-length leg")
-_LEAST = t.Field("least", t.Real(), "product of the pivots of H below which it may be singular to rounding")
-_SIZE = t.Field("size", t.Real(), "m: no platform point and no base point is farther from its origin")
+_LEAST = t.numbers("least", meaning="product of the pivots of H below which it may be singular to rounding")
+_SIZE = t.numbers("size", meaning="m: no platform point and no base point is farther from its origin")
 
 
-def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str:
-    """``stewart_<kernel>_pose.h``; before: of a baked kernel, the one without its numbers."""
-    folded = ""
+def files(kernel: ForceKernel, before: ForceKernel | None, version: str) -> dict[str, str]:
+    """``stewart_<kernel>_pose.h`` and ``.c``: preparation, unless the robot's numbers are folded in, and one
+    pose; before: of such a kernel, the one without its numbers."""
+    made, file, folded = _Source(kernel), f"stewart_{kernel.name}_pose", ""
     if before is not None:
         count = force_operations(before, scalar_text=True).total.total
         folded = f" The machine's numbers are folded in; without, a pose took {count} operations."
-    made = _Source(kernel)
-    structures = [made.structures[name] for name in ("Leg", "Model") if before is None]
-    return filled(
+    header = filled(
         "forces_pose.h",
         name=kernel.name,
         version=version,
         fidelity=f" * Fidelity: {kernel.meaning or 'everything'}.{folded}",
         operations=operations_table(force_operations(kernel, scalar_text=True), None, " * "),
-        guard=f"STEWART_{kernel.name.upper()}_POSE_H",
-        declarations=C(made.functions).interface(*structures, *made.functions),
+        guard=f"{file.upper()}_H",
+        declarations=made.declared(*(made.structures[name] for name in ("Leg", "Model") if before is None)),
     )
+    before_it = top(file, version, SOLVE) + filled("least_product.c")
+    return {f"{file}.h": header, f"{file}.c": made.printed(before_it)}
 
 
-def source(kernel: ForceKernel, version: str) -> str:
-    """``stewart_<kernel>_pose.c``: preparation, unless baked, and one pose."""
-    made = _Source(kernel)
-    before = top(f"stewart_{kernel.name}_pose", version, SOLVE) + filled("least_product.c")
-    return C(made.texts.functions.values()).source(before, *made.parts)
-
-
-class _Source:
-    """The functions of one kernel; ``parts`` in their order, with structures, tables and fixed texts."""
-
+class _Source(Source):
     def __init__(self, kernel: ForceKernel) -> None:
         self.kernel, self.baked = kernel, kernel.constants is not None
-        self.of_pose = [out for out in kernel.shared.outputs if out.quantity not in RIGHT_SIDE]
+        self.of_pose = [out for out in kernel.shared.outputs if out.quantity not in lay.RIGHT_SIDE]
         self.structures = p.structures(kernel) | self._structures()
-        given, model = exprs_of(kernel.leg), t.Name("model")
+        given, model = lay.exprs_of(kernel.leg), t.Name("model")
         size = kernel.size * p.per_length(kernel.size)
         self.flags = p.flags(kernel) | {
             "SIZE": t.Number(kernel.extent) if self.baked else t.Member(model, "size"),
@@ -92,14 +68,12 @@ class _Source:
         self.flags |= {"model": False} if self.baked else {}
         self.flags |= {} if n.D in given else {"known": False}
         known = shared().by_name | {_LEAST_PIVOTS.name: _LEAST_PIVOTS}
-        self.texts = Written(self.structures, self.flags, known)
-        self.parts = list(self._parts())
-        self.functions = [each for each in self.parts if isinstance(each, t.Function)]
+        super().__init__(lay.Written(self.structures, self.flags, known))
 
     def _structures(self) -> dict[str, t.Structure]:
         kernel, vector = self.kernel, t.Array(t.Real(), (3,))
         name = f"stewart_{kernel.name}_pose"
-        legs = tuple(described(q) for q in kernel.leg_constants())
+        legs = tuple(lay.described(q) for q in kernel.leg_constants())
         named = (f"{name}_leg", "Constants of one leg.")
         leg = t.Structure(*(("leg_numbers", "What differs from leg to leg.") if self.baked else named), legs)
         found = {
@@ -108,7 +82,7 @@ class _Source:
                 "pose_terms",
                 "What the pose has for all legs.",
                 (
-                    *(stored(out.quantity, always=False) for out in self.of_pose),
+                    *(lay.stored(out.quantity, always=False) for out in self.of_pose),
                     t.Field("q_1", vector, "platform point 1 from the reference point"),
                     _CLOSE,
                 ),
@@ -117,10 +91,10 @@ class _Source:
                 "leg_sizes",
                 "What decides on a leg that may be short.",
                 (
-                    t.Field("L", t.Real()),
-                    t.Field("reach", t.Real()),
+                    t.numbers("L"),
+                    t.numbers("reach"),
                     t.Field("arm", vector),
-                    t.Field("column", t.Array(t.Real(), (6,))),
+                    t.numbers("column", 6),
                 ),
             ),
             "Model": t.Structure(
@@ -129,7 +103,7 @@ class _Source:
                 (
                     t.Field("leg", t.Array(t.Record(leg.name), (6,))),
                     _SIZE,
-                    *(described(q) for q in kernel.platform_constants()),
+                    *(lay.described(q) for q in kernel.platform_constants()),
                     _LEAST,
                     p.PER_LENGTH,
                 ),
@@ -137,7 +111,7 @@ class _Source:
         }
         return found
 
-    def _parts(self) -> Iterable[str | t.Structure | t.Table | t.Function]:
+    def _parts(self) -> Iterable[Part]:
         kernel, read, name = self.kernel, self.texts.function, f"stewart_{self.kernel.name}_pose"
         if self.baked:
             yield p.literals(kernel)
@@ -169,7 +143,7 @@ class _Source:
     def _prepared(self) -> dict[str, Given]:
         of_leg, of_platform = self.kernel.leg_constants(), self.kernel.platform_constants()
         leg = t.Element(t.Member(t.Name("model"), "leg"), (t.Name("i"),))
-        to = [member(leg, q).part(q, i) for q in of_leg for i in range(len(q.keys))]
+        to = [lay.member(leg, q).part(q, i) for q in of_leg for i in range(len(q.keys))]
         found, platform = p.numbers("found", of_leg), p.numbers("platform", of_platform)
         return p.sums(ADDED) | {
             "HELD": _held(found),
@@ -186,51 +160,49 @@ class _Source:
 
     # ------------------------------------------------------------ blocks
 
-    def _layout(self, q: Quantity) -> Place | t.Name:
+    def _layout(self, q: Quantity) -> lay.Place | t.Name:
         """Where a leg's block finds what it reads."""
         if q in n.MOTION:
-            return member("at", q)
+            return lay.member("at", q)
         if q == q_1 or any(out.quantity == q for out in self.of_pose):
-            return member("pose", q)
+            return lay.member("pose", q)
         return p.place_of(self.kernel, "leg" if q in self.kernel.leg_constants() else "model")(q)
 
     def _shared(self) -> tuple[t.Statement, ...]:
         block = self.kernel.shared
-        right = exprs_of(block)
+        right = lay.exprs_of(block)
         zeros = (sp.Integer(0),) * 3
-        sides = [expr for q in RIGHT_SIDE for expr in right.get(q, zeros)]
+        sides = [expr for q in lay.RIGHT_SIDE for expr in right.get(q, zeros)]
         return (
-            *loads(block.inputs, names_used(block), self._layout),
-            *steps_of(block.steps),
-            *stores(self.of_pose, lambda q: member("out", q)),
+            *lay.lines(block, self._layout),
+            *lay.stores(self.of_pose, lambda q: lay.member("out", q)),
             *(t.Assign(_at(i, 6), expression(expr)) for i, expr in enumerate(sides)),
         )
 
     def _closely(self) -> dict[str, Given]:
         """What is seldom read: a leg's length, the sizes of its terms, its column of H."""
         kernel = self.kernel
-        exprs = exprs_of(kernel.leg)
+        exprs = lay.exprs_of(kernel.leg)
         # In a baked kernel a coordinate of b that is zero for all legs is none of its inputs.
         around = [q for q in kernel.leg.inputs if q in (n.t, n.b) or q.name in n.b.names]
         block = _columns(kernel)
-        given = exprs_of(block)
-        arms = [
-            t.Binary("-", expression(e), t.Name(f"q_1_{axis}"))
-            for e, axis in zip(given[n.q], "xyz", strict=True)
-        ]
+        given = lay.exprs_of(block)
+        arms = [expression(e) - t.Name(f"q_1_{axis}") for e, axis in zip(given[n.q], "xyz", strict=True)]
         out = t.Name("out")
         places = (t.Element(t.Member(out, "arm"), (t.Number(i),)) for i in range(3))
         column = [*given[n.H_force], *given[n.H_moment]]
         return {
             "COLUMN": (
-                *loaded(block, lambda q: Place(t.Name("q_1")) if q == q_1 else self._layout(q), *around),
+                *lay.loaded(
+                    block, lambda q: lay.Place(t.Name("q_1")) if q == q_1 else self._layout(q), *around
+                ),
                 *steps_of(block.steps),
             ),
-            "REACH": reach([*exprs[n.q], *(symbol for q in around for symbol in q.symbols)]),
+            "REACH": lay.reach([*exprs[n.q], *(symbol for q in around for symbol in q.symbols)]),
             "SIZES": (
                 *p.copied(list(places), arms),
                 t.Assign(t.Member(out, "L"), expression(exprs[n.L][0])),
-                *set_in_order(t.Member(out, "column"), column),
+                *lay.set_in_order(t.Member(out, "column"), column),
             ),
         }
 
@@ -253,7 +225,7 @@ class _Source:
         """One leg: its column of H and its D are stored, its part of c is added."""
         kernel = self.kernel
         block = joined(own, kernel.moments)
-        exprs, used = exprs_of(block), names_used(block)
+        exprs, used = lay.exprs_of(block), lay.names_used(block)
         before, after = _parted(own, (*exprs[n.L], *exprs.get(n.k3, ())))
         alone = near or kernel.leg_near_singular is None
         given: dict[str, Given] = {
@@ -261,13 +233,16 @@ class _Source:
             "LENGTH": expression(exprs[n.L][0]),
             "SINE": expression(exprs[n.k3][0]) if n.k3 in exprs else 0,
             "LEAST_SINE": t.Name("STEWART_JOINT_SINGULAR_SINE" if alone else "STEWART_NEAR_JOINT_SINGULAR"),
-            "BEFORE": (*loads((q for q in block.inputs if q != q_1), used, self._layout), *steps_of(before)),
+            "BEFORE": (
+                *lay.loads((q for q in block.inputs if q != q_1), used, self._layout),
+                *steps_of(before),
+            ),
             "AFTER": tuple(steps_of(after)),
-            "FIRST": set_in_order(t.Member(t.Name("pose"), "q_1"), exprs[n.q]),
+            "FIRST": lay.set_in_order(t.Member(t.Name("pose"), "q_1"), exprs[n.q]),
             "MOMENTS": (
-                *loads([q_1], used, self._layout),
+                *lay.loads([q_1], used, self._layout),
                 *steps_of(block.steps[len(own.steps) :]),
-                *assembled(exprs, lambda i: _at(i, t.Name("column")), lambda i: _at(i, 6)),
+                *lay.assembled(exprs, lambda i: _at(i, t.Name("column")), lambda i: _at(i, 6)),
                 *(t.Assign(t.Name("known"), expression(e)) for e in exprs.get(n.D, ())),
             ),
         }
@@ -284,7 +259,7 @@ def _at(row: int, column: int | t.Expression) -> t.Element:
 def _held(numbers: list[t.Expression]) -> tuple[t.Statement, ...]:
     """Adds nothing to ``lost`` as long as the numbers are finite."""
     lost = t.Name("lost")
-    return tuple(t.Assign(lost, t.Binary("+", lost, t.Binary("*", t.Number(0.0), each))) for each in numbers)
+    return tuple(t.Assign(lost, lost + t.Number(0.0) * each) for each in numbers)
 
 
 def _columns(kernel: ForceKernel) -> Block:

@@ -1,7 +1,7 @@
 """Batches: motions of many poses in arrays, and where their results go."""
 
 from collections.abc import Collection, Iterable, Mapping
-from functools import reduce
+from functools import partial, reduce
 
 from ..mechanics import quantities as n
 from ..program.block import Quantity
@@ -25,12 +25,12 @@ def missing(
 ) -> dict[str, Given]:
     """Whether an address is null; quantities: of the motions. more: other tests."""
     addresses = (*map(t.Name, needed), *map(_of_motions, quantities))
-    return {"MISSING": reduce(t.Either, (*map(is_null, addresses), *more))}
+    return {"MISSING": reduce(partial(t.Binary, "|"), (*map(is_null, addresses), *more))}
 
 
 def is_null(address: t.Expression) -> t.Expression:
     """Whether nothing is handed over."""
-    return t.Compare("==", address, t.Constant("NULL"))
+    return t.Binary("==", address, t.Constant("NULL"))
 
 
 def parts_at(optional: Collection[Quantity], without: Collection[Quantity] = ()) -> dict[str, Given]:
@@ -38,10 +38,10 @@ def parts_at(optional: Collection[Quantity], without: Collection[Quantity] = ())
     found = []
     for q in n.MOTION:
         given = _of_motions(q)
-        first = t.Binary("*", t.As(t.Count(), t.Number(len(q.keys))), t.Name("pose"))
+        first = t.As(t.Count(), t.Number(len(q.keys))) * t.Name("pose")
         place: t.Expression = t.From(given, first)
         if q in optional:
-            place = t.Select(t.Compare("!=", given, t.Constant("NULL")), place, t.Name("zeros"))
+            place = t.Select(t.Binary("!=", given, t.Constant("NULL")), place, t.Name("zeros"))
         found.append(t.Assign(t.of("at", q.name), given if q in without else place))
     return {"PARTS": tuple(found)}
 
@@ -57,7 +57,7 @@ def loaded_one(quantities: Iterable[Quantity], optional: Collection[Quantity]) -
     for q in quantities:
         value: t.Expression = t.at(_of_motions(q), "at")
         if q in optional:
-            value = t.Select(t.Compare("!=", _of_motions(q), t.Constant("NULL")), value, t.Number(0.0))
+            value = t.Select(t.Binary("!=", _of_motions(q), t.Constant("NULL")), value, t.Number(0.0))
         found.append(t.Assign(t.at(t.of("one", q.name), "i"), value))
     return {"ONE": tuple(found)}
 

@@ -1,18 +1,13 @@
 """Steps of a block with bounds of their rounding errors: what declares, loads, computes and stores them."""
 
+import operator
 from collections.abc import Callable, Container, Iterable
 from functools import reduce
 
 from ..mechanics import quantities as n
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Output, Quantity
-from ..program.rounding import (
-    RECIPROCAL,
-    ROOT,
-    RoundedBlock,
-    RoundedStep,
-    error_symbol,
-)
+from ..program.rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, error_symbol
 from .layouts import Place, member, names_used, stored
 from .tree import nodes as t
 from .tree.lower import expression
@@ -51,11 +46,6 @@ def with_errors(
         for q in quantities
         for field in (made(q), *([stored(error_of(q), always=False)] if block.inexact(q) else []))
     ]
-
-
-def numbers_field(name: str, *dims: int) -> t.Field:
-    """A member of numbers."""
-    return t.Field(name, t.Array(t.Real(), dims))
 
 
 def records_of(structure: str, name: str) -> t.Field:
@@ -107,7 +97,7 @@ def loaded(
 
 def _limit(block: RoundedBlock, name: str) -> t.Let:
     size, error = t.Call("size", (t.Name(name),)), block.errors[name]
-    return t.Let(f"{name}_max", plus(size, expression(error)) if error != 0 else size)
+    return t.Let(f"{name}_max", size + expression(error) if error != 0 else size)
 
 
 def step_statements(
@@ -156,13 +146,8 @@ def _error(each: RoundedStep, own: t.Expression) -> t.Expression:
     return _total([*carried, own] if each.rounds else carried)
 
 
-def plus(one: t.Expression, other: t.Expression) -> t.Expression:
-    """The sum of two expressions."""
-    return t.Binary("+", one, other)
-
-
 def _total(terms: list[t.Expression]) -> t.Expression:
-    return reduce(plus, terms) if terms else t.Number(0.0)
+    return reduce(operator.add, terms) if terms else t.Number(0.0)
 
 
 def _units(sizes: list[t.Expression]) -> t.Expression:
@@ -173,8 +158,8 @@ def _units(sizes: list[t.Expression]) -> t.Expression:
 def _times(factor: t.Expression, value: t.Expression) -> t.Expression:
     """A product from left to right."""
     if isinstance(value, t.Binary) and value.operator == "*":
-        return t.Binary("*", _times(factor, value.left), value.right)
-    return t.Binary("*", factor, value)
+        return _times(factor, value.left) * value.right
+    return factor * value
 
 
 def stored_outputs(block: RoundedBlock, outputs: Iterable[Output]) -> Iterable[t.Statement]:

@@ -36,23 +36,23 @@ _TERMS = t.Structure(
     "Terms",
     "Terms of F = D - x, H x = c; moments about the reference point.",
     (
-        t.Field("D", t.Array(t.Real(), (6,)), "N: known part of the actuator force, (24)"),
+        t.numbers("D", 6, meaning="N: known part of the actuator force, (24)"),
         t.Field(
             "K", t.Array(t.Real(), (6, 3)), "N: transverse force on the leg at its spherical joint, (21)"
         ),
-        t.Field("H", t.Array(t.Real(), (6, 6)), "1 and m: from x to the wrench on the platform, (36)"),
-        t.Field("c", t.Array(t.Real(), (6,)), "N, N m: wrench that the axial forces balance, (36)"),
+        t.numbers("H", 6, 6, meaning="1 and m: from x to the wrench on the platform, (36)"),
+        t.numbers("c", 6, meaning="N, N m: wrench that the axial forces balance, (36)"),
     ),
 )
 _FORCES = t.Structure(
     "Forces",
     "Actuator forces, and what they are made of.",
     (
-        t.Field("F", t.Array(t.Real(), (6,)), "N: actuator forces, (37)"),
-        t.Field("x", t.Array(t.Real(), (6,)), "N: axial forces of the legs at the platform, (36)"),
+        t.numbers("F", 6, meaning="N: actuator forces, (37)"),
+        t.numbers("x", 6, meaning="N: axial forces of the legs at the platform, (36)"),
         t.Field("terms", t.Record("Terms"), "D, K, H and c"),
         t.Field("legs", t.Record("Legs"), "what the legs have"),
-        t.Field("reach", t.Real(), "m: size of the vectors that each leg is the sum of"),
+        t.numbers("reach", meaning="m: size of the vectors that each leg is the sum of"),
         t.Field("suspect", t.Integer(), "1 where H may be singular to rounding"),
         STATUS_FIELD,
     ),

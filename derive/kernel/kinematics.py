@@ -43,9 +43,9 @@ def legs_batch(blocks: k.Kinematics) -> t.Program:
     texts = Written(named, {}, {each.name: each for each in program.functions})
     texts.function(batch.copy)
     texts.function(batch.pose_at, given=parts_at((n.alpha, n.a), LOADS))
-    second = t.Compare("!=", t.of("legs", "L_ddot"), t.Constant("NULL"))
-    without = t.Either(*(is_null(t.of("motions", q.name)) for q in (n.alpha, n.a)))
-    given = missing(("robot", "motions", "legs"), (n.R, n.t, n.omega, n.v), t.Both(second, without))
+    second = t.Binary("!=", t.of("legs", "L_ddot"), t.Constant("NULL"))
+    without = t.Binary("|", *(is_null(t.of("motions", q.name)) for q in (n.alpha, n.a)))
+    given = missing(("robot", "motions", "legs"), (n.R, n.t, n.omega, n.v), t.Binary("&", second, without))
     rows = [name for name, size in dims.items() if len(size) == 2]
     found = copies("legs", {name: prod(size) for name, size in dims.items()}, rows)
     given |= batches.batch(batch.one_kinematics, found)
@@ -148,19 +148,15 @@ def _program(
     return t.Program(name, tuple(structures.values()), tuple(functions.values()))
 
 
-def _numbers(name: str, unit: str, *dims: int) -> t.Field:
-    return t.Field(name, t.Array(t.Real(), dims), unit)
-
-
 _LEG_MOTIONS = t.Structure(
     "LegMotions",
     "Six legs of a pose.",
     (
-        _numbers("L", "m: lengths, (2)", 6),
-        _numbers("L_dot", "m/s: rates, (5)", 6),
-        _numbers("L_ddot", "m/s^2: second rates, (8)", 6),
-        _numbers("s", "1: unit vectors along the legs, base frame, (3)", 6, 3),
-        _numbers("S", "m: leg vectors, base frame, (1)", 6, 3),
+        t.numbers("L", 6, meaning="m: lengths, (2)"),
+        t.numbers("L_dot", 6, meaning="m/s: rates, (5)"),
+        t.numbers("L_ddot", 6, meaning="m/s^2: second rates, (8)"),
+        t.numbers("s", 6, 3, meaning="1: unit vectors along the legs, base frame, (3)"),
+        t.numbers("S", 6, 3, meaning="m: leg vectors, base frame, (1)"),
         STATUS_FIELD,
     ),
 )
@@ -168,14 +164,18 @@ _SEARCHED = (
     t.Structure(
         "LegRates",
         "Lengths of six legs and their rates.",
-        (_numbers("L", "m: lengths, (2)", 6), _numbers("L_dot", "m/s: rates, (5)", 6), STATUS_FIELD),
+        (
+            t.numbers("L", 6, meaning="m: lengths, (2)"),
+            t.numbers("L_dot", 6, meaning="m/s: rates, (5)"),
+            STATUS_FIELD,
+        ),
     ),
     t.Structure(
         "LegsAtPose",
         "Six legs at a pose, and their equations.",
         (
-            _numbers("A", "1: rows [s, q x s / size] of J, and a right side; then a triangle", 6, 7),
-            _numbers("L", "m: lengths", 6),
+            t.numbers("A", 6, 7, meaning="1: rows [s, q x s / size] of J, and a right side; then a triangle"),
+            t.numbers("L", 6, meaning="m: lengths"),
             t.Field("reach", t.Real(), "m: largest component of the terms of S = q + t - b"),
         ),
     ),
@@ -188,8 +188,8 @@ _SEARCHED = (
         "Twist",
         "Velocity of the platform.",
         (
-            _numbers("v", "m/s: of the reference point", 3),
-            _numbers("omega", "rad/s: angular velocity, base frame", 3),
+            t.numbers("v", 3, meaning="m/s: of the reference point"),
+            t.numbers("omega", 3, meaning="rad/s: angular velocity, base frame"),
             STATUS_FIELD,
         ),
     ),

@@ -15,7 +15,7 @@ from ..mechanics.lumped_constants import arm_c
 from ..program.block import Block, Output, Quantity
 from .tree import nodes as t
 from .tree import read
-from .tree.lower import expression
+from .tree.lower import expression, steps_of
 
 LANE = t.Name("l")
 REACH, FAULT = t.Name("reach"), t.Name("fault")
@@ -93,8 +93,8 @@ def set_in_order(
 def added(target: t.Expression, term: sp.Expr) -> t.Assign:
     """``target = target + term``, the sign of a product drawn out."""
     if not term.is_Add and term.could_extract_minus_sign():
-        return t.Assign(target, t.Binary("-", target, expression(-term)))
-    return t.Assign(target, t.Binary("+", target, expression(term)))
+        return t.Assign(target, target - expression(-term))
+    return t.Assign(target, target + expression(term))
 
 
 def assembled(
@@ -123,6 +123,13 @@ def loaded(block: Block, layout: Layout, *more: Quantity) -> tuple[t.Statement, 
     return loads(dict.fromkeys((*block.inputs, *more)), used, layout)
 
 
+def lines(block: Block, layout: Layout, without: Iterable[Quantity] = ()) -> tuple[t.Statement, ...]:
+    """Loads and steps of a block; without: what is loaded already."""
+    given = set(without)
+    inputs = (q for q in block.inputs if q not in given)
+    return (*loads(inputs, names_used(block), layout), *steps_of(block.steps))
+
+
 def exprs_of(block: Block) -> dict[Quantity, tuple[sp.Expr, ...]]:
     """Expressions of a block by the quantity that they make."""
     return {out.quantity: out.exprs for out in block.outputs}
@@ -134,7 +141,7 @@ def exprs_of(block: Block) -> dict[Quantity, tuple[sp.Expr, ...]]:
 def reach(terms: Iterable[sp.Expr]) -> tuple[t.Statement, ...]:
     """The largest of the terms, and of what is too short by itself."""
     found: list[t.Statement] = [
-        t.Variable("reach", t.Real(), t.Binary("/", t.Constant("SHORTEST"), t.Constant("ROUNDING")))
+        t.Variable("reach", t.Real(), t.Constant("SHORTEST") / t.Constant("ROUNDING"))
     ]
     sizes = (t.Call("size", (expression(term),)) for term in terms)
     return (*found, *(t.Assign(REACH, t.Call("larger", (size, REACH))) for size in sizes))
@@ -146,10 +153,10 @@ def suspicion(
     """1 in ``after`` where a leg is not finite, short, or too near its joint singularity, else ``before``."""
     given = exprs_of(leg)
     length = expression(given[n.L][0])
-    share = t.Binary("*", t.Constant(least_share), REACH)
-    tests = [(t.Compare("<=", length, t.Constant("MAX")), before), (t.Compare(">", length, share), FAULT)]
+    share = t.Constant(least_share) * REACH
+    tests = [(t.Binary("<=", length, t.Constant("MAX")), before), (t.Binary(">", length, share), FAULT)]
     if n.k3 in given:
-        tests.append((t.Compare(">", expression(given[n.k3][0]), t.Constant(least_sine)), FAULT))
+        tests.append((t.Binary(">", expression(given[n.k3][0]), t.Constant(least_sine)), FAULT))
     selections = [t.Select(test, otherwise, ONE) for test, otherwise in tests]
     return (
         t.Variable("fault", t.Real(), selections[0]),

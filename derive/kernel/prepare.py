@@ -13,10 +13,9 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Block, Quantity
-from .layouts import Layout, Place, Written, exprs_of, loads, member, names_used, stored, stores
+from .layouts import Layout, Place, Written, exprs_of, lines, member, names_used, stored, stores
 from .tree import nodes as t
 from .tree.constants import LARGEST, SMALLEST
-from .tree.lower import steps_of
 from .tree.read import Given
 from .written import solve
 
@@ -98,8 +97,7 @@ def preparation(texts: Written, kernel: ForceKernel) -> list[t.Structure | t.Fun
 
 def _body(block: Block) -> Iterable[t.Statement]:
     yield from axis(block)
-    yield from loads(block.inputs, names_used(block), raw)
-    yield from steps_of(block.steps)
+    yield from lines(block, raw)
     yield from stores(block.outputs, lambda q: member("out", q))
 
 
@@ -137,9 +135,7 @@ def sums(quantities: Iterable[Quantity]) -> dict[str, Given]:
     total, more = numbers("sum", found), numbers("found", found)
     return {
         "CLEARED": tuple(t.Assign(each, t.Number(0.0)) for each in total),
-        "SUMMED": tuple(
-            t.Assign(each, t.Binary("+", each, term)) for each, term in zip(total, more, strict=True)
-        ),
+        "SUMMED": tuple(t.Assign(each, each + term) for each, term in zip(total, more, strict=True)),
     }
 
 

@@ -49,7 +49,7 @@ def legs_with_errors(out: str, leg: str) -> dict[str, Given]:
         "plus": legs.plus_error,
         "c_own": lambda j: t.at(t.of(out, "c_own"), j),
         "H_moment": lambda j, i: t.Select(
-            t.Compare(">", i, t.Number(0)), t.at(t.of(leg, "H_moment"), j), t.Number(0.0)
+            t.Binary(">", i, t.Number(0)), t.at(t.of(leg, "H_moment"), j), t.Number(0.0)
         ),
         "ALL_LEGS": 0,
     }
@@ -74,21 +74,22 @@ _NUMBERS = t.Pointer(t.Real())
 _VECTORS = t.Array(t.Real(), (3, LANES))
 
 
-def _signature(name: str, result: t.Type | None, **arguments: t.Type) -> t.Function:
-    """A function or macro of the templates; ``to``, ``padded`` and ``H`` are changed."""
-    given = (t.Argument(each, kind, each in ("to", "padded", "H")) for each, kind in arguments.items())
-    return t.Function(name, "", tuple(given), result, ())
-
-
 _BLOCKS = (
-    _signature(
-        "whole", _NUMBERS, source=_NUMBERS, width=t.Count(), first=t.Count(), count=t.Count(), padded=_NUMBERS
+    t.signature(
+        "whole",
+        _NUMBERS,
+        ("padded",),
+        source=_NUMBERS,
+        width=t.Count(),
+        first=t.Count(),
+        count=t.Count(),
+        padded=_NUMBERS,
     ),
-    _signature("spread_vector", None, source=_NUMBERS, to=_VECTORS),
-    _signature("spread_matrix", None, source=_NUMBERS, to=_VECTORS),
-    _signature("clear", None, to=_VECTORS),
+    t.signature("spread_vector", changed=("to",), source=_NUMBERS, to=_VECTORS),
+    t.signature("spread_matrix", changed=("to",), source=_NUMBERS, to=_VECTORS),
+    t.signature("clear", changed=("to",), to=_VECTORS),
 )
-FORCE = _signature("STEWART_FORCE", t.Real(), D=t.Real(), x=t.Real())
+FORCE = t.signature("STEWART_FORCE", t.Real(), D=t.Real(), x=t.Real())
 
 
 @dataclass(frozen=True)

@@ -5,13 +5,12 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import groupby
 
 from ..kernel.tree import nodes as t
-from .spelling import AND, ATOM, COMPARE, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH, Printer
+from .spelling import ATOM, COMPARE, LEVELS, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH, Printer
 
 _BUILT_IN = {"sqrt": "STEWART_SQRT", "size": "STEWART_FABS", "larger": "STEWART_LARGER"}
 _PLAIN = {"NULL": "NULL", "LANES": "LANES"}
 _NAMES = {t.Real: "stewart_real", t.Integer: "int", t.Count: "size_t", t.Truth: "int"}
 _ALIGNED = {False: "", True: "STEWART_ALIGNED "}
-_LEVEL = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
 
 
 class C(Printer):
@@ -155,30 +154,24 @@ class C(Printer):
                 return f"(const {self.declared(kind, '').strip()}){self._address(value)}", SIGN
             case t.As(kind, value):
                 return f"({self.declared(kind, '').strip()}){self.text(value, ATOM)}", SIGN
-            case t.Binary("*" | "/" as operator, left, right):
-                return f"{self._operand(left, node)}{operator}{self._operand(right, node, 1)}", PRODUCT
             case t.Binary(operator, left, right):
-                return f"{self._operand(left, node)} {operator} {self._operand(right, node, 1)}", SUM
-            case t.Compare(operator, left, right):
-                return f"{self._operand(left, node)} {operator} {self._operand(right, node)}", COMPARE
-            case t.Both(left, right):
-                return f"{self._operand(left, node)} && {self._operand(right, node)}", AND
-            case t.Either(left, right):
-                return f"{self._operand(left, node)} || {self._operand(right, node)}", OR
+                level, _, _ = LEVELS[operator]
+                sign = operator if level == PRODUCT else f" {self.sign(operator)} "
+                more = int(level > COMPARE)
+                return f"{self._operand(left, operator)}{sign}{self._operand(right, operator, more)}", level
         return super()._text(node)
 
-    def _operand(self, value: t.Expression, whole: t.Expression, more: int = 0) -> str:
-        match whole:
-            case t.Binary(operator):
-                level = _LEVEL[operator] + more
-                # A factor with a sign of its own stands in parentheses.
-                level = ATOM if level >= PRODUCT and isinstance(value, t.Negative) else level
-                apart = isinstance(value, t.Binary) and value.operator != operator
-            case t.Compare():
-                level, apart = SUM, isinstance(value, t.Binary)
-            case _:
-                alike = isinstance(value, type(whole))
-                level, apart = (OR if alike else COMPARE), not alike
+    def _operand(self, value: t.Expression, operator: str, more: int = 0) -> str:
+        inner = value.operator if isinstance(value, t.Binary) else ""
+        level, _, _ = LEVELS[operator]
+        if level > COMPARE:
+            # A factor with a sign of its own stands in parentheses.
+            signed = level + more >= PRODUCT and isinstance(value, t.Negative)
+            level, apart = (ATOM if signed else level + more), inner not in ("", operator)
+        elif level == COMPARE:
+            level, apart = SUM, bool(inner)
+        else:
+            level, apart = (OR if inner == operator else COMPARE), inner != operator
         return self.text(value, SIGN if self.brackets and apart else level)
 
     def select(self, node: t.Select) -> str:
@@ -219,7 +212,7 @@ class C(Printer):
             if owner is None or len(found) == 1:
                 lines += super().body(found, depth)
             else:
-                loads = ", ".join(f"{each.name} = {self.text(each.value)}" for each in found)  # type: ignore[union-attr, arg-type]
+                loads = ", ".join(f"{each.name} = {self.text(each.value)}" for each in found)  # type: ignore[attr-defined]
                 const = "const " if isinstance(found[0], t.Let) else ""
                 lines += self.lines(self.indent * depth, f"{const}stewart_real {loads};")
         return lines

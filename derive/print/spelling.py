@@ -8,7 +8,14 @@ from ..kernel.tree import nodes as t
 
 WIDTH = 108
 SELECT, OR, AND, COMPARE, SUM, PRODUCT, SIGN, ATOM = range(8)
-_LEVEL = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
+LEVELS = {
+    **dict.fromkeys("+-", (SUM, SUM, PRODUCT)),
+    **dict.fromkeys("*/", (PRODUCT, PRODUCT, SIGN)),
+    **dict.fromkeys(("<", "<=", ">", ">=", "==", "!="), (COMPARE, SUM, SUM)),
+    "&": (AND, SIGN, SIGN),
+    "|": (OR, SIGN, SIGN),
+}
+"""How an operation binds, and how its operands must at least."""
 
 
 class Printer(ABC):
@@ -82,20 +89,17 @@ class Printer(ABC):
             case t.Negative(value):
                 return f"-{self.text(value, PRODUCT)}", SIGN if _level(value) > PRODUCT else SUM
             case t.Binary(operator, left, right):
-                level = _LEVEL[operator]
-                return f"{self.text(left, level)} {operator} {self.text(right, level + 1)}", level
-            case t.Compare(operator, left, right):
-                operator = self.unequal if operator == "!=" else operator
-                return f"{self.text(left, SUM)} {operator} {self.text(right, SUM)}", COMPARE
-            case t.Both(left, right):
-                return f"{self.text(left, SIGN)} {self.both} {self.text(right, SIGN)}", AND
-            case t.Either(left, right):
-                return f"{self.text(left, SIGN)} {self.either} {self.text(right, SIGN)}", OR
+                level, first, second = LEVELS[operator]
+                return f"{self.text(left, first)} {self.sign(operator)} {self.text(right, second)}", level
             case t.Select():
                 return self.select(node), self.select_level
             case t.Call():
                 return self.call(node), ATOM
         raise AssertionError(node)
+
+    def sign(self, operator: str) -> str:
+        """An operator."""
+        return {"&": self.both, "|": self.either, "!=": self.unequal}.get(operator, operator)
 
     def name(self, name: str) -> str:
         """A variable's name."""
@@ -190,7 +194,7 @@ class Printer(ABC):
 
 
 def _level(node: t.Expression) -> int:
-    return _LEVEL[node.operator] if isinstance(node, t.Binary) else ATOM
+    return LEVELS[node.operator][0] if isinstance(node, t.Binary) else ATOM
 
 
 def _breaks(line: str, word: str) -> bool:

@@ -31,15 +31,13 @@ class Arithmetic:
     either: Callable[[Any, Any], Any] = operator.or_
 
 
-_COMPARE: dict[str, Callable[[Any, Any], Any]] = {
+_OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
     "<": operator.lt,
     "<=": operator.le,
     ">": operator.gt,
     ">=": operator.ge,
     "==": operator.eq,
     "!=": operator.ne,
-}
-_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
     "+": operator.add,
     "-": operator.sub,
     "*": operator.mul,
@@ -210,13 +208,8 @@ class Interpreter:
                 plain = of(inner)
                 return lambda known: -plain(known)
             case t.Binary(sign, left, right):
-                return _of_two(_ARITHMETIC[sign], of(left), of(right))
-            case t.Compare(sign, left, right):
-                return _of_two(_COMPARE[sign], of(left), of(right))
-            case t.Both(left, right):
-                return _of_two(self.arithmetic.both, of(left), of(right))
-            case t.Either(left, right):
-                return _of_two(self.arithmetic.either, of(left), of(right))
+                of_tests = {"&": self.arithmetic.both, "|": self.arithmetic.either}
+                return _of_two((_OPERATORS | of_tests)[sign], of(left), of(right))
             case t.Select(test, yes, no):
                 holds, one, other = of(test), of(yes), of(no)
                 return lambda known: self._select(holds(known), one, other, known)

@@ -5,7 +5,7 @@ all; their sums are one array, and so is every table that functions hand on, row
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, fields, is_dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 from . import nodes as t
@@ -109,9 +109,7 @@ class _Moved:
                 return self.place(node)
         if isinstance(node, tuple):
             return tuple(each for part in node for each in self.statements(part))
-        if is_dataclass(node) and not isinstance(node, t.Array | t.Record | type):
-            return replace(node, **{each.name: self.node(getattr(node, each.name)) for each in fields(node)})
-        return node
+        return t.mapped(node, self.node) if isinstance(node, t.Expression | t.Statement) else node
 
     def statements(self, node: Any) -> tuple[Any, ...]:
         """A statement, or two where a function fills what it returned."""
@@ -200,7 +198,7 @@ def _plus(first: int, index: Step) -> t.Expression:
     assert not isinstance(index, str)
     if isinstance(index, t.Number):
         return t.Number(first + index.value)
-    return t.Binary("+", t.Number(first), index) if first else index
+    return t.Number(first) + index if first else index
 
 
 def _row(width: int, row: Step, column: Step) -> t.Expression:
@@ -208,5 +206,5 @@ def _row(width: int, row: Step, column: Step) -> t.Expression:
     assert not isinstance(column, str)
     if isinstance(row, t.Number) and isinstance(column, t.Number):
         return t.Number(row.value * width + column.value)
-    before = t.Binary("*", t.Number(width), row)
-    return t.Binary("+", t.Number(row.value * width) if isinstance(row, t.Number) else before, column)
+    before = t.Number(width) * row
+    return (t.Number(row.value * width) if isinstance(row, t.Number) else before) + column

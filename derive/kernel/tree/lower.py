@@ -1,6 +1,7 @@
 """From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
 
-from collections.abc import Callable, Iterable
+import operator
+from collections.abc import Iterable
 from functools import reduce
 
 import sympy as sp
@@ -38,8 +39,8 @@ def expression(expr: sp.Expr) -> t.Expression:
 
 def _plus(total: t.Expression, term: sp.Expr) -> t.Expression:
     if term.could_extract_minus_sign():
-        return t.Binary("-", total, expression(-term))
-    return t.Binary("+", total, expression(term))
+        return total - expression(-term)
+    return total + expression(term)
 
 
 def _product(expr: sp.Mul) -> t.Expression:
@@ -50,14 +51,14 @@ def _product(expr: sp.Mul) -> t.Expression:
     over = [f.base for f in factors if f.is_Pow and f.exp == -1]
     upper = [f for f in factors if not (f.is_Pow and f.exp == -1)]
     value = _multiplied(upper)
-    return t.Binary("/", value, _multiplied(over)) if over else value
+    return value / _multiplied(over) if over else value
 
 
 def _multiplied(factors: Iterable[sp.Expr]) -> t.Expression:
     # Whole powers are factors one by one: m L^2 is (m L) L, as the emitters of C and NumPy print it.
     apart = [part for factor in factors for part in _repeated(factor)]
     found = [expression(factor) for factor in apart] or [t.Number(1.0)]
-    return reduce(lambda left, right: t.Binary("*", left, right), found)
+    return reduce(operator.mul, found)
 
 
 def _repeated(factor: sp.Expr) -> list[sp.Expr]:
@@ -70,7 +71,7 @@ def _power(expr: sp.Pow) -> t.Expression:
     if expr.exp == sp.Rational(1, 2):
         return t.Call("sqrt", (expression(expr.base),))
     if expr.exp == -1:
-        return t.Binary("/", t.Number(1.0), expression(expr.base))
+        return t.Number(1.0) / expression(expr.base)
     if expr.exp.is_Integer and expr.exp > 1 and expr.base.is_Symbol:
         return _multiplied([expr.base] * int(expr.exp))
     raise ValueError(f"cannot lower the power {expr}: its base needs a name")
@@ -93,35 +94,6 @@ def component(owner: t.Expression, quantity: Quantity, index: int) -> t.Expressi
     """One component of a quantity that is a member of a structure."""
     member = t.Member(owner, quantity.name)
     return t.Element(member, (t.Number(index),)) if quantity.shape else member
-
-
-Place = Callable[[t.Expression], t.Expression]
-"""From a structure to one of its numbers."""
-
-
-def each_number(kind: t.Structure, statement: Callable[[Place], t.Statement]) -> list[t.Statement]:
-    """A statement for each real number of a structure, in loops over arrays."""
-    found = []
-    for field in kind.members:
-        if field.type == t.Integer():
-            continue
-        dims = field.type.dims if isinstance(field.type, t.Array) else ()
-        body = statement(_place(field.name, len(dims)))
-        for index, count in reversed(list(zip(_INDICES, dims, strict=False))):
-            body = t.For(index, t.Number(0), t.Number(count), (body,))
-        found.append(body)
-    return found
-
-
-_INDICES = "ij"
-
-
-def _place(member: str, count: int) -> Place:
-    def place(owner: t.Expression) -> t.Expression:
-        found = t.Member(owner, member)
-        return t.Element(found, tuple(map(t.Name, _INDICES[:count]))) if count else found
-
-    return place
 
 
 def block_function(block: Block, name: str, result: str, arguments: Arguments) -> t.Function:

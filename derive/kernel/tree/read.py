@@ -15,6 +15,9 @@ What is known when a text is read is settled there: an ``if`` or ``a if b else c
 name that stands alone in a line stands for statements that are given, a string for a comment. An argument
 that is given as ``False`` is left out, in calls as well.
 
+``for number in numbers(x)`` goes through the numbers of a structure, each of which is ``x[number]``, and so
+is that of another structure with such a member.
+
 One text serves several shapes: a call that stands alone in a line, of a text that is given, is replaced by
 the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of the indices; and where
 ``ROLLED`` is given, ``for i in each(6)`` is a loop.
@@ -23,7 +26,7 @@ the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of t
 import ast
 import inspect
 from collections.abc import Callable, Iterable, Mapping
-from functools import reduce
+from functools import partial, reduce
 from types import MappingProxyType
 from typing import Any, cast
 
@@ -41,9 +44,11 @@ from .written_text import (
     with_variables,
 )
 
-_OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
-_COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
-_COMPARISONS |= {ast.Is: "==", ast.IsNot: "!="}
+_OPERATORS: Mapping[type[ast.AST], str] = {
+    **{ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"},
+    **{ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="},
+    **{ast.Is: "==", ast.IsNot: "!=", ast.BitAnd: "&", ast.And: "&", ast.BitOr: "|", ast.Or: "|"},
+}
 
 LANES = 8
 Given = int | t.Expression | tuple[t.Statement, ...] | Callable[..., Any]
@@ -166,6 +171,8 @@ class _Reader:
                 return self.body(node.body if holds else node.orelse)
             case ast.For(target=ast.Name(id=index)) if called_name(node.iter) == "each":
                 return self.rolled(node, index) if self.given.get("ROLLED") else self.repeated(node, index)
+            case ast.For(target=ast.Name(id=index)) if called_name(node.iter) == "numbers":
+                return self.of_numbers(node, index)
             case ast.Expr(value=ast.Call() as call) if callable(text := self.given.get(called_name(call))):
                 return self.inlined(text, call)
             case ast.Expr(value=ast.Call(func=ast.Name(id=name))) if self.given.get(name) == ():
@@ -188,6 +195,18 @@ class _Reader:
             self.given[index] = i
             found += self.body(node.body)
         return found
+
+    def of_numbers(self, node: ast.For, index: str) -> Iterable[t.Statement]:
+        """The body for each real number of a structure, in loops over arrays."""
+        assert isinstance(node.iter, ast.Call)
+        for field in self.members(self.type(self.expression(node.iter.args[0]))):
+            dims = field.type.dims if isinstance(field.type, t.Array) else ()
+            if field.type != t.Integer():
+                self.given[index] = partial(_number, field.name, tuple(map(t.Name, "ij"[: len(dims)])))
+                found = self.body(node.body)
+                for i, count in reversed(list(zip("ij", dims, strict=False))):
+                    found = (t.For(i, t.Number(0), t.Number(count), found),)
+                yield from found
 
     def inlined(self, text: Callable[..., Any], call: ast.Call) -> tuple[t.Statement, ...]:
         """The lines of another text with what it is called with in place of its arguments."""
@@ -309,6 +328,8 @@ class _Reader:
                 return cast("t.Expression", place(*map(self.expression, index)))
             case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)):
                 return t.Name("_".join([name, *(str(self.dimension(each)) for each in index)]))
+            case ast.Subscript(slice=ast.Name(id=name)) if callable(place := self.given.get(name)):
+                return cast("t.Expression", place(self.expression(node.value)))
             case ast.Subscript(slice=ast.Slice(lower=ast.expr() as lower)):
                 return t.From(self.expression(node.value), self.expression(lower))
             case ast.Subscript():
@@ -318,13 +339,13 @@ class _Reader:
             case ast.UnaryOp(op=ast.Not()):
                 return t.Not(self.expression(node.operand))
             case ast.BoolOp():
-                joined = t.Both if isinstance(node.op, ast.And) else t.Either
+                joined = partial(t.Binary, _OPERATORS[type(node.op)])
                 return reduce(joined, map(self.expression, node.values))
-            case ast.BinOp():
-                return self.binary(node)
-            case ast.Compare() if len(node.ops) == 1:
-                operator = _COMPARISONS[type(node.ops[0])]
-                return t.Compare(operator, *self.alike(node.left, node.comparators[0]))
+            case (
+                ast.BinOp(left=left, op=operator, right=right)
+                | ast.Compare(left=left, ops=[operator], comparators=[right])
+            ) if type(operator) in _OPERATORS:
+                return t.Binary(_OPERATORS[type(operator)], *self.alike(left, right))
             case ast.IfExp() if (holds := self.settled(node.test)) is not None:
                 return self.expression(node.body if holds else node.orelse)
             case ast.IfExp():
@@ -350,16 +371,6 @@ class _Reader:
         if isinstance(owner, t.Element):
             return t.Element(owner.array, (*owner.index, index))
         return t.Element(owner, (index,))
-
-    def binary(self, node: ast.BinOp) -> t.Expression:
-        left, right = self.alike(node.left, node.right)
-        if isinstance(node.op, ast.BitAnd):
-            return t.Both(left, right)
-        if isinstance(node.op, ast.BitOr):
-            return t.Either(left, right)
-        if type(node.op) not in _OPERATORS:
-            raise self.error(node, "one of + - * / & |")
-        return t.Binary(_OPERATORS[type(node.op)], left, right)
 
     def call(self, node: ast.Call) -> t.Expression:
         name = called_name(node)
@@ -404,10 +415,10 @@ class _Reader:
                 return kind
             case t.Negative(inner):
                 return self.type(inner)
-            case t.Binary(_, left, right):
+            case t.Binary("+" | "-" | "*" | "/", left, right):
                 kinds = (self.type(left), self.type(right))
                 return t.Real() if t.Real() in kinds else kinds[0]
-            case t.Compare() | t.Both() | t.Either() | t.Not():
+            case t.Binary() | t.Not():
                 return t.Truth()
             case t.Select(_, yes):
                 return self.type(yes)
@@ -419,10 +430,12 @@ class _Reader:
 
     def member(self, owner: t.Type, name: str) -> t.Type:
         """The type of a structure's member."""
+        return next(each.type for each in self.members(owner) if each.name == name)
+
+    def members(self, owner: t.Type) -> tuple[t.Field, ...]:
         record = owner.item if isinstance(owner, t.Pointer) else owner
         assert isinstance(record, t.Record)
-        named = next(each for each in self.structures.values() if each.name == record.name)
-        return next(each.type for each in named.members if each.name == name)
+        return next(each.members for each in self.structures.values() if each.name == record.name)
 
     def is_address(self, node: t.Expression) -> bool:
         """Whether a member of an argument is an address: what is there is no part of the argument."""
@@ -432,7 +445,13 @@ class _Reader:
         return isinstance(owner, t.Record) and isinstance(self.member(owner, node.name), t.Pointer)
 
 
+def _number(member: str, index: tuple[t.Name, ...], owner: t.Expression) -> t.Expression:
+    """One of a structure's numbers."""
+    found = t.of(owner, member)
+    return t.Element(found, index) if index else found
+
+
 def _less_one(value: t.Expression) -> t.Expression:
     if isinstance(value, t.Number):
         return t.Number(value.value - 1)
-    return t.Binary("-", value, t.Number(1))
+    return value - t.Number(1)

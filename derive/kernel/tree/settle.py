@@ -5,7 +5,7 @@ One text serves one pose and many side by side: where ``anywhere(test)`` opens a
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 from . import nodes as t
@@ -13,7 +13,7 @@ from . import nodes as t
 Known = Mapping[t.Expression, bool]
 """Tests of variables that are no addresses, and whether they hold."""
 
-_PLAIN = (t.Name, t.Number, t.Constant, t.Binary, t.Compare, t.Both, t.Either, t.Not)
+_PLAIN = (t.Name, t.Number, t.Constant, t.Binary, t.Not)
 
 
 def of_one_pose(program: t.Program) -> t.Program:
@@ -59,9 +59,7 @@ def _in(node: Any, known: Known) -> Any:
         return tuple(_in(each, known) for each in node)
     if isinstance(node, t.Select) and node.test in known:
         return _in(node.yes if known[node.test] else node.no, known)
-    if is_dataclass(node) and not isinstance(node, type):
-        return replace(node, **{each.name: _in(getattr(node, each.name), known) for each in fields(node)})
-    return node
+    return t.mapped(node, lambda part: _in(part, known)) if isinstance(node, t.Node) else node
 
 
 def _decided(test: t.Expression, holds: bool) -> dict[t.Expression, bool]:
@@ -71,7 +69,7 @@ def _decided(test: t.Expression, holds: bool) -> dict[t.Expression, bool]:
     if not all(isinstance(each, _PLAIN) for each in t.parts_of(test)):
         return {}
     found = {test: holds}
-    if isinstance(test, t.Both if holds else t.Either):
+    if isinstance(test, t.Binary) and test.operator == ("&" if holds else "|"):
         found |= _decided(test.left, holds) | _decided(test.right, holds)
     return found
 
