@@ -17,6 +17,7 @@ from .emit import kinematics as kinematics_text
 from .emit.header import common_header, layout
 from .emit.shared import shared_headers
 from .kernel import kinematics as search
+from .kernel.bounds import BoundedForces
 from .kernel.operations import force_operations, kernel_operations
 from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .kernel.tree.nodes import Program, joined
@@ -110,8 +111,9 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         found = output_program(form, OUTPUTS if form == EXACT else (FORCES,))
         files[f"{form.kernel_name}_arrays.py"] = arrays.module(found, arrays.imported(found), version)
     progress("bounding the rounding errors of exact_forces")
-    files |= _error_bounds(version)
-    models[f"{EXACT.kernel_name}_bounds"] = bounds.model_numbers(reduced_forces(EXACT))
+    bounded = BoundedForces(reduced_forces(EXACT))
+    files |= _of_c(bounds.files(bounded, version))
+    models[f"{EXACT.kernel_name}_bounds"] = bounded.model_numbers()
     progress("deriving the fidelities")
     files |= _fidelities(version, models)
     progress("deriving exact_regressor")
@@ -130,14 +132,6 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
 def _of_c(files: dict[str, str]) -> dict[str, str]:
     """Files by their paths."""
     return {f"c/{name}": text for name, text in files.items()}
-
-
-def _error_bounds(version: str) -> dict[str, str]:
-    name, built = EXACT.kernel_name, reduced_forces(EXACT)
-    return {
-        f"c/stewart_{name}_bounds.h": bounds.header(built, version),
-        f"c/stewart_{name}_bounds.c": bounds.source(built, version),
-    }
 
 
 @cache

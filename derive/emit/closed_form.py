@@ -367,7 +367,7 @@ class _Source:
             written.sums,
             f"{prefix}_sums",
             structures=structures | {"Checked": _CHECKS},
-            given=given | {"INPUTS": self._padding(kernel)},
+            given=given | {"GIVEN": lay.entries(q for q in GIVEN if q in kernel.leg.inputs)},
             names=names,
         )
 
@@ -422,18 +422,6 @@ class _Source:
             *lay.stores(kept, lambda q: lay.member("out", q, lay.LANE)),
             *_checks(block),
         )
-
-    def _padding(self, kernel: SumKernel) -> tuple[t.Statement, ...]:
-        """The last two lanes of what the legs are given repeat leg 6."""
-        lane, sixth = t.Name("l"), t.Number(LEGS - 1)
-        parts = [
-            (lay.member("legs", q, lane).part(q, i), lay.member("legs", q, sixth).part(q, i))
-            for q in GIVEN
-            if q in kernel.leg.inputs
-            for i in range(len(q.keys))
-        ]
-        body = tuple(t.Assign(to, of) for to, of in parts)
-        return (t.For("l", t.Number(LEGS), t.Number(LANES), body),) if body else ()
 
 
 def _kept(kernel: SumKernel) -> list[Quantity]:

@@ -21,7 +21,7 @@ from ..kernel.written import batch
 from ..kernel.written import lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
-from ..mechanics.lumped_constants import ADDED, arm_c, q_1
+from ..mechanics.lumped_constants import arm_c, q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity
 from .c import operations_table
@@ -174,7 +174,8 @@ class _Source(Source):
         else:
             yield from p.preparation(self.texts, kernel)
             yield p.size_of(self.texts, by_legs=False)
-            yield read(written.prepare, f"{name}_prepare", public=True, given=self._prepared())
+            given = p.constants(kernel) | p.HANDED_OVER | {"COUNT": model_numbers(kernel)}
+            yield read(written.prepare, f"{name}_prepare", public=True, given=given)
         shared = (*lay.lines(kernel.shared, self._place("at")), *lay.stores(kernel.shared.outputs, _out()))
         yield read(written.shared_of_pose, given={"SHARED": shared}, count=kernel.shared.operations())
         yield from self._legs_of_pose()
@@ -195,19 +196,6 @@ class _Source(Source):
         if p.is_scaled(kernel):
             yield read(written.scale_block)
         yield from self._batch(name)
-
-    def _prepared(self) -> dict[str, Given]:
-        of_leg, of_platform = self.kernel.leg_constants(), self.kernel.platform_constants()
-        found, platform = p.numbers("found", of_leg), p.numbers("platform", of_platform)
-        return (
-            p.sums(ADDED)
-            | p.HANDED_OVER
-            | {
-                "COPIED": p.copied(p.numbers("made", of_leg, t.Name("i")), found),
-                "COPIED_PLATFORM": p.copied(p.numbers("made", of_platform), platform),
-                "COUNT": model_numbers(self.kernel),
-            }
-        )
 
     def _table(self) -> t.Table:
         """The constants of a baked kernel; the last two lanes repeat leg 6."""

@@ -19,7 +19,7 @@ from ..kernel.tree.read import Given
 from ..kernel.written import scalar as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel, joined
-from ..mechanics.lumped_constants import ADDED, q_1
+from ..mechanics.lumped_constants import q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity, Step, rebuilt
 from .c import operations_table
@@ -121,8 +121,9 @@ class _Source(Source):
             yield p.size_of(self.texts, by_legs=True)
             yield read(written.least_pivots)
             yield read(written.size_sum)
-            yield read(written.clear_sum, given=p.sums(ADDED))
-            yield read(written.prepare, f"{name}_prepare", public=True, given=self._prepared())
+            constants = p.constants(kernel)
+            yield read(written.clear_sum, given=constants)
+            yield read(written.prepare, f"{name}_prepare", public=True, given=constants)
         yield self.structures["PoseTerms"]
         yield read(written.pose_of, given={"SHARED": self._shared()}, count=kernel.shared.operations())
         yield self.structures["LegSizes"]
@@ -139,18 +140,6 @@ class _Source(Source):
         yield read(written.pose_forces, f"{name}_forces", public=True)
 
     # ------------------------------------------------------------ constants
-
-    def _prepared(self) -> dict[str, Given]:
-        of_leg, of_platform = self.kernel.leg_constants(), self.kernel.platform_constants()
-        leg = t.Element(t.Member(t.Name("model"), "leg"), (t.Name("i"),))
-        to = [lay.member(leg, q).part(q, i) for q in of_leg for i in range(len(q.keys))]
-        found, platform = p.numbers("found", of_leg), p.numbers("platform", of_platform)
-        return p.sums(ADDED) | {
-            "HELD": _held(found),
-            "HELD_PLATFORM": _held(platform),
-            "COPIED": p.copied(to, found),
-            "COPIED_PLATFORM": p.copied(p.numbers("model", of_platform), platform),
-        }
 
     def _table(self) -> t.Table:
         """What differs from leg to leg in a baked kernel."""
@@ -200,7 +189,7 @@ class _Source(Source):
             ),
             "REACH": lay.reach([*exprs[n.q], *(symbol for q in around for symbol in q.symbols)]),
             "SIZES": (
-                *p.copied(list(places), arms),
+                *(t.Assign(to, arm) for to, arm in zip(places, arms, strict=True)),
                 t.Assign(t.Member(out, "L"), expression(exprs[n.L][0])),
                 *lay.set_in_order(t.Member(out, "column"), column),
             ),
@@ -254,12 +243,6 @@ class _Source(Source):
 
 def _at(row: int, column: int | t.Expression) -> t.Element:
     return t.Element(A, (t.Number(row), t.Number(column) if isinstance(column, int) else column))
-
-
-def _held(numbers: list[t.Expression]) -> tuple[t.Statement, ...]:
-    """Adds nothing to ``lost`` as long as the numbers are finite."""
-    lost = t.Name("lost")
-    return tuple(t.Assign(lost, lost + t.Number(0.0) * each) for each in numbers)
 
 
 def _columns(kernel: ForceKernel) -> Block:

@@ -3,7 +3,7 @@
 Numbers of the six legs are one after the other, for interpreters, or side by side, for arrays.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from types import MappingProxyType
@@ -15,13 +15,13 @@ from ..mechanics.inverse_dynamics import Kernel
 from ..mechanics.regressor import Regressor
 from ..program.block import Block, Output
 from .elimination import CARRIED, INVERSE, ONCE
-from .layouts import Written
+from .layouts import Written, entries
 from .model import STATUS_FIELD, machine_structures
 from .prepare import ABOUT_REFERENCE as SIZES
 from .shared import legs_in_turn
 from .tree import nodes as t
 from .tree import read
-from .tree.lower import Arguments, block_function, component, structure
+from .tree.lower import Arguments, block_function, structure
 from .written import inverse_dynamics as written
 from .written import legs, solve
 
@@ -96,7 +96,8 @@ def arrays_program(kernel: Kernel) -> t.Program:
     structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
     texts = _texts(structures, [*shared_program().functions, *_blocks(kernel, leg, of_legs.name)])
     texts.function(written.legs_side_by_side, "legs_of")
-    texts.function(written.leg_of_lanes, "leg_of", given={"COPIED": tuple(_one_leg())})
+    summed = entries((n.D, n.K, n.H_force, n.H_moment, n.c_force, n.c_moment))
+    texts.function(written.leg_of_lanes, "leg_of", given={"SUMMED": summed})
     _add(texts, written.terms_of, given=legs_in_turn("out", "leg"))
     _add(texts, written.terms, written.solved, written.inverse_dynamics)
     return t.Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
@@ -113,16 +114,6 @@ def shared_program() -> t.Program:
     _add(texts, written.scale_of, given={"SMALLEST": t.Number(SIZES[0])})
     _add(texts, written.eliminate, given=_ELIMINATION)
     return t.Program("every_output", tuple(structures), tuple(texts.functions.values()))
-
-
-def _one_leg() -> Iterable[t.Statement]:
-    """Puts what the sums need of leg ``i`` of ``legs`` into ``out``."""
-    for q in (n.D, n.K, n.H_force, n.H_moment, n.c_force, n.c_moment):
-        for part in range(len(q.keys)):
-            held = component(t.Name("legs"), q, part)
-            where = (*held.index, t.Name("i")) if isinstance(held, t.Element) else (t.Name("i"),)
-            array = held.array if isinstance(held, t.Element) else held
-            yield t.Assign(component(t.Name("out"), q, part), t.Element(array, where))
 
 
 def regressor_program(blocks: Regressor) -> t.Program:

@@ -6,6 +6,7 @@ in a constant. The lanes are the legs of a pose or the poses of a block.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from string import Template
 
 import sympy as sp
@@ -121,6 +122,15 @@ def loaded(block: Block, layout: Layout, *more: Quantity) -> tuple[t.Statement, 
     """Loads of what a block reads, and of ``more``."""
     used = names_used(block) | {name for q in more for name in q.names}
     return loads(dict.fromkeys((*block.inputs, *more)), used, layout)
+
+
+def entries(quantities: Iterable[Quantity]) -> read.Entries:
+    """The stored numbers of quantities that are members of a structure, in order."""
+    return read.Entries(tuple(partial(_entry, q, i) for q in quantities for i in range(len(q.keys))))
+
+
+def _entry(quantity: Quantity, index: int, owner: t.Expression, *lane: t.Expression) -> t.Expression:
+    return member(owner, quantity, *lane).part(quantity, index)
 
 
 def lines(block: Block, layout: Layout, without: Iterable[Quantity] = ()) -> tuple[t.Statement, ...]:

@@ -7,13 +7,13 @@ platforms of about a metre it is 1, and no solve multiplies by it.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Block, Quantity
-from .layouts import Layout, Place, Written, exprs_of, lines, member, names_used, stored, stores
+from .layouts import Layout, Place, Written, entries, exprs_of, lines, member, names_used, stored, stores
 from .tree import nodes as t
 from .tree.constants import LARGEST, SMALLEST
 from .tree.read import Given
@@ -119,23 +119,12 @@ def raw(quantity: Quantity) -> Place:
     return member(owner, quantity)
 
 
-def numbers(owner: str, quantities: Iterable[Quantity], *lane: t.Expression) -> list[t.Expression]:
-    """The stored numbers of the quantities, in order."""
-    return [member(owner, q, *lane).part(q, i) for q in quantities for i in range(len(q.keys))]
-
-
-def copied(to: Sequence[t.Expression], source: Sequence[t.Expression]) -> tuple[t.Statement, ...]:
-    """Numbers put into others."""
-    return tuple(t.Assign(target, value) for target, value in zip(to, source, strict=True))
-
-
-def sums(quantities: Iterable[Quantity]) -> dict[str, Given]:
-    """``CLEARED`` and ``SUMMED``: sums over the legs with nothing in them, and with one leg more."""
-    found = tuple(quantities)
-    total, more = numbers("sum", found), numbers("found", found)
+def constants(kernel: ForceKernel) -> dict[str, Given]:
+    """What the texts of preparation go through: constants of a leg and of the platform, and sums of legs."""
     return {
-        "CLEARED": tuple(t.Assign(each, t.Number(0.0)) for each in total),
-        "SUMMED": tuple(t.Assign(each, each + term) for each, term in zip(total, more, strict=True)),
+        "OF_LEG": entries(kernel.leg_constants()),
+        "OF_PLATFORM": entries(kernel.platform_constants()),
+        "ADDED": entries(ADDED),
     }
 
 

@@ -32,7 +32,7 @@ class C(Printer):
         static: str = "static ",
         unread: Collection[str] = (),
     ) -> None:
-        self.functions_by_name = {each.name: each for each in functions}
+        super().__init__(functions)
         self.sizes, self.brackets = dict(sizes or {}), brackets
         self.static, self.unread = static, unread
         self.records = dict(records or {})

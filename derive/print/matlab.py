@@ -18,7 +18,7 @@ class Matlab(Printer):
 
     def __init__(self, program: t.Program, package: str = "stewart") -> None:
         self.program, self.package = program, package
-        self.functions_by_name = {each.name: each for each in program.functions}
+        super().__init__(program.functions)
         self.result = ""
 
     def files(self) -> dict[str, str]:

@@ -19,6 +19,7 @@ class Python(Printer):
     comment = "# ", ""
 
     def __init__(self, program: t.Program) -> None:
+        super().__init__(program.functions)
         self.program = program
 
     def source(self, without: Collection[str] = ()) -> str:
@@ -91,7 +92,7 @@ class Python(Printer):
 
     def call(self, node: t.Call) -> str:
         arguments = [self.text(each) for each in node.arguments]
-        if any(each.name == node.function for each in self.program.functions):
+        if node.function in self.functions_by_name:
             return f"{node.function}({', '.join(['on', *arguments])})"
         return f"on.{node.function}({', '.join(arguments)})"
 

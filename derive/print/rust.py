@@ -13,7 +13,7 @@ class Rust(Printer):
 
     def __init__(self, program: t.Program) -> None:
         self.program = program
-        self.functions_by_name = {each.name: each for each in program.functions}
+        super().__init__(program.functions)
 
     def source(self) -> str:
         """Structures and functions, without the constants that they read."""

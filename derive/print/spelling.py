@@ -31,6 +31,10 @@ class Printer(ABC):
     comment = "/* ", " */"
     select_level = SELECT
 
+    def __init__(self, functions: Iterable[t.Function]) -> None:
+        """functions: those that are called, for how their arguments are passed."""
+        self.functions_by_name = {each.name: each for each in functions}
+
     # ------------------------------------------------------------ what differs
 
     @abstractmethod

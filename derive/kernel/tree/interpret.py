@@ -88,14 +88,7 @@ class Interpreter:
 
     def zero(self, kind: t.Type) -> Any:
         """A value of this type with zeros."""
-        if isinstance(kind, t.Array):
-            count, *others = kind.dims
-            inner = t.Array(kind.item, tuple(others)) if others else kind.item
-            return [self.zero(inner) for _ in range(count)]
-        if isinstance(kind, t.Record):
-            members = self.program.structure(kind.name).members
-            return SimpleNamespace(**{each.name: self.zero(each.type) for each in members})
-        return self.arithmetic.number(0)
+        return filled(self.program, kind, lambda name, kind: self.arithmetic.number(0))
 
     # ------------------------------------------------------------ statements, made into functions once
 
@@ -203,7 +196,7 @@ class Interpreter:
                 return self._as(kind, of(inner))
             case t.Not(inner):
                 holds = of(inner)
-                return lambda known: self._select(holds(known), _false, _true, known)
+                return lambda known: self._select(holds(known), lambda _: False, lambda _: True, known)
             case t.Negative(inner):
                 plain = of(inner)
                 return lambda known: -plain(known)
@@ -280,12 +273,18 @@ class Interpreter:
         return (yes if test else no) if where is None else where(test, yes, no)
 
 
-def _true(known: Known) -> bool:
-    return True
-
-
-def _false(known: Known) -> bool:
-    return False
+def filled(program: t.Program, kind: t.Type, number: Callable[[str, t.Type], Any], name: str = "") -> Any:
+    """A value of this type; number: from what a structure's member is called, and its type."""
+    if isinstance(kind, t.Array):
+        count, *others = kind.dims
+        inner = t.Array(kind.item, tuple(others)) if others else kind.item
+        return [filled(program, inner, number, name) for _ in range(count)]
+    if isinstance(kind, t.Record):
+        members = program.structure(kind.name).members
+        return SimpleNamespace(
+            **{each.name: filled(program, each.type, number, each.name) for each in members}
+        )
+    return number(name, kind)
 
 
 def _of_two(operation: Callable[[Any, Any], Any], left: _Value, right: _Value) -> _Value:

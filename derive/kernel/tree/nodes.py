@@ -374,12 +374,7 @@ def joined(one: Program, other: Program) -> Program:
 
 def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:
     """Every statement of a body, those of loops, conditions and switches as well."""
-    for each in body:
-        yield each
-        if isinstance(each, For | If | Switch):
-            yield from statements(each.body)
-        if isinstance(each, If | Switch):
-            yield from statements(each.otherwise)
+    return (each for each in parts_of(body) if isinstance(each, Statement))
 
 
 def names_in(node: Any) -> Iterator[Name]:

@@ -16,7 +16,8 @@ name that stands alone in a line stands for statements that are given, a string 
 that is given as ``False`` is left out, in calls as well.
 
 ``for number in numbers(x)`` goes through the numbers of a structure, each of which is ``x[number]``, and so
-is that of another structure with such a member.
+is that of another structure with such a member; ``for number in entries(SOME)``, once for each, through
+those that are given, of a lane ``x[number, i]``.
 
 One text serves several shapes: a call that stands alone in a line, of a text that is given, is replaced by
 the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of the indices; and where
@@ -26,6 +27,7 @@ the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of t
 import ast
 import inspect
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
 from functools import partial, reduce
 from types import MappingProxyType
 from typing import Any, cast
@@ -51,9 +53,18 @@ _OPERATORS: Mapping[type[ast.AST], str] = {
 }
 
 LANES = 8
-Given = int | t.Expression | tuple[t.Statement, ...] | Callable[..., Any]
+
+
+@dataclass(frozen=True)
+class Entries:
+    """Numbers of structures; places: each from a structure, and from a lane where it has lanes."""
+
+    places: tuple[Callable[..., t.Expression], ...]
+
+
+Given = int | t.Expression | tuple[t.Statement, ...] | Callable[..., Any] | Entries
 """A constant; an expression or statements that are read where their name stands; a text that is read where it
-is called; or what makes an expression of indices."""
+is called; what makes an expression of indices; or numbers that are gone through."""
 
 
 def function(
@@ -72,7 +83,7 @@ def function(
     ValueError for what is not allowed.
     """
     tree = parsed(written, names)
-    return _Reader(structures, functions, tree, given or {}, names).function(name or tree.name, public)
+    return _Reader(structures, functions, tree, dict(given or {}), names).function(name or tree.name, public)
 
 
 def used(
@@ -90,19 +101,15 @@ def used(
     return list(dict.fromkeys([*quoted, *inside, *(each for each in called if each not in texts)]))
 
 
+@dataclass
 class _Reader:
-    def __init__(
-        self,
-        structures: Mapping[str, t.Structure],
-        functions: Mapping[str, t.Function],
-        tree: ast.FunctionDef,
-        given: Mapping[str, Given],
-        names: Names,
-    ) -> None:
-        self.structures, self.functions, self.tree, self.given = structures, functions, tree, dict(given)
-        self.names = names
-        self.types: dict[str, t.Type] = {}
-        self.whole: ast.expr | None = None
+    structures: Mapping[str, t.Structure]
+    functions: Mapping[str, t.Function]
+    tree: ast.FunctionDef
+    given: dict[str, Given]
+    names: Names
+    types: dict[str, t.Type] = field(default_factory=dict)
+    whole: ast.expr | None = None
 
     def function(self, name: str, public: bool) -> t.Function:
         tree = self.tree
@@ -170,9 +177,13 @@ class _Reader:
             case ast.If() if (holds := self.settled(node.test)) is not None:
                 return self.body(node.body if holds else node.orelse)
             case ast.For(target=ast.Name(id=index)) if called_name(node.iter) == "each":
-                return self.rolled(node, index) if self.given.get("ROLLED") else self.repeated(node, index)
+                return self.loop(node, index) if self.given.get("ROLLED") else self.repeated(node, index)
             case ast.For(target=ast.Name(id=index)) if called_name(node.iter) == "numbers":
                 return self.of_numbers(node, index)
+            case ast.For(iter=ast.Call(args=[ast.Name(id=name)])) if called_name(node.iter) == "entries":
+                return self.of_entries(node, cast("Entries", self.given[name]))
+            case ast.For(target=ast.Name(id=index)):
+                return self.loop(node, index)
             case ast.Expr(value=ast.Call() as call) if callable(text := self.given.get(called_name(call))):
                 return self.inlined(text, call)
             case ast.Expr(value=ast.Call(func=ast.Name(id=name))) if self.given.get(name) == ():
@@ -183,11 +194,6 @@ class _Reader:
                 return [t.Comment(text)]
         return [self.statement(node)]
 
-    def rolled(self, node: ast.For, index: str) -> list[t.Statement]:
-        """A loop, unless nothing is left in it."""
-        loop = self.loop(node, index)
-        return [loop] if loop.body else []
-
     def repeated(self, node: ast.For, index: str) -> list[t.Statement]:
         assert isinstance(node.iter, ast.Call)
         found: list[t.Statement] = []
@@ -196,13 +202,20 @@ class _Reader:
             found += self.body(node.body)
         return found
 
+    def of_entries(self, node: ast.For, entries: Entries) -> Iterable[t.Statement]:
+        """The body for each of some numbers of structures."""
+        assert isinstance(node.target, ast.Name)
+        for each in entries.places:
+            self.given[node.target.id] = each
+            yield from self.body(node.body)
+
     def of_numbers(self, node: ast.For, index: str) -> Iterable[t.Statement]:
         """The body for each real number of a structure, in loops over arrays."""
         assert isinstance(node.iter, ast.Call)
-        for field in self.members(self.type(self.expression(node.iter.args[0]))):
-            dims = field.type.dims if isinstance(field.type, t.Array) else ()
-            if field.type != t.Integer():
-                self.given[index] = partial(_number, field.name, tuple(map(t.Name, "ij"[: len(dims)])))
+        for each in self.members(self.type(self.expression(node.iter.args[0]))):
+            dims = each.type.dims if isinstance(each.type, t.Array) else ()
+            if each.type != t.Integer():
+                self.given[index] = partial(_number, each.name, tuple(map(t.Name, "ij"[: len(dims)])))
                 found = self.body(node.body)
                 for i, count in reversed(list(zip("ij", dims, strict=False))):
                     found = (t.For(i, t.Number(0), t.Number(count), found),)
@@ -238,8 +251,6 @@ class _Reader:
         self.whole = getattr(node, "value", None)
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             return self.assigned(node.targets[0], node.value)
-        if isinstance(node, ast.For) and isinstance(node.target, ast.Name):
-            return self.loop(node, node.target.id)
         if isinstance(node, ast.If):
             return t.If(self.expression(node.test), self.inner(node.body), self.inner(node.orelse))
         if isinstance(node, ast.Break):
@@ -283,7 +294,8 @@ class _Reader:
             return t.Variable(name, t.Record(self.structures[node.func.id].name))
         return None
 
-    def loop(self, node: ast.For, index: str) -> t.For:
+    def loop(self, node: ast.For, index: str) -> list[t.Statement]:
+        """A loop, unless nothing is left in it."""
         call = node.iter
         down = called_name(call) == "reversed"
         if called_name(call) == "each":
@@ -302,7 +314,8 @@ class _Reader:
         step = self.expression(call.args[2]) if len(call.args) == 3 else t.Number(1)
         step = t.As(t.Count(), step) if kind == t.Count() and step != t.Number(1) else step
         kept = called_name(call) == "columns" and self.given.get("LONG") != 0
-        return t.For(index, first, last, self.inner(node.body), down, kind, step, kept)
+        body = self.inner(node.body)
+        return [t.For(index, first, last, body, down, kind, step, kept)] if body else []
 
     # ------------------------------------------------------------ expressions
 
@@ -322,14 +335,17 @@ class _Reader:
                 return t.Constant(name) if name in (*INTEGERS, *NAMES) else t.Name(name)
             case ast.Attribute():
                 return t.Member(self.expression(node.value), node.attr)
+            case ast.Subscript(
+                slice=ast.Name(id=name) | ast.Tuple(elts=[ast.Name(id=name), *_]) as index
+            ) if callable(place := self.given.get(name)):
+                lanes = index.elts[1:] if isinstance(index, ast.Tuple) else []
+                return cast("t.Expression", place(*map(self.expression, (node.value, *lanes))))
             case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)) if callable(
                 place := self.given.get(name)
             ):
                 return cast("t.Expression", place(*map(self.expression, index)))
             case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)):
                 return t.Name("_".join([name, *(str(self.dimension(each)) for each in index)]))
-            case ast.Subscript(slice=ast.Name(id=name)) if callable(place := self.given.get(name)):
-                return cast("t.Expression", place(self.expression(node.value)))
             case ast.Subscript(slice=ast.Slice(lower=ast.expr() as lower)):
                 return t.From(self.expression(node.value), self.expression(lower))
             case ast.Subscript():

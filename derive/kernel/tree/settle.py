@@ -40,17 +40,14 @@ def _statement(node: t.Statement, known: Known) -> t.Statement:
         return replace(node, body=_body(node.body, inside))
     if isinstance(node, t.If):
         test = _in(node.test, known)
-        yes, no = (_body(part, {**known, **_decided(test, holds)}) for part, holds in _branches(node))
+        branches = ((node.body, True), (node.otherwise, False))
+        yes, no = (_body(part, {**known, **_decided(test, holds)}) for part, holds in branches)
         return replace(node, test=test, body=yes, otherwise=no)
     if isinstance(node, t.Switch):
         yes, no = (_body(part, known) for part in (node.body, node.otherwise))
         return replace(node, body=yes, otherwise=no)
     found: t.Statement = _in(node, known)
     return found
-
-
-def _branches(node: t.If) -> tuple[tuple[tuple[t.Statement, ...], bool], ...]:
-    return (node.body, True), (node.otherwise, False)
 
 
 def _in(node: Any, known: Known) -> Any:

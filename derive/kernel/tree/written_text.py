@@ -4,7 +4,6 @@ import ast
 import inspect
 import textwrap
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any
 
 from . import nodes as t
@@ -79,21 +78,16 @@ def changed_names(
     return found
 
 
-def with_variables(body: tuple[t.Statement, ...], changed: set[str]) -> tuple[t.Statement, ...]:
-    """The body with variables for what was read as a constant, and is changed later."""
-    found: list[t.Statement] = []
-    for each in body:
-        match each:
-            case t.Let(name, value, kind) if name in changed:
-                found.append(t.Variable(name, kind, value))
-            case t.For():
-                found.append(replace(each, body=with_variables(each.body, changed)))
-            case t.If():
-                parts = (with_variables(part, changed) for part in (each.body, each.otherwise))
-                found.append(t.If(each.test, *parts))
-            case _:
-                found.append(each)
-    return tuple(found)
+def with_variables(node: Any, changed: set[str]) -> Any:
+    """A body with variables for what was read as a constant, and is changed later."""
+    match node:
+        case tuple():
+            return tuple(with_variables(each, changed) for each in node)
+        case t.Let(name, value, kind) if name in changed:
+            return t.Variable(name, kind, value)
+        case t.For() | t.If():
+            return t.mapped(node, lambda part: with_variables(part, changed))
+    return node
 
 
 def is_none(node: ast.expr | None) -> bool:

@@ -16,14 +16,18 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
     platform = blank(PreparedPlatform)
     if robot is None or model is None:
         return BAD_ARGUMENT
-    CLEARED
+    for number in entries(ADDED):
+        sum[number] = 0.0
     for i in range(LANES):
         prepare_leg(robot, robot.leg[where(i < 6, i, 5)], found)
-        COPIED
+        for number in entries(OF_LEG):
+            made[number, i] = found[number]
         if i < 6:
-            SUMMED
+            for number in entries(ADDED):
+                sum[number] = sum[number] + found[number]
     prepare_platform(robot, sum, platform)
-    COPIED_PLATFORM
+    for number in entries(OF_PLATFORM):
+        made[number] = platform[number]
     hand_over()
 
 
