@@ -20,7 +20,7 @@ from ..kernel.shared import shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree import read
 from ..kernel.tree.legs_in_lanes import Layout
-from ..kernel.tree.lower import expression, steps_of
+from ..kernel.tree.lower import steps_of
 from ..kernel.tree.read import LANES
 from ..kernel.tree.settle import settled
 from ..kernel.written import batch
@@ -359,7 +359,7 @@ class _Source:
                 written.leg_terms,
                 f"{prefix}_of_{part}",
                 structures=structures,
-                given=given | {"OUTSIDE": outside, "INSIDE": inside},
+                given=given | {"OUTSIDE": outside, "BLOCK": inside} | _checks(block),
             )
             self.functions[found.name] = replace(found, apart=True)
             yield self.functions[found.name]
@@ -420,7 +420,6 @@ class _Source:
             *steps_of(block.steps),
             *lay.set_in_order(t.Member(t.Name("out"), "sum"), _sums(kernel, block), lay.LANE),
             *lay.stores(kept, lambda q: lay.member("out", q, lay.LANE)),
-            *_checks(block),
         )
 
 
@@ -440,16 +439,6 @@ def _sums(kernel: SumKernel, block: Block) -> list[sp.Expr]:
     return [expr for q in kernel.summed for expr in given[q]]
 
 
-def _checks(block: Block) -> tuple[t.Statement, ...]:
-    """What is wrong with a leg, in its lane."""
-    given, checked = lay.exprs_of(block), t.Member(t.Name("out"), "checked")
-
-    def of_lane(name: str) -> t.Expression:
-        return t.Element(t.Member(checked, name), (lay.LANE,))
-
-    return (
-        *lay.reach([*given[n.q], *n.t.symbols, *n.b.symbols]),
-        t.Assign(of_lane("reach"), t.Name("reach")),
-        *(t.Assign(of_lane(q.name), expression(given[q][0])) for q in (n.L, n.k3)),
-        *lay.suspicion(block, t.Number(0.0), of_lane("bad"), "ROUNDING", "JOINT_SINGULAR_SINE"),
-    )
+def _checks(block: Block) -> dict[str, read.Given]:
+    terms = [*lay.exprs_of(block)[n.q], *n.t.symbols, *n.b.symbols]
+    return lay.checks(block, terms, "ROUNDING", "JOINT_SINGULAR_SINE")

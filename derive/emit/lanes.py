@@ -242,21 +242,12 @@ class _Source(Source):
     def _legs(self, leg: Block, name: str, least: str, says: str) -> t.Function:
         """A leg's block as the body of a loop over the legs of a pose."""
         terms, more = reach_terms(self.kernel)
-        exprs = lay.exprs_of(leg)
         outside, inside = lay.parted(lay.loaded(leg, self._place("at", leg=lay.LANE), *more))
         kept = [out for out in leg.outputs if out.quantity not in CHECKED]
         kept += [out for out in leg.outputs if out.quantity == n.q]
-        checked = [q for q in (n.L, n.k3) if q in exprs]
-        body = (
-            *inside,
-            *steps_of(leg.steps),
-            *lay.stores(kept, _out(lay.LANE)),
-            *lay.reach(terms),
-            t.Assign(t.at(t.of("out", "reach"), "l"), t.Name("reach")),
-            *(t.Assign(t.at(t.of("out", q.name), "l"), expression(exprs[q][0])) for q in checked),
-            *lay.suspicion(leg, t.Number(0.0), t.at(t.of("out", "bad"), "l"), "SHORT_SHARE", least),
-        )
-        given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body}
+        body = (*inside, *steps_of(leg.steps), *lay.stores(kept, _out(lay.LANE)))
+        given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body}
+        given |= lay.checks(leg, terms, "SHORT_SHARE", least)
         return self.texts.function(written.legs_of_pose, name, given=given, says=says, count=leg.operations())
 
     def _moments_of_pose(self) -> Iterable[t.Function]:
@@ -303,16 +294,10 @@ class _Source(Source):
             *lay.assembled({q: e for q, e in exprs.items() if q not in kept}, _column, _c),
             *lay.stores(own, lambda q: lay.member("own", q, lay.LANE)),
             *(t.Assign(t.at("known", "l"), expression(e)) for e in exprs.get(n.D, ())),
-            *lay.reach(terms),
-            *lay.suspicion(
-                leg,
-                t.at("bad", "l"),
-                t.at("bad", "l"),
-                "SHORT_SHARE",
-                "JOINT_SINGULAR_SINE" if kernel.leg_near_singular is None else "NEAR_JOINT_SINGULAR",
-            ),
         )
-        given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body, "c" if about_tip else "own": False}
+        least = "JOINT_SINGULAR_SINE" if kernel.leg_near_singular is None else "NEAR_JOINT_SINGULAR"
+        given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body, "c" if about_tip else "own": False}
+        given |= lay.checks(leg, terms, "SHORT_SHARE", least)
         given |= {} if n.D in exprs else {"known": False}
         return self.texts.function(written.leg_of_block, given=given, count=leg.operations())
 

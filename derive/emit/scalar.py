@@ -187,7 +187,7 @@ class _Source(Source):
                 ),
                 *steps_of(block.steps),
             ),
-            "REACH": lay.reach([*exprs[n.q], *(symbol for q in around for symbol in q.symbols)]),
+            **lay.largest([*exprs[n.q], *(symbol for q in around for symbol in q.symbols)]),
             "SIZES": (
                 *(t.Assign(to, arm) for to, arm in zip(places, arms, strict=True)),
                 t.Assign(t.Member(out, "L"), expression(exprs[n.L][0])),

@@ -23,7 +23,7 @@ from . import batches
 from . import error_steps as err
 from . import prepare as p
 from .batches import LOADS, MOTIONS, missing, parts_at, parts_of_one
-from .layouts import Place, Written, described, lines, member, reach, stored, stores
+from .layouts import Place, Written, described, largest, lines, member, stored, stores
 from .shared import legs_with_errors, shared
 from .tree import nodes as t
 from .tree.constants import SMALLEST
@@ -236,7 +236,7 @@ class BoundedForces:
                 *stores(checked, lambda q: member(out, q)),
                 *arms,
             ),
-            "REACH": reach(terms),
+            **largest(terms),
         }
 
     def _leg_errors(self, leg: RoundedBlock) -> dict[str, Given]:

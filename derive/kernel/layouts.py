@@ -17,10 +17,9 @@ from ..program.block import Block, Output, Quantity
 from .tree import nodes as t
 from .tree import read
 from .tree.lower import expression, steps_of
+from .written import legs
 
 LANE = t.Name("l")
-REACH, FAULT = t.Name("reach"), t.Name("fault")
-ONE = t.Number(1.0)
 RIGHT_SIDE = (n.c_force, n.c_moment)
 
 
@@ -148,31 +147,22 @@ def exprs_of(block: Block) -> dict[Quantity, tuple[sp.Expr, ...]]:
 # ---------------------------------------------------------------- legs
 
 
-def reach(terms: Iterable[sp.Expr]) -> tuple[t.Statement, ...]:
-    """The largest of the terms, and of what is too short by itself."""
-    found: list[t.Statement] = [
-        t.Variable("reach", t.Real(), t.Constant("SHORTEST") / t.Constant("ROUNDING"))
-    ]
-    sizes = (t.Call("size", (expression(term),)) for term in terms)
-    return (*found, *(t.Assign(REACH, t.Call("larger", (size, REACH))) for size in sizes))
+def largest(terms: Iterable[sp.Expr]) -> dict[str, read.Given]:
+    """What ``written.legs.largest_term`` goes through."""
+    return {"largest_term": legs.largest_term, "TERMS": read.Entries(tuple(map(expression, terms)))}
 
 
-def suspicion(
-    leg: Block, before: t.Expression, after: t.Expression, least_share: str, least_sine: str
-) -> tuple[t.Statement, ...]:
-    """1 in ``after`` where a leg is not finite, short, or too near its joint singularity, else ``before``."""
+def checks(leg: Block, terms: Iterable[sp.Expr], least_share: str, least_sine: str) -> dict[str, read.Given]:
+    """How ``written.legs.checked`` and ``mark`` decide on a leg, the sum of some terms."""
     given = exprs_of(leg)
-    length = expression(given[n.L][0])
-    share = t.Constant(least_share) * REACH
-    tests = [(t.Binary("<=", length, t.Constant("MAX")), before), (t.Binary(">", length, share), FAULT)]
-    if n.k3 in given:
-        tests.append((t.Binary(">", expression(given[n.k3][0]), t.Constant(least_sine)), FAULT))
-    selections = [t.Select(test, otherwise, ONE) for test, otherwise in tests]
-    return (
-        t.Variable("fault", t.Real(), selections[0]),
-        *(t.Assign(FAULT, each) for each in selections[1:]),
-        t.Assign(after, FAULT),
-    )
+    return {
+        **largest(terms),
+        **{"checked": legs.checked, "mark": legs.mark, "HAS_SINE": int(n.k3 in given)},
+        "LENGTH": expression(given[n.L][0]),
+        "SINE": expression(given[n.k3][0]) if n.k3 in given else 0,
+        "LEAST_SHARE": t.Constant(least_share),
+        "LEAST_SINE": t.Constant(least_sine),
+    }
 
 
 # ---------------------------------------------------------------- structures and functions

@@ -17,7 +17,7 @@ that is given as ``False`` is left out, in calls as well.
 
 ``for number in numbers(x)`` goes through the numbers of a structure, each of which is ``x[number]``, and so
 is that of another structure with such a member; ``for number in entries(SOME)``, once for each, through
-those that are given, of a lane ``x[number, i]``.
+those that are given, of a lane ``x[number, i]``; where expressions are given, each is ``number``.
 
 One text serves several shapes: a call that stands alone in a line, of a text that is given, is replaced by
 the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of the indices; and where
@@ -57,9 +57,10 @@ LANES = 8
 
 @dataclass(frozen=True)
 class Entries:
-    """Numbers of structures; places: each from a structure, and from a lane where it has lanes."""
+    """What a text goes through: expressions, or numbers of structures, each made of a structure, and of a
+    lane where it has lanes."""
 
-    places: tuple[Callable[..., t.Expression], ...]
+    places: tuple[t.Expression | Callable[..., t.Expression], ...]
 
 
 Given = int | t.Expression | tuple[t.Statement, ...] | Callable[..., Any] | Entries

@@ -42,7 +42,8 @@ def legs_of_pose(
     """$says: $count operations each."""
     OUTSIDE
     for l in range(LANES):
-        INSIDE
+        BLOCK
+        checked(out)
 
 
 def shift_of_pose(legs: "alone(LegLanes)", shared: "alone(SharedTerms)") -> None:
@@ -202,7 +203,9 @@ def leg_of_block(
     c."""
     OUTSIDE
     for l in range(LANES):
-        INSIDE
+        BLOCK
+        largest_term()
+        mark(bad[l], bad[l])
 
 
 def moments_of_first(own: "alone(LegBlock)", c: "alone(array(6, LANES))") -> None:

@@ -12,7 +12,8 @@ def leg_terms(model: "alone(Model)", at: "alone(Motion)", pose: "alone(Pose)", o
     """The legs side by side."""
     OUTSIDE
     for l in range(LANES):
-        INSIDE
+        BLOCK
+        checked(out.checked)
 
 
 def legs_status(checked: "Checked") -> "Integer":

@@ -64,7 +64,7 @@ def leg_closely(model: "Model", leg: "Leg", at: "Motion", q_1: "array(3)", out: 
     """What decides on a leg that may be short: its length, the size of the vectors that it is the sum of, the
     arm of its moment, and its column of H."""
     COLUMN
-    REACH
+    largest_term()
     out.reach = reach
     SIZES
 
