@@ -11,13 +11,13 @@ from importlib.metadata import version as installed_version
 
 import sympy as sp
 
-from .emit import arrays, bounds, c, closed_form_source, fidelity_table, lanes
-from .emit import closed_form as closed_form_header
+from .emit import arrays, bounds, c, lanes
+from .emit import closed_form as motion
 from .emit import kinematics as kinematics_text
-from .emit.header import common_header
-from .emit.layout import layout
+from .emit.header import common_header, layout
 from .emit.shared import shared_headers
 from .kernel import kinematics as search
+from .kernel.bounds import BoundedForces
 from .kernel.operations import force_operations, kernel_operations
 from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .kernel.tree.nodes import Program, joined
@@ -93,7 +93,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     version = generator_version()
     models: dict[str, int] = {}
     headers = {"stewart.h": common_header(version)} | shared_headers(version)
-    files = {f"c/{name}": text for name, text in headers.items()} | {
+    files = _of_c(headers) | {
         "every_output.py": arrays.shared_module(version),
         "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),
         "__init__.py": filled("package.py", version=version),
@@ -102,20 +102,18 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         progress(f"deriving {form.kernel_name}")
         built = reduced(form)
         counts = kernel_operations(built), kernel_operations(reduced(form, friction=False))
-        files[f"c/stewart_{form.kernel_name}.h"] = c.header(built, *counts, version)
-        files[f"c/stewart_{form.kernel_name}.c"] = c.source(built, version)
+        files |= _of_c(c.files(built, *counts, version))
         forces, smooth = prepared_model(form), reduced_forces(form, friction=False)
         force_counts = force_operations(forces), force_operations(smooth)
-        fast = f"c/stewart_{form.kernel_name}_forces"
-        files[f"{fast}.h"] = lanes.header(forces, smooth, version)
-        files[f"{fast}.c"] = lanes.source(forces, version)
+        files |= _of_c(lanes.files(forces, version, smooth))
         models[form.kernel_name] = lanes.model_numbers(forces)
         files[f"{form.kernel_name}.py"] = arrays.every_output(built, counts, force_counts, version)
         found = output_program(form, OUTPUTS if form == EXACT else (FORCES,))
         files[f"{form.kernel_name}_arrays.py"] = arrays.module(found, arrays.imported(found), version)
     progress("bounding the rounding errors of exact_forces")
-    files |= _error_bounds(version)
-    models[f"{EXACT.kernel_name}_bounds"] = bounds.model_numbers(reduced_forces(EXACT))
+    bounded = BoundedForces(reduced_forces(EXACT))
+    files |= _of_c(bounds.files(bounded, version))
+    models[f"{EXACT.kernel_name}_bounds"] = bounded.model_numbers()
     progress("deriving the fidelities")
     files |= _fidelities(version, models)
     progress("deriving exact_regressor")
@@ -126,17 +124,14 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     blocks = reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
     made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
-    files |= {f"c/{name}": text for name, text in made.items()}
+    files |= _of_c(made)
     files["interface.py"] = layout(models, headers, version)
     return files
 
 
-def _error_bounds(version: str) -> dict[str, str]:
-    name, built = EXACT.kernel_name, reduced_forces(EXACT)
-    return {
-        f"c/stewart_{name}_bounds.h": bounds.header(built, version),
-        f"c/stewart_{name}_bounds.c": bounds.source(built, version),
-    }
+def _of_c(files: dict[str, str]) -> dict[str, str]:
+    """Files by their paths."""
+    return {f"c/{name}": text for name, text in files.items()}
 
 
 @cache
@@ -147,15 +142,15 @@ def reduced_fidelity(level: Fidelity) -> ForceKernel:
 
 def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
     """Files of the levels; what their models hold is added to ``models``."""
-    files, kernels = {}, {}
+    files: dict[str, str] = {}
+    kernels = {}
     for level in FIDELITIES.values():
         built = reduced_fidelity(level)
         kernels[level] = built if built.fidelity != "general" else prepared_model(EXACT)
         if built.fidelity != "general":
             models[built.name] = lanes.model_numbers(built)
-            files[f"c/stewart_{built.name}_forces.h"] = lanes.header(built, None, version)
-            files[f"c/stewart_{built.name}_forces.c"] = lanes.source(built, version)
-    files["fidelities.py"] = fidelity_table.module(kernels, version)
+            files |= _of_c(lanes.files(built, version))
+    files["fidelities.py"] = arrays.fidelities(kernels, version)
     return files
 
 
@@ -196,19 +191,16 @@ def motion_files(functions: Collection[str]) -> dict[str, str]:
 
 
 def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
-    name, needed = EXACT.kernel_name, closed_form_header.kernels_of(functions)
+    needed = motion.kernels_of(functions)
     built, plain = (reduced_motion(friction, needed) for friction in (True, False))
-    return {
-        f"stewart_{name}_motion.h": closed_form_header.header(built, plain, name, version, functions),
-        f"stewart_{name}_motion.c": closed_form_source.source(built, model, version, functions),
-    }
+    return motion.files(built, plain, model, version, functions)
 
 
 def _closed_form(version: str) -> dict[str, str]:
     built, model = reduced_motion(), prepared_model(EXACT)
-    sources = _motion_files(model, version, closed_form_header.FUNCTIONS)
-    rows = [f'    "{each.name}": {closed_form_header.sum_operations(each).total},' for each in built]
+    sources = _motion_files(model, version, motion.FUNCTIONS)
+    rows = [f'    "{each.name}": {motion.sum_operations(each).total},' for each in built]
     return {
         f"{EXACT.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
-        **{f"c/{file}": text for file, text in sources.items()},
+        **_of_c(sources),
     }

@@ -82,8 +82,7 @@ def _after(name: str, meaning: str, derive: Callable[[bool], ForceKernel]) -> Pa
         sources={
             "stewart.h": common_header(version),
             **shared_headers(version, rough.about_tip),
-            "stewart_exact_forces.h": lanes.header(rough, smooth, version),
-            "stewart_exact_forces.c": lanes.source(rough, version),
+            **lanes.files(rough, version, smooth),
         },
         model_numbers=lanes.model_numbers(rough),
     )

@@ -6,17 +6,19 @@ from dataclasses import replace
 import sympy as sp
 
 from ..kernel.inverse_dynamics import arrays_program, regressor_program, shared_program
-from ..kernel.operations import KernelOperations
+from ..kernel.operations import KernelOperations, force_operations
 from ..kernel.tree.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.tree.lower import expression
 from ..kernel.tree.nodes import Constant, Program, calls_in, parts_of
+from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
+from ..mechanics.reduced_models import Fidelity
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, dependencies
 from ..print.c import C
 from ..print.python import Python
 from ..print.template import filled
 from ..program.block import Quantity, component_name
-from .c import operations_table
+from .c import operations_table, wrap_list
 
 Counts = tuple[KernelOperations, KernelOperations]
 """Operations with friction and without."""
@@ -141,3 +143,26 @@ def _literal(name: str, parameters: tuple[Quantity, ...]) -> str:
 
 def _rows(name: str, rows: list[str]) -> str:
     return "\n".join([f"{name} = (", *(f"    {row}," for row in rows), ")"])
+
+
+def fidelities(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
+    """``fidelities.py``: what there is of reduced force kernels, for the runtime to choose from."""
+    entries = "\n".join(_fidelity(level, kernel) for level, kernel in kernels.items())
+    return filled("fidelities.py", version=version, entries=entries)
+
+
+def _fidelity(level: Fidelity, kernel: ForceKernel) -> str:
+    counts = {part: count.total for part, count in force_operations(kernel).parts().items()}
+    values = {
+        "kernel": kernel.name,
+        "meaning": level.meaning,
+        "universal": any(q.name == "k" for q in kernel.leg_constants()),
+    }
+    lines = "\n".join(f'        "{name}": {_quoted(value)},' for name, value in values.items())
+    parts = ", ".join(f'"{part}": {count}' for part, count in counts.items())
+    operations = wrap_list(f"{' ' * 12}{parts},", " " * 12)
+    return f'    "{level.name}": {{\n{lines}\n        "operations": {{\n{operations}\n        }},\n    }},'
+
+
+def _quoted(value: object) -> str:
+    return f'"{value}"' if isinstance(value, str) else repr(value)

@@ -8,10 +8,9 @@ from collections.abc import Callable, Iterable
 from ..kernel import prepare as p
 from ..kernel.batches import LOADS, MOTIONS, NUMBERS, batch, copies, missing
 from ..kernel.interface import STRUCTS
-from ..kernel.layouts import Place, Written, described, loads, member, names_used, stores
+from ..kernel.layouts import Place, Written, described, lines, member, stores
 from ..kernel.operations import KernelOperations
 from ..kernel.shared import legs_in_turn, shared
-from ..kernel.tree.lower import steps_of
 from ..kernel.tree.nodes import Argument, Array, Field, Function, Number, Real, Record, Statement, Structure
 from ..kernel.tree.read import Given
 from ..kernel.written import every_output as written
@@ -21,25 +20,25 @@ from ..mechanics.inverse_dynamics import Kernel
 from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block, Quantity
-from .shared import OUTPUTS, top
+from .shared import OUTPUTS, Part, Source, top
 
 
-def header(
+def files(
     kernel: Kernel, with_friction: KernelOperations, frictionless: KernelOperations, version: str
-) -> str:
-    """``stewart_<kernel>.h``: what the kernel computes, its cost, its functions."""
-    name = kernel.formulation.kernel_name
+) -> dict[str, str]:
+    """``stewart_<kernel>.h`` and ``.c``: what the kernel computes, its cost, its functions."""
     made = _Source(kernel)
-    return filled(
+    header = filled(
         "every_output.h",
-        name=name,
-        guard=f"STEWART_{name.upper()}_H",
+        name=kernel.formulation.kernel_name,
+        guard=f"{made.name.upper()}_H",
         version=version,
         about=_about(kernel),
         interface=_interface(kernel),
         operations=operations_table(with_friction, frictionless, " * "),
-        declarations=C(made.functions).interface(*made.functions),
+        declarations=made.declared(),
     )
+    return {f"{made.name}.h": header, f"{made.name}.c": made.printed(top(made.name, version, OUTPUTS))}
 
 
 def _about(kernel: Kernel) -> str:
@@ -86,15 +85,7 @@ def operations_table(counts: KernelOperations, frictionless: KernelOperations | 
     return "\n".join((prefix + row).rstrip() for row in rows)
 
 
-def source(kernel: Kernel, version: str) -> str:
-    """``stewart_<kernel>.c``: the blocks and the code that runs them."""
-    made = _Source(kernel)
-    return C(made.texts.functions.values()).source(top(made.name, version, OUTPUTS), *made.parts)
-
-
-class _Source:
-    """The functions of one kernel; ``parts`` in their order, with structures and fixed texts."""
-
+class _Source(Source):
     def __init__(self, kernel: Kernel) -> None:
         self.kernel, self.name = kernel, f"stewart_{kernel.formulation.kernel_name}"
         blocks = {
@@ -122,11 +113,9 @@ class _Source:
             "COUNT": sum(each.count for each in STRUCTS["reactions"]),
             "SMALLEST": Number(p.ABOUT_REFERENCE[0]),
         }
-        self.texts = Written(structures, self.flags, shared().by_name)
-        self.parts = list(self._parts())
-        self.functions = [each for each in self.parts if isinstance(each, Function)]
+        super().__init__(Written(structures, self.flags, shared().by_name))
 
-    def _parts(self) -> Iterable[str | Structure | Function]:
+    def _parts(self) -> Iterable[Part]:
         read = self.texts.function
         yield from (structure for _, structure in self.blocks.values())
         for block, structure in self.blocks.values():
@@ -186,12 +175,7 @@ def _block_function(block: Block, made: Structure) -> Function:
         *(Argument(q.name, Real()) for q in given),
         Argument("out", Record(made.name), changed=True),
     ]
-    read = (q for q in inputs if q not in given)
-    body = (
-        *loads(read, names_used(block), _place),
-        *steps_of(block.steps),
-        *stores(block.outputs, lambda q: member("out", q)),
-    )
+    body = (*lines(block, _place, given), *stores(block.outputs, lambda q: member("out", q)))
     meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}. Operations: {block.operations()}."
     return Function(block.name, meaning, tuple(arguments), None, body)
 

@@ -1,6 +1,8 @@
-"""``stewart.h``: arithmetic, status codes and structs, the same for every kernel."""
+"""The interface table as C and as Python: ``stewart.h``, the same for every kernel, and ``interface.py``."""
 
-from ..kernel.interface import STATUS, STRUCTS, Member
+from collections.abc import Iterable, Mapping
+
+from ..kernel.interface import CALLS, STATUS, STRUCTS, Member
 from ..mechanics.quantities import LEG, MOTION, PLATFORM
 from ..print.template import filled
 from .thresholds import comment
@@ -34,4 +36,25 @@ def _member(member: Member) -> str:
 def _pointers(struct: str, const: str = "") -> str:
     return "\n".join(
         f"    {const}stewart_real *{each.name}; /* [count]{each.dims} */" for each in STRUCTS[struct]
+    )
+
+
+def layout(models: Mapping[str, int], headers: Iterable[str], version: str) -> str:
+    """The module's text; models: how many numbers each kernel's prepared model holds. headers: those that
+    sources share."""
+    return filled(
+        "interface.py",
+        version=version,
+        status="\n".join(f'    "{name}": ({code}, "{text}"),' for name, code, text in STATUS),
+        structs=_shapes(STRUCTS),
+        outputs=_shapes({stem: call.outputs for stem, call in CALLS.items()}),
+        headers="\n".join(f'    "{name}",' for name in headers),
+        models="\n".join(f'    "{name}": {count},' for name, count in models.items()),
+    )
+
+
+def _shapes(groups: Mapping[str, Iterable[Member]]) -> str:
+    return "\n".join(
+        "\n".join([f'    "{name}": {{', *(f'        "{m.name}": {m.shape},' for m in members), "    },"])
+        for name, members in groups.items()
     )

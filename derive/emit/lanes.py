@@ -9,116 +9,59 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from ..kernel import layouts as lay
 from ..kernel import prepare as p
 from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_one, missing
-from ..kernel.layouts import (
-    LANE,
-    RIGHT_SIDE,
-    Layout,
-    Place,
-    Written,
-    assembled,
-    described,
-    exprs_of,
-    loaded,
-    loads,
-    member,
-    names_used,
-    parted,
-    reach,
-    set_in_order,
-    stored,
-    stores,
-    suspicion,
-)
 from ..kernel.operations import force_operations
 from ..kernel.shared import legs_in_lanes, shared
+from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.nodes import (
-    Array,
-    As,
-    Assign,
-    Binary,
-    Call,
-    Compare,
-    Constant,
-    Count,
-    Do,
-    Expression,
-    Field,
-    Function,
-    If,
-    Let,
-    Name,
-    Number,
-    Real,
-    Select,
-    Statement,
-    Structure,
-    Table,
-    at,
-    of,
-)
 from ..kernel.tree.read import LANES, Given
 from ..kernel.written import batch
 from ..kernel.written import lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
-from ..mechanics.lumped_constants import ADDED, arm_c, q_1
-from ..print.c import C
+from ..mechanics.lumped_constants import arm_c, q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity
 from .c import operations_table
 from .shared import LANES as HEADER
-from .shared import SIZES, top
+from .shared import Part, Source, top
 
 CHECKED = (n.q, n.L, n.k3)
 """Outputs of a leg by which it is checked; they are not stored as they are."""
 _WITHOUT_D = "#define STEWART_FORCE(D, x) (-(x))\n"
 
 
-def header(kernel: ForceKernel, frictionless: ForceKernel | None, version: str) -> str:
-    """``stewart_<kernel>_forces.h``: the prepared model and the functions.
+def files(
+    kernel: ForceKernel,
+    version: str,
+    frictionless: ForceKernel | None = None,
+    before: ForceKernel | None = None,
+) -> dict[str, str]:
+    """``stewart_<kernel>_forces.h`` and ``.c``: preparation, one pose, batch.
 
-    frictionless: the same kernel without friction, for its count of operations.
+    frictionless: the same kernel without friction, for its count of operations. before: of a kernel with a
+    robot's numbers folded in, the one without them.
     """
+    made, file = _Source(kernel), f"stewart_{kernel.name}_forces"
+    title, says = "alone, from prepared constants, as fast as we can.", f"Fidelity: {kernel.meaning}."
+    if before is not None:
+        title, count = "of one machine, its numbers folded in.", force_operations(before).total.total
+        says += f" Before the numbers were folded in a pose took {count} operations."
     plain = None if frictionless is None else force_operations(frictionless)
-    says = "" if kernel.fidelity == "general" else f" * Fidelity: {kernel.meaning}.\n *\n"
-    operations = operations_table(force_operations(kernel), plain, " * ")
-    return _header(kernel, "alone, from prepared constants, as fast as we can.", says, operations, version)
-
-
-def baked_header(kernel: ForceKernel, before: ForceKernel, version: str) -> str:
-    """The header of a kernel with a robot's numbers folded in; ``before`` is the kernel without them."""
-    says = (
-        f" * Fidelity: {kernel.meaning}. Before the numbers were folded in a pose took "
-        f"{force_operations(before).total.total} operations.\n *\n"
-    )
-    operations = operations_table(force_operations(kernel), None, " * ")
-    return _header(kernel, "of one machine, its numbers folded in.", says, operations, version)
-
-
-def _header(kernel: ForceKernel, title: str, says: str, operations: str, version: str) -> str:
-    made = _Source(kernel)
-    model = [] if made.baked else [made.structures["Model"]]
-    return filled(
+    header = filled(
         "forces.h",
         name=kernel.name,
         title=title,
         version=version,
-        says=says,
-        operations=operations,
-        guard=f"STEWART_{kernel.name.upper()}_FORCES_H",
-        declarations=C(made.functions).interface(*model, *made.functions),
+        says="" if kernel.fidelity == "general" and before is None else f" * {says}\n *\n",
+        operations=operations_table(force_operations(kernel), plain, " * "),
+        guard=f"{file.upper()}_H",
+        declarations=made.declared(*([] if made.baked else [made.structures["Model"]])),
     )
-
-
-def source(kernel: ForceKernel, version: str) -> str:
-    """``stewart_<kernel>_forces.c``: preparation, one pose, batch."""
-    made = _Source(kernel)
     defined = "" if n.D in made.given else _WITHOUT_D
-    before = top(f"stewart_{kernel.name}_forces", version, HEADER, defined)
-    return C(made.texts.functions.values(), SIZES).source(before, *made.parts)
+    return {f"{file}.h": header, f"{file}.c": made.printed(top(file, version, HEADER, defined))}
 
 
 def model_numbers(kernel: ForceKernel) -> int:
@@ -129,20 +72,18 @@ def model_numbers(kernel: ForceKernel) -> int:
 
 def reach_terms(kernel: ForceKernel) -> tuple[list[sp.Expr], tuple[Quantity, ...]]:
     """The vectors whose sum is S, component by component, and the inputs among them."""
-    exprs = exprs_of(kernel.leg)
+    exprs = lay.exprs_of(kernel.leg)
     inputs: tuple[Quantity, ...] = (n.t, n.b)
     if kernel.constants is not None:
         inputs = (n.t, *(part for part in kernel.leg_constants() if part.name in n.b.names))
     return [*exprs[n.q], *(symbol for q in inputs for symbol in q.symbols)], inputs
 
 
-class _Source:
-    """The functions of one kernel; ``parts`` in their order, with structures, tables and fixed texts."""
-
+class _Source(Source):
     def __init__(self, kernel: ForceKernel) -> None:
         self.kernel, self.baked = kernel, kernel.constants is not None
         self.of_pose = [out.quantity for out in kernel.shared.outputs]
-        self.given = exprs_of(kernel.leg)
+        self.given = lay.exprs_of(kernel.leg)
         self.structures = p.structures(kernel) | self._structures()
         self.structures |= {each.name: each for each in self.structures.values()}
         self.flags = p.flags(kernel) | {
@@ -150,80 +91,80 @@ class _Source:
             "HAS_C": int(n.c_force in self.given),
             "HAS_C_MOMENT": int(n.c_moment in self.given),
         }
-        self.texts = Written(self.structures, self.flags, shared(kernel.about_tip).by_name)
-        self.parts = list(self._parts())
-        self.functions = [each for each in self.parts if isinstance(each, Function)]
+        super().__init__(lay.Written(self.structures, self.flags, shared(kernel.about_tip).by_name))
 
     # ------------------------------------------------------------ structures
 
-    def _structures(self) -> dict[str, Structure]:
+    def _structures(self) -> dict[str, t.Structure]:
         kernel = self.kernel
-        lanes, motion = Array(Real(), (LANES,)), kernel.used_motion()
+        motion = kernel.used_motion()
         moved = [out.quantity for out in kernel.shift.outputs]
         blocks = (kernel.leg, kernel.moments) if kernel.about_tip else (kernel.leg,)
         terms = [out.quantity for block in blocks for out in block.outputs if out.quantity not in CHECKED]
-        kept = [q for q in (n.q, *RIGHT_SIDE) if q in self.given]
-        sine = [Field("k3", lanes)] if n.k3 in self.given else []
-        known = [Field("D", Array(Real(), (6, LANES)))] if n.D in self.given else []
+        kept = [q for q in (n.q, *lay.RIGHT_SIDE) if q in self.given]
+        sine = [t.numbers("k3", LANES)] if n.k3 in self.given else []
+        known = [t.numbers("D", 6, LANES)] if n.D in self.given else []
         bad = "1 where a leg, a pivot or a force needs a closer look, else 0"
-        model = Structure(
+        model = t.Structure(
             f"stewart_{kernel.name}_model",
             "What differs from leg to leg; the last two lanes repeat leg 6."
             if self.baked
             else "A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6.",
             (
-                *(described(q, LANES) for q in kernel.leg_constants()),
-                *(described(q) for q in kernel.platform_constants()),
+                *(lay.described(q, LANES) for q in kernel.leg_constants()),
+                *(lay.described(q) for q in kernel.platform_constants()),
                 *([] if self.baked else [p.PER_LENGTH]),
             ),
         )
         return {
             "Model": model,
             "Motions": MOTIONS,
-            "MotionLanes": Structure(
+            "MotionLanes": t.Structure(
                 "motion_lanes",
                 "Motions of eight poses, component by component.",
-                tuple(stored(q, LANES) for q in motion),
+                tuple(lay.stored(q, LANES) for q in motion),
             ),
-            "SharedTerms": Structure(
+            "SharedTerms": t.Structure(
                 "shared_terms",
                 "What a pose has for all legs.",
-                tuple(stored(q) for q in (*self.of_pose, *moved)),
+                tuple(lay.stored(q) for q in (*self.of_pose, *moved)),
             ),
-            "SharedLanes": Structure(
-                "shared_lanes", "", tuple(stored(q, LANES) for q in self.of_pose if q not in RIGHT_SIDE)
+            "SharedLanes": t.Structure(
+                "shared_lanes",
+                "",
+                tuple(lay.stored(q, LANES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
             ),
-            "LegLanes": Structure(
+            "LegLanes": t.Structure(
                 "leg_lanes",
                 "The legs of one pose.",
                 (
-                    *(stored(q, LANES, always=False) for q in (n.q, *terms)),
-                    Field("L", lanes),
-                    Field("reach", lanes),
+                    *(lay.stored(q, LANES, always=False) for q in (n.q, *terms)),
+                    t.numbers("L", LANES),
+                    t.numbers("reach", LANES),
                     *sine,
-                    Field("bad", lanes, "1 where the leg needs a closer look, else 0"),
+                    t.numbers("bad", LANES, meaning="1 where the leg needs a closer look, else 0"),
                 ),
             ),
-            "Block": Structure(
+            "Block": t.Structure(
                 "block",
                 "Eight poses on their way.",
                 (
-                    Field("column", Array(Real(), (7, 6, LANES)), "[H | c], column by column"),
+                    t.numbers("column", 7, 6, LANES, meaning="[H | c], column by column"),
                     *known,
-                    Field("F", Array(Real(), (6, LANES))),
-                    Field("bad", lanes, bad),
+                    t.numbers("F", 6, LANES),
+                    t.numbers("bad", LANES, meaning=bad),
                 ),
             ),
-            "LegBlock": Structure(
+            "LegBlock": t.Structure(
                 "leg_block",
                 "What a leg of eight poses hands to the moments.",
-                tuple(stored(q, LANES) for q in kept),
+                tuple(lay.stored(q, LANES) for q in kept),
             ),
         }
 
     # ------------------------------------------------------------ functions
 
-    def _parts(self) -> Iterable[str | Structure | Table | Function]:
+    def _parts(self) -> Iterable[Part]:
         kernel, read, name = self.kernel, self.texts.function, f"stewart_{self.kernel.name}"
         made = self.structures
         yield from (made[each] for each in ("MotionLanes", "SharedTerms", "SharedLanes", "LegLanes"))
@@ -233,8 +174,9 @@ class _Source:
         else:
             yield from p.preparation(self.texts, kernel)
             yield p.size_of(self.texts, by_legs=False)
-            yield read(written.prepare, f"{name}_prepare", public=True, given=self._prepared())
-        shared = (*_lines(kernel.shared, self._place("at")), *stores(kernel.shared.outputs, _out()))
+            given = p.constants(kernel) | p.HANDED_OVER | {"COUNT": model_numbers(kernel)}
+            yield read(written.prepare, f"{name}_prepare", public=True, given=given)
+        shared = (*lay.lines(kernel.shared, self._place("at")), *lay.stores(kernel.shared.outputs, _out()))
         yield read(written.shared_of_pose, given={"SHARED": shared}, count=kernel.shared.operations())
         yield from self._legs_of_pose()
         if kernel.about_tip:
@@ -255,32 +197,19 @@ class _Source:
             yield read(written.scale_block)
         yield from self._batch(name)
 
-    def _prepared(self) -> dict[str, Given]:
-        of_leg, of_platform = self.kernel.leg_constants(), self.kernel.platform_constants()
-        found, platform = p.numbers("found", of_leg), p.numbers("platform", of_platform)
-        return (
-            p.sums(ADDED)
-            | p.HANDED_OVER
-            | {
-                "COPIED": p.copied(p.numbers("made", of_leg, Name("i")), found),
-                "COPIED_PLATFORM": p.copied(p.numbers("made", of_platform), platform),
-                "COUNT": model_numbers(self.kernel),
-            }
-        )
-
-    def _table(self) -> Table:
+    def _table(self) -> t.Table:
         """The constants of a baked kernel; the last two lanes repeat leg 6."""
         assert self.kernel.constants is not None
         columns = [self.kernel.constants[q] for q in self.kernel.leg_constants()]
         row = tuple(value for values in columns for value in (*values, values[-1], values[-1]))
-        return Table("numbers", self.structures["Model"], (row,))
+        return t.Table("numbers", self.structures["Model"], (row,))
 
     def _public(self, *needed: str, quantities: Iterable[Quantity] = ()) -> dict[str, Given]:
         """What the interface's functions reject, and that baked ones have no model."""
         pointers = needed if self.baked else ("model", *needed)
         return missing(pointers, tuple(quantities)) | self._without()
 
-    def _place(self, motion: str, *lane: Expression, leg: Expression | None = None) -> Layout:
+    def _place(self, motion: str, *lane: t.Expression, leg: t.Expression | None = None) -> lay.Layout:
         """Where blocks find what they read.
 
         motion: the argument that holds it; lane: of motion and pose; leg: of the legs' constants.
@@ -288,20 +217,20 @@ class _Source:
         of_legs = () if leg is None else (leg,)
         literals = self.kernel.literals()
 
-        def place(q: Quantity) -> Place | Name:
+        def place(q: Quantity) -> lay.Place | t.Name:
             if q in n.MOTION:
-                return member(motion, q, *lane)
+                return lay.member(motion, q, *lane)
             if q in self.of_pose:
-                return member("shared", q, *lane)
+                return lay.member("shared", q, *lane)
             if q in literals:
-                return Name(p.literal(q))
-            return member("model", q, *(() if q in self.kernel.platform_constants() else of_legs))
+                return t.Name(p.literal(q))
+            return lay.member("model", q, *(() if q in self.kernel.platform_constants() else of_legs))
 
         return place
 
     # ------------------------------------------------------------ one pose
 
-    def _legs_of_pose(self) -> Iterable[Function]:
+    def _legs_of_pose(self) -> Iterable[t.Function]:
         """The legs of a pose, and the code path near the joint singularity where the kernel has one."""
         kernel, near = self.kernel, self.kernel.leg_near_singular
         least = "JOINT_SINGULAR_SINE" if near is None else "NEAR_JOINT_SINGULAR"
@@ -310,129 +239,114 @@ class _Source:
             says = "The same for a pose in which a leg is near its joint singularity"
             yield self._legs(near, "legs_near_singular", "JOINT_SINGULAR_SINE", says)
 
-    def _legs(self, leg: Block, name: str, least: str, says: str) -> Function:
+    def _legs(self, leg: Block, name: str, least: str, says: str) -> t.Function:
         """A leg's block as the body of a loop over the legs of a pose."""
         terms, more = reach_terms(self.kernel)
-        exprs = exprs_of(leg)
-        outside, inside = parted(loaded(leg, self._place("at", leg=LANE), *more))
+        outside, inside = lay.parted(lay.loaded(leg, self._place("at", leg=lay.LANE), *more))
         kept = [out for out in leg.outputs if out.quantity not in CHECKED]
         kept += [out for out in leg.outputs if out.quantity == n.q]
-        checked = [q for q in (n.L, n.k3) if q in exprs]
-        body = (
-            *inside,
-            *steps_of(leg.steps),
-            *stores(kept, _out(LANE)),
-            *reach(terms),
-            Assign(at(of("out", "reach"), "l"), Name("reach")),
-            *(Assign(at(of("out", q.name), "l"), expression(exprs[q][0])) for q in checked),
-            *suspicion(leg, Number(0.0), at(of("out", "bad"), "l"), "SHORT_SHARE", least),
-        )
-        given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body}
+        body = (*inside, *steps_of(leg.steps), *lay.stores(kept, _out(lay.LANE)))
+        given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body}
+        given |= lay.checks(leg, terms, "SHORT_SHARE", least)
         return self.texts.function(written.legs_of_pose, name, given=given, says=says, count=leg.operations())
 
-    def _moments_of_pose(self) -> Iterable[Function]:
+    def _moments_of_pose(self) -> Iterable[t.Function]:
         """The moments of a pose, legs in lanes."""
         shift, leg = self.kernel.shift, self.kernel.moments
-        first = tuple(Let(name, at(of("legs", "q"), i, 0)) for i, name in enumerate(q_1.names))
+        first = tuple(t.Let(name, t.at(t.of("legs", "q"), i, 0)) for i, name in enumerate(q_1.names))
         moved = (
             *first,
-            *_lines(shift, lambda q: member("shared", q), without=(q_1,)),
-            *stores(shift.outputs, lambda q: member("shared", q)),
+            *lay.lines(shift, lambda q: lay.member("shared", q), without=(q_1,)),
+            *lay.stores(shift.outputs, lambda q: lay.member("shared", q)),
         )
-        legs: Layout = lambda q: member("legs", q, LANE)  # noqa: E731
-        body = (*_lines(leg, legs, without=(q_1,)), *stores(leg.outputs, legs))
+        legs: lay.Layout = lambda q: lay.member("legs", q, lay.LANE)  # noqa: E731
+        body = (*lay.lines(leg, legs, without=(q_1,)), *lay.stores(leg.outputs, legs))
         read = self.texts.function
         yield read(written.shift_of_pose, given={"SHIFT": moved})
         yield read(written.moments_of_pose, given={"FIRST": first, "MOMENTS": body}, count=leg.operations())
 
     # ------------------------------------------------------------ eight poses
 
-    def _shared_of_block(self) -> Function:
+    def _shared_of_block(self) -> t.Function:
         block = self.kernel.shared
-        outside, inside = parted(loaded(block, self._place("at", LANE)))
-        kept = [out for out in block.outputs if out.quantity not in RIGHT_SIDE]
-        right = [e for out in block.outputs if out.quantity in RIGHT_SIDE for e in out.exprs]
+        outside, inside = lay.parted(lay.loaded(block, self._place("at", lay.LANE)))
+        kept = [out for out in block.outputs if out.quantity not in lay.RIGHT_SIDE]
+        right = [e for out in block.outputs if out.quantity in lay.RIGHT_SIDE for e in out.exprs]
         body = (
             *inside,
             *steps_of(block.steps),
-            *stores(kept, _out(LANE)),
-            *set_in_order(Name("c"), right, LANE),
+            *lay.stores(kept, _out(lay.LANE)),
+            *lay.set_in_order(t.Name("c"), right, lay.LANE),
         )
         return self.texts.function(written.shared_of_block, given={"OUTSIDE": outside, "INSIDE": body})
 
-    def _leg_of_block(self) -> Function:
+    def _leg_of_block(self) -> t.Function:
         """The leg's block as the body of a loop over the poses of a block."""
         kernel, exprs = self.kernel, self.given
         leg, about_tip = kernel.leg, kernel.about_tip
         terms, more = reach_terms(kernel)
-        outside, inside = parted(loaded(leg, self._place("at", LANE, leg=Name("leg")), *more))
-        own = [out for out in leg.outputs if about_tip and out.quantity in (n.q, *RIGHT_SIDE)]
+        outside, inside = lay.parted(lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")), *more))
+        own = [out for out in leg.outputs if about_tip and out.quantity in (n.q, *lay.RIGHT_SIDE)]
         kept = {out.quantity for out in own}
         body = (
             *inside,
             *steps_of(leg.steps),
-            *assembled({q: e for q, e in exprs.items() if q not in kept}, _column, _c),
-            *stores(own, lambda q: member("own", q, LANE)),
-            *(Assign(at("known", "l"), expression(e)) for e in exprs.get(n.D, ())),
-            *reach(terms),
-            *suspicion(
-                leg,
-                at("bad", "l"),
-                at("bad", "l"),
-                "SHORT_SHARE",
-                "JOINT_SINGULAR_SINE" if kernel.leg_near_singular is None else "NEAR_JOINT_SINGULAR",
-            ),
+            *lay.assembled({q: e for q, e in exprs.items() if q not in kept}, _column, _c),
+            *lay.stores(own, lambda q: lay.member("own", q, lay.LANE)),
+            *(t.Assign(t.at("known", "l"), expression(e)) for e in exprs.get(n.D, ())),
         )
-        given: dict[str, Given] = {"OUTSIDE": outside, "INSIDE": body, "c" if about_tip else "own": False}
+        least = "JOINT_SINGULAR_SINE" if kernel.leg_near_singular is None else "NEAR_JOINT_SINGULAR"
+        given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body, "c" if about_tip else "own": False}
+        given |= lay.checks(leg, terms, "SHORT_SHARE", least)
         given |= {} if n.D in exprs else {"known": False}
         return self.texts.function(written.leg_of_block, given=given, count=leg.operations())
 
-    def _moments_of_block(self) -> Iterable[Function]:
+    def _moments_of_block(self) -> Iterable[t.Function]:
         """The moments of one leg of eight poses, and what leg 1 has instead."""
         shift, leg = self.kernel.shift, self.kernel.moments
-        c: dict[Quantity, Place] = {
-            n.c_force: Place(Name("c"), (LANE,)),
-            n.c_moment: Place(Name("c"), (LANE,), 3),
+        c: dict[Quantity, lay.Place] = {
+            n.c_force: lay.Place(t.Name("c"), (lay.LANE,)),
+            n.c_moment: lay.Place(t.Name("c"), (lay.LANE,), 3),
         }
-        own: Layout = lambda q: member("own", q, LANE)  # noqa: E731
+        own: lay.Layout = lambda q: lay.member("own", q, lay.LANE)  # noqa: E731
         sums = tuple(
-            Assign(to, Binary("+", to, member("own", q, LANE).part(q, i)))
+            t.Assign(to, to + lay.member("own", q, lay.LANE).part(q, i))
             for q, place in c.items()
             if q in self.given
             for i in range(3)
             for to in [place.part(q, i)]
         )
-        exprs = exprs_of(leg)
-        first: tuple[Statement, ...] = (
-            *(Let(name, at(of("own", "q"), i, "l")) for i, name in enumerate(q_1.names)),
-            *(Let(name, place.part(q, i)) for q, place in c.items() for i, name in enumerate(q.names)),
-            *(Assign(at("c", i + 3, "l"), expression(e)) for i, e in enumerate(shift.outputs[0].exprs)),
+        exprs = lay.exprs_of(leg)
+        first: tuple[t.Statement, ...] = (
+            *(t.Let(name, t.at(t.of("own", "q"), i, "l")) for i, name in enumerate(q_1.names)),
+            *(t.Let(name, place.part(q, i)) for q, place in c.items() for i, name in enumerate(q.names)),
+            *(t.Assign(t.at("c", i + 3, "l"), expression(e)) for i, e in enumerate(shift.outputs[0].exprs)),
             *sums,
         )
         arrays = {q_1: "q_1", n.H_force: "column"}
-        moments: tuple[Statement, ...] = (
-            *_lines(leg, lambda q: Place(Name(arrays[q]), (LANE,)) if q in arrays else own(q)),
-            *assembled({n.H_moment: exprs[n.H_moment]}, _column, _c),
+        moments: tuple[t.Statement, ...] = (
+            *lay.lines(leg, lambda q: lay.Place(t.Name(arrays[q]), (lay.LANE,)) if q in arrays else own(q)),
+            *lay.assembled({n.H_moment: exprs[n.H_moment]}, _column, _c),
             *sums,
-            *assembled({arm_c: exprs.get(arm_c, ())}, _column, _c),
+            *lay.assembled({arm_c: exprs.get(arm_c, ())}, _column, _c),
         )
         read = self.texts.function
         yield read(written.moments_of_first, given={"FIRST": first})
         yield read(written.moments_of_block, given={"MOMENTS": moments}, count=leg.operations())
 
-    def _batch(self, name: str) -> Iterable[str | Function]:
+    def _batch(self, name: str) -> Iterable[str | t.Function]:
         """The solve of eight poses, and poses eight by eight."""
         kernel, read = self.kernel, self.texts.function
         about_tip, has_d = kernel.about_tip, n.D in self.given
         given = kernel.used_motion()
         needed = [q for q in given if q not in LOADS]
-        first = Compare("==", Name("i"), Number(0))
+        first = t.Binary("==", t.Name("i"), t.Number(0))
         one: dict[str, Given] = {"load_pose": batch.load_pose, **loaded_one(given[1:], LOADS)}
         of_block: dict[str, Given] = {
-            "OWN": Select(first, Name("first"), Name("other")) if about_tip else False,
-            "C": False if about_tip else at(of("out", "column"), 6),
-            "KNOWN": at(of("out", "D"), "i") if has_d else False,
-            "D": of("out", "D") if has_d else Constant("NULL"),
+            "OWN": t.Select(first, t.Name("first"), t.Name("other")) if about_tip else False,
+            "C": False if about_tip else t.at(t.of("out", "column"), 6),
+            "KNOWN": t.at(t.of("out", "D"), "i") if has_d else False,
+            "D": t.of("out", "D") if has_d else t.Constant("NULL"),
         }
         yield read(written.load_block, given={"LOADS": tuple(map(_transposed, given))})
         yield read(written.forces_of_block, given=of_block)
@@ -449,31 +363,24 @@ class _Source:
         return {"model": False} if self.baked else {}
 
 
-def _column(row: int) -> Expression:
-    return at("column", row, "l")
+def _column(row: int) -> t.Expression:
+    return t.at("column", row, "l")
 
 
-def _c(row: int) -> Expression:
-    return at("c", row, "l")
+def _c(row: int) -> t.Expression:
+    return t.at("c", row, "l")
 
 
-def _out(*lane: Expression) -> Layout:
-    return lambda q: member("out", q, *lane)
+def _out(*lane: t.Expression) -> lay.Layout:
+    return lambda q: lay.member("out", q, *lane)
 
 
-def _lines(block: Block, layout: Layout, without: tuple[Quantity, ...] = ()) -> tuple[Statement, ...]:
-    """Loads and steps of a block; without: what is loaded already."""
-    given = set(without)
-    inputs = [q for q in block.inputs if q not in given]
-    return (*loads(inputs, names_used(block), layout), *steps_of(block.steps))
-
-
-def _transposed(q: Quantity) -> Statement:
+def _transposed(q: Quantity) -> t.Statement:
     """One quantity of eight poses, component by component; zeros of loads that are not given."""
-    pointer, to = of("motions", q.name), of("at", q.name)
-    width = As(Count(), Number(len(q.keys)))
-    whole = Call("whole", (pointer, width, Name("first"), Name("count"), Name("padded")))
-    spread = Do(Call("spread_matrix" if q == n.R else "spread_vector", (whole, to)))
+    pointer, to = t.of("motions", q.name), t.of("at", q.name)
+    width = t.As(t.Count(), t.Number(len(q.keys)))
+    whole = t.Call("whole", (pointer, width, t.Name("first"), t.Name("count"), t.Name("padded")))
+    spread = t.Do(t.Call("spread_matrix" if q == n.R else "spread_vector", (whole, to)))
     if q not in LOADS:
         return spread
-    return If(Compare("!=", pointer, Constant("NULL")), (spread,), (Do(Call("clear", (to,))),))
+    return t.If(t.Binary("!=", pointer, t.Constant("NULL")), (spread,), (t.Do(t.Call("clear", (to,))),))

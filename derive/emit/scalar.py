@@ -8,146 +8,102 @@ from collections.abc import Iterable
 
 import sympy as sp
 
+from ..kernel import layouts as lay
 from ..kernel import prepare as p
 from ..kernel.elimination import BY_POINTERS
-from ..kernel.layouts import (
-    RIGHT_SIDE,
-    Place,
-    Written,
-    assembled,
-    described,
-    exprs_of,
-    loaded,
-    loads,
-    member,
-    names_used,
-    reach,
-    set_in_order,
-    stored,
-    stores,
-)
 from ..kernel.operations import force_operations
 from ..kernel.shared import shared
+from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.nodes import (
-    Argument,
-    Array,
-    Assign,
-    Binary,
-    Call,
-    Element,
-    Expression,
-    Field,
-    Function,
-    Integer,
-    Let,
-    Member,
-    Name,
-    Number,
-    Real,
-    Record,
-    Statement,
-    Structure,
-    Table,
-)
 from ..kernel.tree.read import Given
 from ..kernel.written import scalar as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel, joined
-from ..mechanics.lumped_constants import ADDED, q_1
-from ..print.c import C
+from ..mechanics.lumped_constants import q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity, Step, rebuilt
 from .c import operations_table
-from .shared import SOLVE, top
+from .shared import SOLVE, Part, Source, top
 
-A = Name("A")
-_LEAST_PIVOTS = Function("STEWART_LEAST_PIVOTS", "", (Argument("size", Real()),), Real(), ())
-_CLOSE = Field("close", Integer(), "whether H may be singular to rounding for a zero-length leg")
-_LEAST = Field("least", Real(), "product of the pivots of H below which it may be singular to rounding")
-_SIZE = Field("size", Real(), "m: no platform point and no base point is farther from its origin")
+A = t.Name("A")
+_LEAST_PIVOTS = t.signature("STEWART_LEAST_PIVOTS", t.Real(), size=t.Real())
+_CLOSE = t.Field("close", t.Integer(), "whether H may be singular to rounding for a zero-length leg")
+_LEAST = t.numbers("least", meaning="product of the pivots of H below which it may be singular to rounding")
+_SIZE = t.numbers("size", meaning="m: no platform point and no base point is farther from its origin")
 
 
-def header(kernel: ForceKernel, before: ForceKernel | None, version: str) -> str:
-    """``stewart_<kernel>_pose.h``; before: of a baked kernel, the one without its numbers."""
-    folded = ""
+def files(kernel: ForceKernel, before: ForceKernel | None, version: str) -> dict[str, str]:
+    """``stewart_<kernel>_pose.h`` and ``.c``: preparation, unless the robot's numbers are folded in, and one
+    pose; before: of such a kernel, the one without its numbers."""
+    made, file, folded = _Source(kernel), f"stewart_{kernel.name}_pose", ""
     if before is not None:
         count = force_operations(before, scalar_text=True).total.total
         folded = f" The machine's numbers are folded in; without, a pose took {count} operations."
-    made = _Source(kernel)
-    structures = [made.structures[name] for name in ("Leg", "Model") if before is None]
-    return filled(
+    header = filled(
         "forces_pose.h",
         name=kernel.name,
         version=version,
         fidelity=f" * Fidelity: {kernel.meaning or 'everything'}.{folded}",
         operations=operations_table(force_operations(kernel, scalar_text=True), None, " * "),
-        guard=f"STEWART_{kernel.name.upper()}_POSE_H",
-        declarations=C(made.functions).interface(*structures, *made.functions),
+        guard=f"{file.upper()}_H",
+        declarations=made.declared(*(made.structures[name] for name in ("Leg", "Model") if before is None)),
     )
+    before_it = top(file, version, SOLVE) + filled("least_product.c")
+    return {f"{file}.h": header, f"{file}.c": made.printed(before_it)}
 
 
-def source(kernel: ForceKernel, version: str) -> str:
-    """``stewart_<kernel>_pose.c``: preparation, unless baked, and one pose."""
-    made = _Source(kernel)
-    before = top(f"stewart_{kernel.name}_pose", version, SOLVE) + filled("least_product.c")
-    return C(made.texts.functions.values()).source(before, *made.parts)
-
-
-class _Source:
-    """The functions of one kernel; ``parts`` in their order, with structures, tables and fixed texts."""
-
+class _Source(Source):
     def __init__(self, kernel: ForceKernel) -> None:
         self.kernel, self.baked = kernel, kernel.constants is not None
-        self.of_pose = [out for out in kernel.shared.outputs if out.quantity not in RIGHT_SIDE]
+        self.of_pose = [out for out in kernel.shared.outputs if out.quantity not in lay.RIGHT_SIDE]
         self.structures = p.structures(kernel) | self._structures()
-        given, model = exprs_of(kernel.leg), Name("model")
+        given, model = lay.exprs_of(kernel.leg), t.Name("model")
         size = kernel.size * p.per_length(kernel.size)
         self.flags = p.flags(kernel) | {
-            "SIZE": Number(kernel.extent) if self.baked else Member(model, "size"),
-            "LEAST": Call(_LEAST_PIVOTS.name, (Number(size),)) if self.baked else Member(model, "least"),
+            "SIZE": t.Number(kernel.extent) if self.baked else t.Member(model, "size"),
+            "LEAST": t.Call(_LEAST_PIVOTS.name, (t.Number(size),))
+            if self.baked
+            else t.Member(model, "least"),
         }
         self.flags |= {"model": False} if self.baked else {}
         self.flags |= {} if n.D in given else {"known": False}
         known = shared().by_name | {_LEAST_PIVOTS.name: _LEAST_PIVOTS}
-        self.texts = Written(self.structures, self.flags, known)
-        self.parts = list(self._parts())
-        self.functions = [each for each in self.parts if isinstance(each, Function)]
+        super().__init__(lay.Written(self.structures, self.flags, known))
 
-    def _structures(self) -> dict[str, Structure]:
-        kernel, vector = self.kernel, Array(Real(), (3,))
+    def _structures(self) -> dict[str, t.Structure]:
+        kernel, vector = self.kernel, t.Array(t.Real(), (3,))
         name = f"stewart_{kernel.name}_pose"
-        legs = tuple(described(q) for q in kernel.leg_constants())
+        legs = tuple(lay.described(q) for q in kernel.leg_constants())
         named = (f"{name}_leg", "Constants of one leg.")
-        leg = Structure(*(("leg_numbers", "What differs from leg to leg.") if self.baked else named), legs)
+        leg = t.Structure(*(("leg_numbers", "What differs from leg to leg.") if self.baked else named), legs)
         found = {
             "Leg": leg,
-            "PoseTerms": Structure(
+            "PoseTerms": t.Structure(
                 "pose_terms",
                 "What the pose has for all legs.",
                 (
-                    *(stored(out.quantity, always=False) for out in self.of_pose),
-                    Field("q_1", vector, "platform point 1 from the reference point"),
+                    *(lay.stored(out.quantity, always=False) for out in self.of_pose),
+                    t.Field("q_1", vector, "platform point 1 from the reference point"),
                     _CLOSE,
                 ),
             ),
-            "LegSizes": Structure(
+            "LegSizes": t.Structure(
                 "leg_sizes",
                 "What decides on a leg that may be short.",
                 (
-                    Field("L", Real()),
-                    Field("reach", Real()),
-                    Field("arm", vector),
-                    Field("column", Array(Real(), (6,))),
+                    t.numbers("L"),
+                    t.numbers("reach"),
+                    t.Field("arm", vector),
+                    t.numbers("column", 6),
                 ),
             ),
-            "Model": Structure(
+            "Model": t.Structure(
                 f"{name}_model",
                 "A robot's constants, prepared once.",
                 (
-                    Field("leg", Array(Record(leg.name), (6,))),
+                    t.Field("leg", t.Array(t.Record(leg.name), (6,))),
                     _SIZE,
-                    *(described(q) for q in kernel.platform_constants()),
+                    *(lay.described(q) for q in kernel.platform_constants()),
                     _LEAST,
                     p.PER_LENGTH,
                 ),
@@ -155,7 +111,7 @@ class _Source:
         }
         return found
 
-    def _parts(self) -> Iterable[str | Structure | Table | Function]:
+    def _parts(self) -> Iterable[Part]:
         kernel, read, name = self.kernel, self.texts.function, f"stewart_{self.kernel.name}_pose"
         if self.baked:
             yield p.literals(kernel)
@@ -165,8 +121,9 @@ class _Source:
             yield p.size_of(self.texts, by_legs=True)
             yield read(written.least_pivots)
             yield read(written.size_sum)
-            yield read(written.clear_sum, given=p.sums(ADDED))
-            yield read(written.prepare, f"{name}_prepare", public=True, given=self._prepared())
+            constants = p.constants(kernel)
+            yield read(written.clear_sum, given=constants)
+            yield read(written.prepare, f"{name}_prepare", public=True, given=constants)
         yield self.structures["PoseTerms"]
         yield read(written.pose_of, given={"SHARED": self._shared()}, count=kernel.shared.operations())
         yield self.structures["LegSizes"]
@@ -184,104 +141,98 @@ class _Source:
 
     # ------------------------------------------------------------ constants
 
-    def _prepared(self) -> dict[str, Given]:
-        of_leg, of_platform = self.kernel.leg_constants(), self.kernel.platform_constants()
-        leg = Element(Member(Name("model"), "leg"), (Name("i"),))
-        to = [member(leg, q).part(q, i) for q in of_leg for i in range(len(q.keys))]
-        found, platform = p.numbers("found", of_leg), p.numbers("platform", of_platform)
-        return p.sums(ADDED) | {
-            "HELD": _held(found),
-            "HELD_PLATFORM": _held(platform),
-            "COPIED": p.copied(to, found),
-            "COPIED_PLATFORM": p.copied(p.numbers("model", of_platform), platform),
-        }
-
-    def _table(self) -> Table:
+    def _table(self) -> t.Table:
         """What differs from leg to leg in a baked kernel."""
         assert self.kernel.constants is not None
         columns = [self.kernel.constants[q] for q in self.kernel.leg_constants()]
-        return Table("legs", self.structures["Leg"], tuple(zip(*columns, strict=True)))
+        return t.Table("legs", self.structures["Leg"], tuple(zip(*columns, strict=True)))
 
     # ------------------------------------------------------------ blocks
 
-    def _layout(self, q: Quantity) -> Place | Name:
+    def _layout(self, q: Quantity) -> lay.Place | t.Name:
         """Where a leg's block finds what it reads."""
         if q in n.MOTION:
-            return member("at", q)
+            return lay.member("at", q)
         if q == q_1 or any(out.quantity == q for out in self.of_pose):
-            return member("pose", q)
+            return lay.member("pose", q)
         return p.place_of(self.kernel, "leg" if q in self.kernel.leg_constants() else "model")(q)
 
-    def _shared(self) -> tuple[Statement, ...]:
+    def _shared(self) -> tuple[t.Statement, ...]:
         block = self.kernel.shared
-        right = exprs_of(block)
+        right = lay.exprs_of(block)
         zeros = (sp.Integer(0),) * 3
-        sides = [expr for q in RIGHT_SIDE for expr in right.get(q, zeros)]
+        sides = [expr for q in lay.RIGHT_SIDE for expr in right.get(q, zeros)]
         return (
-            *loads(block.inputs, names_used(block), self._layout),
-            *steps_of(block.steps),
-            *stores(self.of_pose, lambda q: member("out", q)),
-            *(Assign(_at(i, 6), expression(expr)) for i, expr in enumerate(sides)),
+            *lay.lines(block, self._layout),
+            *lay.stores(self.of_pose, lambda q: lay.member("out", q)),
+            *(t.Assign(_at(i, 6), expression(expr)) for i, expr in enumerate(sides)),
         )
 
     def _closely(self) -> dict[str, Given]:
         """What is seldom read: a leg's length, the sizes of its terms, its column of H."""
         kernel = self.kernel
-        exprs = exprs_of(kernel.leg)
+        exprs = lay.exprs_of(kernel.leg)
         # In a baked kernel a coordinate of b that is zero for all legs is none of its inputs.
         around = [q for q in kernel.leg.inputs if q in (n.t, n.b) or q.name in n.b.names]
         block = _columns(kernel)
-        given = exprs_of(block)
-        arms = [
-            Binary("-", expression(e), Name(f"q_1_{axis}")) for e, axis in zip(given[n.q], "xyz", strict=True)
-        ]
-        out = Name("out")
-        places = (Element(Member(out, "arm"), (Number(i),)) for i in range(3))
+        given = lay.exprs_of(block)
+        arms = [expression(e) - t.Name(f"q_1_{axis}") for e, axis in zip(given[n.q], "xyz", strict=True)]
+        out = t.Name("out")
+        places = (t.Element(t.Member(out, "arm"), (t.Number(i),)) for i in range(3))
         column = [*given[n.H_force], *given[n.H_moment]]
         return {
             "COLUMN": (
-                *loaded(block, lambda q: Place(Name("q_1")) if q == q_1 else self._layout(q), *around),
+                *lay.loaded(
+                    block, lambda q: lay.Place(t.Name("q_1")) if q == q_1 else self._layout(q), *around
+                ),
                 *steps_of(block.steps),
             ),
-            "REACH": reach([*exprs[n.q], *(symbol for q in around for symbol in q.symbols)]),
+            **lay.largest([*exprs[n.q], *(symbol for q in around for symbol in q.symbols)]),
             "SIZES": (
-                *p.copied(list(places), arms),
-                Assign(Member(out, "L"), expression(exprs[n.L][0])),
-                *set_in_order(Member(out, "column"), column),
+                *(t.Assign(to, arm) for to, arm in zip(places, arms, strict=True)),
+                t.Assign(t.Member(out, "L"), expression(exprs[n.L][0])),
+                *lay.set_in_order(t.Member(out, "column"), column),
             ),
         }
 
-    def _shift(self) -> tuple[Statement, ...]:
+    def _shift(self) -> tuple[t.Statement, ...]:
         """What leg 1 does instead of adding moments."""
         (moved,) = self.kernel.shift.outputs
         c = [_at(i, 6) for i in range(6)]
-        q = [Element(Name("q"), (Number(i),)) for i in range(3)]
+        q = [t.Element(t.Name("q"), (t.Number(i),)) for i in range(3)]
         given = {q_1: q, n.c_force: c[:3], n.c_moment: c[3:]}
         return (
-            *(Let(*pair) for each, places in given.items() for pair in zip(each.names, places, strict=True)),
-            *(Assign(_at(i + 3, 6), expression(e)) for i, e in enumerate(moved.exprs)),
+            *(
+                t.Let(*pair)
+                for each, places in given.items()
+                for pair in zip(each.names, places, strict=True)
+            ),
+            *(t.Assign(_at(i + 3, 6), expression(e)) for i, e in enumerate(moved.exprs)),
         )
 
-    def _leg(self, own: Block, near: bool) -> Function:
+    def _leg(self, own: Block, near: bool) -> t.Function:
         """One leg: its column of H and its D are stored, its part of c is added."""
         kernel = self.kernel
         block = joined(own, kernel.moments)
-        exprs, used = exprs_of(block), names_used(block)
+        exprs, used = lay.exprs_of(block), lay.names_used(block)
         before, after = _parted(own, (*exprs[n.L], *exprs.get(n.k3, ())))
         alone = near or kernel.leg_near_singular is None
         given: dict[str, Given] = {
             "NEAR": int(near),
             "LENGTH": expression(exprs[n.L][0]),
             "SINE": expression(exprs[n.k3][0]) if n.k3 in exprs else 0,
-            "LEAST_SINE": Name("STEWART_JOINT_SINGULAR_SINE" if alone else "STEWART_NEAR_JOINT_SINGULAR"),
-            "BEFORE": (*loads((q for q in block.inputs if q != q_1), used, self._layout), *steps_of(before)),
+            "LEAST_SINE": t.Name("STEWART_JOINT_SINGULAR_SINE" if alone else "STEWART_NEAR_JOINT_SINGULAR"),
+            "BEFORE": (
+                *lay.loads((q for q in block.inputs if q != q_1), used, self._layout),
+                *steps_of(before),
+            ),
             "AFTER": tuple(steps_of(after)),
-            "FIRST": set_in_order(Member(Name("pose"), "q_1"), exprs[n.q]),
+            "FIRST": lay.set_in_order(t.Member(t.Name("pose"), "q_1"), exprs[n.q]),
             "MOMENTS": (
-                *loads([q_1], used, self._layout),
+                *lay.loads([q_1], used, self._layout),
                 *steps_of(block.steps[len(own.steps) :]),
-                *assembled(exprs, lambda i: _at(i, Name("column")), lambda i: _at(i, 6)),
-                *(Assign(Name("known"), expression(e)) for e in exprs.get(n.D, ())),
+                *lay.assembled(exprs, lambda i: _at(i, t.Name("column")), lambda i: _at(i, 6)),
+                *(t.Assign(t.Name("known"), expression(e)) for e in exprs.get(n.D, ())),
             ),
         }
         given |= {"least": False} if near else {}
@@ -290,14 +241,8 @@ class _Source:
         return self.texts.function(written.leg_of, name, apart=near, given=given, count=count)
 
 
-def _at(row: int, column: int | Expression) -> Element:
-    return Element(A, (Number(row), Number(column) if isinstance(column, int) else column))
-
-
-def _held(numbers: list[Expression]) -> tuple[Statement, ...]:
-    """Adds nothing to ``lost`` as long as the numbers are finite."""
-    lost = Name("lost")
-    return tuple(Assign(lost, Binary("+", lost, Binary("*", Number(0.0), each))) for each in numbers)
+def _at(row: int, column: int | t.Expression) -> t.Element:
+    return t.Element(A, (t.Number(row), t.Number(column) if isinstance(column, int) else column))
 
 
 def _columns(kernel: ForceKernel) -> Block:

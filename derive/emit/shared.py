@@ -1,7 +1,11 @@
 """C99: the headers that sources of kernels share, with macros of the arithmetic and functions."""
 
+from abc import ABC, abstractmethod
+from collections.abc import Iterable
+
+from ..kernel.layouts import Written
 from ..kernel.shared import Shared, shared
-from ..kernel.tree.nodes import Function
+from ..kernel.tree import nodes as t
 from ..kernel.tree.read import LANES as COUNT
 from ..print.c import C
 from ..print.template import filled
@@ -35,7 +39,7 @@ def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
     }
 
 
-def _printed(found: Shared, functions: tuple[Function, ...], more: str = "") -> str:
+def _printed(found: Shared, functions: tuple[t.Function, ...], more: str = "") -> str:
     printer = C(found.by_name.values(), SIZES, static=f"STEWART_SHARED {more}", unread=("D",))
     return printer.source(*functions)
 
@@ -43,3 +47,28 @@ def _printed(found: Shared, functions: tuple[Function, ...], more: str = "") -> 
 def top(file: str, version: str, header: str, defined: str = "") -> str:
     """How a source begins; header: of those above, the one that it includes. defined: macros before it."""
     return filled("top.c", file=file, version=version, header=header, defined=defined)
+
+
+Part = str | t.Structure | t.Table | t.Function
+
+
+class Source(ABC):
+    """The functions of one kernel; ``parts`` in their order, with structures, tables and fixed texts."""
+
+    def __init__(self, texts: Written) -> None:
+        """texts: with what the functions may call."""
+        self.texts = texts
+        self.parts = list(self._parts())
+        self.functions = [each for each in self.parts if isinstance(each, t.Function)]
+
+    @abstractmethod
+    def _parts(self) -> Iterable[Part]:
+        """Reads the functions."""
+
+    def declared(self, *structures: t.Structure) -> str:
+        """Structures and public functions as a header has them."""
+        return C(self.functions).interface(*structures, *self.functions)
+
+    def printed(self, before: str) -> str:
+        """The source; before: how it begins."""
+        return C(self.texts.functions.values(), SIZES).source(before, *self.parts)

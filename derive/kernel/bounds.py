@@ -5,6 +5,7 @@ alone, so that both agree to the last bit; with the error of every step (``round
 the slope of a force along every step (``adjoint``), which tells what that error does.
 """
 
+import operator
 from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import reduce
@@ -17,56 +18,16 @@ from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import ADDED, B, arm_c, c_tip, q_1
 from ..program.adjoint import Adjoint, adjoint
 from ..program.block import Output, Quantity
-from ..program.rounding import (
-    RoundedBlock,
-    component_errors,
-    error_symbol,
-    rounded,
-)
+from ..program.rounding import RoundedBlock, component_errors, error_symbol, rounded
 from . import batches
+from . import error_steps as err
 from . import prepare as p
 from .batches import LOADS, MOTIONS, missing, parts_at, parts_of_one
-from .error_steps import (
-    CHECKED,
-    erring_outputs,
-    error_of,
-    kept_outputs,
-    loaded,
-    numbers_field,
-    plus,
-    records_of,
-    step_statements,
-    stored_outputs,
-    texts_of_sums,
-    unread_errors,
-    value_and_error,
-    with_errors,
-)
-from .layouts import Place, Written, described, loads, member, names_used, reach, stored, stores
+from .layouts import Place, Written, described, largest, lines, member, stored, stores
 from .shared import legs_with_errors, shared
+from .tree import nodes as t
 from .tree.constants import SMALLEST
-from .tree.lower import expression, steps_of
-from .tree.nodes import (
-    Array,
-    Assign,
-    Binary,
-    Call,
-    Constant,
-    Do,
-    Element,
-    Expression,
-    Field,
-    Function,
-    Integer,
-    Member,
-    Name,
-    Number,
-    Real,
-    Record,
-    Statement,
-    Structure,
-    Type,
-)
+from .tree.lower import expression
 from .tree.read import Given
 from .written import batch
 from .written import bounds as written
@@ -74,7 +35,7 @@ from .written import bounds as written
 _ERRING = (n.H_force, n.H_moment, n.c_force, n.c_moment, arm_c)
 _ARM = ("arm_x", "arm_y", "arm_z")
 """Steps of a leg: the arm of its moment."""
-_FLAGS: dict[str, Given] = {name: Constant(name) for name in ("UNIT", "SLACK", "INFINITY", "BAD_ARGUMENT")}
+_FLAGS: dict[str, Given] = {name: t.Constant(name) for name in ("UNIT", "SLACK", "INFINITY", "BAD_ARGUMENT")}
 
 
 # ---------------------------------------------------------------- the blocks
@@ -112,30 +73,30 @@ class BoundedForces:
             "Motions": MOTIONS,
         } | self._structures()
         named = self.structures | {each.name: each for each in self.structures.values()}
-        flags = _FLAGS | {"COUNT": self.model_numbers(), "SMALLEST": Number(SMALLEST)}
+        flags = _FLAGS | {"COUNT": self.model_numbers(), "SMALLEST": t.Number(SMALLEST)}
         self.texts = Written(named, flags, shared().by_name)
 
-    def _structures(self) -> dict[str, Structure]:
+    def _structures(self) -> dict[str, t.Structure]:
         kernel, name = self.kernel, f"stewart_{self.kernel.formulation.kernel_name}_bounds"
-        leg = with_errors(self.prepare_leg, kernel.leg_constants(), described)
-        platform = with_errors(self.prepare_platform, kernel.platform_constants(), described)
+        leg = err.with_errors(self.prepare_leg, kernel.leg_constants(), described)
+        platform = err.with_errors(self.prepare_platform, kernel.platform_constants(), described)
         length = "m: root mean square distance of the platform points from the reference point"
         model = (
-            records_of(f"{name}_leg", "leg"),
-            Field("platform", Record(f"{name}_platform")),
-            Field("length", Real(), length),
+            err.records_of(f"{name}_leg", "leg"),
+            t.Field("platform", t.Record(f"{name}_platform")),
+            t.Field("length", t.Real(), length),
             p.PER_LENGTH,
         )
         added, slopes = (
-            [stored(part, always=False) for q in held for part in (q, error_of(q))]
+            [stored(part, always=False) for q in held for part in (q, err.error_of(q))]
             for held in (ADDED, _LEGS_SLOPES.values())
         )
-        shared = with_errors(self.shared, [out.quantity for out in kernel.shared.outputs])
-        decides = [Field("D", Real()), *(stored(q, always=False) for q in CHECKED[1:])]
-        decides += [Field("reach", Real()), numbers_field("arm", 3)]
-        matrices = [numbers_field(each, 6, 6) for each in ("H", "H_err")] + [numbers_field("arm", 6, 3)]
-        vectors = [numbers_field(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
-        flags = [Field("near", Integer()), Field("close", Integer())]
+        shared = err.with_errors(self.shared, [out.quantity for out in kernel.shared.outputs])
+        decides = [t.numbers("D"), *(stored(q, always=False) for q in err.CHECKED[1:])]
+        decides += [t.numbers("reach"), t.numbers("arm", 3)]
+        matrices = [t.numbers(each, 6, 6) for each in ("H", "H_err")] + [t.numbers("arm", 6, 3)]
+        vectors = [t.numbers(each, 6) for each in ("c", "c_err", "c_own", "L", "reach")]
+        flags = [t.Field("near", t.Integer()), t.Field("close", t.Integer())]
         row = tuple(stored(q, always=False) for q in (_Y_FORCE, _Y_MOMENT, _Y_ARM, _D_WEIGHT, n.x))
         made = {
             "Leg": (
@@ -150,7 +111,7 @@ class BoundedForces:
             "LegTerms": (
                 "leg_terms",
                 "What a leg gives to the platform's equations; k3: sine of its angle to the fixed axis.",
-                [*decides, *with_errors(self.legs[""], _ERRING)],
+                [*decides, *err.with_errors(self.legs[""], _ERRING)],
             ),
             "Equations": (
                 "platform_equations",
@@ -164,28 +125,34 @@ class BoundedForces:
                 "Y_arm: Y_moment, but 0 for leg 1, whose force has no moment about platform point 1.",
                 row,
             ),
-            "Rows": ("force_rows", "The same of six forces.", [records_of("force_row", "force")]),
+            "Rows": ("force_rows", "The same of six forces.", [err.records_of("force_row", "force")]),
             "SlopesOfLegs": (
                 "slopes_of_legs",
                 "Slope of a force along what the pose has for all legs, as far as it goes through the legs.",
                 slopes,
             ),
-            "Slopes": ("force_slopes", "The same of six forces.", [records_of("slopes_of_legs", "force")]),
+            "Slopes": (
+                "force_slopes",
+                "The same of six forces.",
+                [err.records_of("slopes_of_legs", "force")],
+            ),
         }
-        return {key: Structure(own, meaning, tuple(parts)) for key, (own, meaning, parts) in made.items()}
+        return {key: t.Structure(own, meaning, tuple(parts)) for key, (own, meaning, parts) in made.items()}
 
     def model_numbers(self) -> int:
         """How many numbers the prepared model holds."""
         known = {each.name: each for each in self.structures.values()}
 
-        def of(kind: Type) -> int:
-            if isinstance(kind, Array):
+        def of(kind: t.Type) -> int:
+            if isinstance(kind, t.Array):
                 return prod(kind.dims) * of(kind.item)
-            return sum(of(each.type) for each in known[kind.name].members) if isinstance(kind, Record) else 1
+            return (
+                sum(of(each.type) for each in known[kind.name].members) if isinstance(kind, t.Record) else 1
+            )
 
-        return of(Record(self.structures["Model"].name))
+        return of(t.Record(self.structures["Model"].name))
 
-    def parts(self) -> Iterable[Structure | Function]:
+    def parts(self) -> Iterable[t.Structure | t.Function]:
         """Structures and functions in their order."""
         read = self.texts.function
         private = list(self.structures).index("Added")
@@ -197,7 +164,7 @@ class BoundedForces:
         yield read(written.prepare_platform, given={"BODY": self._prepared(self.prepare_platform)})
         yield p.size_of(self.texts, by_legs=True)
         public = self.structures["Model"].name.removesuffix("model") + "prepare"
-        yield read(written.prepare, public, public=True, given=texts_of_sums() | p.HANDED_OVER)
+        yield read(written.prepare, public, public=True, given=err.texts_of_sums() | p.HANDED_OVER)
         yield read(written.shared_of_pose, given={"BODY": self._values(self.shared)})
         for end, leg in self.legs.items():
             yield read(written.leg_of_pose, f"leg_of_pose{end}", given=self._leg(leg))
@@ -211,10 +178,10 @@ class BoundedForces:
         yield read(written.equations_of_pose, given=legs_with_errors("out", "leg"))
         yield read(written.pose_status)
         yield read(written.solution)
-        slopes = Element(Member(Name("slopes"), "force"), (Name("i"),))
-        held = [part for q in _LEGS_SLOPES.values() for part in (q, error_of(q))]
+        slopes = t.Element(t.Member(t.Name("slopes"), "force"), (t.Name("i"),))
+        held = [part for q in _LEGS_SLOPES.values() for part in (q, err.error_of(q))]
         zeros = tuple(
-            Assign(member(slopes, q).part(q, i), Number(0.0)) for q in held for i in range(len(q.keys))
+            t.Assign(member(slopes, q).part(q, i), t.Number(0.0)) for q in held for i in range(len(q.keys))
         )
         yield read(written.bound_of_pose, given={"CLEARED": zeros})
         yield read(written.forces_of_pose)
@@ -237,37 +204,39 @@ class BoundedForces:
             return member("shared", quantity)
         return member("platform" if quantity in self.kernel.platform_constants() else "leg", quantity)
 
-    def _prepared(self, block: RoundedBlock) -> tuple[Statement, ...]:
+    def _prepared(self, block: RoundedBlock) -> tuple[t.Statement, ...]:
         """A block of preparation with its errors."""
         return (
             *p.axis(block.block),
-            *loaded(block, lambda q: member("added", q) if q in ADDED else p.raw(q)),
-            *step_statements(block),
-            *stored_outputs(block, block.block.outputs),
+            *err.loaded(block, lambda q: member("added", q) if q in ADDED else p.raw(q)),
+            *err.step_statements(block),
+            *err.stored_outputs(block, block.block.outputs),
         )
 
-    def _values(self, block: RoundedBlock) -> tuple[Statement, ...]:
+    def _values(self, block: RoundedBlock) -> tuple[t.Statement, ...]:
         """A block without its errors."""
         return (
-            *loads(block.block.inputs, names_used(block.block), self._layout),
-            *steps_of(block.block.steps),
-            *stores(kept_outputs(block), lambda q: member("out", q)),
+            *lines(block.block, self._layout),
+            *stores(err.kept_outputs(block), lambda q: member("out", q)),
         )
 
     def _leg(self, leg: RoundedBlock) -> dict[str, Given]:
         """A leg without its errors, and what decides on its status."""
         exprs = {out.quantity: out.exprs for out in leg.block.outputs}
         terms = [*exprs[n.q], *(symbol for q in (n.t, n.b) for symbol in q.symbols)]
-        out = Name("out")
-        arms = [Assign(Element(Member(out, "arm"), (Number(i),)), e) for i, e in enumerate(map(Name, _ARM))]
-        checked = [Output(q, exprs[q]) for q in CHECKED[1:]]
+        out = t.Name("out")
+        arms = [
+            t.Assign(t.Element(t.Member(out, "arm"), (t.Number(i),)), e)
+            for i, e in enumerate(map(t.Name, _ARM))
+        ]
+        checked = [Output(q, exprs[q]) for q in err.CHECKED[1:]]
         return {
             "BODY": (
                 *self._values(leg),
                 *stores(checked, lambda q: member(out, q)),
                 *arms,
             ),
-            "REACH": reach(terms),
+            **largest(terms),
         }
 
     def _leg_errors(self, leg: RoundedBlock) -> dict[str, Given]:
@@ -286,11 +255,11 @@ class BoundedForces:
         found = adjoint(leg.block, weights, given, _inexact_inputs(leg))
         outside = {name: found.slopes[name] for q in _LEGS_SLOPES for name in q.names}
         handed = [
-            Do(
-                Call(
+            t.Do(
+                t.Call(
                     "add",
                     (
-                        *value_and_error(_OF_LEGS, to, j),
+                        *err.value_and_error(_OF_LEGS, to, j),
                         expression(outside[name]),
                         _error_name(outside[name]),
                     ),
@@ -310,10 +279,10 @@ class BoundedForces:
         found = adjoint(self.shared.block, weights, given, _inexact_inputs(self.shared), more)
         slopes = {name: found.slopes[name] for name in n.R.names}
         handed = [
-            Assign(place, value)
+            t.Assign(place, value)
             for j, slope in enumerate(slopes.values())
             for place, value in zip(
-                value_and_error(_OF_LEGS, _LEGS_SLOPES[n.R], j),
+                err.value_and_error(_OF_LEGS, _LEGS_SLOPES[n.R], j),
                 (expression(slope), _error_name(slope)),
                 strict=True,
             )
@@ -327,7 +296,7 @@ class BoundedForces:
         found: Adjoint,
         errors: Mapping[str, sp.Expr],
         outside: Container[str],
-        more: Sequence[Statement],
+        more: Sequence[t.Statement],
     ) -> dict[str, Given]:
         """``BODY`` runs a block with its errors, ``EACH`` weighs these by the slopes of each force.
 
@@ -339,19 +308,19 @@ class BoundedForces:
         weighed = {name: found.slopes[name] for name in sources}
         inner = replace(slopes, limits=slopes.limits | {_only_name(slope) for slope in weighed.values()})
         whole = replace(block, limits=block.limits | inner.limits)
-        terms = (Binary("*", Name(f"{_only_name(weighed[name])}_max"), own) for name, own in sources.items())
-        error: Expression = Element(Name("error"), (Name("i"),))
+        terms = (t.Name(f"{_only_name(weighed[name])}_max") * own for name, own in sources.items())
+        error: t.Expression = t.Element(t.Name("error"), (t.Name("i"),))
         ready = {q.name for q in block.block.inputs} | {step.name for step in block.block.steps}
         return {
             "BODY": (
-                *loaded(whole, self._layout),
-                *step_statements(whole, weighed, unread_errors(whole, inner)),
-                *stored_outputs(block, erring_outputs(block)),
+                *err.loaded(whole, self._layout),
+                *err.step_statements(whole, weighed, err.unread_errors(whole, inner)),
+                *err.stored_outputs(block, err.erring_outputs(block)),
             ),
             "EACH": (
-                *loaded(inner, _of_force, ready),
-                *step_statements(inner),
-                Assign(error, reduce(plus, terms, error)),
+                *err.loaded(inner, _of_force, ready),
+                *err.step_statements(inner),
+                t.Assign(error, reduce(operator.add, terms, error)),
                 *more,
             ),
         }
@@ -363,7 +332,9 @@ _Y_ARM = Quantity("Y_arm", (3,), "1/m", "the same; 0 for leg 1, whose arm is exa
 _D_WEIGHT = Quantity("D_weight", (), "1", "1 for the leg's own force, 0 for the others")
 _LEGS_SLOPES = {q: Quantity(f"{q.name}_legs", q.shape, "", "slope by the legs") for q in (n.R, B, q_1)}
 """What the legs add to the slope of a force along what the pose has for all of them."""
-_OF_ROW, _OF_LEGS = (Element(Member(Name(each), "force"), (Name("i"),)) for each in ("rows", "slopes"))
+_OF_ROW, _OF_LEGS = (
+    t.Element(t.Member(t.Name(each), "force"), (t.Name("i"),)) for each in ("rows", "slopes")
+)
 
 
 def _of_force(quantity: Quantity) -> Place:
@@ -375,10 +346,10 @@ def _inexact_inputs(block: RoundedBlock) -> list[str]:
     return [name for q in block.block.inputs for name in q.names if block.errors[name] != 0]
 
 
-def _sources(block: RoundedBlock) -> list[tuple[str, Expression]]:
+def _sources(block: RoundedBlock) -> list[tuple[str, t.Expression]]:
     """Everything that brings an error of its own: its name, and that error."""
     inputs = [(name, expression(block.errors[name])) for name in _inexact_inputs(block)]
-    return inputs + [(each.step.name, Name(f"{each.step.name}_own")) for each in block.steps if each.rounds]
+    return inputs + [(each.step.name, t.Name(f"{each.step.name}_own")) for each in block.steps if each.rounds]
 
 
 def _only_name(slope: sp.Expr) -> str:
@@ -387,8 +358,8 @@ def _only_name(slope: sp.Expr) -> str:
     return str(symbol.name)
 
 
-def _error_name(slope: sp.Expr) -> Name:
-    return Name(f"{_only_name(slope)}_err")
+def _error_name(slope: sp.Expr) -> t.Name:
+    return t.Name(f"{_only_name(slope)}_err")
 
 
 # ---------------------------------------------------------------- structures

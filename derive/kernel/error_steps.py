@@ -1,38 +1,16 @@
 """Steps of a block with bounds of their rounding errors: what declares, loads, computes and stores them."""
 
+import operator
 from collections.abc import Callable, Container, Iterable
 from functools import reduce
 
 from ..mechanics import quantities as n
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Output, Quantity
-from ..program.rounding import (
-    RECIPROCAL,
-    ROOT,
-    RoundedBlock,
-    RoundedStep,
-    error_symbol,
-)
+from ..program.rounding import RECIPROCAL, ROOT, RoundedBlock, RoundedStep, error_symbol
 from .layouts import Place, member, names_used, stored
+from .tree import nodes as t
 from .tree.lower import expression
-from .tree.nodes import (
-    Array,
-    Assign,
-    Binary,
-    Call,
-    Comment,
-    Constant,
-    Do,
-    Expression,
-    Field,
-    Let,
-    Member,
-    Name,
-    Number,
-    Real,
-    Record,
-    Statement,
-)
 from .tree.read import Given
 
 CHECKED = (n.q, n.L, n.k3)
@@ -60,8 +38,8 @@ def erring_outputs(block: RoundedBlock) -> tuple[Output, ...]:
 def with_errors(
     block: RoundedBlock,
     quantities: Iterable[Quantity],
-    made: Callable[[Quantity], Field] = lambda q: stored(q, always=False),
-) -> list[Field]:
+    made: Callable[[Quantity], t.Field] = lambda q: stored(q, always=False),
+) -> list[t.Field]:
     """Members for values, and for errors where there are any."""
     return [
         field
@@ -70,14 +48,9 @@ def with_errors(
     ]
 
 
-def numbers_field(name: str, *dims: int) -> Field:
-    """A member of numbers."""
-    return Field(name, Array(Real(), dims))
-
-
-def records_of(structure: str, name: str) -> Field:
+def records_of(structure: str, name: str) -> t.Field:
     """A member of six structures."""
-    return Field(name, Array(Record(structure), (6,)))
+    return t.Field(name, t.Array(t.Record(structure), (6,)))
 
 
 def error_of(quantity: Quantity) -> Quantity:
@@ -85,7 +58,9 @@ def error_of(quantity: Quantity) -> Quantity:
     return Quantity(f"{quantity.name}_err", quantity.shape, quantity.unit, "", quantity.symmetric)
 
 
-def value_and_error(owner: str | Expression, quantity: Quantity, index: int) -> tuple[Expression, Expression]:
+def value_and_error(
+    owner: str | t.Expression, quantity: Quantity, index: int
+) -> tuple[t.Expression, t.Expression]:
     """One component and its error."""
     error = error_of(quantity)
     return member(owner, quantity).part(quantity, index), member(owner, error).part(error, index)
@@ -97,37 +72,37 @@ def texts_of_sums() -> dict[str, Given]:
         [value_and_error(each, q, i) for q in ADDED for i in range(len(q.keys))] for each in ("sum", "found")
     )
     return {
-        "CLEARED": tuple(Assign(each, Number(0.0)) for pair in total for each in pair),
-        "SUMMED": tuple(Do(Call("add", (*to, *term))) for to, term in zip(total, more, strict=True)),
+        "CLEARED": tuple(t.Assign(each, t.Number(0.0)) for pair in total for each in pair),
+        "SUMMED": tuple(t.Do(t.Call("add", (*to, *term))) for to, term in zip(total, more, strict=True)),
     }
 
 
 def loaded(
     block: RoundedBlock, layout: Callable[[Quantity], Place], ready: Container[str] = ()
-) -> tuple[Statement, ...]:
+) -> tuple[t.Statement, ...]:
     """Values, errors and largest sizes of the inputs that are read, without those that are ``ready``."""
     used = names_used(block.block) | block.limits
-    found: list[Statement] = []
-    limits: list[Statement] = []
+    found: list[t.Statement] = []
+    limits: list[t.Statement] = []
     for q in (q for q in block.block.inputs if q.name not in ready):
         place = layout(q)
         read = [(i, name) for i, name in enumerate(q.names) if name in used]
-        found += [Let(name, place.part(q, i)) for i, name in read]
+        found += [t.Let(name, place.part(q, i)) for i, name in read]
         wrong = [(i, name) for i, name in read if block.errors[name] == error_symbol(name)]
-        owner = place.array.owner if isinstance(place.array, Member) else place.array
-        found += [Let(f"{name}_err", value_and_error(owner, q, i)[1]) for i, name in wrong]
+        owner = place.array.owner if isinstance(place.array, t.Member) else place.array
+        found += [t.Let(f"{name}_err", value_and_error(owner, q, i)[1]) for i, name in wrong]
         limits += [_limit(block, name) for name in q.names if name in block.limits]
     return (*found, *limits)
 
 
-def _limit(block: RoundedBlock, name: str) -> Let:
-    size, error = Call("size", (Name(name),)), block.errors[name]
-    return Let(f"{name}_max", plus(size, expression(error)) if error != 0 else size)
+def _limit(block: RoundedBlock, name: str) -> t.Let:
+    size, error = t.Call("size", (t.Name(name),)), block.errors[name]
+    return t.Let(f"{name}_max", size + expression(error) if error != 0 else size)
 
 
 def step_statements(
     block: RoundedBlock, apart: Container[str] = (), unread: Container[str] = ()
-) -> Iterable[Statement]:
+) -> Iterable[t.Statement]:
     """Each step: its value, the bound of its error, and its largest size where that is needed.
 
     apart: steps whose own rounding gets a name. unread: steps whose whole error nothing reads.
@@ -137,68 +112,63 @@ def step_statements(
         step = each.step
         said = (step.equation, step.meaning)
         if any(said) and said != before:
-            yield Comment(" ".join(part for part in said if part))
+            yield t.Comment(" ".join(part for part in said if part))
         before = said
-        yield Let(step.name, expression(step.expr))
+        yield t.Let(step.name, expression(step.expr))
         own = _own_error(each)
         if each.rounds and step.name in apart:
-            yield Let(f"{step.name}_own", own)
-            own = Name(f"{step.name}_own")
+            yield t.Let(f"{step.name}_own", own)
+            own = t.Name(f"{step.name}_own")
         if not each.exact and step.name not in unread:
-            yield Let(f"{step.name}_err", _error(each, own))
+            yield t.Let(f"{step.name}_err", _error(each, own))
         if step.name in block.limits:
             yield _limit(block, step.name)
 
 
-def _own_error(each: RoundedStep) -> Expression:
+def _own_error(each: RoundedStep) -> t.Expression:
     """What the step's own operations round away."""
-    value = Name(each.step.name)
+    value = t.Name(each.step.name)
     sizes = [expression(each.rounded)] if each.rounded != 0 else []
     if each.kind == ROOT:
-        return Call("root_error", (value, _units(sizes)))
-    return _units([*sizes, Call("size", (value,))] if each.own else sizes)
+        return t.Call("root_error", (value, _units(sizes)))
+    return _units([*sizes, t.Call("size", (value,))] if each.own else sizes)
 
 
-def _error(each: RoundedStep, own: Expression) -> Expression:
+def _error(each: RoundedStep, own: t.Expression) -> t.Expression:
     """The bound: errors of what goes in, and the step's own."""
-    value = Name(each.step.name)
+    value = t.Name(each.step.name)
     carried = [expression(each.carried)] if each.carried != 0 else []
     if each.kind == RECIPROCAL:
-        return Call("reciprocal_error", (value, expression(each.step.expr.base), _total(carried)))
+        return t.Call("reciprocal_error", (value, expression(each.step.expr.base), _total(carried)))
     if each.kind == ROOT:
         inner = [_units([expression(each.rounded)])] if each.rounded != 0 else []
-        return Call("root_error", (value, _total([*carried, *inner])))
+        return t.Call("root_error", (value, _total([*carried, *inner])))
     return _total([*carried, own] if each.rounds else carried)
 
 
-def plus(one: Expression, other: Expression) -> Expression:
-    """The sum of two expressions."""
-    return Binary("+", one, other)
+def _total(terms: list[t.Expression]) -> t.Expression:
+    return reduce(operator.add, terms) if terms else t.Number(0.0)
 
 
-def _total(terms: list[Expression]) -> Expression:
-    return reduce(plus, terms) if terms else Number(0.0)
-
-
-def _units(sizes: list[Expression]) -> Expression:
+def _units(sizes: list[t.Expression]) -> t.Expression:
     """Sizes times the rounding unit."""
-    return _times(Constant("UNIT"), _total(sizes)) if sizes else Number(0.0)
+    return _times(t.Constant("UNIT"), _total(sizes)) if sizes else t.Number(0.0)
 
 
-def _times(factor: Expression, value: Expression) -> Expression:
+def _times(factor: t.Expression, value: t.Expression) -> t.Expression:
     """A product from left to right."""
-    if isinstance(value, Binary) and value.operator == "*":
-        return Binary("*", _times(factor, value.left), value.right)
-    return Binary("*", factor, value)
+    if isinstance(value, t.Binary) and value.operator == "*":
+        return _times(factor, value.left) * value.right
+    return factor * value
 
 
-def stored_outputs(block: RoundedBlock, outputs: Iterable[Output]) -> Iterable[Statement]:
+def stored_outputs(block: RoundedBlock, outputs: Iterable[Output]) -> Iterable[t.Statement]:
     """Values and errors handed out."""
     for out in outputs:
         q = out.quantity
         owner = "added" if q in ADDED else "out"
         for i, expr in enumerate(out.exprs):
             value, error = value_and_error(owner, q, i)
-            yield Assign(value, expression(expr))
+            yield t.Assign(value, expression(expr))
             if block.inexact(q) or q in ADDED:
-                yield Assign(error, expression(block.output_error(expr)))
+                yield t.Assign(error, expression(block.output_error(expr)))

@@ -3,7 +3,7 @@
 Numbers of the six legs are one after the other, for interpreters, or side by side, for arrays.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
 from types import MappingProxyType
@@ -15,28 +15,13 @@ from ..mechanics.inverse_dynamics import Kernel
 from ..mechanics.regressor import Regressor
 from ..program.block import Block, Output
 from .elimination import CARRIED, INVERSE, ONCE
-from .layouts import Written
+from .layouts import Written, entries
 from .model import STATUS_FIELD, machine_structures
 from .prepare import ABOUT_REFERENCE as SIZES
 from .shared import legs_in_turn
+from .tree import nodes as t
 from .tree import read
-from .tree.lower import Arguments, block_function, component, structure
-from .tree.nodes import (
-    Array,
-    Assign,
-    Element,
-    Expression,
-    Field,
-    Function,
-    Integer,
-    Name,
-    Number,
-    Program,
-    Real,
-    Record,
-    Statement,
-    Structure,
-)
+from .tree.lower import Arguments, block_function, structure
 from .written import inverse_dynamics as written
 from .written import legs, solve
 
@@ -47,34 +32,36 @@ TERMS, REACTIONS = "terms", "leg_reactions"
 _OF_LEG: Arguments = {"leg": ("Leg", n.LEG)}
 _OF_POSE: Arguments = {"robot": ("Robot", n.PLATFORM), "motion": ("Motion", n.MOTION)}
 _AXIAL: Arguments = {"x": ("", (n.x,)), "bearing": ("", (n.bearing,))}
-_TERMS = Structure(
+_TERMS = t.Structure(
     "Terms",
     "Terms of F = D - x, H x = c; moments about the reference point.",
     (
-        Field("D", Array(Real(), (6,)), "N: known part of the actuator force, (24)"),
-        Field("K", Array(Real(), (6, 3)), "N: transverse force on the leg at its spherical joint, (21)"),
-        Field("H", Array(Real(), (6, 6)), "1 and m: from x to the wrench on the platform, (36)"),
-        Field("c", Array(Real(), (6,)), "N, N m: wrench that the axial forces balance, (36)"),
+        t.numbers("D", 6, meaning="N: known part of the actuator force, (24)"),
+        t.Field(
+            "K", t.Array(t.Real(), (6, 3)), "N: transverse force on the leg at its spherical joint, (21)"
+        ),
+        t.numbers("H", 6, 6, meaning="1 and m: from x to the wrench on the platform, (36)"),
+        t.numbers("c", 6, meaning="N, N m: wrench that the axial forces balance, (36)"),
     ),
 )
-_FORCES = Structure(
+_FORCES = t.Structure(
     "Forces",
     "Actuator forces, and what they are made of.",
     (
-        Field("F", Array(Real(), (6,)), "N: actuator forces, (37)"),
-        Field("x", Array(Real(), (6,)), "N: axial forces of the legs at the platform, (36)"),
-        Field("terms", Record("Terms"), "D, K, H and c"),
-        Field("legs", Record("Legs"), "what the legs have"),
-        Field("reach", Real(), "m: size of the vectors that each leg is the sum of"),
-        Field("suspect", Integer(), "1 where H may be singular to rounding"),
+        t.numbers("F", 6, meaning="N: actuator forces, (37)"),
+        t.numbers("x", 6, meaning="N: axial forces of the legs at the platform, (36)"),
+        t.Field("terms", t.Record("Terms"), "D, K, H and c"),
+        t.Field("legs", t.Record("Legs"), "what the legs have"),
+        t.numbers("reach", meaning="m: size of the vectors that each leg is the sum of"),
+        t.Field("suspect", t.Integer(), "1 where H may be singular to rounding"),
         STATUS_FIELD,
     ),
 )
 
 
-def _column(row: Expression, column: Expression) -> Expression:
+def _column(row: t.Expression, column: t.Expression) -> t.Expression:
     """An entry of [H | c]: columns of H are side by side in its rows."""
-    return Element(Name("c"), (row,)) if column == Number(6) else Element(Name("H"), (row, column))
+    return t.Element(t.Name("c"), (row,)) if column == t.Number(6) else t.Element(t.Name("H"), (row, column))
 
 
 _ELIMINATION: Mapping[str, read.Given] = {
@@ -85,22 +72,22 @@ _ELIMINATION: Mapping[str, read.Given] = {
 }
 
 
-def terms_program(kernel: Kernel) -> Program:
+def terms_program(kernel: Kernel) -> t.Program:
     """A kernel's leg and platform with their sums, and a leg's reactions, the legs one after the other;
     nothing is solved or checked."""
     of_leg = _outputs("LegDynamics", "What a leg has.", kernel.leg)
-    held = Field("leg", Array(Record(of_leg.name), (6,)), "each of them")
-    of_legs = Structure("Legs", "What the legs have.", (held,))
+    held = t.Field("leg", t.Array(t.Record(of_leg.name), (6,)), "each of them")
+    of_legs = t.Structure("Legs", "What the legs have.", (held,))
     structures = [*machine_structures(), of_leg, of_legs, *_results(kernel), _TERMS]
     texts = _texts(structures, _blocks(kernel, kernel.leg, of_leg.name))
     texts.function(written.legs_in_turn, "legs_of")
     texts.function(written.leg_of_array, "leg_of")
     texts.function(written.terms_of, given=legs_in_turn("out", "leg"))
     texts.function(written.terms, TERMS, public=True)
-    return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
+    return t.Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
 
 
-def arrays_program(kernel: Kernel) -> Program:
+def arrays_program(kernel: Kernel) -> t.Program:
     """Inverse dynamics and joint reactions with legs side by side."""
     leg = kernel.leg
     if all(out.quantity != n.k3 for out in leg.outputs):
@@ -109,49 +96,40 @@ def arrays_program(kernel: Kernel) -> Program:
     structures = [*_machine(), of_legs, *_results(kernel), _TERMS, _FORCES]
     texts = _texts(structures, [*shared_program().functions, *_blocks(kernel, leg, of_legs.name)])
     texts.function(written.legs_side_by_side, "legs_of")
-    texts.function(written.leg_of_lanes, "leg_of", given={"COPIED": tuple(_one_leg())})
+    summed = entries((n.D, n.K, n.H_force, n.H_moment, n.c_force, n.c_moment))
+    texts.function(written.leg_of_lanes, "leg_of", given={"SUMMED": summed})
     _add(texts, written.terms_of, given=legs_in_turn("out", "leg"))
     _add(texts, written.terms, written.solved, written.inverse_dynamics)
-    return Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
+    return t.Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
 
 
 @cache
-def shared_program() -> Program:
+def shared_program() -> t.Program:
     """What the programs with legs side by side have in common: robot and motion, checks, the solve."""
     structures = _machine()
     texts = _texts(structures, [])
     _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=CARRIED)
     _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
     _add(texts, solve.per_length_of, written.largest_of)
-    _add(texts, written.scale_of, given={"SMALLEST": Number(SIZES[0])})
+    _add(texts, written.scale_of, given={"SMALLEST": t.Number(SIZES[0])})
     _add(texts, written.eliminate, given=_ELIMINATION)
-    return Program("every_output", tuple(structures), tuple(texts.functions.values()))
+    return t.Program("every_output", tuple(structures), tuple(texts.functions.values()))
 
 
-def _one_leg() -> Iterable[Statement]:
-    """Puts what the sums need of leg ``i`` of ``legs`` into ``out``."""
-    for q in (n.D, n.K, n.H_force, n.H_moment, n.c_force, n.c_moment):
-        for part in range(len(q.keys)):
-            held = component(Name("legs"), q, part)
-            where = (*held.index, Name("i")) if isinstance(held, Element) else (Name("i"),)
-            array = held.array if isinstance(held, Element) else held
-            yield Assign(component(Name("out"), q, part), Element(array, where))
-
-
-def regressor_program(blocks: Regressor) -> Program:
+def regressor_program(blocks: Regressor) -> t.Program:
     """Columns of the regressor with legs side by side."""
     of_legs = _outputs("RegressorOfLegs", "Columns of the legs.", blocks.leg)
     of_platform = _outputs("RegressorOfPlatform", "Columns of the platform.", blocks.platform)
     members = (
-        Field("legs", Record(of_legs.name), "of the legs"),
-        Field("platform", Record(of_platform.name), "of the platform"),
+        t.Field("legs", t.Record(of_legs.name), "of the legs"),
+        t.Field("platform", t.Record(of_platform.name), "of the platform"),
         STATUS_FIELD,
     )
     structures = [
         *_machine(),
         of_legs,
         of_platform,
-        Structure("Regressor", "Columns of Y.", members),
+        t.Structure("Regressor", "Columns of Y.", members),
     ]
     texts = _texts(
         structures,
@@ -162,17 +140,17 @@ def regressor_program(blocks: Regressor) -> Program:
         ],
     )
     _add(texts, written.regressor)
-    return Program("regressor", tuple(structures), tuple(texts.functions.values()))
+    return t.Program("regressor", tuple(structures), tuple(texts.functions.values()))
 
 
-def _machine() -> list[Structure]:
+def _machine() -> list[t.Structure]:
     """The robot with its legs side by side, and the motion."""
     leg, robot, motion = machine_structures()
-    side_by_side = Field("leg", Record("Leg"), "the legs, in each number one value for each leg")
+    side_by_side = t.Field("leg", t.Record("Leg"), "the legs, in each number one value for each leg")
     return [leg, replace(robot, members=(*robot.members[:-1], side_by_side)), motion]
 
 
-def _blocks(kernel: Kernel, leg: Block, result: str) -> list[Function]:
+def _blocks(kernel: Kernel, leg: Block, result: str) -> list[t.Function]:
     return [
         block_function(kernel.platform, "platform_wrench", "PlatformWrench", _OF_POSE),
         block_function(leg, "leg_dynamics", result, _OF_LEG | _OF_POSE),
@@ -180,18 +158,18 @@ def _blocks(kernel: Kernel, leg: Block, result: str) -> list[Function]:
     ]
 
 
-def _results(kernel: Kernel) -> list[Structure]:
+def _results(kernel: Kernel) -> list[t.Structure]:
     return [
         _outputs("LegReactions", "Forces and moments in a leg's joints.", kernel.reactions),
         _outputs("PlatformWrench", "The platform's part of c.", kernel.platform),
     ]
 
 
-def _outputs(name: str, meaning: str, block: Block) -> Structure:
+def _outputs(name: str, meaning: str, block: Block) -> t.Structure:
     return structure(name, meaning, (out.quantity for out in block.outputs))
 
 
-def _texts(structures: Sequence[Structure], blocks: Sequence[Function]) -> Written:
+def _texts(structures: Sequence[t.Structure], blocks: Sequence[t.Function]) -> Written:
     return Written({each.name: each for each in structures}, {}, {each.name: each for each in blocks})
 
 

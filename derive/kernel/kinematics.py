@@ -16,23 +16,10 @@ from .batches import LOADS, MOTIONS, NUMBERS, copies, is_null, missing, parts_at
 from .elimination import CARRIED, RETURNED
 from .layouts import Written
 from .model import STATUS_FIELD, machine_structures
+from .tree import nodes as t
 from .tree import read
 from .tree.counted import counted
 from .tree.lower import Arguments, block_function, structure
-from .tree.nodes import (
-    Array,
-    Both,
-    Compare,
-    Constant,
-    Either,
-    Field,
-    Function,
-    Program,
-    Real,
-    Record,
-    Structure,
-    of,
-)
 from .written import batch, legs
 from .written import kinematics as written
 
@@ -42,23 +29,23 @@ _MOTION: Arguments = {"motion": ("Motion", n.MOTION)}
 _VECTORS = (n.q, k.S, n.L)
 
 
-def legs_batch(blocks: k.Kinematics) -> Program:
+def legs_batch(blocks: k.Kinematics) -> t.Program:
     """``motions_of``: lengths of the legs, their rates and second rates, and their vectors; and
     ``stewart_legs_batch``, of many poses, for C."""
     held = [structure("LegMotion", "A leg.", _outputs(blocks.second)), _LEG_MOTIONS]
     made = [_read(blocks.second, "motion_of", "LegMotion", _LEG | _MOTION)]
     called = (legs.largest_component, legs.reach_of, legs.fault_of, written.motions_of)
     program = _program("legs", held, made, called, RETURNED)
-    dims = {each.name: each.type.dims for each in _LEG_MOTIONS.members if isinstance(each.type, Array)}
-    arrays = Structure("LegsArrays", "", tuple(Field(name, NUMBERS) for name in dims))
+    dims = {each.name: each.type.dims for each in _LEG_MOTIONS.members if isinstance(each.type, t.Array)}
+    arrays = t.Structure("LegsArrays", "", tuple(t.Field(name, NUMBERS) for name in dims))
     structures = (*program.structures, arrays)
     named = {each.name: each for each in structures} | {"Motions": MOTIONS}
     texts = Written(named, {}, {each.name: each for each in program.functions})
     texts.function(batch.copy)
     texts.function(batch.pose_at, given=parts_at((n.alpha, n.a), LOADS))
-    second = Compare("!=", of("legs", "L_ddot"), Constant("NULL"))
-    without = Either(*(is_null(of("motions", q.name)) for q in (n.alpha, n.a)))
-    given = missing(("robot", "motions", "legs"), (n.R, n.t, n.omega, n.v), Both(second, without))
+    second = t.Binary("!=", t.of("legs", "L_ddot"), t.Constant("NULL"))
+    without = t.Binary("|", *(is_null(t.of("motions", q.name)) for q in (n.alpha, n.a)))
+    given = missing(("robot", "motions", "legs"), (n.R, n.t, n.omega, n.v), t.Binary("&", second, without))
     rows = [name for name, size in dims.items() if len(size) == 2]
     found = copies("legs", {name: prod(size) for name, size in dims.items()}, rows)
     given |= batches.batch(batch.one_kinematics, found)
@@ -68,7 +55,7 @@ def legs_batch(blocks: k.Kinematics) -> Program:
 
 def search_program(
     blocks: k.Kinematics, public: Collection[str] = (), check: Mapping[str, read.Given] = CARRIED
-) -> Program:
+) -> t.Program:
     """``rates_of``, ``pose_of`` and ``twist_of``: from a pose to its legs' lengths and rates, and back.
 
     public: some of ``PUBLIC`` as well, whose numbers are NaN where the status is not OK. check: of legs,
@@ -124,7 +111,7 @@ def search_operations(blocks: k.Kinematics) -> dict[str, Operations]:
     }
 
 
-def rotation_program(blocks: Iterable[Block]) -> Program:
+def rotation_program(blocks: Iterable[Block]) -> t.Program:
     """Orientation and its rates, from angles or a quaternion: a function for each of the blocks."""
     made = []
     for block in blocks:
@@ -141,68 +128,68 @@ def _outputs(block: Block) -> tuple[Quantity, ...]:
     return tuple(out.quantity for out in block.outputs)
 
 
-def _read(block: Block, name: str, result: str, arguments: Arguments) -> Function:
+def _read(block: Block, name: str, result: str, arguments: Arguments) -> t.Function:
     return block_function(replace(block, inputs=block.used_inputs()), name, result, arguments)
 
 
 def _program(
     name: str,
-    held: list[Structure],
-    blocks: list[Function],
+    held: list[t.Structure],
+    blocks: list[t.Function],
     texts: Iterable[Callable[..., Any]],
     given: Mapping[str, read.Given] = MappingProxyType({}),
-) -> Program:
+) -> t.Program:
     structures = {each.name: each for each in (*machine_structures(), *held)}
     functions = {each.name: each for each in blocks}
     for text in texts:
         functions[text.__name__] = read.function(
             text, structures, functions, public=text in PUBLIC.values(), given=given
         )
-    return Program(name, tuple(structures.values()), tuple(functions.values()))
+    return t.Program(name, tuple(structures.values()), tuple(functions.values()))
 
 
-def _numbers(name: str, unit: str, *dims: int) -> Field:
-    return Field(name, Array(Real(), dims), unit)
-
-
-_LEG_MOTIONS = Structure(
+_LEG_MOTIONS = t.Structure(
     "LegMotions",
     "Six legs of a pose.",
     (
-        _numbers("L", "m: lengths, (2)", 6),
-        _numbers("L_dot", "m/s: rates, (5)", 6),
-        _numbers("L_ddot", "m/s^2: second rates, (8)", 6),
-        _numbers("s", "1: unit vectors along the legs, base frame, (3)", 6, 3),
-        _numbers("S", "m: leg vectors, base frame, (1)", 6, 3),
+        t.numbers("L", 6, meaning="m: lengths, (2)"),
+        t.numbers("L_dot", 6, meaning="m/s: rates, (5)"),
+        t.numbers("L_ddot", 6, meaning="m/s^2: second rates, (8)"),
+        t.numbers("s", 6, 3, meaning="1: unit vectors along the legs, base frame, (3)"),
+        t.numbers("S", 6, 3, meaning="m: leg vectors, base frame, (1)"),
         STATUS_FIELD,
     ),
 )
 _SEARCHED = (
-    Structure(
+    t.Structure(
         "LegRates",
         "Lengths of six legs and their rates.",
-        (_numbers("L", "m: lengths, (2)", 6), _numbers("L_dot", "m/s: rates, (5)", 6), STATUS_FIELD),
+        (
+            t.numbers("L", 6, meaning="m: lengths, (2)"),
+            t.numbers("L_dot", 6, meaning="m/s: rates, (5)"),
+            STATUS_FIELD,
+        ),
     ),
-    Structure(
+    t.Structure(
         "LegsAtPose",
         "Six legs at a pose, and their equations.",
         (
-            _numbers("A", "1: rows [s, q x s / size] of J, and a right side; then a triangle", 6, 7),
-            _numbers("L", "m: lengths", 6),
-            Field("reach", Real(), "m: largest component of the terms of S = q + t - b"),
+            t.numbers("A", 6, 7, meaning="1: rows [s, q x s / size] of J, and a right side; then a triangle"),
+            t.numbers("L", 6, meaning="m: lengths"),
+            t.Field("reach", t.Real(), "m: largest component of the terms of S = q + t - b"),
         ),
     ),
-    Structure(
+    t.Structure(
         "FoundPose",
         "What the search of a pose finds.",
-        (Field("pose", Record("Pose"), "the pose"), STATUS_FIELD),
+        (t.Field("pose", t.Record("Pose"), "the pose"), STATUS_FIELD),
     ),
-    Structure(
+    t.Structure(
         "Twist",
         "Velocity of the platform.",
         (
-            _numbers("v", "m/s: of the reference point", 3),
-            _numbers("omega", "rad/s: angular velocity, base frame", 3),
+            t.numbers("v", 3, meaning="m/s: of the reference point"),
+            t.numbers("omega", 3, meaning="rad/s: angular velocity, base frame"),
             STATUS_FIELD,
         ),
     ),

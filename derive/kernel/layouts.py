@@ -6,6 +6,7 @@ in a constant. The lanes are the legs of a pose or the poses of a block.
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from string import Template
 
 import sympy as sp
@@ -13,33 +14,12 @@ import sympy as sp
 from ..mechanics import quantities as n
 from ..mechanics.lumped_constants import arm_c
 from ..program.block import Block, Output, Quantity
+from .tree import nodes as t
 from .tree import read
-from .tree.lower import expression
-from .tree.nodes import (
-    Array,
-    Assign,
-    Binary,
-    Call,
-    Compare,
-    Constant,
-    Element,
-    Expression,
-    Field,
-    Function,
-    Let,
-    Member,
-    Name,
-    Number,
-    Real,
-    Select,
-    Statement,
-    Structure,
-    Variable,
-)
+from .tree.lower import expression, steps_of
+from .written import legs
 
-LANE = Name("l")
-REACH, FAULT = Name("reach"), Name("fault")
-ONE = Number(1.0)
+LANE = t.Name("l")
 RIGHT_SIDE = (n.c_force, n.c_moment)
 
 
@@ -47,79 +27,81 @@ RIGHT_SIDE = (n.c_force, n.c_moment)
 class Place:
     """An array, or a number; lane: index of the lane, if there are lanes; first: index of its first part."""
 
-    array: Expression
-    lane: tuple[Expression, ...] = ()
+    array: t.Expression
+    lane: tuple[t.Expression, ...] = ()
     first: int = 0
 
-    def part(self, quantity: Quantity, index: int) -> Expression:
+    def part(self, quantity: Quantity, index: int) -> t.Expression:
         """One component of the quantity that is here."""
-        own = (Number(self.first + index),) if quantity.shape else ()
-        return Element(self.array, (*own, *self.lane)) if own or self.lane else self.array
+        own = (t.Number(self.first + index),) if quantity.shape else ()
+        return t.Element(self.array, (*own, *self.lane)) if own or self.lane else self.array
 
 
-Layout = Callable[[Quantity], Place | Name]
+Layout = Callable[[Quantity], Place | t.Name]
 """The place of a quantity, or the name of the constant that it is."""
 
 
-def member(owner: str | Expression, quantity: Quantity, *lane: Expression) -> Place:
+def member(owner: str | t.Expression, quantity: Quantity, *lane: t.Expression) -> Place:
     """A quantity as a member of a structure."""
-    return Place(Member(Name(owner) if isinstance(owner, str) else owner, quantity.name), lane)
+    return Place(t.Member(t.Name(owner) if isinstance(owner, str) else owner, quantity.name), lane)
 
 
-def loads(quantities: Iterable[Quantity], used: set[str], layout: Layout) -> tuple[Statement, ...]:
+def loads(quantities: Iterable[Quantity], used: set[str], layout: Layout) -> tuple[t.Statement, ...]:
     """A constant for each component that is used."""
-    found: list[Statement] = []
+    found: list[t.Statement] = []
     for q in quantities:
         place = layout(q)
-        if isinstance(place, Name):
-            found.append(Let(q.name, place))
+        if isinstance(place, t.Name):
+            found.append(t.Let(q.name, place))
         else:
             parts = enumerate(q.names)
-            found += [Let(name, place.part(q, i)) for i, name in parts if name in used or not q.shape]
+            found += [t.Let(name, place.part(q, i)) for i, name in parts if name in used or not q.shape]
     return tuple(found)
 
 
-def varies(statement: Statement) -> bool:
+def varies(statement: t.Statement) -> bool:
     """Whether a load is from a place with lanes."""
     return (
-        isinstance(statement, Let)
-        and isinstance(statement.value, Element)
+        isinstance(statement, t.Let)
+        and isinstance(statement.value, t.Element)
         and statement.value.index[-1] == LANE
     )
 
 
-def parted(found: Sequence[Statement]) -> tuple[tuple[Statement, ...], tuple[Statement, ...]]:
+def parted(found: Sequence[t.Statement]) -> tuple[tuple[t.Statement, ...], tuple[t.Statement, ...]]:
     """Loads that are the same for all lanes, and the others."""
     return tuple(each for each in found if not varies(each)), tuple(each for each in found if varies(each))
 
 
-def stores(outputs: Iterable[Output], layout: Layout) -> tuple[Statement, ...]:
+def stores(outputs: Iterable[Output], layout: Layout) -> tuple[t.Statement, ...]:
     """Each component of the outputs put into its place."""
-    found: list[Statement] = []
+    found: list[t.Statement] = []
     for out in outputs:
         place = layout(out.quantity)
         assert isinstance(place, Place)
-        found += [Assign(place.part(out.quantity, i), expression(e)) for i, e in enumerate(out.exprs)]
+        found += [t.Assign(place.part(out.quantity, i), expression(e)) for i, e in enumerate(out.exprs)]
     return tuple(found)
 
 
-def set_in_order(array: Expression, exprs: Iterable[sp.Expr], *lane: Expression) -> tuple[Statement, ...]:
+def set_in_order(
+    array: t.Expression, exprs: Iterable[sp.Expr], *lane: t.Expression
+) -> tuple[t.Statement, ...]:
     """Elements of an array, one after the other."""
-    return tuple(Assign(Element(array, (Number(i), *lane)), expression(e)) for i, e in enumerate(exprs))
+    return tuple(t.Assign(t.Element(array, (t.Number(i), *lane)), expression(e)) for i, e in enumerate(exprs))
 
 
-def added(target: Expression, term: sp.Expr) -> Assign:
+def added(target: t.Expression, term: sp.Expr) -> t.Assign:
     """``target = target + term``, the sign of a product drawn out."""
     if not term.is_Add and term.could_extract_minus_sign():
-        return Assign(target, Binary("-", target, expression(-term)))
-    return Assign(target, Binary("+", target, expression(term)))
+        return t.Assign(target, target - expression(-term))
+    return t.Assign(target, target + expression(term))
 
 
 def assembled(
     exprs: Mapping[Quantity, Sequence[sp.Expr]],
-    H: Callable[[int], Expression],
-    c: Callable[[int], Expression],
-) -> tuple[Statement, ...]:
+    H: Callable[[int], t.Expression],
+    c: Callable[[int], t.Expression],
+) -> tuple[t.Statement, ...]:
     """``written.legs.add_leg`` of what a block makes and does not store: column of H set, part of c added.
 
     H, c: places of a row.
@@ -127,7 +109,7 @@ def assembled(
     column = [(i, e) for i, q in ((0, n.H_force), (3, n.H_moment)) for i, e in enumerate(exprs.get(q, ()), i)]
     rows = ((0, n.c_force), (3, n.c_moment), (3, arm_c))
     part = [(i, e) for i, q in rows for i, e in enumerate(exprs.get(q, ()), i)]
-    return (*(Assign(H(i), expression(e)) for i, e in column), *(added(c(i), e) for i, e in part))
+    return (*(t.Assign(H(i), expression(e)) for i, e in column), *(added(c(i), e) for i, e in part))
 
 
 def names_used(block: Block) -> set[str]:
@@ -135,10 +117,26 @@ def names_used(block: Block) -> set[str]:
     return {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
 
 
-def loaded(block: Block, layout: Layout, *more: Quantity) -> tuple[Statement, ...]:
+def loaded(block: Block, layout: Layout, *more: Quantity) -> tuple[t.Statement, ...]:
     """Loads of what a block reads, and of ``more``."""
     used = names_used(block) | {name for q in more for name in q.names}
     return loads(dict.fromkeys((*block.inputs, *more)), used, layout)
+
+
+def entries(quantities: Iterable[Quantity]) -> read.Entries:
+    """The stored numbers of quantities that are members of a structure, in order."""
+    return read.Entries(tuple(partial(_entry, q, i) for q in quantities for i in range(len(q.keys))))
+
+
+def _entry(quantity: Quantity, index: int, owner: t.Expression, *lane: t.Expression) -> t.Expression:
+    return member(owner, quantity, *lane).part(quantity, index)
+
+
+def lines(block: Block, layout: Layout, without: Iterable[Quantity] = ()) -> tuple[t.Statement, ...]:
+    """Loads and steps of a block; without: what is loaded already."""
+    given = set(without)
+    inputs = (q for q in block.inputs if q not in given)
+    return (*loads(inputs, names_used(block), layout), *steps_of(block.steps))
 
 
 def exprs_of(block: Block) -> dict[Quantity, tuple[sp.Expr, ...]]:
@@ -149,43 +147,34 @@ def exprs_of(block: Block) -> dict[Quantity, tuple[sp.Expr, ...]]:
 # ---------------------------------------------------------------- legs
 
 
-def reach(terms: Iterable[sp.Expr]) -> tuple[Statement, ...]:
-    """The largest of the terms, and of what is too short by itself."""
-    found: list[Statement] = [
-        Variable("reach", Real(), Binary("/", Constant("SHORTEST"), Constant("ROUNDING")))
-    ]
-    sizes = (Call("size", (expression(term),)) for term in terms)
-    return (*found, *(Assign(REACH, Call("larger", (size, REACH))) for size in sizes))
+def largest(terms: Iterable[sp.Expr]) -> dict[str, read.Given]:
+    """What ``written.legs.largest_term`` goes through."""
+    return {"largest_term": legs.largest_term, "TERMS": read.Entries(tuple(map(expression, terms)))}
 
 
-def suspicion(
-    leg: Block, before: Expression, after: Expression, least_share: str, least_sine: str
-) -> tuple[Statement, ...]:
-    """1 in ``after`` where a leg is not finite, short, or too near its joint singularity, else ``before``."""
+def checks(leg: Block, terms: Iterable[sp.Expr], least_share: str, least_sine: str) -> dict[str, read.Given]:
+    """How ``written.legs.checked`` and ``mark`` decide on a leg, the sum of some terms."""
     given = exprs_of(leg)
-    length = expression(given[n.L][0])
-    share = Binary("*", Constant(least_share), REACH)
-    tests = [(Compare("<=", length, Constant("MAX")), before), (Compare(">", length, share), FAULT)]
-    if n.k3 in given:
-        tests.append((Compare(">", expression(given[n.k3][0]), Constant(least_sine)), FAULT))
-    selections = [Select(test, otherwise, ONE) for test, otherwise in tests]
-    return (
-        Variable("fault", Real(), selections[0]),
-        *(Assign(FAULT, each) for each in selections[1:]),
-        Assign(after, FAULT),
-    )
+    return {
+        **largest(terms),
+        **{"checked": legs.checked, "mark": legs.mark, "HAS_SINE": int(n.k3 in given)},
+        "LENGTH": expression(given[n.L][0]),
+        "SINE": expression(given[n.k3][0]) if n.k3 in given else 0,
+        "LEAST_SHARE": t.Constant(least_share),
+        "LEAST_SINE": t.Constant(least_sine),
+    }
 
 
 # ---------------------------------------------------------------- structures and functions
 
 
-def stored(quantity: Quantity, *lanes: int, always: bool = True) -> Field:
+def stored(quantity: Quantity, *lanes: int, always: bool = True) -> t.Field:
     """A member without a comment; always: as an array, a number as well."""
     size = (len(quantity.keys),) if quantity.shape or always else ()
-    return Field(quantity.name, Array(Real(), (*size, *lanes)) if size or lanes else Real())
+    return t.Field(quantity.name, t.Array(t.Real(), (*size, *lanes)) if size or lanes else t.Real())
 
 
-def described(quantity: Quantity, *lanes: int) -> Field:
+def described(quantity: Quantity, *lanes: int) -> t.Field:
     """A member with its unit and meaning."""
     return replace(stored(quantity, *lanes, always=False), meaning=f"{quantity.unit}: {quantity.meaning}")
 
@@ -197,9 +186,9 @@ class Written:
     structures: by the names that the texts give them; given: constants, and statements by their names.
     """
 
-    structures: Mapping[str, Structure]
+    structures: Mapping[str, t.Structure]
     given: Mapping[str, read.Given]
-    functions: dict[str, Function] = field(default_factory=dict)
+    functions: dict[str, t.Function] = field(default_factory=dict)
 
     def function(
         self,
@@ -209,7 +198,7 @@ class Written:
         apart: bool = False,
         given: Mapping[str, read.Given] | None = None,
         **words: object,
-    ) -> Function:
+    ) -> t.Function:
         """One more function, ``$word`` in its comment replaced."""
         found = read.function(
             written, self.structures, self.functions, name, public, {**self.given, **(given or {})}

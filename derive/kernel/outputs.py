@@ -13,18 +13,11 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..program.block import Block, Output, Quantity
 from .elimination import CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
-from .model import (
-    STATUS_FIELD,
-    block_arguments,
-    check_function,
-    legs_function,
-    model_functions,
-    model_structures,
-)
+from .model import STATUS_FIELD, block_arguments, model_functions, model_structures
 from .shared import legs_in_turn, shared
 from .tree import read
 from .tree.lower import Arguments, block_function, stored_type, structure
-from .tree.nodes import Argument, Array, Field, Function, Integer, Program, Real, Record, Structure, Type
+from .tree.nodes import Array, Field, Function, Integer, Program, Real, Record, Structure, Type, signature
 from .tree.written_text import Names
 from .written import closed_form, forces, joint_rows, legs, solve
 
@@ -75,18 +68,17 @@ def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs
     the checks of results, which have no bodies."""
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _NAMED
-    model, motion = Argument("model", Record("Model")), Argument("motion", Record("Motion"))
+    of_pose: dict[str, Any] = {"model": Record("Model"), "motion": Record("Motion")}
     for each in sums:
         known |= _of_sums(kernel, each)
         name = prefix_of(each)
-        legs, summed = (
-            Argument(part.lower(), Record(f"{camel(name)}{part}"), changed=True) for part in ("Legs", "Sums")
+        found = {"legs": Record(f"{camel(name)}Legs"), "sums": Record(f"{camel(name)}Sums")}
+        known[f"{name}_sums"] = partial(
+            signature, f"{name}_sums", changed=("legs", "sums"), **of_pose, **found
         )
-        known[f"{name}_sums"] = partial(Function, f"{name}_sums", "", (model, motion, legs, summed), None, ())
     for of, result in RESULTS.items():
-        out = Argument("out", Record(result.name), changed=True)
-        known[f"check_{of}"] = partial(Function, f"check_{of}", "", (out,), None, ())
-    known["forces"] = partial(Function, "forces", "", (model, motion), Record("Forces"), ())
+        known[f"check_{of}"] = partial(signature, f"check_{of}", changed=("out",), out=Record(result.name))
+    known["forces"] = partial(signature, "forces", Record("Forces"), **of_pose)
     known["singular_status"] = lambda: shared().by_name["singular_status"]
     needed = _Needed(known, tuple(outputs), of_model, {})
     for name in outputs:
@@ -236,7 +228,6 @@ def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
 # ---------------------------------------------------------------- closed form
 
 
-_GIVEN = (m.F_LEG, m.NET, m.TURNED, m.AXIAL)
 _PREFIX = {"forward_dynamics": "forward"}
 
 
@@ -256,9 +247,8 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
     name = camel(prefix)
     of_pose, of_leg, of_sums, of_legs = (f"{name}{part}" for part in ("Pose", "Leg", "Sums", "Legs"))
     pose = _quantities(sums.pose)
-    arguments = block_arguments(kernel, ("pose", of_pose, pose), ("given", "LegInputs", _GIVEN))
+    arguments = block_arguments(kernel, ("pose", of_pose, pose), ("given", "LegInputs", m.GIVEN))
     before = {each: arguments[each] for each in ("platform", "motion")}
-    total = structure(of_sums, "Sums over the machine.", sums.summed)
     given = {"Sums": of_sums, "Legs": of_legs, "Pose": of_pose}
     given |= {f"{part}_terms": f"{prefix}_{part}" for part in ("pose", "leg", "near")}
     given |= {"legs_of": f"{prefix}_legs", "total": f"{prefix}_total"}
@@ -268,7 +258,7 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
     found: dict[str, Definition] = {
         of_pose: structure(of_pose, "The pose's own part.", pose),
         of_leg: structure(of_leg, "A leg's part.", _quantities(sums.leg)),
-        of_sums: total,
+        of_sums: structure(of_sums, "Sums over the machine.", sums.summed),
         of_legs: Structure(
             of_legs,
             "The legs.",
@@ -280,7 +270,7 @@ def _of_sums(kernel: ForceKernel, sums: m.SumKernel) -> dict[str, Definition]:
                 STATUS_FIELD,
             ),
         ),
-        f"{prefix}_total": partial(legs_function, f"{prefix}_total", total, of_pose, of_legs),
+        f"{prefix}_total": Text(closed_form.total, given),
         f"{prefix}_legs": Text(closed_form.legs_of, given),
         f"{prefix}_sums": Text(
             closed_form.sums_of_two_forms if sums.name in m.OF_TWO_FORMS else closed_form.sums, given
@@ -347,7 +337,7 @@ FORCED = ("forward_dynamics", "linearisation")
 """Outputs that take the actuator forces."""
 
 _STRUCTURES = (
-    structure("LegInputs", "What a leg's blocks are given.", _GIVEN),
+    structure("LegInputs", "What a leg's blocks are given.", m.GIVEN),
     Structure(
         "Rows",
         "M = A^T W A: three rows for each leg, by L, theta, phi, and six of the platform.",
@@ -372,4 +362,4 @@ _STRUCTURES = (
     ),
 )
 _NAMED: dict[str, Definition] = {each.name: each for each in (*RESULTS.values(), *_STRUCTURES)}
-_NAMED |= {f"check_{of}": partial(check_function, f"check_{of}", each) for of, each in RESULTS.items()}
+_NAMED |= {f"check_{of}": Text(forces.check, {"Result": each.name}) for of, each in RESULTS.items()}

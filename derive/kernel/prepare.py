@@ -7,53 +7,33 @@ platforms of about a metre it is 1, and no solve multiplies by it.
 """
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Block, Quantity
-from .layouts import Layout, Place, Written, exprs_of, loads, member, names_used, stored, stores
+from .layouts import Layout, Place, Written, entries, exprs_of, lines, member, names_used, stored, stores
+from .tree import nodes as t
 from .tree.constants import LARGEST, SMALLEST
-from .tree.lower import steps_of
-from .tree.nodes import (
-    Argument,
-    Array,
-    Assign,
-    Binary,
-    Call,
-    Do,
-    Element,
-    Expression,
-    Field,
-    Function,
-    Member,
-    Name,
-    Number,
-    Real,
-    Record,
-    Statement,
-    Structure,
-    Variable,
-)
 from .tree.read import Given
 from .written import solve
 
 ABOUT_REFERENCE = SMALLEST / 2, LARGEST
 """The same of arms from the reference point, which is amid most platforms."""
-PER_LENGTH = Field(
+PER_LENGTH = t.Field(
     "per_length",
-    Real(),
+    t.Real(),
     f"1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of "
     f"{SMALLEST:g} to {LARGEST:g} m. Otherwise one over the least power of two that no arm exceeds.",
 )
-ROBOT = Structure(
+ROBOT = t.Structure(
     "stewart_robot",
     "",
-    (Field("leg", Array(Record("stewart_leg"), (6,))), *(stored(q, always=False) for q in n.PLATFORM)),
+    (t.Field("leg", t.Array(t.Record("stewart_leg"), (6,))), *(stored(q, always=False) for q in n.PLATFORM)),
 )
-LEG = Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.LEG))
-MOTION = Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
+LEG = t.Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.LEG))
+MOTION = t.Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
 
 
 HANDED_OVER: dict[str, Given] = {"hand_over": solve.handed_over}
@@ -82,87 +62,73 @@ def flags(kernel: ForceKernel) -> dict[str, Given]:
         "HAS_SINE": int(n.k3 in given),
         "HAS_NEAR": int(kernel.leg_near_singular is not None),
         "SCALED": 0 if not is_scaled(kernel) else 2 if baked else 1,
-        "SMALLEST": Number(SMALLEST),
-        "PER_LENGTH": Number(per_length(kernel.size)),
+        "SMALLEST": t.Number(SMALLEST),
+        "PER_LENGTH": t.Number(per_length(kernel.size)),
     }
 
 
-def size_of(texts: Written, by_legs: bool) -> Function:
+def size_of(texts: Written, by_legs: bool) -> t.Function:
     """The largest arm of a prepared model; by_legs: one leg stands after the other in it."""
     return texts.function(solve.size_of, given={"BY_LEGS": int(by_legs)})
 
 
-def prepared_structure(name: str, block: Block) -> Structure:
+def prepared_structure(name: str, block: Block) -> t.Structure:
     """What a block of preparation makes."""
-    return Structure(name, "", tuple(stored(out.quantity, always=False) for out in block.outputs))
+    return t.Structure(name, "", tuple(stored(out.quantity, always=False) for out in block.outputs))
 
 
-def preparation(texts: Written, kernel: ForceKernel) -> list[Structure | Function]:
+def preparation(texts: Written, kernel: ForceKernel) -> list[t.Structure | t.Function]:
     """The two blocks of preparation, and what they read and make."""
-    parts: list[Structure | Function] = []
-    second = (Argument("leg", Record("stewart_leg")), Argument("sum", Record("prepared_leg")))
+    parts: list[t.Structure | t.Function] = []
+    second = (t.Argument("leg", t.Record("stewart_leg")), t.Argument("sum", t.Record("prepared_leg")))
     names = ("prepared_leg", "prepared_platform")
     for block, made, more in zip((kernel.prepare_leg, kernel.prepare_platform), names, second, strict=True):
         arguments = (
-            Argument("robot", Record("stewart_robot")),
+            t.Argument("robot", t.Record("stewart_robot")),
             more,
-            Argument("out", Record(made), changed=True),
+            t.Argument("out", t.Record(made), changed=True),
         )
         meaning = f"{block.meaning[0].upper()}{block.meaning[1:]}."
-        function = Function(block.name, meaning, arguments, None, tuple(_body(block)))
+        function = t.Function(block.name, meaning, arguments, None, tuple(_body(block)))
         texts.functions[block.name] = function
         parts += [texts.structures[made], function]
     return parts
 
 
-def _body(block: Block) -> Iterable[Statement]:
+def _body(block: Block) -> Iterable[t.Statement]:
     yield from axis(block)
-    yield from loads(block.inputs, names_used(block), raw)
-    yield from steps_of(block.steps)
+    yield from lines(block, raw)
     yield from stores(block.outputs, lambda q: member("out", q))
 
 
-def axis(block: Block) -> Iterable[Statement]:
+def axis(block: Block) -> Iterable[t.Statement]:
     """The fixed axis, which may have any length, as ``raw`` reads it."""
     if n.k in block.inputs and names_used(block) & set(n.k.names):
-        k = Member(Name("leg"), "k")
-        yield Variable("axis", Array(Real(), (3,)), blank=True)
-        yield Do(Call("scaled_axis", (k, Name("axis"))))
+        k = t.Member(t.Name("leg"), "k")
+        yield t.Variable("axis", t.Array(t.Real(), (3,)), blank=True)
+        yield t.Do(t.Call("scaled_axis", (k, t.Name("axis"))))
 
 
 def raw(quantity: Quantity) -> Place:
     """Where an input of preparation is; of leg 1 alone, in the robot's first leg."""
     if quantity == n.k:
-        return Place(Name("axis"))
+        return Place(t.Name("axis"))
     if quantity == n.p_1:
-        return Place(Member(Element(Member(Name("robot"), "leg"), (Number(0),)), "p"))
+        return Place(t.Member(t.Element(t.Member(t.Name("robot"), "leg"), (t.Number(0),)), "p"))
     owner = "leg" if quantity in n.LEG else "sum" if quantity in ADDED else "robot"
     return member(owner, quantity)
 
 
-def numbers(owner: str, quantities: Iterable[Quantity], *lane: Expression) -> list[Expression]:
-    """The stored numbers of the quantities, in order."""
-    return [member(owner, q, *lane).part(q, i) for q in quantities for i in range(len(q.keys))]
-
-
-def copied(to: Sequence[Expression], source: Sequence[Expression]) -> tuple[Statement, ...]:
-    """Numbers put into others."""
-    return tuple(Assign(target, value) for target, value in zip(to, source, strict=True))
-
-
-def sums(quantities: Iterable[Quantity]) -> dict[str, Given]:
-    """``CLEARED`` and ``SUMMED``: sums over the legs with nothing in them, and with one leg more."""
-    found = tuple(quantities)
-    total, more = numbers("sum", found), numbers("found", found)
+def constants(kernel: ForceKernel) -> dict[str, Given]:
+    """What the texts of preparation go through: constants of a leg and of the platform, and sums of legs."""
     return {
-        "CLEARED": tuple(Assign(each, Number(0.0)) for each in total),
-        "SUMMED": tuple(
-            Assign(each, Binary("+", each, term)) for each, term in zip(total, more, strict=True)
-        ),
+        "OF_LEG": entries(kernel.leg_constants()),
+        "OF_PLATFORM": entries(kernel.platform_constants()),
+        "ADDED": entries(ADDED),
     }
 
 
-def structures(kernel: ForceKernel) -> dict[str, Structure]:
+def structures(kernel: ForceKernel) -> dict[str, t.Structure]:
     """Structures that preparation reads and makes, by the names that the written functions give them."""
     found = {"Robot": ROBOT, "RawLeg": LEG, "Motion": MOTION}
     if kernel.constants is None:
@@ -176,7 +142,7 @@ def structures(kernel: ForceKernel) -> dict[str, Structure]:
 def place_of(kernel: ForceKernel, owner: str) -> Layout:
     """Places of constants: members of ``owner``, or the literals of a baked kernel."""
     literals = kernel.literals()
-    return lambda q: Name(literal(q)) if q in literals else member(owner, q)
+    return lambda q: t.Name(literal(q)) if q in literals else member(owner, q)
 
 
 def literal(quantity: Quantity) -> str:

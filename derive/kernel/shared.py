@@ -7,22 +7,8 @@ from .batches import LOADS, MOTIONS, parts_at, parts_of_one
 from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
 from .layouts import Written
 from .prepare import MOTION
+from .tree import nodes as t
 from .tree.constants import LARGEST
-from .tree.nodes import (
-    Argument,
-    Array,
-    Compare,
-    Count,
-    Function,
-    Name,
-    Number,
-    Pointer,
-    Real,
-    Select,
-    Type,
-    at,
-    of,
-)
 from .tree.read import LANES, Given
 from .tree.settle import settled
 from .written import batch, lanes, legs, solve
@@ -44,12 +30,12 @@ def legs_in_turn(out: str, leg: str, moments: str = "") -> dict[str, Given]:
     """
 
     def part(owner: str, name: str) -> Given:
-        return lambda j, _: at(of(owner, name), j)
+        return lambda j, _: t.at(t.of(owner, name), j)
 
     return {
         **_ADDED,
-        "H": lambda j, i: at(of(out, "H"), j, i),
-        "c": lambda j: at(of(out, "c"), j),
+        "H": lambda j, i: t.at(t.of(out, "H"), j, i),
+        "c": lambda j: t.at(t.of(out, "c"), j),
         **{name: part(leg, name) for name in ("H_force", "c_force", "c_moment")},
         **{name: part(moments or leg, name) for name in ("H_moment", "arm_c")},
         "ABOUT_TIP": int(bool(moments)),
@@ -61,8 +47,10 @@ def legs_with_errors(out: str, leg: str) -> dict[str, Given]:
     return {
         **legs_in_turn(out, leg, leg),
         "plus": legs.plus_error,
-        "c_own": lambda j: at(of(out, "c_own"), j),
-        "H_moment": lambda j, i: Select(Compare(">", i, Number(0)), at(of(leg, "H_moment"), j), Number(0.0)),
+        "c_own": lambda j: t.at(t.of(out, "c_own"), j),
+        "H_moment": lambda j, i: t.Select(
+            t.Binary(">", i, t.Number(0)), t.at(t.of(leg, "H_moment"), j), t.Number(0.0)
+        ),
         "ALL_LEGS": 0,
     }
 
@@ -71,48 +59,49 @@ def legs_in_lanes(owner: str, rows: str) -> dict[str, Given]:
     """The legs side by side: columns of ``rows``, and sums of one row in ``force`` and ``turn``."""
 
     def part(name: str) -> Given:
-        return lambda j, i: at(of(owner, name), j, i)
+        return lambda j, i: t.at(t.of(owner, name), j, i)
 
     of_legs = ("H_force", "H_moment", "c_force", "c_moment", "arm_c")
     return {
         **_ADDED,
-        "H": lambda j, i: at(rows, j, i),
-        "c": lambda j: Name("force") if isinstance(j, Name) else Name("turn"),
+        "H": lambda j, i: t.at(rows, j, i),
+        "c": lambda j: t.Name("force") if isinstance(j, t.Name) else t.Name("turn"),
         **{name: part(name) for name in of_legs},
     }
 
 
-_NUMBERS = Pointer(Real())
-_VECTORS = Array(Real(), (3, LANES))
-
-
-def _signature(name: str, result: Type | None, **arguments: Type) -> Function:
-    """A function or macro of the templates; ``to``, ``padded`` and ``H`` are changed."""
-    given = (Argument(each, kind, each in ("to", "padded", "H")) for each, kind in arguments.items())
-    return Function(name, "", tuple(given), result, ())
+_NUMBERS = t.Pointer(t.Real())
+_VECTORS = t.Array(t.Real(), (3, LANES))
 
 
 _BLOCKS = (
-    _signature(
-        "whole", _NUMBERS, source=_NUMBERS, width=Count(), first=Count(), count=Count(), padded=_NUMBERS
+    t.signature(
+        "whole",
+        _NUMBERS,
+        ("padded",),
+        source=_NUMBERS,
+        width=t.Count(),
+        first=t.Count(),
+        count=t.Count(),
+        padded=_NUMBERS,
     ),
-    _signature("spread_vector", None, source=_NUMBERS, to=_VECTORS),
-    _signature("spread_matrix", None, source=_NUMBERS, to=_VECTORS),
-    _signature("clear", None, to=_VECTORS),
+    t.signature("spread_vector", changed=("to",), source=_NUMBERS, to=_VECTORS),
+    t.signature("spread_matrix", changed=("to",), source=_NUMBERS, to=_VECTORS),
+    t.signature("clear", changed=("to",), to=_VECTORS),
 )
-FORCE = _signature("STEWART_FORCE", Real(), D=Real(), x=Real())
+FORCE = t.signature("STEWART_FORCE", t.Real(), D=t.Real(), x=t.Real())
 
 
 @dataclass(frozen=True)
 class Shared:
     """Functions around the solve, those with legs or poses in lanes, and those of every output."""
 
-    solve: tuple[Function, ...]
-    lanes: tuple[Function, ...]
-    outputs: tuple[Function, ...]
+    solve: tuple[t.Function, ...]
+    lanes: tuple[t.Function, ...]
+    outputs: tuple[t.Function, ...]
 
     @property
-    def by_name(self) -> dict[str, Function]:
+    def by_name(self) -> dict[str, t.Function]:
         """All that a source may call."""
         return {each.name: each for each in (*self.solve, *self.lanes, *self.outputs, *_BLOCKS)}
 
@@ -125,7 +114,7 @@ def shared(about_tip: bool = True) -> Shared:
     rows = (lanes.exchange_rows, lanes.subtract_row)
     return Shared(
         (
-            settled(read(solve.per_length_of, given={"LARGEST": Number(LARGEST)})),
+            settled(read(solve.per_length_of, given={"LARGEST": t.Number(LARGEST)})),
             read(solve.scaled_axis),
             read(legs.largest_component),
             read(legs.fault_of, apart=True, given=RETURNED),

@@ -12,8 +12,9 @@ from typing import Any
 
 import sympy as sp
 
-from ..mechanics import closed_form, lumped_constants
+from ..mechanics import lumped_constants
 from ..mechanics import quantities as n
+from ..mechanics.closed_form import terms
 from ..program.block import AXES, Quantity
 from .outputs import FORWARD
 from .prepare import PER_LENGTH
@@ -120,7 +121,7 @@ class Tracer(Interpreter):
 _LEG = "leg of the call"
 _QUANTITIES = [
     each
-    for module in (n, closed_form, lumped_constants)
+    for module in (n, terms, lumped_constants)
     for each in vars(module).values()
     if isinstance(each, Quantity)
 ]

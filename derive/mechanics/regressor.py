@@ -17,13 +17,7 @@ from . import lumped_constants as p
 from . import quantities as n
 from .closed_form.parts import name_omega
 from .legs import tip
-from .legs.joint_coordinates import (
-    JointFrame,
-    gravity_torques,
-    joint_accelerations,
-    joint_frame,
-    joint_rates,
-)
+from .legs.joint_coordinates import JointFrame, gravity_torques, joint_accelerations, joint_frame, joint_rates
 from .legs.leg import cross
 
 # Parameters of one leg and of the platform; their columns stand in Y in this order.

@@ -4,50 +4,13 @@ import textwrap
 from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import groupby
 
-from ..kernel.tree.nodes import (
-    Argument,
-    Array,
-    As,
-    Assign,
-    Binary,
-    Both,
-    Call,
-    Compare,
-    Count,
-    Either,
-    Element,
-    Expression,
-    Field,
-    For,
-    From,
-    Function,
-    Integer,
-    Let,
-    Member,
-    Name,
-    Negative,
-    Number,
-    Pointer,
-    Real,
-    Record,
-    Select,
-    Statement,
-    Structure,
-    Switch,
-    Table,
-    Truth,
-    Type,
-    Variable,
-    names_in,
-    statements,
-)
-from .spelling import AND, ATOM, COMPARE, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH, Printer
+from ..kernel.tree import nodes as t
+from .spelling import ATOM, COMPARE, LEVELS, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH, Printer
 
 _BUILT_IN = {"sqrt": "STEWART_SQRT", "size": "STEWART_FABS", "larger": "STEWART_LARGER"}
 _PLAIN = {"NULL": "NULL", "LANES": "LANES"}
-_NAMES = {Real: "stewart_real", Integer: "int", Count: "size_t", Truth: "int"}
+_NAMES = {t.Real: "stewart_real", t.Integer: "int", t.Count: "size_t", t.Truth: "int"}
 _ALIGNED = {False: "", True: "STEWART_ALIGNED "}
-_LEVEL = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
 
 
 class C(Printer):
@@ -61,15 +24,15 @@ class C(Printer):
 
     def __init__(
         self,
-        functions: Iterable[Function] = (),
+        functions: Iterable[t.Function] = (),
         sizes: Mapping[int, str] | None = None,
         brackets: bool = False,
         records: Mapping[str, str] | None = None,
-        structures: Iterable[Structure] = (),
+        structures: Iterable[t.Structure] = (),
         static: str = "static ",
         unread: Collection[str] = (),
     ) -> None:
-        self.functions_by_name = {each.name: each for each in functions}
+        super().__init__(functions)
         self.sizes, self.brackets = dict(sizes or {}), brackets
         self.static, self.unread = static, unread
         self.records = dict(records or {})
@@ -78,15 +41,15 @@ class C(Printer):
         self.pointers: set[str] = set()
         self.numbers: set[str] = set()
 
-    def source(self, *parts: str | Structure | Table | Function) -> str:
+    def source(self, *parts: str | t.Structure | t.Table | t.Function) -> str:
         """Texts, structures, tables and functions, one after the other with an empty line between them."""
-        functions = (each for each in parts if isinstance(each, Function))
+        functions = (each for each in parts if isinstance(each, t.Function))
         self.functions_by_name |= {each.name: each for each in functions}
-        self.empty |= {each.name for each in parts if isinstance(each, Structure) and not each.members}
+        self.empty |= {each.name for each in parts if isinstance(each, t.Structure) and not each.members}
         return "\n".join(each if isinstance(each, str) else self._part(each) for each in parts)
 
-    def _part(self, part: Structure | Table | Function) -> str:
-        spelled = {Structure: self.structure, Table: self.table, Function: self.function}
+    def _part(self, part: t.Structure | t.Table | t.Function) -> str:
+        spelled = {t.Structure: self.structure, t.Table: self.table, t.Function: self.function}
         return "\n".join([*spelled[type(part)](part), ""])  # type: ignore[operator]
 
     # ------------------------------------------------------------ comments
@@ -109,33 +72,33 @@ class C(Printer):
 
     # ------------------------------------------------------------ types
 
-    def declared(self, kind: Type, name: str) -> str:
+    def declared(self, kind: t.Type, name: str) -> str:
         """A type and the name that has it."""
         match kind:
-            case Array(item, dims):
+            case t.Array(item, dims):
                 return self.declared(item, name + self._dims(dims))
-            case Pointer(item):
+            case t.Pointer(item):
                 return self.declared(item, f"*{name}")
-            case Record(record):
+            case t.Record(record):
                 return f"{self.records.get(record, record)} {name}"
         return f"{_NAMES[type(kind)]} {name}"
 
     def _dims(self, dims: tuple[int, ...]) -> str:
         return "".join(f"[{self.sizes.get(count, count)}]" for count in dims)
 
-    def structure(self, structure: Structure) -> list[str]:
+    def structure(self, structure: t.Structure) -> list[str]:
         """A structure as a type."""
         members = [line for each in structure.members for line in self._member(each)]
         members = members or ["    int none; /* C has no structure without members */"]
         name = _ALIGNED[structure.aligned] + self.records.get(structure.name, structure.name)
         return [*self.remark(structure.meaning), "typedef struct {", *members, f"}} {name};"]
 
-    def _member(self, field: Field) -> list[str]:
+    def _member(self, field: t.Field) -> list[str]:
         declared = f"    {self.declared(field.type, field.name)};"
         line = f"{declared} /* {field.meaning} */" if field.meaning else declared
         return [line] if len(line) <= WIDTH + 40 else [*self.remark(field.meaning, "    "), declared]
 
-    def table(self, table: Table) -> list[str]:
+    def table(self, table: t.Table) -> list[str]:
         """Constant structures and their type."""
         many = len(table.rows) > 1
         rows = [line for row in table.rows for line in self._row(table.structure, row, many)]
@@ -148,10 +111,10 @@ class C(Printer):
             "};",
         ]
 
-    def _row(self, structure: Structure, row: tuple[float, ...], braces: bool) -> list[str]:
+    def _row(self, structure: t.Structure, row: tuple[float, ...], braces: bool) -> list[str]:
         numbers, members = list(row), []
         for field in structure.members:
-            if isinstance(field.type, Array):
+            if isinstance(field.type, t.Array):
                 parts = [f"REAL({numbers.pop(0)!r})" for _ in range(field.type.dims[0])]
                 members.append(f"{{{', '.join(parts)}}}")
             else:
@@ -175,53 +138,47 @@ class C(Printer):
     def name(self, name: str) -> str:
         return f"*{name}" if name in self.numbers else name
 
-    def _text(self, node: Expression) -> tuple[str, int]:
+    def _text(self, node: t.Expression) -> tuple[str, int]:
         match node:
-            case Name(name) if name in self.numbers:
+            case t.Name(name) if name in self.numbers:
                 return f"*{name}", SIGN
-            case Call("anywhere", (test,)):
+            case t.Call("anywhere", (test,)):
                 return self._text(test)
-            case Member(Name(owner), name) if owner in self.pointers:
+            case t.Member(t.Name(owner), name) if owner in self.pointers:
                 return f"{owner}->{name}", ATOM
-            case From(array, index):
+            case t.From(array, index):
                 return f"&{self.text(array, ATOM)}[{self.text(index)}]", SIGN
-            case As(Count(), Number(number)):
+            case t.As(t.Count(), t.Number(number)):
                 return f"{number}U", ATOM
-            case As(Pointer() as kind, value):
+            case t.As(t.Pointer() as kind, value):
                 return f"(const {self.declared(kind, '').strip()}){self._address(value)}", SIGN
-            case As(kind, value):
+            case t.As(kind, value):
                 return f"({self.declared(kind, '').strip()}){self.text(value, ATOM)}", SIGN
-            case Binary("*" | "/" as operator, left, right):
-                return f"{self._operand(left, node)}{operator}{self._operand(right, node, 1)}", PRODUCT
-            case Binary(operator, left, right):
-                return f"{self._operand(left, node)} {operator} {self._operand(right, node, 1)}", SUM
-            case Compare(operator, left, right):
-                return f"{self._operand(left, node)} {operator} {self._operand(right, node)}", COMPARE
-            case Both(left, right):
-                return f"{self._operand(left, node)} && {self._operand(right, node)}", AND
-            case Either(left, right):
-                return f"{self._operand(left, node)} || {self._operand(right, node)}", OR
+            case t.Binary(operator, left, right):
+                level, _, _ = LEVELS[operator]
+                sign = operator if level == PRODUCT else f" {self.sign(operator)} "
+                more = int(level > COMPARE)
+                return f"{self._operand(left, operator)}{sign}{self._operand(right, operator, more)}", level
         return super()._text(node)
 
-    def _operand(self, value: Expression, whole: Expression, more: int = 0) -> str:
-        match whole:
-            case Binary(operator):
-                level = _LEVEL[operator] + more
-                # A factor with a sign of its own stands in parentheses.
-                level = ATOM if level >= PRODUCT and isinstance(value, Negative) else level
-                apart = isinstance(value, Binary) and value.operator != operator
-            case Compare():
-                level, apart = SUM, isinstance(value, Binary)
-            case _:
-                alike = isinstance(value, type(whole))
-                level, apart = (OR if alike else COMPARE), not alike
+    def _operand(self, value: t.Expression, operator: str, more: int = 0) -> str:
+        inner = value.operator if isinstance(value, t.Binary) else ""
+        level, _, _ = LEVELS[operator]
+        if level > COMPARE:
+            # A factor with a sign of its own stands in parentheses.
+            signed = level + more >= PRODUCT and isinstance(value, t.Negative)
+            level, apart = (ATOM if signed else level + more), inner not in ("", operator)
+        elif level == COMPARE:
+            level, apart = SUM, bool(inner)
+        else:
+            level, apart = (OR if inner == operator else COMPARE), inner != operator
         return self.text(value, SIGN if self.brackets and apart else level)
 
-    def select(self, node: Select) -> str:
+    def select(self, node: t.Select) -> str:
         test = self.text(node.test, ATOM if self.brackets else COMPARE)
         return f"{test} ? {self.text(node.yes, SELECT + 1)} : {self.text(node.no)}"
 
-    def call(self, node: Call) -> str:
+    def call(self, node: t.Call) -> str:
         function = self.functions_by_name.get(node.function)
         if function is None:
             name = _BUILT_IN.get(node.function, node.function)
@@ -230,23 +187,23 @@ class C(Printer):
         passed = (self._passed(argument, value) for argument, value in pairs)
         return f"{node.function}({', '.join(passed)})"
 
-    def _passed(self, argument: Argument, value: Expression) -> str:
-        number = isinstance(argument.type, Real | Integer | Count)
-        if isinstance(value, Name) and value.name in self.numbers and argument.changed:
+    def _passed(self, argument: t.Argument, value: t.Expression) -> str:
+        number = isinstance(argument.type, t.Real | t.Integer | t.Count)
+        if isinstance(value, t.Name) and value.name in self.numbers and argument.changed:
             return value.name
-        if isinstance(argument.type, Record) or (number and argument.changed):
+        if isinstance(argument.type, t.Record) or (number and argument.changed):
             return self._address(value)
         return self.text(value)
 
-    def _address(self, value: Expression) -> str:
-        if isinstance(value, Select):
+    def _address(self, value: t.Expression) -> str:
+        if isinstance(value, t.Select):
             return f"{self.text(value.test)} ? {self._address(value.yes)} : {self._address(value.no)}"
-        is_address = isinstance(value, From) or (isinstance(value, Name) and value.name in self.pointers)
+        is_address = isinstance(value, t.From) or (isinstance(value, t.Name) and value.name in self.pointers)
         return self.text(value) if is_address else f"&{self.text(value, ATOM)}"
 
     # ------------------------------------------------------------ statements
 
-    def body(self, statements: Iterable[Statement], depth: int = 1) -> list[str]:
+    def body(self, statements: Iterable[t.Statement], depth: int = 1) -> list[str]:
         """Statements as lines; constants that are loaded from one array are declared together."""
         lines: list[str] = []
         statements = _called_apart(statements) if self.brackets else statements
@@ -255,81 +212,81 @@ class C(Printer):
             if owner is None or len(found) == 1:
                 lines += super().body(found, depth)
             else:
-                loads = ", ".join(f"{each.name} = {self.text(each.value)}" for each in found)  # type: ignore[union-attr, arg-type]
-                const = "const " if isinstance(found[0], Let) else ""
+                loads = ", ".join(f"{each.name} = {self.text(each.value)}" for each in found)  # type: ignore[attr-defined]
+                const = "const " if isinstance(found[0], t.Let) else ""
                 lines += self.lines(self.indent * depth, f"{const}stewart_real {loads};")
         return lines
 
-    def let(self, node: Let) -> str:
-        if isinstance(node.type, Pointer) and isinstance(node.type.item, Real):
-            const = "const " if isinstance(node.value, As) else ""
+    def let(self, node: t.Let) -> str:
+        if isinstance(node.type, t.Pointer) and isinstance(node.type.item, t.Real):
+            const = "const " if isinstance(node.value, t.As) else ""
             return f"{const}{self.declared(node.type, f'const {node.name}')} = {self.text(node.value)};"
-        if isinstance(node.type, Pointer):
+        if isinstance(node.type, t.Pointer):
             self.pointers.add(node.name)
             value = self._address(node.value)
             return f"const {self.declared(node.type, f'const {node.name}')} = {value};"
         return f"const {self.declared(node.type, node.name)} = {self.text(node.value)};"
 
-    def variable(self, node: Variable) -> str:
+    def variable(self, node: t.Variable) -> str:
         declared = _ALIGNED[node.aligned] + self.declared(node.type, node.name)
         if node.value is not None:
             return f"{declared} = {self.text(node.value)};"
         if node.blank:
             # Compilers warn where a function is given what nobody set, read or not.
-            empty = isinstance(node.type, Record) and node.type.name in self.empty
+            empty = isinstance(node.type, t.Record) and node.type.name in self.empty
             return f"{declared}{' = {0}' if empty else ''};"
-        return f"{declared} = {'REAL(0)' if node.type == Real() else self.zero(node.type)};"
+        return f"{declared} = {'REAL(0)' if node.type == t.Real() else self.zero(node.type)};"
 
-    def zero(self, kind: Type) -> str:
+    def zero(self, kind: t.Type) -> str:
         """Zeros of a type, each of its own: compilers of C++ warn of fewer."""
         match kind:
-            case Array(item, (count, *others)):
-                inner = Array(item, tuple(others)) if others else item
+            case t.Array(item, (count, *others)):
+                inner = t.Array(item, tuple(others)) if others else item
                 return f"{{{', '.join([self.zero(inner)] * count)}}}"
-            case Record(name) if name in self.structures:
+            case t.Record(name) if name in self.structures:
                 return f"{{{', '.join(self.zero(each.type) for each in self.structures[name].members)}}}"
-            case Record():
+            case t.Record():
                 return "{0}"
         return "0"
 
-    def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
+    def assign(self, before: str, target: t.Expression, value: t.Expression) -> list[str]:
         left, right = (
-            f"*{each.name}" if isinstance(each, Name) and each.name in self.pointers else self.text(each)
+            f"*{each.name}" if isinstance(each, t.Name) and each.name in self.pointers else self.text(each)
             for each in (target, value)
         )
         return self.lines(before, f"{left} = {right};")
 
-    def do(self, call: Call) -> str:
+    def do(self, call: t.Call) -> str:
         function = self.functions_by_name.get(call.function)
         unread = "" if function is None or function.result is None else "(void)"
         return unread + self.call(call)
 
-    def loop(self, node: For) -> str:
+    def loop(self, node: t.For) -> str:
         index = node.index
         first, last = self.text(node.first), self.text(node.last)
         if node.down:
-            end = f">= {node.last.value + 1}" if isinstance(node.last, Number) else f"> {last}"
+            end = f">= {node.last.value + 1}" if isinstance(node.last, t.Number) else f"> {last}"
             return f"for ({index} = {first}; {index} {end}; --{index})"
-        step = f"++{index}" if node.step == Number(1) else f"{index} += {self.text(node.step)}"
+        step = f"++{index}" if node.step == t.Number(1) else f"{index} += {self.text(node.step)}"
         kept = "STEWART_LOOP " if node.kept else ""
         return f"{kept}for ({index} = {first}; {index} < {last}; {step})"
 
     def condition(self, test: str) -> str:
         return f"if ({test})"
 
-    def more(self, before: str, node: Statement, depth: int) -> list[str]:
-        assert isinstance(node, Switch)
+    def more(self, before: str, node: t.Statement, depth: int) -> list[str]:
+        assert isinstance(node, t.Switch)
         others = ["#else", *self.body(node.otherwise, depth)] if node.otherwise else []
         return [f"#if defined({node.macro})", *self.body(node.body, depth), *others, "#endif"]
 
     # ------------------------------------------------------------ functions
 
-    def function(self, function: Function) -> list[str]:
+    def function(self, function: t.Function) -> list[str]:
         """A definition; those of the interface have their comments where they are declared."""
         self._enter(function)
         apart = "STEWART_APART " if function.apart else ""
         static = "" if function.public else f"{apart}{self.static}"
-        used = {each.name for each in names_in(function.body)}.difference(self.unread)
+        used = {each.name for each in t.names_in(function.body)}.difference(self.unread)
         return [
             *([] if function.public else self.remark(function.meaning)),
             *self.head(static, function, ""),
@@ -340,27 +297,29 @@ class C(Printer):
             "}",
         ]
 
-    def interface(self, *parts: Structure | Function) -> str:
+    def interface(self, *parts: t.Structure | t.Function) -> str:
         """Structures, and the functions that are public, as a header has them."""
-        found = [self.structure(each) for each in parts if isinstance(each, Structure)]
-        found += [self.declaration(each) for each in parts if isinstance(each, Function) and each.public]
+        found = [self.structure(each) for each in parts if isinstance(each, t.Structure)]
+        found += [self.declaration(each) for each in parts if isinstance(each, t.Function) and each.public]
         return "\n".join("\n".join([*lines, ""]) for lines in found)
 
-    def declaration(self, function: Function) -> list[str]:
+    def declaration(self, function: t.Function) -> list[str]:
         """A function of the interface with its comment, as a header has it."""
         checked = "" if function.result is None else "STEWART_NODISCARD "
         return [*self.remark(function.meaning), *self.head(checked, function, ";")]
 
-    def _enter(self, function: Function) -> None:
+    def _enter(self, function: t.Function) -> None:
         """Sets which names are addresses."""
         self.functions_by_name[function.name] = function
         arguments = function.arguments
-        self.pointers = {each.name for each in arguments if isinstance(each.type, Record)}
+        self.pointers = {each.name for each in arguments if isinstance(each.type, t.Record)}
         self.numbers = {
-            each.name for each in arguments if each.changed and isinstance(each.type, Real | Integer | Count)
+            each.name
+            for each in arguments
+            if each.changed and isinstance(each.type, t.Real | t.Integer | t.Count)
         }
 
-    def head(self, before: str, function: Function, end: str) -> list[str]:
+    def head(self, before: str, function: t.Function, end: str) -> list[str]:
         """The name, the arguments and the result of a function, between two texts."""
         result = "void" if function.result is None else self.declared(function.result, "").strip()
         arguments = ", ".join(map(self.argument, function.arguments)) or "void"
@@ -372,28 +331,28 @@ class C(Printer):
         rest = textwrap.wrap(f"{text}){end}", WIDTH - 4, break_on_hyphens=False)
         return [f"{before}{result} {function.name}(", *(f"    {each}".replace("\0", " ") for each in rest)]
 
-    def argument(self, argument: Argument) -> str:
+    def argument(self, argument: t.Argument) -> str:
         """An argument as it is declared."""
         name, kind = argument.name, argument.type
         const = "" if argument.changed else "const "
         alone = "STEWART_RESTRICT " if argument.alone else ""
         match kind:
-            case Array(item, (_, *others)) if alone:
+            case t.Array(item, (_, *others)) if alone:
                 pointer = f"*{alone}{name}"
                 text = self.declared(item, f"({pointer}){self._dims(tuple(others))}" if others else pointer)
                 return text if others else const + text
-            case Array(_, dims):
+            case t.Array(_, dims):
                 return (const if len(dims) == 1 else "") + self.declared(kind, name)
-            case Pointer() | Record():
-                item = kind.item if isinstance(kind, Pointer) else kind
+            case t.Pointer() | t.Record():
+                item = kind.item if isinstance(kind, t.Pointer) else kind
                 return const + self.declared(item, f"*{alone}{name}")
         return self.declared(kind, f"*{name}" if argument.changed else name)
 
-    def _indices(self, function: Function) -> list[str]:
-        loops = [each for each in statements(function.body) if isinstance(each, For)]
+    def _indices(self, function: t.Function) -> list[str]:
+        loops = [each for each in t.statements(function.body) if isinstance(each, t.For)]
         by_type = [
             (kind, sorted({each.index for each in loops if each.type == kind}))
-            for kind in (Count(), Integer())
+            for kind in (t.Count(), t.Integer())
         ]
         return [
             f"    {_NAMES[type(kind)]} {names};"
@@ -402,20 +361,20 @@ class C(Printer):
         ]
 
 
-def _called_apart(statements: Iterable[Statement]) -> Iterator[Statement]:
+def _called_apart(statements: Iterable[t.Statement]) -> Iterator[t.Statement]:
     """Structures that functions return assigned: initialised, MISRA C's checker takes them for parts."""
     for node in statements:
         match node:
-            case Let(value=Call(), type=Record()) | Variable(value=Call(), type=Record()):
+            case t.Let(value=t.Call(), type=t.Record()) | t.Variable(value=t.Call(), type=t.Record()):
                 assert node.value is not None
-                yield Variable(node.name, node.type, blank=True)
-                yield Assign(Name(node.name), node.value)
+                yield t.Variable(node.name, node.type, blank=True)
+                yield t.Assign(t.Name(node.name), node.value)
             case _:
                 yield node
 
 
-def _loaded_from(node: Statement) -> tuple[type, Expression] | None:
+def _loaded_from(node: t.Statement) -> tuple[type, t.Expression] | None:
     """The array of which a constant, or a variable at first, is one element."""
-    if isinstance(node, Let | Variable) and isinstance(node.value, Element):
+    if isinstance(node, t.Let | t.Variable) and isinstance(node.value, t.Element):
         return type(node), node.value.array
     return None

@@ -3,24 +3,7 @@
 import math
 import textwrap
 
-from ..kernel.tree.nodes import (
-    Array,
-    Call,
-    Expression,
-    Field,
-    For,
-    Function,
-    Integer,
-    Let,
-    Name,
-    Program,
-    Record,
-    Return,
-    Select,
-    Structure,
-    Type,
-    Variable,
-)
+from ..kernel.tree import nodes as t
 from .spelling import Printer, written_to
 
 
@@ -33,9 +16,9 @@ class Matlab(Printer):
     comment = "% ", ""
     continued = " ..."
 
-    def __init__(self, program: Program, package: str = "stewart") -> None:
+    def __init__(self, program: t.Program, package: str = "stewart") -> None:
         self.program, self.package = program, package
-        self.functions_by_name = {each.name: each for each in program.functions}
+        super().__init__(program.functions)
         self.result = ""
 
     def files(self) -> dict[str, str]:
@@ -48,24 +31,24 @@ class Matlab(Printer):
             for name, lines in (of_functions | of_structures | checks).items()
         }
 
-    def _given(self) -> list[Structure]:
+    def _given(self) -> list[t.Structure]:
         """Structures that callers fill: those that public functions take, but for what has a status."""
         names = [
             each.type.name
             for function in self.program.functions
             for each in function.arguments
-            if function.public and isinstance(each.type, Record)
+            if function.public and isinstance(each.type, t.Record)
         ]
-        found: dict[str, Structure] = {}
+        found: dict[str, t.Structure] = {}
         while names:
             each = self.program.structure(names.pop())
-            if not any(member.type == Integer() for member in each.members):
+            if not any(member.type == t.Integer() for member in each.members):
                 found[each.name] = each
-                kinds = (m.type.item if isinstance(m.type, Array) else m.type for m in each.members)
-                names += [kind.name for kind in kinds if isinstance(kind, Record)]
+                kinds = (m.type.item if isinstance(m.type, t.Array) else m.type for m in each.members)
+                names += [kind.name for kind in kinds if isinstance(kind, t.Record)]
         return list(found.values())
 
-    def check(self, structure: Structure) -> list[str]:
+    def check(self, structure: t.Structure) -> list[str]:
         """A function that hands a structure on with every number as double, or says what is not one."""
         name = _named("checked", structure.name)
         lines = [line for each in structure.members for line in self._checked_member(each)]
@@ -77,9 +60,9 @@ class Matlab(Printer):
             "end",
         ]
 
-    def _checked_member(self, member: Field) -> list[str]:
+    def _checked_member(self, member: t.Field) -> list[str]:
         name, kind = member.name, member.type
-        if isinstance(kind, Array) and isinstance(kind.item, Record):
+        if isinstance(kind, t.Array) and isinstance(kind.item, t.Record):
             check = f"{self.package}.{_named('checked', kind.item.name)}"
             return [
                 f"    if numel(given.{name}) ~= {kind.dims[0]}",
@@ -91,13 +74,13 @@ class Matlab(Printer):
             ]
         return [f"    made.{name} = {self._checked(f'given.{name}', name, kind)};"]
 
-    def _checked(self, value: str, name: str, kind: Type) -> str:
-        if isinstance(kind, Record):
+    def _checked(self, value: str, name: str, kind: t.Type) -> str:
+        if isinstance(kind, t.Record):
             return f"{self.package}.{_named('checked', kind.name)}({value})"
-        count = math.prod(kind.dims) if isinstance(kind, Array) else 1
+        count = math.prod(kind.dims) if isinstance(kind, t.Array) else 1
         return f"{self.package}.numbers({value}, {count}, '{name}')"
 
-    def structure(self, structure: Structure) -> list[str]:
+    def structure(self, structure: t.Structure) -> list[str]:
         """A function that makes a structure of zeros."""
         members = [
             f"    made.{each.name} = {self.zero(each.type)};{f' % {each.meaning}' if each.meaning else ''}"
@@ -111,17 +94,17 @@ class Matlab(Printer):
             "end",
         ]
 
-    def zero(self, kind: Type) -> str:
+    def zero(self, kind: t.Type) -> str:
         """Zeros of a type."""
         match kind:
-            case Array(Record(name), dims):
+            case t.Array(t.Record(name), dims):
                 return f"repmat({self.package}.{_named('zero', name)}(), {dims[0]}, 1)"
-            case Array(_, dims):
+            case t.Array(_, dims):
                 rows, columns = dims if len(dims) == 2 else (dims[0], 1)
                 return f"zeros({rows}, {columns})"
-            case Record(name):
+            case t.Record(name):
                 return f"{self.package}.{_named('zero', name)}()"
-            case Integer():
+            case t.Integer():
                 return "int32(0)"
         return "0"
 
@@ -136,11 +119,11 @@ class Matlab(Printer):
     def element(self, array: str, index: list[str]) -> str:
         return f"{array}({', '.join(_from_one(each) for each in index)})"
 
-    def select(self, node: Select) -> str:
+    def select(self, node: t.Select) -> str:
         values = ", ".join(self.text(each) for each in (node.test, node.yes, node.no))
         return f"{self.package}.where({values})"
 
-    def call(self, node: Call) -> str:
+    def call(self, node: t.Call) -> str:
         if node.function == "anywhere":
             return self.text(node.arguments[0])
         spelled = {"sqrt": "sqrt", "size": "abs", "larger": f"{self.package}.larger"}
@@ -149,9 +132,9 @@ class Matlab(Printer):
 
     # ------------------------------------------------------------ statements
 
-    def _results(self, value: Expression, first: list[str]) -> str:
+    def _results(self, value: t.Expression, first: list[str]) -> str:
         """The left side of an assignment of what a call returns and of what it changes."""
-        if not isinstance(value, Call) or value.function not in self.functions_by_name:
+        if not isinstance(value, t.Call) or value.function not in self.functions_by_name:
             return first[0]
         function = self.functions_by_name[value.function]
         changed = [
@@ -162,40 +145,40 @@ class Matlab(Printer):
         both = [*first, *changed]
         return both[0] if len(both) == 1 else f"[{', '.join(both)}]"
 
-    def let(self, node: Let) -> str:
+    def let(self, node: t.Let) -> str:
         return f"{self._results(node.value, [node.name])} = {self.text(node.value)};"
 
-    def variable(self, node: Variable) -> str:
+    def variable(self, node: t.Variable) -> str:
         value = self.zero(node.type) if node.value is None else self.text(node.value)
         left = node.name if node.value is None else self._results(node.value, [node.name])
         return f"{left} = {value};"
 
-    def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
+    def assign(self, before: str, target: t.Expression, value: t.Expression) -> list[str]:
         left = self._results(value, [self.text(target)])
         return self.lines(before, f"{left} = {self.text(value)};")
 
-    def do(self, call: Call) -> str:
+    def do(self, call: t.Call) -> str:
         function = self.functions_by_name.get(call.function)
         unused = ["~"] if function is not None and function.result is not None else []
         return f"{self._results(call, unused)} = {self.call(call)}"
 
-    def loop(self, node: For) -> str:
+    def loop(self, node: t.For) -> str:
         first, last = self.text(node.first), self.text(node.last)
         if node.down:
             return f"for {node.index} = {first}:-1:{_plus(last, 1)}"
         return f"for {node.index} = {first}:{_plus(last, -1)}"
 
-    def returned(self, value: Expression | None) -> str:
+    def returned(self, value: t.Expression | None) -> str:
         if value is None:
             return "return;"
         return (
-            "" if isinstance(value, Name) and value.name == self.result else f"result = {self.text(value)};"
+            "" if isinstance(value, t.Name) and value.name == self.result else f"result = {self.text(value)};"
         )
 
-    def function(self, function: Function) -> list[str]:
+    def function(self, function: t.Function) -> list[str]:
         last = function.body[-1]
-        named = isinstance(last, Return) and isinstance(last.value, Name)
-        self.result = last.value.name if isinstance(last, Return) and isinstance(last.value, Name) else ""
+        named = isinstance(last, t.Return) and isinstance(last.value, t.Name)
+        self.result = last.value.name if isinstance(last, t.Return) and isinstance(last.value, t.Name) else ""
         outputs = [*([] if function.result is None else [self.result if named else "result"])]
         outputs += written_to(function)
         left = outputs[0] if len(outputs) == 1 else f"[{', '.join(outputs)}]"
@@ -206,7 +189,7 @@ class Matlab(Printer):
             checked = [
                 each
                 for each in function.arguments
-                if not isinstance(each.type, Record) or each.type.name in made
+                if not isinstance(each.type, t.Record) or each.type.name in made
             ]
             body[:0] = [
                 f"    {each.name} = {self._checked(each.name, each.name, each.type)};" for each in checked
@@ -221,7 +204,7 @@ class Matlab(Printer):
         ]
 
 
-def _help(function: Function) -> list[str]:
+def _help(function: t.Function) -> list[str]:
     text = " ".join([function.name.upper(), *function.meaning.split()])
     return textwrap.wrap(
         text, 100, initial_indent="%", subsequent_indent="% ", break_long_words=False, break_on_hyphens=False

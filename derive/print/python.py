@@ -4,32 +4,8 @@ from collections.abc import Collection, Iterable, Mapping
 from itertools import groupby
 from types import MappingProxyType
 
+from ..kernel.tree import nodes as t
 from ..kernel.tree.constants import INTEGERS
-from ..kernel.tree.nodes import (
-    Argument,
-    Array,
-    Assign,
-    Call,
-    Element,
-    Expression,
-    Field,
-    For,
-    Function,
-    Integer,
-    Let,
-    Member,
-    Name,
-    Number,
-    Program,
-    Record,
-    Select,
-    Statement,
-    Structure,
-    Type,
-    Variable,
-    names_in,
-    statements,
-)
 from .spelling import ATOM, WIDTH, Printer, remark
 
 
@@ -42,7 +18,8 @@ class Python(Printer):
     alternative, negation = "else:", "~"
     comment = "# ", ""
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: t.Program) -> None:
+        super().__init__(program.functions)
         self.program = program
 
     def source(self, without: Collection[str] = ()) -> str:
@@ -53,7 +30,7 @@ class Python(Printer):
         parts += [self.function(each) for each in self.program.functions if each.name not in without]
         return "\n".join([*(line for part in parts for line in ("", "", *part)), ""])
 
-    def structure(self, structure: Structure) -> list[str]:
+    def structure(self, structure: t.Structure) -> list[str]:
         """A class whose members are zero at first."""
         members = [line for each in structure.members for line in self._member(each)]
         return [
@@ -64,23 +41,23 @@ class Python(Printer):
             *members,
         ]
 
-    def _member(self, member: Field) -> list[str]:
+    def _member(self, member: t.Field) -> list[str]:
         line = f"        self.{member.name}: Any = {self.zero(member.type)}"
         said = f"  # {member.meaning}" if member.meaning else ""
         return [line + said] if len(line + said) <= WIDTH else [f"        {said.strip()}", line]
 
-    def zero(self, kind: Type) -> str:
+    def zero(self, kind: t.Type) -> str:
         """Zeros of a type."""
         match kind:
-            case Array(Record() as item, (count,)):
+            case t.Array(t.Record() as item, (count,)):
                 return f"[{self.zero(item)} for _ in range({count})]"
-            case Array(item, (count,)):
+            case t.Array(item, (count,)):
                 return f"[{self.zero(item)}] * {count}"
-            case Array(item, (count, *others)):
-                return f"[{self.zero(Array(item, tuple(others)))} for _ in range({count})]"
-            case Record(name):
+            case t.Array(item, (count, *others)):
+                return f"[{self.zero(t.Array(item, tuple(others)))} for _ in range({count})]"
+            case t.Record(name):
                 return f"{name}()"
-            case Integer():
+            case t.Integer():
                 return "0"
         return "0.0"
 
@@ -92,36 +69,36 @@ class Python(Printer):
     def constant(self, name: str) -> str:
         return name if name in INTEGERS else f"on.{name}"
 
-    def _text(self, node: Expression) -> tuple[str, int]:
-        if isinstance(node, Element) and self.varies(node):
+    def _text(self, node: t.Expression) -> tuple[str, int]:
+        if isinstance(node, t.Element) and self.varies(node):
             return f"on.at({', '.join(map(self.text, (node.array, *node.index)))})", ATOM
         return super()._text(node)
 
-    def varies(self, node: Element) -> bool:
+    def varies(self, node: t.Element) -> bool:
         """Whether poses differ in the element that is meant: an index that is no loop's, nor handed in."""
-        return not all(each.name in self.fixed for each in names_in(node.index))
+        return not all(each.name in self.fixed for each in t.names_in(node.index))
 
     fixed: frozenset[str] = frozenset()
 
-    def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
-        if isinstance(target, Element) and self.varies(target):
+    def assign(self, before: str, target: t.Expression, value: t.Expression) -> list[str]:
+        if isinstance(target, t.Element) and self.varies(target):
             parts = ", ".join(map(self.text, (target.array, value, *target.index)))
             return self.lines(before, f"on.put({parts})")
         return super().assign(before, target, value)
 
-    def select(self, node: Select) -> str:
+    def select(self, node: t.Select) -> str:
         values = ", ".join(self.text(each) for each in (node.test, node.yes, node.no))
         return f"on.where({values})"
 
-    def call(self, node: Call) -> str:
+    def call(self, node: t.Call) -> str:
         arguments = [self.text(each) for each in node.arguments]
-        if any(each.name == node.function for each in self.program.functions):
+        if node.function in self.functions_by_name:
             return f"{node.function}({', '.join(['on', *arguments])})"
         return f"on.{node.function}({', '.join(arguments)})"
 
     # ------------------------------------------------------------ statements
 
-    def body(self, statements: Iterable[Statement], depth: int = 1) -> list[str]:
+    def body(self, statements: Iterable[t.Statement], depth: int = 1) -> list[str]:
         """Statements as lines; elements of one array that are loaded, or stored, in turn on one of them."""
         lines: list[str] = []
         for array, run in groupby(statements, _array):
@@ -130,16 +107,16 @@ class Python(Printer):
             lines += together or super().body(found, depth)
         return lines
 
-    def _together(self, before: str, array: Expression | None, found: list[Statement]) -> list[str]:
+    def _together(self, before: str, array: t.Expression | None, found: list[t.Statement]) -> list[str]:
         """Elements that are loaded or stored by one statement; none where they cannot be."""
         whole = array is not None and self._is_whole(array, [_element(each) for each in found])
-        values = [each.value for each in found if isinstance(each, Let | Assign)]
+        values = [each.value for each in found if isinstance(each, t.Let | t.Assign)]
         text = ", ".join(map(self.text, values))
-        if all(isinstance(each, Let) for each in found):
-            names = ", ".join(each.name for each in found if isinstance(each, Let))
+        if all(isinstance(each, t.Let) for each in found):
+            names = ", ".join(each.name for each in found if isinstance(each, t.Let))
             line = f"{before}{names} = {self.text(array) if whole and array is not None else text}"
             return [line] if len(line) <= WIDTH else []
-        if not whole or array is None or {*names_in(array)} & {*names_in(tuple(values))}:
+        if not whole or array is None or {*t.names_in(array)} & {*t.names_in(tuple(values))}:
             return []
         line = f"{before}{self.text(array)} = [{text}]"
         if len(line) <= WIDTH:
@@ -149,40 +126,40 @@ class Python(Printer):
             parts += super().lines(before + self.indent, f"{self.text(each)},")
         return [f"{before}{self.text(array)} = [", *parts, f"{before}]"]
 
-    def _is_whole(self, array: Expression, elements: list[Element | None]) -> bool:
+    def _is_whole(self, array: t.Expression, elements: list[t.Element | None]) -> bool:
         """Whether these are all elements of a structure's member, in their order."""
-        if not isinstance(array, Member) or not isinstance(array.owner, Name):
+        if not isinstance(array, t.Member) or not isinstance(array.owner, t.Name):
             return False
         dims = [
             each.type.dims
             for structure in self.program.structures
             if structure.name == self.records.get(array.owner.name)
             for each in structure.members
-            if each.name == array.name and isinstance(each.type, Array)
+            if each.name == array.name and isinstance(each.type, t.Array)
         ]
         found = [each.index for each in elements if each is not None]
-        return dims == [(len(found),)] and found == [(Number(i),) for i in range(len(found))]
+        return dims == [(len(found),)] and found == [(t.Number(i),) for i in range(len(found))]
 
     records: Mapping[str, str] = MappingProxyType({})
 
-    def let(self, node: Let) -> str:
+    def let(self, node: t.Let) -> str:
         return f"{node.name} = {self.text(node.value)}"
 
-    def variable(self, node: Variable) -> str:
+    def variable(self, node: t.Variable) -> str:
         return f"{node.name} = {self.zero(node.type) if node.value is None else self.text(node.value)}"
 
-    def loop(self, node: For) -> str:
+    def loop(self, node: t.For) -> str:
         first, last = self.text(node.first), self.text(node.last)
         if node.down:
             return f"for {node.index} in range({first}, {last}, -1)"
         return f"for {node.index} in range({last if first == '0' else f'{first}, {last}'})"
 
-    def function(self, function: Function) -> list[str]:
-        loops = {each.index for each in statements(function.body) if isinstance(each, For)}
-        made = [each for each in function.body if isinstance(each, Variable)]
-        known: list[Argument | Variable] = [*function.arguments, *made]
-        self.records = {each.name: each.type.name for each in known if isinstance(each.type, Record)}
-        self.fixed = frozenset(loops | {each.name for each in function.arguments if each.type == Integer()})
+    def function(self, function: t.Function) -> list[str]:
+        loops = {each.index for each in t.statements(function.body) if isinstance(each, t.For)}
+        made = [each for each in function.body if isinstance(each, t.Variable)]
+        known: list[t.Argument | t.Variable] = [*function.arguments, *made]
+        self.records = {each.name: each.type.name for each in known if isinstance(each.type, t.Record)}
+        self.fixed = frozenset(loops | {each.name for each in function.arguments if each.type == t.Integer()})
         arguments = ", ".join(["on: Arithmetic", *(f"{each.name}: Any" for each in function.arguments)])
         result = "None" if function.result is None else "Any"
         given = [
@@ -213,13 +190,13 @@ def _docstring(meaning: str) -> list[str]:
     return [*lines, '    """'] if others else [f'{lines[0]}"""']
 
 
-def _element(node: Statement) -> Element | None:
+def _element(node: t.Statement) -> t.Element | None:
     """The element that is loaded as a constant, or stored."""
-    value = node.value if isinstance(node, Let) else node.target if isinstance(node, Assign) else None
-    return value if isinstance(value, Element) else None
+    value = node.value if isinstance(node, t.Let) else node.target if isinstance(node, t.Assign) else None
+    return value if isinstance(value, t.Element) else None
 
 
-def _array(node: Statement) -> Expression | None:
+def _array(node: t.Statement) -> t.Expression | None:
     """The array of that element."""
     element = _element(node)
     return None if element is None else element.array

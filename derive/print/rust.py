@@ -2,26 +2,7 @@
 
 from functools import reduce
 
-from ..kernel.tree.nodes import (
-    Array,
-    Call,
-    Count,
-    For,
-    Function,
-    Integer,
-    Let,
-    Name,
-    Program,
-    Real,
-    Record,
-    Select,
-    Structure,
-    Truth,
-    Type,
-    Variable,
-    names_in,
-    statements,
-)
+from ..kernel.tree import nodes as t
 from .spelling import SUM, WIDTH, Printer, remark
 
 
@@ -30,9 +11,9 @@ class Rust(Printer):
 
     comment = "// ", ""
 
-    def __init__(self, program: Program) -> None:
+    def __init__(self, program: t.Program) -> None:
         self.program = program
-        self.functions_by_name = {each.name: each for each in program.functions}
+        super().__init__(program.functions)
 
     def source(self) -> str:
         """Structures and functions, without the constants that they read."""
@@ -41,25 +22,25 @@ class Rust(Printer):
 
     # ------------------------------------------------------------ types
 
-    def type(self, kind: Type) -> str:
+    def type(self, kind: t.Type) -> str:
         """A type's name."""
         match kind:
-            case Array(item, dims):
+            case t.Array(item, dims):
                 return _nested(self.type(item), dims)
-            case Record(name):
+            case t.Record(name):
                 return name
-        return {Real: "Real", Integer: "usize", Count: "usize", Truth: "bool"}[type(kind)]
+        return {t.Real: "Real", t.Integer: "usize", t.Count: "usize", t.Truth: "bool"}[type(kind)]
 
-    def zero(self, kind: Type) -> str:
+    def zero(self, kind: t.Type) -> str:
         """Zeros of a type."""
         match kind:
-            case Array(item, dims):
+            case t.Array(item, dims):
                 return _nested(self.zero(item), dims)
-            case Record(name):
+            case t.Record(name):
                 return f"{name}::ZERO"
-        return {Real: "0.0", Integer: "0", Count: "0", Truth: "false"}[type(kind)]
+        return {t.Real: "0.0", t.Integer: "0", t.Count: "0", t.Truth: "false"}[type(kind)]
 
-    def structure(self, structure: Structure) -> list[str]:
+    def structure(self, structure: t.Structure) -> list[str]:
         """A structure and its zero."""
         name = structure.name
         members = [
@@ -96,10 +77,10 @@ class Rust(Printer):
 
     select_level = SUM
 
-    def select(self, node: Select) -> str:
+    def select(self, node: t.Select) -> str:
         return f"if {self.text(node.test)} {{ {self.text(node.yes)} }} else {{ {self.text(node.no)} }}"
 
-    def call(self, node: Call) -> str:
+    def call(self, node: t.Call) -> str:
         if node.function == "anywhere":
             return self.text(node.arguments[0])
         function = self.functions_by_name.get(node.function)
@@ -107,7 +88,7 @@ class Rust(Printer):
             return f"{node.function}({', '.join(map(self.text, node.arguments))})"
         passed = [
             f"{'' if _by_value(each.type) else '&mut ' if each.changed else '&'}{self.text(value)}"
-            if not (isinstance(value, Name) and value.name in self.borrowed)
+            if not (isinstance(value, t.Name) and value.name in self.borrowed)
             else self.text(value)
             for each, value in zip(function.arguments, node.arguments, strict=True)
         ]
@@ -117,24 +98,24 @@ class Rust(Printer):
 
     borrowed: frozenset[str] = frozenset()
 
-    def let(self, node: Let) -> str:
+    def let(self, node: t.Let) -> str:
         return f"let {node.name} = {self.text(node.value)};"
 
-    def variable(self, node: Variable) -> str:
+    def variable(self, node: t.Variable) -> str:
         value = self.zero(node.type) if node.value is None else self.text(node.value)
         return f"let mut {node.name}: {self.type(node.type)} = {value};"
 
-    def loop(self, node: For) -> str:
+    def loop(self, node: t.For) -> str:
         index = node.index
-        if not any(each.name == index for part in statements(node.body) for each in names_in(part)):
+        if not any(each.name == index for part in t.statements(node.body) for each in t.names_in(part)):
             index = "_"
         if node.down:
             return f"for {index} in (0..{self.text(node.first)} + 1).rev()"
         return f"for {index} in {self.text(node.first)}..{self.text(node.last)}"
 
-    def function(self, function: Function) -> list[str]:
+    def function(self, function: t.Function) -> list[str]:
         self.borrowed = frozenset(each.name for each in function.arguments if not _by_value(each.type))
-        reading = {n.name for each in statements(function.body) for n in names_in(each)}
+        reading = {n.name for each in t.statements(function.body) for n in t.names_in(each)}
         arguments = ", ".join(
             f"{'' if each.name in reading else '_'}{each.name}: {self._passed(each.type, each.changed)}"
             for each in function.arguments
@@ -148,14 +129,14 @@ class Rust(Printer):
             "}",
         ]
 
-    def _passed(self, kind: Type, changed: bool) -> str:
+    def _passed(self, kind: t.Type, changed: bool) -> str:
         if _by_value(kind):
             return self.type(kind)
         return f"&{'mut ' if changed else ''}{self.type(kind)}"
 
 
-def _by_value(kind: Type) -> bool:
-    return not isinstance(kind, Array | Record)
+def _by_value(kind: t.Type) -> bool:
+    return not isinstance(kind, t.Array | t.Record)
 
 
 def _nested(text: str, dims: tuple[int, ...]) -> str:

@@ -4,38 +4,18 @@ import textwrap
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 
-from ..kernel.tree.nodes import (
-    Assign,
-    Binary,
-    Both,
-    Break,
-    Call,
-    Comment,
-    Compare,
-    Constant,
-    Do,
-    Either,
-    Element,
-    Expression,
-    For,
-    Function,
-    If,
-    Let,
-    Member,
-    Name,
-    Negative,
-    Not,
-    Number,
-    Program,
-    Return,
-    Select,
-    Statement,
-    Variable,
-)
+from ..kernel.tree import nodes as t
 
 WIDTH = 108
 SELECT, OR, AND, COMPARE, SUM, PRODUCT, SIGN, ATOM = range(8)
-_LEVEL = {"+": SUM, "-": SUM, "*": PRODUCT, "/": PRODUCT}
+LEVELS = {
+    **dict.fromkeys("+-", (SUM, SUM, PRODUCT)),
+    **dict.fromkeys("*/", (PRODUCT, PRODUCT, SIGN)),
+    **dict.fromkeys(("<", "<=", ">", ">=", "==", "!="), (COMPARE, SUM, SUM)),
+    "&": (AND, SIGN, SIGN),
+    "|": (OR, SIGN, SIGN),
+}
+"""How an operation binds, and how its operands must at least."""
 
 
 class Printer(ABC):
@@ -51,6 +31,10 @@ class Printer(ABC):
     comment = "/* ", " */"
     select_level = SELECT
 
+    def __init__(self, functions: Iterable[t.Function]) -> None:
+        """functions: those that are called, for how their arguments are passed."""
+        self.functions_by_name = {each.name: each for each in functions}
+
     # ------------------------------------------------------------ what differs
 
     @abstractmethod
@@ -62,67 +46,64 @@ class Printer(ABC):
         """A constant of the arithmetic or a status."""
 
     @abstractmethod
-    def select(self, node: Select) -> str:
+    def select(self, node: t.Select) -> str:
         """A selection as an expression."""
 
     @abstractmethod
-    def call(self, node: Call) -> str:
+    def call(self, node: t.Call) -> str:
         """A call as an expression."""
 
     @abstractmethod
-    def let(self, node: Let) -> str:
+    def let(self, node: t.Let) -> str:
         """A constant with its value."""
 
     @abstractmethod
-    def variable(self, node: Variable) -> str:
+    def variable(self, node: t.Variable) -> str:
         """A variable with its first value, or zeros."""
 
     @abstractmethod
-    def loop(self, node: For) -> str:
+    def loop(self, node: t.For) -> str:
         """The head of a loop."""
 
     @abstractmethod
-    def function(self, function: Function) -> list[str]:
+    def function(self, function: t.Function) -> list[str]:
         """A function."""
 
     # ------------------------------------------------------------ expressions
 
-    def text(self, node: Expression, least: int = SELECT) -> str:
+    def text(self, node: t.Expression, least: int = SELECT) -> str:
         """An expression, in parentheses where it binds less than ``least``."""
         text, level = self._text(node)
         return f"({text})" if level < least else text
 
-    def _text(self, node: Expression) -> tuple[str, int]:
+    def _text(self, node: t.Expression) -> tuple[str, int]:
         match node:
-            case Number(value):
+            case t.Number(value):
                 return self.number(value), ATOM
-            case Constant(name):
+            case t.Constant(name):
                 return self.constant(name), ATOM
-            case Name(name):
+            case t.Name(name):
                 return self.name(name), ATOM
-            case Member(owner, name):
+            case t.Member(owner, name):
                 return f"{self.text(owner, ATOM)}.{name}", ATOM
-            case Element(array, index):
+            case t.Element(array, index):
                 return self.element(self.text(array, ATOM), [self.text(i) for i in index]), ATOM
-            case Not(value):
+            case t.Not(value):
                 return f"{self.negation}{self.text(value, ATOM)}", SIGN
-            case Negative(value):
+            case t.Negative(value):
                 return f"-{self.text(value, PRODUCT)}", SIGN if _level(value) > PRODUCT else SUM
-            case Binary(operator, left, right):
-                level = _LEVEL[operator]
-                return f"{self.text(left, level)} {operator} {self.text(right, level + 1)}", level
-            case Compare(operator, left, right):
-                operator = self.unequal if operator == "!=" else operator
-                return f"{self.text(left, SUM)} {operator} {self.text(right, SUM)}", COMPARE
-            case Both(left, right):
-                return f"{self.text(left, SIGN)} {self.both} {self.text(right, SIGN)}", AND
-            case Either(left, right):
-                return f"{self.text(left, SIGN)} {self.either} {self.text(right, SIGN)}", OR
-            case Select():
+            case t.Binary(operator, left, right):
+                level, first, second = LEVELS[operator]
+                return f"{self.text(left, first)} {self.sign(operator)} {self.text(right, second)}", level
+            case t.Select():
                 return self.select(node), self.select_level
-            case Call():
+            case t.Call():
                 return self.call(node), ATOM
         raise AssertionError(node)
+
+    def sign(self, operator: str) -> str:
+        """An operator."""
+        return {"&": self.both, "|": self.either, "!=": self.unequal}.get(operator, operator)
 
     def name(self, name: str) -> str:
         """A variable's name."""
@@ -134,39 +115,39 @@ class Printer(ABC):
 
     # ------------------------------------------------------------ statements
 
-    def body(self, statements: Iterable[Statement], depth: int = 1) -> list[str]:
+    def body(self, statements: Iterable[t.Statement], depth: int = 1) -> list[str]:
         """Statements as lines."""
         before = self.indent * depth
         lines: list[str] = []
         for node in statements:
             match node:
-                case Comment(text):
+                case t.Comment(text):
                     lines.append(text.join([before + self.comment[0], self.comment[1]]))
-                case Let():
+                case t.Let():
                     lines += self.lines(before, self.let(node))
-                case Variable():
+                case t.Variable():
                     lines += self.lines(before, self.variable(node))
-                case Assign(target, value):
+                case t.Assign(target, value):
                     lines += self.assign(before, target, value)
-                case Do(call):
+                case t.Do(call):
                     lines += self.lines(before, self.do(call) + self.end)
-                case Return(value):
+                case t.Return(value):
                     lines += self.lines(before, self.returned(value))
-                case Break():
+                case t.Break():
                     lines.append(f"{before}break{self.end}")
-                case For():
+                case t.For():
                     lines += self.nested(before, self.loop(node), node.body, depth)
-                case If():
+                case t.If():
                     lines += self.conditional(before, node, depth)
                 case _:
                     lines += self.more(before, node, depth)
         return lines
 
-    def more(self, before: str, node: Statement, depth: int) -> list[str]:
+    def more(self, before: str, node: t.Statement, depth: int) -> list[str]:
         """A statement that only some languages have."""
         raise AssertionError(node)
 
-    def conditional(self, before: str, node: If, depth: int) -> list[str]:
+    def conditional(self, before: str, node: t.If, depth: int) -> list[str]:
         """A condition and what is done otherwise."""
         lines = self.nested(before, self.condition(self.text(node.test)), node.body, depth)
         if not node.otherwise:
@@ -179,20 +160,20 @@ class Printer(ABC):
         """The head of a condition."""
         return f"if {test}"
 
-    def nested(self, before: str, head: str, body: Iterable[Statement], depth: int) -> list[str]:
+    def nested(self, before: str, head: str, body: Iterable[t.Statement], depth: int) -> list[str]:
         """A loop or a condition."""
         closing = [before + self.closing] if self.closing else []
         return [*self.lines(before, head + self.opening), *self.body(body, depth + 1), *closing]
 
-    def assign(self, before: str, target: Expression, value: Expression) -> list[str]:
+    def assign(self, before: str, target: t.Expression, value: t.Expression) -> list[str]:
         """``target = value``."""
         return self.lines(before, f"{self.text(target)} = {self.text(value)}{self.end}")
 
-    def do(self, call: Call) -> str:
+    def do(self, call: t.Call) -> str:
         """A call as a statement."""
         return self.call(call)
 
-    def returned(self, value: Expression | None) -> str:
+    def returned(self, value: t.Expression | None) -> str:
         """The function's result."""
         return f"return{'' if value is None else f' {self.text(value)}'}{self.end}"
 
@@ -211,13 +192,13 @@ class Printer(ABC):
     continued = ""
     """What stands at the end of a line that goes on."""
 
-    def functions(self, program: Program) -> list[str]:
+    def functions(self, program: t.Program) -> list[str]:
         """All functions, with an empty line before each."""
         return [line for each in program.functions for line in ("", *self.function(each))]
 
 
-def _level(node: Expression) -> int:
-    return _LEVEL[node.operator] if isinstance(node, Binary) else ATOM
+def _level(node: t.Expression) -> int:
+    return LEVELS[node.operator][0] if isinstance(node, t.Binary) else ATOM
 
 
 def _breaks(line: str, word: str) -> bool:
@@ -230,6 +211,6 @@ def remark(meaning: str, width: int) -> list[str]:
     return [line for i, each in enumerate(paragraphs) for line in ([""] * bool(i) + each)]
 
 
-def written_to(function: Function) -> list[str]:
+def written_to(function: t.Function) -> list[str]:
     """Names of the arguments that a function changes."""
     return [each.name for each in function.arguments if each.changed]

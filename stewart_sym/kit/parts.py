@@ -135,7 +135,7 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
     says = f"Actuator forces, {form}, fidelity {level}: {fidelity.meaning(level)}; {', '.join(ways)}."
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
-    sources = _printed(made, plain, file, choice)
+    sources = _printed(made, plain, choice)
     without = f"stewart_{plain.name}{suffix}" if choice.bake else ""
     part = _force_part(file, f"stewart_{made.name}{suffix}", count, says, without, sources)
     return part, before, after
@@ -156,13 +156,11 @@ def folded_kernel(robot: Robot, formulation: str, level: str) -> ForceKernel:
     return shared_blocks(baked(raw, robot_numbers(robot), name))
 
 
-def _printed(made: ForceKernel, plain: ForceKernel, file: str, choice: Choice) -> dict[str, str]:
+def _printed(made: ForceKernel, plain: ForceKernel, choice: Choice) -> dict[str, str]:
     generator = generator_version()
     if choice.scalar:
-        header, source = scalar.header(made, plain if choice.bake else None, generator), scalar.source
-    else:
-        header, source = lanes.baked_header(made, plain, generator), lanes.source
-    return {f"{file}.h": header, f"{file}.c": source(made, generator)}
+        return scalar.files(made, plain if choice.bake else None, generator)
+    return lanes.files(made, generator, before=plain)
 
 
 def _reactions(robot: Robot, choice: Choice) -> Part:

@@ -133,8 +133,7 @@ def test_frictionless_count_is_what_each_lane_of_such_a_kernel_executes(tmp_path
     sources = {
         "stewart.h": common_header("test"),
         **shared_headers("test"),
-        "stewart_exact_forces.h": lanes.header(kernel, kernel, "test"),
-        "stewart_exact_forces.c": lanes.source(kernel, "test"),
+        **lanes.files(kernel, "test", kernel),
     }
     counted = executed("exact", "exact_forces", BLOCK, robot, random_motion(rng, robot), tmp_path, sources)
     assert counted == tuple(8 * n for n in module("exact").FORCE_OPERATIONS["frictionless"]["total"])
@@ -147,8 +146,7 @@ def test_count_of_legs_one_after_the_other_is_what_their_function_executes(tmp_p
     sources = {
         "stewart.h": common_header("test"),
         **shared_headers("test"),
-        "stewart_exact_pose.h": scalar.header(kernel, None, "test"),
-        "stewart_exact_pose.c": scalar.source(kernel, "test"),
+        **scalar.files(kernel, None, "test"),
     }
     claimed = force_operations(kernel, scalar_text=True).total
     # Sums of sizes, which checks compare: of t and the machine, and of the forces.

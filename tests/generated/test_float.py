@@ -283,7 +283,10 @@ def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a
         folded = shared_blocks(
             baked(fidelity_kernel(EXACT, DERIVED["massless_static"]), plain(similar), "machine")
         )
-        by = re.findall(r"scale_(pose|block)\(&?\w+, REAL\((.*?)\)\);", lanes.source(folded, ""))
+        by = re.findall(
+            r"scale_(pose|block)\(&?\w+, REAL\((.*?)\)\);",
+            lanes.files(folded, "")[f"stewart_{folded.name}_forces.c"],
+        )
         scaled = {(of, expected) for of in ("pose", "block") if expected != 1.0}
         assert {(of, float(number)) for of, number in by} == scaled
 

@@ -9,7 +9,6 @@ import attack_build
 import pytest
 
 from stewart_sym.derive.emit import closed_form as emitted
-from stewart_sym.derive.emit import closed_form_source
 from stewart_sym.derive.generate import (
     EXACT,
     generator_version,
@@ -40,12 +39,8 @@ def written(kernels, tmp_path_factory: pytest.TempPathFactory):
     def write(functions: tuple[str, ...]) -> Path:
         folder = tmp_path_factory.mktemp("subset")
         full, plain, model = kernels
-        version = generator_version()
-        header = emitted.header(full, plain, EXACT.kernel_name, version, functions)
-        (folder / "stewart_exact_motion.h").write_text(header)
-        (folder / "stewart_exact_motion.c").write_text(
-            closed_form_source.source(full, model, version, functions)
-        )
+        for name, text in emitted.files(full, plain, model, generator_version(), functions).items():
+            (folder / name).write_text(text)
         return folder
 
     return write

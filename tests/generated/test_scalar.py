@@ -314,8 +314,7 @@ def test_kernels_with_and_without_lanes_stand_side_by_side() -> None:
     kernel = shared_blocks(plain_blocks("exact", "universal", "general"))
     sources = {
         **c_sources("exact_forces"),
-        "stewart_exact_pose.h": scalar.header(kernel, None, ""),
-        "stewart_exact_pose.c": scalar.source(kernel, ""),
+        **scalar.files(kernel, None, ""),
         "both.c": '#include "stewart_exact_forces.h"\n#include "stewart_exact_pose.h"\n',
     }
     both = native.load("both", sources)

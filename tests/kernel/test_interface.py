@@ -10,7 +10,7 @@ import pytest
 
 from stewart_sym import results
 from stewart_sym.backend import native
-from stewart_sym.derive.emit.layout import layout
+from stewart_sym.derive.emit.header import layout
 from stewart_sym.derive.generate import generator_version
 from stewart_sym.derive.kernel.interface import CALLS, STATUS, STRUCTS
 from stewart_sym.derive.kernel.tree.constants import STATUS as OF_TREES

@@ -14,11 +14,9 @@ from stewart_sym.derive.kernel.tree.nodes import (
     Break,
     Call,
     Comment,
-    Compare,
     Constant,
     Count,
     Do,
-    Either,
     Element,
     Expression,
     Field,
@@ -81,14 +79,14 @@ def at(array: Expression, *index: Expression | int) -> Element:
         (As(Count(), Number(9)), "9U", "9U"),
         (As(Count(), INDEX), "(size_t)i", "(size_t)i"),
         (From(A, Binary("*", INDEX, Number(6))), "&a[i*6]", "&a[i*6]"),
-        (Not(Compare(">", A, B)), "!(a > b)", "!(a > b)"),
+        (Not(Binary(">", A, B)), "!(a > b)", "!(a > b)"),
         (
-            Either(Compare("==", A, Constant("NULL")), Compare("<", Binary("+", A, B), B)),
+            Binary("|", Binary("==", A, Constant("NULL")), Binary("<", Binary("+", A, B), B)),
             "a == NULL || a + b < b",
             "(a == NULL) || ((a + b) < b)",
         ),
         (
-            Select(Compare("<=", A, Constant("MAX")), Number(1), Select(Compare(">", A, B), A, B)),
+            Select(Binary("<=", A, Constant("MAX")), Number(1), Select(Binary(">", A, B), A, B)),
             "a <= STEWART_MAX ? 1 : a > b ? a : b",
             "(a <= STEWART_MAX) ? 1 : (a > b) ? a : b",
         ),
@@ -112,7 +110,7 @@ def every_statement() -> tuple[list[Structure], Table, list[Function]]:
         "numbers", Structure("row", "", (Field("x", real), Field("y", Array(real, (2,))))), ((1.0, 0.5, 3.0),)
     )
     to = Member(Name("to"), "lanes")
-    missing = Either(*(Compare("==", Name(each), Constant("NULL")) for each in ("many", "out")))
+    missing = Binary("|", *(Binary("==", Name(each), Constant("NULL")) for each in ("many", "out")))
     inner = Function(
         "inner",
         "Sums lanes; the comment of a function may be longer than one line of it can be, and is then broken "
@@ -140,7 +138,7 @@ def every_statement() -> tuple[list[Structure], Table, list[Function]]:
                     ),
                     Let("x", at(Name("from"), INDEX, 0)),
                     Let("y", at(Name("from"), INDEX, 1)),
-                    If(Compare(">", Name("x"), Constant("MAX")), (Break(),), (Comment("Each."),)),
+                    If(Binary(">", Name("x"), Constant("MAX")), (Break(),), (Comment("Each."),)),
                     Assign(Name("total"), Binary("+", Name("total"), Binary("*", Name("x"), Name("y")))),
                 ),
             ),
@@ -163,7 +161,7 @@ def every_statement() -> tuple[list[Structure], Table, list[Function]]:
             Variable("rows", Array(real, (2, 7)), blank=True, aligned=True),
             Let("table", Name("numbers"), Pointer(Record("row"))),
             Let("bad", Select(missing, Number(1), Number(0)), Integer()),
-            If(Compare("!=", Name("bad"), Number(0)), (Return(Number(5)),)),
+            If(Binary("!=", Name("bad"), Number(0)), (Return(Number(5)),)),
             Assign(at(Name("rows"), 0, 6), Member(Name("table"), "x")),
             Do(Call("inner", (Member(Name("made"), "lanes"), Name("made"), Name("sum"), Number(1)))),
             For(

@@ -8,13 +8,12 @@ from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import total_ordering
-from types import SimpleNamespace
 from typing import Any
 
 from ...program.block import Operations
 from .constants import constants
-from .interpret import Arithmetic, Interpreter
-from .nodes import Array, Integer, Program, Record, Type
+from .interpret import Arithmetic, Interpreter, filled
+from .nodes import Integer, Program, Type
 
 
 @total_ordering
@@ -84,17 +83,10 @@ def counted(
     known |= {"MAX": Counting(known["MAX"].value, done), "NAN": Counting(math.nan, done)}
     on = Arithmetic(lambda value: Counting(float(value), done), known | (instead or {}), Counting.sqrt)
 
-    def filled(name: str, kind: Type) -> Any:
-        if isinstance(kind, Array):
-            count, *others = kind.dims
-            return [
-                filled(name, Array(kind.item, tuple(others)) if others else kind.item) for _ in range(count)
-            ]
-        if isinstance(kind, Record):
-            members = program.structure(kind.name).members
-            return SimpleNamespace(**{each.name: filled(each.name, each.type) for each in members})
+    def number(name: str, kind: Type) -> Any:
         return int(numbers(name)) if isinstance(kind, Integer) else Counting(numbers(name), done)
 
-    given = [filled(each.name, each.type) for each in program.function(function).arguments]
+    arguments = program.function(function).arguments
+    given = [filled(program, each.type, number, each.name) for each in arguments]
     Interpreter(program, on).run(function, *given)
     return Operations(**done)

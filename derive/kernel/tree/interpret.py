@@ -7,40 +7,8 @@ from functools import partial
 from types import SimpleNamespace
 from typing import Any
 
+from . import nodes as t
 from .constants import INTEGERS
-from .nodes import (
-    Array,
-    As,
-    Assign,
-    Binary,
-    Both,
-    Break,
-    Call,
-    Comment,
-    Compare,
-    Constant,
-    Do,
-    Either,
-    Element,
-    Expression,
-    For,
-    Function,
-    If,
-    Let,
-    Member,
-    Name,
-    Negative,
-    Not,
-    Number,
-    Program,
-    Real,
-    Record,
-    Return,
-    Select,
-    Statement,
-    Type,
-    Variable,
-)
 
 
 @dataclass(frozen=True)
@@ -63,15 +31,13 @@ class Arithmetic:
     either: Callable[[Any, Any], Any] = operator.or_
 
 
-_COMPARE: dict[str, Callable[[Any, Any], Any]] = {
+_OPERATORS: dict[str, Callable[[Any, Any], Any]] = {
     "<": operator.lt,
     "<=": operator.le,
     ">": operator.gt,
     ">=": operator.ge,
     "==": operator.eq,
     "!=": operator.ne,
-}
-_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
     "+": operator.add,
     "-": operator.sub,
     "*": operator.mul,
@@ -99,7 +65,7 @@ class Interpreter:
     functions of the program, by name.
     """
 
-    program: Program
+    program: t.Program
     arithmetic: Arithmetic
     instead: Mapping[str, Callable[..., Any]] = field(default_factory=dict)
     _bodies: dict[str, _Action] = field(default_factory=dict, init=False, repr=False, compare=False)
@@ -110,31 +76,24 @@ class Interpreter:
         return self._call(function, self._known(function, arguments))
 
     @staticmethod
-    def _known(function: Function, arguments: tuple[Any, ...]) -> Known:
+    def _known(function: t.Function, arguments: tuple[Any, ...]) -> Known:
         return dict(zip((each.name for each in function.arguments), arguments, strict=True))
 
-    def _call(self, function: Function, known: Known) -> Any:
+    def _call(self, function: t.Function, known: Known) -> Any:
         body = self._bodies.get(function.name)
         if body is None:
             body = self._bodies[function.name] = self._run(function.body)
         result = body(known)
         return result.value if isinstance(result, _Result) else None
 
-    def zero(self, kind: Type) -> Any:
+    def zero(self, kind: t.Type) -> Any:
         """A value of this type with zeros."""
-        if isinstance(kind, Array):
-            count, *others = kind.dims
-            inner = Array(kind.item, tuple(others)) if others else kind.item
-            return [self.zero(inner) for _ in range(count)]
-        if isinstance(kind, Record):
-            members = self.program.structure(kind.name).members
-            return SimpleNamespace(**{each.name: self.zero(each.type) for each in members})
-        return self.arithmetic.number(0)
+        return filled(self.program, kind, lambda name, kind: self.arithmetic.number(0))
 
     # ------------------------------------------------------------ statements, made into functions once
 
-    def _run(self, body: Sequence[Statement]) -> _Action:
-        actions = [self._action(each) for each in body if not isinstance(each, Comment)]
+    def _run(self, body: Sequence[t.Statement]) -> _Action:
+        actions = [self._action(each) for each in body if not isinstance(each, t.Comment)]
 
         def run(known: Known) -> Any:
             for action in actions:
@@ -144,22 +103,22 @@ class Interpreter:
 
         return run
 
-    def _action(self, statement: Statement) -> _Action:
+    def _action(self, statement: t.Statement) -> _Action:
         match statement:
-            case Let() | Variable() | Assign():
+            case t.Let() | t.Variable() | t.Assign():
                 return self._stored(statement)
-            case For():
+            case t.For():
                 return self._loop(statement)
-            case If(test, body, otherwise):
+            case t.If(test, body, otherwise):
                 holds, yes, no = self._value(test), self._run(body), self._run(otherwise)
                 anywhere = self.arithmetic.anywhere
                 return lambda known: (yes if anywhere(holds(known)) else no)(known)
-            case Do(call):
+            case t.Do(call):
                 return self._done(self._value(call))
-            case Return(value):
+            case t.Return(value):
                 result = self._value(value) if value is not None else lambda known: None
                 return lambda known: _Result(result(known))
-            case Break():
+            case t.Break():
                 return lambda known: _LEFT
         raise ValueError(f"statement: expected one without macros, got {type(statement).__name__}")
 
@@ -170,8 +129,8 @@ class Interpreter:
 
         return action
 
-    def _stored(self, statement: Let | Variable | Assign) -> _Action:
-        target = statement.target if isinstance(statement, Assign) else Name(statement.name)
+    def _stored(self, statement: t.Let | t.Variable | t.Assign) -> _Action:
+        target = statement.target if isinstance(statement, t.Assign) else t.Name(statement.name)
         found, kept, store = self._first(statement), self._kept, self._store(target)
 
         def action(known: Known) -> None:
@@ -179,18 +138,18 @@ class Interpreter:
 
         return action
 
-    def _first(self, statement: Let | Variable | Assign) -> _Value:
-        if not isinstance(statement, Variable) or statement.value is not None:
+    def _first(self, statement: t.Let | t.Variable | t.Assign) -> _Value:
+        if not isinstance(statement, t.Variable) or statement.value is not None:
             assert statement.value is not None
             return self._value(statement.value)
         kind = statement.type
         return lambda known: self.zero(kind)
 
-    def _kept(self, statement: Let | Variable | Assign, value: Any, known: Known) -> Any:
+    def _kept(self, statement: t.Let | t.Variable | t.Assign, value: Any, known: Known) -> Any:
         """What a statement stores."""
         return value
 
-    def _loop(self, loop: For) -> _Action:
+    def _loop(self, loop: t.For) -> _Action:
         first, last, step = self._value(loop.first), self._value(loop.last), self._value(loop.step)
         body, index = self._run(loop.body), loop.index
 
@@ -203,56 +162,51 @@ class Interpreter:
 
         return action
 
-    def _store(self, target: Expression) -> Callable[[Known, Any], None]:
+    def _store(self, target: t.Expression) -> Callable[[Known, Any], None]:
         match target:
-            case Name(name):
+            case t.Name(name):
                 return lambda known, value: known.__setitem__(name, value)
-            case Member(owner, name):
+            case t.Member(owner, name):
                 of = self._value(owner)
                 return lambda known, value: setattr(of(known), name, value)
-            case Element(array, index):
+            case t.Element(array, index):
                 held, parts = self._value(array), [self._value(each) for each in index]
                 return lambda known, value: self._put(held(known), [part(known) for part in parts], value)
         raise ValueError(f"target: expected a name, a member or an element, got {type(target).__name__}")
 
     # ------------------------------------------------------------ expressions
 
-    def _value(self, value: Expression) -> _Value:
+    def _value(self, value: t.Expression) -> _Value:
         of = self._value
         match value:
-            case Number(number):
+            case t.Number(number):
                 constant = number if isinstance(number, int) else self.arithmetic.number(number)
                 return lambda known: constant
-            case Constant(name):
+            case t.Constant(name):
                 named = self._constant(name)
                 return lambda known: named
-            case Name(name):
+            case t.Name(name):
                 return operator.itemgetter(name)
-            case Member(owner, name):
+            case t.Member(owner, name):
                 held = of(owner)
                 return lambda known: getattr(held(known), name)
-            case Element(array, index):
+            case t.Element(array, index):
                 return self._element(of(array), [of(each) for each in index])
-            case As(kind, inner):
+            case t.As(kind, inner):
                 return self._as(kind, of(inner))
-            case Not(inner):
+            case t.Not(inner):
                 holds = of(inner)
-                return lambda known: self._select(holds(known), _false, _true, known)
-            case Negative(inner):
+                return lambda known: self._select(holds(known), lambda _: False, lambda _: True, known)
+            case t.Negative(inner):
                 plain = of(inner)
                 return lambda known: -plain(known)
-            case Binary(sign, left, right):
-                return _of_two(_ARITHMETIC[sign], of(left), of(right))
-            case Compare(sign, left, right):
-                return _of_two(_COMPARE[sign], of(left), of(right))
-            case Both(left, right):
-                return _of_two(self.arithmetic.both, of(left), of(right))
-            case Either(left, right):
-                return _of_two(self.arithmetic.either, of(left), of(right))
-            case Select(test, yes, no):
+            case t.Binary(sign, left, right):
+                of_tests = {"&": self.arithmetic.both, "|": self.arithmetic.either}
+                return _of_two((_OPERATORS | of_tests)[sign], of(left), of(right))
+            case t.Select(test, yes, no):
                 holds, one, other = of(test), of(yes), of(no)
                 return lambda known: self._select(holds(known), one, other, known)
-            case Call(name, arguments):
+            case t.Call(name, arguments):
                 called, given = self._called(name), [of(each) for each in arguments]
                 return lambda known: called(*[each(known) for each in given])
         raise ValueError(f"expression: expected one without addresses, got {type(value).__name__}")
@@ -261,9 +215,9 @@ class Interpreter:
         known = self.arithmetic.constants
         return INTEGERS[name][0] if name in INTEGERS and name not in known else known[name]
 
-    def _as(self, kind: Type, inner: _Value) -> _Value:
+    def _as(self, kind: t.Type, inner: _Value) -> _Value:
         number = self.arithmetic.number
-        return (lambda known: number(inner(known))) if kind == Real() else inner
+        return (lambda known: number(inner(known))) if kind == t.Real() else inner
 
     def _called(self, name: str) -> Callable[..., Any]:
         if name in self.instead:
@@ -319,12 +273,18 @@ class Interpreter:
         return (yes if test else no) if where is None else where(test, yes, no)
 
 
-def _true(known: Known) -> bool:
-    return True
-
-
-def _false(known: Known) -> bool:
-    return False
+def filled(program: t.Program, kind: t.Type, number: Callable[[str, t.Type], Any], name: str = "") -> Any:
+    """A value of this type; number: from what a structure's member is called, and its type."""
+    if isinstance(kind, t.Array):
+        count, *others = kind.dims
+        inner = t.Array(kind.item, tuple(others)) if others else kind.item
+        return [filled(program, inner, number, name) for _ in range(count)]
+    if isinstance(kind, t.Record):
+        members = program.structure(kind.name).members
+        return SimpleNamespace(
+            **{each.name: filled(program, each.type, number, each.name) for each in members}
+        )
+    return number(name, kind)
 
 
 def _of_two(operation: Callable[[Any, Any], Any], left: _Value, right: _Value) -> _Value:

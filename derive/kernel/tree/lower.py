@@ -1,37 +1,13 @@
 """From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
 
-from collections.abc import Callable, Iterable
+import operator
+from collections.abc import Iterable
 from functools import reduce
 
 import sympy as sp
 
 from ...program.block import Block, Quantity, Step, terms_in_order
-from .nodes import (
-    Argument,
-    Array,
-    Assign,
-    Binary,
-    Call,
-    Comment,
-    Element,
-    Expression,
-    Field,
-    For,
-    Function,
-    Integer,
-    Let,
-    Member,
-    Name,
-    Negative,
-    Number,
-    Real,
-    Record,
-    Return,
-    Statement,
-    Structure,
-    Type,
-    Variable,
-)
+from . import nodes as t
 
 OUT = "out"
 
@@ -39,18 +15,18 @@ Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
 """Structure of each argument of a block, "" of a number or an array, and the quantities that it holds."""
 
 
-def expression(expr: sp.Expr) -> Expression:
+def expression(expr: sp.Expr) -> t.Expression:
     """An expression of symbols, sums, products, whole powers, reciprocals and square roots as a tree.
 
     Raises ValueError for anything else.
     """
     expr = sp.sympify(expr)
     if expr.is_Symbol:
-        return Name(expr.name)
+        return t.Name(expr.name)
     if expr.is_Integer:
-        return Negative(Number(float(-expr))) if expr < 0 else Number(float(expr))
+        return t.Negative(t.Number(float(-expr))) if expr < 0 else t.Number(float(expr))
     if expr == sp.Rational(1, 2):
-        return Number(0.5)
+        return t.Number(0.5)
     if expr.is_Add:
         first, *others = terms_in_order(expr)
         return reduce(_plus, others, expression(first))
@@ -61,28 +37,28 @@ def expression(expr: sp.Expr) -> Expression:
     raise ValueError(f"cannot lower {type(expr).__name__}: {expr}")
 
 
-def _plus(total: Expression, term: sp.Expr) -> Expression:
+def _plus(total: t.Expression, term: sp.Expr) -> t.Expression:
     if term.could_extract_minus_sign():
-        return Binary("-", total, expression(-term))
-    return Binary("+", total, expression(term))
+        return total - expression(-term)
+    return total + expression(term)
 
 
-def _product(expr: sp.Mul) -> Expression:
+def _product(expr: sp.Mul) -> t.Expression:
     coefficient, rest = expr.as_coeff_Mul()
     if coefficient.is_negative:
-        return Negative(expression(-expr))
+        return t.Negative(expression(-expr))
     factors = ([coefficient] if coefficient != 1 else []) + list(sp.Mul.make_args(rest))
     over = [f.base for f in factors if f.is_Pow and f.exp == -1]
     upper = [f for f in factors if not (f.is_Pow and f.exp == -1)]
     value = _multiplied(upper)
-    return Binary("/", value, _multiplied(over)) if over else value
+    return value / _multiplied(over) if over else value
 
 
-def _multiplied(factors: Iterable[sp.Expr]) -> Expression:
+def _multiplied(factors: Iterable[sp.Expr]) -> t.Expression:
     # Whole powers are factors one by one: m L^2 is (m L) L, as the emitters of C and NumPy print it.
     apart = [part for factor in factors for part in _repeated(factor)]
-    found = [expression(factor) for factor in apart] or [Number(1.0)]
-    return reduce(lambda left, right: Binary("*", left, right), found)
+    found = [expression(factor) for factor in apart] or [t.Number(1.0)]
+    return reduce(operator.mul, found)
 
 
 def _repeated(factor: sp.Expr) -> list[sp.Expr]:
@@ -91,65 +67,36 @@ def _repeated(factor: sp.Expr) -> list[sp.Expr]:
     return [factor]
 
 
-def _power(expr: sp.Pow) -> Expression:
+def _power(expr: sp.Pow) -> t.Expression:
     if expr.exp == sp.Rational(1, 2):
-        return Call("sqrt", (expression(expr.base),))
+        return t.Call("sqrt", (expression(expr.base),))
     if expr.exp == -1:
-        return Binary("/", Number(1.0), expression(expr.base))
+        return t.Number(1.0) / expression(expr.base)
     if expr.exp.is_Integer and expr.exp > 1 and expr.base.is_Symbol:
         return _multiplied([expr.base] * int(expr.exp))
     raise ValueError(f"cannot lower the power {expr}: its base needs a name")
 
 
-def stored_type(quantity: Quantity) -> Type:
+def stored_type(quantity: Quantity) -> t.Type:
     """The type of a quantity as a member: a number, or an array of its components in storage order."""
-    return Array(Real(), (len(quantity.keys),)) if quantity.shape else Real()
+    return t.Array(t.Real(), (len(quantity.keys),)) if quantity.shape else t.Real()
 
 
-def structure(name: str, meaning: str, quantities: Iterable[Quantity], *more: Field) -> Structure:
+def structure(name: str, meaning: str, quantities: Iterable[Quantity], *more: t.Field) -> t.Structure:
     """A structure with one member for each quantity, and ``more``."""
     members = tuple(
-        Field(q.name, stored_type(q), f"{q.unit}: {q.meaning}".removeprefix(": ")) for q in quantities
+        t.Field(q.name, stored_type(q), f"{q.unit}: {q.meaning}".removeprefix(": ")) for q in quantities
     )
-    return Structure(name, meaning, (*members, *more))
+    return t.Structure(name, meaning, (*members, *more))
 
 
-def component(owner: Expression, quantity: Quantity, index: int) -> Expression:
+def component(owner: t.Expression, quantity: Quantity, index: int) -> t.Expression:
     """One component of a quantity that is a member of a structure."""
-    member = Member(owner, quantity.name)
-    return Element(member, (Number(index),)) if quantity.shape else member
+    member = t.Member(owner, quantity.name)
+    return t.Element(member, (t.Number(index),)) if quantity.shape else member
 
 
-Place = Callable[[Expression], Expression]
-"""From a structure to one of its numbers."""
-
-
-def each_number(kind: Structure, statement: Callable[[Place], Statement]) -> list[Statement]:
-    """A statement for each real number of a structure, in loops over arrays."""
-    found = []
-    for field in kind.members:
-        if field.type == Integer():
-            continue
-        dims = field.type.dims if isinstance(field.type, Array) else ()
-        body = statement(_place(field.name, len(dims)))
-        for index, count in reversed(list(zip(_INDICES, dims, strict=False))):
-            body = For(index, Number(0), Number(count), (body,))
-        found.append(body)
-    return found
-
-
-_INDICES = "ij"
-
-
-def _place(member: str, count: int) -> Place:
-    def place(owner: Expression) -> Expression:
-        found = Member(owner, member)
-        return Element(found, tuple(map(Name, _INDICES[:count]))) if count else found
-
-    return place
-
-
-def block_function(block: Block, name: str, result: str, arguments: Arguments) -> Function:
+def block_function(block: Block, name: str, result: str, arguments: Arguments) -> t.Function:
     """A block as a function that returns a structure of its outputs.
 
     result: the structure's name. arguments: the structures that it reads, with the quantities in each, by the
@@ -159,48 +106,54 @@ def block_function(block: Block, name: str, result: str, arguments: Arguments) -
     used = {symbol.name for expr in block.expressions() for symbol in expr.free_symbols}
     kinds = {name: _argument_type(kind, held) for name, (kind, held) in arguments.items()}
     loads = [
-        Let(part, component(Name(owners[q]), q, i))
+        t.Let(part, component(t.Name(owners[q]), q, i))
         for q in block.inputs
         if arguments[owners[q]][0]
         for i, part in enumerate(q.names)
         if part in used
     ]
     loads += [
-        Let(part, Element(Name(argument), (Number(i),)))
+        t.Let(part, t.Element(t.Name(argument), (t.Number(i),)))
         for argument, (_, held) in arguments.items()
-        if isinstance(kinds[argument], Array)
+        if isinstance(kinds[argument], t.Array)
         for i, part in enumerate(part for q in held for part in q.names)
         if part in used
     ]
-    out = Name(OUT)
+    out = t.Name(OUT)
     stores = [
-        Assign(component(out, output.quantity, i), expression(expr))
+        t.Assign(component(out, output.quantity, i), expression(expr))
         for output in block.outputs
         for i, expr in enumerate(output.exprs)
     ]
-    return Function(
+    return t.Function(
         name,
         f"{block.meaning[0].upper()}{block.meaning[1:]}: {block.operations()}.",
-        tuple(Argument(name, kind) for name, kind in kinds.items()),
-        Record(result),
-        (*loads, *steps_of(block.steps), Variable(OUT, Record(result), blank=True), *stores, Return(out)),
+        tuple(t.Argument(name, kind) for name, kind in kinds.items()),
+        t.Record(result),
+        (
+            *loads,
+            *steps_of(block.steps),
+            t.Variable(OUT, t.Record(result), blank=True),
+            *stores,
+            t.Return(out),
+        ),
     )
 
 
-def _argument_type(kind: str, held: tuple[Quantity, ...]) -> Type:
+def _argument_type(kind: str, held: tuple[Quantity, ...]) -> t.Type:
     if kind:
-        return Record(kind)
-    return Array(Real(), (sum(len(q.keys) for q in held),)) if any(q.shape for q in held) else Real()
+        return t.Record(kind)
+    return t.Array(t.Real(), (sum(len(q.keys) for q in held),)) if any(q.shape for q in held) else t.Real()
 
 
-def steps_of(steps: Iterable[Step]) -> list[Statement]:
+def steps_of(steps: Iterable[Step]) -> list[t.Statement]:
     """Each step, with its equation and meaning before the first of a run that shares them."""
-    found: list[Statement] = []
+    found: list[t.Statement] = []
     before = None
     for step in steps:
         said = (step.equation, step.meaning)
         if any(said) and said != before:
-            found.append(Comment(" ".join(part for part in said if part)))
+            found.append(t.Comment(" ".join(part for part in said if part)))
         before = said
-        found.append(Let(step.name, expression(step.expr)))
+        found.append(t.Let(step.name, expression(step.expr)))
     return found

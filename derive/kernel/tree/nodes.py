@@ -2,212 +2,190 @@
 
 A tree says what is computed and in which order. How that is spelled is a printer's business, which values
 pass through it an interpreter's; neither changes the order of an operation.
+
+Other modules import this one as ``t``.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass, fields, is_dataclass
-from typing import Any
+from collections.abc import Callable, Collection, Iterator
+from dataclasses import dataclass, fields, replace
+from typing import Any, dataclass_transform
+
+
+@dataclass_transform(frozen_default=True)
+@dataclass(frozen=True)
+class Node:
+    """A part of a tree; its subclasses are frozen dataclasses."""
+
+    def __init_subclass__(cls) -> None:
+        """Makes the subclass one."""
+        dataclass(frozen=True)(cls)
+
+
+class Type(Node):
+    """What kind of value."""
+
+
+class Expression(Node):
+    """What has a value; + - * / make others of two."""
+
+    def __add__(self, other: "Expression") -> "Binary":
+        """The sum."""
+        return Binary("+", self, other)
+
+    def __sub__(self, other: "Expression") -> "Binary":
+        """The difference."""
+        return Binary("-", self, other)
+
+    def __mul__(self, other: "Expression") -> "Binary":
+        """The product."""
+        return Binary("*", self, other)
+
+    def __truediv__(self, other: "Expression") -> "Binary":
+        """The quotient."""
+        return Binary("/", self, other)
+
+
+class Statement(Node):
+    """What is done."""
+
 
 # ---------------------------------------------------------------- types
 
 
-@dataclass(frozen=True)
-class Real:
+class Real(Type):
     """A number of the kernel's arithmetic."""
 
 
-@dataclass(frozen=True)
-class Integer:
+class Integer(Type):
     """An index, a status or a mark."""
 
 
-@dataclass(frozen=True)
-class Count:
+class Count(Type):
     """How many, or which of many: never negative, and as large as the machine's memory."""
 
 
-@dataclass(frozen=True)
-class Truth:
+class Truth(Type):
     """The result of a comparison."""
 
 
-@dataclass(frozen=True)
-class Array:
+class Array(Type):
     """``dims`` of ``item``, row-major."""
 
-    item: "Real | Integer | Record | Pointer"
+    item: Type
     dims: tuple[int, ...]
 
 
-@dataclass(frozen=True)
-class Pointer:
+class Pointer(Type):
     """The first of a number of ``item`` that the type does not say; may be ``NULL``."""
 
-    item: "Real | Integer | Record | Pointer"
+    item: Type
 
 
-@dataclass(frozen=True)
-class Record:
+class Record(Type):
     """A structure, by name."""
 
     name: str
 
 
-Type = Real | Integer | Count | Truth | Array | Pointer | Record
-
-
 # ---------------------------------------------------------------- expressions
 
 
-@dataclass(frozen=True)
-class Number:
+class Number(Expression):
     """A literal: ``int`` where an index or a status is meant, ``float`` in the kernel's arithmetic."""
 
     value: int | float
 
 
-@dataclass(frozen=True)
-class Constant:
+class Constant(Expression):
     """A constant of the arithmetic or a status code, by name: ``EPSILON``, ``NOT_FINITE``."""
 
     name: str
 
 
-@dataclass(frozen=True)
-class Name:
+class Name(Expression):
     """A variable."""
 
     name: str
 
 
-@dataclass(frozen=True)
-class Member:
+class Member(Expression):
     """One member of a structure."""
 
-    owner: "Expression"
+    owner: Expression
     name: str
 
 
-@dataclass(frozen=True)
-class Element:
+class Element(Expression):
     """One element of an array, counted from zero."""
 
-    array: "Expression"
-    index: tuple["Expression", ...]
+    array: Expression
+    index: tuple[Expression, ...]
 
 
-@dataclass(frozen=True)
-class From:
+class From(Expression):
     """The part of an array that begins with one element."""
 
-    array: "Expression"
-    index: "Expression"
+    array: Expression
+    index: Expression
 
 
-@dataclass(frozen=True)
-class As:
+class As(Expression):
     """A number as another kind of number."""
 
     type: Type
-    value: "Expression"
+    value: Expression
 
 
-@dataclass(frozen=True)
-class Not:
+class Not(Expression):
     """True where ``value`` does not hold."""
 
-    value: "Expression"
+    value: Expression
 
 
-@dataclass(frozen=True)
-class Negative:
+class Negative(Expression):
     """``-value``."""
 
-    value: "Expression"
+    value: Expression
 
 
-@dataclass(frozen=True)
-class Binary:
-    """``left operator right``; the operator is one of ``+ - * /``."""
+class Binary(Expression):
+    """``left operator right``, both evaluated.
 
-    operator: str
-    left: "Expression"
-    right: "Expression"
-
-
-@dataclass(frozen=True)
-class Compare:
-    """``left operator right``; the operator is one of ``< <= > >= == !=``."""
+    The operator is one of ``+ - * / < <= > >= == !=`` or, of tests alone, ``& |``.
+    """
 
     operator: str
-    left: "Expression"
-    right: "Expression"
+    left: Expression
+    right: Expression
 
 
-@dataclass(frozen=True)
-class Both:
-    """``left`` and ``right``, both evaluated."""
-
-    left: "Expression"
-    right: "Expression"
-
-
-@dataclass(frozen=True)
-class Either:
-    """``left`` or ``right``, both evaluated."""
-
-    left: "Expression"
-    right: "Expression"
-
-
-@dataclass(frozen=True)
-class Select:
+class Select(Expression):
     """``yes`` where ``test`` holds, else ``no``; both are evaluated, of structures member by member."""
 
-    test: "Expression"
-    yes: "Expression"
-    no: "Expression"
+    test: Expression
+    yes: Expression
+    no: Expression
 
 
-@dataclass(frozen=True)
-class Call:
+class Call(Expression):
     """A function of the program, or one of ``BUILT_IN``."""
 
     function: str
-    arguments: tuple["Expression", ...]
+    arguments: tuple[Expression, ...]
 
 
-Expression = (
-    Number
-    | Constant
-    | Name
-    | Member
-    | Element
-    | From
-    | As
-    | Not
-    | Negative
-    | Binary
-    | Compare
-    | Both
-    | Either
-    | Select
-    | Call
-)
-
-
-def at(array: "Expression | str", *index: "Expression | int | str") -> Element:
+def at(array: Expression | str, *index: Expression | int | str) -> Element:
     """An element; of a variable by its name, at constant indices or at variables by their names."""
     found = (Number(i) if isinstance(i, int) else named(i) for i in index)
     return Element(named(array), tuple(found))
 
 
-def of(owner: "Expression | str", name: str) -> Member:
+def of(owner: Expression | str, name: str) -> Member:
     """A member of a structure, or of a variable by its name."""
     return Member(named(owner), name)
 
 
-def named(value: "Expression | str") -> "Expression":
+def named(value: Expression | str) -> Expression:
     """A variable by its name."""
     return Name(value) if isinstance(value, str) else value
 
@@ -220,8 +198,7 @@ holds for any of the poses side by side."""
 # ---------------------------------------------------------------- statements
 
 
-@dataclass(frozen=True)
-class Let:
+class Let(Statement):
     """A constant; ``type`` of its value."""
 
     name: str
@@ -229,8 +206,7 @@ class Let:
     type: Type = Real()
 
 
-@dataclass(frozen=True)
-class Variable:
+class Variable(Statement):
     """A variable and its first value; of arrays and structures every number is zero.
 
     blank: without a first value, as it is assigned to before it is read. aligned: as a structure.
@@ -243,16 +219,14 @@ class Variable:
     aligned: bool = False
 
 
-@dataclass(frozen=True)
-class Assign:
+class Assign(Statement):
     """``target = value``."""
 
     target: Expression
     value: Expression
 
 
-@dataclass(frozen=True)
-class For:
+class For(Statement):
     """``index`` from ``first`` to ``last`` - 1, or downward from ``first`` to ``last`` + 1.
 
     type: of the index; step: from one index to the next. kept: stays a loop, as vectors are made of loops.
@@ -261,65 +235,55 @@ class For:
     index: str
     first: Expression
     last: Expression
-    body: tuple["Statement", ...]
+    body: tuple[Statement, ...]
     down: bool = False
     type: Integer | Count = Integer()
     step: Expression = Number(1)
     kept: bool = False
 
 
-@dataclass(frozen=True)
-class Break:
+class Break(Statement):
     """Ends the loop."""
 
 
-@dataclass(frozen=True)
-class If:
+class If(Statement):
     """``body`` where ``test`` holds, else ``otherwise``."""
 
     test: Expression
-    body: tuple["Statement", ...]
-    otherwise: tuple["Statement", ...] = ()
+    body: tuple[Statement, ...]
+    otherwise: tuple[Statement, ...] = ()
 
 
-@dataclass(frozen=True)
-class Switch:
+class Switch(Statement):
     """``body`` where a macro is defined when the program is compiled, else ``otherwise``."""
 
     macro: str
-    body: tuple["Statement", ...]
-    otherwise: tuple["Statement", ...] = ()
+    body: tuple[Statement, ...]
+    otherwise: tuple[Statement, ...] = ()
 
 
-@dataclass(frozen=True)
-class Do:
+class Do(Statement):
     """A call of a function that changes an argument."""
 
     call: Call
 
 
-@dataclass(frozen=True)
-class Comment:
+class Comment(Statement):
     """What the statements that follow are about."""
 
     text: str
 
 
-@dataclass(frozen=True)
-class Return:
+class Return(Statement):
     """The function's result; None: it has none, and ends here."""
 
     value: Expression | None
 
 
-Statement = Let | Variable | Assign | For | Break | If | Switch | Do | Comment | Return
-
-
 # ---------------------------------------------------------------- functions and programs
 
 
-@dataclass(frozen=True)
-class Field:
+class Field(Node):
     """One member of a structure; ``meaning`` with its unit."""
 
     name: str
@@ -327,8 +291,7 @@ class Field:
     meaning: str = ""
 
 
-@dataclass(frozen=True)
-class Structure:
+class Structure(Node):
     """Members in the order in which they are stored; ``aligned``: the first where a vector begins."""
 
     name: str
@@ -337,8 +300,7 @@ class Structure:
     aligned: bool = False
 
 
-@dataclass(frozen=True)
-class Argument:
+class Argument(Node):
     """An argument of a function; ``changed``: the function writes to it.
 
     alone: no other argument overlaps it.
@@ -350,8 +312,7 @@ class Argument:
     alone: bool = False
 
 
-@dataclass(frozen=True)
-class Function:
+class Function(Node):
     """A function; ``public``: part of the program's interface. result: None where it changes an argument.
 
     apart: never merged into the functions that call it.
@@ -366,8 +327,20 @@ class Function:
     apart: bool = False
 
 
-@dataclass(frozen=True)
-class Table:
+def numbers(name: str, *dims: int, meaning: str = "") -> Field:
+    """A member that is a number, or an array of them."""
+    return Field(name, Array(Real(), dims) if dims else Real(), meaning)
+
+
+def signature(
+    name: str, result: Type | None = None, changed: Collection[str] = (), **arguments: Type
+) -> Function:
+    """A function of which others need only how it is called."""
+    given = (Argument(each, kind, each in changed) for each, kind in arguments.items())
+    return Function(name, "", tuple(given), result, ())
+
+
+class Table(Node):
     """A constant structure, or as many as there are rows: the numbers of its members, one after the other."""
 
     name: str
@@ -376,8 +349,7 @@ class Table:
     meaning: str = ""
 
 
-@dataclass(frozen=True)
-class Program:
+class Program(Node):
     """Structures and functions in an order in which each is defined before it is used."""
 
     name: str
@@ -402,12 +374,7 @@ def joined(one: Program, other: Program) -> Program:
 
 def statements(body: tuple[Statement, ...]) -> Iterator[Statement]:
     """Every statement of a body, those of loops, conditions and switches as well."""
-    for each in body:
-        yield each
-        if isinstance(each, For | If | Switch):
-            yield from statements(each.body)
-        if isinstance(each, If | Switch):
-            yield from statements(each.otherwise)
+    return (each for each in parts_of(body) if isinstance(each, Statement))
 
 
 def names_in(node: Any) -> Iterator[Name]:
@@ -420,12 +387,17 @@ def calls_in(node: Any) -> Iterator[Call]:
     return (each for each in parts_of(node) if isinstance(each, Call))
 
 
+def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
+    """A node with what its fields hold changed."""
+    return replace(node, **{each.name: change(getattr(node, each.name)) for each in fields(node)})
+
+
 def parts_of(node: Any) -> Iterator[Any]:
     """A node and its parts, their parts as well."""
     if isinstance(node, tuple):
         for each in node:
             yield from parts_of(each)
-    elif is_dataclass(node):
+    elif isinstance(node, Node):
         yield node
         for field in fields(node):
             yield from parts_of(getattr(node, field.name))

@@ -15,6 +15,10 @@ What is known when a text is read is settled there: an ``if`` or ``a if b else c
 name that stands alone in a line stands for statements that are given, a string for a comment. An argument
 that is given as ``False`` is left out, in calls as well.
 
+``for number in numbers(x)`` goes through the numbers of a structure, each of which is ``x[number]``, and so
+is that of another structure with such a member; ``for number in entries(SOME)``, once for each, through
+those that are given, of a lane ``x[number, i]``; where expressions are given, each is ``number``.
+
 One text serves several shapes: a call that stands alone in a line, of a text that is given, is replaced by
 the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of the indices; and where
 ``ROLLED`` is given, ``for i in each(6)`` is a loop.
@@ -23,51 +27,13 @@ the lines of that text; ``a[i, k]`` is what a function given as ``a`` makes of t
 import ast
 import inspect
 from collections.abc import Callable, Iterable, Mapping
-from functools import reduce
+from dataclasses import dataclass, field
+from functools import partial, reduce
 from types import MappingProxyType
 from typing import Any, cast
 
+from . import nodes as t
 from .constants import INTEGERS, NAMES
-from .nodes import (
-    BUILT_IN,
-    Argument,
-    Array,
-    As,
-    Assign,
-    Binary,
-    Both,
-    Break,
-    Call,
-    Comment,
-    Compare,
-    Constant,
-    Count,
-    Do,
-    Either,
-    Element,
-    Expression,
-    For,
-    From,
-    Function,
-    If,
-    Integer,
-    Let,
-    Member,
-    Name,
-    Negative,
-    Not,
-    Number,
-    Pointer,
-    Real,
-    Record,
-    Return,
-    Select,
-    Statement,
-    Structure,
-    Truth,
-    Type,
-    Variable,
-)
 from .written_text import (
     Filled,
     Names,
@@ -80,25 +46,37 @@ from .written_text import (
     with_variables,
 )
 
-_OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"}
-_COMPARISONS = {ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="}
-_COMPARISONS |= {ast.Is: "==", ast.IsNot: "!="}
+_OPERATORS: Mapping[type[ast.AST], str] = {
+    **{ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/"},
+    **{ast.Lt: "<", ast.LtE: "<=", ast.Gt: ">", ast.GtE: ">=", ast.Eq: "==", ast.NotEq: "!="},
+    **{ast.Is: "==", ast.IsNot: "!=", ast.BitAnd: "&", ast.And: "&", ast.BitOr: "|", ast.Or: "|"},
+}
 
 LANES = 8
-Given = int | Expression | tuple[Statement, ...] | Callable[..., Any]
+
+
+@dataclass(frozen=True)
+class Entries:
+    """What a text goes through: expressions, or numbers of structures, each made of a structure, and of a
+    lane where it has lanes."""
+
+    places: tuple[t.Expression | Callable[..., t.Expression], ...]
+
+
+Given = int | t.Expression | tuple[t.Statement, ...] | Callable[..., Any] | Entries
 """A constant; an expression or statements that are read where their name stands; a text that is read where it
-is called; or what makes an expression of indices."""
+is called; what makes an expression of indices; or numbers that are gone through."""
 
 
 def function(
     written: Callable[..., Any],
-    structures: Mapping[str, Structure],
-    functions: Mapping[str, Function],
+    structures: Mapping[str, t.Structure],
+    functions: Mapping[str, t.Function],
     name: str = "",
     public: bool = False,
     given: Mapping[str, Given] | None = None,
     names: Names = MappingProxyType({}),
-) -> Function:
+) -> t.Function:
     """A Python function as a tree.
 
     structures, functions: those it may name, by name. name: of the tree, if another. given: constants, and
@@ -106,7 +84,7 @@ def function(
     ValueError for what is not allowed.
     """
     tree = parsed(written, names)
-    return _Reader(structures, functions, tree, given or {}, names).function(name or tree.name, public)
+    return _Reader(structures, functions, tree, dict(given or {}), names).function(name or tree.name, public)
 
 
 def used(
@@ -124,34 +102,30 @@ def used(
     return list(dict.fromkeys([*quoted, *inside, *(each for each in called if each not in texts)]))
 
 
+@dataclass
 class _Reader:
-    def __init__(
-        self,
-        structures: Mapping[str, Structure],
-        functions: Mapping[str, Function],
-        tree: ast.FunctionDef,
-        given: Mapping[str, Given],
-        names: Names,
-    ) -> None:
-        self.structures, self.functions, self.tree, self.given = structures, functions, tree, dict(given)
-        self.names = names
-        self.types: dict[str, Type] = {}
-        self.whole: ast.expr | None = None
+    structures: Mapping[str, t.Structure]
+    functions: Mapping[str, t.Function]
+    tree: ast.FunctionDef
+    given: dict[str, Given]
+    names: Names
+    types: dict[str, t.Type] = field(default_factory=dict)
+    whole: ast.expr | None = None
 
-    def function(self, name: str, public: bool) -> Function:
+    def function(self, name: str, public: bool) -> t.Function:
         tree = self.tree
         typed = [(each.arg, *self.argument(each.annotation)) for each in tree.args.args]
         typed = [each for each in typed if self.given.get(each[0]) is not False]
         self.types = {name: kind for name, kind, _ in typed}
         read = self.body(tree.body[ast.get_docstring(tree) is not None :])
         changed = changed_names(read, self.functions, self.is_address)
-        arguments = tuple(Argument(name, kind, name in changed, alone) for name, kind, alone in typed)
+        arguments = tuple(t.Argument(name, kind, name in changed, alone) for name, kind, alone in typed)
         result = None if is_none(tree.returns) else self.annotated(tree.returns)
         paragraphs = (ast.get_docstring(tree) or "").split("\n\n")
         meaning = "\n\n".join(" ".join(each.split()) for each in paragraphs)
-        return Function(name, meaning, arguments, result, with_variables(read, changed), public)
+        return t.Function(name, meaning, arguments, result, with_variables(read, changed), public)
 
-    def argument(self, node: ast.expr | None) -> tuple[Type, bool]:
+    def argument(self, node: ast.expr | None) -> tuple[t.Type, bool]:
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             node = ast.parse(node.value, mode="eval").body
         if node is not None and called_name(node) == "alone":
@@ -159,21 +133,21 @@ class _Reader:
             return self.annotated(node.args[0]), True
         return self.annotated(node), False
 
-    def annotated(self, node: ast.expr | None) -> Type:
+    def annotated(self, node: ast.expr | None) -> t.Type:
         if isinstance(node, ast.Constant) and isinstance(node.value, str):
             node = ast.parse(node.value, mode="eval").body
         if isinstance(node, ast.Name):
-            plain: dict[str, Type] = {"Real": Real(), "Integer": Integer(), "Count": Count()}
+            plain: dict[str, t.Type] = {"Real": t.Real(), "Integer": t.Integer(), "Count": t.Count()}
             named = self.structures.get(node.id)
-            return plain.get(node.id, Record(named.name if named else node.id))
+            return plain.get(node.id, t.Record(named.name if named else node.id))
         if isinstance(node, ast.Call) and called_name(node) == "Pointer":
             item = self.annotated(node.args[0])
-            assert isinstance(item, Real | Integer | Record)
-            return Pointer(item)
+            assert isinstance(item, t.Real | t.Integer | t.Record)
+            return t.Pointer(item)
         if isinstance(node, ast.Call) and called_name(node) == "array":
-            return Array(Real(), tuple(self.dimension(arg) for arg in node.args))
+            return t.Array(t.Real(), tuple(self.dimension(arg) for arg in node.args))
         if isinstance(node, ast.Call) and called_name(node) == "pointers":
-            return Array(Pointer(Real()), tuple(self.dimension(arg) for arg in node.args))
+            return t.Array(t.Pointer(t.Real()), tuple(self.dimension(arg) for arg in node.args))
         raise self.error(node, "a structure's name, array(...), Pointer(...), Real, Integer or Count")
 
     def dimension(self, node: ast.expr) -> int:
@@ -188,47 +162,67 @@ class _Reader:
 
     # ------------------------------------------------------------ statements
 
-    def body(self, nodes: list[ast.stmt]) -> tuple[Statement, ...]:
+    def body(self, nodes: list[ast.stmt]) -> tuple[t.Statement, ...]:
         return tuple(found for node in nodes for found in self.statements(node))
 
-    def inner(self, nodes: list[ast.stmt]) -> tuple[Statement, ...]:
+    def inner(self, nodes: list[ast.stmt]) -> tuple[t.Statement, ...]:
         """A body whose names end with it."""
         outside = dict(self.types)
         found = self.body(nodes)
         self.types = outside
         return found
 
-    def statements(self, node: ast.stmt) -> Iterable[Statement]:
+    def statements(self, node: ast.stmt) -> Iterable[t.Statement]:
         """A statement, or what remains of it where it is settled already."""
         match node:
             case ast.If() if (holds := self.settled(node.test)) is not None:
                 return self.body(node.body if holds else node.orelse)
             case ast.For(target=ast.Name(id=index)) if called_name(node.iter) == "each":
-                return self.rolled(node, index) if self.given.get("ROLLED") else self.repeated(node, index)
+                return self.loop(node, index) if self.given.get("ROLLED") else self.repeated(node, index)
+            case ast.For(target=ast.Name(id=index)) if called_name(node.iter) == "numbers":
+                return self.of_numbers(node, index)
+            case ast.For(iter=ast.Call(args=[ast.Name(id=name)])) if called_name(node.iter) == "entries":
+                return self.of_entries(node, cast("Entries", self.given[name]))
+            case ast.For(target=ast.Name(id=index)):
+                return self.loop(node, index)
             case ast.Expr(value=ast.Call() as call) if callable(text := self.given.get(called_name(call))):
                 return self.inlined(text, call)
             case ast.Expr(value=ast.Call(func=ast.Name(id=name))) if self.given.get(name) == ():
                 return []
             case ast.Expr(value=ast.Name(id=name)) if isinstance(self.given.get(name), tuple):
-                return cast("tuple[Statement, ...]", self.given[name])
+                return cast("tuple[t.Statement, ...]", self.given[name])
             case ast.Expr(value=ast.Constant(value=str(text))):
-                return [Comment(text)]
+                return [t.Comment(text)]
         return [self.statement(node)]
 
-    def rolled(self, node: ast.For, index: str) -> list[Statement]:
-        """A loop, unless nothing is left in it."""
-        loop = self.loop(node, index)
-        return [loop] if loop.body else []
-
-    def repeated(self, node: ast.For, index: str) -> list[Statement]:
+    def repeated(self, node: ast.For, index: str) -> list[t.Statement]:
         assert isinstance(node.iter, ast.Call)
-        found: list[Statement] = []
+        found: list[t.Statement] = []
         for i in range(*(self.dimension(arg) for arg in node.iter.args)):
             self.given[index] = i
             found += self.body(node.body)
         return found
 
-    def inlined(self, text: Callable[..., Any], call: ast.Call) -> tuple[Statement, ...]:
+    def of_entries(self, node: ast.For, entries: Entries) -> Iterable[t.Statement]:
+        """The body for each of some numbers of structures."""
+        assert isinstance(node.target, ast.Name)
+        for each in entries.places:
+            self.given[node.target.id] = each
+            yield from self.body(node.body)
+
+    def of_numbers(self, node: ast.For, index: str) -> Iterable[t.Statement]:
+        """The body for each real number of a structure, in loops over arrays."""
+        assert isinstance(node.iter, ast.Call)
+        for each in self.members(self.type(self.expression(node.iter.args[0]))):
+            dims = each.type.dims if isinstance(each.type, t.Array) else ()
+            if each.type != t.Integer():
+                self.given[index] = partial(_number, each.name, tuple(map(t.Name, "ij"[: len(dims)])))
+                found = self.body(node.body)
+                for i, count in reversed(list(zip("ij", dims, strict=False))):
+                    found = (t.For(i, t.Number(0), t.Number(count), found),)
+                yield from found
+
+    def inlined(self, text: Callable[..., Any], call: ast.Call) -> tuple[t.Statement, ...]:
         """The lines of another text with what it is called with in place of its arguments."""
         tree = parsed(text, self.names)
         names = (each.arg for each in tree.args.args)
@@ -254,28 +248,26 @@ class _Reader:
             return None
         return value if isinstance(value, int) else None
 
-    def statement(self, node: ast.stmt) -> Statement:
+    def statement(self, node: ast.stmt) -> t.Statement:
         self.whole = getattr(node, "value", None)
         if isinstance(node, ast.Assign) and len(node.targets) == 1:
             return self.assigned(node.targets[0], node.value)
-        if isinstance(node, ast.For) and isinstance(node.target, ast.Name):
-            return self.loop(node, node.target.id)
         if isinstance(node, ast.If):
-            return If(self.expression(node.test), self.inner(node.body), self.inner(node.orelse))
+            return t.If(self.expression(node.test), self.inner(node.body), self.inner(node.orelse))
         if isinstance(node, ast.Break):
-            return Break()
+            return t.Break()
         if isinstance(node, ast.Return):
-            return Return(None if node.value is None else self.expression(node.value))
+            return t.Return(None if node.value is None else self.expression(node.value))
         if isinstance(node, ast.Expr) and isinstance(node.value, ast.Call):
             call = self.expression(node.value)
-            assert isinstance(call, Call)
-            return Do(call)
+            assert isinstance(call, t.Call)
+            return t.Do(call)
         raise self.error(node, "a statement that every language has")
 
-    def assigned(self, to: ast.expr, value: ast.expr) -> Statement:
+    def assigned(self, to: ast.expr, value: ast.expr) -> t.Statement:
         target = self.expression(to)
-        if not isinstance(target, Name):
-            return Assign(target, self.expression(value))
+        if not isinstance(target, t.Name):
+            return t.Assign(target, self.expression(value))
         name = target.name
         made = self.made(name, value)
         if made is not None:
@@ -283,25 +275,28 @@ class _Reader:
             return made
         found = self.expression(value)
         if name in self.types:
-            return Assign(target, found)
+            return t.Assign(target, found)
         self.types[name] = self.type(found)
-        return Let(name, found, self.types[name])
+        return t.Let(name, found, self.types[name])
 
-    def made(self, name: str, node: ast.expr) -> Variable | Let | None:
+    def made(self, name: str, node: ast.expr) -> t.Variable | t.Let | None:
         """A variable of zeros, a blank one, or the address of a table."""
         if not isinstance(node, ast.Call) or not isinstance(node.func, ast.Name):
             return None
         if node.func.id == "address":
-            return Let(name, Name(base_of(node.args[0])), Pointer(Record(self.structures["Model"].name)))
+            return t.Let(
+                name, t.Name(base_of(node.args[0])), t.Pointer(t.Record(self.structures["Model"].name))
+            )
         if node.func.id == "blank":
-            return Variable(name, self.annotated(node.args[0]), blank=True)
+            return t.Variable(name, self.annotated(node.args[0]), blank=True)
         if node.func.id == "array":
-            return Variable(name, self.annotated(node))
+            return t.Variable(name, self.annotated(node))
         if node.func.id in self.structures:
-            return Variable(name, Record(self.structures[node.func.id].name))
+            return t.Variable(name, t.Record(self.structures[node.func.id].name))
         return None
 
-    def loop(self, node: ast.For, index: str) -> For:
+    def loop(self, node: ast.For, index: str) -> list[t.Statement]:
+        """A loop, unless nothing is left in it."""
         call = node.iter
         down = called_name(call) == "reversed"
         if called_name(call) == "each":
@@ -312,92 +307,89 @@ class _Reader:
         if not isinstance(call, ast.Call) or called_name(call) not in ("range", "columns"):
             raise self.error(node.iter, "range(...), reversed(range(...)) or columns(...)")
         ends = [self.expression(arg) for arg in call.args[:2]]
-        first, last = (Number(0), *ends)[-2:]
-        kind = Count() if self.type(last) == Count() else Integer()
+        first, last = (t.Number(0), *ends)[-2:]
+        kind = t.Count() if self.type(last) == t.Count() else t.Integer()
         self.types[index] = kind
         if down:
             first, last = _less_one(last), _less_one(first)
-        step = self.expression(call.args[2]) if len(call.args) == 3 else Number(1)
-        step = As(Count(), step) if kind == Count() and step != Number(1) else step
+        step = self.expression(call.args[2]) if len(call.args) == 3 else t.Number(1)
+        step = t.As(t.Count(), step) if kind == t.Count() and step != t.Number(1) else step
         kept = called_name(call) == "columns" and self.given.get("LONG") != 0
-        return For(index, first, last, self.inner(node.body), down, kind, step, kept)
+        body = self.inner(node.body)
+        return [t.For(index, first, last, body, down, kind, step, kept)] if body else []
 
     # ------------------------------------------------------------ expressions
 
-    def expression(self, node: ast.expr) -> Expression:
+    def expression(self, node: ast.expr) -> t.Expression:
         settled = self.settled(node)
         if settled is not None:
-            return Number(int(settled))
+            return t.Number(int(settled))
         match node:
             case ast.Constant(value=float() as number):
-                return Number(number)
+                return t.Number(number)
             case ast.Constant(value=None):
-                return Constant("NULL")
+                return t.Constant("NULL")
             case ast.Name(id=name):
                 found = self.given.get(name)
-                if isinstance(found, Expression):
+                if isinstance(found, t.Expression):
                     return found
-                return Constant(name) if name in (*INTEGERS, *NAMES) else Name(name)
+                return t.Constant(name) if name in (*INTEGERS, *NAMES) else t.Name(name)
             case ast.Attribute():
-                return Member(self.expression(node.value), node.attr)
+                return t.Member(self.expression(node.value), node.attr)
+            case ast.Subscript(
+                slice=ast.Name(id=name) | ast.Tuple(elts=[ast.Name(id=name), *_]) as index
+            ) if callable(place := self.given.get(name)):
+                lanes = index.elts[1:] if isinstance(index, ast.Tuple) else []
+                return cast("t.Expression", place(*map(self.expression, (node.value, *lanes))))
             case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)) if callable(
                 place := self.given.get(name)
             ):
-                return cast("Expression", place(*map(self.expression, index)))
+                return cast("t.Expression", place(*map(self.expression, index)))
             case ast.Subscript(slice=ast.Tuple(elts=index), value=ast.Name(id=name)):
-                return Name("_".join([name, *(str(self.dimension(each)) for each in index)]))
+                return t.Name("_".join([name, *(str(self.dimension(each)) for each in index)]))
             case ast.Subscript(slice=ast.Slice(lower=ast.expr() as lower)):
-                return From(self.expression(node.value), self.expression(lower))
+                return t.From(self.expression(node.value), self.expression(lower))
             case ast.Subscript():
                 return self.element(node)
             case ast.UnaryOp(op=ast.USub()):
-                return Negative(self.expression(node.operand))
+                return t.Negative(self.expression(node.operand))
             case ast.UnaryOp(op=ast.Not()):
-                return Not(self.expression(node.operand))
+                return t.Not(self.expression(node.operand))
             case ast.BoolOp():
-                joined = Both if isinstance(node.op, ast.And) else Either
+                joined = partial(t.Binary, _OPERATORS[type(node.op)])
                 return reduce(joined, map(self.expression, node.values))
-            case ast.BinOp():
-                return self.binary(node)
-            case ast.Compare() if len(node.ops) == 1:
-                operator = _COMPARISONS[type(node.ops[0])]
-                return Compare(operator, *self.alike(node.left, node.comparators[0]))
+            case (
+                ast.BinOp(left=left, op=operator, right=right)
+                | ast.Compare(left=left, ops=[operator], comparators=[right])
+            ) if type(operator) in _OPERATORS:
+                return t.Binary(_OPERATORS[type(operator)], *self.alike(left, right))
             case ast.IfExp() if (holds := self.settled(node.test)) is not None:
                 return self.expression(node.body if holds else node.orelse)
             case ast.IfExp():
-                return Select(*map(self.expression, (node.test, node.body, node.orelse)))
+                return t.Select(*map(self.expression, (node.test, node.body, node.orelse)))
             case ast.Call():
                 return self.call(node)
         raise self.error(node, "an expression that every language has")
 
-    def alike(self, *nodes: ast.expr) -> tuple[Expression, ...]:
+    def alike(self, *nodes: ast.expr) -> tuple[t.Expression, ...]:
         """Operands; where one is a count, so are all."""
         found = tuple(map(self.expression, nodes))
         kinds = [self.type(each) for each in found]
-        if Count() not in kinds:
+        if t.Count() not in kinds:
             return found
         return tuple(
-            As(Count(), each) if kind == Integer() else each for each, kind in zip(found, kinds, strict=True)
+            t.As(t.Count(), each) if kind == t.Integer() else each
+            for each, kind in zip(found, kinds, strict=True)
         )
 
-    def element(self, node: ast.Subscript) -> Element:
+    def element(self, node: ast.Subscript) -> t.Element:
         index = self.expression(node.slice)
         owner = self.expression(node.value)
-        if isinstance(owner, Element):
-            return Element(owner.array, (*owner.index, index))
-        return Element(owner, (index,))
+        if isinstance(owner, t.Element):
+            return t.Element(owner.array, (*owner.index, index))
+        return t.Element(owner, (index,))
 
-    def binary(self, node: ast.BinOp) -> Expression:
-        left, right = self.alike(node.left, node.right)
-        if isinstance(node.op, ast.BitAnd):
-            return Both(left, right)
-        if isinstance(node.op, ast.BitOr):
-            return Either(left, right)
-        if type(node.op) not in _OPERATORS:
-            raise self.error(node, "one of + - * / & |")
-        return Binary(_OPERATORS[type(node.op)], left, right)
-
-    def call(self, node: ast.Call) -> Expression:
+    def call(self, node: ast.Call) -> t.Expression:
         name = called_name(node)
         arguments = tuple(
             self.expression(arg)
@@ -405,70 +397,78 @@ class _Reader:
             if self.given.get(base_of(arg)) is not False or base_of(arg) in self.types
         )
         if name == "where":
-            return Select(*arguments)
+            return t.Select(*arguments)
         if name == "numbers_of":
-            return As(Pointer(Real()), *arguments)
-        if name not in BUILT_IN and name not in self.functions:
+            return t.As(t.Pointer(t.Real()), *arguments)
+        if name not in t.BUILT_IN and name not in self.functions:
             raise self.error(node, "a function of the program")
         changes = name in self.functions and any(each.changed for each in self.functions[name].arguments)
         if changes and node is not self.whole:
             raise self.error(node, "a statement of its own for a call that changes an argument")
-        return Call(self.functions[name].name if name in self.functions else name, arguments)
+        return t.Call(self.functions[name].name if name in self.functions else name, arguments)
 
-    def type(self, value: Expression) -> Type:
+    def type(self, value: t.Expression) -> t.Type:
         match value:
-            case Number(number):
-                return Real() if isinstance(number, float) else Integer()
-            case Constant(name):
-                return Integer() if name in INTEGERS else Real()
-            case Name(name):
-                return self.types.get(name, Real())
-            case Member(owner, name):
+            case t.Number(number):
+                return t.Real() if isinstance(number, float) else t.Integer()
+            case t.Constant(name):
+                return t.Integer() if name in INTEGERS else t.Real()
+            case t.Name(name):
+                return self.types.get(name, t.Real())
+            case t.Member(owner, name):
                 return self.member(self.type(owner), name)
-            case Element(array, index):
+            case t.Element(array, index):
                 found = self.type(array)
-                assert isinstance(found, Array | Pointer)
-                dims = found.dims if isinstance(found, Array) else (0,)
-                if len(index) > len(dims) and isinstance(found.item, Pointer):
+                assert isinstance(found, t.Array | t.Pointer)
+                dims = found.dims if isinstance(found, t.Array) else (0,)
+                if len(index) > len(dims) and isinstance(found.item, t.Pointer):
                     return found.item.item
-                return Array(found.item, dims[len(index) :]) if len(index) < len(dims) else found.item
-            case From(array):
+                return t.Array(found.item, dims[len(index) :]) if len(index) < len(dims) else found.item
+            case t.From(array):
                 found = self.type(array)
-                assert isinstance(found, Array | Pointer)
-                return Pointer(found.item)
-            case As(kind):
+                assert isinstance(found, t.Array | t.Pointer)
+                return t.Pointer(found.item)
+            case t.As(kind):
                 return kind
-            case Negative(inner):
+            case t.Negative(inner):
                 return self.type(inner)
-            case Binary(_, left, right):
+            case t.Binary("+" | "-" | "*" | "/", left, right):
                 kinds = (self.type(left), self.type(right))
-                return Real() if Real() in kinds else kinds[0]
-            case Compare() | Both() | Either() | Not():
-                return Truth()
-            case Select(_, yes):
+                return t.Real() if t.Real() in kinds else kinds[0]
+            case t.Binary() | t.Not():
+                return t.Truth()
+            case t.Select(_, yes):
                 return self.type(yes)
-            case Call(name):
-                result = BUILT_IN[name] if name in BUILT_IN else self.functions[name].result
+            case t.Call(name):
+                result = t.BUILT_IN[name] if name in t.BUILT_IN else self.functions[name].result
                 assert result is not None
                 return result
         raise AssertionError(value)
 
-    def member(self, owner: Type, name: str) -> Type:
+    def member(self, owner: t.Type, name: str) -> t.Type:
         """The type of a structure's member."""
-        record = owner.item if isinstance(owner, Pointer) else owner
-        assert isinstance(record, Record)
-        named = next(each for each in self.structures.values() if each.name == record.name)
-        return next(each.type for each in named.members if each.name == name)
+        return next(each.type for each in self.members(owner) if each.name == name)
 
-    def is_address(self, node: Expression) -> bool:
+    def members(self, owner: t.Type) -> tuple[t.Field, ...]:
+        record = owner.item if isinstance(owner, t.Pointer) else owner
+        assert isinstance(record, t.Record)
+        return next(each.members for each in self.structures.values() if each.name == record.name)
+
+    def is_address(self, node: t.Expression) -> bool:
         """Whether a member of an argument is an address: what is there is no part of the argument."""
-        if not isinstance(node, Member) or not isinstance(node.owner, Name):
+        if not isinstance(node, t.Member) or not isinstance(node.owner, t.Name):
             return False
         owner = self.types.get(node.owner.name)
-        return isinstance(owner, Record) and isinstance(self.member(owner, node.name), Pointer)
+        return isinstance(owner, t.Record) and isinstance(self.member(owner, node.name), t.Pointer)
 
 
-def _less_one(value: Expression) -> Expression:
-    if isinstance(value, Number):
-        return Number(value.value - 1)
-    return Binary("-", value, Number(1))
+def _number(member: str, index: tuple[t.Name, ...], owner: t.Expression) -> t.Expression:
+    """One of a structure's numbers."""
+    found = t.of(owner, member)
+    return t.Element(found, index) if index else found
+
+
+def _less_one(value: t.Expression) -> t.Expression:
+    if isinstance(value, t.Number):
+        return t.Number(value.value - 1)
+    return value - t.Number(1)

@@ -4,26 +4,9 @@ import ast
 import inspect
 import textwrap
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from typing import Any
 
-from .nodes import (
-    Assign,
-    Element,
-    Expression,
-    For,
-    From,
-    Function,
-    If,
-    Let,
-    Member,
-    Name,
-    Select,
-    Statement,
-    Variable,
-    calls_in,
-    statements,
-)
+from . import nodes as t
 
 Names = Mapping[str, str | int]
 """What names of a text stand for, other names or numbers: the text then serves for several functions."""
@@ -79,35 +62,32 @@ class Filled(ast.NodeTransformer):
 
 
 def changed_names(
-    body: tuple[Statement, ...], functions: Mapping[str, Function], is_address: Callable[[Expression], bool]
+    body: tuple[t.Statement, ...],
+    functions: Mapping[str, t.Function],
+    is_address: Callable[[t.Expression], bool],
 ) -> set[str]:
     """Names that are assigned to after their first value, in part, or by a function that changes them."""
     found: set[str] = set()
-    for each in statements(body):
-        if isinstance(each, Assign):
+    for each in t.statements(body):
+        if isinstance(each, t.Assign):
             found.add(root_of(each.target))
-        for call in calls_in(each):
+        for call in t.calls_in(each):
             arguments = functions[call.function].arguments if call.function in functions else ()
             pairs = zip(call.arguments, arguments, strict=False)
             found |= {root_of(value) for value, to in pairs if to.changed and not is_address(value)}
     return found
 
 
-def with_variables(body: tuple[Statement, ...], changed: set[str]) -> tuple[Statement, ...]:
-    """The body with variables for what was read as a constant, and is changed later."""
-    found: list[Statement] = []
-    for each in body:
-        match each:
-            case Let(name, value, kind) if name in changed:
-                found.append(Variable(name, kind, value))
-            case For():
-                found.append(replace(each, body=with_variables(each.body, changed)))
-            case If():
-                parts = (with_variables(part, changed) for part in (each.body, each.otherwise))
-                found.append(If(each.test, *parts))
-            case _:
-                found.append(each)
-    return tuple(found)
+def with_variables(node: Any, changed: set[str]) -> Any:
+    """A body with variables for what was read as a constant, and is changed later."""
+    match node:
+        case tuple():
+            return tuple(with_variables(each, changed) for each in node)
+        case t.Let(name, value, kind) if name in changed:
+            return t.Variable(name, kind, value)
+        case t.For() | t.If():
+            return t.mapped(node, lambda part: with_variables(part, changed))
+    return node
 
 
 def is_none(node: ast.expr | None) -> bool:
@@ -115,14 +95,14 @@ def is_none(node: ast.expr | None) -> bool:
     return node is None or (isinstance(node, ast.Constant) and node.value is None)
 
 
-def root_of(node: Expression) -> str:
+def root_of(node: t.Expression) -> str:
     """Name of what a place is part of."""
-    while isinstance(node, Member | Element | From | Select):
-        if isinstance(node, Select):
+    while isinstance(node, t.Member | t.Element | t.From | t.Select):
+        if isinstance(node, t.Select):
             node = node.yes
         else:
-            node = node.owner if isinstance(node, Member) else node.array
-    return node.name if isinstance(node, Name) else ""
+            node = node.owner if isinstance(node, t.Member) else node.array
+    return node.name if isinstance(node, t.Name) else ""
 
 
 def base_of(node: ast.expr) -> str:

@@ -102,7 +102,7 @@ def shared_of_pose(platform: "Platform", at: "Motions", out: "Shared") -> None:
 def leg_of_pose(platform: "Platform", leg: "Leg", at: "Motions", shared: "Shared", out: "LegTerms") -> None:
     """One leg in joint coordinates: D, its column of H and its part of c."""
     BODY
-    REACH
+    largest_term()
     out.reach = reach
 
 

@@ -37,6 +37,19 @@ def sums_of_two_forms(model: "Model", motion: "Motion", legs: "Legs", summed: "S
     total(pose, legs, summed)
 
 
+def total(pose: "Pose", legs: "Legs", out: "Sums") -> None:
+    """The sums over platform and legs."""
+    for number in numbers(out):
+        out[number] = pose[number] + (
+            legs.leg[0][number]
+            + legs.leg[1][number]
+            + legs.leg[2][number]
+            + legs.leg[3][number]
+            + legs.leg[4][number]
+            + legs.leg[5][number]
+        )
+
+
 def equations(model: "Model", motion: "Motion") -> "Equations":
     """M, C, g, friction, bias, H and its rate of M [a; alpha] + C [v; omega] + g + friction = H F + loads."""
     out = blank(Equations)

@@ -75,3 +75,32 @@ def prepare(robot: "Robot") -> "Model":
     model.per_length = per_length_of(size_of(model), SMALLEST)
     model.status = where(lost_digits(model) == 0.0, OK, NOT_FINITE)
     return model
+
+
+def add_up(total: "Added", more: "LegConstants") -> "Added":
+    """What the legs add to the platform, with one leg more."""
+    out = Added()
+    for number in numbers(out):
+        out[number] = total[number] + more[number]
+    return out
+
+
+def lost_digits(model: "Model") -> "Real":
+    """Zero as long as all constants are finite."""
+    lost = 0.0
+    for leg in range(6):
+        for number in numbers(model.leg[leg]):
+            lost = lost + 0.0 * model.leg[leg][number]
+    for number in numbers(model.platform):
+        lost = lost + 0.0 * model.platform[number]
+    return lost
+
+
+def check(out: "Result") -> None:
+    """Says where a number of a result is not finite, and puts NaN for all where the status is not OK."""
+    lost = 0.0
+    for number in numbers(out):
+        lost = lost + 0.0 * out[number]
+    out.status = where((out.status != OK) | (lost == 0.0), out.status, NOT_FINITE)
+    for number in numbers(out):
+        out[number] = where(out.status == OK, out[number], NAN)

@@ -27,7 +27,8 @@ def legs_side_by_side(robot: "Robot", motion: "Motion") -> "Legs":
 def leg_of_lanes(legs: "Legs", i: "Integer") -> "Legs":
     """One of the legs."""
     out = Legs()
-    COPIED
+    for number in entries(SUMMED):
+        out[number] = legs[number, i]
     return out
 
 

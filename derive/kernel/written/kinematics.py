@@ -41,10 +41,8 @@ def rates_of(robot: "Robot", motion: "Motion", moving: "Integer") -> "LegRates":
     out = LegRates()
     pose = Pose()
     status = OK
-    for i in range(9):
-        pose.R[i] = motion.R[i]
-    for i in range(3):
-        pose.t[i] = motion.t[i]
+    for number in numbers(pose):
+        pose[number] = motion[number]
     for i in range(6):
         leg = vectors_of(robot.leg[i], pose)
         fault = fault_of(leg.L, 1.0, reach_of(robot.leg[i].b, pose.t, leg.q))
@@ -263,10 +261,8 @@ def first_fault(L: "array(6)", guess: "Pose") -> "Integer":
     status = OK
     for i in range(6):
         status = where(size(L[i]) <= MAX, status, NOT_FINITE)
-    for i in range(9):
-        status = where(size(guess.R[i]) <= MAX, status, NOT_FINITE)
-    for i in range(3):
-        status = where(size(guess.t[i]) <= MAX, status, NOT_FINITE)
+    for number in numbers(guess):
+        status = where(size(guess[number]) <= MAX, status, NOT_FINITE)
     for i in range(6):
         status = where((status != OK) | (L[i] > 0.0), status, ZERO_LENGTH)
     return status
@@ -278,10 +274,8 @@ def pose_of(robot: "Robot", L: "array(6)", guess: "Pose") -> "FoundPose":
     legs = LegsAtPose()
     per_size = 1.0 / platform_size(robot)
     status = first_fault(L, guess)
-    for i in range(9):
-        out.pose.R[i] = guess.R[i]
-    for i in range(3):
-        out.pose.t[i] = guess.t[i]
+    for number in numbers(guess):
+        out.pose[number] = guess[number]
     near = make_rotation(out.pose.R)
     status = where((status != OK) | (near == 1), status, NOT_CONVERGED)
     fault = legs_at(robot, out.pose, per_size, legs)
@@ -298,10 +292,8 @@ def pose_of(robot: "Robot", L: "array(6)", guess: "Pose") -> "FoundPose":
 def forward_kinematics(robot: "Robot", L: "array(6)", guess: "Pose") -> "FoundPose":
     """Pose in which the legs have the lengths L, m, by Newton's steps from a guess, and a status."""
     out = pose_of(robot, L, guess)
-    for i in range(9):
-        out.pose.R[i] = where(out.status == OK, out.pose.R[i], NAN)
-    for i in range(3):
-        out.pose.t[i] = where(out.status == OK, out.pose.t[i], NAN)
+    for number in numbers(guess):
+        out.pose[number] = where(out.status == OK, out.pose[number], NAN)
     return out
 
 

@@ -16,14 +16,18 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
     platform = blank(PreparedPlatform)
     if robot is None or model is None:
         return BAD_ARGUMENT
-    CLEARED
+    for number in entries(ADDED):
+        sum[number] = 0.0
     for i in range(LANES):
         prepare_leg(robot, robot.leg[where(i < 6, i, 5)], found)
-        COPIED
+        for number in entries(OF_LEG):
+            made[number, i] = found[number]
         if i < 6:
-            SUMMED
+            for number in entries(ADDED):
+                sum[number] = sum[number] + found[number]
     prepare_platform(robot, sum, platform)
-    COPIED_PLATFORM
+    for number in entries(OF_PLATFORM):
+        made[number] = platform[number]
     hand_over()
 
 
@@ -38,7 +42,8 @@ def legs_of_pose(
     """$says: $count operations each."""
     OUTSIDE
     for l in range(LANES):
-        INSIDE
+        BLOCK
+        checked(out)
 
 
 def shift_of_pose(legs: "alone(LegLanes)", shared: "alone(SharedTerms)") -> None:
@@ -198,7 +203,9 @@ def leg_of_block(
     c."""
     OUTSIDE
     for l in range(LANES):
-        INSIDE
+        BLOCK
+        largest_term()
+        mark(bad[l], bad[l])
 
 
 def moments_of_first(own: "alone(LegBlock)", c: "alone(array(6, LANES))") -> None:

@@ -24,6 +24,35 @@ def largest_component(vector: "array(3)", least: "Real") -> "Real":
     return most
 
 
+# ---------------------------------------------------------------- a leg in its lane: ``layouts.checks``
+
+
+def largest_term() -> None:
+    """The largest of the terms that a leg is the sum of, and of what is too short by itself."""
+    reach = SHORTEST / ROUNDING
+    for term in entries(TERMS):
+        reach = larger(size(term), reach)
+
+
+def checked(out) -> None:
+    """What decides on a leg, and a mark where it needs a closer look."""
+    largest_term()
+    out.reach[l] = reach
+    out.L[l] = LENGTH
+    if HAS_SINE:
+        out.k3[l] = SINE
+    mark(0.0, out.bad[l])
+
+
+def mark(before, after) -> None:
+    """1 in ``after`` where a leg is not finite, short, or too near its joint singularity, else ``before``."""
+    fault = where(LENGTH <= MAX, before, 1.0)
+    fault = where(LENGTH > LEAST_SHARE * reach, fault, 1.0)
+    if HAS_SINE:
+        fault = where(SINE > LEAST_SINE, fault, 1.0)
+    after = fault
+
+
 # ---------------------------------------------------------------- what a leg adds; places: ``kernel.shared``
 
 

@@ -12,7 +12,8 @@ def leg_terms(model: "alone(Model)", at: "alone(Motion)", pose: "alone(Pose)", o
     """The legs side by side."""
     OUTSIDE
     for l in range(LANES):
-        INSIDE
+        BLOCK
+        checked(out.checked)
 
 
 def legs_status(checked: "Checked") -> "Integer":
@@ -35,7 +36,9 @@ def sums(model: "Model", motion: "Motion", legs: "Legs", summed: "array(COUNT)")
     """Platform and legs together; ``status``: of the legs."""
     pose = blank(Pose)
     pose_terms(model, motion, pose, summed)
-    INPUTS
+    for l in range(6, 8):
+        for number in entries(GIVEN):
+            legs[number, l] = legs[number, 5]
     leg_terms(model, motion, pose, legs)
     if HAS_NEAR:
         if is_near(legs.checked) != 0:

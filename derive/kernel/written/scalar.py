@@ -11,7 +11,8 @@ def size_sum(vector: "array(3)") -> "Real":
 
 def clear_sum(sum: "PreparedLeg") -> None:
     """A sum over the legs with nothing in it."""
-    CLEARED
+    for number in entries(ADDED):
+        sum[number] = 0.0
 
 
 def prepare(robot: "Robot", model: "Model") -> "Integer":
@@ -28,12 +29,15 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
     clear_sum(sum)
     for i in range(6):
         prepare_leg(robot, robot.leg[i], found)
-        SUMMED
-        HELD
+        for number in entries(ADDED):
+            sum[number] = sum[number] + found[number]
+        for number in entries(OF_LEG):
+            lost = lost + 0.0 * found[number]
         largest = larger(size_sum(found.p), largest)
         largest = larger(size_sum(found.b), largest)
     prepare_platform(robot, sum, platform)
-    HELD_PLATFORM
+    for number in entries(OF_PLATFORM):
+        lost = lost + 0.0 * platform[number]
     lost = lost + 0.0 * largest
     "Zero as long as all numbers are finite."
     if not lost >= 0.0:
@@ -41,8 +45,10 @@ def prepare(robot: "Robot", model: "Model") -> "Integer":
     "Once more, as a second model would not fit on a small stack."
     for i in range(6):
         prepare_leg(robot, robot.leg[i], found)
-        COPIED
-    COPIED_PLATFORM
+        for number in entries(OF_LEG):
+            model.leg[i][number] = found[number]
+    for number in entries(OF_PLATFORM):
+        model[number] = platform[number]
     model.size = largest
     model.per_length = per_length_of(size_of(model), SMALLEST)
     model.least = least_pivots(size_of(model) * model.per_length)
@@ -58,7 +64,7 @@ def leg_closely(model: "Model", leg: "Leg", at: "Motion", q_1: "array(3)", out: 
     """What decides on a leg that may be short: its length, the size of the vectors that it is the sum of, the
     arm of its moment, and its column of H."""
     COLUMN
-    REACH
+    largest_term()
     out.reach = reach
     SIZES
 

@@ -7,76 +7,11 @@ of the bias; and of the derivatives of the wrench by pose, twist and acceleratio
 R becoming exp([dphi]x) R. Formulation `exact` with universal base joints.
 """
 
-from .derivatives import derivatives_kernel, joint_slopes_kernel
-from .equations import bias_kernel, equations_kernel, forward_kernel, joint_rows_kernel
 from .kernels import NAMES, OF_TWO_FORMS, kernel, kernels
-from .parts import OWN_MASSES, PREPARED
-from .terms import (
-    AXIAL,
-    B_0,
-    BIAS,
-    BY_POSE,
-    BY_TWIST,
-    C_VV,
-    C_VW,
-    C_WV,
-    C_WW,
-    CORIOLIS,
-    F_LEG,
-    FRICTION,
-    GRAVITY,
-    H_DOT,
-    INERTIA,
-    M_VV,
-    M_VW,
-    M_WW,
-    M_XI,
-    NET,
-    RIGHT,
-    ROWS,
-    TAU,
-    TAU_BY,
-    TURNED,
-    SumKernel,
-)
+from .parts import PREPARED
+from .terms import AXIAL, F_LEG, NET, TURNED, SumKernel
 
-__all__ = [
-    "AXIAL",
-    "BIAS",
-    "BY_POSE",
-    "BY_TWIST",
-    "B_0",
-    "CORIOLIS",
-    "C_VV",
-    "C_VW",
-    "C_WV",
-    "C_WW",
-    "FRICTION",
-    "F_LEG",
-    "GRAVITY",
-    "H_DOT",
-    "INERTIA",
-    "M_VV",
-    "M_VW",
-    "M_WW",
-    "M_XI",
-    "NAMES",
-    "NET",
-    "OF_TWO_FORMS",
-    "OWN_MASSES",
-    "PREPARED",
-    "RIGHT",
-    "ROWS",
-    "TAU",
-    "TAU_BY",
-    "TURNED",
-    "SumKernel",
-    "bias_kernel",
-    "derivatives_kernel",
-    "equations_kernel",
-    "forward_kernel",
-    "joint_rows_kernel",
-    "joint_slopes_kernel",
-    "kernel",
-    "kernels",
-]
+GIVEN = (F_LEG, NET, TURNED, AXIAL)
+"""What the legs' blocks are given beside the pose."""
+
+__all__ = ["F_LEG", "GIVEN", "NAMES", "OF_TWO_FORMS", "PREPARED", "SumKernel", "kernel", "kernels"]

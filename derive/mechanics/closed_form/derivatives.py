@@ -11,27 +11,7 @@ from ..actuator_forces import rotary
 from ..legs import tip
 from ..legs.joint_coordinates import gravity_torques, joint_accelerations, joint_inertia, joint_rates
 from ..legs.leg import cross
-from .parts import (
-    LEG_INPUTS,
-    POSE_INPUTS,
-    Leg,
-    base_matrix,
-    by_joints,
-    centripetal_acceleration,
-    checked,
-    columns_of_H,
-    external,
-    from_torques,
-    leg_inertia,
-    leg_of,
-    local_matrix,
-    name_finite_rates,
-    name_omega,
-    platform_inertia,
-    platform_of,
-    rotated,
-    tip_inertia,
-)
+from . import parts
 from .terms import AXIAL, BY_POSE, BY_TWIST, F_LEG, INERTIA, NET, TAU_BY, TURNED, SumKernel
 
 
@@ -45,14 +25,16 @@ def derivatives_kernel(friction: bool) -> SumKernel:
 
 def _derivatives_of_platform(friction: bool, name: str = "derivatives", alone: bool = False) -> Block:
     build = Builder()
-    at = platform_of(build, alone)
+    at = parts.platform_of(build, alone)
     omega, alpha = n.omega.value, n.alpha.value
     turn, J = tip.skew(omega), at.J
     B = rotary(build, omega, alpha)
     J_alpha = build.vector("J_alpha", J * alpha)
     rise = build.vector("rise", n.a.value - n.g.value, "(33)", "a - g")
-    F_load, M_load = (build.vector(name, v) for name, v in zip(("F_load", "M_load"), external(), strict=True))
-    spin = base_matrix(
+    F_load, M_load = (
+        build.vector(name, v) for name, v in zip(("F_load", "M_load"), parts.external(), strict=True)
+    )
+    spin = parts.base_matrix(
         build, "spin", J * turn - tip.skew(at.J_w), "derivative of I omega by dphi at fixed omega"
     )
     by_omega = turn * J - tip.skew(at.J_w)
@@ -73,10 +55,10 @@ def _derivatives_of_platform(friction: bool, name: str = "derivatives", alone: b
     return build.block(
         f"{name}_of_platform",
         "the platform's part of the derivatives of the wrench",
-        POSE_INPUTS,
+        parts.POSE_INPUTS,
         [
             (p.B, B),
-            *platform_inertia(at),
+            *parts.platform_inertia(at),
             *zip(BY_POSE, pose, strict=True),
             *zip(BY_TWIST, twist, strict=True),
         ],
@@ -99,17 +81,17 @@ class _Slopes:
 def derivatives_of_leg(friction: bool, near: bool) -> Block:
     """One leg's part; near: written for legs near their joint singularity."""
     build = Builder()
-    leg = leg_of(build)
+    leg = parts.leg_of(build)
     q, turn = leg.at.q, tip.skew(leg.at.q)
     by = _tip_slopes(build, leg, friction, near)
     W = tip.skew(n.omega.value)
     w_q = leg.w_q
-    reach = base_matrix(
+    reach = parts.base_matrix(
         build, "X", by.S + by.S_dot * W + by.S_ddot * p.B.value, "force by rotation about the tip"
     )
-    pace = base_matrix(build, "Y", by.S_dot + by.S_ddot * W)
-    fr = base_matrix(build, "Z", -reach * turn)
-    fw = base_matrix(build, "V", -pace * turn - by.S_ddot * tip.skew(w_q) + by.omega)
+    pace = parts.base_matrix(build, "Y", by.S_dot + by.S_ddot * W)
+    fr = parts.base_matrix(build, "Z", -reach * turn)
+    fw = parts.base_matrix(build, "V", -pace * turn - by.S_ddot * tip.skew(w_q) + by.omega)
     mr, mw = turn * fr + tip.skew(by.force) * turn, turn * fw
     mt, mv = turn * by.S, turn * by.S_dot
     if friction:
@@ -118,13 +100,13 @@ def derivatives_of_leg(friction: bool, near: bool) -> Block:
     return build.block(
         "derivatives_of_leg_near" if near else "derivatives_of_leg",
         "one leg's part of the derivatives of the wrench",
-        LEG_INPUTS,
+        parts.LEG_INPUTS,
         [
-            *leg_inertia(build, by.S_ddot, q),
+            *parts.leg_inertia(build, by.S_ddot, q),
             *zip(BY_POSE, (by.S, fr, mt, mr), strict=True),
             *zip(BY_TWIST, (by.S_dot, fw, mv, mw), strict=True),
-            *columns_of_H(leg.at),
-            *checked(leg.at),
+            *parts.columns_of_H(leg.at),
+            *parts.checked(leg.at),
         ],
     )
 
@@ -145,7 +127,7 @@ class _TorqueSlopes:
 
 
 def _torque_slopes(
-    build: Builder, leg: Leg, friction: bool, near: bool, net: sp.Matrix | None = None
+    build: Builder, leg: parts.Leg, friction: bool, near: bool, net: sp.Matrix | None = None
 ) -> _TorqueSlopes:
     """See ``tip`` for the formulas. near: everything in the symbols of ``tip.gathered``, and without names.
 
@@ -154,7 +136,7 @@ def _torque_slopes(
     inner, raw, M = tip.gradients(), tip.torques(friction), tip.inertia()
     gravity_torques(build, leg.at)
     if friction:
-        name_omega(build, leg.at)
+        parts.name_omega(build, leg.at)
     named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
     if net is None:
         tau = [build.scalar(name, value) for name, value in named]
@@ -165,10 +147,10 @@ def _torque_slopes(
     rate, second, by_rate, by_place = inner.rate, inner.second, raw.jacobian(tip.rates), tip.place(raw)
     if not near:
         M = joint_inertia(build, leg.at).matrix()
-        rate, second = local_matrix(build, "G_dot", rate), local_matrix(build, "G_ddot", second)
+        rate, second = parts.local_matrix(build, "G_dot", rate), parts.local_matrix(build, "G_ddot", second)
         by_rate, by_place = (
-            local_matrix(build, "tau_rate", by_rate),
-            local_matrix(build, "tau_place", by_place),
+            parts.local_matrix(build, "tau_rate", by_rate),
+            parts.local_matrix(build, "tau_place", by_place),
         )
     return _TorqueSlopes(
         S=M * second + by_rate * rate + by_place * inner.value,
@@ -177,7 +159,7 @@ def _torque_slopes(
         inertia=M,
         force=build.vector(
             "R_tip",
-            from_torques(build, leg, net[0], net[1], net[2]),
+            parts.from_torques(build, leg, net[0], net[1], net[2]),
             "",
             "force at the tip, less the actuator's",
         ),
@@ -190,7 +172,7 @@ def _bend(net: sp.Matrix) -> sp.Matrix:
     return tip.hessian(names).xreplace(dict(zip(names, net, strict=True)))
 
 
-def _name_joint_motion(build: Builder, leg: Leg) -> None:
+def _name_joint_motion(build: Builder, leg: parts.Leg) -> None:
     """Names rates and accelerations of the joint coordinates."""
     rates = joint_rates(build, leg.at, leg.S_dot)
     S_ddot = build.vector(
@@ -199,16 +181,16 @@ def _name_joint_motion(build: Builder, leg: Leg) -> None:
     joint_accelerations(build, leg.at, rates, S_ddot)
 
 
-def _name_finite_motion(build: Builder, leg: Leg, turned: bool) -> None:
+def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
     """Names what ``tip.gathered`` takes as given of the leg, its rates and accelerations.
 
     turned: what the platform's accelerations add is given by the joint coordinates, where rounding of the
     platform's would be large beside it.
     """
     at, rates = leg.at, joint_rates(build, leg.at, leg.S_dot)
-    name_finite_rates(build, leg)
+    parts.name_finite_rates(build, leg)
     if turned:
-        S_ddot, (along, about_y, about_k) = centripetal_acceleration(build, at), TURNED.value
+        S_ddot, (along, about_y, about_k) = parts.centripetal_acceleration(build, at), TURNED.value
     else:
         S_ddot = p.B.value * at.q + n.a.value
         along = about_y = about_k = sp.S.Zero
@@ -222,18 +204,18 @@ def _name_finite_motion(build: Builder, leg: Leg, turned: bool) -> None:
     build.scalar(tip.OWN_Z.name, about_z, "(9)", meaning)
 
 
-def _friction_slopes(build: Builder, leg: Leg, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+def _friction_slopes(build: Builder, leg: parts.Leg, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
     """Derivatives of f by S and S_dot, base frame."""
     if not friction:
         return sp.zeros(3, 3), sp.zeros(3, 3)
     inner = tip.gradients()
-    rate = local_matrix(build, "G_dot", inner.rate)
+    rate = parts.local_matrix(build, "G_dot", inner.rate)
     k, y, normal = sp.Matrix([tip.k1, 0, tip.k3]), sp.Matrix([0, 1, 0]), sp.Matrix([-tip.k3, 0, tip.k1])
     C_s = n.C_s.value
     by_S = C_s * (k * rate[2, :] + y * rate[1, :] + tip.rates[1] * normal * inner.value[2, :])
     by_S_dot = C_s * (k * inner.value[2, :] + y * inner.value[1, :])
     f_S, f_S_dot = (
-        rotated(build, name, leg.T, local_matrix(build, f"{name}_leg", local), meaning)
+        parts.rotated(build, name, leg.T, parts.local_matrix(build, f"{name}_leg", local), meaning)
         for name, local, meaning in (
             ("f_S", by_S, "friction moment by S"),
             ("f_S_dot", by_S_dot, "friction moment by S_dot"),
@@ -242,29 +224,31 @@ def _friction_slopes(build: Builder, leg: Leg, friction: bool) -> tuple[sp.Matri
     return f_S, f_S_dot
 
 
-def _tip_slopes(build: Builder, leg: Leg, friction: bool, near: bool) -> _Slopes:
+def _tip_slopes(build: Builder, leg: parts.Leg, friction: bool, near: bool) -> _Slopes:
     """See ``tip`` for the formulas; the actuator's force enters through the second derivative of L."""
     if near:
         _name_finite_motion(build, leg, turned=False)
     else:
         _name_joint_motion(build, leg)
-    m, _ = tip_inertia(build, leg)
+    m, _ = parts.tip_inertia(build, leg)
     by = _torque_slopes(build, leg, friction, near)
     T, value = leg.T, tip.gradients().value
     by_omega = sp.zeros(3, 3)
     if friction:
         y, k = sp.Matrix([0, 1, 0]), sp.Matrix([tip.k1, 0, tip.k3])
         by_omega = n.C_s.value * value.T * sp.Matrix.vstack(sp.zeros(1, 3), -y.T, -k.T)
-        by_omega = rotated(
-            build, "A_3", T, local_matrix(build, "A_3_leg", by_omega), "force at the tip by omega"
+        by_omega = parts.rotated(
+            build, "A_3", T, parts.local_matrix(build, "A_3_leg", by_omega), "force at the tip by omega"
         )
     f_S, f_S_dot = _friction_slopes(build, leg, friction)
     A_0, A_1 = value.T * by.S + by.bend, value.T * by.S_dot
     if near:
         A_0, A_1 = tip.gathered(A_0), tip.gathered(A_1)
     return _Slopes(
-        S=rotated(build, "A_0", T, local_matrix(build, "A_0_leg", A_0), "force at the tip by S"),
-        S_dot=rotated(build, "A_1", T, local_matrix(build, "A_1_leg", A_1), "force at the tip by S_dot"),
+        S=parts.rotated(build, "A_0", T, parts.local_matrix(build, "A_0_leg", A_0), "force at the tip by S"),
+        S_dot=parts.rotated(
+            build, "A_1", T, parts.local_matrix(build, "A_1_leg", A_1), "force at the tip by S_dot"
+        ),
         S_ddot=m,
         omega=by_omega,
         f_S=f_S,
@@ -279,23 +263,23 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     The derivative of the wrench is the sum of what is summed and of [row_v row_w]^T tau_by over the legs.
     """
     build = Builder()
-    leg = leg_of(build)
+    leg = parts.leg_of(build)
     q, turn, T = leg.at.q, tip.skew(leg.at.q), leg.T
     _name_finite_motion(build, leg, turned=True)
     by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
-    fall = T.T * build.vector("fall", centripetal_acceleration(build, leg.at) - n.g.value)
+    fall = T.T * build.vector("fall", parts.centripetal_acceleration(build, leg.at) - n.g.value)
     fall = n.m_u.value * build.vector(
         "fall_T",
-        fall + by_joints(leg.at) * TURNED.value,
+        fall + parts.by_joints(leg.at) * TURNED.value,
         "",
         "acceleration of the platform point from free fall, leg frame",
     )
     turning, bend = _turning_with_leg(fall, NET.value, friction)
     S, S_dot, S_ddot = (
-        base_matrix(
+        parts.base_matrix(
             build,
             name,
-            local_matrix(build, f"{name}_leg", tip.gathered(value)) * T.T,
+            parts.local_matrix(build, f"{name}_leg", tip.gathered(value)) * T.T,
             "generalised forces by the tip's motion",
         )
         for name, value in (
@@ -305,13 +289,13 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
         )
     )
     # Not gathered with the rest of S: what AXIAL = 1 takes out of it would stay as rounding.
-    bent = local_matrix(build, "bent_leg", by_joints(leg.at).T * bend)
-    S = base_matrix(
+    bent = parts.local_matrix(build, "bent_leg", parts.by_joints(leg.at).T * bend)
+    S = parts.base_matrix(
         build, "tau_place", S + bent * T.T, "generalised forces by the tip's place, as the rows turn"
     )
     W, w_q = tip.skew(n.omega.value), build.vector("w_q", cross(n.omega.value, q), "(4)", "omega x q")
-    reach = base_matrix(build, "X", S + S_dot * W + S_ddot * p.B.value)
-    pace = base_matrix(build, "Y", S_dot + S_ddot * W)
+    reach = parts.base_matrix(build, "X", S + S_dot * W + S_ddot * p.B.value)
+    pace = parts.base_matrix(build, "Y", S_dot + S_ddot * W)
     zero = sp.zeros(3, 3)
     mt, mr = zero, tip.skew(by.force) * turn
     mv = mw = by_omega = zero
@@ -323,7 +307,7 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     block = build.block(
         "joint_slopes_of_leg",
         "one leg's part of the derivatives of the wrench, and its generalised forces' derivatives",
-        LEG_INPUTS,
+        parts.LEG_INPUTS,
         [
             *((quantity, zero) for quantity in INERTIA),
             *zip(BY_POSE, (zero, zero, mt, mr), strict=True),
@@ -333,8 +317,8 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
                 (S, -reach * turn, S_dot, -pace * turn - S_ddot * tip.skew(w_q) + by_omega),
                 strict=True,
             ),
-            *columns_of_H(leg.at),
-            *checked(leg.at),
+            *parts.columns_of_H(leg.at),
+            *parts.checked(leg.at),
         ],
     )
     pose = _derivatives_of_platform(friction, "joint_slopes", alone=True)

@@ -14,6 +14,11 @@ def _vector(name: str, unit: str, meaning: str) -> Quantity:
     return Quantity(name, (3,), unit, meaning)
 
 
+def _wrench(name: str, meaning: str) -> tuple[Quantity, Quantity]:
+    force = _vector(f"{name}_force", "N", f"{meaning}, force")
+    return force, _vector(f"{name}_moment", "N m", f"{meaning}, moment")
+
+
 # Inertia, rows and columns of v and omega.
 M_VV = _matrix("M_vv", "kg", "inertia, force by a", True)
 M_VW = _matrix("M_vw", "kg m", "inertia, force by alpha")
@@ -26,19 +31,10 @@ C_VW = _matrix("C_vw", "kg m/s", "Coriolis matrix, force by omega")
 C_WV = _matrix("C_wv", "kg m/s", "Coriolis matrix, moment by v")
 C_WW = _matrix("C_ww", "kg m^2/s", "Coriolis matrix, moment by omega")
 CORIOLIS = (C_VV, C_VW, C_WV, C_WW)
-GRAVITY = (_vector("g_force", "N", "gravity, force"), _vector("g_moment", "N m", "gravity, moment"))
-FRICTION = (
-    _vector("friction_force", "N", "friction, force"),
-    _vector("friction_moment", "N m", "friction, moment"),
-)
-BIAS = (
-    _vector("bias_force", "N", "C twist + g + friction, force"),
-    _vector("bias_moment", "N m", "C twist + g + friction, moment"),
-)
-RIGHT = (
-    _vector("right_force", "N", "H F + external wrench - bias, force"),
-    _vector("right_moment", "N m", "H F + external wrench - bias, moment"),
-)
+GRAVITY = _wrench("g", "gravity")
+FRICTION = _wrench("friction", "friction")
+BIAS = _wrench("bias", "C twist + g + friction")
+RIGHT = _wrench("right", "H F + external wrench - bias")
 
 # Derivatives of the wrench M [a; alpha] + bias - external wrench - H F at fixed F.
 BY_POSE = (

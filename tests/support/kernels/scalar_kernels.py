@@ -72,12 +72,10 @@ def library(formulation: str, joint: str, level: str, precision: str) -> tuple[c
 
 
 def compiled(kernel: Any, before: Any, precision: str) -> tuple[ctypes.CDLL, str]:
-    file = f"stewart_{kernel.name}_pose"
     sources = {
         "stewart.h": common_header(""),
         **shared_headers(""),
-        f"{file}.h": scalar.header(kernel, before, ""),
-        f"{file}.c": scalar.source(kernel, ""),
+        **scalar.files(kernel, before, ""),
     }
     defines = {"STEWART_FLOAT": 1} if precision == "float" else None
     return native.load("scalar", sources, ["-O1", "-ffp-contract=off"], defines), kernel.name
