@@ -7,6 +7,8 @@ leave open. The knots are refined until the penalty alone limits the resolution.
 windows that overlap by half, so time and memory grow with their length alone.
 """
 
+from __future__ import annotations
+
 import math
 from typing import NamedTuple
 
@@ -245,7 +247,7 @@ class _Window(NamedTuple):
         return len(self.G)
 
     @classmethod
-    def of(cls, since: Array, values: Array, knots: _Knots, start: int) -> "_Window":
+    def of(cls, since: Array, values: Array, knots: _Knots, start: int) -> _Window:
         """The window that begins with a cell."""
         first, last = np.searchsorted(since, knots.step * np.array([start, start + knots.width]))
         end = len(since) if start + knots.width >= knots.cells else int(last)
@@ -277,7 +279,7 @@ class _Window(NamedTuple):
         spread = np.sum((y - y.sum(axis=0) / max(1, len(y))) ** 2, axis=0)
         return cls(G, pilot, project(rest), np.sum(rest**2, axis=0), spread, knots.density)
 
-    def columns(self, own: NDArray[np.int64]) -> "_Window":
+    def columns(self, own: NDArray[np.int64]) -> _Window:
         """The window of some columns alone."""
         return self._replace(
             pilot=self.pilot[:, own],
