@@ -6,10 +6,8 @@ Their arrays belong to the caller, who may write to them: nothing else refers to
 from dataclasses import dataclass
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from .generated.interface import STATUS
+from .io.array_types import Array, Codes
 
 OK, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR, BAD_ARGUMENT, INDEFINITE, NOT_CONVERGED = (
     code for code, _ in STATUS.values()
@@ -45,14 +43,14 @@ class Forces:
         where H x = c was solved, NaN where the pose is unsolvable; None without damping.
     """
 
-    F: NDArray[np.float64]
-    D: NDArray[np.float64]
-    x: NDArray[np.float64]
-    K: NDArray[np.float64]
-    H: NDArray[np.float64]
-    c: NDArray[np.float64]
-    status: NDArray[np.int32]
-    wrench_error: NDArray[np.float64] | None = None
+    F: Array
+    D: Array
+    x: Array
+    K: Array
+    H: Array
+    c: Array
+    status: Codes
+    wrench_error: Array | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,13 +75,13 @@ class Reactions:
         As in ``Forces``.
     """
 
-    F_s: NDArray[np.float64]
-    F_u: NDArray[np.float64]
-    F_p: NDArray[np.float64]
-    F_c: NDArray[np.float64]
-    M_p: NDArray[np.float64]
-    M_u: NDArray[np.float64]
-    status: NDArray[np.int32]
+    F_s: Array
+    F_u: Array
+    F_p: Array
+    F_c: Array
+    M_p: Array
+    M_u: Array
+    status: Codes
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,12 +107,12 @@ class EquationsOfMotion:
         As in ``Forces``; all else is NaN where it is not 0.
     """
 
-    M: NDArray[np.float64]
-    C: NDArray[np.float64]
-    g: NDArray[np.float64]
-    friction: NDArray[np.float64]
-    bias: NDArray[np.float64]
-    status: NDArray[np.int32]
+    M: Array
+    C: Array
+    g: Array
+    friction: Array
+    bias: Array
+    status: Codes
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,11 +135,11 @@ class ForceDerivatives:
         As in ``Forces``; all else is NaN where it is not 0.
     """
 
-    F: NDArray[np.float64]
-    by_pose: NDArray[np.float64]
-    by_twist: NDArray[np.float64]
-    by_acceleration: NDArray[np.float64]
-    status: NDArray[np.int32]
+    F: Array
+    by_pose: Array
+    by_twist: Array
+    by_acceleration: Array
+    status: Codes
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,17 +161,17 @@ class Linearisation:
         As in ``Forces``; all else is NaN where it is not 0.
     """
 
-    acceleration: NDArray[np.float64]
-    A: NDArray[np.float64]
-    B: NDArray[np.float64]
-    status: NDArray[np.int32]
+    acceleration: Array
+    A: Array
+    B: Array
+    status: Codes
 
 
 class Velocities(NamedTuple):
     """Velocities of the platform, base frame, (..., 3): v of the reference point, m/s, and omega, rad/s."""
 
-    v: NDArray[np.float64]
-    omega: NDArray[np.float64]
+    v: Array
+    omega: Array
 
 
 class Accelerations(NamedTuple):
@@ -182,12 +180,12 @@ class Accelerations(NamedTuple):
     alpha: rad/s^2.
     """
 
-    a: NDArray[np.float64]
-    alpha: NDArray[np.float64]
+    a: Array
+    alpha: Array
 
 
 class DampedSolution(NamedTuple):
     """Axial forces x, N, (..., 6), and wrench_error = c - H x, N and N m, (..., 6)."""
 
-    x: NDArray[np.float64]
-    wrench_error: NDArray[np.float64]
+    x: Array
+    wrench_error: Array

@@ -15,10 +15,10 @@ from ..generated.interface import HEADERS, OUTPUTS
 from ..io.array_types import Array, Codes
 from ..io.frozen import Frozen, read_only
 from ..motion.motion import Motion
-from ..results import Forces, Reactions
+from ..results import OK, Forces, Reactions
 from ..robot.robot import Robot
 from . import native
-from .kernel import MOTION, kernel_name, robot_numbers
+from .kernel import MOTION, kernel_name, overflows, robot_numbers
 
 
 def c_sources(name: str) -> dict[str, str]:
@@ -82,6 +82,24 @@ def call(function: Any, model: Array, motion: Motion, *arguments: Any) -> Any:
     with np.errstate(over="ignore"):
         inputs = [contiguous(getattr(motion, name), model.dtype) for name in MOTION]
     return function(address(model), ctypes.c_size_t(math.prod(motion.shape)), pointers(inputs), *arguments)
+
+
+@functools.cache
+def function(name: str, part: str, precision: str, what: str) -> Any:
+    """The C function ``stewart_<name>_<what>`` of the library of a kernel's part, for "double" or "float"."""
+    defines = ("STEWART_FLOAT",) if precision == "float" else ()
+    return getattr(library(f"{name}_{part}", defines), f"stewart_{name}_{what}")
+
+
+def prepared_model(prepare: Any, robot: Robot, count: int, precision: str) -> NDArray[Any]:
+    """So many constants that a C function prepares from a robot. Raises ValueError where they overflow."""
+    dtype = np.float64 if precision == "double" else np.float32
+    with np.errstate(over="ignore"):
+        numbers = robot_numbers(robot).astype(dtype)
+    model = np.zeros(count, dtype=dtype)
+    if prepare(address(numbers), address(model)) != OK:
+        raise overflows(robot, precision)
+    return model
 
 
 def pointers(arrays: Iterable[Array | None]) -> Any:

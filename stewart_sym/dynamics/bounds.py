@@ -9,13 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.c_kernel import address, call, library
-from ..backend.kernel import kernel_name, overflows, robot_numbers
+from ..backend.c_kernel import address, call, function, prepared_model
+from ..backend.kernel import kernel_name
 from ..generated.interface import MODELS
 from ..io.arguments import option
 from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion
-from ..results import OK
 from ..robot.robot import Robot
 from .forces import Precision
 from .inverse import need_motion, need_universal, report_faults
@@ -97,22 +96,12 @@ def _run(model: Array, motion: Motion, precision: Precision) -> ForceBounds:
     F, bound = (np.full((*motion.shape, 6), np.nan, dtype=model.dtype) for _ in range(2))
     rcond = np.full(motion.shape, np.nan, dtype=model.dtype)
     status = np.zeros(motion.shape, dtype=np.int32)
-    code = _function(precision, "forces_bounded_batch")
+    code = function(KERNEL, "bounds", precision, "forces_bounded_batch")
     call(code, model, motion, *map(address, (F, bound, rcond, status)))
     return ForceBounds(F, bound, rcond, status)
 
 
 def _prepared(robot: Robot, precision: Precision) -> Array:
     """The numbers of the C's ``stewart_exact_bounds_model``."""
-    dtype = np.float64 if precision == "double" else np.float32
-    with np.errstate(over="ignore"):
-        numbers = robot_numbers(robot).astype(dtype)
-    model = np.zeros(MODELS[f"{KERNEL}_bounds"], dtype=dtype)
-    if _function(precision, "bounds_prepare")(address(numbers), address(model)) != OK:
-        raise overflows(robot, precision)
-    return model
-
-
-def _function(precision: Precision, what: str) -> Any:
-    defines = ("STEWART_FLOAT",) if precision == "float" else ()
-    return getattr(library(f"{KERNEL}_bounds", defines), f"stewart_{KERNEL}_{what}")
+    prepare = function(KERNEL, "bounds", precision, "bounds_prepare")
+    return prepared_model(prepare, robot, MODELS[f"{KERNEL}_bounds"], precision)

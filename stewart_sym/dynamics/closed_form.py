@@ -74,13 +74,14 @@ class CClosedForm:
 
     def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
         """Forward dynamics of one state at a time, for loops: see ``ForwardDynamics.one_state``."""
-        numbers, forces, x = np.zeros(30), np.zeros(6), np.empty(6)
-        R, t, omega, v, _, _, F_ext, M_ext = np.split(numbers, np.arange(9, 30, 3))
+        arrays = (self._forces.model, np.zeros(30), np.zeros(6), np.empty(6))
+        R, t, omega, v, _, _, F_ext, M_ext = np.split(arrays[1], np.arange(9, 30, 3))
         nothing, code = np.zeros(3), getattr(library(), f"stewart_{NAME}_forward_dynamics")
-        # Looked up once; the arrays live as long as the function below.
-        addresses = [address(array) for array in (self._forces.model, numbers, forces, x)]
+        addresses = [address(array) for array in arrays]
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:
+            # Named here, so that the arrays live as long as this function.
+            _, _, forces, x = arrays
             R[:], t[:], omega[:], v[:] = motion.R.ravel(), motion.t, motion.omega, motion.v
             F_ext[:] = nothing if motion.F_ext is None else motion.F_ext
             M_ext[:] = nothing if motion.M_ext is None else motion.M_ext

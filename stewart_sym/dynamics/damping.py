@@ -5,6 +5,8 @@ the directions that are all but lost, by as much as their singular values ask fo
 of Maciejewski and Klein, J. Robotic Systems 5 (1988) 527-552.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 

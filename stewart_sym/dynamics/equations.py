@@ -3,6 +3,8 @@
 Turns a status into an error, a warning or NaN.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Literal

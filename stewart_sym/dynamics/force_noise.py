@@ -4,6 +4,8 @@ The deviations of the six coordinates and their rates, as smoothing or rounding 
 through kinematics and dynamics one after another, so every formulation and every machine is served.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable, Iterator
 
 import numpy as np

@@ -13,9 +13,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.c_kernel import address, library
+from ..backend.c_kernel import address, function, prepared_model
 from ..backend.fidelity import force_kernel_name, model_numbers
-from ..backend.kernel import FORMULATIONS, MOTION, overflows, robot_numbers
+from ..backend.kernel import FORMULATIONS, MOTION
 from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen
@@ -76,11 +76,8 @@ class ForceKernel(Frozen):
         instance(self.robot, Robot, "robot")
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
-        with np.errstate(over="ignore"):
-            numbers = robot_numbers(self.robot).astype(self.dtype)
-        model = np.zeros(model_numbers(self.robot, self.formulation, self.fidelity), dtype=self.dtype)
-        if self.function("prepare")(address(numbers, 0), address(model, 0)) != OK:
-            raise overflows(self.robot, self.precision)
+        count = model_numbers(self.robot, self.formulation, self.fidelity)
+        model = prepared_model(self.function("prepare"), self.robot, count, self.precision)
         self._set({"model": model})
 
     @property
@@ -200,7 +197,7 @@ class ForceKernel(Frozen):
 
     def function(self, what: str) -> Any:
         """The C function ``stewart_<name>_<what>`` of the compiled library."""
-        return _function(self.name, self.precision, what)
+        return function(self.name, "forces", self.precision, what)
 
 
 @dataclass(frozen=True, eq=False)
@@ -279,12 +276,6 @@ def prepare(
         For an unknown formulation, precision or fidelity, native.CompilerError without a C compiler.
     """
     return ForceKernel(robot, formulation, precision, fidelity)
-
-
-@functools.cache
-def _function(name: str, precision: Precision, what: str) -> Any:
-    defines = ("STEWART_FLOAT",) if precision == "float" else ()
-    return getattr(library(f"{name}_forces", defines), f"stewart_{name}_{what}")
 
 
 def _parts(count: int, threads: int) -> list[tuple[int, int]]:

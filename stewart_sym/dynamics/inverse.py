@@ -3,6 +3,8 @@
 Chooses the kernel, runs it, and turns a status into an error, a warning or NaN as the caller chooses.
 """
 
+from __future__ import annotations
+
 import dataclasses
 import functools
 import warnings

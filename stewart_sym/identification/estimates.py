@@ -1,5 +1,7 @@
 """What identification hands back: base parameters with their covariance and a verdict on the fit."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 
@@ -64,7 +66,7 @@ class Estimate:
     near_zero: tuple[str, ...]
     motion: Motion
     parameters: Parameters | None = None
-    free: "Estimate | None" = None
+    free: Estimate | None = None
 
     @property
     def sigma(self) -> Array:

@@ -9,6 +9,8 @@ file only geometry and gravity are used. Every fit is tested by its residual; ``
 what result.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass, replace
 

@@ -1,5 +1,7 @@
 """Excitation: a periodic motion within the machine's limits in whose forces its base parameters show."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 

@@ -10,6 +10,8 @@ ball has these lengths, and only one. |d/dtau exp([phi + tau d]x) q| <= |d| |q|,
 |q|, bound the second derivative: |g_i''| <= 1 + (|q_i|/l)^2 + |S_i| |q_i|/l^2.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -156,7 +158,7 @@ class _Leg:
     S: Rational
 
     @classmethod
-    def of(cls, robot: Robot, i: int, L: float, R: Array, t: Array, length: Rational) -> "_Leg":
+    def of(cls, robot: Robot, i: int, L: float, R: Array, t: Array, length: Rational) -> _Leg:
         turn = [_rationals(row) for row in R]
         p, b = _rationals(robot.p[i]), _rationals(robot.b[i])
         q = [_dot(row, p) for row in turn]

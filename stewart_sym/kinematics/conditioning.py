@@ -1,5 +1,7 @@
 """Condition number of H: how near the platform is to a singular pose, section 4.2."""
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

@@ -4,6 +4,8 @@ Six leg lengths belong to up to forty poses, the assembly modes: which one is fo
 search starts.
 """
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 

@@ -1,5 +1,7 @@
 """Which side of the base the platform is on: against gravity, whatever axes the robot file uses."""
 
+from __future__ import annotations
+
 import warnings
 from typing import NamedTuple
 

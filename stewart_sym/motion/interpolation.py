@@ -4,6 +4,8 @@ Between instants whose rates come from a spline of degree 5, as those of ``read_
 spline.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 
 import numpy as np

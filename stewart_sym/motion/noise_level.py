@@ -1,5 +1,7 @@
 """How large the noise of a log's numbers is: their last decimals, and what differences of them show."""
 
+from __future__ import annotations
+
 import math
 from typing import NamedTuple
 

@@ -138,10 +138,10 @@ def rotation_from_quaternion(e: ArrayLike) -> Array:
 
     R x = e x e^-1. Raises ``ValueError`` for a quaternion of length zero.
     """
-    (e,) = _shares(_quaternions(e, "e"))
-    e = e / np.linalg.norm(e, axis=-1, keepdims=True)
-    N = cross_matrix(e[..., 1:])
-    return np.asarray(np.eye(3) + 2.0 * e[..., :1, None] * N + 2.0 * N @ N)
+    (share,) = _shares(_quaternions(e, "e"))
+    unit = share / np.linalg.norm(share, axis=-1, keepdims=True)
+    N = cross_matrix(unit[..., 1:])
+    return np.asarray(np.eye(3) + 2.0 * unit[..., :1, None] * N + 2.0 * N @ N)
 
 
 def angular_velocity_from_quaternion(e: ArrayLike, e_dot: ArrayLike) -> Array:

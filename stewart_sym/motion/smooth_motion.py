@@ -5,6 +5,8 @@ place of the measured poses keeps their noise out of the accelerations; ``chain`
 moves.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -8,6 +8,8 @@ windows that overlap by half, so time and memory grow with their length alone; w
 inner windows share their matrices.
 """
 
+from __future__ import annotations
+
 import functools
 import math
 from dataclasses import dataclass
@@ -151,7 +153,7 @@ class _Clock(NamedTuple):
     even: bool
 
     @classmethod
-    def of(cls, time: Array) -> "_Clock":
+    def of(cls, time: Array) -> _Clock:
         """The clock of increasing times."""
         since = time - time[0]
         unit = float(since[-1]) / (len(time) - 1)
@@ -172,7 +174,7 @@ class _Knots(NamedTuple):
     whole: bool
 
     @classmethod
-    def of(cls, clock: _Clock, cells: float) -> "_Knots":
+    def of(cls, clock: _Clock, cells: float) -> _Knots:
         """About so many intervals over the times: a few more where windows need them."""
         span, half = float(clock.since[-1]), WINDOW // 2
         step = span / cells
@@ -322,7 +324,7 @@ class _Window(NamedTuple):
         return len(self.G)
 
     @classmethod
-    def of(cls, since: Array, values: Array, knots: _Knots, start: int) -> "_Window":
+    def of(cls, since: Array, values: Array, knots: _Knots, start: int) -> _Window:
         """The window that begins with a cell."""
         begin, width = knots.place(start), knots.width(start)
         first, last = np.searchsorted(since, [begin, knots.place(start + width)])
@@ -355,7 +357,7 @@ class _Window(NamedTuple):
         spread = np.sum((y - y.sum(axis=0) / max(1, len(y))) ** 2, axis=0)
         return cls(G, pilot, project(rest), np.sum(rest**2, axis=0), spread, knots.density)
 
-    def columns(self, own: NDArray[np.int64]) -> "_Window":
+    def columns(self, own: NDArray[np.int64]) -> _Window:
         """The window of some columns alone."""
         return self._replace(
             pilot=self.pilot[:, own],

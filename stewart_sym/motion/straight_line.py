@@ -1,5 +1,7 @@
 """The paper's straight-line paths, (39), (40): lines with parabolic blends; Paths I, II and III."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, fields, replace

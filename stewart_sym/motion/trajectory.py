@@ -1,5 +1,7 @@
 """Trajectories: motions, coordinates or leg lengths over time; what noise leaves open; a log as read."""
 
+from __future__ import annotations
+
 import dataclasses
 import math
 from collections.abc import Mapping, Sequence

@@ -88,15 +88,11 @@ class Truth:
         return _forces(derived_kernel(self.robot.base_joint, self.formulation, self.fidelity))
 
 
+@cache
 def derived_kernel(base_joint: str, formulation: str, fidelity: str) -> ForceKernel:
     """The blocks of the forces alone, before sharing."""
     # Reduced legs are those of EXACT on any base joint: there are none that know another.
     name = kernel_name(formulation, base_joint if fidelity == "general" else EXACT.base_joint)
-    return _derived(name, fidelity)
-
-
-@cache
-def _derived(name: str, fidelity: str) -> ForceKernel:
     form = next(form for form in FORMULATIONS if form.kernel_name == name)
     return fidelity_kernel(form, FIDELITIES[fidelity])
 

@@ -4,6 +4,8 @@ A law is any callable (time, state) -> F, N, (6,), where state is a Motion of sh
 accelerations.
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -65,7 +67,7 @@ class LegSprings(Frozen):
     @classmethod
     def balanced(
         cls, robot: Robot, pose: Motion, stiffness: ArrayLike, damping: ArrayLike = 0.0
-    ) -> "LegSprings":
+    ) -> LegSprings:
         """Springs that hold the machine at rest in a pose, against its weight and the pose's load.
 
         stiffness: not 0. Raises ValueError as ``inverse_dynamics`` where the pose is unsolvable.

@@ -1,5 +1,7 @@
 """Where a simulated run stops: limits of the legs, singular poses and joints, watched during each step."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 

@@ -4,6 +4,8 @@ Orientation lives in a local chart, the rotation vector from a centre that moves
 is special and R stays orthonormal to rounding.
 """
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -1,5 +1,7 @@
 """A simulated run as it is handed back: why it stopped, states and forces over time, saturation."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Callable
 from dataclasses import dataclass

@@ -3,6 +3,8 @@ function of time, so its roots are found from its sign at all its turning points
 is settled by the rate of H: no singular value changes faster than H does (Weyl).
 """
 
+from __future__ import annotations
+
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import NamedTuple

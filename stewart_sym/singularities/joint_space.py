@@ -8,6 +8,8 @@ of the lengths hides on which side the pose is, it hides what the motion does th
 not decided.
 """
 
+from __future__ import annotations
+
 import itertools
 import math
 from collections.abc import Callable

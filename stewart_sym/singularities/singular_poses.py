@@ -1,5 +1,7 @@
 """Singular poses as objects: how near a pose is to one, the motion that is lost there, and as a screw."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 
 import numpy as np

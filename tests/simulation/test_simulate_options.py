@@ -11,6 +11,7 @@ from machines import dasgupta, home_position, machine_size, random_robot
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.dynamics.closed_form import CClosedForm
 from stewart_sym.motion import rotation_vector
 from stewart_sym.motion.rotation import rotation_from_vector, vector_rate
 from stewart_sym.simulation.actuator_models import along
@@ -181,10 +182,10 @@ def test_a_sampled_run_asks_the_machine_a_dozen_times_a_sample_and_each_instant_
     """The cost of a sampled law: evaluations a sample, and instants looked up once whatever their number."""
     robot, state = machine()
     asked = 0
-    solve = ss.dynamics.equations._one_state
+    one_state = CClosedForm.one_state
 
-    def counted(closed: object) -> object:
-        inner = solve(closed)
+    def counted(closed: CClosedForm) -> object:
+        inner = one_state(closed)
 
         def count(motion: ss.Motion, F: np.ndarray) -> object:
             nonlocal asked
@@ -193,7 +194,7 @@ def test_a_sampled_run_asks_the_machine_a_dozen_times_a_sample_and_each_instant_
 
         return count
 
-    monkeypatch.setattr(ss.dynamics.equations, "_one_state", counted)
+    monkeypatch.setattr(CClosedForm, "one_state", counted)
     run = ss.simulate(robot, state, np.zeros(6), 0.02, rate=1000.0)
     # A first step is found from nothing; the others are a sample long.
     assert run.steps <= 20 + 2
