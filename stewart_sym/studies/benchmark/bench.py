@@ -26,11 +26,11 @@ from ...motion.rotation import rotation_from_rpy
 from ...motion.straight_line import PATHS
 from ...reference import newton_euler as reference
 from ...robot.robot import Robot
+from ...robots import dasgupta1998
 from ..common import host, timing
 from ..common.draws import Spread, random_motions
 from ..common.loops import loop_source
 from ..common.timing import Task, measured, time_source
-from ..paper.reproduce import paper_machine
 from . import compile_times as bench_compile
 from . import equation_kernels, reductions
 from .baselines import (
@@ -373,7 +373,7 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
     """
     rng = np.random.default_rng(1998)
     if robot is None:
-        robot = paper_machine()
+        robot = dasgupta1998()
         weight = robot.M * _GRAVITY
         rates = _near_the_paths(rng, count)
         forces = 0.5 * weight * rng.normal(size=(count, 3))
