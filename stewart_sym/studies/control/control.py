@@ -86,7 +86,7 @@ class Run:
 def figures(run: Run) -> dict[str, float]:
     """A run in numbers; settled: over the second half of the path, when the start is forgotten."""
     half = len(run.time) // 2
-    found = {}
+    found: dict[str, float] = {}
     for name, unit, errors in (("position", "mm", run.position), ("orientation", "mrad", run.orientation)):
         thousandths = 1e3 * errors
         found |= {

@@ -122,12 +122,12 @@ def _truth(robot: Robot, motion: Motion) -> NDArray[np.object_]:
         return np.full(6, None, dtype=object)
 
 
-def _forces(robot: Robot, motion: Motion) -> tuple[Array, Array]:
+def _forces(robot: Robot, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
     """Forces and statuses; a robot whose constants overflow, which is an error, has none."""
     try:
         return prepare(robot).forces_and_status(motion)
     except ValueError:
-        return np.full((*motion.shape, 6), np.nan), np.full(motion.shape, NOT_FINITE)
+        return np.full((*motion.shape, 6), np.nan), np.full(motion.shape, NOT_FINITE, np.int32)
 
 
 def _one_pose(robot: Robot, motion: Motion) -> tuple[Array, int]:
@@ -137,7 +137,9 @@ def _one_pose(robot: Robot, motion: Motion) -> tuple[Array, int]:
 
 def _batch(robot: Robot, motion: Motion) -> tuple[Array, int]:
     """The pose in the middle of a full block of eight."""
-    many = {name: None if x is None else np.repeat(x[None], 8, axis=0) for name, x in vars(motion).items()}
+    many: dict[str, Any] = {
+        name: None if x is None else np.repeat(x[None], 8, axis=0) for name, x in vars(motion).items()
+    }
     F, status = _forces(robot, Motion(**many))
     return F[4], int(status[4])
 
