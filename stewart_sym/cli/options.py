@@ -11,6 +11,12 @@ def robot_file(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1")
 
 
+def other_robot(parser: argparse.ArgumentParser) -> None:
+    """``--robot``."""
+    text = "robot file, schema 1; default: the paper's machine"
+    parser.add_argument("--robot", metavar="ROBOT.toml", type=Path, help=text)
+
+
 def output(parser: argparse.ArgumentParser, metavar: str, what: str, default: Path | str | None) -> None:
     """``default``: a path, words for what happens without the option, or None where it must be given."""
     text = what if default is None else f"{what}; default: {default}"

@@ -3,21 +3,15 @@
 import argparse
 import contextlib
 import itertools
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
-from typing import Protocol
 
 from ..io.extras import need
 from ..io.progress import Progress, silent
 from ..studies.common.report import Report, write
 
-
-class Taker(Protocol):
-    """Writes a report where it belongs; ``progress`` is given what is being drawn."""
-
-    def __call__(self, report: Report, progress: Progress = silent) -> None:
-        """Once."""
-        ...
+Taker = Callable[..., None]
+"""Writes a report where it belongs; a second argument, a ``Progress``, is given what is being drawn."""
 
 
 @contextlib.contextmanager

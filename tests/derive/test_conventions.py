@@ -5,11 +5,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from conventions_drawing import figure
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
-from stewart_sym.studies.paper.conventions import figure
 
 REPOSITORY = Path(__file__).parents[2]
 PAGE = REPOSITORY / ".docs" / "conventions.md"

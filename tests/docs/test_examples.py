@@ -6,6 +6,7 @@ import subprocess
 import tomllib
 from pathlib import Path
 
+import conventions_drawing
 import matplotlib.image
 import numpy as np
 import pytest
@@ -15,7 +16,6 @@ import stewart_sym as ss
 from stewart_sym.cli import main
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget
-from stewart_sym.studies.paper import conventions
 from stewart_sym.studies.published import PICTURES
 
 RUNNING = [page for page in PAGES if any(block.language in ("python", "sh") for block in blocks(page))]
@@ -97,7 +97,7 @@ def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> N
 def test_pictures_are_those_of_a_page_of_a_study_or_of_the_drawing(tmp_path: Path) -> None:
     made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "conventions.png"}
     assert {path.name for page in PAGES for path in pictures(page)} == {*made, *PICTURES}
-    conventions.save(tmp_path / "conventions.png")
+    conventions_drawing.save(tmp_path / "conventions.png")
     assert same_picture(tmp_path / "conventions.png", DOCS / "conventions.png")
 
 

@@ -314,13 +314,13 @@ def paper_scene(folder: Path) -> Scene:
 def test_scene_of_the_paper_is_a_valid_scene_of_springs(tmp_path: Path) -> None:
     scene = paper_scene(tmp_path)
     assert scene.robot.name == ss.robots.dasgupta1998().name
-    assert energy_drift.springs_of(scene) is scene.law
+    assert isinstance(scene.law, ss.LegSprings)
 
 
 @pytest.mark.slow
 def test_energy_of_the_scene_example_drifts_by_what_the_page_says(tmp_path: Path) -> None:
     scene = paper_scene(tmp_path)
-    drifts = energy_drift.energy_drift(energy_drift.springs_of(scene), scene.state, scene.duration)
+    drifts = energy_drift.energy_drift(scene.law, scene.state, scene.duration)
     said = re.search(
         r"by less than (\S+) of the mean kinetic energy with `exact`, by up to (\d+) %", prose_of(FAULTS)
     )

@@ -5,6 +5,7 @@ import dataclasses
 import json
 from importlib.resources import files
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -18,7 +19,7 @@ import stewart_sym as ss
 from stewart_sym.cli.main import main
 from stewart_sym.simulation.actuator_models import GravityCompensation, ModelTorque, along
 from stewart_sym.studies.control import control
-from stewart_sym.studies.control.control import CONTROLLERS, Figures, PreparedModel, Run, Settings, follow
+from stewart_sym.studies.control.control import CONTROLLERS, PreparedModel, Run, Settings, figures, follow
 
 Array = NDArray[np.float64]
 ZERO = np.zeros(3)
@@ -101,9 +102,9 @@ def test_on_heavy_legs_exact_errs_less_than_paper_and_paper_less_than_massless(s
     path = ss.StraightLinePath(
         tuple(home - 0.05 * size), (0.0, 0.0, -0.1), tuple(home + 0.05 * size), (0.0, 0.0, 0.1), 0.6, 0.5, 0.5
     )
-    figures = {name: Figures.of(run) for name, run in follow(robot, path, STEADY, 0.3).items()}
+    found = {name: figures(run) for name, run in follow(robot, path, STEADY, 0.3).items()}
     for measure in ("position_rms_mm", "orientation_rms_mrad"):
-        exact, paper, massless = (getattr(figures[name], measure) for name in CONTROLLERS[:3])
+        exact, paper, massless = (found[name][measure] for name in CONTROLLERS[:3])
         assert exact < paper < massless, measure
 
 
@@ -175,7 +176,7 @@ def test_figures_are_those_of_the_run() -> None:
         position=np.array([4e-3, 2e-3, 1e-3, 1e-3]),
         orientation=np.array([0.0, 0.0, 3e-3, 0.0]),
     )
-    found = Figures.of(run)
+    found = SimpleNamespace(**figures(run))
     assert found.position_max_mm == pytest.approx(4.0)
     assert found.position_rms_mm == pytest.approx(np.sqrt(22 / 4))
     assert found.position_settled_rms_mm == pytest.approx(1.0)

@@ -13,6 +13,7 @@ from stewart_sym.backend.kernel import FORMULATIONS
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.motion.straight_line import PATHS
 from stewart_sym.reference.newton_euler import EXACT, PAPER
+from stewart_sym.robots import dasgupta1998
 from stewart_sym.studies.common.report import draw
 from stewart_sym.studies.paper import plots
 from stewart_sym.studies.paper.claims import (
@@ -29,7 +30,6 @@ from stewart_sym.studies.paper.claims import (
 from stewart_sym.studies.paper.report import WIDTH, report
 from stewart_sym.studies.paper.reproduce import (
     Reproduction,
-    paper_machine,
     reproduce,
     run_columns,
     work_energy,
@@ -104,7 +104,7 @@ def test_work_is_that_of_the_compiled_forces(monkeypatch: pytest.MonkeyPatch) ->
         forces = inverse_dynamics(*arguments)  # type: ignore[arg-type]
         return dataclasses.replace(forces, F=2 * forces.F)
 
-    robot = paper_machine()
+    robot = dasgupta1998()
     before = [work_energy(robot, "I", faults).work for faults in (EXACT, PAPER, frozenset({2}))]
     monkeypatch.setattr("stewart_sym.studies.paper.reproduce.inverse_dynamics", doubled)
     after = [work_energy(robot, "I", faults).work for faults in (EXACT, PAPER, frozenset({2}))]

@@ -2,7 +2,6 @@
 
 import argparse
 import time
-from dataclasses import dataclass
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -44,44 +43,26 @@ def run(arguments: argparse.Namespace) -> int:
                     (folder / name).parent.mkdir(exist_ok=True)
                     (folder / name).write_text(text, encoding="utf-8", newline="\n")
             lines, data = [f"{len(texts)} files written to {directory}"], {}
-        every = [each.line for each in kernels] + lines
-        figures = {"files": len(texts), "kernels": [each.as_json() for each in kernels], **data}
+        every = [*map(_line, kernels), *lines]
+        figures = {"files": len(texts), "kernels": kernels, **data}
         take(Report("\n".join(every), data=figures))
     return 1 if any(data.values()) else 0
 
 
-@dataclass(frozen=True)
-class _Derived:
-    """One kernel: its name, time, s, and operations per pose with and without friction, if counted."""
-
-    name: str
-    seconds: float
-    operations: tuple[int, int] | None
-
-    @property
-    def line(self) -> str:
-        """All of it."""
-        counts = ""
-        if self.operations is not None:
-            counts = "operations per pose: {} with friction, {} without".format(*self.operations)
-        return f"{self.name:<16} {self.seconds:6.1f} s   {counts}".rstrip()
-
-    def as_json(self) -> dict[str, Any]:
-        """All of it, with units."""
-        counts = self.operations or (None, None)
-        return {
-            "name": self.name,
-            "time_s": self.seconds,
-            "operations_per_pose_with_friction": counts[0],
-            "operations_per_pose_without_friction": counts[1],
-        }
+def _line(kernel: dict[str, Any]) -> str:
+    """A kernel's name, time, and operations per pose if they are counted."""
+    name, seconds, friction, without = kernel.values()
+    counts = ""
+    if friction is not None:
+        counts = f"operations per pose: {friction} with friction, {without} without"
+    return f"{name:<16} {seconds:6.1f} s   {counts}".rstrip()
 
 
 def _generated_folder() -> Path:
     return Path(str(files("stewart_sym.generated")))
 
 
-def _derived() -> tuple[list[_Derived], dict[str, str]]:
+def _derived() -> tuple[list[dict[str, Any]], dict[str, str]]:
     """Derive every kernel: what each took and costs, and the texts of all files."""
     from ...derive.generate import generated_files
 
@@ -94,14 +75,22 @@ def _derived() -> tuple[list[_Derived], dict[str, str]]:
 
         texts: dict[str, str] = generated_files(note)
     ends = [start for _, start in starts[1:]] + [time.perf_counter()]
-    return [
-        _Derived(name, end - start, _operations(texts.get(f"{name}.py", "")))
-        for (name, start), end in zip(starts, ends, strict=True)
-    ], texts
+    kernels = []
+    for (name, start), end in zip(starts, ends, strict=True):
+        friction, without = _operations(texts.get(f"{name}.py", ""))
+        kernels.append(
+            {
+                "name": name,
+                "time_s": end - start,
+                "operations_per_pose_with_friction": friction,
+                "operations_per_pose_without_friction": without,
+            }
+        )
+    return kernels, texts
 
 
-def _operations(module: str) -> tuple[int, int] | None:
-    """Totals with and without friction in the text of a generated module; None if it has none."""
+def _operations(module: str) -> tuple[int, int] | tuple[None, None]:
+    """Totals with and without friction in the text of a generated module; None where it has none."""
     import ast
 
     for node in ast.parse(module).body:
@@ -109,7 +98,7 @@ def _operations(module: str) -> tuple[int, int] | None:
             counts = ast.literal_eval(node.value)
             with_friction, without = (sum(counts[key]["total"]) for key in ("friction", "frictionless"))
             return with_friction, without
-    return None
+    return None, None
 
 
 def _compared(directory: Path, texts: dict[str, str]) -> tuple[list[str], dict[str, list[str]]]:

@@ -43,6 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``simulate``; returns the exit code."""
+    from ...simulation.actuator_models import LegSprings
     from ...simulation.scene import read_scene
     from ...studies.reports import energy_drift, run
 
@@ -50,14 +51,15 @@ def run(arguments: argparse.Namespace) -> int:
     need_drawing(arguments)
     scene = read_scene(arguments.scene)
     warn_of_doubts(scene.robot, arguments.scene)
-    springs = energy_drift.springs_of(scene) if arguments.energy_drift else None
+    if arguments.energy_drift and not isinstance(scene.law, LegSprings):
+        raise ValueError("energy drift: expected a scene whose legs are springs")
     with results(arguments, "summary", "run.csv", read=scene.files) as take, progress_line() as progress:
         done = scene.run(lambda share: progress("simulating", share))
         drifts: dict[Formulation, energy_drift.Drift] = {}
-        if springs is not None:
+        if arguments.energy_drift and isinstance(scene.law, LegSprings):
             progress("comparing the formulations")
             drifts = energy_drift.energy_drift(
-                springs, scene.state, scene.duration, scene.rtol, scene.thresholds
+                scene.law, scene.state, scene.duration, scene.rtol, scene.thresholds
             )
         report = run.report(done, scene.law, drifts, arguments.pictures)
         take(report, progress)

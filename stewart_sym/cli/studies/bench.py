@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import json_file, output
+from ..options import json_file, other_robot, output
 from ..results import results
 from ..terminal import progress_line
 
@@ -20,9 +20,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``bench``."""
     output(parser, "DIR", "folder to write to", Path("bench"))
     parser.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")
-    parser.add_argument(
-        "--robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1; default: the paper's machine"
-    )
+    other_robot(parser)
     json_file(parser)
 
 

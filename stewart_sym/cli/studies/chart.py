@@ -28,13 +28,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``chart``; returns the exit code."""
+    from ...robots import dasgupta1998
     from ...studies.accuracy.budget import papers_motions, read_budget
     from ...studies.accuracy.charts import full_report
     from ...studies.accuracy.cost import ROUNDS, cost
-    from ...studies.paper.reproduce import paper_machine
 
     need_drawing(arguments)
-    robot, motions = paper_machine(), papers_motions()
+    robot, motions = dasgupta1998(), papers_motions()
     read: tuple[Path, ...] = ()
     if arguments.scene is not None:
         scene = read_budget(arguments.scene)

@@ -5,7 +5,7 @@ import warnings
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import json_file, no_pictures, output, positive
+from ..options import json_file, no_pictures, other_robot, output, positive
 from ..results import need_drawing, results
 from ..terminal import progress_line
 
@@ -23,9 +23,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``control``."""
     output(parser, "DIR", "folder to write to", Path("control"))
     parser.add_argument("--path", choices=("I", "II"), help="track this path alone; default: both")
-    parser.add_argument(
-        "--robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1; default: the paper's machine"
-    )
+    other_robot(parser)
     parser.add_argument(
         "--rate", metavar="HZ", type=positive, default=1000.0, help="of the controllers, Hz; default: 1000"
     )

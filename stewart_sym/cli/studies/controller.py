@@ -38,11 +38,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``controller``; returns the exit code."""
+    from ...robots import dasgupta1998
     from ...studies.microcontroller import measure
     from ...studies.microcontroller.report import full_report
-    from ...studies.paper.reproduce import paper_machine
 
-    robot = paper_machine() if arguments.robot is None else robot_of(arguments.robot)
+    robot = dasgupta1998() if arguments.robot is None else robot_of(arguments.robot)
     with results(arguments, "controller") as take, progress_line() as progress:
         found = measure.study(robot, progress, arguments.fidelity)
         take(full_report(found), progress)

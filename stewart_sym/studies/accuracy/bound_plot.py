@@ -18,9 +18,9 @@ from ...motion.motion import Motion
 from ...precision.quad import error, quad_forces
 from ...results import OK
 from ...robot.robot import Robot
+from ...robots import dasgupta1998
 from ..common.draws import Spread, random_motions
 from ..common.output import csv_text
-from ..paper.reproduce import paper_machine
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -78,7 +78,7 @@ def bounds_study(
     Raises ValueError for a robot that the bounds do not serve; native.CompilerError where no compiler has
     quadruple precision.
     """
-    robot = paper_machine() if robot is None else robot
+    robot = dasgupta1998() if robot is None else robot
     gravity = float(np.linalg.norm(robot.g)) or radius(robot.b)
     motion = random_motions(np.random.default_rng(seed), robot, cases, SPREAD, gravity)
     found: dict[Precision, Precise] = {}

@@ -209,7 +209,7 @@ def leg_frame(leg: Numbers, at: Numbers) -> _LegResult:
 
 def _named(numbers: Matrix, sizes: Mapping[str, int]) -> Numbers:
     """Quantities in the order of ``sizes``: nine numbers are a matrix by rows, six a symmetric one."""
-    parts = casadi.vertsplit(numbers, [0, *itertools.accumulate(sizes.values())])
+    parts: list[Matrix] = casadi.vertsplit(numbers, [0, *itertools.accumulate(sizes.values())])
     found = dict(zip(sizes, parts, strict=True))
     for name, part in found.items():
         if part.numel() > 3:

@@ -26,11 +26,10 @@ from ...motion.rotation import rotation_from_rpy
 from ...motion.straight_line import PATHS
 from ...reference import newton_euler as reference
 from ...robot.robot import Robot
+from ...robots import dasgupta1998
 from ..common import host, timing
-from ..common.draws import Spread, random_motions
 from ..common.loops import loop_source
 from ..common.timing import Task, measured, time_source
-from ..paper.reproduce import paper_machine
 from . import compile_times as bench_compile
 from . import equation_kernels, reductions
 from .baselines import (
@@ -62,8 +61,6 @@ ROUNDS, QUICK_ROUNDS = 41, 9
 COMPILATIONS, QUICK_COMPILATIONS = 7, 3
 
 SIZES, QUICK_SIZES = (10**3, 10**4, 10**5, 10**6, 10**7), (10**3, 10**4, 10**5)
-_GRAVITY, _SPREAD = 9.81, Spread(0.05, 0.1, 0.2)
-"""Of the poses of another robot than the paper's."""
 _SWEEP_ROUNDS = {10**6: 15, 10**7: 7}
 
 
@@ -194,7 +191,7 @@ ARITHMETIC = f"multiply-add, {CORES} cores"
 def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = silent) -> Benchmark:
     """Measure everything on this machine.
 
-    robot: None for the paper's machine near its Paths I and II; another one moves about its home pose. quick:
+    robot: None for the paper's machine near its Paths I and II; another one moves about its middle. quick:
     fewer rounds and sizes, and without JAX, which compiles for half a minute.
 
     Raises ValueError if the robot's base joints are not universal, if it has no regular poses there, if a
@@ -369,23 +366,23 @@ def bench_poses(robot: Robot | None, count: int) -> Poses:
     """Poses that all differ, moving, loaded and regular, the same in every run.
 
     robot: None for the paper's machine. Raises ValueError if its base joints are not universal or it has no
-    regular poses about its home pose.
+    regular poses about its middle.
     """
     rng = np.random.default_rng(1998)
     if robot is None:
-        robot = paper_machine()
-        weight = robot.M * _GRAVITY
-        rates = _near_the_paths(rng, count)
-        forces = 0.5 * weight * rng.normal(size=(count, 3))
-        arrays = (*rates, forces, 0.5 * weight * float(np.ptp(robot.p)) * rng.normal(size=(count, 3)))
+        robot = dasgupta1998()
+        R, t, omega, v, alpha, a = _near_the_paths(rng, count)
     elif robot.base_joint != "universal":
         raise ValueError(f"{robot.name}: expected universal base joints, the baselines have no others")
     else:
-        drawn = random_motions(rng, robot, count, _SPREAD, _GRAVITY, 0.5 * robot.M)
-        arrays = tuple(getattr(drawn, name) for name in kernel.MOTION)
+        R, t, omega, v, alpha, a = _near_the_middle(rng, count, robot)
+    weight = robot.M * 9.81
+    F_ext = 0.5 * weight * rng.normal(size=(count, 3))
+    M_ext = 0.5 * weight * float(np.ptp(robot.p)) * rng.normal(size=(count, 3))
+    arrays = (R, t, omega, v, alpha, a, F_ext, M_ext)
     poses = Poses(robot, tuple(np.ascontiguousarray(array, dtype=np.float64) for array in arrays))
     if reference.inverse_dynamics(robot, poses.motion).status.any():
-        raise ValueError(f"{robot.name}: no regular poses about its home pose")
+        raise ValueError(f"{robot.name}: no regular poses about the middle of its workspace")
     return poses
 
 
@@ -403,6 +400,21 @@ def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
     t = taken("t") + 0.003 * rng.normal(size=(count, 3))
     rates = (taken(name) + 0.02 * rng.normal(size=(count, 3)) for name in ("omega", "v", "alpha", "a"))
     return R, t, *rates
+
+
+def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:
+    """Poses about the one where the platform is above the base by as much as the base is wide."""
+    centre = robot.b.mean(axis=0)
+    size = float(np.linalg.norm(robot.b - centre, axis=-1).mean())
+    up = -robot.g / np.linalg.norm(robot.g) if robot.g.any() else np.array([0.0, 0.0, 1.0])
+    home = centre + size * up - robot.p.mean(axis=0)
+    rate = np.sqrt(9.81 / size)
+
+    def some(scale: float) -> Array:
+        return scale * rng.normal(size=(count, 3))
+
+    R, t = rotation_from_rpy(some(0.1)), home + some(0.05 * size)
+    return R, t, some(0.2 * rate), some(0.2 * rate * size), some(0.2 * rate**2), some(0.2 * rate**2 * size)
 
 
 # --- memory ---------------------------------------------------------------------------------------

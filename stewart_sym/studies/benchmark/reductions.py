@@ -19,18 +19,12 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Stage:
-    """The kernel after one pass; operations: of a pose, without and with friction."""
+    """The kernel after one pass, alone and in a batch; operations: of a pose, without and with friction."""
 
     name: str
     meaning: str
     operations: tuple[int, int]
-    one_pose: Candidate
-    batch: Candidate
-
-    @property
-    def candidates(self) -> tuple[Candidate, Candidate]:
-        """Both."""
-        return self.one_pose, self.batch
+    candidates: tuple[Candidate, Candidate]
 
 
 def stages(progress: Progress = silent) -> tuple[Stage, ...]:
@@ -43,23 +37,21 @@ def stages(progress: Progress = silent) -> tuple[Stage, ...]:
 
 def _stage(number: int, source: "Pass") -> Stage:
     build = _Build(f"bench_pass_{number}", {**source.sources, **forces_loop()}, source.model_numbers)
-    one_pose = Candidate(
-        f"{source.name}, one pose",
-        source.meaning,
-        "one pose",
-        FEW,
-        build.one_pose,
-        operations=lambda: source.operations[1],
+    one_pose, batch = (
+        Candidate(
+            f"{source.name}, {kind}",
+            source.meaning,
+            kind,
+            poses,
+            make,
+            operations=lambda: source.operations[1],
+        )
+        for kind, poses, make in (
+            ("one pose", FEW, build.one_pose),
+            ("batch", MANY, build.batch),
+        )
     )
-    batch = Candidate(
-        f"{source.name}, batch",
-        source.meaning,
-        "batch",
-        MANY,
-        build.batch,
-        operations=lambda: source.operations[1],
-    )
-    return Stage(source.name, source.meaning, source.operations, one_pose, batch)
+    return Stage(source.name, source.meaning, source.operations, (one_pose, batch))
 
 
 @dataclass(frozen=True)

@@ -7,7 +7,7 @@ its forces.
 import dataclasses
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, fields
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -83,34 +83,18 @@ class Run:
         return np.asarray(np.abs(self.F).max(axis=-1))
 
 
-@dataclass(frozen=True)
-class Figures:
-    """One run in numbers. Settled: over the second half of the path, when the start is forgotten."""
-
-    position_rms_mm: float
-    position_max_mm: float
-    position_settled_rms_mm: float
-    orientation_rms_mrad: float
-    orientation_max_mrad: float
-    orientation_settled_rms_mrad: float
-    force_peak_N: float
-    force_rms_N: float
-
-    @classmethod
-    def of(cls, run: Run) -> "Figures":
-        """Figures of a run; forces are those of all legs and samples."""
-        half = len(run.time) // 2
-        position, orientation = 1e3 * run.position, 1e3 * run.orientation
-        return cls(
-            position_rms_mm=_rms(position),
-            position_max_mm=float(position.max()),
-            position_settled_rms_mm=_rms(position[half:]),
-            orientation_rms_mrad=_rms(orientation),
-            orientation_max_mrad=float(orientation.max()),
-            orientation_settled_rms_mrad=_rms(orientation[half:]),
-            force_peak_N=float(run.largest_force.max()),
-            force_rms_N=_rms(run.F),
-        )
+def figures(run: Run) -> dict[str, float]:
+    """A run in numbers; settled: over the second half of the path, when the start is forgotten."""
+    half = len(run.time) // 2
+    found: dict[str, float] = {}
+    for name, unit, errors in (("position", "mm", run.position), ("orientation", "mrad", run.orientation)):
+        thousandths = 1e3 * errors
+        found |= {
+            f"{name}_rms_{unit}": _rms(thousandths),
+            f"{name}_max_{unit}": float(thousandths.max()),
+            f"{name}_settled_rms_{unit}": _rms(thousandths[half:]),
+        }
+    return found | {"force_peak_N": float(run.largest_force.max()), "force_rms_N": _rms(run.F)}
 
 
 @dataclass(frozen=True, eq=False)
@@ -121,22 +105,14 @@ class Study:
     settings: Settings
     runs: Mapping[str, Mapping[str, Run]]
     exceeded: Sequence[str] = ()
-    figures: Mapping[str, Mapping[str, Figures]] = field(init=False)
-
-    def __post_init__(self) -> None:
-        """Work the figures out."""
-        figures = {
-            path: {name: Figures.of(run) for name, run in runs.items()} for path, runs in self.runs.items()
-        }
-        object.__setattr__(self, "figures", figures)
 
     def rows(self) -> list[dict[str, Any]]:
         """A row for each path and controller: its figures, and their ratios to those of `exact`."""
         rows = []
-        for path, of_path in self.figures.items():
-            for controller, figures in of_path.items():
-                numbers = vars(figures)
-                exact = vars(of_path["exact"])
+        for path, runs in self.runs.items():
+            exact = figures(runs["exact"])
+            for controller, run in runs.items():
+                numbers = figures(run)
                 ratios = {f"{name}_to_exact": numbers[name] / exact[name] for name in numbers}
                 rows.append({"path": path, "controller": controller, **numbers, **ratios})
         return rows

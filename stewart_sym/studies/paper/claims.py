@@ -78,7 +78,7 @@ def crossing_legs(run: PathRun) -> list[int]:
 
 def rank_correlation(x: Array, y: Array) -> float:
     """Correlation of ranks, -1 to 1 (Spearman's); no ties."""
-    return float(np.corrcoef(np.argsort(np.argsort([x, y], axis=-1), axis=-1))[0, 1])
+    return float(np.asarray(np.corrcoef(np.argsort(np.argsort([x, y], axis=-1), axis=-1)))[0, 1])
 
 
 def largest(run: PathRun) -> float:

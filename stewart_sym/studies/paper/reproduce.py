@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ... import robots
 from ...backend import native
 from ...backend.c_kernel import library
 from ...backend.kernel import FORMULATIONS, kernel_name
@@ -19,6 +18,7 @@ from ...motion.motion import Motion
 from ...motion.straight_line import PATHS
 from ...reference import newton_euler
 from ...robot.robot import Robot
+from ...robots import dasgupta1998
 from ...singularities.along_path import crossings
 from ..common.output import Columns, of_legs
 
@@ -133,7 +133,7 @@ class Reproduction:
 
 def reproduce(progress: Progress = silent) -> Reproduction:
     """Compute everything on the paper's machine; ``progress`` is given what is being computed."""
-    robot, path = paper_machine(), PATHS["III"].path
+    robot, path = dasgupta1998(), PATHS["III"].path
     progress("compiling the kernels")
     backend = _backend(robot)
     progress("running Paths I-III")
@@ -158,11 +158,6 @@ def reproduce(progress: Progress = silent) -> Reproduction:
         work_energy=work,
         operations=operations(),
     )
-
-
-def paper_machine() -> Robot:
-    """The paper's machine; that its inertias are impossible is said in the report."""
-    return robots.dasgupta1998()
 
 
 def run_path(robot: Robot, name: str, formulation: Formulation | str, rest: bool = False) -> PathRun:

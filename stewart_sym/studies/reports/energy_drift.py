@@ -16,9 +16,9 @@ from ...dynamics.inverse import Formulation
 from ...motion.motion import Motion
 from ...simulation.actuator_models import LegSprings
 from ...simulation.limits import Thresholds
-from ...simulation.scene import Scene
 from ...simulation.simulation import simulate
 from ...simulation.trace import Simulation, Stop
+from ..paper.reproduce import without_friction
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -77,8 +77,7 @@ def energy_drift(
     springs: their dampers, and the friction of their robot, are left out. state: to start from, of shape (),
     without its load. duration, rtol, thresholds: as for ``simulate``, and so are the errors.
     """
-    none = np.zeros(6)
-    robot = dataclasses.replace(springs.robot, C_u=none, C_p=none, C_s=none)
+    robot = without_friction(springs.robot)
     springs = dataclasses.replace(springs, robot=robot, damping=0.0)
     state = Motion(state.R, state.t, state.omega, state.v)
     runs = {
@@ -107,13 +106,6 @@ def energy_scale(run: Simulation, springs: LegSprings) -> float:
     mean = float(even.kinetic.mean())
     stored = float((np.abs(even.potential) + np.abs(springs.energy(even.L))).max())
     return mean if mean > STILL * stored else 0.0
-
-
-def springs_of(scene: Scene) -> LegSprings:
-    """The springs of a scene; ValueError if its legs are none."""
-    if not isinstance(scene.law, LegSprings):
-        raise ValueError("energy drift: expected a scene whose legs are springs")
-    return scene.law
 
 
 def summary(drifts: Mapping[Formulation, Drift]) -> str:

@@ -12,8 +12,9 @@ from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from ...singularities.singular_poses import Singularity
 from ..common.drawing import log_numbers
+from ..common.output import Columns
 from ..common.report import Picture
-from .singularities import Columns, Examination, curves
+from .singularities import Examination, curves
 
 with needed_for("drawing"):
     from matplotlib.axes import Axes

@@ -127,18 +127,21 @@ def _errors(ax: Axes, family: Family, curves: list[Curve], ceiling: float) -> No
         shown = np.where(np.isfinite(bound) & (bound < ceiling), bound, np.nan)
         ax.loglog(family.distance, shown, color="#555555", linestyle="--", linewidth=1.2)
         seen = seen or bool(np.isfinite(shown).any())
-    ax.set_xlim(float(family.distance.max()), float(family.distance.min()))
     # Statuses have the lowest part to themselves.
     ax.set_ylim(_FLOOR / 100.0, 3.0 * ceiling)
-    ax.set_xlabel(family.axis)
-    handles, labels = ax.get_legend_handles_labels()
+    # Without points, for the legend.
     if seen:
-        handles.append(Line2D([], [], color="#555555", linestyle="--"))
-        labels.append(f"{WRONG:g} units x condition")
+        ax.plot([], [], color="#555555", linestyle="--", label=f"{WRONG:g} units x condition")
     if any(curve.status is not None and (curve.status != 0).any() for curve in curves):
-        handles.append(Line2D([], [], color="#555555", linestyle="", marker="|"))
-        labels.append("rejected, by its status")
-    ax.legend(handles, labels, loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, fontsize=8.0)
+        ax.plot([], [], color="#555555", linestyle="", marker="|", label="rejected, by its status")
+    _finish(ax, family)
+
+
+def _finish(ax: Axes, family: Family, columns: int = 2) -> None:
+    """Distances that fall to the right, and a legend below."""
+    ax.set_xlim(float(family.distance.max()), float(family.distance.min()))
+    ax.set_xlabel(family.axis)
+    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=columns, fontsize=8.0)
 
 
 def _limits(curves: list[Curve]) -> list[Any]:
@@ -166,9 +169,7 @@ def _statuses(ax: Axes, family: Family) -> None:
         range(len(codes)), [f"{code}: {STATUS_TEXT[code]}" for code in codes], wrap=True, fontsize=8.0
     )
     ax.set_ylim(-0.5, len(codes) - 0.2)
-    ax.set_xlim(float(family.distance.max()), float(family.distance.min()))
-    ax.set_xlabel(family.axis)
-    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=2, fontsize=8.0)
+    _finish(ax, family)
 
 
 def _growth(ax: Axes, family: Family) -> None:
@@ -181,11 +182,9 @@ def _growth(ax: Axes, family: Family) -> None:
             linestyle=("-", "--", "-.", ":")[number % 4],
             label=name,
         )
-    ax.set_xlim(float(family.distance.max()), float(family.distance.min()))
-    ax.set_xlabel(family.axis)
     ax.set_ylabel(family.growth_axis)
     ax.set_title(family.growth_title, fontsize=9.0)
-    ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.13), ncols=1, fontsize=8.0)
+    _finish(ax, family, columns=1)
 
 
 def _ceiling(family: Family) -> float:

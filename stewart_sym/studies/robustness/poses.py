@@ -15,9 +15,9 @@ from ...motion.rotation import orthonormal, rotation_from_vector
 from ...motion.straight_line import PATHS
 from ...precision.truth import digits
 from ...robot.robot import Robot
+from ...robots import dasgupta1998
 from .family import Curve, Family, distances, exact
 from .singular import path_III
-from .sweep.machines import papers_machine
 
 Array = NDArray[np.float64]
 
@@ -94,7 +94,7 @@ def families() -> list[Family]:
 
 def basins(grid: int = GRID, proofs: int = 40) -> Basins:
     """Turn the start about x and z away from a pose of the paper's machine, all round."""
-    robot = papers_machine()
+    robot = dasgupta1998()
     motion = PATHS["I"].path.sample(0.0)
     L = leg_vectors(robot, motion.R, motion.t)[2]
     angles = np.linspace(-np.pi, np.pi, grid)

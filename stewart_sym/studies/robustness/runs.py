@@ -14,13 +14,15 @@ from ...motion.straight_line import PATHS
 from ...reference import newton_euler
 from ...results import NOT_FINITE, OK
 from ...robot.robot import Robot
+from ...robots import dasgupta1998
 from ...simulation.actuator_models import LegSprings
 from ...simulation.fixed_step import advance
 from ...simulation.limits import Thresholds
 from ...simulation.simulation import METHODS, Method, simulate
+from ..paper.reproduce import without_friction
 from .family import EPS, Curve, Family
 from .singular import crossing_of_path_III
-from .sweep.machines import GRAVITY, machine_size, papers_machine, random_machine
+from .sweep.machines import GRAVITY, machine_size, random_machine
 
 Array = NDArray[np.float64]
 
@@ -42,7 +44,7 @@ def families() -> list[Family]:
 
 def _across() -> Family:
     """Without forces the paper's machine falls over the crossing of Path III; error against the tolerance."""
-    robot = papers_machine()
+    robot = dasgupta1998()
     path, crossing = PATHS["III"].path, crossing_of_path_III()
     moving = path.sample(crossing - 0.1)
     start = Motion(moving.R, moving.t, moving.omega, moving.v)
@@ -123,8 +125,7 @@ def _stiff() -> Family:
 
 def _long() -> Family:
     """Energy of a frictionless machine on springs: its largest change until a time, over the kinetic one."""
-    none = np.zeros(6)
-    robot = dataclasses.replace(random_machine(np.random.default_rng(8)), C_u=none, C_p=none, C_s=none)
+    robot = without_friction(random_machine(np.random.default_rng(8)))
     start = _moving(robot)
     springs = LegSprings.balanced(robot, start, stiffness=1e2 * robot.M * GRAVITY / machine_size(robot))
     times = np.logspace(np.log10(LONGEST), -2, 25)

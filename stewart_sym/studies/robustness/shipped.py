@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from ...backend.kernel import robot_numbers
 from ...dynamics.equations import equations_of_motion
-from ...dynamics.forces import ForceKernel, prepare
+from ...dynamics.forces import prepare
 from ...dynamics.inverse import inverse_dynamics
 from ...kinematics.inverse import wrench_matrix
 from ...motion.motion import Motion
@@ -122,32 +122,25 @@ def _truth(robot: Robot, motion: Motion) -> NDArray[np.object_]:
         return np.full(6, None, dtype=object)
 
 
-def _one_pose(robot: Robot, motion: Motion) -> tuple[Array, int]:
-    kernel = _prepared(robot)
-    if kernel is None:
-        return np.full(6, np.nan), NOT_FINITE
-    F, status = kernel.forces_and_status(motion)
-    return F, int(status)
-
-
-def _prepared(robot: Robot) -> ForceKernel | None:
-    """None where the robot's constants overflow, which is said by an error."""
+def _forces(robot: Robot, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
+    """Forces and statuses; a robot whose constants overflow, which is an error, has none."""
     try:
-        return prepare(robot)
+        return prepare(robot).forces_and_status(motion)
     except ValueError:
-        return None
+        return np.full((*motion.shape, 6), np.nan), np.full(motion.shape, NOT_FINITE, np.int32)
+
+
+def _one_pose(robot: Robot, motion: Motion) -> tuple[Array, int]:
+    F, status = _forces(robot, motion)
+    return F, int(status)
 
 
 def _batch(robot: Robot, motion: Motion) -> tuple[Array, int]:
     """The pose in the middle of a full block of eight."""
     many: dict[str, Any] = {
-        name: None if value is None else np.repeat(value[None], 8, axis=0)
-        for name, value in ((name, getattr(motion, name)) for name in vars(motion))
+        name: None if x is None else np.repeat(x[None], 8, axis=0) for name, x in vars(motion).items()
     }
-    kernel = _prepared(robot)
-    if kernel is None:
-        return np.full(6, np.nan), NOT_FINITE
-    F, status = kernel.forces_and_status(Motion(**many))
+    F, status = _forces(robot, Motion(**many))
     return F[4], int(status[4])
 
 
@@ -160,9 +153,11 @@ def _every(robot: Robot, motion: Motion, backend: Any) -> tuple[Array, int]:
 
 def _closed_form(robot: Robot, motion: Motion) -> tuple[Array, int]:
     """F of H F = M [a; alpha] + bias - W_ext, by NumPy's elimination, which assumes nothing of H."""
-    if _prepared(robot) is None:
+    try:
+        prepare(robot)
+        found = equations_of_motion(robot, motion, on_singular="nan")
+    except ValueError:
         return np.full(6, np.nan), NOT_FINITE
-    found = equations_of_motion(robot, motion, on_singular="nan")
     if int(found.status) != OK or motion.a is None or motion.alpha is None:
         return np.full(6, np.nan), int(found.status)
     load = np.concatenate(

@@ -13,6 +13,7 @@ from ...motion.straight_line import PATHS
 from ...precision.truth import digits
 from ...reference.newton_euler import actuator_wrench
 from ...robot.robot import Robot
+from ...robots import dasgupta1998
 from ...singularities.along_path import crossings
 from . import shipped
 from .family import Curve, Family, distances
@@ -20,7 +21,6 @@ from .solves import CANDIDATES
 from .sweep.machines import (
     flat,
     meeting_one_line,
-    papers_machine,
     posed,
     random_machine,
     random_motion,
@@ -87,7 +87,7 @@ def solve_curves(robots_: list[Robot], motions: list[Motion]) -> list[Curve]:
 def crossing_of_path_III() -> float:
     """Time, s, at which Path III crosses a singular pose, to rounding."""
     path = PATHS["III"].path
-    return crossings(papers_machine(), path.sample, path.breaks())[0].time
+    return crossings(dasgupta1998(), path.sample, path.breaks())[0].time
 
 
 def _family(name: str, title: str, axis: str, robots_: list[Robot], motions: list[Motion]) -> Family:
@@ -97,7 +97,7 @@ def _family(name: str, title: str, axis: str, robots_: list[Robot], motions: lis
 
 def path_III() -> tuple[list[Robot], list[Motion]]:
     """Poses of the paper's machine ever nearer to the crossing, on the tangent of Path III before it."""
-    robot, path, crossing = papers_machine(), PATHS["III"].path, crossing_of_path_III()
+    robot, path, crossing = dasgupta1998(), PATHS["III"].path, crossing_of_path_III()
     moving = path.sample(crossing)
     theta = rpy_from_rotation(moving.R)
     # Along the tangent, beyond the ends of the path too.

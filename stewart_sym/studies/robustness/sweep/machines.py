@@ -5,7 +5,6 @@ import dataclasses
 import numpy as np
 from numpy.typing import NDArray
 
-from .... import robots
 from ....motion.motion import Motion
 from ....motion.rotation import rotation_from_vector
 from ....robot.robot import Robot
@@ -61,11 +60,6 @@ def random_machine(
         C_p=damping[1],
         C_s=damping[2] * size * size,
     )
-
-
-def papers_machine() -> Robot:
-    """The paper's machine."""
-    return robots.dasgupta1998()
 
 
 def random_motion(rng: np.random.Generator, robot: Robot) -> Motion:

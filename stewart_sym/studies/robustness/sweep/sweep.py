@@ -11,7 +11,7 @@ from ....io.progress import Progress, silent
 from ....results import OK, STATUS_TEXT
 from ...common.table import aligned
 from .machines import LEGS, machine_size, random_machine
-from .oracle import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, check_random, closed_form_errors, random_case
+from .oracle import CLOSED_KERNELS, KERNELS, KINDS, MACHINE, check_random, closed_form_errors
 from .singular_machines import FAMILIES, singular_machine
 
 Array = NDArray[np.float64]
@@ -30,32 +30,6 @@ CLOSED_SHARE = 10
 """Cases of the force kernels for one of the closed form's, whose truth costs more."""
 CLOSED = ("forward_dynamics", "joint_inertia", "derivatives")
 """Kernels of the closed form in the sweep; on machines singular at every pose all but the first."""
-
-
-@dataclass(frozen=True)
-class Case:
-    """One case worth showing: numbers of the C structures ``stewart_robot`` and ``stewart_motion``.
-
-    error: in rounding units; condition: the problem's own; distance: from the failure.
-    """
-
-    kind: str
-    precision: str
-    kernel: str
-    distance: float
-    error: float
-    condition: float
-    status: int
-    robot: Array
-    motion: Array
-
-    @property
-    def text(self) -> str:
-        """One line."""
-        return (
-            f"{self.kind}, {self.precision}, {self.kernel}: {STATUS_TEXT[self.status]}, error "
-            f"{self.error:.3g} units at condition {self.condition:.3g}, distance {self.distance:.3g}"
-        )
 
 
 @dataclass(frozen=True)
@@ -82,10 +56,10 @@ class Count:
 
 @dataclass(frozen=True)
 class Sweep:
-    """All counts, the worst cases of them, and how many were checked in quadruple precision."""
+    """All counts, a line on the worst case of each that is not right, and how many were checked in quad."""
 
     counts: tuple[Count, ...]
-    shown: tuple[Case, ...]
+    shown: tuple[str, ...]
     in_quad: int
 
     @property
@@ -119,7 +93,7 @@ def sweep(
     if cases < len(kinds) * FLOAT_SHARE:
         raise ValueError(f"cases: expected at least {len(kinds) * FLOAT_SHARE}, got {cases}")
     counts: list[Count] = []
-    shown: list[Case] = []
+    shown: list[str] = []
     in_quad = 0
     done = 0.0
     for precision, share in (("double", 1), ("float", FLOAT_SHARE)):
@@ -138,14 +112,11 @@ def sweep(
             closed = closed_form_errors(kind, numbers, sizes, each_closed, seed, precision, kernels=kernels)
             in_quad += int(closed["in_quad"].sum())
             answers += [_of_closed_form(closed, kernel) for kernel in kernels]
-            for answer, every in zip(
-                answers, (each,) * len(KERNELS) + (each_closed,) * len(kernels), strict=True
-            ):
+            for answer in answers:
                 count, index = _counted(answer, kind, precision)
                 counts.append(count)
                 if count.wrong or count.rejected_good:
-                    robot, motion = random_case(kind, numbers, sizes, every, seed, index, precision)
-                    shown.append(answer.case(index, count, robot, motion))
+                    shown.append(answer.text(index, count))
     return Sweep(tuple(counts), tuple(shown), in_quad)
 
 
@@ -162,18 +133,12 @@ class _Answers:
     of_pose: Array
     distance: Array
 
-    def case(self, index: int, count: Count, robot: Array, motion: Array) -> Case:
-        """One of them, with its machine and motion."""
-        return Case(
-            count.kind,
-            count.precision,
-            self.kernel,
-            float(self.distance[index]),
-            float(self.error[index]),
-            float(self.condition[index]),
-            int(self.status[index]),
-            robot,
-            motion,
+    def text(self, index: int, count: Count) -> str:
+        """One of them in a line."""
+        return (
+            f"{count.kind}, {count.precision}, {self.kernel}: {STATUS_TEXT[int(self.status[index])]}, error "
+            f"{self.error[index]:.3g} units at condition {self.condition[index]:.3g}, distance "
+            f"{self.distance[index]:.3g}"
         )
 
 
@@ -241,8 +206,7 @@ def report(found: Sweep) -> str:
         + ", ".join(f"{limit:.0e} in {precision}" for precision, limit in GOOD.items())
         + f".\n{found.in_quad} doubtful cases were computed again in quadruple precision.\n\n"
     )
-    lines = [case.text for case in found.shown]
-    return head + aligned(header, rows) + ("\n\n" + "\n".join(lines) if lines else "")
+    return head + aligned(header, rows) + ("\n\n" + "\n".join(found.shown) if found.shown else "")
 
 
 def random_machines(

@@ -5,16 +5,13 @@ Everything drawn comes from the kinematics of a machine with few clear proportio
 """
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
+from matplotlib.figure import Figure
 from numpy.typing import NDArray
 
-from ...io.extras import needed_for
-from ...motion.rotation import rotation_from_rpy
-
-if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+from stewart_sym.motion.rotation import rotation_from_rpy
 
 Array = NDArray[np.float64]
 
@@ -40,10 +37,8 @@ def _machine() -> tuple[Array, Array, Array, Array]:
     return b, t + p @ R.T, R, t
 
 
-def figure() -> "Figure":
+def figure() -> Figure:
     """The drawing, 8 by 7.2 inches."""
-    with needed_for("drawing"):
-        from matplotlib.figure import Figure
     drawing = Figure(figsize=(8.0, 7.2))
     axes: Any = drawing.add_axes((0.0, 0.0, 1.0, 1.0), projection="3d")
     axes.set_axis_off()
