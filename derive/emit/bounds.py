@@ -3,7 +3,7 @@
 from ..kernel.bounds import BoundedForces
 from ..print.c import C
 from ..print.template import filled
-from .shared import LANES, SIZES
+from .shared import LANES, SIZES, header
 
 
 def files(made: BoundedForces, version: str) -> dict[str, str]:
@@ -11,13 +11,8 @@ def files(made: BoundedForces, version: str) -> dict[str, str]:
     bound."""
     name = made.kernel.formulation.kernel_name
     structures = (made.structures[each] for each in ("Leg", "Platform", "Model"))
-    header = filled(
-        "bounds.h",
-        name=name,
-        version=version,
-        guard=f"STEWART_{name.upper()}_BOUNDS_H",
-        structures=C().source(*structures),
-    )
+    file = f"stewart_{name}_bounds"
+    texts = header("bounds.h", file, version, name=name, structures=C().source(*structures))
     top = filled("bounds_top.c", name=name, version=version, header=LANES) + filled("bounds_macros.c")
     source = C(made.texts.functions.values(), SIZES).source(top, *made.parts())
-    return {f"stewart_{name}_bounds.h": header, f"stewart_{name}_bounds.c": source}
+    return texts | {f"{file}.c": source}

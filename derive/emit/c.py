@@ -18,9 +18,8 @@ from ..mechanics import quantities as n
 from ..mechanics.formulation import UNIVERSAL
 from ..mechanics.inverse_dynamics import Kernel
 from ..print.c import C
-from ..print.template import filled
 from ..program.block import Block, Quantity
-from .shared import OUTPUTS, Part, Source, top
+from .shared import OUTPUTS, Part, Source, header, top
 
 
 def files(
@@ -28,17 +27,17 @@ def files(
 ) -> dict[str, str]:
     """``stewart_<kernel>.h`` and ``.c``: what the kernel computes, its cost, its functions."""
     made = _Source(kernel)
-    header = filled(
+    texts = header(
         "every_output.h",
+        made.name,
+        version,
         name=kernel.formulation.kernel_name,
-        guard=f"{made.name.upper()}_H",
-        version=version,
         about=_about(kernel),
         interface=_interface(kernel),
         operations=operations_table(with_friction, frictionless, " * "),
         declarations=made.declared(),
     )
-    return {f"{made.name}.h": header, f"{made.name}.c": made.printed(top(made.name, version, OUTPUTS))}
+    return texts | {f"{made.name}.c": made.printed(top(made.name, version, OUTPUTS))}
 
 
 def _about(kernel: Kernel) -> str:

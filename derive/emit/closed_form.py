@@ -31,7 +31,7 @@ from ..mechanics.closed_form import GIVEN, NAMES, SumKernel
 from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block, Operations, Quantity
-from .shared import SIZES, SOLVE, top
+from .shared import SIZES, SOLVE, header, top
 
 LEGS = 6
 FUNCTIONS = tuple(each for each in o.OUTPUTS if each != o.FORCES)
@@ -72,15 +72,13 @@ def files(
     before = "\n".join([top(file, version, SOLVE), filled("motion.c")])
     made = _Source(kernels, model, asked)
     parts = (settled(each) if isinstance(each, t.Function) else each for each in made.parts())
-    return {
-        f"{file}.h": _header(made, kernels, frictionless, version),
-        f"{file}.c": C(sizes=SIZES).source(before, *parts),
-    }
+    texts = _header(made, kernels, frictionless, version)
+    return texts | {f"{file}.c": C(sizes=SIZES).source(before, *parts)}
 
 
 def _header(
     made: "_Source", kernels: tuple[SumKernel, ...], frictionless: tuple[SumKernel, ...], version: str
-) -> str:
+) -> dict[str, str]:
     """What is computed, its cost, its functions."""
     asked, public = made.asked, made.public
     own = {each for what in asked for each in o.sums_used((what,), deep=False)}
@@ -92,11 +90,12 @@ def _header(
     printer, structs = C(), [what for what in asked if what in STRUCTS]
     says = ["The same of `count` poses. Any pointer may be null: not wanted.", *[""] * len(structs)]
     arrays = map(_arrays, structs, says)
-    return filled(
+    return header(
         "motion.h",
+        f"stewart_{made.name}_motion",
+        version,
+        included=f"stewart_{made.name}_forces.h",
         name=made.name,
-        version=version,
-        guard=f"STEWART_{made.name.upper()}_MOTION_H",
         read="are read by\n * `derivatives` alone." if "derivatives" in asked else "are not read.",
         operations="\n".join(rows),
         structs=printer.interface(*map(_struct, structs), *arrays),

@@ -15,7 +15,7 @@ from ..mechanics.kinematics import Kinematics
 from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block
-from .shared import ARITHMETIC, top
+from .shared import ARITHMETIC, header, top
 
 STEPS = {"double": (3, 4, 6), "float": (2, 3, 5)}
 """Steps from near, middling and far guesses, as the header says; the tests hold the kernel to them."""
@@ -72,4 +72,4 @@ def _files(
     before = top(file, version, ARITHMETIC)
     after = [] if program.functions[-1].public else [filled(f"{name}.c")]
     source = printer.source(before, *own, *program.functions, *after)
-    return {f"{file}.h": filled(f"{name}.h", version=version, **said), f"{file}.c": source}
+    return header(f"{name}.h", file, version, **said) | {f"{file}.c": source}

@@ -22,11 +22,10 @@ from ..kernel.written import lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import arm_c, q_1
-from ..print.template import filled
 from ..program.block import Block, Quantity
 from .c import operations_table
 from .shared import LANES as HEADER
-from .shared import Part, Source, top
+from .shared import Part, Source, header, top
 
 CHECKED = (n.q, n.L, n.k3)
 """Outputs of a leg by which it is checked; they are not stored as they are."""
@@ -50,18 +49,18 @@ def files(
         title, count = "of one machine, its numbers folded in.", force_operations(before).total.total
         says += f" Before the numbers were folded in a pose took {count} operations."
     plain = None if frictionless is None else force_operations(frictionless)
-    header = filled(
+    texts = header(
         "forces.h",
+        file,
+        version,
         name=kernel.name,
         title=title,
-        version=version,
         says="" if kernel.fidelity == "general" and before is None else f" * {says}\n *\n",
         operations=operations_table(force_operations(kernel), plain, " * "),
-        guard=f"{file.upper()}_H",
         declarations=made.declared(*([] if made.baked else [made.structures["Model"]])),
     )
     defined = "" if n.D in made.given else _WITHOUT_D
-    return {f"{file}.h": header, f"{file}.c": made.printed(top(file, version, HEADER, defined))}
+    return texts | {f"{file}.c": made.printed(top(file, version, HEADER, defined))}
 
 
 def model_numbers(kernel: ForceKernel) -> int:

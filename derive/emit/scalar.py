@@ -23,7 +23,7 @@ from ..mechanics.lumped_constants import q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity, Step, rebuilt
 from .c import operations_table
-from .shared import SOLVE, Part, Source, top
+from .shared import SOLVE, Part, Source, header, top
 
 A = t.Name("A")
 _LEAST_PIVOTS = t.signature("STEWART_LEAST_PIVOTS", t.Real(), size=t.Real())
@@ -39,17 +39,17 @@ def files(kernel: ForceKernel, before: ForceKernel | None, version: str) -> dict
     if before is not None:
         count = force_operations(before, scalar_text=True).total.total
         folded = f" The machine's numbers are folded in; without, a pose took {count} operations."
-    header = filled(
+    texts = header(
         "forces_pose.h",
+        file,
+        version,
         name=kernel.name,
-        version=version,
         fidelity=f" * Fidelity: {kernel.meaning or 'everything'}.{folded}",
         operations=operations_table(force_operations(kernel, scalar_text=True), None, " * "),
-        guard=f"{file.upper()}_H",
         declarations=made.declared(*(made.structures[name] for name in ("Leg", "Model") if before is None)),
     )
     before_it = top(file, version, SOLVE) + filled("least_product.c")
-    return {f"{file}.h": header, f"{file}.c": made.printed(before_it)}
+    return texts | {f"{file}.c": made.printed(before_it)}
 
 
 class _Source(Source):

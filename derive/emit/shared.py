@@ -44,6 +44,17 @@ def _printed(found: Shared, functions: tuple[t.Function, ...], more: str = "") -
     return printer.source(*functions)
 
 
+def header(template: str, file: str, version: str, /, **words: object) -> dict[str, str]:
+    """``file`` with its ending: a template, and what the headers of all kernels have in common."""
+    included = words.pop("included", "stewart.h")
+    frame = {
+        "written": filled("written.h", version=version).rstrip(),
+        "begin": filled("begin.h", guard=f"{file.upper()}_H", included=included).rstrip(),
+        "end": filled("end.h").rstrip(),
+    }
+    return {f"{file}.h": filled(template, **frame, **words)}
+
+
 def top(file: str, version: str, header: str, defined: str = "") -> str:
     """How a source begins; header: of those above, the one that it includes. defined: macros before it."""
     return filled("top.c", file=file, version=version, header=header, defined=defined)

@@ -3,10 +3,9 @@
 Numbers of the six legs are one after the other, for interpreters, or side by side, for arrays.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import cache
-from types import MappingProxyType
 
 import sympy as sp
 
@@ -24,8 +23,6 @@ from .tree import read
 from .tree.lower import Arguments, block_function, structure
 from .written import inverse_dynamics as written
 from .written import legs, solve
-
-Text = Callable[..., object]
 
 TERMS, REACTIONS = "terms", "leg_reactions"
 
@@ -98,8 +95,8 @@ def arrays_program(kernel: Kernel) -> t.Program:
     texts.function(written.legs_side_by_side, "legs_of")
     summed = entries((n.D, n.K, n.H_force, n.H_moment, n.c_force, n.c_moment))
     texts.function(written.leg_of_lanes, "leg_of", given={"SUMMED": summed})
-    _add(texts, written.terms_of, given=legs_in_turn("out", "leg"))
-    _add(texts, written.terms, written.solved, written.inverse_dynamics)
+    texts.add(written.terms_of, given=legs_in_turn("out", "leg"))
+    texts.add(written.terms, written.solved, written.inverse_dynamics)
     return t.Program(kernel.formulation.kernel_name, tuple(structures), tuple(texts.functions.values()))
 
 
@@ -108,11 +105,11 @@ def shared_program() -> t.Program:
     """What the programs with legs side by side have in common: robot and motion, checks, the solve."""
     structures = _machine()
     texts = _texts(structures, [])
-    _add(texts, legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=CARRIED)
-    _add(texts, solve.singular_status, given={**INVERSE, **CARRIED})
-    _add(texts, solve.per_length_of, written.largest_of)
-    _add(texts, written.scale_of, given={"SMALLEST": t.Number(SIZES[0])})
-    _add(texts, written.eliminate, given=_ELIMINATION)
+    texts.add(legs.largest_component, legs.reach_of, legs.fault_of, written.first_of, given=CARRIED)
+    texts.add(solve.singular_status, given={**INVERSE, **CARRIED})
+    texts.add(solve.per_length_of, written.largest_of)
+    texts.add(written.scale_of, given={"SMALLEST": t.Number(SIZES[0])})
+    texts.add(written.eliminate, given=_ELIMINATION)
     return t.Program("every_output", tuple(structures), tuple(texts.functions.values()))
 
 
@@ -139,7 +136,7 @@ def regressor_program(blocks: Regressor) -> t.Program:
             block_function(blocks.platform, blocks.platform.name, of_platform.name, _OF_POSE),
         ],
     )
-    _add(texts, written.regressor)
+    texts.add(written.regressor)
     return t.Program("regressor", tuple(structures), tuple(texts.functions.values()))
 
 
@@ -171,8 +168,3 @@ def _outputs(name: str, meaning: str, block: Block) -> t.Structure:
 
 def _texts(structures: Sequence[t.Structure], blocks: Sequence[t.Function]) -> Written:
     return Written({each.name: each for each in structures}, {}, {each.name: each for each in blocks})
-
-
-def _add(texts: Written, *functions: Text, given: Mapping[str, read.Given] = MappingProxyType({})) -> None:
-    for each in functions:
-        texts.function(each, given=given)

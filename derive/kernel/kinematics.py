@@ -140,12 +140,10 @@ def _program(
     given: Mapping[str, read.Given] = MappingProxyType({}),
 ) -> t.Program:
     structures = {each.name: each for each in (*machine_structures(), *held)}
-    functions = {each.name: each for each in blocks}
+    made = Written(structures, given, {each.name: each for each in blocks})
     for text in texts:
-        functions[text.__name__] = read.function(
-            text, structures, functions, public=text in PUBLIC.values(), given=given
-        )
-    return t.Program(name, tuple(structures.values()), tuple(functions.values()))
+        made.function(text, public=text in PUBLIC.values())
+    return t.Program(name, tuple(structures.values()), tuple(made.functions.values()))
 
 
 _LEG_MOTIONS = t.Structure(

@@ -209,3 +209,8 @@ class Written:
         if public:
             self.functions[written.__name__] = found
         return found
+
+    def add(self, *written: Callable[..., object], given: Mapping[str, read.Given] | None = None) -> None:
+        """Several more."""
+        for each in written:
+            self.function(each, given=given)

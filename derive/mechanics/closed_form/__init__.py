@@ -7,11 +7,43 @@ of the bias; and of the derivatives of the wrench by pose, twist and acceleratio
 R becoming exp([dphi]x) R. Formulation `exact` with universal base joints.
 """
 
-from .kernels import NAMES, OF_TWO_FORMS, kernel, kernels
+from dataclasses import replace
+from functools import cache
+
+from ..actuator_forces import from_difference
+from .derivatives import derivatives_kernel, derivatives_of_leg, joint_slopes_kernel
+from .equations import bias_kernel, equations_kernel, equations_of_leg, forward_kernel, joint_rows_kernel
 from .parts import PREPARED
 from .terms import AXIAL, F_LEG, NET, TURNED, SumKernel
 
+__all__ = ["F_LEG", "GIVEN", "NAMES", "OF_TWO_FORMS", "PREPARED", "SumKernel", "kernel", "kernels"]
+
 GIVEN = (F_LEG, NET, TURNED, AXIAL)
 """What the legs' blocks are given beside the pose."""
+NAMES = ("equations", "bias", "forward_dynamics", "derivatives", "joint_rows", "joint_slopes")
+"""Of the kernels, in the order of the emitted file."""
+OF_TWO_FORMS = ("equations", "derivatives")
+"""Of those whose legs have a second block."""
 
-__all__ = ["F_LEG", "GIVEN", "NAMES", "OF_TWO_FORMS", "PREPARED", "SumKernel", "kernel", "kernels"]
+
+def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
+    """All of them, as ``NAMES``."""
+    return tuple(kernel(name, friction) for name in NAMES)
+
+
+@cache
+def kernel(name: str, friction: bool) -> SumKernel:
+    """One of ``NAMES``, derived once."""
+    derive = {
+        "equations": equations_kernel,
+        "bias": bias_kernel,
+        "forward_dynamics": forward_kernel,
+        "derivatives": derivatives_kernel,
+        "joint_rows": joint_rows_kernel,
+        "joint_slopes": joint_slopes_kernel,
+    }[name]
+    found = derive(friction)
+    if name in OF_TWO_FORMS:
+        leg = {"equations": equations_of_leg, "derivatives": derivatives_of_leg}[name]
+        found = replace(found, near=leg(friction, near=True))
+    return found.changed(from_difference)
