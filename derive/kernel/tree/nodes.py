@@ -6,6 +6,7 @@ pass through it an interpreter's; neither changes the order of an operation.
 
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, is_dataclass
+from functools import cache
 from typing import Any
 
 # ---------------------------------------------------------------- types
@@ -422,10 +423,17 @@ def calls_in(node: Any) -> Iterator[Call]:
 
 def parts_of(node: Any) -> Iterator[Any]:
     """A node and its parts, their parts as well."""
-    if isinstance(node, tuple):
-        for each in node:
-            yield from parts_of(each)
-    elif is_dataclass(node):
-        yield node
-        for field in fields(node):
-            yield from parts_of(getattr(node, field.name))
+    waiting = [node]
+    while waiting:
+        each = waiting.pop()
+        if isinstance(each, tuple):
+            waiting.extend(reversed(each))
+        elif (names := _field_names(type(each))) is not None:
+            yield each
+            waiting.extend([getattr(each, name) for name in reversed(names)])
+
+
+@cache
+def _field_names(kind: type) -> tuple[str, ...] | None:
+    """Names of the fields of a kind of node, None of what is no node."""
+    return tuple(field.name for field in fields(kind)) if is_dataclass(kind) else None

@@ -55,13 +55,13 @@ def _body(body: Iterable[Statement], known: Known) -> tuple[Statement, ...]:
     made: list[Statement] = []
     for node in body:
         made.append(_statement(node, known))
-        known = _kept(known, _written([node]))
+        known = _kept(known, [node])
     return tuple(made)
 
 
 def _statement(node: Statement, known: Known) -> Statement:
     if isinstance(node, For):
-        inside = _kept(known, {node.index, *_written(node.body)})
+        inside = _kept(known, [node])
         return replace(node, body=_body(node.body, inside))
     if isinstance(node, If):
         test = _in(node.test, known)
@@ -101,8 +101,9 @@ def _decided(test: Expression, holds: bool) -> dict[Expression, bool]:
     return found
 
 
-def _kept(known: Known, written: set[str]) -> Known:
-    """What is known yet where these variables may have changed."""
+def _kept(known: Known, body: Iterable[Statement]) -> Known:
+    """What is known yet where these statements may have changed variables."""
+    written = _written(body) if known else set()
     return {test: holds for test, holds in known.items() if not written & {n.name for n in names_in(test)}}
 
 
