@@ -4,12 +4,15 @@ A spline of degree 5 on even knots minimises squared residuals over the noise's 
 differences of order d of its coefficients over a variance of their own: a Gaussian prior. Marginal
 likelihood chooses that variance and d, so the spread of the posterior is what noise and unresolved motion
 leave open. The knots are refined until the penalty alone limits the resolution. Long series are smoothed in
-windows that overlap by half, so time and memory grow with their length alone.
+windows that overlap by half, so time and memory grow with their length alone; where samples are even, all
+inner windows share their matrices.
 """
 
 from __future__ import annotations
 
+import functools
 import math
+from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
@@ -38,6 +41,8 @@ _WEIGHTS = 10.0 ** np.linspace(-9.0, 12.0, 127)
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Of value, rate and second rate in a covariance."""
 _CHUNK = 1 << 16
+# Even to rounding: times off a whole number of intervals by less than this share of one.
+_UNEVEN = 1e-6
 
 
 class Smooth(NamedTuple):
@@ -113,19 +118,21 @@ def smooth(
 
 def smoothed(time: Array, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
     """``smooth`` of checked arrays; without a level the noise is that of the residuals about the cut-off."""
-    since = time - time[0]
+    clock = _Clock.of(time)
     ones = np.ones(columns.shape[1])
     if cutoff is not None:
-        knots, orders = _knots_of_cutoff(since, cutoff), np.full(len(ones), CUTOFF_ORDER)
-        weight = float(np.sinc(0.125) ** (2 * DEGREE + 2))
-        found = _smoothed(time, columns, ones if level is None else level.sigma, knots, orders, weight)
+        knots, orders = _knots_of_cutoff(time, clock, cutoff), np.full(len(ones), CUTOFF_ORDER)
+        turns = cutoff * clock.unit * knots.step
+        weight = float(np.sinc(turns) ** (2 * DEGREE + 2))
+        weight *= (_EDGE / (2.0 * math.sin(math.pi * turns))) ** (2 * CUTOFF_ORDER)
+        found = _smoothed(clock, columns, ones if level is None else level.sigma, knots, orders, weight)
         return _scaled(found, columns) if level is None else found
     assert level is not None
-    knots, orders, seen = _resolve(since, columns, level.sigma)
+    knots, orders, seen = _resolve(clock, columns, level.sigma)
     # Modes that show less than rounding makes are those of numbers that stay the same.
     likely = np.where(seen < 0.5 * level.least, level.sigma, np.clip(seen, level.least, 1.5 * level.sigma))
     known = level.least == level.sigma
-    return _smoothed(time, columns, np.where(known, level.sigma, likely), knots, orders, None)
+    return _smoothed(clock, columns, np.where(known, level.sigma, likely), knots, orders, None)
 
 
 def _scaled(unit: Smooth, columns: Array) -> Smooth:
@@ -138,21 +145,58 @@ def _scaled(unit: Smooth, columns: Array) -> Smooth:
 # Knots
 
 
+class _Clock(NamedTuple):
+    """Times of samples since the first, in units, s; of even samples whole numbers of their interval."""
+
+    start: float
+    unit: float
+    since: Array
+    even: bool
+
+    @classmethod
+    def of(cls, time: Array) -> _Clock:
+        """The clock of increasing times."""
+        since = time - time[0]
+        unit = float(since[-1]) / (len(time) - 1)
+        count = np.rint(since / unit)
+        even = bool(np.abs(since / unit - count).max() < _UNEVEN)
+        return cls(float(time[0]), unit, count, True) if even else cls(float(time[0]), 1.0, since, False)
+
+
 class _Knots(NamedTuple):
-    """Even knots: their distance, s, the number of intervals between them, and samples in each on average."""
+    """Even knots: their distance, the number of intervals between them, and samples in each on average.
+
+    whole: half a window holds a whole number of samples, so that windows see the same pattern of them.
+    """
 
     step: float
     cells: int
     density: float
+    whole: bool
+
+    @classmethod
+    def of(cls, clock: _Clock, cells: float) -> _Knots:
+        """About so many intervals over the times: a few more where windows need them."""
+        span, half = float(clock.since[-1]), WINDOW // 2
+        step = span / cells
+        whole = clock.even and cells > WINDOW
+        if whole:
+            step = math.ceil(half * step) / half
+        needed = math.ceil(span / step * (1.0 - 1e-12))
+        return cls(step, needed if whole else _whole(needed), len(clock.since) * step / span, whole)
+
+    def place(self, cell: int) -> float:
+        """Time at which a cell begins."""
+        return float(round(cell * self.step)) if self.whole else cell * self.step
 
     def windows(self) -> list[int]:
         """First cell of every window; a single one takes all."""
-        return list(range(0, max(1, self.cells - WINDOW // 2), WINDOW // 2)) if self.cells > WINDOW else [0]
+        return list(range(0, max(0, self.cells - WINDOW) + 1, WINDOW // 2))
 
-    @property
-    def width(self) -> int:
-        """Cells of a window."""
-        return min(self.cells, WINDOW)
+    def width(self, start: int) -> int:
+        """Cells of the window from cell ``start``; the last takes all that are left."""
+        left = self.cells - start
+        return left if left < 3 * WINDOW // 2 else WINDOW
 
     def share(self, start: int, places: Array) -> Array:
         """Weight of the window from cell ``start`` at places in cells: those of all windows add up to 1.
@@ -160,9 +204,9 @@ class _Knots(NamedTuple):
         It is 0 next to an end that another window overlaps, where the one has fewer samples than the other.
         """
         margin = WINDOW / 6.0
-        last = start + self.width >= self.cells
+        last = start + self.width(start) >= self.cells
         rise = np.ones_like(places) if start == 0 else (places - start) / margin - 1.0
-        fall = np.ones_like(places) if last else (start + self.width - places) / margin - 1.0
+        fall = np.ones_like(places) if last else (start + WINDOW - places) / margin - 1.0
         return np.clip(np.minimum(rise, fall), 0.0, 1.0)
 
 
@@ -172,23 +216,22 @@ def _whole(cells: int) -> int:
     return cells if cells <= WINDOW else -(-cells // half) * half
 
 
-def _knots_of_cutoff(since: Array, cutoff: float) -> _Knots:
-    nyquist = 0.5 / float(np.median(np.diff(since)))
+def _knots_of_cutoff(time: Array, clock: _Clock, cutoff: float) -> _Knots:
+    nyquist = 0.5 / float(np.median(np.diff(time)))
     if not 0.0 < cutoff < nyquist:
         raise ValueError(
             f"cutoff: expected a frequency > 0 and < {nyquist:g} Hz, half the rate, got {cutoff:g}"
         )
-    step = 0.125 / cutoff
-    cells = since[-1] / step
-    return _Knots(step, _whole(max(1, math.ceil(cells))), len(since) / cells)
+    return _Knots.of(clock, 8.0 * cutoff * clock.unit * float(clock.since[-1]))
 
 
-def _resolve(since: Array, values: Array, sigma: Array) -> tuple[_Knots, NDArray[np.int64], Array]:
+def _resolve(clock: _Clock, values: Array, sigma: Array) -> tuple[_Knots, NDArray[np.int64], Array]:
     """Knots so fine that the penalty limits the resolution, and the likeliest order and noise, (c,)."""
+    since = clock.since
     orders = [order for order in ORDERS if order < len(since)]
     cells = min(_FEWEST_CELLS, len(since))
     while True:
-        knots = _Knots(float(since[-1]) / cells, cells, len(since) / cells)
+        knots = _Knots.of(clock, cells)
         starts = knots.windows()
         trial = {starts[int(i)] for i in np.linspace(0, len(starts) - 1, min(len(starts), _TRIAL_WINDOWS))}
         cost, free, squares, count = np.zeros((4, len(orders), values.shape[1]))
@@ -212,14 +255,48 @@ def _resolve(since: Array, values: Array, sigma: Array) -> tuple[_Knots, NDArray
 # One window
 
 
+@dataclass(frozen=True, eq=False)
+class _Modes:
+    """What samples and a penalty of weight 1 make of the coefficients of a window.
+
+    M: normal equations, (p, p); inverse: of their Cholesky factor. X: the coefficients of each mode in its
+    columns, X^T M X = 1; rho: the penalty's share of a mode, (p, 1), from 0 for polynomials.
+    """
+
+    M: Array
+    inverse: Array
+    X: Array
+    rho: Array
+
+
+@functools.lru_cache(maxsize=16)
+def _modes(samples: bytes, size: int, order: int, density: float) -> _Modes:
+    """Modes by the bytes of G = B^T B."""
+    regular, P = _penalty(size, order, density)
+    M = np.frombuffer(samples).reshape(size, size) + regular
+    inverse = np.linalg.inv(np.linalg.cholesky(M))
+    rho, V = np.linalg.eigh(inverse @ P @ inverse.T)
+    rho = np.clip(rho, 0.0, 1.0)[:, None]
+    rho[:order] = 0.0
+    return _Modes(M, inverse, inverse.T @ V, rho)
+
+
+@functools.lru_cache(maxsize=8)
+def _products(modes: _Modes, width: int) -> list[Array]:
+    """Products of ``PAIRS`` at every half cell, of knots 1 apart: (g, p) each."""
+    cell, u = _places(np.arange(2 * width + 1) / 2.0, 1.0, width)
+    rows = [_dense(cell, _b_splines(u, DEGREE, rate), width) @ modes.X for rate in range(3)]
+    return [rows[i] * rows[j] for i, j in PAIRS]
+
+
 class _Fit(NamedTuple):
-    """Columns in the modes, (p, p), of one window and order: mean and variance of each mode, (p, c).
+    """Columns in the modes of one window and order: mean and variance of each mode, (p, c).
 
     cost: -2 log likelihood, (c,). free: effective number of coefficients, (c,). noise: sum of squares and
     number of the modes just beyond the resolution, which hold noise alone, (c,) each.
     """
 
-    modes: Array
+    modes: _Modes
     mean: Array
     variance: Array
     cost: Array
@@ -250,11 +327,12 @@ class _Window(NamedTuple):
     @classmethod
     def of(cls, since: Array, values: Array, knots: _Knots, start: int) -> _Window:
         """The window that begins with a cell."""
-        first, last = np.searchsorted(since, knots.step * np.array([start, start + knots.width]))
-        end = len(since) if start + knots.width >= knots.cells else int(last)
-        cell, u = _places(since[first:end], knots.step, start, knots.width)
+        begin, width = knots.place(start), knots.width(start)
+        first, last = np.searchsorted(since, [begin, knots.place(start + width)])
+        end = len(since) if start + width >= knots.cells else int(last)
+        cell, u = _places(since[first:end] - begin, knots.step, width)
         N, y = _b_splines(u, DEGREE), values[first:end]
-        size, inner = knots.width + DEGREE, range(DEGREE + 1)
+        size, inner = width + DEGREE, range(DEGREE + 1)
         # Samples lie in order of time, those of a cell side by side.
         filled, starts = np.unique(cell, return_index=True)
 
@@ -272,10 +350,10 @@ class _Window(NamedTuple):
             products = sums(N[:, i, None] * N)
             for j in inner:
                 G[filled + i, filled + j] += products[:, j]
-        M = G + _penalty(size, ORDERS[0], knots.density)[0]
+        inverse = _modes(G.tobytes(), size, ORDERS[0], knots.density).inverse
         pilot, rest = np.zeros((size, y.shape[1])), y
         for _ in range(2):
-            pilot = pilot + np.linalg.solve(M, project(rest))
+            pilot = pilot + inverse.T @ (inverse @ project(rest))
             rest = y - _along(N, cell, pilot)
         spread = np.sum((y - y.sum(axis=0) / max(1, len(y))) ** 2, axis=0)
         return cls(G, pilot, project(rest), np.sum(rest**2, axis=0), spread, knots.density)
@@ -291,14 +369,10 @@ class _Window(NamedTuple):
 
     def likeliest(self, order: int, sigma: Array, weight: float | None = None) -> _Fit:
         """Posterior of the coefficients under noise sigma, (c,), with the likeliest weight or a given one."""
-        regular, P = _penalty(self.size, order, self.density)
-        M = self.G + regular
-        inverse = np.linalg.inv(np.linalg.cholesky(M))
-        rho, V = np.linalg.eigh(inverse @ P @ inverse.T)
-        rho = np.clip(rho, 0.0, 1.0)[:, None]
-        rho[:order] = 0.0
-        gamma, X = 1.0 - rho, inverse.T @ V
-        z, bent = X.T @ self.rest, X.T @ (M @ self.pilot)
+        modes = _modes(self.G.tobytes(), self.size, order, self.density)
+        rho = modes.rho
+        gamma, X = 1.0 - rho, modes.X
+        z, bent = X.T @ self.rest, X.T @ (modes.M @ self.pilot)
         weights = _WEIGHTS if weight is None else np.array([weight])
         pull = weights[:, None, None] * rho
         A = gamma + pull
@@ -316,7 +390,7 @@ class _Window(NamedTuple):
         prior = np.sum(steep * sigma**2 / np.maximum(pull, 1e-300), axis=0)
         bias = np.clip(square / np.maximum(prior, 1e-300), 0.0, 1.0)
         return _Fit(
-            modes=X,
+            modes=modes,
             mean=bent + (z - pull * bent) / A,
             variance=sigma**2 * (gamma + bias * pull) / A**2,
             cost=np.take_along_axis(cost, best[None], axis=0)[0],
@@ -333,45 +407,43 @@ def _penalty(size: int, order: int, density: float) -> tuple[Array, Array]:
 
 
 def _smoothed(
-    time: Array,
+    clock: _Clock,
     values: Array,
     sigma: Array,
     knots: _Knots,
     orders: NDArray[np.int64],
     weight: float | None,
 ) -> Smooth:
-    count = values.shape[1]
-    since = time - time[0]
+    count, step = values.shape[1], clock.unit * knots.step
     coefficients = np.zeros((knots.cells + DEGREE, count))
     grid = np.arange(2 * knots.cells + 1) / 2.0
     covariance = np.zeros((len(grid), count, len(PAIRS)))
     for start in knots.windows():
-        window = _Window.of(since, values, knots, start)
-        inside = slice(2 * start, 2 * (start + knots.width) + 1)
-        cell, u = _places(grid[inside], 1.0, start, knots.width)
-        bases = [_dense(cell, _b_splines(u, DEGREE, rate), knots) for rate in range(3)]
+        window = _Window.of(clock.since, values, knots, start)
+        width = knots.width(start)
+        inside = slice(2 * start, 2 * (start + width) + 1)
         share = knots.share(start, grid[inside])
-        centres = np.clip(np.arange(window.size) - DEGREE // 2, 0, knots.width)
+        centres = np.clip(np.arange(window.size) - DEGREE // 2, 0, width)
         blend = knots.share(start, (start + centres).astype(np.float64))
         for order in np.unique(orders):
             own = np.flatnonzero(orders == order)
             fit = window.columns(own).likeliest(int(order), sigma[own], weight)
-            coefficients[start : start + window.size, own] += blend[:, None] * (fit.modes @ fit.mean)
-            rows = [base @ fit.modes / knots.step**rate for rate, base in enumerate(bases)]
-            for k, (i, j) in enumerate(PAIRS):
-                covariance[inside, own, k] += share[:, None] * ((rows[i] * rows[j]) @ fit.variance)
+            coefficients[start : start + window.size, own] += blend[:, None] * (fit.modes.X @ fit.mean)
+            for k, product in enumerate(_products(fit.modes, width)):
+                scaled = share[:, None] / step ** sum(PAIRS[k])
+                covariance[inside, own, k] += scaled * (product @ fit.variance)
     found = np.empty((3, *values.shape))
-    for part in (slice(i, i + _CHUNK) for i in range(0, len(time), _CHUNK)):
-        cell, u = _places(since[part], knots.step, 0, knots.cells)
+    for part in (slice(i, i + _CHUNK) for i in range(0, len(values), _CHUNK)):
+        cell, u = _places(clock.since[part], knots.step, knots.cells)
         for rate in range(3):
-            N = _b_splines(u, DEGREE, rate) / knots.step**rate
+            N = _b_splines(u, DEGREE, rate) / step**rate
             found[rate, part] = _along(N, cell, coefficients)
-    return Smooth(found[0], found[1], found[2], sigma, time[0] + knots.step * grid, covariance)
+    return Smooth(found[0], found[1], found[2], sigma, clock.start + step * grid, covariance)
 
 
-def _places(since: Array, step: float, start: int, cells: int) -> tuple[NDArray[np.int64], Array]:
-    """Cell of each time, counted from ``start``, and the place in it, 0 to 1."""
-    place = since / step - start
+def _places(since: Array, step: float, cells: int) -> tuple[NDArray[np.int64], Array]:
+    """Cell of each time and the place in it, 0 to 1."""
+    place = since / step
     cell = np.clip(place.astype(np.int64), 0, cells - 1)
     return cell, place - cell
 
@@ -396,7 +468,7 @@ def _along(N: Array, cell: NDArray[np.int64], coefficients: Array) -> Array:
     return total
 
 
-def _dense(cell: NDArray[np.int64], N: Array, knots: _Knots) -> Array:
-    B = np.zeros((len(cell), knots.width + DEGREE))
+def _dense(cell: NDArray[np.int64], N: Array, width: int) -> Array:
+    B = np.zeros((len(cell), width + DEGREE))
     B[np.arange(len(cell))[:, None], cell[:, None] + np.arange(DEGREE + 1)] = N
     return B

@@ -22,7 +22,7 @@ RUNNING = [page for page in PAGES if any(block.language in ("python", "sh") for 
 SHELL = {page for page in RUNNING if any(block.language == "sh" for block in blocks(page))}
 NOT_RUN = ("sh .ci/setup ", "pip install ")
 """Beginnings of commands that change the environment: those of the README are run by ``.ci/run``."""
-SAME = 0.02
+SAME = 0.002
 """Mean difference of two drawings of the same figure, of 0 to 1: fonts differ from system to system."""
 
 

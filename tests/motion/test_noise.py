@@ -139,6 +139,38 @@ def test_one_window_and_many_agree() -> None:
     assert np.all(np.abs(both[0].second_rates - both[1].second_rates)[:, 0] < 0.05 * sd[0])
 
 
+def test_windows_of_an_even_log_share_their_matrices(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    rng = np.random.default_rng(8)
+    time = 3.0 + 0.01 * np.arange(6_401)
+    values = np.sin(np.outer(time, [3.0, 7.0])) + 1e-4 * rng.normal(size=(len(time), 2))
+    calls: list[int] = []
+    eigh = np.linalg.eigh
+    monkeypatch.setattr(np.linalg, "eigh", lambda matrix: calls.append(len(matrix)) or eigh(matrix))
+    even = smoothing.smooth(time, values)
+    shared = len(calls)
+    calls.clear()
+    uneven = smoothing.smooth(time + 2e-5 * 0.01 * np.sin(time), values)
+    windows = (len(even.grid) // 2) / (smoothing.WINDOW // 2) - 1
+    assert windows > 10
+    assert len(calls) - shared > windows - 4
+    for rate, (one, other) in enumerate(zip(even[:3], uneven[:3], strict=True)):
+        deviation = np.sqrt(even.covariance[..., smoothing.PAIRS.index((rate, rate))].max(axis=0))
+        assert (np.abs(one - other) < 0.5 * deviation).all()
+
+
+def test_logs_of_any_length_are_smoothed() -> None:
+    rng = np.random.default_rng(9)
+    for count in (*range(4, 40), 97, 98, 193, 289, 337, *rng.integers(400, 30_000, 12)):
+        time = 1e-3 * np.arange(count)
+        values = np.sin(np.outer(time, [9.0, 7.0])) + 1e-4 * rng.normal(size=(count, 2))
+        for cutoff in (None, 20.0):
+            found = smoothing.smooth(time, values, 1e-4, cutoff)
+            assert (np.abs(found.values - values) < 1e-3).all()
+            assert found.covariance[..., 0].min() > 0.0
+
+
 def test_given_rates_count_as_measured_with_their_own_rounding(tmp_path: Path) -> None:
     one = case(1)
     header = "time," + ",".join(

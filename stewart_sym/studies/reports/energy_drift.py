@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 INSTANTS = 1001
 """Evenly spaced in a run's time, over which the kinetic energy is averaged."""
 STILL = 1e-12
-"""Mean kinetic energy over stored energy, below which rounding hides what drifts."""
+"""Of the energies that are compared, below which rounding hides what drifts."""
 COLORS = {"exact": "#1f4e9c", "paper": "#c1440e"}
 
 
@@ -138,7 +138,7 @@ def figure(drifts: Mapping[Formulation, Drift]) -> "Figure":
         # The first instant is the measure of the others, and zero has no logarithm.
         axes.semilogy(
             drift.times[1:],
-            np.maximum(np.abs(drift.drift[1:]), np.finfo(np.float64).eps),
+            np.maximum(np.abs(drift.drift[1:]), STILL),
             color=COLORS[name],
             linewidth=1.3,
             label=f"{name}, largest {drift.worst:.1e}",
