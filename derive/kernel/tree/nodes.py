@@ -428,7 +428,7 @@ def parts_of(node: Any) -> Iterator[Any]:
         each = waiting.pop()
         if isinstance(each, tuple):
             waiting.extend(reversed(each))
-        elif (names := _field_names(type(each))) is not None:
+        elif (names := _field_names(each.__class__)) is not None:
             yield each
             waiting.extend([getattr(each, name) for name in reversed(names)])
 
