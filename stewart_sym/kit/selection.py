@@ -10,7 +10,7 @@ from a frozen generator and have few digits: the same robot gets the same motion
 import itertools
 from collections.abc import Container, Iterator, Mapping
 from dataclasses import dataclass, field
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any, Self
 
 import numpy as np
@@ -28,7 +28,7 @@ from .interpreter import LEG_FIELDS, NEAR_JOINT_SINGULAR, PLATFORM_FIELDS
 from .parts import folded_kernel, plain_kernel
 from .poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from .running import FORCES_MARGIN
-from .sensitivity import Forces, changes
+from .sensitivity import Change, Forces, KernelConstants, changes
 
 Arrays = dict[str, Array]
 
@@ -171,7 +171,7 @@ class _Search:
         forces = self._forces(pool, near)
         tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(PRECISIONS[self.precision]).eps)
         found: dict[str, Array] = {}
-        for change in changes(self.kernel, self._numbers, SHARE[self.precision]):
+        for change in self._changes:
             if only is not None and not any(name in only for name in change.names):
                 continue
             with np.errstate(all="ignore"):
@@ -181,12 +181,17 @@ class _Search:
 
     def _forces(self, pool: Arrays, near: bool) -> Forces:
         motions = {name: np.moveaxis(pool[name], 0, -1) for name in MOTION}
-        return Forces(self.kernel, self._numbers, motions, near)
+        return Forces(self._constants, motions, near)
 
-    @property
-    def _numbers(self) -> Arrays:
+    @cached_property
+    def _constants(self) -> KernelConstants:
         kind = np.float64 if self.kernel.constants is not None else PRECISIONS[self.precision]
-        return {name: rounded(getattr(self.robot, name), kind) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)}
+        numbers = {name: rounded(getattr(self.robot, name), kind) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)}
+        return KernelConstants(self.kernel, numbers)
+
+    @cached_property
+    def _changes(self) -> list[Change]:
+        return list(changes(self._constants, SHARE[self.precision]))
 
     # ------------------------------------------------------------ motions
 

@@ -7,7 +7,7 @@ through the solve. Depends on no printed code.
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import Any
 
 import numpy as np
@@ -48,42 +48,55 @@ class Change:
     constants: Constants
 
 
-def _constants_of(kernel: ForceKernel, robot: Numbers) -> Constants:
-    """The constants as the kernel's code holds them: folded in, or prepared from the robot's numbers."""
-    return _prepared(kernel, _raw(robot)) if kernel.constants is None else _folded(kernel)
-
-
 def _folded(kernel: ForceKernel) -> Constants:
     assert kernel.constants is not None
     leg = {q.name: _column(values) for q, values in kernel.constants.items() if len(values) > 1}
     return Constants(leg, {q.name: np.float64(value) for q, value in kernel.literals().items()})
 
 
-def _rounded(kernel: ForceKernel, robot: Numbers) -> Constants:
-    """The same with their rounding errors: of folded ones one each, else those of the preparation."""
-    if kernel.constants is not None:
-        parts = vars(_folded(kernel)).values()
-        return Constants(
-            *(
-                {name: RunningArrays(value, 0.0, rounded=True) for name, value in part.items()}
-                for part in parts
-            )
+@dataclass(frozen=True, eq=False)
+class KernelConstants:
+    """The constants as a kernel's code holds them: folded in, or prepared from a robot's numbers.
+
+    robot: fields of the robot; a baked kernel reads none.
+    """
+
+    kernel: ForceKernel
+    robot: Numbers
+
+    @cached_property
+    def plain(self) -> Constants:
+        """The constants in double."""
+        return (
+            _prepared(self.kernel, _raw(self.robot))
+            if self.kernel.constants is None
+            else _folded(self.kernel)
         )
-    raw = _raw(robot)
-    given = {name: RunningArrays(value) for name, value in (raw.leg | raw.platform | _first(raw)).items()}
-    leg = _run(kernel.prepare_leg, given, RunningArrays.sqrt)
-    none = RunningArrays(np.zeros((LEGS, 1)))
-    added: dict[str, Any] = {}
-    for name in (name for q in ADDED for name in q.names):
-        of_legs = none + leg[name]
-        added[name] = sum((of_legs[i, 0] for i in range(1, LEGS)), of_legs[0, 0])
-    return Constants(leg, _run(kernel.prepare_platform, given | added, RunningArrays.sqrt))
+
+    @cached_property
+    def rounded(self) -> Constants:
+        """The same with their rounding errors: of folded ones one each, else those of the preparation."""
+        if self.kernel.constants is not None:
+            of_leg, of_platform = (
+                {name: RunningArrays(value, 0.0, rounded=True) for name, value in of.items()}
+                for of in (self.plain.leg, self.plain.platform)
+            )
+            return Constants(of_leg, of_platform)
+        raw = _raw(self.robot)
+        given = {name: RunningArrays(value) for name, value in (raw.leg | raw.platform | _first(raw)).items()}
+        leg = _run(self.kernel.prepare_leg, given, RunningArrays.sqrt)
+        none = RunningArrays(np.zeros((LEGS, 1)))
+        added: dict[str, Any] = {}
+        for name in (name for q in ADDED for name in q.names):
+            of_legs = none + leg[name]
+            added[name] = sum((of_legs[i, 0] for i in range(1, LEGS)), of_legs[0, 0])
+        return Constants(leg, _run(self.kernel.prepare_platform, given | added, RunningArrays.sqrt))
 
 
-def changes(kernel: ForceKernel, robot: Numbers, share: float) -> Iterator[Change]:
+def changes(constants: KernelConstants, share: float) -> Iterator[Change]:
     """Every constant that is not zero, of a baked kernel's code or else of the robot, changed by a share."""
-    folded = kernel.constants is not None
-    own = _folded(kernel) if folded else _raw(robot)
+    kernel, folded = constants.kernel, constants.kernel.constants is not None
+    own = constants.plain if folded else _raw(constants.robot)
     for name, value in own.leg.items():
         changed = Constants({**own.leg, name: value * (1.0 + share)}, own.platform)
         if folded or np.any(value):
@@ -176,22 +189,23 @@ class Terms:
 class Forces:
     """The forces of a kernel on m motions, their bounds, and what changed constants do to them.
 
-    robot: fields of the robot; a baked kernel reads none. motions: arrays by name with the motions last:
-    R (3, 3, m), others (3, m). near: by the block for legs near their joint singularity.
+    motions: arrays by name with the motions last: R (3, 3, m), others (3, m). near: by the block for legs
+    near their joint singularity.
 
     Attributes: F (m, 6), N, as double has it, bound (m, 6), in rounding units, both nan where H is singular;
     load (m, 6), the wrench, N and N m about the reference point, that the actuators exert on the platform.
     """
 
-    def __init__(self, kernel: ForceKernel, robot: Numbers, motions: Numbers, near: bool) -> None:
+    def __init__(self, constants: KernelConstants, motions: Numbers, near: bool) -> None:
         """Solve for the forces, and bound their errors."""
+        kernel = constants.kernel
         block = kernel.leg_near_singular if near else kernel.leg
         assert block is not None
         self._kernel, self._block = kernel, block
-        self._constants, self._motion = _constants_of(kernel, robot), _components_of(n.MOTION, motions)
+        self._constants, self._motion = constants.plain, _components_of(n.MOTION, motions)
         self._count = motions["t"].shape[-1]
         self._base: Terms | None = None
-        self._solve(self._terms(_rounded(kernel, robot), None))
+        self._solve(self._terms(constants.rounded, None))
 
     def moved(self, change: Change) -> Array:
         """Sizes, N, of the changes (names, m, 6) of the forces by each of a change's constants."""

@@ -19,7 +19,7 @@ import worst_rounding as rounding
 from bound_cases import PRECISIONS, case, wild
 from drawn_poses import PATH, drawn
 from machines import random_motion, random_robot
-from sweeps import share
+from sweeps import FULL, share
 
 from stewart_sym.backend.c_kernel import c_sources
 from stewart_sym.motion.motion import Motion
@@ -70,7 +70,7 @@ def holds(found: np.ndarray, precision: str) -> None:
 @needs_compiler
 @pytest.mark.parametrize("precision", PRECISIONS)
 def test_bound_is_above_the_worst_rounding_by_a_small_factor(precision: str) -> None:
-    holds(ratios(precision, 40), precision)
+    holds(ratios(precision, 24), precision)
 
 
 @needs_compiler
@@ -79,7 +79,7 @@ def test_bound_is_above_the_worst_rounding_by_a_small_factor(precision: str) -> 
 def test_bound_is_above_the_worst_rounding_over_ten_thousand_poses(
     precision: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    found = ratios(precision, share(10_000))
+    found = ratios(precision, share(10_000, 80))
     with capsys.disabled():
         parts = [found.min(), *np.percentile(found, (50, 95, 99)), found.max()]
         print(f"\n{precision}: bound over worst error, least, 50, 95, 99 %, most:", np.round(parts, 3))
@@ -306,7 +306,8 @@ def caught(pose: rounding.Pose, number: int, mutant: rounding.Mutant, every: boo
 @pytest.mark.slow
 def test_no_mutant_of_what_collects_the_errors_survives(capsys: pytest.CaptureFixture[str]) -> None:
     """Those of the solve and of the rotation fail by themselves, above. Set aside are those of which the test
-    shows that they change squares of errors alone, as the last of ``NEVER_FELT`` does."""
+    shows that they change squares of errors alone, as the last of ``NEVER_FELT`` does. One in four is tried,
+    all with STEWART_FULL=1."""
     made = rounding.all_mutants()
     takes = np.max([taken(robot, motion, len(made)) for robot, motion in machines(2)], axis=0)
     small = np.isfinite(takes[0]) & (takes[1] <= np.maximum(takes[0] / 64, NEGLIGIBLE))
@@ -318,6 +319,8 @@ def test_no_mutant_of_what_collects_the_errors_survives(capsys: pytest.CaptureFi
     assert small[around]
     apart = {number for number, _ in parts.mutants()}
     left = {n: mutant for n, mutant in enumerate(made) if not aside[n] and n not in apart}
+    assert len(left) > 300
+    left = dict(list(left.items())[:: 1 if FULL else 4])
     total = len(left)
     for pose in poses(32):
         left = {number: mutant for number, mutant in left.items() if not caught(pose, number, mutant)}
@@ -329,7 +332,6 @@ def test_no_mutant_of_what_collects_the_errors_survives(capsys: pytest.CaptureFi
             f"{takes[0, aside].max():.1g} of a bound at a unit of 2^-30, {takes[1, aside].max():.1g} at 2^-38"
             f"\nleft: {[(each.function, each.whole[:60], each.variant) for each in left.values()]}"
         )
-    assert total > 300
     assert not left
 
 

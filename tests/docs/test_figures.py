@@ -105,6 +105,17 @@ def written_tables(study: str, found: dict[str, Any]) -> str:
     return "".join(published.STUDIES[study](found).values())
 
 
+def with_another(found: dict[str, Any], *place: Any) -> dict[str, Any]:
+    """The figures with another one in this place."""
+    changed = copy.deepcopy(found)
+    *way, last = place
+    inner: Any = changed
+    for step in way:
+        inner = inner[step]
+    inner[last] = "avx9" if isinstance(inner[last], str) else 7 * inner[last]
+    return changed
+
+
 def test_every_table_is_what_the_study_writes_of_its_figures() -> None:
     files = published.written(TOP)
     assert {path.name for path in files} == {
@@ -203,14 +214,7 @@ def test_every_figure_that_changes_changes_a_table() -> None:
         *(("motion", kind, -1, "median") for kind in ("ours", "baselines")),
         *(("passes", 0, kind, "median") for kind in ("one_pose", "batch")),
     ]
-    for place in places:
-        changed = copy.deepcopy(found)
-        *way, last = place
-        inner: Any = changed
-        for step in way:
-            inner = inner[step]
-        inner[last] = "avx9" if isinstance(inner[last], str) else 7 * inner[last]
-        texts.add(written_tables("bench", changed))
+    texts |= {written_tables("bench", with_another(found, *place)) for place in places}
     assert len(texts) == 1 + len(places)
 
 
@@ -280,14 +284,7 @@ def test_every_figure_of_the_chart_that_is_shown_changes_a_table() -> None:
         ("candidates", general, "errors", "III", "rounding"),
         ("implementations", -1, "rounding", "III"),
     ]
-    for place in places:
-        changed = copy.deepcopy(found)
-        *way, last = place
-        inner: Any = changed
-        for step in way:
-            inner = inner[step]
-        inner[last] = "another" if isinstance(inner[last], str) else 7 * inner[last]
-        texts.add(written_tables("chart", changed))
+    texts |= {written_tables("chart", with_another(found, *place)) for place in places}
     assert len(texts) == 1 + len(places)
 
 

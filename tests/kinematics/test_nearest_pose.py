@@ -69,7 +69,7 @@ def test_no_pose_is_farther_from_the_guess_than_a_plain_solver_s() -> None:
 @pytest.mark.slow
 def test_no_pose_of_many_is_farther_from_the_guess_than_a_plain_solver_s() -> None:
     """Thousands of guesses 10 degrees and a tenth of the base's radius away."""
-    count, farther = compare(range(100, 200), share(100))
+    count, farther = compare(range(100, 100 + share(100, 3)), share(100))
     print(f"{count} compared; the plain solver's is farther {farther} times")
 
 
@@ -92,7 +92,7 @@ def test_a_pose_is_found_without_a_guess_wherever_there_is_one(width: float) -> 
 @pytest.mark.slow
 @pytest.mark.parametrize("width", [0.8, 1.5, 3.1])
 def test_a_pose_is_found_without_a_guess_in_a_wide_workspace(width: float) -> None:
-    assert missed(range(1000, 1100), share(500), width) == 0
+    assert missed(range(1000, 1000 + share(100, 4)), share(500), width) == 0
 
 
 def test_what_was_tried_or_why_there_is_no_pose_is_said() -> None:

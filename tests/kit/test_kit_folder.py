@@ -11,21 +11,21 @@ from pathlib import Path
 import pytest
 from kits import contents, kit_of, machine
 
-from stewart_sym.kit import Choice, kit_names, put, write_kit
+from stewart_sym.kit import FUNCTIONS, Choice, kit_names, put, write_kit
 
 # ---------------------------------------------------------------- the same bytes
 
 
 def test_same_robot_gives_the_same_bytes_in_any_folder_and_under_any_hash_seed(tmp_path: Path) -> None:
-    """All files of the kit, a unit of FMI with a compiled library among them."""
-    first = put(kit_of(choice=Choice(fmu=True)), tmp_path / "a")
+    """All files of a kit of every function, its test vectors and a unit of FMI with a library among them."""
+    first = put(kit_of(choice=Choice(FUNCTIONS, fmu=True)), tmp_path / "a")
     program = f"""
 import warnings
 from pathlib import Path
 from stewart_sym import robots
-from stewart_sym.kit import Choice, write_kit
+from stewart_sym.kit import FUNCTIONS, Choice, write_kit
 warnings.simplefilter("ignore")
-write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), Choice(fmu=True))
+write_kit(robots.dasgupta1998(), Path({str(tmp_path / "b")!r}), Choice(FUNCTIONS, fmu=True))
 """
     env = {**os.environ, "PYTHONHASHSEED": "12345", "TMPDIR": str(tmp_path)}
     subprocess.run([sys.executable, "-c", program], env=env, check=True)

@@ -1,18 +1,14 @@
 """Test vectors: answers are the truth, the C stays within their bounds, and the bounds are sharp enough."""
 
 import dataclasses
-import os
-import subprocess
-import sys
 from functools import cache
-from pathlib import Path
 from typing import Any
 
 import machines
 import numpy as np
 import pytest
 from numpy.typing import NDArray
-from sweeps import share
+from sweeps import FULL, share
 from vectors_in_c import KIND, WHOLE, Array, functions_of, machine, ratios, ratios_in_c
 
 import stewart_sym as ss
@@ -301,31 +297,6 @@ def test_poses_within_the_length_limits_come_first() -> None:
     assert within[: within.sum()].all()
 
 
-PROGRAM = f"""
-import sys
-sys.path[:0] = {[str(Path(__file__).parent), *sys.path]!r}
-import test_vectors
-print(test_vectors.printed())
-"""
-
-
-def printed() -> list[Any]:
-    """Everything in the vectors of all functions."""
-    return [
-        (vector.function, [{name: array.tolist() for name, array in part.items()} for part in parts])
-        for vector in everything()
-        for parts in [(vector.inputs, vector.answers, vector.bounds)]
-    ]
-
-
-def test_vectors_are_the_same_under_any_hash_seed() -> None:
-    seed = "1" if os.environ.get("PYTHONHASHSEED") == "54321" else "54321"
-    env = {**os.environ, "PYTHONHASHSEED": seed}
-    command = [sys.executable, "-W", "ignore", "-c", PROGRAM]
-    other = subprocess.run(command, env=env, capture_output=True, text=True, check=True).stdout
-    assert other == f"{printed()}\n"
-
-
 @pytest.mark.parametrize(
     ("change", "message"),
     [
@@ -372,8 +343,8 @@ def test_machine_without_a_good_pose_is_rejected() -> None:
 
 @pytest.mark.slow
 def test_the_c_of_every_level_keeps_within_the_bounds() -> None:
-    for level in FIDELITIES:
-        for precision in KIND:
+    for number, level in enumerate(FIDELITIES):
+        for precision in KIND if FULL else [list(KIND)[number % 2]]:
             found = ratios_in_c(machine(), ("forces",), "exact", precision, level)["forces"]
             assert 1e-3 < found.max() < 1, (level, precision)
 
@@ -382,10 +353,10 @@ def test_the_c_of_every_level_keeps_within_the_bounds() -> None:
 def test_the_c_keeps_within_the_bounds_on_machines_of_any_size() -> None:
     """Sizes from 1 mm to 10 m; prints how far below their bounds the errors are."""
     found: dict[str, list[Array]] = {}
-    for seed in range(share(20, 5)):
+    for seed in range(share(20, 10)):
         rng = np.random.default_rng(1000 + seed)
         robot = machines.random_robot(
-            rng, "spherical" if seed % 3 == 2 else "universal", scale=10.0 ** rng.uniform(-3, 1)
+            rng, "spherical" if seed % 3 == 1 else "universal", scale=10.0 ** rng.uniform(-3, 1)
         )
         runs = [("exact", "double"), ("exact", "float"), ("paper", ("double", "float")[seed % 2])]
         for formulation, precision in runs:

@@ -43,7 +43,7 @@ def trajectory(count: int) -> Trajectory:
 
 
 def test_lines_of_many_rows_take_a_part_of_the_room_of_their_columns() -> None:
-    columns = {name: np.random.default_rng(0).normal(size=100_000) for name in "abcdefgh"}
+    columns = {name: np.random.default_rng(0).normal(size=50_000) for name in "abcdefgh"}
     _, most = peak(lambda: sum(len(line) for line in csv_lines(columns)))
     assert most < 0.5 * sum(column.nbytes for column in columns.values())
 
@@ -138,7 +138,11 @@ def full_log(path: Path, count: int) -> Path:
     return path
 
 
-def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(tmp_path: Path) -> None:
+def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(track, "_PART", 1024)
+
     def run(count: int) -> int:
         log = full_log(tmp_path / "log.csv", count)
         out = tmp_path / "forces.csv"
@@ -149,7 +153,7 @@ def test_forces_of_a_log_with_rates_take_a_few_numbers_of_room_for_each_row(tmp_
 
     run(100)
     # Nineteen numbers of the row itself, as many again on their way, and nothing of those that are written.
-    assert run(40_000) - run(20_000) < 20_000 * 8 * 45
+    assert run(20_000) - run(10_000) < 10_000 * 8 * 45
 
 
 @pytest.mark.parametrize(
@@ -264,4 +268,4 @@ def test_forces_of_leg_lengths_take_a_few_numbers_of_room_for_each_row(
 
     run(100)
     # Lengths, rates and poses of the row, as many again on their way; no matrices of all rows at once.
-    assert run(8_000) - run(4_000) < 4_000 * 8 * 100
+    assert run(4_000) - run(2_000) < 2_000 * 8 * 100

@@ -87,7 +87,7 @@ def test_no_kernel_of_the_sweep_answers_for_a_singular_machine() -> None:
 
 @pytest.mark.slow
 def test_no_kernel_of_the_sweep_answers_for_many_singular_machines() -> None:
-    assert answers_of_singular_machines(share(100_000)) == []
+    assert answers_of_singular_machines(share(100_000, 40)) == []
 
 
 @pytest.mark.parametrize("family", FAMILIES)
@@ -98,7 +98,7 @@ def test_no_backend_answers_for_a_singular_machine(family: str) -> None:
 @pytest.mark.slow
 @pytest.mark.parametrize("family", FAMILIES)
 def test_no_backend_answers_for_many_singular_machines(family: str) -> None:
-    assert backends_that_answer(family, machines=20, poses=share(100_000) // 20 // len(FAMILIES)) == {}
+    assert backends_that_answer(family, share(20, 4), share(100_000, 10) // 20 // len(FAMILIES)) == {}
 
 
 @pytest.mark.parametrize("precision", PRECISIONS)
@@ -200,7 +200,7 @@ def test_good_poses_are_answered() -> None:
 
 @pytest.mark.slow
 def test_a_million_good_poses_are_answered() -> None:
-    assert good_poses_rejected(share(1_000_000, 50)) == {}
+    assert good_poses_rejected(share(1_000_000, 200)) == {}
 
 
 def good_poses_rejected(cases: int) -> dict[tuple[str, str], int]:
@@ -268,7 +268,7 @@ def test_other_backends_answer_the_good_poses_too(backend: Any) -> None:
 @pytest.mark.parametrize("precision", PRECISIONS)
 @pytest.mark.parametrize("kind", [*NEAR_JOINT, "proportions"])
 def test_every_kernel_is_as_good_as_its_problem_allows(kind: str, precision: str) -> None:
-    assert beyond(kind, precision, 60) == []
+    assert beyond(kind, precision, 40) == []
 
 
 @pytest.mark.slow
@@ -279,7 +279,7 @@ def test_every_kernel_is_as_good_as_its_problem_allows(kind: str, precision: str
 def test_every_kernel_is_as_good_as_its_problem_allows_in_many_cases(
     kind: str, cases: int, precision: str
 ) -> None:
-    assert beyond(kind, precision, share(cases)) == []
+    assert beyond(kind, precision, share(cases, 40)) == []
 
 
 def beyond(kind: str, precision: str, cases: int) -> list[str]:

@@ -32,8 +32,8 @@ sys.exit(code or any(sys.modules.get(name) for name in hidden))
 NAMES = {"casadi": "CasADi", "pinocchio": "Pinocchio", "mujoco": "MuJoCo"}
 PEERS = {"casadi": ["CasADi", "CasADi, closed form"], "pinocchio": ["Pinocchio"], "mujoco": []}
 VERSIONS = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco"}
-SUBSETS = [("casadi", "pinocchio"), ("mujoco",), tuple(NAMES)]
-"""Each package is there in some run and missing in two."""
+SUBSETS = [("casadi", "pinocchio"), ("mujoco",), pytest.param(tuple(NAMES), marks=pytest.mark.slow)]
+"""Each package is there in one run and missing in the others."""
 
 
 @pytest.fixture(scope="module", params=SUBSETS, ids="-".join)

@@ -5,8 +5,8 @@ import os
 FULL = os.environ.get("STEWART_FULL") == "1"
 
 FUSIONS = "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
-UNFUSED = {} if FULL else {"xla_disable_hlo_passes": FUSIONS}
-"""For XLA's compiler: fusion takes minutes over these graphs and changes no more than the last digits."""
+UNFUSED = {} if FULL else {"xla_disable_hlo_passes": FUSIONS, "xla_backend_optimization_level": 0}
+"""For XLA's compiler: fusion and LLVM take long over these graphs and change no more than the last digits."""
 
 
 def share(count: int, part: int = 20) -> int:

@@ -8,6 +8,7 @@ Other modules import this one as ``t``.
 
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, fields, replace
+from functools import cache
 from typing import Any, dataclass_transform
 
 
@@ -394,10 +395,16 @@ def mapped(node: Any, change: Callable[[Any], Any]) -> Any:
 
 def parts_of(node: Any) -> Iterator[Any]:
     """A node and its parts, their parts as well."""
-    if isinstance(node, tuple):
-        for each in node:
-            yield from parts_of(each)
-    elif isinstance(node, Node):
-        yield node
-        for field in fields(node):
-            yield from parts_of(getattr(node, field.name))
+    waiting = [node]
+    while waiting:
+        each = waiting.pop()
+        if isinstance(each, tuple):
+            waiting.extend(reversed(each))
+        elif isinstance(each, Node):
+            yield each
+            waiting.extend([getattr(each, name) for name in reversed(_field_names(type(each)))])
+
+
+@cache
+def _field_names(kind: type[Node]) -> tuple[str, ...]:
+    return tuple(field.name for field in fields(kind))

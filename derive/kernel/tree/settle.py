@@ -30,13 +30,13 @@ def _body(body: Iterable[t.Statement], known: Known) -> tuple[t.Statement, ...]:
     made: list[t.Statement] = []
     for node in body:
         made.append(_statement(node, known))
-        known = _kept(known, _written([node]))
+        known = _kept(known, [node])
     return tuple(made)
 
 
 def _statement(node: t.Statement, known: Known) -> t.Statement:
     if isinstance(node, t.For):
-        inside = _kept(known, {node.index, *_written(node.body)})
+        inside = _kept(known, [node])
         return replace(node, body=_body(node.body, inside))
     if isinstance(node, t.If):
         test = _in(node.test, known)
@@ -71,8 +71,9 @@ def _decided(test: t.Expression, holds: bool) -> dict[t.Expression, bool]:
     return found
 
 
-def _kept(known: Known, written: set[str]) -> Known:
-    """What is known yet where these variables may have changed."""
+def _kept(known: Known, body: Iterable[t.Statement]) -> Known:
+    """What is known yet where these statements may have changed variables."""
+    written = _written(body) if known else set()
     return {test: holds for test, holds in known.items() if not written & {n.name for n in t.names_in(test)}}
 
 
