@@ -17,7 +17,7 @@ import stewart_sym as ss
 from stewart_sym.derive.mechanics.formulation import EXACT
 from stewart_sym.dynamics.closed_form import OUTPUTS, CClosedForm, NumpyClosedForm
 from stewart_sym.motion.motion import Motion
-from stewart_sym.results import INDEFINITE, JOINT_SINGULAR, NOT_FINITE, SINGULAR, ZERO_LENGTH
+from stewart_sym.results import INDEFINITE, JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -263,11 +263,9 @@ def test_one_state_gives_what_the_batch_gives() -> None:
     robot = random_robot(rng)
     motion = random_motion(rng, robot)
     F = forces(robot, motion)
-    slot = CClosedForm(robot).one_pose()
-    slot.numbers[...] = np.concatenate([np.ravel(getattr(motion, name)) for name in FIELDS])
-    slot.F[...] = F
-    assert slot.solve() == 0
-    np.testing.assert_array_equal(slot.acceleration, np.concatenate(ss.forward_dynamics(robot, motion, F)))
+    acceleration, status = CClosedForm(robot).one_state()(motion, F)
+    assert status == OK
+    np.testing.assert_array_equal(acceleration, np.concatenate(ss.forward_dynamics(robot, motion, F)))
 
 
 def test_spherical_base_joints_and_unknown_backends_are_rejected_by_name() -> None:

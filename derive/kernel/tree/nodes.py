@@ -402,9 +402,9 @@ def parts_of(node: Any) -> Iterator[Any]:
             waiting.extend(reversed(each))
         elif isinstance(each, Node):
             yield each
-            waiting.extend([getattr(each, name) for name in reversed(_field_names(type(each)))])
+            waiting.extend([getattr(each, name) for name in reversed(_field_names(each.__class__))])
 
 
 @cache
-def _field_names(kind: type[Node]) -> tuple[str, ...]:
+def _field_names(kind: Any) -> tuple[str, ...]:
     return tuple(field.name for field in fields(kind))
