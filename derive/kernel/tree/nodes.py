@@ -8,7 +8,6 @@ Other modules import this one as ``t``.
 
 from collections.abc import Callable, Collection, Iterator
 from dataclasses import dataclass, fields, replace
-from functools import cache
 from typing import Any, dataclass_transform
 
 
@@ -402,9 +401,4 @@ def parts_of(node: Any) -> Iterator[Any]:
             waiting.extend(reversed(each))
         elif isinstance(each, Node):
             yield each
-            waiting.extend([getattr(each, name) for name in reversed(_field_names(each.__class__))])
-
-
-@cache
-def _field_names(kind: Any) -> tuple[str, ...]:
-    return tuple(field.name for field in fields(kind))
+            waiting.extend([getattr(each, name) for name in reversed(each.__dataclass_fields__)])
