@@ -4,7 +4,7 @@
 #include <string.h>
 #include "sweep.h"
 
-enum { SINGULAR, JOINT_SINGULAR, SHORT, SCALE, BOTH_SINGULAR, HEAVY, PROPORTIONS, MACHINE };
+enum { SINGULAR, JOINT_SINGULAR, SHORT, SCALE, BOTH_SINGULAR, HEAVY, PROPORTIONS, FAR, MACHINE };
 /* Where numbers stand in a leg and in a motion. */
 #define PLACE(type, member) ((int)(offsetof(type, member) / sizeof(stewart_real)))
 #define LEG NUMBERS(stewart_leg)
@@ -287,10 +287,8 @@ static void far_reference(double *numbers, double *motion, int in_float, double 
     *distance = fmin(*distance, 1 / times);
 }
 
-/* A platform smaller by up to 1e5, with its body and the load's arm or without; legs longer by up to 1e4; one
- * in four with a reference point far from the platform. */
-static void out_of_proportion(
-    double *numbers, double *motion, int in_float, double *distance, uint64_t *seed)
+/* A platform smaller by up to 1e5, with its body and the load's arm or without; legs longer by up to 1e4. */
+static void out_of_proportion(double *numbers, double *motion, double *distance, uint64_t *seed)
 {
     const int which = (int)(next(seed) % 3);
     const double smaller = which == 0 ? 1 : pow(10, -5 * uniform(seed));
@@ -312,9 +310,6 @@ static void out_of_proportion(
             numbers[LEG * leg + B + i] -= (longer - 1) * S[i];
         }
         *distance = fmin(*distance, 1 / longer);
-    }
-    if (next(seed) % 4 == 0) {
-        far_reference(numbers, motion, in_float, distance, seed);
     }
 }
 
@@ -354,8 +349,11 @@ int make_case(
         }
         near_joint_singular(leg, pow(10, -3 * uniform(&seed)), motion, &seed);
     }
-    if (kind == PROPORTIONS) {
-        out_of_proportion(numbers, motion, in_float, distance, &seed);
+    if (kind == PROPORTIONS || kind == FAR) {
+        out_of_proportion(numbers, motion, distance, &seed);
+    }
+    if (kind == FAR) {
+        far_reference(numbers, motion, in_float, distance, &seed);
     }
     if (kind == MACHINE) {
         /* Singular at every pose: one in three without a turn, the others turned up to any angle. */
@@ -576,7 +574,9 @@ void closed_form_cases(
             for (worst = k = 0; k < parts; ++k) {
                 const int kernel = blocks[k].kernel;
                 if (wanted >> kernel & 1 && !status[kernel] && !truth[kernel]) {
-                    weigh(blocks + k, k, length, epsilon, kind == PROPORTIONS, found, high, low, change, out);
+                    weigh(
+                        blocks + k, k, length, epsilon, kind == PROPORTIONS || kind == FAR, found, high, low,
+                        change, out);
                     worst = fmax(worst, out->error[kernel]);
                 }
             }

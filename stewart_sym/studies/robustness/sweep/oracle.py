@@ -39,6 +39,7 @@ KINDS = (
         "joint and singular",
         "heavy leg",
         "proportions",
+        "far reference point",
     ),
     "singular machine",
 )
@@ -82,7 +83,7 @@ CLOSED_RESULT = np.dtype(
 """Of a case: as in ``RESULT``, and of each kernel of ``CLOSED_KERNELS`` the largest error of its blocks, in
 rounding units of the block's size times its condition number, -1 where unsolvable; that condition number and
 the block's index in ``BLOCKS``. A block's condition number is what changes of every input by a rounding unit
-of itself do to it; of kind "proportions" at least the scaled one of H."""
+of itself do to it; of kinds "proportions" and "far reference point" at least the scaled one of H."""
 
 _POWERS = {
     **dict.fromkeys(("M", "C"), (-1, -1)),
