@@ -48,9 +48,9 @@ def header(template: str, file: str, version: str, /, **words: object) -> dict[s
     """``file`` with its ending: a template, and what the headers of all kernels have in common."""
     included = words.pop("included", "stewart.h")
     frame = {
-        "written": filled("written.h", version=version).rstrip(),
-        "begin": filled("begin.h", guard=f"{file.upper()}_H", included=included).rstrip(),
-        "end": filled("end.h").rstrip(),
+        "written": filled("header_written", version=version).rstrip(),
+        "begin": filled("header_begin", guard=f"{file.upper()}_H", included=included).rstrip(),
+        "end": filled("header_end").rstrip(),
     }
     return {f"{file}.h": filled(template, **frame, **words)}
 

@@ -32,15 +32,15 @@ THRESHOLDS = (
         "zero-length leg",
         "within 16 rounding units of the vectors it is the sum of",
         7,
-        "8.9e-01",
+        "1.2e-02",
     ),
-    Threshold("JOINT_SINGULAR", "joint singularity", "sine below 4096 rounding units", 19, "5.4e-02"),
+    Threshold("JOINT_SINGULAR", "joint singularity", "sine below 4096 rounding units", 9, "6.4e-02"),
     Threshold(
         "SINGULAR",
         "singular",
         "spectral radius of |1/H| times the bounds of its errors above 1/2",
-        19,
-        "5.3e-10",
+        10,
+        "5.0e-04",
     ),
 )
 

@@ -166,7 +166,11 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
     e = build.vector(
         "e", h - M_add.value * arm, "", "first moment of what is lumped with it about that centre"
     )
-    center = build.vector("r_C", R_0 + e / mass)
+    # Each term as exact as its inputs: a centre from another one cancels where either mass is small.
+    first = build.vector(
+        "h_P", M * R_0 + (h + M_add.value * n.p_1.value), "", "first moment about the reference point"
+    )
+    center = build.vector("r_C", first / mass)
     # Not the inertia about a given point less M_P r r: that cancels where nothing is lumped.
     r = build.vector("r", h / mass)
     u = build.vector("u", M / mass * (h + e) / 2)
@@ -183,7 +187,7 @@ def prepare_platform(needed: Iterable[Quantity]) -> Block:
         r_C: center,
         J_C: tensor,
         dJ_C: differences(tensor),
-        h_P: mass * center,
+        h_P: first,
         J_P: tensor + point_inertia(mass, center),
         C_P: C_add.value,
     }

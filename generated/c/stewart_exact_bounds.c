@@ -486,12 +486,18 @@ static void prepare_platform(
     const stewart_real C_add = added->C_add;
     const stewart_real C_add_err = added->C_add_err;
     const stewart_real M_max = STEWART_FABS(M);
+    const stewart_real R_0_x_max = STEWART_FABS(R_0_x);
+    const stewart_real R_0_y_max = STEWART_FABS(R_0_y);
+    const stewart_real R_0_z_max = STEWART_FABS(R_0_z);
     const stewart_real I_p_xx_max = STEWART_FABS(I_p_xx);
     const stewart_real I_p_xy_max = STEWART_FABS(I_p_xy);
     const stewart_real I_p_xz_max = STEWART_FABS(I_p_xz);
     const stewart_real I_p_yy_max = STEWART_FABS(I_p_yy);
     const stewart_real I_p_yz_max = STEWART_FABS(I_p_yz);
     const stewart_real I_p_zz_max = STEWART_FABS(I_p_zz);
+    const stewart_real p_1_x_max = STEWART_FABS(p_1_x);
+    const stewart_real p_1_y_max = STEWART_FABS(p_1_y);
+    const stewart_real p_1_z_max = STEWART_FABS(p_1_z);
     const stewart_real M_add_max = STEWART_FABS(M_add) + M_add_err;
     const stewart_real h_add_x_max = STEWART_FABS(h_add_x) + h_add_x_err;
     const stewart_real h_add_y_max = STEWART_FABS(h_add_y) + h_add_y_err;
@@ -527,15 +533,28 @@ static void prepare_platform(
     const stewart_real e_z_err = M_add_err*arm_z_max + M_add_max*arm_z_err + h_add_z_err + STEWART_UNIT*(M_add_max*arm_z_max
         + STEWART_FABS(e_z));
     const stewart_real e_z_max = STEWART_FABS(e_z) + e_z_err;
+    /* first moment about the reference point */
+    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
+    const stewart_real h_P_x_err = M_add_err*p_1_x_max + h_add_x_err + STEWART_UNIT*(REAL(2)*M_add_max*p_1_x_max
+        + REAL(2)*M_max*R_0_x_max + STEWART_FABS(h_P_x));
+    const stewart_real h_P_x_max = STEWART_FABS(h_P_x) + h_P_x_err;
+    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
+    const stewart_real h_P_y_err = M_add_err*p_1_y_max + h_add_y_err + STEWART_UNIT*(REAL(2)*M_add_max*p_1_y_max
+        + REAL(2)*M_max*R_0_y_max + STEWART_FABS(h_P_y));
+    const stewart_real h_P_y_max = STEWART_FABS(h_P_y) + h_P_y_err;
+    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
+    const stewart_real h_P_z_err = M_add_err*p_1_z_max + h_add_z_err + STEWART_UNIT*(REAL(2)*M_add_max*p_1_z_max
+        + REAL(2)*M_max*R_0_z_max + STEWART_FABS(h_P_z));
+    const stewart_real h_P_z_max = STEWART_FABS(h_P_z) + h_P_z_err;
     const stewart_real c1 = REAL(1)/M_P;
     const stewart_real c1_err = reciprocal_error(c1, M_P, M_P_err);
     const stewart_real c1_max = STEWART_FABS(c1) + c1_err;
-    const stewart_real r_C_x = R_0_x + c1*e_x;
-    const stewart_real r_C_x_err = c1_err*e_x_max + c1_max*e_x_err + STEWART_UNIT*(c1_max*e_x_max + STEWART_FABS(r_C_x));
-    const stewart_real r_C_y = R_0_y + c1*e_y;
-    const stewart_real r_C_y_err = c1_err*e_y_max + c1_max*e_y_err + STEWART_UNIT*(c1_max*e_y_max + STEWART_FABS(r_C_y));
-    const stewart_real r_C_z = R_0_z + c1*e_z;
-    const stewart_real r_C_z_err = c1_err*e_z_max + c1_max*e_z_err + STEWART_UNIT*(c1_max*e_z_max + STEWART_FABS(r_C_z));
+    const stewart_real r_C_x = c1*h_P_x;
+    const stewart_real r_C_x_err = c1_err*h_P_x_max + c1_max*h_P_x_err + STEWART_UNIT*STEWART_FABS(r_C_x);
+    const stewart_real r_C_y = c1*h_P_y;
+    const stewart_real r_C_y_err = c1_err*h_P_y_max + c1_max*h_P_y_err + STEWART_UNIT*STEWART_FABS(r_C_y);
+    const stewart_real r_C_z = c1*h_P_z;
+    const stewart_real r_C_z_err = c1_err*h_P_z_max + c1_max*h_P_z_err + STEWART_UNIT*STEWART_FABS(r_C_z);
     const stewart_real r_x = c1*h_add_x;
     const stewart_real r_x_err = c1_err*h_add_x_max + c1_max*h_add_x_err + STEWART_UNIT*STEWART_FABS(r_x);
     const stewart_real r_x_max = STEWART_FABS(r_x) + r_x_err;

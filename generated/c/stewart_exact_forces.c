@@ -212,10 +212,14 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
+    /* first moment about the reference point */
+    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
+    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
+    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
     const stewart_real c1 = REAL(1)/M_P;
-    const stewart_real r_C_x = R_0_x + c1*e_x;
-    const stewart_real r_C_y = R_0_y + c1*e_y;
-    const stewart_real r_C_z = R_0_z + c1*e_z;
+    const stewart_real r_C_x = c1*h_P_x;
+    const stewart_real r_C_y = c1*h_P_y;
+    const stewart_real r_C_z = c1*h_P_z;
     const stewart_real r_x = c1*h_add_x;
     const stewart_real r_y = c1*h_add_y;
     const stewart_real r_z = c1*h_add_z;
@@ -232,11 +236,10 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real J_C_yy = I_p_yy + J_add_yy - c3 - c5;
     const stewart_real J_C_yz = I_p_yz + J_add_yz + arm_y*u_z + arm_z*u_y + h_add_y*r_z;
     const stewart_real J_C_zz = I_p_zz + J_add_zz - c4 - c5;
-    const stewart_real c7 = M_P*r_C_x;
-    const stewart_real c8 = M_P*r_C_y;
-    const stewart_real c9 = r_C_y*r_C_y;
-    const stewart_real c10 = r_C_z*r_C_z;
-    const stewart_real c11 = r_C_x*r_C_x;
+    const stewart_real c7 = r_C_y*r_C_y;
+    const stewart_real c8 = r_C_z*r_C_z;
+    const stewart_real c9 = M_P*r_C_x;
+    const stewart_real c10 = r_C_x*r_C_x;
     out->M_P = M_P;
     out->r_C[0] = r_C_x;
     out->r_C[1] = r_C_y;
@@ -264,15 +267,15 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     out->I_p[3] = I_p_yy;
     out->I_p[4] = I_p_yz;
     out->I_p[5] = I_p_zz;
-    out->h_P[0] = c7;
-    out->h_P[1] = c8;
-    out->h_P[2] = M_P*r_C_z;
-    out->J_P[0] = J_C_xx + M_P*(c10 + c9);
-    out->J_P[1] = J_C_xy - c7*r_C_y;
-    out->J_P[2] = J_C_xz - c7*r_C_z;
-    out->J_P[3] = J_C_yy + M_P*(c10 + c11);
-    out->J_P[4] = J_C_yz - c8*r_C_z;
-    out->J_P[5] = J_C_zz + M_P*(c11 + c9);
+    out->h_P[0] = h_P_x;
+    out->h_P[1] = h_P_y;
+    out->h_P[2] = h_P_z;
+    out->J_P[0] = J_C_xx + M_P*(c7 + c8);
+    out->J_P[1] = J_C_xy - c9*r_C_y;
+    out->J_P[2] = J_C_xz - c9*r_C_z;
+    out->J_P[3] = J_C_yy + M_P*(c10 + c8);
+    out->J_P[4] = J_C_yz - M_P*r_C_y*r_C_z;
+    out->J_P[5] = J_C_zz + M_P*(c10 + c7);
 }
 
 /* Largest coordinate of the arms of moments about platform point 1, m. */

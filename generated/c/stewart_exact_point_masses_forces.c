@@ -129,10 +129,14 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real e_x = h_add_x - M_add*arm_x;
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
+    /* first moment about the reference point */
+    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
+    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
+    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
     const stewart_real c1 = REAL(1)/M_P;
-    const stewart_real r_C_x = R_0_x + c1*e_x;
-    const stewart_real r_C_y = R_0_y + c1*e_y;
-    const stewart_real r_C_z = R_0_z + c1*e_z;
+    const stewart_real r_C_x = c1*h_P_x;
+    const stewart_real r_C_y = c1*h_P_y;
+    const stewart_real r_C_z = c1*h_P_z;
     const stewart_real r_x = c1*h_add_x;
     const stewart_real r_y = c1*h_add_y;
     const stewart_real r_z = c1*h_add_z;

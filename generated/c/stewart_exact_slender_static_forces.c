@@ -106,18 +106,14 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real M_add = sum->M_add;
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
     const stewart_real M_P = M + M_add;
-    /* the platform's own centre of mass from platform point 1 */
-    const stewart_real arm_x = R_0_x - p_1_x;
-    const stewart_real arm_y = R_0_y - p_1_y;
-    const stewart_real arm_z = R_0_z - p_1_z;
-    /* first moment of what is lumped with it about that centre */
-    const stewart_real e_x = h_add_x - M_add*arm_x;
-    const stewart_real e_y = h_add_y - M_add*arm_y;
-    const stewart_real e_z = h_add_z - M_add*arm_z;
+    /* first moment about the reference point */
+    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
+    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
+    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
     const stewart_real c1 = REAL(1)/M_P;
-    const stewart_real r_C_x = R_0_x + c1*e_x;
-    const stewart_real r_C_y = R_0_y + c1*e_y;
-    const stewart_real r_C_z = R_0_z + c1*e_z;
+    const stewart_real r_C_x = c1*h_P_x;
+    const stewart_real r_C_y = c1*h_P_y;
+    const stewart_real r_C_z = c1*h_P_z;
     out->r_C[0] = r_C_x;
     out->r_C[1] = r_C_y;
     out->r_C[2] = r_C_z;

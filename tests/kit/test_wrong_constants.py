@@ -18,7 +18,7 @@ from stewart_sym.kit import Choice, kit
 from stewart_sym.kit.parts import folded_kernel
 from stewart_sym.kit.running import FORCES_MARGIN
 from stewart_sym.kit.selection import SHARE, Numbered, selection
-from stewart_sym.kit.sensitivity import Forces, Held, changes
+from stewart_sym.kit.sensitivity import Forces, KernelConstants, changes
 from stewart_sym.robot.robot import Robot
 
 MACHINES = {
@@ -205,12 +205,12 @@ def test_no_motion_of_a_sweep_shows_what_is_named(which: str) -> None:
     """Rounding errors of other terms are larger than changes of these constants, wherever the platform is."""
     robot = MACHINES[which]
     hidden = set(selection(Numbered.of(robot), "exact", "general", "float", True).hidden)
-    held = Held(folded_kernel(robot, "exact", "general"), {})
-    forces = Forces(held, random_motions(robot, 2000, 5), near=False)
+    constants = KernelConstants(folded_kernel(robot, "exact", "general"), {})
+    forces = Forces(constants, random_motions(robot, 2000, 5), near=False)
     tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(np.float32).eps)
     largest = {
         name: float(np.nanmax(moved / tolerance))
-        for change in changes(held, SHARE["float"])
+        for change in changes(constants, SHARE["float"])
         for name, moved in zip(change.names, forces.moved(change), strict=True)
         if name in hidden
     }

@@ -292,7 +292,8 @@ def test_the_extra_names_what_the_bench_imports() -> None:
             found = found.union(*map(named, own[1].split(","))) if own else found | {need}
         return found
 
-    assert {need.split(">")[0] for need in named("bench")} == {*bench.COMPARED.values(), "matplotlib"}
+    drawing = {"matplotlib", "textalloc"}
+    assert {need.split(">")[0] for need in named("bench")} == {*bench.COMPARED.values(), *drawing}
     assert named("bench") <= named("test")
 
 

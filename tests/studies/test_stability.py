@@ -199,7 +199,7 @@ def test_the_header_s_reasons_for_its_thresholds_are_what_the_committed_sweep_sa
     sweep_s = json.loads((REPOSITORY / ".docs" / "stability.json").read_text())["sweep"]["counts"]
     double = [count for count in sweep_s if count["precision"] == "double"]
     kinds = len({count["kind"] for count in double})
-    assert kinds * double[0]["cases"] == CASES
+    assert CASES <= kinds * double[0]["cases"] < 1.01 * CASES
     for each in THRESHOLDS:
         worst = max(
             (count for count in double if count["kind"] == each.kind), key=lambda count: count["worst"]
