@@ -295,7 +295,10 @@ class _Search:
         unknown = ~np.isfinite(smallest[:-1] + smallest[1:] + speed[:-1] + speed[1:])
         chosen = np.flatnonzero(may_vanish | may_turn | unknown)
         edges = np.stack([times[chosen], times[chosen + 1]], axis=-1)
-        return turning_points(self._determinants, edges, np.full(len(edges), _FLOOR * self._size))
+        # Rounding of the times themselves, seconds since 1970 for instance, moves H too.
+        moved = np.spacing(np.abs(edges).max(axis=1)) * np.fmax(speed[chosen], speed[chosen + 1])
+        floor = (_FLOOR + 6.0 * np.nan_to_num(moved)) * self._size
+        return turning_points(self._determinants, edges, floor)
 
     def _look_where_near(self) -> Array:
         """``_look_about`` beside steps in which a singular value may vanish; bounds and no rate elsewhere.
