@@ -170,14 +170,15 @@ class _Search:
         """Of each constant, or only some, the largest change of a force over its bound (n,)."""
         forces = self._forces(pool, near)
         tolerance = FORCES_MARGIN * forces.bound * float(np.finfo(PRECISIONS[self.precision]).eps)
-        # Poses whose bounds are wide let wrong answers pass.
-        narrow = tolerance.max(axis=-1) <= SHARE[self.precision] * np.abs(forces.F).max(axis=-1)
+        # Beside a joint singularity bounds may be so wide that wrong answers pass.
+        wide = tolerance.max(axis=-1) > SHARE[self.precision] * np.abs(forces.F).max(axis=-1)
+        counted = ~wide if near else np.ones_like(wide)
         found: dict[str, Array] = {}
         for change in self._changes:
             if only is not None and not any(name in only for name in change.names):
                 continue
             with np.errstate(all="ignore"):
-                moved = np.nan_to_num((forces.moved(change) / tolerance).max(axis=-1), posinf=0.0) * narrow
+                moved = np.nan_to_num((forces.moved(change) / tolerance).max(axis=-1), posinf=0.0) * counted
             found |= {name: row for name, row in zip(change.names, moved, strict=True) if name}
         return found
 

@@ -52,9 +52,10 @@ def minimum(function: Function, low: float, high: float) -> float:
         i = int(np.argmin(np.where(np.isfinite(values), values, np.inf)))
         best, least = float(points[i]), float(values[i])
         low, high = float(points[max(i - 1, 0)]), float(points[min(i + 1, len(points) - 1)])
-        if high - low <= goal or not _inside(low, high).size:
-            return best
         inner = _inside(low, high)
+        # Neighbouring numbers have nothing new between them.
+        if high - low <= goal or not np.any(inner != best):
+            return best
         points = np.unique(np.concatenate([[low, best, high], inner]))
         values = function(points)
         # Rounding may hide the best point found; it must not be lost for a worse one.
