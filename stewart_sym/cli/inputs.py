@@ -43,13 +43,22 @@ def trajectory_of(
     from ..motion.log_reader import read_log
     from ..motion.trajectory import Smoothing
 
-    smoothing = Smoothing(
-        arguments.noise_position, arguments.noise_angle, arguments.cutoff, arguments.smoothing
-    )
+    smoothing = Smoothing(*stated_noise(arguments), arguments.cutoff, arguments.smoothing)
     trajectory = poses_of(
         robot, read_log(source, log_format(arguments), smoothing, progress), arguments.start, progress
     )
     return trajectory if arguments.rate is None else resampled(trajectory, arguments.rate)
+
+
+def stated_noise(arguments: argparse.Namespace) -> "tuple[float | None, float | None]":
+    """Stated noise of positions, m, and of angles, rad: the options are in the units of the log."""
+    from ..motion.logs import ANGLE_UNITS, LENGTH_UNITS
+
+    position, angle = arguments.noise_position, arguments.noise_angle
+    return (
+        None if position is None else position * LENGTH_UNITS[arguments.length_unit],
+        None if angle is None else angle * ANGLE_UNITS[arguments.angle_unit],
+    )
 
 
 def log_format(arguments: argparse.Namespace) -> "LogFormat":

@@ -94,14 +94,8 @@ def log_options(parser: argparse.ArgumentParser) -> None:
     """Options of how a trajectory's file is read."""
     group = log_form(parser)
     group.add_argument("--rate", type=positive, metavar="HZ", help="resample; default: the log's own times")
-    group.add_argument(
-        "--noise-position",
-        type=positive,
-        metavar="M",
-        help="deviation of positions or lengths, m; default: found",
-    )
-    group.add_argument(
-        "--noise-angle", type=positive, metavar="RAD", help="deviation of angles, rad; default: found"
+    noise_options(
+        group, "standard deviation of the log's {}, in --{}-unit; default: found", "positions or leg lengths", "angles"
     )
     group.add_argument(
         "--cutoff",
@@ -112,6 +106,16 @@ def log_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument(
         "--no-smoothing", dest="smoothing", action="store_false", help="interpolate, whatever the noise"
     )
+
+
+def noise_options(
+    parser: argparse.ArgumentParser | argparse._ArgumentGroup, text: str, position: str, angle: str
+) -> None:
+    """``--noise-position`` and ``--noise-angle``; ``text``: of the help, with what is meant and its unit."""
+    for name, kind, what in (("position", "length", position), ("angle", "angle", angle)):
+        parser.add_argument(
+            f"--noise-{name}", type=positive, metavar="SIGMA", help=text.format(what, kind)
+        )
 
 
 def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:

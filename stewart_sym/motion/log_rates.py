@@ -13,7 +13,7 @@ from ..io.extras import needed_for
 from .log_faults import Fault, faults, offsets
 from .log_sampling import slower_sampling, spread
 from .motion import Motion
-from .noise_level import Level, LogWarning, noise_level, stated
+from .noise_level import Level, LogWarning, decided_noise, noise_level, stated
 from .rotation import rpy_from_rotation
 from .smoothing import PAIRS, smoothed
 from .trajectory import POSE, Log, Trajectory, Uncertainty, changed_instants, replaced_rows, rows_text
@@ -66,6 +66,7 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
 
 def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of rows that were measured."""
+    _warn_of_stated(log, values, steps)
     level = _level(log, values, steps)
     bad = [] if "L" in log.written else faults(log.time, values, level.sigma)
     if bad:
@@ -176,10 +177,32 @@ def _level(log: Log, values: Array, steps: Array) -> Level:
     )
 
 
+# How much smaller and larger than the scatter of a log its stated noise is without a warning: a wrong unit
+# makes at least 25. What is within the motion's own frequencies, which no scatter shows, is stated as well.
+_SMALLER, _LARGER = 10.0, 30.0
+
+
+def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
+    """Warn of stated noise that is far from what the log shows beyond doubt, in the log's own units."""
+    lengths = "L" in log.written
+    for name, part in (("L", slice(6)),) if lengths else (("t", slice(3)), ("theta", slice(3, 6))):
+        known = log.smoothing.stated(name)
+        if known is None or (lengths and not log.smoothing.on):  # without it a noise of poses is stated
+            continue
+        shown = decided_noise(log.time, values[:, part], steps[part])
+        if shown and not shown / _SMALLER <= known <= _LARGER * shown:
+            unit = log.form.angle_unit if name == "theta" else log.form.length_unit
+            what = "lengths" if lengths else "positions" if name == "t" else "angles"
+            known, shown = known / log.scale(name), shown / log.scale(name)
+            text = f"stated noise of {what} of {known:.2g} {unit}, but they scatter by {shown:.2g} {unit}"
+            warnings.warn(f"{log.source}: {text}: is its unit right?", LogWarning, stacklevel=8)
+
+
 def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | None:
     """Uncertainty of coordinates and rates, (3, n, 6), all of them measured and rounded to steps, (3, 6)."""
     names = ("L", "L") if "L" in log.written else POSE
     known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
+    _warn_of_stated(log, found[0], steps[0])
     sigma = np.array(steps) / math.sqrt(12.0)
     sigma[0] = np.where(known > 0.0, known, sigma[0])
     if not sigma.any() or not log.smoothing.on:

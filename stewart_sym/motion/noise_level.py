@@ -31,6 +31,11 @@ _NOISE_LIKE, _CORRELATED, _AT_ONCE = 0.75, 1.6, 1.1
 # columns that tell; noise beyond that of rounding.
 _STEEPEST, _CHANGING, _FEWEST_COLUMNS, _BEYOND = 1.3, 0.7, 3, 1.5
 
+# Quantiles of the size of a normal number of deviation 1; within what factor all that tells of noise agrees
+# where it is decided, and how far beyond that of rounding it is then.
+_QUANTILES = ((0.2, 0.2533), (0.5, 0.6745), (0.8, 1.2816))
+_AGREED, _WELL_BEYOND = 1.25, 3.0
+
 
 class Level(NamedTuple):
     """Standard deviations of the noise of columns, (c,): as counted for white, and the least it can be.
@@ -65,6 +70,26 @@ def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
     # The residuals of correlated noise show less than what slow changes are made of.
     known = (correlation > 1.0) & (white > 0.0)
     return Level(sigma, np.where(known, sigma, rounding), correlation)
+
+
+def decided_noise(time: Array, values: Array, step: Array) -> float:
+    """Deviation of the noise of columns of one sensor, (n, c), where the samples leave no doubt of it; else 0.
+
+    White noise beyond that of rounding to ``step``, (c,), is what differences of order 5, of order 8 and of
+    means of two samples agree on, each with its small, usual and large values, in most of the columns: jumps,
+    kinks, filtered noise and vibration make these differ.
+    """
+    half = len(time) // 2
+    if half < _LEAST_MEANS:
+        return 0.0
+    pairs = (x[: 2 * half].reshape(half, 2, -1).mean(axis=1) for x in (time, values))
+    means_time, means = next(pairs)[:, 0], math.sqrt(2.0) * next(pairs)
+    sizes = [*(_differences(time, values, order) for order in (5, 8)), _differences(means_time, means, 8)]
+    found = np.concatenate([_size_quantiles(size) for size in sizes])
+    usual = np.median(found, axis=0)
+    agreed = (found.max(axis=0) < _AGREED * usual) & (usual < _AGREED * found.min(axis=0))
+    agreed &= usual > np.maximum(_WELL_BEYOND * step / math.sqrt(12.0), 10.0**-_EXACT_DIGITS)
+    return float(np.median(usual[agreed])) if 2 * np.count_nonzero(agreed) > len(usual) else 0.0
 
 
 def rounding_steps(values: Array) -> Array:
@@ -157,10 +182,21 @@ def _difference_level(time: Array, values: Array, order: int) -> Array:
 
     Of the smallest fifth of them, in which there is no jump of an acceleration.
     """
+    return _size_quantiles(_differences(time, values, order))[0]
+
+
+def _size_quantiles(differences: Array) -> Array:
+    """Small, usual and large sizes of differences, (3, c), over those of a normal number of deviation 1."""
+    shares, normal = zip(*_QUANTILES, strict=True)
+    return np.asarray(np.quantile(np.abs(differences), shares, axis=0) / np.array(normal)[:, None])
+
+
+def _differences(time: Array, values: Array, order: int) -> Array:
+    """Divided differences of columns, (m, c), of which white noise of deviation 1 makes those of deviation 1."""
     count = len(time) - order
     at = np.arange(0, count, max(1, count // 20_000))[:, None] + np.arange(order + 1)
     apart = (time[at][:, :, None] - time[at][:, None, :]) / (time[at[:, -1]] - time[at[:, 0]])[:, None, None]
     apart[:, np.arange(order + 1), np.arange(order + 1)] = 1.0
     factors = 1.0 / apart.prod(axis=-1)
     factors /= np.linalg.norm(factors, axis=-1, keepdims=True)
-    return np.asarray(np.quantile(np.abs(np.einsum("nk,nkc->nc", factors, values[at])), 0.2, axis=0) / 0.2533)
+    return np.asarray(np.einsum("nk,nkc->nc", factors, values[at]))

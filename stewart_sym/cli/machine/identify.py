@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, cast
 
 from ...io.extras import need
 from ...io.progress import Progress
-from ..inputs import log_format, poses_of, robot_of
-from ..options import finite, json_file, log_form, output, positive, robot_file, start_pose, whole
+from ..inputs import log_format, poses_of, robot_of, stated_noise
+from ..options import finite, json_file, log_form, noise_options, output, positive, robot_file, start_pose, whole
 from ..results import results
 from ..terminal import progress_line
 
@@ -43,14 +43,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--sigma", type=positive, default=1.0, help="standard deviation of measured forces, N; default: 1"
     )
-    for name, unit, what in (("position", "M", "position"), ("angle", "RAD", "rotation about each axis")):
-        parser.add_argument(
-            f"--noise-{name}",
-            type=positive,
-            metavar=unit,
-            help=f"standard deviation of the measured {what}: then poses alone count, and a smooth motion is "
-            "fitted together with the parameters; default: the motion is exact",
-        )
+    noise_options(
+        parser,
+        "standard deviation of the measured {}, in --{}-unit: then poses alone count, and a smooth motion is "
+        "fitted together with the parameters; default: the motion is exact",
+        "position",
+        "rotation about each axis",
+    )
     parser.add_argument(
         "--seed", type=whole, default=0, help="of the candidates and of the noise; default: 0"
     )
@@ -111,7 +110,8 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     poses, forces = arguments.measured
     form = log_format(arguments)
     try:
-        log = read_any_csv(poses, form, Smoothing(on=False))  # the fit has its own noise
+        # The fit has its own noise: what is stated is compared with the log alone.
+        log = read_any_csv(poses, form, Smoothing(*stated_noise(arguments), on=False))
     except HeaderError as error:
         if not set(FORCES) <= set(error.header):
             raise
@@ -124,9 +124,9 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     noise = None
     if noisy:
         series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
-        noise = PoseNoise(trajectory.time, arguments.noise_position, arguments.noise_angle, *series)
+        noise = PoseNoise(trajectory.time, *cast("tuple[float, float]", stated_noise(arguments)), *series)
     model = (not arguments.no_friction, arguments.physical)
-    found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model)
+    found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model, form)
     return measured_report(robot, found, arguments.sigma, noise), found
 
 

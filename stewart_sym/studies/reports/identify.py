@@ -13,6 +13,7 @@ from ...identification.estimation import Experiment, identify, simulated_experim
 from ...identification.excitation import choose_excitation
 from ...identification.parameters import inertial_parameters
 from ...io.progress import Progress, silent
+from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
 from ...motion.rotation import rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
@@ -29,6 +30,7 @@ NORMAL = (0.6827, 0.9545, 0.9973)
 _SAME_TIME = 1e-6
 # Of a parameter of the robot file from the identified one, in deviations, and of all: do not agree.
 _FAR, _FAR_LEVEL = 4.0, 1e-3
+SI = LogFormat()
 _COORDINATES = (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot"))
 
 
@@ -63,11 +65,12 @@ def from_measurement(
     noise: PoseNoise | None = None,
     friction: bool = True,
     physical: bool = False,
+    form: LogFormat = SI,
 ) -> Estimate:
     """Identify what the motion of a trajectory excites from forces measured at the same times.
 
     time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. noise, physical: as for
-    ``identify``. friction: as for ``base_parameters``. Raises ValueError naming the source for other times
+    ``identify``. friction: as for ``base_parameters``. form: of the trajectory's file, whose units doubts name. Raises ValueError naming the source for other times
     than those of the trajectory.
     """
     if len(time) != len(trajectory.time):
@@ -83,19 +86,21 @@ def from_measurement(
     base = base_parameters(robot, motion if noise is None else smoothed(motion, noise), friction)
     found = identify(robot, motion, F, sigma, base, noise, physical)
     if noise is None and found.verdict in ("misfit", "rejected"):
-        found = replace(found, doubts=(*found.doubts, *_scatter(trajectory)))
+        found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
     return found
 
 
-def _scatter(trajectory: Trajectory) -> tuple[str, ...]:
-    """What the noise of the poses seems to be."""
+def _scatter(trajectory: Trajectory, form: LogFormat) -> tuple[str, ...]:
+    """What the noise of the poses seems to be, in the units of their file."""
     try:
         seen = estimated_noise(trajectory.time, trajectory.motion)
     except (ValueError, ImportError):
         return ()
+    position = f"{seen.position / LENGTH_UNITS[form.length_unit]:.2g}"
+    angle = f"{seen.angle / ANGLE_UNITS[form.angle_unit]:.2g}"
     return (
-        f"motion: its poses scatter by {seen.position:.2g} m and {seen.angle:.2g} rad about a smooth motion: "
-        f"--noise-position {seen.position:.2g} --noise-angle {seen.angle:.2g} takes that into account",
+        f"motion: its poses scatter by {position} {form.length_unit} and {angle} {form.angle_unit} about a "
+        f"smooth motion: --noise-position {position} --noise-angle {angle} takes that into account",
     )
 
 

@@ -1,0 +1,100 @@
+"""Noise that is stated: in the units of the log, and compared with what the log shows."""
+
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from noisy_logs import Array, case
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.motion.logs import LogFormat
+from stewart_sym.motion.noise_level import decided_noise
+
+PAPERS = Path(ss.__file__).parent / "robots" / "dasgupta1998.toml"
+NAMES = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z"
+FORM = LogFormat(length_unit="mm", angle_unit="deg")
+
+
+def written(folder: Path, sigma: float, angle: float) -> Path:
+    """A log, mm and degrees, with white noise of these deviations."""
+    time = np.linspace(0.0, 4.0, 801)
+    turns = 2.0 * np.pi * np.outer(time, [0.3, 0.4, 0.5, 0.35, 0.45, 0.25]) + np.arange(6)
+    values = ([0.2, 0.0, 0.5, 0, 0, 0] + 0.03 * np.sin(turns)) * np.repeat([1e3, 180.0 / np.pi], 3)
+    noise = np.random.default_rng(0).normal(size=values.shape) * np.repeat([sigma, angle], 3)
+    path = folder / "log.csv"
+    np.savetxt(path, np.column_stack([time, values + noise]), "%.9g", ",", header=NAMES, comments="")
+    return path
+
+
+def test_a_good_statement_of_noise_is_never_doubted() -> None:
+    decided = 0
+    for seed in range(200):
+        one, rng = case(seed), np.random.default_rng([seed, 7])
+        sigma = 10.0 ** rng.uniform(-6.0, -2.5)
+        step = float(rng.choice([0.0, 0.1, 1.0, 5.0])) * sigma
+        values = one.true[0, :, :3] + sigma * rng.normal(size=(len(one.time), 3))
+        values = np.round(values / step) * step if step else values
+        found = decided_noise(one.time, values, np.full(3, step))
+        decided += found > 0.0
+        assert found == 0.0 or sigma / 2.0 < found < 2.0 * sigma
+    assert decided > 20
+
+
+def low_passed(noise: Array, share: float) -> Array:
+    out = np.zeros_like(noise)
+    for i in range(1, len(noise)):
+        out[i] = out[i - 1] + share * (noise[i] - out[i - 1])
+    return out
+
+
+@pytest.mark.parametrize("share", [0.3, 0.1, 0.02])
+def test_noise_that_a_filter_cut_off_is_not_compared(share: float) -> None:
+    """What differences show of it is a small part of what is stated rightly."""
+    rng = np.random.default_rng(1)
+    time = np.arange(2000) * 1e-2
+    noise = low_passed(low_passed(rng.normal(size=(2000, 3)), share), share)
+    assert decided_noise(time, 0.1 * np.sin(time[:, None] + np.arange(3)) + 1e-3 * noise, np.zeros(3)) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("position", "angle", "words"),
+    [
+        (1e-4, 0.02, "stated noise of positions of 0.0001 mm, but they scatter by 0.1 mm"),
+        (100.0, 0.02, "stated noise of positions of 1e+02 mm, but they scatter by 0.1 mm"),
+        (0.1, 0.02 * np.pi / 180, "stated noise of angles of 0.00035 deg, but they scatter by 0.02 deg"),
+        (0.1, 0.02, None),
+        (0.03, 0.06, None),
+    ],
+)
+def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
+    tmp_path: Path, position: float, angle: float, words: str | None
+) -> None:
+    stated = ss.Smoothing(position * 1e-3, np.radians(angle))
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        read_csv(written(tmp_path, 0.1, 0.02), FORM, stated)
+    found = [str(each.message) for each in caught if "stated" in str(each.message)]
+    assert len(found) == (words is not None)
+    if words is not None:
+        assert words in found[0].replace("0.099", "0.1")
+
+
+def test_options_of_noise_are_in_the_units_of_the_log(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    log = written(tmp_path, 0.1, 0.02)
+    units = ["--length-unit", "mm", "--angle-unit", "deg"]
+    stated = ["--noise-position", "0.1", "--noise-angle", "0.02"]
+    assert main(["forces", str(PAPERS), str(log), "-o", str(tmp_path / "f.csv"), *units, *stated]) == 0
+    told = capsys.readouterr()
+    assert "noise of 0.0001 m and 0.00035 rad in the log" in told.err
+    assert "stated" not in told.err
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        noise = read_csv(log, FORM, ss.Smoothing(1e-4, np.radians(0.02)))
+    expected = ss.force_deviations(ss.robots.dasgupta1998(), noise)
+    table = np.genfromtxt(tmp_path / "f.csv", delimiter=",", names=True)
+    np.testing.assert_allclose(table["F1_sd"], expected[:, 0], rtol=1e-9)
