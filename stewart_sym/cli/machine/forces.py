@@ -44,7 +44,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=positive,
         default=0.02,
         metavar="SHARE",
-        help="of a leg's peak force that noise may make (three deviations) without a warning; default: 0.02",
+        help="warn where noise, three standard deviations of it, may make a leg's peak force higher than "
+        "computed by more than this share; default: 0.02",
     )
     log_options(parser)
     json_file(parser)

@@ -139,8 +139,8 @@ class Digest:
             return self.exceeded()
         there = self._at_replaced(kept.time)
         names = self._replaced_names()
-        causes = [("noise in the log leaves", ~there)]
-        causes += [(f"replaced rows ({names}) leave", there)] if self.replaced else []
+        causes = [("noise in the log", ~there)]
+        causes += [(f"replaced rows ({names})", there)] if self.replaced else []
         noisy = [_noisy(kept.time, kept.F, kept.F_sd, noise_share, cause, at) for cause, at in causes]
         return self.exceeded() + [line for line in noisy if line]
 
@@ -345,7 +345,7 @@ def peak_noise(F: Array, F_sd: Array) -> Array:
 def _noisy(
     time: Array, F: Array, F_sd: Array, share: float, cause: str, there: NDArray[np.bool_]
 ) -> str | None:
-    """One line about the leg whose peak is least sure, if a cause leaves more than the share of it open.
+    """One line about the leg whose peak is least sure, if a cause makes more than the share of it.
 
     there: the instants, (n,), at which the deviations are the cause's.
     """
@@ -356,12 +356,14 @@ def _noisy(
         return None
     largest, possible = (np.nan_to_num(x[:, leg]) for x in (np.abs(F), np.abs(F) + SURE * spread))
     i, peak = int(np.argmax(possible)), int(np.argmax(largest))
-    much = f"{100.0 * ratio[leg]:.3g} % of" if ratio[leg] <= 10.0 else "more than ten times"
+    much = f"{100.0 * ratio[leg]:.3g} %" if ratio[leg] <= 10.0 else "more than ten times"
+    others = np.count_nonzero(ratio > share) - 1
     return (
-        f"{cause} {much} leg {leg + 1}'s peak force open, {100.0 * share:.3g} % are allowed: "
-        f"{F[i, leg]:.6g} N and {SURE:g} deviations of {F_sd[i, leg]:.3g} N at {time[i]:g} s reach "
-        f"{possible[i]:.6g} N, the peak is {largest[peak]:.6g} N at {time[peak]:g} s; "
-        f"so for {np.count_nonzero(ratio > share)} of 6 legs"
+        f"leg {leg + 1}: the peak force may be {much} higher than computed because of {cause}: "
+        f"{largest[peak]:.6g} N computed (at {time[peak]:g} s), up to {possible[i]:.6g} N possible "
+        f"({F[i, leg]:.6g} N with {SURE:g} standard deviations of {F_sd[i, leg]:.3g} N at {time[i]:g} s); "
+        f"a warning beyond {100.0 * share:.3g} % (--noise-share {share:g})"
+        + (f"; {others} more leg{'s' if others > 1 else ''} likewise" if others else "")
     )
 
 
