@@ -95,7 +95,10 @@ def log_options(parser: argparse.ArgumentParser) -> None:
     group = log_form(parser)
     group.add_argument("--rate", type=positive, metavar="HZ", help="resample; default: the log's own times")
     noise_options(
-        group, "standard deviation of the log's {}, in --{}-unit; default: found", "positions or leg lengths", "angles"
+        group,
+        "standard deviation of the log's {}, in --{}-unit; default: found",
+        "positions or leg lengths",
+        "angles",
     )
     group.add_argument(
         "--cutoff",
@@ -113,9 +116,7 @@ def noise_options(
 ) -> None:
     """``--noise-position`` and ``--noise-angle``; ``text``: of the help, with what is meant and its unit."""
     for name, kind, what in (("position", "length", position), ("angle", "angle", angle)):
-        parser.add_argument(
-            f"--noise-{name}", type=positive, metavar="SIGMA", help=text.format(what, kind)
-        )
+        parser.add_argument(f"--noise-{name}", type=positive, metavar="SIGMA", help=text.format(what, kind))
 
 
 def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:

@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import re
 import shutil
 import sys
 import time
@@ -98,7 +99,16 @@ def one_line(error: object) -> str:
         text = error.strerror if error.filename is None else f"{error.filename}: {error.strerror}"
     else:
         text = str(error) or type(error).__name__
-    return " ".join(text.split())
+    return _ARGUMENT.sub(_as_option, " ".join(text.split()))
+
+
+# How the library's messages name what a user of Python gives, and this command as an option of that name.
+_ARGUMENT = re.compile(r"LogFormat\((\w+)=('\w+'|\{[^}]*\})\)")
+
+
+def _as_option(found: re.Match[str]) -> str:
+    value = found[2].strip("{}").replace("'", "").replace(": ", "=").replace(", ", ",")
+    return f"--{found[1].replace('_', '-')} {value}"
 
 
 def give_up_stdout() -> None:

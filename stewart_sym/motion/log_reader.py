@@ -38,7 +38,7 @@ FORCES = ("F1", "F2", "F3", "F4", "F5", "F6")
 _KNOWN = (
     "time and either t_x t_y t_z with theta_x theta_y theta_z or q_w q_x q_y q_z, v_*, theta_dot_*, a_*, "
     "theta_ddot_*, or L_1 to L_6, L_dot_*, L_ddot_*; F_ext_*, M_ext_*; for other names give "
-    "--columns NAME=HEADER,..."
+    "LogFormat(columns={NAME: HEADER, ...})"
 )
 PLAIN = LogFormat()
 AS_SHOWN = Smoothing()
@@ -135,7 +135,8 @@ def _warn_of_angles(log: Log) -> None:
         axis = int(np.argmax(spans))
         if spans[axis] > 1.0 + 1e-9:
             span = np.ptp(log.vector("theta")[:, axis])
-            text = f"theta_{'xyz'[axis]} over {span:.4g} rad: are angles in degrees (--angle-unit deg)?"
+            hint = "are angles in degrees (LogFormat(angle_unit='deg'))?"
+            text = f"theta_{'xyz'[axis]} over {span:.4g} rad: {hint}"
             warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
     if "q" in log.written:
         q = np.abs(log.vector("q"))
@@ -146,7 +147,8 @@ def _warn_of_angles(log: Log) -> None:
                 "q_z is the largest component: half a turn about z, or quaternions whose scalar comes last?"
             )
             warnings.warn(
-                f"{log.source}: {text} (--columns with q_w=q_z,q_x=q_w,q_y=q_x,q_z=q_y)",
+                f"{log.source}: {text} "
+                "(LogFormat(columns={'q_w': 'q_z', 'q_x': 'q_w', 'q_y': 'q_x', 'q_z': 'q_y', ...}))",
                 LogWarning,
                 stacklevel=6,
             )
@@ -163,12 +165,12 @@ def _warn_of_units(log: Log, coordinates: Array) -> None:
     slow = [name for name, least in LONG_STEPS.items() if step >= least]
     if largest > _MOST_ACCELERATION * unit:
         hint = (
-            "are time or lengths in another unit (--time-unit, --length-unit mm)"
+            "are time or lengths in another unit (LogFormat(time_unit='ms'), LogFormat(length_unit='mm'))"
             if log.form.time_unit == "s"
-            else f"is time in seconds, expected {log.form.time_unit} (--time-unit)"
+            else f"is time in seconds, expected {log.form.time_unit} (LogFormat(time_unit='s'))"
         )
     elif moves and slow and largest < _LEAST_ACCELERATION * unit:
-        hint = f"is time in another unit (--time-unit {slow[-1]})"
+        hint = f"is time in another unit (LogFormat(time_unit='{slow[-1]}'))"
     else:
         return
     text = f"steps of {step:.4g} s and accelerations up to {largest:.2g} m/s^2: {hint}?"
@@ -192,7 +194,11 @@ def _warn_of_rates(log: Log, coordinates: Array) -> None:
     nearest = 3 * round(decades / 3)
     if nearest and abs(decades - nearest) < _NEAR_UNIT:
         unit = {-3: "ms", -6: "us"}.get(nearest)
-        hint = f"is time in another unit (--time-unit {unit})" if unit else "are rates in another unit"
+        hint = (
+            f"is time in another unit (LogFormat(time_unit='{unit}'))"
+            if unit
+            else "are rates in another unit"
+        )
         text = f"coordinates change by {changed / expected:.2g} of what their rates say: {hint}?"
         warnings.warn(f"{log.source}: {text}", LogWarning, stacklevel=6)
 

@@ -295,6 +295,10 @@ def _cell(text: str, where: str, decimal: str) -> float:
     except ValueError:
         found = math.nan
     if not math.isfinite(found):
-        cause = ": is its decimal mark a comma (--decimal comma)?" if "," in text and decimal == "." else ""
+        cause = (
+            ": is its decimal mark a comma (LogFormat(decimal='comma'))?"
+            if "," in text and decimal == "."
+            else ""
+        )
         raise ValueError(f"{where}: expected a finite number, got {text[:40]!r}{cause}")
     return found

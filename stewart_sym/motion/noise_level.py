@@ -73,7 +73,7 @@ def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
 
 
 def decided_noise(time: Array, values: Array, step: Array) -> float:
-    """Deviation of the noise of columns of one sensor, (n, c), where the samples leave no doubt of it; else 0.
+    """Deviation of the noise of a sensor's columns, (n, c), where the samples leave no doubt of it; else 0.
 
     White noise beyond that of rounding to ``step``, (c,), is what differences of order 5, of order 8 and of
     means of two samples agree on, each with its small, usual and large values, in most of the columns: jumps,
@@ -192,7 +192,7 @@ def _size_quantiles(differences: Array) -> Array:
 
 
 def _differences(time: Array, values: Array, order: int) -> Array:
-    """Divided differences of columns, (m, c), of which white noise of deviation 1 makes those of deviation 1."""
+    """Divided differences of columns, (m, c): white noise of deviation 1 makes them of deviation 1."""
     count = len(time) - order
     at = np.arange(0, count, max(1, count // 20_000))[:, None] + np.arange(order + 1)
     apart = (time[at][:, :, None] - time[at][:, None, :]) / (time[at[:, -1]] - time[at[:, 0]])[:, None, None]

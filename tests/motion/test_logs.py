@@ -99,12 +99,18 @@ def test_quaternions_are_poses(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (lambda table: table * [1e3, *[1.0] * 6], "is time in another unit .--time-unit ms"),
-        (lambda table: table * [1e3, *[1e3] * 3, *[1.0] * 3], "is time in another unit .--time-unit ms"),
-        (lambda table: table * [1e3, *[1e3] * 3, *[1e2] * 3], "is time in another unit .--time-unit ms"),
-        (lambda table: table * [1e6, *[1.0] * 6], "--time-unit us"),
-        (lambda table: table * [*[1.0] * 4, *[50 * 180.0 / np.pi] * 3], "--angle-unit deg"),
-        (lambda table: table * [1e-6, *[1.0] * 6], "--time-unit"),
+        (lambda table: table * [1e3, *[1.0] * 6], "is time in another unit .LogFormat.time_unit='ms'"),
+        (
+            lambda table: table * [1e3, *[1e3] * 3, *[1.0] * 3],
+            "is time in another unit .LogFormat.time_unit='ms'",
+        ),
+        (
+            lambda table: table * [1e3, *[1e3] * 3, *[1e2] * 3],
+            "is time in another unit .LogFormat.time_unit='ms'",
+        ),
+        (lambda table: table * [1e6, *[1.0] * 6], "LogFormat.time_unit='us'"),
+        (lambda table: table * [*[1.0] * 4, *[50 * 180.0 / np.pi] * 3], "LogFormat.angle_unit='deg'"),
+        (lambda table: table * [1e-6, *[1.0] * 6], "LogFormat.time_unit"),
     ],
 )
 def test_units_that_no_machine_has_are_warned_of(
@@ -225,7 +231,10 @@ def test_quaternions_with_their_scalar_last_under_other_names_are_warned_of(tmp_
 
 @pytest.mark.parametrize(
     ("mark", "words"),
-    [("", "expected 7 columns, got 14: are commas its decimal marks too"), ('"', "--decimal comma")],
+    [
+        ("", "expected 7 columns, got 14: are commas its decimal marks too"),
+        ('"', "LogFormat.decimal='comma'"),
+    ],
 )
 def test_decimal_commas_between_commas_are_named(tmp_path: Path, mark: str, words: str) -> None:
     rows = [",".join(mark + f"{x:.6f}".replace(".", ",") + mark for x in row) for row in poses()]
@@ -293,16 +302,18 @@ def test_a_limit_within_the_noise_is_not_decided(
     assert "force_limit not decided at this noise by leg" in capsys.readouterr().err
 
 
-def test_the_share_that_noise_leaves_open_follows_from_the_numbers_beside_it(tmp_path: Path) -> None:
+def test_the_share_by_which_a_peak_may_be_higher_follows_from_the_numbers_beside_it(tmp_path: Path) -> None:
     table = poses(400)
     rough = write(tmp_path / "log.csv", NAMES, np.column_stack([table[:, 0], np.round(table[:, 1:], 3)]))
     with pytest.warns(ss.LogWarning, match="smoothed"):
         trajectory = read_csv(rough)
-    (line,) = (text for text in track(dasgupta(), trajectory, noise_share=1e-4).doubts if "open" in text)
+    (line,) = (text for text in track(dasgupta(), trajectory, noise_share=1e-4).doubts if "noise" in text)
     pattern = (
-        r"leaves (\S+) % of .*: (\S+) N and 3 deviations of (\S+) N at .* reach (\S+) N, the peak is (\S+) N"
+        r"may be (\S+) % higher than computed because of noise in the log: (\S+) N computed .*, "
+        r"up to (\S+) N possible \((\S+) N with 3 standard deviations of (\S+) N "
+        r"at .* 0.01 % \(--noise-share 0.0001\)"
     )
-    share, force, sd, possible, peak = map(float, re.findall(pattern, line)[0])
+    share, peak, possible, force, sd = map(float, re.findall(pattern, line)[0])
     assert abs(force) + 3.0 * sd == pytest.approx(possible, rel=1e-3)
     share /= 100.0
     assert (possible - peak) / peak == pytest.approx(share, rel=0.02)
@@ -320,6 +331,21 @@ def test_noise_that_no_force_shows_is_a_line_of_the_summary(
     told = capsys.readouterr()
     assert "noise" not in told.err
     assert "noise of 2.9e-10 m and" in told.out
+
+
+def test_hints_name_arguments_in_python_and_options_on_the_command_line(
+    robot: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    limited(robot, 1e5)
+    log = write(tmp_path / "log.csv", ["ms", *NAMES[1:]], poses())
+    with pytest.raises(ValueError, match=r"give LogFormat\(columns=\{NAME: HEADER, ...\}\)$") as error:
+        read_csv(log)
+    assert "--" not in str(error.value)
+    assert main(["forces", str(robot), str(log), "-o", str(tmp_path / "f.csv")]) == 2
+    assert capsys.readouterr().err.endswith("give --columns NAME=HEADER,...\n")
+    late = write(tmp_path / "late.csv", NAMES, poses() * [1e6, *[1.0] * 6])
+    assert main(["forces", str(robot), str(late), "-o", str(tmp_path / "f.csv")]) == 0
+    assert "another unit (--time-unit us)?" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,17 @@ from typing import TYPE_CHECKING, cast
 from ...io.extras import need
 from ...io.progress import Progress
 from ..inputs import log_format, poses_of, robot_of, stated_noise
-from ..options import finite, json_file, log_form, noise_options, output, positive, robot_file, start_pose, whole
+from ..options import (
+    finite,
+    json_file,
+    log_form,
+    noise_options,
+    output,
+    positive,
+    robot_file,
+    start_pose,
+    whole,
+)
 from ..results import results
 from ..terminal import progress_line
 

@@ -70,8 +70,9 @@ def from_measurement(
     """Identify what the motion of a trajectory excites from forces measured at the same times.
 
     time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. noise, physical: as for
-    ``identify``. friction: as for ``base_parameters``. form: of the trajectory's file, whose units doubts name. Raises ValueError naming the source for other times
-    than those of the trajectory.
+    ``identify``. friction: as for ``base_parameters``. form: of the
+    trajectory's file, whose units doubts name. Raises ValueError naming the source for other times than those
+    of the trajectory.
     """
     if len(time) != len(trajectory.time):
         raise ValueError(
