@@ -32,9 +32,9 @@ def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] 
 
     Files that are there already and equal stay as they are. Files of an older kit there, as its manifest
     tells, are replaced, and removed where the new kit has none of their name, unless somebody changed them
-    since: then, as for files of other origin, only ``force`` replaces them. Further files are left alone, and
-    ``inputs`` are never replaced.
-    When anything fails the folder is as it was before.
+    since: then, as for files of other origin, only ``force`` replaces or removes them, for a header or a
+    source of an older kit beside this one would be compiled with it. Further files are left alone, and
+    ``inputs`` are never replaced. When anything fails the folder is as it was before.
 
     Raises ValueError of one line: a file that would be overwritten, a folder that cannot be written.
     """
@@ -47,11 +47,15 @@ def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] 
             for name, content in made.files.items()
             if must_replace(directory, name, content, ours, force, inputs)
         ]
-        gone = [
-            name
-            for name, written in ours.items()
-            if name not in made.files and digest(directory / name) == written
-        ]
+        gone = [name for name in ours if name not in made.files and (directory / name).is_file()]
+        for name in gone:
+            path = directory / name
+            if any(each.exists() and path.samefile(each) for each in inputs):
+                raise ValueError(f"{path}: is an input, name another folder")
+            if not force and digest(path) != ours[name]:
+                raise ValueError(
+                    f"{path}: was edited and is not part of this kit; use --force to remove it, or rename it"
+                )
         if changed or gone:
             with staged_folder(directory, [Path(name) for name in gone]) as folder:
                 for name in changed:

@@ -61,12 +61,21 @@ def test_kit_of_a_changed_robot_replaces_what_nobody_edited(tmp_path: Path) -> N
     assert contents(tmp_path) == kit_of("New").files
 
 
-def test_files_that_the_new_kit_has_not_are_removed_unless_edited(tmp_path: Path) -> None:
+def test_files_that_the_new_kit_has_not_are_removed_and_edited_ones_only_with_force(tmp_path: Path) -> None:
+    """An edited header of an older kit is not left beside the new one's, where a compiler would find it."""
     put(kit_of(), tmp_path)
     (tmp_path / "stewart_robot.h").write_text("mine", encoding="utf-8")
+    edited = contents(tmp_path)
     baked = kit_of(choice=Choice(bake=True, scalar=True))
-    put(baked, tmp_path)
-    assert contents(tmp_path) == {**baked.files, "stewart_robot.h": b"mine"}
+    with pytest.raises(
+        ValueError, match=r"^\S+robot\.h: was edited and is not part of this kit; use --force to"
+    ):
+        put(baked, tmp_path)
+    assert contents(tmp_path) == edited
+    with pytest.raises(ValueError, match=r"^\S+robot\.h: is an input, name another folder$"):
+        put(baked, tmp_path, force=True, inputs=[tmp_path / "stewart_robot.h"])
+    put(baked, tmp_path, force=True)
+    assert contents(tmp_path) == baked.files
 
 
 @pytest.mark.parametrize(
