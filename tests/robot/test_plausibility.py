@@ -209,6 +209,10 @@ def test_check_says_on_which_side_of_the_base_a_platform_stands(
     told = capsys.readouterr()
     assert f"a platform on the {stands} side of the base stands on its legs (compression)" in told.out
     assert f"one on the {hangs} side hangs from them (tension)" in told.out
+    (above,) = (line for line in told.out.splitlines() if line.startswith("above "))
+    sign = -np.sign(gravity)
+    assert f"(0, 0, {sign:g}), against gravity: the platform stands on its legs" in above
+    assert above.endswith(f"on the other side, (0, 0, {-sign:g}), it hangs below its base")
     assert told.err == ""
 
 

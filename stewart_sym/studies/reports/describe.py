@@ -110,7 +110,7 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
     outside = (home.L < shortest) | (home.L > longest)
     legs = ", ".join(str(i + 1) for i in np.flatnonzero(outside))
     rows = [
-        ("above", f"{_vector(home.side.direction)}, {home.side.rule}"),
+        ("above", _above(home)),
         ("position", f"{_vector(home.t)} m, level, at rest"),
         ("leg lengths", f"{_vector(home.L)} m" + (f"; outside their limits: leg {legs}" if legs else "")),
     ]
@@ -127,6 +127,15 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
         rows.append(("holding", f"{_vector(home.F)} N"))
     return [f"home pose: platform centred above the base; {home.rule}", *_rows(rows)]
+
+
+def _above(home: HomePose) -> str:
+    """Which side of the base the home pose is on and, where gravity settles that, what the other one is."""
+    text = f"{_vector(home.side.direction)}, {home.side.rule}"
+    if not home.side.by_gravity:
+        return text
+    other = _vector(-home.side.direction)
+    return f"{text}: the platform stands on its legs; on the other side, {other}, it hangs below its base"
 
 
 def _rows(rows: list[tuple[str, str]]) -> list[str]:
