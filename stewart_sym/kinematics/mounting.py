@@ -23,6 +23,8 @@ _AGAINST_GRAVITY = "against gravity"
 # A direction whose x is smaller than this is far enough from the x axis.
 _ACROSS = 0.9
 _HEIGHTS = 400
+# Share of the largest coordinate below which that of a mean is rounding.
+_ROUNDING = 16 * np.finfo(float).eps
 
 
 class AssemblyModeWarning(UserWarning):
@@ -105,6 +107,9 @@ def level_positions(robot: Robot, direction: Array) -> Array:
     """Return positions, m, (400, 3), that centre the level platform's points on a line above the base's."""
     centre = robot.b.mean(axis=0) - robot.p.mean(axis=0)
     size = radius(robot.b) + radius(robot.p)
+    # What the means of symmetric points leave for rounding is 0.
+    largest = max(float(np.abs(robot.b).max()), float(np.abs(robot.p).max()))
+    centre[np.abs(centre) < _ROUNDING * largest] = 0.0
     return np.asarray(centre + np.linspace(0.05, 3.0, _HEIGHTS)[:, None] * size * direction)
 
 
