@@ -70,13 +70,14 @@ class LegSprings(Frozen):
     ) -> LegSprings:
         """Springs that hold the machine at rest in a pose, against its weight and the pose's load.
 
-        stiffness: not 0. Raises ValueError as ``inverse_dynamics`` where the pose is unsolvable.
+        stiffness: > 0. Raises ValueError as ``inverse_dynamics`` where the pose is unsolvable.
         """
         instance(robot, Robot, "robot")
         instance(pose, Motion, "pose")
         k = of_six(stiffness, "stiffness")
-        if not k.all():
-            raise ValueError("stiffness: expected numbers other than 0, since springs are to hold the weight")
+        if not (k > 0.0).all():
+            text = "stiffness: expected numbers > 0, since springs are to hold the weight"
+            raise ValueError(f"{text}, got {float(k[~(k > 0.0)][0]):g}")
         rest = at_rest(pose.R, pose.t, pose.F_ext, pose.M_ext)
         F = inverse_dynamics(robot, rest).F
         return cls(robot, k, inverse_kinematics(robot, rest).L + F / k, of_six(damping, "damping"))

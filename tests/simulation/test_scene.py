@@ -190,7 +190,7 @@ def test_a_run_that_stops_says_which_leg_and_when(scene: Path, capsys: pytest.Ca
         ('law = "springs"', 'law = "spring"', 'legs.law: expected "forces", "springs" or "tracking"'),
         ('law = "springs"', "", "legs.law: missing"),
         ("stiffness = 4e4", "stiffness = [1, 2]", "legs.stiffness: expected 6 finite numbers, got [1, 2]"),
-        ("stiffness = 4e4", "stiffness = 0", "legs: stiffness: expected numbers other than 0"),
+        ("stiffness = 4e4", "stiffness = 0", "legs: stiffness: expected numbers > 0"),
         ("stiffness = 4e4", "stiffness = -1", "legs.stiffness: expected numbers >= 0, got -1"),
         ("stiffness = 4e4", "stiffness = 4e4\ndamping = -2", "legs.damping: expected numbers >= 0, got -2"),
         ("output_step = 0.01", "output_step = 1e-12", "output_step: expected at least 1e-08 s"),

@@ -33,6 +33,13 @@ def stiffness(robot: ss.Robot, frequency: float) -> float:
     return float(np.linalg.norm(g[:3]) / 9.81 * (2 * np.pi * frequency) ** 2 / 3)
 
 
+def test_springs_that_push_away_are_rejected_in_one_line() -> None:
+    robot = machine()
+    for k, shown in (([1e4] * 5 + [-2e4], "-20000"), (0.0, "0")):
+        with pytest.raises(ValueError, match=f"^stiffness: expected numbers > 0, .*, got {shown}$"):
+            ss.LegSprings.balanced(robot, home(robot), k)
+
+
 def test_exact_keeps_the_energy_and_paper_does_not() -> None:
     """Over 10 s: `exact` to 1e-9 of the mean kinetic energy; `paper` is off by more than 0.1 of it."""
     robot = machine(friction=False)
