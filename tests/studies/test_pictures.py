@@ -37,7 +37,7 @@ def _drift() -> Figure:
 def _run() -> Figure:
     start = ss.PATHS["I"].path.sample([0.0])[0]
     law = ss.LegSprings.balanced(dasgupta1998(), start, stiffness=5e4)
-    return run.figure(ss.simulate(dasgupta1998(), start, law, duration=0.01))
+    return run.figure(ss.simulate(dasgupta1998(), start, law, duration=0.01), law)
 
 
 def _path() -> Figure:
@@ -107,7 +107,23 @@ def test_logarithmic_axes_have_powers_of_ten_or_plain_numbers_that_do_not_overla
 def test_angles_are_named_as_angles() -> None:
     legends = [[text.get_text() for text in legend.get_texts()] for legend in _run().findobj(Legend)]
     assert ["roll", "pitch", "yaw"] in legends
-    assert legends.count(["x", "y", "z"]) == 2
+    assert legends.count(["x", "y", "z"]) == 3
+
+
+def test_each_curve_of_a_run_fills_its_panel_whatever_the_pose_that_it_starts_from() -> None:
+    for axes in _run().axes:
+        curves = np.array([line.get_ydata() for line in axes.get_lines()], dtype=float)
+        if "since start" in axes.get_ylabel():
+            assert (curves[:, 0] == 0.0).all()
+            assert np.ptp(curves, axis=1).max() > 0.5 * np.ptp(axes.get_ylim())
+
+
+def test_the_energies_of_a_run_are_all_shown_and_their_sum_is_kept() -> None:
+    (axes,) = (axes for axes in _run().axes if axes.get_ylabel() == "energy since start, J")
+    curves = {line.get_label(): np.asarray(line.get_ydata(), dtype=float) for line in axes.get_lines()}
+    assert list(curves) == ["kinetic", "potential", "springs", "sum"]
+    assert np.abs(curves["sum"]).max() < 1e-3 * np.abs(curves["springs"]).max()
+    assert any(axes.get_ylabel() == "kinetic energy, J" for axes in _run().axes)
 
 
 @pytest.mark.parametrize("length", [5, 60, 110])
@@ -134,3 +150,4 @@ def test_any_logarithmic_axis_has_two_numbers_or_more(low: float, high: float) -
     texts = [label.get_text() for label in _numbers(axes.yaxis)]
     assert len(texts) >= 2
     assert not [text for text in texts if "times" in text]
+    assert axes.get_yscale() == ("linear" if high < 10.0 * low else "log")

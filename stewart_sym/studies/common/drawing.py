@@ -94,10 +94,16 @@ def name_points(
 
 
 def log_numbers(axis: Axis) -> None:
-    """Number a logarithmic axis, once its limits are final: powers of ten, or plain numbers over few."""
+    """Number a logarithmic axis, once its limits are final: powers of ten, or plain numbers over few decades.
+
+    Below one decade it becomes linear: ticks of equal distance are read as those of a linear axis.
+    """
     low, high = sorted(axis.get_view_interval())
     decades = math.log10(high / low)
+    if decades < 1.0:
+        axis.axes.set(**{f"{axis.axis_name}scale": "linear", f"{axis.axis_name}lim": (low, high)})
+        return
     axis.set_minor_formatter(NullFormatter())
     if decades < _DECADES:
-        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0) if decades > 1.0 else range(1, 10)))
+        axis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.10g}"))

@@ -1,6 +1,6 @@
 """A simulation's run as ``simulate`` writes it: columns by name, a summary, a picture."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -41,7 +41,7 @@ def report(
     """
     text, figures = summary(run, law), {}
     if pictures and len(run.times) > 1:
-        figures["run"] = Picture(lambda: figure(run))
+        figures["run"] = Picture(lambda: figure(run, law))
     if drifts:
         text += "\n" + energy_drift.summary(drifts)
         if pictures and any(len(drift.times) > 1 for drift in drifts.values()):
@@ -114,27 +114,25 @@ def summary(run: Simulation, law: ForceLaw) -> str:
     return "\n".join(lines)
 
 
-def figure(run: Simulation) -> "Figure":
-    """Position, attitude, forces, lengths and energy over time."""
+def figure(run: Simulation, law: ForceLaw) -> "Figure":
+    """Motion since the start, rates, forces, lengths and energies over time."""
     from matplotlib.figure import Figure
 
-    axes_of = dict(zip("xyz", range(3), strict=True))
-    legs = {f"leg {leg + 1}": leg for leg in range(6)}
-    angles = dict(zip(("roll", "pitch", "yaw"), range(3), strict=True))
+    legs = tuple(f"leg {leg + 1}" for leg in range(6))
     # An angle that leaps by a turn is not drawn as a line across the panel.
     theta = np.unwrap(rpy_from_rotation(run.R), axis=0)
-    gained = run.potential - run.potential[0]
-    energies = np.stack([run.kinetic, gained, run.kinetic + gained], axis=-1)
     panels = (
-        (run.t, axes_of, "position, m"),
-        (np.degrees(theta), angles, "attitude, degrees"),
+        (1e3 * (run.t - run.t[0]), tuple("xyz"), "position since start, mm"),
+        (np.degrees(theta - theta[0]), ("roll", "pitch", "yaw"), "attitude since start, degrees"),
+        (run.v, tuple("xyz"), "velocity, m/s"),
+        (run.omega, tuple("xyz"), "angular velocity, rad/s"),
         (run.F, legs, "force, N"),
-        (run.L, legs, "leg length, m"),
-        (run.omega, axes_of, "angular velocity, rad/s"),
-        (energies, {"kinetic": 0, "potential gained": 1, "both": 2}, "energy, J"),
+        (1e3 * (run.L - run.L[0]), legs, "leg length since start, mm"),
+        (run.kinetic[:, None], ("kinetic",), "kinetic energy, J"),
+        (*_gained(run, law), "energy since start, J"),
     )
-    picture = Figure(figsize=(10.0, 8.0), layout="constrained")
-    grid = picture.subplots(3, 2, sharex=True)
+    picture = Figure(figsize=(10.0, 10.0), layout="constrained")
+    grid = picture.subplots(4, 2, sharex=True)
     for axes, (values, names, label) in zip(grid.flat, panels, strict=True):
         _curves(axes, run.times, values, names, label)
     for axes in grid[-1]:
@@ -143,9 +141,18 @@ def figure(run: Simulation) -> "Figure":
     return picture
 
 
-def _curves(axes: "Axes", times: Array, values: Array, names: Mapping[str, int], label: str) -> None:
-    for name, column in names.items():
-        axes.plot(times, values[:, column], linewidth=1.1, label=name)
+def _gained(run: Simulation, law: ForceLaw) -> tuple[Array, tuple[str, ...]]:
+    """Energies since the start, J, (n, k), with their names; of springs where the legs are some."""
+    parts = {"kinetic": run.kinetic, "potential": run.potential}
+    if isinstance(law, LegSprings):
+        parts["springs"] = law.energy(run.L)
+    gained = np.stack([energy - energy[0] for energy in parts.values()], axis=-1)
+    return np.column_stack([gained, gained.sum(axis=-1)]), (*parts, "sum")
+
+
+def _curves(axes: "Axes", times: Array, values: Array, names: Sequence[str], label: str) -> None:
+    for name, column in zip(names, values.T, strict=True):
+        axes.plot(times, column, linewidth=1.1, label=name)
     axes.set_ylabel(label)
     axes.margins(x=0.0)
     # Beside the panel, where no curve can run through it.
