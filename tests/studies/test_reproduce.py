@@ -210,5 +210,17 @@ def test_force_panels_hold_all_three_letters_apart(found: Reproduction) -> None:
         assert not any(a.overlaps(b) for i, a in enumerate(boxes) for b in boxes[i + 1 :])
 
 
+@pytest.mark.parametrize(("number", "path"), [(6, "I"), (8, "II")])
+def test_no_line_of_a_fraction_leads_through_a_zero_of_the_force(
+    found: Reproduction, number: int, path: str
+) -> None:
+    figure = plots.fraction_figure(number, found.runs[path, "paper"], found.runs[path, "exact"])
+    for axes in figure.axes:
+        low, high = axes.get_ylim()
+        for line in axes.get_lines()[:2]:
+            steps = np.abs(np.diff(np.asarray(line.get_ydata(), dtype=float)))
+            assert np.nanmax(steps) <= 0.5 * (high - low)
+
+
 def _mismatch(found: Reproduction, path: str, faults: frozenset[int]) -> float:
     return next(row for row in found.work_energy if (row.path, row.faults) == (path, faults)).mismatch

@@ -76,9 +76,9 @@ def fraction_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
     figure, panels = _six_panels(number, f"Path {paper.path}: fraction of dynamic forces", "$F_d / F$")
     color = _CURVES[0].color
     for leg, axes in enumerate(panels):
-        for run, line in ((exact, _EXACT_LINE), (paper, _PAPER_LINE)):
-            axes.plot(*_broken(run, leg), color=color, **line)
         low, high = _fraction_limits((paper, exact), leg)
+        for run, line in ((exact, _EXACT_LINE), (paper, _PAPER_LINE)):
+            axes.plot(*_broken(run, leg, _LEAP * (high - low)), color=color, **line)
         axes.set_ylim(low, high)
         axes.axhline(0.0, color="black", linewidth=0.6, zorder=1)
     legend_below(figure, _formulation_handles("gaps where $F$ crosses zero; cut off at ±1"))
@@ -101,9 +101,9 @@ def condition_figure(number: int, paper: PathRun, exact: PathRun) -> Figure:
     else:
         axes.set_ylim(bottom=0)
     handles = [
-        _handle("the paper's, moments in N m (paper)", color=color, **_PAPER_LINE),
-        _handle("exact: the same H", color=color, **_EXACT_LINE),
-        _handle("unitless, moments by characteristic length", color=scaled, linestyle="--", **_PAPER_LINE),
+        _handle("thin: paper, moments in N m", color=color, **_PAPER_LINE),
+        _handle("band: exact, the same H", color=color, **_EXACT_LINE),
+        _handle("moments divided by a length: no unit", color=scaled, linestyle="--", **_PAPER_LINE),
     ]
     legend_below(figure, handles)
     return figure
@@ -157,9 +157,14 @@ def _spread(heights: dict[str, float], gap: float) -> dict[str, float]:
     return dict(zip(names, placed.tolist(), strict=True))
 
 
-def _broken(run: PathRun, leg: int) -> tuple[Array, Array]:
-    """Time and fraction with a gap wherever F changes its sign, so that no line joins the branches."""
-    after = np.flatnonzero(np.diff(np.sign(run.F[:, leg])) != 0) + 1
+# Share of a panel's height that a fraction passes between two instants only beside a zero of F.
+_LEAP = 0.5
+
+
+def _broken(run: PathRun, leg: int, leap: float) -> tuple[Array, Array]:
+    """Time and fraction with a gap wherever F changes its sign or the fraction leaps."""
+    changes = np.diff(np.sign(run.F[:, leg])) != 0
+    after = np.flatnonzero(changes | (np.abs(np.diff(run.fraction[:, leg])) > leap)) + 1
     return np.insert(run.time, after, np.nan), np.insert(run.fraction[:, leg], after, np.nan)
 
 
