@@ -330,6 +330,30 @@ def test_advise_without_an_answer_prints_the_table_and_fails_in_one_line(
 
 
 @pytest.mark.usefixtures("quick")
+def test_every_long_part_of_advise_is_shown_and_its_share_where_it_is_known(
+    monkeypatch: pytest.MonkeyPatch, scene: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+    assert main(["advise", str(scene), "--generate", str(scene.parent / "kit")]) == 0
+    shown = capsys.readouterr().err
+    for part in ("reading the motions", "generating kernels", "computing test vectors"):
+        assert f"{part} ..." in shown
+    hasty(monkeypatch)
+    steps: list[tuple[str, float | None]] = []
+    robot, motion = simple("frictionless", 11)
+    cost(robot, {"some": motion}, progress=lambda text, share=None: steps.append((text, share)))
+    for part in (
+        "compiling exact",
+        "measuring the code of",
+        "computing the forces of",
+        "computing some at 50",
+    ):
+        shares = [share for text, share in steps if text.startswith(part)]
+        assert shares[0] == 0.0, part
+        assert None not in shares
+
+
+@pytest.mark.usefixtures("quick")
 def test_advise_generates_the_kernel_that_it_chose(scene: Path, capsys: pytest.CaptureFixture[str]) -> None:
     kit = scene.parent / "kit"
     assert main(["advise", str(scene), "--generate", str(kit)]) == 0

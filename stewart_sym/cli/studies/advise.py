@@ -43,13 +43,14 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.accuracy.cost import cost
     from ...studies.common.report import Report
 
-    budget = read_budget(arguments.scene)
+    with progress_line() as progress:
+        progress("reading the motions")
+        budget = read_budget(arguments.scene)
     warn_of_doubts(budget.robot, arguments.scene)
     with results(arguments, read=budget.files) as take, progress_line() as progress:
         found = advice.advice(cost(budget.robot, budget.motions, progress=progress), budget)
         written: list[Path] = []
         if arguments.generate is not None and found.chosen is not None:
-            progress("generating")
             it = found.chosen.candidate
             choice = Choice(
                 formulation=it.formulation,
@@ -57,7 +58,8 @@ def run(arguments: argparse.Namespace) -> int:
                 bake=arguments.bake,
                 precision=it.precision,
             )
-            _, written = write_kit(budget.robot, arguments.generate, choice, arguments.force, budget.files)
+            to = arguments.generate
+            _, written = write_kit(budget.robot, to, choice, arguments.force, budget.files, progress)
         take(Report("\n".join([advice.report(found), *map(str, written)]), data=advice.as_json(found)))
     if found.chosen is None:
         raise ValueError(f"{arguments.scene}: nothing keeps the budget; closest: {advice.closest(found)}")

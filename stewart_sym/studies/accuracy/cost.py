@@ -227,8 +227,9 @@ def cost(
     motion are zero, native.CompilerError without a C compiler.
     """
     kernels, texts = _compiled(robot, progress)
-    progress("comparing the models")
-    cases = {name: _Case.of(robot, motion, name) for name, motion in motions.items()}
+    paths = tracked(progress, motions.items(), lambda each: f"computing the forces of {each[0]}")
+    cases = {name: _Case.of(robot, motion, name) for name, motion in paths}
+    progress("compiling the truth of 50 digits")
     ways = _ways(robot) if implementations else {}
     errors: dict[Candidate, dict[str, Errors]] = {candidate: {} for candidate in kernels}
     rounding: dict[str, dict[str, float]] = {way: {} for way in ways}
@@ -309,7 +310,9 @@ def _compiled(
         pairs = list(zip(every, made, strict=True))
         done = tracked(progress, pairs, lambda pair: f"compiling {pair[0].name}")
         kernels = {each: future.result() for each, future in done}
-        texts = {each: future.result() for each, future in zip(every, sizes, strict=True)}
+        measured_sizes = list(zip(every, sizes, strict=True))
+        done = tracked(progress, measured_sizes, lambda pair: f"measuring the code of {pair[0].name}")
+        texts = {each: future.result() for each, future in done}
     return {each: kernel for each, kernel in kernels.items() if kernel is not None}, texts
 
 
