@@ -16,7 +16,7 @@ from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
-from ..common.output import Columns, of_axes, of_legs
+from ..common.output import Columns, csv_lines, of_axes, of_legs
 from ..common.table import aligned
 
 Array = NDArray[np.float64]
@@ -62,6 +62,18 @@ class Part(NamedTuple):
                 found |= of_legs(name, values, ending)
         found |= {"condition_number": self.condition, "status": self.status}
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
+
+
+def header_lines() -> list[str]:
+    """First line of the CSV file of each kind of run: with deviations or not, with reactions or not."""
+    n, legs = np.zeros(0), np.zeros((0, 6))
+    vectors = np.zeros((0, 6, 3))
+    reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, n.astype(np.int32))
+    return [
+        next(csv_lines(Part(slice(0), n, legs, F_sd, legs, legs, n, n.astype(np.int32), more).columns))
+        for F_sd in (None, legs)
+        for more in (None, reactions)
+    ]
 
 
 def in_parts(
