@@ -16,7 +16,7 @@ def least_step(times: Array) -> float:
 
 
 def time_text(time: float, step: float = 0.0) -> str:
-    """A time, s, with the decimals of a step, s, and its seconds in full; with all decimals without a step."""
+    """A time, s, with full seconds and the decimals of a step, s; with all that it has without a step."""
     digits = _MOST
     if step > 0.0 and time != 0.0:
         digits = math.floor(math.log10(abs(time))) - math.floor(math.log10(min(step, 1.0))) + 1
