@@ -24,17 +24,10 @@ def output(parser: argparse.ArgumentParser, metavar: str, what: str, default: Pa
     parser.add_argument(
         "-o", "--output", metavar=metavar, type=path_name, required=default is None, default=path, help=text
     )
-    if metavar == "DIR":
-        force(parser)
-
-
-def force(parser: argparse.ArgumentParser) -> None:
-    """``--force``, of a folder of results."""
-    parser.add_argument("--force", action="store_true", help="replace edited files and others' files")
 
 
 def json_file(parser: argparse.ArgumentParser) -> None:
-    """``--json``."""
+    """``--json``, and ``--force`` of all that is written."""
     parser.add_argument(
         "--json",
         metavar="FILE",
@@ -43,6 +36,12 @@ def json_file(parser: argparse.ArgumentParser) -> None:
         const=Path("-"),
         help="write all figures to a file as JSON, units in the keys or under `units`, null for what is not "
         "finite; without FILE or with -: to standard output, instead of the text",
+    )
+    parser.add_argument(
+        "--force",
+        action="store_true",
+        help="replace files that begin as this command writes none, and in a folder those that it did not "
+        "write or that were edited since; never an input",
     )
 
 

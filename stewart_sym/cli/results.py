@@ -2,6 +2,7 @@
 
 import argparse
 import contextlib
+import dataclasses
 import itertools
 from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
@@ -9,6 +10,7 @@ from pathlib import Path
 from ..io.extras import need
 from ..io.progress import Progress, silent
 from ..studies.common.report import Report, write
+from .terminal import PROGRAM
 
 Taker = Callable[..., None]
 """Writes a report where it belongs; a second argument, a ``Progress``, is given what is being drawn."""
@@ -34,19 +36,22 @@ def results(
         Naming the file or folder that can't be written.
     """
     from ..io.json_text import json_text
-    from ..io.writing import replaced_file, result_folder
+    from ..io.writing import result_file, result_folder
 
     inputs, lines = [*_paths(arguments), *read], []
+    made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
     with contextlib.ExitStack() as stack:
         stream = folder = None
         if arguments.json is not None:
             _reject_json(arguments.json, *inputs)
-            stream = stack.enter_context(replaced_file(arguments.json))
+            beginning = json_text(made_by).removesuffix("\n}\n") + ","
+            stream = stack.enter_context(result_file(arguments.json, [beginning], arguments.force))
         if stem is not None and arguments.output is not None:
             names = (f"{stem}.txt", f"{stem}.json", *tables)
             folder = stack.enter_context(result_folder(arguments.output, arguments.force, inputs, names))
 
         def take(report: Report, progress: Progress = silent) -> None:
+            report = dataclasses.replace(report, data={**made_by, **report.data})
             if report.text:
                 lines.append(report.text.rstrip("\n"))
             if folder is not None and stem is not None:

@@ -1,7 +1,7 @@
 """Writing so that a failure leaves things as they were: one file, or a folder's files all together.
 
 What stands in a folder is replaced only where a record there shows that this program wrote it and nobody
-changed it since.
+changed it since; a single file has no record, so that its first lines show who wrote it.
 """
 
 import contextlib
@@ -14,7 +14,7 @@ import stat
 import sys
 import tempfile
 import time
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from errno import EISDIR, ENOTDIR
 from importlib.metadata import version
 from pathlib import Path
@@ -28,6 +28,7 @@ RECORD = ".stewart-sym.json"
 
 _PREFIX = ".stewart-sym-"
 _TEMPORARY = re.compile(re.escape(_PREFIX) + "[a-z0-9_]{8}")
+_OTHERS = "exists with other content; use --force to overwrite"
 # Within which a temporary file is locked once it is made.
 _UNLOCKED_SECONDS = 60.0
 
@@ -71,6 +72,28 @@ def replaced_file(path: Path) -> Iterator[TextIO]:
         except BaseException:
             temporary.unlink(missing_ok=True)
             raise
+
+
+@contextlib.contextmanager
+def result_file(path: Path, beginnings: Sequence[str], force: bool = False) -> Iterator[TextIO]:
+    """Open a text file as ``replaced_file`` does, and let no file of others be replaced.
+
+    What stands there is this program's own where it is empty or begins with one of ``beginnings``; else
+    ValueError of one line, unless ``force``: before the block, and after it.
+    """
+
+    def check() -> None:
+        if force or str(path) == "-" or not path.is_file():
+            return
+        with open(path, "rb") as found:
+            start = found.read(max(map(len, beginnings)))
+        if start and not start.startswith(tuple(text.encode() for text in beginnings)):
+            raise ValueError(f"{path}: {_OTHERS}")
+
+    check()
+    with replaced_file(path) as stream:
+        yield stream
+        check()
 
 
 @contextlib.contextmanager
@@ -178,7 +201,7 @@ def must_replace(
     if any(path.exists() and each.exists() and path.samefile(each) for each in inputs):
         raise ValueError(f"{path}: is an input, name another folder")
     if not force and digest(path) != ours.get(name, ""):
-        raise ValueError(f"{path}: exists with other content; use --force to overwrite")
+        raise ValueError(f"{path}: {_OTHERS}")
     return True
 
 

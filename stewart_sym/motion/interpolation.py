@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
 from ..io.array_types import Array
+from ..io.instants import time_text
 from ..io.tables import positive
 from .motion import Motion
 from .rotation import (
@@ -61,7 +62,8 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
         outside = ~((when >= time[0]) & (when <= time[-1]))
         if np.any(outside):
             raise ValueError(
-                f"times: expected times in [{time[0]:g}, {time[-1]:g}] s, got {when[outside][0]:g}"
+                f"times: expected times in [{time_text(time[0])}, {time_text(time[-1])}] s, "
+                f"got {time_text(when[outside][0])}"
             )
         i, share, h = _steps(time, when)
         if np.all((share == 0.0) | (share == 1.0)):

@@ -10,6 +10,7 @@ import numpy as np
 
 from ..io.array_types import Array, Flags
 from ..io.extras import needed_for
+from ..io.instants import least_step, time_text
 from .log_faults import Fault, faults, offsets
 from .log_sampling import slower_sampling, spread
 from .motion import Motion
@@ -226,9 +227,10 @@ def _warn_of_gap(log: Log) -> None:
     if not gaps.size:
         return
     i = int(gaps[np.argmax(step[gaps])])
+    start, end = (time_text(time, usual) for time in log.time[i : i + 2])
     text = (
-        f"rows {log.rows[i]} and {log.rows[i + 1]}: nothing from {log.time[i]:.6g} s "
-        f"to {log.time[i + 1]:.6g} s, {step[i] / usual:.3g} times the usual step of {usual:.3g} s"
+        f"rows {log.rows[i]} and {log.rows[i + 1]}: nothing from {start} s to {end} s, "
+        f"{step[i] / usual:.3g} times the usual step of {usual:.3g} s"
     )
     more = f"; {gaps.size - 1} more gaps" if gaps.size > 1 else ""
     warnings.warn(f"{log.source}: {text}{more}: bridged by a smooth curve", LogWarning, stacklevel=7)
@@ -248,7 +250,8 @@ def _tell_faults(log: Log, found: Sequence[Fault]) -> None:
         by_rows.setdefault((fault.first, fault.end), []).append(text)
     lines = []
     for (first, end), texts in itertools.islice(by_rows.items(), _MOST_NAMED):
-        lines.append(f"{rows_text(log, first, end)} ({log.time[first]:.6g} s): {', '.join(texts)}")
+        when = time_text(log.time[first], least_step(log.time))
+        lines.append(f"{rows_text(log, first, end)} ({when} s): {', '.join(texts)}")
     more = len(by_rows) - len(lines)
     ending = f"; and {more} more" if more > 0 else ""
     done = "replaced, and deviations there hold what this changes" if log.smoothing.on else "left as they are"

@@ -20,6 +20,7 @@ import numpy as np
 
 from ..io.arguments import option, shown
 from ..io.array_types import Array
+from ..io.instants import time_text
 from ..io.progress import Progress, silent
 from ..io.tables import as_utf8
 from .noise_level import LogWarning
@@ -131,9 +132,9 @@ def read_columns(
     late = np.flatnonzero(np.diff(columns["time"]) <= 0.0)
     if late.size:
         i = int(late[0])
-        before, after = columns["time"][i], columns["time"][i + 1]
+        before, after = map(time_text, columns["time"][i : i + 2])
         raise ValueError(
-            f"{source}: row {rows[i + 1]}: time: expected increasing times, got {after:g} after {before:g}"
+            f"{source}: row {rows[i + 1]}: time: expected increasing times, got {after} after {before}"
         )
     return columns, rows
 

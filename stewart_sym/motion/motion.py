@@ -128,7 +128,7 @@ class Motion(Frozen):
             value = getattr(self, field.name)
             own = (slice(None),) * (2 if field.name == "R" else 1)
             picked[field.name] = None if value is None else value[(*index, *rest, *own)]
-        return Motion(**picked)
+        return Motion.unchecked(**picked)
 
     def external_wrench(self) -> Array:
         """[R F_ext; R M_ext], N and N m, base axes, (..., 6); 0 without a load."""

@@ -449,14 +449,15 @@ def _places(since: Array, step: float, cells: int) -> tuple[NDArray[np.int64], A
 
 def _b_splines(u: Array, degree: int, rate: int = 0) -> Array:
     """The degree + 1 B-splines on knots 1 apart that are not 0 at u in [0, 1], (n, degree + 1), or rates."""
-    N = np.ones((len(u), 1))
+    # One row for each spline: sums along long rows are the fast ones.
+    N = np.ones((1, len(u)))
     for k in range(1, degree - rate + 1):
-        starts = np.arange(1 - k, 1)
-        rise, fall = (u[:, None] - starts) / k * N, (starts + k - u[:, None]) / k * N
-        N = np.pad(rise, ((0, 0), (1, 0))) + np.pad(fall, ((0, 0), (0, 1)))
+        starts = np.arange(1 - k, 1)[:, None]
+        rise, fall = (u - starts) / k * N, (starts + k - u) / k * N
+        N = np.pad(rise, ((1, 0), (0, 0))) + np.pad(fall, ((0, 1), (0, 0)))
     for _ in range(rate):
-        N = np.pad(N, ((0, 0), (1, 0))) - np.pad(N, ((0, 0), (0, 1)))
-    return N
+        N = np.pad(N, ((1, 0), (0, 0))) - np.pad(N, ((0, 1), (0, 0)))
+    return N.T
 
 
 def _along(N: Array, cell: NDArray[np.int64], coefficients: Array) -> Array:

@@ -85,6 +85,30 @@ def test_forces_warns_of_each_limit_in_one_line_with_its_legs_and_the_worst(
         assert any(f"{name} exceeded by leg" in line for line in lines)
 
 
+def test_times_since_1970_are_printed_in_full(
+    robot: Path, trajectory: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """In the summary, the warning of a limit and the report of singular poses."""
+    header, *rows = trajectory.read_text().splitlines()
+    cells = [row.split(",", 1) for row in rows]
+    moved = [f"{1_700_000_000.5 + float(time):.2f},{rest}" for time, rest in cells]
+    trajectory.write_text("\n".join([header, *moved]) + "\n")
+    robot.write_text(
+        robot.read_text().replace(
+            "[leg_defaults.lower]", "[leg_defaults]\nforce_limit = 1.0\n[leg_defaults.lower]"
+        )
+    )
+    asked = ["forces", str(robot), str(trajectory), "-o", str(trajectory.with_name("f.csv"))]
+    assert main(asked) == 0
+    found = capsys.readouterr()
+    assert "21 instants, 1700000000.5 to 1700000002.5 s; " in found.out
+    assert re.search(r" at 170000000[012]\.\d s, limit 1 N", found.err)
+    assert main(["singularities", *asked[1:3], "-o", str(trajectory.parent / "s"), "--no-pictures"]) == 0
+    found = capsys.readouterr()
+    assert "1700000000.5 s to 1700000002.5 s" in found.out
+    assert "e+09" not in found.out + found.err
+
+
 @pytest.mark.parametrize(
     ("edit_rows", "words"),
     [

@@ -19,7 +19,7 @@ from sweeps import FULL
 from stewart_sym.cli.main import main
 from stewart_sym.io import interrupts
 from stewart_sym.io import writing as publish
-from stewart_sym.io.writing import RECORD, replaced_file, result_folder
+from stewart_sym.io.writing import RECORD, replaced_file, result_file, result_folder
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.accuracy.budget import read_budget
 
@@ -73,6 +73,78 @@ def test_a_file_of_others_is_not_replaced_without_force(
     before = folder_state(at_robot)
     assert error(capsys, *command).endswith(f"{name}: exists with other content; use --force to overwrite")
     assert folder_state(at_robot) == before
+
+
+RISING = "time,t_x,t_y,t_z,theta_x,theta_y,theta_z\n" + "".join(
+    f"{i / 8},0.2,{i * i / 1024},0.5,0,0,0\n" for i in range(9)
+)
+TO_ONE_FILE = {
+    "mine.csv": ["forces", "robot.toml", "path.csv", "-o", "mine.csv"],
+    "mine.json": ["forces", "robot.toml", "path.csv", "-o", "forces.csv", "--json", "mine.json"],
+    "figures.json": ["check", "robot.toml", "--json", "figures.json"],
+    "advice.json": ["generate", "robot.toml", "-o", "kit", "--list", "--json", "advice.json"],
+}
+
+
+@pytest.mark.parametrize("name", TO_ONE_FILE)
+@pytest.mark.parametrize("content", ["mine\n", "time,F1,F2,F3,F4,F5,F6\n0,1,2,3,4,5,6\n", '{"mine": 1}\n'])
+def test_a_single_file_of_others_is_not_replaced_without_force(
+    at_robot: Path, name: str, content: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Measured forces begin with the same columns, and other programs write JSON as well."""
+    (at_robot / "path.csv").write_text(RISING)
+    (at_robot / name).write_text(content)
+    before = folder_state(at_robot)
+    said = f"stewart-sym: error: {name}: exists with other content; use --force to overwrite"
+    assert error(capsys, *TO_ONE_FILE[name]) == said
+    assert folder_state(at_robot) == before
+    assert main([*TO_ONE_FILE[name], "--force"]) == 0
+    assert (at_robot / name).read_text() != content
+
+
+@pytest.mark.parametrize("name", TO_ONE_FILE)
+def test_a_single_file_of_the_same_subcommand_or_an_empty_one_is_replaced(at_robot: Path, name: str) -> None:
+    (at_robot / "path.csv").write_text(RISING)
+    (at_robot / name).touch()
+    assert main(TO_ONE_FILE[name]) == 0
+    first = (at_robot / name).read_text()
+    (at_robot / "path.csv").write_text(RISING.replace("0.5", "0.51"))
+    (at_robot / "robot.toml").write_text(PAPER.read_text().replace("mass = 40.0", "mass = 41.0"))
+    more = ["--reactions"] if name == "mine.csv" else []
+    assert main([*TO_ONE_FILE[name], *more]) == 0
+    assert name == "advice.json" or (at_robot / name).read_text() != first
+    assert main(TO_ONE_FILE[name]) == 0
+    assert not (at_robot / RECORD).exists()
+
+
+def test_the_json_of_another_subcommand_is_not_replaced(
+    at_robot: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(TO_ONE_FILE["figures.json"]) == 0
+    asked = [*TO_ONE_FILE["mine.json"][:-1], "figures.json"]
+    (at_robot / "path.csv").write_text(RISING)
+    capsys.readouterr()
+    assert "figures.json: exists with other content" in error(capsys, *asked)
+
+
+@pytest.mark.parametrize("option", ["-o", "--json"])
+def test_an_input_is_no_single_file_to_write_by_force_either(
+    at_robot: Path, option: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (at_robot / "path.csv").write_text(RISING)
+    output = ["-o", "path.csv"] if option == "-o" else ["-o", "forces.csv", "--json", "path.csv"]
+    line = error(capsys, "forces", "robot.toml", "path.csv", *output, "--force")
+    assert line.endswith(f"{option} path.csv: is an input, name another file")
+    assert (at_robot / "path.csv").read_text() == RISING
+
+
+def test_a_file_that_appears_while_another_is_written_is_not_replaced(tmp_path: Path) -> None:
+    path = tmp_path / "x"
+    with pytest.raises(ValueError, match="x: exists"), result_file(path, ["ours,"]) as stream:  # noqa: PT012
+        stream.write("ours,1")
+        path.write_text("mine")
+    assert path.read_text() == "mine"
+    assert os.listdir(tmp_path) == ["x"]
 
 
 def fill_results(path: Path, texts: dict[str, str], **options: Any) -> None:

@@ -69,9 +69,22 @@ def test_a_log_with_rates_is_read_in_twice_the_room_of_its_numbers(tmp_path: Pat
 @pytest.mark.parametrize("count", [0, 1, 4095, 4096, 4097, 10_000])
 def test_lines_hold_every_row_with_all_its_digits(count: int) -> None:
     columns = {"a": np.random.default_rng(1).normal(size=count), "n": np.arange(count)}
-    head, *rows = csv_lines(columns)
+    head, *rows = "".join(csv_lines(columns)).splitlines(keepends=True)
     assert head == "a,n\n"
     assert rows == [f"{a!r},{n}\n" for a, n in zip(columns["a"].tolist(), range(count), strict=True)]
+
+
+def test_every_number_is_read_back_as_it_was() -> None:
+    """Those that are none, the largest, the smallest, negative zero and any bits."""
+    bits = np.random.default_rng(5).integers(0, 2**64, 20_000, dtype=np.uint64, endpoint=False)
+    special = [np.nan, np.inf, -np.inf, -0.0, 5e-324, 1.7976931348623157e308, 1e16, 1e-5, 0.1]
+    given = np.concatenate([special, bits.view(np.float64)])
+    _, *rows = "".join(csv_lines({"a": given, "n": np.arange(len(given))})).splitlines()
+    assert rows[:3] == ["nan,0", "inf,1", "-inf,2"]
+    found = np.array([float(row.partition(",")[0]) for row in rows])
+    known = ~np.isnan(given)
+    assert (np.isnan(found) == ~known).all()
+    assert (found[known].view(np.int64) == given[known].view(np.int64)).all()
 
 
 def test_columns_are_read_in_less_room_than_their_text() -> None:

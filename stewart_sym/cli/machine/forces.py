@@ -53,19 +53,23 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``forces``; returns the exit code."""
-    from ...io.writing import replaced_file
+    from ...io.writing import result_file
     from ...motion.interpolation import between
     from ...motion.log_rates import noise_text
     from ...studies.common.output import csv_lines
     from ...studies.common.report import Report
     from ...studies.reports.singularities import crossing_warning
-    from ...studies.reports.track import Digest, in_parts, replaced_rows
+    from ...studies.reports.track import Digest, header_lines, in_parts, replaced_rows
 
     reject_inputs("-o", arguments.output, arguments.robot, arguments.trajectory)
     if arguments.output == arguments.json:
         raise ValueError(f"--json {arguments.json}: is where the forces go (-o), name another file")
     robot = robot_of(arguments.robot)
-    with results(arguments) as take, replaced_file(arguments.output) as stream, progress_line() as progress:
+    with (
+        results(arguments) as take,
+        result_file(arguments.output, header_lines(), arguments.force) as stream,
+        progress_line() as progress,
+    ):
         trajectory = trajectory_of(robot, arguments.trajectory, arguments, progress)
         digest = Digest(robot, trajectory.time, replaced_rows(trajectory))
         count = len(trajectory.time)

@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from ..inputs import warn_of_doubts
-from ..options import force, json_file, path_name
+from ..options import json_file, path_name
 from ..results import results
 from ..terminal import progress_line
 
@@ -32,7 +32,6 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="write the chosen kernel for this robot, as generate",
     )
     parser.add_argument("--bake", action="store_true", help="fold the robot's numbers into that kernel")
-    force(parser)
 
 
 def run(arguments: argparse.Namespace) -> int:

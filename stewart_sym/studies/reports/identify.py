@@ -12,6 +12,7 @@ from ...identification.estimates import Estimate
 from ...identification.estimation import Experiment, identify, simulated_experiment
 from ...identification.excitation import choose_excitation
 from ...identification.parameters import inertial_parameters
+from ...io.instants import time_text
 from ...io.progress import Progress, silent
 from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
 from ...motion.rotation import rpy_from_rotation
@@ -81,8 +82,8 @@ def from_measurement(
     off = np.abs(time - trajectory.time) > _SAME_TIME * np.max(np.abs(trajectory.time))
     if np.any(off):
         i = int(np.argmax(off))
-        expected = f"the time {trajectory.time[i]:g} of {trajectory.source}"
-        raise ValueError(f"{source}: instant {i + 1}: expected {expected}, got {time[i]:g}")
+        expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
+        raise ValueError(f"{source}: instant {i + 1}: expected {expected}, got {time_text(time[i])}")
     motion = trajectory.motion
     base = base_parameters(robot, motion if noise is None else smoothed(motion, noise), friction)
     found = identify(robot, motion, F, sigma, base, noise, physical)

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...dynamics.inverse import Formulation
+from ...io.instants import least_step, time_text
 from ...motion.rotation import rpy_from_rotation
 from ...simulation.actuator_models import ForceLaw, LegSprings
 from ...simulation.trace import Simulation
@@ -96,10 +97,11 @@ def summary(run: Simulation, law: ForceLaw) -> str:
     """A few lines: why the run ended, the largest force, the legs' travel, the energy and its drift."""
     i, leg = np.unravel_index(int(np.argmax(np.abs(run.F))), run.F.shape)
     first, last, most = run.energy[0], run.energy[-1], run.kinetic.max()
+    when = time_text(run.times[i], least_step(run.times))
     lines = [
         f"stopped    {run.stop.text}",
         f"steps      {run.steps}",
-        f"force      up to {run.F[i, leg]:.6g} N, leg {leg + 1} at {run.times[i]:g} s",
+        f"force      up to {run.F[i, leg]:.6g} N, leg {leg + 1} at {when} s",
         f"length     {run.L.min():.6g} to {run.L.max():.6g} m",
         f"energy     {first:.6g} J at the start, {last:.6g} J at the end, kinetic up to {most:.6g} J",
     ]

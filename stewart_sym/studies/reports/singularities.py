@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...dynamics.inverse import Formulation, inverse_dynamics
+from ...io.instants import time_text
 from ...kinematics.conditioning import characteristic_length, moments_over
 from ...kinematics.inverse import ROUNDING, leg_vectors, wrench_matrix
 from ...kinematics.pose_search import jacobian
@@ -103,7 +104,7 @@ def report(found: Examination) -> str:
     along = found.along
     lines = [
         f"robot      {found.robot.name}",
-        f"path       {found.name}, {along.start:g} s to {along.end:g} s",
+        f"path       {found.name}, {time_text(along.start)} s to {time_text(along.end)} s",
         f"crossings  {len(along.crossings)}",
         f"nearest    {_near(along.nearest.time, along.nearest.at)}",
     ]

@@ -10,13 +10,14 @@ from numpy.typing import NDArray
 from ...dynamics.force_noise import deviations_in_parts
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.error_policy import SingularPoseWarning
+from ...io.instants import least_step, time_text
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse import LegKinematics, inverse_kinematics
 from ...motion.motion import Motion
 from ...motion.trajectory import PoseLog, Replaced, Trajectory
 from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
-from ..common.output import Columns, of_axes, of_legs
+from ..common.output import Columns, csv_lines, of_axes, of_legs
 from ..common.table import aligned
 
 Array = NDArray[np.float64]
@@ -64,6 +65,18 @@ class Part(NamedTuple):
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
+def header_lines() -> list[str]:
+    """First line of the CSV file of each kind of run: with deviations or not, with reactions or not."""
+    n, legs = np.zeros(0), np.zeros((0, 6))
+    vectors = np.zeros((0, 6, 3))
+    reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, n.astype(np.int32))
+    return [
+        next(csv_lines(Part(slice(0), n, legs, F_sd, legs, legs, n, n.astype(np.int32), more).columns))
+        for F_sd in (None, legs)
+        for more in (None, reactions)
+    ]
+
+
 def in_parts(
     robot: Robot,
     trajectory: Trajectory | PoseLog,
@@ -107,6 +120,7 @@ class Digest:
     def __init__(self, robot: Robot, time: Array, replaced: tuple[Replaced, ...] = ()) -> None:
         """Begin a run at all these times, s, (n,); ``replaced``: of the log's rows."""
         self.robot, self.time, self.weights, self.replaced = robot, time, _weights(time), replaced
+        self.step = least_step(time)
         self.span, self.count = np.zeros((2, len(_LIMITS), 6))
         self.kept: list[Part] = []
 
@@ -141,7 +155,8 @@ class Digest:
         names = self._replaced_names()
         causes = [("noise in the log", ~there)]
         causes += [(f"replaced rows ({names})", there)] if self.replaced else []
-        noisy = [_noisy(kept.time, kept.F, kept.F_sd, noise_share, cause, at) for cause, at in causes]
+        when = [time_text(time, self.step) for time in kept.time]
+        noisy = [_noisy(when, kept.F, kept.F_sd, noise_share, cause, at) for cause, at in causes]
         return self.exceeded() + [line for line in noisy if line]
 
     def exceeded(self) -> list[str]:
@@ -164,7 +179,7 @@ class Digest:
         worst = legs[int(np.argmax(shares))]
         names = f"{'leg' if len(legs) == 1 else 'legs'} {', '.join(str(leg + 1) for leg in legs)}"
         most = "" if len(legs) == 1 else f"worst leg {worst + 1}: "
-        text = f"{what} by {names}: {most}{_worst(self.robot, limit, worst, kept)}"
+        text = f"{what} by {names}: {most}{_worst(self.robot, limit, worst, kept, self.step)}"
         if self.count[k, worst]:
             share = f"at {int(self.count[k, worst])} of {len(self.time)} instants"
             text += f"; beyond it for {self.span[k, worst]:.3g} s, {share}"
@@ -316,13 +331,13 @@ def _share(robot: Robot, limit: _Limit, leg: int, part: Part) -> float:
     )
 
 
-def _worst(robot: Robot, limit: _Limit, leg: int, part: Part) -> str:
+def _worst(robot: Robot, limit: _Limit, leg: int, part: Part, step: float) -> str:
     """The value of a leg that is farthest beyond its limit, and when."""
     i, _ = _excess(robot, limit, leg, part)
     sd = part.F_sd if limit.name == "force_limit" else None
     spread = "" if sd is None else f" +- {sd[i, leg]:.3g}"
-    value = f"{getattr(part, limit.values)[i, leg]:.6g}{spread} {limit.unit} at {part.time[i]:g} s"
-    return f"{value}, limit {limit.bound(robot)[leg]:g} {limit.unit}"
+    value = f"{getattr(part, limit.values)[i, leg]:.6g}{spread} {limit.unit}"
+    return f"{value} at {time_text(part.time[i], step)} s, limit {limit.bound(robot)[leg]:g} {limit.unit}"
 
 
 def _weights(time: Array) -> Array:
@@ -343,11 +358,11 @@ def peak_noise(F: Array, F_sd: Array) -> Array:
 
 
 def _noisy(
-    time: Array, F: Array, F_sd: Array, share: float, cause: str, there: NDArray[np.bool_]
+    when: list[str], F: Array, F_sd: Array, share: float, cause: str, there: NDArray[np.bool_]
 ) -> str | None:
     """One line about the leg whose peak is least sure, if a cause makes more than the share of it.
 
-    there: the instants, (n,), at which the deviations are the cause's.
+    when: the instants, s. there: those, (n,), at which the deviations are the cause's.
     """
     spread = np.where(there[:, None], F_sd, 0.0)
     ratio = peak_noise(F, spread)
@@ -360,8 +375,8 @@ def _noisy(
     others = np.count_nonzero(ratio > share) - 1
     return (
         f"leg {leg + 1}: the peak force may be {much} higher than computed because of {cause}: "
-        f"{largest[peak]:.6g} N computed (at {time[peak]:g} s), up to {possible[i]:.6g} N possible "
-        f"({F[i, leg]:.6g} N with {SURE:g} standard deviations of {F_sd[i, leg]:.3g} N at {time[i]:g} s); "
+        f"{largest[peak]:.6g} N computed (at {when[peak]} s), up to {possible[i]:.6g} N possible "
+        f"({F[i, leg]:.6g} N with {SURE:g} standard deviations of {F_sd[i, leg]:.3g} N at {when[i]} s); "
         f"a warning beyond {100.0 * share:.3g} % (--noise-share {share:g})"
         + (f"; {others} more leg{'s' if others > 1 else ''} likewise" if others else "")
     )
@@ -375,12 +390,12 @@ def _worst_condition(part: Part) -> int:
 def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str:
     """Lines of text about a run at some times, of which ``part`` has the extremes; verdicts of forces."""
     _, time, F, F_sd, L, L_dot, condition, _, _ = part
-    peaks, known = _peaks(F), np.isfinite(L).all(axis=-1)
+    peaks, known, step = _peaks(F), np.isfinite(L).all(axis=-1), least_step(times)
     rows = [
         (
             str(leg + 1),
             f"{F[i, leg]:.6g}" + ("" if F_sd is None else f" +- {F_sd[i, leg]:.2g}"),
-            f"{time[i]:g}",
+            time_text(time[i], step),
             f"{robot.force_limit[leg]:g}"
             + (f" {verdicts[leg]}" if np.isfinite(robot.force_limit[leg]) else ""),
             f"{L[known, leg].min(initial=np.inf):.4g} to {L[known, leg].max(initial=-np.inf):.4g}",
@@ -391,8 +406,8 @@ def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str
     worst = _worst_condition(part)
     return "\n".join(
         [
-            f"{len(times)} instants, {times[0]:g} to {times[-1]:g} s; condition number of H up to "
-            f"{condition[worst]:.4g} (at {time[worst]:g} s)",
+            f"{len(times)} instants, {time_text(times[0], step)} to {time_text(times[-1], step)} s; "
+            f"condition number of H up to {condition[worst]:.4g} (at {time_text(time[worst], step)} s)",
             aligned(("leg", "peak force, N", "at, s", "force_limit, N", "length, m", "speed, m/s"), rows),
         ]
     )
