@@ -30,7 +30,11 @@ def output(parser: argparse.ArgumentParser, metavar: str, what: str, default: Pa
 
 def force(parser: argparse.ArgumentParser) -> None:
     """``--force``, of a folder of results."""
-    parser.add_argument("--force", action="store_true", help="replace edited files and others' files")
+    parser.add_argument(
+        "--force",
+        action="store_true",
+        help="also replace files that were edited or are not from this program",
+    )
 
 
 def json_file(parser: argparse.ArgumentParser) -> None:
@@ -86,7 +90,7 @@ def start_pose(parser: argparse.ArgumentParser) -> None:
         nargs=6,
         type=finite,
         metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
-        help="pose near the first leg lengths, m and rad; default: above the base, about parallel to it",
+        help="pose near the first leg lengths, m and rad; default: above the base, nearly parallel to it",
     )
 
 
@@ -98,19 +102,22 @@ def log_options(parser: argparse.ArgumentParser) -> None:
         "--noise-position",
         type=positive,
         metavar="M",
-        help="deviation of positions or lengths, m; default: found",
+        help="standard deviation of positions or lengths, m; default: estimated",
     )
     group.add_argument(
-        "--noise-angle", type=positive, metavar="RAD", help="deviation of angles, rad; default: found"
+        "--noise-angle",
+        type=positive,
+        metavar="RAD",
+        help="standard deviation of angles, rad; default: estimated",
     )
     group.add_argument(
         "--cutoff",
         type=positive,
         metavar="HZ",
-        help="halve the amplitude there; default: the likeliest",
+        help="frequency at which smoothing halves the amplitude; default: the most likely",
     )
     group.add_argument(
-        "--no-smoothing", dest="smoothing", action="store_false", help="interpolate, whatever the noise"
+        "--no-smoothing", dest="smoothing", action="store_false", help="interpolate the rows as they are"
     )
 
 
@@ -122,7 +129,7 @@ def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
         type=column_names,
         default={},
         metavar="NAME=HEADER,...",
-        help="which header stands for time, t_x, ...; all other columns are skipped",
+        help="header of each column, as in time=ms,t_x=X; all other columns are skipped",
     )
     for name, choices in (
         ("length-unit", ("m", "cm", "mm", "in")),
@@ -136,7 +143,7 @@ def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
         "--euler-order",
         choices=("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
         default="zyx",
-        help="of the rotations multiplied; default: zyx, R = Rz Ry Rx",
+        help="order in which the rotations are multiplied; default: zyx, R = Rz Ry Rx",
     )
     return group
 
