@@ -40,7 +40,7 @@ def _pointers(struct: str, const: str = "") -> str:
 
 
 def layout(models: Mapping[str, int], headers: Iterable[str], version: str) -> str:
-    """The module's text; models: how many numbers each kernel's prepared model holds. headers: those that
+    """``interface.py``; models: how many numbers each kernel's prepared model holds. headers: those that
     sources share."""
     return filled(
         "interface.py",

@@ -1,4 +1,4 @@
-"""C99: the headers that sources of kernels share, with macros of the arithmetic and functions."""
+"""C99: what files of kernels have in common: headers of shared functions, beginnings and ends, sources."""
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
@@ -45,7 +45,10 @@ def _printed(found: Shared, functions: tuple[t.Function, ...], more: str = "") -
 
 
 def header(template: str, file: str, version: str, /, **words: object) -> dict[str, str]:
-    """``file`` with its ending: a template, and what the headers of all kernels have in common."""
+    """``<file>.h`` of a template, framed as the headers of all kernels are.
+
+    words: of the template; ``included``: the header that it includes, ``stewart.h`` unless given.
+    """
     included = words.pop("included", "stewart.h")
     frame = {
         "written": filled("header_written", version=version).rstrip(),

@@ -40,8 +40,7 @@ def json_file(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--force",
         action="store_true",
-        help="replace files that begin as this command writes none, and in a folder those that it did not "
-        "write or that were edited since; never an input",
+        help="also replace files that were edited or are not from this program; never an input",
     )
 
 
@@ -85,7 +84,7 @@ def start_pose(parser: argparse.ArgumentParser) -> None:
         nargs=6,
         type=finite,
         metavar=("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z"),
-        help="pose near the first leg lengths, m and rad; default: above the base, about parallel to it",
+        help="pose near the first leg lengths, m and rad; default: above the base, nearly parallel to it",
     )
 
 
@@ -95,7 +94,7 @@ def log_options(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--rate", type=positive, metavar="HZ", help="resample; default: the log's own times")
     noise_options(
         group,
-        "standard deviation of the log's {}, in --{}-unit; default: found",
+        "standard deviation of the log's {}, in --{}-unit; default: estimated",
         "positions or leg lengths",
         "angles",
     )
@@ -103,10 +102,10 @@ def log_options(parser: argparse.ArgumentParser) -> None:
         "--cutoff",
         type=positive,
         metavar="HZ",
-        help="halve the amplitude there; default: the likeliest",
+        help="frequency at which smoothing halves the amplitude; default: the most likely",
     )
     group.add_argument(
-        "--no-smoothing", dest="smoothing", action="store_false", help="interpolate, whatever the noise"
+        "--no-smoothing", dest="smoothing", action="store_false", help="interpolate the rows as they are"
     )
 
 
@@ -126,7 +125,7 @@ def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
         type=column_names,
         default={},
         metavar="NAME=HEADER,...",
-        help="which header stands for time, t_x, ...; all other columns are skipped",
+        help="header of each column, as in time=ms,t_x=X; all other columns are skipped",
     )
     for name, choices in (
         ("length-unit", ("m", "cm", "mm", "in")),
@@ -140,7 +139,7 @@ def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
         "--euler-order",
         choices=("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
         default="zyx",
-        help="of the rotations multiplied; default: zyx, R = Rz Ry Rx",
+        help="order in which the rotations are multiplied; default: zyx, R = Rz Ry Rx",
     )
     return group
 

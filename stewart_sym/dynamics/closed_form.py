@@ -67,7 +67,7 @@ class CClosedForm:
         outputs = {name: np.full((*motion.shape, *shape), np.nan) for name, shape in OUTPUTS[what].items()}
         status = np.zeros(motion.shape, dtype=np.int32)
         forces = [] if F is None else [contiguous(F)]
-        (*targets,) = [pointers(outputs.values())] if what in STRUCTS else map(address, outputs.values())
+        targets = [pointers(outputs.values())] if what in STRUCTS else [*map(address, outputs.values())]
         code = getattr(library(), f"stewart_{NAME}_{what}_batch")
         call(code, self._forces.model, motion, *map(address, forces), *targets, address(status))
         return {**outputs, "status": status}

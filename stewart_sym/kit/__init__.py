@@ -1,4 +1,4 @@
-"""The C kit of one robot: a folder that builds, explains itself, and proves itself on its target.
+"""The C kit of one robot: a folder that builds, explains itself, and tests itself on its target.
 
 Takes a checked Robot and a ``Choice``; gathers kernels (``parts``), test vectors (``vectors``) and the
 texts of ``derive.package``, and has the files put in place all at once or not at all.

@@ -89,7 +89,7 @@ GENERAL = ["stewart_exact.c", "stewart_exact_forces.c", "stewart_exact_motion.c"
 OTHERS = [f"{stem}.c" for stem in attack_build.SOME if f"{stem}.c" not in GENERAL]
 BUILDS = [("gcc", FAST, source) for source in GENERAL]
 BUILDS += [("gcc", ["-O1", *FAST[1:]], source) for source in OTHERS]
-# A double in a source is in every build of it: that builds add none of their own is asked in the slow ones.
+# A double in a source is in every build of it; that builds add none of their own is a slow test.
 OTHER_BUILDS = [("gcc", ["-O2"], source) for source in GENERAL]
 OTHER_BUILDS += [
     (compiler, FAST, source) for compiler in COMPILERS if compiler != "gcc" for source in GENERAL

@@ -238,7 +238,7 @@ def test_report_and_help_say_where_rounding_is_measured(
 ) -> None:
     with pytest.raises(SystemExit):
         main(["advise", "--help"])
-    said = f"Rounding is measured at {study.SAMPLED} poses spread over each motion and at its hardest"
+    said = f"Rounding is measured at {study.SAMPLED} poses spread over each motion and where force"
     for text in (capsys.readouterr().out, report(advice(on_path_i, budget(0.05)))):
         assert said in " ".join(text.split())
 

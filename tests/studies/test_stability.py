@@ -18,7 +18,7 @@ from stewart_sym.cli.main import main
 from stewart_sym.derive.emit.thresholds import CASES, THRESHOLDS
 from stewart_sym.precision.quad import quad_forces
 from stewart_sym.precision.truth import Truth, deviation
-from stewart_sym.results import OK
+from stewart_sym.results import NOT_FINITE, OK
 from stewart_sym.studies.robustness import attitude, leg_frame, lengths, poses, singular
 from stewart_sym.studies.robustness.family import Curve, verdict
 from stewart_sym.studies.robustness.solves import CANDIDATES
@@ -106,6 +106,24 @@ def test_candidate_solves_solve(name: str) -> None:
     rng = np.random.default_rng(4)
     A, x = rng.normal(size=(6, 6)), rng.normal(size=6)
     assert CANDIDATES[name](A, A @ x) == pytest.approx(x, rel=1e-10)
+
+
+@pytest.mark.parametrize("path", ["_one_pose", "_batch", "_closed_form"])
+def test_an_error_of_a_code_path_is_no_status(path: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Constants that overflow have a status; any other error is one."""
+    from stewart_sym.studies.robustness import shipped
+
+    def wrong(*_: object, **__: object) -> None:
+        raise ValueError("wrong")
+
+    monkeypatch.setattr(shipped, "equations_of_motion", wrong)
+    robot, none = ss.robots.dasgupta1998(), np.zeros(3)
+    unmoved = ss.Motion(np.eye(3), np.array([0.1, 0.0, 0.5]), none, none)
+    with pytest.raises(ValueError, match=r"wrong|accelerations"):
+        getattr(shipped, path)(robot, unmoved)
+    with np.errstate(all="ignore"):
+        vast = dataclasses.replace(robot, M=1e300, R_0=np.array([1e10, 0.0, 0.0]))
+    assert getattr(shipped, path)(vast, unmoved)[1] == NOT_FINITE
 
 
 def test_near_a_singular_pose_every_kernel_is_right_or_says_so() -> None:

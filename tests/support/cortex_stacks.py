@@ -1,6 +1,6 @@
-"""Stack of every function that a kit may hold, as the cross compiler tells it: the table that kits quote.
+"""Stack of every function that a kit may hold, by the cross compiler: the table that kits quote.
 
-Stands on ``kit.parts`` and ``toolchain``. Kernels with a machine's numbers folded in are not among them:
+Kernels with a machine's numbers folded in are not among them:
 they take no more than the same kernels without.
 """
 
@@ -27,7 +27,7 @@ def stacks(
     progress: Progress = silent,
     levels: Iterable[str] = fidelity.FIDELITIES,
 ) -> dict[str, Any]:
-    """Bytes by function and precision, and by whom they were told.
+    """Bytes by function and precision, and the compiler that they are of.
 
     robots: one of each kind of base joint; their numbers do not count. levels: of fidelity. Raises
     CompilerError where a tool is missing or fails.

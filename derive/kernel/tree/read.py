@@ -363,6 +363,8 @@ class _Reader:
                 | ast.Compare(left=left, ops=[operator], comparators=[right])
             ) if type(operator) in _OPERATORS:
                 return t.Binary(_OPERATORS[type(operator)], *self.alike(left, right))
+            case ast.BinOp():
+                raise self.error(node, "one of + - * / & |")
             case ast.IfExp() if (holds := self.settled(node.test)) is not None:
                 return self.expression(node.body if holds else node.orelse)
             case ast.IfExp():

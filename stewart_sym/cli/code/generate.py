@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 HELP = "write a kit of one robot in C, Python, MATLAB or Rust: kernels, constants, self-test, example"
 EXAMPLE = "stewart-sym generate hexapod.toml -o kit --functions forces,kinematics && make -C kit"
 MORE = (
-    "The kit proves itself where it runs: in C, `make` builds it and runs its self-test; in another "
+    "The kit tests itself where it runs: in C, `make` builds it and runs its self-test; in another "
     "language its README names the command."
 )
 
@@ -37,8 +37,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--fidelity",
         metavar="LEVEL",
-        help="how much of the legs' physics the forces know: general, frictionless, axisymmetric, slender, "
-        "point_masses, massless, the last four also with _friction; general_static, slender_static, "
+        help="how much of the legs' physics the forces contain: general, frictionless, axisymmetric, "
+        "slender, point_masses, massless, the last four also with _friction; general_static, slender_static, "
         "massless_static",
     )
     parser.add_argument("--bake", action="store_true", help="fold the robot's numbers into the forces")

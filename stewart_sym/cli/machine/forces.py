@@ -13,13 +13,12 @@ from ..terminal import progress_line
 HELP = "actuator forces along a trajectory"
 EXAMPLE = "stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm --angle-unit deg"
 MORE = (
-    "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z "
-    "(rad) or q_w q_x q_y q_z; optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a "
-    "spline is fitted), F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 "
-    "(m), optionally L_dot_* and L_ddot_* together. SI units by default. Columns that show rounding "
-    "or noise are smoothed, F1_sd to F6_sd are the standard deviations of the forces that this "
-    "leaves, and a force limit within three of them is not decided. Moments M_p are taken about the "
-    "base points."
+    "The trajectory's first line names its columns: time, t_x t_y t_z (m), theta_x theta_y theta_z (rad) or "
+    "q_w q_x q_y q_z; optionally v_*, theta_dot_*, a_* and theta_ddot_* together (else a spline is fitted), "
+    "F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), optionally L_dot_* and "
+    "L_ddot_* together. SI units by default. Columns that show rounding or noise are smoothed; F1_sd to "
+    "F6_sd are the standard deviations of the forces due to the noise that remains, and a peak force within "
+    "three of them of its limit is reported as not decided. Moments M_p are taken about the base points."
 )
 
 
@@ -44,8 +43,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=positive,
         default=0.02,
         metavar="SHARE",
-        help="warn where noise, three standard deviations of it, may make a leg's peak force higher than "
-        "computed by more than this share; default: 0.02",
+        help="warn where three standard deviations exceed this share of a leg's peak force; default: 0.02",
     )
     log_options(parser)
     json_file(parser)

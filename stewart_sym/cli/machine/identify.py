@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from ...studies.common.report import Report
 
 
-HELP = "identify inertial parameters from measured forces, or show it on a simulated measurement"
+HELP = "identify inertial parameters from measured forces, or from a simulated measurement"
 EXAMPLE = "stewart-sym identify hexapod.toml --sigma 0.5 -o identified"
 MORE = (
     "Without --measured the motion is the best of random Fourier series about the home pose, within "
@@ -48,20 +48,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         type=Path,
         metavar=("TRAJECTORY.csv", "FORCES.csv"),
         help="the motion, as for forces, and columns time, F1 to F6 (N) at the same times; of the robot file "
-        "only geometry and gravity are used; --seed, --samples and --candidates have no part in it",
+        "only geometry and gravity are used; --seed, --samples and --candidates are not used",
     )
     parser.add_argument(
         "--sigma", type=positive, default=1.0, help="standard deviation of measured forces, N; default: 1"
     )
     noise_options(
         parser,
-        "standard deviation of the measured {}, in --{}-unit: then poses alone count, and a smooth motion is "
-        "fitted together with the parameters; default: the motion is exact",
+        "standard deviation of the measured {}, in --{}-unit: only the poses are used, and a smooth motion "
+        "is fitted together with the parameters; default: the motion is exact",
         "position",
         "rotation about each axis",
     )
     parser.add_argument(
-        "--seed", type=whole, default=0, help="of the candidates and of the noise; default: 0"
+        "--seed", type=whole, default=0, help="of the random candidates and the simulated noise; default: 0"
     )
     parser.add_argument(
         "--period",
@@ -72,15 +72,17 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--harmonics",
         type=whole,
-        help="of the Fourier series; default: 5, or for measured poses as many as they call for",
+        help="of the Fourier series; default: 5, for measured poses chosen from the data",
     )
     parser.add_argument(
-        "--no-friction", action="store_true", help="of measured forces: a model whose joints have none"
+        "--no-friction",
+        action="store_true",
+        help="fit measured forces with a model whose joints have no friction",
     )
     parser.add_argument(
         "--physical",
         action="store_true",
-        help="of measured forces: keep to bodies that can exist, and write their parameters to bodies.csv",
+        help="fit measured forces by physically possible bodies, and write their parameters to bodies.csv",
     )
     parser.add_argument("--samples", type=whole, default=200, help="instants of one period; default: 200")
     parser.add_argument("--candidates", type=whole, default=50, help="random series to try; default: 50")

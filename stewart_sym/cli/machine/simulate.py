@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 HELP = "let a machine move under its legs' forces: a table, a summary and pictures"
 EXAMPLE = "stewart-sym simulate swing.toml -o swing"
 MORE = (
-    "The scene is a TOML file: schema = 1, robot (a file beside it), duration (s), and if you like "
-    'formulation, output_step (s), method, rtol, start ("path": where the path of a tracking law begins, '
-    'instead of [state]), on_force_limit ("stop", or "saturate": forces are clipped). [state]: t, theta '
-    "(roll, pitch, yaw), v, omega. [load]: F_ext, M_ext, platform frame. [thresholds]: max_condition, "
+    "The scene is a TOML file: schema = 1, robot (a file beside it), duration (s), and optionally "
+    'formulation, output_step (s), method, rtol, start ("path": at the beginning of the path that is '
+    'tracked, instead of [state]), on_force_limit ("stop", or "saturate": forces are clipped). [state]: t, '
+    "theta (roll, pitch, yaw), v, omega. [load]: F_ext, M_ext, platform frame. [thresholds]: max_condition, "
     'min_length, min_joint_sine. [legs]: law = "forces" with forces; "springs" with stiffness, damping, '
     'rest_length (without it they balance the weight at the start); "tracking" by computed torque with path '
     "(I, II, III or a CSV file as for `forces`), gains k_p and k_d, model, rate (Hz). SI units. A run stops "

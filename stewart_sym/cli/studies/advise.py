@@ -11,13 +11,14 @@ from ..terminal import progress_line
 HELP = "the cheapest kernel that is good enough for a machine's motions, and what physics it needs"
 EXAMPLE = "stewart-sym advise enough.toml --generate kernel"
 MORE = (
-    'The scene is a TOML file: schema = 1, robot (a file beside it), motions (a list of "I", "II", '
-    '"III" and of CSV files as for `forces`), tolerance (of the forces, share of a motion\'s peak '
-    "force), if you like margin (default 3: errors times this must be within the tolerance) and rate "
-    "(Hz: a pose alone must not take longer). Runs the motions at every fidelity, formulation and "
+    'The scene is a TOML file: schema = 1, robot (a file beside it), motions (a list of "I", "II", "III" '
+    "and of CSV files as for `forces`), tolerance (of the forces, share of a motion's peak force), "
+    "optionally margin (default 3: errors times this must be within the tolerance) and rate (Hz: the forces "
+    "of one pose must not take longer than a period). Runs the motions at every fidelity, formulation and "
     "precision; the cheapest is the one with the fewest operations, float before double. Rounding is "
-    "measured at 12 poses spread over each motion and at its hardest, the model at all poses. Exit "
-    "code 2 where nothing is good enough. Takes half a minute, less when the kernels are compiled."
+    "measured at 12 poses spread over each motion and where force and condition number are largest, the "
+    "model error at all poses. Exit code 2 where nothing is good enough. Takes half a minute, less when the "
+    "kernels are compiled."
 )
 
 

@@ -11,8 +11,8 @@ from ..terminal import progress_line
 HELP = "time the kernels beside CasADi, Pinocchio, MuJoCo and the processor's limit: tables, JSON, pictures"
 EXAMPLE = "stewart-sym bench -o bench"
 MORE = (
-    "Answers are compared before anything is timed. Of CasADi, Pinocchio and MuJoCo, the extra bench,"
-    " what is not installed is left out. Takes a minute or two on an otherwise idle machine."
+    "Results are compared before anything is timed. Whichever of CasADi, Pinocchio and MuJoCo (extra bench) "
+    "is not installed is left out. Takes a minute or two on an otherwise idle machine."
 )
 
 

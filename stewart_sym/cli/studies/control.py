@@ -15,7 +15,7 @@ MORE = (
     "The plant is `exact`; forces are held between samples. Computed torque by `exact`, by `paper` "
     "and by the platform alone (massless legs), and PD with gravity compensation: the same gains, the"
     " same start a little off the path. Without --robot: the paper's machine, as printed and with "
-    "friction that counts. Takes about half a minute."
+    "friction large enough to matter. Takes about half a minute."
 )
 
 

@@ -8,15 +8,15 @@ from ..options import json_file, output
 from ..results import results
 from ..terminal import progress_line
 
-HELP = "kernels for a machine on a microcontroller, under emulation: answers, instructions, flash, stack"
+HELP = "kernels for a machine on a microcontroller, under emulation: forces, instructions, flash, stack"
 EXAMPLE = "stewart-sym controller hexapod.toml -o controller"
 MORE = (
-    "Writes one-pose kernels, general and with the machine's numbers folded in, cross-compiles them "
-    "for Arm Cortex-M7 (double) and Cortex-M4F (float) and runs them under QEMU: forces against "
-    "50-digit ones, statuses of wrong calls, executed instructions, stack; flash, and what the "
-    "objects ask of libraries. Needs arm-none-eabi-gcc with newlib and qemu-system-arm (Debian: "
-    "gcc-arm-none-eabi, libnewlib-arm-none-eabi, qemu-system-arm). Exit code 2 where anything is not "
-    "right. Takes some ten seconds."
+    "Writes one-pose kernels, general and with the machine's numbers folded in, cross-compiles them for Arm "
+    "Cortex-M7 (double) and Cortex-M4F (float) and runs them under QEMU: forces against 50-digit ones, "
+    "statuses of invalid calls, executed instructions, stack; flash, and which library functions the "
+    "objects need. Needs arm-none-eabi-gcc with newlib and qemu-system-arm (Debian: gcc-arm-none-eabi, "
+    "libnewlib-arm-none-eabi, qemu-system-arm). Exit code 2 where anything is not right. Takes some ten "
+    "seconds."
 )
 
 
@@ -31,7 +31,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     output(parser, "DIR", "folder for the table and controller.json", "none written")
     parser.add_argument(
-        "--fidelity", metavar="LEVEL", default="general", help="as of `generate`; default: general"
+        "--fidelity", metavar="LEVEL", default="general", help="a level of `generate`; default: general"
     )
     json_file(parser)
 

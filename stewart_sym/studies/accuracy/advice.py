@@ -118,8 +118,8 @@ def report(found: Advice) -> str:
 
 
 _WHERE = (
-    f"Rounding is measured at {SAMPLED} poses spread over each motion and at its hardest, "
-    "the model at all poses."
+    f"Rounding is measured at {SAMPLED} poses spread over each motion and where force and condition "
+    "number are largest, the model error at all poses."
 )
 
 _COLUMNS = (

@@ -42,7 +42,8 @@ FEW, SLOW, MANY = 64, 1_024, 4_096
 """Poses of a C loop over one-pose calls, of a batch in NumPy, of a batch in C."""
 
 SAMPLED = 12
-"""Poses of a motion at which rounding is measured, spread evenly; the hardest ones come on top."""
+"""Poses of a motion at which rounding is measured, spread evenly; those of the largest force and the
+largest condition number come on top."""
 
 _ROUNDING = 100 * float(np.finfo(np.float64).eps)
 """Of force and condition number: what two double kernels of the same model may differ by."""

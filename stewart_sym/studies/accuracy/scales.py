@@ -84,10 +84,10 @@ _WIDE = _Arithmetic(
 class Scales:
     """Errors of the forces over size and mass.
 
-    robot: what was scaled. sizes: m, (s,). platform_masses, leg_masses:
-    kg, (p,) and (l,). errors: (s, p, l, n) by arithmetic, of n poses each, in rounding units of that
-    arithmetic, times the scaled condition number of H, times the largest of |F|, |D| and |x|; ``double`` is
-    missing where the C has no wider type to check it by; errors are infinite where poses are unsolvable.
+    robot: what was scaled. sizes: m, (s,). platform_masses, leg_masses: kg, (p,) and (l,). errors:
+    (s, p, l, n) by arithmetic, of n poses each, in rounding units of that arithmetic, times the scaled
+    condition number of H, times the largest of |F|, |D| and |x|; ``double`` is missing where the C has no
+    wider type to check it by; errors are infinite where poses are unsolvable.
     """
 
     robot: str

@@ -125,9 +125,10 @@ def _truth(robot: Robot, motion: Motion) -> NDArray[np.object_]:
 def _forces(robot: Robot, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
     """Forces and statuses; a robot whose constants overflow, which is an error, has none."""
     try:
-        return prepare(robot).forces_and_status(motion)
+        kernel = prepare(robot)
     except ValueError:
         return np.full((*motion.shape, 6), np.nan), np.full(motion.shape, NOT_FINITE, np.int32)
+    return kernel.forces_and_status(motion)
 
 
 def _one_pose(robot: Robot, motion: Motion) -> tuple[Array, int]:
@@ -155,9 +156,9 @@ def _closed_form(robot: Robot, motion: Motion) -> tuple[Array, int]:
     """F of H F = M [a; alpha] + bias - W_ext, by NumPy's elimination, which assumes nothing of H."""
     try:
         prepare(robot)
-        found = equations_of_motion(robot, motion, on_singular="nan")
     except ValueError:
         return np.full(6, np.nan), NOT_FINITE
+    found = equations_of_motion(robot, motion, on_singular="nan")
     if int(found.status) != OK or motion.a is None or motion.alpha is None:
         return np.full(6, np.nan), int(found.status)
     load = np.concatenate(
