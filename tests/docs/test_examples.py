@@ -10,7 +10,19 @@ import conventions_drawing
 import matplotlib.image
 import numpy as np
 import pytest
-from pages import DOCS, PAGES, SHAPE, TOP, blocks, pictures, prepared, run_and_compare, run_page, text_of
+from pages import (
+    DOCS,
+    PAGES,
+    SHAPE,
+    TOP,
+    blocks,
+    is_excerpt,
+    pictures,
+    prepared,
+    run_and_compare,
+    run_page,
+    text_of,
+)
 
 import stewart_sym as ss
 from stewart_sym.cli import main
@@ -24,6 +36,14 @@ NOT_RUN = ("sh .ci/setup ", "pip install ")
 """Beginnings of commands that change the environment: those of the README are run by ``.ci/run``."""
 SAME = 0.002
 """Mean difference of two drawings of the same figure, of 0 to 1: fonts differ from system to system."""
+
+
+def test_an_excerpt_shows_where_lines_are_left_out() -> None:
+    printed = "first\n  second\n\nthird\nfourth\n"
+    for text in ("first second third fourth", "... second ...", "first ... fourth", "... third fourth"):
+        assert is_excerpt(text.split(), printed)
+    for text in ("first fourth", "second ...", "... third", "first second", "... fourth first", "none ..."):
+        assert not is_excerpt(text.split(), printed)
 
 
 @pytest.mark.parametrize(

@@ -31,6 +31,8 @@ BLOCK = re.compile(r"^```(\S*)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
 FILE_NAME = re.compile(r"(?:#|//|/\*|%) ([\w.-]+\.(?:toml|c|cpp|txt|rs|m|py))\b")
 SHAPE = re.compile(r"\((\d+(?:, \d+)*),?\)")
 NUMBER = re.compile(r"-?\d+(?:\.(\d+))?")
+LEFT_OUT = "..."
+"""Stands for lines of an output that a page leaves out."""
 ROUNDING = 1e-9
 """Largest of what a comment calls 0 but for rounding, N and m/s^2."""
 
@@ -133,10 +135,27 @@ def run_page(page: str, folder: Path) -> int:
         elif block.language == "sh":
             printed = output(block.text, folder)
         elif block.language == "text" and printed is not None:
-            for line in filter(None, map(str.strip, block.text.splitlines())):
-                assert line in printed, f"{line}\nnot in\n{printed}"
-                count += 1
+            lines = [*filter(None, map(str.strip, block.text.splitlines()))]
+            assert is_excerpt(lines, printed), (
+                f"{block.text}\nis not, with ... where lines are left out, of\n{printed}"
+            )
+            count += len(lines) - lines.count(LEFT_OUT)
     return count
+
+
+def is_excerpt(lines: list[str], printed: str) -> bool:
+    """Whether lines are those of an output in order, with ``LEFT_OUT`` wherever it has others, ends too."""
+    rest = [*filter(None, map(str.strip, printed.splitlines()))]
+    skips = False
+    for line in lines:
+        if line == LEFT_OUT:
+            skips = True
+            continue
+        at = next((i for i, found in enumerate(rest) if line == found), None)
+        if at is None or (at > 0 and not skips):
+            return False
+        rest, skips = rest[at + 1 :], False
+    return skips or not rest
 
 
 def output(commands: str, folder: Path) -> str:
