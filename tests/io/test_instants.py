@@ -1,4 +1,4 @@
-"""Times as text: instants of a log can be told apart, whenever it begins."""
+"""Times as text: those of different instants of a log differ, whenever it begins."""
 
 import numpy as np
 import pytest
@@ -8,7 +8,7 @@ from stewart_sym.io.instants import least_step, time_text
 
 @pytest.mark.parametrize("start", [0.0, -2.0, 1e3, 1.7e9])
 @pytest.mark.parametrize("step", [1e-5, 1e-3, 0.0125, 0.5, 30.0])
-def test_instants_of_a_log_can_be_told_apart(start: float, step: float) -> None:
+def test_different_instants_of_a_log_have_different_texts(start: float, step: float) -> None:
     times = start + step * np.arange(5000)
     texts = [time_text(time, least_step(times)) for time in times]
     assert len(set(texts)) == len(times)

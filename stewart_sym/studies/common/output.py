@@ -10,7 +10,7 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 
-_ROWS = 4096
+_ROWS = 1024
 
 
 Columns = dict[str, NDArray[Any]]
