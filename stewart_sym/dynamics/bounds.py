@@ -70,7 +70,8 @@ def forces_with_bounds(
     precision : {"double", "float"}, optional
         "double" or "float".
     on_singular : {"raise", "nan", "warn"}, optional
-        "raise" ValueError, "warn" and return NaN, or return "nan" for unsolvable poses; ``status`` tells.
+        "raise" ValueError, "warn" and return NaN, or return "nan" without a warning for unsolvable poses;
+        ``status`` is that of each pose.
 
     Returns
     -------

@@ -1,7 +1,7 @@
 """Damped least squares: axial forces where H is singular and no x solves H x = c, (36).
 
 The method is that of Nakamura and Hanafusa, J. Dyn. Sys., Meas., Control 108 (1986) 163-171, damped only in
-the directions that are all but lost, by as much as their singular values ask for: the numerical filtering
+the directions that are all but lost, by as much as their singular values need: the numerical filtering
 of Maciejewski and Klein, J. Robotic Systems 5 (1988) 527-552.
 """
 
@@ -16,7 +16,7 @@ from ..results import DampedSolution
 
 SHARE = float(np.finfo(np.float64).eps) ** 0.25
 """Share of the largest singular value below which one is damped: rounding in a singular value of 0 then moves
-the forces by sqrt(eps) of what the wrench would ask of a well-conditioned H."""
+the forces by sqrt(eps) of what the same wrench needs with a well-conditioned H."""
 
 
 def damped_solution(H: ArrayLike, c: ArrayLike, length: float, share: float = SHARE) -> DampedSolution:

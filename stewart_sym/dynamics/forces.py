@@ -91,7 +91,7 @@ class ForceKernel(Frozen):
         threads: how many share the work at most, the caller one of them; the result does not depend on it,
         and a batch too small to gain is not shared. on_singular: "raise" ValueError,
         "warn" and return NaN, or return "nan" for unsolvable poses; "damped" as for
-        ``inverse_dynamics``, whose ``wrench_error`` tells what F leaves wanting, with fidelity "general"
+        ``inverse_dynamics``, whose ``wrench_error`` is what F does not balance, with fidelity "general"
         alone.
         """
         option(on_singular, ON_SINGULAR, "on_singular")

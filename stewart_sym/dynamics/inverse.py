@@ -79,9 +79,10 @@ def inverse_dynamics(
         "c" (compiled on first use; NumPy serves where there is no compiler), "numpy" or "reference".
     on_singular : {"raise", "nan", "warn", "damped"}, optional
         What to do about unsolvable poses: "raise" ValueError, "warn" and return NaN there, or return
-        "nan" silently; ``status`` tells. "damped": where H is singular, F by damped least squares
-        (``damped_solution``) with the status as it is, and ``wrench_error`` says what F leaves wanting. Legs
-        of length zero or along their universal axis have no such answer: NaN, and a warning. All other poses
+        "nan" without a warning; ``status`` is that of each pose. "damped": where H is singular, F by damped
+        least squares (``damped_solution``) with the status as it is, and ``wrench_error`` is the part of the
+        wrench that F does not balance. Legs of length zero or along their universal axis have no damped
+        forces: NaN, and a warning. All other poses
         are the same bits as without it.
 
     Returns

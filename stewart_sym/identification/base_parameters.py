@@ -1,10 +1,11 @@
-"""Base parameters: which combinations of a machine's inertial parameters its forces can tell.
+"""Base parameters: which combinations of a machine's inertial parameters its forces depend on.
 
-On every machine the mass of a lower part is never felt, the two inertias of a leg act as their sum, and the
+On every machine the mass of a lower part has no effect, the two inertias of a leg act as their sum, and the
 mass of an upper part acts as a point fixed to the platform at p: 100 of the 148 columns of Y are
-independent (``MERGED`` holds the formulas). All six components of a leg's inertia are felt, since the
-universal joint spins the leg. A machine may tell less, such as no h_d_y where the axes point along gravity,
-and a given motion less still; the rank of Y over a stack of poses decides.
+independent (``MERGED`` holds the formulas). All six components of a leg's inertia count, since the
+universal joint spins the leg. On a special machine fewer parameters are identifiable, such as no h_d_y
+where the axes point along gravity, and along a given motion fewer still; the rank of Y over a stack of
+poses decides.
 """
 
 import math

@@ -40,7 +40,7 @@ from .residual_test import EXACT, LEVEL, tested_estimate
 
 @dataclass(frozen=True, eq=False)
 class Experiment:
-    """A simulated measurement and what it tells.
+    """A simulated measurement and the estimate from it.
 
     Attributes
     ----------

@@ -130,7 +130,7 @@ def choose_excitation(
     seed: int = 0,
     progress: Progress = silent,
 ) -> Excitation:
-    """Draw Fourier series about the home pose and keep the one that tells the base parameters best apart.
+    """Draw Fourier series about the home pose and keep the one whose regressor is best conditioned.
 
     Every candidate is made small enough for the robot's limits of length, speed and force (the last with the
     robot's own parameters) and stays where the scaled condition number of H is at most three times that of

@@ -1,4 +1,4 @@
-"""How long work tells how far it is: what is being done and, where that is known, the share that is done."""
+"""Progress of long work: what is being done and, where that is known, the share that is done."""
 
 from collections.abc import Callable, Collection, Iterator
 from typing import Protocol, TypeVar

@@ -95,12 +95,12 @@ def forward_kinematics(
     L : array_like
         m, (..., 6).
     guess : Guess, optional
-        Pose (R, t) to start from, (..., 3, 3) and (..., 3); None: about parallel to the base and on the side
-        of it that ``platform_side`` tells, against gravity; where that leads nowhere, other such poses, and
-        in the end the other side.
+        Pose (R, t) to start from, (..., 3, 3) and (..., 3); None: nearly parallel to the base and on the
+        side that ``platform_side`` returns, against gravity; where no pose is found from there, other such
+        poses, and in the end the other side.
     on_failure : {"raise", "nan", "warn"}, optional
         What to do about lengths without a pose: "raise" ValueError, "warn" and return nan there, or return
-        "nan" silently; ``status`` tells.
+        "nan" without a warning; ``status`` is that of each pose.
     limits : bool, optional
         Whether lengths outside the robot's length_limits count as a failure.
 

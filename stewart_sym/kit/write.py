@@ -30,8 +30,8 @@ def write_kit(
 def put(made: Kit, directory: Path, force: bool = False, inputs: Iterable[Path] = ()) -> list[Path]:
     """Put the files of a kit into ``directory``, made if missing, and return them.
 
-    Files that are there already and equal stay as they are. Files of an older kit there, as its manifest
-    tells, are replaced, and removed where the new kit has none of their name, unless somebody changed them
+    Files that are there already and equal stay as they are. Files of an older kit there, by its
+    manifest, are replaced, and removed where the new kit has none of their name, unless somebody changed them
     since: then, as for files of other origin, only ``force`` replaces or removes them, for a header or a
     source of an older kit beside this one would be compiled with it. Further files are left alone, and
     ``inputs`` are never replaced. When anything fails the folder is as it was before.

@@ -52,7 +52,7 @@ def read_csv(
     Columns, in any order: ``time`` (s), increasing; ``t_x t_y t_z`` (m) and ``theta_x theta_y theta_z`` (rad,
     (38)) or a quaternion ``q_w q_x q_y q_z``; optionally all of ``v_*``, ``theta_dot_*``, ``a_*`` and
     ``theta_ddot_*``; optionally ``F_ext_*`` (N) and ``M_ext_*`` (N m), platform frame.  Without derivatives,
-    columns that show rounding or noise are smoothed, which a ``LogWarning`` tells, and all others
+    columns that show rounding or noise are smoothed, with a ``LogWarning``, and all others
     interpolated by a spline of degree 5 (of degree 3 with 4 or 5 rows); the angles are unwrapped first.
     Rows that no motion makes are named and replaced, what this changes counts in ``noise``; rows that repeat
     or interpolate those of a slower sensor don't count; gaps in time are named.

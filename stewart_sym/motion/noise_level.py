@@ -182,7 +182,7 @@ def _difference_level(time: Array, values: Array, order: int) -> Array:
 
     Of the smallest fifth of them, in which there is no jump of an acceleration.
     """
-    return _size_quantiles(_differences(time, values, order))[0]
+    return np.asarray(_size_quantiles(_differences(time, values, order))[0])
 
 
 def _size_quantiles(differences: Array) -> Array:

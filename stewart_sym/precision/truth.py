@@ -1,7 +1,7 @@
 """Forces at 50 digits: the derived equations of a fidelity, run before they are shared, printed or rounded.
 
 What rounding errors are measured against; the numbers of robot and motion are taken as they are stored.
-Asks ``derive`` for the equations and SymPy's mpmath for the digits.
+The equations are those of ``derive``, the digits SymPy's mpmath's.
 """
 
 from collections.abc import Mapping

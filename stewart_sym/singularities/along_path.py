@@ -162,8 +162,8 @@ def crossings(robot: Robot, path: Path, times: ArrayLike) -> tuple[Crossing, ...
 def singularities_along(robot: Robot, path: Path, times: ArrayLike) -> PathSingularities:
     """Return how a path passes singular poses, singularities of the universal joints and the legs' limits.
 
-    Arguments and errors as for ``crossings``. Times of minima are known as well as values tell them, to about
-    1e-8 of the interval between two times.
+    Arguments and errors as for ``crossings``. Times of minima are accurate to about 1e-8 of the
+    interval between two times.
 
     Parameters
     ----------

@@ -1,11 +1,11 @@
 """Joint-space trajectories, section 4.3: the platform's motion from leg lengths over time, by continuation.
 
-Lengths alone do not tell whether the platform crosses a singular pose or turns back at it: both motions
-have the same lengths. The rates do: turned back, the platform's velocity jumps. At every sample the poses
-on both sides are found, and the one that fits the motion of the sample before is taken; where J's
-determinant has changed its sign by then, or does so between the samples, the sample is named. Where noise
-of the lengths hides on which side the pose is, it hides what the motion does there: that sample is named as
-not decided.
+From lengths alone it is undecided whether the platform crosses a singular pose or turns back at it: both
+motions have the same lengths. The rates decide it: turned back, the platform's velocity jumps. At every
+sample the poses on both sides are found, and the one that fits the motion of the sample before is taken;
+where J's determinant has changed its sign by then, or does so between the samples, the sample is named.
+Where noise of the lengths hides on which side the pose is, it hides what the motion does there: that sample
+is named as not decided.
 """
 
 from __future__ import annotations

@@ -37,7 +37,8 @@ class Singularity:
     smallest : ndarray
         s_6, no unit, (...).
     determinant : ndarray
-        Of the scaled H, no unit, (...); its sign is that of det H and tells the side.
+        Of the scaled H, no unit, (...); its sign is that of det H, one on each side
+        of a singular pose.
     lost : ndarray of int
         Number of degrees of freedom lost to rounding, int, (...); with several, the twist is one of them.
     twist : ndarray

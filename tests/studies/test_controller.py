@@ -186,7 +186,7 @@ def test_the_command_writes_the_table_and_the_figures(
     printed = capsys.readouterr().out
     assert report.report(found) in printed
     assert json.loads((tmp_path / "out" / "controller.json").read_text()) == json.loads(
-        json_text(report.full_report(found).data)
+        json_text({"generator": "stewart-sym controller", **report.full_report(found).data})
     )
     assert (tmp_path / "out" / "controller.txt").read_text() == report.report(found) + "\n"
 

@@ -49,7 +49,7 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     """Read a scene file of ``advise`` (TOML, schema 1); the files that it names are looked for beside it.
 
     Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``read_any_csv``),
-    ``tolerance``, and if you like ``margin`` (>= 1) and ``rate`` (Hz).
+    ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).
 
     Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read, for every
     break of the schema, of this file or of one it names, and for an unsolvable pose; ImportError where

@@ -49,7 +49,7 @@ class Figures:
     program, ``image``; ram: bytes of the data of kernel and robot, ``kit``, and of the prepared constants,
     ``model``, which the caller holds. stack: bytes below the caller that a ``pose`` was seen to write, and
     that the preparation, ``prepare``, was; ``frames``: of all frames on the deepest way through a pose.
-    foreign: what the objects ask of libraries beyond square root, size and copies; double: of a float kit,
+    foreign: what the objects need of libraries beyond square root, size and copies; double: of a float kit,
     instructions and helpers for doubles.
     """
 

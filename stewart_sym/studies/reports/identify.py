@@ -137,7 +137,7 @@ def verdict(found: Estimate) -> list[str]:
 
 
 def measured_report(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) -> Report:
-    """What measured forces tell: parameters, and bodies if the fit kept to possible ones."""
+    """What follows from measured forces: parameters, and bodies if the fit kept to possible ones."""
     base = found.base
     departure, p = found.departure(robot)
     file = base.matrix @ inertial_parameters(robot).values
@@ -236,7 +236,7 @@ def _noise(sigma: float, noise: PoseNoise | None) -> str:
 
 
 def simulated_report(robot: Robot, found: Experiment) -> Report:
-    """What a simulated measurement tells: parameters beside the true ones, the motion and its forces."""
+    """A simulated measurement: parameters beside the true ones, the motion and its forces."""
     excited, estimate = found.excitation, found.estimate
     size = np.abs(found.deviation)
     shares = ", ".join(

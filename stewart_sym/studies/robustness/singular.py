@@ -33,7 +33,7 @@ FAILS = "H singular"
 REMEDY = "elimination with partial pivoting; status 4 where a pivot is rounding error against its row"
 
 DAMPED = "damped least squares"
-"""As ``on_singular="damped"`` has it: bounded forces of another wrench, which it tells."""
+"""As ``on_singular="damped"`` has it: bounded forces of another wrench."""
 
 
 def families(seed: int = 6) -> list[Family]:
