@@ -311,9 +311,9 @@ def _compiled(
         pairs = list(zip(every, made, strict=True))
         done = tracked(progress, pairs, lambda pair: f"compiling {pair[0].name}")
         kernels = {each: future.result() for each, future in done}
-        measured_sizes = list(zip(every, sizes, strict=True))
-        done = tracked(progress, measured_sizes, lambda pair: f"measuring the code of {pair[0].name}")
-        texts = {each: future.result() for each, future in done}
+        measured = list(zip(every, sizes, strict=True))
+        ended = tracked(progress, measured, lambda pair: f"measuring the code of {pair[0].name}")
+        texts = {each: future.result() for each, future in ended}
     return {each: kernel for each, kernel in kernels.items() if kernel is not None}, texts
 
 

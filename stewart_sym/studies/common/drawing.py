@@ -101,7 +101,8 @@ def log_numbers(axis: Axis) -> None:
     low, high = sorted(axis.get_view_interval())
     decades = math.log10(high / low)
     if decades < 1.0:
-        axis.axes.set(**{f"{axis.axis_name}scale": "linear", f"{axis.axis_name}lim": (low, high)})
+        name = "x" if axis is axis.axes.xaxis else "y"
+        axis.axes.set(**{f"{name}scale": "linear", f"{name}lim": (low, high)})
         return
     axis.set_minor_formatter(NullFormatter())
     if decades < _DECADES:
