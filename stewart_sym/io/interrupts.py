@@ -12,7 +12,11 @@ _deferred = False
 
 @contextlib.contextmanager
 def as_interrupts() -> Iterator[None]:
-    """Let signals that end a run raise KeyboardInterrupt in this block; those that are ignored stay so."""
+    """Let signals that end a run raise KeyboardInterrupt in this block; those that are ignored stay so.
+
+    An error after a signal is that signal: an extension module interrupted while it is imported raises
+    ImportError.
+    """
 
     def interrupt(number: int, frame: object) -> None:
         _received.append(number)
@@ -29,7 +33,11 @@ def as_interrupts() -> Iterator[None]:
     try:
         for number in caught:
             signal.signal(number, interrupt)
-        yield
+        try:
+            yield
+        except Exception:
+            check()
+            raise
         check()
     finally:
         for number in caught:

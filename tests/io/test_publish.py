@@ -347,7 +347,9 @@ def run(arguments):
         try:
             os.kill(os.getpid(), getattr(signal, sys.argv[2]))
         except KeyboardInterrupt:
-            pass  # as a library does that calls back
+            if sys.argv[3]:  # as an extension module that is being imported does
+                raise ImportError(sys.argv[3])
+            # as a library does that calls back
     return 0
 
 check.run = run
@@ -356,16 +358,16 @@ sys.exit(cli.main(["check", "none.toml"]))
 
 
 @pytest.mark.parametrize("name", ["SIGTERM", "SIGHUP", "SIGINT"])
-@pytest.mark.parametrize("ignored", [False, True])
+@pytest.mark.parametrize(("ignored", "error"), [(False, ""), (False, "initialization failed"), (True, "")])
 def test_a_signal_ends_a_run_even_where_a_library_swallows_it_and_an_ignored_one_does_not(
-    tmp_path: Path, name: str, ignored: bool
+    tmp_path: Path, name: str, ignored: bool, error: str
 ) -> None:
     def ignore() -> None:
         if ignored:
             signal.signal(getattr(signal, name), signal.SIG_IGN)
 
     target = tmp_path / "out"
-    command = [sys.executable, "-c", SIGNALLED, str(target), name]
+    command = [sys.executable, "-c", SIGNALLED, str(target), name, error]
     done = subprocess.run(command, preexec_fn=ignore, capture_output=True, text=True)
     code = 0 if ignored else 128 + getattr(signal, name)
     assert (done.returncode, done.stderr) == (code, "")
