@@ -115,6 +115,10 @@ def test_leg_of_length_zero_is_named() -> None:
         inverse_kinematics(robot, on_base[1])
 
 
+def test_the_sum_that_a_leg_is_has_its_equation_number() -> None:
+    assert "S = q + t - b, (1)" in str(inverse_kinematics.__doc__)
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_H_maps_the_twist_to_leg_rates_and_its_rate_to_their_accelerations(seed: int) -> None:
     rng = np.random.default_rng(seed)
