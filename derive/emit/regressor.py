@@ -68,7 +68,9 @@ def _functions(blocks: Regressor) -> list[t.Function]:
     read = Written(structures, _COUNTS, known).function
     of_platform = lay.stores(blocks.platform.outputs, _places("of_platform", _OF_PLATFORM).__getitem__)
     pose = (*lay.lines(blocks.platform, _loaded), *of_platform)
-    no_columns = t.Binary("&", is_null(t.Name("columns")), t.Binary("!=", t.Name("width"), t.As(t.Count(), t.Number(0))))
+    no_columns = t.Binary(
+        "&", is_null(t.Name("columns")), t.Binary("!=", t.Name("width"), t.As(t.Count(), t.Number(0)))
+    )
     one = missing(("robot", "motion", "Y"), (), no_columns)
     moved = tuple(q for q in n.MOTION if q not in batches.LOADS)
     many = missing(("robot", "motions", "Y"), moved) | batches.batch(written.one_regressor)

@@ -65,9 +65,7 @@ def all_columns(found: "Columns", Y: "Pointer(Real)") -> None:
             Y[i * OF_ALL + OF_LEGS + j] = found.of_platform[i][j]
 
 
-def chosen_columns(
-    found: "Columns", columns: "Pointer(Integer)", width: "Count", Y: "Pointer(Real)"
-) -> None:
+def chosen_columns(found: "Columns", columns: "Pointer(Integer)", width: "Count", Y: "Pointer(Real)") -> None:
     """The columns that are asked for, side by side."""
     for each in range(width):
         column = columns[each]
