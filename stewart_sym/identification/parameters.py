@@ -97,12 +97,19 @@ def regressor(
     need_universal(robot)
     need_motion(robot, motion)
     option(on_singular, ON_FAULT, "on_singular")
-    option(backend, tuple(_BACKENDS), "backend")
-    chosen = None if columns is None else _column_numbers(columns)
-    Y, status = _BACKENDS[backend](robot, motion, chosen)
-    Y[status != OK] = np.nan
+    option(backend, BACKENDS, "backend")
+    Y, status = evaluated(robot, motion, None if columns is None else _column_numbers(columns), backend)
     report_faults(status, robot, motion, on_singular, stacklevel=3)
     return Y
+
+
+def evaluated(
+    robot: Robot, motion: Motion, columns: NDArray[np.int32] | None, backend: Backend
+) -> tuple[Array, Codes]:
+    """Y, NaN where the status is not 0, and the status, (...), of checked arguments."""
+    Y, status = _FOUND_BY[backend](robot, motion, columns)
+    Y[status != OK] = np.nan
+    return Y, status
 
 
 def _column_numbers(columns: ArrayLike) -> NDArray[np.int32]:
@@ -151,7 +158,8 @@ def _reference(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) 
     return Y if columns is None else Y[..., columns], status
 
 
-_BACKENDS = {"c": _compiled, "numpy": _on_arrays, "reference": _reference}
+_FOUND_BY = {"c": _compiled, "numpy": _on_arrays, "reference": _reference}
+BACKENDS = tuple(_FOUND_BY)
 
 
 def _columns(found: Any, parameters: Sequence[tuple[str, str]]) -> list[list[Any]]:

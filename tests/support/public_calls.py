@@ -111,7 +111,12 @@ def calls() -> dict[str, Call]:
         "scaled_condition_number": Call(ss.scaled_condition_number, {"H": H, "length": 1.0}),
         "up_direction": Call(ss.up_direction, {"robot": robot}),
         "characteristic_length": Call(ss.characteristic_length, {"robot": robot}),
-        "regressor": Call(ss.regressor, {**both, "on_singular": "raise"}),
+        "regressor": Call(
+            ss.regressor, {**both, "on_singular": "raise", "columns": [0, 147], "backend": "c"}
+        ),
+        "equations_by_parameter": Call(
+            ss.equations_by_parameter, {**both, "on_singular": "raise", "backend": "c"}
+        ),
         "inertial_parameters": Call(ss.inertial_parameters, {"robot": robot}),
         "symbolic": Call(ss.symbolic, {"robot": robot, "what": "H", "formulation": "exact"}),
         "Symbolic.derivative": Call(derivative, {"by": sp.Symbol("t_x", real=True)}),
