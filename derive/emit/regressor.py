@@ -12,8 +12,7 @@ from ..kernel.shared import shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import steps_of
 from ..kernel.tree.read import LANES, Entries, Given
-from ..kernel.written import motion_lanes
-from ..kernel.written import regressor as written
+from ..kernel.written import motion_lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, column, names_of
 from ..print.c import C
@@ -75,7 +74,7 @@ def _functions(blocks: Regressor) -> list[t.Function]:
     moved = tuple(q for q in n.MOTION if q not in batches.LOADS)
     many = missing(("robot", "motions", "Y"), moved) | batches.batch(written.one_regressor)
     return [
-        read(motion_lanes.legs_status),
+        read(written.legs_status),
         read(
             written.columns_of_legs,
             apart=True,

@@ -6,6 +6,8 @@ Y depends on the points, the axes, gravity and the motion alone, pi on masses, c
 friction alone.
 """
 
+from __future__ import annotations
+
 import ctypes
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -19,7 +21,7 @@ from ..backend.kernel import robot_numbers
 from ..backend.numpy_kernel import legs_side_by_side, on_arrays
 from ..dynamics.inverse import Backend, need_motion, need_universal, report_faults, with_compiler
 from ..generated import exact_regressor
-from ..io.arguments import option, shown
+from ..io.arguments import option, real_array, shown
 from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion
@@ -114,12 +116,11 @@ def evaluated(
 
 def _column_numbers(columns: ArrayLike) -> NDArray[np.int32]:
     """Numbers of columns as C takes them."""
-    given, expected = np.asarray(columns), f"columns: expected whole numbers from 0 to {_COLUMNS - 1}, (n,)"
-    if given.ndim != 1 or (given.size and given.dtype.kind not in "iu"):
-        raise ValueError(f"{expected}, got {shown(columns)}")
-    wrong = given[(given < 0) | (given >= _COLUMNS)]
-    if wrong.size:
-        raise ValueError(f"{expected}, got {wrong[0]}")
+    expected = f"whole numbers from 0 to {_COLUMNS - 1}, (n,)"
+    given = real_array(columns, "columns", expected)
+    within = (given >= 0) & (given < _COLUMNS) & (given == np.floor(given))
+    if given.ndim != 1 or not within.all():
+        raise ValueError(f"columns: expected {expected}, got {shown(columns)}")
     return np.ascontiguousarray(given, dtype=np.int32)
 
 

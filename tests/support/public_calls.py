@@ -14,7 +14,15 @@ from stewart_sym.motion.trajectory import Trajectory
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
 RECORDS = {
-    *("BaseParameters", "EquationsOfMotion", "Estimate", "Excitation", "Experiment", "ForceDerivatives"),
+    *(
+        "BaseParameters",
+        "EquationsByParameter",
+        "EquationsOfMotion",
+        "Estimate",
+        "Excitation",
+        "Experiment",
+        "ForceDerivatives",
+    ),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
     *("LogWarning", "Saturation", "Smooth"),
