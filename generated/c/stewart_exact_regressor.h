@@ -12,8 +12,8 @@
  * base frame, each over the unit of its parameter. Of the robot, b, p, k and g are read and nothing else; of
  * the motion, all but the load.
  *
- * The forces depend on fewer combinations of the parameters. These are those of some columns alone, the base
- * parameters, which `ss.base_parameters` names for a machine; their columns are chosen by `columns`.
+ * The forces depend on fewer combinations of the parameters, the base parameters. `base_parameters` of the
+ * Python package finds them for a machine, and the columns of Y that are theirs: `kept`.
  *
  * Operations per pose: 3999 (2598 mul, 1377 add, 12 div, 12 sqrt).
  */
@@ -26,14 +26,14 @@
 extern "C" {
 #endif
 
-/* Y of one pose, (6, width): those of its columns that `columns` numbers from 0, `width` of them, or
- * null and 0 for all. Returns a status: STEWART_BAD_ARGUMENT for a column that there is not as well. Y
- * is written only if it is STEWART_OK. */
+/* Regressor Y[6][width] of one pose: the columns that `columns` numbers, from 0, or all, with null for
+ * `columns` and 0 for `width`. Returns a status: STEWART_BAD_ARGUMENT also for a column that there is
+ * not. Y is written only if it is STEWART_OK. */
 STEWART_NODISCARD int stewart_exact_regressor(
     const stewart_robot *robot, const stewart_motion *motion, const int *columns, size_t width,
     stewart_real *Y);
 
-/* The same of `count` poses, Y[count][6][width]. `status` takes one code for each pose; null: not
+/* Regressors Y[count][6][width] of `count` poses. `status` takes one code for each pose; null: not
  * wanted. Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the
  * others. */
 STEWART_NODISCARD int stewart_exact_regressor_batch(

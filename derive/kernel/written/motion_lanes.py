@@ -92,9 +92,9 @@ def columns_status(found: "Columns") -> "Integer":
 def regressor(
     robot: "Robot", motion: "Motion", columns: "Pointer(Integer)", width: "Count", Y: "Pointer(Real)"
 ) -> "Integer":
-    """Y of one pose, (6, width): those of its columns that `columns` numbers from 0, `width` of them, or null
-    and 0 for all. Returns a status: STEWART_BAD_ARGUMENT for a column that there is not as well. Y is written
-    only if it is STEWART_OK."""
+    """Regressor Y[6][width] of one pose: the columns that `columns` numbers, from 0, or all, with null for
+    `columns` and 0 for `width`. Returns a status: STEWART_BAD_ARGUMENT also for a column that there is not. Y
+    is written only if it is STEWART_OK."""
     found = blank(Columns)
     if MISSING:
         return BAD_ARGUMENT
@@ -143,8 +143,9 @@ def regressor_batch(
     Y: "Pointer(Real)",
     status: "Pointer(Integer)",
 ) -> "Integer":
-    """The same of `count` poses, Y[count][6][width]. `status` takes one code for each pose; null: not wanted.
-    Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others."""
+    """Regressors Y[count][6][width] of `count` poses. `status` takes one code for each pose; null: not
+    wanted. Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the
+    others."""
     one = blank(Motion)
     each = 6 * where(columns is not None, width, OF_ALL)
     if MISSING:
