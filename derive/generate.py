@@ -14,6 +14,7 @@ import sympy as sp
 from .emit import arrays, bounds, c, lanes
 from .emit import closed_form as motion
 from .emit import kinematics as kinematics_text
+from .emit import regressor as regressor_text
 from .emit.header import common_header, layout
 from .emit.shared import shared_headers
 from .kernel import kinematics as search
@@ -118,6 +119,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files |= _fidelities(version, models)
     progress("deriving exact_regressor")
     files["exact_regressor.py"] = arrays.regressor(reduced_regressor(), version)
+    files |= _of_c(regressor_text.files(reduced_regressor(), version))
     progress("deriving the closed form")
     files |= _closed_form(version)
     progress("deriving the kinematics")

@@ -24,6 +24,8 @@ from .formulas.symbols import Symbolic as Symbolic
 from .formulas.symbols import symbolic as symbolic
 from .identification.base_parameters import BaseParameters as BaseParameters
 from .identification.base_parameters import base_parameters as base_parameters
+from .identification.equations import EquationsByParameter as EquationsByParameter
+from .identification.equations import equations_by_parameter as equations_by_parameter
 from .identification.estimates import Estimate as Estimate
 from .identification.estimation import Experiment as Experiment
 from .identification.estimation import identify as identify

@@ -13,7 +13,7 @@ from ..kernel.tree.nodes import Constant, Program, calls_in, parts_of
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
 from ..mechanics.reduced_models import Fidelity
-from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, dependencies
+from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, dependencies, names_of
 from ..print.c import C
 from ..print.python import Python
 from ..print.template import filled
@@ -116,7 +116,7 @@ def imported(program: Program) -> str:
 
 def merged() -> list[tuple[str, str]]:
     """Base parameters that others are merged into, with their formulas; ``sum`` runs over the legs."""
-    own = [component_name(q.name, key) for q in PLATFORM_PARAMETERS for key in q.keys]
+    own = names_of(PLATFORM_PARAMETERS)
     formulas: dict[str, str] = {}
     for lost, shares in dependencies().items():
         for base, share in shares.items():

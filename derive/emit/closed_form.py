@@ -69,7 +69,7 @@ def files(
     """
     asked = asked_for(functions)
     file = f"stewart_{model.formulation.kernel_name}_motion"
-    before = "\n".join([top(file, version, SOLVE), filled("motion.c")])
+    before = "\n".join([top(file, version, SOLVE), filled("motion.c", aligned=filled("aligned.c"))])
     made = _Source(kernels, model, asked)
     parts = (settled(each) if isinstance(each, t.Function) else each for each in made.parts())
     texts = _header(made, kernels, frictionless, version)
@@ -215,7 +215,7 @@ OF_BATCHES = (
 
 # ---------------------------------------------------------------- what they need
 
-_CHECKS = t.Structure(
+CHECKS = t.Structure(
     "leg_checks",
     "What tells whether a leg is fit to be computed; bad: 1 where it is not, else 0.",
     tuple(t.numbers(each, LANES) for each in ("L", "reach", "k3", "bad")),
@@ -262,7 +262,7 @@ class _Source:
             if each.name not in MODEL_ONLY and not each.name.endswith(skipped):
                 yield self.layout.structure(each.name)
         yield from OF_BATCHES
-        yield _CHECKS
+        yield CHECKS
         yield self._read(written.legs_status)
         if any(kernel.near is not None for prefix, kernel in self.kernels.items() if self._uses(prefix)):
             yield self._read(written.is_near)
@@ -285,7 +285,7 @@ class _Source:
         return any(each.name == f"{prefix}_sums" for each in self.program.functions)
 
     def _read(self, text: o.Written, name: str = "", **more: Any) -> t.Function:
-        structures = {"Checked": _CHECKS, **more.pop("structures", {})}
+        structures = {"Checked": CHECKS, **more.pop("structures", {})}
         found = read.function(text, structures, self.functions, name, **more)
         self.functions[found.name] = found
         return found
@@ -358,14 +358,14 @@ class _Source:
                 written.leg_terms,
                 f"{prefix}_of_{part}",
                 structures=structures,
-                given=given | {"OUTSIDE": outside, "BLOCK": inside} | _checks(block),
+                given=given | {"OUTSIDE": outside, "BLOCK": inside} | checks(block),
             )
             self.functions[found.name] = replace(found, apart=True)
             yield self.functions[found.name]
         yield self._read(
             written.sums,
             f"{prefix}_sums",
-            structures=structures | {"Checked": _CHECKS},
+            structures=structures | {"Checked": CHECKS},
             given=given | {"GIVEN": lay.entries(q for q in GIVEN if q in kernel.leg.inputs)},
             names=names,
         )
@@ -383,7 +383,7 @@ class _Source:
             (
                 t.numbers("sum", count, LANES),
                 *(lay.stored(q, LANES, always=False) for q in held),
-                t.Field("checked", t.Record(_CHECKS.name)),
+                t.Field("checked", t.Record(CHECKS.name)),
                 t.Field("status", t.Integer()),
             ),
             aligned=True,
@@ -438,6 +438,7 @@ def _sums(kernel: SumKernel, block: Block) -> list[sp.Expr]:
     return [expr for q in kernel.summed for expr in given[q]]
 
 
-def _checks(block: Block) -> dict[str, read.Given]:
+def checks(block: Block) -> dict[str, read.Given]:
+    """How legs are found unfit, as ``layouts.checks`` has it."""
     terms = [*lay.exprs_of(block)[n.q], *n.t.symbols, *n.b.symbols]
     return lay.checks(block, terms, "ROUNDING", "JOINT_SINGULAR_SINE")

@@ -8,6 +8,7 @@ point. ``dependencies`` says which columns are sums of others on every machine. 
 universal base joints.
 """
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 import sympy as sp
@@ -52,6 +53,11 @@ def column(parameter: str) -> tuple[Quantity, Quantity]:
         Quantity(f"force_{parameter}", (3,), "", f"column of {parameter}, force rows, base frame"),
         Quantity(f"moment_{parameter}", (3,), "", f"column of {parameter}, moment rows, base frame"),
     )
+
+
+def names_of(parameters: Iterable[Quantity]) -> list[str]:
+    """The name of each parameter's component, in the order of the columns."""
+    return [component_name(q.name, key) for q in parameters for key in q.keys]
 
 
 def regressor() -> Regressor:
@@ -186,5 +192,5 @@ def _platform() -> Block:
 def _outputs(
     parameters: tuple[Quantity, ...], columns: dict[str, Column]
 ) -> list[tuple[Quantity, sp.Matrix]]:
-    names = [component_name(q.name, key) for q in parameters for key in q.keys]
+    names = names_of(parameters)
     return [pair for name in names for pair in zip(column(name), columns[name], strict=True)]

@@ -195,7 +195,7 @@ def force_regressor(robot: Robot, motion: Motion, base: BaseParameters) -> Array
     Raises ValueError for poses in which H is singular.
     """
     H = inverse_dynamics(robot, motion).H
-    return np.asarray(np.linalg.solve(H, regressor(robot, motion)[..., base.kept]))
+    return np.asarray(np.linalg.solve(H, regressor(robot, motion, columns=base.kept)))
 
 
 def _within_limits(

@@ -6,25 +6,33 @@ Y depends on the points, the axes, gravity and the motion alone, pi on masses, c
 friction alone.
 """
 
+from __future__ import annotations
+
+import ctypes
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
+from ..backend.c_kernel import address, call, library
+from ..backend.kernel import robot_numbers
 from ..backend.numpy_kernel import legs_side_by_side, on_arrays
-from ..dynamics.inverse import need_motion, need_universal, report_faults
+from ..dynamics.inverse import Backend, need_motion, need_universal, report_faults, with_compiler
 from ..generated import exact_regressor
-from ..io.arguments import option
-from ..io.array_types import Array, Flags
+from ..io.arguments import option, real_array, shown
+from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_FAULT, OnFault
 from ..motion.motion import Motion
+from ..reference.regressor import regressor as reference_regressor
 from ..results import NOT_FINITE, OK
 from ..robot.robot import LEGS, Robot
 
 _UPPER = np.triu_indices(3)
 # Parameters of a body: mass, first moment, inertia.
 _BODY = 10
+_COLUMNS = LEGS * len(exact_regressor.LEG_PARAMETERS) + len(exact_regressor.PLATFORM_PARAMETERS)
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +59,13 @@ class Parameters:
     units: tuple[str, ...]
 
 
-def regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> Array:
+def regressor(
+    robot: Robot,
+    motion: Motion,
+    on_singular: OnFault = "raise",
+    columns: ArrayLike | None = None,
+    backend: Backend = "c",
+) -> Array:
     """Y of H F + [R F_ext; R M_ext] = Y pi, (..., 6, 148); formulation `exact`, universal base joints.
 
     Rows 0-2 are forces, N, rows 3-5 moments about the reference point, N m, base frame, each over the unit of
@@ -66,21 +80,65 @@ def regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> A
         Motion of the platform, any leading shape.
     on_singular : {"raise", "nan", "warn"}, optional
         As for ``inverse_dynamics``, but singular H is no fault.
+    columns : array_like of int, optional
+        Numbers of the columns to compute, (n,), such as ``BaseParameters.kept``. None: all.
+    backend : {"c", "numpy", "reference"}, optional
+        As for ``inverse_dynamics``.
 
     Returns
     -------
     ndarray
-        Y, (..., 6, 148).
+        Y, (..., 6, 148), or its columns that are asked for, (..., 6, n).
 
     Raises
     ------
     ValueError
-        For spherical base joints, for a motion without accelerations, and for poses in which a leg has length
-        zero or lies along its universal axis.
+        For spherical base joints, for a motion without accelerations, for columns that there are not, and for
+        poses in which a leg has length zero or lies along its universal axis.
     """
     need_universal(robot)
     need_motion(robot, motion)
     option(on_singular, ON_FAULT, "on_singular")
+    option(backend, BACKENDS, "backend")
+    Y, status = evaluated(robot, motion, None if columns is None else _column_numbers(columns), backend)
+    report_faults(status, robot, motion, on_singular, stacklevel=3)
+    return Y
+
+
+def evaluated(
+    robot: Robot, motion: Motion, columns: NDArray[np.int32] | None, backend: Backend
+) -> tuple[Array, Codes]:
+    """Y, NaN where the status is not 0, and the status, (...), of checked arguments."""
+    Y, status = _FOUND_BY[backend](robot, motion, columns)
+    Y[status != OK] = np.nan
+    return Y, status
+
+
+def _column_numbers(columns: ArrayLike) -> NDArray[np.int32]:
+    """Numbers of columns as C takes them."""
+    expected = f"whole numbers from 0 to {_COLUMNS - 1}, (n,)"
+    given = real_array(columns, "columns", expected)
+    within = (given >= 0) & (given < _COLUMNS) & (given == np.floor(given))
+    if given.ndim != 1 or not within.all():
+        raise ValueError(f"columns: expected {expected}, got {shown(columns)}")
+    return np.ascontiguousarray(given, dtype=np.int32)
+
+
+def _compiled(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -> tuple[Array, Codes]:
+    def run() -> tuple[Array, Codes]:
+        source, width = library("exact_regressor"), 0 if columns is None else len(columns)
+        Y = np.empty((*motion.shape, 6, _COLUMNS if columns is None else width))
+        status = np.zeros(motion.shape, dtype=np.int32)
+        chosen = (address(columns), ctypes.c_size_t(width))
+        code = source.stewart_exact_regressor_batch
+        call(code, robot_numbers(robot), motion, *chosen, address(Y), address(status))
+        return Y, status
+
+    found: tuple[Array, Codes] = with_compiler(run, lambda: _on_arrays(robot, motion, columns))
+    return found
+
+
+def _on_arrays(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -> tuple[Array, Codes]:
     of_leg, of_platform = exact_regressor.LEG_PARAMETERS, exact_regressor.PLATFORM_PARAMETERS
 
     def run(on: Any, structure: Any, part: Any, _: slice) -> Any:
@@ -93,9 +151,16 @@ def regressor(robot: Robot, motion: Motion, on_singular: OnFault = "raise") -> A
     legs = np.moveaxis(found["legs"], -3, -1).reshape(*motion.shape, 6, LEGS * len(of_leg))
     Y = np.concatenate([legs, found["platform"].swapaxes(-1, -2)], axis=-1)
     status[(status == OK) & ~np.isfinite(Y).all(axis=(-1, -2))] = NOT_FINITE
-    Y[status != OK] = np.nan
-    report_faults(status, robot, motion, on_singular, stacklevel=3)
-    return Y
+    return Y if columns is None else Y[..., columns], status
+
+
+def _reference(robot: Robot, motion: Motion, columns: NDArray[np.int32] | None) -> tuple[Array, Codes]:
+    Y, status = reference_regressor(robot, motion)
+    return Y if columns is None else Y[..., columns], status
+
+
+_FOUND_BY = {"c": _compiled, "numpy": _on_arrays, "reference": _reference}
+BACKENDS = tuple(_FOUND_BY)
 
 
 def _columns(found: Any, parameters: Sequence[tuple[str, str]]) -> list[list[Any]]:

@@ -55,11 +55,14 @@ def by_linearity(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> Equati
 def _terms(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tuple[dict[str, Array], Codes]:
     M, bias, status = inertia_and_bias(wrench, robot, motion)
     zero = np.zeros_like(motion.t)
-    g, _ = wrench(robot, _with(motion, zero, zero, zero, zero))
+    g, _ = wrench(robot, with_rates(motion, zero, zero, zero, zero))
     # Of rates so slow that no inertial force, their square, is left beside the friction.
-    slow = _with(motion, motion.v * _SLOWLY, motion.omega * _SLOWLY, zero, zero)
+    slow = with_rates(motion, motion.v * _SLOWLY, motion.omega * _SLOWLY, zero, zero)
     resisted, inertial = (wrench(machine, slow)[0] for machine in (_without(robot, ("g",)), _bare(robot)))
-    C = _coriolis(wrench, robot, motion, M)
+    bare, still = _bare(robot), np.zeros((*motion.shape, 6, 3))
+    C = coriolis(
+        lambda v, omega: wrench(bare, with_rates(motion, v, omega, still, still))[0], robot, motion, M
+    )
     return {"M": M, "C": C, "g": g, "friction": (resisted - inertial) / _SLOWLY, "bias": bias}, status
 
 
@@ -71,8 +74,8 @@ def inertia_and_bias(wrench: ActuatorWrench, robot: Robot, motion: Motion) -> tu
     zero = np.zeros_like(motion.t)
     still = np.zeros((*motion.shape, 6, 3))
     unit = np.broadcast_to(np.eye(6), (*motion.shape, 6, 6))
-    columns, of_columns = wrench(_bare(robot), _with(motion, still, still, unit[..., :3], unit[..., 3:]))
-    bias, status = wrench(robot, _with(motion, motion.v, motion.omega, zero, zero))
+    columns, of_columns = wrench(_bare(robot), with_rates(motion, still, still, unit[..., :3], unit[..., 3:]))
+    bias, status = wrench(robot, with_rates(motion, motion.v, motion.omega, zero, zero))
     status = np.where(status == OK, of_columns.max(axis=-1), status).astype(np.int32)
     return np.swapaxes(columns, -1, -2), bias, status
 
@@ -149,12 +152,13 @@ _NUMBERS = (
 )
 
 
-def _coriolis(wrench: ActuatorWrench, robot: Robot, motion: Motion, M: Array) -> Array:
+def coriolis(h: Callable[[Array, Array], Array], robot: Robot, motion: Motion, M: Array) -> Array:
     """C, (..., 6, 6), of the Levi-Civita connection of M in the frame of twists [v; omega].
 
-    The quadratic wrench h of the rates gives by polarisation the part of C that is symmetric in twist and
-    direction. Twists are no rates of coordinates: the fields of two constant twists have the Lie bracket
-    [0; -omega_1 x omega_2], base axes, and half of it goes through M. With that dM/dt = C + C^T.
+    The quadratic wrench h of the rates, of v and omega (..., 6, 3), gives by polarisation the part of C that
+    is symmetric in twist and direction. Twists are no rates of coordinates: the fields of two constant twists
+    have the Lie bracket [0; -omega_1 x omega_2], base axes, and half of it goes through M. With that dM/dt =
+    C + C^T. h and M may have axes before those of the motion.
     """
     length = float(np.sqrt(np.mean(np.sum(robot.p**2, axis=-1)))) or 1.0
     speed = _size(motion.omega) + _size(motion.v) / length
@@ -162,20 +166,15 @@ def _coriolis(wrench: ActuatorWrench, robot: Robot, motion: Motion, M: Array) ->
     step = np.where(speed > 0.0, speed, 1.0)[..., None] * np.repeat([length, 1.0], 3)
     twist = np.concatenate([motion.v, motion.omega], axis=-1)[..., None, :]
     direction = step[..., None] * np.eye(6)
-    bare = _bare(robot)
-    still = np.zeros((*motion.shape, 6, 3))
-
-    def h(twists: Array) -> Array:
-        return wrench(bare, _with(motion, twists[..., :3], twists[..., 3:], still, still))[0]
-
-    symmetric = (h(twist + direction) - h(twist - direction)) / (4 * step[..., None])
+    there, back = (h(twists[..., :3], twists[..., 3:]) for twists in (twist + direction, twist - direction))
+    symmetric = (there - back) / (4 * step[..., None])
     bracket = -np.cross(motion.omega[..., None, :], np.eye(3), axisc=-2)
     of_bracket = np.zeros_like(M)
     of_bracket[..., 3:] = M[..., 3:] @ bracket
     return np.asarray(np.swapaxes(symmetric, -1, -2) + of_bracket / 2)
 
 
-def _with(motion: Motion, v: Array, omega: Array, a: Array, alpha: Array) -> Motion:
+def with_rates(motion: Motion, v: Array, omega: Array, a: Array, alpha: Array) -> Motion:
     """The motion's poses with other rates and accelerations, (..., 3) or (..., 6, 3), and without a load."""
     R, t = motion.R, motion.t
     if v.ndim > t.ndim:

@@ -1,7 +1,5 @@
 """The regressor times the parameters is the wrench of the actuators and the load; at 50 digits as well."""
 
-import functools
-
 import numpy as np
 import pytest
 from fifty_digits import DIGITS, truth
@@ -9,6 +7,7 @@ from machines import dasgupta, random_motion, random_robot
 from motion_blocks import case, load
 from mpmath import mp
 from numpy.typing import NDArray
+from regressor_blocks import columns
 
 import stewart_sym as ss
 from stewart_sym.derive.mechanics import regressor as derived
@@ -17,8 +16,6 @@ from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
-Column = mp.matrix
-blocks = functools.cache(derived.regressor)
 
 
 def wrench(robot: Robot, motion: Motion) -> Array:
@@ -29,17 +26,6 @@ def wrench(robot: Robot, motion: Motion) -> Array:
         load = [np.einsum("...ij,...j", motion.R, vector) for vector in (motion.F_ext, motion.M_ext)]
         total = total + np.concatenate(load, axis=-1)
     return total
-
-
-def columns(raw: list[dict[str, mp.mpf]]) -> tuple[list[dict[str, Column]], dict[str, Column]]:
-    """Columns by parameter of each leg and of the platform, from the blocks, in the working precision."""
-
-    def found(block, values: dict[str, mp.mpf]) -> dict[str, Column]:
-        parts = block.run(values, mp.sqrt)
-        names = [name.removeprefix("force_") for name in parts if name.startswith("force_")]
-        return {name: mp.matrix([*parts[f"force_{name}"], *parts[f"moment_{name}"]]) for name in names}
-
-    return [found(blocks().leg, values) for values in raw], found(blocks().platform, raw[0])
 
 
 @pytest.mark.parametrize("friction", [True, False])

@@ -97,7 +97,7 @@ def seeds() -> list[bytes]:
 def test_every_kernel_has_an_oracle() -> None:
     attacked = attack_build.oracles()
     assert {kind for _, kind in attacked.values()} == {
-        *("forces", "dynamics", "motion", "bounds", "kinematics", "legs")
+        *("forces", "dynamics", "motion", "bounds", "kinematics", "legs", "regressor")
     }
     for stem, (kernel, kind) in attacked.items():
         header = (attack_build.GENERATED / f"{stem}.h").read_text()

@@ -36,7 +36,7 @@ SUPPRESSED = {
 COMMITTED = (
     *("stewart_exact", "stewart_paper_spherical", "stewart_exact_motion", "stewart_exact_bounds"),
     *("stewart_exact_forces", "stewart_exact_massless_forces", "stewart_exact_slender_static_forces"),
-    *("stewart_kinematics", "stewart_legs"),
+    *("stewart_kinematics", "stewart_legs", "stewart_exact_regressor"),
 )
 """One source of each emitter and each way that it goes: with and without a leg frame, friction, motion."""
 LONG = ("stewart_exact_motion", "stewart_exact_bounds")

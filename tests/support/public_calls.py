@@ -14,7 +14,15 @@ from stewart_sym.motion.trajectory import Trajectory
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
 RECORDS = {
-    *("BaseParameters", "EquationsOfMotion", "Estimate", "Excitation", "Experiment", "ForceDerivatives"),
+    *(
+        "BaseParameters",
+        "EquationsByParameter",
+        "EquationsOfMotion",
+        "Estimate",
+        "Excitation",
+        "Experiment",
+        "ForceDerivatives",
+    ),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
     *("LogWarning", "Saturation", "Smooth"),
@@ -111,7 +119,12 @@ def calls() -> dict[str, Call]:
         "scaled_condition_number": Call(ss.scaled_condition_number, {"H": H, "length": 1.0}),
         "up_direction": Call(ss.up_direction, {"robot": robot}),
         "characteristic_length": Call(ss.characteristic_length, {"robot": robot}),
-        "regressor": Call(ss.regressor, {**both, "on_singular": "raise"}),
+        "regressor": Call(
+            ss.regressor, {**both, "on_singular": "raise", "columns": [0, 147], "backend": "c"}
+        ),
+        "equations_by_parameter": Call(
+            ss.equations_by_parameter, {**both, "on_singular": "raise", "backend": "c"}
+        ),
         "inertial_parameters": Call(ss.inertial_parameters, {"robot": robot}),
         "symbolic": Call(ss.symbolic, {"robot": robot, "what": "H", "formulation": "exact"}),
         "Symbolic.derivative": Call(derivative, {"by": sp.Symbol("t_x", real=True)}),

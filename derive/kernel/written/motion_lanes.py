@@ -1,4 +1,4 @@
-"""The closed form's blocks with the legs of a pose in lanes, in the part of Python that ``read`` reads."""
+"""Closed form and regressor with the legs of a pose in lanes, in the part of Python that ``read`` reads."""
 
 
 def pose_terms(
@@ -53,3 +53,107 @@ def forces(model: "Model", motion: "Motion", out: "Forces") -> None:
     for i in range(6):
         out.F[i] = 0.0
     out.status = kernel_forces(model, motion, out.F)
+
+
+# ---------------------------------------------------------------- regressor
+
+
+def columns_of_legs(robot: "alone(Robot)", at: "alone(Motion)", out: "alone(Columns)") -> None:
+    """Columns of the legs side by side, $count operations each, and a mark where a leg is not fit, or a
+    number of it not finite: moments are made of the forces and say it of both."""
+    for i in range(LANES):
+        for number in entries(OF_LEG):
+            out[number, i] = robot.leg[where(i < 6, i, 5)][number]
+    OUTSIDE
+    for l in range(LANES):
+        BLOCK
+        checked(out.checked)
+        for number in entries(MOMENTS):
+            fault = where(size(number) <= MAX, fault, 1.0)
+        out.lost[l] = fault
+
+
+def columns_of_platform(robot: "alone(Robot)", at: "alone(Motion)", out: "alone(Columns)") -> None:
+    """Columns of the platform: $count operations."""
+    POSE
+
+
+def columns_status(found: "Columns") -> "Integer":
+    """What is wrong with a leg, or whether a number is not finite."""
+    status = legs_status(found.checked)
+    lost = 0.0
+    for i in range(6):
+        lost = larger(found.lost[i], lost)
+        for j in range(OF_PLATFORM):
+            lost = where(size(found.of_platform[i][j]) <= MAX, lost, 1.0)
+    return where(status == OK and lost > 0.0, NOT_FINITE, status)
+
+
+def regressor(
+    robot: "Robot", motion: "Motion", columns: "Pointer(Integer)", width: "Count", Y: "Pointer(Real)"
+) -> "Integer":
+    """Regressor Y[6][width] of one pose: the columns that `columns` numbers, from 0, or all, with null for
+    `columns` and 0 for `width`. Returns a status: STEWART_BAD_ARGUMENT also for a column that there is not. Y
+    is written only if it is STEWART_OK."""
+    found = blank(Columns)
+    if MISSING:
+        return BAD_ARGUMENT
+    for i in range(width):
+        if columns[i] < 0 or columns[i] >= OF_ALL:
+            return BAD_ARGUMENT
+    columns_of_legs(robot, motion, found)
+    columns_of_platform(robot, motion, found)
+    status = columns_status(found)
+    if status == OK:
+        if columns is None:
+            all_columns(found, Y)
+        else:
+            chosen_columns(found, columns, width, Y)
+    return status
+
+
+def all_columns(found: "Columns", Y: "Pointer(Real)") -> None:
+    """Every column in its place: leg after leg, then the platform's."""
+    for i in range(6):
+        for leg in range(6):
+            for j in range(OF_ONE_LEG):
+                Y[i * OF_ALL + leg * OF_ONE_LEG + j] = found.of_legs[i][j][leg]
+        for j in range(OF_PLATFORM):
+            Y[i * OF_ALL + OF_LEGS + j] = found.of_platform[i][j]
+
+
+def chosen_columns(found: "Columns", columns: "Pointer(Integer)", width: "Count", Y: "Pointer(Real)") -> None:
+    """The columns that are asked for, side by side."""
+    for each in range(width):
+        column = columns[each]
+        leg = column / OF_ONE_LEG
+        for i in range(6):
+            if column < OF_LEGS:
+                Y[i * width + each] = found.of_legs[i][column - leg * OF_ONE_LEG][leg]
+            else:
+                Y[i * width + each] = found.of_platform[i][column - OF_LEGS]
+
+
+def regressor_batch(
+    robot: "Robot",
+    count: "Count",
+    motions: "Motions",
+    columns: "Pointer(Integer)",
+    width: "Count",
+    Y: "Pointer(Real)",
+    status: "Pointer(Integer)",
+) -> "Integer":
+    """Regressors Y[count][6][width] of `count` poses. `status` takes one code for each pose; null: not
+    wanted. Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the
+    others."""
+    one = blank(Motion)
+    each = 6 * where(columns is not None, width, OF_ALL)
+    if MISSING:
+        return BAD_ARGUMENT
+    batch()
+
+
+def one_regressor() -> None:
+    """Of one pose."""
+    load_pose(motions, pose, one)
+    code = regressor(robot, one, columns, width, Y[pose * each :])

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ...backend import c_kernel, native
 from ...backend.c_kernel import address
+from ...backend.kernel import robot_numbers
 from ...dynamics import forces
 from ...dynamics.equations import joint_space_inertia
 from ...kinematics.inverse import wrench_matrix, wrench_matrix_rate
@@ -21,6 +22,7 @@ from ...motion.motion import Motion
 from ...motion.rotation import cross_matrix, rotation_from_vector
 from ...reference import newton_euler
 from ...reference.equations_of_motion import equations_of_motion
+from ...reference.regressor import regressor
 from ...robot.robot import Robot
 from ..common.loops import own_source
 from .baselines import AGREEMENT, NAME, Poses, Runner, succeed
@@ -32,7 +34,7 @@ Array = NDArray[np.float64]
 Run = Callable[[int], object]
 
 POSES = 16
-"""Poses of every loop; few, so that the largest outputs of all of them stay in the first cache."""
+"""Poses of every loop; few, so that all outputs but the largest, the regressor, stay in the first cache."""
 
 DIFFERENCES = 1e-6
 """Largest difference of derivatives from differences of the reference, share of a pose's largest."""
@@ -41,12 +43,17 @@ SOLVED = 1e-8
 """Largest difference of our accelerations; the solve multiplies rounding by the condition of M."""
 
 
+def _model(robot: Robot) -> Array:
+    return forces.prepare(robot, NAME).model
+
+
 @dataclass(frozen=True, eq=False)
 class Function:
     """One function of the generated C.
 
     arguments: after the machine and the motion, where ``F`` holds six forces and ``out`` takes the numbers.
     expected: the parts of those numbers in their order, (n, ...) each, from robot, motion, actuator forces.
+    machine: its numbers as the function takes them.
     """
 
     name: str
@@ -54,6 +61,7 @@ class Function:
     arguments: str
     expected: Callable[[Robot, Motion, Array], Sequence[Array]]
     tolerance: float = AGREEMENT
+    machine: Callable[[Robot], Array] = _model
 
 
 # --- what the reference says ------------------------------------------------------------------
@@ -137,6 +145,13 @@ FUNCTIONS = (
         _expected_linearisation,
         DIFFERENCES,
     ),
+    Function(
+        "regressor",
+        "regressor",
+        "0, 0, out",
+        lambda robot, motion, F: (regressor(robot, motion)[0],),
+        machine=robot_numbers,
+    ),
 )
 """Ours; every ratio is to the first."""
 
@@ -154,8 +169,9 @@ def library() -> ctypes.CDLL:
     sources = {
         **c_kernel.c_sources(f"{NAME}_forces"),
         **c_kernel.c_sources(f"{NAME}_motion"),
+        **c_kernel.c_sources(f"{NAME}_regressor"),
         "loop_of_outputs.h": own_source("loop_of_outputs.h"),
-        "drive.c": f'#include "stewart_{NAME}_motion.h"\n{loops}',
+        "drive.c": f'#include "stewart_{NAME}_motion.h"\n#include "stewart_{NAME}_regressor.h"\n{loops}',
     }
     return native.load("bench_motion", sources)
 
@@ -211,7 +227,8 @@ def motion_group(poses: Poses) -> MotionGroup:
     drives, tasks, differences = library(), {}, {}
     for each in FUNCTIONS:
         parts = each.expected(robot, motion, F)
-        runner = _loop(getattr(drives, f"drive_{each.function}"), few, F, sum(map(_numbers, parts)))
+        drive = getattr(drives, f"drive_{each.function}")
+        runner = _loop(drive, each.machine(robot), few, F, sum(map(_numbers, parts)))
         runner.run(1)
         differences[each.name] = _difference(each.name, runner.F(), parts, each.tolerance)
         tasks[_task(each.name)] = (runner.run, POSES)
@@ -243,14 +260,13 @@ def _task(name: str, kind: str = "") -> str:
     return f"motion, {name}{kind}"
 
 
-def _loop(drive: Any, poses: Poses, F: Array, numbers: int) -> Runner:
+def _loop(drive: Any, machine: Array, poses: Poses, F: Array, numbers: int) -> Runner:
     """A loop over the poses in C; ``numbers`` come out of each."""
-    model, rows = forces.prepare(poses.robot, NAME).model, poses.rows
-    out = np.zeros((len(poses), numbers))
+    rows, out = poses.rows, np.zeros((len(poses), numbers))
     count, width = ctypes.c_size_t(len(poses)), ctypes.c_size_t(numbers)
 
     def run(repeats: int) -> None:
-        given = (address(model), count, ctypes.c_size_t(repeats), address(rows), address(F))
+        given = (address(machine), count, ctypes.c_size_t(repeats), address(rows), address(F))
         succeed(drive(*given, width, address(out)))
 
     return Runner(run, lambda: out)

@@ -22,6 +22,8 @@ def oracles() -> dict[str, tuple[str, str]]:
             continue
         if kernel.endswith("_motion"):
             found[path.stem] = (kernel.removesuffix("_motion"), "motion")
+        elif kernel.endswith("_regressor"):
+            found[path.stem] = (kernel.removesuffix("_regressor"), "regressor")
         elif kernel.endswith("_bounds"):
             found[path.stem] = (kernel.removesuffix("_bounds"), "bounds")
         elif kernel in ("kinematics", "legs"):
@@ -35,7 +37,7 @@ def oracles() -> dict[str, tuple[str, str]]:
 
 SOME = (
     *("stewart_exact", "stewart_exact_motion", "stewart_exact_bounds", "stewart_kinematics"),
-    "stewart_legs",
+    *("stewart_legs", "stewart_exact_regressor"),
     *("stewart_exact_forces", "stewart_exact_massless_static_forces", "stewart_paper_spherical_forces"),
 )
 """One source of each printer and each way that it goes."""

@@ -1,0 +1,133 @@
+"""C99 of the regressor: one pose with its legs in lanes, and poses one after the other.
+
+The blocks are those of the module of arrays, in the same order, so that both have the same bits.
+"""
+
+from ..kernel import batches
+from ..kernel import layouts as lay
+from ..kernel.batches import MOTIONS, is_null, missing
+from ..kernel.layouts import LANE, Place, Written
+from ..kernel.prepare import LEG, MOTION, ROBOT
+from ..kernel.shared import shared
+from ..kernel.tree import nodes as t
+from ..kernel.tree.lower import steps_of
+from ..kernel.tree.read import LANES, Entries, Given
+from ..kernel.written import motion_lanes as written
+from ..mechanics import quantities as n
+from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, column, names_of
+from ..print.c import C
+from ..print.template import filled
+from ..program.block import Block, Quantity
+from .closed_form import CHECKS, LEGS, OF_BATCHES, checks
+from .shared import SIZES, SOLVE, header, top
+
+NAME = "stewart_exact_regressor"
+_GIVEN = (n.b, n.p, n.k)
+_OF_LEG, _OF_PLATFORM = names_of(LEG_PARAMETERS), names_of(PLATFORM_PARAMETERS)
+_COUNTS: dict[str, Given] = {
+    "OF_ONE_LEG": len(_OF_LEG),
+    "OF_LEGS": LEGS * len(_OF_LEG),
+    "OF_PLATFORM": len(_OF_PLATFORM),
+    "OF_ALL": LEGS * len(_OF_LEG) + len(_OF_PLATFORM),
+}
+_COLUMNS = t.Structure(
+    "regressor_columns",
+    "Columns of a pose, their rows first; what the legs are given, and lost: 1 where a number is not finite.",
+    (
+        t.numbers("of_legs", 6, len(_OF_LEG), LANES),
+        *(lay.stored(q, LANES, always=False) for q in _GIVEN),
+        t.numbers("lost", LANES),
+        t.Field("checked", t.Record(CHECKS.name)),
+        t.numbers("of_platform", 6, len(_OF_PLATFORM)),
+    ),
+    aligned=True,
+)
+
+
+def files(blocks: Regressor, version: str) -> dict[str, str]:
+    """``stewart_exact_regressor.h`` and ``.c``."""
+    parts = _functions(blocks)
+    texts = header(
+        "regressor.h",
+        NAME,
+        version,
+        operations=LEGS * blocks.leg.operations() + blocks.platform.operations(),
+        columns=_COUNTS["OF_ALL"],
+        declarations=C(parts).interface(*parts),
+    )
+    before = "\n".join([top(NAME, version, SOLVE), filled("aligned.c")])
+    source = C(shared().by_name.values(), SIZES).source(before, CHECKS, _COLUMNS, OF_BATCHES[1], *parts)
+    return texts | {f"{NAME}.c": source}
+
+
+def _functions(blocks: Regressor) -> list[t.Function]:
+    structures = {"Robot": ROBOT, "Leg": LEG, "Motion": MOTION, "Motions": MOTIONS}
+    structures |= {"Columns": _COLUMNS, "Checked": CHECKS}
+    known = {each.name: each for each in (*shared().by_name.values(), *OF_BATCHES)}
+    read = Written(structures, _COUNTS, known).function
+    of_platform = lay.stores(blocks.platform.outputs, _places("of_platform", _OF_PLATFORM).__getitem__)
+    pose = (*lay.lines(blocks.platform, _loaded), *of_platform)
+    no_columns = t.Binary(
+        "&", is_null(t.Name("columns")), t.Binary("!=", t.Name("width"), t.As(t.Count(), t.Number(0)))
+    )
+    one = missing(("robot", "motion", "Y"), (), no_columns)
+    moved = tuple(q for q in n.MOTION if q not in batches.LOADS)
+    many = missing(("robot", "motions", "Y"), moved) | batches.batch(written.one_regressor)
+    return [
+        read(written.legs_status),
+        read(
+            written.columns_of_legs,
+            apart=True,
+            given=_leg(blocks.leg),
+            count=blocks.leg.operations().total,
+        ),
+        read(
+            written.columns_of_platform,
+            apart=True,
+            given={"POSE": pose},
+            count=blocks.platform.operations().total,
+        ),
+        read(written.columns_status),
+        read(written.all_columns),
+        read(written.chosen_columns),
+        read(written.regressor, NAME, public=True, given=one),
+        read(written.regressor_batch, f"{NAME}_batch", public=True, given=many),
+    ]
+
+
+def _loaded(quantity: Quantity) -> Place:
+    """Where a block's input is."""
+    if quantity in _GIVEN:
+        return lay.member("out", quantity, LANE)
+    return lay.member("at" if quantity in n.MOTION else "robot", quantity)
+
+
+def _places(member: str, parameters: list[str], *lane: t.Expression) -> dict[Quantity, Place]:
+    """Where columns are put: force rows, then moment rows."""
+    whole = t.of("out", member)
+    return {
+        rows: Place(whole, (t.Number(j), *lane), first)
+        for j, name in enumerate(parameters)
+        for rows, first in zip(column(name), (0, 3), strict=True)
+    }
+
+
+def _leg(block: Block) -> dict[str, Given]:
+    """What ``written.columns_of_legs`` is given: loads, the block, and the moments, each once."""
+    places = _places("of_legs", _OF_LEG, LANE)
+    columns = [out for out in block.outputs if out.quantity in places]
+    moments = {
+        expr: places[out.quantity].part(out.quantity, i)
+        for out in columns
+        if places[out.quantity].first
+        for i, expr in enumerate(out.exprs)
+        if expr != 0
+    }
+    outside, inside = lay.parted(lay.loaded(block, _loaded, n.t, n.b))
+    return {
+        **checks(block),
+        "OF_LEG": lay.entries(_GIVEN),
+        "OUTSIDE": outside,
+        "BLOCK": (*inside, *steps_of(block.steps), *lay.stores(columns, places.__getitem__)),
+        "MOMENTS": Entries(tuple(moments.values())),
+    }

@@ -1,0 +1,47 @@
+/* stewart_exact_regressor.h: the regressor, the equations of motion as a matrix times the parameters.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ *
+ *     H F + [R F_ext; R M_ext] = Y pi
+ *
+ * pi has 148 parameters, 23 of each leg: mass m_d, first moment h_d[3] and inertia J_d[6] (xx xy xz yy yz zz)
+ * of the lower part about the base point, frame D; m_u, h_u[3] and J_u[6] of the upper part about the platform
+ * point, frame U; C_u, C_p, C_s. Then 10 of the platform: M, h_P[3] and J_P[6] about its reference point,
+ * platform frame. Y is row-major: three rows of forces, N, three of moments about the reference point, N m,
+ * base frame, each over the unit of its parameter. Of the robot, b, p, k and g are read and nothing else; of
+ * the motion, all but the load.
+ *
+ * The forces depend on fewer combinations of the parameters, the base parameters. `base_parameters` of the
+ * Python package finds them for a machine, and the columns of Y that are theirs: `kept`.
+ *
+ * Operations per pose: 3999 (2598 mul, 1377 add, 12 div, 12 sqrt).
+ */
+#ifndef STEWART_EXACT_REGRESSOR_H
+#define STEWART_EXACT_REGRESSOR_H
+
+#include "stewart.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Regressor Y[6][width] of one pose: the columns that `columns` numbers, from 0, or all, with null for
+ * `columns` and 0 for `width`. Returns a status: STEWART_BAD_ARGUMENT also for a column that there is
+ * not. Y is written only if it is STEWART_OK. */
+STEWART_NODISCARD int stewart_exact_regressor(
+    const stewart_robot *robot, const stewart_motion *motion, const int *columns, size_t width,
+    stewart_real *Y);
+
+/* Regressors Y[count][6][width] of `count` poses. `status` takes one code for each pose; null: not
+ * wanted. Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the
+ * others. */
+STEWART_NODISCARD int stewart_exact_regressor_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions, const int *columns,
+    size_t width, stewart_real *Y, int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
