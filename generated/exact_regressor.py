@@ -174,7 +174,7 @@ class Regressor:
 
 
 def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
-    """Columns of one leg's parameters: 624 (408 mul, 212 add, 2 div, 2 sqrt)."""
+    """Columns of one leg's parameters: 618 (404 mul, 210 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -288,45 +288,44 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c10 = c2 * c4
     c11 = 2.0 * L
     c12 = L_dot * c5
-    c13 = c2 * c6
-    c14 = c4 * phi_ddot
-    c15 = c3 * c4
+    c13 = c4 * own_phi_ddot
+    c14 = c3 * c4
     # (20) torques by h_u_x
     tau_L_h_u_x = -c1 - c10
-    tau_theta_h_u_x = c11 * theta_ddot + c12 + c7 - c11 * c13
-    tau_phi_h_u_x = 4.0 * L * c6 * phi_dot * theta_dot + L_dot * c15 + c11 * c14 + c8
-    c16 = k3 * phi_ddot
-    c17 = k1 * phi_ddot
-    c18 = k1 * theta_ddot
+    tau_theta_h_u_x = c11 * own_theta_ddot + c12 + c7
+    tau_phi_h_u_x = L_dot * c14 + c11 * c13 + c8
+    c15 = k3 * phi_ddot
+    c16 = k1 * phi_ddot
+    c17 = k1 * theta_ddot
     # (20) torques by h_u_y
-    tau_L_h_u_y = -c16
-    tau_theta_h_u_y = -L * c17
-    tau_phi_h_u_y = L * c1 * k3 - L * c18 - L_ddot * k3 - c12 * k1 - gamma_n
+    tau_L_h_u_y = -c15
+    tau_theta_h_u_y = -L * c16
+    tau_phi_h_u_y = L * c1 * k3 - L * c17 - L_ddot * k3 - c12 * k1 - gamma_n
+    c18 = c2 * c6
     c19 = k1 * k1
     c20 = c19 * c2
-    c21 = c16 * k1
+    c21 = c15 * k1
     c22 = c3 * theta_dot
     c23 = c19 * c22
     # (20) torques by h_u_z
-    tau_L_h_u_z = c13 + theta_ddot
+    tau_L_h_u_z = c18 + theta_ddot
     tau_theta_h_u_z = L * c20 + L_ddot + gamma_n * k3 - L * c10 - c9
     tau_phi_h_u_z = (2.0 * L * c4 * phi_dot * theta_dot + gamma_y * k1 - L * c23 - L_dot * c3 * c6 - c11 * c21)
-    c24 = c14 + c22 * c6
     # (20) torques by J_u_xx
-    tau_theta_J_u_xx = c13
-    tau_phi_J_u_xx = phi_ddot - c24
+    tau_theta_J_u_xx = c18
+    tau_phi_J_u_xx = phi_ddot - c22 * c6 - c4 * phi_ddot
     # (20) torques by J_u_xy
-    tau_theta_J_u_xy = c17
-    tau_phi_J_u_xy = c18 - c1 * k3
+    tau_theta_J_u_xy = c16
+    tau_phi_J_u_xy = c17 - c1 * k3
     # (20) torques by J_u_xz
     tau_theta_J_u_xz = c10 - c20
-    tau_phi_J_u_xz = 2.0 * c21 + c23 - c15 * theta_dot
+    tau_phi_J_u_xz = 2.0 * c21 + c23 - c14 * theta_dot
     # (20) torques by J_u_yz
-    tau_theta_J_u_yz = c16
+    tau_theta_J_u_yz = c15
     tau_phi_J_u_yz = c1 * k1 + k3 * theta_ddot
     # (20) torques by J_u_zz
-    tau_theta_J_u_zz = -c13
-    tau_phi_J_u_zz = c24
+    tau_theta_J_u_zz = -c18
+    tau_phi_J_u_zz = c13
     # (20) torques by C_s
     tau_theta_C_s = theta_dot - w_y_omega
     tau_phi_C_s = phi_dot - w_k_omega
@@ -334,105 +333,105 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     W_x = k_x * phi_dot + theta_dot * y_x
     W_y = k_y * phi_dot + theta_dot * y_y
     W_z = k_z * phi_dot + theta_dot * y_z
-    c25 = inv_L * tau_theta_h_d_x
+    c24 = inv_L * tau_theta_h_d_x
     # force at the tip by h_d_x
-    R_h_d_x_x = inv_rho * tau_phi_h_d_x * y_x - c25 * z_x
-    R_h_d_x_y = inv_rho * tau_phi_h_d_x * y_y - c25 * z_y
-    R_h_d_x_z = inv_rho * tau_phi_h_d_x * y_z - c25 * z_z
-    c26 = gamma_n * inv_rho
+    R_h_d_x_x = inv_rho * tau_phi_h_d_x * y_x - c24 * z_x
+    R_h_d_x_y = inv_rho * tau_phi_h_d_x * y_y - c24 * z_y
+    R_h_d_x_z = inv_rho * tau_phi_h_d_x * y_z - c24 * z_z
+    c25 = gamma_n * inv_rho
     # force at the tip by h_d_y
-    R_h_d_y_x = -c26 * y_x
-    R_h_d_y_y = -c26 * y_y
-    R_h_d_y_z = -c26 * y_z
-    c27 = inv_L * tau_theta_h_d_z
+    R_h_d_y_x = -c25 * y_x
+    R_h_d_y_y = -c25 * y_y
+    R_h_d_y_z = -c25 * y_z
+    c26 = inv_L * tau_theta_h_d_z
     # force at the tip by h_d_z
-    R_h_d_z_x = inv_rho * tau_phi_h_d_z * y_x - c27 * z_x
-    R_h_d_z_y = inv_rho * tau_phi_h_d_z * y_y - c27 * z_y
-    R_h_d_z_z = inv_rho * tau_phi_h_d_z * y_z - c27 * z_z
-    c28 = inv_rho * tau_phi_h_u_x
-    c29 = inv_L * tau_theta_h_u_x
+    R_h_d_z_x = inv_rho * tau_phi_h_d_z * y_x - c26 * z_x
+    R_h_d_z_y = inv_rho * tau_phi_h_d_z * y_y - c26 * z_y
+    R_h_d_z_z = inv_rho * tau_phi_h_d_z * y_z - c26 * z_z
+    c27 = inv_rho * tau_phi_h_u_x
+    c28 = inv_L * tau_theta_h_u_x
     # force at the tip by h_u_x
-    R_h_u_x_x = c28 * y_x + s_x * tau_L_h_u_x - c29 * z_x
-    R_h_u_x_y = c28 * y_y + s_y * tau_L_h_u_x - c29 * z_y
-    R_h_u_x_z = c28 * y_z + s_z * tau_L_h_u_x - c29 * z_z
-    c30 = inv_rho * tau_phi_h_u_y
-    c31 = inv_L * tau_theta_h_u_y
+    R_h_u_x_x = c27 * y_x + s_x * tau_L_h_u_x - c28 * z_x
+    R_h_u_x_y = c27 * y_y + s_y * tau_L_h_u_x - c28 * z_y
+    R_h_u_x_z = c27 * y_z + s_z * tau_L_h_u_x - c28 * z_z
+    c29 = inv_rho * tau_phi_h_u_y
+    c30 = inv_L * tau_theta_h_u_y
     # force at the tip by h_u_y
-    R_h_u_y_x = c30 * y_x + s_x * tau_L_h_u_y - c31 * z_x
-    R_h_u_y_y = c30 * y_y + s_y * tau_L_h_u_y - c31 * z_y
-    R_h_u_y_z = c30 * y_z + s_z * tau_L_h_u_y - c31 * z_z
-    c32 = inv_rho * tau_phi_h_u_z
-    c33 = inv_L * tau_theta_h_u_z
+    R_h_u_y_x = c29 * y_x + s_x * tau_L_h_u_y - c30 * z_x
+    R_h_u_y_y = c29 * y_y + s_y * tau_L_h_u_y - c30 * z_y
+    R_h_u_y_z = c29 * y_z + s_z * tau_L_h_u_y - c30 * z_z
+    c31 = inv_rho * tau_phi_h_u_z
+    c32 = inv_L * tau_theta_h_u_z
     # force at the tip by h_u_z
-    R_h_u_z_x = c32 * y_x + s_x * tau_L_h_u_z - c33 * z_x
-    R_h_u_z_y = c32 * y_y + s_y * tau_L_h_u_z - c33 * z_y
-    R_h_u_z_z = c32 * y_z + s_z * tau_L_h_u_z - c33 * z_z
-    c34 = inv_L * tau_theta_J_u_xx
+    R_h_u_z_x = c31 * y_x + s_x * tau_L_h_u_z - c32 * z_x
+    R_h_u_z_y = c31 * y_y + s_y * tau_L_h_u_z - c32 * z_y
+    R_h_u_z_z = c31 * y_z + s_z * tau_L_h_u_z - c32 * z_z
+    c33 = inv_L * tau_theta_J_u_xx
     # force at the tip by J_u_xx
-    R_J_u_xx_x = inv_rho * tau_phi_J_u_xx * y_x - c34 * z_x
-    R_J_u_xx_y = inv_rho * tau_phi_J_u_xx * y_y - c34 * z_y
-    R_J_u_xx_z = inv_rho * tau_phi_J_u_xx * y_z - c34 * z_z
-    c35 = inv_L * tau_theta_J_u_xy
+    R_J_u_xx_x = inv_rho * tau_phi_J_u_xx * y_x - c33 * z_x
+    R_J_u_xx_y = inv_rho * tau_phi_J_u_xx * y_y - c33 * z_y
+    R_J_u_xx_z = inv_rho * tau_phi_J_u_xx * y_z - c33 * z_z
+    c34 = inv_L * tau_theta_J_u_xy
     # force at the tip by J_u_xy
-    R_J_u_xy_x = inv_rho * tau_phi_J_u_xy * y_x - c35 * z_x
-    R_J_u_xy_y = inv_rho * tau_phi_J_u_xy * y_y - c35 * z_y
-    R_J_u_xy_z = inv_rho * tau_phi_J_u_xy * y_z - c35 * z_z
-    c36 = inv_L * tau_theta_J_u_xz
+    R_J_u_xy_x = inv_rho * tau_phi_J_u_xy * y_x - c34 * z_x
+    R_J_u_xy_y = inv_rho * tau_phi_J_u_xy * y_y - c34 * z_y
+    R_J_u_xy_z = inv_rho * tau_phi_J_u_xy * y_z - c34 * z_z
+    c35 = inv_L * tau_theta_J_u_xz
     # force at the tip by J_u_xz
-    R_J_u_xz_x = inv_rho * tau_phi_J_u_xz * y_x - c36 * z_x
-    R_J_u_xz_y = inv_rho * tau_phi_J_u_xz * y_y - c36 * z_y
-    R_J_u_xz_z = inv_rho * tau_phi_J_u_xz * y_z - c36 * z_z
-    c37 = inv_L * theta_ddot
+    R_J_u_xz_x = inv_rho * tau_phi_J_u_xz * y_x - c35 * z_x
+    R_J_u_xz_y = inv_rho * tau_phi_J_u_xz * y_y - c35 * z_y
+    R_J_u_xz_z = inv_rho * tau_phi_J_u_xz * y_z - c35 * z_z
+    c36 = inv_L * theta_ddot
     # force at the tip by J_u_yy
-    R_J_u_yy_x = -c37 * z_x
-    R_J_u_yy_y = -c37 * z_y
-    R_J_u_yy_z = -c37 * z_z
-    c38 = inv_L * tau_theta_J_u_yz
+    R_J_u_yy_x = -c36 * z_x
+    R_J_u_yy_y = -c36 * z_y
+    R_J_u_yy_z = -c36 * z_z
+    c37 = inv_L * tau_theta_J_u_yz
     # force at the tip by J_u_yz
-    R_J_u_yz_x = inv_rho * tau_phi_J_u_yz * y_x - c38 * z_x
-    R_J_u_yz_y = inv_rho * tau_phi_J_u_yz * y_y - c38 * z_y
-    R_J_u_yz_z = inv_rho * tau_phi_J_u_yz * y_z - c38 * z_z
-    c39 = inv_L * tau_theta_J_u_zz
+    R_J_u_yz_x = inv_rho * tau_phi_J_u_yz * y_x - c37 * z_x
+    R_J_u_yz_y = inv_rho * tau_phi_J_u_yz * y_y - c37 * z_y
+    R_J_u_yz_z = inv_rho * tau_phi_J_u_yz * y_z - c37 * z_z
+    c38 = inv_L * tau_theta_J_u_zz
     # force at the tip by J_u_zz
-    R_J_u_zz_x = inv_rho * tau_phi_J_u_zz * y_x - c39 * z_x
-    R_J_u_zz_y = inv_rho * tau_phi_J_u_zz * y_y - c39 * z_y
-    R_J_u_zz_z = inv_rho * tau_phi_J_u_zz * y_z - c39 * z_z
-    c40 = inv_L * theta_dot
+    R_J_u_zz_x = inv_rho * tau_phi_J_u_zz * y_x - c38 * z_x
+    R_J_u_zz_y = inv_rho * tau_phi_J_u_zz * y_y - c38 * z_y
+    R_J_u_zz_z = inv_rho * tau_phi_J_u_zz * y_z - c38 * z_z
+    c39 = inv_L * theta_dot
     # force at the tip by C_u
-    R_C_u_x = inv_rho * phi_dot * y_x - c40 * z_x
-    R_C_u_y = inv_rho * phi_dot * y_y - c40 * z_y
-    R_C_u_z = inv_rho * phi_dot * y_z - c40 * z_z
+    R_C_u_x = inv_rho * phi_dot * y_x - c39 * z_x
+    R_C_u_y = inv_rho * phi_dot * y_y - c39 * z_y
+    R_C_u_z = inv_rho * phi_dot * y_z - c39 * z_z
     # force at the tip by C_p
     R_C_p_x = L_dot * s_x
     R_C_p_y = L_dot * s_y
     R_C_p_z = L_dot * s_z
-    c41 = inv_L * tau_theta_C_s
+    c40 = inv_L * tau_theta_C_s
     # force at the tip by C_s
-    R_C_s_x = inv_rho * tau_phi_C_s * y_x - c41 * z_x
-    R_C_s_y = inv_rho * tau_phi_C_s * y_y - c41 * z_y
-    R_C_s_z = inv_rho * tau_phi_C_s * y_z - c41 * z_z
+    R_C_s_x = inv_rho * tau_phi_C_s * y_x - c40 * z_x
+    R_C_s_y = inv_rho * tau_phi_C_s * y_y - c40 * z_y
+    R_C_s_z = inv_rho * tau_phi_C_s * y_z - c40 * z_z
     # (18) S_ddot - g
     rise_x = S_ddot_x - g_x
     rise_y = S_ddot_y - g_y
     rise_z = S_ddot_z - g_z
-    c42 = R_J_u_xx_z * q_y - R_J_u_xx_y * q_z
-    c43 = R_J_u_xx_x * q_z - R_J_u_xx_z * q_x
-    c44 = R_J_u_xx_y * q_x - R_J_u_xx_x * q_y
-    c45 = R_J_u_xy_z * q_y - R_J_u_xy_y * q_z
-    c46 = R_J_u_xy_x * q_z - R_J_u_xy_z * q_x
-    c47 = R_J_u_xy_y * q_x - R_J_u_xy_x * q_y
-    c48 = R_J_u_xz_z * q_y - R_J_u_xz_y * q_z
-    c49 = R_J_u_xz_x * q_z - R_J_u_xz_z * q_x
-    c50 = R_J_u_xz_y * q_x - R_J_u_xz_x * q_y
-    c51 = R_J_u_yy_z * q_y - R_J_u_yy_y * q_z
-    c52 = R_J_u_yy_x * q_z - R_J_u_yy_z * q_x
-    c53 = R_J_u_yy_y * q_x - R_J_u_yy_x * q_y
-    c54 = R_J_u_yz_z * q_y - R_J_u_yz_y * q_z
-    c55 = R_J_u_yz_x * q_z - R_J_u_yz_z * q_x
-    c56 = R_J_u_yz_y * q_x - R_J_u_yz_x * q_y
-    c57 = R_J_u_zz_z * q_y - R_J_u_zz_y * q_z
-    c58 = R_J_u_zz_x * q_z - R_J_u_zz_z * q_x
-    c59 = R_J_u_zz_y * q_x - R_J_u_zz_x * q_y
+    c41 = R_J_u_xx_z * q_y - R_J_u_xx_y * q_z
+    c42 = R_J_u_xx_x * q_z - R_J_u_xx_z * q_x
+    c43 = R_J_u_xx_y * q_x - R_J_u_xx_x * q_y
+    c44 = R_J_u_xy_z * q_y - R_J_u_xy_y * q_z
+    c45 = R_J_u_xy_x * q_z - R_J_u_xy_z * q_x
+    c46 = R_J_u_xy_y * q_x - R_J_u_xy_x * q_y
+    c47 = R_J_u_xz_z * q_y - R_J_u_xz_y * q_z
+    c48 = R_J_u_xz_x * q_z - R_J_u_xz_z * q_x
+    c49 = R_J_u_xz_y * q_x - R_J_u_xz_x * q_y
+    c50 = R_J_u_yy_z * q_y - R_J_u_yy_y * q_z
+    c51 = R_J_u_yy_x * q_z - R_J_u_yy_z * q_x
+    c52 = R_J_u_yy_y * q_x - R_J_u_yy_x * q_y
+    c53 = R_J_u_yz_z * q_y - R_J_u_yz_y * q_z
+    c54 = R_J_u_yz_x * q_z - R_J_u_yz_z * q_x
+    c55 = R_J_u_yz_y * q_x - R_J_u_yz_x * q_y
+    c56 = R_J_u_zz_z * q_y - R_J_u_zz_y * q_z
+    c57 = R_J_u_zz_x * q_z - R_J_u_zz_z * q_x
+    c58 = R_J_u_zz_y * q_x - R_J_u_zz_x * q_y
     out = RegressorOfLegs()
     out.force_m_d = [0.0, 0.0, 0.0]
     out.moment_m_d = [0.0, 0.0, 0.0]
@@ -455,17 +454,17 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
         R_h_d_z_y * q_x - R_h_d_z_x * q_y,
     ]
     out.force_J_d_xx = [R_J_u_xx_x, R_J_u_xx_y, R_J_u_xx_z]
-    out.moment_J_d_xx = [c42, c43, c44]
+    out.moment_J_d_xx = [c41, c42, c43]
     out.force_J_d_xy = [R_J_u_xy_x, R_J_u_xy_y, R_J_u_xy_z]
-    out.moment_J_d_xy = [c45, c46, c47]
+    out.moment_J_d_xy = [c44, c45, c46]
     out.force_J_d_xz = [R_J_u_xz_x, R_J_u_xz_y, R_J_u_xz_z]
-    out.moment_J_d_xz = [c48, c49, c50]
+    out.moment_J_d_xz = [c47, c48, c49]
     out.force_J_d_yy = [R_J_u_yy_x, R_J_u_yy_y, R_J_u_yy_z]
-    out.moment_J_d_yy = [c51, c52, c53]
+    out.moment_J_d_yy = [c50, c51, c52]
     out.force_J_d_yz = [R_J_u_yz_x, R_J_u_yz_y, R_J_u_yz_z]
-    out.moment_J_d_yz = [c54, c55, c56]
+    out.moment_J_d_yz = [c53, c54, c55]
     out.force_J_d_zz = [R_J_u_zz_x, R_J_u_zz_y, R_J_u_zz_z]
-    out.moment_J_d_zz = [c57, c58, c59]
+    out.moment_J_d_zz = [c56, c57, c58]
     out.force_m_u = [rise_x, rise_y, rise_z]
     out.moment_m_u = [q_y * rise_z - q_z * rise_y, q_z * rise_x - q_x * rise_z, q_x * rise_y - q_y * rise_x]
     out.force_h_u_x = [R_h_u_x_x, R_h_u_x_y, R_h_u_x_z]
@@ -487,17 +486,17 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
         R_h_u_z_y * q_x - R_h_u_z_x * q_y,
     ]
     out.force_J_u_xx = [R_J_u_xx_x, R_J_u_xx_y, R_J_u_xx_z]
-    out.moment_J_u_xx = [c42, c43, c44]
+    out.moment_J_u_xx = [c41, c42, c43]
     out.force_J_u_xy = [R_J_u_xy_x, R_J_u_xy_y, R_J_u_xy_z]
-    out.moment_J_u_xy = [c45, c46, c47]
+    out.moment_J_u_xy = [c44, c45, c46]
     out.force_J_u_xz = [R_J_u_xz_x, R_J_u_xz_y, R_J_u_xz_z]
-    out.moment_J_u_xz = [c48, c49, c50]
+    out.moment_J_u_xz = [c47, c48, c49]
     out.force_J_u_yy = [R_J_u_yy_x, R_J_u_yy_y, R_J_u_yy_z]
-    out.moment_J_u_yy = [c51, c52, c53]
+    out.moment_J_u_yy = [c50, c51, c52]
     out.force_J_u_yz = [R_J_u_yz_x, R_J_u_yz_y, R_J_u_yz_z]
-    out.moment_J_u_yz = [c54, c55, c56]
+    out.moment_J_u_yz = [c53, c54, c55]
     out.force_J_u_zz = [R_J_u_zz_x, R_J_u_zz_y, R_J_u_zz_z]
-    out.moment_J_u_zz = [c57, c58, c59]
+    out.moment_J_u_zz = [c56, c57, c58]
     out.force_C_u = [R_C_u_x, R_C_u_y, R_C_u_z]
     out.moment_C_u = [
         R_C_u_z * q_y - R_C_u_y * q_z,

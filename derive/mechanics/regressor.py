@@ -134,7 +134,7 @@ def _torques_by_parameter() -> dict[str, sp.Matrix]:
     torques = tip.torques(with_friction=True)
 
     def by(symbol: sp.Symbol) -> sp.Matrix:
-        return torques.diff(symbol).applyfunc(sp.expand)
+        return torques.diff(symbol).applyfunc(_without_turning)
 
     found = {name: by(symbol) for name, symbol in zip(h_d.names, p.w.symbols, strict=True)}
     for name, lower, own in zip(h_u.names, h_d.names, p.h.symbols, strict=True):
@@ -146,6 +146,20 @@ def _torques_by_parameter() -> dict[str, sp.Matrix]:
         n.C_p.name: by(n.C_p.value),
         n.C_s.name: C_us + by(n.C_s.value),
     }
+
+
+def _without_turning(torque: sp.Expr) -> sp.Expr:
+    """A torque by the own accelerations of ``JointAccelerations``, where it is shorter so: what the turning
+    adds to the others cancels there, and is much larger than what is left near the joint singularity."""
+    (_, theta_dot, phi_dot), (_, theta_ddot, phi_ddot) = tip.rates, tip.accelerations
+    own_theta, own_phi = sp.symbols("own_theta_ddot own_phi_ddot", real=True)
+    turning = {
+        theta_ddot: own_theta + tip.k1 * tip.k3 * phi_dot**2,
+        phi_ddot: own_phi - 2 * tip.k1 / tip.k3 * theta_dot * phi_dot,
+    }
+    whole = sp.expand(torque)
+    own = sp.expand(whole.xreplace(turning))
+    return min(whole, own, key=sp.count_ops)
 
 
 def _named_torques(build: Builder, name: str, torques: sp.Matrix) -> sp.Matrix:

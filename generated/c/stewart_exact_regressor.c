@@ -65,7 +65,7 @@ static int legs_status(const leg_checks *checked)
     return STEWART_OK;
 }
 
-/* Columns of the legs side by side, 624 operations each, and a mark where a leg is not fit, or a number
+/* Columns of the legs side by side, 618 operations each, and a mark where a leg is not fit, or a number
  * of it not finite: moments are made of the forces and say it of both. */
 STEWART_APART static void columns_of_legs(
     const stewart_robot *STEWART_RESTRICT robot, const stewart_motion *STEWART_RESTRICT at,
@@ -198,46 +198,45 @@ STEWART_APART static void columns_of_legs(
         const stewart_real c10 = c2*c4;
         const stewart_real c11 = REAL(2)*L;
         const stewart_real c12 = L_dot*c5;
-        const stewart_real c13 = c2*c6;
-        const stewart_real c14 = c4*phi_ddot;
-        const stewart_real c15 = c3*c4;
+        const stewart_real c13 = c4*own_phi_ddot;
+        const stewart_real c14 = c3*c4;
         /* (20) torques by h_u_x */
         const stewart_real tau_L_h_u_x = -c1 - c10;
-        const stewart_real tau_theta_h_u_x = c11*theta_ddot + c12 + c7 - c11*c13;
-        const stewart_real tau_phi_h_u_x = REAL(4)*L*c6*phi_dot*theta_dot + L_dot*c15 + c11*c14 + c8;
-        const stewart_real c16 = k3*phi_ddot;
-        const stewart_real c17 = k1*phi_ddot;
-        const stewart_real c18 = k1*theta_ddot;
+        const stewart_real tau_theta_h_u_x = c11*own_theta_ddot + c12 + c7;
+        const stewart_real tau_phi_h_u_x = L_dot*c14 + c11*c13 + c8;
+        const stewart_real c15 = k3*phi_ddot;
+        const stewart_real c16 = k1*phi_ddot;
+        const stewart_real c17 = k1*theta_ddot;
         /* (20) torques by h_u_y */
-        const stewart_real tau_L_h_u_y = -c16;
-        const stewart_real tau_theta_h_u_y = -L*c17;
-        const stewart_real tau_phi_h_u_y = L*c1*k3 - L*c18 - L_ddot*k3 - c12*k1 - gamma_n;
+        const stewart_real tau_L_h_u_y = -c15;
+        const stewart_real tau_theta_h_u_y = -L*c16;
+        const stewart_real tau_phi_h_u_y = L*c1*k3 - L*c17 - L_ddot*k3 - c12*k1 - gamma_n;
+        const stewart_real c18 = c2*c6;
         const stewart_real c19 = k1*k1;
         const stewart_real c20 = c19*c2;
-        const stewart_real c21 = c16*k1;
+        const stewart_real c21 = c15*k1;
         const stewart_real c22 = c3*theta_dot;
         const stewart_real c23 = c19*c22;
         /* (20) torques by h_u_z */
-        const stewart_real tau_L_h_u_z = c13 + theta_ddot;
+        const stewart_real tau_L_h_u_z = c18 + theta_ddot;
         const stewart_real tau_theta_h_u_z = L*c20 + L_ddot + gamma_n*k3 - L*c10 - c9;
         const stewart_real tau_phi_h_u_z = REAL(2)*L*c4*phi_dot*theta_dot + gamma_y*k1 - L*c23 - L_dot*c3*c6
             - c11*c21;
-        const stewart_real c24 = c14 + c22*c6;
         /* (20) torques by J_u_xx */
-        const stewart_real tau_theta_J_u_xx = c13;
-        const stewart_real tau_phi_J_u_xx = phi_ddot - c24;
+        const stewart_real tau_theta_J_u_xx = c18;
+        const stewart_real tau_phi_J_u_xx = phi_ddot - c22*c6 - c4*phi_ddot;
         /* (20) torques by J_u_xy */
-        const stewart_real tau_theta_J_u_xy = c17;
-        const stewart_real tau_phi_J_u_xy = c18 - c1*k3;
+        const stewart_real tau_theta_J_u_xy = c16;
+        const stewart_real tau_phi_J_u_xy = c17 - c1*k3;
         /* (20) torques by J_u_xz */
         const stewart_real tau_theta_J_u_xz = c10 - c20;
-        const stewart_real tau_phi_J_u_xz = REAL(2)*c21 + c23 - c15*theta_dot;
+        const stewart_real tau_phi_J_u_xz = REAL(2)*c21 + c23 - c14*theta_dot;
         /* (20) torques by J_u_yz */
-        const stewart_real tau_theta_J_u_yz = c16;
+        const stewart_real tau_theta_J_u_yz = c15;
         const stewart_real tau_phi_J_u_yz = c1*k1 + k3*theta_ddot;
         /* (20) torques by J_u_zz */
-        const stewart_real tau_theta_J_u_zz = -c13;
-        const stewart_real tau_phi_J_u_zz = c24;
+        const stewart_real tau_theta_J_u_zz = -c18;
+        const stewart_real tau_phi_J_u_zz = c13;
         /* (20) torques by C_s */
         const stewart_real tau_theta_C_s = theta_dot - w_y_omega;
         const stewart_real tau_phi_C_s = phi_dot - w_k_omega;
@@ -245,105 +244,105 @@ STEWART_APART static void columns_of_legs(
         const stewart_real W_x = k_x*phi_dot + theta_dot*y_x;
         const stewart_real W_y = k_y*phi_dot + theta_dot*y_y;
         const stewart_real W_z = k_z*phi_dot + theta_dot*y_z;
-        const stewart_real c25 = inv_L*tau_theta_h_d_x;
+        const stewart_real c24 = inv_L*tau_theta_h_d_x;
         /* force at the tip by h_d_x */
-        const stewart_real R_h_d_x_x = inv_rho*tau_phi_h_d_x*y_x - c25*z_x;
-        const stewart_real R_h_d_x_y = inv_rho*tau_phi_h_d_x*y_y - c25*z_y;
-        const stewart_real R_h_d_x_z = inv_rho*tau_phi_h_d_x*y_z - c25*z_z;
-        const stewart_real c26 = gamma_n*inv_rho;
+        const stewart_real R_h_d_x_x = inv_rho*tau_phi_h_d_x*y_x - c24*z_x;
+        const stewart_real R_h_d_x_y = inv_rho*tau_phi_h_d_x*y_y - c24*z_y;
+        const stewart_real R_h_d_x_z = inv_rho*tau_phi_h_d_x*y_z - c24*z_z;
+        const stewart_real c25 = gamma_n*inv_rho;
         /* force at the tip by h_d_y */
-        const stewart_real R_h_d_y_x = -c26*y_x;
-        const stewart_real R_h_d_y_y = -c26*y_y;
-        const stewart_real R_h_d_y_z = -c26*y_z;
-        const stewart_real c27 = inv_L*tau_theta_h_d_z;
+        const stewart_real R_h_d_y_x = -c25*y_x;
+        const stewart_real R_h_d_y_y = -c25*y_y;
+        const stewart_real R_h_d_y_z = -c25*y_z;
+        const stewart_real c26 = inv_L*tau_theta_h_d_z;
         /* force at the tip by h_d_z */
-        const stewart_real R_h_d_z_x = inv_rho*tau_phi_h_d_z*y_x - c27*z_x;
-        const stewart_real R_h_d_z_y = inv_rho*tau_phi_h_d_z*y_y - c27*z_y;
-        const stewart_real R_h_d_z_z = inv_rho*tau_phi_h_d_z*y_z - c27*z_z;
-        const stewart_real c28 = inv_rho*tau_phi_h_u_x;
-        const stewart_real c29 = inv_L*tau_theta_h_u_x;
+        const stewart_real R_h_d_z_x = inv_rho*tau_phi_h_d_z*y_x - c26*z_x;
+        const stewart_real R_h_d_z_y = inv_rho*tau_phi_h_d_z*y_y - c26*z_y;
+        const stewart_real R_h_d_z_z = inv_rho*tau_phi_h_d_z*y_z - c26*z_z;
+        const stewart_real c27 = inv_rho*tau_phi_h_u_x;
+        const stewart_real c28 = inv_L*tau_theta_h_u_x;
         /* force at the tip by h_u_x */
-        const stewart_real R_h_u_x_x = c28*y_x + s_x*tau_L_h_u_x - c29*z_x;
-        const stewart_real R_h_u_x_y = c28*y_y + s_y*tau_L_h_u_x - c29*z_y;
-        const stewart_real R_h_u_x_z = c28*y_z + s_z*tau_L_h_u_x - c29*z_z;
-        const stewart_real c30 = inv_rho*tau_phi_h_u_y;
-        const stewart_real c31 = inv_L*tau_theta_h_u_y;
+        const stewart_real R_h_u_x_x = c27*y_x + s_x*tau_L_h_u_x - c28*z_x;
+        const stewart_real R_h_u_x_y = c27*y_y + s_y*tau_L_h_u_x - c28*z_y;
+        const stewart_real R_h_u_x_z = c27*y_z + s_z*tau_L_h_u_x - c28*z_z;
+        const stewart_real c29 = inv_rho*tau_phi_h_u_y;
+        const stewart_real c30 = inv_L*tau_theta_h_u_y;
         /* force at the tip by h_u_y */
-        const stewart_real R_h_u_y_x = c30*y_x + s_x*tau_L_h_u_y - c31*z_x;
-        const stewart_real R_h_u_y_y = c30*y_y + s_y*tau_L_h_u_y - c31*z_y;
-        const stewart_real R_h_u_y_z = c30*y_z + s_z*tau_L_h_u_y - c31*z_z;
-        const stewart_real c32 = inv_rho*tau_phi_h_u_z;
-        const stewart_real c33 = inv_L*tau_theta_h_u_z;
+        const stewart_real R_h_u_y_x = c29*y_x + s_x*tau_L_h_u_y - c30*z_x;
+        const stewart_real R_h_u_y_y = c29*y_y + s_y*tau_L_h_u_y - c30*z_y;
+        const stewart_real R_h_u_y_z = c29*y_z + s_z*tau_L_h_u_y - c30*z_z;
+        const stewart_real c31 = inv_rho*tau_phi_h_u_z;
+        const stewart_real c32 = inv_L*tau_theta_h_u_z;
         /* force at the tip by h_u_z */
-        const stewart_real R_h_u_z_x = c32*y_x + s_x*tau_L_h_u_z - c33*z_x;
-        const stewart_real R_h_u_z_y = c32*y_y + s_y*tau_L_h_u_z - c33*z_y;
-        const stewart_real R_h_u_z_z = c32*y_z + s_z*tau_L_h_u_z - c33*z_z;
-        const stewart_real c34 = inv_L*tau_theta_J_u_xx;
+        const stewart_real R_h_u_z_x = c31*y_x + s_x*tau_L_h_u_z - c32*z_x;
+        const stewart_real R_h_u_z_y = c31*y_y + s_y*tau_L_h_u_z - c32*z_y;
+        const stewart_real R_h_u_z_z = c31*y_z + s_z*tau_L_h_u_z - c32*z_z;
+        const stewart_real c33 = inv_L*tau_theta_J_u_xx;
         /* force at the tip by J_u_xx */
-        const stewart_real R_J_u_xx_x = inv_rho*tau_phi_J_u_xx*y_x - c34*z_x;
-        const stewart_real R_J_u_xx_y = inv_rho*tau_phi_J_u_xx*y_y - c34*z_y;
-        const stewart_real R_J_u_xx_z = inv_rho*tau_phi_J_u_xx*y_z - c34*z_z;
-        const stewart_real c35 = inv_L*tau_theta_J_u_xy;
+        const stewart_real R_J_u_xx_x = inv_rho*tau_phi_J_u_xx*y_x - c33*z_x;
+        const stewart_real R_J_u_xx_y = inv_rho*tau_phi_J_u_xx*y_y - c33*z_y;
+        const stewart_real R_J_u_xx_z = inv_rho*tau_phi_J_u_xx*y_z - c33*z_z;
+        const stewart_real c34 = inv_L*tau_theta_J_u_xy;
         /* force at the tip by J_u_xy */
-        const stewart_real R_J_u_xy_x = inv_rho*tau_phi_J_u_xy*y_x - c35*z_x;
-        const stewart_real R_J_u_xy_y = inv_rho*tau_phi_J_u_xy*y_y - c35*z_y;
-        const stewart_real R_J_u_xy_z = inv_rho*tau_phi_J_u_xy*y_z - c35*z_z;
-        const stewart_real c36 = inv_L*tau_theta_J_u_xz;
+        const stewart_real R_J_u_xy_x = inv_rho*tau_phi_J_u_xy*y_x - c34*z_x;
+        const stewart_real R_J_u_xy_y = inv_rho*tau_phi_J_u_xy*y_y - c34*z_y;
+        const stewart_real R_J_u_xy_z = inv_rho*tau_phi_J_u_xy*y_z - c34*z_z;
+        const stewart_real c35 = inv_L*tau_theta_J_u_xz;
         /* force at the tip by J_u_xz */
-        const stewart_real R_J_u_xz_x = inv_rho*tau_phi_J_u_xz*y_x - c36*z_x;
-        const stewart_real R_J_u_xz_y = inv_rho*tau_phi_J_u_xz*y_y - c36*z_y;
-        const stewart_real R_J_u_xz_z = inv_rho*tau_phi_J_u_xz*y_z - c36*z_z;
-        const stewart_real c37 = inv_L*theta_ddot;
+        const stewart_real R_J_u_xz_x = inv_rho*tau_phi_J_u_xz*y_x - c35*z_x;
+        const stewart_real R_J_u_xz_y = inv_rho*tau_phi_J_u_xz*y_y - c35*z_y;
+        const stewart_real R_J_u_xz_z = inv_rho*tau_phi_J_u_xz*y_z - c35*z_z;
+        const stewart_real c36 = inv_L*theta_ddot;
         /* force at the tip by J_u_yy */
-        const stewart_real R_J_u_yy_x = -c37*z_x;
-        const stewart_real R_J_u_yy_y = -c37*z_y;
-        const stewart_real R_J_u_yy_z = -c37*z_z;
-        const stewart_real c38 = inv_L*tau_theta_J_u_yz;
+        const stewart_real R_J_u_yy_x = -c36*z_x;
+        const stewart_real R_J_u_yy_y = -c36*z_y;
+        const stewart_real R_J_u_yy_z = -c36*z_z;
+        const stewart_real c37 = inv_L*tau_theta_J_u_yz;
         /* force at the tip by J_u_yz */
-        const stewart_real R_J_u_yz_x = inv_rho*tau_phi_J_u_yz*y_x - c38*z_x;
-        const stewart_real R_J_u_yz_y = inv_rho*tau_phi_J_u_yz*y_y - c38*z_y;
-        const stewart_real R_J_u_yz_z = inv_rho*tau_phi_J_u_yz*y_z - c38*z_z;
-        const stewart_real c39 = inv_L*tau_theta_J_u_zz;
+        const stewart_real R_J_u_yz_x = inv_rho*tau_phi_J_u_yz*y_x - c37*z_x;
+        const stewart_real R_J_u_yz_y = inv_rho*tau_phi_J_u_yz*y_y - c37*z_y;
+        const stewart_real R_J_u_yz_z = inv_rho*tau_phi_J_u_yz*y_z - c37*z_z;
+        const stewart_real c38 = inv_L*tau_theta_J_u_zz;
         /* force at the tip by J_u_zz */
-        const stewart_real R_J_u_zz_x = inv_rho*tau_phi_J_u_zz*y_x - c39*z_x;
-        const stewart_real R_J_u_zz_y = inv_rho*tau_phi_J_u_zz*y_y - c39*z_y;
-        const stewart_real R_J_u_zz_z = inv_rho*tau_phi_J_u_zz*y_z - c39*z_z;
-        const stewart_real c40 = inv_L*theta_dot;
+        const stewart_real R_J_u_zz_x = inv_rho*tau_phi_J_u_zz*y_x - c38*z_x;
+        const stewart_real R_J_u_zz_y = inv_rho*tau_phi_J_u_zz*y_y - c38*z_y;
+        const stewart_real R_J_u_zz_z = inv_rho*tau_phi_J_u_zz*y_z - c38*z_z;
+        const stewart_real c39 = inv_L*theta_dot;
         /* force at the tip by C_u */
-        const stewart_real R_C_u_x = inv_rho*phi_dot*y_x - c40*z_x;
-        const stewart_real R_C_u_y = inv_rho*phi_dot*y_y - c40*z_y;
-        const stewart_real R_C_u_z = inv_rho*phi_dot*y_z - c40*z_z;
+        const stewart_real R_C_u_x = inv_rho*phi_dot*y_x - c39*z_x;
+        const stewart_real R_C_u_y = inv_rho*phi_dot*y_y - c39*z_y;
+        const stewart_real R_C_u_z = inv_rho*phi_dot*y_z - c39*z_z;
         /* force at the tip by C_p */
         const stewart_real R_C_p_x = L_dot*s_x;
         const stewart_real R_C_p_y = L_dot*s_y;
         const stewart_real R_C_p_z = L_dot*s_z;
-        const stewart_real c41 = inv_L*tau_theta_C_s;
+        const stewart_real c40 = inv_L*tau_theta_C_s;
         /* force at the tip by C_s */
-        const stewart_real R_C_s_x = inv_rho*tau_phi_C_s*y_x - c41*z_x;
-        const stewart_real R_C_s_y = inv_rho*tau_phi_C_s*y_y - c41*z_y;
-        const stewart_real R_C_s_z = inv_rho*tau_phi_C_s*y_z - c41*z_z;
+        const stewart_real R_C_s_x = inv_rho*tau_phi_C_s*y_x - c40*z_x;
+        const stewart_real R_C_s_y = inv_rho*tau_phi_C_s*y_y - c40*z_y;
+        const stewart_real R_C_s_z = inv_rho*tau_phi_C_s*y_z - c40*z_z;
         /* (18) S_ddot - g */
         const stewart_real rise_x = S_ddot_x - g_x;
         const stewart_real rise_y = S_ddot_y - g_y;
         const stewart_real rise_z = S_ddot_z - g_z;
-        const stewart_real c42 = R_J_u_xx_z*q_y - R_J_u_xx_y*q_z;
-        const stewart_real c43 = R_J_u_xx_x*q_z - R_J_u_xx_z*q_x;
-        const stewart_real c44 = R_J_u_xx_y*q_x - R_J_u_xx_x*q_y;
-        const stewart_real c45 = R_J_u_xy_z*q_y - R_J_u_xy_y*q_z;
-        const stewart_real c46 = R_J_u_xy_x*q_z - R_J_u_xy_z*q_x;
-        const stewart_real c47 = R_J_u_xy_y*q_x - R_J_u_xy_x*q_y;
-        const stewart_real c48 = R_J_u_xz_z*q_y - R_J_u_xz_y*q_z;
-        const stewart_real c49 = R_J_u_xz_x*q_z - R_J_u_xz_z*q_x;
-        const stewart_real c50 = R_J_u_xz_y*q_x - R_J_u_xz_x*q_y;
-        const stewart_real c51 = R_J_u_yy_z*q_y - R_J_u_yy_y*q_z;
-        const stewart_real c52 = R_J_u_yy_x*q_z - R_J_u_yy_z*q_x;
-        const stewart_real c53 = R_J_u_yy_y*q_x - R_J_u_yy_x*q_y;
-        const stewart_real c54 = R_J_u_yz_z*q_y - R_J_u_yz_y*q_z;
-        const stewart_real c55 = R_J_u_yz_x*q_z - R_J_u_yz_z*q_x;
-        const stewart_real c56 = R_J_u_yz_y*q_x - R_J_u_yz_x*q_y;
-        const stewart_real c57 = R_J_u_zz_z*q_y - R_J_u_zz_y*q_z;
-        const stewart_real c58 = R_J_u_zz_x*q_z - R_J_u_zz_z*q_x;
-        const stewart_real c59 = R_J_u_zz_y*q_x - R_J_u_zz_x*q_y;
+        const stewart_real c41 = R_J_u_xx_z*q_y - R_J_u_xx_y*q_z;
+        const stewart_real c42 = R_J_u_xx_x*q_z - R_J_u_xx_z*q_x;
+        const stewart_real c43 = R_J_u_xx_y*q_x - R_J_u_xx_x*q_y;
+        const stewart_real c44 = R_J_u_xy_z*q_y - R_J_u_xy_y*q_z;
+        const stewart_real c45 = R_J_u_xy_x*q_z - R_J_u_xy_z*q_x;
+        const stewart_real c46 = R_J_u_xy_y*q_x - R_J_u_xy_x*q_y;
+        const stewart_real c47 = R_J_u_xz_z*q_y - R_J_u_xz_y*q_z;
+        const stewart_real c48 = R_J_u_xz_x*q_z - R_J_u_xz_z*q_x;
+        const stewart_real c49 = R_J_u_xz_y*q_x - R_J_u_xz_x*q_y;
+        const stewart_real c50 = R_J_u_yy_z*q_y - R_J_u_yy_y*q_z;
+        const stewart_real c51 = R_J_u_yy_x*q_z - R_J_u_yy_z*q_x;
+        const stewart_real c52 = R_J_u_yy_y*q_x - R_J_u_yy_x*q_y;
+        const stewart_real c53 = R_J_u_yz_z*q_y - R_J_u_yz_y*q_z;
+        const stewart_real c54 = R_J_u_yz_x*q_z - R_J_u_yz_z*q_x;
+        const stewart_real c55 = R_J_u_yz_y*q_x - R_J_u_yz_x*q_y;
+        const stewart_real c56 = R_J_u_zz_z*q_y - R_J_u_zz_y*q_z;
+        const stewart_real c57 = R_J_u_zz_x*q_z - R_J_u_zz_z*q_x;
+        const stewart_real c58 = R_J_u_zz_y*q_x - R_J_u_zz_x*q_y;
         out->of_legs[0][0][l] = REAL(0);
         out->of_legs[1][0][l] = REAL(0);
         out->of_legs[2][0][l] = REAL(0);
@@ -371,39 +370,39 @@ STEWART_APART static void columns_of_legs(
         out->of_legs[0][4][l] = R_J_u_xx_x;
         out->of_legs[1][4][l] = R_J_u_xx_y;
         out->of_legs[2][4][l] = R_J_u_xx_z;
-        out->of_legs[3][4][l] = c42;
-        out->of_legs[4][4][l] = c43;
-        out->of_legs[5][4][l] = c44;
+        out->of_legs[3][4][l] = c41;
+        out->of_legs[4][4][l] = c42;
+        out->of_legs[5][4][l] = c43;
         out->of_legs[0][5][l] = R_J_u_xy_x;
         out->of_legs[1][5][l] = R_J_u_xy_y;
         out->of_legs[2][5][l] = R_J_u_xy_z;
-        out->of_legs[3][5][l] = c45;
-        out->of_legs[4][5][l] = c46;
-        out->of_legs[5][5][l] = c47;
+        out->of_legs[3][5][l] = c44;
+        out->of_legs[4][5][l] = c45;
+        out->of_legs[5][5][l] = c46;
         out->of_legs[0][6][l] = R_J_u_xz_x;
         out->of_legs[1][6][l] = R_J_u_xz_y;
         out->of_legs[2][6][l] = R_J_u_xz_z;
-        out->of_legs[3][6][l] = c48;
-        out->of_legs[4][6][l] = c49;
-        out->of_legs[5][6][l] = c50;
+        out->of_legs[3][6][l] = c47;
+        out->of_legs[4][6][l] = c48;
+        out->of_legs[5][6][l] = c49;
         out->of_legs[0][7][l] = R_J_u_yy_x;
         out->of_legs[1][7][l] = R_J_u_yy_y;
         out->of_legs[2][7][l] = R_J_u_yy_z;
-        out->of_legs[3][7][l] = c51;
-        out->of_legs[4][7][l] = c52;
-        out->of_legs[5][7][l] = c53;
+        out->of_legs[3][7][l] = c50;
+        out->of_legs[4][7][l] = c51;
+        out->of_legs[5][7][l] = c52;
         out->of_legs[0][8][l] = R_J_u_yz_x;
         out->of_legs[1][8][l] = R_J_u_yz_y;
         out->of_legs[2][8][l] = R_J_u_yz_z;
-        out->of_legs[3][8][l] = c54;
-        out->of_legs[4][8][l] = c55;
-        out->of_legs[5][8][l] = c56;
+        out->of_legs[3][8][l] = c53;
+        out->of_legs[4][8][l] = c54;
+        out->of_legs[5][8][l] = c55;
         out->of_legs[0][9][l] = R_J_u_zz_x;
         out->of_legs[1][9][l] = R_J_u_zz_y;
         out->of_legs[2][9][l] = R_J_u_zz_z;
-        out->of_legs[3][9][l] = c57;
-        out->of_legs[4][9][l] = c58;
-        out->of_legs[5][9][l] = c59;
+        out->of_legs[3][9][l] = c56;
+        out->of_legs[4][9][l] = c57;
+        out->of_legs[5][9][l] = c58;
         out->of_legs[0][10][l] = rise_x;
         out->of_legs[1][10][l] = rise_y;
         out->of_legs[2][10][l] = rise_z;
@@ -431,39 +430,39 @@ STEWART_APART static void columns_of_legs(
         out->of_legs[0][14][l] = R_J_u_xx_x;
         out->of_legs[1][14][l] = R_J_u_xx_y;
         out->of_legs[2][14][l] = R_J_u_xx_z;
-        out->of_legs[3][14][l] = c42;
-        out->of_legs[4][14][l] = c43;
-        out->of_legs[5][14][l] = c44;
+        out->of_legs[3][14][l] = c41;
+        out->of_legs[4][14][l] = c42;
+        out->of_legs[5][14][l] = c43;
         out->of_legs[0][15][l] = R_J_u_xy_x;
         out->of_legs[1][15][l] = R_J_u_xy_y;
         out->of_legs[2][15][l] = R_J_u_xy_z;
-        out->of_legs[3][15][l] = c45;
-        out->of_legs[4][15][l] = c46;
-        out->of_legs[5][15][l] = c47;
+        out->of_legs[3][15][l] = c44;
+        out->of_legs[4][15][l] = c45;
+        out->of_legs[5][15][l] = c46;
         out->of_legs[0][16][l] = R_J_u_xz_x;
         out->of_legs[1][16][l] = R_J_u_xz_y;
         out->of_legs[2][16][l] = R_J_u_xz_z;
-        out->of_legs[3][16][l] = c48;
-        out->of_legs[4][16][l] = c49;
-        out->of_legs[5][16][l] = c50;
+        out->of_legs[3][16][l] = c47;
+        out->of_legs[4][16][l] = c48;
+        out->of_legs[5][16][l] = c49;
         out->of_legs[0][17][l] = R_J_u_yy_x;
         out->of_legs[1][17][l] = R_J_u_yy_y;
         out->of_legs[2][17][l] = R_J_u_yy_z;
-        out->of_legs[3][17][l] = c51;
-        out->of_legs[4][17][l] = c52;
-        out->of_legs[5][17][l] = c53;
+        out->of_legs[3][17][l] = c50;
+        out->of_legs[4][17][l] = c51;
+        out->of_legs[5][17][l] = c52;
         out->of_legs[0][18][l] = R_J_u_yz_x;
         out->of_legs[1][18][l] = R_J_u_yz_y;
         out->of_legs[2][18][l] = R_J_u_yz_z;
-        out->of_legs[3][18][l] = c54;
-        out->of_legs[4][18][l] = c55;
-        out->of_legs[5][18][l] = c56;
+        out->of_legs[3][18][l] = c53;
+        out->of_legs[4][18][l] = c54;
+        out->of_legs[5][18][l] = c55;
         out->of_legs[0][19][l] = R_J_u_zz_x;
         out->of_legs[1][19][l] = R_J_u_zz_y;
         out->of_legs[2][19][l] = R_J_u_zz_z;
-        out->of_legs[3][19][l] = c57;
-        out->of_legs[4][19][l] = c58;
-        out->of_legs[5][19][l] = c59;
+        out->of_legs[3][19][l] = c56;
+        out->of_legs[4][19][l] = c57;
+        out->of_legs[5][19][l] = c58;
         out->of_legs[0][20][l] = R_C_u_x;
         out->of_legs[1][20][l] = R_C_u_y;
         out->of_legs[2][20][l] = R_C_u_z;

@@ -24,7 +24,6 @@ from stewart_sym.robot.robot import Robot
 
 ALL = 148
 UNTOUCHED = -7.0
-NAMES = parameters.parameter_names()[0]
 EPSILON = np.finfo(np.float32).eps
 NULL = ctypes.c_void_p(None)
 SOME = np.array([147, 0, 3, 22, 23, 137, 138, 3], dtype=np.int32)
@@ -105,9 +104,10 @@ def changed(values: dict[str, mp.mpf], rng: np.random.Generator) -> dict[str, mp
 
 
 @pytest.mark.parametrize("sine", [1.0, 0.03, 1e-3, 1e-6, 1e-9])
-def test_error_is_a_few_times_the_sensitivity_near_joint_singularities(sine: float) -> None:
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in range(2, 12))])
+def test_error_is_a_few_times_the_sensitivity_near_joint_singularities(seed: int, sine: float) -> None:
     """Of each column, by the 50-digit blocks at inputs that differ by half a rounding unit."""
-    robot, motion = near_joint_singularity(1, sine)
+    robot, motion = near_joint_singularity(seed, sine)
     Y = ss.regressor(robot, motion)
     with mp.workdps(DIGITS):
         rng = np.random.default_rng(2)
@@ -120,8 +120,6 @@ def test_error_is_a_few_times_the_sensitivity_near_joint_singularities(sine: flo
     size = np.abs(true).astype(float)
     for rows in (slice(0, 3), slice(3, 6)):
         allowed = 10.0 * spread[rows].max(axis=0) + 64.0 * 2.0**-52 * size[rows].max(axis=0)
-        # Terms of theta_ddot and phi_ddot that cancel grow like one over the sine in these columns.
-        allowed[[i for i, name in enumerate(NAMES) if name.startswith("h_u") and name.endswith("x")]] /= sine
         assert (error[rows].max(axis=0) <= allowed).all()
 
 
