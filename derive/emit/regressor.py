@@ -3,9 +3,8 @@
 The blocks are those of the module of arrays, in the same order, so that both have the same bits.
 """
 
-from ..kernel import batches
 from ..kernel import layouts as lay
-from ..kernel.batches import MOTIONS, is_null, missing
+from ..kernel.batches import LOADS, MOTIONS, batch, is_null, loaded_one, missing
 from ..kernel.layouts import LANE, Place, Written
 from ..kernel.prepare import LEG, MOTION, ROBOT
 from ..kernel.shared import shared
@@ -13,12 +12,13 @@ from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import steps_of
 from ..kernel.tree.read import LANES, Entries, Given
 from ..kernel.written import motion_lanes as written
+from ..kernel.written.batch import load_pose
 from ..mechanics import quantities as n
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, column, names_of
 from ..print.c import C
 from ..print.template import filled
 from ..program.block import Block, Quantity
-from .closed_form import CHECKS, LEGS, OF_BATCHES, checks
+from .closed_form import CHECKS, LEGS, checks
 from .shared import SIZES, SOLVE, header, top
 
 NAME = "stewart_exact_regressor"
@@ -56,23 +56,22 @@ def files(blocks: Regressor, version: str) -> dict[str, str]:
         declarations=C(parts).interface(*parts),
     )
     before = "\n".join([top(NAME, version, SOLVE), filled("aligned.c")])
-    source = C(shared().by_name.values(), SIZES).source(before, CHECKS, _COLUMNS, OF_BATCHES[1], *parts)
+    source = C(shared().by_name.values(), SIZES).source(before, CHECKS, _COLUMNS, *parts)
     return texts | {f"{NAME}.c": source}
 
 
 def _functions(blocks: Regressor) -> list[t.Function]:
     structures = {"Robot": ROBOT, "Leg": LEG, "Motion": MOTION, "Motions": MOTIONS}
     structures |= {"Columns": _COLUMNS, "Checked": CHECKS}
-    known = {each.name: each for each in (*shared().by_name.values(), *OF_BATCHES)}
-    read = Written(structures, _COUNTS, known).function
+    read = Written(structures, _COUNTS, dict(shared().by_name)).function
     of_platform = lay.stores(blocks.platform.outputs, _places("of_platform", _OF_PLATFORM).__getitem__)
     pose = (*lay.lines(blocks.platform, _loaded), *of_platform)
     no_columns = t.Binary(
         "&", is_null(t.Name("columns")), t.Binary("!=", t.Name("width"), t.As(t.Count(), t.Number(0)))
     )
     one = missing(("robot", "motion", "Y"), (), no_columns)
-    moved = tuple(q for q in n.MOTION if q not in batches.LOADS)
-    many = missing(("robot", "motions", "Y"), moved) | batches.batch(written.one_regressor)
+    moved = tuple(q for q in n.MOTION if q not in LOADS)
+    many = missing(("robot", "motions", "Y"), moved) | batch(written.one_regressor)
     return [
         read(written.legs_status),
         read(
@@ -91,6 +90,7 @@ def _functions(blocks: Regressor) -> list[t.Function]:
         read(written.all_columns),
         read(written.chosen_columns),
         read(written.regressor, NAME, public=True, given=one),
+        read(load_pose, given=loaded_one(n.MOTION[1:], LOADS)),
         read(written.regressor_batch, f"{NAME}_batch", public=True, given=many),
     ]
 

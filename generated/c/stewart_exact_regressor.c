@@ -34,25 +34,6 @@ typedef struct {
     stewart_real of_platform[6][10];
 } STEWART_ALIGNED regressor_columns;
 
-/* One pose of a batch, number by number; zeros for what may be null and is. */
-static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
-{
-    int i;
-    for (i = 0; i < 9; ++i) {
-        one->R[i] = motions->R[pose*9U + (size_t)i];
-    }
-    for (i = 0; i < 3; ++i) {
-        const size_t at = pose*3U + (size_t)i;
-        one->t[i] = motions->t[at];
-        one->omega[i] = motions->omega[at];
-        one->v[i] = motions->v[at];
-        one->alpha[i] = motions->alpha != NULL ? motions->alpha[at] : REAL(0);
-        one->a[i] = motions->a != NULL ? motions->a[at] : REAL(0);
-        one->F_ext[i] = motions->F_ext != NULL ? motions->F_ext[at] : REAL(0);
-        one->M_ext[i] = motions->M_ext != NULL ? motions->M_ext[at] : REAL(0);
-    }
-}
-
 /* What is wrong with the first leg that is not fit. */
 static int legs_status(const leg_checks *checked)
 {
@@ -747,6 +728,25 @@ int stewart_exact_regressor(
         }
     }
     return status;
+}
+
+/* One pose of a batch, number by number; zeros for what may be null and is. */
+static void load_pose(const stewart_motions *motions, size_t pose, stewart_motion *one)
+{
+    int i;
+    for (i = 0; i < 9; ++i) {
+        one->R[i] = motions->R[pose*9U + (size_t)i];
+    }
+    for (i = 0; i < 3; ++i) {
+        const size_t at = pose*3U + (size_t)i;
+        one->t[i] = motions->t[at];
+        one->omega[i] = motions->omega[at];
+        one->v[i] = motions->v[at];
+        one->alpha[i] = motions->alpha[at];
+        one->a[i] = motions->a[at];
+        one->F_ext[i] = motions->F_ext != NULL ? motions->F_ext[at] : REAL(0);
+        one->M_ext[i] = motions->M_ext != NULL ? motions->M_ext[at] : REAL(0);
+    }
 }
 
 int stewart_exact_regressor_batch(

@@ -102,7 +102,8 @@ def test_every_kernel_has_an_oracle() -> None:
     for stem, (kernel, kind) in attacked.items():
         header = (attack_build.GENERATED / f"{stem}.h").read_text()
         entries = {"forces": "_prepare", "dynamics": "_joint_reactions_batch", "motion": "_bias"}
-        function = (entries | {"bounds": "_forces_bounded_batch", "legs": "_batch"}).get(kind)
+        entries |= {"bounds": "_forces_bounded_batch", "legs": "_batch", "regressor": "_regressor_batch"}
+        function = entries.get(kind)
         assert (f"stewart_{kernel}{function}(" if function else "stewart_forward_kinematics(") in header
 
 
