@@ -253,8 +253,18 @@ def test_the_picture_shows_every_candidate(written: Path) -> None:
     assert 0.01 < np.mean(pixels[..., :3] < 0.9) < 0.5
 
 
+def disturbed(found: bench.Benchmark) -> bench.Benchmark:
+    """The slowest code's third quartile at a hundred times its median, as beside another job."""
+    slowest = max(found.baselines, key=lambda each: each.median)
+    raw = (*[slowest.median] * 3, *[400.0 * slowest.median] * 2)
+    wide = dataclasses.replace(slowest, raw=raw)
+    return dataclasses.replace(
+        found, baselines=tuple(wide if each is slowest else each for each in found.baselines)
+    )
+
+
 def test_labels_in_the_picture_do_not_overlap(run: tuple[Path, bench.Benchmark]) -> None:
-    for canvas in (picture(run[1]), motion_picture(run[1])):
+    for canvas in (picture(run[1]), motion_picture(run[1]), picture(disturbed(run[1]))):
         canvas.draw_without_rendering()
         above = canvas.axes[0]
         boxes = [text.get_window_extent() for text in (*above.texts, *above.get_yticklabels())]

@@ -346,7 +346,7 @@ def _name_rows(axes: Axes, low: float, rows: Sequence[tuple[Figure, str, str]]) 
     """Labels of the rows, and a log axis with room for their numbers."""
     axes.set_yticks(range(len(rows)), [label for _, label, _ in rows])
     axes.set_xscale("log")
-    axes.set_xlim(low, 10 * max(figure.median for figure, _, _ in rows))
+    axes.set_xlim(low, 10 * max(max(figure.median, figure.quartiles[1]) for figure, _, _ in rows))
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.grid(visible=False, axis="y")
     axes.tick_params(axis="y", length=0)
