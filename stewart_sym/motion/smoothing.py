@@ -5,12 +5,14 @@ differences of order d of its coefficients over a variance of their own: a Gauss
 likelihood chooses that variance and d, so the spread of the posterior is what noise and unresolved motion
 leave open. The knots are refined until the penalty alone limits the resolution. Long series are smoothed in
 windows that overlap by half, so time and memory grow with their length alone; where samples are even, all
-inner windows share their matrices.
+inner windows share their matrices. What lies before and after a long gap is smoothed by itself: nothing is
+sampled in it, and equations of a curve that bridges it would be singular to rounding.
 """
 
 from __future__ import annotations
 
 import functools
+import itertools
 import math
 from dataclasses import dataclass
 from typing import NamedTuple
@@ -40,6 +42,10 @@ _WEIGHTS = 10.0 ** np.linspace(-9.0, 12.0, 127)
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Of value, rate and second rate in a covariance."""
 _CHUNK = 1 << 16
+# A step that many times the usual one parts a series, where each part keeps that many samples.
+_GAP, _FEWEST_SAMPLES = 8.0, 24
+# Least penalty, of weight 1, of a curve that bends once in the longest step: below, rounding would bend it.
+_LEAST_BENT = 1e-10
 # Even to rounding: times off a whole number of intervals by less than this share of one.
 _UNEVEN = 1e-6
 
@@ -117,6 +123,32 @@ def smooth(
 
 def smoothed(time: Array, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
     """``smooth`` of checked arrays; without a level the noise is that of the residuals about the cut-off."""
+    ends = [0, *_breaks(time), len(time)]
+    parts = [_part(time[i:j], columns[i:j], level, cutoff) for i, j in itertools.pairwise(ends)]
+    if len(parts) == 1:
+        return parts[0]
+    values, rates, second_rates, sigma, grid, covariance = zip(*parts, strict=True)
+    shares = np.diff(ends)[:, None] / len(time)
+    return Smooth(
+        *map(np.concatenate, (values, rates, second_rates)),
+        sigma=np.sqrt(np.sum(shares * np.square(sigma), axis=0)),
+        grid=np.concatenate(grid),
+        covariance=np.concatenate(covariance),
+    )
+
+
+def _breaks(time: Array) -> list[int]:
+    """First samples after long gaps, so that each part has its fewest samples."""
+    step = np.diff(time)
+    found: list[int] = []
+    for i in (np.flatnonzero(step > _GAP * np.median(step)) + 1).tolist():
+        if i - (found[-1] if found else 0) >= _FEWEST_SAMPLES and len(time) - i >= _FEWEST_SAMPLES:
+            found.append(i)
+    return found
+
+
+def _part(time: Array, columns: Array, level: Level | None, cutoff: float | None) -> Smooth:
+    """``smoothed`` of samples without a long gap."""
     clock = _Clock.of(time)
     ones = np.ones(columns.shape[1])
     if cutoff is not None:
@@ -224,13 +256,19 @@ def _knots_of_cutoff(time: Array, clock: _Clock, cutoff: float) -> _Knots:
     return _Knots.of(clock, 8.0 * cutoff * clock.unit * float(clock.since[-1]))
 
 
+def _orders(since: Array, step: float) -> list[int]:
+    """The orders whose penalty holds a curve in the longest gap between samples, in knots ``step`` apart."""
+    bend = 2.0 * math.sin(min(1.0, step / float(np.diff(since).max())) * math.pi / 2.0) / _EDGE
+    return [order for order in ORDERS if order < len(since) and bend ** (2 * order) > _LEAST_BENT]
+
+
 def _resolve(clock: _Clock, values: Array, sigma: Array) -> tuple[_Knots, NDArray[np.int64], Array]:
     """Knots so fine that the penalty limits the resolution, and the likeliest order and noise, (c,)."""
     since = clock.since
-    orders = [order for order in ORDERS if order < len(since)]
     cells = min(_FEWEST_CELLS, len(since))
     while True:
         knots = _Knots.of(clock, cells)
+        orders = _orders(since, knots.step)
         starts = knots.windows()
         trial = {starts[int(i)] for i in np.linspace(0, len(starts) - 1, min(len(starts), _TRIAL_WINDOWS))}
         cost, free, squares, count = np.zeros((4, len(orders), values.shape[1]))
@@ -245,7 +283,7 @@ def _resolve(clock: _Clock, values: Array, sigma: Array) -> tuple[_Knots, NDArra
         best = np.argmin(cost, axis=0)
         pick = (best, np.arange(len(best)))
         finer = _whole(2 * cells)
-        if free[pick].max() <= _FREE or finer > len(since):
+        if free[pick].max() <= _FREE or finer > len(since) or not _orders(since, float(since[-1]) / finer):
             seen = np.sqrt(squares[pick] / np.maximum(count[pick], 1.0))
             return knots, np.array(orders)[best], np.where(count[pick] > 0.0, seen, sigma)
         cells = finer

@@ -232,3 +232,18 @@ def test_resampling_keeps_the_path_and_its_deviations() -> None:
 def test_bad_arguments_are_named(call: Callable[[], object], text: str) -> None:
     with pytest.raises(ValueError, match=f"^{text}"):
         call()
+
+
+@pytest.mark.parametrize("decimals", [4, 6, 7, 10])
+@pytest.mark.parametrize("missing", [5, 10, 20, 40, 400])
+def test_rows_beside_a_gap_of_any_length_err_by_what_their_deviations_say(
+    decimals: int, missing: int
+) -> None:
+    """No curve through the gap, which nothing holds there, swings at its ends."""
+    time = np.delete(np.arange(801) / 200, slice(200, 200 + missing))
+    size, frequency = np.array([0.05, 0.04, 0.03, 0.1]), np.array([5.0, 4.0, 5.6, 4.4])
+    turns = np.sin(np.outer(time, frequency))
+    found = ss.smooth(time, np.round(size * turns, decimals), sigma=10.0**-decimals / 12.0**0.5)
+    error = np.abs(found.second_rates + size * frequency**2 * turns).max(axis=0)
+    assert (error < 5.0 * np.sqrt(found.covariance[:, :, 5].max(axis=0))).all()
+    assert error.max() < 1e4 * 10.0**-decimals + 1e-4
