@@ -42,10 +42,10 @@ _WEIGHTS = 10.0 ** np.linspace(-9.0, 12.0, 127)
 PAIRS = ((0, 0), (1, 0), (1, 1), (2, 0), (2, 1), (2, 2))
 """Of value, rate and second rate in a covariance."""
 _CHUNK = 1 << 16
-# A step that many times the usual one parts a series, where each part keeps that many samples.
-_GAP, _FEWEST_SAMPLES = 8.0, 24
+# A step that many times as long as nine of ten parts a series, where each part keeps that many samples.
+_GAP, _FEWEST_SAMPLES = 8.0, 6
 # Least penalty, of weight 1, of a curve that bends once in the longest step: below, rounding would bend it.
-_LEAST_BENT = 1e-10
+_LEAST_BENT = 1e-6
 # Even to rounding: times off a whole number of intervals by less than this share of one.
 _UNEVEN = 1e-6
 
@@ -141,7 +141,7 @@ def _breaks(time: Array) -> list[int]:
     """First samples after long gaps, so that each part has its fewest samples."""
     step = np.diff(time)
     found: list[int] = []
-    for i in (np.flatnonzero(step > _GAP * np.median(step)) + 1).tolist():
+    for i in (np.flatnonzero(step > _GAP * np.quantile(step, 0.9)) + 1).tolist():
         if i - (found[-1] if found else 0) >= _FEWEST_SAMPLES and len(time) - i >= _FEWEST_SAMPLES:
             found.append(i)
     return found
@@ -259,7 +259,11 @@ def _knots_of_cutoff(time: Array, clock: _Clock, cutoff: float) -> _Knots:
 def _orders(since: Array, step: float) -> list[int]:
     """The orders whose penalty holds a curve in the longest gap between samples, in knots ``step`` apart."""
     bend = 2.0 * math.sin(min(1.0, step / float(np.diff(since).max())) * math.pi / 2.0) / _EDGE
-    return [order for order in ORDERS if order < len(since) and bend ** (2 * order) > _LEAST_BENT]
+    return [
+        order
+        for order in ORDERS
+        if order == ORDERS[0] or (order < len(since) and bend ** (2 * order) > _LEAST_BENT)
+    ]
 
 
 def _resolve(clock: _Clock, values: Array, sigma: Array) -> tuple[_Knots, NDArray[np.int64], Array]:
@@ -283,7 +287,7 @@ def _resolve(clock: _Clock, values: Array, sigma: Array) -> tuple[_Knots, NDArra
         best = np.argmin(cost, axis=0)
         pick = (best, np.arange(len(best)))
         finer = _whole(2 * cells)
-        if free[pick].max() <= _FREE or finer > len(since) or not _orders(since, float(since[-1]) / finer):
+        if free[pick].max() <= _FREE or finer > len(since):
             seen = np.sqrt(squares[pick] / np.maximum(count[pick], 1.0))
             return knots, np.array(orders)[best], np.where(count[pick] > 0.0, seen, sigma)
         cells = finer
