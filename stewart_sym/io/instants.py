@@ -1,4 +1,4 @@
-"""Times as text that tells one instant from the next, seconds since 1970 too."""
+"""Times that tell one instant from the next, as text and as numbers, seconds since 1970 too."""
 
 import math
 
@@ -8,6 +8,60 @@ from .array_types import Array
 
 # A double has 15 to 17 digits; with 16 a time of few decimals is printed with these alone.
 _FEWEST, _MOST = 6, 16
+# Most decimals of times that are looked for.
+_DECIMALS = 15
+# Doubles from one such time to the next, at least, for a double beside one to stand for it.
+_FAR_APART = 16.0
+# Times that are looked at together.
+_PART = 1 << 10
+
+
+def elapsed(times: Array) -> Array:
+    """Times since the first, s, (n,), without what doubles round off: for all that is differentiated.
+
+    A double keeps seconds since 1970 to 2.4e-7 s, which is much of a millisecond's step. Times that all are
+    the nearest doubles of numbers with a few decimals stand for these numbers.
+    """
+    return apart(times, times[:1], parts(times))
+
+
+def apart(later: Array, earlier: Array, per_second: float | None) -> Array:
+    """Differences of times, s, that are whole numbers of parts of a second; None: of times as they are."""
+    if per_second is None:
+        return np.asarray(later - earlier)
+    return np.asarray((np.rint(later * per_second) - np.rint(earlier * per_second)) / per_second)
+
+
+def lost(times: Array) -> float:
+    """What doubles may have rounded off the times, s, (n,): 0 where ``elapsed`` restores it."""
+    return _resolution(times) if parts(times) is None else 0.0
+
+
+def parts(times: Array) -> float | None:
+    """The fewest parts of a second, a power of ten, that times, (n,), are whole numbers of; None for none."""
+    resolution = _resolution(times)
+    starts = range(0, len(times), _PART)
+    for decimals in range(_DECIMALS + 1):
+        per_second = 10.0**decimals
+        if 2.0 * resolution * per_second > 1.0:
+            break
+        # A sum of a start and a step may be the double beside the nearest one.
+        beside = _FAR_APART * resolution * per_second < 1.0
+        if all(_whole_numbers(times[i : i + _PART + 1], per_second, beside) for i in starts):
+            return per_second
+    return None
+
+
+def _resolution(times: Array) -> float:
+    """What the double of the largest time resolves, s."""
+    return float(np.spacing(max(times.max(initial=0.0), -times.min(initial=0.0))))
+
+
+def _whole_numbers(times: Array, per_second: float, beside: bool) -> bool:
+    """Whether times are different whole numbers of parts of a second, ``beside``: or next to such."""
+    count = np.rint(times * per_second)
+    off = np.abs(count / per_second - times)
+    return bool((off <= beside * np.spacing(np.abs(times))).all() and (np.diff(count) > 0.0).all())
 
 
 def least_step(times: Array) -> float:

@@ -3,6 +3,7 @@
 import numpy as np
 
 from ..io.array_types import Array
+from ..io.instants import elapsed
 
 # A jump exceeds this many times what accelerations in its surroundings move in a step.
 _JUMP = 10.0
@@ -40,7 +41,7 @@ def accelerations(time: Array, L: Array, L_dot: Array) -> Array:
 
     At the first and the last sample the polynomial is of degree 3.
     """
-    h = np.diff(time)[:, None]
+    h = np.diff(elapsed(time))[:, None]
     change, first, last = np.diff(L, axis=0) / h, L_dot[:-1], L_dot[1:]
     found = np.empty_like(L)
     found[:-1] = (6.0 * change - 4.0 * first - 2.0 * last) / h
@@ -87,7 +88,7 @@ def step_beyond_rates(time: Array, L: Array, L_dot: Array, L_ddot: Array) -> int
 
     With accelerations of at most A between samples, a step differs from that of the mean rate by h^2 A / 4.
     """
-    h = np.diff(time)[:, None]
+    h = np.diff(elapsed(time))[:, None]
     off = np.max(np.abs(np.diff(L, axis=0) - 0.5 * h * (L_dot[1:] + L_dot[:-1])), axis=-1)
     most = max(float(np.max(np.abs(L_ddot))), float(np.max(np.abs(np.diff(L_dot, axis=0) / h))))
     noise = min(float(np.quantile(off, _MOST)), float(np.max(np.abs(np.diff(L, axis=0)))))

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
 from ..io.array_types import Array
-from ..io.instants import time_text
+from ..io.instants import apart, elapsed, parts, time_text
 from ..io.tables import positive
 from .motion import Motion
 from .rotation import (
@@ -57,6 +57,8 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
     if len(time) < 2:
         raise ValueError(f"{trajectory.source}: expected at least 2 instants, got {len(time)}")
 
+    per_second = parts(time)
+
     def at(times: ArrayLike) -> Motion:
         when = real_array(times, "times")
         outside = ~((when >= time[0]) & (when <= time[-1]))
@@ -65,7 +67,8 @@ def between(trajectory: Trajectory | PoseLog) -> Path:
                 f"times: expected times in [{time_text(time[0])}, {time_text(time[-1])}] s, "
                 f"got {time_text(when[outside][0])}"
             )
-        i, share, h = _steps(time, when)
+        i, share = _steps(time, when)
+        h = apart(time[i + 1], time[i], per_second)[..., None]
         if np.all((share == 0.0) | (share == 1.0)):
             return trajectory.at(np.asarray(i + (share[..., 0] == 1.0)))
         # The polynomials of the steps in question alone: those of all would take as much room as the motion.
@@ -109,26 +112,27 @@ def resampled(trajectory: Trajectory | PoseLog, rate: float) -> Trajectory:
     need_trajectory(trajectory)
     rate = positive(rate, "rate")
     time = trajectory.time
-    count = float(time[-1] - time[0]) * rate * (1.0 + 1e-12)
+    since = elapsed(time)
+    count = float(since[-1]) * rate * (1.0 + 1e-12)
     if not count < MOST_STEPS:
         raise ValueError(f"rate: expected > 0 Hz and at most {MOST_STEPS:,} instants, got {rate:g}")
     path = between(trajectory)
     when = np.minimum(time[0] + np.arange(int(count) + 1) / rate, time[-1])
-    i, share, h = _steps(time, when)
+    i, share = _steps(time, when)
     rows = tuple(trajectory.rows[int(k)] for k in i)
     noise = trajectory.noise
     if noise is not None:
         start, end = noise.coordinates[:, :-1], noise.coordinates[:, 1:]
-        c = quintic(np.diff(time)[:, None], tuple(start), tuple(end))
-        noise = noise._replace(coordinates=np.stack(values(c[:, i], share, h)))
+        h = np.diff(since)[:, None]
+        c = quintic(h, tuple(start), tuple(end))
+        noise = noise._replace(coordinates=np.stack(values(c[:, i], share, h[i])))
     return Trajectory(when, path(when), trajectory.source, rows, noise)
 
 
-def _steps(time: Array, when: Array) -> tuple[NDArray[np.int64], Array, Array]:
-    """Step in which each time lies, the share of it that has passed, and its length, s, (..., 1)."""
+def _steps(time: Array, when: Array) -> tuple[NDArray[np.int64], Array]:
+    """Step in which each time lies, and the share of it that has passed, (..., 1)."""
     i = np.minimum(np.searchsorted(time, when, side="right") - 1, len(time) - 2)
-    h = np.diff(time)[i][..., None]
-    return i, (when - time[i])[..., None] / h, h
+    return i, ((when - time[i]) / (time[i + 1] - time[i]))[..., None]
 
 
 Ends = tuple[Array, Array, Array]

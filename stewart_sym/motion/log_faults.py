@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
+from ..io.instants import elapsed
 
 # Lengths of blocks, samples, and the degrees of their polynomials.
 _BLOCKS = ((8, 3), (16, 5), (32, 5), (64, 5), (128, 5))
@@ -91,6 +92,7 @@ def _separate(seen: list[_Seen]) -> list[Fault]:
 
 def _scan(time: Array, values: Array, sigma: Array) -> list[_Seen]:
     found: list[_Seen] = []
+    time = elapsed(time)
     even = np.ptp(np.diff(time)) <= 1e-6 * np.median(np.diff(time)) if len(time) > 1 else True
     floor = np.maximum(sigma, _DIGITS * np.abs(values).max(axis=0, initial=0.0))
     for length, degree in _BLOCKS:

@@ -10,7 +10,7 @@ import numpy as np
 
 from ..io.array_types import Array, Flags
 from ..io.extras import needed_for
-from ..io.instants import least_step, time_text
+from ..io.instants import elapsed, least_step, lost, time_text
 from .log_faults import Fault, faults, offsets
 from .log_sampling import slower_sampling, spread
 from .motion import Motion
@@ -31,7 +31,7 @@ def interpolated(trajectory: Trajectory) -> Callable[[float], Motion]:
     Positions and unwrapped angles (38) are interpolated by splines, of degree 5 (of degree 3 with 4 or 5
     rows); given derivatives and loads don't count.  Raises as ``read_csv`` where a spline is needed.
     """
-    since = trajectory.time - trajectory.time[0]
+    since = elapsed(trajectory.time)
     theta = np.unwrap(rpy_from_rotation(trajectory.motion.R), axis=0)
     spline = _spline(since, np.hstack([trajectory.motion.t, theta]), trajectory.source)
     end = float(since[-1])
@@ -53,6 +53,7 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
     motion makes are replaced, with a warning; what that changes counts as a deviation.
     """
     _warn_of_gap(log)
+    steps = np.maximum(steps, _lost_steps(log, values))
     slower = slower_sampling(values, steps) if log.smoothing.on and "L" not in log.written else None
     if slower is None:
         return _replaced(log, values, steps)
@@ -63,6 +64,23 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
     few, noise = _replaced(measured, values[rows], steps)
     found = spread(log.time, rows, few)
     return found, None if noise is None else noise._replace(coordinates=found)
+
+
+# Share of the usual step in time, rounded off, from which on accelerations tell.
+_LOST = 1e-6
+# Share of the steps that are not faster than the speed that counts.
+_FAST = 0.9
+
+
+def _lost_steps(log: Log, values: Array) -> Array | float:
+    """What coordinates, (n, c), change by in the digits that their times have beyond those of doubles, (c,).
+
+    Such times make the same errors as rounded coordinates do.
+    """
+    step, rounded = np.diff(log.time), lost(log.time)
+    if not step.size or rounded <= _LOST * np.median(step):
+        return 0.0
+    return rounded * np.quantile(np.abs(np.diff(values, axis=0)) / step[:, None], _FAST, axis=0)
 
 
 def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
@@ -114,7 +132,7 @@ def _derivatives(
     found = np.empty((3, *values.shape))
     if not noisy.all():
         found[0][:, ~noisy] = values[:, ~noisy]
-        since = log.time - log.time[0]
+        since = elapsed(log.time)
         spline = _spline(since, values[:, ~noisy], log.source)
         # In parts, since a spline's values come in arrays of their own.
         for part in (slice(i, i + _PART) for i in range(0, len(since), _PART)):

@@ -7,6 +7,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..io.array_types import Array
+from ..io.instants import elapsed
 from .interpolation import quintic, values
 
 Rows = NDArray[np.int64]
@@ -67,6 +68,7 @@ def spread(time: Array, rows: Rows, found: Array) -> Array:
 
     Polynomials of degree 5 between the rows; before and after them the acceleration stays.
     """
+    time = elapsed(time)
     at = time[rows]
     i = np.clip(np.searchsorted(at, time, side="right") - 1, 0, len(rows) - 2)
     h, since = (at[i + 1] - at[i])[:, None], (time - at[i])[:, None]

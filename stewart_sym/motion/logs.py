@@ -128,7 +128,8 @@ def read_columns(
             )
     if not rows:
         raise ValueError(f"{source}: expected rows of numbers below the header, got none")
-    columns["time"] *= TIME_UNITS[form.time_unit]
+    # Divided, times are the nearest doubles of what is written.
+    columns["time"] /= round(1.0 / TIME_UNITS[form.time_unit])
     late = np.flatnonzero(np.diff(columns["time"]) <= 0.0)
     if late.size:
         i = int(late[0])

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..io.array_types import Array
+from ..io.instants import elapsed
 
 
 class LogWarning(UserWarning):
@@ -63,6 +64,7 @@ def noise_level(time: Array, values: Array, step: Array | None = None) -> Level:
     still look like noise show is taken for white. A number that stays the same over several samples counts as
     one observation.
     """
+    time = elapsed(time)
     rounding = (rounding_steps(values) if step is None else step) / math.sqrt(12.0)
     runs = 1 + np.count_nonzero(np.diff(values, axis=0), axis=0)
     white, correlation = white_noise(time, values), _correlation(time, values, rounding)
@@ -82,6 +84,7 @@ def decided_noise(time: Array, values: Array, step: Array) -> float:
     half = len(time) // 2
     if half < _LEAST_MEANS:
         return 0.0
+    time = elapsed(time)
     pairs = (x[: 2 * half].reshape(half, 2, -1).mean(axis=1) for x in (time, values))
     means_time, means = next(pairs)[:, 0], math.sqrt(2.0) * next(pairs)
     sizes = [*(_differences(time, values, order) for order in (5, 8)), _differences(means_time, means, 8)]
@@ -121,7 +124,7 @@ def white_noise(time: Array, values: Array) -> Array:
     """Standard deviation of noise from one sample to the next, (c,), from divided differences; 0 for none."""
     if len(time) < LEAST_SAMPLES:
         return np.zeros(values.shape[1])
-    return _noisy_columns(*_levels(time, values), values)
+    return _noisy_columns(*_levels(elapsed(time), values), values)
 
 
 def _levels(time: Array, values: Array) -> tuple[Array, Array]:

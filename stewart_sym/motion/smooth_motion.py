@@ -18,6 +18,7 @@ from numpy.typing import ArrayLike
 from ..io.arguments import instance, number_in, real_array, shown, whole_number
 from ..io.array_types import Array
 from ..io.extras import needed_for
+from ..io.instants import elapsed
 from .motion import Motion
 from .rotation import cross_matrix, rpy_from_rotation, vector_from_rotation
 
@@ -258,7 +259,8 @@ def _turns(theta: Array, rate: Array, second: Array) -> tuple[Array, Array, Arra
 
 def _fourier(time: Array, period: float, harmonics: int) -> Basis:
     rate = 2.0 * math.pi / period * np.arange(1, harmonics + 1)
-    sin, cos = np.sin(rate * time[:, None]), np.cos(rate * time[:, None])
+    angle = rate * elapsed(time)[:, None]
+    sin, cos = np.sin(angle), np.cos(angle)
     one, zero = np.ones((len(time), 1)), np.zeros((len(time), 1))
     return Basis(
         np.hstack([one, sin, cos]),
@@ -271,7 +273,7 @@ def _spline(time: Array, size: int) -> Basis:
     """B-splines whose knots lie among the instants as densely as these do."""
     with needed_for(WITHOUT_PERIOD):
         from scipy.interpolate import BSpline
-    since = time - time[0]
+    since = elapsed(time)
     inner = np.interp(np.linspace(0.0, len(time) - 1.0, size - _DEGREE + 1), np.arange(len(time)), since)
     knots = np.concatenate([np.repeat(since[0], _DEGREE), inner, np.repeat(since[-1], _DEGREE)])
     functions = BSpline(knots, np.eye(size), _DEGREE)

@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import real_array
 from ..io.array_types import Array
+from ..io.instants import elapsed
 from ..io.tables import positive
 from .noise_level import SEEN, Level, noise_level, stated
 
@@ -187,7 +188,7 @@ class _Clock(NamedTuple):
     @classmethod
     def of(cls, time: Array) -> _Clock:
         """The clock of increasing times."""
-        since = time - time[0]
+        since = elapsed(time)
         unit = float(since[-1]) / (len(time) - 1)
         count = np.rint(since / unit)
         even = bool(np.abs(since / unit - count).max() < _UNEVEN)
@@ -248,7 +249,7 @@ def _whole(cells: int) -> int:
 
 
 def _knots_of_cutoff(time: Array, clock: _Clock, cutoff: float) -> _Knots:
-    nyquist = 0.5 / float(np.median(np.diff(time)))
+    nyquist = 0.5 / float(np.median(np.diff(elapsed(time))))
     if not 0.0 < cutoff < nyquist:
         raise ValueError(
             f"cutoff: expected a frequency > 0 and < {nyquist:g} Hz, half the rate, got {cutoff:g}"

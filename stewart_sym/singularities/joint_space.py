@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 
 from ..io.arguments import finite_array, instance, real_array
 from ..io.array_types import Array
+from ..io.instants import elapsed
 from ..io.progress import Progress, silent
 from ..kinematics.forward import (
     REASONS,
@@ -209,7 +210,7 @@ def _follow(
     noise = _noise(time, L) if sigma is None else sigma
     R, t, twist, rate = (np.empty((len(L), *shape)) for shape in ((3, 3), (3,), (6,), (6,)))
     done, decided, sign, noisy = 0, len(L), first.sign[0], bool(noise.any())
-    for run in walked(robot, first, Legs(L, L_dot, rates), np.diff(time)):
+    for run in walked(robot, first, Legs(L, L_dot, rates), np.diff(elapsed(time))):
         progress(f"finding {len(L)} poses", done / len(L))
         here = slice(done, done + len(run.state.twist))
         R[here], t[here], twist[here], rate[here] = run.state.pose.R, run.state.pose.t, *run.state[1:]

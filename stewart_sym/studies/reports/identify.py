@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 
 # Share of a normal distribution within one, two and three standard deviations.
 NORMAL = (0.6827, 0.9545, 0.9973)
-# Times that differ by less than this share of the last one are the same.
+# Times that differ by less than this share of the whole time, and by what a double rounds off, are the same.
 _SAME_TIME = 1e-6
 # Of a parameter of the robot file from the identified one, in deviations, and of all: do not agree.
 _FAR, _FAR_LEVEL = 4.0, 1e-3
@@ -79,7 +79,8 @@ def from_measurement(
         raise ValueError(
             f"{source}: expected {len(trajectory.time)} rows, as many as {trajectory.source}, got {len(time)}"
         )
-    off = np.abs(time - trajectory.time) > _SAME_TIME * np.max(np.abs(trajectory.time))
+    largest, span = float(np.abs(trajectory.time).max()), float(np.ptp(trajectory.time))
+    off = np.abs(time - trajectory.time) > _SAME_TIME * span + 2.0 * np.spacing(largest)
     if np.any(off):
         i = int(np.argmax(off))
         expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"

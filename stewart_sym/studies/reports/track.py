@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from ...dynamics.force_noise import deviations_in_parts
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.error_policy import SingularPoseWarning
-from ...io.instants import least_step, time_text
+from ...io.instants import elapsed, least_step, time_text
 from ...kinematics.conditioning import condition_number
 from ...kinematics.inverse import LegKinematics, inverse_kinematics
 from ...motion.motion import Motion
@@ -342,7 +342,7 @@ def _worst(robot: Robot, limit: _Limit, leg: int, part: Part, step: float) -> st
 
 def _weights(time: Array) -> Array:
     """How long each instant stands for: half the way to both neighbours."""
-    return np.gradient(time) if len(time) > 1 else np.zeros(1)
+    return np.gradient(elapsed(time)) if len(time) > 1 else np.zeros(1)
 
 
 def _peaks(F: Array) -> NDArray[np.int64]:
