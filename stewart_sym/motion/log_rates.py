@@ -68,14 +68,16 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
 def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of rows that were measured."""
     _warn_of_stated(log, values, steps)
-    level = _level(log, values, steps)
-    bad = [] if "L" in log.written else faults(log.time, values, level.sigma)
+    shown = noise_level(log.time, values, steps)
+    level = _level(log, shown)
+    # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.
+    bad = [] if "L" in log.written else faults(log.time, values, np.maximum(level.sigma, shown.sigma))
     if bad:
         _tell_faults(log, bad)
     if not bad or not log.smoothing.on:
         return _derivatives(log, values, level)
     good = values - offsets(bad, values.shape)
-    found, noise = _derivatives(log, good, _level(log, good, steps))
+    found, noise = _derivatives(log, good, _level(log, noise_level(log.time, good, steps)))
     changed = found - _derivatives(log, values, level, tell=False)[0]
     near = changed_instants(changed)
     return found, _with_changes(log.time, found, noise, changed, near)._replace(
@@ -164,17 +166,16 @@ def noise_text(noise: Uncertainty) -> str:
     return f"noise of {text} in the log"
 
 
-def _level(log: Log, values: Array, steps: Array) -> Level:
-    """Noise of six coordinates as stated or as the numbers show it."""
+def _level(log: Log, shown: Level) -> Level:
+    """Noise of six coordinates as stated or shown; with a cut-off only as stated."""
     names = ("L", "L") if "L" in log.written else POSE
-    shown_noise = noise_level(log.time, values, steps)
     known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
     if log.smoothing.cutoff is not None:
         return stated(known)
     return Level(
-        np.where(known > 0.0, known, shown_noise.sigma),
-        np.where(known > 0.0, known, shown_noise.least),
-        1.0 if known.all() else shown_noise.correlation,
+        np.where(known > 0.0, known, shown.sigma),
+        np.where(known > 0.0, known, shown.least),
+        1.0 if known.all() else shown.correlation,
     )
 
 

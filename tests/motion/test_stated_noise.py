@@ -29,6 +29,14 @@ def written(folder: Path, sigma: float, angle: float) -> Path:
     return path
 
 
+def told(log: Path, known: ss.Smoothing, words: str) -> list[str]:
+    """Warnings with these words when the log is read with what is known of its noise."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        read_csv(log, FORM, known)
+    return [str(each.message) for each in caught if words in str(each.message)]
+
+
 def test_a_good_statement_of_noise_is_never_doubted() -> None:
     decided = 0
     for seed in range(200):
@@ -73,10 +81,7 @@ def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
     tmp_path: Path, position: float, angle: float, words: str | None
 ) -> None:
     stated = ss.Smoothing(position * 1e-3, np.radians(angle))
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        read_csv(written(tmp_path, 0.1, 0.02), FORM, stated)
-    found = [str(each.message) for each in caught if "stated" in str(each.message)]
+    found = told(written(tmp_path, 0.1, 0.02), stated, "stated")
     assert len(found) == (words is not None)
     if words is not None:
         assert words in found[0].replace("0.099", "0.1")
@@ -98,3 +103,9 @@ def test_options_of_noise_are_in_the_units_of_the_log(
     expected = ss.force_deviations(ss.robots.dasgupta1998(), noise)
     table = np.genfromtxt(tmp_path / "f.csv", delimiter=",", names=True)
     np.testing.assert_allclose(table["F1_sd"], expected[:, 0], rtol=1e-9)
+
+
+@pytest.mark.parametrize("known", [ss.Smoothing(cutoff=3.0), ss.Smoothing(2e-5, np.radians(0.004))])
+def test_no_row_is_wrong_that_is_within_the_scatter(tmp_path: Path, known: ss.Smoothing) -> None:
+    """Whatever is stated of the noise, and whatever the cut-off."""
+    assert not told(written(tmp_path, 0.1, 0.02), known, "off as no motion makes them")
