@@ -14,7 +14,7 @@ from ..io.instants import least_step, time_text
 from .log_faults import Fault, faults, offsets
 from .log_sampling import slower_sampling, spread
 from .motion import Motion
-from .noise_level import Level, LogWarning, decided_noise, noise_level, stated
+from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level, stated
 from .rotation import rpy_from_rotation
 from .smoothing import PAIRS, smoothed
 from .trajectory import POSE, Log, Trajectory, Uncertainty, changed_instants, replaced_rows, rows_text
@@ -179,9 +179,12 @@ def _level(log: Log, shown: Level) -> Level:
     )
 
 
-# How much smaller and larger than the scatter of a log its stated noise is without a warning: a wrong unit
-# makes at least 25. What is within the motion's own frequencies, which no scatter shows, is stated as well.
-_SMALLER, _LARGER = 10.0, 30.0
+# Times that the scatter of a log is its stated noise without a warning. Smaller is soon harmful: the decided
+# scatter is within 1.3 of the noise. Larger may be: noise within the motion's own frequencies shows in no
+# scatter, but in how far the numbers move. A wrong unit makes at least 25.
+_SMALLER, _LARGER, _OF_RANGE, _OTHER_UNIT = 1.5, 30.0, 1.0 / 3.0, 10.0
+# Noise of so many times the largest number, m or rad, or 1, is none.
+_ABSURD = 10.0
 
 
 def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
@@ -191,13 +194,40 @@ def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
         known = log.smoothing.stated(name)
         if known is None or (lengths and not log.smoothing.on):  # without it a noise of poses is stated
             continue
-        shown = decided_noise(log.time, values[:, part], steps[part])
-        if shown and not shown / _SMALLER <= known <= _LARGER * shown:
-            unit = log.form.angle_unit if name == "theta" else log.form.length_unit
-            what = "lengths" if lengths else "positions" if name == "t" else "angles"
-            known, shown = known / log.scale(name), shown / log.scale(name)
-            text = f"stated noise of {what} of {known:.2g} {unit}, but they scatter by {shown:.2g} {unit}"
-            warnings.warn(f"{log.source}: {text}: is its unit right?", LogWarning, stacklevel=8)
+        unit = log.form.angle_unit if name == "theta" else log.form.length_unit
+        what = "lengths" if lengths else "positions" if name == "t" else "angles"
+
+        def text(number: float, unit: str = unit, scale: float = log.scale(name)) -> str:
+            return f"{number / scale:.2g} {unit}"
+
+        statement = f"{log.source}: stated noise of {what} of {text(known)}"
+        most = _ABSURD * max(1.0, float(np.abs(values[:, part]).max()))
+        if known > most:
+            raise ValueError(f"{statement}: expected less than {text(most)}; is its unit right?")
+        doubt = _doubt_of_noise(known, log.time, values[:, part], steps[part], text)
+        if doubt is not None:
+            warnings.warn(f"{statement}, but they {doubt}", LogWarning, stacklevel=8)
+
+
+def _doubt_of_noise(
+    known: float, time: Array, values: Array, steps: Array, text: Callable[[float], str]
+) -> str | None:
+    """What a sensor's columns, (n, c), say against noise that is stated, in words; None: nothing."""
+    shown = decided_noise(time, values, steps)
+    if not shown:
+        if len(time) < 2 * LEAST_SAMPLES:
+            return None
+        path = float(np.ptp(values, axis=0).max())
+        most = max(_OF_RANGE * path, _LARGER * float(noise_level(time, values, steps).sigma.max()))
+        return f"move over {text(path)} in all: is its unit right?" if known > most > 0.0 else None
+    if shown / _SMALLER <= known <= _LARGER * shown:
+        return None
+    cause = (
+        "is its unit right?"
+        if not shown / _OTHER_UNIT <= known < shown
+        else "stated too small, it leaves noise in the accelerations"
+    )
+    return f"scatter by {text(shown)}: {cause}"
 
 
 def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | None:

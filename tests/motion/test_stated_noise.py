@@ -9,6 +9,7 @@ from noisy_logs import Array, case
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.motion.log_rates import _doubt_of_noise
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import LogFormat
 from stewart_sym.motion.noise_level import decided_noise
@@ -29,11 +30,11 @@ def written(folder: Path, sigma: float, angle: float) -> Path:
     return path
 
 
-def told(log: Path, known: ss.Smoothing, words: str) -> list[str]:
+def told(log: Path, known: ss.Smoothing, words: str, form: LogFormat = FORM) -> list[str]:
     """Warnings with these words when the log is read with what is known of its noise."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        read_csv(log, FORM, known)
+        read_csv(log, form, known)
     return [str(each.message) for each in caught if words in str(each.message)]
 
 
@@ -47,7 +48,9 @@ def test_a_good_statement_of_noise_is_never_doubted() -> None:
         values = np.round(values / step) * step if step else values
         found = decided_noise(one.time, values, np.full(3, step))
         decided += found > 0.0
-        assert found == 0.0 or sigma / 2.0 < found < 2.0 * sigma
+        doubts = [_doubt_of_noise(k * sigma, one.time, values, np.full(3, step), str) for k in (1.0, 0.5)]
+        assert doubts[0] is None
+        assert (doubts[1] is not None) == (found > 0.0)
     assert decided > 20
 
 
@@ -73,8 +76,9 @@ def test_noise_that_a_filter_cut_off_is_not_compared(share: float) -> None:
         (1e-4, 0.02, "stated noise of positions of 0.0001 mm, but they scatter by 0.1 mm"),
         (100.0, 0.02, "stated noise of positions of 1e+02 mm, but they scatter by 0.1 mm"),
         (0.1, 0.02 * np.pi / 180, "stated noise of angles of 0.00035 deg, but they scatter by 0.02 deg"),
+        (0.03, 0.02, "by 0.1 mm: stated too small, it leaves noise in the accelerations"),
         (0.1, 0.02, None),
-        (0.03, 0.06, None),
+        (0.08, 0.06, None),
     ],
 )
 def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
@@ -85,6 +89,22 @@ def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
     assert len(found) == (words is not None)
     if words is not None:
         assert words in found[0].replace("0.099", "0.1")
+
+
+@pytest.mark.parametrize("decimals", ["%.3f", "%.17g"])
+def test_a_statement_is_compared_with_the_motion_where_no_scatter_shows(
+    tmp_path: Path, decimals: str
+) -> None:
+    time = np.linspace(0.0, 4.0, 401)
+    table = np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.05 * np.sin(time[:, None] + np.arange(6))])
+    log = tmp_path / "log.csv"
+    np.savetxt(log, table, decimals, ",", header=NAMES, comments="")
+    metres = LogFormat()
+    words = "stated noise of positions of 0.1 m, but they move over 0.1 m in all: is its unit right?"
+    assert words in told(log, ss.Smoothing(0.1), "stated", metres)[0]
+    assert not told(log, ss.Smoothing(1e-3, 1e-3), "stated", metres)
+    with pytest.raises(ValueError, match=r"noise of positions of 1e\+300 m: expected less than 10 m"):
+        read_csv(log, metres, ss.Smoothing(1e300))
 
 
 def test_options_of_noise_are_in_the_units_of_the_log(
