@@ -16,7 +16,7 @@ from .log_sampling import slower_sampling, spread
 from .motion import Motion
 from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level, stated
 from .rotation import rpy_from_rotation
-from .smoothing import PAIRS, smoothed
+from .smoothing import PAIRS, check_cutoff, smoothed
 from .trajectory import POSE, Log, Trajectory, Uncertainty, changed_instants, replaced_rows, rows_text
 
 _MIN_SPLINE_POINTS = 4
@@ -52,8 +52,12 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
     Poses that a log repeats or interpolates from those of a slower sensor don't count. Rows of poses that no
     motion makes are replaced, with a warning; what that changes counts as a deviation.
     """
-    _warn_of_gap(log)
     slower = slower_sampling(values, steps) if log.smoothing.on and "L" not in log.written else None
+    measured_at = log.time if slower is None else log.time[slower[0]]
+    cutoff = log.smoothing.cutoff
+    if cutoff is not None and log.smoothing.on and len(measured_at) >= _MIN_SPLINE_POINTS:
+        check_cutoff(measured_at, cutoff)
+    _warn_of_gap(log)
     if slower is None:
         return _replaced(log, values, steps)
     rows, kind = slower
@@ -130,10 +134,51 @@ def _derivatives(
     covariance, sigma = np.zeros((len(smooth.grid), 6, 6)), np.zeros(6)
     covariance[:, noisy], sigma[noisy] = smooth.covariance, smooth.sigma
     noise = Uncertainty(found, smooth.grid, covariance, sigma, "L" in log.written)
+    if tell and log.smoothing.cutoff is not None:
+        _warn_of_cutoff(log, values, found)
     if tell and _matters(noise):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
         warnings.warn(f"{log.source}: {noise_text(noise)}: smoothed{more}", LogWarning, stacklevel=8)
     return found, noise
+
+
+# A cut-off removes motion where what it removes is so many times what changes from row to row, and would be
+# this share of the largest accelerations at the cut-off.
+_NOT_NOISE, _LOST = 3.0, 0.05
+
+
+def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
+    """Warn of a cut-off below frequencies of the motion; found: coordinates and rates, (3, n, 6)."""
+    assert log.smoothing.cutoff is not None
+    removed = values - found[0]
+    lost = np.sqrt(np.mean(removed**2, axis=0))
+    # White noise changes by the root of 2 of its deviation.
+    slow = lost > _NOT_NOISE * np.sqrt(np.mean(np.diff(removed, axis=0) ** 2, axis=0) / 2.0)
+    parts = []
+    for name, part in _kinds(log):
+        least = _LOST * np.abs(found[2][:, part]).max() / (2.0 * math.pi * log.smoothing.cutoff) ** 2
+        most = float(np.max(lost[part] * slow[part]))
+        if most > least:
+            what, in_unit = _kind(log, name)
+            parts.append(f"of {what} of {in_unit(most)}")
+    if parts:
+        text = f"the cut-off of {log.smoothing.cutoff:g} Hz removes changes {' and '.join(parts)}"
+        warnings.warn(
+            f"{log.source}: {text}: motion, not noise, and the forces lack it", LogWarning, stacklevel=9
+        )
+
+
+def _kinds(log: Log) -> tuple[tuple[str, slice], ...]:
+    """Names of vectors in a log, with their columns."""
+    return (("L", slice(6)),) if "L" in log.written else (("t", slice(3)), ("theta", slice(3, 6)))
+
+
+def _kind(log: Log, name: str) -> tuple[str, Callable[[float], str]]:
+    """What vectors of a log are called, and how a number of them is written in the log's units."""
+    scale = log.scale(name)
+    unit = log.form.angle_unit if name == "theta" else log.form.length_unit
+    what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
+    return what, lambda number: f"{number / scale:.2g} {unit}"
 
 
 # Noise without a warning: shares of the largest acceleration, gravity's at least, and of the path.
@@ -189,17 +234,11 @@ _ABSURD = 10.0
 
 def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
     """Warn of stated noise that is far from what the log shows beyond doubt, in the log's own units."""
-    lengths = "L" in log.written
-    for name, part in (("L", slice(6)),) if lengths else (("t", slice(3)), ("theta", slice(3, 6))):
+    for name, part in _kinds(log):
         known = log.smoothing.stated(name)
-        if known is None or (lengths and not log.smoothing.on):  # without it a noise of poses is stated
+        if known is None or (name == "L" and not log.smoothing.on):  # without it a noise of poses is stated
             continue
-        unit = log.form.angle_unit if name == "theta" else log.form.length_unit
-        what = "lengths" if lengths else "positions" if name == "t" else "angles"
-
-        def text(number: float, unit: str = unit, scale: float = log.scale(name)) -> str:
-            return f"{number / scale:.2g} {unit}"
-
+        what, text = _kind(log, name)
         statement = f"{log.source}: stated noise of {what} of {text(known)}"
         most = _ABSURD * max(1.0, float(np.abs(values[:, part]).max()))
         if known > most:

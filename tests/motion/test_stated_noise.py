@@ -129,3 +129,43 @@ def test_options_of_noise_are_in_the_units_of_the_log(
 def test_no_row_is_wrong_that_is_within_the_scatter(tmp_path: Path, known: ss.Smoothing) -> None:
     """Whatever is stated of the noise, and whatever the cut-off."""
     assert not told(written(tmp_path, 0.1, 0.02), known, "off as no motion makes them")
+
+
+@pytest.mark.parametrize("sigma", [0.0, 0.1])
+def test_a_cutoff_that_removes_motion_is_a_warning(tmp_path: Path, sigma: float) -> None:
+    """The fastest motion is of 0.5 Hz."""
+    log = written(tmp_path, sigma, 0.2 * sigma)
+    words = "the cut-off of 0.3 Hz removes changes of positions of 15 mm and of angles of 0.81 deg: motion"
+    assert words in told(log, ss.Smoothing(cutoff=0.3), "cut-off")[0]
+    for cutoff in (1.0, 2.0, 10.0, 50.0):
+        assert not told(log, ss.Smoothing(cutoff=cutoff), "cut-off")
+
+
+def test_vibration_may_be_cut_off(tmp_path: Path) -> None:
+    log = written(tmp_path, 0.1, 0.02)
+    table = np.loadtxt(log, delimiter=",", skiprows=1)
+    table[:, 1:4] += np.sin(2.0 * np.pi * 40.0 * table[:, :1])
+    np.savetxt(log, table, "%.9g", ",", header=NAMES, comments="")
+    assert not told(log, ss.Smoothing(cutoff=5.0), "cut-off")
+
+
+def test_a_cutoff_beyond_half_the_rate_is_the_error_alone(tmp_path: Path) -> None:
+    log = written(tmp_path, 0.1, 0.02)
+    rows = log.read_text().splitlines(keepends=True)
+    log.write_text("".join(rows[:300] + rows[340:]))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(ValueError, match="cutoff: expected a frequency > 0 and < 100 Hz"):
+            read_csv(log, FORM, ss.Smoothing(1e-6, cutoff=1000.0))
+
+
+@pytest.mark.parametrize("option", ["--noise-position", "--noise-angle", "--cutoff"])
+def test_what_is_known_of_noise_is_not_silently_ignored(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str
+) -> None:
+    log = written(tmp_path, 0.1, 0.02)
+    out = ["-o", str(tmp_path / "f.csv"), "--no-smoothing", option, "0.1"]
+    assert main(["forces", str(PAPERS), str(log), *out]) == 2
+    assert capsys.readouterr().err == (
+        f"stewart-sym: error: {option}: is for smoothing, expected no --no-smoothing beside it\n"
+    )
