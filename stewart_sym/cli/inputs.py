@@ -43,6 +43,11 @@ def trajectory_of(
     from ..motion.log_reader import read_log
     from ..motion.trajectory import Smoothing
 
+    if not arguments.smoothing:
+        for name in ("noise_position", "noise_angle", "cutoff"):
+            if getattr(arguments, name) is not None:
+                option = name.replace("_", "-")
+                raise ValueError(f"--{option}: is for smoothing, expected no --no-smoothing beside it")
     smoothing = Smoothing(*stated_noise(arguments), arguments.cutoff, arguments.smoothing)
     trajectory = poses_of(
         robot, read_log(source, log_format(arguments), smoothing, progress), arguments.start, progress

@@ -40,7 +40,8 @@ def json_file(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--force",
         action="store_true",
-        help="also replace files that were edited or are not from this program; never an input",
+        help="also replace files that do not begin as this program's do, and edited ones of its folders; "
+        "never an input",
     )
 
 

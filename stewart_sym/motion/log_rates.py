@@ -14,9 +14,9 @@ from ..io.instants import elapsed, least_step, lost, time_text
 from .log_faults import Fault, faults, offsets
 from .log_sampling import slower_sampling, spread
 from .motion import Motion
-from .noise_level import Level, LogWarning, decided_noise, noise_level, stated
+from .noise_level import LEAST_SAMPLES, Level, LogWarning, decided_noise, noise_level, stated
 from .rotation import rpy_from_rotation
-from .smoothing import PAIRS, smoothed
+from .smoothing import PAIRS, check_cutoff, smoothed
 from .trajectory import POSE, Log, Trajectory, Uncertainty, changed_instants, replaced_rows, rows_text
 
 _MIN_SPLINE_POINTS = 4
@@ -52,9 +52,13 @@ def rates_of(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty 
     Poses that a log repeats or interpolates from those of a slower sensor don't count. Rows of poses that no
     motion makes are replaced, with a warning; what that changes counts as a deviation.
     """
-    _warn_of_gap(log)
     steps = np.maximum(steps, _lost_steps(log, values))
     slower = slower_sampling(values, steps) if log.smoothing.on and "L" not in log.written else None
+    measured_at = log.time if slower is None else log.time[slower[0]]
+    cutoff = log.smoothing.cutoff
+    if cutoff is not None and log.smoothing.on and len(measured_at) >= _MIN_SPLINE_POINTS:
+        check_cutoff(measured_at, cutoff)
+    _warn_of_gap(log)
     if slower is None:
         return _replaced(log, values, steps)
     rows, kind = slower
@@ -86,14 +90,16 @@ def _lost_steps(log: Log, values: Array) -> Array | float:
 def _replaced(log: Log, values: Array, steps: Array) -> tuple[Array, Uncertainty | None]:
     """``rates_of`` of rows that were measured."""
     _warn_of_stated(log, values, steps)
-    level = _level(log, values, steps)
-    bad = [] if "L" in log.written else faults(log.time, values, level.sigma)
+    shown = noise_level(log.time, values, steps)
+    level = _level(log, shown)
+    # Neither a cut-off nor a statement makes rows wrong that are within the scatter of all.
+    bad = [] if "L" in log.written else faults(log.time, values, np.maximum(level.sigma, shown.sigma))
     if bad:
         _tell_faults(log, bad)
     if not bad or not log.smoothing.on:
         return _derivatives(log, values, level)
     good = values - offsets(bad, values.shape)
-    found, noise = _derivatives(log, good, _level(log, good, steps))
+    found, noise = _derivatives(log, good, _level(log, noise_level(log.time, good, steps)))
     changed = found - _derivatives(log, values, level, tell=False)[0]
     near = changed_instants(changed)
     return found, _with_changes(log.time, found, noise, changed, near)._replace(
@@ -146,10 +152,51 @@ def _derivatives(
     covariance, sigma = np.zeros((len(smooth.grid), 6, 6)), np.zeros(6)
     covariance[:, noisy], sigma[noisy] = smooth.covariance, smooth.sigma
     noise = Uncertainty(found, smooth.grid, covariance, sigma, "L" in log.written)
+    if tell and log.smoothing.cutoff is not None:
+        _warn_of_cutoff(log, values, found)
     if tell and _matters(noise):
         more = _CORRELATED.format(level.correlation) if level.correlation > 1.0 else ""
         warnings.warn(f"{log.source}: {noise_text(noise)}: smoothed{more}", LogWarning, stacklevel=8)
     return found, noise
+
+
+# A cut-off removes motion where what it removes is so many times what changes from row to row, and would be
+# this share of the largest accelerations at the cut-off.
+_NOT_NOISE, _MISSED = 3.0, 0.05
+
+
+def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
+    """Warn of a cut-off below frequencies of the motion; found: coordinates and rates, (3, n, 6)."""
+    assert log.smoothing.cutoff is not None
+    removed = values - found[0]
+    lost = np.sqrt(np.mean(removed**2, axis=0))
+    # White noise changes by the root of 2 of its deviation.
+    slow = lost > _NOT_NOISE * np.sqrt(np.mean(np.diff(removed, axis=0) ** 2, axis=0) / 2.0)
+    parts = []
+    for name, part in _kinds(log):
+        least = _MISSED * np.abs(found[2][:, part]).max() / (2.0 * math.pi * log.smoothing.cutoff) ** 2
+        most = float(np.max(lost[part] * slow[part]))
+        if most > least:
+            what, in_unit = _kind(log, name)
+            parts.append(f"of {what} of {in_unit(most)}")
+    if parts:
+        text = f"the cut-off of {log.smoothing.cutoff:g} Hz removes changes {' and '.join(parts)}"
+        warnings.warn(
+            f"{log.source}: {text}: motion, not noise, and the forces lack it", LogWarning, stacklevel=9
+        )
+
+
+def _kinds(log: Log) -> tuple[tuple[str, slice], ...]:
+    """Names of vectors in a log, with their columns."""
+    return (("L", slice(6)),) if "L" in log.written else (("t", slice(3)), ("theta", slice(3, 6)))
+
+
+def _kind(log: Log, name: str) -> tuple[str, Callable[[float], str]]:
+    """What vectors of a log are called, and how a number of them is written in the log's units."""
+    scale = log.scale(name)
+    unit = log.form.angle_unit if name == "theta" else log.form.length_unit
+    what = {"L": "lengths", "t": "positions", "theta": "angles"}[name]
+    return what, lambda number: f"{number / scale:.2g} {unit}"
 
 
 # Noise without a warning: shares of the largest acceleration, gravity's at least, and of the path.
@@ -182,39 +229,62 @@ def noise_text(noise: Uncertainty) -> str:
     return f"noise of {text} in the log"
 
 
-def _level(log: Log, values: Array, steps: Array) -> Level:
-    """Noise of six coordinates as stated or as the numbers show it."""
+def _level(log: Log, shown: Level) -> Level:
+    """Noise of six coordinates as stated or shown; with a cut-off only as stated."""
     names = ("L", "L") if "L" in log.written else POSE
-    shown_noise = noise_level(log.time, values, steps)
     known = np.repeat([log.smoothing.stated(name) or 0.0 for name in names], 3)
     if log.smoothing.cutoff is not None:
         return stated(known)
     return Level(
-        np.where(known > 0.0, known, shown_noise.sigma),
-        np.where(known > 0.0, known, shown_noise.least),
-        1.0 if known.all() else shown_noise.correlation,
+        np.where(known > 0.0, known, shown.sigma),
+        np.where(known > 0.0, known, shown.least),
+        1.0 if known.all() else shown.correlation,
     )
 
 
-# How much smaller and larger than the scatter of a log its stated noise is without a warning: a wrong unit
-# makes at least 25. What is within the motion's own frequencies, which no scatter shows, is stated as well.
-_SMALLER, _LARGER = 10.0, 30.0
+# Times that the scatter of a log is its stated noise without a warning. Smaller is soon harmful: the decided
+# scatter is within 1.3 of the noise. Larger may be: noise within the motion's own frequencies shows in no
+# scatter, but in how far the numbers move. A wrong unit makes at least 25.
+_SMALLER, _LARGER, _OF_RANGE, _OTHER_UNIT = 1.5, 30.0, 1.0 / 3.0, 10.0
+# Noise of so many times the largest number, m or rad, or 1, is none.
+_ABSURD = 10.0
 
 
 def _warn_of_stated(log: Log, values: Array, steps: Array) -> None:
     """Warn of stated noise that is far from what the log shows beyond doubt, in the log's own units."""
-    lengths = "L" in log.written
-    for name, part in (("L", slice(6)),) if lengths else (("t", slice(3)), ("theta", slice(3, 6))):
+    for name, part in _kinds(log):
         known = log.smoothing.stated(name)
-        if known is None or (lengths and not log.smoothing.on):  # without it a noise of poses is stated
+        if known is None or (name == "L" and not log.smoothing.on):  # without it a noise of poses is stated
             continue
-        shown = decided_noise(log.time, values[:, part], steps[part])
-        if shown and not shown / _SMALLER <= known <= _LARGER * shown:
-            unit = log.form.angle_unit if name == "theta" else log.form.length_unit
-            what = "lengths" if lengths else "positions" if name == "t" else "angles"
-            known, shown = known / log.scale(name), shown / log.scale(name)
-            text = f"stated noise of {what} of {known:.2g} {unit}, but they scatter by {shown:.2g} {unit}"
-            warnings.warn(f"{log.source}: {text}: is its unit right?", LogWarning, stacklevel=8)
+        what, text = _kind(log, name)
+        statement = f"{log.source}: stated noise of {what} of {text(known)}"
+        most = _ABSURD * max(1.0, float(np.abs(values[:, part]).max()))
+        if known > most:
+            raise ValueError(f"{statement}: expected less than {text(most)}; is its unit right?")
+        doubt = _doubt_of_noise(known, log.time, values[:, part], steps[part], text)
+        if doubt is not None:
+            warnings.warn(f"{statement}, but they {doubt}", LogWarning, stacklevel=8)
+
+
+def _doubt_of_noise(
+    known: float, time: Array, values: Array, steps: Array, text: Callable[[float], str]
+) -> str | None:
+    """What a sensor's columns, (n, c), say against noise that is stated, in words; None: nothing."""
+    shown = decided_noise(time, values, steps)
+    if not shown:
+        if len(time) < 2 * LEAST_SAMPLES:
+            return None
+        path = float(np.ptp(values, axis=0).max())
+        most = max(_OF_RANGE * path, _LARGER * float(noise_level(time, values, steps).sigma.max()))
+        return f"move over {text(path)} in all: is its unit right?" if known > most > 0.0 else None
+    if shown / _SMALLER <= known <= _LARGER * shown:
+        return None
+    cause = (
+        "is its unit right?"
+        if not shown / _OTHER_UNIT <= known < shown
+        else "stated too small, it leaves noise in the accelerations"
+    )
+    return f"scatter by {text(shown)}: {cause}"
 
 
 def as_given(log: Log, found: Array, steps: Sequence[Array]) -> Uncertainty | None:

@@ -248,12 +248,17 @@ def _whole(cells: int) -> int:
     return cells if cells <= WINDOW else -(-cells // half) * half
 
 
-def _knots_of_cutoff(time: Array, clock: _Clock, cutoff: float) -> _Knots:
+def check_cutoff(time: Array, cutoff: float) -> None:
+    """Raise ValueError unless samples at these times show a cut-off frequency, Hz."""
     nyquist = 0.5 / float(np.median(np.diff(elapsed(time))))
     if not 0.0 < cutoff < nyquist:
         raise ValueError(
             f"cutoff: expected a frequency > 0 and < {nyquist:g} Hz, half the rate, got {cutoff:g}"
         )
+
+
+def _knots_of_cutoff(time: Array, clock: _Clock, cutoff: float) -> _Knots:
+    check_cutoff(time, cutoff)
     return _Knots.of(clock, 8.0 * cutoff * clock.unit * float(clock.since[-1]))
 
 

@@ -9,6 +9,7 @@ from noisy_logs import Array, case
 
 import stewart_sym as ss
 from stewart_sym.cli.main import main
+from stewart_sym.motion.log_rates import _doubt_of_noise
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.logs import LogFormat
 from stewart_sym.motion.noise_level import decided_noise
@@ -29,6 +30,14 @@ def written(folder: Path, sigma: float, angle: float) -> Path:
     return path
 
 
+def told(log: Path, known: ss.Smoothing, words: str, form: LogFormat = FORM) -> list[str]:
+    """Warnings with these words when the log is read with what is known of its noise."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        read_csv(log, form, known)
+    return [str(each.message) for each in caught if words in str(each.message)]
+
+
 def test_a_good_statement_of_noise_is_never_doubted() -> None:
     decided = 0
     for seed in range(200):
@@ -39,7 +48,9 @@ def test_a_good_statement_of_noise_is_never_doubted() -> None:
         values = np.round(values / step) * step if step else values
         found = decided_noise(one.time, values, np.full(3, step))
         decided += found > 0.0
-        assert found == 0.0 or sigma / 2.0 < found < 2.0 * sigma
+        doubts = [_doubt_of_noise(k * sigma, one.time, values, np.full(3, step), str) for k in (1.0, 0.5)]
+        assert doubts[0] is None
+        assert (doubts[1] is not None) == (found > 0.0)
     assert decided > 20
 
 
@@ -65,21 +76,35 @@ def test_noise_that_a_filter_cut_off_is_not_compared(share: float) -> None:
         (1e-4, 0.02, "stated noise of positions of 0.0001 mm, but they scatter by 0.1 mm"),
         (100.0, 0.02, "stated noise of positions of 1e+02 mm, but they scatter by 0.1 mm"),
         (0.1, 0.02 * np.pi / 180, "stated noise of angles of 0.00035 deg, but they scatter by 0.02 deg"),
+        (0.03, 0.02, "by 0.1 mm: stated too small, it leaves noise in the accelerations"),
         (0.1, 0.02, None),
-        (0.03, 0.06, None),
+        (0.08, 0.06, None),
     ],
 )
 def test_a_statement_far_from_the_scatter_is_a_warning_naming_both(
     tmp_path: Path, position: float, angle: float, words: str | None
 ) -> None:
     stated = ss.Smoothing(position * 1e-3, np.radians(angle))
-    with warnings.catch_warnings(record=True) as caught:
-        warnings.simplefilter("always")
-        read_csv(written(tmp_path, 0.1, 0.02), FORM, stated)
-    found = [str(each.message) for each in caught if "stated" in str(each.message)]
+    found = told(written(tmp_path, 0.1, 0.02), stated, "stated")
     assert len(found) == (words is not None)
     if words is not None:
         assert words in found[0].replace("0.099", "0.1")
+
+
+@pytest.mark.parametrize("decimals", ["%.3f", "%.17g"])
+def test_a_statement_is_compared_with_the_motion_where_no_scatter_shows(
+    tmp_path: Path, decimals: str
+) -> None:
+    time = np.linspace(0.0, 4.0, 401)
+    table = np.column_stack([time, [0.2, 0.0, 0.5, 0, 0, 0] + 0.05 * np.sin(time[:, None] + np.arange(6))])
+    log = tmp_path / "log.csv"
+    np.savetxt(log, table, decimals, ",", header=NAMES, comments="")
+    metres = LogFormat()
+    words = "stated noise of positions of 0.1 m, but they move over 0.1 m in all: is its unit right?"
+    assert words in told(log, ss.Smoothing(0.1), "stated", metres)[0]
+    assert not told(log, ss.Smoothing(1e-3, 1e-3), "stated", metres)
+    with pytest.raises(ValueError, match=r"noise of positions of 1e\+300 m: expected less than 10 m"):
+        read_csv(log, metres, ss.Smoothing(1e300))
 
 
 def test_options_of_noise_are_in_the_units_of_the_log(
@@ -98,3 +123,49 @@ def test_options_of_noise_are_in_the_units_of_the_log(
     expected = ss.force_deviations(ss.robots.dasgupta1998(), noise)
     table = np.genfromtxt(tmp_path / "f.csv", delimiter=",", names=True)
     np.testing.assert_allclose(table["F1_sd"], expected[:, 0], rtol=1e-9)
+
+
+@pytest.mark.parametrize("known", [ss.Smoothing(cutoff=3.0), ss.Smoothing(2e-5, np.radians(0.004))])
+def test_no_row_is_wrong_that_is_within_the_scatter(tmp_path: Path, known: ss.Smoothing) -> None:
+    """Whatever is stated of the noise, and whatever the cut-off."""
+    assert not told(written(tmp_path, 0.1, 0.02), known, "off as no motion makes them")
+
+
+@pytest.mark.parametrize("sigma", [0.0, 0.1])
+def test_a_cutoff_that_removes_motion_is_a_warning(tmp_path: Path, sigma: float) -> None:
+    """The fastest motion is of 0.5 Hz."""
+    log = written(tmp_path, sigma, 0.2 * sigma)
+    words = "the cut-off of 0.3 Hz removes changes of positions of 15 mm and of angles of 0.81 deg: motion"
+    assert words in told(log, ss.Smoothing(cutoff=0.3), "cut-off")[0]
+    for cutoff in (1.0, 2.0, 10.0, 50.0):
+        assert not told(log, ss.Smoothing(cutoff=cutoff), "cut-off")
+
+
+def test_vibration_may_be_cut_off(tmp_path: Path) -> None:
+    log = written(tmp_path, 0.1, 0.02)
+    table = np.loadtxt(log, delimiter=",", skiprows=1)
+    table[:, 1:4] += np.sin(2.0 * np.pi * 40.0 * table[:, :1])
+    np.savetxt(log, table, "%.9g", ",", header=NAMES, comments="")
+    assert not told(log, ss.Smoothing(cutoff=5.0), "cut-off")
+
+
+def test_a_cutoff_beyond_half_the_rate_is_the_error_alone(tmp_path: Path) -> None:
+    log = written(tmp_path, 0.1, 0.02)
+    rows = log.read_text().splitlines(keepends=True)
+    log.write_text("".join(rows[:300] + rows[340:]))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        with pytest.raises(ValueError, match="cutoff: expected a frequency > 0 and < 100 Hz"):
+            read_csv(log, FORM, ss.Smoothing(1e-6, cutoff=1000.0))
+
+
+@pytest.mark.parametrize("option", ["--noise-position", "--noise-angle", "--cutoff"])
+def test_what_is_known_of_noise_is_not_silently_ignored(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], option: str
+) -> None:
+    log = written(tmp_path, 0.1, 0.02)
+    out = ["-o", str(tmp_path / "f.csv"), "--no-smoothing", option, "0.1"]
+    assert main(["forces", str(PAPERS), str(log), *out]) == 2
+    assert capsys.readouterr().err == (
+        f"stewart-sym: error: {option}: is for smoothing, expected no --no-smoothing beside it\n"
+    )
