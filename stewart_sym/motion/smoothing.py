@@ -131,10 +131,12 @@ def smoothed(time: Array, columns: Array, level: Level | None, cutoff: float | N
     values, rates, second_rates, sigma, grid, covariance = zip(*parts, strict=True)
     shares = np.diff(ends)[:, None] / len(time)
     return Smooth(
-        *map(np.concatenate, (values, rates, second_rates)),
-        sigma=np.sqrt(np.sum(shares * np.square(sigma), axis=0)),
-        grid=np.concatenate(grid),
-        covariance=np.concatenate(covariance),
+        np.concatenate(values),
+        np.concatenate(rates),
+        np.concatenate(second_rates),
+        np.sqrt(np.sum(shares * np.square(sigma), axis=0)),
+        np.concatenate(grid),
+        np.concatenate(covariance),
     )
 
 
