@@ -1,4 +1,6 @@
-"""A trajectory between its instants: the quintic that keeps their poses, rates and accelerations.
+"""Piecewise polynomials of degree 5: a trajectory between its instants, and B-splines.
+
+The quintic between two instants keeps their poses, rates and accelerations.
 
 Between instants whose rates come from a spline of degree 5, as those of ``read_csv``, positions are that
 spline.
@@ -161,3 +163,43 @@ def values(c: Array, share: Array, h: Array) -> Ends:
     rate = c[1] + share * (2.0 * c[2] + share * (3.0 * c[3] + share * (4.0 * c[4] + share * 5.0 * c[5])))
     second = 2.0 * c[2] + share * (6.0 * c[3] + share * (12.0 * c[4] + share * 20.0 * c[5]))
     return x, rate / h, second / h**2
+
+
+# B-splines
+
+DEGREE = 5
+
+
+def places(since: Array, step: float, cells: int) -> tuple[NDArray[np.int64], Array]:
+    """Cell of each time and the place in it, 0 to 1."""
+    place = since / step
+    cell = np.clip(place.astype(np.int64), 0, cells - 1)
+    return cell, place - cell
+
+
+def b_splines(u: Array, degree: int, rate: int = 0) -> Array:
+    """The degree + 1 B-splines on knots 1 apart that are not 0 at u in [0, 1], (n, degree + 1), or rates."""
+    # One row for each spline: sums along long rows are the fast ones.
+    N = np.ones((1, len(u)))
+    for k in range(1, degree - rate + 1):
+        starts = np.arange(1 - k, 1)[:, None]
+        rise, fall = (u - starts) / k * N, (starts + k - u) / k * N
+        N = np.pad(rise, ((1, 0), (0, 0))) + np.pad(fall, ((0, 1), (0, 0)))
+    for _ in range(rate):
+        N = np.pad(N, ((1, 0), (0, 0))) - np.pad(N, ((0, 1), (0, 0)))
+    return N.T
+
+
+def along(N: Array, cell: NDArray[np.int64], coefficients: Array) -> Array:
+    """Spline of coefficients (p, c) where the B-splines of the cells are N, (n, c)."""
+    total = np.zeros((len(cell), coefficients.shape[1]))
+    for i in range(N.shape[1]):
+        total += N[:, i, None] * coefficients[cell + i]
+    return total
+
+
+def dense(cell: NDArray[np.int64], N: Array, width: int) -> Array:
+    """The B-splines of the cells as rows of all coefficients, (n, width + DEGREE)."""
+    B = np.zeros((len(cell), width + DEGREE))
+    B[np.arange(len(cell))[:, None], cell[:, None] + np.arange(DEGREE + 1)] = N
+    return B

@@ -24,13 +24,12 @@ from ..io.arguments import real_array
 from ..io.array_types import Array
 from ..io.instants import elapsed
 from ..io.tables import positive
+from .interpolation import DEGREE, along, b_splines, dense, places
 from .noise_level import SEEN, Level, noise_level, stated
 
-DEGREE = 5
 ORDERS = (3, 4, 6, 8)
 """Orders of the differences that the penalty may be of: from jerks that jump to band-limited motion."""
-CUTOFF_ORDER = 8
-"""Of a given cut-off: with lower orders what is lost of the motion at both ends is beyond the deviations."""
+CUTOFF_ORDER = 4
 WINDOW = 96
 """Knot intervals of a window."""
 _FEWEST_CELLS = 24
@@ -334,8 +333,8 @@ def _modes(samples: bytes, size: int, order: int, density: float) -> _Modes:
 @functools.lru_cache(maxsize=8)
 def _products(modes: _Modes, width: int) -> list[Array]:
     """Products of ``PAIRS`` at every half cell, of knots 1 apart: (g, p) each."""
-    cell, u = _places(np.arange(2 * width + 1) / 2.0, 1.0, width)
-    rows = [_dense(cell, _b_splines(u, DEGREE, rate), width) @ modes.X for rate in range(3)]
+    cell, u = places(np.arange(2 * width + 1) / 2.0, 1.0, width)
+    rows = [dense(cell, b_splines(u, DEGREE, rate), width) @ modes.X for rate in range(3)]
     return [rows[i] * rows[j] for i, j in PAIRS]
 
 
@@ -380,8 +379,8 @@ class _Window(NamedTuple):
         begin, width = knots.place(start), knots.width(start)
         first, last = np.searchsorted(since, [begin, knots.place(start + width)])
         end = len(since) if start + width >= knots.cells else int(last)
-        cell, u = _places(since[first:end] - begin, knots.step, width)
-        N, y = _b_splines(u, DEGREE), values[first:end]
+        cell, u = places(since[first:end] - begin, knots.step, width)
+        N, y = b_splines(u, DEGREE), values[first:end]
         size, inner = width + DEGREE, range(DEGREE + 1)
         # Samples lie in order of time, those of a cell side by side.
         filled, starts = np.unique(cell, return_index=True)
@@ -404,7 +403,7 @@ class _Window(NamedTuple):
         pilot, rest = np.zeros((size, y.shape[1])), y
         for _ in range(2):
             pilot = pilot + inverse.T @ (inverse @ project(rest))
-            rest = y - _along(N, cell, pilot)
+            rest = y - along(N, cell, pilot)
         spread = np.sum((y - y.sum(axis=0) / max(1, len(y))) ** 2, axis=0)
         return cls(G, pilot, project(rest), np.sum(rest**2, axis=0), spread, knots.density)
 
@@ -484,42 +483,8 @@ def _smoothed(
                 covariance[inside, own, k] += scaled * (product @ fit.variance)
     found = np.empty((3, *values.shape))
     for part in (slice(i, i + _CHUNK) for i in range(0, len(values), _CHUNK)):
-        cell, u = _places(clock.since[part], knots.step, knots.cells)
+        cell, u = places(clock.since[part], knots.step, knots.cells)
         for rate in range(3):
-            N = _b_splines(u, DEGREE, rate) / step**rate
-            found[rate, part] = _along(N, cell, coefficients)
+            N = b_splines(u, DEGREE, rate) / step**rate
+            found[rate, part] = along(N, cell, coefficients)
     return Smooth(found[0], found[1], found[2], sigma, clock.start + step * grid, covariance)
-
-
-def _places(since: Array, step: float, cells: int) -> tuple[NDArray[np.int64], Array]:
-    """Cell of each time and the place in it, 0 to 1."""
-    place = since / step
-    cell = np.clip(place.astype(np.int64), 0, cells - 1)
-    return cell, place - cell
-
-
-def _b_splines(u: Array, degree: int, rate: int = 0) -> Array:
-    """The degree + 1 B-splines on knots 1 apart that are not 0 at u in [0, 1], (n, degree + 1), or rates."""
-    # One row for each spline: sums along long rows are the fast ones.
-    N = np.ones((1, len(u)))
-    for k in range(1, degree - rate + 1):
-        starts = np.arange(1 - k, 1)[:, None]
-        rise, fall = (u - starts) / k * N, (starts + k - u) / k * N
-        N = np.pad(rise, ((1, 0), (0, 0))) + np.pad(fall, ((0, 1), (0, 0)))
-    for _ in range(rate):
-        N = np.pad(N, ((1, 0), (0, 0))) - np.pad(N, ((0, 1), (0, 0)))
-    return N.T
-
-
-def _along(N: Array, cell: NDArray[np.int64], coefficients: Array) -> Array:
-    """Spline of coefficients (p, c) where the B-splines of the cells are N, (n, c)."""
-    total = np.zeros((len(cell), coefficients.shape[1]))
-    for i in range(N.shape[1]):
-        total += N[:, i, None] * coefficients[cell + i]
-    return total
-
-
-def _dense(cell: NDArray[np.int64], N: Array, width: int) -> Array:
-    B = np.zeros((len(cell), width + DEGREE))
-    B[np.arange(len(cell))[:, None], cell[:, None] + np.arange(DEGREE + 1)] = N
-    return B
