@@ -174,7 +174,9 @@ def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
     slow = lost > _NOT_NOISE * np.sqrt(np.mean(np.diff(removed, axis=0) ** 2, axis=0) / 2.0)
     parts = []
     for name, part in _kinds(log):
-        least = _MISSED * np.abs(found[2][:, part]).max() / (2.0 * math.pi * log.smoothing.cutoff) ** 2
+        # Not the largest: at the ends it is that of what is lost.
+        usual = float(np.quantile(np.abs(found[2][:, part]), 0.9))
+        least = _MISSED * usual / (2.0 * math.pi * log.smoothing.cutoff) ** 2
         most = float(np.max(lost[part] * slow[part]))
         if most > least:
             what, in_unit = _kind(log, name)

@@ -29,7 +29,8 @@ from .noise_level import SEEN, Level, noise_level, stated
 
 ORDERS = (3, 4, 6, 8)
 """Orders of the differences that the penalty may be of: from jerks that jump to band-limited motion."""
-CUTOFF_ORDER = 4
+CUTOFF_ORDER = 6
+"""Of a given cut-off: with lower orders what is lost of the motion at both ends is beyond the deviations."""
 WINDOW = 96
 """Knot intervals of a window."""
 _FEWEST_CELLS = 24
