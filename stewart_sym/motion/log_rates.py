@@ -161,7 +161,7 @@ def _derivatives(
 
 
 # A cut-off removes motion where what it removes is so many times what changes from row to row, and would be
-# this share of the largest accelerations at the cut-off.
+# this share of usual accelerations at the cut-off.
 _NOT_NOISE, _MISSED = 3.0, 0.05
 
 
@@ -169,15 +169,15 @@ def _warn_of_cutoff(log: Log, values: Array, found: Array) -> None:
     """Warn of a cut-off below frequencies of the motion; found: coordinates and rates, (3, n, 6)."""
     assert log.smoothing.cutoff is not None
     removed = values - found[0]
-    lost = np.sqrt(np.mean(removed**2, axis=0))
+    missed = np.sqrt(np.mean(removed**2, axis=0))
     # White noise changes by the root of 2 of its deviation.
-    slow = lost > _NOT_NOISE * np.sqrt(np.mean(np.diff(removed, axis=0) ** 2, axis=0) / 2.0)
+    slow = missed > _NOT_NOISE * np.sqrt(np.mean(np.diff(removed, axis=0) ** 2, axis=0) / 2.0)
     parts = []
     for name, part in _kinds(log):
         # Not the largest: at the ends it is that of what is lost.
         usual = float(np.quantile(np.abs(found[2][:, part]), 0.9))
         least = _MISSED * usual / (2.0 * math.pi * log.smoothing.cutoff) ** 2
-        most = float(np.max(lost[part] * slow[part]))
+        most = float(np.max(missed[part] * slow[part]))
         if most > least:
             what, in_unit = _kind(log, name)
             parts.append(f"of {what} of {in_unit(most)}")
