@@ -107,9 +107,13 @@ def assembled(
     H, c: places of a row.
     """
     column = [(i, e) for i, q in ((0, n.H_force), (3, n.H_moment)) for i, e in enumerate(exprs.get(q, ()), i)]
-    rows = ((0, n.c_force), (3, n.c_moment), (3, arm_c))
-    part = [(i, e) for i, q in rows for i, e in enumerate(exprs.get(q, ()), i)]
-    return (*(t.Assign(H(i), expression(e)) for i, e in column), *(added(c(i), e) for i, e in part))
+    parts = []
+    for i, q in ((0, n.c_force), (3, n.c_moment), (3, arm_c)):
+        for row, term, name in zip(range(i, i + 3), exprs.get(q, ()), q.names, strict=False):
+            # A product is rounded before it is added, as where it is stored.
+            parts += [t.Let(name, expression(term))] if term.is_Mul else []
+            parts.append(added(c(row), sp.Symbol(name) if term.is_Mul else term))
+    return (*(t.Assign(H(i), expression(e)) for i, e in column), *parts)
 
 
 def names_used(block: Block) -> set[str]:

@@ -24,6 +24,21 @@
 #endif
 #endif
 
+/* a b + c, rounded once where the processor has that in one instruction: one pose, every place of a batch and
+ * every compiler then give the same bits. -DSTEWART_NO_FMA: rounded twice, as NumPy does it. */
+#if !defined(STEWART_FMA)
+#if !defined(STEWART_REAL) && !defined(STEWART_NO_FMA) \
+    && (defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA))
+#if defined(STEWART_FLOAT)
+#define STEWART_FMA(a, b, c) fmaf(a, b, c)
+#else
+#define STEWART_FMA(a, b, c) fma(a, b, c)
+#endif
+#else
+#define STEWART_FMA(a, b, c) ((a) * (b) + (c))
+#endif
+#endif
+
 /* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 

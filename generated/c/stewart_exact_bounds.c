@@ -766,21 +766,24 @@ static void shared_of_pose(
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
     /* (30) centre of mass from the reference point, base frame */
-    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+    const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+    const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
     /* (33) M_P (g - a_C) */
-    const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
-    const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
-    const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
+    const stewart_real N_x = M_P*(STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+        R_C_x, g_x))) - a_x);
+    const stewart_real N_y = M_P*(STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+        R_C_x, g_y))) - a_y);
+    const stewart_real N_z = M_P*(STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+        R_C_x, g_z))) - a_z);
     /* angular velocity, platform frame */
-    const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-    const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-    const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+    const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+    const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+    const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
     /* angular acceleration, platform frame */
-    const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-    const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-    const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+    const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+    const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+    const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
     const stewart_real P_xy = omega_P_x*omega_P_y;
     const stewart_real P_xz = omega_P_x*omega_P_z;
     const stewart_real P_yz = omega_P_y*omega_P_z;
@@ -788,29 +791,32 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy + alpha_P_z)
-        - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
-    const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
-        - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
-    const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
-        + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
-    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - C_P*omega_x
-        - N_y*R_C_z;
-    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - C_P*omega_y
-        - N_z*R_C_x;
-    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - C_P*omega_z
-        - N_x*R_C_y;
+    const stewart_real M_P_load_x = STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+        STEWART_FMA(-J_C_xz, P_xy + alpha_P_z, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+        M_ext_x)))));
+    const stewart_real M_P_load_y = STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y,
+        STEWART_FMA(-J_C_xz, P_zz - P_xx, STEWART_FMA(-J_C_xy, P_yz + alpha_P_x, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+        M_ext_y)))));
+    const stewart_real M_P_load_z = STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z,
+        STEWART_FMA(-J_C_yz, P_xz + alpha_P_y, STEWART_FMA(-J_C_xy, P_xx - P_yy, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+        M_ext_z)))));
+    const stewart_real c_force_x = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx)) + N_x;
+    const stewart_real c_force_y = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)) + N_y;
+    const stewart_real c_force_z = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)) + N_z;
+    const stewart_real c_moment_x = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z,
+        R_C_y, STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
+    const stewart_real c_moment_y = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x,
+        R_C_z, STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
+    const stewart_real c_moment_z = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y,
+        R_C_x, STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
     /* (1) platform point 1 from the reference point, base frame */
-    const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
-    const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
-    const stewart_real q_1_z = R_zx*p_1_x + R_zy*p_1_y + R_zz*p_1_z;
+    const stewart_real q_1_x = STEWART_FMA(R_xz, p_1_z, STEWART_FMA(R_xy, p_1_y, R_xx*p_1_x));
+    const stewart_real q_1_y = STEWART_FMA(R_yz, p_1_z, STEWART_FMA(R_yy, p_1_y, R_yx*p_1_x));
+    const stewart_real q_1_z = STEWART_FMA(R_zz, p_1_z, STEWART_FMA(R_zy, p_1_y, R_zx*p_1_x));
     /* the platform's part of c, moment rows, about platform point 1 */
-    const stewart_real c_tip_x = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-    const stewart_real c_tip_y = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-    const stewart_real c_tip_z = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    const stewart_real c_tip_x = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    const stewart_real c_tip_y = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    const stewart_real c_tip_z = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -866,9 +872,9 @@ static void leg_of_pose(
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+    const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+    const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) reference point from base point, base frame */
     const stewart_real t_b_x = t_x - b_x;
     const stewart_real t_b_y = t_y - b_y;
@@ -878,13 +884,14 @@ static void leg_of_pose(
     const stewart_real S_y = q_y + t_b_y;
     const stewart_real S_z = q_z + t_b_z;
     /* (10) leg vector along the fixed axis, and normal to both */
-    const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-    const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-    const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-    const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-    const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
+    const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+    const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+    const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+    const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+    const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y, k_cross_S_y,
+        k_cross_S_x*k_cross_S_x));
     /* (2) leg length, and distance of its tip from the fixed axis */
-    const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+    const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
     const stewart_real rho = STEWART_SQRT(rho2);
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
@@ -902,18 +909,19 @@ static void leg_of_pose(
     /* (10) k1 / k3 */
     const stewart_real kappa = inv_rho*zeta;
     /* (4) velocity of the platform point */
-    const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+    const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+    const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+    const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-    const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-    const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+    const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, B_xx*q_x)) + a_x;
+    const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, B_yx*q_x)) + a_y;
+    const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, B_zx*q_x)) + a_z;
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-    const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
     /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-    const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-    const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+    const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y, S_dot_x*y_x));
+    const stewart_real theta_dot = inv_rho*STEWART_FMA(-S_dot_z, k_z, STEWART_FMA(-S_dot_y, k_y,
+        STEWART_FMA(-S_dot_x, k_x, L_dot*k1)));
     /* L_dot / L */
     const stewart_real L_share = L_dot*inv_L;
     const stewart_real lean = kappa*theta_dot;
@@ -924,47 +932,55 @@ static void leg_of_pose(
     const stewart_real rho_share = L_share + lean;
     const stewart_real k33 = k3*k3;
     /* (8) accelerations of the joint coordinates */
-    const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, STEWART_FMA(S_ddot_x,
+        s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
     /* (9) accelerations of the joint coordinates */
-    const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share
-        + rho_share);
-    const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot;
+    const stewart_real theta_ddot = STEWART_FMA(-theta_dot, L_share + rho_share,
+        inv_rho*STEWART_FMA(-S_ddot_z, k_z, STEWART_FMA(-S_ddot_y, k_y, STEWART_FMA(-S_ddot_x, k_x,
+        L_ddot*k1))));
+    const stewart_real phi_ddot = STEWART_FMA(-rho_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z, y_z,
+        STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
     const stewart_real k13 = k1*k3;
     const stewart_real L_h2 = L*h2_x;
     const stewart_real a1 = L_h2 + dJ_zx;
-    const stewart_real a2 = J2_xz - L*h2_z;
-    const stewart_real a3 = J_xy - L*h_y;
+    const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
+    const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
     /* (19) inertia of the joint coordinates */
-    const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+    const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
     const stewart_real M_theta = J_yy + L_h2;
-    const stewart_real M_mixed = J_yz*k3 + a3*k1;
+    const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
     const stewart_real k3_h = h_y*k3;
     /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-    const stewart_real M_phi_theta = a1*k13 + a2*(STEWART_HALF - k33);
-    const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-    const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+    const stewart_real M_phi_theta = STEWART_FMA(a2, STEWART_HALF - k33, a1*k13);
+    const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
+    const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
     const stewart_real bend = L_dot*theta_dot;
     /* gravity along k x y and along y */
-    const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-    const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+    const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+    const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
     /* first moment along k and against k x y */
-    const stewart_real w_k = k1*w_x + k3*w_z;
-    const stewart_real w_n = k3*w_x - k1*w_z;
+    const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+    const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot + bend*h2_x
-        + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-        - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_y = STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(-C_s, STEWART_FMA(omega_z,
+        y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(gamma_n, w_k, STEWART_FMA(g_k, w_n,
+        STEWART_FMA(bend, h2_x, STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(M_mixed, phi_ddot,
+        STEWART_FMA(L_ddot, h_z, C_us*theta_dot))))))));
+    const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y,
+        STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
+        STEWART_FMA(k_y, omega_y, k_x*omega_x)), STEWART_FMA(two_phi_dot, STEWART_FMA(M_phi_theta,
+        theta_dot, L_dot*M_phi_L), STEWART_FMA(M_phi, phi_ddot, STEWART_FMA(M_mixed_theta, theta_dot2,
+        STEWART_FMA(M_mixed, theta_ddot, C_us*phi_dot)))))))));
     /* (21) K = Q_k k + Q_y y, up to a part along s */
     const stewart_real Q_k = -inv_rho*tau_y;
     const stewart_real Q_y = inv_rho*tau_k;
     /* (21) force at the spherical joint, base frame */
-    const stewart_real K_x = Q_k*k_x + Q_y*y_x;
-    const stewart_real K_y = Q_k*k_y + Q_y*y_y;
-    const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+    const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_k*k_x);
+    const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_k*k_y);
+    const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_k*k_z);
     /* (24) known part of the actuator force, to match */
-    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2 - k3_h*phi_ddot;
+    const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(-h_x, theta_dot2, STEWART_FMA(-Q_k, k1,
+        STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_z, theta_ddot, C_p*L_dot)))));
     const stewart_real c1 = C_s*phi_dot;
     const stewart_real c2 = C_s*theta_dot;
     const stewart_real H_force_x = s_x;
@@ -978,17 +994,17 @@ static void leg_of_pose(
     const stewart_real arm_y = q_y - q_1_y;
     const stewart_real arm_z = q_z - q_1_z;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = c1*k_x + c2*y_x;
-    const stewart_real c_moment_y = c1*k_y + c2*y_y;
-    const stewart_real c_moment_z = c1*k_z + c2*y_z;
+    const stewart_real c_moment_x = STEWART_FMA(c2, y_x, c1*k_x);
+    const stewart_real c_moment_y = STEWART_FMA(c2, y_y, c1*k_y);
+    const stewart_real c_moment_z = STEWART_FMA(c2, y_z, c1*k_z);
     /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
-    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
-    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    const stewart_real H_moment_x = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+    const stewart_real H_moment_y = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+    const stewart_real H_moment_z = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
     /* moment of the leg's part of c, force rows, about platform point 1 */
-    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
-    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
-    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
+    const stewart_real arm_c_x = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+    const stewart_real arm_c_y = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+    const stewart_real arm_c_z = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     out->D = D;
     out->H_force[0] = H_force_x;
     out->H_force[1] = H_force_y;
@@ -1055,9 +1071,9 @@ static void leg_of_pose_near_singularity(
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+    const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+    const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) reference point from base point, base frame */
     const stewart_real t_b_x = t_x - b_x;
     const stewart_real t_b_y = t_y - b_y;
@@ -1067,51 +1083,51 @@ static void leg_of_pose_near_singularity(
     const stewart_real S_y = q_y + t_b_y;
     const stewart_real S_z = q_z + t_b_z;
     /* (10) leg vector along the fixed axis, and normal to both */
-    const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-    const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-    const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-    const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+    const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+    const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+    const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+    const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
     /* (2) leg length, and distance of its tip from the fixed axis */
-    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
     /* (10) along the third axis of the leg */
-    const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-    const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-    const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+    const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+    const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+    const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
     /* (10) leg length, and distance of its tip from the fixed axis */
-    const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-        + s_cross_normal_z*s_cross_normal_z);
+    const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+        STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
     const stewart_real inv_rho = REAL(1)/rho;
     /* (10) third axis of the leg frame */
     const stewart_real z_x = inv_rho*s_cross_normal_x;
     const stewart_real z_y = inv_rho*s_cross_normal_y;
     const stewart_real z_z = inv_rho*s_cross_normal_z;
     /* (10) rotating axis of the universal joint */
-    const stewart_real y_x = s_z*z_y - s_y*z_z;
-    const stewart_real y_y = s_x*z_z - s_z*z_x;
-    const stewart_real y_z = s_y*z_x - s_x*z_y;
+    const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+    const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+    const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
     /* (10) k = (k1, 0, k3) in the leg frame */
     const stewart_real k1 = inv_L*zeta;
     const stewart_real k3 = inv_L*rho;
     /* (10) k1 / k3 */
     const stewart_real kappa = inv_rho*zeta;
     /* (4) velocity of the platform point */
-    const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+    const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+    const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+    const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-    const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-    const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+    const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, B_xx*q_x)) + a_x;
+    const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, B_yx*q_x)) + a_y;
+    const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, B_zx*q_x)) + a_z;
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-    const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
     /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-    const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-    const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+    const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y, S_dot_x*y_x));
+    const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y, S_dot_x*z_x));
     /* L_dot / L */
     const stewart_real L_share = L_dot*inv_L;
     const stewart_real lean = kappa*theta_dot;
@@ -1120,52 +1136,60 @@ static void leg_of_pose_near_singularity(
     const stewart_real two_phi_dot = REAL(2)*phi_dot;
     const stewart_real k33 = k3*k3;
     /* (8) accelerations of the joint coordinates */
-    const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, STEWART_FMA(S_ddot_x,
+        s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
     /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-    const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
-    const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+    const stewart_real own_theta_ddot = STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y,
+        z_y, S_ddot_x*z_x)), -REAL(2)*L_share*theta_dot);
+    const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z, y_z,
+        STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
     const stewart_real c1 = k1*k3;
     /* (9) accelerations of the joint coordinates */
-    const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
-    const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+    const stewart_real theta_ddot = STEWART_FMA(c1, phi_dot2, own_theta_ddot);
+    const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
     const stewart_real k13 = c1;
     const stewart_real L_h2 = L*h2_x;
     const stewart_real a1 = L_h2 + dJ_zx;
     const stewart_real c2 = L*h2_z;
     const stewart_real c3 = J2_xz - c2;
     const stewart_real a2 = c3;
-    const stewart_real a3 = J_xy - L*h_y;
+    const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
     /* (19) inertia of the joint coordinates */
-    const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+    const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
     const stewart_real M_theta = J_yy + L_h2;
-    const stewart_real M_mixed = J_yz*k3 + a3*k1;
+    const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
     const stewart_real k3_h = h_y*k3;
     /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-    const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-    const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+    const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
+    const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
     const stewart_real bend = L_dot*theta_dot;
     /* gravity along k x y and along y */
-    const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-    const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+    const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+    const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
     /* first moment along k and against k x y */
-    const stewart_real w_k = k1*w_x + k3*w_z;
-    const stewart_real w_n = k3*w_x - k1*w_z;
+    const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+    const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
-        + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
-        + omega_y*y_y + omega_z*y_z);
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2)) - C_s*(k_x*omega_x
-        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
+        omega_x*y_x)), STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)),
+        STEWART_FMA(gamma_n, w_k, STEWART_FMA(g_k, w_n, STEWART_FMA(bend, h2_x, STEWART_FMA(M_theta,
+        own_theta_ddot, STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(L_ddot, h_z, C_us*theta_dot))))))));
+    const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y,
+        STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
+        STEWART_FMA(k_y, omega_y, k_x*omega_x)), STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot,
+        STEWART_FMA(-STEWART_HALF, c2, STEWART_FMA(J_xx, kappa, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+        STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(M_mixed,
+        theta_ddot, C_us*phi_dot)))))))));
     /* (21) K = Q_y y + Q_z z */
     const stewart_real Q_y = inv_rho*tau_k;
     const stewart_real Q_z = -inv_L*tau_y;
     /* (21) force at the spherical joint, base frame */
-    const stewart_real K_x = Q_y*y_x + Q_z*z_x;
-    const stewart_real K_y = Q_y*y_y + Q_z*z_y;
-    const stewart_real K_z = Q_y*y_z + Q_z*z_z;
+    const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
+    const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
+    const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
     /* (24) known part of the actuator force, to match */
-    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
+    const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(-h_x, theta_dot2, STEWART_FMA(-M_phi_L,
+        phi_dot2, STEWART_FMA(h_z, theta_ddot, C_p*L_dot))));
     const stewart_real c4 = C_s*phi_dot;
     const stewart_real c5 = C_s*theta_dot;
     const stewart_real H_force_x = s_x;
@@ -1179,17 +1203,17 @@ static void leg_of_pose_near_singularity(
     const stewart_real arm_y = q_y - q_1_y;
     const stewart_real arm_z = q_z - q_1_z;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = c4*k_x + c5*y_x;
-    const stewart_real c_moment_y = c4*k_y + c5*y_y;
-    const stewart_real c_moment_z = c4*k_z + c5*y_z;
+    const stewart_real c_moment_x = STEWART_FMA(c5, y_x, c4*k_x);
+    const stewart_real c_moment_y = STEWART_FMA(c5, y_y, c4*k_y);
+    const stewart_real c_moment_z = STEWART_FMA(c5, y_z, c4*k_z);
     /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
-    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
-    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    const stewart_real H_moment_x = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+    const stewart_real H_moment_y = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+    const stewart_real H_moment_z = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
     /* moment of the leg's part of c, force rows, about platform point 1 */
-    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
-    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
-    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
+    const stewart_real arm_c_x = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+    const stewart_real arm_c_y = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+    const stewart_real arm_c_z = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     out->D = D;
     out->H_force[0] = H_force_x;
     out->H_force[1] = H_force_y;
