@@ -47,18 +47,18 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "platform": (99, 93, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1179, 892, 18, 12),
+        "total": (1253, 927, 14, 12),
     },
     "frictionless": {
         "leg": (137, 93, 2, 2),
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1062, 799, 18, 12),
+        "total": (1136, 834, 14, 12),
     },
 }
 

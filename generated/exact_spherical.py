@@ -47,18 +47,18 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1008, 805, 12, 6),
+        "total": (1082, 840, 8, 6),
     },
     "frictionless": {
         "leg": (87, 68, 1, 1),
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (762, 649, 12, 6),
+        "total": (836, 684, 8, 6),
     },
 }
 

@@ -47,18 +47,18 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "platform": (99, 93, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1095, 844, 18, 12),
+        "total": (1169, 879, 14, 12),
     },
     "frictionless": {
         "leg": (123, 85, 2, 2),
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (978, 751, 18, 12),
+        "total": (1052, 786, 14, 12),
     },
 }
 

@@ -106,6 +106,7 @@ class Model:
         self.leg: Any = [LegConstants() for _ in range(6)]  # the legs
         self.platform: Any = Platform()  # the platform
         self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
+        self.arm_cube: Any = 0.0  # cube of the largest arm over that length
         self.status: Any = 0  # 0, or what is wrong
 
 
@@ -301,6 +302,15 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
     return lost
 
 
+def size_of(on: Arithmetic, model: Any) -> Any:
+    """Largest coordinate of the arms of moments about platform point 1, m."""
+    largest = 0.0
+    for j in range(3):
+        for i in range(1, 6):
+            largest = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), largest)
+    return largest
+
+
 def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
     """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
     1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
@@ -323,13 +333,10 @@ def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
     return per_length
 
 
-def size_of(on: Arithmetic, model: Any) -> Any:
-    """Largest coordinate of the arms of moments about platform point 1, m."""
-    largest = 0.0
-    for j in range(3):
-        for i in range(1, 6):
-            largest = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), largest)
-    return largest
+def cube_of(on: Arithmetic, arm: Any) -> Any:
+    """The cube of a length, or of one that has a cube."""
+    length = on.where(arm <= 1099511627776.0, arm, 1099511627776.0)
+    return length * length * length
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
@@ -342,7 +349,9 @@ def prepare(on: Arithmetic, robot: Any) -> Any:
         model.leg[i] = found
         total = add_up(on, total, found)
     model.platform = prepare_platform(on, robot, robot.leg[0].p, total)
-    model.per_length = per_length_of(on, size_of(on, model), on.SMALLEST)
+    largest = size_of(on, model)
+    model.per_length = per_length_of(on, largest, on.SMALLEST)
+    model.arm_cube = cube_of(on, largest * model.per_length)
     model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
     return model
 
@@ -456,6 +465,92 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
         for j in range(i + 1, 6):
             total = total - A[i][j] * x[j]
         x[i] = on.where(i == 5, total / A[i][i], total * x[i])
+    return suspect
+
+
+def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
+    """Solves [H | c] for x, (36), as two blocks of three legs, where their determinants are small by
+    pivots; returns 1 where one of these is small.
+    """
+    suspect = 0
+    r_0_0 = A[1][3] * A[2][5] - A[2][3] * A[1][5]
+    r_0_1 = A[2][3] * A[0][5] - A[0][3] * A[2][5]
+    r_0_2 = A[0][3] * A[1][5] - A[1][3] * A[0][5]
+    r_1_0 = A[1][5] * A[2][1] - A[2][5] * A[1][1]
+    r_1_1 = A[2][5] * A[0][1] - A[0][5] * A[2][1]
+    r_1_2 = A[0][5] * A[1][1] - A[1][5] * A[0][1]
+    r_2_0 = A[1][1] * A[2][3] - A[2][1] * A[1][3]
+    r_2_1 = A[2][1] * A[0][3] - A[0][1] * A[2][3]
+    r_2_2 = A[0][1] * A[1][3] - A[1][1] * A[0][3]
+    det = A[0][1] * r_0_0 + A[1][1] * r_0_1 + A[2][1] * r_0_2
+    e_0_0 = r_0_0 * A[0][0] + r_0_1 * A[1][0] + r_0_2 * A[2][0]
+    e_1_0 = r_1_0 * A[0][0] + r_1_1 * A[1][0] + r_1_2 * A[2][0]
+    e_2_0 = r_2_0 * A[0][0] + r_2_1 * A[1][0] + r_2_2 * A[2][0]
+    own_0_0 = det * A[3][0] - A[3][1] * e_0_0
+    w_0_0 = own_0_0 - A[3][3] * e_1_0 - A[3][5] * e_2_0
+    own_1_0 = det * A[4][0] - A[4][1] * e_0_0
+    w_1_0 = own_1_0 - A[4][3] * e_1_0 - A[4][5] * e_2_0
+    own_2_0 = det * A[5][0] - A[5][1] * e_0_0
+    w_2_0 = own_2_0 - A[5][3] * e_1_0 - A[5][5] * e_2_0
+    e_0_2 = r_0_0 * A[0][2] + r_0_1 * A[1][2] + r_0_2 * A[2][2]
+    e_1_2 = r_1_0 * A[0][2] + r_1_1 * A[1][2] + r_1_2 * A[2][2]
+    e_2_2 = r_2_0 * A[0][2] + r_2_1 * A[1][2] + r_2_2 * A[2][2]
+    own_0_2 = det * A[3][2] - A[3][1] * e_0_2
+    w_0_2 = own_0_2 - A[3][3] * e_1_2 - A[3][5] * e_2_2
+    own_1_2 = det * A[4][2] - A[4][1] * e_0_2
+    w_1_2 = own_1_2 - A[4][3] * e_1_2 - A[4][5] * e_2_2
+    own_2_2 = det * A[5][2] - A[5][1] * e_0_2
+    w_2_2 = own_2_2 - A[5][3] * e_1_2 - A[5][5] * e_2_2
+    e_0_4 = r_0_0 * A[0][4] + r_0_1 * A[1][4] + r_0_2 * A[2][4]
+    e_1_4 = r_1_0 * A[0][4] + r_1_1 * A[1][4] + r_1_2 * A[2][4]
+    e_2_4 = r_2_0 * A[0][4] + r_2_1 * A[1][4] + r_2_2 * A[2][4]
+    own_0_4 = det * A[3][4] - A[3][1] * e_0_4
+    w_0_4 = own_0_4 - A[3][3] * e_1_4 - A[3][5] * e_2_4
+    own_1_4 = det * A[4][4] - A[4][1] * e_0_4
+    w_1_4 = own_1_4 - A[4][3] * e_1_4 - A[4][5] * e_2_4
+    own_2_4 = det * A[5][4] - A[5][1] * e_0_4
+    w_2_4 = own_2_4 - A[5][3] * e_1_4 - A[5][5] * e_2_4
+    e_0_6 = r_0_0 * A[0][6] + r_0_1 * A[1][6] + r_0_2 * A[2][6]
+    e_1_6 = r_1_0 * A[0][6] + r_1_1 * A[1][6] + r_1_2 * A[2][6]
+    e_2_6 = r_2_0 * A[0][6] + r_2_1 * A[1][6] + r_2_2 * A[2][6]
+    own_0_6 = det * A[3][6] - A[3][1] * e_0_6
+    w_0_6 = own_0_6 - A[3][3] * e_1_6 - A[3][5] * e_2_6
+    own_1_6 = det * A[4][6] - A[4][1] * e_0_6
+    w_1_6 = own_1_6 - A[4][3] * e_1_6 - A[4][5] * e_2_6
+    own_2_6 = det * A[5][6] - A[5][1] * e_0_6
+    w_2_6 = own_2_6 - A[5][3] * e_1_6 - A[5][5] * e_2_6
+    u_0_0 = w_1_2 * w_2_4 - w_2_2 * w_1_4
+    u_0_1 = w_2_2 * w_0_4 - w_0_2 * w_2_4
+    u_0_2 = w_0_2 * w_1_4 - w_1_2 * w_0_4
+    u_1_0 = w_1_4 * w_2_0 - w_2_4 * w_1_0
+    u_1_1 = w_2_4 * w_0_0 - w_0_4 * w_2_0
+    u_1_2 = w_0_4 * w_1_0 - w_1_4 * w_0_0
+    u_2_0 = w_1_0 * w_2_2 - w_2_0 * w_1_2
+    u_2_1 = w_2_0 * w_0_2 - w_0_0 * w_2_2
+    u_2_2 = w_0_0 * w_1_2 - w_1_0 * w_0_2
+    rest = w_0_0 * u_0_0 + w_1_0 * u_0_1 + w_2_0 * u_0_2
+    square_0 = e_0_0 * e_0_0 + e_0_2 * e_0_2 + e_0_4 * e_0_4
+    square_1 = e_1_0 * e_1_0 + e_1_2 * e_1_2 + e_1_4 * e_1_4
+    square_2 = e_2_0 * e_2_0 + e_2_2 * e_2_2 + e_2_4 * e_2_4
+    det2 = det * det
+    least = on.larger(on.size(det) * on.BLOCK_LEAST, on.BLOCK_SINGULAR) * (det2 * arm_cube)
+    spread = square_0 + square_1 + square_2
+    weak = on.where(spread > on.BLOCK_GROWTH * det2, 1.0, 0.0)
+    weak = on.where(on.size(rest) <= least, 1.0, weak)
+    inverse_det = 1.0 / (on.where(weak > 0.0, 1.0, det))
+    inverse_rest = 1.0 / (on.where(weak > 0.0, 1.0, rest))
+    x[0] = (u_0_0 * w_0_6 + u_0_1 * w_1_6 + u_0_2 * w_2_6) * inverse_rest
+    x[2] = (u_1_0 * w_0_6 + u_1_1 * w_1_6 + u_1_2 * w_2_6) * inverse_rest
+    x[4] = (u_2_0 * w_0_6 + u_2_1 * w_1_6 + u_2_2 * w_2_6) * inverse_rest
+    x[1] = (e_0_6 - e_0_0 * x[0] - e_0_2 * x[2] - e_0_4 * x[4]) * inverse_det
+    x[3] = (e_1_6 - e_1_0 * x[0] - e_1_2 * x[2] - e_1_4 * x[4]) * inverse_det
+    x[5] = (e_2_6 - e_2_0 * x[0] - e_2_2 * x[2] - e_2_4 * x[4]) * inverse_det
+    if on.anywhere(weak > 0.0):
+        other = [0.0] * 6
+        small = eliminate(on, A, other)
+        for number in range(6):
+            x[number] = on.where(weak > 0.0, other[number], x[number])
+        suspect = on.where(weak > 0.0, small, suspect)
     return suspect
 
 
@@ -749,7 +844,7 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
         for j in range(6):
             A[i][j] = sums.H[i][j]
             A[i + 3][j] = sums.H[i + 3][j] * model.per_length
-    small_pivot = eliminate(on, A, x)
+    small_pivot = solve_legs(on, A, model.arm_cube, x)
     suspect = on.where(small_pivot == 0, suspect, 1)
     if on.anywhere(suspect == 1):
         found = singular_status(on, sums.H, sums.arm, L, reach, largest_component(on, sums.q_1, 0.0))

@@ -66,7 +66,7 @@ def files(
 def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_model`` holds."""
     of_legs = LANES * sum(len(q.keys) for q in kernel.leg_constants())
-    return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 1
+    return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 2
 
 
 def reach_terms(kernel: ForceKernel) -> tuple[list[sp.Expr], tuple[Quantity, ...]]:
@@ -112,7 +112,7 @@ class _Source(Source):
             (
                 *(lay.described(q, LANES) for q in kernel.leg_constants()),
                 *(lay.described(q) for q in kernel.platform_constants()),
-                *([] if self.baked else [p.PER_LENGTH]),
+                *([] if self.baked else [p.PER_LENGTH, p.ARM_CUBE]),
             ),
         )
         return {

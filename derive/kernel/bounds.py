@@ -86,6 +86,7 @@ class BoundedForces:
             t.Field("platform", t.Record(f"{name}_platform")),
             t.Field("length", t.Real(), length),
             p.PER_LENGTH,
+            p.ARM_CUBE,
         )
         added, slopes = (
             [stored(part, always=False) for q in held for part in (q, err.error_of(q))]

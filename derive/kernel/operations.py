@@ -15,7 +15,7 @@ from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
 from ..mechanics.lumped_constants import arm_c
 from ..program.block import Operations
-from .elimination import BY_POINTERS, ONCE, in_lanes
+from .elimination import BY_POINTERS, ONCE, blocks_in_lanes
 from .shared import FORCE
 from .tree import read
 from .tree.counted import counted
@@ -61,8 +61,8 @@ class KernelOperations:
 
 _SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
     "every output": (solve.eliminate, ONCE, 1),
-    "block": (lanes.solve_block, in_lanes(about_tip=False), LANES),
-    "block about tip": (lanes.solve_block, in_lanes(about_tip=True), LANES),
+    "block": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=False), LANES),
+    "block about tip": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=True), LANES),
     "one pose": (scalar.solve, BY_POINTERS, 1),
 }
 

@@ -81,6 +81,19 @@
 #endif
 #endif
 
+/* Where two blocks of three legs are not solved one after the other, but by pivots: where the squares of what
+ * legs 2, 4 and 6 take from unit forces along the others add up to more than this, or the moments that are left
+ * to legs 1, 3 and 5 have a determinant below the second share of the cube of the largest arm, or that
+ * times the determinant of the directions is below the third. Between them neither the median nor the
+ * largest of the errors is above twice that of pivots. */
+#define STEWART_BLOCK_GROWTH REAL(16)
+#define STEWART_BLOCK_LEAST REAL(0.00048828125)
+#if defined(STEWART_FLOAT)
+#define STEWART_BLOCK_SINGULAR REAL(0.000244140625)
+#else
+#define STEWART_BLOCK_SINGULAR REAL(0.00000762939453125)
+#endif
+
 /* Legs of a pose, or poses, side by side. */
 #define LANES 8
 

@@ -718,9 +718,11 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
     }
     prepare_platform(robot, &sum, &made.platform);
     made.length = STEWART_SQRT(squares/REAL(6));
-    made.per_length = per_length_of(size_of(&made), REAL(0.125));
+    const stewart_real largest = size_of(&made);
+    made.per_length = per_length_of(largest, REAL(0.125));
+    made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 384; ++i) {
+    for (i = 0; i < 385; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -4895,10 +4897,10 @@ static int pose_status(const platform_equations *of, const shared_terms *shared,
     return singular_status(H, arm, of->L, of->reach, largest_component(shared->q_1, REAL(0)));
 }
 
-/* x, and the inverse Y of H, by the elimination of the force kernel. Returns 1 for a small pivot, else
- * 0. */
+/* x, and the inverse Y of H, by the solve of the force kernel. Returns 1 for a small pivot, else 0. */
 static int solution(
-    const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
+    const platform_equations *of, const stewart_exact_bounds_model *model, stewart_real x[6],
+    stewart_real Y[6][6])
 {
     int column, i, j;
     stewart_real A[6][LANES];
@@ -4906,14 +4908,14 @@ static int solution(
     int suspect = 0;
     for (column = 0; column < 7; ++column) {
         for (i = 0; i < 6; ++i) {
-            const stewart_real unit = i < 3 ? REAL(1) : per_length;
+            const stewart_real unit = i < 3 ? REAL(1) : model->per_length;
             for (j = 0; j < 6; ++j) {
                 A[i][j] = unit*of->H[i][j];
             }
             A[i][6] = column < 6 ? (i == column ? unit : REAL(0)) : unit*of->c[i];
             A[i][7] = REAL(0);
         }
-        suspect = solve_pose(A, found);
+        suspect = solve_pose(A, model->arm_cube, found);
         for (i = 0; i < 6; ++i) {
             if (column < 6) {
                 Y[i][column] = found[i];
@@ -5045,7 +5047,7 @@ static int forces_of_pose(
         status = equations_of_pose(model, at, &shared, 1, D, &equations);
     }
     if (status == STEWART_OK) {
-        const int suspect = solution(&equations, model->per_length, x, Y);
+        const int suspect = solution(&equations, model, x, Y);
         status = pose_status(&equations, &shared, suspect);
     }
     for (i = 0; i < 6; ++i) {

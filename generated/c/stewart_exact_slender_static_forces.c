@@ -193,9 +193,11 @@ int stewart_exact_slender_static_prepare(
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
-    made.per_length = per_length_of(size_of(&made), REAL(0.125));
+    const stewart_real largest = size_of(&made);
+    made.per_length = per_length_of(largest, REAL(0.125));
+    made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 66; ++i) {
+    for (i = 0; i < 67; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -403,7 +405,7 @@ int stewart_exact_slender_static_forces(
     if (model->per_length != REAL(1)) {
         scale_pose(A, model->per_length);
     }
-    const int suspect = solve_pose(A, x);
+    const int suspect = solve_pose(A, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
         const int status = pose_status(&legs);
         if (status != STEWART_OK) {
@@ -642,7 +644,7 @@ static void forces_of_block(
     if (model->per_length != REAL(1)) {
         scale_block(out, model->per_length);
     }
-    solve_block(out->column, out->D, out->F, out->bad);
+    solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

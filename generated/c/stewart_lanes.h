@@ -42,11 +42,100 @@ STEWART_SHARED void subtract_row(
     }
 }
 
+/* Solves the augmented rows [H | c | 0] for x as two blocks of three legs. Returns 1 where the digits of
+ * another solve are wanted, else 0. */
+STEWART_SHARED stewart_real blocks_of_pose(
+    stewart_real A[6][LANES], stewart_real arm_cube, stewart_real x[6])
+{
+    int l;
+    const stewart_real r_0_0 = STEWART_FMA(-A[2][3], A[1][5], A[1][3]*A[2][5]);
+    const stewart_real r_0_1 = STEWART_FMA(-A[0][3], A[2][5], A[2][3]*A[0][5]);
+    const stewart_real r_0_2 = STEWART_FMA(-A[1][3], A[0][5], A[0][3]*A[1][5]);
+    const stewart_real r_1_0 = STEWART_FMA(-A[2][5], A[1][1], A[1][5]*A[2][1]);
+    const stewart_real r_1_1 = STEWART_FMA(-A[0][5], A[2][1], A[2][5]*A[0][1]);
+    const stewart_real r_1_2 = STEWART_FMA(-A[1][5], A[0][1], A[0][5]*A[1][1]);
+    const stewart_real r_2_0 = STEWART_FMA(-A[2][1], A[1][3], A[1][1]*A[2][3]);
+    const stewart_real r_2_1 = STEWART_FMA(-A[0][1], A[2][3], A[2][1]*A[0][3]);
+    const stewart_real r_2_2 = STEWART_FMA(-A[1][1], A[0][3], A[0][1]*A[1][3]);
+    const stewart_real det = STEWART_FMA(A[2][1], r_0_2, STEWART_FMA(A[1][1], r_0_1, A[0][1]*r_0_0));
+    stewart_real balanced[3][LANES];
+    stewart_real left[3][LANES];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real of_0 = STEWART_FMA(r_0_2, A[2][l], STEWART_FMA(r_0_1, A[1][l], r_0_0*A[0][l]));
+        balanced[0][l] = of_0;
+        const stewart_real of_1 = STEWART_FMA(r_1_2, A[2][l], STEWART_FMA(r_1_1, A[1][l], r_1_0*A[0][l]));
+        balanced[1][l] = of_1;
+        const stewart_real of_2 = STEWART_FMA(r_2_2, A[2][l], STEWART_FMA(r_2_1, A[1][l], r_2_0*A[0][l]));
+        balanced[2][l] = of_2;
+        left[0][l] = STEWART_FMA(-A[3][5], of_2, STEWART_FMA(-A[3][3], of_1, STEWART_FMA(-A[3][1], of_0,
+            det*A[3][l])));
+        left[1][l] = STEWART_FMA(-A[4][5], of_2, STEWART_FMA(-A[4][3], of_1, STEWART_FMA(-A[4][1], of_0,
+            det*A[4][l])));
+        left[2][l] = STEWART_FMA(-A[5][5], of_2, STEWART_FMA(-A[5][3], of_1, STEWART_FMA(-A[5][1], of_0,
+            det*A[5][l])));
+    }
+    const stewart_real e_0_0 = balanced[0][0];
+    const stewart_real w_0_0 = left[0][0];
+    const stewart_real e_0_2 = balanced[0][2];
+    const stewart_real w_0_2 = left[0][2];
+    const stewart_real e_0_4 = balanced[0][4];
+    const stewart_real w_0_4 = left[0][4];
+    const stewart_real e_0_6 = balanced[0][6];
+    const stewart_real w_0_6 = left[0][6];
+    const stewart_real e_1_0 = balanced[1][0];
+    const stewart_real w_1_0 = left[1][0];
+    const stewart_real e_1_2 = balanced[1][2];
+    const stewart_real w_1_2 = left[1][2];
+    const stewart_real e_1_4 = balanced[1][4];
+    const stewart_real w_1_4 = left[1][4];
+    const stewart_real e_1_6 = balanced[1][6];
+    const stewart_real w_1_6 = left[1][6];
+    const stewart_real e_2_0 = balanced[2][0];
+    const stewart_real w_2_0 = left[2][0];
+    const stewart_real e_2_2 = balanced[2][2];
+    const stewart_real w_2_2 = left[2][2];
+    const stewart_real e_2_4 = balanced[2][4];
+    const stewart_real w_2_4 = left[2][4];
+    const stewart_real e_2_6 = balanced[2][6];
+    const stewart_real w_2_6 = left[2][6];
+    const stewart_real u_0_0 = STEWART_FMA(-w_2_2, w_1_4, w_1_2*w_2_4);
+    const stewart_real u_0_1 = STEWART_FMA(-w_0_2, w_2_4, w_2_2*w_0_4);
+    const stewart_real u_0_2 = STEWART_FMA(-w_1_2, w_0_4, w_0_2*w_1_4);
+    const stewart_real u_1_0 = STEWART_FMA(-w_2_4, w_1_0, w_1_4*w_2_0);
+    const stewart_real u_1_1 = STEWART_FMA(-w_0_4, w_2_0, w_2_4*w_0_0);
+    const stewart_real u_1_2 = STEWART_FMA(-w_1_4, w_0_0, w_0_4*w_1_0);
+    const stewart_real u_2_0 = STEWART_FMA(-w_2_0, w_1_2, w_1_0*w_2_2);
+    const stewart_real u_2_1 = STEWART_FMA(-w_0_0, w_2_2, w_2_0*w_0_2);
+    const stewart_real u_2_2 = STEWART_FMA(-w_1_0, w_0_2, w_0_0*w_1_2);
+    const stewart_real rest = STEWART_FMA(w_2_0, u_0_2, STEWART_FMA(w_1_0, u_0_1, w_0_0*u_0_0));
+    const stewart_real square_0 = STEWART_FMA(e_0_4, e_0_4, STEWART_FMA(e_0_2, e_0_2, e_0_0*e_0_0));
+    const stewart_real square_1 = STEWART_FMA(e_1_4, e_1_4, STEWART_FMA(e_1_2, e_1_2, e_1_0*e_1_0));
+    const stewart_real square_2 = STEWART_FMA(e_2_4, e_2_4, STEWART_FMA(e_2_2, e_2_2, e_2_0*e_2_0));
+    const stewart_real det2 = det*det;
+    const stewart_real least = STEWART_LARGER(STEWART_FABS(det)*STEWART_BLOCK_LEAST,
+        STEWART_BLOCK_SINGULAR)*(det2*arm_cube);
+    const stewart_real spread = square_0 + square_1 + square_2;
+    stewart_real weak = spread > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
+    weak = STEWART_FABS(rest) <= least ? REAL(1) : weak;
+    const stewart_real inverse_det = REAL(1)/det;
+    const stewart_real inverse_rest = REAL(1)/rest;
+    x[0] = STEWART_FMA(u_0_2, w_2_6, STEWART_FMA(u_0_1, w_1_6, u_0_0*w_0_6))*inverse_rest;
+    x[2] = STEWART_FMA(u_1_2, w_2_6, STEWART_FMA(u_1_1, w_1_6, u_1_0*w_0_6))*inverse_rest;
+    x[4] = STEWART_FMA(u_2_2, w_2_6, STEWART_FMA(u_2_1, w_1_6, u_2_0*w_0_6))*inverse_rest;
+    x[1] = STEWART_FMA(-e_0_4, x[4], STEWART_FMA(-e_0_2, x[2], STEWART_FMA(-e_0_0, x[0],
+        e_0_6)))*inverse_det;
+    x[3] = STEWART_FMA(-e_1_4, x[4], STEWART_FMA(-e_1_2, x[2], STEWART_FMA(-e_1_0, x[0],
+        e_1_6)))*inverse_det;
+    x[5] = STEWART_FMA(-e_2_4, x[4], STEWART_FMA(-e_2_2, x[2], STEWART_FMA(-e_2_0, x[0],
+        e_2_6)))*inverse_det;
+    return weak;
+}
+
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
  * updated, so that a row is one vector, and the next column is known before the rows that hold it are
  * stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column
  * has no moment rows. */
-STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
+STEWART_APART STEWART_SHARED int pivots_of_pose(stewart_real A[6][LANES], stewart_real x[6])
 {
     stewart_real a_0 = A[0][0], a_1 = A[1][0], a_2 = A[2][0];
     if (STEWART_FABS(a_1) > STEWART_FABS(a_0)) {
@@ -195,6 +284,17 @@ STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
         ? 0 : 1;
 }
 
+/* Solves [H | c | 0] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0. */
+STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real arm_cube, stewart_real x[6])
+{
+    int suspect = 0;
+    const stewart_real wanted = blocks_of_pose(A, arm_cube, x);
+    if (wanted > REAL(0)) {
+        suspect = pivots_of_pose(A, x);
+    }
+    return suspect;
+}
+
 /* Takes the moments of the rows [H | c] over a length. */
 STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
 {
@@ -206,12 +306,137 @@ STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real per_length
     }
 }
 
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D
- * - x, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place by
- * exchanges that a lane makes or leaves. Marks as bad where a pivot is small or a force not finite. */
-STEWART_APART STEWART_SHARED STEWART_NO_COPY void solve_block(
+/* Solves eight systems [H | c] side by side for x as two blocks of three legs, (36), and F = D - x,
+ * (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where
+ * the digits of another solve are. */
+STEWART_APART STEWART_SHARED STEWART_NO_COPY void blocks_of_lanes(
     stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
-    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
+    stewart_real arm_cube, stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad,
+    stewart_real *STEWART_RESTRICT wanted)
+{
+    int l;
+    (void)D;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real a_0_0 = column[0][0][l], a_0_1 = column[1][0][l], a_0_2 = column[2][0][l], a_0_3 = column[3][0][l],
+            a_0_4 = column[4][0][l], a_0_5 = column[5][0][l], a_0_6 = column[6][0][l], a_1_0 = column[0][1][l],
+            a_1_1 = column[1][1][l], a_1_2 = column[2][1][l], a_1_3 = column[3][1][l], a_1_4 = column[4][1][l],
+            a_1_5 = column[5][1][l], a_1_6 = column[6][1][l], a_2_0 = column[0][2][l], a_2_1 = column[1][2][l],
+            a_2_2 = column[2][2][l], a_2_3 = column[3][2][l], a_2_4 = column[4][2][l], a_2_5 = column[5][2][l],
+            a_2_6 = column[6][2][l], a_3_1 = column[1][3][l], a_3_2 = column[2][3][l], a_3_3 = column[3][3][l],
+            a_3_4 = column[4][3][l], a_3_5 = column[5][3][l], a_3_6 = column[6][3][l], a_4_1 = column[1][4][l],
+            a_4_2 = column[2][4][l], a_4_3 = column[3][4][l], a_4_4 = column[4][4][l], a_4_5 = column[5][4][l],
+            a_4_6 = column[6][4][l], a_5_1 = column[1][5][l], a_5_2 = column[2][5][l], a_5_3 = column[3][5][l],
+            a_5_4 = column[4][5][l], a_5_5 = column[5][5][l], a_5_6 = column[6][5][l];
+        stewart_real fault = bad[l];
+        const stewart_real r_0_0 = STEWART_FMA(-a_2_3, a_1_5, a_1_3*a_2_5);
+        const stewart_real r_0_1 = STEWART_FMA(-a_0_3, a_2_5, a_2_3*a_0_5);
+        const stewart_real r_0_2 = STEWART_FMA(-a_1_3, a_0_5, a_0_3*a_1_5);
+        const stewart_real r_1_0 = STEWART_FMA(-a_2_5, a_1_1, a_1_5*a_2_1);
+        const stewart_real r_1_1 = STEWART_FMA(-a_0_5, a_2_1, a_2_5*a_0_1);
+        const stewart_real r_1_2 = STEWART_FMA(-a_1_5, a_0_1, a_0_5*a_1_1);
+        const stewart_real r_2_0 = STEWART_FMA(-a_2_1, a_1_3, a_1_1*a_2_3);
+        const stewart_real r_2_1 = STEWART_FMA(-a_0_1, a_2_3, a_2_1*a_0_3);
+        const stewart_real r_2_2 = STEWART_FMA(-a_1_1, a_0_3, a_0_1*a_1_3);
+        const stewart_real det = STEWART_FMA(a_2_1, r_0_2, STEWART_FMA(a_1_1, r_0_1, a_0_1*r_0_0));
+        const stewart_real e_0_0 = STEWART_FMA(r_0_2, a_2_0, STEWART_FMA(r_0_1, a_1_0, r_0_0*a_0_0));
+        const stewart_real e_1_0 = STEWART_FMA(r_1_2, a_2_0, STEWART_FMA(r_1_1, a_1_0, r_1_0*a_0_0));
+        const stewart_real e_2_0 = STEWART_FMA(r_2_2, a_2_0, STEWART_FMA(r_2_1, a_1_0, r_2_0*a_0_0));
+        const stewart_real own_0_0 = (-a_3_1)*e_0_0;
+        const stewart_real w_0_0 = STEWART_FMA(-a_3_5, e_2_0, STEWART_FMA(-a_3_3, e_1_0, own_0_0));
+        const stewart_real own_1_0 = (-a_4_1)*e_0_0;
+        const stewart_real w_1_0 = STEWART_FMA(-a_4_5, e_2_0, STEWART_FMA(-a_4_3, e_1_0, own_1_0));
+        const stewart_real own_2_0 = (-a_5_1)*e_0_0;
+        const stewart_real w_2_0 = STEWART_FMA(-a_5_5, e_2_0, STEWART_FMA(-a_5_3, e_1_0, own_2_0));
+        const stewart_real e_0_2 = STEWART_FMA(r_0_2, a_2_2, STEWART_FMA(r_0_1, a_1_2, r_0_0*a_0_2));
+        const stewart_real e_1_2 = STEWART_FMA(r_1_2, a_2_2, STEWART_FMA(r_1_1, a_1_2, r_1_0*a_0_2));
+        const stewart_real e_2_2 = STEWART_FMA(r_2_2, a_2_2, STEWART_FMA(r_2_1, a_1_2, r_2_0*a_0_2));
+        const stewart_real own_0_2 = STEWART_FMA(-a_3_1, e_0_2, det*a_3_2);
+        const stewart_real w_0_2 = STEWART_FMA(-a_3_5, e_2_2, STEWART_FMA(-a_3_3, e_1_2, own_0_2));
+        const stewart_real own_1_2 = STEWART_FMA(-a_4_1, e_0_2, det*a_4_2);
+        const stewart_real w_1_2 = STEWART_FMA(-a_4_5, e_2_2, STEWART_FMA(-a_4_3, e_1_2, own_1_2));
+        const stewart_real own_2_2 = STEWART_FMA(-a_5_1, e_0_2, det*a_5_2);
+        const stewart_real w_2_2 = STEWART_FMA(-a_5_5, e_2_2, STEWART_FMA(-a_5_3, e_1_2, own_2_2));
+        const stewart_real e_0_4 = STEWART_FMA(r_0_2, a_2_4, STEWART_FMA(r_0_1, a_1_4, r_0_0*a_0_4));
+        const stewart_real e_1_4 = STEWART_FMA(r_1_2, a_2_4, STEWART_FMA(r_1_1, a_1_4, r_1_0*a_0_4));
+        const stewart_real e_2_4 = STEWART_FMA(r_2_2, a_2_4, STEWART_FMA(r_2_1, a_1_4, r_2_0*a_0_4));
+        const stewart_real own_0_4 = STEWART_FMA(-a_3_1, e_0_4, det*a_3_4);
+        const stewart_real w_0_4 = STEWART_FMA(-a_3_5, e_2_4, STEWART_FMA(-a_3_3, e_1_4, own_0_4));
+        const stewart_real own_1_4 = STEWART_FMA(-a_4_1, e_0_4, det*a_4_4);
+        const stewart_real w_1_4 = STEWART_FMA(-a_4_5, e_2_4, STEWART_FMA(-a_4_3, e_1_4, own_1_4));
+        const stewart_real own_2_4 = STEWART_FMA(-a_5_1, e_0_4, det*a_5_4);
+        const stewart_real w_2_4 = STEWART_FMA(-a_5_5, e_2_4, STEWART_FMA(-a_5_3, e_1_4, own_2_4));
+        const stewart_real e_0_6 = STEWART_FMA(r_0_2, a_2_6, STEWART_FMA(r_0_1, a_1_6, r_0_0*a_0_6));
+        const stewart_real e_1_6 = STEWART_FMA(r_1_2, a_2_6, STEWART_FMA(r_1_1, a_1_6, r_1_0*a_0_6));
+        const stewart_real e_2_6 = STEWART_FMA(r_2_2, a_2_6, STEWART_FMA(r_2_1, a_1_6, r_2_0*a_0_6));
+        const stewart_real own_0_6 = STEWART_FMA(-a_3_1, e_0_6, det*a_3_6);
+        const stewart_real w_0_6 = STEWART_FMA(-a_3_5, e_2_6, STEWART_FMA(-a_3_3, e_1_6, own_0_6));
+        const stewart_real own_1_6 = STEWART_FMA(-a_4_1, e_0_6, det*a_4_6);
+        const stewart_real w_1_6 = STEWART_FMA(-a_4_5, e_2_6, STEWART_FMA(-a_4_3, e_1_6, own_1_6));
+        const stewart_real own_2_6 = STEWART_FMA(-a_5_1, e_0_6, det*a_5_6);
+        const stewart_real w_2_6 = STEWART_FMA(-a_5_5, e_2_6, STEWART_FMA(-a_5_3, e_1_6, own_2_6));
+        const stewart_real u_0_0 = STEWART_FMA(-w_2_2, w_1_4, w_1_2*w_2_4);
+        const stewart_real u_0_1 = STEWART_FMA(-w_0_2, w_2_4, w_2_2*w_0_4);
+        const stewart_real u_0_2 = STEWART_FMA(-w_1_2, w_0_4, w_0_2*w_1_4);
+        const stewart_real u_1_0 = STEWART_FMA(-w_2_4, w_1_0, w_1_4*w_2_0);
+        const stewart_real u_1_1 = STEWART_FMA(-w_0_4, w_2_0, w_2_4*w_0_0);
+        const stewart_real u_1_2 = STEWART_FMA(-w_1_4, w_0_0, w_0_4*w_1_0);
+        const stewart_real u_2_0 = STEWART_FMA(-w_2_0, w_1_2, w_1_0*w_2_2);
+        const stewart_real u_2_1 = STEWART_FMA(-w_0_0, w_2_2, w_2_0*w_0_2);
+        const stewart_real u_2_2 = STEWART_FMA(-w_1_0, w_0_2, w_0_0*w_1_2);
+        const stewart_real rest = STEWART_FMA(w_2_0, u_0_2, STEWART_FMA(w_1_0, u_0_1, w_0_0*u_0_0));
+        const stewart_real square_0 = STEWART_FMA(e_0_4, e_0_4, STEWART_FMA(e_0_2, e_0_2, e_0_0*e_0_0));
+        const stewart_real square_1 = STEWART_FMA(e_1_4, e_1_4, STEWART_FMA(e_1_2, e_1_2, e_1_0*e_1_0));
+        const stewart_real square_2 = STEWART_FMA(e_2_4, e_2_4, STEWART_FMA(e_2_2, e_2_2, e_2_0*e_2_0));
+        const stewart_real det2 = det*det;
+        const stewart_real least = STEWART_LARGER(STEWART_FABS(det)*STEWART_BLOCK_LEAST,
+            STEWART_BLOCK_SINGULAR)*(det2*arm_cube);
+        const stewart_real spread = square_0 + square_1 + square_2;
+        stewart_real weak = spread > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
+        weak = STEWART_FABS(rest) <= least ? REAL(1) : weak;
+        const stewart_real inverse_det = REAL(1)/det;
+        const stewart_real inverse_rest = REAL(1)/rest;
+        const stewart_real x_0 = STEWART_FMA(u_0_2, w_2_6, STEWART_FMA(u_0_1, w_1_6,
+            u_0_0*w_0_6))*inverse_rest;
+        const stewart_real x_2 = STEWART_FMA(u_1_2, w_2_6, STEWART_FMA(u_1_1, w_1_6,
+            u_1_0*w_0_6))*inverse_rest;
+        const stewart_real x_4 = STEWART_FMA(u_2_2, w_2_6, STEWART_FMA(u_2_1, w_1_6,
+            u_2_0*w_0_6))*inverse_rest;
+        const stewart_real x_1 = STEWART_FMA(-e_0_4, x_4, STEWART_FMA(-e_0_2, x_2, STEWART_FMA(-e_0_0, x_0,
+            e_0_6)))*inverse_det;
+        const stewart_real x_3 = STEWART_FMA(-e_1_4, x_4, STEWART_FMA(-e_1_2, x_2, STEWART_FMA(-e_1_0, x_0,
+            e_1_6)))*inverse_det;
+        const stewart_real x_5 = STEWART_FMA(-e_2_4, x_4, STEWART_FMA(-e_2_2, x_2, STEWART_FMA(-e_2_0, x_0,
+            e_2_6)))*inverse_det;
+        const stewart_real force_0 = STEWART_FORCE(D[0][l], x_0);
+        fault = STEWART_FABS(force_0) <= STEWART_MAX ? fault : REAL(1);
+        F[0][l] = force_0;
+        const stewart_real force_1 = STEWART_FORCE(D[1][l], x_1);
+        fault = STEWART_FABS(force_1) <= STEWART_MAX ? fault : REAL(1);
+        F[1][l] = force_1;
+        const stewart_real force_2 = STEWART_FORCE(D[2][l], x_2);
+        fault = STEWART_FABS(force_2) <= STEWART_MAX ? fault : REAL(1);
+        F[2][l] = force_2;
+        const stewart_real force_3 = STEWART_FORCE(D[3][l], x_3);
+        fault = STEWART_FABS(force_3) <= STEWART_MAX ? fault : REAL(1);
+        F[3][l] = force_3;
+        const stewart_real force_4 = STEWART_FORCE(D[4][l], x_4);
+        fault = STEWART_FABS(force_4) <= STEWART_MAX ? fault : REAL(1);
+        F[4][l] = force_4;
+        const stewart_real force_5 = STEWART_FORCE(D[5][l], x_5);
+        fault = STEWART_FABS(force_5) <= STEWART_MAX ? fault : REAL(1);
+        F[5][l] = force_5;
+        bad[l] = weak > REAL(0) ? bad[l] : fault;
+        wanted[l] = weak;
+    }
+}
+
+/* The same by elimination with partial pivoting, where it is wanted. The row with the largest entry
+ * sinks to its place by exchanges that a lane makes or leaves. Marks as bad where a pivot is small as
+ * well. */
+STEWART_APART STEWART_SHARED STEWART_NO_COPY void pivots_of_lanes(
+    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
+    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad,
+    const stewart_real *STEWART_RESTRICT wanted)
 {
     int l;
     (void)D;
@@ -535,23 +760,41 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void solve_block(
         const stewart_real x_0 = total_0*inverse_0;
         const stewart_real force_0 = STEWART_FORCE(D[0][l], x_0);
         fault = STEWART_FABS(force_0) <= STEWART_MAX ? fault : REAL(1);
-        F[0][l] = force_0;
+        F[0][l] = wanted[l] > REAL(0) ? force_0 : F[0][l];
         const stewart_real force_1 = STEWART_FORCE(D[1][l], x_1);
         fault = STEWART_FABS(force_1) <= STEWART_MAX ? fault : REAL(1);
-        F[1][l] = force_1;
+        F[1][l] = wanted[l] > REAL(0) ? force_1 : F[1][l];
         const stewart_real force_2 = STEWART_FORCE(D[2][l], x_2);
         fault = STEWART_FABS(force_2) <= STEWART_MAX ? fault : REAL(1);
-        F[2][l] = force_2;
+        F[2][l] = wanted[l] > REAL(0) ? force_2 : F[2][l];
         const stewart_real force_3 = STEWART_FORCE(D[3][l], x_3);
         fault = STEWART_FABS(force_3) <= STEWART_MAX ? fault : REAL(1);
-        F[3][l] = force_3;
+        F[3][l] = wanted[l] > REAL(0) ? force_3 : F[3][l];
         const stewart_real force_4 = STEWART_FORCE(D[4][l], x_4);
         fault = STEWART_FABS(force_4) <= STEWART_MAX ? fault : REAL(1);
-        F[4][l] = force_4;
+        F[4][l] = wanted[l] > REAL(0) ? force_4 : F[4][l];
         const stewart_real force_5 = STEWART_FORCE(D[5][l], x_5);
         fault = STEWART_FABS(force_5) <= STEWART_MAX ? fault : REAL(1);
-        F[5][l] = force_5;
-        bad[l] = fault;
+        F[5][l] = wanted[l] > REAL(0) ? force_5 : F[5][l];
+        bad[l] = wanted[l] > REAL(0) ? fault : bad[l];
+    }
+}
+
+/* Forces of eight poses from [H | c] and D, (36) and (37), by two blocks, or by pivots. */
+STEWART_SHARED STEWART_NO_COPY void solve_block(
+    stewart_real column[7][6][LANES], stewart_real D[6][LANES], stewart_real arm_cube,
+    stewart_real F[6][LANES], stewart_real bad[LANES])
+{
+    int l;
+    (void)D;
+    stewart_real wanted[LANES];
+    stewart_real most = REAL(0);
+    blocks_of_lanes(column, D, arm_cube, F, bad, wanted);
+    for (l = 0; l < LANES; ++l) {
+        most = STEWART_LARGER(wanted[l], most);
+    }
+    if (most > REAL(0)) {
+        pivots_of_lanes(column, D, F, bad, wanted);
     }
 }
 

@@ -9,6 +9,13 @@
 
 #include "stewart_arithmetic.h"
 
+/* The cube of a length, or of one that has a cube. */
+STEWART_SHARED stewart_real cube_of(stewart_real arm)
+{
+    const stewart_real length = arm <= REAL(1099511627776.0) ? arm : REAL(1099511627776.0);
+    return length*length*length;
+}
+
 /* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
  * for arms of about a metre, `smallest` and more, else one over the least power of two, from 2^-100 to
  * 2^100, that is as large. */

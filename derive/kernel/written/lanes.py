@@ -79,7 +79,23 @@ def subtract_row(to: "alone(array(LANES))", factor: "Real", row: "alone(array(LA
         to[j] = to[j] - factor * row[j]
 
 
-def solve_pose(A: "array(6, LANES)", x: "array(6)") -> "Integer":
+def blocks_of_pose(A: "array(6, LANES)", arm_cube: "Real", x: "array(6)") -> "Real":
+    """Solves the augmented rows [H | c | 0] for x as two blocks of three legs. Returns 1 where the digits of
+    another solve are wanted, else 0."""
+    two_blocks()
+    return weak
+
+
+def solve_pose(A: "array(6, LANES)", arm_cube: "Real", x: "array(6)") -> "Integer":
+    """Solves [H | c | 0] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0."""
+    suspect = 0
+    wanted = blocks_of_pose(A, arm_cube, x)
+    if wanted > 0.0:
+        suspect = pivots_of_pose(A, x)
+    return suspect
+
+
+def pivots_of_pose(A: "array(6, LANES)", x: "array(6)") -> "Integer":
     """Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
     updated, so that a row is one vector, and the next column is known before the rows that hold it are
     stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column has
@@ -162,7 +178,7 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
             scale_pose(A, model.per_length)
     if SCALED == 2:
         scale_pose(A, PER_LENGTH)
-    suspect = solve_pose(A, x)
+    suspect = solve_pose(A, ARM_CUBE, x)
     if close != 0 or suspect != 0:
         status = pose_status(legs)
         if status != OK:
@@ -233,15 +249,40 @@ def scale_block(out: "Block", per_length: "Real") -> None:
                 out.column[i][j][l] = out.column[i][j][l] * per_length
 
 
-def solve_block(
+def blocks_of_lanes(
+    column: "alone(array(7, 6, LANES))",
+    D: "alone(array(6, LANES))",
+    arm_cube: "Real",
+    F: "alone(array(6, LANES))",
+    bad: "alone(array(LANES))",
+    wanted: "alone(array(LANES))",
+) -> None:
+    """Solves eight systems [H | c] side by side for x as two blocks of three legs, (36), and F = D - x, (37): a
+    loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where the digits
+    of another solve are."""
+    for l in range(LANES):
+        for i in each(6):
+            for j in each(1 if i >= FIRST else 0, 7):
+                a[i, j] = column[j][i][l]
+        fault = bad[l]
+        two_blocks()
+        for i in each(6):
+            force[i,] = STEWART_FORCE(D[i][l], x[i,])
+            fault = where(size(force[i,]) <= MAX, fault, 1.0)
+            F[i][l] = force[i,]
+        bad[l] = where(weak > 0.0, bad[l], fault)
+        wanted[l] = weak
+
+
+def pivots_of_lanes(
     column: "alone(array(7, 6, LANES))",
     D: "alone(array(6, LANES))",
     F: "alone(array(6, LANES))",
     bad: "alone(array(LANES))",
+    wanted: "alone(array(LANES))",
 ) -> None:
-    """Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
-    F = D - x, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place
-    by exchanges that a lane makes or leaves. Marks as bad where a pivot is small or a force not finite."""
+    """The same by elimination with partial pivoting, where it is wanted. The row with the largest entry sinks
+    to its place by exchanges that a lane makes or leaves. Marks as bad where a pivot is small as well."""
     for l in range(LANES):
         for i in each(6):
             for j in each(1 if i >= FIRST else 0, 7):
@@ -251,8 +292,25 @@ def solve_block(
         for i in each(6):
             force[i,] = STEWART_FORCE(D[i][l], x[i,])
             fault = where(size(force[i,]) <= MAX, fault, 1.0)
-            F[i][l] = force[i,]
-        bad[l] = fault
+            F[i][l] = where(wanted[l] > 0.0, force[i,], F[i][l])
+        bad[l] = where(wanted[l] > 0.0, fault, bad[l])
+
+
+def solve_block(
+    column: "array(7, 6, LANES)",
+    D: "array(6, LANES)",
+    arm_cube: "Real",
+    F: "array(6, LANES)",
+    bad: "array(LANES)",
+) -> None:
+    """Forces of eight poses from [H | c] and D, (36) and (37), by two blocks, or by pivots."""
+    wanted = blank(array(LANES))
+    most = 0.0
+    blocks_of_lanes(column, D, arm_cube, F, bad, wanted)
+    for l in range(LANES):
+        most = larger(wanted[l], most)
+    if most > 0.0:
+        pivots_of_lanes(column, D, F, bad, wanted)
 
 
 def load_block(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
@@ -282,7 +340,7 @@ def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
             scale_block(out, model.per_length)
     if SCALED == 2:
         scale_block(out, PER_LENGTH)
-    solve_block(out.column, D, out.F, out.bad)
+    solve_block(out.column, D, ARM_CUBE, out.F, out.bad)
 
 
 def forces_of(model: "Model", motions: "Motions", pose: "Count", F: "Pointer(Real)") -> "Integer":
