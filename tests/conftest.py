@@ -11,6 +11,7 @@ from pathlib import PurePosixPath
 from typing import Any
 
 import pytest
+
 from stewart_sym.backend import c_kernel, native
 from stewart_sym.dynamics import closed_form
 

@@ -1,7 +1,7 @@
 """Shapes of the elimination: where its entries are and how rows change places.
 
-``written.elimination`` is the text, ``written.two_blocks`` that of what is tried before. A shape is what ``read.function`` is given with a function that calls
-it.
+``written.elimination`` is the text, ``written.two_blocks`` that of what is tried before. A shape is what
+``read.function`` is given with a function that calls it.
 """
 
 from collections.abc import Callable, Mapping
@@ -164,6 +164,7 @@ BLOCKS_OF_POSE: Mapping[str, Given] = {
     "a": _entries("A"),
     "x": _entries("x"),
     "eliminated": blocks.column_by_column,
+    "column_of_sums": blocks.one_column,
 }
 """One pose, rows of eight vectors."""
 

@@ -14,6 +14,7 @@ import sympy as sp
 from ..mechanics import quantities as n
 from ..mechanics.lumped_constants import arm_c
 from ..program.block import Block, Output, Quantity
+from ..program.order import Ready
 from .tree import nodes as t
 from .tree import read
 from .tree.lower import expression, steps_of
@@ -136,11 +137,13 @@ def _entry(quantity: Quantity, index: int, owner: t.Expression, *lane: t.Express
     return member(owner, quantity, *lane).part(quantity, index)
 
 
-def lines(block: Block, layout: Layout, without: Iterable[Quantity] = ()) -> tuple[t.Statement, ...]:
-    """Loads and steps of a block; without: what is loaded already."""
+def lines(
+    block: Block, layout: Layout, without: Iterable[Quantity] = (), ready: Ready | None = None
+) -> tuple[t.Statement, ...]:
+    """Loads and steps of a block; without: what is loaded already; ready: when steps are, by themselves."""
     given = set(without)
     inputs = (q for q in block.inputs if q not in given)
-    return (*loads(inputs, names_used(block), layout), *steps_of(block.steps))
+    return (*loads(inputs, names_used(block), layout), *steps_of(block.steps, ready))
 
 
 def exprs_of(block: Block) -> dict[Quantity, tuple[sp.Expr, ...]]:

@@ -47,8 +47,8 @@ def program(
 ) -> Program:
     """Preparation and some of ``OUTPUTS``, of one pose or of many side by side.
 
-    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. by_pivots: one
-    solve alone. Raises ValueError for an output that is not one of ``OUTPUTS``.
+    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. by_pivots:
+    one solve alone. Raises ValueError for an output that is not one of ``OUTPUTS``.
     """
     unknown = [each for each in outputs if each not in OUTPUTS]
     if unknown:

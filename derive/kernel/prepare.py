@@ -67,7 +67,10 @@ def flags(kernel: ForceKernel) -> dict[str, Given]:
         "SCALED": 0 if not is_scaled(kernel) else 2 if baked else 1,
         "SMALLEST": t.Number(SMALLEST),
         "PER_LENGTH": t.Number(per_length(kernel.size)),
-        "ARM_CUBE": t.Number((kernel.size * per_length(kernel.size)) ** 3) if baked else t.of("model", "arm_cube"),
+        "UNIT_OF_MOMENTS": t.Number(per_length(kernel.size)) if baked else t.of("model", "per_length"),
+        "ARM_CUBE": t.Number((kernel.size * per_length(kernel.size)) ** 3)
+        if baked
+        else t.of("model", "arm_cube"),
     }
 
 

@@ -27,8 +27,8 @@ class C(Printer):
     functions: those that are called, for how their arguments are passed. sizes: names of dimensions, such as
     ``{8: "LANES"}``. brackets: around every operand that is an operation of another kind, as MISRA C advises.
     records: names of structures in C, where those are others. structures: those that variables have. static:
-    before functions that are not of the interface. unread: arguments that macros may leave unread. fused: whether
-    products that feed sums are ``STEWART_FMA``; apart: functions in which they are not.
+    before functions that are not of the interface. unread: arguments that macros may leave unread. fused:
+    whether products that feed sums are ``STEWART_FMA``; apart: functions in which they are not.
     """
 
     def __init__(

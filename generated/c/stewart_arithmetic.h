@@ -86,12 +86,14 @@
  * to legs 1, 3 and 5 have a determinant below the second share of the cube of the largest arm, or that
  * times the determinant of the directions is below the third. Between them neither the median nor the
  * largest of the errors is above twice that of pivots. */
+#if !defined(STEWART_BLOCK_GROWTH)
 #define STEWART_BLOCK_GROWTH REAL(16)
 #define STEWART_BLOCK_LEAST REAL(0.00048828125)
 #if defined(STEWART_FLOAT)
 #define STEWART_BLOCK_SINGULAR REAL(0.000244140625)
 #else
 #define STEWART_BLOCK_SINGULAR REAL(0.00000762939453125)
+#endif
 #endif
 
 /* Legs of a pose, or poses, side by side. */
@@ -101,6 +103,13 @@
 #define STEWART_RESTRICT __restrict
 #else
 #define STEWART_RESTRICT restrict
+#endif
+
+/* GCC writes short loops out before it looks for vectors, and then finds few. */
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
+#define STEWART_LOOP _Pragma("GCC unroll 1")
+#else
+#define STEWART_LOOP
 #endif
 
 /* STEWART_APART: never merged into its callers. Compilers make vector instructions of a long loop more readily

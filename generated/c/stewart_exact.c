@@ -65,9 +65,9 @@ static void leg_dynamics(
     const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
     const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
@@ -84,12 +84,12 @@ static void leg_dynamics(
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(-alpha_z, q_y,
-        STEWART_FMA(omega_y, w_q_z, STEWART_FMA(alpha_y, q_z, a_x))));
-    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(-alpha_x, q_z,
-        STEWART_FMA(omega_z, w_q_x, STEWART_FMA(alpha_z, q_x, a_y))));
-    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(-alpha_y, q_x,
-        STEWART_FMA(omega_x, w_q_y, STEWART_FMA(alpha_x, q_y, a_z))));
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* (10) normal to the fixed axis and the leg */
     const stewart_real k_cross_s_x = STEWART_FMA(-k_z, s_y, k_y*s_z);
     const stewart_real k_cross_s_y = STEWART_FMA(-k_x, s_z, k_z*s_x);
@@ -143,31 +143,31 @@ static void leg_dynamics(
     const stewart_real c5 = W_y*c3;
     /* (9) angular acceleration of the leg but for its spin, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
-    const stewart_real A_y_own = inv_L*(-c5 - e_z);
+    const stewart_real A_y_own = inv_L*(-e_z - c5);
     const stewart_real c6 = W_y*W_z;
     const stewart_real c7 = W_x*W_y;
     const stewart_real c8 = REAL(2)*c7;
     /* (9) angular acceleration of the leg, leg frame */
     const stewart_real A_x = STEWART_FMA(kappa, A_z_own - c8, -c6);
     /* (12) centre of mass of the upper part from the base point */
-    const stewart_real r_u_x = L + r_u0_x;
+    const stewart_real r_u_x = r_u0_x + L;
     const stewart_real c9 = W_x*W_z;
     const stewart_real c10 = REAL(2)*c9;
     const stewart_real c11 = W_x*W_x;
     /* (11), (13) acceleration of the lower centre of mass */
-    const stewart_real a_d_x = STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1, r_d0_x, STEWART_FMA(-A_z_own,
-        r_d0_y, STEWART_FMA(c8, r_d0_y, STEWART_FMA(c10, r_d0_z, A_y_own*r_d0_z)))));
-    const stewart_real a_d_y = STEWART_FMA(-c2, r_d0_y, STEWART_FMA(-c11, r_d0_y, STEWART_FMA(-A_x, r_d0_z,
-        STEWART_FMA(W_y*W_z, r_d0_z, A_z_own*r_d0_x))));
-    const stewart_real a_d_z = STEWART_FMA(-c11, r_d0_z, STEWART_FMA(-c1, r_d0_z, STEWART_FMA(-A_y_own,
-        r_d0_x, STEWART_FMA(W_y*W_z, r_d0_y, A_x*r_d0_y))));
+    const stewart_real a_d_x = STEWART_FMA(-A_z_own, r_d0_y, STEWART_FMA(c8, r_d0_y, STEWART_FMA(c10,
+        r_d0_z, STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1, r_d0_x, A_y_own*r_d0_z)))));
+    const stewart_real a_d_y = STEWART_FMA(-A_x, r_d0_z, STEWART_FMA(A_z_own, r_d0_x, STEWART_FMA(-c2,
+        r_d0_y, STEWART_FMA(-c11, r_d0_y, W_y*W_z*r_d0_z))));
+    const stewart_real a_d_z = STEWART_FMA(A_x, r_d0_y, STEWART_FMA(-A_y_own, r_d0_x, STEWART_FMA(-c11,
+        r_d0_z, STEWART_FMA(-c1, r_d0_z, W_y*W_z*r_d0_y))));
     /* (14) acceleration of the upper centre of mass */
-    const stewart_real a_u_x = STEWART_FMA(-c2, r_u_x, STEWART_FMA(-c1, r_u_x, STEWART_FMA(-A_z_own, r_u0_y,
-        STEWART_FMA(c8, r_u0_y, STEWART_FMA(c10, r_u0_z, STEWART_FMA(A_y_own, r_u0_z, L_ddot))))));
-    const stewart_real a_u_y = STEWART_FMA(-c2, r_u0_y, STEWART_FMA(-c11, r_u0_y, STEWART_FMA(-A_x, r_u0_z,
-        STEWART_FMA(W_y*W_z, r_u0_z, A_z_own*r_u_x) + c4)));
-    const stewart_real a_u_z = STEWART_FMA(-c11, r_u0_z, STEWART_FMA(-c1, r_u0_z, STEWART_FMA(-A_y_own,
-        r_u_x, STEWART_FMA(W_y*W_z, r_u0_y, A_x*r_u0_y)))) - c5;
+    const stewart_real a_u_x = STEWART_FMA(-A_z_own, r_u0_y, STEWART_FMA(c8, r_u0_y, STEWART_FMA(c10,
+        r_u0_z, STEWART_FMA(A_y_own, r_u0_z, STEWART_FMA(-c2, r_u_x, STEWART_FMA(-c1, r_u_x, L_ddot))))));
+    const stewart_real a_u_y = STEWART_FMA(-A_x, r_u0_z, STEWART_FMA(A_z_own, r_u_x, STEWART_FMA(W_y*W_z,
+        r_u0_z, STEWART_FMA(-c2, r_u0_y, STEWART_FMA(-c11, r_u0_y, c4)))));
+    const stewart_real a_u_z = STEWART_FMA(A_x, r_u0_y, STEWART_FMA(-A_y_own, r_u_x, STEWART_FMA(-c11,
+        r_u0_z, STEWART_FMA(-c1, r_u0_z, W_y*W_z*r_u0_y)) - c5));
     /* (25) m_d (a_d - g) */
     const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
     const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
@@ -189,34 +189,34 @@ static void leg_dynamics(
     const stewart_real I_zz = I_d0_zz + I_u0_zz;
     const stewart_real c15 = I_yy - I_zz;
     /* (19) I A + W x I W */
-    const stewart_real E_x = STEWART_FMA(-c15, c6, STEWART_FMA(-I_yz, c2, STEWART_FMA(I_yz, c1,
-        STEWART_FMA(A_z_own, I_xz, STEWART_FMA(A_y_own, I_xy, A_x*I_xx)))));
-    const stewart_real E_y = STEWART_FMA(-I_yz, c8, STEWART_FMA(-I_xz, c11, STEWART_FMA(c9, I_xx + c15,
-        STEWART_FMA(I_xz, c2, STEWART_FMA(I_xy, c6, STEWART_FMA(A_z_own, I_yz, STEWART_FMA(A_y_own, I_yy,
-        A_x*I_xy)))))));
-    const stewart_real E_z = STEWART_FMA(-I_xz, c6, STEWART_FMA(-I_xy, c1, STEWART_FMA(c7, I_yy - I_xx - I_zz,
-        STEWART_FMA(I_yz, c10, STEWART_FMA(I_xy, c11, STEWART_FMA(A_z_own, I_zz, STEWART_FMA(A_y_own, I_yz,
-        A_x*I_xz)))))));
+    const stewart_real E_x = STEWART_FMA(A_x, I_xx, STEWART_FMA(A_z_own, I_xz, STEWART_FMA(-c15, c6,
+        STEWART_FMA(A_y_own, I_xy, STEWART_FMA(-I_yz, c2, I_yz*c1)))));
+    const stewart_real E_y = STEWART_FMA(A_x, I_xy, STEWART_FMA(-I_yz, c8, STEWART_FMA(A_z_own, I_yz,
+        STEWART_FMA(c9, I_xx + c15, STEWART_FMA(A_y_own, I_yy, STEWART_FMA(I_xy, c6, STEWART_FMA(-I_xz, c11,
+        I_xz*c2)))))));
+    const stewart_real E_z = STEWART_FMA(A_x, I_xz, STEWART_FMA(A_z_own, I_zz, STEWART_FMA(I_yz, c10,
+        STEWART_FMA(-I_xz, c6, STEWART_FMA(c7, I_yy - I_xx - I_zz, STEWART_FMA(A_y_own, I_yz,
+        STEWART_FMA(-I_xy, c1, I_xy*c11)))))));
     /* (20) moment that the joints' forces must make */
     const stewart_real C_x = STEWART_FMA(-N_u_y, r_u0_z, STEWART_FMA(-N_d_y, r_d0_z, STEWART_FMA(N_u_z,
-        r_u0_y, STEWART_FMA(N_d_z, r_d0_y, STEWART_FMA(C_u, W_x, E_x))) + f_leg_x));
+        r_u0_y, STEWART_FMA(N_d_z, r_d0_y, STEWART_FMA(C_u, W_x, f_leg_x) + E_x))));
     const stewart_real C_y = STEWART_FMA(-N_u_z, r_u_x, STEWART_FMA(-N_d_z, r_d0_x, STEWART_FMA(N_u_x,
-        r_u0_z, STEWART_FMA(N_d_x, r_d0_z, STEWART_FMA(C_u, W_y, E_y))) + f_leg_y));
-    const stewart_real C_z = STEWART_FMA(-N_u_x, r_u0_y, STEWART_FMA(-N_d_x, r_d0_y, STEWART_FMA(N_u_y,
-        r_u_x, STEWART_FMA(N_d_y, r_d0_x, STEWART_FMA(C_u, W_z, E_z))) + f_leg_z));
+        r_u0_z, STEWART_FMA(N_d_x, r_d0_z, STEWART_FMA(C_u, W_y, f_leg_y) + E_y))));
+    const stewart_real C_z = STEWART_FMA(N_u_y, r_u_x, STEWART_FMA(N_d_y, r_d0_x, STEWART_FMA(-N_u_x,
+        r_u0_y, STEWART_FMA(-N_d_x, r_d0_y, STEWART_FMA(C_u, W_z, f_leg_z) + E_z))));
     /* (24) known part of the actuator force */
     const stewart_real D = STEWART_FMA(C_p, u_x, N_u_x);
     /* (21) transverse force at the spherical joint, leg frame */
     const stewart_real K_leg_y = inv_L*STEWART_FMA(C_x, kappa, C_z);
     const stewart_real K_leg_z = -C_y*inv_L;
     /* (21) transverse force at the spherical joint, base frame */
-    const stewart_real K_x = STEWART_FMA(K_leg_z, z_x, K_leg_y*y_x);
-    const stewart_real K_y = STEWART_FMA(K_leg_z, z_y, K_leg_y*y_y);
-    const stewart_real K_z = STEWART_FMA(K_leg_z, z_z, K_leg_y*y_z);
+    const stewart_real K_x = STEWART_FMA(K_leg_y, y_x, K_leg_z*z_x);
+    const stewart_real K_y = STEWART_FMA(K_leg_y, y_y, K_leg_z*z_y);
+    const stewart_real K_z = STEWART_FMA(K_leg_y, y_z, K_leg_z*z_z);
     /* (18) friction moment at the spherical joint, base frame */
-    const stewart_real f_x = STEWART_FMA(f_leg_z, z_x, STEWART_FMA(f_leg_y, y_x, f_leg_x*s_x));
-    const stewart_real f_y = STEWART_FMA(f_leg_z, z_y, STEWART_FMA(f_leg_y, y_y, f_leg_x*s_y));
-    const stewart_real f_z = STEWART_FMA(f_leg_z, z_z, STEWART_FMA(f_leg_y, y_z, f_leg_x*s_z));
+    const stewart_real f_x = STEWART_FMA(f_leg_x, s_x, STEWART_FMA(f_leg_z, z_x, f_leg_y*y_x));
+    const stewart_real f_y = STEWART_FMA(f_leg_x, s_y, STEWART_FMA(f_leg_z, z_y, f_leg_y*y_y));
+    const stewart_real f_z = STEWART_FMA(f_leg_x, s_z, STEWART_FMA(f_leg_z, z_z, f_leg_y*y_z));
     out->q[0] = q_x;
     out->q[1] = q_y;
     out->q[2] = q_z;
@@ -263,12 +263,12 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
     const stewart_real c2 = STEWART_FMA(-R_G_z, omega_x, R_G_x*omega_z);
     const stewart_real c3 = STEWART_FMA(-R_G_y, omega_z, R_G_z*omega_y);
     /* (31) acceleration of the centre of mass */
-    const stewart_real a_G_x = STEWART_FMA(-c2, omega_z, STEWART_FMA(-R_G_y, alpha_z, STEWART_FMA(c1,
-        omega_y, STEWART_FMA(R_G_z, alpha_y, a_x))));
-    const stewart_real a_G_y = STEWART_FMA(-c1, omega_x, STEWART_FMA(-R_G_z, alpha_x, STEWART_FMA(c3,
-        omega_z, STEWART_FMA(R_G_x, alpha_z, a_y))));
-    const stewart_real a_G_z = STEWART_FMA(-c3, omega_y, STEWART_FMA(-R_G_x, alpha_y, STEWART_FMA(c2,
-        omega_x, STEWART_FMA(R_G_y, alpha_x, a_z))));
+    const stewart_real a_G_x = STEWART_FMA(-c2, omega_z, STEWART_FMA(c1, omega_y, STEWART_FMA(-R_G_y,
+        alpha_z, STEWART_FMA(R_G_z, alpha_y, a_x))));
+    const stewart_real a_G_y = STEWART_FMA(-c1, omega_x, STEWART_FMA(c3, omega_z, STEWART_FMA(-R_G_z,
+        alpha_x, STEWART_FMA(R_G_x, alpha_z, a_y))));
+    const stewart_real a_G_z = STEWART_FMA(-c3, omega_y, STEWART_FMA(c2, omega_x, STEWART_FMA(-R_G_x,
+        alpha_y, STEWART_FMA(R_G_y, alpha_x, a_z))));
     const stewart_real c4 = STEWART_FMA(I_p_xz, R_xz, STEWART_FMA(I_p_xy, R_xy, I_p_xx*R_xx));
     const stewart_real c5 = STEWART_FMA(I_p_yz, R_xz, STEWART_FMA(I_p_yy, R_xy, I_p_xy*R_xx));
     const stewart_real c6 = STEWART_FMA(I_p_zz, R_xz, STEWART_FMA(I_p_yz, R_xy, I_p_xz*R_xx));
@@ -346,9 +346,9 @@ static void leg_reactions(
     const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
     const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
@@ -365,12 +365,12 @@ static void leg_reactions(
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(-alpha_z, q_y,
-        STEWART_FMA(omega_y, w_q_z, STEWART_FMA(alpha_y, q_z, a_x))));
-    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(-alpha_x, q_z,
-        STEWART_FMA(omega_z, w_q_x, STEWART_FMA(alpha_z, q_x, a_y))));
-    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(-alpha_y, q_x,
-        STEWART_FMA(omega_x, w_q_y, STEWART_FMA(alpha_x, q_y, a_z))));
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* (10) normal to the fixed axis and the leg */
     const stewart_real k_cross_s_x = STEWART_FMA(-k_z, s_y, k_y*s_z);
     const stewart_real k_cross_s_y = STEWART_FMA(-k_x, s_z, k_z*s_x);
@@ -424,31 +424,31 @@ static void leg_reactions(
     const stewart_real c5 = W_y*c3;
     /* (9) angular acceleration of the leg but for its spin, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
-    const stewart_real A_y_own = inv_L*(-c5 - e_z);
+    const stewart_real A_y_own = inv_L*(-e_z - c5);
     const stewart_real c6 = W_y*W_z;
     const stewart_real c7 = W_x*W_y;
     const stewart_real c8 = REAL(2)*c7;
     /* (9) angular acceleration of the leg, leg frame */
     const stewart_real A_x = STEWART_FMA(kappa, A_z_own - c8, -c6);
     /* (12) centre of mass of the upper part from the base point */
-    const stewart_real r_u_x = L + r_u0_x;
+    const stewart_real r_u_x = r_u0_x + L;
     const stewart_real c9 = W_x*W_z;
     const stewart_real c10 = REAL(2)*c9;
     const stewart_real c11 = W_x*W_x;
     /* (11), (13) acceleration of the lower centre of mass */
-    const stewart_real a_d_x = STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1, r_d0_x, STEWART_FMA(-A_z_own,
-        r_d0_y, STEWART_FMA(c8, r_d0_y, STEWART_FMA(c10, r_d0_z, A_y_own*r_d0_z)))));
-    const stewart_real a_d_y = STEWART_FMA(-c2, r_d0_y, STEWART_FMA(-c11, r_d0_y, STEWART_FMA(-A_x, r_d0_z,
-        STEWART_FMA(W_y*W_z, r_d0_z, A_z_own*r_d0_x))));
-    const stewart_real a_d_z = STEWART_FMA(-c11, r_d0_z, STEWART_FMA(-c1, r_d0_z, STEWART_FMA(-A_y_own,
-        r_d0_x, STEWART_FMA(W_y*W_z, r_d0_y, A_x*r_d0_y))));
+    const stewart_real a_d_x = STEWART_FMA(-A_z_own, r_d0_y, STEWART_FMA(c8, r_d0_y, STEWART_FMA(c10,
+        r_d0_z, STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1, r_d0_x, A_y_own*r_d0_z)))));
+    const stewart_real a_d_y = STEWART_FMA(-A_x, r_d0_z, STEWART_FMA(A_z_own, r_d0_x, STEWART_FMA(-c2,
+        r_d0_y, STEWART_FMA(-c11, r_d0_y, W_y*W_z*r_d0_z))));
+    const stewart_real a_d_z = STEWART_FMA(A_x, r_d0_y, STEWART_FMA(-A_y_own, r_d0_x, STEWART_FMA(-c11,
+        r_d0_z, STEWART_FMA(-c1, r_d0_z, W_y*W_z*r_d0_y))));
     /* (14) acceleration of the upper centre of mass */
-    const stewart_real a_u_x = STEWART_FMA(-c2, r_u_x, STEWART_FMA(-c1, r_u_x, STEWART_FMA(-A_z_own, r_u0_y,
-        STEWART_FMA(c8, r_u0_y, STEWART_FMA(c10, r_u0_z, STEWART_FMA(A_y_own, r_u0_z, L_ddot))))));
-    const stewart_real a_u_y = STEWART_FMA(-c2, r_u0_y, STEWART_FMA(-c11, r_u0_y, STEWART_FMA(-A_x, r_u0_z,
-        STEWART_FMA(W_y*W_z, r_u0_z, A_z_own*r_u_x) + c4)));
-    const stewart_real a_u_z = STEWART_FMA(-c11, r_u0_z, STEWART_FMA(-c1, r_u0_z, STEWART_FMA(-A_y_own,
-        r_u_x, STEWART_FMA(W_y*W_z, r_u0_y, A_x*r_u0_y)))) - c5;
+    const stewart_real a_u_x = STEWART_FMA(-A_z_own, r_u0_y, STEWART_FMA(c8, r_u0_y, STEWART_FMA(c10,
+        r_u0_z, STEWART_FMA(A_y_own, r_u0_z, STEWART_FMA(-c2, r_u_x, STEWART_FMA(-c1, r_u_x, L_ddot))))));
+    const stewart_real a_u_y = STEWART_FMA(-A_x, r_u0_z, STEWART_FMA(A_z_own, r_u_x, STEWART_FMA(W_y*W_z,
+        r_u0_z, STEWART_FMA(-c2, r_u0_y, STEWART_FMA(-c11, r_u0_y, c4)))));
+    const stewart_real a_u_z = STEWART_FMA(A_x, r_u0_y, STEWART_FMA(-A_y_own, r_u_x, STEWART_FMA(-c11,
+        r_u0_z, STEWART_FMA(-c1, r_u0_z, W_y*W_z*r_u0_y)) - c5));
     /* (25) m_d (a_d - g) */
     const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
     const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
@@ -470,31 +470,31 @@ static void leg_reactions(
     const stewart_real I_zz = I_d0_zz + I_u0_zz;
     const stewart_real c15 = I_yy - I_zz;
     /* (19) I A + W x I W */
-    const stewart_real E_x = STEWART_FMA(-c15, c6, STEWART_FMA(-I_yz, c2, STEWART_FMA(I_yz, c1,
-        STEWART_FMA(A_z_own, I_xz, STEWART_FMA(A_y_own, I_xy, A_x*I_xx)))));
-    const stewart_real E_y = STEWART_FMA(-I_yz, c8, STEWART_FMA(-I_xz, c11, STEWART_FMA(c9, I_xx + c15,
-        STEWART_FMA(I_xz, c2, STEWART_FMA(I_xy, c6, STEWART_FMA(A_z_own, I_yz, STEWART_FMA(A_y_own, I_yy,
-        A_x*I_xy)))))));
-    const stewart_real E_z = STEWART_FMA(-I_xz, c6, STEWART_FMA(-I_xy, c1, STEWART_FMA(c7, I_yy - I_xx - I_zz,
-        STEWART_FMA(I_yz, c10, STEWART_FMA(I_xy, c11, STEWART_FMA(A_z_own, I_zz, STEWART_FMA(A_y_own, I_yz,
-        A_x*I_xz)))))));
+    const stewart_real E_x = STEWART_FMA(A_x, I_xx, STEWART_FMA(A_z_own, I_xz, STEWART_FMA(-c15, c6,
+        STEWART_FMA(A_y_own, I_xy, STEWART_FMA(-I_yz, c2, I_yz*c1)))));
+    const stewart_real E_y = STEWART_FMA(A_x, I_xy, STEWART_FMA(-I_yz, c8, STEWART_FMA(A_z_own, I_yz,
+        STEWART_FMA(c9, I_xx + c15, STEWART_FMA(A_y_own, I_yy, STEWART_FMA(I_xy, c6, STEWART_FMA(-I_xz, c11,
+        I_xz*c2)))))));
+    const stewart_real E_z = STEWART_FMA(A_x, I_xz, STEWART_FMA(A_z_own, I_zz, STEWART_FMA(I_yz, c10,
+        STEWART_FMA(-I_xz, c6, STEWART_FMA(c7, I_yy - I_xx - I_zz, STEWART_FMA(A_y_own, I_yz,
+        STEWART_FMA(-I_xy, c1, I_xy*c11)))))));
     const stewart_real c16 = I_d0_yy - I_d0_zz;
     /* (17) I_d A + W x I_d W */
-    const stewart_real E_d_x = STEWART_FMA(-c16, c6, STEWART_FMA(-I_d0_yz, c2, STEWART_FMA(I_d0_yz, c1,
-        STEWART_FMA(A_z_own, I_d0_xz, STEWART_FMA(A_y_own, I_d0_xy, A_x*I_d0_xx)))));
-    const stewart_real E_d_y = STEWART_FMA(-I_d0_yz, c8, STEWART_FMA(-I_d0_xz, c11, STEWART_FMA(c9, I_d0_xx
-        + c16, STEWART_FMA(I_d0_xz, c2, STEWART_FMA(I_d0_xy, c6, STEWART_FMA(A_z_own, I_d0_yz,
-        STEWART_FMA(A_y_own, I_d0_yy, A_x*I_d0_xy)))))));
-    const stewart_real E_d_z = STEWART_FMA(-I_d0_xz, c6, STEWART_FMA(-I_d0_xy, c1, STEWART_FMA(c7, I_d0_yy - I_d0_xx
-        - I_d0_zz, STEWART_FMA(I_d0_yz, c10, STEWART_FMA(I_d0_xy, c11, STEWART_FMA(A_z_own, I_d0_zz,
-        STEWART_FMA(A_y_own, I_d0_yz, A_x*I_d0_xz)))))));
+    const stewart_real E_d_x = STEWART_FMA(A_x, I_d0_xx, STEWART_FMA(A_z_own, I_d0_xz, STEWART_FMA(-c16, c6,
+        STEWART_FMA(A_y_own, I_d0_xy, STEWART_FMA(-I_d0_yz, c2, I_d0_yz*c1)))));
+    const stewart_real E_d_y = STEWART_FMA(A_x, I_d0_xy, STEWART_FMA(-I_d0_yz, c8, STEWART_FMA(A_z_own,
+        I_d0_yz, STEWART_FMA(c9, I_d0_xx + c16, STEWART_FMA(A_y_own, I_d0_yy, STEWART_FMA(I_d0_xy, c6,
+        STEWART_FMA(-I_d0_xz, c11, I_d0_xz*c2)))))));
+    const stewart_real E_d_z = STEWART_FMA(A_x, I_d0_xz, STEWART_FMA(A_z_own, I_d0_zz, STEWART_FMA(I_d0_yz,
+        c10, STEWART_FMA(-I_d0_xz, c6, STEWART_FMA(c7, I_d0_yy - I_d0_xx - I_d0_zz, STEWART_FMA(A_y_own,
+        I_d0_yz, STEWART_FMA(-I_d0_xy, c1, I_d0_xy*c11)))))));
     const stewart_real c17 = STEWART_FMA(-N_d_y, r_d0_z, STEWART_FMA(N_d_z, r_d0_y, C_u*W_x));
     const stewart_real c18 = STEWART_FMA(-N_d_z, r_d0_x, STEWART_FMA(N_d_x, r_d0_z, C_u*W_y));
-    const stewart_real c19 = STEWART_FMA(-N_d_x, r_d0_y, STEWART_FMA(N_d_y, r_d0_x, C_u*W_z));
+    const stewart_real c19 = STEWART_FMA(N_d_y, r_d0_x, STEWART_FMA(-N_d_x, r_d0_y, C_u*W_z));
     /* (20) moment that the joints' forces must make */
-    const stewart_real C_x = STEWART_FMA(-N_u_y, r_u0_z, STEWART_FMA(N_u_z, r_u0_y, E_x) + c17 + f_leg_x);
-    const stewart_real C_y = STEWART_FMA(-N_u_z, r_u_x, STEWART_FMA(N_u_x, r_u0_z, E_y) + c18 + f_leg_y);
-    const stewart_real C_z = STEWART_FMA(-N_u_x, r_u0_y, STEWART_FMA(N_u_y, r_u_x, E_z) + c19 + f_leg_z);
+    const stewart_real C_x = STEWART_FMA(-N_u_y, r_u0_z, STEWART_FMA(N_u_z, r_u0_y, f_leg_x + E_x)) + c17;
+    const stewart_real C_y = STEWART_FMA(-N_u_z, r_u_x, STEWART_FMA(N_u_x, r_u0_z, f_leg_y + E_y)) + c18;
+    const stewart_real C_z = STEWART_FMA(N_u_y, r_u_x, STEWART_FMA(-N_u_x, r_u0_y, f_leg_z + E_z)) + c19;
     const stewart_real c20 = C_x*kappa;
     const stewart_real c21 = C_z + c20;
     const stewart_real c22 = C_y*inv_L;
@@ -517,7 +517,7 @@ static void leg_reactions(
     const stewart_real F_c_leg_z = c25;
     /* M_p, leg frame */
     const stewart_real M_p_leg_x = C_x - E_d_x - c17;
-    const stewart_real M_p_leg_y = STEWART_FMA(N_u_z, bearing, C_y*bearing*inv_L) - E_d_y - c18;
+    const stewart_real M_p_leg_y = STEWART_FMA(C_y*bearing, inv_L, STEWART_FMA(N_u_z, bearing, -E_d_y) - c18);
     const stewart_real M_p_leg_z = STEWART_FMA(-N_u_y, bearing, STEWART_FMA(inv_L, STEWART_FMA(bearing, c20,
         C_z*bearing), -E_d_z)) - c19 - c20;
     out->F_s[0] = STEWART_FMA(s_x, x, STEWART_FMA(K_leg_z, z_x, K_leg_y*y_x));

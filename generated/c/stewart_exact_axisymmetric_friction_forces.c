@@ -33,12 +33,11 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
+    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
-    stewart_real H_force[3][LANES];
     stewart_real c_force[3][LANES];
     stewart_real c_moment[3][LANES];
-    stewart_real H_moment[3][LANES];
     stewart_real arm_c[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
@@ -179,9 +178,9 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
     /* first moment about the reference point */
-    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
-    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
-    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
     const stewart_real c1 = REAL(1)/M_P;
     const stewart_real r_C_x = c1*h_P_x;
     const stewart_real r_C_y = c1*h_P_y;
@@ -190,17 +189,17 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real r_y = c1*h_add_y;
     const stewart_real r_z = c1*h_add_z;
     const stewart_real c2 = STEWART_HALF*M*c1;
-    const stewart_real u_x = c2*(e_x + h_add_x);
-    const stewart_real u_y = c2*(e_y + h_add_y);
-    const stewart_real u_z = c2*(e_z + h_add_z);
-    const stewart_real c3 = REAL(2)*arm_z*u_z + h_add_z*r_z;
-    const stewart_real c4 = REAL(2)*arm_y*u_y + h_add_y*r_y;
+    const stewart_real u_x = c2*(h_add_x + e_x);
+    const stewart_real u_y = c2*(h_add_y + e_y);
+    const stewart_real u_z = c2*(h_add_z + e_z);
+    const stewart_real c3 = h_add_z*r_z + REAL(2)*arm_z*u_z;
+    const stewart_real c4 = h_add_y*r_y + REAL(2)*arm_y*u_y;
     const stewart_real J_C_xx = I_p_xx + J_add_xx - c3 - c4;
-    const stewart_real J_C_xy = I_p_xy + J_add_xy + arm_x*u_y + arm_y*u_x + h_add_x*r_y;
-    const stewart_real J_C_xz = I_p_xz + J_add_xz + arm_x*u_z + arm_z*u_x + h_add_x*r_z;
-    const stewart_real c5 = REAL(2)*arm_x*u_x + h_add_x*r_x;
+    const stewart_real J_C_xy = I_p_xy + J_add_xy + h_add_x*r_y + arm_x*u_y + arm_y*u_x;
+    const stewart_real J_C_xz = I_p_xz + J_add_xz + h_add_x*r_z + arm_x*u_z + arm_z*u_x;
+    const stewart_real c5 = h_add_x*r_x + REAL(2)*arm_x*u_x;
     const stewart_real J_C_yy = I_p_yy + J_add_yy - c3 - c5;
-    const stewart_real J_C_yz = I_p_yz + J_add_yz + arm_y*u_z + arm_z*u_y + h_add_y*r_z;
+    const stewart_real J_C_yz = I_p_yz + J_add_yz + h_add_y*r_z + arm_y*u_z + arm_z*u_y;
     const stewart_real J_C_zz = I_p_zz + J_add_zz - c4 - c5;
     out->M_P = M_P;
     out->r_C[0] = r_C_x;
@@ -364,12 +363,12 @@ static void shared_of_pose(
     const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
     const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
     /* (33) M_P (g - a_C) */
-    const stewart_real N_x = M_P*(STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
-        R_C_x, g_x))) - a_x);
-    const stewart_real N_y = M_P*(STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
-        R_C_x, g_y))) - a_y);
-    const stewart_real N_z = M_P*(STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
-        R_C_x, g_z))) - a_z);
+    const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+        R_C_x, g_x - a_x)));
+    const stewart_real N_y = M_P*STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+        R_C_x, g_y - a_y)));
+    const stewart_real N_z = M_P*STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+        R_C_x, g_z - a_z)));
     /* angular velocity, platform frame */
     const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
     const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
@@ -385,14 +384,14 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
-        STEWART_FMA(-J_C_xz, P_xy + alpha_P_z, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+    const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+        STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
         M_ext_x)))));
-    const stewart_real M_P_load_y = STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y,
-        STEWART_FMA(-J_C_xz, P_zz - P_xx, STEWART_FMA(-J_C_xy, P_yz + alpha_P_x, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+    const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+        STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
         M_ext_y)))));
-    const stewart_real M_P_load_z = STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z,
-        STEWART_FMA(-J_C_yz, P_xz + alpha_P_y, STEWART_FMA(-J_C_xy, P_xx - P_yy, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+    const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+        STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
         M_ext_z)))));
     out->B[0] = B_xx;
     out->B[1] = B_xy;
@@ -403,9 +402,12 @@ static void shared_of_pose(
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx)) + N_x;
-    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)) + N_y;
-    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)) + N_z;
+    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx,
+        N_x)));
+    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx,
+        N_y)));
+    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx,
+        N_z)));
     out->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
         STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
     out->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
@@ -453,9 +455,9 @@ static void legs_of_pose(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -486,9 +488,12 @@ static void legs_of_pose(
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
         const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, B_xx*q_x)) + a_x;
-        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, B_yx*q_x)) + a_y;
-        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, B_zx*q_x)) + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
@@ -532,29 +537,28 @@ static void legs_of_pose(
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(-C_s,
-            STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(gamma_n, w_k,
-            STEWART_FMA(g_k, w_n, STEWART_FMA(bend, c1, STEWART_FMA(M_theta, theta_ddot,
-            C_us*theta_dot))))));
-        const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
-            STEWART_FMA(k_y, omega_y, k_x*omega_x)), STEWART_FMA(two_phi_dot, STEWART_FMA(M_phi_theta,
-            theta_dot, L_dot*M_phi_L), STEWART_FMA(M_phi, phi_ddot, C_us*phi_dot))));
+        const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(bend, c1, STEWART_FMA(-C_s,
+            STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(gamma_n, w_k, g_k*w_n))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, phi_ddot, STEWART_FMA(two_phi_dot,
+            STEWART_FMA(M_phi_theta, theta_dot, L_dot*M_phi_L), STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-C_s,
+            STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), C_us*phi_dot))));
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_k*k_x);
-        const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_k*k_y);
-        const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_k*k_z);
+        const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = STEWART_FMA(-h_s, theta_dot2, STEWART_FMA(-Q_k, k1, STEWART_FMA(-M_phi_L,
-            phi_dot2, C_p*L_dot)));
+        const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_s,
+            theta_dot2, C_p*L_dot)));
         const stewart_real c2 = C_s*phi_dot;
         const stewart_real c3 = C_s*theta_dot;
         out->D[l] = D;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
@@ -624,9 +628,9 @@ static void legs_near_singular(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -665,9 +669,12 @@ static void legs_near_singular(
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
         const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, B_xx*q_x)) + a_x;
-        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, B_yx*q_x)) + a_y;
-        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, B_zx*q_x)) + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
@@ -682,8 +689,8 @@ static void legs_near_singular(
         const stewart_real two_phi_dot = REAL(2)*phi_dot;
         const stewart_real k33 = k3*k3;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z, z_z,
-            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), -REAL(2)*L_share*theta_dot);
+        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real k13 = k1*k3;
@@ -703,27 +710,29 @@ static void legs_near_singular(
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
-            omega_x*y_x)), STEWART_FMA(k13*phi_dot2, J_t - J_ts, STEWART_FMA(gamma_n, w_k, STEWART_FMA(g_k,
-            w_n, STEWART_FMA(bend, c1, STEWART_FMA(M_theta, own_theta_ddot, C_us*theta_dot))))));
-        const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
-            STEWART_FMA(k_y, omega_y, k_x*omega_x)), STEWART_FMA(two_phi_dot, STEWART_FMA((-J_s)*kappa,
-            theta_dot, L_dot*M_phi_L), STEWART_FMA(M_phi, own_phi_ddot, C_us*phi_dot))));
+        const stewart_real tau_y = STEWART_FMA(M_theta, own_theta_ddot, STEWART_FMA(-C_s,
+            STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(gamma_n, w_k,
+            STEWART_FMA(bend, c1, STEWART_FMA(C_us, theta_dot, STEWART_FMA(k13*phi_dot2, J_t - J_ts,
+            g_k*w_n))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(two_phi_dot,
+            STEWART_FMA((-J_s)*kappa, theta_dot, L_dot*M_phi_L), STEWART_FMA(-gamma_y, w_n,
+            STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
+            C_us*phi_dot))));
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
-        const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
-        const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
+        const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
+        const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
+        const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = STEWART_FMA(-h_s, theta_dot2, STEWART_FMA(-M_phi_L, phi_dot2, C_p*L_dot));
+        const stewart_real D = STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_s, theta_dot2, C_p*L_dot));
         const stewart_real c2 = C_s*phi_dot;
         const stewart_real c3 = C_s*theta_dot;
         out->D[l] = D;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
@@ -772,15 +781,15 @@ static void moments_of_pose(leg_lanes *legs)
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
         const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        legs->H_moment[0][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
-        legs->H_moment[1][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
-        legs->H_moment[2][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
         legs->arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
         legs->arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
         legs->arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
@@ -788,7 +797,7 @@ static void moments_of_pose(leg_lanes *legs)
 }
 
 /* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs)
+STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
 {
     int i, j;
     stewart_real H[6][6];
@@ -800,8 +809,8 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->H_force[j][i];
-            H[j + 3][i] = legs->H_moment[j][i];
+            H[j][i] = legs->A[j][i];
+            H[j + 3][i] = legs->A[j + 3][i]/per_length;
         }
     }
     return singular_status(H, arm, legs->L, legs->reach, tip);
@@ -813,7 +822,7 @@ int stewart_exact_axisymmetric_friction_forces(
     int i, j;
     shared_terms shared;
     leg_lanes legs;
-    stewart_real A[6][LANES];
+    stewart_real wrench[6];
     stewart_real x[6];
     stewart_real found[6];
     int close = 0;
@@ -841,26 +850,20 @@ int stewart_exact_axisymmetric_friction_forces(
     for (j = 0; j < 3; ++j) {
         stewart_real force = shared.c_force[j];
         stewart_real turn = shared.c_tip[j];
-        for (i = 0; i < 6; ++i) {
+        STEWART_LOOP for (i = 0; i < 6; ++i) {
             force = force + legs.c_force[j][i];
             turn = turn + legs.c_moment[j][i];
             turn = turn + legs.arm_c[j][i];
         }
-        for (i = 0; i < LANES; ++i) {
-            A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
-        }
-        A[j][6] = force;
-        A[j + 3][6] = turn;
-        A[j][7] = REAL(0);
-        A[j + 3][7] = REAL(0);
+        wrench[j] = force;
+        wrench[j + 3] = turn;
     }
     if (model->per_length != REAL(1)) {
-        scale_pose(A, model->per_length);
+        scale_pose(legs.A, wrench, model->per_length);
     }
-    const int suspect = solve_pose(A, model->arm_cube, x);
+    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs);
+        const int status = pose_status(&legs, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -936,12 +939,12 @@ static void shared_of_block(
         const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
         const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
         /* (33) M_P (g - a_C) */
-        const stewart_real N_x = M_P*(STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
-            R_C_x, g_x))) - a_x);
-        const stewart_real N_y = M_P*(STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
-            R_C_x, g_y))) - a_y);
-        const stewart_real N_z = M_P*(STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
-            R_C_x, g_z))) - a_z);
+        const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+            R_C_x, g_x - a_x)));
+        const stewart_real N_y = M_P*STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+            R_C_x, g_y - a_y)));
+        const stewart_real N_z = M_P*STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+            R_C_x, g_z - a_z)));
         /* angular velocity, platform frame */
         const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
         const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
@@ -957,15 +960,15 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
-            STEWART_FMA(-J_C_xz, P_xy + alpha_P_z, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(J_C_xy, P_xz
-            - alpha_P_y, M_ext_x)))));
-        const stewart_real M_P_load_y = STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y,
-            STEWART_FMA(-J_C_xz, P_zz - P_xx, STEWART_FMA(-J_C_xy, P_yz + alpha_P_x, STEWART_FMA(J_C_yz,
-            P_xy - alpha_P_z, M_ext_y)))));
-        const stewart_real M_P_load_z = STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z,
-            STEWART_FMA(-J_C_yz, P_xz + alpha_P_y, STEWART_FMA(-J_C_xy, P_xx - P_yy, STEWART_FMA(J_C_xz,
-            P_yz - alpha_P_x, M_ext_z)))));
+        const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+            M_ext_x)))));
+        const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+            M_ext_y)))));
+        const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+            M_ext_z)))));
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
         out->B[2][l] = B_xz;
@@ -975,9 +978,9 @@ static void shared_of_block(
         out->B[6][l] = B_zx;
         out->B[7][l] = B_zy;
         out->B[8][l] = B_zz;
-        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx)) + N_x;
-        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)) + N_y;
-        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)) + N_z;
+        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
+        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
+        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
         c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
             STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
         c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
@@ -1029,9 +1032,9 @@ static void leg_of_block(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -1062,9 +1065,12 @@ static void leg_of_block(
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
         const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, B_xx*q_x)) + a_x;
-        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, B_yx*q_x)) + a_y;
-        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, B_zx*q_x)) + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
@@ -1108,23 +1114,22 @@ static void leg_of_block(
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(-C_s,
-            STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(gamma_n, w_k,
-            STEWART_FMA(g_k, w_n, STEWART_FMA(bend, c1, STEWART_FMA(M_theta, theta_ddot,
-            C_us*theta_dot))))));
-        const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z,
-            STEWART_FMA(k_y, omega_y, k_x*omega_x)), STEWART_FMA(two_phi_dot, STEWART_FMA(M_phi_theta,
-            theta_dot, L_dot*M_phi_L), STEWART_FMA(M_phi, phi_ddot, C_us*phi_dot))));
+        const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(bend, c1, STEWART_FMA(-C_s,
+            STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(gamma_n, w_k, g_k*w_n))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, phi_ddot, STEWART_FMA(two_phi_dot,
+            STEWART_FMA(M_phi_theta, theta_dot, L_dot*M_phi_L), STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-C_s,
+            STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), C_us*phi_dot))));
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_k*k_x);
-        const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_k*k_y);
-        const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_k*k_z);
+        const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = STEWART_FMA(-h_s, theta_dot2, STEWART_FMA(-Q_k, k1, STEWART_FMA(-M_phi_L,
-            phi_dot2, C_p*L_dot)));
+        const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_s,
+            theta_dot2, C_p*L_dot)));
         const stewart_real c2 = C_s*phi_dot;
         const stewart_real c3 = C_s*theta_dot;
         column[0][l] = s_x;

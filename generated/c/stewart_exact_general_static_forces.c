@@ -28,11 +28,10 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
+    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
-    stewart_real H_force[3][LANES];
     stewart_real c_force[3][LANES];
-    stewart_real H_moment[3][LANES];
     stewart_real arm_c[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
@@ -134,9 +133,9 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
     const stewart_real M_P = M + M_add;
     /* first moment about the reference point */
-    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
-    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
-    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
     const stewart_real c1 = REAL(1)/M_P;
     const stewart_real r_C_x = c1*h_P_x;
     const stewart_real r_C_y = c1*h_P_y;
@@ -260,9 +259,12 @@ static void shared_of_pose(
     const stewart_real N_x = W_P_x;
     const stewart_real N_y = W_P_y;
     const stewart_real N_z = W_P_z;
-    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx)) + N_x;
-    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)) + N_y;
-    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)) + N_z;
+    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx,
+        N_x)));
+    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx,
+        N_y)));
+    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx,
+        N_z)));
     out->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_ext_z, R_xz,
         STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx))));
     out->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_ext_z, R_yz,
@@ -299,9 +301,9 @@ static void legs_of_pose(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -329,7 +331,7 @@ static void legs_of_pose(
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(gamma_n, w_k, g_k*w_n);
@@ -344,9 +346,9 @@ static void legs_of_pose(
         /* (24) known part of the actuator force, to match */
         const stewart_real D = -Q_k*k1;
         out->D[l] = D;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
@@ -402,9 +404,9 @@ static void legs_near_singular(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -440,7 +442,7 @@ static void legs_near_singular(
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(gamma_n, w_k, g_k*w_n);
@@ -449,13 +451,13 @@ static void legs_near_singular(
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
-        const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
-        const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
+        const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
+        const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
+        const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
         out->D[l] = REAL(0);
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
@@ -501,15 +503,15 @@ static void moments_of_pose(leg_lanes *legs)
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
         const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        legs->H_moment[0][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
-        legs->H_moment[1][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
-        legs->H_moment[2][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
         legs->arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
         legs->arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
         legs->arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
@@ -517,7 +519,7 @@ static void moments_of_pose(leg_lanes *legs)
 }
 
 /* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs)
+STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
 {
     int i, j;
     stewart_real H[6][6];
@@ -529,8 +531,8 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->H_force[j][i];
-            H[j + 3][i] = legs->H_moment[j][i];
+            H[j][i] = legs->A[j][i];
+            H[j + 3][i] = legs->A[j + 3][i]/per_length;
         }
     }
     return singular_status(H, arm, legs->L, legs->reach, tip);
@@ -542,7 +544,7 @@ int stewart_exact_general_static_forces(
     int i, j;
     shared_terms shared;
     leg_lanes legs;
-    stewart_real A[6][LANES];
+    stewart_real wrench[6];
     stewart_real x[6];
     stewart_real found[6];
     int close = 0;
@@ -570,25 +572,19 @@ int stewart_exact_general_static_forces(
     for (j = 0; j < 3; ++j) {
         stewart_real force = shared.c_force[j];
         stewart_real turn = shared.c_tip[j];
-        for (i = 0; i < 6; ++i) {
+        STEWART_LOOP for (i = 0; i < 6; ++i) {
             force = force + legs.c_force[j][i];
             turn = turn + legs.arm_c[j][i];
         }
-        for (i = 0; i < LANES; ++i) {
-            A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
-        }
-        A[j][6] = force;
-        A[j + 3][6] = turn;
-        A[j][7] = REAL(0);
-        A[j + 3][7] = REAL(0);
+        wrench[j] = force;
+        wrench[j + 3] = turn;
     }
     if (model->per_length != REAL(1)) {
-        scale_pose(A, model->per_length);
+        scale_pose(legs.A, wrench, model->per_length);
     }
-    const int suspect = solve_pose(A, model->arm_cube, x);
+    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs);
+        const int status = pose_status(&legs, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -642,9 +638,9 @@ static void shared_of_block(
         const stewart_real N_x = W_P_x;
         const stewart_real N_y = W_P_y;
         const stewart_real N_z = W_P_z;
-        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx)) + N_x;
-        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)) + N_y;
-        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)) + N_z;
+        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
+        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
+        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
         c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_ext_z, R_xz,
             STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx))));
         c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_ext_z, R_yz,
@@ -684,9 +680,9 @@ static void leg_of_block(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -714,7 +710,7 @@ static void leg_of_block(
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(gamma_n, w_k, g_k*w_n);

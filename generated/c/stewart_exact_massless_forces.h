@@ -17,6 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   0 (0 mul, 0 add, 0 div, 0 sqrt)
  * total    682 (368 mul, 300 add, 8 div, 6 sqrt)
+ * With products and the sums that they feed in one instruction 453.
  */
 #ifndef STEWART_EXACT_MASSLESS_FORCES_H
 #define STEWART_EXACT_MASSLESS_FORCES_H

@@ -29,9 +29,8 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
+    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
     stewart_real q[3][LANES];
-    stewart_real H_force[3][LANES];
-    stewart_real H_moment[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
     stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
@@ -87,9 +86,9 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
     const stewart_real M_P = M + M_add;
     /* first moment about the reference point */
-    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
-    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
-    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
     const stewart_real c1 = REAL(1)/M_P;
     const stewart_real r_C_x = c1*h_P_x;
     const stewart_real r_C_y = c1*h_P_y;
@@ -197,9 +196,12 @@ static void shared_of_pose(
     const stewart_real N_x = W_P_x;
     const stewart_real N_y = W_P_y;
     const stewart_real N_z = W_P_z;
-    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx)) + N_x;
-    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)) + N_y;
-    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)) + N_z;
+    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx,
+        N_x)));
+    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx,
+        N_y)));
+    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx,
+        N_z)));
     out->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_ext_z, R_xz,
         STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx))));
     out->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_ext_z, R_yz,
@@ -231,9 +233,9 @@ static void legs_of_pose(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
@@ -241,9 +243,9 @@ static void legs_of_pose(
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
@@ -284,19 +286,19 @@ static void moments_of_pose(leg_lanes *legs)
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        legs->H_moment[0][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
-        legs->H_moment[1][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
-        legs->H_moment[2][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
     }
 }
 
 /* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs)
+STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
 {
     int i, j;
     stewart_real H[6][6];
@@ -308,8 +310,8 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->H_force[j][i];
-            H[j + 3][i] = legs->H_moment[j][i];
+            H[j][i] = legs->A[j][i];
+            H[j + 3][i] = legs->A[j + 3][i]/per_length;
         }
     }
     return singular_status(H, arm, legs->L, legs->reach, tip);
@@ -321,7 +323,7 @@ int stewart_exact_massless_static_forces(
     int i, j;
     shared_terms shared;
     leg_lanes legs;
-    stewart_real A[6][LANES];
+    stewart_real wrench[6];
     stewart_real x[6];
     stewart_real found[6];
     int close = 0;
@@ -344,21 +346,15 @@ int stewart_exact_massless_static_forces(
     for (j = 0; j < 3; ++j) {
         const stewart_real force = shared.c_force[j];
         const stewart_real turn = shared.c_tip[j];
-        for (i = 0; i < LANES; ++i) {
-            A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
-        }
-        A[j][6] = force;
-        A[j + 3][6] = turn;
-        A[j][7] = REAL(0);
-        A[j + 3][7] = REAL(0);
+        wrench[j] = force;
+        wrench[j + 3] = turn;
     }
     if (model->per_length != REAL(1)) {
-        scale_pose(A, model->per_length);
+        scale_pose(legs.A, wrench, model->per_length);
     }
-    const int suspect = solve_pose(A, model->arm_cube, x);
+    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs);
+        const int status = pose_status(&legs, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -410,9 +406,9 @@ static void shared_of_block(
         const stewart_real N_x = W_P_x;
         const stewart_real N_y = W_P_y;
         const stewart_real N_z = W_P_z;
-        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx)) + N_x;
-        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)) + N_y;
-        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)) + N_z;
+        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
+        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
+        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
         c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_ext_z, R_xz,
             STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx))));
         c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_ext_z, R_yz,
@@ -447,9 +443,9 @@ static void leg_of_block(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (2) leg length */
         const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;

@@ -17,6 +17,7 @@
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   0 (0 mul, 0 add, 0 div, 0 sqrt)
  * total    580 (317 mul, 249 add, 8 div, 6 sqrt)
+ * With products and the sums that they feed in one instruction 384.
  */
 #ifndef STEWART_EXACT_MASSLESS_STATIC_FORCES_H
 #define STEWART_EXACT_MASSLESS_STATIC_FORCES_H

@@ -21,13 +21,6 @@
 #define STEWART_ALIGNED
 #endif
 
-/* GCC writes short loops out before it looks for vectors, and then finds few. */
-#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
-#define STEWART_LOOP _Pragma("GCC unroll 1")
-#else
-#define STEWART_LOOP
-#endif
-
 /* Adds the six legs to the platform's part. Apart, because GCC 12 makes wrong vectors of the sums
  * where it can see the solve as well. */
 STEWART_APART static void add_legs(
@@ -286,12 +279,12 @@ static void equations_of_pose(
     summed[47] = REAL(0);
     summed[48] = c8 - c7;
     summed[49] = STEWART_FMA(-J_base_yy, omega_z, STEWART_FMA(J_base_yz, omega_y, c9));
-    summed[50] = STEWART_FMA(-J_base_yz, omega_z, J_base_zz*omega_y) - c10;
-    summed[51] = STEWART_FMA(-J_base_xz, omega_x, J_base_xx*omega_z) - c9;
+    summed[50] = STEWART_FMA(-J_base_yz, omega_z, STEWART_FMA(J_base_zz, omega_y, -c10));
+    summed[51] = STEWART_FMA(-J_base_xz, omega_x, STEWART_FMA(J_base_xx, omega_z, -c9));
     summed[52] = c11 + c7;
     summed[53] = STEWART_FMA(-J_base_zz, omega_x, STEWART_FMA(J_base_xz, omega_z, c12));
     summed[54] = STEWART_FMA(-J_base_xx, omega_y, STEWART_FMA(J_base_xy, omega_x, c10));
-    summed[55] = STEWART_FMA(-J_base_xy, omega_y, J_base_yy*omega_x) - c12;
+    summed[55] = STEWART_FMA(-J_base_xy, omega_y, STEWART_FMA(J_base_yy, omega_x, -c12));
     summed[56] = -c11 - c8;
     summed[57] = -M_P*g_x;
     summed[58] = -M_P*g_y;
@@ -346,9 +339,9 @@ STEWART_APART static void equations_of_leg(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -401,7 +394,7 @@ STEWART_APART static void equations_of_leg(
         const stewart_real k33 = c1;
         const stewart_real k13 = k1*k3;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
         const stewart_real c2 = STEWART_FMA(-L, h_y, J_xy);
         const stewart_real a3 = c2;
@@ -418,15 +411,15 @@ STEWART_APART static void equations_of_leg(
         const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
         const stewart_real m_leg_yz = -M_mixed*c3;
         const stewart_real m_leg_zz = M_theta*c4;
-        const stewart_real m_T_xs = STEWART_FMA(m_leg_sz, z_x, m_leg_sy*y_x);
-        const stewart_real m_T_xy = STEWART_FMA(m_leg_yz, z_x, STEWART_FMA(m_leg_yy, y_x, m_leg_sy*s_x));
-        const stewart_real m_T_xz = STEWART_FMA(m_leg_zz, z_x, STEWART_FMA(m_leg_yz, y_x, m_leg_sz*s_x));
-        const stewart_real m_T_ys = STEWART_FMA(m_leg_sz, z_y, m_leg_sy*y_y);
-        const stewart_real m_T_yy = STEWART_FMA(m_leg_yz, z_y, STEWART_FMA(m_leg_yy, y_y, m_leg_sy*s_y));
-        const stewart_real m_T_yz = STEWART_FMA(m_leg_zz, z_y, STEWART_FMA(m_leg_yz, y_y, m_leg_sz*s_y));
-        const stewart_real m_T_zs = STEWART_FMA(m_leg_sz, z_z, m_leg_sy*y_z);
-        const stewart_real m_T_zy = STEWART_FMA(m_leg_yz, z_z, STEWART_FMA(m_leg_yy, y_z, m_leg_sy*s_z));
-        const stewart_real m_T_zz = STEWART_FMA(m_leg_zz, z_z, STEWART_FMA(m_leg_yz, y_z, m_leg_sz*s_z));
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yy, y_x, STEWART_FMA(m_leg_yz, z_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yy, y_y, STEWART_FMA(m_leg_yz, z_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yy, y_z, STEWART_FMA(m_leg_yz, z_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
         const stewart_real m_xx = STEWART_FMA(m_T_xz, z_x, STEWART_FMA(m_T_xy, y_x, m_T_xs*s_x));
         const stewart_real m_xy = STEWART_FMA(m_T_xz, z_y, STEWART_FMA(m_T_xy, y_y, m_T_xs*s_y));
@@ -442,13 +435,13 @@ STEWART_APART static void equations_of_leg(
         const stewart_real C_xi_22 = L_dot*h_x;
         const stewart_real c7 = REAL(2)*L;
         const stewart_real c8 = STEWART_FMA(-c7, h_z, REAL(2)*J_xz);
-        const stewart_real c9 = STEWART_FMA((-STEWART_HALF)*c1, c8, STEWART_HALF*k1*STEWART_FMA(REAL(2)*k3,
-            STEWART_FMA(c7, h_x, J_zz) - J_xx, c8*k1));
+        const stewart_real c9 = STEWART_FMA((-STEWART_HALF)*c1, c8, STEWART_HALF*k1*STEWART_FMA(c8, k1,
+            REAL(2)*k3*STEWART_FMA(c7, h_x, J_zz - J_xx)));
         const stewart_real C_xi_23 = -c9*phi_dot;
         const stewart_real c10 = h_y*k1;
         const stewart_real C_xi_31 = STEWART_FMA(-c10, theta_dot, c6*phi_dot);
-        const stewart_real C_xi_32 = STEWART_FMA(-L_dot, c10, STEWART_FMA(theta_dot, STEWART_FMA(-c2, k3,
-            J_yz*k1), c9*phi_dot));
+        const stewart_real C_xi_32 = STEWART_FMA(c9, phi_dot, STEWART_FMA(-L_dot, c10,
+            theta_dot*STEWART_FMA(-c2, k3, J_yz*k1)));
         const stewart_real C_xi_33 = STEWART_FMA(c9, theta_dot, L_dot*c6);
         const stewart_real c11 = k3*phi_dot;
         const stewart_real G_dot_12 = c11;
@@ -468,14 +461,14 @@ STEWART_APART static void equations_of_leg(
             C_xi_31));
         const stewart_real C_leg_22 = inv_rho*STEWART_FMA(-G_dot_12, k3_h, STEWART_FMA(G_dot_32, M_phi,
             STEWART_FMA(G_dot_22, M_mixed, C_xi_33*inv_rho)));
-        const stewart_real C_leg_23 = inv_rho*STEWART_FMA(-C_xi_32, inv_L, STEWART_FMA(k3_h, theta_dot,
-            STEWART_FMA(G_dot_33, M_phi, G_dot_23*M_mixed)));
+        const stewart_real C_leg_23 = inv_rho*STEWART_FMA(-C_xi_32, inv_L, STEWART_FMA(G_dot_33, M_phi,
+            STEWART_FMA(k3_h, theta_dot, G_dot_23*M_mixed)));
         const stewart_real C_leg_31 = -inv_L*STEWART_FMA(G_dot_31, M_mixed, STEWART_FMA(G_dot_21, M_theta,
             C_xi_21));
         const stewart_real C_leg_32 = -inv_L*STEWART_FMA(G_dot_32, M_mixed, STEWART_FMA(G_dot_22, M_theta,
-            STEWART_FMA(G_dot_12, h_z, C_xi_23*inv_rho)));
-        const stewart_real C_leg_33 = -inv_L*STEWART_FMA(-h_z, theta_dot, STEWART_FMA(-C_xi_22, inv_L,
-            STEWART_FMA(G_dot_33, M_mixed, G_dot_23*M_theta)));
+            STEWART_FMA(C_xi_23, inv_rho, G_dot_12*h_z)));
+        const stewart_real C_leg_33 = -inv_L*STEWART_FMA(G_dot_33, M_mixed, STEWART_FMA(-h_z, theta_dot,
+            STEWART_FMA(-C_xi_22, inv_L, G_dot_23*M_theta)));
         const stewart_real C_tip_T_xs = STEWART_FMA(C_leg_31, z_x, STEWART_FMA(C_leg_21, y_x,
             C_leg_11*s_x));
         const stewart_real C_tip_T_xy = STEWART_FMA(C_leg_32, z_x, STEWART_FMA(C_leg_22, y_x,
@@ -495,47 +488,45 @@ STEWART_APART static void equations_of_leg(
         const stewart_real C_tip_T_zz = STEWART_FMA(C_leg_33, z_z, STEWART_FMA(C_leg_23, y_z,
             C_leg_13*s_z));
         /* Coriolis matrix at the tip, base frame */
-        const stewart_real C_tip_xx = STEWART_FMA(C_tip_T_xz, z_x, STEWART_FMA(C_tip_T_xy, y_x,
-            C_tip_T_xs*s_x));
-        const stewart_real C_tip_xy = STEWART_FMA(C_tip_T_xz, z_y, STEWART_FMA(C_tip_T_xy, y_y,
-            C_tip_T_xs*s_y));
-        const stewart_real C_tip_xz = STEWART_FMA(C_tip_T_xz, z_z, STEWART_FMA(C_tip_T_xy, y_z,
-            C_tip_T_xs*s_z));
-        const stewart_real C_tip_yx = STEWART_FMA(C_tip_T_yz, z_x, STEWART_FMA(C_tip_T_yy, y_x,
-            C_tip_T_ys*s_x));
-        const stewart_real C_tip_yy = STEWART_FMA(C_tip_T_yz, z_y, STEWART_FMA(C_tip_T_yy, y_y,
-            C_tip_T_ys*s_y));
-        const stewart_real C_tip_yz = STEWART_FMA(C_tip_T_yz, z_z, STEWART_FMA(C_tip_T_yy, y_z,
-            C_tip_T_ys*s_z));
-        const stewart_real C_tip_zx = STEWART_FMA(C_tip_T_zz, z_x, STEWART_FMA(C_tip_T_zy, y_x,
-            C_tip_T_zs*s_x));
-        const stewart_real C_tip_zy = STEWART_FMA(C_tip_T_zz, z_y, STEWART_FMA(C_tip_T_zy, y_y,
-            C_tip_T_zs*s_y));
-        const stewart_real C_tip_zz = STEWART_FMA(C_tip_T_zz, z_z, STEWART_FMA(C_tip_T_zy, y_z,
-            C_tip_T_zs*s_z));
+        const stewart_real C_tip_xx = STEWART_FMA(C_tip_T_xy, y_x, STEWART_FMA(C_tip_T_xs, s_x,
+            C_tip_T_xz*z_x));
+        const stewart_real C_tip_xy = STEWART_FMA(C_tip_T_xy, y_y, STEWART_FMA(C_tip_T_xs, s_y,
+            C_tip_T_xz*z_y));
+        const stewart_real C_tip_xz = STEWART_FMA(C_tip_T_xy, y_z, STEWART_FMA(C_tip_T_xs, s_z,
+            C_tip_T_xz*z_z));
+        const stewart_real C_tip_yx = STEWART_FMA(C_tip_T_yy, y_x, STEWART_FMA(C_tip_T_ys, s_x,
+            C_tip_T_yz*z_x));
+        const stewart_real C_tip_yy = STEWART_FMA(C_tip_T_yy, y_y, STEWART_FMA(C_tip_T_ys, s_y,
+            C_tip_T_yz*z_y));
+        const stewart_real C_tip_yz = STEWART_FMA(C_tip_T_yy, y_z, STEWART_FMA(C_tip_T_ys, s_z,
+            C_tip_T_yz*z_z));
+        const stewart_real C_tip_zx = STEWART_FMA(C_tip_T_zy, y_x, STEWART_FMA(C_tip_T_zs, s_x,
+            C_tip_T_zz*z_x));
+        const stewart_real C_tip_zy = STEWART_FMA(C_tip_T_zy, y_y, STEWART_FMA(C_tip_T_zs, s_y,
+            C_tip_T_zz*z_y));
+        const stewart_real C_tip_zz = STEWART_FMA(C_tip_T_zy, y_z, STEWART_FMA(C_tip_T_zs, s_z,
+            C_tip_T_zz*z_z));
         const stewart_real c13 = C_tip_xy*q_z;
         const stewart_real c14 = m_xy*w_q_z;
         const stewart_real c15 = C_tip_xz*q_y;
         const stewart_real c16 = m_xz*w_q_y;
-        const stewart_real C_q_xx = c15 + c16 - c13 - c14;
+        const stewart_real C_q_xx = c16 - c14 + c15 - c13;
         const stewart_real c17 = C_tip_xx*q_z;
-        const stewart_real C_q_xy = STEWART_FMA(-m_xz, w_q_x, STEWART_FMA(-C_tip_xz, q_x, STEWART_FMA(m_xx,
-            w_q_z, c17)));
+        const stewart_real C_q_xy = STEWART_FMA(-C_tip_xz, q_x, STEWART_FMA(-m_xz, w_q_x, m_xx*w_q_z) + c17);
         const stewart_real c18 = C_tip_xx*q_y;
-        const stewart_real C_q_xz = STEWART_FMA(-m_xx, w_q_y, STEWART_FMA(m_xy, w_q_x, C_tip_xy*q_x) - c18);
+        const stewart_real C_q_xz = STEWART_FMA(C_tip_xy, q_x, STEWART_FMA(-m_xx, w_q_y, m_xy*w_q_x)) - c18;
         const stewart_real c19 = C_tip_yy*q_z;
-        const stewart_real C_q_yx = STEWART_FMA(-m_yy, w_q_z, STEWART_FMA(m_yz, w_q_y, C_tip_yz*q_y) - c19);
+        const stewart_real C_q_yx = STEWART_FMA(C_tip_yz, q_y, STEWART_FMA(-m_yy, w_q_z, m_yz*w_q_y)) - c19;
         const stewart_real c20 = C_tip_yx*q_z;
         const stewart_real c21 = -C_tip_yz*q_x;
         const stewart_real c22 = -m_yz*w_q_x;
-        const stewart_real C_q_yy = c14 + c20 + c21 + c22;
+        const stewart_real C_q_yy = c14 + c22 + c20 + c21;
         const stewart_real c23 = -C_tip_yy*q_x;
-        const stewart_real C_q_yz = STEWART_FMA(-m_xy, w_q_y, STEWART_FMA(-C_tip_yx, q_y, m_yy*w_q_x) - c23);
+        const stewart_real C_q_yz = STEWART_FMA(-C_tip_yx, q_y, STEWART_FMA(-m_xy, w_q_y, m_yy*w_q_x)) - c23;
         const stewart_real c24 = -C_tip_zz*q_y;
-        const stewart_real C_q_zx = STEWART_FMA(-m_yz, w_q_z, STEWART_FMA(-C_tip_zy, q_z, m_zz*w_q_y) - c24);
+        const stewart_real C_q_zx = STEWART_FMA(-C_tip_zy, q_z, STEWART_FMA(-m_yz, w_q_z, m_zz*w_q_y)) - c24;
         const stewart_real c25 = -C_tip_zz*q_x;
-        const stewart_real C_q_zy = STEWART_FMA(-m_zz, w_q_x, STEWART_FMA(m_xz, w_q_z, STEWART_FMA(C_tip_zx,
-            q_z, c25)));
+        const stewart_real C_q_zy = STEWART_FMA(C_tip_zx, q_z, STEWART_FMA(-m_zz, w_q_x, m_xz*w_q_z)) + c25;
         const stewart_real c26 = C_tip_zx*q_y;
         const stewart_real c27 = -C_tip_zy*q_x;
         const stewart_real C_q_zz = -c16 - c22 - c26 - c27;
@@ -543,7 +534,7 @@ STEWART_APART static void equations_of_leg(
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real c28 = inv_L*STEWART_FMA(gamma_n, w_k, g_k*w_n);
         const stewart_real c29 = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
@@ -620,12 +611,12 @@ STEWART_APART static void equations_of_leg(
         out->sum[38][l] = C_q_zz;
         out->sum[39][l] = c26 - c20;
         out->sum[40][l] = STEWART_FMA(C_tip_zy, q_y, -c19);
-        out->sum[41][l] = -C_tip_yz*q_z - c24;
+        out->sum[41][l] = STEWART_FMA(-C_tip_yz, q_z, -c24);
         out->sum[42][l] = STEWART_FMA(-C_tip_zx, q_x, c17);
         out->sum[43][l] = c13 + c27;
         out->sum[44][l] = STEWART_FMA(C_tip_xz, q_z, c25);
         out->sum[45][l] = STEWART_FMA(C_tip_yx, q_x, -c18);
-        out->sum[46][l] = -C_tip_xy*q_y - c23;
+        out->sum[46][l] = STEWART_FMA(-C_tip_xy, q_y, -c23);
         out->sum[47][l] = -c15 - c21;
         out->sum[48][l] = STEWART_FMA(-C_q_yx, q_z, C_q_zx*q_y);
         out->sum[49][l] = STEWART_FMA(-C_q_yy, q_z, C_q_zy*q_y);
@@ -645,12 +636,12 @@ STEWART_APART static void equations_of_leg(
         out->sum[63][l] = resistance_x;
         out->sum[64][l] = resistance_y;
         out->sum[65][l] = resistance_z;
-        out->sum[66][l] = STEWART_FMA(-q_z, resistance_y, STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_x,
-            k_x*phi_dot), q_y*resistance_z));
-        out->sum[67][l] = STEWART_FMA(-q_x, resistance_z, STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_y,
-            k_y*phi_dot), q_z*resistance_x));
-        out->sum[68][l] = STEWART_FMA(-q_y, resistance_x, STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_z,
-            k_z*phi_dot), q_x*resistance_y));
+        out->sum[66][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-q_z,
+            resistance_y, q_y*resistance_z));
+        out->sum[67][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-q_x,
+            resistance_z, q_z*resistance_x));
+        out->sum[68][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-q_y,
+            resistance_x, q_x*resistance_y));
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
@@ -725,9 +716,9 @@ STEWART_APART static void equations_of_near(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -777,7 +768,7 @@ STEWART_APART static void equations_of_near(
         const stewart_real k33 = k3*k3;
         const stewart_real k13 = k1*k3;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
         const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
         /* (19) inertia of the joint coordinates */
@@ -793,22 +784,22 @@ STEWART_APART static void equations_of_near(
         const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
         const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
         const stewart_real m_leg_zz = M_theta*c3;
-        const stewart_real m_T_xs = STEWART_FMA(m_leg_sz, z_x, m_leg_sy*y_x);
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
         const stewart_real m_T_xy = STEWART_FMA(m_leg_yz, z_x, STEWART_FMA(m_leg_yy, y_x, m_leg_sy*s_x));
-        const stewart_real m_T_xz = STEWART_FMA(m_leg_zz, z_x, STEWART_FMA(m_leg_yz, y_x, m_leg_sz*s_x));
-        const stewart_real m_T_ys = STEWART_FMA(m_leg_sz, z_y, m_leg_sy*y_y);
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
         const stewart_real m_T_yy = STEWART_FMA(m_leg_yz, z_y, STEWART_FMA(m_leg_yy, y_y, m_leg_sy*s_y));
-        const stewart_real m_T_yz = STEWART_FMA(m_leg_zz, z_y, STEWART_FMA(m_leg_yz, y_y, m_leg_sz*s_y));
-        const stewart_real m_T_zs = STEWART_FMA(m_leg_sz, z_z, m_leg_sy*y_z);
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
         const stewart_real m_T_zy = STEWART_FMA(m_leg_yz, z_z, STEWART_FMA(m_leg_yy, y_z, m_leg_sy*s_z));
-        const stewart_real m_T_zz = STEWART_FMA(m_leg_zz, z_z, STEWART_FMA(m_leg_yz, y_z, m_leg_sz*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
-        const stewart_real m_xx = STEWART_FMA(m_T_xz, z_x, STEWART_FMA(m_T_xy, y_x, m_T_xs*s_x));
-        const stewart_real m_xy = STEWART_FMA(m_T_xz, z_y, STEWART_FMA(m_T_xy, y_y, m_T_xs*s_y));
-        const stewart_real m_xz = STEWART_FMA(m_T_xz, z_z, STEWART_FMA(m_T_xy, y_z, m_T_xs*s_z));
-        const stewart_real m_yy = STEWART_FMA(m_T_yz, z_y, STEWART_FMA(m_T_yy, y_y, m_T_ys*s_y));
-        const stewart_real m_yz = STEWART_FMA(m_T_yz, z_z, STEWART_FMA(m_T_yy, y_z, m_T_ys*s_z));
-        const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
+        const stewart_real m_xx = STEWART_FMA(m_T_xy, y_x, STEWART_FMA(m_T_xz, z_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xy, y_y, STEWART_FMA(m_T_xz, z_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xy, y_z, STEWART_FMA(m_T_xz, z_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yy, y_y, STEWART_FMA(m_T_yz, z_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
         const stewart_real inv_k3 = L*inv_rho;
         /* (6) leg's turning about z */
         const stewart_real W_z = c1*inv_L;
@@ -823,7 +814,7 @@ STEWART_APART static void equations_of_near(
         const stewart_real c11 = c10*h_y;
         const stewart_real c12 = inv_k3*k1;
         const stewart_real c13 = W_z*c2;
-        const stewart_real C_leg_12 = STEWART_FMA(REAL(2)*c12, c13, c11*c12) + c9 - c7;
+        const stewart_real C_leg_12 = STEWART_FMA(REAL(2)*c12, c13, STEWART_FMA(c11, c12, c9)) - c7;
         const stewart_real c14 = STEWART_FMA(-c12, c5, c10*h_x);
         const stewart_real C_leg_13 = STEWART_FMA(c8, h_z, c14);
         const stewart_real c15 = c3*theta_dot;
@@ -835,8 +826,8 @@ STEWART_APART static void equations_of_near(
         const stewart_real c21 = REAL(2)*J_xz;
         const stewart_real c22 = c18*c21;
         const stewart_real c23 = J_xx - J_zz;
-        const stewart_real C_leg_21 = STEWART_FMA(-c18, c20, STEWART_FMA(-c12, c22, STEWART_FMA(-c12, c17,
-            STEWART_FMA(W_z*h_z*inv_L*inv_k3, k1, W_z*c23*c3))) - c16) - c7;
+        const stewart_real C_leg_21 = STEWART_FMA(-c12, c22, STEWART_FMA(W_z*h_z*inv_L*inv_k3, k1,
+            STEWART_FMA(-c18, c20, STEWART_FMA(-c12, c17, STEWART_FMA(W_z*c23, c3, -c16))) - c7));
         const stewart_real c24 = J_xy*c18;
         const stewart_real c25 = c8*h_x;
         const stewart_real c26 = c19*c5;
@@ -848,77 +839,75 @@ STEWART_APART static void equations_of_near(
         const stewart_real c32 = c12*c31;
         const stewart_real c33 = c19*c24;
         const stewart_real c34 = J_xx*k1*inv_k3*inv_k3*inv_k3;
-        const stewart_real C_leg_22 = STEWART_FMA(-c21, c30, STEWART_FMA(-c20, c28, STEWART_FMA(-c15, c34,
-            STEWART_FMA(-c15, c29, STEWART_FMA(c19*h_z*inv_L, theta_dot, STEWART_FMA(L_dot*c3*h_z*inv_k3,
-            k1, L_dot*c23*c27)) + c32 + c33)))) - c24 - c25 - c26;
+        const stewart_real C_leg_22 = STEWART_FMA(-c15, c34, STEWART_FMA(-c15, c29,
+            STEWART_FMA(c19*h_z*inv_L, theta_dot, STEWART_FMA(-c21, c30, STEWART_FMA(L_dot*c3*h_z*inv_k3,
+            k1, STEWART_FMA(-c20, c28, L_dot*c23*c27) - c25))))) + c32 + c33 - c24 - c26;
         const stewart_real c35 = c12*c16;
-        const stewart_real c36 = STEWART_FMA(-c13, c19, STEWART_FMA(c18, c29, STEWART_FMA(J_yz, c28,
-            J_xy*c30)));
-        const stewart_real C_leg_23 = STEWART_FMA(c18, c34, c17) + c36 - c35;
-        const stewart_real C_leg_31 = STEWART_FMA(c12, c24, J_yy*c15) + c14 + c31;
-        const stewart_real C_leg_32 = STEWART_FMA(-c12, c9, STEWART_FMA(-c11, c19, STEWART_FMA(c17, c19,
-            STEWART_FMA(c12*c18, -J_yy - c23, c11) + c13) + c35 + c36)) - c17 - c22;
-        const stewart_real C_leg_33 = STEWART_FMA(-J_yy, c28, c24 + c26) - c25 - c32 - c33 - c6;
-        const stewart_real C_tip_T_xs = STEWART_FMA(C_leg_31, z_x, STEWART_FMA(C_leg_21, y_x,
+        const stewart_real c36 = STEWART_FMA(-c13, c19, STEWART_FMA(c18, c29, STEWART_FMA(J_xy, c30,
+            J_yz*c28)));
+        const stewart_real C_leg_23 = STEWART_FMA(c18, c34, c17) - c35 + c36;
+        const stewart_real C_leg_31 = STEWART_FMA(c12, c24, STEWART_FMA(J_yy, c15, c31)) + c14;
+        const stewart_real C_leg_32 = STEWART_FMA(c12*c18, -J_yy - c23, STEWART_FMA(-c11, c19,
+            STEWART_FMA(c17, c19, STEWART_FMA(-c12, c9, c11) + c13) + c35 - c17)) - c22 + c36;
+        const stewart_real C_leg_33 = STEWART_FMA(-J_yy, c28, c24) - c25 + c26 - c32 - c33 - c6;
+        const stewart_real C_tip_T_xs = STEWART_FMA(C_leg_21, y_x, STEWART_FMA(C_leg_31, z_x,
             C_leg_11*s_x));
         const stewart_real C_tip_T_xy = STEWART_FMA(C_leg_32, z_x, STEWART_FMA(C_leg_22, y_x,
             C_leg_12*s_x));
-        const stewart_real C_tip_T_xz = STEWART_FMA(C_leg_33, z_x, STEWART_FMA(C_leg_23, y_x,
-            C_leg_13*s_x));
-        const stewart_real C_tip_T_ys = STEWART_FMA(C_leg_31, z_y, STEWART_FMA(C_leg_21, y_y,
+        const stewart_real C_tip_T_xz = STEWART_FMA(C_leg_33, z_x, STEWART_FMA(C_leg_13, s_x,
+            C_leg_23*y_x));
+        const stewart_real C_tip_T_ys = STEWART_FMA(C_leg_21, y_y, STEWART_FMA(C_leg_31, z_y,
             C_leg_11*s_y));
         const stewart_real C_tip_T_yy = STEWART_FMA(C_leg_32, z_y, STEWART_FMA(C_leg_22, y_y,
             C_leg_12*s_y));
-        const stewart_real C_tip_T_yz = STEWART_FMA(C_leg_33, z_y, STEWART_FMA(C_leg_23, y_y,
-            C_leg_13*s_y));
-        const stewart_real C_tip_T_zs = STEWART_FMA(C_leg_31, z_z, STEWART_FMA(C_leg_21, y_z,
+        const stewart_real C_tip_T_yz = STEWART_FMA(C_leg_33, z_y, STEWART_FMA(C_leg_13, s_y,
+            C_leg_23*y_y));
+        const stewart_real C_tip_T_zs = STEWART_FMA(C_leg_21, y_z, STEWART_FMA(C_leg_31, z_z,
             C_leg_11*s_z));
         const stewart_real C_tip_T_zy = STEWART_FMA(C_leg_32, z_z, STEWART_FMA(C_leg_22, y_z,
             C_leg_12*s_z));
-        const stewart_real C_tip_T_zz = STEWART_FMA(C_leg_33, z_z, STEWART_FMA(C_leg_23, y_z,
-            C_leg_13*s_z));
+        const stewart_real C_tip_T_zz = STEWART_FMA(C_leg_33, z_z, STEWART_FMA(C_leg_13, s_z,
+            C_leg_23*y_z));
         /* Coriolis matrix at the tip, base frame */
-        const stewart_real C_tip_xx = STEWART_FMA(C_tip_T_xz, z_x, STEWART_FMA(C_tip_T_xy, y_x,
-            C_tip_T_xs*s_x));
-        const stewart_real C_tip_xy = STEWART_FMA(C_tip_T_xz, z_y, STEWART_FMA(C_tip_T_xy, y_y,
-            C_tip_T_xs*s_y));
-        const stewart_real C_tip_xz = STEWART_FMA(C_tip_T_xz, z_z, STEWART_FMA(C_tip_T_xy, y_z,
-            C_tip_T_xs*s_z));
-        const stewart_real C_tip_yx = STEWART_FMA(C_tip_T_yz, z_x, STEWART_FMA(C_tip_T_yy, y_x,
-            C_tip_T_ys*s_x));
-        const stewart_real C_tip_yy = STEWART_FMA(C_tip_T_yz, z_y, STEWART_FMA(C_tip_T_yy, y_y,
-            C_tip_T_ys*s_y));
-        const stewart_real C_tip_yz = STEWART_FMA(C_tip_T_yz, z_z, STEWART_FMA(C_tip_T_yy, y_z,
-            C_tip_T_ys*s_z));
-        const stewart_real C_tip_zx = STEWART_FMA(C_tip_T_zz, z_x, STEWART_FMA(C_tip_T_zy, y_x,
-            C_tip_T_zs*s_x));
-        const stewart_real C_tip_zy = STEWART_FMA(C_tip_T_zz, z_y, STEWART_FMA(C_tip_T_zy, y_y,
-            C_tip_T_zs*s_y));
-        const stewart_real C_tip_zz = STEWART_FMA(C_tip_T_zz, z_z, STEWART_FMA(C_tip_T_zy, y_z,
-            C_tip_T_zs*s_z));
+        const stewart_real C_tip_xx = STEWART_FMA(C_tip_T_xy, y_x, STEWART_FMA(C_tip_T_xs, s_x,
+            C_tip_T_xz*z_x));
+        const stewart_real C_tip_xy = STEWART_FMA(C_tip_T_xy, y_y, STEWART_FMA(C_tip_T_xs, s_y,
+            C_tip_T_xz*z_y));
+        const stewart_real C_tip_xz = STEWART_FMA(C_tip_T_xy, y_z, STEWART_FMA(C_tip_T_xs, s_z,
+            C_tip_T_xz*z_z));
+        const stewart_real C_tip_yx = STEWART_FMA(C_tip_T_yy, y_x, STEWART_FMA(C_tip_T_ys, s_x,
+            C_tip_T_yz*z_x));
+        const stewart_real C_tip_yy = STEWART_FMA(C_tip_T_yy, y_y, STEWART_FMA(C_tip_T_ys, s_y,
+            C_tip_T_yz*z_y));
+        const stewart_real C_tip_yz = STEWART_FMA(C_tip_T_yy, y_z, STEWART_FMA(C_tip_T_ys, s_z,
+            C_tip_T_yz*z_z));
+        const stewart_real C_tip_zx = STEWART_FMA(C_tip_T_zy, y_x, STEWART_FMA(C_tip_T_zs, s_x,
+            C_tip_T_zz*z_x));
+        const stewart_real C_tip_zy = STEWART_FMA(C_tip_T_zy, y_y, STEWART_FMA(C_tip_T_zs, s_y,
+            C_tip_T_zz*z_y));
+        const stewart_real C_tip_zz = STEWART_FMA(C_tip_T_zy, y_z, STEWART_FMA(C_tip_T_zs, s_z,
+            C_tip_T_zz*z_z));
         const stewart_real c37 = C_tip_xy*q_z;
         const stewart_real c38 = m_xy*w_q_z;
         const stewart_real c39 = C_tip_xz*q_y;
         const stewart_real c40 = m_xz*w_q_y;
-        const stewart_real C_q_xx = c39 + c40 - c37 - c38;
+        const stewart_real C_q_xx = c40 - c38 + c39 - c37;
         const stewart_real c41 = C_tip_xx*q_z;
-        const stewart_real C_q_xy = STEWART_FMA(-m_xz, w_q_x, STEWART_FMA(-C_tip_xz, q_x, STEWART_FMA(m_xx,
-            w_q_z, c41)));
+        const stewart_real C_q_xy = STEWART_FMA(-C_tip_xz, q_x, STEWART_FMA(-m_xz, w_q_x, m_xx*w_q_z) + c41);
         const stewart_real c42 = C_tip_xx*q_y;
-        const stewart_real C_q_xz = STEWART_FMA(-m_xx, w_q_y, STEWART_FMA(m_xy, w_q_x, C_tip_xy*q_x) - c42);
+        const stewart_real C_q_xz = STEWART_FMA(C_tip_xy, q_x, STEWART_FMA(-m_xx, w_q_y, m_xy*w_q_x)) - c42;
         const stewart_real c43 = C_tip_yy*q_z;
-        const stewart_real C_q_yx = STEWART_FMA(-m_yy, w_q_z, STEWART_FMA(m_yz, w_q_y, C_tip_yz*q_y) - c43);
+        const stewart_real C_q_yx = STEWART_FMA(C_tip_yz, q_y, STEWART_FMA(-m_yy, w_q_z, m_yz*w_q_y)) - c43;
         const stewart_real c44 = C_tip_yx*q_z;
         const stewart_real c45 = -C_tip_yz*q_x;
         const stewart_real c46 = -m_yz*w_q_x;
-        const stewart_real C_q_yy = c38 + c44 + c45 + c46;
+        const stewart_real C_q_yy = c38 + c46 + c44 + c45;
         const stewart_real c47 = -C_tip_yy*q_x;
-        const stewart_real C_q_yz = STEWART_FMA(-m_xy, w_q_y, STEWART_FMA(-C_tip_yx, q_y, m_yy*w_q_x) - c47);
+        const stewart_real C_q_yz = STEWART_FMA(-C_tip_yx, q_y, STEWART_FMA(-m_xy, w_q_y, m_yy*w_q_x)) - c47;
         const stewart_real c48 = -C_tip_zz*q_y;
-        const stewart_real C_q_zx = STEWART_FMA(-m_yz, w_q_z, STEWART_FMA(-C_tip_zy, q_z, m_zz*w_q_y) - c48);
+        const stewart_real C_q_zx = STEWART_FMA(-C_tip_zy, q_z, STEWART_FMA(-m_yz, w_q_z, m_zz*w_q_y)) - c48;
         const stewart_real c49 = -C_tip_zz*q_x;
-        const stewart_real C_q_zy = STEWART_FMA(-m_zz, w_q_x, STEWART_FMA(m_xz, w_q_z, STEWART_FMA(C_tip_zx,
-            q_z, c49)));
+        const stewart_real C_q_zy = STEWART_FMA(C_tip_zx, q_z, STEWART_FMA(-m_zz, w_q_x, m_xz*w_q_z)) + c49;
         const stewart_real c50 = C_tip_zx*q_y;
         const stewart_real c51 = -C_tip_zy*q_x;
         const stewart_real C_q_zz = -c40 - c46 - c50 - c51;
@@ -926,7 +915,7 @@ STEWART_APART static void equations_of_near(
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real c52 = inv_L*STEWART_FMA(gamma_n, w_k, g_k*w_n);
         const stewart_real c53 = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
@@ -1003,12 +992,12 @@ STEWART_APART static void equations_of_near(
         out->sum[38][l] = C_q_zz;
         out->sum[39][l] = c50 - c44;
         out->sum[40][l] = STEWART_FMA(C_tip_zy, q_y, -c43);
-        out->sum[41][l] = -C_tip_yz*q_z - c48;
+        out->sum[41][l] = STEWART_FMA(-C_tip_yz, q_z, -c48);
         out->sum[42][l] = STEWART_FMA(-C_tip_zx, q_x, c41);
         out->sum[43][l] = c37 + c51;
         out->sum[44][l] = STEWART_FMA(C_tip_xz, q_z, c49);
         out->sum[45][l] = STEWART_FMA(C_tip_yx, q_x, -c42);
-        out->sum[46][l] = -C_tip_xy*q_y - c47;
+        out->sum[46][l] = STEWART_FMA(-C_tip_xy, q_y, -c47);
         out->sum[47][l] = -c39 - c45;
         out->sum[48][l] = STEWART_FMA(-C_q_yx, q_z, C_q_zx*q_y);
         out->sum[49][l] = STEWART_FMA(-C_q_yy, q_z, C_q_zy*q_y);
@@ -1028,12 +1017,12 @@ STEWART_APART static void equations_of_near(
         out->sum[63][l] = resistance_x;
         out->sum[64][l] = resistance_y;
         out->sum[65][l] = resistance_z;
-        out->sum[66][l] = STEWART_FMA(-q_z, resistance_y, STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_x,
-            k_x*phi_dot), q_y*resistance_z));
-        out->sum[67][l] = STEWART_FMA(-q_x, resistance_z, STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_y,
-            k_y*phi_dot), q_z*resistance_x));
-        out->sum[68][l] = STEWART_FMA(-q_y, resistance_x, STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_z,
-            k_z*phi_dot), q_x*resistance_y));
+        out->sum[66][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-q_z,
+            resistance_y, q_y*resistance_z));
+        out->sum[67][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-q_x,
+            resistance_z, q_z*resistance_x));
+        out->sum[68][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-q_y,
+            resistance_x, q_x*resistance_y));
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
@@ -1346,9 +1335,9 @@ STEWART_APART static void bias_of_leg(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -1412,8 +1401,8 @@ STEWART_APART static void bias_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z, z_z,
-            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), -REAL(2)*L_share*theta_dot);
+        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c1 = k1*k3;
@@ -1422,7 +1411,7 @@ STEWART_APART static void bias_of_leg(
         const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
         const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real c2 = L*h2_z;
         const stewart_real c3 = J2_xz - c2;
         const stewart_real a2 = c3;
@@ -1440,19 +1429,20 @@ STEWART_APART static void bias_of_leg(
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
-            omega_x*y_x)), STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)),
-            STEWART_FMA(gamma_n, w_k, STEWART_FMA(g_k, w_n, STEWART_FMA(bend, h2_x, STEWART_FMA(M_theta,
-            own_theta_ddot, STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(L_ddot, h_z, C_us*theta_dot))))))));
-        const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z,
-            omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), STEWART_FMA(two_phi_dot,
-            STEWART_FMA(-theta_dot, STEWART_FMA(-STEWART_HALF, c2, STEWART_FMA(J_xx, kappa,
-            STEWART_HALF*J2_xz)), L_dot*M_phi_L), STEWART_FMA(M_phi, own_phi_ddot,
-            STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(M_mixed, theta_ddot, C_us*phi_dot)))))))));
+        const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
+            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
+            w_n, L_ddot*h_z))))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
+            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1461,8 +1451,8 @@ STEWART_APART static void bias_of_leg(
         const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(-h_x, theta_dot2,
-            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_z, theta_ddot, C_p*L_dot))));
+        const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
         /* force at the tip */
         const stewart_real R_tip_x = STEWART_FMA(D, s_x, K_x);
         const stewart_real R_tip_y = STEWART_FMA(D, s_y, K_y);
@@ -1470,12 +1460,12 @@ STEWART_APART static void bias_of_leg(
         out->sum[0][l] = R_tip_x;
         out->sum[1][l] = R_tip_y;
         out->sum[2][l] = R_tip_z;
-        out->sum[3][l] = STEWART_FMA(-R_tip_y, q_z, STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_x,
-            k_x*phi_dot), R_tip_z*q_y));
-        out->sum[4][l] = STEWART_FMA(-R_tip_z, q_x, STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_y,
-            k_y*phi_dot), R_tip_x*q_z));
-        out->sum[5][l] = STEWART_FMA(-R_tip_x, q_y, STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_z,
-            k_z*phi_dot), R_tip_y*q_x));
+        out->sum[3][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-R_tip_y,
+            q_z, R_tip_z*q_y));
+        out->sum[4][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-R_tip_z,
+            q_x, R_tip_x*q_z));
+        out->sum[5][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-R_tip_x,
+            q_y, R_tip_y*q_x));
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -1711,9 +1701,9 @@ STEWART_APART static void forward_of_leg(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -1777,8 +1767,8 @@ STEWART_APART static void forward_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z, z_z,
-            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), -REAL(2)*L_share*theta_dot);
+        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c1 = k1*k3;
@@ -1787,7 +1777,7 @@ STEWART_APART static void forward_of_leg(
         const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
         const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real c2 = L*h2_z;
         const stewart_real c3 = J2_xz - c2;
         const stewart_real a2 = c3;
@@ -1805,19 +1795,20 @@ STEWART_APART static void forward_of_leg(
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
-            omega_x*y_x)), STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)),
-            STEWART_FMA(gamma_n, w_k, STEWART_FMA(g_k, w_n, STEWART_FMA(bend, h2_x, STEWART_FMA(M_theta,
-            own_theta_ddot, STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(L_ddot, h_z, C_us*theta_dot))))))));
-        const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z,
-            omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), STEWART_FMA(two_phi_dot,
-            STEWART_FMA(-theta_dot, STEWART_FMA(-STEWART_HALF, c2, STEWART_FMA(J_xx, kappa,
-            STEWART_HALF*J2_xz)), L_dot*M_phi_L), STEWART_FMA(M_phi, own_phi_ddot,
-            STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(M_mixed, theta_ddot, C_us*phi_dot)))))))));
+        const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
+            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
+            w_n, L_ddot*h_z))))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
+            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
@@ -1826,8 +1817,8 @@ STEWART_APART static void forward_of_leg(
         const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
         const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(-h_x, theta_dot2,
-            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(h_z, theta_ddot, C_p*L_dot))));
+        const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
         const stewart_real c4 = F - D;
         /* force on the platform at the tip */
         const stewart_real push_x = STEWART_FMA(c4, s_x, -K_x);
@@ -1839,22 +1830,22 @@ STEWART_APART static void forward_of_leg(
         const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
         const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
         const stewart_real m_leg_zz = M_theta*inv_L*inv_L;
-        const stewart_real m_T_xs = STEWART_FMA(m_leg_sz, z_x, m_leg_sy*y_x);
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
         const stewart_real m_T_xy = STEWART_FMA(m_leg_yz, z_x, STEWART_FMA(m_leg_yy, y_x, m_leg_sy*s_x));
-        const stewart_real m_T_xz = STEWART_FMA(m_leg_zz, z_x, STEWART_FMA(m_leg_yz, y_x, m_leg_sz*s_x));
-        const stewart_real m_T_ys = STEWART_FMA(m_leg_sz, z_y, m_leg_sy*y_y);
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
         const stewart_real m_T_yy = STEWART_FMA(m_leg_yz, z_y, STEWART_FMA(m_leg_yy, y_y, m_leg_sy*s_y));
-        const stewart_real m_T_yz = STEWART_FMA(m_leg_zz, z_y, STEWART_FMA(m_leg_yz, y_y, m_leg_sz*s_y));
-        const stewart_real m_T_zs = STEWART_FMA(m_leg_sz, z_z, m_leg_sy*y_z);
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
         const stewart_real m_T_zy = STEWART_FMA(m_leg_yz, z_z, STEWART_FMA(m_leg_yy, y_z, m_leg_sy*s_z));
-        const stewart_real m_T_zz = STEWART_FMA(m_leg_zz, z_z, STEWART_FMA(m_leg_yz, y_z, m_leg_sz*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
-        const stewart_real m_xx = STEWART_FMA(m_T_xz, z_x, STEWART_FMA(m_T_xy, y_x, m_T_xs*s_x));
-        const stewart_real m_xy = STEWART_FMA(m_T_xz, z_y, STEWART_FMA(m_T_xy, y_y, m_T_xs*s_y));
-        const stewart_real m_xz = STEWART_FMA(m_T_xz, z_z, STEWART_FMA(m_T_xy, y_z, m_T_xs*s_z));
-        const stewart_real m_yy = STEWART_FMA(m_T_yz, z_y, STEWART_FMA(m_T_yy, y_y, m_T_ys*s_y));
-        const stewart_real m_yz = STEWART_FMA(m_T_yz, z_z, STEWART_FMA(m_T_yy, y_z, m_T_ys*s_z));
-        const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
+        const stewart_real m_xx = STEWART_FMA(m_T_xy, y_x, STEWART_FMA(m_T_xz, z_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xy, y_y, STEWART_FMA(m_T_xz, z_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xy, y_z, STEWART_FMA(m_T_xz, z_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yy, y_y, STEWART_FMA(m_T_yz, z_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
         const stewart_real c5 = m_xy*q_z;
         const stewart_real c6 = m_xz*q_y;
         const stewart_real c7 = -m_yz*q_x;
@@ -1892,12 +1883,12 @@ STEWART_APART static void forward_of_leg(
         out->sum[21][l] = push_x;
         out->sum[22][l] = push_y;
         out->sum[23][l] = push_z;
-        out->sum[24][l] = STEWART_FMA(-push_y, q_z, STEWART_FMA(push_z, q_y, C_s*STEWART_FMA(theta_dot, y_x,
-            k_x*phi_dot)));
-        out->sum[25][l] = STEWART_FMA(-push_z, q_x, STEWART_FMA(push_x, q_z, C_s*STEWART_FMA(theta_dot, y_y,
-            k_y*phi_dot)));
-        out->sum[26][l] = STEWART_FMA(-push_x, q_y, STEWART_FMA(push_y, q_x, C_s*STEWART_FMA(theta_dot, y_z,
-            k_z*phi_dot)));
+        out->sum[24][l] = STEWART_FMA(C_s, STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-push_y,
+            q_z, push_z*q_y));
+        out->sum[25][l] = STEWART_FMA(C_s, STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-push_z,
+            q_x, push_x*q_z));
+        out->sum[26][l] = STEWART_FMA(C_s, STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-push_x,
+            q_y, push_y*q_x));
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -2088,11 +2079,11 @@ static void joint_rows_of_pose(
     const stewart_real h_base_x = STEWART_FMA(R_xz, c6, STEWART_FMA(R_xy, c5, R_xx*c3));
     const stewart_real h_base_y = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c3));
     const stewart_real h_base_z = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c3));
-    const stewart_real c7 = STEWART_FMA(J_0_xz, R_xz, STEWART_FMA(J_0_xy, R_xy, J_0_xx*R_xx));
-    const stewart_real c8 = STEWART_FMA(J_0_yz, R_xz, STEWART_FMA(J_0_yy, R_xy, J_0_xy*R_xx));
+    const stewart_real c7 = STEWART_FMA(J_0_xx, R_xx, STEWART_FMA(J_0_xz, R_xz, J_0_xy*R_xy));
+    const stewart_real c8 = STEWART_FMA(J_0_yy, R_xy, STEWART_FMA(J_0_yz, R_xz, J_0_xy*R_xx));
     const stewart_real c9 = STEWART_FMA(J_0_zz, R_xz, STEWART_FMA(J_0_yz, R_xy, J_0_xz*R_xx));
-    const stewart_real c10 = STEWART_FMA(J_0_xz, R_yz, STEWART_FMA(J_0_xy, R_yy, J_0_xx*R_yx));
-    const stewart_real c11 = STEWART_FMA(J_0_yz, R_yz, STEWART_FMA(J_0_yy, R_yy, J_0_xy*R_yx));
+    const stewart_real c10 = STEWART_FMA(J_0_xx, R_yx, STEWART_FMA(J_0_xz, R_yz, J_0_xy*R_yy));
+    const stewart_real c11 = STEWART_FMA(J_0_yy, R_yy, STEWART_FMA(J_0_yz, R_yz, J_0_xy*R_yx));
     const stewart_real c12 = STEWART_FMA(J_0_zz, R_yz, STEWART_FMA(J_0_yz, R_yy, J_0_xz*R_yx));
     /* (32) inertia of the platform, base frame */
     const stewart_real J_base_xx = STEWART_FMA(R_xz, c9, STEWART_FMA(R_xy, c8, R_xx*c7));
@@ -2101,8 +2092,8 @@ static void joint_rows_of_pose(
     const stewart_real J_base_yy = STEWART_FMA(R_yz, c12, STEWART_FMA(R_yy, c11, R_yx*c10));
     const stewart_real J_base_yz = STEWART_FMA(R_zz, c12, STEWART_FMA(R_zy, c11, R_zx*c10));
     const stewart_real J_base_zz = STEWART_FMA(R_zz, STEWART_FMA(J_0_zz, R_zz, STEWART_FMA(J_0_yz, R_zy,
-        J_0_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_0_yz, R_zz, STEWART_FMA(J_0_yy, R_zy, J_0_xy*R_zx)),
-        R_zx*STEWART_FMA(J_0_xz, R_zz, STEWART_FMA(J_0_xy, R_zy, J_0_xx*R_zx))));
+        J_0_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_0_yy, R_zy, STEWART_FMA(J_0_yz, R_zz, J_0_xy*R_zx)),
+        R_zx*STEWART_FMA(J_0_xx, R_zx, STEWART_FMA(J_0_xz, R_zz, J_0_xy*R_zy))));
     /* (31) omega x h */
     const stewart_real w_h_x = STEWART_FMA(-h_base_y, omega_z, h_base_z*omega_y);
     const stewart_real w_h_y = STEWART_FMA(-h_base_z, omega_x, h_base_x*omega_z);
@@ -2214,9 +2205,9 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -2284,8 +2275,8 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z, z_z,
-            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), -REAL(2)*L_share*theta_dot);
+        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c5 = k1*k3;
@@ -2294,7 +2285,7 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
         const stewart_real k13 = c5;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real c6 = L*h2_z;
         const stewart_real c7 = J2_xz - c6;
         const stewart_real a2 = c7;
@@ -2312,19 +2303,20 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
-            omega_x*y_x)), STEWART_FMA(phi_dot2, STEWART_FMA(-c7, STEWART_HALF - k33, k13*(J_yy - dJ_zx)),
-            STEWART_FMA(gamma_n, w_k, STEWART_FMA(g_k, w_n, STEWART_FMA(bend, h2_x, STEWART_FMA(M_theta,
-            own_theta_ddot, STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(L_ddot, h_z, C_us*theta_dot))))))));
-        const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z,
-            omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), STEWART_FMA(two_phi_dot,
-            STEWART_FMA(-theta_dot, STEWART_FMA(-STEWART_HALF, c6, STEWART_FMA(J_xx, kappa,
-            STEWART_HALF*J2_xz)), L_dot*M_phi_L), STEWART_FMA(M_phi, own_phi_ddot,
-            STEWART_FMA(M_mixed_theta, theta_dot2, STEWART_FMA(M_mixed, theta_ddot, C_us*phi_dot)))))))));
+        const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
+            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(phi_dot2, STEWART_FMA(-c7, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
+            w_n, L_ddot*h_z))))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
+            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(-STEWART_HALF, c6, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
         /* of the platform point, from free fall */
         const stewart_real fall_x = c1 - g_x;
         const stewart_real fall_y = c2 - g_y;
@@ -3233,14 +3225,14 @@ static void derivatives_of_pose(
     const stewart_real M_load_z = STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx));
     const stewart_real c25 = J_base_xy*omega_z;
     const stewart_real c26 = J_base_xz*omega_y;
-    const stewart_real c28 = STEWART_FMA(-J_base_xx, omega_z, J_w_z + c17);
-    const stewart_real c29 = STEWART_FMA(-J_base_xx, omega_y, J_w_y + c15);
-    const stewart_real c30 = STEWART_FMA(-J_base_yy, omega_z, J_w_z + c18);
+    const stewart_real c28 = STEWART_FMA(-J_base_xx, omega_z, c17) + J_w_z;
+    const stewart_real c29 = STEWART_FMA(-J_base_xx, omega_y, c15) + J_w_y;
+    const stewart_real c30 = STEWART_FMA(-J_base_yy, omega_z, c18) + J_w_z;
     const stewart_real c31 = J_base_yz*omega_x;
     const stewart_real c33 = c25 - c31;
-    const stewart_real c34 = STEWART_FMA(-J_base_yy, omega_x, J_w_x + c13);
-    const stewart_real c35 = STEWART_FMA(-J_base_zz, omega_y, J_w_y + c16);
-    const stewart_real c36 = STEWART_FMA(-J_base_zz, omega_x, J_w_x + c14);
+    const stewart_real c34 = STEWART_FMA(-J_base_yy, omega_x, c13) + J_w_x;
+    const stewart_real c35 = STEWART_FMA(-J_base_zz, omega_y, c16) + J_w_y;
+    const stewart_real c36 = STEWART_FMA(-J_base_zz, omega_x, c14) + J_w_x;
     /* derivative of I omega by dphi at fixed omega */
     const stewart_real spin_xx = c25 - c26;
     const stewart_real spin_xy = c28;
@@ -3300,12 +3292,12 @@ static void derivatives_of_pose(
     summed[28] = REAL(0);
     summed[29] = REAL(0);
     summed[30] = STEWART_FMA(-B_xy, h_base_z, B_xz*h_base_y);
-    summed[31] = STEWART_FMA(-B_xz, h_base_x, B_xx*h_base_z) - F_load_z;
+    summed[31] = STEWART_FMA(-B_xz, h_base_x, STEWART_FMA(B_xx, h_base_z, -F_load_z));
     summed[32] = STEWART_FMA(-B_xx, h_base_y, STEWART_FMA(B_xy, h_base_x, F_load_y));
     summed[33] = STEWART_FMA(-B_yy, h_base_z, STEWART_FMA(B_yz, h_base_y, F_load_z));
     summed[34] = STEWART_FMA(-B_yz, h_base_x, B_yx*h_base_z);
-    summed[35] = STEWART_FMA(-B_yx, h_base_y, B_yy*h_base_x) - F_load_x;
-    summed[36] = STEWART_FMA(-B_zy, h_base_z, B_zz*h_base_y) - F_load_y;
+    summed[35] = STEWART_FMA(-B_yx, h_base_y, STEWART_FMA(B_yy, h_base_x, -F_load_x));
+    summed[36] = STEWART_FMA(-B_zy, h_base_z, STEWART_FMA(B_zz, h_base_y, -F_load_y));
     summed[37] = STEWART_FMA(-B_zz, h_base_x, STEWART_FMA(B_zx, h_base_z, F_load_x));
     summed[38] = STEWART_FMA(-B_zx, h_base_y, B_zy*h_base_x);
     summed[39] = REAL(0);
@@ -3319,16 +3311,16 @@ static void derivatives_of_pose(
     summed[47] = REAL(0);
     summed[48] = STEWART_FMA(-omega_z, spin_yx, STEWART_FMA(omega_y, spin_zx, c40) - c37 - c38 - c39);
     summed[49] = STEWART_FMA(-omega_z, spin_yy, STEWART_FMA(-J_base_xx, alpha_z, STEWART_FMA(omega_y,
-        spin_zy, STEWART_FMA(h_base_x, rise_y, J_alpha_z + c23))) - M_load_z);
+        spin_zy, STEWART_FMA(h_base_x, rise_y, J_alpha_z + c23)) - M_load_z));
     summed[50] = STEWART_FMA(-omega_z, spin_yz, STEWART_FMA(omega_y, spin_zz, STEWART_FMA(h_base_x, rise_z,
         STEWART_FMA(J_base_xx, alpha_y, M_load_y))) - J_alpha_y - c21);
     summed[51] = STEWART_FMA(-omega_x, spin_zx, STEWART_FMA(omega_z, spin_xx, STEWART_FMA(h_base_y, rise_x,
         STEWART_FMA(J_base_yy, alpha_z, M_load_z))) - J_alpha_z - c24);
     summed[52] = STEWART_FMA(-omega_x, spin_zy, STEWART_FMA(omega_z, spin_xy, c42) - c39 - c40 - c41);
     summed[53] = STEWART_FMA(-omega_x, spin_zz, STEWART_FMA(-J_base_yy, alpha_x, STEWART_FMA(omega_z,
-        spin_xz, STEWART_FMA(h_base_y, rise_z, J_alpha_x + c19))) - M_load_x);
+        spin_xz, STEWART_FMA(h_base_y, rise_z, J_alpha_x + c19)) - M_load_x));
     summed[54] = STEWART_FMA(-omega_y, spin_xx, STEWART_FMA(-J_base_zz, alpha_y, STEWART_FMA(omega_x,
-        spin_yx, STEWART_FMA(h_base_z, rise_x, J_alpha_y + c22))) - M_load_y);
+        spin_yx, STEWART_FMA(h_base_z, rise_x, J_alpha_y + c22)) - M_load_y));
     summed[55] = STEWART_FMA(-omega_y, spin_xy, STEWART_FMA(omega_x, spin_yy, STEWART_FMA(h_base_z, rise_y,
         STEWART_FMA(J_base_zz, alpha_x, M_load_x))) - J_alpha_x - c20);
     summed[56] = STEWART_FMA(-omega_y, spin_xz, STEWART_FMA(omega_x, spin_yz, c37) - c38 - c41 - c42);
@@ -3412,9 +3404,9 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -3475,9 +3467,12 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c5 = REAL(2)*phi_dot;
         const stewart_real two_phi_dot = c5;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, B_xx*q_x)) + a_x;
-        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, B_yx*q_x)) + a_y;
-        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, B_zx*q_x)) + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         const stewart_real c6 = k3*k3;
         const stewart_real k33 = c6;
         /* (8) accelerations of the joint coordinates */
@@ -3485,8 +3480,8 @@ STEWART_APART static void derivatives_of_leg(
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         const stewart_real c7 = REAL(2)*theta_dot;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z, z_z,
-            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), -L_share*c7);
+        const stewart_real own_theta_ddot = STEWART_FMA(-L_share, c7, -inv_L*STEWART_FMA(S_ddot_z, z_z,
+            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c8 = k1*k3;
@@ -3495,7 +3490,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
         const stewart_real k13 = c8;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
         const stewart_real c9 = STEWART_FMA(-L, h_y, J_xy);
         const stewart_real a3 = c9;
@@ -3515,15 +3510,15 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real m_leg_yy = M_phi*c12;
         const stewart_real m_leg_yz = -M_mixed*c13;
         const stewart_real m_leg_zz = M_theta*c14;
-        const stewart_real m_T_xs = STEWART_FMA(m_leg_sz, z_x, m_leg_sy*y_x);
-        const stewart_real m_T_xy = STEWART_FMA(m_leg_yz, z_x, STEWART_FMA(m_leg_yy, y_x, m_leg_sy*s_x));
-        const stewart_real m_T_xz = STEWART_FMA(m_leg_zz, z_x, STEWART_FMA(m_leg_yz, y_x, m_leg_sz*s_x));
-        const stewart_real m_T_ys = STEWART_FMA(m_leg_sz, z_y, m_leg_sy*y_y);
-        const stewart_real m_T_yy = STEWART_FMA(m_leg_yz, z_y, STEWART_FMA(m_leg_yy, y_y, m_leg_sy*s_y));
-        const stewart_real m_T_yz = STEWART_FMA(m_leg_zz, z_y, STEWART_FMA(m_leg_yz, y_y, m_leg_sz*s_y));
-        const stewart_real m_T_zs = STEWART_FMA(m_leg_sz, z_z, m_leg_sy*y_z);
-        const stewart_real m_T_zy = STEWART_FMA(m_leg_yz, z_z, STEWART_FMA(m_leg_yy, y_z, m_leg_sy*s_z));
-        const stewart_real m_T_zz = STEWART_FMA(m_leg_zz, z_z, STEWART_FMA(m_leg_yz, y_z, m_leg_sz*s_z));
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yy, y_x, STEWART_FMA(m_leg_yz, z_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yy, y_y, STEWART_FMA(m_leg_yz, z_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yy, y_z, STEWART_FMA(m_leg_yz, z_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
         const stewart_real m_xx = STEWART_FMA(m_T_xz, z_x, STEWART_FMA(m_T_xy, y_x, m_T_xs*s_x));
         const stewart_real m_xy = STEWART_FMA(m_T_xz, z_y, STEWART_FMA(m_T_xy, y_y, m_T_xs*s_y));
@@ -3545,24 +3540,24 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real w_k_omega = STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x));
         const stewart_real c15 = c6*h_x;
         const stewart_real c16 = STEWART_FMA((-h_z)*k1, k3, c15);
-        const stewart_real tau_L = STEWART_FMA(-c3, h_x, STEWART_FMA(-c16, c4, STEWART_FMA(-c11, phi_ddot,
-            STEWART_FMA(h_z, theta_ddot, C_p*L_dot))));
+        const stewart_real tau_L = STEWART_FMA(-c11, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-c16, c4, STEWART_FMA(-c3, h_x, C_p*L_dot))));
         const stewart_real c18 = c7*h_x;
         const stewart_real c19 = REAL(2)*L;
         const stewart_real c20 = c19*h_x;
-        const stewart_real c21 = STEWART_FMA(k3, w_z, k1*w_x);
+        const stewart_real c21 = STEWART_FMA(k1, w_x, k3*w_z);
         const stewart_real c22 = STEWART_FMA(-k3, w_x, k1*w_z);
         const stewart_real c24 = STEWART_FMA(c9, k1, c10);
         const stewart_real c25 = STEWART_FMA(-c19, h_z, REAL(2)*J_xz);
         const stewart_real c26 = c25*k1;
-        const stewart_real c27 = J_zz + c20 - J_xx;
+        const stewart_real c27 = J_zz - J_xx + c20;
         const stewart_real c28 = c27*k3;
         const stewart_real c29 = STEWART_FMA(REAL(2), c28, c26);
         const stewart_real c30 = STEWART_HALF*k1;
         const stewart_real c31 = STEWART_FMA((-STEWART_HALF)*c25, c6, c29*c30);
-        const stewart_real tau_theta = STEWART_FMA(-c31, c4, STEWART_FMA(-c22, g_k, STEWART_FMA(-C_s,
-            w_y_omega, STEWART_FMA(theta_ddot, J_yy + c20, STEWART_FMA(c24, phi_ddot, STEWART_FMA(c21,
-            gamma_n, STEWART_FMA(L_dot, c18, STEWART_FMA(L_ddot, h_z, C_us*theta_dot))))))));
+        const stewart_real tau_theta = STEWART_FMA(c24, phi_ddot, STEWART_FMA(theta_ddot, J_yy + c20,
+            STEWART_FMA(-C_s, w_y_omega, STEWART_FMA(L_dot, c18, STEWART_FMA(c21, gamma_n, STEWART_FMA(C_us,
+            theta_dot, STEWART_FMA(-c31, c4, STEWART_FMA(-c22, g_k, L_ddot*h_z))))))));
         const stewart_real c33 = h_y*theta_dot;
         const stewart_real c34 = c33*k1;
         const stewart_real c35 = L_dot*c16;
@@ -3570,11 +3565,11 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c37 = L_dot*h_y;
         const stewart_real c38 = c37*k1;
         const stewart_real c39 = theta_dot*STEWART_FMA(-c9, k3, J_yz*k1);
-        const stewart_real tau_phi = STEWART_FMA(-gamma_n, w_y, STEWART_FMA(-L_ddot, c11, STEWART_FMA(-C_s,
-            w_k_omega, STEWART_FMA(theta_dot, STEWART_FMA(c31, phi_dot, c39) - c38, STEWART_FMA(phi_dot, c35
-            + c36, STEWART_FMA(phi_ddot, STEWART_FMA(c27, c6, STEWART_FMA(c25, c8, J_xx)), STEWART_FMA(c24,
-            theta_ddot, STEWART_FMA(c22, gamma_y, STEWART_FMA(L_dot, STEWART_FMA(c16, phi_dot, -c34),
-            C_us*phi_dot)))))))));
+        const stewart_real tau_phi = STEWART_FMA(phi_ddot, STEWART_FMA(c25, c8, STEWART_FMA(c27, c6, J_xx)),
+            STEWART_FMA(c24, theta_ddot, STEWART_FMA(L_dot, STEWART_FMA(c16, phi_dot, -c34),
+            STEWART_FMA(theta_dot, STEWART_FMA(c31, phi_dot, c39 - c38), STEWART_FMA(-gamma_n, w_y,
+            STEWART_FMA(phi_dot, c35 + c36, STEWART_FMA(C_us, phi_dot, STEWART_FMA(-L_ddot, c11,
+            STEWART_FMA(-C_s, w_k_omega, c22*gamma_y)))))))));
         const stewart_real c40 = k3*phi_dot;
         const stewart_real G_dot_12 = c40;
         const stewart_real c41 = inv_L*theta_dot;
@@ -3586,7 +3581,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c44 = c40*inv_rho;
         const stewart_real G_dot_31 = -c44;
         const stewart_real c45 = c1*inv_rho;
-        const stewart_real c46 = -c2*inv_rho - c45;
+        const stewart_real c46 = STEWART_FMA(-c2, inv_rho, -c45);
         const stewart_real G_dot_32 = c46;
         const stewart_real c47 = c42*inv_rho;
         const stewart_real G_dot_33 = c47;
@@ -3602,19 +3597,20 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real G_ddot_22 = STEWART_FMA(-c43, c50, STEWART_FMA((-c41)*c5, k3,
             inv_L*k1*phi_ddot));
         const stewart_real c52 = c4*k1*k1;
-        const stewart_real G_ddot_23 = STEWART_FMA((-REAL(2))*L_dot*L_dot*inv_L*inv_L, inv_L,
-            STEWART_FMA(c52, inv_L, STEWART_FMA(c3, inv_L, L_ddot*c14)));
-        const stewart_real G_ddot_31 = STEWART_FMA(-c49, inv_rho, STEWART_FMA(-c40, c46,
-            STEWART_FMA(theta_dot, STEWART_FMA(inv_rho*k3*kappa, phi_dot, -c47), STEWART_FMA(c47, theta_dot,
+        const stewart_real G_ddot_23 = STEWART_FMA(L_ddot, c14, STEWART_FMA(c52, inv_L,
+            STEWART_FMA((-REAL(2))*L_dot*L_dot*inv_L*inv_L, inv_L, c3*inv_L)));
+        const stewart_real G_ddot_31 = STEWART_FMA(-c49, inv_rho, STEWART_FMA(theta_dot,
+            STEWART_FMA(inv_rho*k3*kappa, phi_dot, -c47), STEWART_FMA(-c40, c46, STEWART_FMA(c47, theta_dot,
             c1*c44))));
         const stewart_real c53 = inv_rho*kappa;
         const stewart_real c54 = -c1 - c2;
         const stewart_real c55 = inv_rho*theta_dot;
-        const stewart_real G_ddot_32 = STEWART_FMA(-c53, theta_ddot, STEWART_FMA(-c52, inv_rho,
-            STEWART_FMA(-c48, inv_rho, STEWART_FMA(-L_ddot, c13, STEWART_FMA(theta_dot, STEWART_FMA(-c55,
-            -kappa*kappa - REAL(1), -c53*c54), L_dot*STEWART_FMA(-c13, c54, c43*inv_rho))))));
-        const stewart_real G_ddot_33 = STEWART_FMA(-c42, c45, STEWART_FMA(theta_dot, STEWART_FMA(-c47,
-            kappa, -c44), STEWART_FMA(inv_rho*k1, phi_ddot, STEWART_FMA(c44, theta_dot, c42*c46))));
+        const stewart_real G_ddot_32 = STEWART_FMA(-c53, theta_ddot, STEWART_FMA(theta_dot,
+            STEWART_FMA(-c53, c54, -c55*STEWART_FMA(-kappa, kappa, -REAL(1))), STEWART_FMA(-L_ddot, c13,
+            STEWART_FMA(-c52, inv_rho, STEWART_FMA(-c48, inv_rho, L_dot*STEWART_FMA(-c13, c54,
+            c43*inv_rho))))));
+        const stewart_real G_ddot_33 = STEWART_FMA(inv_rho*k1, phi_ddot, STEWART_FMA(theta_dot,
+            STEWART_FMA(-c47, kappa, -c44), STEWART_FMA(-c42, c45, STEWART_FMA(c44, theta_dot, c42*c46))));
         const stewart_real tau_rate_12 = -c18;
         const stewart_real tau_rate_13 = -c16*c5;
         const stewart_real tau_rate_21 = c18;
@@ -3622,33 +3618,33 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real tau_rate_22 = STEWART_FMA(L_dot, c56, C_us);
         const stewart_real tau_rate_23 = -c31*c5;
         const stewart_real tau_rate_31 = STEWART_FMA(-REAL(2), c34, REAL(2)*c16*phi_dot);
-        const stewart_real tau_rate_32 = STEWART_FMA(-REAL(2), c38, STEWART_FMA(REAL(2), c39, c31*c5));
+        const stewart_real tau_rate_32 = STEWART_FMA(c31, c5, STEWART_FMA(-REAL(2), c38, REAL(2)*c39));
         const stewart_real tau_rate_33 = STEWART_FMA(REAL(2), c36, STEWART_FMA(REAL(2), c35, C_us));
         const stewart_real c57 = h_y*phi_ddot;
         const stewart_real c58 = STEWART_FMA(-h_z, k1, c56*k3);
         const stewart_real tau_place_12 = STEWART_FMA(-c48, h_z, k1*(-c4*c58 - c57));
         const stewart_real c59 = REAL(4)*h_x;
-        const stewart_real c60 = STEWART_FMA(c6, h_z, c30*STEWART_FMA((-REAL(2))*h_z, k1, c59*k3));
+        const stewart_real c60 = STEWART_FMA(c30, STEWART_FMA((-REAL(2))*h_z, k1, c59*k3), c6*h_z);
         const stewart_real tau_place_21 = STEWART_FMA(-c57, k1, STEWART_FMA(-c4, c60, c56*theta_ddot));
-        const stewart_real c61 = STEWART_FMA(-c25, k3, c30*STEWART_FMA(-REAL(2), J_xx, STEWART_FMA(L, c59,
+        const stewart_real c61 = STEWART_FMA(-c25, k3, c30*STEWART_FMA(L, c59, STEWART_FMA(-REAL(2), J_xx,
             REAL(2)*J_zz)));
-        const stewart_real c62 = c26 + c28;
-        const stewart_real tau_place_22 = STEWART_FMA(-k3, STEWART_FMA(-g_k, w_z, STEWART_FMA(-c4, c62,
-            STEWART_FMA(gamma_n, w_x, c9*phi_ddot))), k1*STEWART_FMA(-c4, c61, STEWART_FMA(gamma_n, w_z,
-            STEWART_FMA(g_k, w_x, J_yz*phi_ddot))));
-        const stewart_real tau_place_23 = STEWART_FMA(-c21, gamma_y, -C_s*w_n_omega);
+        const stewart_real c62 = c28 + c26;
+        const stewart_real tau_place_22 = STEWART_FMA(-k3, STEWART_FMA(c9, phi_ddot, STEWART_FMA(-c4, c62,
+            STEWART_FMA(-g_k, w_z, gamma_n*w_x))), k1*STEWART_FMA(J_yz, phi_ddot, STEWART_FMA(gamma_n, w_z,
+            STEWART_FMA(-c4, c61, g_k*w_x))));
+        const stewart_real tau_place_23 = STEWART_FMA(-C_s, w_n_omega, -c21*gamma_y);
         const stewart_real c63 = c60*phi_dot;
-        const stewart_real tau_place_31 = STEWART_FMA((-h_y)*k1, theta_ddot, STEWART_FMA(theta_dot,
-            STEWART_FMA(c11, theta_dot, c63), STEWART_FMA(phi_ddot, STEWART_FMA((-REAL(2))*c8, h_z,
-            REAL(2)*c15), c63*theta_dot)));
+        const stewart_real tau_place_31 = STEWART_FMA((-h_y)*k1, theta_ddot, STEWART_FMA(phi_ddot,
+            STEWART_FMA((-REAL(2))*c8, h_z, REAL(2)*c15), STEWART_FMA(theta_dot, STEWART_FMA(c11, theta_dot,
+            c63), c63*theta_dot)));
         const stewart_real c64 = L_dot*c58;
-        const stewart_real tau_place_32 = STEWART_FMA(-k3, STEWART_FMA(theta_dot, STEWART_FMA(c62, phi_dot,
-            J_yz*theta_dot) - c37, STEWART_FMA(phi_dot, STEWART_FMA((-L_dot)*h_z, k3, c62*theta_dot),
-            STEWART_FMA(gamma_y, w_z, STEWART_FMA(c9, theta_ddot, STEWART_FMA(c25, c49,
-            L_dot*STEWART_FMA(-c40, h_z, -c33)))))), k1*STEWART_FMA(-gamma_y, w_x, STEWART_FMA(-L_ddot, h_y,
-            STEWART_FMA(theta_dot, STEWART_FMA(-c9, theta_dot, c61*phi_dot), STEWART_FMA(phi_dot,
-            STEWART_FMA(c61, theta_dot, c64), STEWART_FMA(c64, phi_dot, STEWART_FMA(c29, phi_ddot,
-            J_yz*theta_ddot)))))));
+        const stewart_real tau_place_32 = STEWART_FMA(-k3, STEWART_FMA(c25, c49, STEWART_FMA(L_dot,
+            STEWART_FMA(-c40, h_z, -c33), STEWART_FMA(c9, theta_ddot, STEWART_FMA(theta_dot,
+            STEWART_FMA(c62, phi_dot, STEWART_FMA(J_yz, theta_dot, -c37)), STEWART_FMA(phi_dot,
+            STEWART_FMA((-L_dot)*h_z, k3, c62*theta_dot), gamma_y*w_z))))), k1*STEWART_FMA(c29, phi_ddot,
+            STEWART_FMA(J_yz, theta_ddot, STEWART_FMA(theta_dot, STEWART_FMA(-c9, theta_dot, c61*phi_dot),
+            STEWART_FMA(-gamma_y, w_x, STEWART_FMA(phi_dot, STEWART_FMA(c61, theta_dot, c64),
+            STEWART_FMA(-L_ddot, h_y, c64*phi_dot)))))));
         const stewart_real tau_place_33 = STEWART_FMA(gamma_y, w_y, c22*gamma_n);
         const stewart_real c65 = inv_rho*tau_phi;
         const stewart_real c66 = inv_L*tau_theta;
@@ -3674,15 +3670,15 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real A_3_T_zy = A_3_leg_32*z_z;
         const stewart_real A_3_T_zz = A_3_leg_23*y_z;
         /* force at the tip by omega */
-        const stewart_real A_3_xx = STEWART_FMA(A_3_T_xz, z_x, STEWART_FMA(A_3_T_xy, y_x, A_3_T_xs*s_x));
-        const stewart_real A_3_xy = STEWART_FMA(A_3_T_xz, z_y, STEWART_FMA(A_3_T_xy, y_y, A_3_T_xs*s_y));
-        const stewart_real A_3_xz = STEWART_FMA(A_3_T_xz, z_z, STEWART_FMA(A_3_T_xy, y_z, A_3_T_xs*s_z));
-        const stewart_real A_3_yx = STEWART_FMA(A_3_T_yz, z_x, STEWART_FMA(A_3_T_yy, y_x, A_3_T_ys*s_x));
-        const stewart_real A_3_yy = STEWART_FMA(A_3_T_yz, z_y, STEWART_FMA(A_3_T_yy, y_y, A_3_T_ys*s_y));
-        const stewart_real A_3_yz = STEWART_FMA(A_3_T_yz, z_z, STEWART_FMA(A_3_T_yy, y_z, A_3_T_ys*s_z));
-        const stewart_real A_3_zx = STEWART_FMA(A_3_T_zz, z_x, STEWART_FMA(A_3_T_zy, y_x, A_3_T_zs*s_x));
-        const stewart_real A_3_zy = STEWART_FMA(A_3_T_zz, z_y, STEWART_FMA(A_3_T_zy, y_y, A_3_T_zs*s_y));
-        const stewart_real A_3_zz = STEWART_FMA(A_3_T_zz, z_z, STEWART_FMA(A_3_T_zy, y_z, A_3_T_zs*s_z));
+        const stewart_real A_3_xx = STEWART_FMA(A_3_T_xz, z_x, STEWART_FMA(A_3_T_xs, s_x, A_3_T_xy*y_x));
+        const stewart_real A_3_xy = STEWART_FMA(A_3_T_xz, z_y, STEWART_FMA(A_3_T_xs, s_y, A_3_T_xy*y_y));
+        const stewart_real A_3_xz = STEWART_FMA(A_3_T_xz, z_z, STEWART_FMA(A_3_T_xs, s_z, A_3_T_xy*y_z));
+        const stewart_real A_3_yx = STEWART_FMA(A_3_T_yz, z_x, STEWART_FMA(A_3_T_ys, s_x, A_3_T_yy*y_x));
+        const stewart_real A_3_yy = STEWART_FMA(A_3_T_yz, z_y, STEWART_FMA(A_3_T_ys, s_y, A_3_T_yy*y_y));
+        const stewart_real A_3_yz = STEWART_FMA(A_3_T_yz, z_z, STEWART_FMA(A_3_T_ys, s_z, A_3_T_yy*y_z));
+        const stewart_real A_3_zx = STEWART_FMA(A_3_T_zz, z_x, STEWART_FMA(A_3_T_zs, s_x, A_3_T_zy*y_x));
+        const stewart_real A_3_zy = STEWART_FMA(A_3_T_zz, z_y, STEWART_FMA(A_3_T_zs, s_y, A_3_T_zy*y_y));
+        const stewart_real A_3_zz = STEWART_FMA(A_3_T_zz, z_z, STEWART_FMA(A_3_T_zs, s_z, A_3_T_zy*y_z));
         const stewart_real c72 = C_s*k1;
         const stewart_real f_S_leg_11 = G_dot_31*c72;
         const stewart_real f_S_leg_12 = C_s*STEWART_FMA(-c55, k3, G_dot_32*k1);
@@ -3692,36 +3688,36 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
         const stewart_real c73 = C_s*k3;
         const stewart_real f_S_leg_31 = G_dot_31*c73;
-        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(c55, k1, G_dot_32*k3);
+        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(G_dot_32, k3, c55*k1);
         const stewart_real f_S_leg_33 = G_dot_33*c73;
-        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_21, y_x,
-            f_S_leg_11*s_x));
-        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_22, y_x,
-            f_S_leg_12*s_x));
-        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_23, y_x,
-            f_S_leg_13*s_x));
-        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_21, y_y,
-            f_S_leg_11*s_y));
-        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_22, y_y,
-            f_S_leg_12*s_y));
-        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_23, y_y,
-            f_S_leg_13*s_y));
-        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_21, y_z,
-            f_S_leg_11*s_z));
-        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_22, y_z,
-            f_S_leg_12*s_z));
-        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_23, y_z,
-            f_S_leg_13*s_z));
+        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_11, s_x,
+            f_S_leg_21*y_x));
+        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_12, s_x,
+            f_S_leg_22*y_x));
+        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_13, s_x,
+            f_S_leg_23*y_x));
+        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_11, s_y,
+            f_S_leg_21*y_y));
+        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_12, s_y,
+            f_S_leg_22*y_y));
+        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_13, s_y,
+            f_S_leg_23*y_y));
+        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_11, s_z,
+            f_S_leg_21*y_z));
+        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_12, s_z,
+            f_S_leg_22*y_z));
+        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_13, s_z,
+            f_S_leg_23*y_z));
         /* friction moment by S */
-        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xz, z_x, STEWART_FMA(f_S_T_xy, y_x, f_S_T_xs*s_x));
-        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xz, z_y, STEWART_FMA(f_S_T_xy, y_y, f_S_T_xs*s_y));
-        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xz, z_z, STEWART_FMA(f_S_T_xy, y_z, f_S_T_xs*s_z));
-        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yz, z_x, STEWART_FMA(f_S_T_yy, y_x, f_S_T_ys*s_x));
-        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yz, z_y, STEWART_FMA(f_S_T_yy, y_y, f_S_T_ys*s_y));
-        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yz, z_z, STEWART_FMA(f_S_T_yy, y_z, f_S_T_ys*s_z));
-        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zz, z_x, STEWART_FMA(f_S_T_zy, y_x, f_S_T_zs*s_x));
-        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zz, z_y, STEWART_FMA(f_S_T_zy, y_y, f_S_T_zs*s_y));
-        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zz, z_z, STEWART_FMA(f_S_T_zy, y_z, f_S_T_zs*s_z));
+        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xy, y_x, STEWART_FMA(f_S_T_xs, s_x, f_S_T_xz*z_x));
+        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xy, y_y, STEWART_FMA(f_S_T_xs, s_y, f_S_T_xz*z_y));
+        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xy, y_z, STEWART_FMA(f_S_T_xs, s_z, f_S_T_xz*z_z));
+        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yy, y_x, STEWART_FMA(f_S_T_ys, s_x, f_S_T_yz*z_x));
+        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yy, y_y, STEWART_FMA(f_S_T_ys, s_y, f_S_T_yz*z_y));
+        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yy, y_z, STEWART_FMA(f_S_T_ys, s_z, f_S_T_yz*z_z));
+        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zy, y_x, STEWART_FMA(f_S_T_zs, s_x, f_S_T_zz*z_x));
+        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zy, y_y, STEWART_FMA(f_S_T_zs, s_y, f_S_T_zz*z_y));
+        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zy, y_z, STEWART_FMA(f_S_T_zs, s_z, f_S_T_zz*z_z));
         const stewart_real f_S_dot_leg_12 = c69;
         const stewart_real f_S_dot_leg_23 = -c71;
         const stewart_real f_S_dot_leg_32 = c70;
@@ -3741,38 +3737,38 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real f_S_dot_zx = STEWART_FMA(f_S_dot_T_zz, z_x, f_S_dot_T_zy*y_x);
         const stewart_real f_S_dot_zy = STEWART_FMA(f_S_dot_T_zz, z_y, f_S_dot_T_zy*y_y);
         const stewart_real f_S_dot_zz = STEWART_FMA(f_S_dot_T_zz, z_z, f_S_dot_T_zy*y_z);
-        const stewart_real A_0_leg_11 = STEWART_FMA(-G_ddot_31, k3_h, STEWART_FMA(G_dot_31, tau_rate_13,
-            STEWART_FMA(G_dot_21, tau_rate_12, G_ddot_21*h_z)));
+        const stewart_real A_0_leg_11 = STEWART_FMA(-G_ddot_31, k3_h, STEWART_FMA(G_ddot_21, h_z,
+            STEWART_FMA(G_dot_31, tau_rate_13, G_dot_21*tau_rate_12)));
         const stewart_real A_0_leg_12 = STEWART_FMA((-c12)*k3, tau_phi, STEWART_FMA(-G_ddot_32, k3_h,
-            STEWART_FMA(G_dot_32, tau_rate_13, STEWART_FMA(G_dot_22, tau_rate_12, STEWART_FMA(G_ddot_22,
-            h_z, C_p*G_dot_12)))));
+            STEWART_FMA(G_ddot_22, h_z, STEWART_FMA(G_dot_32, tau_rate_13, STEWART_FMA(G_dot_22,
+            tau_rate_12, C_p*G_dot_12)))));
         const stewart_real c74 = c14*tau_theta;
         const stewart_real A_0_leg_13 = STEWART_FMA(-inv_L, tau_place_12, STEWART_FMA(-G_ddot_33, k3_h,
-            STEWART_FMA(-C_p, theta_dot, STEWART_FMA(G_dot_33, tau_rate_13, STEWART_FMA(G_dot_23,
-            tau_rate_12, G_ddot_23*h_z)) + c74)));
+            STEWART_FMA(G_dot_33, tau_rate_13, STEWART_FMA(G_dot_23, tau_rate_12, STEWART_FMA(-C_p,
+            theta_dot, G_ddot_23*h_z))) + c74));
         const stewart_real c75 = c13*tau_phi;
-        const stewart_real A_0_leg_21 = STEWART_FMA(inv_rho, STEWART_FMA(-G_ddot_11, k3_h,
-            STEWART_FMA(G_dot_31, tau_rate_33, STEWART_FMA(G_dot_21, tau_rate_32, STEWART_FMA(G_ddot_31,
-            M_phi, G_ddot_21*M_mixed))) + tau_place_31), -c75);
+        const stewart_real A_0_leg_21 = STEWART_FMA(inv_rho, STEWART_FMA(G_ddot_31, M_phi,
+            STEWART_FMA(G_ddot_21, M_mixed, STEWART_FMA(G_dot_31, tau_rate_33, STEWART_FMA(-G_ddot_11, k3_h,
+            G_dot_21*tau_rate_32))) + tau_place_31), -c75);
         const stewart_real A_0_leg_22 = STEWART_FMA(inv_rho, STEWART_FMA(-G_ddot_12, k3_h,
-            STEWART_FMA(inv_rho, tau_place_33, STEWART_FMA(G_dot_32, tau_rate_33, STEWART_FMA(G_dot_22,
-            tau_rate_32, STEWART_FMA(G_dot_12, tau_rate_31, STEWART_FMA(G_ddot_32, M_phi,
-            G_ddot_22*M_mixed)))))), STEWART_FMA(c67*inv_rho, k3, c13*k1*tau_theta));
-        const stewart_real A_0_leg_23 = STEWART_FMA(inv_rho, STEWART_FMA(-tau_rate_31, theta_dot,
-            STEWART_FMA(-inv_L, tau_place_32, STEWART_FMA(-G_ddot_13, k3_h, STEWART_FMA(G_dot_33,
-            tau_rate_33, STEWART_FMA(G_dot_23, tau_rate_32, STEWART_FMA(G_ddot_33, M_phi,
-            G_ddot_23*M_mixed)))))), c75*kappa);
-        const stewart_real A_0_leg_31 = STEWART_FMA(-inv_L, STEWART_FMA(G_dot_31, tau_rate_23,
-            STEWART_FMA(G_dot_21, tau_rate_22, STEWART_FMA(G_ddot_31, M_mixed, STEWART_FMA(G_ddot_21,
-            M_theta, G_ddot_11*h_z)))) + tau_place_21, c74);
-        const stewart_real A_0_leg_32 = STEWART_FMA(-inv_L, STEWART_FMA(inv_rho, tau_place_23,
-            STEWART_FMA(G_dot_32, tau_rate_23, STEWART_FMA(G_dot_22, tau_rate_22, STEWART_FMA(G_dot_12,
-            tau_rate_21, STEWART_FMA(G_ddot_32, M_mixed, STEWART_FMA(G_ddot_22, M_theta,
-            G_ddot_12*h_z)))))), c12*k1*tau_phi);
-        const stewart_real A_0_leg_33 = STEWART_FMA(-inv_L, STEWART_FMA(-tau_rate_21, theta_dot,
-            STEWART_FMA(-inv_L, tau_place_22, STEWART_FMA(G_dot_33, tau_rate_23, STEWART_FMA(G_dot_23,
-            tau_rate_22, STEWART_FMA(G_ddot_33, M_mixed, STEWART_FMA(G_ddot_23, M_theta,
-            G_ddot_13*h_z)))))), c67*inv_L);
+            STEWART_FMA(G_ddot_32, M_phi, STEWART_FMA(G_ddot_22, M_mixed, STEWART_FMA(G_dot_22, tau_rate_32,
+            STEWART_FMA(G_dot_12, tau_rate_31, STEWART_FMA(inv_rho, tau_place_33,
+            G_dot_32*tau_rate_33)))))), STEWART_FMA(c67*inv_rho, k3, c13*k1*tau_theta));
+        const stewart_real A_0_leg_23 = STEWART_FMA(inv_rho, STEWART_FMA(-inv_L, tau_place_32,
+            STEWART_FMA(G_ddot_33, M_phi, STEWART_FMA(-G_ddot_13, k3_h, STEWART_FMA(-tau_rate_31, theta_dot,
+            STEWART_FMA(G_dot_23, tau_rate_32, STEWART_FMA(G_dot_33, tau_rate_33, G_ddot_23*M_mixed)))))),
+            c75*kappa);
+        const stewart_real A_0_leg_31 = STEWART_FMA(-inv_L, STEWART_FMA(G_ddot_31, M_mixed,
+            STEWART_FMA(G_ddot_21, M_theta, STEWART_FMA(G_dot_31, tau_rate_23, STEWART_FMA(G_dot_21,
+            tau_rate_22, G_ddot_11*h_z))) + tau_place_21), c74);
+        const stewart_real A_0_leg_32 = STEWART_FMA(-inv_L, STEWART_FMA(G_ddot_32, M_mixed,
+            STEWART_FMA(G_ddot_22, M_theta, STEWART_FMA(G_ddot_12, h_z, STEWART_FMA(inv_rho, tau_place_23,
+            STEWART_FMA(G_dot_32, tau_rate_23, STEWART_FMA(G_dot_22, tau_rate_22,
+            G_dot_12*tau_rate_21)))))), c12*k1*tau_phi);
+        const stewart_real A_0_leg_33 = STEWART_FMA(-inv_L, STEWART_FMA(-inv_L, tau_place_22,
+            STEWART_FMA(G_ddot_33, M_mixed, STEWART_FMA(G_ddot_13, h_z, STEWART_FMA(G_dot_33, tau_rate_23,
+            STEWART_FMA(-tau_rate_21, theta_dot, STEWART_FMA(G_dot_23, tau_rate_22, G_ddot_23*M_theta)))))),
+            c67*inv_L);
         const stewart_real A_0_T_xs = STEWART_FMA(A_0_leg_31, z_x, STEWART_FMA(A_0_leg_21, y_x,
             A_0_leg_11*s_x));
         const stewart_real A_0_T_xy = STEWART_FMA(A_0_leg_32, z_x, STEWART_FMA(A_0_leg_22, y_x,
@@ -3806,80 +3802,82 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real A_1_leg_11 = STEWART_FMA(-G_dot_31, c77, STEWART_FMA(G_dot_21, c76, C_p));
         const stewart_real A_1_leg_12 = STEWART_FMA(-G_dot_32, c77, STEWART_FMA(inv_rho, tau_rate_13,
             G_dot_22*c76));
-        const stewart_real A_1_leg_13 = STEWART_FMA(-inv_L, tau_rate_12, STEWART_FMA(-G_dot_33, c77,
+        const stewart_real A_1_leg_13 = STEWART_FMA(-G_dot_33, c77, STEWART_FMA(-inv_L, tau_rate_12,
             REAL(2)*G_dot_23*h_z));
         const stewart_real c78 = REAL(2)*M_mixed;
         const stewart_real c79 = REAL(2)*M_phi;
-        const stewart_real A_1_leg_21 = inv_rho*(STEWART_FMA(G_dot_31, c79, G_dot_21*c78) + tau_rate_31);
-        const stewart_real A_1_leg_22 = inv_rho*STEWART_FMA(-G_dot_12, c77, STEWART_FMA(inv_rho,
-            tau_rate_33, STEWART_FMA(G_dot_32, c79, G_dot_22*c78)));
-        const stewart_real A_1_leg_23 = inv_rho*STEWART_FMA(-inv_L, tau_rate_32, STEWART_FMA(c7, k3_h,
-            STEWART_FMA(G_dot_33, c79, G_dot_23*c78)));
+        const stewart_real A_1_leg_21 = inv_rho*STEWART_FMA(G_dot_31, c79, STEWART_FMA(G_dot_21, c78,
+            tau_rate_31));
+        const stewart_real A_1_leg_22 = inv_rho*STEWART_FMA(-G_dot_12, c77, STEWART_FMA(G_dot_32, c79,
+            STEWART_FMA(G_dot_22, c78, inv_rho*tau_rate_33)));
+        const stewart_real A_1_leg_23 = inv_rho*STEWART_FMA(-inv_L, tau_rate_32, STEWART_FMA(G_dot_33, c79,
+            STEWART_FMA(c7, k3_h, G_dot_23*c78)));
         const stewart_real c80 = REAL(2)*M_theta;
-        const stewart_real A_1_leg_31 = -inv_L*(STEWART_FMA(G_dot_31, c78, G_dot_21*c80) + tau_rate_21);
+        const stewart_real A_1_leg_31 = -inv_L*STEWART_FMA(G_dot_31, c78, STEWART_FMA(G_dot_21, c80,
+            tau_rate_21));
         const stewart_real A_1_leg_32 = -inv_L*STEWART_FMA(inv_rho, tau_rate_23, STEWART_FMA(G_dot_32, c78,
             STEWART_FMA(G_dot_22, c80, G_dot_12*c76)));
-        const stewart_real A_1_leg_33 = -inv_L*STEWART_FMA(-inv_L, tau_rate_22, STEWART_FMA(-c7, h_z,
-            STEWART_FMA(G_dot_33, c78, G_dot_23*c80)));
+        const stewart_real A_1_leg_33 = -inv_L*STEWART_FMA(G_dot_33, c78, STEWART_FMA(-c7, h_z,
+            STEWART_FMA(-inv_L, tau_rate_22, G_dot_23*c80)));
         const stewart_real A_1_T_xs = STEWART_FMA(A_1_leg_31, z_x, STEWART_FMA(A_1_leg_21, y_x,
             A_1_leg_11*s_x));
         const stewart_real A_1_T_xy = STEWART_FMA(A_1_leg_32, z_x, STEWART_FMA(A_1_leg_22, y_x,
             A_1_leg_12*s_x));
-        const stewart_real A_1_T_xz = STEWART_FMA(A_1_leg_33, z_x, STEWART_FMA(A_1_leg_23, y_x,
+        const stewart_real A_1_T_xz = STEWART_FMA(A_1_leg_23, y_x, STEWART_FMA(A_1_leg_33, z_x,
             A_1_leg_13*s_x));
         const stewart_real A_1_T_ys = STEWART_FMA(A_1_leg_31, z_y, STEWART_FMA(A_1_leg_21, y_y,
             A_1_leg_11*s_y));
         const stewart_real A_1_T_yy = STEWART_FMA(A_1_leg_32, z_y, STEWART_FMA(A_1_leg_22, y_y,
             A_1_leg_12*s_y));
-        const stewart_real A_1_T_yz = STEWART_FMA(A_1_leg_33, z_y, STEWART_FMA(A_1_leg_23, y_y,
+        const stewart_real A_1_T_yz = STEWART_FMA(A_1_leg_23, y_y, STEWART_FMA(A_1_leg_33, z_y,
             A_1_leg_13*s_y));
         const stewart_real A_1_T_zs = STEWART_FMA(A_1_leg_31, z_z, STEWART_FMA(A_1_leg_21, y_z,
             A_1_leg_11*s_z));
         const stewart_real A_1_T_zy = STEWART_FMA(A_1_leg_32, z_z, STEWART_FMA(A_1_leg_22, y_z,
             A_1_leg_12*s_z));
-        const stewart_real A_1_T_zz = STEWART_FMA(A_1_leg_33, z_z, STEWART_FMA(A_1_leg_23, y_z,
+        const stewart_real A_1_T_zz = STEWART_FMA(A_1_leg_23, y_z, STEWART_FMA(A_1_leg_33, z_z,
             A_1_leg_13*s_z));
         /* force at the tip by S_dot */
-        const stewart_real A_1_xx = STEWART_FMA(A_1_T_xz, z_x, STEWART_FMA(A_1_T_xy, y_x, A_1_T_xs*s_x));
-        const stewart_real A_1_xy = STEWART_FMA(A_1_T_xz, z_y, STEWART_FMA(A_1_T_xy, y_y, A_1_T_xs*s_y));
-        const stewart_real A_1_xz = STEWART_FMA(A_1_T_xz, z_z, STEWART_FMA(A_1_T_xy, y_z, A_1_T_xs*s_z));
-        const stewart_real A_1_yx = STEWART_FMA(A_1_T_yz, z_x, STEWART_FMA(A_1_T_yy, y_x, A_1_T_ys*s_x));
-        const stewart_real A_1_yy = STEWART_FMA(A_1_T_yz, z_y, STEWART_FMA(A_1_T_yy, y_y, A_1_T_ys*s_y));
-        const stewart_real A_1_yz = STEWART_FMA(A_1_T_yz, z_z, STEWART_FMA(A_1_T_yy, y_z, A_1_T_ys*s_z));
-        const stewart_real A_1_zx = STEWART_FMA(A_1_T_zz, z_x, STEWART_FMA(A_1_T_zy, y_x, A_1_T_zs*s_x));
-        const stewart_real A_1_zy = STEWART_FMA(A_1_T_zz, z_y, STEWART_FMA(A_1_T_zy, y_y, A_1_T_zs*s_y));
-        const stewart_real A_1_zz = STEWART_FMA(A_1_T_zz, z_z, STEWART_FMA(A_1_T_zy, y_z, A_1_T_zs*s_z));
+        const stewart_real A_1_xx = STEWART_FMA(A_1_T_xy, y_x, STEWART_FMA(A_1_T_xs, s_x, A_1_T_xz*z_x));
+        const stewart_real A_1_xy = STEWART_FMA(A_1_T_xy, y_y, STEWART_FMA(A_1_T_xs, s_y, A_1_T_xz*z_y));
+        const stewart_real A_1_xz = STEWART_FMA(A_1_T_xy, y_z, STEWART_FMA(A_1_T_xs, s_z, A_1_T_xz*z_z));
+        const stewart_real A_1_yx = STEWART_FMA(A_1_T_yy, y_x, STEWART_FMA(A_1_T_ys, s_x, A_1_T_yz*z_x));
+        const stewart_real A_1_yy = STEWART_FMA(A_1_T_yy, y_y, STEWART_FMA(A_1_T_ys, s_y, A_1_T_yz*z_y));
+        const stewart_real A_1_yz = STEWART_FMA(A_1_T_yy, y_z, STEWART_FMA(A_1_T_ys, s_z, A_1_T_yz*z_z));
+        const stewart_real A_1_zx = STEWART_FMA(A_1_T_zy, y_x, STEWART_FMA(A_1_T_zs, s_x, A_1_T_zz*z_x));
+        const stewart_real A_1_zy = STEWART_FMA(A_1_T_zy, y_y, STEWART_FMA(A_1_T_zs, s_y, A_1_T_zz*z_y));
+        const stewart_real A_1_zz = STEWART_FMA(A_1_T_zy, y_z, STEWART_FMA(A_1_T_zs, s_z, A_1_T_zz*z_z));
         /* force by rotation about the tip */
-        const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx,
-            m_xy, STEWART_FMA(B_xx, m_xx, STEWART_FMA(A_1_xy, omega_z, A_0_xx)))));
-        const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(B_zy, m_xz, STEWART_FMA(B_yy,
-            m_xy, STEWART_FMA(B_xy, m_xx, STEWART_FMA(A_1_xz, omega_x, A_0_xy)))));
-        const stewart_real X_xz = STEWART_FMA(-A_1_xy, omega_x, STEWART_FMA(B_zz, m_xz, STEWART_FMA(B_yz,
-            m_xy, STEWART_FMA(B_xz, m_xx, STEWART_FMA(A_1_xx, omega_y, A_0_xz)))));
-        const stewart_real X_yx = STEWART_FMA(-A_1_yz, omega_y, STEWART_FMA(B_zx, m_yz, STEWART_FMA(B_yx,
-            m_yy, STEWART_FMA(B_xx, m_xy, STEWART_FMA(A_1_yy, omega_z, A_0_yx)))));
-        const stewart_real X_yy = STEWART_FMA(-A_1_yx, omega_z, STEWART_FMA(B_zy, m_yz, STEWART_FMA(B_yy,
-            m_yy, STEWART_FMA(B_xy, m_xy, STEWART_FMA(A_1_yz, omega_x, A_0_yy)))));
-        const stewart_real X_yz = STEWART_FMA(-A_1_yy, omega_x, STEWART_FMA(B_zz, m_yz, STEWART_FMA(B_yz,
-            m_yy, STEWART_FMA(B_xz, m_xy, STEWART_FMA(A_1_yx, omega_y, A_0_yz)))));
-        const stewart_real X_zx = STEWART_FMA(-A_1_zz, omega_y, STEWART_FMA(B_zx, m_zz, STEWART_FMA(B_yx,
-            m_yz, STEWART_FMA(B_xx, m_xz, STEWART_FMA(A_1_zy, omega_z, A_0_zx)))));
-        const stewart_real X_zy = STEWART_FMA(-A_1_zx, omega_z, STEWART_FMA(B_zy, m_zz, STEWART_FMA(B_yy,
-            m_yz, STEWART_FMA(B_xy, m_xz, STEWART_FMA(A_1_zz, omega_x, A_0_zy)))));
-        const stewart_real X_zz = STEWART_FMA(-A_1_zy, omega_x, STEWART_FMA(B_zz, m_zz, STEWART_FMA(B_yz,
-            m_yz, STEWART_FMA(B_xz, m_xz, STEWART_FMA(A_1_zx, omega_y, A_0_zz)))));
+        const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(A_1_xy, omega_z,
+            STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx, m_xy, B_xx*m_xx)))) + A_0_xx;
+        const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(A_1_xz, omega_x,
+            STEWART_FMA(B_zy, m_xz, STEWART_FMA(B_yy, m_xy, B_xy*m_xx)))) + A_0_xy;
+        const stewart_real X_xz = STEWART_FMA(-A_1_xy, omega_x, STEWART_FMA(A_1_xx, omega_y,
+            STEWART_FMA(B_zz, m_xz, STEWART_FMA(B_yz, m_xy, B_xz*m_xx)))) + A_0_xz;
+        const stewart_real X_yx = STEWART_FMA(-A_1_yz, omega_y, STEWART_FMA(A_1_yy, omega_z,
+            STEWART_FMA(B_zx, m_yz, STEWART_FMA(B_yx, m_yy, B_xx*m_xy)))) + A_0_yx;
+        const stewart_real X_yy = STEWART_FMA(-A_1_yx, omega_z, STEWART_FMA(A_1_yz, omega_x,
+            STEWART_FMA(B_zy, m_yz, STEWART_FMA(B_yy, m_yy, B_xy*m_xy)))) + A_0_yy;
+        const stewart_real X_yz = STEWART_FMA(-A_1_yy, omega_x, STEWART_FMA(A_1_yx, omega_y,
+            STEWART_FMA(B_zz, m_yz, STEWART_FMA(B_yz, m_yy, B_xz*m_xy)))) + A_0_yz;
+        const stewart_real X_zx = STEWART_FMA(-A_1_zz, omega_y, STEWART_FMA(A_1_zy, omega_z,
+            STEWART_FMA(B_zx, m_zz, STEWART_FMA(B_yx, m_yz, B_xx*m_xz)))) + A_0_zx;
+        const stewart_real X_zy = STEWART_FMA(-A_1_zx, omega_z, STEWART_FMA(A_1_zz, omega_x,
+            STEWART_FMA(B_zy, m_zz, STEWART_FMA(B_yy, m_yz, B_xy*m_xz)))) + A_0_zy;
+        const stewart_real X_zz = STEWART_FMA(-A_1_zy, omega_x, STEWART_FMA(A_1_zx, omega_y,
+            STEWART_FMA(B_zz, m_zz, STEWART_FMA(B_yz, m_yz, B_xz*m_xz)))) + A_0_zz;
         const stewart_real c81 = m_xy*omega_z;
         const stewart_real c82 = m_xz*omega_y;
-        const stewart_real Y_xx = A_1_xx + c81 - c82;
-        const stewart_real Y_xy = STEWART_FMA(-m_xx, omega_z, STEWART_FMA(m_xz, omega_x, A_1_xy));
-        const stewart_real Y_xz = STEWART_FMA(-m_xy, omega_x, STEWART_FMA(m_xx, omega_y, A_1_xz));
-        const stewart_real Y_yx = STEWART_FMA(-m_yz, omega_y, STEWART_FMA(m_yy, omega_z, A_1_yx));
+        const stewart_real Y_xx = c81 - c82 + A_1_xx;
+        const stewart_real Y_xy = STEWART_FMA(-m_xx, omega_z, m_xz*omega_x) + A_1_xy;
+        const stewart_real Y_xz = STEWART_FMA(-m_xy, omega_x, m_xx*omega_y) + A_1_xz;
+        const stewart_real Y_yx = STEWART_FMA(-m_yz, omega_y, m_yy*omega_z) + A_1_yx;
         const stewart_real c83 = m_yz*omega_x;
-        const stewart_real Y_yy = A_1_yy + c83 - c81;
-        const stewart_real Y_yz = STEWART_FMA(-m_yy, omega_x, STEWART_FMA(m_xy, omega_y, A_1_yz));
-        const stewart_real Y_zx = STEWART_FMA(-m_zz, omega_y, STEWART_FMA(m_yz, omega_z, A_1_zx));
-        const stewart_real Y_zy = STEWART_FMA(-m_xz, omega_z, STEWART_FMA(m_zz, omega_x, A_1_zy));
-        const stewart_real Y_zz = A_1_zz + c82 - c83;
+        const stewart_real Y_yy = c83 - c81 + A_1_yy;
+        const stewart_real Y_yz = STEWART_FMA(-m_yy, omega_x, m_xy*omega_y) + A_1_yz;
+        const stewart_real Y_zx = STEWART_FMA(-m_zz, omega_y, m_yz*omega_z) + A_1_zx;
+        const stewart_real Y_zy = STEWART_FMA(-m_xz, omega_z, m_zz*omega_x) + A_1_zy;
+        const stewart_real Y_zz = c82 - c83 + A_1_zz;
         const stewart_real Z_xx = STEWART_FMA(-X_xy, q_z, X_xz*q_y);
         const stewart_real Z_xy = STEWART_FMA(-X_xz, q_x, X_xx*q_z);
         const stewart_real Z_xz = STEWART_FMA(-X_xx, q_y, X_xy*q_x);
@@ -3891,22 +3889,22 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real Z_zz = STEWART_FMA(-X_zx, q_y, X_zy*q_x);
         const stewart_real c84 = m_xz*w_q_y;
         const stewart_real c85 = m_xy*w_q_z;
-        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, A_3_xx) + c84) - c85;
-        const stewart_real V_xy = STEWART_FMA(-m_xz, w_q_x, STEWART_FMA(-Y_xz, q_x, STEWART_FMA(m_xx, w_q_z,
-            STEWART_FMA(Y_xx, q_z, A_3_xy))));
-        const stewart_real V_xz = STEWART_FMA(-m_xx, w_q_y, STEWART_FMA(-Y_xx, q_y, STEWART_FMA(m_xy, w_q_x,
-            STEWART_FMA(Y_xy, q_x, A_3_xz))));
-        const stewart_real V_yx = STEWART_FMA(-m_yy, w_q_z, STEWART_FMA(-Y_yy, q_z, STEWART_FMA(m_yz, w_q_y,
-            STEWART_FMA(Y_yz, q_y, A_3_yx))));
+        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, A_3_xx + c84 - c85));
+        const stewart_real V_xy = STEWART_FMA(-Y_xz, q_x, STEWART_FMA(Y_xx, q_z, STEWART_FMA(-m_xz, w_q_x,
+            STEWART_FMA(m_xx, w_q_z, A_3_xy))));
+        const stewart_real V_xz = STEWART_FMA(-Y_xx, q_y, STEWART_FMA(Y_xy, q_x, STEWART_FMA(-m_xx, w_q_y,
+            STEWART_FMA(m_xy, w_q_x, A_3_xz))));
+        const stewart_real V_yx = STEWART_FMA(-Y_yy, q_z, STEWART_FMA(Y_yz, q_y, STEWART_FMA(-m_yy, w_q_z,
+            STEWART_FMA(m_yz, w_q_y, A_3_yx))));
         const stewart_real c86 = m_yz*w_q_x;
-        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, A_3_yy) + c85) - c86;
-        const stewart_real V_yz = STEWART_FMA(-m_xy, w_q_y, STEWART_FMA(-Y_yx, q_y, STEWART_FMA(m_yy, w_q_x,
-            STEWART_FMA(Y_yy, q_x, A_3_yz))));
-        const stewart_real V_zx = STEWART_FMA(-m_yz, w_q_z, STEWART_FMA(-Y_zy, q_z, STEWART_FMA(m_zz, w_q_y,
-            STEWART_FMA(Y_zz, q_y, A_3_zx))));
-        const stewart_real V_zy = STEWART_FMA(-m_zz, w_q_x, STEWART_FMA(-Y_zz, q_x, STEWART_FMA(m_xz, w_q_z,
-            STEWART_FMA(Y_zx, q_z, A_3_zy))));
-        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, A_3_zz) + c86) - c84;
+        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, A_3_yy + c85 - c86));
+        const stewart_real V_yz = STEWART_FMA(-Y_yx, q_y, STEWART_FMA(Y_yy, q_x, STEWART_FMA(-m_xy, w_q_y,
+            STEWART_FMA(m_yy, w_q_x, A_3_yz))));
+        const stewart_real V_zx = STEWART_FMA(-Y_zy, q_z, STEWART_FMA(Y_zz, q_y, STEWART_FMA(-m_yz, w_q_z,
+            STEWART_FMA(m_zz, w_q_y, A_3_zx))));
+        const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
+            STEWART_FMA(m_xz, w_q_z, A_3_zy))));
+        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, A_3_zz + c86 - c84));
         const stewart_real c87 = m_xy*q_z;
         const stewart_real c88 = m_xz*q_y;
         const stewart_real c89 = -m_yz*q_x;
@@ -3922,25 +3920,16 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real m_q_zz = c88 + c89;
         const stewart_real c90 = R_tip_y*q_y;
         const stewart_real c91 = R_tip_z*q_z;
-        const stewart_real c92 = STEWART_FMA(-f_S_dot_xy, omega_x, STEWART_FMA(f_S_dot_xx, omega_y,
-            f_S_xz));
-        const stewart_real c93 = STEWART_FMA(-f_S_dot_xx, omega_z, STEWART_FMA(f_S_dot_xz, omega_x,
-            f_S_xy));
-        const stewart_real c94 = STEWART_FMA(-f_S_dot_xz, omega_y, STEWART_FMA(f_S_dot_xy, omega_z,
-            f_S_xx));
-        const stewart_real c95 = STEWART_FMA(-f_S_dot_yx, omega_z, STEWART_FMA(f_S_dot_yz, omega_x,
-            f_S_yy));
-        const stewart_real c96 = STEWART_FMA(-f_S_dot_yy, omega_x, STEWART_FMA(f_S_dot_yx, omega_y,
-            f_S_yz));
+        const stewart_real c92 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
+        const stewart_real c93 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
+        const stewart_real c94 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
+        const stewart_real c95 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
+        const stewart_real c96 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
         const stewart_real c97 = R_tip_x*q_x;
-        const stewart_real c98 = STEWART_FMA(-f_S_dot_yz, omega_y, STEWART_FMA(f_S_dot_yy, omega_z,
-            f_S_yx));
-        const stewart_real c99 = STEWART_FMA(-f_S_dot_zx, omega_z, STEWART_FMA(f_S_dot_zz, omega_x,
-            f_S_zy));
-        const stewart_real c100 = STEWART_FMA(-f_S_dot_zy, omega_x, STEWART_FMA(f_S_dot_zx, omega_y,
-            f_S_zz));
-        const stewart_real c101 = STEWART_FMA(-f_S_dot_zz, omega_y, STEWART_FMA(f_S_dot_zy, omega_z,
-            f_S_zx));
+        const stewart_real c98 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
+        const stewart_real c99 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
+        const stewart_real c100 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
+        const stewart_real c101 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -3980,33 +3969,33 @@ STEWART_APART static void derivatives_of_leg(
         out->sum[36][l] = Z_zx;
         out->sum[37][l] = Z_zy;
         out->sum[38][l] = Z_zz;
-        out->sum[39][l] = STEWART_FMA(-A_0_yx, q_z, A_0_zx*q_y) - f_S_xx;
-        out->sum[40][l] = STEWART_FMA(-A_0_yy, q_z, A_0_zy*q_y) - f_S_xy;
-        out->sum[41][l] = STEWART_FMA(-A_0_yz, q_z, A_0_zz*q_y) - f_S_xz;
-        out->sum[42][l] = STEWART_FMA(-A_0_zx, q_x, A_0_xx*q_z) - f_S_yx;
-        out->sum[43][l] = STEWART_FMA(-A_0_zy, q_x, A_0_xy*q_z) - f_S_yy;
-        out->sum[44][l] = STEWART_FMA(-A_0_zz, q_x, A_0_xz*q_z) - f_S_yz;
-        out->sum[45][l] = STEWART_FMA(-A_0_xx, q_y, A_0_yx*q_x) - f_S_zx;
-        out->sum[46][l] = STEWART_FMA(-A_0_xy, q_y, A_0_yy*q_x) - f_S_zy;
-        out->sum[47][l] = STEWART_FMA(-A_0_xz, q_y, A_0_yz*q_x) - f_S_zz;
-        out->sum[48][l] = STEWART_FMA(-c92, q_y, STEWART_FMA(-Z_yx, q_z, STEWART_FMA(c93, q_z, Z_zx*q_y)) - c90
-            - c91);
+        out->sum[39][l] = STEWART_FMA(-A_0_yx, q_z, STEWART_FMA(A_0_zx, q_y, -f_S_xx));
+        out->sum[40][l] = STEWART_FMA(-A_0_yy, q_z, STEWART_FMA(A_0_zy, q_y, -f_S_xy));
+        out->sum[41][l] = STEWART_FMA(-A_0_yz, q_z, STEWART_FMA(A_0_zz, q_y, -f_S_xz));
+        out->sum[42][l] = STEWART_FMA(-A_0_zx, q_x, STEWART_FMA(A_0_xx, q_z, -f_S_yx));
+        out->sum[43][l] = STEWART_FMA(-A_0_zy, q_x, STEWART_FMA(A_0_xy, q_z, -f_S_yy));
+        out->sum[44][l] = STEWART_FMA(-A_0_zz, q_x, STEWART_FMA(A_0_xz, q_z, -f_S_yz));
+        out->sum[45][l] = STEWART_FMA(-A_0_xx, q_y, STEWART_FMA(A_0_yx, q_x, -f_S_zx));
+        out->sum[46][l] = STEWART_FMA(-A_0_xy, q_y, STEWART_FMA(A_0_yy, q_x, -f_S_zy));
+        out->sum[47][l] = STEWART_FMA(-A_0_xz, q_y, STEWART_FMA(A_0_yz, q_x, -f_S_zz));
+        out->sum[48][l] = STEWART_FMA(-c92, q_y, STEWART_FMA(-Z_yx, q_z, STEWART_FMA(c93, q_z, Z_zx*q_y) - c90
+            - c91));
         out->sum[49][l] = STEWART_FMA(-c94, q_z, STEWART_FMA(-Z_yy, q_z, STEWART_FMA(c92, q_x,
             STEWART_FMA(Z_zy, q_y, R_tip_y*q_x))));
         out->sum[50][l] = STEWART_FMA(-c93, q_x, STEWART_FMA(-Z_yz, q_z, STEWART_FMA(c94, q_y,
             STEWART_FMA(Z_zz, q_y, R_tip_z*q_x))));
         out->sum[51][l] = STEWART_FMA(-c96, q_y, STEWART_FMA(-Z_zx, q_x, STEWART_FMA(c95, q_z,
             STEWART_FMA(Z_xx, q_z, R_tip_x*q_y))));
-        out->sum[52][l] = STEWART_FMA(-c98, q_z, STEWART_FMA(-Z_zy, q_x, STEWART_FMA(c96, q_x, Z_xy*q_z)) - c91
-            - c97);
+        out->sum[52][l] = STEWART_FMA(-c98, q_z, STEWART_FMA(-Z_zy, q_x, STEWART_FMA(c96, q_x, Z_xy*q_z) - c91
+            - c97));
         out->sum[53][l] = STEWART_FMA(-c95, q_x, STEWART_FMA(-Z_zz, q_x, STEWART_FMA(c98, q_y,
             STEWART_FMA(Z_xz, q_z, R_tip_z*q_y))));
         out->sum[54][l] = STEWART_FMA(-c100, q_y, STEWART_FMA(-Z_xx, q_y, STEWART_FMA(c99, q_z,
             STEWART_FMA(Z_yx, q_x, R_tip_x*q_z))));
         out->sum[55][l] = STEWART_FMA(-c101, q_z, STEWART_FMA(-Z_xy, q_y, STEWART_FMA(c100, q_x,
             STEWART_FMA(Z_yy, q_x, R_tip_y*q_z))));
-        out->sum[56][l] = STEWART_FMA(-c99, q_x, STEWART_FMA(-Z_xz, q_y, STEWART_FMA(c101, q_y, Z_yz*q_x)) - c90
-            - c97);
+        out->sum[56][l] = STEWART_FMA(-c99, q_x, STEWART_FMA(-Z_xz, q_y, STEWART_FMA(c101, q_y, Z_yz*q_x) - c90
+            - c97));
         out->sum[57][l] = A_1_xx;
         out->sum[58][l] = A_1_xy;
         out->sum[59][l] = A_1_xz;
@@ -4025,15 +4014,15 @@ STEWART_APART static void derivatives_of_leg(
         out->sum[72][l] = V_zx;
         out->sum[73][l] = V_zy;
         out->sum[74][l] = V_zz;
-        out->sum[75][l] = STEWART_FMA(-A_1_yx, q_z, A_1_zx*q_y) - f_S_dot_xx;
-        out->sum[76][l] = STEWART_FMA(-A_1_yy, q_z, A_1_zy*q_y) - f_S_dot_xy;
-        out->sum[77][l] = STEWART_FMA(-A_1_yz, q_z, A_1_zz*q_y) - f_S_dot_xz;
-        out->sum[78][l] = STEWART_FMA(-A_1_zx, q_x, A_1_xx*q_z) - f_S_dot_yx;
-        out->sum[79][l] = STEWART_FMA(-A_1_zy, q_x, A_1_xy*q_z) - f_S_dot_yy;
-        out->sum[80][l] = STEWART_FMA(-A_1_zz, q_x, A_1_xz*q_z) - f_S_dot_yz;
-        out->sum[81][l] = STEWART_FMA(-A_1_xx, q_y, A_1_yx*q_x) - f_S_dot_zx;
-        out->sum[82][l] = STEWART_FMA(-A_1_xy, q_y, A_1_yy*q_x) - f_S_dot_zy;
-        out->sum[83][l] = STEWART_FMA(-A_1_xz, q_y, A_1_yz*q_x) - f_S_dot_zz;
+        out->sum[75][l] = STEWART_FMA(-A_1_yx, q_z, STEWART_FMA(A_1_zx, q_y, -f_S_dot_xx));
+        out->sum[76][l] = STEWART_FMA(-A_1_yy, q_z, STEWART_FMA(A_1_zy, q_y, -f_S_dot_xy));
+        out->sum[77][l] = STEWART_FMA(-A_1_yz, q_z, STEWART_FMA(A_1_zz, q_y, -f_S_dot_xz));
+        out->sum[78][l] = STEWART_FMA(-A_1_zx, q_x, STEWART_FMA(A_1_xx, q_z, -f_S_dot_yx));
+        out->sum[79][l] = STEWART_FMA(-A_1_zy, q_x, STEWART_FMA(A_1_xy, q_z, -f_S_dot_yy));
+        out->sum[80][l] = STEWART_FMA(-A_1_zz, q_x, STEWART_FMA(A_1_xz, q_z, -f_S_dot_yz));
+        out->sum[81][l] = STEWART_FMA(-A_1_xx, q_y, STEWART_FMA(A_1_yx, q_x, -f_S_dot_zx));
+        out->sum[82][l] = STEWART_FMA(-A_1_xy, q_y, STEWART_FMA(A_1_yy, q_x, -f_S_dot_zy));
+        out->sum[83][l] = STEWART_FMA(-A_1_xz, q_y, STEWART_FMA(A_1_yz, q_x, -f_S_dot_zz));
         out->sum[84][l] = STEWART_FMA(-f_S_dot_xz, q_y, STEWART_FMA(-V_yx, q_z, STEWART_FMA(f_S_dot_xy, q_z,
             V_zx*q_y)));
         out->sum[85][l] = STEWART_FMA(-f_S_dot_xx, q_z, STEWART_FMA(-V_yy, q_z, STEWART_FMA(f_S_dot_xz, q_x,
@@ -4120,9 +4109,9 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -4181,23 +4170,26 @@ STEWART_APART static void derivatives_of_near(
         /* (6) leg's turning about z */
         const stewart_real W_z = c1*inv_L;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, B_xx*q_x)) + a_x;
-        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, B_yx*q_x)) + a_y;
-        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, B_zx*q_x)) + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         const stewart_real c4 = k3*k3;
         /* (8) acceleration of the length */
         const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(c4, phi_dot2, theta_dot2))));
         const stewart_real c5 = REAL(2)*L_share;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
-        const stewart_real own_y = STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y,
-            S_ddot_x*z_x)), -c5*theta_dot);
+        const stewart_real own_y = STEWART_FMA(-c5, theta_dot, -inv_L*STEWART_FMA(S_ddot_z, z_z,
+            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_z = STEWART_FMA(-W_z, c5, inv_L*STEWART_FMA(S_ddot_z, y_z,
             STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real k33 = c4;
         const stewart_real k13 = k1*k3;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
         const stewart_real c6 = L*h_y;
         const stewart_real a3 = J_xy - c6;
@@ -4216,22 +4208,22 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
         const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
         const stewart_real m_leg_zz = M_theta*c10;
-        const stewart_real m_T_xs = STEWART_FMA(m_leg_sz, z_x, m_leg_sy*y_x);
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
         const stewart_real m_T_xy = STEWART_FMA(m_leg_yz, z_x, STEWART_FMA(m_leg_yy, y_x, m_leg_sy*s_x));
-        const stewart_real m_T_xz = STEWART_FMA(m_leg_zz, z_x, STEWART_FMA(m_leg_yz, y_x, m_leg_sz*s_x));
-        const stewart_real m_T_ys = STEWART_FMA(m_leg_sz, z_y, m_leg_sy*y_y);
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
         const stewart_real m_T_yy = STEWART_FMA(m_leg_yz, z_y, STEWART_FMA(m_leg_yy, y_y, m_leg_sy*s_y));
-        const stewart_real m_T_yz = STEWART_FMA(m_leg_zz, z_y, STEWART_FMA(m_leg_yz, y_y, m_leg_sz*s_y));
-        const stewart_real m_T_zs = STEWART_FMA(m_leg_sz, z_z, m_leg_sy*y_z);
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
         const stewart_real m_T_zy = STEWART_FMA(m_leg_yz, z_z, STEWART_FMA(m_leg_yy, y_z, m_leg_sy*s_z));
-        const stewart_real m_T_zz = STEWART_FMA(m_leg_zz, z_z, STEWART_FMA(m_leg_yz, y_z, m_leg_sz*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
-        const stewart_real m_xx = STEWART_FMA(m_T_xz, z_x, STEWART_FMA(m_T_xy, y_x, m_T_xs*s_x));
-        const stewart_real m_xy = STEWART_FMA(m_T_xz, z_y, STEWART_FMA(m_T_xy, y_y, m_T_xs*s_y));
-        const stewart_real m_xz = STEWART_FMA(m_T_xz, z_z, STEWART_FMA(m_T_xy, y_z, m_T_xs*s_z));
-        const stewart_real m_yy = STEWART_FMA(m_T_yz, z_y, STEWART_FMA(m_T_yy, y_y, m_T_ys*s_y));
-        const stewart_real m_yz = STEWART_FMA(m_T_yz, z_z, STEWART_FMA(m_T_yy, y_z, m_T_ys*s_z));
-        const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
+        const stewart_real m_xx = STEWART_FMA(m_T_xy, y_x, STEWART_FMA(m_T_xz, z_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xy, y_y, STEWART_FMA(m_T_xz, z_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xy, y_z, STEWART_FMA(m_T_xz, z_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yy, y_y, STEWART_FMA(m_T_yz, z_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
         /* gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
         const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
@@ -4255,8 +4247,8 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c19 = c12*h_z;
         const stewart_real c20 = inv_k3*k1;
         const stewart_real c21 = REAL(2)*c20;
-        const stewart_real tau_L = STEWART_FMA(h_z, own_y, STEWART_FMA(c19, c21, STEWART_FMA(c15, c18,
-            C_p*L_dot))) - c11 - c13 - c14;
+        const stewart_real tau_L = STEWART_FMA(c15, c18, STEWART_FMA(h_z, own_y, STEWART_FMA(c19, c21,
+            STEWART_FMA(C_p, L_dot, -c13) - c14))) - c11;
         const stewart_real c22 = C_us*theta_dot;
         const stewart_real c23 = J_yy*own_y;
         const stewart_real c24 = J_yz*own_z;
@@ -4290,10 +4282,10 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c53 = J_xx - J_zz;
         const stewart_real c54 = J_yy + c53;
         const stewart_real c55 = c54*k1;
-        const stewart_real tau_theta = STEWART_FMA(-c40, c48, STEWART_FMA(-c34, c49, STEWART_FMA(-c19, c35,
-            STEWART_FMA(c51, c55, STEWART_FMA(c45, c49, STEWART_FMA(c37, h_x, STEWART_FMA(c35, c36,
-            STEWART_FMA(L*c19, c49, c22) + c23 + c24 + c25 + c28 + c30 + c32 + c34)) + c42 + c44))) - c26) - c39)
-            - c45 - c47 - c50;
+        const stewart_real tau_theta = STEWART_FMA(-c40, c48, STEWART_FMA(-c34, c49, STEWART_FMA(c45, c49,
+            STEWART_FMA(c35, c36, STEWART_FMA(c37, h_x, STEWART_FMA(c51, c55, STEWART_FMA(-c19, c35,
+            STEWART_FMA(L*c19, c49, c44 - c50) + c28)) + c25 - c39 + c22 + c30 + c32 + c34) - c26 + c23))) - c45
+            + c24 - c47 + c42);
         const stewart_real c56 = C_s*w_k_omega;
         const stewart_real c57 = gamma_n*w_y;
         const stewart_real c58 = c41*own_y;
@@ -4315,20 +4307,20 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c75 = REAL(2)*J_xx;
         const stewart_real c76 = c49*c75;
         const stewart_real c77 = W_z*theta_dot;
-        const stewart_real tau_phi = STEWART_FMA((-c76)*c77, k1, STEWART_FMA(-c71, k3, STEWART_FMA(-c62, k3,
-            STEWART_FMA(-c53, c67, STEWART_FMA(-c51, c6, STEWART_FMA(-c48, own_y, STEWART_FMA((-c35)*c68,
-            own_z, STEWART_FMA(-c27, gamma_y, STEWART_FMA(-c16, c66, STEWART_FMA(-c15, c37,
-            STEWART_FMA((-L_dot)*c68, c70, STEWART_FMA(-L_ddot, c8, STEWART_FMA(c7, own_y, STEWART_FMA(c60,
-            c61, STEWART_FMA(c35*c73, h_z, STEWART_FMA(c35*c67, h_x, STEWART_FMA(c3, c72, STEWART_FMA(c12,
-            c72, STEWART_FMA(L_dot*W_z*c69, k3, STEWART_FMA(J_xx, c40, C_us*c16)))))) + c58 + c59) + c63 + c64
-            + c65)))))))))) - c56 - c57)));
+        const stewart_real tau_phi = STEWART_FMA(-c53, c67, STEWART_FMA((-c35)*c68, own_z,
+            STEWART_FMA(c35*c67, h_x, STEWART_FMA(c60, c61, STEWART_FMA(J_xx, c40, STEWART_FMA((-c76)*c77,
+            k1, STEWART_FMA((-L_dot)*c68, c70, STEWART_FMA(c35*c73, h_z, STEWART_FMA(-c48, own_y,
+            STEWART_FMA(-c16, c66, STEWART_FMA(L_dot*W_z*c69, k3, STEWART_FMA(-c15, c37, STEWART_FMA(c7,
+            own_y, STEWART_FMA(C_us, c16, STEWART_FMA(-c27, gamma_y, STEWART_FMA(-L_ddot, c8,
+            STEWART_FMA(-c51, c6, STEWART_FMA(-c71, k3, STEWART_FMA(-c62, k3, STEWART_FMA(c3, c72,
+            STEWART_FMA(c12, c72, c63 - c56))))) + c64 + c65) + c59) - c57) + c58)))))))))))));
         const stewart_real c78 = inv_rho*tau_phi;
         const stewart_real c79 = inv_L*tau_theta;
         const stewart_real c80 = tau_L - F;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = STEWART_FMA(-c79, z_x, STEWART_FMA(c80, s_x, c78*y_x));
-        const stewart_real R_tip_y = STEWART_FMA(-c79, z_y, STEWART_FMA(c80, s_y, c78*y_y));
-        const stewart_real R_tip_z = STEWART_FMA(-c79, z_z, STEWART_FMA(c80, s_z, c78*y_z));
+        const stewart_real R_tip_x = STEWART_FMA(c78, y_x, STEWART_FMA(-c79, z_x, c80*s_x));
+        const stewart_real R_tip_y = STEWART_FMA(c78, y_y, STEWART_FMA(-c79, z_y, c80*s_y));
+        const stewart_real R_tip_z = STEWART_FMA(c78, y_z, STEWART_FMA(-c79, z_z, c80*s_z));
         const stewart_real c81 = C_s*inv_rho;
         const stewart_real c82 = c81*k1;
         const stewart_real A_3_leg_21 = -c82;
@@ -4346,15 +4338,15 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real A_3_T_zy = A_3_leg_32*z_z;
         const stewart_real A_3_T_zz = A_3_leg_23*y_z;
         /* force at the tip by omega */
-        const stewart_real A_3_xx = STEWART_FMA(A_3_T_xz, z_x, STEWART_FMA(A_3_T_xy, y_x, A_3_T_xs*s_x));
-        const stewart_real A_3_xy = STEWART_FMA(A_3_T_xz, z_y, STEWART_FMA(A_3_T_xy, y_y, A_3_T_xs*s_y));
-        const stewart_real A_3_xz = STEWART_FMA(A_3_T_xz, z_z, STEWART_FMA(A_3_T_xy, y_z, A_3_T_xs*s_z));
-        const stewart_real A_3_yx = STEWART_FMA(A_3_T_yz, z_x, STEWART_FMA(A_3_T_yy, y_x, A_3_T_ys*s_x));
-        const stewart_real A_3_yy = STEWART_FMA(A_3_T_yz, z_y, STEWART_FMA(A_3_T_yy, y_y, A_3_T_ys*s_y));
-        const stewart_real A_3_yz = STEWART_FMA(A_3_T_yz, z_z, STEWART_FMA(A_3_T_yy, y_z, A_3_T_ys*s_z));
-        const stewart_real A_3_zx = STEWART_FMA(A_3_T_zz, z_x, STEWART_FMA(A_3_T_zy, y_x, A_3_T_zs*s_x));
-        const stewart_real A_3_zy = STEWART_FMA(A_3_T_zz, z_y, STEWART_FMA(A_3_T_zy, y_y, A_3_T_zs*s_y));
-        const stewart_real A_3_zz = STEWART_FMA(A_3_T_zz, z_z, STEWART_FMA(A_3_T_zy, y_z, A_3_T_zs*s_z));
+        const stewart_real A_3_xx = STEWART_FMA(A_3_T_xz, z_x, STEWART_FMA(A_3_T_xs, s_x, A_3_T_xy*y_x));
+        const stewart_real A_3_xy = STEWART_FMA(A_3_T_xz, z_y, STEWART_FMA(A_3_T_xs, s_y, A_3_T_xy*y_y));
+        const stewart_real A_3_xz = STEWART_FMA(A_3_T_xz, z_z, STEWART_FMA(A_3_T_xs, s_z, A_3_T_xy*y_z));
+        const stewart_real A_3_yx = STEWART_FMA(A_3_T_yz, z_x, STEWART_FMA(A_3_T_ys, s_x, A_3_T_yy*y_x));
+        const stewart_real A_3_yy = STEWART_FMA(A_3_T_yz, z_y, STEWART_FMA(A_3_T_ys, s_y, A_3_T_yy*y_y));
+        const stewart_real A_3_yz = STEWART_FMA(A_3_T_yz, z_z, STEWART_FMA(A_3_T_ys, s_z, A_3_T_yy*y_z));
+        const stewart_real A_3_zx = STEWART_FMA(A_3_T_zz, z_x, STEWART_FMA(A_3_T_zs, s_x, A_3_T_zy*y_x));
+        const stewart_real A_3_zy = STEWART_FMA(A_3_T_zz, z_y, STEWART_FMA(A_3_T_zs, s_y, A_3_T_zy*y_y));
+        const stewart_real A_3_zz = STEWART_FMA(A_3_T_zz, z_z, STEWART_FMA(A_3_T_zs, s_z, A_3_T_zy*y_z));
         const stewart_real c85 = inv_L*theta_dot;
         const stewart_real G_dot_21 = -c85;
         const stewart_real c86 = k1*phi_dot;
@@ -4375,36 +4367,36 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
         const stewart_real c91 = C_s*k3;
         const stewart_real f_S_leg_31 = G_dot_31*c91;
-        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(c89, k1, G_dot_32*k3);
+        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(G_dot_32, k3, c89*k1);
         const stewart_real f_S_leg_33 = G_dot_33*c91;
-        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_21, y_x,
-            f_S_leg_11*s_x));
-        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_22, y_x,
-            f_S_leg_12*s_x));
-        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_23, y_x,
-            f_S_leg_13*s_x));
-        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_21, y_y,
-            f_S_leg_11*s_y));
-        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_22, y_y,
-            f_S_leg_12*s_y));
-        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_23, y_y,
-            f_S_leg_13*s_y));
-        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_21, y_z,
-            f_S_leg_11*s_z));
-        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_22, y_z,
-            f_S_leg_12*s_z));
-        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_23, y_z,
-            f_S_leg_13*s_z));
+        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_11, s_x,
+            f_S_leg_21*y_x));
+        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_12, s_x,
+            f_S_leg_22*y_x));
+        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_13, s_x,
+            f_S_leg_23*y_x));
+        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_11, s_y,
+            f_S_leg_21*y_y));
+        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_12, s_y,
+            f_S_leg_22*y_y));
+        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_13, s_y,
+            f_S_leg_23*y_y));
+        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_11, s_z,
+            f_S_leg_21*y_z));
+        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_12, s_z,
+            f_S_leg_22*y_z));
+        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_13, s_z,
+            f_S_leg_23*y_z));
         /* friction moment by S */
-        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xz, z_x, STEWART_FMA(f_S_T_xy, y_x, f_S_T_xs*s_x));
-        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xz, z_y, STEWART_FMA(f_S_T_xy, y_y, f_S_T_xs*s_y));
-        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xz, z_z, STEWART_FMA(f_S_T_xy, y_z, f_S_T_xs*s_z));
-        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yz, z_x, STEWART_FMA(f_S_T_yy, y_x, f_S_T_ys*s_x));
-        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yz, z_y, STEWART_FMA(f_S_T_yy, y_y, f_S_T_ys*s_y));
-        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yz, z_z, STEWART_FMA(f_S_T_yy, y_z, f_S_T_ys*s_z));
-        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zz, z_x, STEWART_FMA(f_S_T_zy, y_x, f_S_T_zs*s_x));
-        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zz, z_y, STEWART_FMA(f_S_T_zy, y_y, f_S_T_zs*s_y));
-        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zz, z_z, STEWART_FMA(f_S_T_zy, y_z, f_S_T_zs*s_z));
+        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xy, y_x, STEWART_FMA(f_S_T_xz, z_x, f_S_T_xs*s_x));
+        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xy, y_y, STEWART_FMA(f_S_T_xz, z_y, f_S_T_xs*s_y));
+        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xy, y_z, STEWART_FMA(f_S_T_xz, z_z, f_S_T_xs*s_z));
+        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yy, y_x, STEWART_FMA(f_S_T_yz, z_x, f_S_T_ys*s_x));
+        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yy, y_y, STEWART_FMA(f_S_T_yz, z_y, f_S_T_ys*s_y));
+        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yy, y_z, STEWART_FMA(f_S_T_yz, z_z, f_S_T_ys*s_z));
+        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zy, y_x, STEWART_FMA(f_S_T_zz, z_x, f_S_T_zs*s_x));
+        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zy, y_y, STEWART_FMA(f_S_T_zz, z_y, f_S_T_zs*s_y));
+        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zy, y_z, STEWART_FMA(f_S_T_zz, z_z, f_S_T_zs*s_z));
         const stewart_real f_S_dot_leg_12 = c82;
         const stewart_real f_S_dot_leg_23 = -c84;
         const stewart_real f_S_dot_leg_32 = c83;
@@ -4435,7 +4427,7 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c100 = W_z*c99;
         const stewart_real c101 = STEWART_FMA(REAL(4)*c15*c16, c85, c100) - c97;
         const stewart_real A_0_leg_11 = STEWART_FMA(-REAL(4), c96, STEWART_FMA(REAL(2)*c3*h_x, inv_L,
-            REAL(2)*c12*h_x*inv_L) - c101 - c92 - c94);
+            REAL(2)*c12*h_x*inv_L)) - c94 - c92 - c101;
         const stewart_real c102 = h_x*inv_L;
         const stewart_real c103 = c102*c60;
         const stewart_real c104 = J_yz*c10;
@@ -4466,15 +4458,15 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c129 = c10*c62;
         const stewart_real c130 = c129*c49;
         const stewart_real c131 = inv_k3*inv_k3*inv_k3;
-        const stewart_real A_0_leg_12 = STEWART_FMA(-c127, c128, STEWART_FMA(-c123, c124,
-            STEWART_FMA((-REAL(6))*c122, c77, STEWART_FMA(-c120, c121, STEWART_FMA(-c118, c119,
-            STEWART_FMA(REAL(3)*h_z*inv_L*inv_k3*k1, own_z, STEWART_FMA(REAL(2)*h_y*inv_L*inv_k3*k1, own_y,
-            STEWART_FMA(REAL(3)*c12*c49*h_y, inv_L, STEWART_FMA(c10*gamma_y, w_x,
-            STEWART_FMA(c10*gamma_n*inv_k3, w_y, STEWART_FMA(c10*c53, own_z,
-            STEWART_FMA(REAL(2)*W_z*h_z*inv_L, theta_dot, STEWART_FMA(REAL(2)*L_ddot*c10, h_y,
-            STEWART_FMA(REAL(2)*J_xz*W_z*c10*c49, theta_dot, STEWART_FMA(J_xy*c10, c3, STEWART_FMA(J_xy*c10,
-            c12, STEWART_FMA(REAL(2)*J_xx*W_z*c10*c131*k1, theta_dot, STEWART_FMA(C_s*c10*inv_k3, w_k_omega,
-            C_p*W_z))))))))))))) - c103 - c105 - c108 - c110 - c111 - c115 - c117)))) - c125 - c126) - c130;
+        const stewart_real A_0_leg_12 = STEWART_FMA(REAL(3)*h_z*inv_L*inv_k3*k1, own_z, STEWART_FMA(-c120,
+            c121, STEWART_FMA(-c118, c119, STEWART_FMA(REAL(2)*h_y*inv_L*inv_k3*k1, own_y,
+            STEWART_FMA(REAL(2)*J_xx*W_z*c10*c131*k1, theta_dot, STEWART_FMA(c10*c53, own_z,
+            STEWART_FMA(REAL(2)*J_xz*W_z*c10*c49, theta_dot, STEWART_FMA(-c127, c128,
+            STEWART_FMA(REAL(2)*W_z*h_z*inv_L, theta_dot, STEWART_FMA((-REAL(6))*c122, c77,
+            STEWART_FMA(c10*gamma_n*inv_k3, w_y, STEWART_FMA(c10*gamma_y, w_x, STEWART_FMA(C_p, W_z,
+            STEWART_FMA(REAL(2)*L_ddot*c10, h_y, STEWART_FMA(C_s*c10*inv_k3, w_k_omega, STEWART_FMA(-c123,
+            c124, STEWART_FMA(REAL(3)*c12*c49*h_y, inv_L, STEWART_FMA(J_xy*c10, c3, J_xy*c10*c12) - c115 - c130)
+            - c108)) - c125 - c126)))) - c111 - c105 - c117)) - c110))))) - c103)));
         const stewart_real c132 = c10*c22;
         const stewart_real c133 = c10*c23;
         const stewart_real c134 = c10*c24;
@@ -4494,12 +4486,12 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c148 = REAL(4)*W_z;
         const stewart_real c149 = c148*c85;
         const stewart_real c150 = c149*h_y;
-        const stewart_real c151 = STEWART_FMA(-c20, c97, STEWART_FMA(-c10, c39, STEWART_FMA(REAL(2)*c36,
-            inv_L, STEWART_FMA(c150, c49, STEWART_FMA(c128, c99, STEWART_FMA(c10, c32, STEWART_FMA(c10, c30,
-            c10*c28))) + c146))) - c143 - c147 - c150);
-        const stewart_real A_0_leg_13 = STEWART_FMA(-c141, c49, STEWART_FMA(-c10, c47, STEWART_FMA(-C_p,
-            theta_dot, STEWART_FMA(c145*c55, inv_k3, STEWART_FMA(c143, c49, STEWART_FMA(REAL(2), c138, c132
-            + c133 + c134 + c137) + c141) + c144) + c151)) - c136 - c139);
+        const stewart_real c151 = STEWART_FMA(-c20, c97, STEWART_FMA(REAL(2)*c36, inv_L, STEWART_FMA(c150,
+            c49, STEWART_FMA(c128, c99, STEWART_FMA(c10, c32, STEWART_FMA(c10, c30, STEWART_FMA(-c10, c39,
+            STEWART_FMA(c10, c28, c146 - c143)))) - c147))) - c150);
+        const stewart_real A_0_leg_13 = STEWART_FMA(-c10, c47, STEWART_FMA(-c141, c49, STEWART_FMA(-C_p,
+            theta_dot, STEWART_FMA(REAL(2), c138, STEWART_FMA(c145*c55, inv_k3, STEWART_FMA(c143, c49, c137
+            - c136 - c139))) + c132) + c141 + c133) + c134) + c144 + c151;
         const stewart_real c152 = L_ddot*c10;
         const stewart_real c153 = c152*h_y;
         const stewart_real c154 = c10*gamma_y;
@@ -4520,15 +4512,15 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c169 = c168 + c75;
         const stewart_real c170 = c131*k1;
         const stewart_real c171 = J_xx*c170;
-        const stewart_real A_0_leg_21 = STEWART_FMA(-c165, c169, STEWART_FMA(-c159, c40,
-            STEWART_FMA(-REAL(3), c130, STEWART_FMA(-REAL(3), c126, STEWART_FMA(-REAL(3), c125,
-            STEWART_FMA(-c122, c160, STEWART_FMA(-c118, c76, STEWART_FMA(-REAL(2), c117,
-            STEWART_FMA(-REAL(2), c110, STEWART_FMA(-REAL(2), c105, STEWART_FMA(c167, c171,
-            STEWART_FMA(c165, c76, STEWART_FMA(c164, c20, STEWART_FMA(c162, c163, STEWART_FMA(c157, c161,
-            STEWART_FMA(c155, c20, STEWART_FMA(c154, w_x, STEWART_FMA(c120, c95, STEWART_FMA(c118, c169,
-            STEWART_FMA(c109, c57, STEWART_FMA(c109, c56, STEWART_FMA(c108, c49, STEWART_FMA(REAL(3)*c10,
-            c71, STEWART_FMA(J_yz, c157, J_xz*c167*c49))))))) + c153))) + c158)))) - c103) - c107) - c111)))
-            - c123)))));
+        const stewart_real A_0_leg_21 = STEWART_FMA(-c159, c40, STEWART_FMA(-c118, c76, STEWART_FMA(c120,
+            c95, STEWART_FMA(c118, c169, STEWART_FMA(J_xz*c167, c49, STEWART_FMA(-c122, c160,
+            STEWART_FMA(-REAL(2), c110, STEWART_FMA(c167, c171, STEWART_FMA(-c165, c169,
+            STEWART_FMA(-REAL(2), c117, STEWART_FMA(-REAL(2), c105, STEWART_FMA(c162, c163,
+            STEWART_FMA(c155, c20, STEWART_FMA(c165, c76, STEWART_FMA(c164, c20, STEWART_FMA(c157, c161,
+            STEWART_FMA(c154, w_x, STEWART_FMA(c109, c57, STEWART_FMA(J_yz, c157, STEWART_FMA(-REAL(3),
+            c126, STEWART_FMA(-REAL(3), c125, STEWART_FMA(c109, c56, STEWART_FMA(c108, c49,
+            STEWART_FMA(-REAL(3), c130, STEWART_FMA(REAL(3)*c10, c71, c158)) - c107 - c123)) + c153))))))))
+            - c111))))))))))) - c103));
         const stewart_real c173 = L_ddot*c112;
         const stewart_real c174 = c14*inv_L;
         const stewart_real c175 = c113*inv_L*inv_L*inv_L*inv_L;
@@ -4571,20 +4563,19 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c212 = c211*theta_dot;
         const stewart_real c213 = c131*c149*c15;
         const stewart_real c214 = c10*g_k;
-        const stewart_real c215 = STEWART_FMA(-c192, c27, STEWART_FMA(-c152, c69, STEWART_FMA(-F, inv_L,
-            STEWART_FMA(c214, c31, STEWART_FMA(c214, c29, STEWART_FMA(c135, h_x, C_p*c2) + c193)))));
-        const stewart_real A_0_leg_22 = STEWART_FMA(-REAL(2), c189, STEWART_FMA(-c186, c49,
-            STEWART_FMA(-c183, c49, STEWART_FMA(-c176, c53, STEWART_FMA(-c173, c198, STEWART_FMA(-c171,
-            c181, STEWART_FMA((-REAL(3))*c170, c195, STEWART_FMA(-c169, c175, STEWART_FMA(-c147, c20,
-            STEWART_FMA(-c146, c21, STEWART_FMA(-c146, c202, STEWART_FMA(-c145, c188, STEWART_FMA(-c136,
-            c20, STEWART_FMA(-c132, c170, STEWART_FMA(-c119, c176, STEWART_FMA(-c119, c173,
-            STEWART_FMA((-c109)*g_k, w_z, STEWART_FMA(c20, c205, STEWART_FMA(c197, c204, STEWART_FMA(c194,
-            c55, STEWART_FMA(c193, c49, STEWART_FMA(c191, c49, STEWART_FMA(c185, J_yy + c75 - J_zz,
-            STEWART_FMA(c184, w_y, STEWART_FMA(c180, c49, STEWART_FMA(c176, c198, STEWART_FMA(c176, c188,
-            STEWART_FMA(c175, c76, STEWART_FMA(c175, c206, STEWART_FMA(c173, c53, STEWART_FMA(c156, c212,
-            STEWART_FMA(c156, c203, STEWART_FMA(c143, c170, STEWART_FMA(REAL(3)*c138, c20, c132*c20))))) + c174)))))
-            + c183)) + c190))))) + c213 + c215 + c94)))))))))))))) - c177 - c178 - c180))) - c196 - c201 - c208
-            - c210 - c92;
+        const stewart_real c215 = STEWART_FMA(-c192, c27, STEWART_FMA(-c152, c69, STEWART_FMA(C_p, c2,
+            STEWART_FMA(c214, c29, STEWART_FMA(c214, c31, STEWART_FMA(-F, inv_L, c135*h_x))))) + c193);
+        const stewart_real A_0_leg_22 = STEWART_FMA(-REAL(2), c189, STEWART_FMA(c20, c205, STEWART_FMA(c180,
+            c49, STEWART_FMA(-c183, c49, STEWART_FMA(-c171, c181, STEWART_FMA(c191, c49, STEWART_FMA(-c147,
+            c20, STEWART_FMA(c194, c55, STEWART_FMA(-c132, c170, STEWART_FMA(c193, c49, STEWART_FMA(c184,
+            w_y, STEWART_FMA(c156, c203, STEWART_FMA(c132, c20, STEWART_FMA(c156, c212, STEWART_FMA(-c186,
+            c49, STEWART_FMA(REAL(3)*c138, c20, STEWART_FMA(-c173, c198, STEWART_FMA(-c119, c173,
+            STEWART_FMA(-c146, c21, STEWART_FMA(-c146, c202, STEWART_FMA(c176, c198, STEWART_FMA(c175, c206,
+            STEWART_FMA(c173, c53, STEWART_FMA((-REAL(3))*c170, c195, STEWART_FMA(-c136, c20,
+            STEWART_FMA(c197, c204, STEWART_FMA(c143, c170, STEWART_FMA((-c109)*g_k, w_z, STEWART_FMA(-c169,
+            c175, STEWART_FMA(-c176, c53, STEWART_FMA(-c145, c188, STEWART_FMA(-c119, c176,
+            STEWART_FMA(c185, J_yy + c75 - J_zz, STEWART_FMA(c176, c188, c175*c76))))) - c177 + c174) - c178))))))))))))))))
+            + c94)) + c190)) + c183) + c215) - c201 - c92) + c213) - c196 - c210)) - c180 - c208));
         const stewart_real c216 = c104*c3;
         const stewart_real c217 = c104*c12;
         const stewart_real c218 = J_xy*c49;
@@ -4604,163 +4595,163 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c232 = c223*c49;
         const stewart_real c233 = REAL(2)*c161;
         const stewart_real c234 = c182*c49;
-        const stewart_real c235 = STEWART_FMA(-c232, c57, STEWART_FMA(-c232, c56, STEWART_FMA(-c175, c233,
-            STEWART_FMA(-c175, c228, STEWART_FMA(-c166, c169, STEWART_FMA(-c165, c234, STEWART_FMA(-c162,
-            c207, STEWART_FMA(-c124, c229, STEWART_FMA(c230, c49, STEWART_FMA(c184, w_z, STEWART_FMA(c161,
-            c173, STEWART_FMA(c160*c170, c9, STEWART_FMA(c159, c73, STEWART_FMA(W_z, c231,
+        const stewart_real c235 = STEWART_FMA(-c124, c229, STEWART_FMA(c230, c49, STEWART_FMA(-c162, c207,
+            STEWART_FMA(-c166, c169, STEWART_FMA(c160*c170, c9, STEWART_FMA(-c165, c234, STEWART_FMA(c159,
+            c73, STEWART_FMA(-c232, c57, STEWART_FMA(c184, w_z, STEWART_FMA(W_z, c231, STEWART_FMA(-c175,
+            c233, STEWART_FMA(-c232, c56, STEWART_FMA(c161, c173, STEWART_FMA(-c175, c228,
             J_yz*c173))))))))))))));
-        const stewart_real A_0_leg_23 = STEWART_FMA(-c165, c211, STEWART_FMA(-c164, c49, STEWART_FMA(-c153,
-            c20, STEWART_FMA(-c128, c226, STEWART_FMA(-c108, c170, STEWART_FMA((-J_xx)*c167, c187,
-            STEWART_FMA(c225, c70, STEWART_FMA(c181, c218, STEWART_FMA(c161, c176, STEWART_FMA(c129, c202,
-            STEWART_FMA(c123, c20, STEWART_FMA(c119, c167, STEWART_FMA(c118, c211, c107*c20)))) + c155) + c164)
-            + c216 + c219 + c220) + c227 + c235)))))) - c217 - c221 - c222 - c224;
+        const stewart_real A_0_leg_23 = STEWART_FMA((-J_xx)*c167, c187, STEWART_FMA(c118, c211,
+            STEWART_FMA(-c128, c226, STEWART_FMA(c119, c167, STEWART_FMA(-c165, c211, STEWART_FMA(-c164,
+            c49, STEWART_FMA(c181, c218, STEWART_FMA(c225, c70, STEWART_FMA(-c153, c20, STEWART_FMA(-c108,
+            c170, STEWART_FMA(c161, c176, STEWART_FMA(c129, c202, STEWART_FMA(c123, c20, STEWART_FMA(c107,
+            c20, c216 + c219 + c220 - c217))))) - c224) + c164 + c155) + c227 - c222))))) - c221)) + c235;
         const stewart_real c236 = REAL(2)*J_yy;
         const stewart_real c237 = c236*theta_dot;
         const stewart_real c238 = REAL(2)*c41;
-        const stewart_real A_0_leg_31 = STEWART_FMA(-c167, c218, STEWART_FMA(-c165, c228, STEWART_FMA(-c163,
-            c238, STEWART_FMA(-c156, c237, STEWART_FMA(-REAL(3), c139, STEWART_FMA((-REAL(6))*c10*c46, c73,
-            STEWART_FMA(REAL(6), c195, STEWART_FMA(c145*c20, STEWART_FMA(-REAL(3), J_zz,
-            STEWART_FMA(REAL(3), J_yy, REAL(3)*J_xx)), STEWART_FMA(REAL(2), c144, STEWART_FMA(REAL(2), c133,
-            STEWART_FMA(REAL(2), c132, STEWART_FMA(c124, c142, J_xy*c167))) + c138)) + c151) + c205))))));
+        const stewart_real A_0_leg_31 = STEWART_FMA(REAL(2), c144, STEWART_FMA(-c167, c218,
+            STEWART_FMA((-REAL(6))*c10*c46, c73, STEWART_FMA(-c163, c238, STEWART_FMA(REAL(2), c133,
+            STEWART_FMA(J_xy, c167, STEWART_FMA(-c165, c228, STEWART_FMA(-c156, c237, STEWART_FMA(REAL(2),
+            c132, STEWART_FMA(c145*c20, STEWART_FMA(-REAL(3), J_zz, STEWART_FMA(REAL(3), J_yy,
+            REAL(3)*J_xx)), STEWART_FMA(c124, c142, STEWART_FMA(-REAL(3), c139, REAL(6)*c195))) + c138))))))))
+            + c205) + c151;
         const stewart_real c239 = c179*c181;
         const stewart_real c240 = REAL(4)*J_xz;
-        const stewart_real c242 = c169 + c236;
+        const stewart_real c242 = c236 + c169;
         const stewart_real c243 = REAL(4)*c128*c9;
-        const stewart_real A_0_leg_32 = STEWART_FMA(-c70, c93, STEWART_FMA(-c243, theta_dot,
-            STEWART_FMA(-REAL(2), c224, STEWART_FMA((-c223)*c40, c54, STEWART_FMA(-c222, c49,
-            STEWART_FMA(-REAL(2), c221, STEWART_FMA(-REAL(2), c217, STEWART_FMA(-c204, c238,
-            STEWART_FMA(-c166, c188, STEWART_FMA((-REAL(2))*c153, c20, STEWART_FMA(-c116, c128,
-            STEWART_FMA((-REAL(3))*c107, c170, STEWART_FMA(c239, c49, STEWART_FMA(REAL(3), c219,
-            STEWART_FMA(c194, c209, STEWART_FMA(c166*c49, STEWART_FMA(REAL(4), J_xx, c168) + c236,
-            STEWART_FMA(c165, c240, STEWART_FMA(c158, c170, STEWART_FMA(REAL(2), c155,
-            STEWART_FMA(c128*c156, c242, STEWART_FMA(c123, c202, STEWART_FMA(c118, c171, STEWART_FMA(c115,
-            c20, STEWART_FMA(c108, c20, STEWART_FMA(W_z, c225, C_s*c109*w_n_omega)))))))))))) + c222 + c229
-            + c235))))))) - c220)))) - c227 - c230 - c239));
-        const stewart_real A_0_leg_33 = STEWART_FMA(-c185, c54, STEWART_FMA(-c142, c202, STEWART_FMA(-c118,
-            c218, STEWART_FMA(-c100, c49, STEWART_FMA((-c10)*c18, c41, STEWART_FMA(-J_yy, c176,
-            STEWART_FMA(-J_yy, c173, STEWART_FMA(REAL(2), c96, STEWART_FMA(c175, c236, STEWART_FMA(c137,
-            c170, c101)) + c177 + c178 + c189 + c191 + c196 + c201 + c208 + c210 + c215))))))) - c174) - c186
-            - c190 - c200 - c213;
-        const stewart_real A_0_T_xs = STEWART_FMA(A_0_leg_31, z_x, STEWART_FMA(A_0_leg_21, y_x,
+        const stewart_real A_0_leg_32 = STEWART_FMA((-c223)*c40, c54, STEWART_FMA(-c243, theta_dot,
+            STEWART_FMA(c118, c171, STEWART_FMA(-REAL(2), c221, STEWART_FMA(-c166, c188, STEWART_FMA(-c116,
+            c128, STEWART_FMA(c239, c49, STEWART_FMA(c166*c49, STEWART_FMA(REAL(4), J_xx, c168) + c236,
+            STEWART_FMA(c128*c156, c242, STEWART_FMA(C_s*c109, w_n_omega, STEWART_FMA(-c70, c93,
+            STEWART_FMA(-c222, c49, STEWART_FMA(c194, c209, STEWART_FMA(REAL(2), c155, STEWART_FMA(c165,
+            c240, STEWART_FMA(W_z, c225, STEWART_FMA((-REAL(2))*c153, c20, STEWART_FMA(-c204, c238,
+            STEWART_FMA(-REAL(2), c224, STEWART_FMA((-REAL(3))*c107, c170, STEWART_FMA(c123, c202,
+            STEWART_FMA(c158, c170, STEWART_FMA(c115, c20, STEWART_FMA(c108, c20, STEWART_FMA(-REAL(2),
+            c217, REAL(3)*c219) - c220))))))))) + c222)))) - c227)))) + c229)))) - c239) - c230)) + c235;
+        const stewart_real A_0_leg_33 = STEWART_FMA(-c118, c218, STEWART_FMA((-c10)*c18, c41,
+            STEWART_FMA(-c100, c49, STEWART_FMA(-J_yy, c173, STEWART_FMA(-c142, c202, STEWART_FMA(REAL(2),
+            c96, STEWART_FMA(c137, c170, STEWART_FMA(-c185, c54, STEWART_FMA(-J_yy, c176, STEWART_FMA(c175,
+            c236, c177)) + c178) - c174)))) - c186 + c201 - c200 + c191 + c196 + c210 + c215) - c190 + c208)
+            - c213 + c189) + c101;
+        const stewart_real A_0_T_xs = STEWART_FMA(A_0_leg_21, y_x, STEWART_FMA(A_0_leg_31, z_x,
             A_0_leg_11*s_x));
-        const stewart_real A_0_T_xy = STEWART_FMA(A_0_leg_32, z_x, STEWART_FMA(A_0_leg_22, y_x,
+        const stewart_real A_0_T_xy = STEWART_FMA(A_0_leg_22, y_x, STEWART_FMA(A_0_leg_32, z_x,
             A_0_leg_12*s_x));
         const stewart_real A_0_T_xz = STEWART_FMA(A_0_leg_33, z_x, STEWART_FMA(A_0_leg_23, y_x,
             A_0_leg_13*s_x));
-        const stewart_real A_0_T_ys = STEWART_FMA(A_0_leg_31, z_y, STEWART_FMA(A_0_leg_21, y_y,
+        const stewart_real A_0_T_ys = STEWART_FMA(A_0_leg_21, y_y, STEWART_FMA(A_0_leg_31, z_y,
             A_0_leg_11*s_y));
-        const stewart_real A_0_T_yy = STEWART_FMA(A_0_leg_32, z_y, STEWART_FMA(A_0_leg_22, y_y,
+        const stewart_real A_0_T_yy = STEWART_FMA(A_0_leg_22, y_y, STEWART_FMA(A_0_leg_32, z_y,
             A_0_leg_12*s_y));
         const stewart_real A_0_T_yz = STEWART_FMA(A_0_leg_33, z_y, STEWART_FMA(A_0_leg_23, y_y,
             A_0_leg_13*s_y));
-        const stewart_real A_0_T_zs = STEWART_FMA(A_0_leg_31, z_z, STEWART_FMA(A_0_leg_21, y_z,
+        const stewart_real A_0_T_zs = STEWART_FMA(A_0_leg_21, y_z, STEWART_FMA(A_0_leg_31, z_z,
             A_0_leg_11*s_z));
-        const stewart_real A_0_T_zy = STEWART_FMA(A_0_leg_32, z_z, STEWART_FMA(A_0_leg_22, y_z,
+        const stewart_real A_0_T_zy = STEWART_FMA(A_0_leg_22, y_z, STEWART_FMA(A_0_leg_32, z_z,
             A_0_leg_12*s_z));
         const stewart_real A_0_T_zz = STEWART_FMA(A_0_leg_33, z_z, STEWART_FMA(A_0_leg_23, y_z,
             A_0_leg_13*s_z));
         /* force at the tip by S */
-        const stewart_real A_0_xx = STEWART_FMA(A_0_T_xz, z_x, STEWART_FMA(A_0_T_xy, y_x, A_0_T_xs*s_x));
-        const stewart_real A_0_xy = STEWART_FMA(A_0_T_xz, z_y, STEWART_FMA(A_0_T_xy, y_y, A_0_T_xs*s_y));
-        const stewart_real A_0_xz = STEWART_FMA(A_0_T_xz, z_z, STEWART_FMA(A_0_T_xy, y_z, A_0_T_xs*s_z));
-        const stewart_real A_0_yx = STEWART_FMA(A_0_T_yz, z_x, STEWART_FMA(A_0_T_yy, y_x, A_0_T_ys*s_x));
-        const stewart_real A_0_yy = STEWART_FMA(A_0_T_yz, z_y, STEWART_FMA(A_0_T_yy, y_y, A_0_T_ys*s_y));
-        const stewart_real A_0_yz = STEWART_FMA(A_0_T_yz, z_z, STEWART_FMA(A_0_T_yy, y_z, A_0_T_ys*s_z));
-        const stewart_real A_0_zx = STEWART_FMA(A_0_T_zz, z_x, STEWART_FMA(A_0_T_zy, y_x, A_0_T_zs*s_x));
-        const stewart_real A_0_zy = STEWART_FMA(A_0_T_zz, z_y, STEWART_FMA(A_0_T_zy, y_y, A_0_T_zs*s_y));
-        const stewart_real A_0_zz = STEWART_FMA(A_0_T_zz, z_z, STEWART_FMA(A_0_T_zy, y_z, A_0_T_zs*s_z));
+        const stewart_real A_0_xx = STEWART_FMA(A_0_T_xy, y_x, STEWART_FMA(A_0_T_xs, s_x, A_0_T_xz*z_x));
+        const stewart_real A_0_xy = STEWART_FMA(A_0_T_xy, y_y, STEWART_FMA(A_0_T_xs, s_y, A_0_T_xz*z_y));
+        const stewart_real A_0_xz = STEWART_FMA(A_0_T_xy, y_z, STEWART_FMA(A_0_T_xs, s_z, A_0_T_xz*z_z));
+        const stewart_real A_0_yx = STEWART_FMA(A_0_T_yy, y_x, STEWART_FMA(A_0_T_ys, s_x, A_0_T_yz*z_x));
+        const stewart_real A_0_yy = STEWART_FMA(A_0_T_yy, y_y, STEWART_FMA(A_0_T_ys, s_y, A_0_T_yz*z_y));
+        const stewart_real A_0_yz = STEWART_FMA(A_0_T_yy, y_z, STEWART_FMA(A_0_T_ys, s_z, A_0_T_yz*z_z));
+        const stewart_real A_0_zx = STEWART_FMA(A_0_T_zy, y_x, STEWART_FMA(A_0_T_zs, s_x, A_0_T_zz*z_x));
+        const stewart_real A_0_zy = STEWART_FMA(A_0_T_zy, y_y, STEWART_FMA(A_0_T_zs, s_y, A_0_T_zz*z_y));
+        const stewart_real A_0_zz = STEWART_FMA(A_0_T_zy, y_z, STEWART_FMA(A_0_T_zs, s_z, A_0_T_zz*z_z));
         const stewart_real c244 = c106*c70;
         const stewart_real c245 = c244 - c226;
         const stewart_real A_1_leg_11 = C_p + c245;
         const stewart_real c246 = c102*c70;
         const stewart_real c247 = c85*c98;
-        const stewart_real A_1_leg_12 = STEWART_FMA(c20, c247, c243) + c99 - c246;
+        const stewart_real A_1_leg_12 = STEWART_FMA(c20, c247, c99) - c246 + c243;
         const stewart_real c248 = STEWART_FMA((-REAL(2))*c106, c128, c231);
         const stewart_real A_1_leg_13 = c127 + c248;
         const stewart_real c249 = c109*c17;
-        const stewart_real A_1_leg_21 = STEWART_FMA(-c249, c41, STEWART_FMA(-c159, c16, STEWART_FMA(-c140,
-            c76, STEWART_FMA(REAL(2)*W_z*h_z*inv_L*inv_k3, k1, W_z*c10*c169))) - c199 - c246);
+        const stewart_real A_1_leg_21 = STEWART_FMA(REAL(2)*W_z*h_z*inv_L*inv_k3, k1, STEWART_FMA(-c159,
+            c16, STEWART_FMA(-c140, c76, STEWART_FMA(-c249, c41, STEWART_FMA(W_z*c10, c169, -c199)))) - c246);
         const stewart_real c250 = c140*c179;
         const stewart_real c251 = c69*c87;
         const stewart_real c252 = c244*c49;
         const stewart_real c253 = c10*c16;
         const stewart_real c254 = c209*c253;
         const stewart_real c255 = c250*c49;
-        const stewart_real A_1_leg_22 = STEWART_FMA(-c156, c76, STEWART_FMA(-c156, c206, STEWART_FMA(-c10,
-            c212, STEWART_FMA(-c10, c203, STEWART_FMA(REAL(2)*c49*h_z*inv_L, theta_dot,
-            STEWART_FMA(L_dot*c112, c169, STEWART_FMA(REAL(2)*L_dot*c10*h_z*inv_k3, k1, C_us*c10*c49)) + c254
-            + c255))))) - c250 - c251 - c252;
+        const stewart_real A_1_leg_22 = STEWART_FMA(-c10, c203, STEWART_FMA(REAL(2)*c49*h_z*inv_L,
+            theta_dot, STEWART_FMA(-c10, c212, STEWART_FMA(REAL(2)*L_dot*c10*h_z*inv_k3, k1,
+            STEWART_FMA(-c156, c76, STEWART_FMA(-c156, c206, STEWART_FMA(L_dot*c112, c169, C_us*c10*c49))) - c251)))
+            + c254 + c255) - c250 - c252;
         const stewart_real c256 = c10*c33;
         const stewart_real c257 = c249*c46;
         const stewart_real c258 = c70*c9;
-        const stewart_real c259 = STEWART_FMA(-c258, c49, STEWART_FMA(c156, c233, STEWART_FMA(c156, c228,
-            c140*c234)));
-        const stewart_real A_1_leg_23 = STEWART_FMA(c140, c211, c256) + c259 - c257;
+        const stewart_real c259 = STEWART_FMA(-c258, c49, STEWART_FMA(c140, c234, STEWART_FMA(c156, c233,
+            c156*c228)));
+        const stewart_real A_1_leg_23 = STEWART_FMA(c140, c211, c256) - c257 + c259;
         const stewart_real A_1_leg_31 = STEWART_FMA(c238, c253, STEWART_FMA(c104, c70, c10*c237)) + c248;
-        const stewart_real A_1_leg_32 = STEWART_FMA(-c247, c49, STEWART_FMA(-c20, c99,
-            STEWART_FMA((-c16)*c223, c242, STEWART_FMA(-c140, c240, STEWART_FMA(c256, c49, c247) + c257 + c258
-            + c259)))) - c256;
-        const stewart_real A_1_leg_33 = STEWART_FMA(-c156, c236, STEWART_FMA(C_us, c10, c250) + c252) - c245
-            - c251 - c254 - c255;
-        const stewart_real A_1_T_xs = STEWART_FMA(A_1_leg_31, z_x, STEWART_FMA(A_1_leg_21, y_x,
+        const stewart_real A_1_leg_32 = STEWART_FMA((-c16)*c223, c242, STEWART_FMA(-c140, c240,
+            STEWART_FMA(-c247, c49, STEWART_FMA(c256, c49, STEWART_FMA(-c20, c99, c247) + c257) + c258) - c256))
+            + c259;
+        const stewart_real A_1_leg_33 = STEWART_FMA(-c156, c236, C_us*c10) - c251 + c250 + c252 - c245 - c254
+            - c255;
+        const stewart_real A_1_T_xs = STEWART_FMA(A_1_leg_21, y_x, STEWART_FMA(A_1_leg_31, z_x,
             A_1_leg_11*s_x));
         const stewart_real A_1_T_xy = STEWART_FMA(A_1_leg_32, z_x, STEWART_FMA(A_1_leg_22, y_x,
             A_1_leg_12*s_x));
         const stewart_real A_1_T_xz = STEWART_FMA(A_1_leg_33, z_x, STEWART_FMA(A_1_leg_23, y_x,
             A_1_leg_13*s_x));
-        const stewart_real A_1_T_ys = STEWART_FMA(A_1_leg_31, z_y, STEWART_FMA(A_1_leg_21, y_y,
+        const stewart_real A_1_T_ys = STEWART_FMA(A_1_leg_21, y_y, STEWART_FMA(A_1_leg_31, z_y,
             A_1_leg_11*s_y));
         const stewart_real A_1_T_yy = STEWART_FMA(A_1_leg_32, z_y, STEWART_FMA(A_1_leg_22, y_y,
             A_1_leg_12*s_y));
         const stewart_real A_1_T_yz = STEWART_FMA(A_1_leg_33, z_y, STEWART_FMA(A_1_leg_23, y_y,
             A_1_leg_13*s_y));
-        const stewart_real A_1_T_zs = STEWART_FMA(A_1_leg_31, z_z, STEWART_FMA(A_1_leg_21, y_z,
+        const stewart_real A_1_T_zs = STEWART_FMA(A_1_leg_21, y_z, STEWART_FMA(A_1_leg_31, z_z,
             A_1_leg_11*s_z));
         const stewart_real A_1_T_zy = STEWART_FMA(A_1_leg_32, z_z, STEWART_FMA(A_1_leg_22, y_z,
             A_1_leg_12*s_z));
         const stewart_real A_1_T_zz = STEWART_FMA(A_1_leg_33, z_z, STEWART_FMA(A_1_leg_23, y_z,
             A_1_leg_13*s_z));
         /* force at the tip by S_dot */
-        const stewart_real A_1_xx = STEWART_FMA(A_1_T_xz, z_x, STEWART_FMA(A_1_T_xy, y_x, A_1_T_xs*s_x));
-        const stewart_real A_1_xy = STEWART_FMA(A_1_T_xz, z_y, STEWART_FMA(A_1_T_xy, y_y, A_1_T_xs*s_y));
-        const stewart_real A_1_xz = STEWART_FMA(A_1_T_xz, z_z, STEWART_FMA(A_1_T_xy, y_z, A_1_T_xs*s_z));
-        const stewart_real A_1_yx = STEWART_FMA(A_1_T_yz, z_x, STEWART_FMA(A_1_T_yy, y_x, A_1_T_ys*s_x));
-        const stewart_real A_1_yy = STEWART_FMA(A_1_T_yz, z_y, STEWART_FMA(A_1_T_yy, y_y, A_1_T_ys*s_y));
-        const stewart_real A_1_yz = STEWART_FMA(A_1_T_yz, z_z, STEWART_FMA(A_1_T_yy, y_z, A_1_T_ys*s_z));
-        const stewart_real A_1_zx = STEWART_FMA(A_1_T_zz, z_x, STEWART_FMA(A_1_T_zy, y_x, A_1_T_zs*s_x));
-        const stewart_real A_1_zy = STEWART_FMA(A_1_T_zz, z_y, STEWART_FMA(A_1_T_zy, y_y, A_1_T_zs*s_y));
-        const stewart_real A_1_zz = STEWART_FMA(A_1_T_zz, z_z, STEWART_FMA(A_1_T_zy, y_z, A_1_T_zs*s_z));
+        const stewart_real A_1_xx = STEWART_FMA(A_1_T_xy, y_x, STEWART_FMA(A_1_T_xz, z_x, A_1_T_xs*s_x));
+        const stewart_real A_1_xy = STEWART_FMA(A_1_T_xy, y_y, STEWART_FMA(A_1_T_xz, z_y, A_1_T_xs*s_y));
+        const stewart_real A_1_xz = STEWART_FMA(A_1_T_xy, y_z, STEWART_FMA(A_1_T_xz, z_z, A_1_T_xs*s_z));
+        const stewart_real A_1_yx = STEWART_FMA(A_1_T_yy, y_x, STEWART_FMA(A_1_T_yz, z_x, A_1_T_ys*s_x));
+        const stewart_real A_1_yy = STEWART_FMA(A_1_T_yy, y_y, STEWART_FMA(A_1_T_yz, z_y, A_1_T_ys*s_y));
+        const stewart_real A_1_yz = STEWART_FMA(A_1_T_yy, y_z, STEWART_FMA(A_1_T_yz, z_z, A_1_T_ys*s_z));
+        const stewart_real A_1_zx = STEWART_FMA(A_1_T_zy, y_x, STEWART_FMA(A_1_T_zz, z_x, A_1_T_zs*s_x));
+        const stewart_real A_1_zy = STEWART_FMA(A_1_T_zy, y_y, STEWART_FMA(A_1_T_zz, z_y, A_1_T_zs*s_y));
+        const stewart_real A_1_zz = STEWART_FMA(A_1_T_zy, y_z, STEWART_FMA(A_1_T_zz, z_z, A_1_T_zs*s_z));
         /* force by rotation about the tip */
-        const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx,
-            m_xy, STEWART_FMA(B_xx, m_xx, STEWART_FMA(A_1_xy, omega_z, A_0_xx)))));
-        const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(B_zy, m_xz, STEWART_FMA(B_yy,
-            m_xy, STEWART_FMA(B_xy, m_xx, STEWART_FMA(A_1_xz, omega_x, A_0_xy)))));
-        const stewart_real X_xz = STEWART_FMA(-A_1_xy, omega_x, STEWART_FMA(B_zz, m_xz, STEWART_FMA(B_yz,
-            m_xy, STEWART_FMA(B_xz, m_xx, STEWART_FMA(A_1_xx, omega_y, A_0_xz)))));
-        const stewart_real X_yx = STEWART_FMA(-A_1_yz, omega_y, STEWART_FMA(B_zx, m_yz, STEWART_FMA(B_yx,
-            m_yy, STEWART_FMA(B_xx, m_xy, STEWART_FMA(A_1_yy, omega_z, A_0_yx)))));
-        const stewart_real X_yy = STEWART_FMA(-A_1_yx, omega_z, STEWART_FMA(B_zy, m_yz, STEWART_FMA(B_yy,
-            m_yy, STEWART_FMA(B_xy, m_xy, STEWART_FMA(A_1_yz, omega_x, A_0_yy)))));
-        const stewart_real X_yz = STEWART_FMA(-A_1_yy, omega_x, STEWART_FMA(B_zz, m_yz, STEWART_FMA(B_yz,
-            m_yy, STEWART_FMA(B_xz, m_xy, STEWART_FMA(A_1_yx, omega_y, A_0_yz)))));
-        const stewart_real X_zx = STEWART_FMA(-A_1_zz, omega_y, STEWART_FMA(B_zx, m_zz, STEWART_FMA(B_yx,
-            m_yz, STEWART_FMA(B_xx, m_xz, STEWART_FMA(A_1_zy, omega_z, A_0_zx)))));
-        const stewart_real X_zy = STEWART_FMA(-A_1_zx, omega_z, STEWART_FMA(B_zy, m_zz, STEWART_FMA(B_yy,
-            m_yz, STEWART_FMA(B_xy, m_xz, STEWART_FMA(A_1_zz, omega_x, A_0_zy)))));
-        const stewart_real X_zz = STEWART_FMA(-A_1_zy, omega_x, STEWART_FMA(B_zz, m_zz, STEWART_FMA(B_yz,
-            m_yz, STEWART_FMA(B_xz, m_xz, STEWART_FMA(A_1_zx, omega_y, A_0_zz)))));
+        const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(A_1_xy, omega_z,
+            STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx, m_xy, B_xx*m_xx)))) + A_0_xx;
+        const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(A_1_xz, omega_x,
+            STEWART_FMA(B_zy, m_xz, STEWART_FMA(B_yy, m_xy, B_xy*m_xx)))) + A_0_xy;
+        const stewart_real X_xz = STEWART_FMA(-A_1_xy, omega_x, STEWART_FMA(A_1_xx, omega_y,
+            STEWART_FMA(B_zz, m_xz, STEWART_FMA(B_yz, m_xy, B_xz*m_xx)))) + A_0_xz;
+        const stewart_real X_yx = STEWART_FMA(-A_1_yz, omega_y, STEWART_FMA(A_1_yy, omega_z,
+            STEWART_FMA(B_zx, m_yz, STEWART_FMA(B_yx, m_yy, B_xx*m_xy)))) + A_0_yx;
+        const stewart_real X_yy = STEWART_FMA(-A_1_yx, omega_z, STEWART_FMA(A_1_yz, omega_x,
+            STEWART_FMA(B_zy, m_yz, STEWART_FMA(B_yy, m_yy, B_xy*m_xy)))) + A_0_yy;
+        const stewart_real X_yz = STEWART_FMA(-A_1_yy, omega_x, STEWART_FMA(A_1_yx, omega_y,
+            STEWART_FMA(B_zz, m_yz, STEWART_FMA(B_yz, m_yy, B_xz*m_xy)))) + A_0_yz;
+        const stewart_real X_zx = STEWART_FMA(-A_1_zz, omega_y, STEWART_FMA(A_1_zy, omega_z,
+            STEWART_FMA(B_zx, m_zz, STEWART_FMA(B_yx, m_yz, B_xx*m_xz)))) + A_0_zx;
+        const stewart_real X_zy = STEWART_FMA(-A_1_zx, omega_z, STEWART_FMA(A_1_zz, omega_x,
+            STEWART_FMA(B_zy, m_zz, STEWART_FMA(B_yy, m_yz, B_xy*m_xz)))) + A_0_zy;
+        const stewart_real X_zz = STEWART_FMA(-A_1_zy, omega_x, STEWART_FMA(A_1_zx, omega_y,
+            STEWART_FMA(B_zz, m_zz, STEWART_FMA(B_yz, m_yz, B_xz*m_xz)))) + A_0_zz;
         const stewart_real c260 = m_xy*omega_z;
         const stewart_real c261 = m_xz*omega_y;
-        const stewart_real Y_xx = A_1_xx + c260 - c261;
-        const stewart_real Y_xy = STEWART_FMA(-m_xx, omega_z, STEWART_FMA(m_xz, omega_x, A_1_xy));
-        const stewart_real Y_xz = STEWART_FMA(-m_xy, omega_x, STEWART_FMA(m_xx, omega_y, A_1_xz));
-        const stewart_real Y_yx = STEWART_FMA(-m_yz, omega_y, STEWART_FMA(m_yy, omega_z, A_1_yx));
+        const stewart_real Y_xx = c260 - c261 + A_1_xx;
+        const stewart_real Y_xy = STEWART_FMA(-m_xx, omega_z, m_xz*omega_x) + A_1_xy;
+        const stewart_real Y_xz = STEWART_FMA(-m_xy, omega_x, m_xx*omega_y) + A_1_xz;
+        const stewart_real Y_yx = STEWART_FMA(-m_yz, omega_y, m_yy*omega_z) + A_1_yx;
         const stewart_real c262 = m_yz*omega_x;
-        const stewart_real Y_yy = A_1_yy + c262 - c260;
-        const stewart_real Y_yz = STEWART_FMA(-m_yy, omega_x, STEWART_FMA(m_xy, omega_y, A_1_yz));
-        const stewart_real Y_zx = STEWART_FMA(-m_zz, omega_y, STEWART_FMA(m_yz, omega_z, A_1_zx));
-        const stewart_real Y_zy = STEWART_FMA(-m_xz, omega_z, STEWART_FMA(m_zz, omega_x, A_1_zy));
-        const stewart_real Y_zz = A_1_zz + c261 - c262;
+        const stewart_real Y_yy = c262 - c260 + A_1_yy;
+        const stewart_real Y_yz = STEWART_FMA(-m_yy, omega_x, m_xy*omega_y) + A_1_yz;
+        const stewart_real Y_zx = STEWART_FMA(-m_zz, omega_y, m_yz*omega_z) + A_1_zx;
+        const stewart_real Y_zy = STEWART_FMA(-m_xz, omega_z, m_zz*omega_x) + A_1_zy;
+        const stewart_real Y_zz = c261 - c262 + A_1_zz;
         const stewart_real Z_xx = STEWART_FMA(-X_xy, q_z, X_xz*q_y);
         const stewart_real Z_xy = STEWART_FMA(-X_xz, q_x, X_xx*q_z);
         const stewart_real Z_xz = STEWART_FMA(-X_xx, q_y, X_xy*q_x);
@@ -4772,22 +4763,22 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real Z_zz = STEWART_FMA(-X_zx, q_y, X_zy*q_x);
         const stewart_real c263 = m_xz*w_q_y;
         const stewart_real c264 = m_xy*w_q_z;
-        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, A_3_xx) + c263) - c264;
-        const stewart_real V_xy = STEWART_FMA(-m_xz, w_q_x, STEWART_FMA(-Y_xz, q_x, STEWART_FMA(m_xx, w_q_z,
-            STEWART_FMA(Y_xx, q_z, A_3_xy))));
-        const stewart_real V_xz = STEWART_FMA(-m_xx, w_q_y, STEWART_FMA(-Y_xx, q_y, STEWART_FMA(m_xy, w_q_x,
-            STEWART_FMA(Y_xy, q_x, A_3_xz))));
-        const stewart_real V_yx = STEWART_FMA(-m_yy, w_q_z, STEWART_FMA(-Y_yy, q_z, STEWART_FMA(m_yz, w_q_y,
-            STEWART_FMA(Y_yz, q_y, A_3_yx))));
+        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, A_3_xx + c263 - c264));
+        const stewart_real V_xy = STEWART_FMA(-Y_xz, q_x, STEWART_FMA(Y_xx, q_z, STEWART_FMA(-m_xz, w_q_x,
+            STEWART_FMA(m_xx, w_q_z, A_3_xy))));
+        const stewart_real V_xz = STEWART_FMA(-Y_xx, q_y, STEWART_FMA(Y_xy, q_x, STEWART_FMA(-m_xx, w_q_y,
+            STEWART_FMA(m_xy, w_q_x, A_3_xz))));
+        const stewart_real V_yx = STEWART_FMA(-Y_yy, q_z, STEWART_FMA(Y_yz, q_y, STEWART_FMA(-m_yy, w_q_z,
+            STEWART_FMA(m_yz, w_q_y, A_3_yx))));
         const stewart_real c265 = m_yz*w_q_x;
-        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, A_3_yy) + c264) - c265;
-        const stewart_real V_yz = STEWART_FMA(-m_xy, w_q_y, STEWART_FMA(-Y_yx, q_y, STEWART_FMA(m_yy, w_q_x,
-            STEWART_FMA(Y_yy, q_x, A_3_yz))));
-        const stewart_real V_zx = STEWART_FMA(-m_yz, w_q_z, STEWART_FMA(-Y_zy, q_z, STEWART_FMA(m_zz, w_q_y,
-            STEWART_FMA(Y_zz, q_y, A_3_zx))));
-        const stewart_real V_zy = STEWART_FMA(-m_zz, w_q_x, STEWART_FMA(-Y_zz, q_x, STEWART_FMA(m_xz, w_q_z,
-            STEWART_FMA(Y_zx, q_z, A_3_zy))));
-        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, A_3_zz) + c265) - c263;
+        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, A_3_yy + c264 - c265));
+        const stewart_real V_yz = STEWART_FMA(-Y_yx, q_y, STEWART_FMA(Y_yy, q_x, STEWART_FMA(-m_xy, w_q_y,
+            STEWART_FMA(m_yy, w_q_x, A_3_yz))));
+        const stewart_real V_zx = STEWART_FMA(-Y_zy, q_z, STEWART_FMA(Y_zz, q_y, STEWART_FMA(-m_yz, w_q_z,
+            STEWART_FMA(m_zz, w_q_y, A_3_zx))));
+        const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
+            STEWART_FMA(m_xz, w_q_z, A_3_zy))));
+        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, A_3_zz + c265 - c263));
         const stewart_real c266 = m_xy*q_z;
         const stewart_real c267 = m_xz*q_y;
         const stewart_real c268 = -m_yz*q_x;
@@ -4803,25 +4794,16 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real m_q_zz = c267 + c268;
         const stewart_real c269 = R_tip_y*q_y;
         const stewart_real c270 = R_tip_z*q_z;
-        const stewart_real c271 = STEWART_FMA(-f_S_dot_xy, omega_x, STEWART_FMA(f_S_dot_xx, omega_y,
-            f_S_xz));
-        const stewart_real c272 = STEWART_FMA(-f_S_dot_xx, omega_z, STEWART_FMA(f_S_dot_xz, omega_x,
-            f_S_xy));
-        const stewart_real c273 = STEWART_FMA(-f_S_dot_xz, omega_y, STEWART_FMA(f_S_dot_xy, omega_z,
-            f_S_xx));
-        const stewart_real c274 = STEWART_FMA(-f_S_dot_yx, omega_z, STEWART_FMA(f_S_dot_yz, omega_x,
-            f_S_yy));
-        const stewart_real c275 = STEWART_FMA(-f_S_dot_yy, omega_x, STEWART_FMA(f_S_dot_yx, omega_y,
-            f_S_yz));
+        const stewart_real c271 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
+        const stewart_real c272 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
+        const stewart_real c273 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
+        const stewart_real c274 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
+        const stewart_real c275 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
         const stewart_real c276 = R_tip_x*q_x;
-        const stewart_real c277 = STEWART_FMA(-f_S_dot_yz, omega_y, STEWART_FMA(f_S_dot_yy, omega_z,
-            f_S_yx));
-        const stewart_real c278 = STEWART_FMA(-f_S_dot_zx, omega_z, STEWART_FMA(f_S_dot_zz, omega_x,
-            f_S_zy));
-        const stewart_real c279 = STEWART_FMA(-f_S_dot_zy, omega_x, STEWART_FMA(f_S_dot_zx, omega_y,
-            f_S_zz));
-        const stewart_real c280 = STEWART_FMA(-f_S_dot_zz, omega_y, STEWART_FMA(f_S_dot_zy, omega_z,
-            f_S_zx));
+        const stewart_real c277 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
+        const stewart_real c278 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
+        const stewart_real c279 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
+        const stewart_real c280 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -4861,33 +4843,33 @@ STEWART_APART static void derivatives_of_near(
         out->sum[36][l] = Z_zx;
         out->sum[37][l] = Z_zy;
         out->sum[38][l] = Z_zz;
-        out->sum[39][l] = STEWART_FMA(-A_0_yx, q_z, A_0_zx*q_y) - f_S_xx;
-        out->sum[40][l] = STEWART_FMA(-A_0_yy, q_z, A_0_zy*q_y) - f_S_xy;
-        out->sum[41][l] = STEWART_FMA(-A_0_yz, q_z, A_0_zz*q_y) - f_S_xz;
-        out->sum[42][l] = STEWART_FMA(-A_0_zx, q_x, A_0_xx*q_z) - f_S_yx;
-        out->sum[43][l] = STEWART_FMA(-A_0_zy, q_x, A_0_xy*q_z) - f_S_yy;
-        out->sum[44][l] = STEWART_FMA(-A_0_zz, q_x, A_0_xz*q_z) - f_S_yz;
-        out->sum[45][l] = STEWART_FMA(-A_0_xx, q_y, A_0_yx*q_x) - f_S_zx;
-        out->sum[46][l] = STEWART_FMA(-A_0_xy, q_y, A_0_yy*q_x) - f_S_zy;
-        out->sum[47][l] = STEWART_FMA(-A_0_xz, q_y, A_0_yz*q_x) - f_S_zz;
-        out->sum[48][l] = STEWART_FMA(-c271, q_y, STEWART_FMA(-Z_yx, q_z, STEWART_FMA(c272, q_z, Z_zx*q_y))
-            - c269 - c270);
+        out->sum[39][l] = STEWART_FMA(-A_0_yx, q_z, STEWART_FMA(A_0_zx, q_y, -f_S_xx));
+        out->sum[40][l] = STEWART_FMA(-A_0_yy, q_z, STEWART_FMA(A_0_zy, q_y, -f_S_xy));
+        out->sum[41][l] = STEWART_FMA(-A_0_yz, q_z, STEWART_FMA(A_0_zz, q_y, -f_S_xz));
+        out->sum[42][l] = STEWART_FMA(-A_0_zx, q_x, STEWART_FMA(A_0_xx, q_z, -f_S_yx));
+        out->sum[43][l] = STEWART_FMA(-A_0_zy, q_x, STEWART_FMA(A_0_xy, q_z, -f_S_yy));
+        out->sum[44][l] = STEWART_FMA(-A_0_zz, q_x, STEWART_FMA(A_0_xz, q_z, -f_S_yz));
+        out->sum[45][l] = STEWART_FMA(-A_0_xx, q_y, STEWART_FMA(A_0_yx, q_x, -f_S_zx));
+        out->sum[46][l] = STEWART_FMA(-A_0_xy, q_y, STEWART_FMA(A_0_yy, q_x, -f_S_zy));
+        out->sum[47][l] = STEWART_FMA(-A_0_xz, q_y, STEWART_FMA(A_0_yz, q_x, -f_S_zz));
+        out->sum[48][l] = STEWART_FMA(-c271, q_y, STEWART_FMA(-Z_yx, q_z, STEWART_FMA(c272, q_z, Z_zx*q_y) - c269
+            - c270));
         out->sum[49][l] = STEWART_FMA(-c273, q_z, STEWART_FMA(-Z_yy, q_z, STEWART_FMA(c271, q_x,
             STEWART_FMA(Z_zy, q_y, R_tip_y*q_x))));
         out->sum[50][l] = STEWART_FMA(-c272, q_x, STEWART_FMA(-Z_yz, q_z, STEWART_FMA(c273, q_y,
             STEWART_FMA(Z_zz, q_y, R_tip_z*q_x))));
         out->sum[51][l] = STEWART_FMA(-c275, q_y, STEWART_FMA(-Z_zx, q_x, STEWART_FMA(c274, q_z,
             STEWART_FMA(Z_xx, q_z, R_tip_x*q_y))));
-        out->sum[52][l] = STEWART_FMA(-c277, q_z, STEWART_FMA(-Z_zy, q_x, STEWART_FMA(c275, q_x, Z_xy*q_z))
-            - c270 - c276);
+        out->sum[52][l] = STEWART_FMA(-c277, q_z, STEWART_FMA(-Z_zy, q_x, STEWART_FMA(c275, q_x, Z_xy*q_z) - c270
+            - c276));
         out->sum[53][l] = STEWART_FMA(-c274, q_x, STEWART_FMA(-Z_zz, q_x, STEWART_FMA(c277, q_y,
             STEWART_FMA(Z_xz, q_z, R_tip_z*q_y))));
         out->sum[54][l] = STEWART_FMA(-c279, q_y, STEWART_FMA(-Z_xx, q_y, STEWART_FMA(c278, q_z,
             STEWART_FMA(Z_yx, q_x, R_tip_x*q_z))));
         out->sum[55][l] = STEWART_FMA(-c280, q_z, STEWART_FMA(-Z_xy, q_y, STEWART_FMA(c279, q_x,
             STEWART_FMA(Z_yy, q_x, R_tip_y*q_z))));
-        out->sum[56][l] = STEWART_FMA(-c278, q_x, STEWART_FMA(-Z_xz, q_y, STEWART_FMA(c280, q_y, Z_yz*q_x))
-            - c269 - c276);
+        out->sum[56][l] = STEWART_FMA(-c278, q_x, STEWART_FMA(-Z_xz, q_y, STEWART_FMA(c280, q_y, Z_yz*q_x) - c269
+            - c276));
         out->sum[57][l] = A_1_xx;
         out->sum[58][l] = A_1_xy;
         out->sum[59][l] = A_1_xz;
@@ -4906,15 +4888,15 @@ STEWART_APART static void derivatives_of_near(
         out->sum[72][l] = V_zx;
         out->sum[73][l] = V_zy;
         out->sum[74][l] = V_zz;
-        out->sum[75][l] = STEWART_FMA(-A_1_yx, q_z, A_1_zx*q_y) - f_S_dot_xx;
-        out->sum[76][l] = STEWART_FMA(-A_1_yy, q_z, A_1_zy*q_y) - f_S_dot_xy;
-        out->sum[77][l] = STEWART_FMA(-A_1_yz, q_z, A_1_zz*q_y) - f_S_dot_xz;
-        out->sum[78][l] = STEWART_FMA(-A_1_zx, q_x, A_1_xx*q_z) - f_S_dot_yx;
-        out->sum[79][l] = STEWART_FMA(-A_1_zy, q_x, A_1_xy*q_z) - f_S_dot_yy;
-        out->sum[80][l] = STEWART_FMA(-A_1_zz, q_x, A_1_xz*q_z) - f_S_dot_yz;
-        out->sum[81][l] = STEWART_FMA(-A_1_xx, q_y, A_1_yx*q_x) - f_S_dot_zx;
-        out->sum[82][l] = STEWART_FMA(-A_1_xy, q_y, A_1_yy*q_x) - f_S_dot_zy;
-        out->sum[83][l] = STEWART_FMA(-A_1_xz, q_y, A_1_yz*q_x) - f_S_dot_zz;
+        out->sum[75][l] = STEWART_FMA(-A_1_yx, q_z, STEWART_FMA(A_1_zx, q_y, -f_S_dot_xx));
+        out->sum[76][l] = STEWART_FMA(-A_1_yy, q_z, STEWART_FMA(A_1_zy, q_y, -f_S_dot_xy));
+        out->sum[77][l] = STEWART_FMA(-A_1_yz, q_z, STEWART_FMA(A_1_zz, q_y, -f_S_dot_xz));
+        out->sum[78][l] = STEWART_FMA(-A_1_zx, q_x, STEWART_FMA(A_1_xx, q_z, -f_S_dot_yx));
+        out->sum[79][l] = STEWART_FMA(-A_1_zy, q_x, STEWART_FMA(A_1_xy, q_z, -f_S_dot_yy));
+        out->sum[80][l] = STEWART_FMA(-A_1_zz, q_x, STEWART_FMA(A_1_xz, q_z, -f_S_dot_yz));
+        out->sum[81][l] = STEWART_FMA(-A_1_xx, q_y, STEWART_FMA(A_1_yx, q_x, -f_S_dot_zx));
+        out->sum[82][l] = STEWART_FMA(-A_1_xy, q_y, STEWART_FMA(A_1_yy, q_x, -f_S_dot_zy));
+        out->sum[83][l] = STEWART_FMA(-A_1_xz, q_y, STEWART_FMA(A_1_yz, q_x, -f_S_dot_zz));
         out->sum[84][l] = STEWART_FMA(-f_S_dot_xz, q_y, STEWART_FMA(-V_yx, q_z, STEWART_FMA(f_S_dot_xy, q_z,
             V_zx*q_y)));
         out->sum[85][l] = STEWART_FMA(-f_S_dot_xx, q_z, STEWART_FMA(-V_yy, q_z, STEWART_FMA(f_S_dot_xz, q_x,
@@ -5303,11 +5285,11 @@ static void joint_slopes_of_pose(
     const stewart_real h_base_x = STEWART_FMA(R_xz, c6, STEWART_FMA(R_xy, c5, R_xx*c3));
     const stewart_real h_base_y = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c3));
     const stewart_real h_base_z = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c3));
-    const stewart_real c7 = STEWART_FMA(J_0_xz, R_xz, STEWART_FMA(J_0_xy, R_xy, J_0_xx*R_xx));
-    const stewart_real c8 = STEWART_FMA(J_0_yz, R_xz, STEWART_FMA(J_0_yy, R_xy, J_0_xy*R_xx));
+    const stewart_real c7 = STEWART_FMA(J_0_xx, R_xx, STEWART_FMA(J_0_xz, R_xz, J_0_xy*R_xy));
+    const stewart_real c8 = STEWART_FMA(J_0_yy, R_xy, STEWART_FMA(J_0_yz, R_xz, J_0_xy*R_xx));
     const stewart_real c9 = STEWART_FMA(J_0_zz, R_xz, STEWART_FMA(J_0_yz, R_xy, J_0_xz*R_xx));
-    const stewart_real c10 = STEWART_FMA(J_0_xz, R_yz, STEWART_FMA(J_0_xy, R_yy, J_0_xx*R_yx));
-    const stewart_real c11 = STEWART_FMA(J_0_yz, R_yz, STEWART_FMA(J_0_yy, R_yy, J_0_xy*R_yx));
+    const stewart_real c10 = STEWART_FMA(J_0_xx, R_yx, STEWART_FMA(J_0_xz, R_yz, J_0_xy*R_yy));
+    const stewart_real c11 = STEWART_FMA(J_0_yy, R_yy, STEWART_FMA(J_0_yz, R_yz, J_0_xy*R_yx));
     const stewart_real c12 = STEWART_FMA(J_0_zz, R_yz, STEWART_FMA(J_0_yz, R_yy, J_0_xz*R_yx));
     /* (32) inertia of the platform, base frame */
     const stewart_real J_base_xx = STEWART_FMA(R_xz, c9, STEWART_FMA(R_xy, c8, R_xx*c7));
@@ -5316,8 +5298,8 @@ static void joint_slopes_of_pose(
     const stewart_real J_base_yy = STEWART_FMA(R_yz, c12, STEWART_FMA(R_yy, c11, R_yx*c10));
     const stewart_real J_base_yz = STEWART_FMA(R_zz, c12, STEWART_FMA(R_zy, c11, R_zx*c10));
     const stewart_real J_base_zz = STEWART_FMA(R_zz, STEWART_FMA(J_0_zz, R_zz, STEWART_FMA(J_0_yz, R_zy,
-        J_0_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_0_yz, R_zz, STEWART_FMA(J_0_yy, R_zy, J_0_xy*R_zx)),
-        R_zx*STEWART_FMA(J_0_xz, R_zz, STEWART_FMA(J_0_xy, R_zy, J_0_xx*R_zx))));
+        J_0_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_0_yy, R_zy, STEWART_FMA(J_0_yz, R_zz, J_0_xy*R_zx)),
+        R_zx*STEWART_FMA(J_0_xx, R_zx, STEWART_FMA(J_0_xz, R_zz, J_0_xy*R_zy))));
     const stewart_real c13 = h_base_y*omega_z;
     const stewart_real c14 = h_base_z*omega_y;
     const stewart_real c15 = h_base_x*omega_z;
@@ -5376,14 +5358,14 @@ static void joint_slopes_of_pose(
     const stewart_real M_load_z = STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx));
     const stewart_real c31 = J_base_xy*omega_z;
     const stewart_real c32 = J_base_xz*omega_y;
-    const stewart_real c34 = STEWART_FMA(-J_base_xx, omega_z, J_w_z + c23);
-    const stewart_real c35 = STEWART_FMA(-J_base_xx, omega_y, J_w_y + c21);
-    const stewart_real c36 = STEWART_FMA(-J_base_yy, omega_z, J_w_z + c24);
+    const stewart_real c34 = STEWART_FMA(-J_base_xx, omega_z, c23) + J_w_z;
+    const stewart_real c35 = STEWART_FMA(-J_base_xx, omega_y, c21) + J_w_y;
+    const stewart_real c36 = STEWART_FMA(-J_base_yy, omega_z, c24) + J_w_z;
     const stewart_real c37 = J_base_yz*omega_x;
     const stewart_real c39 = c31 - c37;
-    const stewart_real c40 = STEWART_FMA(-J_base_yy, omega_x, J_w_x + c19);
-    const stewart_real c41 = STEWART_FMA(-J_base_zz, omega_y, J_w_y + c22);
-    const stewart_real c42 = STEWART_FMA(-J_base_zz, omega_x, J_w_x + c20);
+    const stewart_real c40 = STEWART_FMA(-J_base_yy, omega_x, c19) + J_w_x;
+    const stewart_real c41 = STEWART_FMA(-J_base_zz, omega_y, c22) + J_w_y;
+    const stewart_real c42 = STEWART_FMA(-J_base_zz, omega_x, c20) + J_w_x;
     /* derivative of I omega by dphi at fixed omega */
     const stewart_real spin_xx = c31 - c32;
     const stewart_real spin_xy = c34;
@@ -5443,12 +5425,12 @@ static void joint_slopes_of_pose(
     summed[28] = REAL(0);
     summed[29] = REAL(0);
     summed[30] = STEWART_FMA(-B_xy, h_base_z, B_xz*h_base_y);
-    summed[31] = STEWART_FMA(-B_xz, h_base_x, B_xx*h_base_z) - F_load_z;
+    summed[31] = STEWART_FMA(-B_xz, h_base_x, STEWART_FMA(B_xx, h_base_z, -F_load_z));
     summed[32] = STEWART_FMA(-B_xx, h_base_y, STEWART_FMA(B_xy, h_base_x, F_load_y));
     summed[33] = STEWART_FMA(-B_yy, h_base_z, STEWART_FMA(B_yz, h_base_y, F_load_z));
     summed[34] = STEWART_FMA(-B_yz, h_base_x, B_yx*h_base_z);
-    summed[35] = STEWART_FMA(-B_yx, h_base_y, B_yy*h_base_x) - F_load_x;
-    summed[36] = STEWART_FMA(-B_zy, h_base_z, B_zz*h_base_y) - F_load_y;
+    summed[35] = STEWART_FMA(-B_yx, h_base_y, STEWART_FMA(B_yy, h_base_x, -F_load_x));
+    summed[36] = STEWART_FMA(-B_zy, h_base_z, STEWART_FMA(B_zz, h_base_y, -F_load_y));
     summed[37] = STEWART_FMA(-B_zz, h_base_x, STEWART_FMA(B_zx, h_base_z, F_load_x));
     summed[38] = STEWART_FMA(-B_zx, h_base_y, B_zy*h_base_x);
     summed[39] = REAL(0);
@@ -5462,16 +5444,16 @@ static void joint_slopes_of_pose(
     summed[47] = REAL(0);
     summed[48] = STEWART_FMA(-omega_z, spin_yx, STEWART_FMA(omega_y, spin_zx, c46) - c43 - c44 - c45);
     summed[49] = STEWART_FMA(-omega_z, spin_yy, STEWART_FMA(-J_base_xx, alpha_z, STEWART_FMA(omega_y,
-        spin_zy, STEWART_FMA(h_base_x, rise_y, J_alpha_z + c29))) - M_load_z);
+        spin_zy, STEWART_FMA(h_base_x, rise_y, J_alpha_z + c29)) - M_load_z));
     summed[50] = STEWART_FMA(-omega_z, spin_yz, STEWART_FMA(omega_y, spin_zz, STEWART_FMA(h_base_x, rise_z,
         STEWART_FMA(J_base_xx, alpha_y, M_load_y))) - J_alpha_y - c27);
     summed[51] = STEWART_FMA(-omega_x, spin_zx, STEWART_FMA(omega_z, spin_xx, STEWART_FMA(h_base_y, rise_x,
         STEWART_FMA(J_base_yy, alpha_z, M_load_z))) - J_alpha_z - c30);
     summed[52] = STEWART_FMA(-omega_x, spin_zy, STEWART_FMA(omega_z, spin_xy, c48) - c45 - c46 - c47);
     summed[53] = STEWART_FMA(-omega_x, spin_zz, STEWART_FMA(-J_base_yy, alpha_x, STEWART_FMA(omega_z,
-        spin_xz, STEWART_FMA(h_base_y, rise_z, J_alpha_x + c25))) - M_load_x);
+        spin_xz, STEWART_FMA(h_base_y, rise_z, J_alpha_x + c25)) - M_load_x));
     summed[54] = STEWART_FMA(-omega_y, spin_xx, STEWART_FMA(-J_base_zz, alpha_y, STEWART_FMA(omega_x,
-        spin_yx, STEWART_FMA(h_base_z, rise_x, J_alpha_y + c28))) - M_load_y);
+        spin_yx, STEWART_FMA(h_base_z, rise_x, J_alpha_y + c28)) - M_load_y));
     summed[55] = STEWART_FMA(-omega_y, spin_xy, STEWART_FMA(omega_x, spin_yy, STEWART_FMA(h_base_z, rise_y,
         STEWART_FMA(J_base_zz, alpha_x, M_load_x))) - J_alpha_x - c26);
     summed[56] = STEWART_FMA(-omega_y, spin_xz, STEWART_FMA(omega_x, spin_yz, c43) - c44 - c47 - c48);
@@ -5553,9 +5535,9 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -5623,13 +5605,13 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real S_ddot_z = STEWART_FMA(omega_x, w_q_y, -c7);
         const stewart_real c8 = k3*k3;
         /* (8) acceleration of the length */
-        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
-            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(c8, phi_dot2, theta_dot2)))) + turned_x;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_y, s_y, STEWART_FMA(S_ddot_z, s_z,
+            STEWART_FMA(S_ddot_x, s_x, STEWART_FMA(L, STEWART_FMA(c8, phi_dot2, theta_dot2), turned_x))));
         const stewart_real c9 = REAL(2)*L_share;
         const stewart_real c10 = k3*turned_z;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
-        const stewart_real own_y = STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y,
-            S_ddot_x*z_x)), STEWART_FMA(-c9, theta_dot, turned_y));
+        const stewart_real own_y = STEWART_FMA(-c9, theta_dot, STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z,
+            z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), turned_y));
         const stewart_real own_z = STEWART_FMA(-W_z, c9, STEWART_FMA(inv_L, STEWART_FMA(S_ddot_z, y_z,
             STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)), c10));
         /* gravity along k x y and along y */
@@ -5647,18 +5629,19 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c11 = inv_rho*net_z;
         const stewart_real c12 = inv_L*net_y;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = STEWART_FMA(-c12, z_x, STEWART_FMA(net_x, s_x, c11*y_x));
-        const stewart_real R_tip_y = STEWART_FMA(-c12, z_y, STEWART_FMA(net_x, s_y, c11*y_y));
-        const stewart_real R_tip_z = STEWART_FMA(-c12, z_z, STEWART_FMA(net_x, s_z, c11*y_z));
-        const stewart_real fall_x = STEWART_FMA(omega_y, w_q_z, -c5) - g_x;
-        const stewart_real fall_y = -c6 - g_y;
-        const stewart_real fall_z = STEWART_FMA(omega_x, w_q_y, -c7) - g_z;
+        const stewart_real R_tip_x = STEWART_FMA(c11, y_x, STEWART_FMA(-c12, z_x, net_x*s_x));
+        const stewart_real R_tip_y = STEWART_FMA(c11, y_y, STEWART_FMA(-c12, z_y, net_x*s_y));
+        const stewart_real R_tip_z = STEWART_FMA(c11, y_z, STEWART_FMA(-c12, z_z, net_x*s_z));
+        const stewart_real fall_x = STEWART_FMA(omega_y, w_q_z, -g_x) - c5;
+        const stewart_real fall_y = -g_y - c6;
+        const stewart_real fall_z = STEWART_FMA(omega_x, w_q_y, -g_z) - c7;
         /* acceleration of the platform point from free fall, leg frame */
-        const stewart_real fall_T_x = STEWART_FMA(fall_z, s_z, STEWART_FMA(fall_y, s_y, fall_x*s_x)) + turned_x;
+        const stewart_real fall_T_x = STEWART_FMA(fall_y, s_y, STEWART_FMA(fall_z, s_z, STEWART_FMA(fall_x,
+            s_x, turned_x)));
         const stewart_real fall_T_y = STEWART_FMA(fall_z, y_z, STEWART_FMA(fall_y, y_y, STEWART_FMA(fall_x,
             y_x, L*c10)));
-        const stewart_real fall_T_z = STEWART_FMA(-L, turned_y, STEWART_FMA(fall_z, z_z, STEWART_FMA(fall_y,
-            z_y, fall_x*z_x)));
+        const stewart_real fall_T_z = STEWART_FMA(fall_z, z_z, STEWART_FMA(fall_y, z_y, STEWART_FMA(-L,
+            turned_y, fall_x*z_x)));
         const stewart_real c13 = h_z*own_y;
         const stewart_real c14 = W_z*W_z;
         const stewart_real c15 = inv_L*inv_L;
@@ -5673,10 +5656,10 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c24 = c14*h_z;
         const stewart_real c25 = c24*inv_L;
         const stewart_real c26 = inv_k3*k1;
-        const stewart_real tau_S_leg_11 = STEWART_FMA((-REAL(4))*c25, c26, STEWART_FMA(-c19, c23,
-            STEWART_FMA(-c16, c18, STEWART_FMA(-c13, inv_L, STEWART_FMA(h_y*inv_L, own_z,
-            STEWART_FMA(REAL(2)*c3*h_x, inv_L, STEWART_FMA(REAL(2)*c14*h_x, inv_L,
-            REAL(2)*L_dot*c15*h_z*theta_dot)))))));
+        const stewart_real tau_S_leg_11 = STEWART_FMA(-c19, c23, STEWART_FMA(h_y*inv_L, own_z,
+            STEWART_FMA(-c13, inv_L, STEWART_FMA(-c16, c18, STEWART_FMA(REAL(2)*L_dot*c15*h_z, theta_dot,
+            STEWART_FMA((-REAL(4))*c25, c26, STEWART_FMA(REAL(2)*c3*h_x, inv_L,
+            REAL(2)*c14*h_x*inv_L)))))));
         const stewart_real c27 = REAL(2)*h_x;
         const stewart_real c28 = c27*inv_L;
         const stewart_real c29 = c28*own_z;
@@ -5707,11 +5690,11 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c54 = h_y*k1;
         const stewart_real c55 = c54*inv_k3;
         const stewart_real c56 = c16*c37;
-        const stewart_real tau_S_leg_12 = STEWART_FMA(-c55, c56, STEWART_FMA((-c36)*c50*c51, theta_dot,
-            STEWART_FMA(-c35, c52, STEWART_FMA((-c21)*c53, h_z, STEWART_FMA(-c17, c48, STEWART_FMA(-axial,
-            c34, STEWART_FMA(c45, c52, STEWART_FMA(c41, c42, STEWART_FMA(c39, c41, STEWART_FMA(c32, h_y,
-            STEWART_FMA(c31, inv_L, STEWART_FMA(axial, c44, STEWART_FMA(axial, c29, STEWART_FMA(W_z, c38,
-            STEWART_FMA(W_z*c27, c49, C_p*W_z)))))) + c34 + c35)))))) - c29)) - c44 - c45);
+        const stewart_real tau_S_leg_12 = STEWART_FMA(axial, c44, STEWART_FMA((-c36)*c50*c51, theta_dot,
+            STEWART_FMA((-c21)*c53, h_z, STEWART_FMA(c41, c42, STEWART_FMA(axial, c29, STEWART_FMA(c39, c41,
+            STEWART_FMA(-c55, c56, STEWART_FMA(-axial, c34, STEWART_FMA(W_z*c27, c49, STEWART_FMA(c31,
+            inv_L, STEWART_FMA(W_z, c38, STEWART_FMA(C_p, W_z, STEWART_FMA(c32, h_y, STEWART_FMA(-c35, c52,
+            STEWART_FMA(c45, c52, STEWART_FMA(-c17, c48, c35)) - c45)) + c34)))))))))) - c29)) - c44;
         const stewart_real c57 = c27*own_y;
         const stewart_real c58 = c57*inv_L;
         const stewart_real c59 = c30*fall_T_z;
@@ -5731,11 +5714,11 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c74 = c14*inv_k3;
         const stewart_real c75 = c74*k1;
         const stewart_real c76 = c15*c75;
-        const stewart_real tau_S_leg_13 = STEWART_FMA(-c49, c69, STEWART_FMA(-c48, c68,
-            STEWART_FMA((-axial)*c73, c76, STEWART_FMA(-axial, c67, STEWART_FMA(-axial, c65,
-            STEWART_FMA(-axial, c60, STEWART_FMA(-axial, c58, STEWART_FMA(-C_p, theta_dot, STEWART_FMA(c73,
-            c76, STEWART_FMA(c62, inv_L, STEWART_FMA(c59, inv_L, STEWART_FMA(c50, c64, STEWART_FMA(c25, c52,
-            STEWART_FMA(c16, c71, c15*c61))) + c58) + c60) + c65 + c67))))))) - c25)) - c64;
+        const stewart_real tau_S_leg_13 = STEWART_FMA(-axial, c60, STEWART_FMA(-axial, c58,
+            STEWART_FMA(-axial, c67, STEWART_FMA(c50, c64, STEWART_FMA(c16, c71, STEWART_FMA(-c49, c69,
+            STEWART_FMA(-C_p, theta_dot, STEWART_FMA(c59, inv_L, STEWART_FMA(c15, c61,
+            STEWART_FMA((-axial)*c73, c76, STEWART_FMA(c73, c76, STEWART_FMA(-axial, c65, STEWART_FMA(c25,
+            c52, STEWART_FMA(-c48, c68, c62*inv_L)) - c25 + c65)))))) + c67))) + c58 + c60) - c64));
         const stewart_real c78 = C_us*inv_L;
         const stewart_real c79 = c78*theta_dot;
         const stewart_real c80 = REAL(2)*J_yy;
@@ -5772,12 +5755,13 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c111 = c109*c110;
         const stewart_real c112 = c40*c74;
         const stewart_real c113 = REAL(2)*J_xx;
-        const stewart_real tau_S_leg_21 = STEWART_FMA(-c96, c97, STEWART_FMA(-c82, own_z, STEWART_FMA(-c80,
-            c81, STEWART_FMA(-c2, c71, STEWART_FMA(-c100, own_z, STEWART_FMA(c87, own_y, STEWART_FMA(c50,
-            c90, STEWART_FMA(c23, c82, STEWART_FMA(c112, STEWART_FMA(-REAL(3), J_yy, REAL(3)*J_zz) - c113,
-            STEWART_FMA(c111, c20, STEWART_FMA(c107, c108, STEWART_FMA(c102, theta_dot, STEWART_FMA(c101,
-            c69, STEWART_FMA(axial, c95, STEWART_FMA(axial, c93, STEWART_FMA(axial*c112, c73,
-            W_z*c104))))))))) + c24) + c84 + c85)) - c105 - c106) - c57 - c59 - c62 - c79)) - c90 - c93 - c95);
+        const stewart_real tau_S_leg_21 = STEWART_FMA(-c82, own_z, STEWART_FMA(-c100, own_z,
+            STEWART_FMA(c23, c82, STEWART_FMA(-c80, c81, STEWART_FMA(-c2, c71, STEWART_FMA(c50, c90,
+            STEWART_FMA(c87, own_y, STEWART_FMA(c111, c20, STEWART_FMA(axial, c95, STEWART_FMA(W_z, c104,
+            STEWART_FMA(c101, c69, STEWART_FMA(c102, theta_dot, STEWART_FMA(axial*c112, c73,
+            STEWART_FMA(c112, STEWART_FMA(-REAL(3), J_yy, REAL(3)*J_zz) - c113, STEWART_FMA(axial, c93,
+            STEWART_FMA(-c96, c97, STEWART_FMA(c107, c108, c24 - c62 - c106))) - c93)) - c59)) - c79) + c84)))
+            - c95) + c85 - c105 - c57 - c90)))));
         const stewart_real c114 = c98*own_y;
         const stewart_real c115 = W_z*c69;
         const stewart_real c116 = gamma_y*inv_L*w_z;
@@ -5819,22 +5803,21 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c152 = REAL(2)*c99;
         const stewart_real c153 = J_xz*c70;
         const stewart_real c154 = c15*c46;
-        const stewart_real c155 = c150 + c80;
+        const stewart_real c155 = c80 + c150;
         const stewart_real c157 = W_z*c50;
-        const stewart_real tau_S_leg_22 = STEWART_FMA(-c54, c74, STEWART_FMA((-c2)*c50, c83,
-            STEWART_FMA((-c155)*c16, c21, STEWART_FMA((-c155)*c157, c88, STEWART_FMA((-REAL(2))*c154, c55,
-            STEWART_FMA(-c144, c152, STEWART_FMA(-c143, c145, STEWART_FMA(-c138, c140, STEWART_FMA(-c137,
-            c2, STEWART_FMA(-c135, inv_k3, STEWART_FMA((-c133)*gamma_y, inv_k3,
-            STEWART_FMA((-REAL(4))*c132*c20, c88, STEWART_FMA(-c124, inv_k3, STEWART_FMA((-c118)*inv_k3,
-            w_n_omega, STEWART_FMA(-c117, c52, STEWART_FMA(-c114, c50, STEWART_FMA(-c100, c3,
-            STEWART_FMA(c74, c99, STEWART_FMA(c39, c50, STEWART_FMA(c3, c55, STEWART_FMA(c23, h_z,
-            STEWART_FMA(c2, c83, STEWART_FMA(c2*c51, h_z, STEWART_FMA(c153*c16, c50, STEWART_FMA(c151,
-            inv_k3, STEWART_FMA(c148*c56, inv_k3, STEWART_FMA(c146*c73, inv_k3, STEWART_FMA(c145, c152,
-            STEWART_FMA(c143, c144, STEWART_FMA(c142, c20, STEWART_FMA(c129, c50, STEWART_FMA(c128, c41,
-            STEWART_FMA(c125, c127, STEWART_FMA(c122, c52, STEWART_FMA(c120, inv_k3, STEWART_FMA(c119, k1,
-            STEWART_FMA(c109*c138, c147, STEWART_FMA(c103, c48, STEWART_FMA(W_z*c150, c88, L_ddot*c19*c26)))
-            + c114 + c117)))))))))))))))))) + c42))) - c115 - c116)) - c121 - c122) - c129 - c131)))))))))))
-            - c39);
+        const stewart_real tau_S_leg_22 = STEWART_FMA(c146*c73, inv_k3, STEWART_FMA(c128, c41,
+            STEWART_FMA((-c155)*c16, c21, STEWART_FMA(-c138, c140, STEWART_FMA(-c124, inv_k3,
+            STEWART_FMA((-c118)*inv_k3, w_n_omega, STEWART_FMA(c23, h_z, STEWART_FMA(c125, c127,
+            STEWART_FMA((-c155)*c157, c88, STEWART_FMA(-c137, c2, STEWART_FMA((-REAL(4))*c132*c20, c88,
+            STEWART_FMA(-c114, c50, STEWART_FMA(c153*c16, c50, STEWART_FMA(c109*c138, c147, STEWART_FMA(c39,
+            c50, STEWART_FMA(c2*c51, h_z, STEWART_FMA(c119, k1, STEWART_FMA((-c2)*c50, c83,
+            STEWART_FMA((-c133)*gamma_y, inv_k3, STEWART_FMA(c148*c56, inv_k3, STEWART_FMA(c142, c20,
+            STEWART_FMA(c120, inv_k3, STEWART_FMA(W_z*c150, c88, STEWART_FMA(c129, c50, STEWART_FMA(c2, c83,
+            STEWART_FMA(-c135, inv_k3, STEWART_FMA(L_ddot*c19, c26, STEWART_FMA((-REAL(2))*c154, c55,
+            STEWART_FMA(-c144, c152, STEWART_FMA(-c143, c145, STEWART_FMA(-c100, c3, STEWART_FMA(c151,
+            inv_k3, STEWART_FMA(-c54, c74, STEWART_FMA(c3, c55, STEWART_FMA(c145, c152, STEWART_FMA(c143,
+            c144, STEWART_FMA(c74, c99, STEWART_FMA(-c117, c52, STEWART_FMA(c122, c52, STEWART_FMA(c103,
+            c48, c117)) - c122)))))))))))) - c121))) - c129) + c114))) - c115 - c116))))) - c131 - c39)) + c42))))))))))));
         const stewart_real c158 = g_k*k1;
         const stewart_real c159 = gamma_n*w_z;
         const stewart_real c160 = h_y*own_z;
@@ -5843,18 +5826,18 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c163 = c16*c20;
         const stewart_real c164 = c107*c40;
         const stewart_real c165 = J_xx + c73;
-        const stewart_real tau_S_leg_23 = STEWART_FMA((-c91)*g_k, w_z, STEWART_FMA(-c55, c63,
-            STEWART_FMA((-c50)*c63, c82, STEWART_FMA(-c48, c80, STEWART_FMA(-c18, c2, STEWART_FMA(-c160,
-            c50, STEWART_FMA(-c159, c40, STEWART_FMA(-c158, c94, STEWART_FMA(-c154, c27,
-            STEWART_FMA((-REAL(2))*c148, c163, STEWART_FMA(-c14, c86, STEWART_FMA(-c14, c27,
-            STEWART_FMA(-c138, c164, STEWART_FMA(-c134, c162, STEWART_FMA((-c110)*c50, c70,
-            STEWART_FMA(gamma_n*inv_L*k3, w_x, STEWART_FMA(fall_T_x, m_u, STEWART_FMA(c14*c165*c50, inv_L,
-            STEWART_FMA(REAL(2)*c138*c14*h_z, k1, STEWART_FMA(REAL(4)*W_z*c138*h_y*k1, theta_dot,
-            STEWART_FMA(REAL(2)*L_dot*W_z*c50*h_y, inv_L, STEWART_FMA(REAL(2)*L_ddot*h_x, inv_L,
-            STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, theta_dot, STEWART_FMA(J_yy*c3, inv_L,
-            STEWART_FMA(J_yy*L_ddot, c15, STEWART_FMA(J_xy*c50*inv_L, own_z,
-            STEWART_FMA(REAL(2)*J_xy*W_z*inv_L*inv_k3*k1, theta_dot, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z,
-            c15, C_us*L_dot*c15)))))))))))))) - c13))))))))))))));
+        const stewart_real tau_S_leg_23 = STEWART_FMA(-c160, c50, STEWART_FMA(J_xy*c50*inv_L, own_z,
+            STEWART_FMA(REAL(2)*J_xy*W_z*inv_L*inv_k3*k1, theta_dot, STEWART_FMA(-c134, c162,
+            STEWART_FMA(REAL(4)*W_z*c138*h_y*k1, theta_dot, STEWART_FMA(REAL(2)*L_dot*W_z*c50*h_y, inv_L,
+            STEWART_FMA((-c50)*c63, c82, STEWART_FMA((-REAL(2))*c148, c163, STEWART_FMA((-c110)*c50, c70,
+            STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, theta_dot, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z, c15,
+            STEWART_FMA(-c55, c63, STEWART_FMA(-c18, c2, STEWART_FMA(-c159, c40,
+            STEWART_FMA(gamma_n*inv_L*k3, w_x, STEWART_FMA(REAL(2)*L_ddot*h_x, inv_L,
+            STEWART_FMA(J_yy*L_ddot, c15, STEWART_FMA(fall_T_x, m_u, STEWART_FMA(-c138, c164,
+            STEWART_FMA(REAL(2)*c138*c14*h_z, k1, STEWART_FMA(C_us*L_dot, c15, STEWART_FMA(-c158, c94,
+            STEWART_FMA((-c91)*g_k, w_z, STEWART_FMA(-c14, c86, STEWART_FMA(c14*c165*c50, inv_L,
+            STEWART_FMA(-c48, c80, STEWART_FMA(-c154, c27, STEWART_FMA(-c14, c27,
+            J_yy*c3*inv_L))))))))))))))) - c13)))))))))))));
         const stewart_real c166 = c27*k3;
         const stewart_real c167 = c166*own_z;
         const stewart_real c168 = c92*gamma_y;
@@ -5873,14 +5856,14 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c181 = J_yz*k3;
         const stewart_real c182 = c50*k1;
         const stewart_real c184 = -W_z*c150*k3;
-        const stewart_real tau_S_leg_31 = STEWART_FMA((-REAL(2))*c74, c98, STEWART_FMA(-c174, theta_dot,
-            STEWART_FMA(-c173, own_y, STEWART_FMA(-c171, own_z, STEWART_FMA(-c146, c172, STEWART_FMA(-c139,
-            c2, STEWART_FMA(-c114, k1, STEWART_FMA(-c109, c122, STEWART_FMA(-c109, c117, STEWART_FMA(-axial,
-            c168, STEWART_FMA(c31, k3, STEWART_FMA(c181, c56, STEWART_FMA(c180, J_xx + c149,
-            STEWART_FMA(c178, c3, STEWART_FMA(c175, c176, STEWART_FMA(c16, c184, STEWART_FMA(c14, c178,
-            STEWART_FMA(c131, k1, STEWART_FMA(c128, c91, STEWART_FMA(c113, c163, STEWART_FMA(c111,
-            theta_dot, STEWART_FMA(c101, c179, STEWART_FMA(axial, c167, J_xx*c161*c182)))))))) + c168 + c169)))))))))
-            - c119)) - c167))));
+        const stewart_real tau_S_leg_31 = STEWART_FMA(-c146, c172, STEWART_FMA(c128, c91, STEWART_FMA(-c171,
+            own_z, STEWART_FMA(c180, J_xx + c149, STEWART_FMA(axial, c167, STEWART_FMA(-c174, theta_dot,
+            STEWART_FMA(-c139, c2, STEWART_FMA(-c114, k1, STEWART_FMA(c16, c184, STEWART_FMA(J_xx*c161,
+            c182, STEWART_FMA(-c173, own_y, STEWART_FMA(c175, c176, STEWART_FMA(c131, k1, STEWART_FMA(c113,
+            c163, STEWART_FMA(-axial, c168, STEWART_FMA(c101, c179, STEWART_FMA(c31, k3, STEWART_FMA(c181,
+            c56, STEWART_FMA(c111, theta_dot, STEWART_FMA(-c109, c122, STEWART_FMA(-c109, c117,
+            STEWART_FMA((-REAL(2))*c74, c98, STEWART_FMA(c178, c3, STEWART_FMA(c14, c178, c169)))))) + c168)))))))
+            - c119)))))))) - c167)));
         const stewart_real c185 = k3*own_z;
         const stewart_real c186 = c94*gamma_n;
         const stewart_real c187 = c172*inv_k3;
@@ -5891,31 +5874,31 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c192 = c113*inv_L;
         const stewart_real c193 = c68*k1;
         const stewart_real c194 = J_xx - J_zz;
-        const stewart_real tau_S_leg_32 = STEWART_FMA((-fall_T_x)*k3, m_u, STEWART_FMA(-c85, k1,
-            STEWART_FMA((-c194)*c3*inv_L, k3, STEWART_FMA(-c190, c191, STEWART_FMA(-c188, c50,
-            STEWART_FMA(-c187, c81, STEWART_FMA(-c186, c8, STEWART_FMA(-c185, c98, STEWART_FMA(-c182, c79,
-            STEWART_FMA(-c173, c63, STEWART_FMA(-c171, c3, STEWART_FMA(-c170, c32, STEWART_FMA(-c164, c50,
-            STEWART_FMA(-c160, inv_k3, STEWART_FMA(-c157, c189, STEWART_FMA(-c154, c193,
-            STEWART_FMA((-c150)*c46*c47, k3, STEWART_FMA((-c148)*c16, c70, STEWART_FMA(-c144, c192,
-            STEWART_FMA((-REAL(2))*c13, k3, STEWART_FMA((-c126)*c2, c69, STEWART_FMA(-c123, c87,
-            STEWART_FMA((-REAL(2))*c110, c20, STEWART_FMA(-axial, c186, STEWART_FMA((-axial)*c158, c92,
-            STEWART_FMA((-axial)*c14*c73*inv_L, inv_k3, STEWART_FMA(-W_z, c189, STEWART_FMA((-L_ddot)*c166,
-            inv_L, STEWART_FMA((-J_xz)*c109, c32, STEWART_FMA((-J_xx)*c108, c123, STEWART_FMA((-C_us)*c16,
-            inv_k3, STEWART_FMA(REAL(2)*h_z*inv_k3, own_y, STEWART_FMA(gamma_y*inv_L*inv_k3, w_y,
-            STEWART_FMA(gamma_n*inv_L*inv_k3*k1, w_z, STEWART_FMA(g_k*inv_L*k1*k3, w_x,
-            STEWART_FMA(REAL(2)*c3*h_x, k3, STEWART_FMA(c165*inv_L*k1, own_y,
-            STEWART_FMA(REAL(2)*c15*c46*h_x, k3, STEWART_FMA(c14*inv_L*k3, J_xx - J_yy,
-            STEWART_FMA(REAL(2)*c14*c50*h_z, k1, STEWART_FMA(c14*c165*inv_L, inv_k3,
-            STEWART_FMA(axial*fall_T_z*k1, m_u, STEWART_FMA(axial*c8*gamma_n*inv_L, w_x,
-            STEWART_FMA(axial*c14*c73*inv_L, k3, STEWART_FMA(REAL(2)*W_z*c50*h_y*k1, theta_dot,
-            STEWART_FMA(REAL(2)*L_ddot*h_z*inv_L, k1, STEWART_FMA(L_ddot*c15*c194, k3,
-            STEWART_FMA(J_yz*inv_L*k1, own_z, STEWART_FMA(REAL(2)*J_xz*inv_L*k3, own_y,
-            STEWART_FMA(REAL(4)*J_xz*c46*c47, k1, STEWART_FMA(REAL(2)*J_xz*c3*inv_L, k1,
-            STEWART_FMA(REAL(2)*J_xz*c3*c50*inv_L, k1, STEWART_FMA(REAL(2)*J_xz*L_dot*c15*inv_k3, theta_dot,
-            STEWART_FMA(J_xy*inv_L*inv_k3, own_z, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z*c15, k3,
-            STEWART_FMA(REAL(2)*J_xx*c46*c47, inv_k3, STEWART_FMA(REAL(2)*J_xx*c138*c3, inv_L,
-            REAL(2)*J_xx*L_dot*c15*c50*k1*theta_dot))))))))))))))))))))))))))))))))))))))))))))) - c164))))))))
-            - c188))));
+        const stewart_real tau_S_leg_32 = STEWART_FMA(-c185, c98, STEWART_FMA(-c160, inv_k3,
+            STEWART_FMA(J_yz*inv_L*k1, own_z, STEWART_FMA(J_xy*inv_L*inv_k3, own_z, STEWART_FMA(-c85, k1,
+            STEWART_FMA((-J_xx)*c108, c123, STEWART_FMA(REAL(2)*W_z*c50*h_y*k1, theta_dot,
+            STEWART_FMA(REAL(2)*J_xz*inv_L*k3, own_y, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z*c15, k3,
+            STEWART_FMA(-c187, c81, STEWART_FMA((-c148)*c16, c70, STEWART_FMA((-REAL(2))*c13, k3,
+            STEWART_FMA(-c123, c87, STEWART_FMA(REAL(2)*h_z*inv_k3, own_y, STEWART_FMA(c165*inv_L*k1, own_y,
+            STEWART_FMA(REAL(2)*J_xx*L_dot*c15*c50*k1, theta_dot, STEWART_FMA(-c173, c63, STEWART_FMA(-c157,
+            c189, STEWART_FMA((-REAL(2))*c110, c20, STEWART_FMA(-W_z, c189,
+            STEWART_FMA(gamma_n*inv_L*inv_k3*k1, w_z, STEWART_FMA(axial*c8*gamma_n*inv_L, w_x,
+            STEWART_FMA(REAL(2)*J_xz*L_dot*c15*inv_k3, theta_dot, STEWART_FMA(-c186, c8,
+            STEWART_FMA((-c126)*c2, c69, STEWART_FMA(-axial, c186, STEWART_FMA(gamma_y*inv_L*inv_k3, w_y,
+            STEWART_FMA(-c190, c191, STEWART_FMA(-c182, c79, STEWART_FMA(axial*fall_T_z*k1, m_u,
+            STEWART_FMA((-J_xz)*c109, c32, STEWART_FMA(REAL(2)*L_ddot*h_z*inv_L, k1,
+            STEWART_FMA((-fall_T_x)*k3, m_u, STEWART_FMA(-c170, c32, STEWART_FMA((-L_ddot)*c166, inv_L,
+            STEWART_FMA(L_ddot*c15*c194, k3, STEWART_FMA((-C_us)*c16, inv_k3,
+            STEWART_FMA(REAL(2)*J_xz*c3*c50*inv_L, k1, STEWART_FMA(-c188, c50, STEWART_FMA(-c164, c50,
+            STEWART_FMA((-axial)*c158, c92, STEWART_FMA(g_k*inv_L*k1*k3, w_x,
+            STEWART_FMA(REAL(2)*c14*c50*h_z, k1, STEWART_FMA(REAL(4)*J_xz*c46*c47, k1,
+            STEWART_FMA(REAL(2)*J_xz*c3*inv_L, k1, STEWART_FMA(-c154, c193,
+            STEWART_FMA((-axial)*c14*c73*inv_L, inv_k3, STEWART_FMA((-c194)*c3*inv_L, k3, STEWART_FMA(-c171,
+            c3, STEWART_FMA((-c150)*c46*c47, k3, STEWART_FMA(REAL(2)*c15*c46*h_x, k3,
+            STEWART_FMA(axial*c14*c73*inv_L, k3, STEWART_FMA(REAL(2)*J_xx*c46*c47, inv_k3,
+            STEWART_FMA(REAL(2)*c3*h_x, k3, STEWART_FMA(c14*inv_L*k3, J_xx - J_yy,
+            STEWART_FMA(c14*c165*inv_L, inv_k3, STEWART_FMA(-c144, c192,
+            REAL(2)*J_xx*c138*c3*inv_L)))))))))))) - c164 - c188)))))))))))))))))))))))))))))))))))))))))))));
         const stewart_real c196 = J_xx*c146;
         const stewart_real c197 = c157*k1;
         const stewart_real c198 = J_xy*k3;
@@ -5923,128 +5906,127 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c200 = REAL(2)*c181;
         const stewart_real c201 = c14*c50;
         const stewart_real c202 = c113*c197;
-        const stewart_real tau_S_leg_33 = STEWART_FMA(-c201, c54, STEWART_FMA(-c200, c48, STEWART_FMA(-c198,
-            c56, STEWART_FMA(-c177, c42, STEWART_FMA(-c16, c202, STEWART_FMA(-c16, c199, STEWART_FMA(-c136,
-            c191, STEWART_FMA(-c128, c40, STEWART_FMA(-c127, own_z, STEWART_FMA((-c109)*c147, c50,
-            STEWART_FMA(-W_z, c142, STEWART_FMA(-J_xx, c162, STEWART_FMA(c201, c99, STEWART_FMA(c197, c78,
-            STEWART_FMA(c196, c50, STEWART_FMA(c184, c88, STEWART_FMA(c174, c2, STEWART_FMA(c172, c180,
-            STEWART_FMA(c161, c170, STEWART_FMA(c152, c3, STEWART_FMA(c148, c56, STEWART_FMA(c137*k1,
-            theta_dot, STEWART_FMA(c133, gamma_y, STEWART_FMA(c130*c176, k1, STEWART_FMA(c122, c177,
-            STEWART_FMA(c121, k3, STEWART_FMA(c116, k3, STEWART_FMA(c115, k3, c114*k3)))))) + c135)))))))) + c196)))))
-            - c120 - c124))) - c140 - c151))))));
+        const stewart_real tau_S_leg_33 = STEWART_FMA(-c128, c40, STEWART_FMA(-c177, c42, STEWART_FMA(c196,
+            c50, STEWART_FMA(-c16, c202, STEWART_FMA(-c127, own_z, STEWART_FMA((-c109)*c147, c50,
+            STEWART_FMA(-J_xx, c162, STEWART_FMA(c172, c180, STEWART_FMA(-c16, c199, STEWART_FMA(c184, c88,
+            STEWART_FMA(c137*k1, theta_dot, STEWART_FMA(-c136, c191, STEWART_FMA(c197, c78,
+            STEWART_FMA(c174, c2, STEWART_FMA(c161, c170, STEWART_FMA(c130*c176, k1, STEWART_FMA(c114, k3,
+            STEWART_FMA(-c198, c56, STEWART_FMA(-W_z, c142, STEWART_FMA(c116, k3, STEWART_FMA(c115, k3,
+            STEWART_FMA(c148, c56, STEWART_FMA(c133, gamma_y, STEWART_FMA(c121, k3, STEWART_FMA(-c201, c54,
+            STEWART_FMA(c152, c3, STEWART_FMA(c201, c99, STEWART_FMA(-c200, c48, c122*c177)))) - c151 + c135))))))
+            - c120))))))))) - c124 - c140)) + c196)))))));
         /* generalised forces by the tip's motion */
-        const stewart_real tau_S_xx = STEWART_FMA(tau_S_leg_13, z_x, STEWART_FMA(tau_S_leg_12, y_x,
+        const stewart_real tau_S_xx = STEWART_FMA(tau_S_leg_12, y_x, STEWART_FMA(tau_S_leg_13, z_x,
             s_x*tau_S_leg_11));
-        const stewart_real tau_S_xy = STEWART_FMA(tau_S_leg_13, z_y, STEWART_FMA(tau_S_leg_12, y_y,
+        const stewart_real tau_S_xy = STEWART_FMA(tau_S_leg_12, y_y, STEWART_FMA(tau_S_leg_13, z_y,
             s_y*tau_S_leg_11));
-        const stewart_real tau_S_xz = STEWART_FMA(tau_S_leg_13, z_z, STEWART_FMA(tau_S_leg_12, y_z,
+        const stewart_real tau_S_xz = STEWART_FMA(tau_S_leg_12, y_z, STEWART_FMA(tau_S_leg_13, z_z,
             s_z*tau_S_leg_11));
-        const stewart_real tau_S_yx = STEWART_FMA(tau_S_leg_23, z_x, STEWART_FMA(tau_S_leg_22, y_x,
+        const stewart_real tau_S_yx = STEWART_FMA(tau_S_leg_22, y_x, STEWART_FMA(tau_S_leg_23, z_x,
             s_x*tau_S_leg_21));
-        const stewart_real tau_S_yy = STEWART_FMA(tau_S_leg_23, z_y, STEWART_FMA(tau_S_leg_22, y_y,
+        const stewart_real tau_S_yy = STEWART_FMA(tau_S_leg_22, y_y, STEWART_FMA(tau_S_leg_23, z_y,
             s_y*tau_S_leg_21));
-        const stewart_real tau_S_yz = STEWART_FMA(tau_S_leg_23, z_z, STEWART_FMA(tau_S_leg_22, y_z,
+        const stewart_real tau_S_yz = STEWART_FMA(tau_S_leg_22, y_z, STEWART_FMA(tau_S_leg_23, z_z,
             s_z*tau_S_leg_21));
-        const stewart_real tau_S_zx = STEWART_FMA(tau_S_leg_33, z_x, STEWART_FMA(tau_S_leg_32, y_x,
+        const stewart_real tau_S_zx = STEWART_FMA(tau_S_leg_32, y_x, STEWART_FMA(tau_S_leg_33, z_x,
             s_x*tau_S_leg_31));
-        const stewart_real tau_S_zy = STEWART_FMA(tau_S_leg_33, z_y, STEWART_FMA(tau_S_leg_32, y_y,
+        const stewart_real tau_S_zy = STEWART_FMA(tau_S_leg_32, y_y, STEWART_FMA(tau_S_leg_33, z_y,
             s_y*tau_S_leg_31));
-        const stewart_real tau_S_zz = STEWART_FMA(tau_S_leg_33, z_z, STEWART_FMA(tau_S_leg_32, y_z,
+        const stewart_real tau_S_zz = STEWART_FMA(tau_S_leg_32, y_z, STEWART_FMA(tau_S_leg_33, z_z,
             s_z*tau_S_leg_31));
-        const stewart_real tau_S_dot_leg_11 = STEWART_FMA(c19, c70, C_p) - c38;
+        const stewart_real tau_S_dot_leg_11 = STEWART_FMA(c19, c70, C_p - c38);
         const stewart_real c203 = c109*c19;
-        const stewart_real tau_S_dot_leg_12 = STEWART_FMA(-W_z, c28, STEWART_FMA(c22, c36,
+        const stewart_real tau_S_dot_leg_12 = STEWART_FMA(c22, c36, STEWART_FMA(-W_z, c28,
             STEWART_FMA(c203*inv_k3, theta_dot, c16*c17)));
         const stewart_real tau_S_dot_leg_13 = STEWART_FMA(-c20, c203, STEWART_FMA(c27, c88, c16*c68));
-        const stewart_real tau_S_dot_leg_21 = STEWART_FMA(-c80, c88, STEWART_FMA(-c70, c82,
-            STEWART_FMA(-c152, c20, REAL(2)*W_z*h_y*inv_k3*k1) - c69));
+        const stewart_real tau_S_dot_leg_21 = STEWART_FMA(-c70, c82, STEWART_FMA(-c152, c20,
+            STEWART_FMA(-c80, c88, STEWART_FMA(REAL(2)*W_z*h_y*inv_k3, k1, -c69))));
         const stewart_real c204 = c109*c82;
         const stewart_real c205 = c204*theta_dot;
-        const stewart_real tau_S_dot_leg_22 = STEWART_FMA((-REAL(2))*c50, c89, STEWART_FMA(-c205, inv_k3,
-            STEWART_FMA(-c111, inv_k3, STEWART_FMA(-c108, c153, STEWART_FMA(REAL(2)*c50*h_y, theta_dot,
-            STEWART_FMA(REAL(2)*W_z*c50, h_z, STEWART_FMA(W_z*c155*inv_L*inv_k3, k1,
-            STEWART_FMA(REAL(2)*L_dot*h_y*inv_L*inv_k3, k1, STEWART_FMA(REAL(4)*J_xz*W_z, inv_L,
-            REAL(2)*J_xy*inv_L*theta_dot))))) - c104)) - c136)) - c83;
+        const stewart_real tau_S_dot_leg_22 = STEWART_FMA(-c108, c153, STEWART_FMA(W_z*c155*inv_L*inv_k3,
+            k1, STEWART_FMA(REAL(2)*W_z*c50, h_z, STEWART_FMA(REAL(4)*J_xz*W_z, inv_L,
+            STEWART_FMA((-REAL(2))*c50, c89, STEWART_FMA(-c205, inv_k3, STEWART_FMA(REAL(2)*c50*h_y,
+            theta_dot, STEWART_FMA(REAL(2)*J_xy*inv_L, theta_dot, STEWART_FMA(-c111, inv_k3,
+            STEWART_FMA(REAL(2)*L_dot*h_y*inv_L*inv_k3, k1, -c104)) - c83))) - c136)))));
         const stewart_real c206 = c70*c98;
         const stewart_real tau_S_dot_leg_23 = STEWART_FMA(-c18, c50, STEWART_FMA(c206, c50, STEWART_FMA(c20,
-            c204, c102 + c141 + c18))) - c190 - c206 - c78;
-        const stewart_real tau_S_dot_leg_31 = STEWART_FMA(-c192, c20, STEWART_FMA(-c173, c37,
-            STEWART_FMA((-c130)*c97, k1, STEWART_FMA(REAL(2)*W_z*h_z, k1, W_z*c150*inv_L*k3))) - c179 - c189);
-        const stewart_real tau_S_dot_leg_32 = STEWART_FMA(-c187, c88, STEWART_FMA(-c18, inv_k3,
-            STEWART_FMA(-c166, c2, STEWART_FMA(-c132, c53, STEWART_FMA((-c113)*c182, c88,
-            STEWART_FMA((-c113)*c16, inv_k3, STEWART_FMA(-W_z, c178, STEWART_FMA(REAL(2)*h_z*inv_k3,
-            theta_dot, STEWART_FMA(REAL(2)*L_dot*h_z*inv_L, k1, STEWART_FMA(L_dot*c15*c150, k3,
-            STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, k1, STEWART_FMA(REAL(2)*J_xy*W_z*inv_L, inv_k3,
-            C_us*inv_L*inv_k3))))))))))));
-        const stewart_real tau_S_dot_leg_33 = STEWART_FMA(c199, inv_L, STEWART_FMA(REAL(2)*c198, c88,
-            STEWART_FMA(c16, c200, STEWART_FMA(c113*c157, c40, c111)))) - c174 - c205;
+            c204, c102 - c78 + c141 - c190 + c18))) - c206;
+        const stewart_real tau_S_dot_leg_31 = STEWART_FMA((-c130)*c97, k1, STEWART_FMA(-c192, c20,
+            STEWART_FMA(REAL(2)*W_z*h_z, k1, STEWART_FMA(-c173, c37, W_z*c150*inv_L*k3) - c179 - c189)));
+        const stewart_real tau_S_dot_leg_32 = STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, k1,
+            STEWART_FMA(REAL(2)*J_xy*W_z*inv_L, inv_k3, STEWART_FMA(-c18, inv_k3, STEWART_FMA((-c113)*c182,
+            c88, STEWART_FMA(-W_z, c178, STEWART_FMA(-c187, c88, STEWART_FMA(REAL(2)*h_z*inv_k3, theta_dot,
+            STEWART_FMA(-c132, c53, STEWART_FMA((-c113)*c16, inv_k3, STEWART_FMA(REAL(2)*L_dot*h_z*inv_L,
+            k1, STEWART_FMA(-c166, c2, STEWART_FMA(L_dot*c15*c150, k3, C_us*inv_L*inv_k3))))))))))));
+        const stewart_real tau_S_dot_leg_33 = STEWART_FMA(c199, inv_L, STEWART_FMA(c113*c157, c40,
+            STEWART_FMA(REAL(2)*c198, c88, STEWART_FMA(c16, c200, c111) - c205))) - c174;
         /* generalised forces by the tip's motion */
-        const stewart_real tau_S_dot_xx = STEWART_FMA(tau_S_dot_leg_13, z_x, STEWART_FMA(tau_S_dot_leg_12,
-            y_x, s_x*tau_S_dot_leg_11));
-        const stewart_real tau_S_dot_xy = STEWART_FMA(tau_S_dot_leg_13, z_y, STEWART_FMA(tau_S_dot_leg_12,
-            y_y, s_y*tau_S_dot_leg_11));
-        const stewart_real tau_S_dot_xz = STEWART_FMA(tau_S_dot_leg_13, z_z, STEWART_FMA(tau_S_dot_leg_12,
-            y_z, s_z*tau_S_dot_leg_11));
-        const stewart_real tau_S_dot_yx = STEWART_FMA(tau_S_dot_leg_23, z_x, STEWART_FMA(tau_S_dot_leg_22,
-            y_x, s_x*tau_S_dot_leg_21));
-        const stewart_real tau_S_dot_yy = STEWART_FMA(tau_S_dot_leg_23, z_y, STEWART_FMA(tau_S_dot_leg_22,
-            y_y, s_y*tau_S_dot_leg_21));
-        const stewart_real tau_S_dot_yz = STEWART_FMA(tau_S_dot_leg_23, z_z, STEWART_FMA(tau_S_dot_leg_22,
-            y_z, s_z*tau_S_dot_leg_21));
-        const stewart_real tau_S_dot_zx = STEWART_FMA(tau_S_dot_leg_33, z_x, STEWART_FMA(tau_S_dot_leg_32,
-            y_x, s_x*tau_S_dot_leg_31));
-        const stewart_real tau_S_dot_zy = STEWART_FMA(tau_S_dot_leg_33, z_y, STEWART_FMA(tau_S_dot_leg_32,
-            y_y, s_y*tau_S_dot_leg_31));
-        const stewart_real tau_S_dot_zz = STEWART_FMA(tau_S_dot_leg_33, z_z, STEWART_FMA(tau_S_dot_leg_32,
-            y_z, s_z*tau_S_dot_leg_31));
+        const stewart_real tau_S_dot_xx = STEWART_FMA(tau_S_dot_leg_12, y_x, STEWART_FMA(tau_S_dot_leg_13,
+            z_x, s_x*tau_S_dot_leg_11));
+        const stewart_real tau_S_dot_xy = STEWART_FMA(tau_S_dot_leg_12, y_y, STEWART_FMA(tau_S_dot_leg_13,
+            z_y, s_y*tau_S_dot_leg_11));
+        const stewart_real tau_S_dot_xz = STEWART_FMA(tau_S_dot_leg_12, y_z, STEWART_FMA(tau_S_dot_leg_13,
+            z_z, s_z*tau_S_dot_leg_11));
+        const stewart_real tau_S_dot_yx = STEWART_FMA(tau_S_dot_leg_22, y_x, STEWART_FMA(tau_S_dot_leg_23,
+            z_x, s_x*tau_S_dot_leg_21));
+        const stewart_real tau_S_dot_yy = STEWART_FMA(tau_S_dot_leg_22, y_y, STEWART_FMA(tau_S_dot_leg_23,
+            z_y, s_y*tau_S_dot_leg_21));
+        const stewart_real tau_S_dot_yz = STEWART_FMA(tau_S_dot_leg_22, y_z, STEWART_FMA(tau_S_dot_leg_23,
+            z_z, s_z*tau_S_dot_leg_21));
+        const stewart_real tau_S_dot_zx = STEWART_FMA(tau_S_dot_leg_32, y_x, STEWART_FMA(s_x,
+            tau_S_dot_leg_31, tau_S_dot_leg_33*z_x));
+        const stewart_real tau_S_dot_zy = STEWART_FMA(tau_S_dot_leg_32, y_y, STEWART_FMA(s_y,
+            tau_S_dot_leg_31, tau_S_dot_leg_33*z_y));
+        const stewart_real tau_S_dot_zz = STEWART_FMA(tau_S_dot_leg_32, y_z, STEWART_FMA(s_z,
+            tau_S_dot_leg_31, tau_S_dot_leg_33*z_z));
         const stewart_real tau_S_ddot_leg_12 = -c19;
         const stewart_real tau_S_ddot_leg_13 = -c36;
-        const stewart_real tau_S_ddot_leg_22 = c100 + c82 - c55;
+        const stewart_real tau_S_ddot_leg_22 = c82 + c100 - c55;
         const stewart_real c207 = L*m_u;
-        const stewart_real tau_S_ddot_leg_23 = -c207 - c27 - c86;
+        const stewart_real tau_S_ddot_leg_23 = -c27 - c86 - c207;
         const stewart_real c208 = h_y*k3;
         const stewart_real tau_S_ddot_leg_31 = -c208;
-        const stewart_real tau_S_ddot_leg_32 = STEWART_FMA(-c194, c91, STEWART_FMA(c207, k3,
-            STEWART_FMA(c172, c40, c166 + c171)) - c193);
+        const stewart_real tau_S_ddot_leg_32 = STEWART_FMA(c172, c40, STEWART_FMA(-c194, c91,
+            STEWART_FMA(c207, k3, c166) + c171)) - c193;
         const stewart_real tau_S_ddot_leg_33 = STEWART_FMA(h_y, k1, -c173) - c99;
         /* generalised forces by the tip's motion */
-        const stewart_real tau_S_ddot_xx = STEWART_FMA(tau_S_ddot_leg_13, z_x,
-            STEWART_FMA(tau_S_ddot_leg_12, y_x, m_u*s_x));
-        const stewart_real tau_S_ddot_xy = STEWART_FMA(tau_S_ddot_leg_13, z_y,
-            STEWART_FMA(tau_S_ddot_leg_12, y_y, m_u*s_y));
-        const stewart_real tau_S_ddot_xz = STEWART_FMA(tau_S_ddot_leg_13, z_z,
-            STEWART_FMA(tau_S_ddot_leg_12, y_z, m_u*s_z));
-        const stewart_real tau_S_ddot_yx = STEWART_FMA(tau_S_ddot_leg_23, z_x,
-            STEWART_FMA(tau_S_ddot_leg_22, y_x, h_z*s_x));
-        const stewart_real tau_S_ddot_yy = STEWART_FMA(tau_S_ddot_leg_23, z_y,
-            STEWART_FMA(tau_S_ddot_leg_22, y_y, h_z*s_y));
-        const stewart_real tau_S_ddot_yz = STEWART_FMA(tau_S_ddot_leg_23, z_z,
-            STEWART_FMA(tau_S_ddot_leg_22, y_z, h_z*s_z));
-        const stewart_real tau_S_ddot_zx = STEWART_FMA(tau_S_ddot_leg_33, z_x,
-            STEWART_FMA(tau_S_ddot_leg_32, y_x, s_x*tau_S_ddot_leg_31));
-        const stewart_real tau_S_ddot_zy = STEWART_FMA(tau_S_ddot_leg_33, z_y,
-            STEWART_FMA(tau_S_ddot_leg_32, y_y, s_y*tau_S_ddot_leg_31));
-        const stewart_real tau_S_ddot_zz = STEWART_FMA(tau_S_ddot_leg_33, z_z,
-            STEWART_FMA(tau_S_ddot_leg_32, y_z, s_z*tau_S_ddot_leg_31));
+        const stewart_real tau_S_ddot_xx = STEWART_FMA(tau_S_ddot_leg_12, y_x,
+            STEWART_FMA(tau_S_ddot_leg_13, z_x, m_u*s_x));
+        const stewart_real tau_S_ddot_xy = STEWART_FMA(tau_S_ddot_leg_12, y_y,
+            STEWART_FMA(tau_S_ddot_leg_13, z_y, m_u*s_y));
+        const stewart_real tau_S_ddot_xz = STEWART_FMA(tau_S_ddot_leg_12, y_z,
+            STEWART_FMA(tau_S_ddot_leg_13, z_z, m_u*s_z));
+        const stewart_real tau_S_ddot_yx = STEWART_FMA(tau_S_ddot_leg_22, y_x,
+            STEWART_FMA(tau_S_ddot_leg_23, z_x, h_z*s_x));
+        const stewart_real tau_S_ddot_yy = STEWART_FMA(tau_S_ddot_leg_22, y_y,
+            STEWART_FMA(tau_S_ddot_leg_23, z_y, h_z*s_y));
+        const stewart_real tau_S_ddot_yz = STEWART_FMA(tau_S_ddot_leg_22, y_z,
+            STEWART_FMA(tau_S_ddot_leg_23, z_z, h_z*s_z));
+        const stewart_real tau_S_ddot_zx = STEWART_FMA(tau_S_ddot_leg_32, y_x,
+            STEWART_FMA(tau_S_ddot_leg_33, z_x, s_x*tau_S_ddot_leg_31));
+        const stewart_real tau_S_ddot_zy = STEWART_FMA(tau_S_ddot_leg_32, y_y,
+            STEWART_FMA(tau_S_ddot_leg_33, z_y, s_y*tau_S_ddot_leg_31));
+        const stewart_real tau_S_ddot_zz = STEWART_FMA(tau_S_ddot_leg_32, y_z,
+            STEWART_FMA(tau_S_ddot_leg_33, z_z, s_z*tau_S_ddot_leg_31));
         const stewart_real c209 = REAL(1) - axial;
         const stewart_real c210 = L*k1;
-        const stewart_real c211 = STEWART_FMA(c209, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(-c210, c39,
-            STEWART_FMA(-c202, theta_dot, STEWART_FMA(-c198, c3, STEWART_FMA(-c175, c37, STEWART_FMA(-c14,
-            c198, STEWART_FMA((-L_dot)*c37, c54, STEWART_FMA(-L_dot, c139, STEWART_FMA(-L_ddot, c208,
-            STEWART_FMA(-L, c169, STEWART_FMA((-L)*c109, c42, STEWART_FMA(-J_xx, c185, STEWART_FMA(-C_s,
-            w_k_omega, STEWART_FMA(gamma_y*k1, w_z, STEWART_FMA(L*c3*h_y, k3, STEWART_FMA(L*c14*h_y, k3,
-            STEWART_FMA(REAL(2)*L*W_z*h_z*inv_k3, theta_dot, STEWART_FMA(J_yz*k3, own_y,
-            STEWART_FMA(J_yz*c3, k1, STEWART_FMA(J_yz*c14, k1, STEWART_FMA(REAL(2)*J_xz*k1, own_z,
-            STEWART_FMA(J_xy*k1, own_y, STEWART_FMA(J_xy*c14, inv_k3, STEWART_FMA(J_xx*inv_k3, own_z,
-            C_us*W_z*inv_k3)))))))))))))))))))))))), axial*net_z);
+        const stewart_real c211 = STEWART_FMA(c209, STEWART_FMA((-L)*c109, c42, STEWART_FMA(-J_xx, c185,
+            STEWART_FMA(REAL(2)*J_xz*k1, own_z, STEWART_FMA(-c202, theta_dot,
+            STEWART_FMA(REAL(2)*L*W_z*h_z*inv_k3, theta_dot, STEWART_FMA(J_xx*inv_k3, own_z,
+            STEWART_FMA(-c210, c39, STEWART_FMA(-c175, c37, STEWART_FMA(-L_dot, c139, STEWART_FMA(J_yz*k3,
+            own_y, STEWART_FMA(J_xy*k1, own_y, STEWART_FMA((-L_dot)*c37, c54, STEWART_FMA(C_us*W_z, inv_k3,
+            STEWART_FMA(-gamma_n, w_y, STEWART_FMA(gamma_y*k1, w_z, STEWART_FMA(-L_ddot, c208,
+            STEWART_FMA(J_yz*c3, k1, STEWART_FMA(J_yz*c14, k1, STEWART_FMA(-L, c169, STEWART_FMA(-c198, c3,
+            STEWART_FMA(-c14, c198, STEWART_FMA(L*c3*h_y, k3, STEWART_FMA(L*c14*h_y, k3, STEWART_FMA(-C_s,
+            w_k_omega, J_xy*c14*inv_k3)))))))))))))))))))))))), axial*net_z);
         const stewart_real c212 = c211*inv_rho*inv_rho;
         const stewart_real bent_leg_12 = -c212*k3;
         const stewart_real c213 = J_xy*c63;
-        const stewart_real c214 = STEWART_FMA(c209, STEWART_FMA(-c50, c96, STEWART_FMA(-c213, c50,
-            STEWART_FMA(-c158, w_z, STEWART_FMA((-c148)*c20, c37, STEWART_FMA(-L, c84, STEWART_FMA((-L)*c55,
-            own_z, STEWART_FMA((-REAL(2))*L, c24, STEWART_FMA(-C_s, w_y_omega, STEWART_FMA(c159, k3,
-            STEWART_FMA(c125, c134, STEWART_FMA(L, c106, STEWART_FMA(L, c105, STEWART_FMA(J_yz, own_z,
-            STEWART_FMA(J_xx, c75, C_us*theta_dot)))) + c107)) + c213 + c61)))))))), axial*net_y);
+        const stewart_real c214 = STEWART_FMA(c209, STEWART_FMA((-L)*c55, own_z, STEWART_FMA(c125, c134,
+            STEWART_FMA(-c213, c50, STEWART_FMA((-c148)*c20, c37, STEWART_FMA(J_yz, own_z, STEWART_FMA(-L,
+            c84, STEWART_FMA(L, c105, STEWART_FMA(-C_s, w_y_omega, STEWART_FMA(c159, k3, STEWART_FMA(C_us,
+            theta_dot, STEWART_FMA(-c158, w_z, STEWART_FMA(J_xx, c75, STEWART_FMA((-REAL(2))*L, c24,
+            STEWART_FMA(L, c106, STEWART_FMA(-c50, c96, c107))))) + c61))) + c213))))))), axial*net_y);
         const stewart_real c215 = c15*c214;
         const stewart_real bent_leg_13 = c215;
         const stewart_real bent_leg_21 = -L*c215;
@@ -6053,60 +6035,54 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c216 = c211*c4*c91;
         const stewart_real bent_leg_31 = -c216;
         const stewart_real c217 = inv_rho*k3;
-        const stewart_real bent_leg_32 = L*k3*STEWART_FMA(c217, net_x, c214*c40*inv_rho);
+        const stewart_real bent_leg_32 = L*k3*STEWART_FMA(c214*c40, inv_rho, c217*net_x);
         const stewart_real bent_leg_33 = c216*kappa;
         /* generalised forces by the tip's place, as the rows turn */
-        const stewart_real tau_place_xx = STEWART_FMA(bent_leg_13, z_x, bent_leg_12*y_x) + tau_S_xx;
-        const stewart_real tau_place_xy = STEWART_FMA(bent_leg_13, z_y, bent_leg_12*y_y) + tau_S_xy;
-        const stewart_real tau_place_xz = STEWART_FMA(bent_leg_13, z_z, bent_leg_12*y_z) + tau_S_xz;
-        const stewart_real tau_place_yx = STEWART_FMA(bent_leg_23, z_x, STEWART_FMA(bent_leg_22, y_x,
-            bent_leg_21*s_x)) + tau_S_yx;
-        const stewart_real tau_place_yy = STEWART_FMA(bent_leg_23, z_y, STEWART_FMA(bent_leg_22, y_y,
-            bent_leg_21*s_y)) + tau_S_yy;
-        const stewart_real tau_place_yz = STEWART_FMA(bent_leg_23, z_z, STEWART_FMA(bent_leg_22, y_z,
-            bent_leg_21*s_z)) + tau_S_yz;
-        const stewart_real tau_place_zx = STEWART_FMA(bent_leg_33, z_x, STEWART_FMA(bent_leg_32, y_x,
-            bent_leg_31*s_x)) + tau_S_zx;
-        const stewart_real tau_place_zy = STEWART_FMA(bent_leg_33, z_y, STEWART_FMA(bent_leg_32, y_y,
-            bent_leg_31*s_y)) + tau_S_zy;
-        const stewart_real tau_place_zz = STEWART_FMA(bent_leg_33, z_z, STEWART_FMA(bent_leg_32, y_z,
-            bent_leg_31*s_z)) + tau_S_zz;
+        const stewart_real tau_place_xx = STEWART_FMA(bent_leg_12, y_x, STEWART_FMA(bent_leg_13, z_x,
+            tau_S_xx));
+        const stewart_real tau_place_xy = STEWART_FMA(bent_leg_12, y_y, STEWART_FMA(bent_leg_13, z_y,
+            tau_S_xy));
+        const stewart_real tau_place_xz = STEWART_FMA(bent_leg_12, y_z, STEWART_FMA(bent_leg_13, z_z,
+            tau_S_xz));
+        const stewart_real tau_place_yx = STEWART_FMA(bent_leg_22, y_x, STEWART_FMA(bent_leg_21, s_x,
+            bent_leg_23*z_x)) + tau_S_yx;
+        const stewart_real tau_place_yy = STEWART_FMA(bent_leg_22, y_y, STEWART_FMA(bent_leg_21, s_y,
+            bent_leg_23*z_y)) + tau_S_yy;
+        const stewart_real tau_place_yz = STEWART_FMA(bent_leg_22, y_z, STEWART_FMA(bent_leg_21, s_z,
+            bent_leg_23*z_z)) + tau_S_yz;
+        const stewart_real tau_place_zx = STEWART_FMA(bent_leg_33, z_x, STEWART_FMA(bent_leg_31, s_x,
+            bent_leg_32*y_x)) + tau_S_zx;
+        const stewart_real tau_place_zy = STEWART_FMA(bent_leg_33, z_y, STEWART_FMA(bent_leg_31, s_y,
+            bent_leg_32*y_y)) + tau_S_zy;
+        const stewart_real tau_place_zz = STEWART_FMA(bent_leg_33, z_z, STEWART_FMA(bent_leg_31, s_z,
+            bent_leg_32*y_z)) + tau_S_zz;
         const stewart_real X_xx = STEWART_FMA(-omega_y, tau_S_dot_xz, STEWART_FMA(omega_z, tau_S_dot_xy,
-            STEWART_FMA(B_zx, tau_S_ddot_xz, STEWART_FMA(B_yx, tau_S_ddot_xy, B_xx*tau_S_ddot_xx))) + tau_place_xx);
+            STEWART_FMA(B_zx, tau_S_ddot_xz, STEWART_FMA(B_yx, tau_S_ddot_xy, B_xx*tau_S_ddot_xx)))) + tau_place_xx;
         const stewart_real X_xy = STEWART_FMA(-omega_z, tau_S_dot_xx, STEWART_FMA(omega_x, tau_S_dot_xz,
-            STEWART_FMA(B_zy, tau_S_ddot_xz, STEWART_FMA(B_yy, tau_S_ddot_xy, B_xy*tau_S_ddot_xx))) + tau_place_xy);
+            STEWART_FMA(B_zy, tau_S_ddot_xz, STEWART_FMA(B_yy, tau_S_ddot_xy, B_xy*tau_S_ddot_xx)))) + tau_place_xy;
         const stewart_real X_xz = STEWART_FMA(-omega_x, tau_S_dot_xy, STEWART_FMA(omega_y, tau_S_dot_xx,
-            STEWART_FMA(B_zz, tau_S_ddot_xz, STEWART_FMA(B_yz, tau_S_ddot_xy, B_xz*tau_S_ddot_xx))) + tau_place_xz);
+            STEWART_FMA(B_zz, tau_S_ddot_xz, STEWART_FMA(B_yz, tau_S_ddot_xy, B_xz*tau_S_ddot_xx)))) + tau_place_xz;
         const stewart_real X_yx = STEWART_FMA(-omega_y, tau_S_dot_yz, STEWART_FMA(omega_z, tau_S_dot_yy,
-            STEWART_FMA(B_zx, tau_S_ddot_yz, STEWART_FMA(B_yx, tau_S_ddot_yy, B_xx*tau_S_ddot_yx))) + tau_place_yx);
+            STEWART_FMA(B_zx, tau_S_ddot_yz, STEWART_FMA(B_yx, tau_S_ddot_yy, B_xx*tau_S_ddot_yx)))) + tau_place_yx;
         const stewart_real X_yy = STEWART_FMA(-omega_z, tau_S_dot_yx, STEWART_FMA(omega_x, tau_S_dot_yz,
-            STEWART_FMA(B_zy, tau_S_ddot_yz, STEWART_FMA(B_yy, tau_S_ddot_yy, B_xy*tau_S_ddot_yx))) + tau_place_yy);
+            STEWART_FMA(B_zy, tau_S_ddot_yz, STEWART_FMA(B_yy, tau_S_ddot_yy, B_xy*tau_S_ddot_yx)))) + tau_place_yy;
         const stewart_real X_yz = STEWART_FMA(-omega_x, tau_S_dot_yy, STEWART_FMA(omega_y, tau_S_dot_yx,
-            STEWART_FMA(B_zz, tau_S_ddot_yz, STEWART_FMA(B_yz, tau_S_ddot_yy, B_xz*tau_S_ddot_yx))) + tau_place_yz);
+            STEWART_FMA(B_zz, tau_S_ddot_yz, STEWART_FMA(B_yz, tau_S_ddot_yy, B_xz*tau_S_ddot_yx)))) + tau_place_yz;
         const stewart_real X_zx = STEWART_FMA(-omega_y, tau_S_dot_zz, STEWART_FMA(omega_z, tau_S_dot_zy,
-            STEWART_FMA(B_zx, tau_S_ddot_zz, STEWART_FMA(B_yx, tau_S_ddot_zy, B_xx*tau_S_ddot_zx))) + tau_place_zx);
+            STEWART_FMA(B_zx, tau_S_ddot_zz, STEWART_FMA(B_yx, tau_S_ddot_zy, B_xx*tau_S_ddot_zx)))) + tau_place_zx;
         const stewart_real X_zy = STEWART_FMA(-omega_z, tau_S_dot_zx, STEWART_FMA(omega_x, tau_S_dot_zz,
-            STEWART_FMA(B_zy, tau_S_ddot_zz, STEWART_FMA(B_yy, tau_S_ddot_zy, B_xy*tau_S_ddot_zx))) + tau_place_zy);
+            STEWART_FMA(B_zy, tau_S_ddot_zz, STEWART_FMA(B_yy, tau_S_ddot_zy, B_xy*tau_S_ddot_zx)))) + tau_place_zy;
         const stewart_real X_zz = STEWART_FMA(-omega_x, tau_S_dot_zy, STEWART_FMA(omega_y, tau_S_dot_zx,
-            STEWART_FMA(B_zz, tau_S_ddot_zz, STEWART_FMA(B_yz, tau_S_ddot_zy, B_xz*tau_S_ddot_zx))) + tau_place_zz);
-        const stewart_real Y_xx = STEWART_FMA(-omega_y, tau_S_ddot_xz, STEWART_FMA(omega_z, tau_S_ddot_xy,
-            tau_S_dot_xx));
-        const stewart_real Y_xy = STEWART_FMA(-omega_z, tau_S_ddot_xx, STEWART_FMA(omega_x, tau_S_ddot_xz,
-            tau_S_dot_xy));
-        const stewart_real Y_xz = STEWART_FMA(-omega_x, tau_S_ddot_xy, STEWART_FMA(omega_y, tau_S_ddot_xx,
-            tau_S_dot_xz));
-        const stewart_real Y_yx = STEWART_FMA(-omega_y, tau_S_ddot_yz, STEWART_FMA(omega_z, tau_S_ddot_yy,
-            tau_S_dot_yx));
-        const stewart_real Y_yy = STEWART_FMA(-omega_z, tau_S_ddot_yx, STEWART_FMA(omega_x, tau_S_ddot_yz,
-            tau_S_dot_yy));
-        const stewart_real Y_yz = STEWART_FMA(-omega_x, tau_S_ddot_yy, STEWART_FMA(omega_y, tau_S_ddot_yx,
-            tau_S_dot_yz));
-        const stewart_real Y_zx = STEWART_FMA(-omega_y, tau_S_ddot_zz, STEWART_FMA(omega_z, tau_S_ddot_zy,
-            tau_S_dot_zx));
-        const stewart_real Y_zy = STEWART_FMA(-omega_z, tau_S_ddot_zx, STEWART_FMA(omega_x, tau_S_ddot_zz,
-            tau_S_dot_zy));
-        const stewart_real Y_zz = STEWART_FMA(-omega_x, tau_S_ddot_zy, STEWART_FMA(omega_y, tau_S_ddot_zx,
-            tau_S_dot_zz));
+            STEWART_FMA(B_zz, tau_S_ddot_zz, STEWART_FMA(B_yz, tau_S_ddot_zy, B_xz*tau_S_ddot_zx)))) + tau_place_zz;
+        const stewart_real Y_xx = STEWART_FMA(-omega_y, tau_S_ddot_xz, omega_z*tau_S_ddot_xy) + tau_S_dot_xx;
+        const stewart_real Y_xy = STEWART_FMA(-omega_z, tau_S_ddot_xx, omega_x*tau_S_ddot_xz) + tau_S_dot_xy;
+        const stewart_real Y_xz = STEWART_FMA(-omega_x, tau_S_ddot_xy, omega_y*tau_S_ddot_xx) + tau_S_dot_xz;
+        const stewart_real Y_yx = STEWART_FMA(-omega_y, tau_S_ddot_yz, omega_z*tau_S_ddot_yy) + tau_S_dot_yx;
+        const stewart_real Y_yy = STEWART_FMA(-omega_z, tau_S_ddot_yx, omega_x*tau_S_ddot_yz) + tau_S_dot_yy;
+        const stewart_real Y_yz = STEWART_FMA(-omega_x, tau_S_ddot_yy, omega_y*tau_S_ddot_yx) + tau_S_dot_yz;
+        const stewart_real Y_zx = STEWART_FMA(-omega_y, tau_S_ddot_zz, omega_z*tau_S_ddot_zy) + tau_S_dot_zx;
+        const stewart_real Y_zy = STEWART_FMA(-omega_z, tau_S_ddot_zx, omega_x*tau_S_ddot_zz) + tau_S_dot_zy;
+        const stewart_real Y_zz = STEWART_FMA(-omega_x, tau_S_ddot_zy, omega_y*tau_S_ddot_zx) + tau_S_dot_zz;
         const stewart_real G_dot_21 = -c88;
         const stewart_real c218 = k1*phi_dot;
         const stewart_real G_dot_22 = c218*inv_L;
@@ -6124,36 +6100,36 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
         const stewart_real c221 = C_s*k3;
         const stewart_real f_S_leg_31 = G_dot_31*c221;
-        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(c219, k1, G_dot_32*k3);
+        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(G_dot_32, k3, c219*k1);
         const stewart_real f_S_leg_33 = G_dot_33*c221;
-        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_21, y_x,
-            f_S_leg_11*s_x));
-        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_22, y_x,
-            f_S_leg_12*s_x));
-        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_23, y_x,
-            f_S_leg_13*s_x));
-        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_21, y_y,
-            f_S_leg_11*s_y));
-        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_22, y_y,
-            f_S_leg_12*s_y));
-        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_23, y_y,
-            f_S_leg_13*s_y));
-        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_21, y_z,
-            f_S_leg_11*s_z));
-        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_22, y_z,
-            f_S_leg_12*s_z));
-        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_23, y_z,
-            f_S_leg_13*s_z));
+        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_11, s_x,
+            f_S_leg_21*y_x));
+        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_12, s_x,
+            f_S_leg_22*y_x));
+        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_13, s_x,
+            f_S_leg_23*y_x));
+        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_11, s_y,
+            f_S_leg_21*y_y));
+        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_12, s_y,
+            f_S_leg_22*y_y));
+        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_13, s_y,
+            f_S_leg_23*y_y));
+        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_11, s_z,
+            f_S_leg_21*y_z));
+        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_12, s_z,
+            f_S_leg_22*y_z));
+        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_13, s_z,
+            f_S_leg_23*y_z));
         /* friction moment by S */
-        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xz, z_x, STEWART_FMA(f_S_T_xy, y_x, f_S_T_xs*s_x));
-        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xz, z_y, STEWART_FMA(f_S_T_xy, y_y, f_S_T_xs*s_y));
-        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xz, z_z, STEWART_FMA(f_S_T_xy, y_z, f_S_T_xs*s_z));
-        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yz, z_x, STEWART_FMA(f_S_T_yy, y_x, f_S_T_ys*s_x));
-        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yz, z_y, STEWART_FMA(f_S_T_yy, y_y, f_S_T_ys*s_y));
-        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yz, z_z, STEWART_FMA(f_S_T_yy, y_z, f_S_T_ys*s_z));
-        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zz, z_x, STEWART_FMA(f_S_T_zy, y_x, f_S_T_zs*s_x));
-        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zz, z_y, STEWART_FMA(f_S_T_zy, y_y, f_S_T_zs*s_y));
-        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zz, z_z, STEWART_FMA(f_S_T_zy, y_z, f_S_T_zs*s_z));
+        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xy, y_x, STEWART_FMA(f_S_T_xz, z_x, f_S_T_xs*s_x));
+        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xy, y_y, STEWART_FMA(f_S_T_xz, z_y, f_S_T_xs*s_y));
+        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xy, y_z, STEWART_FMA(f_S_T_xz, z_z, f_S_T_xs*s_z));
+        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yy, y_x, STEWART_FMA(f_S_T_yz, z_x, f_S_T_ys*s_x));
+        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yy, y_y, STEWART_FMA(f_S_T_yz, z_y, f_S_T_ys*s_y));
+        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yy, y_z, STEWART_FMA(f_S_T_yz, z_z, f_S_T_ys*s_z));
+        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zy, y_x, STEWART_FMA(f_S_T_zz, z_x, f_S_T_zs*s_x));
+        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zy, y_y, STEWART_FMA(f_S_T_zz, z_y, f_S_T_zs*s_y));
+        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zy, y_z, STEWART_FMA(f_S_T_zz, z_z, f_S_T_zs*s_z));
         const stewart_real f_S_dot_leg_12 = c220*inv_rho;
         const stewart_real f_S_dot_leg_23 = -c118;
         const stewart_real f_S_dot_leg_32 = C_s*c217;
@@ -6175,25 +6151,16 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real f_S_dot_zz = STEWART_FMA(f_S_dot_T_zz, z_z, f_S_dot_T_zy*y_z);
         const stewart_real c222 = R_tip_y*q_y;
         const stewart_real c223 = R_tip_z*q_z;
-        const stewart_real c224 = STEWART_FMA(-f_S_dot_xy, omega_x, STEWART_FMA(f_S_dot_xx, omega_y,
-            f_S_xz));
-        const stewart_real c225 = STEWART_FMA(-f_S_dot_xx, omega_z, STEWART_FMA(f_S_dot_xz, omega_x,
-            f_S_xy));
-        const stewart_real c226 = STEWART_FMA(-f_S_dot_xz, omega_y, STEWART_FMA(f_S_dot_xy, omega_z,
-            f_S_xx));
-        const stewart_real c227 = STEWART_FMA(-f_S_dot_yx, omega_z, STEWART_FMA(f_S_dot_yz, omega_x,
-            f_S_yy));
-        const stewart_real c228 = STEWART_FMA(-f_S_dot_yy, omega_x, STEWART_FMA(f_S_dot_yx, omega_y,
-            f_S_yz));
+        const stewart_real c224 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
+        const stewart_real c225 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
+        const stewart_real c226 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
+        const stewart_real c227 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
+        const stewart_real c228 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
         const stewart_real c229 = R_tip_x*q_x;
-        const stewart_real c230 = STEWART_FMA(-f_S_dot_yz, omega_y, STEWART_FMA(f_S_dot_yy, omega_z,
-            f_S_yx));
-        const stewart_real c231 = STEWART_FMA(-f_S_dot_zx, omega_z, STEWART_FMA(f_S_dot_zz, omega_x,
-            f_S_zy));
-        const stewart_real c232 = STEWART_FMA(-f_S_dot_zy, omega_x, STEWART_FMA(f_S_dot_zx, omega_y,
-            f_S_zz));
-        const stewart_real c233 = STEWART_FMA(-f_S_dot_zz, omega_y, STEWART_FMA(f_S_dot_zy, omega_z,
-            f_S_zx));
+        const stewart_real c230 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
+        const stewart_real c231 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
+        const stewart_real c232 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
+        const stewart_real c233 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);

@@ -81,9 +81,9 @@ STEWART_APART static void columns_of_legs(
         const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
         const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_x - b_x;
-        const stewart_real S_y = q_y + t_y - b_y;
-        const stewart_real S_z = q_z + t_z - b_z;
+        const stewart_real S_x = t_x - b_x + q_x;
+        const stewart_real S_y = t_y - b_y + q_y;
+        const stewart_real S_z = t_z - b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
         const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
         const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
@@ -126,12 +126,12 @@ STEWART_APART static void columns_of_legs(
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(-alpha_z, q_y,
-            STEWART_FMA(omega_y, w_q_z, STEWART_FMA(alpha_y, q_z, a_x))));
-        const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(-alpha_x, q_z,
-            STEWART_FMA(omega_z, w_q_x, STEWART_FMA(alpha_z, q_x, a_y))));
-        const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(-alpha_y, q_x,
-            STEWART_FMA(omega_x, w_q_y, STEWART_FMA(alpha_x, q_y, a_z))));
+        const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+            STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+        const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+            STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+        const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+            STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
@@ -155,8 +155,8 @@ STEWART_APART static void columns_of_legs(
             STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         const stewart_real c5 = REAL(2)*theta_dot;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z, z_z,
-            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), -L_share*c5);
+        const stewart_real own_theta_ddot = STEWART_FMA(-L_share, c5, -inv_L*STEWART_FMA(S_ddot_z, z_z,
+            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
         const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
             y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c6 = k1*k3;
@@ -191,16 +191,16 @@ STEWART_APART static void columns_of_legs(
         const stewart_real c14 = c3*c4;
         /* (20) torques by h_u_x */
         const stewart_real tau_L_h_u_x = -c1 - c10;
-        const stewart_real tau_theta_h_u_x = STEWART_FMA(c11, own_theta_ddot, c12) + c7;
-        const stewart_real tau_phi_h_u_x = STEWART_FMA(c11, c13, L_dot*c14) + c8;
+        const stewart_real tau_theta_h_u_x = STEWART_FMA(c11, own_theta_ddot, c12 + c7);
+        const stewart_real tau_phi_h_u_x = STEWART_FMA(c11, c13, STEWART_FMA(L_dot, c14, c8));
         const stewart_real c15 = k3*phi_ddot;
         const stewart_real c16 = k1*phi_ddot;
         const stewart_real c17 = k1*theta_ddot;
         /* (20) torques by h_u_y */
         const stewart_real tau_L_h_u_y = -c15;
         const stewart_real tau_theta_h_u_y = -L*c16;
-        const stewart_real tau_phi_h_u_y = STEWART_FMA(-c12, k1, STEWART_FMA(-L_ddot, k3, STEWART_FMA(-L,
-            c17, L*c1*k3))) - gamma_n;
+        const stewart_real tau_phi_h_u_y = STEWART_FMA(-L, c17, STEWART_FMA(-c12, k1, STEWART_FMA(-L_ddot,
+            k3, L*c1*k3) - gamma_n));
         const stewart_real c18 = c2*c6;
         const stewart_real c19 = k1*k1;
         const stewart_real c20 = c19*c2;
@@ -209,10 +209,9 @@ STEWART_APART static void columns_of_legs(
         const stewart_real c23 = c19*c22;
         /* (20) torques by h_u_z */
         const stewart_real tau_L_h_u_z = c18 + theta_ddot;
-        const stewart_real tau_theta_h_u_z = STEWART_FMA(-L, c10, STEWART_FMA(gamma_n, k3, STEWART_FMA(L,
-            c20, L_ddot))) - c9;
-        const stewart_real tau_phi_h_u_z = STEWART_FMA(-c11, c21, STEWART_FMA((-L_dot)*c3, c6,
-            STEWART_FMA(-L, c23, STEWART_FMA(gamma_y, k1, REAL(2)*L*c4*phi_dot*theta_dot))));
+        const stewart_real tau_theta_h_u_z = STEWART_FMA(gamma_n, k3, STEWART_FMA(-L, c10, L*c20) - c9 + L_ddot);
+        const stewart_real tau_phi_h_u_z = STEWART_FMA(-c11, c21, STEWART_FMA(-L, c23,
+            STEWART_FMA((-L_dot)*c3, c6, STEWART_FMA(REAL(2)*L*c4*phi_dot, theta_dot, gamma_y*k1))));
         /* (20) torques by J_u_xx */
         const stewart_real tau_theta_J_u_xx = c18;
         const stewart_real tau_phi_J_u_xx = STEWART_FMA(-c4, phi_ddot, STEWART_FMA(-c22, c6, phi_ddot));
@@ -221,7 +220,7 @@ STEWART_APART static void columns_of_legs(
         const stewart_real tau_phi_J_u_xy = STEWART_FMA(-c1, k3, c17);
         /* (20) torques by J_u_xz */
         const stewart_real tau_theta_J_u_xz = c10 - c20;
-        const stewart_real tau_phi_J_u_xz = STEWART_FMA(-c14, theta_dot, STEWART_FMA(REAL(2), c21, c23));
+        const stewart_real tau_phi_J_u_xz = STEWART_FMA(REAL(2), c21, STEWART_FMA(-c14, theta_dot, c23));
         /* (20) torques by J_u_yz */
         const stewart_real tau_theta_J_u_yz = c15;
         const stewart_real tau_phi_J_u_yz = STEWART_FMA(k3, theta_ddot, c1*k1);
@@ -232,9 +231,9 @@ STEWART_APART static void columns_of_legs(
         const stewart_real tau_theta_C_s = theta_dot - w_y_omega;
         const stewart_real tau_phi_C_s = phi_dot - w_k_omega;
         /* (6) angular velocity of the leg */
-        const stewart_real W_x = STEWART_FMA(theta_dot, y_x, k_x*phi_dot);
-        const stewart_real W_y = STEWART_FMA(theta_dot, y_y, k_y*phi_dot);
-        const stewart_real W_z = STEWART_FMA(theta_dot, y_z, k_z*phi_dot);
+        const stewart_real W_x = STEWART_FMA(k_x, phi_dot, theta_dot*y_x);
+        const stewart_real W_y = STEWART_FMA(k_y, phi_dot, theta_dot*y_y);
+        const stewart_real W_z = STEWART_FMA(k_z, phi_dot, theta_dot*y_z);
         const stewart_real c24 = inv_L*tau_theta_h_d_x;
         /* force at the tip by h_d_x */
         const stewart_real R_h_d_x_x = STEWART_FMA(-c24, z_x, inv_rho*tau_phi_h_d_x*y_x);
@@ -253,21 +252,21 @@ STEWART_APART static void columns_of_legs(
         const stewart_real c27 = inv_rho*tau_phi_h_u_x;
         const stewart_real c28 = inv_L*tau_theta_h_u_x;
         /* force at the tip by h_u_x */
-        const stewart_real R_h_u_x_x = STEWART_FMA(-c28, z_x, STEWART_FMA(s_x, tau_L_h_u_x, c27*y_x));
-        const stewart_real R_h_u_x_y = STEWART_FMA(-c28, z_y, STEWART_FMA(s_y, tau_L_h_u_x, c27*y_y));
-        const stewart_real R_h_u_x_z = STEWART_FMA(-c28, z_z, STEWART_FMA(s_z, tau_L_h_u_x, c27*y_z));
+        const stewart_real R_h_u_x_x = STEWART_FMA(c27, y_x, STEWART_FMA(-c28, z_x, s_x*tau_L_h_u_x));
+        const stewart_real R_h_u_x_y = STEWART_FMA(c27, y_y, STEWART_FMA(-c28, z_y, s_y*tau_L_h_u_x));
+        const stewart_real R_h_u_x_z = STEWART_FMA(c27, y_z, STEWART_FMA(-c28, z_z, s_z*tau_L_h_u_x));
         const stewart_real c29 = inv_rho*tau_phi_h_u_y;
         const stewart_real c30 = inv_L*tau_theta_h_u_y;
         /* force at the tip by h_u_y */
-        const stewart_real R_h_u_y_x = STEWART_FMA(-c30, z_x, STEWART_FMA(s_x, tau_L_h_u_y, c29*y_x));
-        const stewart_real R_h_u_y_y = STEWART_FMA(-c30, z_y, STEWART_FMA(s_y, tau_L_h_u_y, c29*y_y));
-        const stewart_real R_h_u_y_z = STEWART_FMA(-c30, z_z, STEWART_FMA(s_z, tau_L_h_u_y, c29*y_z));
+        const stewart_real R_h_u_y_x = STEWART_FMA(-c30, z_x, STEWART_FMA(c29, y_x, s_x*tau_L_h_u_y));
+        const stewart_real R_h_u_y_y = STEWART_FMA(-c30, z_y, STEWART_FMA(c29, y_y, s_y*tau_L_h_u_y));
+        const stewart_real R_h_u_y_z = STEWART_FMA(-c30, z_z, STEWART_FMA(c29, y_z, s_z*tau_L_h_u_y));
         const stewart_real c31 = inv_rho*tau_phi_h_u_z;
         const stewart_real c32 = inv_L*tau_theta_h_u_z;
         /* force at the tip by h_u_z */
-        const stewart_real R_h_u_z_x = STEWART_FMA(-c32, z_x, STEWART_FMA(s_x, tau_L_h_u_z, c31*y_x));
-        const stewart_real R_h_u_z_y = STEWART_FMA(-c32, z_y, STEWART_FMA(s_y, tau_L_h_u_z, c31*y_y));
-        const stewart_real R_h_u_z_z = STEWART_FMA(-c32, z_z, STEWART_FMA(s_z, tau_L_h_u_z, c31*y_z));
+        const stewart_real R_h_u_z_x = STEWART_FMA(c31, y_x, STEWART_FMA(-c32, z_x, s_x*tau_L_h_u_z));
+        const stewart_real R_h_u_z_y = STEWART_FMA(c31, y_y, STEWART_FMA(-c32, z_y, s_y*tau_L_h_u_z));
+        const stewart_real R_h_u_z_z = STEWART_FMA(c31, y_z, STEWART_FMA(-c32, z_z, s_z*tau_L_h_u_z));
         const stewart_real c33 = inv_L*tau_theta_J_u_xx;
         /* force at the tip by J_u_xx */
         const stewart_real R_J_u_xx_x = STEWART_FMA(-c33, z_x, inv_rho*tau_phi_J_u_xx*y_x);
@@ -469,9 +468,9 @@ STEWART_APART static void columns_of_legs(
         out->of_legs[0][22][l] = R_C_s_x;
         out->of_legs[1][22][l] = R_C_s_y;
         out->of_legs[2][22][l] = R_C_s_z;
-        out->of_legs[3][22][l] = STEWART_FMA(-R_C_s_y, q_z, STEWART_FMA(R_C_s_z, q_y, omega_x)) - W_x;
-        out->of_legs[4][22][l] = STEWART_FMA(-R_C_s_z, q_x, STEWART_FMA(R_C_s_x, q_z, omega_y)) - W_y;
-        out->of_legs[5][22][l] = STEWART_FMA(-R_C_s_x, q_y, STEWART_FMA(R_C_s_y, q_x, omega_z)) - W_z;
+        out->of_legs[3][22][l] = STEWART_FMA(-R_C_s_y, q_z, STEWART_FMA(R_C_s_z, q_y, omega_x) - W_x);
+        out->of_legs[4][22][l] = STEWART_FMA(-R_C_s_z, q_x, STEWART_FMA(R_C_s_x, q_z, omega_y) - W_y);
+        out->of_legs[5][22][l] = STEWART_FMA(-R_C_s_x, q_y, STEWART_FMA(R_C_s_y, q_x, omega_z) - W_z);
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);

@@ -61,9 +61,9 @@ static void leg_dynamics(
     const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
     const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
@@ -80,12 +80,12 @@ static void leg_dynamics(
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(-alpha_z, q_y,
-        STEWART_FMA(omega_y, w_q_z, STEWART_FMA(alpha_y, q_z, a_x))));
-    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(-alpha_x, q_z,
-        STEWART_FMA(omega_z, w_q_x, STEWART_FMA(alpha_z, q_x, a_y))));
-    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(-alpha_y, q_x,
-        STEWART_FMA(omega_x, w_q_y, STEWART_FMA(alpha_x, q_y, a_z))));
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* part of e along the leg */
     const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
     /* part of u along the leg */
@@ -119,7 +119,7 @@ static void leg_dynamics(
     const stewart_real c4 = inv_L*inv_L;
     const stewart_real c5 = m_u*r_u0_x;
     /* (24) known part of the actuator force */
-    const stewart_real D = STEWART_FMA(-gamma_x, m_u, STEWART_FMA((-c4)*c5, u_square, STEWART_FMA(e_x, m_u,
+    const stewart_real D = STEWART_FMA(e_x, m_u, STEWART_FMA(-gamma_x, m_u, STEWART_FMA((-c4)*c5, u_square,
         C_p*u_x)));
     const stewart_real c6 = m_u*L*L;
     const stewart_real c7 = m_d*r_d0_x*r_d0_x;
@@ -130,16 +130,16 @@ static void leg_dynamics(
     const stewart_real K_u = c4*STEWART_FMA((-REAL(4))*c9*inv_L*r_u0_x, u_x, STEWART_FMA(-c10, c8,
         STEWART_FMA(-c10, c7, STEWART_FMA(-c10, c6, STEWART_FMA(-I_u0_yy, c10, STEWART_FMA(-I_d0_yy, c10,
         STEWART_FMA(REAL(2)*m_u*r_u0_x, u_x, STEWART_FMA(REAL(2)*L*m_u, u_x, C_s + C_u))))))));
-    const stewart_real K_gamma = -inv_L*STEWART_FMA(m_d, r_d0_x, c5 + c9);
+    const stewart_real K_gamma = -inv_L*(STEWART_FMA(m_d, r_d0_x, c5) + c9);
     const stewart_real c11 = C_s*inv_L;
     const stewart_real K_s_w = c11;
     /* K, base frame */
-    const stewart_real K_x = STEWART_FMA(K_u, u_across_x, STEWART_FMA(K_s_w, STEWART_FMA(-s_z, w_across_y,
-        s_y*w_across_z), STEWART_FMA(K_gamma, gamma_across_x, K_e*e_across_x)));
-    const stewart_real K_y = STEWART_FMA(K_u, u_across_y, STEWART_FMA(K_s_w, STEWART_FMA(-s_x, w_across_z,
-        s_z*w_across_x), STEWART_FMA(K_gamma, gamma_across_y, K_e*e_across_y)));
-    const stewart_real K_z = STEWART_FMA(K_u, u_across_z, STEWART_FMA(K_s_w, STEWART_FMA(-s_y, w_across_x,
-        s_x*w_across_y), STEWART_FMA(K_gamma, gamma_across_z, K_e*e_across_z)));
+    const stewart_real K_x = STEWART_FMA(K_u, u_across_x, STEWART_FMA(K_e, e_across_x, STEWART_FMA(K_s_w,
+        STEWART_FMA(-s_z, w_across_y, s_y*w_across_z), K_gamma*gamma_across_x)));
+    const stewart_real K_y = STEWART_FMA(K_u, u_across_y, STEWART_FMA(K_e, e_across_y, STEWART_FMA(K_s_w,
+        STEWART_FMA(-s_x, w_across_z, s_z*w_across_x), K_gamma*gamma_across_y)));
+    const stewart_real K_z = STEWART_FMA(K_u, u_across_z, STEWART_FMA(K_e, e_across_z, STEWART_FMA(K_s_w,
+        STEWART_FMA(-s_y, w_across_x, s_x*w_across_y), K_gamma*gamma_across_z)));
     const stewart_real f_s_u = c11;
     /* f, base frame */
     const stewart_real f_x = STEWART_FMA(-C_s, w_across_x, STEWART_FMA(-C_s, c1, f_s_u*STEWART_FMA(-s_z,
@@ -193,12 +193,12 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
     const stewart_real c2 = STEWART_FMA(-R_G_z, omega_x, R_G_x*omega_z);
     const stewart_real c3 = STEWART_FMA(-R_G_y, omega_z, R_G_z*omega_y);
     /* (31) acceleration of the centre of mass */
-    const stewart_real a_G_x = STEWART_FMA(-c2, omega_z, STEWART_FMA(-R_G_y, alpha_z, STEWART_FMA(c1,
-        omega_y, STEWART_FMA(R_G_z, alpha_y, a_x))));
-    const stewart_real a_G_y = STEWART_FMA(-c1, omega_x, STEWART_FMA(-R_G_z, alpha_x, STEWART_FMA(c3,
-        omega_z, STEWART_FMA(R_G_x, alpha_z, a_y))));
-    const stewart_real a_G_z = STEWART_FMA(-c3, omega_y, STEWART_FMA(-R_G_x, alpha_y, STEWART_FMA(c2,
-        omega_x, STEWART_FMA(R_G_y, alpha_x, a_z))));
+    const stewart_real a_G_x = STEWART_FMA(-c2, omega_z, STEWART_FMA(c1, omega_y, STEWART_FMA(-R_G_y,
+        alpha_z, STEWART_FMA(R_G_z, alpha_y, a_x))));
+    const stewart_real a_G_y = STEWART_FMA(-c1, omega_x, STEWART_FMA(c3, omega_z, STEWART_FMA(-R_G_z,
+        alpha_x, STEWART_FMA(R_G_x, alpha_z, a_y))));
+    const stewart_real a_G_z = STEWART_FMA(-c3, omega_y, STEWART_FMA(c2, omega_x, STEWART_FMA(-R_G_x,
+        alpha_y, STEWART_FMA(R_G_y, alpha_x, a_z))));
     const stewart_real c4 = STEWART_FMA(I_p_xz, R_xz, STEWART_FMA(I_p_xy, R_xy, I_p_xx*R_xx));
     const stewart_real c5 = STEWART_FMA(I_p_yz, R_xz, STEWART_FMA(I_p_yy, R_xy, I_p_xy*R_xx));
     const stewart_real c6 = STEWART_FMA(I_p_zz, R_xz, STEWART_FMA(I_p_yz, R_xy, I_p_xz*R_xx));
@@ -273,9 +273,9 @@ static void leg_reactions(
     const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
     const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
@@ -292,12 +292,12 @@ static void leg_reactions(
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(-alpha_z, q_y,
-        STEWART_FMA(omega_y, w_q_z, STEWART_FMA(alpha_y, q_z, a_x))));
-    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(-alpha_x, q_z,
-        STEWART_FMA(omega_z, w_q_x, STEWART_FMA(alpha_z, q_x, a_y))));
-    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(-alpha_y, q_x,
-        STEWART_FMA(omega_x, w_q_y, STEWART_FMA(alpha_x, q_y, a_z))));
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* part of e along the leg */
     const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
     /* part of u along the leg */
@@ -342,9 +342,9 @@ static void leg_reactions(
     const stewart_real c14 = c3*inv_L;
     const stewart_real c15 = c14*c8;
     const stewart_real c16 = c4*inv_L;
-    const stewart_real F_s_u = c1*(STEWART_FMA(-c16, c8, STEWART_FMA(-c13, c8, STEWART_FMA((-c11)*c12,
-        r_u0_x, STEWART_FMA(-c10, c8, STEWART_FMA(REAL(2)*m_u*r_u0_x, u_x, STEWART_FMA(REAL(2)*L*m_u, u_x,
-        C_s + C_u))))) - c15) - c9);
+    const stewart_real F_s_u = c1*STEWART_FMA((-c11)*c12, r_u0_x, STEWART_FMA(-c16, c8, STEWART_FMA(-c13,
+        c8, STEWART_FMA(-c10, c8, STEWART_FMA(REAL(2)*m_u*r_u0_x, u_x, STEWART_FMA(REAL(2)*L*m_u, u_x, C_s + C_u))))
+        - c15) - c9);
     const stewart_real c17 = m_d*r_d0_x;
     const stewart_real c18 = m_u*r_u0_x;
     const stewart_real F_s_gamma = -inv_L*(c17 + c18 + c5);
@@ -354,13 +354,13 @@ static void leg_reactions(
     const stewart_real c21 = STEWART_FMA(-s_x, w_across_z, s_z*w_across_x);
     const stewart_real c22 = STEWART_FMA(-s_y, w_across_x, s_x*w_across_y);
     /* F_s, base frame */
-    const stewart_real F_s_x = STEWART_FMA(s_x, x, STEWART_FMA(F_s_u, u_across_x, STEWART_FMA(F_s_s_w, c20,
-        STEWART_FMA(F_s_gamma, gamma_across_x, F_s_e*e_across_x))));
-    const stewart_real F_s_y = STEWART_FMA(s_y, x, STEWART_FMA(F_s_u, u_across_y, STEWART_FMA(F_s_s_w, c21,
-        STEWART_FMA(F_s_gamma, gamma_across_y, F_s_e*e_across_y))));
-    const stewart_real F_s_z = STEWART_FMA(s_z, x, STEWART_FMA(F_s_u, u_across_z, STEWART_FMA(F_s_s_w, c22,
-        STEWART_FMA(F_s_gamma, gamma_across_z, F_s_e*e_across_z))));
-    const stewart_real c24 = STEWART_FMA(c11, c6, c10) + c13 + c14 + c16 + c7 - c18 - c5;
+    const stewart_real F_s_x = STEWART_FMA(F_s_u, u_across_x, STEWART_FMA(F_s_e, e_across_x,
+        STEWART_FMA(F_s_s_w, c20, STEWART_FMA(F_s_gamma, gamma_across_x, s_x*x))));
+    const stewart_real F_s_y = STEWART_FMA(F_s_u, u_across_y, STEWART_FMA(F_s_e, e_across_y,
+        STEWART_FMA(F_s_s_w, c21, STEWART_FMA(F_s_gamma, gamma_across_y, s_y*x))));
+    const stewart_real F_s_z = STEWART_FMA(F_s_u, u_across_z, STEWART_FMA(F_s_e, e_across_z,
+        STEWART_FMA(F_s_s_w, c22, STEWART_FMA(F_s_gamma, gamma_across_z, s_z*x))));
+    const stewart_real c24 = STEWART_FMA(c11, c6, c10 - c18 + c13 + c14 + c16 + c7 - c5);
     const stewart_real F_u_e = -inv_L*(c24 - c17);
     const stewart_real c26 = c1*c8;
     const stewart_real c27 = I_d0_yy*c26;
@@ -370,24 +370,24 @@ static void leg_reactions(
     const stewart_real c31 = c26*c3;
     const stewart_real c32 = c26*c4;
     const stewart_real c33 = STEWART_FMA((-REAL(4))*inv_L*m_u*r_u0_x, u_x,
-        STEWART_FMA((-REAL(4))*L*inv_L*m_u, u_x, STEWART_FMA(-C_u, inv_L, STEWART_FMA(c8, m_u,
-        STEWART_FMA(c29, c5, c27 + c28) + c30 + c31 + c32))) - c19);
+        STEWART_FMA((-REAL(4))*L*inv_L*m_u, u_x, STEWART_FMA(c29, c5, STEWART_FMA(-C_u, inv_L, c8*m_u) - c19
+        + c27 + c28 + c30 + c31 + c32)));
     const stewart_real F_u_u = -inv_L*STEWART_FMA(REAL(2)*inv_L*m_d*r_d0_x, u_x, -c33);
     const stewart_real c34 = c17*inv_L;
     const stewart_real c35 = c18*inv_L;
-    const stewart_real c36 = c11 + c34 + c35 - m_u;
+    const stewart_real c36 = c34 - m_u + c35 + c11;
     const stewart_real F_u_gamma = c36 - m_d;
     const stewart_real F_u_s_w = -c19;
     const stewart_real c37 = c1*u_square;
-    const stewart_real c38 = STEWART_FMA(-e_x, m_u, STEWART_FMA(gamma_x, m_u, c18*c37) + x);
-    const stewart_real c39 = STEWART_FMA(-gamma_x, m_d, -c17*c37 - c38);
+    const stewart_real c38 = STEWART_FMA(-e_x, m_u, STEWART_FMA(gamma_x, m_u, STEWART_FMA(c18, c37, x)));
+    const stewart_real c39 = STEWART_FMA(-gamma_x, m_d, -c17*c37) - c38;
     /* F_u, base frame */
-    const stewart_real F_u_x = STEWART_FMA(c39, s_x, STEWART_FMA(F_u_u, u_across_x, STEWART_FMA(F_u_s_w,
-        c20, STEWART_FMA(F_u_gamma, gamma_across_x, F_u_e*e_across_x))));
-    const stewart_real F_u_y = STEWART_FMA(c39, s_y, STEWART_FMA(F_u_u, u_across_y, STEWART_FMA(F_u_s_w,
-        c21, STEWART_FMA(F_u_gamma, gamma_across_y, F_u_e*e_across_y))));
-    const stewart_real F_u_z = STEWART_FMA(c39, s_z, STEWART_FMA(F_u_u, u_across_z, STEWART_FMA(F_u_s_w,
-        c22, STEWART_FMA(F_u_gamma, gamma_across_z, F_u_e*e_across_z))));
+    const stewart_real F_u_x = STEWART_FMA(F_u_u, u_across_x, STEWART_FMA(c39, s_x, STEWART_FMA(F_u_e,
+        e_across_x, STEWART_FMA(F_u_s_w, c20, F_u_gamma*gamma_across_x))));
+    const stewart_real F_u_y = STEWART_FMA(F_u_u, u_across_y, STEWART_FMA(c39, s_y, STEWART_FMA(F_u_e,
+        e_across_y, STEWART_FMA(F_u_s_w, c21, F_u_gamma*gamma_across_y))));
+    const stewart_real F_u_z = STEWART_FMA(F_u_u, u_across_z, STEWART_FMA(c39, s_z, STEWART_FMA(F_u_e,
+        e_across_z, STEWART_FMA(F_u_s_w, c22, F_u_gamma*gamma_across_z))));
     const stewart_real c40 = -c24*inv_L;
     const stewart_real F_p_e = c40;
     const stewart_real c41 = c33*inv_L;
@@ -396,46 +396,47 @@ static void leg_reactions(
     const stewart_real F_p_s_w = -c19;
     const stewart_real c42 = STEWART_FMA(C_p, u_x, -c38);
     /* F_p, base frame */
-    const stewart_real F_p_x = STEWART_FMA(c42, s_x, STEWART_FMA(F_p_u, u_across_x, STEWART_FMA(F_p_s_w,
-        c20, STEWART_FMA(F_p_gamma, gamma_across_x, F_p_e*e_across_x))));
-    const stewart_real F_p_y = STEWART_FMA(c42, s_y, STEWART_FMA(F_p_u, u_across_y, STEWART_FMA(F_p_s_w,
-        c21, STEWART_FMA(F_p_gamma, gamma_across_y, F_p_e*e_across_y))));
-    const stewart_real F_p_z = STEWART_FMA(c42, s_z, STEWART_FMA(F_p_u, u_across_z, STEWART_FMA(F_p_s_w,
-        c22, STEWART_FMA(F_p_gamma, gamma_across_z, F_p_e*e_across_z))));
+    const stewart_real F_p_x = STEWART_FMA(F_p_u, u_across_x, STEWART_FMA(c42, s_x, STEWART_FMA(F_p_e,
+        e_across_x, STEWART_FMA(F_p_s_w, c20, F_p_gamma*gamma_across_x))));
+    const stewart_real F_p_y = STEWART_FMA(F_p_u, u_across_y, STEWART_FMA(c42, s_y, STEWART_FMA(F_p_e,
+        e_across_y, STEWART_FMA(F_p_s_w, c21, F_p_gamma*gamma_across_y))));
+    const stewart_real F_p_z = STEWART_FMA(F_p_u, u_across_z, STEWART_FMA(c42, s_z, STEWART_FMA(F_p_e,
+        e_across_z, STEWART_FMA(F_p_s_w, c22, F_p_gamma*gamma_across_z))));
     const stewart_real F_c_e = c40;
     const stewart_real F_c_u = c41;
     const stewart_real F_c_gamma = c36;
     const stewart_real F_c_s_w = -c19;
     /* F_c, base frame */
-    const stewart_real F_c_x = STEWART_FMA(F_c_u, u_across_x, STEWART_FMA(F_c_s_w, c20,
-        STEWART_FMA(F_c_gamma, gamma_across_x, F_c_e*e_across_x)));
-    const stewart_real F_c_y = STEWART_FMA(F_c_u, u_across_y, STEWART_FMA(F_c_s_w, c21,
-        STEWART_FMA(F_c_gamma, gamma_across_y, F_c_e*e_across_y)));
-    const stewart_real F_c_z = STEWART_FMA(F_c_u, u_across_z, STEWART_FMA(F_c_s_w, c22,
-        STEWART_FMA(F_c_gamma, gamma_across_z, F_c_e*e_across_z)));
+    const stewart_real F_c_x = STEWART_FMA(F_c_u, u_across_x, STEWART_FMA(F_c_e, e_across_x,
+        STEWART_FMA(F_c_s_w, c20, F_c_gamma*gamma_across_x)));
+    const stewart_real F_c_y = STEWART_FMA(F_c_u, u_across_y, STEWART_FMA(F_c_e, e_across_y,
+        STEWART_FMA(F_c_s_w, c21, F_c_gamma*gamma_across_y)));
+    const stewart_real F_c_z = STEWART_FMA(F_c_u, u_across_z, STEWART_FMA(F_c_e, e_across_z,
+        STEWART_FMA(F_c_s_w, c22, F_c_gamma*gamma_across_z)));
     const stewart_real c43 = bearing*c5;
     const stewart_real c44 = bearing*c11;
-    const stewart_real M_p_s_e = inv_L*(STEWART_FMA(-bearing, c18, STEWART_FMA(c44, c6, STEWART_FMA(bearing,
-        c7, STEWART_FMA(bearing, c16, STEWART_FMA(bearing, c14, STEWART_FMA(bearing, c13, bearing*c10))))) - I_d0_yy)
-        - c3 - c43);
+    const stewart_real M_p_s_e = inv_L*STEWART_FMA(c44, c6, STEWART_FMA(bearing, c7, STEWART_FMA(bearing,
+        c16, STEWART_FMA(bearing, c14, STEWART_FMA(bearing, c13, STEWART_FMA(-bearing, c18,
+        STEWART_FMA(bearing, c10, -I_d0_yy)) - c3)))) - c43);
     const stewart_real c45 = -bearing*c19;
-    const stewart_real M_p_s_u = inv_L*(STEWART_FMA(-c29, c43, STEWART_FMA((-bearing)*c8, m_u,
-        STEWART_FMA(-bearing, c32, STEWART_FMA(-bearing, c31, STEWART_FMA(-bearing, c30,
-        STEWART_FMA(-bearing, c28, STEWART_FMA(-bearing, c27, STEWART_FMA(REAL(4)*bearing*inv_L*m_u*r_u0_x,
-        u_x, STEWART_FMA(REAL(4)*L*bearing*inv_L*m_u, u_x, C_u*bearing*inv_L)) + c15 + c9 - C_u))))))) - c45);
+    const stewart_real M_p_s_u = inv_L*STEWART_FMA(-c29, c43, STEWART_FMA(-bearing, c32,
+        STEWART_FMA(-bearing, c31, STEWART_FMA(-bearing, c30, STEWART_FMA(-bearing, c28,
+        STEWART_FMA(-bearing, c27, STEWART_FMA(REAL(4)*bearing*inv_L*m_u*r_u0_x, u_x,
+        STEWART_FMA(REAL(4)*L*bearing*inv_L*m_u, u_x, STEWART_FMA((-bearing)*c8, m_u,
+        STEWART_FMA(C_u*bearing, inv_L, -C_u) - c45 + c15 + c9)))))))));
     const stewart_real M_p_s_gamma = STEWART_FMA(-bearing, c35, STEWART_FMA(-bearing, c34,
         STEWART_FMA(bearing, m_u, c17))) - c44;
     const stewart_real M_p_w = c45;
     /* M_p, base frame */
-    const stewart_real M_p_x = STEWART_FMA(M_p_w, w_across_x, STEWART_FMA(M_p_s_u, STEWART_FMA(-s_z,
-        u_across_y, s_y*u_across_z), STEWART_FMA(M_p_s_gamma, STEWART_FMA(-gamma_across_y, s_z,
-        gamma_across_z*s_y), M_p_s_e*STEWART_FMA(-e_across_y, s_z, e_across_z*s_y))));
-    const stewart_real M_p_y = STEWART_FMA(M_p_w, w_across_y, STEWART_FMA(M_p_s_u, STEWART_FMA(-s_x,
-        u_across_z, s_z*u_across_x), STEWART_FMA(M_p_s_gamma, STEWART_FMA(-gamma_across_z, s_x,
-        gamma_across_x*s_z), M_p_s_e*STEWART_FMA(-e_across_z, s_x, e_across_x*s_z))));
-    const stewart_real M_p_z = STEWART_FMA(M_p_w, w_across_z, STEWART_FMA(M_p_s_u, STEWART_FMA(-s_y,
-        u_across_x, s_x*u_across_y), STEWART_FMA(M_p_s_gamma, STEWART_FMA(-gamma_across_x, s_y,
-        gamma_across_y*s_x), M_p_s_e*STEWART_FMA(-e_across_x, s_y, e_across_y*s_x))));
+    const stewart_real M_p_x = STEWART_FMA(M_p_s_u, STEWART_FMA(-s_z, u_across_y, s_y*u_across_z),
+        STEWART_FMA(M_p_s_e, STEWART_FMA(-e_across_y, s_z, e_across_z*s_y), STEWART_FMA(M_p_s_gamma,
+        STEWART_FMA(-gamma_across_y, s_z, gamma_across_z*s_y), M_p_w*w_across_x)));
+    const stewart_real M_p_y = STEWART_FMA(M_p_s_u, STEWART_FMA(-s_x, u_across_z, s_z*u_across_x),
+        STEWART_FMA(M_p_s_e, STEWART_FMA(-e_across_z, s_x, e_across_x*s_z), STEWART_FMA(M_p_s_gamma,
+        STEWART_FMA(-gamma_across_z, s_x, gamma_across_x*s_z), M_p_w*w_across_y)));
+    const stewart_real M_p_z = STEWART_FMA(M_p_s_u, STEWART_FMA(-s_y, u_across_x, s_x*u_across_y),
+        STEWART_FMA(M_p_s_e, STEWART_FMA(-e_across_x, s_y, e_across_y*s_x), STEWART_FMA(M_p_s_gamma,
+        STEWART_FMA(-gamma_across_x, s_y, gamma_across_y*s_x), M_p_w*w_across_z)));
     out->F_s[0] = F_s_x;
     out->F_s[1] = F_s_y;
     out->F_s[2] = F_s_z;

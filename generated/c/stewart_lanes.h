@@ -42,10 +42,10 @@ STEWART_SHARED void subtract_row(
     }
 }
 
-/* Solves the augmented rows [H | c | 0] for x as two blocks of three legs. Returns 1 where the digits of
- * another solve are wanted, else 0. */
+/* Solves [H | c] for x as two blocks of three legs; the first six lanes of the rows A are H. Returns 1
+ * where the digits of another solve are wanted, else 0. */
 STEWART_SHARED stewart_real blocks_of_pose(
-    stewart_real A[6][LANES], stewart_real arm_cube, stewart_real x[6])
+    stewart_real A[6][LANES], const stewart_real wrench[6], stewart_real arm_cube, stewart_real x[6])
 {
     int l;
     const stewart_real r_0_0 = STEWART_FMA(-A[2][3], A[1][5], A[1][3]*A[2][5]);
@@ -80,24 +80,30 @@ STEWART_SHARED stewart_real blocks_of_pose(
     const stewart_real w_0_2 = left[0][2];
     const stewart_real e_0_4 = balanced[0][4];
     const stewart_real w_0_4 = left[0][4];
-    const stewart_real e_0_6 = balanced[0][6];
-    const stewart_real w_0_6 = left[0][6];
     const stewart_real e_1_0 = balanced[1][0];
     const stewart_real w_1_0 = left[1][0];
     const stewart_real e_1_2 = balanced[1][2];
     const stewart_real w_1_2 = left[1][2];
     const stewart_real e_1_4 = balanced[1][4];
     const stewart_real w_1_4 = left[1][4];
-    const stewart_real e_1_6 = balanced[1][6];
-    const stewart_real w_1_6 = left[1][6];
     const stewart_real e_2_0 = balanced[2][0];
     const stewart_real w_2_0 = left[2][0];
     const stewart_real e_2_2 = balanced[2][2];
     const stewart_real w_2_2 = left[2][2];
     const stewart_real e_2_4 = balanced[2][4];
     const stewart_real w_2_4 = left[2][4];
-    const stewart_real e_2_6 = balanced[2][6];
-    const stewart_real w_2_6 = left[2][6];
+    const stewart_real e_0_6 = STEWART_FMA(r_0_2, wrench[2], STEWART_FMA(r_0_1, wrench[1],
+        r_0_0*wrench[0]));
+    const stewart_real e_1_6 = STEWART_FMA(r_1_2, wrench[2], STEWART_FMA(r_1_1, wrench[1],
+        r_1_0*wrench[0]));
+    const stewart_real e_2_6 = STEWART_FMA(r_2_2, wrench[2], STEWART_FMA(r_2_1, wrench[1],
+        r_2_0*wrench[0]));
+    const stewart_real w_0_6 = STEWART_FMA(-A[3][5], e_2_6, STEWART_FMA(-A[3][3], e_1_6,
+        STEWART_FMA(-A[3][1], e_0_6, det*wrench[3])));
+    const stewart_real w_1_6 = STEWART_FMA(-A[4][5], e_2_6, STEWART_FMA(-A[4][3], e_1_6,
+        STEWART_FMA(-A[4][1], e_0_6, det*wrench[4])));
+    const stewart_real w_2_6 = STEWART_FMA(-A[5][5], e_2_6, STEWART_FMA(-A[5][3], e_1_6,
+        STEWART_FMA(-A[5][1], e_0_6, det*wrench[5])));
     const stewart_real u_0_0 = STEWART_FMA(-w_2_2, w_1_4, w_1_2*w_2_4);
     const stewart_real u_0_1 = STEWART_FMA(-w_0_2, w_2_4, w_2_2*w_0_4);
     const stewart_real u_0_2 = STEWART_FMA(-w_1_2, w_0_4, w_0_2*w_1_4);
@@ -135,8 +141,18 @@ STEWART_SHARED stewart_real blocks_of_pose(
  * updated, so that a row is one vector, and the next column is known before the rows that hold it are
  * stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column
  * has no moment rows. */
-STEWART_APART STEWART_SHARED int pivots_of_pose(stewart_real A[6][LANES], stewart_real x[6])
+STEWART_APART STEWART_SHARED int pivots_of_pose(
+    stewart_real H[6][LANES], const stewart_real wrench[6], stewart_real x[6])
 {
+    int i, l;
+    stewart_real A[6][LANES];
+    for (i = 0; i < 6; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            A[i][l] = H[i][l];
+        }
+        A[i][6] = wrench[i];
+        A[i][7] = REAL(0);
+    }
     stewart_real a_0 = A[0][0], a_1 = A[1][0], a_2 = A[2][0];
     if (STEWART_FABS(a_1) > STEWART_FABS(a_0)) {
         const stewart_real moved = a_0;
@@ -284,22 +300,24 @@ STEWART_APART STEWART_SHARED int pivots_of_pose(stewart_real A[6][LANES], stewar
         ? 0 : 1;
 }
 
-/* Solves [H | c | 0] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0. */
-STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real arm_cube, stewart_real x[6])
+/* Solves [H | c] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0. */
+STEWART_SHARED int solve_pose(
+    stewart_real A[6][LANES], const stewart_real wrench[6], stewart_real arm_cube, stewart_real x[6])
 {
     int suspect = 0;
-    const stewart_real wanted = blocks_of_pose(A, arm_cube, x);
+    const stewart_real wanted = blocks_of_pose(A, wrench, arm_cube, x);
     if (wanted > REAL(0)) {
-        suspect = pivots_of_pose(A, x);
+        suspect = pivots_of_pose(A, wrench, x);
     }
     return suspect;
 }
 
 /* Takes the moments of the rows [H | c] over a length. */
-STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
+STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real wrench[6], stewart_real per_length)
 {
     int i, j;
     for (i = 3; i < 6; ++i) {
+        wrench[i] = wrench[i]*per_length;
         for (j = 0; j < LANES; ++j) {
             A[i][j] = A[i][j]*per_length;
         }

@@ -61,9 +61,9 @@ static void leg_dynamics(
     const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
     const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
@@ -80,12 +80,12 @@ static void leg_dynamics(
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(-alpha_z, q_y,
-        STEWART_FMA(omega_y, w_q_z, STEWART_FMA(alpha_y, q_z, a_x))));
-    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(-alpha_x, q_z,
-        STEWART_FMA(omega_z, w_q_x, STEWART_FMA(alpha_z, q_x, a_y))));
-    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(-alpha_y, q_x,
-        STEWART_FMA(omega_x, w_q_y, STEWART_FMA(alpha_x, q_y, a_z))));
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* part of e along the leg */
     const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
     /* part of u along the leg */
@@ -119,29 +119,29 @@ static void leg_dynamics(
     const stewart_real c4 = inv_L*inv_L;
     const stewart_real c5 = m_u*r_u0_x;
     /* (24) known part of the actuator force */
-    const stewart_real D = STEWART_FMA(-gamma_x, m_u, STEWART_FMA((-c4)*c5, u_square, STEWART_FMA(e_x, m_u,
+    const stewart_real D = STEWART_FMA(e_x, m_u, STEWART_FMA(-gamma_x, m_u, STEWART_FMA((-c4)*c5, u_square,
         C_p*u_x)));
     const stewart_real c6 = m_d*r_d0_x*r_d0_x;
     const stewart_real c7 = m_u*r_u0_x*r_u0_x;
     const stewart_real c8 = L*m_u;
     const stewart_real c9 = m_u*L*L;
-    const stewart_real K_e = c4*STEWART_FMA(REAL(2), c9, STEWART_FMA(REAL(2)*c8, r_u0_x, I_d0_yy + I_u0_yy + c6
+    const stewart_real K_e = c4*STEWART_FMA(REAL(2)*c8, r_u0_x, STEWART_FMA(REAL(2), c9, I_d0_yy + I_u0_yy + c6
         + c7));
     const stewart_real c10 = REAL(2)*inv_L*u_x;
     const stewart_real c11 = REAL(4)*inv_L*u_x;
-    const stewart_real K_u = c4*STEWART_FMA(-c11, c9, STEWART_FMA((-c11)*c8, r_u0_x, STEWART_FMA(-c10, c7,
+    const stewart_real K_u = c4*STEWART_FMA((-c11)*c8, r_u0_x, STEWART_FMA(-c11, c9, STEWART_FMA(-c10, c7,
         STEWART_FMA(-c10, c6, STEWART_FMA(-I_u0_yy, c10, STEWART_FMA(-I_d0_yy, c10,
         STEWART_FMA(REAL(2)*m_u*r_u0_x, u_x, STEWART_FMA(REAL(2)*L*m_u, u_x, C_s + C_u))))))));
-    const stewart_real K_gamma = -inv_L*STEWART_FMA(m_d, r_d0_x, c5 + c8);
+    const stewart_real K_gamma = -inv_L*(STEWART_FMA(m_d, r_d0_x, c5) + c8);
     const stewart_real c12 = C_s*inv_L;
     const stewart_real K_s_w = c12;
     /* K, base frame */
-    const stewart_real K_x = STEWART_FMA(K_u, u_across_x, STEWART_FMA(K_s_w, STEWART_FMA(-s_z, w_across_y,
-        s_y*w_across_z), STEWART_FMA(K_gamma, gamma_across_x, K_e*e_across_x)));
-    const stewart_real K_y = STEWART_FMA(K_u, u_across_y, STEWART_FMA(K_s_w, STEWART_FMA(-s_x, w_across_z,
-        s_z*w_across_x), STEWART_FMA(K_gamma, gamma_across_y, K_e*e_across_y)));
-    const stewart_real K_z = STEWART_FMA(K_u, u_across_z, STEWART_FMA(K_s_w, STEWART_FMA(-s_y, w_across_x,
-        s_x*w_across_y), STEWART_FMA(K_gamma, gamma_across_z, K_e*e_across_z)));
+    const stewart_real K_x = STEWART_FMA(K_u, u_across_x, STEWART_FMA(K_e, e_across_x, STEWART_FMA(K_s_w,
+        STEWART_FMA(-s_z, w_across_y, s_y*w_across_z), K_gamma*gamma_across_x)));
+    const stewart_real K_y = STEWART_FMA(K_u, u_across_y, STEWART_FMA(K_e, e_across_y, STEWART_FMA(K_s_w,
+        STEWART_FMA(-s_x, w_across_z, s_z*w_across_x), K_gamma*gamma_across_y)));
+    const stewart_real K_z = STEWART_FMA(K_u, u_across_z, STEWART_FMA(K_e, e_across_z, STEWART_FMA(K_s_w,
+        STEWART_FMA(-s_y, w_across_x, s_x*w_across_y), K_gamma*gamma_across_z)));
     const stewart_real f_s_u = c12;
     /* f, base frame */
     const stewart_real f_x = STEWART_FMA(-C_s, w_across_x, STEWART_FMA(-C_s, c1, f_s_u*STEWART_FMA(-s_z,
@@ -195,12 +195,12 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
     const stewart_real c2 = STEWART_FMA(-R_G_z, omega_x, R_G_x*omega_z);
     const stewart_real c3 = STEWART_FMA(-R_G_y, omega_z, R_G_z*omega_y);
     /* (31) acceleration of the centre of mass */
-    const stewart_real a_G_x = STEWART_FMA(-c2, omega_z, STEWART_FMA(-R_G_y, alpha_z, STEWART_FMA(c1,
-        omega_y, STEWART_FMA(R_G_z, alpha_y, a_x))));
-    const stewart_real a_G_y = STEWART_FMA(-c1, omega_x, STEWART_FMA(-R_G_z, alpha_x, STEWART_FMA(c3,
-        omega_z, STEWART_FMA(R_G_x, alpha_z, a_y))));
-    const stewart_real a_G_z = STEWART_FMA(-c3, omega_y, STEWART_FMA(-R_G_x, alpha_y, STEWART_FMA(c2,
-        omega_x, STEWART_FMA(R_G_y, alpha_x, a_z))));
+    const stewart_real a_G_x = STEWART_FMA(-c2, omega_z, STEWART_FMA(c1, omega_y, STEWART_FMA(-R_G_y,
+        alpha_z, STEWART_FMA(R_G_z, alpha_y, a_x))));
+    const stewart_real a_G_y = STEWART_FMA(-c1, omega_x, STEWART_FMA(c3, omega_z, STEWART_FMA(-R_G_z,
+        alpha_x, STEWART_FMA(R_G_x, alpha_z, a_y))));
+    const stewart_real a_G_z = STEWART_FMA(-c3, omega_y, STEWART_FMA(c2, omega_x, STEWART_FMA(-R_G_x,
+        alpha_y, STEWART_FMA(R_G_y, alpha_x, a_z))));
     const stewart_real c4 = STEWART_FMA(I_p_xz, R_xz, STEWART_FMA(I_p_xy, R_xy, I_p_xx*R_xx));
     const stewart_real c5 = STEWART_FMA(I_p_yz, R_xz, STEWART_FMA(I_p_yy, R_xy, I_p_xy*R_xx));
     const stewart_real c6 = STEWART_FMA(I_p_zz, R_xz, STEWART_FMA(I_p_yz, R_xy, I_p_xz*R_xx));
@@ -275,9 +275,9 @@ static void leg_reactions(
     const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
     const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
@@ -294,12 +294,12 @@ static void leg_reactions(
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(-alpha_z, q_y,
-        STEWART_FMA(omega_y, w_q_z, STEWART_FMA(alpha_y, q_z, a_x))));
-    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(-alpha_x, q_z,
-        STEWART_FMA(omega_z, w_q_x, STEWART_FMA(alpha_z, q_x, a_y))));
-    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(-alpha_y, q_x,
-        STEWART_FMA(omega_x, w_q_y, STEWART_FMA(alpha_x, q_y, a_z))));
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* part of e along the leg */
     const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
     /* part of u along the leg */
@@ -334,7 +334,7 @@ static void leg_reactions(
     const stewart_real c5 = L*L;
     const stewart_real c6 = REAL(2)*m_u;
     const stewart_real c7 = c5*c6;
-    const stewart_real F_s_e = c1*(STEWART_FMA(REAL(2)*c4, r_u0_x, I_d0_yy + I_u0_yy + c2 + c3) + c7);
+    const stewart_real F_s_e = c1*STEWART_FMA(REAL(2)*c4, r_u0_x, I_d0_yy + I_u0_yy + c2 + c3 + c7);
     const stewart_real c9 = REAL(2)*u_x;
     const stewart_real c8 = I_d0_yy*inv_L;
     const stewart_real c10 = c8*c9;
@@ -347,9 +347,9 @@ static void leg_reactions(
     const stewart_real c17 = c2*inv_L;
     const stewart_real c18 = c17*c9;
     const stewart_real c19 = c3*inv_L;
-    const stewart_real F_s_u = c1*STEWART_FMA(-c19, c9, STEWART_FMA(-c15, c16, STEWART_FMA(-c12, c14,
+    const stewart_real F_s_u = c1*STEWART_FMA(-c15, c16, STEWART_FMA(-c19, c9, STEWART_FMA(-c12, c14,
         STEWART_FMA(-c11, c9, STEWART_FMA(REAL(2)*m_u*r_u0_x, u_x, STEWART_FMA(REAL(2)*L*m_u, u_x, C_s + C_u))
-        - c10))) - c18);
+        - c10)) - c18));
     const stewart_real c20 = m_d*r_d0_x;
     const stewart_real c21 = m_u*r_u0_x;
     const stewart_real F_s_gamma = -inv_L*(c20 + c21 + c4);
@@ -359,13 +359,13 @@ static void leg_reactions(
     const stewart_real c24 = STEWART_FMA(-s_x, w_across_z, s_z*w_across_x);
     const stewart_real c25 = STEWART_FMA(-s_y, w_across_x, s_x*w_across_y);
     /* F_s, base frame */
-    const stewart_real F_s_x = STEWART_FMA(s_x, x, STEWART_FMA(F_s_u, u_across_x, STEWART_FMA(F_s_s_w, c23,
-        STEWART_FMA(F_s_gamma, gamma_across_x, F_s_e*e_across_x))));
-    const stewart_real F_s_y = STEWART_FMA(s_y, x, STEWART_FMA(F_s_u, u_across_y, STEWART_FMA(F_s_s_w, c24,
-        STEWART_FMA(F_s_gamma, gamma_across_y, F_s_e*e_across_y))));
-    const stewart_real F_s_z = STEWART_FMA(s_z, x, STEWART_FMA(F_s_u, u_across_z, STEWART_FMA(F_s_s_w, c25,
-        STEWART_FMA(F_s_gamma, gamma_across_z, F_s_e*e_across_z))));
-    const stewart_real c27 = STEWART_FMA(c7, inv_L, STEWART_FMA(REAL(2), c14, c11) + c17 + c19) + c8 - c21 - c4;
+    const stewart_real F_s_x = STEWART_FMA(F_s_u, u_across_x, STEWART_FMA(F_s_e, e_across_x,
+        STEWART_FMA(F_s_s_w, c23, STEWART_FMA(F_s_gamma, gamma_across_x, s_x*x))));
+    const stewart_real F_s_y = STEWART_FMA(F_s_u, u_across_y, STEWART_FMA(F_s_e, e_across_y,
+        STEWART_FMA(F_s_s_w, c24, STEWART_FMA(F_s_gamma, gamma_across_y, s_y*x))));
+    const stewart_real F_s_z = STEWART_FMA(F_s_u, u_across_z, STEWART_FMA(F_s_e, e_across_z,
+        STEWART_FMA(F_s_s_w, c25, STEWART_FMA(F_s_gamma, gamma_across_z, s_z*x))));
+    const stewart_real c27 = STEWART_FMA(REAL(2), c14, STEWART_FMA(c7, inv_L, c11 - c21 + c17 + c19) + c8 - c4);
     const stewart_real F_u_e = -inv_L*(c27 - c20);
     const stewart_real c29 = c1*c9;
     const stewart_real c30 = I_d0_yy*c29;
@@ -375,24 +375,24 @@ static void leg_reactions(
     const stewart_real c34 = c2*c29;
     const stewart_real c35 = c29*c3;
     const stewart_real c36 = STEWART_FMA((-REAL(4))*inv_L*m_u*r_u0_x, u_x,
-        STEWART_FMA((-REAL(4))*L*inv_L*m_u, u_x, STEWART_FMA(-C_u, inv_L, STEWART_FMA(c6, u_x,
-        STEWART_FMA(c32, c4, STEWART_FMA(c16, c33, c30) + c31) + c34 + c35))) - c22);
+        STEWART_FMA((-REAL(4))*L*inv_L*m_u, u_x, STEWART_FMA(c32, c4, STEWART_FMA(c16, c33,
+        STEWART_FMA(-C_u, inv_L, c6*u_x) - c22) + c30 + c31 + c34 + c35)));
     const stewart_real F_u_u = -inv_L*STEWART_FMA(REAL(2)*inv_L*m_d*r_d0_x, u_x, -c36);
     const stewart_real c37 = c20*inv_L;
     const stewart_real c38 = c21*inv_L;
-    const stewart_real c39 = c13 + c37 + c38 - m_u;
+    const stewart_real c39 = c37 - m_u + c38 + c13;
     const stewart_real F_u_gamma = c39 - m_d;
     const stewart_real F_u_s_w = -c22;
     const stewart_real c40 = c1*u_square;
-    const stewart_real c41 = STEWART_FMA(-e_x, m_u, STEWART_FMA(gamma_x, m_u, c21*c40) + x);
-    const stewart_real c42 = STEWART_FMA(-gamma_x, m_d, -c20*c40 - c41);
+    const stewart_real c41 = STEWART_FMA(-e_x, m_u, STEWART_FMA(gamma_x, m_u, STEWART_FMA(c21, c40, x)));
+    const stewart_real c42 = STEWART_FMA(-gamma_x, m_d, -c20*c40) - c41;
     /* F_u, base frame */
-    const stewart_real F_u_x = STEWART_FMA(c42, s_x, STEWART_FMA(F_u_u, u_across_x, STEWART_FMA(F_u_s_w,
-        c23, STEWART_FMA(F_u_gamma, gamma_across_x, F_u_e*e_across_x))));
-    const stewart_real F_u_y = STEWART_FMA(c42, s_y, STEWART_FMA(F_u_u, u_across_y, STEWART_FMA(F_u_s_w,
-        c24, STEWART_FMA(F_u_gamma, gamma_across_y, F_u_e*e_across_y))));
-    const stewart_real F_u_z = STEWART_FMA(c42, s_z, STEWART_FMA(F_u_u, u_across_z, STEWART_FMA(F_u_s_w,
-        c25, STEWART_FMA(F_u_gamma, gamma_across_z, F_u_e*e_across_z))));
+    const stewart_real F_u_x = STEWART_FMA(F_u_u, u_across_x, STEWART_FMA(c42, s_x, STEWART_FMA(F_u_e,
+        e_across_x, STEWART_FMA(F_u_s_w, c23, F_u_gamma*gamma_across_x))));
+    const stewart_real F_u_y = STEWART_FMA(F_u_u, u_across_y, STEWART_FMA(c42, s_y, STEWART_FMA(F_u_e,
+        e_across_y, STEWART_FMA(F_u_s_w, c24, F_u_gamma*gamma_across_y))));
+    const stewart_real F_u_z = STEWART_FMA(F_u_u, u_across_z, STEWART_FMA(c42, s_z, STEWART_FMA(F_u_e,
+        e_across_z, STEWART_FMA(F_u_s_w, c25, F_u_gamma*gamma_across_z))));
     const stewart_real c43 = -c27*inv_L;
     const stewart_real F_p_e = c43;
     const stewart_real c44 = c36*inv_L;
@@ -401,47 +401,48 @@ static void leg_reactions(
     const stewart_real F_p_s_w = -c22;
     const stewart_real c45 = STEWART_FMA(C_p, u_x, -c41);
     /* F_p, base frame */
-    const stewart_real F_p_x = STEWART_FMA(c45, s_x, STEWART_FMA(F_p_u, u_across_x, STEWART_FMA(F_p_s_w,
-        c23, STEWART_FMA(F_p_gamma, gamma_across_x, F_p_e*e_across_x))));
-    const stewart_real F_p_y = STEWART_FMA(c45, s_y, STEWART_FMA(F_p_u, u_across_y, STEWART_FMA(F_p_s_w,
-        c24, STEWART_FMA(F_p_gamma, gamma_across_y, F_p_e*e_across_y))));
-    const stewart_real F_p_z = STEWART_FMA(c45, s_z, STEWART_FMA(F_p_u, u_across_z, STEWART_FMA(F_p_s_w,
-        c25, STEWART_FMA(F_p_gamma, gamma_across_z, F_p_e*e_across_z))));
+    const stewart_real F_p_x = STEWART_FMA(F_p_u, u_across_x, STEWART_FMA(c45, s_x, STEWART_FMA(F_p_e,
+        e_across_x, STEWART_FMA(F_p_s_w, c23, F_p_gamma*gamma_across_x))));
+    const stewart_real F_p_y = STEWART_FMA(F_p_u, u_across_y, STEWART_FMA(c45, s_y, STEWART_FMA(F_p_e,
+        e_across_y, STEWART_FMA(F_p_s_w, c24, F_p_gamma*gamma_across_y))));
+    const stewart_real F_p_z = STEWART_FMA(F_p_u, u_across_z, STEWART_FMA(c45, s_z, STEWART_FMA(F_p_e,
+        e_across_z, STEWART_FMA(F_p_s_w, c25, F_p_gamma*gamma_across_z))));
     const stewart_real F_c_e = c43;
     const stewart_real F_c_u = c44;
     const stewart_real F_c_gamma = c39;
     const stewart_real F_c_s_w = -c22;
     /* F_c, base frame */
-    const stewart_real F_c_x = STEWART_FMA(F_c_u, u_across_x, STEWART_FMA(F_c_s_w, c23,
-        STEWART_FMA(F_c_gamma, gamma_across_x, F_c_e*e_across_x)));
-    const stewart_real F_c_y = STEWART_FMA(F_c_u, u_across_y, STEWART_FMA(F_c_s_w, c24,
-        STEWART_FMA(F_c_gamma, gamma_across_y, F_c_e*e_across_y)));
-    const stewart_real F_c_z = STEWART_FMA(F_c_u, u_across_z, STEWART_FMA(F_c_s_w, c25,
-        STEWART_FMA(F_c_gamma, gamma_across_z, F_c_e*e_across_z)));
+    const stewart_real F_c_x = STEWART_FMA(F_c_u, u_across_x, STEWART_FMA(F_c_e, e_across_x,
+        STEWART_FMA(F_c_s_w, c23, F_c_gamma*gamma_across_x)));
+    const stewart_real F_c_y = STEWART_FMA(F_c_u, u_across_y, STEWART_FMA(F_c_e, e_across_y,
+        STEWART_FMA(F_c_s_w, c24, F_c_gamma*gamma_across_y)));
+    const stewart_real F_c_z = STEWART_FMA(F_c_u, u_across_z, STEWART_FMA(F_c_e, e_across_z,
+        STEWART_FMA(F_c_s_w, c25, F_c_gamma*gamma_across_z)));
     const stewart_real c46 = bearing*c4;
     const stewart_real c47 = bearing*c13;
     const stewart_real c48 = bearing*m_u;
-    const stewart_real M_p_s_e = inv_L*(STEWART_FMA(-bearing, c21, STEWART_FMA(REAL(2)*c47, r_u0_x,
-        STEWART_FMA(REAL(2)*c15, c48, STEWART_FMA(bearing, c8, STEWART_FMA(bearing, c19,
-        STEWART_FMA(bearing, c17, bearing*c11))))) - I_d0_yy) - c2 - c46);
+    const stewart_real M_p_s_e = inv_L*STEWART_FMA(REAL(2)*c47, r_u0_x, STEWART_FMA(REAL(2)*c15, c48,
+        STEWART_FMA(bearing, c8, STEWART_FMA(bearing, c19, STEWART_FMA(bearing, c17, STEWART_FMA(-bearing,
+        c21, STEWART_FMA(bearing, c11, -I_d0_yy)) - c2)))) - c46);
     const stewart_real c49 = -bearing*c22;
-    const stewart_real M_p_s_u = inv_L*(STEWART_FMA(-c48, c9, STEWART_FMA(-c32, c46, STEWART_FMA((-c12)*c33,
-        c48, STEWART_FMA(-bearing, c35, STEWART_FMA(-bearing, c34, STEWART_FMA(-bearing, c31,
-        STEWART_FMA(-bearing, c30, STEWART_FMA(REAL(4)*bearing*inv_L*m_u*r_u0_x, u_x,
-        STEWART_FMA(REAL(4)*L*bearing*inv_L*m_u, u_x, C_u*bearing*inv_L)) + c10 + c18 - C_u))))))) - c49);
+    const stewart_real M_p_s_u = inv_L*STEWART_FMA(-c32, c46, STEWART_FMA(-bearing, c35,
+        STEWART_FMA(-bearing, c34, STEWART_FMA(-bearing, c31, STEWART_FMA(-bearing, c30,
+        STEWART_FMA(REAL(4)*bearing*inv_L*m_u*r_u0_x, u_x, STEWART_FMA(REAL(4)*L*bearing*inv_L*m_u, u_x,
+        STEWART_FMA((-c12)*c33, c48, STEWART_FMA(-c48, c9, STEWART_FMA(C_u*bearing, inv_L, -C_u) - c49 + c10
+        + c18)))))))));
     const stewart_real M_p_s_gamma = STEWART_FMA(-bearing, c38, STEWART_FMA(-bearing, c37,
         STEWART_FMA(bearing, m_u, c20))) - c47;
     const stewart_real M_p_w = c49;
     /* M_p, base frame */
-    const stewart_real M_p_x = STEWART_FMA(M_p_w, w_across_x, STEWART_FMA(M_p_s_u, STEWART_FMA(-s_z,
-        u_across_y, s_y*u_across_z), STEWART_FMA(M_p_s_gamma, STEWART_FMA(-gamma_across_y, s_z,
-        gamma_across_z*s_y), M_p_s_e*STEWART_FMA(-e_across_y, s_z, e_across_z*s_y))));
-    const stewart_real M_p_y = STEWART_FMA(M_p_w, w_across_y, STEWART_FMA(M_p_s_u, STEWART_FMA(-s_x,
-        u_across_z, s_z*u_across_x), STEWART_FMA(M_p_s_gamma, STEWART_FMA(-gamma_across_z, s_x,
-        gamma_across_x*s_z), M_p_s_e*STEWART_FMA(-e_across_z, s_x, e_across_x*s_z))));
-    const stewart_real M_p_z = STEWART_FMA(M_p_w, w_across_z, STEWART_FMA(M_p_s_u, STEWART_FMA(-s_y,
-        u_across_x, s_x*u_across_y), STEWART_FMA(M_p_s_gamma, STEWART_FMA(-gamma_across_x, s_y,
-        gamma_across_y*s_x), M_p_s_e*STEWART_FMA(-e_across_x, s_y, e_across_y*s_x))));
+    const stewart_real M_p_x = STEWART_FMA(M_p_s_u, STEWART_FMA(-s_z, u_across_y, s_y*u_across_z),
+        STEWART_FMA(M_p_s_e, STEWART_FMA(-e_across_y, s_z, e_across_z*s_y), STEWART_FMA(M_p_s_gamma,
+        STEWART_FMA(-gamma_across_y, s_z, gamma_across_z*s_y), M_p_w*w_across_x)));
+    const stewart_real M_p_y = STEWART_FMA(M_p_s_u, STEWART_FMA(-s_x, u_across_z, s_z*u_across_x),
+        STEWART_FMA(M_p_s_e, STEWART_FMA(-e_across_z, s_x, e_across_x*s_z), STEWART_FMA(M_p_s_gamma,
+        STEWART_FMA(-gamma_across_z, s_x, gamma_across_x*s_z), M_p_w*w_across_y)));
+    const stewart_real M_p_z = STEWART_FMA(M_p_s_u, STEWART_FMA(-s_y, u_across_x, s_x*u_across_y),
+        STEWART_FMA(M_p_s_e, STEWART_FMA(-e_across_x, s_y, e_across_y*s_x), STEWART_FMA(M_p_s_gamma,
+        STEWART_FMA(-gamma_across_x, s_y, gamma_across_y*s_x), M_p_w*w_across_z)));
     out->F_s[0] = F_s_x;
     out->F_s[1] = F_s_y;
     out->F_s[2] = F_s_z;

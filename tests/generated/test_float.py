@@ -292,7 +292,7 @@ def test_moments_are_taken_over_a_power_of_two_unless_the_platform_is_of_about_a
             baked(fidelity_kernel(EXACT, DERIVED["massless_static"]), plain(similar), "machine")
         )
         by = re.findall(
-            r"scale_(pose|block)\(&?\w+, REAL\((.*?)\)\);",
+            r"scale_(pose|block)\([^;]*REAL\((.*?)\)\);",
             lanes.files(folded, "")[f"stewart_{folded.name}_forces.c"],
         )
         scaled = {(of, expected) for of in ("pose", "block") if expected != 1.0}

@@ -326,7 +326,11 @@ DRIVER = """#include "stewart_lanes.h"
 #include "stewart_outputs.h"
 #include "by_pointers.h"
 int of_pose(stewart_real A[6][8], stewart_real x[6]);
-int of_pose(stewart_real A[6][8], stewart_real x[6]) { return solve_pose(A, REAL(1), x); }
+int of_pose(stewart_real A[6][8], stewart_real x[6])
+{
+    stewart_real c[6] = {A[0][6], A[1][6], A[2][6], A[3][6], A[4][6], A[5][6]};
+    return solve_pose(A, c, REAL(1), x);
+}
 int of_outputs(stewart_real A[6][7], stewart_real x[6]);
 int of_outputs(stewart_real A[6][7], stewart_real x[6]) { return eliminate(A, x); }
 double of_pointers(stewart_real A[6][7], stewart_real x[6]);

@@ -292,6 +292,7 @@ def solution(of: "Equations", model: "Model", x: "array(6)", Y: "array(6, 6)") -
     """x, and the inverse Y of H, by the solve of the force kernel. Returns 1 for a small pivot, else
     0."""
     A = blank(array(6, LANES))
+    wrench = blank(array(6))
     found = blank(array(6))
     suspect = 0
     for column in range(7):
@@ -299,9 +300,10 @@ def solution(of: "Equations", model: "Model", x: "array(6)", Y: "array(6, 6)") -
             unit = where(i < 3, 1.0, model.per_length)
             for j in range(6):
                 A[i][j] = unit * of.H[i][j]
-            A[i][6] = where(column < 6, where(i == column, unit, 0.0), unit * of.c[i])
+            A[i][6] = 0.0
             A[i][7] = 0.0
-        suspect = solve_pose(A, model.arm_cube, found)
+            wrench[i] = where(column < 6, where(i == column, unit, 0.0), unit * of.c[i])
+        suspect = solve_pose(A, wrench, model.arm_cube, found)
         for i in range(6):
             if column < 6:
                 Y[i][column] = found[i]

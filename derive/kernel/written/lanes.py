@@ -58,9 +58,10 @@ def moments_of_pose(legs: "LegLanes") -> None:
         MOMENTS
 
 
-def scale_pose(A: "array(6, LANES)", per_length: "Real") -> None:
+def scale_pose(A: "array(6, LANES)", wrench: "array(6)", per_length: "Real") -> None:
     """Takes the moments of the rows [H | c] over a length."""
     for i in range(3, 6):
+        wrench[i] = wrench[i] * per_length
         for j in range(LANES):
             A[i][j] = A[i][j] * per_length
 
@@ -79,27 +80,33 @@ def subtract_row(to: "alone(array(LANES))", factor: "Real", row: "alone(array(LA
         to[j] = to[j] - factor * row[j]
 
 
-def blocks_of_pose(A: "array(6, LANES)", arm_cube: "Real", x: "array(6)") -> "Real":
-    """Solves the augmented rows [H | c | 0] for x as two blocks of three legs. Returns 1 where the digits of
-    another solve are wanted, else 0."""
+def blocks_of_pose(A: "array(6, LANES)", wrench: "array(6)", arm_cube: "Real", x: "array(6)") -> "Real":
+    """Solves [H | c] for x as two blocks of three legs; the first six lanes of the rows A are H. Returns 1
+    where the digits of another solve are wanted, else 0."""
     two_blocks()
     return weak
 
 
-def solve_pose(A: "array(6, LANES)", arm_cube: "Real", x: "array(6)") -> "Integer":
-    """Solves [H | c | 0] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0."""
+def solve_pose(A: "array(6, LANES)", wrench: "array(6)", arm_cube: "Real", x: "array(6)") -> "Integer":
+    """Solves [H | c] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0."""
     suspect = 0
-    wanted = blocks_of_pose(A, arm_cube, x)
+    wanted = blocks_of_pose(A, wrench, arm_cube, x)
     if wanted > 0.0:
-        suspect = pivots_of_pose(A, x)
+        suspect = pivots_of_pose(A, wrench, x)
     return suspect
 
 
-def pivots_of_pose(A: "array(6, LANES)", x: "array(6)") -> "Integer":
+def pivots_of_pose(H: "array(6, LANES)", wrench: "array(6)", x: "array(6)") -> "Integer":
     """Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
     updated, so that a row is one vector, and the next column is known before the rows that hold it are
     stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column has
     no moment rows."""
+    A = blank(array(6, LANES))
+    for i in range(6):
+        for l in range(LANES):
+            A[i][l] = H[i][l]
+        A[i][6] = wrench[i]
+        A[i][7] = 0.0
     for i in each(FIRST):
         a[i,] = A[i][0]
     elimination()
@@ -115,7 +122,7 @@ def pivots_of_pose(A: "array(6, LANES)", x: "array(6)") -> "Integer":
     )
 
 
-def pose_status(legs: "LegLanes") -> "Integer":
+def pose_status(legs: "LegLanes", per_length: "Real") -> "Integer":
     """Status of a pose whose H may be singular to rounding."""
     H = blank(array(6, 6))
     arm = blank(array(6, 3))
@@ -126,8 +133,8 @@ def pose_status(legs: "LegLanes") -> "Integer":
     for i in range(6):
         for j in range(3):
             arm[i][j] = legs.q[j][i] - legs.q[j][0] if ABOUT_TIP else legs.q[j][i]
-            H[j][i] = legs.H_force[j][i]
-            H[j + 3][i] = legs.H_moment[j][i]
+            H[j][i] = legs.A[j][i]
+            H[j + 3][i] = legs.A[j + 3][i] / per_length
     return singular_status(H, arm, legs.L, legs.reach, tip)
 
 
@@ -137,7 +144,7 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
         model = address(numbers)
     shared = blank(SharedTerms)
     legs = blank(LegLanes)
-    A = blank(array(6, LANES))
+    wrench = blank(array(6))
     x = blank(array(6))
     found = blank(array(6))
     close = 0
@@ -165,22 +172,18 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
         force = shared.c_force[j]
         turn = shared.c_tip[j] if ABOUT_TIP else shared.c_moment[j]
         if HAS_C:
-            for i in range(6):
+            for i in columns(6):
                 part_of_leg(i, j)
-        for i in range(LANES):
-            column_of_leg(i, j)
-        A[j][6] = force
-        A[j + 3][6] = turn
-        A[j][7] = 0.0
-        A[j + 3][7] = 0.0
+        wrench[j] = force
+        wrench[j + 3] = turn
     if SCALED == 1:
         if model.per_length != 1.0:
-            scale_pose(A, model.per_length)
+            scale_pose(legs.A, wrench, model.per_length)
     if SCALED == 2:
-        scale_pose(A, PER_LENGTH)
-    suspect = solve_pose(A, ARM_CUBE, x)
+        scale_pose(legs.A, wrench, PER_LENGTH)
+    suspect = solve_pose(legs.A, wrench, ARM_CUBE, x)
     if close != 0 or suspect != 0:
-        status = pose_status(legs)
+        status = pose_status(legs, UNIT_OF_MOMENTS)
         if status != OK:
             return status
     for i in range(6):
@@ -257,8 +260,8 @@ def blocks_of_lanes(
     bad: "alone(array(LANES))",
     wanted: "alone(array(LANES))",
 ) -> None:
-    """Solves eight systems [H | c] side by side for x as two blocks of three legs, (36), and F = D - x, (37): a
-    loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where the digits
+    """Solves eight systems [H | c] side by side for x as two blocks of three legs, (36), and F = D - x,
+    (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where the digits
     of another solve are."""
     for l in range(LANES):
         for i in each(6):

@@ -68,6 +68,16 @@ def column_by_column() -> None:
                 det * A[k + 3][l] - A[k + 3][1] * of[0,] - A[k + 3][3] * of[1,] - A[k + 3][5] * of[2,]
             )
     for i in each(3):
-        for c in each(0, 7, 2):
+        for c in each(0, 6, 2):
             e[i, c] = balanced[i][c]
             w[i, c] = left[i][c]
+    column_of_sums()
+
+
+def one_column() -> None:
+    """The column c alone, which the rows do not hold: it was just stored, number by number, and a processor
+    would wait for all of it before it reads it as part of a vector."""
+    for i in each(3):
+        e[i, 6] = r[i, 0] * wrench[0] + r[i, 1] * wrench[1] + r[i, 2] * wrench[2]
+    for k in each(3):
+        w[k, 6] = det * wrench[k + 3] - A[k + 3][1] * e[0, 6] - A[k + 3][3] * e[1, 6] - A[k + 3][5] * e[2, 6]
