@@ -670,8 +670,7 @@ STEWART_APART static void equations_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -1051,8 +1050,7 @@ STEWART_APART static void equations_of_near(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -1479,8 +1477,7 @@ STEWART_APART static void bias_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -1902,8 +1899,7 @@ STEWART_APART static void forward_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -2400,8 +2396,7 @@ STEWART_APART static void joint_rows_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -4060,8 +4055,7 @@ STEWART_APART static void derivatives_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -4934,8 +4928,7 @@ STEWART_APART static void derivatives_of_near(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -6318,8 +6311,7 @@ STEWART_APART static void joint_slopes_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
