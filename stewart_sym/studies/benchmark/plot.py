@@ -191,10 +191,11 @@ def _called_note(found: Benchmark) -> str:
     ]
     if not made:
         return ""
+    gravity = ", gravity to Drake too" if "Drake" in found.parts else ""
     return (
         "Called from Python, less a call over nothing, ns: " + "; ".join(made) + ". Engines of rigid bodies "
         "compute over the tree of all 13 bodies, then LAPACK solves; joint angles, rates, accelerations, "
-        f"friction, load and Jacobians are given to them{', gravity to Drake too' * ('Drake' in found.parts)}. "
+        f"friction, load and Jacobians are given to them{gravity}. "
     )
 
 
