@@ -271,7 +271,7 @@ def test_shares_are_the_same_in_text_and_json(figures: dict[str, Any], written: 
     kinds = [peak["instructions"] for peak in figures["peaks"]]
     assert len(figures["shares"]) == 13
     for each in figures["shares"]:
-        shown = [f"{each['values'][kind]:.3g}" for kind in kinds]
+        shown = [f"{each['values'][kind]:#.3g}" for kind in kinds]
         line = next(line for line in text.splitlines() if line.startswith(each["name"] + "  "))
         assert line.removeprefix(each["name"]).split()[1 : 1 + len(kinds)] == shown
 

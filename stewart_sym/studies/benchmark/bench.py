@@ -7,7 +7,6 @@ timed. What the extra ``bench`` would bring is left out where it is missing.
 """
 
 import contextlib
-import ctypes
 import dataclasses
 import functools
 import os
@@ -88,7 +87,8 @@ def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses, Flags]
     """``stewart_exact_forces_batch``, called from Python with given arrays."""
 
     def make(poses: Poses, flags: Flags) -> Runner:
-        library = _batch_library(precision, flags)
+        defines = ("STEWART_FLOAT",) if precision == "float" else ()
+        library = c_kernel.library(f"{NAME}_forces", defines, flags)
 
         class Compiled(forces.ForceKernel):
             """The kernel with these flags."""
@@ -108,12 +108,6 @@ def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses, Flags]
         return repeated(lambda: prepared.forces_into(arrays, F, status, threads), found, library=library)
 
     return make
-
-
-def _batch_library(precision: forces.Precision, flags: Flags) -> ctypes.CDLL:
-    defines = {"STEWART_FLOAT": 1} if precision == "float" else {}
-    sources = c_kernel.c_sources(f"{NAME}_forces")
-    return native.load(f"stewart_{NAME}_forces", sources, flags, defines)
 
 
 def _prepared_call(poses: Poses, _: Flags) -> Runner:
@@ -277,6 +271,7 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     }
     summed = {each.name: each.figures(raw) for each in called}
     figures = (*built.values(), *(each.figure(raw) for each in motion.built))
+    names = [*dict.fromkeys(figure.name for figure in figures)]
     return Benchmark(
         robot=poses.robot.name,
         rounds=rounds,
@@ -286,7 +281,9 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
             *(_fastest(built.values(), each, kinds[0]) for each in baselines),
             *(figure for figure, _ in summed.values()),
         ),
-        builds=tuple(figure for figure in figures if figure.target),
+        builds=tuple(
+            sorted((each for each in figures if each.target), key=lambda each: names.index(each.name))
+        ),
         cores=Speedup(CORES, LARGE, _times(raw[BATCH], raw[ALL_CORES])),
         arithmetic=Speedup(CORES, 0, _times(raw[_multiply_add(kinds[0])], raw[ARITHMETIC])),
         calls=tuple(_figure(each, raw) for each in CALLS),

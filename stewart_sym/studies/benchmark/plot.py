@@ -1,6 +1,7 @@
 """What ``bench`` measured, as tables for the terminal and as a picture."""
 
 import functools
+import math
 import textwrap
 from collections.abc import Sequence
 
@@ -69,20 +70,23 @@ def _shares(found: Benchmark) -> str:
     """The figures with targets, a column for each kind of instructions."""
     kinds = [peak.target for peak in found.peaks]
     rows = [
-        (each.name, each.unit, *(share_text(each.values.get(kind)) for kind in kinds), *share_targets(each))
+        (each.name, each.unit, *(_three_digits(each.values.get(kind)) for kind in kinds), *_targets(each))
         for each in shares(found.compiled)
     ]
     return aligned(("shares", "", *kinds, "at most", "goal"), rows, left=2)
 
 
-def share_text(value: float | None) -> str:
-    """A figure to three digits; empty for None."""
-    return "" if value is None else f"{value:.3g}"
+def _three_digits(value: float | None) -> str:
+    return "" if value is None else f"{value:#.3g}"
 
 
-def share_targets(share: Share) -> tuple[str, str]:
-    """The bound, as words where it is the least, and the goal."""
-    return ("at least " if share.least else "") + share_text(share.bound), share_text(share.goal)
+def _targets(share: Share) -> tuple[str, str]:
+    """The bound, with words where it is the least, and the goal."""
+    least = "at least " if share.least else ""
+    return (
+        "" if share.bound is None else f"{least}{share.bound:g}",
+        "" if share.goal is None else f"{share.goal:g}",
+    )
 
 
 def _candidates(found: Benchmark) -> str:
@@ -118,7 +122,6 @@ def _builds(found: Benchmark) -> str:
     named = () if found.closed is None else ("x closed", "x CasADi")
     header = ("C by instructions and flags", "vectors", "operations", "ns", "cycles", *named)
     own = {peak.target: peak.flags for peak in found.peaks}
-    names = [*dict.fromkeys(each.name for each in found.builds)]
     rows = [
         (
             " ".join((each.name, *each.flags[len(own[each.target]) :])),
@@ -127,7 +130,7 @@ def _builds(found: Benchmark) -> str:
             *_times_of(found, each.median),
             *_ratios(found, each.median, each.target),
         )
-        for each in sorted(found.builds, key=lambda each: names.index(each.name))
+        for each in found.builds
     ]
     operations = found.compiled.operations
     for peak in found.peaks:
@@ -432,14 +435,16 @@ def _name_rows(axes: Axes, low: float, rows: Sequence[tuple[Figure, str, str]]) 
     """Labels of the rows, and a log axis with room for their numbers."""
     axes.set_yticks(range(len(rows)), [label for _, label, _ in rows])
     axes.set_xscale("log")
-    axes.set_xlim(low, 20 * max(max(figure.median, figure.quartiles[1]) for figure, _, _ in rows))
+    high = max(max(figure.median, figure.quartiles[1]) for figure, _, _ in rows)
+    axes.set_xlim(low, high * (high / low) ** 0.5)
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.grid(visible=False, axis="y")
     axes.tick_params(axis="y", length=0)
 
 
 def _times(ratio: float) -> str:
-    return rf"$\times${ratio:.2f}" if ratio < 10 else rf"$\times${ratio:.1f}"
+    """Three digits or more."""
+    return rf"$\times${ratio:.{max(0, 2 - math.floor(math.log10(max(ratio, 1))))}f}"
 
 
 def _draw_sizes(axes: Axes, found: Benchmark) -> None:

@@ -55,18 +55,13 @@ def shares(found: Figures) -> str:
     rows = [
         (
             each["name"] + (", us" if each["unit"] == "us" else ""),
-            *(_three(each["values"].get(kind)) for kind in kinds),
-            "at least " + _three(each["at_least"]) if "at_least" in each else _three(each.get("at_most")),
-            _three(each.get("goal")),
+            *(f"{each['values'][kind]:#.3g}" for kind in kinds),
+            f"at least {each['at_least']}" if "at_least" in each else f"{each.get('at_most', '')}",
+            f"{each.get('goal', '')}",
         )
         for each in made
     ]
     return table(("", *kinds, "at most", "goal"), rows) if rows else ""
-
-
-def _three(value: float | None) -> str:
-    """Three digits; empty for None."""
-    return "" if value is None else f"{value:.3g}"
 
 
 def builds(found: Figures) -> str:

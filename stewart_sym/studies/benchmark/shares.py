@@ -118,8 +118,8 @@ _LINES = (
     _Line("forward dynamics, over inverse dynamics", _over(FORWARD, INVERSE)),
     _Line("derivatives, over inverse dynamics", _over(DERIVATIVES, INVERSE)),
     _Line(f"equations, {_BASIS}", _over_basis(EQUATIONS), 1.6, 1.3),
-    _Line(f"forward dynamics, {_BASIS}", _over_basis(FORWARD), 1.2, 1.0),
-    _Line(f"derivatives, {_BASIS}", _over_basis(DERIVATIVES), 4.0, 3.0),
+    _Line(f"forward dynamics, {_BASIS}", _over_basis(FORWARD), 1.2, 1),
+    _Line(f"derivatives, {_BASIS}", _over_basis(DERIVATIVES), 4, 3),
     _Line("regressor 6 x 148, one pose", _microseconds(REGRESSOR), 1.5, 0.7, "us"),
     _Line("regressor 6 x 148, batch", _microseconds(REGRESSORS), unit="us"),
 )
