@@ -99,6 +99,7 @@ def test_the_width_of_code_is_that_of_the_functions_called(bits: int) -> None:
     library = native.load("bench_width", {"sum.c": SUM.replace("BYTES", str(bits // 8))})
     assert widest(library, "outer") == bits
     assert widest(library, "alone") == 64
+    assert widest(library, "none") is None
 
 
 def test_the_width_is_unknown_without_the_tool(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -78,15 +78,15 @@ def additions() -> Task:
 # --- the width of compiled code ---------------------------------------------------------------
 
 _FUNCTION = re.compile(r"^[0-9a-f]+ <([^>]+)>:$")
-_CALL = re.compile(r"\t(?:call|jmp)q? .*<([^>+]+?)(?:@plt)?>$")
-_PACKED = re.compile(r"\tv?(?:fn?m)?(?:add|sub|mul|div|sqrt)\w*p[sd] .*%([xyz])mm")
+_CALL = re.compile(r"\t(?:call|jmp)q?\s.*<([^>+]+?)(?:@plt)?>$")
+_PACKED = re.compile(r"\tv?(?:fn?m)?(?:add|sub|mul|div|sqrt)\w*p[sd]\s.*%([xyz])mm")
 _BITS = {"x": 128, "y": 256, "z": 512}
 
 
 def widest(library: ctypes.CDLL, function: str) -> int | None:
     """Bits of the widest vectors that a function and those it calls compute with; 64 if with none.
 
-    None where ``objdump`` is missing or the processor is no x86.
+    None where ``objdump`` is missing or doesn't show the function, or the processor is no x86.
     """
     tool = shutil.which("objdump")
     if tool is None:
@@ -98,13 +98,15 @@ def widest(library: ctypes.CDLL, function: str) -> int | None:
     return _widest(done.stdout.splitlines(), function)
 
 
-def _widest(lines: Sequence[str], function: str) -> int:
+def _widest(lines: Sequence[str], function: str) -> int | None:
     bodies: dict[str, list[str]] = {}
     for line in lines:
         if begin := _FUNCTION.match(line):
             body = bodies.setdefault(begin[1], [])
         elif bodies:
             body.append(line)
+    if function not in bodies:
+        return None
     waiting, seen = [function], {function}
     width = 64
     while waiting:
