@@ -29,7 +29,7 @@ from stewart_sym.studies.benchmark.baselines import PEERS
 from stewart_sym.studies.benchmark.figures import MOST
 from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
 from stewart_sym.studies.benchmark.processor import targets
-from stewart_sym.studies.benchmark.samples import CLOSED, FORWARD, PLAIN, REGRESSORS
+from stewart_sym.studies.benchmark.samples import CLOSED, FORWARD, PLAIN, batched
 from stewart_sym.studies.common import host, timing
 
 
@@ -252,7 +252,7 @@ def test_all_c_is_compiled_for_every_target_and_of_casadi_the_fastest_counts(fig
     kinds = [kind.name for kind in targets()]
     assert [peak["instructions"] for peak in figures["peaks"]] == kinds
     ours = [each.name for each in bench.OURS if each.function]
-    motion = [*(each.name for each in equation_kernels.FUNCTIONS), REGRESSORS]
+    motion = [name for each in equation_kernels.FUNCTIONS for name in (each.name, batched(each.name))]
     for kind in kinds:
         built = [entry for entry in figures["builds"] if entry["instructions"] == kind]
         assert sorted(entry["name"] for entry in built) == sorted([*ours, *motion, *(2 * [CLOSED, PLAIN])])

@@ -32,7 +32,7 @@ from .engines.tree import Engine, tensors_of_bodies, tree
 from .figures import MotionFigures
 from .poses import Poses
 from .processor import Flags, Target, widest
-from .samples import DERIVATIVES, EQUATIONS, FORWARD, INVERSE, NAME, REGRESSOR, REGRESSORS, Figure
+from .samples import DERIVATIVES, EQUATIONS, FORWARD, INVERSE, NAME, REGRESSOR, Figure, batched
 
 Array = NDArray[np.float64]
 Run = Callable[[int], object]
@@ -53,19 +53,25 @@ def _model(robot: Robot) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Function:
-    """One function of the generated C.
+    """One function of the generated C, of one pose and, with ``_batch`` to its name, of many.
 
-    arguments: after the machine and the motion, where ``F`` holds six forces and ``out`` takes the numbers.
-    expected: the parts of those numbers in their order, (n, ...) each, from robot, motion, actuator forces.
-    machine: its numbers as the function takes them.
+    expected: the parts of its numbers in their order, (n, ...) each, from robot, motion, actuator forces.
+    before: its arguments between motion and output, ``F`` the six forces; struct: type of its output, where
+    that isn't an array. machine: its numbers as the function takes them.
     """
 
     name: str
     function: str
-    arguments: str
     expected: Callable[[Robot, Motion, Array], Sequence[Array]]
     tolerance: float = AGREEMENT
+    before: tuple[str, ...] = ()
+    struct: str | None = None
     machine: Callable[[Robot], Array] = _model
+
+    @property
+    def arguments(self) -> str:
+        """Its arguments after machine and motion for one pose, in C; ``out`` takes the numbers."""
+        return ", ".join((*self.before, "out" if self.struct is None else f"({self.struct} *)out"))
 
 
 # --- what the reference says ------------------------------------------------------------------
@@ -73,8 +79,8 @@ class Function:
 
 def _expected_equations(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
     found = equations_of_motion(robot, motion)
-    wrenches = np.concatenate([found.g, found.friction, found.bias], axis=-1)
-    return found.M, found.C, wrenches, wrench_matrix(robot, motion), wrench_matrix_rate(robot, motion)
+    H, H_dot = wrench_matrix(robot, motion), wrench_matrix_rate(robot, motion)
+    return found.M, found.C, found.g, found.friction, found.bias, H, H_dot
 
 
 def _expected_derivatives(robot: Robot, motion: Motion, F: Array) -> tuple[Array, ...]:
@@ -129,31 +135,31 @@ def acceleration(motion: Motion) -> Array:
 
 
 FUNCTIONS = (
-    Function(INVERSE, "forces", "out", lambda robot, motion, F: (F,)),
+    Function(INVERSE, "forces", lambda robot, motion, F: (F,)),
+    Function("bias", "bias", lambda robot, motion, F: (equations_of_motion(robot, motion).bias,)),
+    Function(EQUATIONS, "equations", _expected_equations, struct="stewart_equations"),
     Function(
-        "bias", "bias", "out", lambda robot, motion, F: (_expected_equations(robot, motion, F)[2][..., 12:],)
+        FORWARD, "forward_dynamics", lambda robot, motion, F: (acceleration(motion),), SOLVED, before=("F",)
     ),
-    Function(EQUATIONS, "equations", "(stewart_equations *)out", _expected_equations),
-    Function(FORWARD, "forward_dynamics", "F, out", lambda robot, motion, F: (acceleration(motion),), SOLVED),
     Function(
         "joint-space inertia",
         "joint_inertia",
-        "out",
         lambda robot, motion, F: (joint_space_inertia(robot, motion, backend="reference"),),
     ),
-    Function(DERIVATIVES, "derivatives", "(stewart_derivatives *)out", _expected_derivatives, DIFFERENCES),
+    Function(DERIVATIVES, "derivatives", _expected_derivatives, DIFFERENCES, struct="stewart_derivatives"),
     Function(
         "linearisation",
         "linearisation",
-        "F, (stewart_linearisation *)out",
         _expected_linearisation,
         DIFFERENCES,
+        before=("F",),
+        struct="stewart_linearisation",
     ),
     Function(
         REGRESSOR,
         "regressor",
-        "0, 0, out",
         lambda robot, motion, F: (regressor(robot, motion)[0],),
+        before=("0", "0"),
         machine=robot_numbers,
     ),
 )
@@ -277,15 +283,16 @@ def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
     for target in targets:
         drives = library(target.flags)
         for each in FUNCTIONS:
-            drive, parts = f"drive_{each.function}", expected[each.name]
-            runner = _loop(getattr(drives, drive), each.machine(robot), few, F, sum(map(_numbers, parts)))
-            _compare(each.name, runner, parts, each.tolerance, differences)
-            bits = widest(drives, drive)
-            built.append(Built(each.name, each.function, "one pose", target, runner.run, POSES, bits))
-        runner = _regressors(drives, few.resized(SLOW), _numbers(expected[REGRESSOR][0]))
-        _compare(REGRESSORS, runner, expected[REGRESSOR], AGREEMENT, differences)
-        bits = widest(drives, f"stewart_{NAME}_regressor_batch")
-        built.append(Built(REGRESSORS, "regressor_batch", "batch", target, runner.run, SLOW, bits))
+            drive, batch, parts = f"drive_{each.function}", f"{each.function}_batch", expected[each.name]
+            one = _loop(getattr(drives, drive), each.machine(robot), few, F, sum(map(_numbers, parts)))
+            _compare(each.name, one, parts, each.tolerance, differences)
+            built.append(
+                Built(each.name, each.function, "one pose", target, one.run, POSES, widest(drives, drive))
+            )
+            many = _batch(each, drives, few.resized(SLOW), np.resize(F, (SLOW, 6)), parts)
+            name, bits = batched(each.name), widest(drives, f"stewart_{NAME}_{batch}")
+            _compare(name, many, parts, each.tolerance, differences)
+            built.append(Built(name, batch, "batch", target, many.run, SLOW, bits))
     baselines = engines(robot, tree(robot, motion, F))
     for baseline in baselines:
         found = baseline.accelerations()
@@ -321,17 +328,19 @@ def _loop(drive: Any, machine: Array, poses: Poses, F: Array, numbers: int) -> R
     return Runner(run, lambda: out)
 
 
-def _regressors(drives: ctypes.CDLL, poses: Poses, numbers: int) -> Runner:
-    """The regressors of all poses in one call."""
-    function, machine = getattr(drives, f"stewart_{NAME}_regressor_batch"), robot_numbers(poses.robot)
-    Y, status = np.zeros((len(poses), numbers)), np.zeros(len(poses), dtype=np.int32)
-    count, every = ctypes.c_size_t(len(poses)), (address(None), ctypes.c_size_t(0))
+def _batch(each: Function, drives: ctypes.CDLL, poses: Poses, F: Array, parts: Sequence[Array]) -> Runner:
+    """All poses in one call; ``parts`` tell how many numbers come out of each."""
+    function, machine = getattr(drives, f"stewart_{NAME}_{each.function}_batch"), each.machine(poses.robot)
+    found = [np.zeros((len(poses), _numbers(part))) for part in parts]
+    status, count = np.zeros(len(poses), dtype=np.int32), ctypes.c_size_t(len(poses))
 
     def call() -> None:
         motions = pointers(poses.arrays)
-        succeed(function(address(machine), count, motions, *every, address(Y), address(status)))
+        before = [address(F if word == "F" else None) for word in each.before]
+        out = address(found[0]) if each.struct is None else pointers(found)
+        succeed(function(address(machine), count, motions, *before, out, address(status)))
 
-    return repeated(call, lambda: Y)
+    return repeated(call, lambda: np.hstack(found))
 
 
 def _numbers(part: Array) -> int:

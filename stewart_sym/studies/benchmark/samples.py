@@ -17,7 +17,12 @@ PLAIN, CLOSED = "CasADi", "CasADi, closed form"
 
 ONE_POSE, BATCH, FLOAT = "one pose", "batch, one core", "batch, float"
 INVERSE, EQUATIONS, FORWARD = "inverse dynamics", "equations", "forward dynamics"
-DERIVATIVES, REGRESSOR, REGRESSORS = "derivatives", "regressor", "regressor, batch"
+DERIVATIVES, REGRESSOR = "derivatives", "regressor"
+
+
+def batched(name: str) -> str:
+    """Name of a function of one pose, called for many."""
+    return f"{name}, batch"
 
 
 class Samples:
