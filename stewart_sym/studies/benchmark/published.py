@@ -2,7 +2,7 @@
 
 from ...io.extras import install
 from ..common.markdown import Figures, paragraph, table
-from .samples import CLOSED, PLAIN
+from .samples import CLOSED, FORWARD, PLAIN
 
 README_ROWS = (
     "one pose",
@@ -36,16 +36,14 @@ def tables(found: Figures) -> dict[str, str]:
 
 
 def readme(found: Figures) -> str:
-    """A few of the times, of the forces and of forward dynamics."""
+    """A few of the times, of the forces with their ratio to CasADi's closed form and of forward dynamics."""
     forces = {each["name"]: each["median"] for each in (*found["ours"], *found["baselines"])}
-    rows = [(name, f"{forces[name]:.0f}") for name in README_ROWS]
-    dynamics = [each for each in found["motion"]["ours"] if each["name"] == "forward dynamics"]
-    rows += [(each["name"], f"{each['median']:.0f}") for each in dynamics]
-    rows += [
-        (f"forward dynamics, {each['name']}", f"{each['median']:.0f}")
-        for each in found["motion"]["baselines"]
-    ]
-    return table(("forces with friction and load", "ns per pose"), rows)
+    rows = [(name, f"{forces[name]:.0f}", f"{forces[name] / forces[CLOSED]:.2f}") for name in README_ROWS]
+    ours = [each for each in found["motion"]["ours"] if each["name"] == FORWARD]
+    rows += [(FORWARD, f"{each['median']:.0f}", "") for each in ours]
+    baselines = found["motion"]["baselines"]
+    rows += [(f"{FORWARD}, {each['name']}", f"{each['median']:.0f}", "") for each in baselines]
+    return table(("forces with friction and load", "ns per pose", "of CasADi's closed form"), rows)
 
 
 def shares(found: Figures) -> str:
