@@ -4033,7 +4033,7 @@ def derivatives_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench: 1718 (1020 mul, 694 add, 2 div, 2 sqrt)."""
+    """One leg's part of the derivatives of the wrench: 1716 (1018 mul, 694 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -4255,7 +4255,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     c56 = 2.0 * h_x
     tau_rate_22 = C_us + L_dot * c56
     tau_rate_23 = -c31 * c5
-    tau_rate_31 = 2.0 * c16 * phi_dot - 2.0 * c34
+    tau_rate_31 = 2.0 * (c16 * phi_dot - c34)
     tau_rate_32 = 2.0 * c39 - 2.0 * c38 + c31 * c5
     tau_rate_33 = C_us + 2.0 * c35 + 2.0 * c36
     c57 = h_y * phi_ddot
@@ -4270,8 +4270,8 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
         * w_z - c4 * c62 + c9 * phi_ddot))
     tau_place_23 = -c21 * gamma_y - C_s * w_n_omega
     c63 = c60 * phi_dot
-    tau_place_31 = (c63 * theta_dot + theta_dot * (c11 * theta_dot + c63) + phi_ddot * (2.0 * c15 - 2.0 * c8
-        * h_z) - h_y * k1 * theta_ddot)
+    tau_place_31 = (c63 * theta_dot + theta_dot * (c11 * theta_dot + c63) + phi_ddot * (2.0 * (c15 - c8 * h_z))
+        - h_y * k1 * theta_ddot)
     c64 = L_dot * c58
     tau_place_32 = (k1 * (c64 * phi_dot - L_ddot * h_y + phi_dot * (c64 + c61 * theta_dot) - gamma_y * w_x + theta_dot
         * (c61 * phi_dot - c9 * theta_dot) + J_yz * theta_ddot + c29 * phi_ddot) - k3 * (gamma_y * w_z + phi_dot
@@ -4619,7 +4619,7 @@ def derivatives_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
 
 
 def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench: 2155 (1283 mul, 868 add, 2 div, 2 sqrt)."""
+    """One leg's part of the derivatives of the wrench: 2153 (1281 mul, 868 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -5103,9 +5103,9 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c236 = 2.0 * J_yy
     c237 = c236 * theta_dot
     c238 = 2.0 * c41
-    A_0_leg_31 = (6.0 * c195 - 3.0 * c139 + c124 * c142 + c145 * c20 * (3.0 * J_xx + 3.0 * J_yy - 3.0 * J_zz)
-        + c138 + 2.0 * c132 - c156 * c237 - c165 * c228 + J_xy * c167 + 2.0 * c133 - c163 * c238 - 6.0 * c10
-        * c46 * c73 - c167 * c218 + c205 + 2.0 * c144 + c151)
+    A_0_leg_31 = (6.0 * c195 - 3.0 * c139 + c124 * c142 + c145 * c20 * (3.0 * (J_xx + J_yy - J_zz)) + c138 + 2.0
+        * c132 - c156 * c237 - c165 * c228 + J_xy * c167 + 2.0 * c133 - c163 * c238 - 6.0 * c10 * c46 * c73
+        - c167 * c218 + c205 + 2.0 * c144 + c151)
     c239 = c179 * c181
     c240 = 4.0 * J_xz
     c242 = c236 + c169

@@ -8,7 +8,7 @@ OPERATIONS: dict[str, int] = {
     "equations": 4634,
     "bias": 2031,
     "forward_dynamics": 2913,
-    "derivatives": 11204,
+    "derivatives": 11192,
     "joint_rows": 2430,
     "joint_slopes": 13433,
 }

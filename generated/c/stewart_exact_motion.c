@@ -3612,7 +3612,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c56 = REAL(2)*h_x;
         const stewart_real tau_rate_22 = STEWART_FMA(L_dot, c56, C_us);
         const stewart_real tau_rate_23 = -c31*c5;
-        const stewart_real tau_rate_31 = STEWART_FMA(-REAL(2), c34, REAL(2)*c16*phi_dot);
+        const stewart_real tau_rate_31 = REAL(2)*STEWART_FMA(c16, phi_dot, -c34);
         const stewart_real tau_rate_32 = STEWART_FMA(c31, c5, STEWART_FMA(-REAL(2), c38, REAL(2)*c39));
         const stewart_real tau_rate_33 = STEWART_FMA(REAL(2), c36, STEWART_FMA(REAL(2), c35, C_us));
         const stewart_real c57 = h_y*phi_ddot;
@@ -3630,8 +3630,8 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real tau_place_23 = STEWART_FMA(-C_s, w_n_omega, -c21*gamma_y);
         const stewart_real c63 = c60*phi_dot;
         const stewart_real tau_place_31 = STEWART_FMA((-h_y)*k1, theta_ddot, STEWART_FMA(phi_ddot,
-            STEWART_FMA((-REAL(2))*c8, h_z, REAL(2)*c15), STEWART_FMA(theta_dot, STEWART_FMA(c11, theta_dot,
-            c63), c63*theta_dot)));
+            REAL(2)*STEWART_FMA(-c8, h_z, c15), STEWART_FMA(theta_dot, STEWART_FMA(c11, theta_dot, c63),
+            c63*theta_dot)));
         const stewart_real c64 = L_dot*c58;
         const stewart_real tau_place_32 = STEWART_FMA(-k3, STEWART_FMA(c25, c49, STEWART_FMA(L_dot,
             STEWART_FMA(-c40, h_z, -c33), STEWART_FMA(c9, theta_ddot, STEWART_FMA(theta_dot,
@@ -4605,9 +4605,8 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real A_0_leg_31 = STEWART_FMA(REAL(2), c144, STEWART_FMA(-c167, c218,
             STEWART_FMA((-REAL(6))*c10*c46, c73, STEWART_FMA(-c163, c238, STEWART_FMA(REAL(2), c133,
             STEWART_FMA(J_xy, c167, STEWART_FMA(-c165, c228, STEWART_FMA(-c156, c237, STEWART_FMA(REAL(2),
-            c132, STEWART_FMA(c145*c20, STEWART_FMA(-REAL(3), J_zz, STEWART_FMA(REAL(3), J_yy,
-            REAL(3)*J_xx)), STEWART_FMA(c124, c142, STEWART_FMA(-REAL(3), c139, REAL(6)*c195))) + c138))))))))
-            + c205) + c151;
+            c132, STEWART_FMA(c145*c20, REAL(3)*(J_xx + J_yy - J_zz), STEWART_FMA(c124, c142,
+            STEWART_FMA(-REAL(3), c139, REAL(6)*c195))) + c138)))))))) + c205) + c151;
         const stewart_real c239 = c179*c181;
         const stewart_real c240 = REAL(4)*J_xz;
         const stewart_real c242 = c236 + c169;

@@ -15,7 +15,7 @@
  * equations         4634 (2625 mul, 1985 add, 12 div, 12 sqrt)   4289
  * bias              2031 (1197 mul, 810 add, 12 div, 12 sqrt)    1815
  * forward_dynamics  2913 (1677 mul, 1212 add, 12 div, 12 sqrt)   2697
- * derivatives       11204 (6288 mul, 4892 add, 12 div, 12 sqrt)  8907
+ * derivatives       11192 (6276 mul, 4892 add, 12 div, 12 sqrt)  8889
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H
