@@ -115,7 +115,7 @@ def read_scene(path: str | os.PathLike[str]) -> Scene:
         _TOP_KEYS,
         ("schema", "robot", "duration", "legs"),
     )
-    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     folder = Path(source).parent
     # What is wrong in this file comes before what is wrong in another.
     legs = _legs(top["legs"], f"{file}legs.")

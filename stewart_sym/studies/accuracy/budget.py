@@ -59,7 +59,7 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     file = f"{source}: "
     needed = ("schema", "robot", "motions", "tolerance")
     top = tables.checked_table(tables.read_toml(source, "scene of advise"), file, _KEYS, needed)
-    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     names = _names(top["motions"], f"{file}motions")
     tolerance = tables.positive(top["tolerance"], f"{file}tolerance")
     margin = tables.number(top.get("margin", MARGIN), f"{file}margin")

@@ -114,6 +114,9 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
         ("position", f"{_vector(home.t)} m, level, at rest"),
         ("leg lengths", f"{_vector(home.L)} m" + (f"; outside their limits: leg {legs}" if legs else "")),
     ]
+    if np.isfinite(longest).all() and not legs:
+        back, forth = np.min(home.L - shortest), np.min(longest - home.L)
+        rows.append(("stroke left", f"{-back:.4g} to {forth:+.4g} m"))
     parts = robot.r_d0[:, 0] - robot.r_u0[:, 0]
     short = np.flatnonzero(home.L < parts).tolist()
     if short:
@@ -126,7 +129,8 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
         scaled = f"{home.scaled_condition:.4g} with moments divided by {length:.4g} m"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
         rows.append(("holding", f"{_vector(home.F)} N"))
-    return [f"home pose: platform centred above the base; {home.rule}", *_rows(rows)]
+    what = "platform centred above the base; " if robot.home is None else ""
+    return [f"home pose: {what}{home.rule}", *_rows(rows)]
 
 
 def _above(home: HomePose) -> str:
