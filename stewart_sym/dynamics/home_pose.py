@@ -34,7 +34,7 @@ class HomePose:
 
 
 def home_pose(robot: Robot) -> HomePose:
-    """Take the stated one, or choose a height: legs amid their limits, or where there are none H at its best."""
+    """Take the stated one, or choose a height: legs amid their limits, or without any H at its best."""
     t = level_positions(robot, up_direction(robot)) if robot.home is None else robot.home[None]
     L = level_lengths(robot, t)
     forces = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan")

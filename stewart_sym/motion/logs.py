@@ -68,6 +68,8 @@ class LogFormat:
         Of ``DELIMITERS``, ``DECIMALS``; None: detected.
     euler_order : str, optional
         Of the rotations multiplied, "zyx" for R = Rz Ry Rx, (38).
+    lengths : str, optional
+        Leg lengths: of ``LENGTHS``; relative ones are less those of the robot's home pose.
 
     Raises
     ------
@@ -82,6 +84,7 @@ class LogFormat:
     delimiter: str | None = None
     decimal: str | None = None
     euler_order: str = "zyx"
+    lengths: str = "absolute"
 
     def __post_init__(self) -> None:
         """Check every option."""
@@ -91,6 +94,7 @@ class LogFormat:
         option(self.angle_unit, tuple(ANGLE_UNITS), "angle_unit")
         option(self.time_unit, tuple(TIME_UNITS), "time_unit")
         option(self.euler_order, EULER_ORDERS, "euler_order")
+        option(self.lengths, LENGTHS, "lengths")
         if self.delimiter is not None:
             option(self.delimiter, tuple(DELIMITERS), "delimiter")
         if self.decimal is not None:

@@ -318,9 +318,9 @@ def _of_stated_home(robot: Robot) -> Iterator[Doubt]:
         i = max(legs, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
         yield Doubt(
             "home",
-            f"{legs_text(legs)} beyond length_limits at the home pose: {L[i]:.4g} m long, limits {low[i]:.4g} "
-            f"to {high[i]:.4g} m; likely cause: home of another point than the platform frame's origin, or "
-            "limits measured between other points than the joints",
+            f"{legs_text(legs)} beyond length_limits at the home pose: {L[i]:.4g} m, limits {low[i]:.4g} to "
+            f"{high[i]:.4g} m; likely cause: home of another point than the platform frame's origin, or "
+            "limits between other points than the joints",
         )
 
 

@@ -50,7 +50,7 @@ def body(value: object, where: str, metres: Metres, along: float | None) -> dict
 
 def joined(parts: list[Body]) -> Body:
     """One body of several parts."""
-    mass = math.fsum(part.mass for part in parts)
+    mass = float(np.sum([part.mass for part in parts]))
     center = sum(part.mass * part.center_of_mass for part in parts) / mass
     total = np.zeros((3, 3))
     for part in parts:
@@ -77,7 +77,7 @@ def _one(value: object, prefix: str, metres: Metres, along: float | None, whole:
         size = metres(tables.vector(table["size"], f"{prefix}size"))
         if np.any(size <= 0.0):
             raise ValueError(f"{prefix}size: expected three numbers > 0, got {shown(table['size'])}")
-        extent, volume = float(size[0]), float(np.prod(size))
+        extent, volume = size[0], np.prod(size)
         tensor = np.diag(size @ size - size**2) / 12.0
     else:
         extent, volume, tensor = _cylinder(table, prefix, metres, _axis(table, prefix, along))
@@ -133,7 +133,7 @@ def _mass(table: dict[str, Any], prefix: str, volume: float) -> float:
     if len(given) > 1:
         raise ValueError(f"{prefix}density: expected mass or density, got both")
     amount = tables.positive(table[given[0]], prefix + given[0])
-    mass = amount if given[0] == "mass" else amount * volume
+    mass = float(amount if given[0] == "mass" else amount * volume)
     if not 0.0 < mass < math.inf:
         raise ValueError(f"{prefix}{given[0]}: expected a body with a mass, got {mass:g} kg")
     return mass

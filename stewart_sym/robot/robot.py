@@ -1,5 +1,7 @@
 """The machine: geometry, masses, friction and limits, as read from a robot file and checked once."""
 
+from __future__ import annotations
+
 import math
 import os
 import warnings
@@ -145,7 +147,7 @@ class Robot(Frozen):
         return np.array([check(row, f"robot: leg {i}: {name}") for i, row in enumerate(rows, 1)])
 
     @classmethod
-    def from_toml(cls, path: str | os.PathLike[str]) -> "Robot":
+    def from_toml(cls, path: str | os.PathLike[str]) -> Robot:
         """Read a robot file (TOML, schema 1 or 2).
 
         Raises ``ValueError`` of one line, ``file: key: what was expected (at line n)``, for a file that
@@ -159,7 +161,7 @@ class Robot(Frozen):
         return robot
 
     @classmethod
-    def from_dict(cls, d: Mapping[str, Any]) -> "Robot":
+    def from_dict(cls, d: Mapping[str, Any]) -> Robot:
         """Make a robot from the tables of a robot file as plain Python dicts and lists.
 
         Raises and warns as ``from_toml``, with ``robot`` in place of the file's name and without lines.
@@ -169,7 +171,7 @@ class Robot(Frozen):
         return robot
 
     @classmethod
-    def _read(cls, d: object, source: str) -> "Robot":
+    def _read(cls, d: object, source: str) -> Robot:
         """Check the tables of a robot file; ``source: `` begins every message."""
         file = f"{source}: "
         if not isinstance(d, Mapping):

@@ -47,6 +47,13 @@ _TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
 
 def values(d: object, file: str) -> dict[str, Any]:
     """Fields of a robot by name, checked; ``file`` begins every message."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        found = _values(d, file)
+    _need_finite(found, file)
+    return found
+
+
+def _values(d: object, file: str) -> dict[str, Any]:
     top = tables.checked_table(d, file, _TOP_KEYS, _NEEDED)
     metres = _metres(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_FACTORS), f"{file}length_unit"))
     degrees = tables.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
@@ -69,20 +76,13 @@ def values(d: object, file: str) -> dict[str, Any]:
     on_top = body(platform["body"], f"{file}platform.body", metres, None)
     tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
-    found = own | _Legs(top, file, metres, joint, home).values(*rings)
-    _need_finite(found, file)
-    return found
+    return own | _Legs(top, file, metres, joint, home).values(*rings)
 
 
 def _metres(unit: str) -> Metres:
-    """From lengths in a unit to m."""
+    """From lengths in a unit to m, as NumPy's numbers, which overflow to infinity."""
     times, over = LENGTH_FACTORS[unit]
-
-    def metres(length: Any) -> Any:
-        with np.errstate(over="ignore"):
-            return length * times / over
-
-    return metres
+    return lambda length: np.multiply(length, times) / over
 
 
 def _trajectory(value: object, prefix: str, metres: Metres, home: Array | None) -> dict[str, Any]:

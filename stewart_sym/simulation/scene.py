@@ -14,10 +14,11 @@ from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..kinematics.paths import PATHS, path_for
+from ..kinematics.robot_logs import trajectory_for
 from ..motion.log_rates import interpolated
-from ..motion.log_reader import read_csv
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
+from ..motion.trajectory import JointTrajectory
 from ..robot.robot import Robot
 from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Wanted, along
 from .limits import Thresholds
@@ -218,7 +219,12 @@ def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], pref
 
 
 def _wanted(robot: Robot, path: str, folder: Path) -> Wanted:
-    return along(path_for(robot, path).path) if path in PATHS else interpolated(read_csv(folder / path))
+    if path in PATHS:
+        return along(path_for(robot, path).path)
+    found = trajectory_for(robot, folder / path)
+    if isinstance(found, JointTrajectory):
+        raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
+    return interpolated(found)
 
 
 def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mapping[str, Array]) -> Motion:

@@ -107,7 +107,8 @@ def run(arguments: argparse.Namespace) -> int:
 def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
     """The report on measured forces, and the estimate."""
     from ...identification.physical import POSSIBLE
-    from ...motion.log_reader import FORCES, read_any_csv, read_forces_csv
+    from ...kinematics.robot_logs import trajectory_for
+    from ...motion.log_reader import FORCES, read_forces_csv
     from ...motion.logs import HeaderError
     from ...motion.smooth_motion import WITHOUT_PERIOD, PoseNoise
     from ...motion.trajectory import Smoothing
@@ -120,10 +121,14 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         need("scipy", WITHOUT_PERIOD)
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
-    form = log_format(arguments)
+    form = log_format(arguments, robot)
+    if noisy and robot.tool.any():
+        raise ValueError(
+            "--noise-position: is that of the reference point, expected a robot file without a tool point"
+        )
     try:
         # The fit has its own noise: what is stated is compared with the log alone.
-        log = read_any_csv(poses, form, Smoothing(*stated_noise(arguments), on=False))
+        log = trajectory_for(robot, poses, form, Smoothing(*stated_noise(arguments), on=False))
     except HeaderError as error:
         if not set(FORCES) <= set(error.header):
             raise

@@ -12,7 +12,7 @@ from ...dynamics.inverse import first_fault
 from ...io import tables
 from ...io.arguments import shown
 from ...kinematics.paths import PATHS, path_for
-from ...motion.log_reader import read_any_csv
+from ...kinematics.robot_logs import trajectory_for
 from ...motion.motion import Motion
 from ...motion.trajectory import JointTrajectory, Trajectory
 from ...reference.newton_euler import inverse_dynamics
@@ -48,7 +48,7 @@ class Budget:
 def read_budget(path: str | os.PathLike[str]) -> Budget:
     """Read a scene file of ``advise`` (TOML, schema 1); the files that it names are looked for beside it.
 
-    Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``read_any_csv``),
+    Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``trajectory_for``),
     ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).
 
     Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read, for every
@@ -98,7 +98,7 @@ def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
         if found is not None:
             raise ValueError(f"{prefix}path {name}: instant {found[0]}: {found[1]}")
         return motion
-    trajectory = read_any_csv(folder / name)
+    trajectory = trajectory_for(robot, folder / name)
     if isinstance(trajectory, JointTrajectory):
         trajectory = on_platform(robot, trajectory, None)
     _reject_faults(robot, trajectory)

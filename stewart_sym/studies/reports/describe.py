@@ -44,6 +44,9 @@ def _data(robot: Robot) -> dict[str, Any]:
         "friction_universal_N_m_s": robot.C_u,
         "friction_prismatic_N_s_per_m": robot.C_p,
         "friction_spherical_N_m_s": robot.C_s,
+        "tool_m": robot.tool,
+        "euler_order": robot.euler_order,
+        "trajectory_lengths": robot.lengths,
         "length_limits_m": robot.length_limits,
         "force_limit_N": robot.force_limit,
         "speed_limit_m_per_s": robot.speed_limit,
@@ -83,6 +86,7 @@ def _description(robot: Robot, home: HomePose) -> str:
             "size",
             f"base points {radius(robot.b):.4g} m, platform points {radius(robot.p):.4g} m (RMS radius)",
         ),
+        *_conventions(robot),
         ("friction", _friction(robot)),
         ("limits", _limits(robot)),
         ("inertias", _inertias(robot)),
@@ -103,6 +107,16 @@ def _sides(robot: Robot) -> list[tuple[str, str]]:
         f"one on the {below}{name} side hangs from them (tension)"
     )
     return [("sides", text)]
+
+
+def _conventions(robot: Robot) -> list[tuple[str, str]]:
+    """A row on how trajectories of the robot are read, where that is not the usual way."""
+    parts = [f"poses of the point {_vector(robot.tool)} m of the platform"] if robot.tool.any() else []
+    if robot.euler_order != "zyx":
+        parts.append(f"R = {' '.join(f'R{axis}' for axis in robot.euler_order)}")
+    if robot.lengths == "relative":
+        parts.append("leg lengths less those of the home pose")
+    return [("trajectories", ", ".join(parts))] if parts else []
 
 
 def _home_lines(robot: Robot, home: HomePose) -> list[str]:

@@ -15,7 +15,7 @@ from ...identification.parameters import inertial_parameters
 from ...io.instants import time_text
 from ...io.progress import Progress, silent
 from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
-from ...motion.rotation import rpy_from_rotation
+from ...motion.rotation import quaternion_from_rotation, rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
@@ -261,7 +261,7 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
             "sigma": estimate.sigma,
             "deviation": found.deviation,
         },
-        {"trajectory": trajectory_columns(found), "forces": force_columns(found)},
+        {"trajectory": trajectory_columns(robot, found), "forces": force_columns(found)},
         {
             **_data(robot, estimate, found.sigma, found.noise),
             "period_s": period,
@@ -276,9 +276,16 @@ def _count(robot: Robot, base: BaseParameters) -> str:
     return f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.gap:.2g}"
 
 
-def trajectory_columns(found: Experiment) -> dict[str, Array]:
-    """The motion as the command ``forces`` reads it; poses alone where they are measured with noise."""
+def trajectory_columns(robot: Robot, found: Experiment) -> dict[str, Array]:
+    """The motion as the command ``forces`` reads it for this robot.
+
+    Poses alone where they are measured with noise, or are read as others than (38) of the reference point.
+    """
     columns = {"time": found.excitation.time}
+    if robot.tool.any() or robot.euler_order != "zyx":
+        motion = found.measured.about_point(robot.tool)
+        quaternion = zip("wxyz", quaternion_from_rotation(motion.R).T, strict=True)
+        return columns | of_axes("t", motion.t) | {f"q_{name}": column for name, column in quaternion}
     coordinates: tuple[Array, ...] = found.excitation.path.coordinates(columns["time"])
     if found.noise is not None:
         coordinates = (np.hstack([found.measured.t, rpy_from_rotation(found.measured.R)]),)
