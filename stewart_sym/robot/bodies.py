@@ -77,7 +77,7 @@ def _one(value: object, prefix: str, metres: Metres, along: float | None, whole:
         size = metres(tables.vector(table["size"], f"{prefix}size"))
         if np.any(size <= 0.0):
             raise ValueError(f"{prefix}size: expected three numbers > 0, got {shown(table['size'])}")
-        extent, volume = size[0], np.prod(size)
+        extent, volume = float(size[0]), float(size[0] * size[1] * size[2])
         tensor = np.diag(size @ size - size**2) / 12.0
     else:
         extent, volume, tensor = _cylinder(table, prefix, metres, _axis(table, prefix, along))

@@ -189,8 +189,8 @@ class Robot(Frozen):
         Of schema 1 where that has all that the robot is, else of schema 2; SI units.
         """
         plain = self.home is None and self.lengths == "absolute" and self.euler_order == "zyx"
-        schema = schema_1 if plain and not self.tool.any() else schema_2
-        return schema.tables_of(vars(self))
+        tables_of = schema_1.tables_of if plain and not self.tool.any() else schema_2.tables_of
+        return tables_of(vars(self))
 
     def physicality(self) -> list[str]:
         """Return one line for each part whose inertia no rigid body can have; empty when all are possible.

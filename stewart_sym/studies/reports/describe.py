@@ -19,13 +19,19 @@ Array = NDArray[np.float64]
 _ALONG = 0.9
 
 
-def report(robot: Robot) -> Report:
-    """Everything about the robot, SI units."""
+def report(robot: Robot, pictures: bool = False) -> Report:
+    """Everything about the robot, SI units; ``pictures``: drawn as well, by the extra ``plot``."""
     with warnings.catch_warnings():
         # The row "above" names both sides where they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         home = home_pose(robot)
-    return Report(_description(robot, home), data={**_data(robot), "home_pose": _home_data(robot, home)})
+    figures = {}
+    if pictures:
+        from .machine_plot import picture
+
+        figures["machine"] = picture(robot, home)
+    data = {**_data(robot), "home_pose": _home_data(robot, home)}
+    return Report(_description(robot, home), data=data, figures=figures)
 
 
 def _data(robot: Robot) -> dict[str, Any]:
