@@ -22,6 +22,7 @@ from .fields import (
 SCHEMA = 1
 
 _TOP_KEYS = ("schema", "name", "base_joint", "gravity", "accept", "platform", "leg_defaults", "leg")
+_LATER_KEYS = ("base", "length_unit", "angle_unit", "home", "trajectory")
 _BODY_KEYS = ("mass", "center_of_mass", "inertia")
 _TABLES = dict.fromkeys(("platform", "lower", "upper"), _BODY_KEYS)
 _TABLES["friction"] = ("universal", "prismatic", "spherical")
@@ -38,6 +39,9 @@ _CHECKS = dict((*FIELDS.values(), *LEG_FIELDS.values())) | {
 
 def values(d: object, file: str) -> dict[str, Any]:
     """Fields of a robot by name, checked; ``file`` begins every message."""
+    for key in _LATER_KEYS:
+        if isinstance(d, Mapping) and key in d:
+            raise ValueError(f"{file}{key}: expected schema = 2 beside it, got schema = 1")
     top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "name", "platform", "leg"))
     joint = base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     own = _values({"gravity": top.get("gravity", DEFAULT_GRAVITY), "platform": top["platform"]}, file)

@@ -177,17 +177,19 @@ class _Legs:
 
     def _part(self, i: int, part: str) -> dict[str, Any]:
         """Mass, centre of mass and inertia of the lower or upper part."""
-        side, shared, found = _PARTS[part], self.shared.get(part), {}
+        side, shared, found, reason = _PARTS[part], self.shared.get(part), {}, "missing"
         if shared is not None:
             found = body(shared, f"{self.file}legs.{part}", self.metres, side)
         if part in self.own[i]:
             own = body(self.own[i][part], self._where(i, part), self.metres, side)
             # A mass that is not that of the shapes would leave their inertia wrong.
-            by_shape = isinstance(shared, list | tuple) or (isinstance(shared, Mapping) and "shape" in shared)
-            found = own if by_shape else found | own
+            if isinstance(shared, list | tuple) or (isinstance(shared, Mapping) and "shape" in shared):
+                found, reason = own, f"missing, since legs.{part} is by shape"
+            else:
+                found = found | own
         elif shared is None:
             raise ValueError(f"{self.file}legs.{part}: missing")
-        tables.require(found, INERTIA_KEYS, f"{self._where(i, part)}.", "missing")
+        tables.require(found, INERTIA_KEYS, f"{self._where(i, part)}.", reason)
         return found
 
     def _friction(self, i: int, name: str) -> float:
