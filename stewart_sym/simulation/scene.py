@@ -105,17 +105,19 @@ class Scene:
 def read_scene(path: str | os.PathLike[str]) -> Scene:
     """Read a scene file (TOML, schema 1); the files that it names are looked for beside it.
 
-    Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read and for
-    every break of the schema, of this file or of one it names; ImportError where a spline needs SciPy.
+    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
+    read and for every break of the schema, of this file or of one it names; ImportError where a spline needs
+    SciPy.
     """
     source = tables.file_name(path)
+    with tables.toml_tables(source, "scene of simulate") as d:
+        return _scene(d, source)
+
+
+def _scene(d: Mapping[str, Any], source: str) -> Scene:
+    """The scene of a file's tables."""
     file = f"{source}: "
-    top = tables.checked_table(
-        tables.read_toml(source, "scene of simulate"),
-        file,
-        _TOP_KEYS,
-        ("schema", "robot", "duration", "legs"),
-    )
+    top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "legs"))
     tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     folder = Path(source).parent
     # What is wrong in this file comes before what is wrong in another.

@@ -413,6 +413,20 @@ KINDS = {
 }
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_mistake_is_placed_at_its_line(
+    kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "robot.toml").write_bytes(ROBOT)
+    text, (command, *options) = KINDS[kind]
+    (tmp_path / "file.toml").write_text(text.replace("schema = 1\n", "schema = 1\n\nmistake = 1\n", 1))
+    assert main([command, str(tmp_path / "file.toml"), *options]) == 2
+    line = text.splitlines().index("schema = 1") + 3
+    told = capsys.readouterr().err
+    assert "file.toml: mistake: unknown key, " in told
+    assert told.endswith(f" (at line {line})\n")
+
+
 @pytest.mark.parametrize(("expected", "got"), list(itertools.permutations(KINDS, 2)))
 def test_a_file_of_another_kind_is_called_what_it_is(
     tmp_path: Path, expected: str, got: str, capsys: pytest.CaptureFixture[str]

@@ -4,6 +4,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -51,14 +52,20 @@ def read_budget(path: str | os.PathLike[str]) -> Budget:
     Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``trajectory_for``),
     ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).
 
-    Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read, for every
-    break of the schema, of this file or of one it names, and for an unsolvable pose; ImportError where
-    a spline needs SciPy.
+    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
+    read, for every break of the schema, of this file or of one it names, and for an unsolvable pose;
+    ImportError where a spline needs SciPy.
     """
     source = os.fspath(path)
+    with tables.toml_tables(source, "scene of advise") as d:
+        return _budget(d, source)
+
+
+def _budget(d: Mapping[str, Any], source: str) -> Budget:
+    """The budget of a file's tables."""
     file = f"{source}: "
     needed = ("schema", "robot", "motions", "tolerance")
-    top = tables.checked_table(tables.read_toml(source, "scene of advise"), file, _KEYS, needed)
+    top = tables.checked_table(d, file, _KEYS, needed)
     tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     names = _names(top["motions"], f"{file}motions")
     tolerance = tables.positive(top["tolerance"], f"{file}tolerance")
