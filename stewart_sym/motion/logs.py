@@ -29,8 +29,6 @@ if TYPE_CHECKING:
     import _csv
 
 LENGTH_UNITS = {"m": 1.0, "cm": 1e-2, "mm": 1e-3, "in": 0.0254}
-LENGTH_FACTORS = {"m": (1.0, 1.0), "cm": (1.0, 100.0), "mm": (1.0, 1000.0), "in": (127.0, 5000.0)}
-"""The same as what to multiply by and to divide by, so that what is written becomes the nearest double."""
 ANGLE_UNITS = {"rad": 1.0, "deg": math.pi / 180.0}
 TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}

@@ -6,7 +6,7 @@ from string import Template
 
 from ..io.arguments import number_in, option
 from ..io.tables import one_line
-from ..motion.logs import LENGTH_FACTORS
+from ..motion.logs import LENGTH_UNITS
 
 # Shares of a leg: of its mass in the lower part, and of its greatest length that each part is long.
 _LOWER_MASS, _PART = 0.7, 0.6
@@ -57,7 +57,7 @@ class Draft:
     def __post_init__(self) -> None:
         """Check every number."""
         one_line(self.name, "name")
-        option(self.length_unit, tuple(LENGTH_FACTORS), "length_unit")
+        option(self.length_unit, tuple(LENGTH_UNITS), "length_unit")
         for each in fields(self):
             value = getattr(self, each.name)
             if each.name.endswith("_angle"):

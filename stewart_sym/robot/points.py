@@ -45,7 +45,8 @@ def points(table: Mapping[str, Any], prefix: str, metres: Metres, degrees: bool)
         )
     c, s = np.array([cosine_and_sine(angle, degrees) for angle in angles]).T
     z = tables.per_leg(table.get("z", 0.0), f"{prefix}z")
-    return np.stack([metres(radius * c), metres(radius * s), metres(z)], axis=-1)
+    radius = metres(radius)
+    return np.stack([radius * c, radius * s, metres(z)], axis=-1)
 
 
 def _listed(value: object, where: str, metres: Metres) -> Array:

@@ -4,6 +4,7 @@ Points by radius and angles, bodies by shape and density, millimetres and degree
 """
 
 from collections.abc import Mapping
+from decimal import Decimal
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import numpy as np
 from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
-from ..motion.logs import LENGTH_FACTORS
+from ..motion.logs import LENGTH_UNITS
 from . import schema_1
 from .bodies import INERTIA_KEYS, Metres, body
 from .fields import (
@@ -55,7 +56,7 @@ def values(d: object, file: str) -> dict[str, Any]:
 
 def _values(d: object, file: str) -> dict[str, Any]:
     top = tables.checked_table(d, file, _TOP_KEYS, _NEEDED)
-    metres = _metres(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_FACTORS), f"{file}length_unit"))
+    metres = _metres(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
     degrees = tables.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
     joint = base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
     home = metres(tables.vector(top["home"], f"{file}home")) if "home" in top else None
@@ -80,9 +81,10 @@ def _values(d: object, file: str) -> dict[str, Any]:
 
 
 def _metres(unit: str) -> Metres:
-    """From lengths in a unit to m, as NumPy's numbers, which overflow to infinity."""
-    times, over = LENGTH_FACTORS[unit]
-    return lambda length: np.multiply(length, times) / over
+    """From lengths in a unit to m: the doubles next to the decimals that are written, as NumPy's numbers."""
+    factor = Decimal(repr(LENGTH_UNITS[unit]))
+    exact = np.vectorize(lambda x: float(Decimal(repr(float(x))) * factor), otypes=[np.float64])
+    return lambda length: np.asarray(length if unit == "m" else exact(length))[()]
 
 
 def _trajectory(value: object, prefix: str, metres: Metres, home: Array | None) -> dict[str, Any]:

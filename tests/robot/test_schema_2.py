@@ -87,6 +87,15 @@ def test_quarters_of_a_turn_in_degrees_are_exact(tmp_path: Path) -> None:
     np.testing.assert_array_equal(found.b[:, :2], expected)
 
 
+def test_lengths_are_the_doubles_next_to_what_is_written(tmp_path: Path) -> None:
+    for unit, shift in (("mm", -3), ("cm", -2)):
+        text = TEXT.replace('"mm"', f'"{unit}"').replace("tool = [0, 0, 300]", "tool = [512.2, 0.1, 1e-7]")
+        expected = [float(f"512.2e{shift}"), float(f"0.1e{shift}"), float(f"1e{shift - 7}")]
+        assert robot_of(text, tmp_path).tool.tolist() == expected
+    inches = TEXT.replace('"mm"', '"in"').replace("tool = [0, 0, 300]", "tool = [1, 0.1, 10]")
+    assert robot_of(inches, tmp_path).tool.tolist() == [0.0254, 0.00254, 0.254]
+
+
 def test_bodies_are_those_of_their_shapes(robot: Robot) -> None:
     plate = 2700 * math.pi * 0.32**2 * 0.02
     assert robot.M == pytest.approx(plate + 20.0, rel=1e-15)
