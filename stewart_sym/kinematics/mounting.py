@@ -47,6 +47,11 @@ class Side(NamedTuple):
         """Whether gravity settled it."""
         return self.rule == _AGAINST_GRAVITY
 
+    @property
+    def certain(self) -> bool:
+        """Whether gravity or a stated home pose settled it."""
+        return self.rule in (_AGAINST_GRAVITY, _AT_HOME)
+
 
 def up_direction(robot: Robot) -> Array:
     """Return the unit vector from the base to the side on which the platform is looked for, (3,), base frame.
