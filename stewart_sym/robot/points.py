@@ -43,6 +43,11 @@ def points(table: Mapping[str, Any], prefix: str, metres: Metres, degrees: bool)
             f"{prefix}angles: expected at most {_MOST_TURNS:g} turns, got {angles[i]:g} "
             f"{'deg' if degrees else 'rad'}{hint}"
         )
+    if degrees and np.abs(angles).max() <= 2.0 * math.pi:
+        most = np.abs(angles).max()
+        raise ValueError(
+            f"{prefix}angles: expected degrees all round, got at most {most:g}: are they in rad?"
+        )
     c, s = np.array([cosine_and_sine(angle, degrees) for angle in angles]).T
     z = tables.per_leg(table.get("z", 0.0), f"{prefix}z")
     radius = metres(radius)

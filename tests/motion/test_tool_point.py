@@ -16,7 +16,9 @@ from stewart_sym.kinematics.robot_logs import read_log_of, trajectory_for
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.motion.motion import Motion
 from stewart_sym.motion.rotation import rotation_about_axes
+from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.accuracy.budget import read_budget
 
 TOOL = np.array([0.1, -0.2, 0.4])
 NAMES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
@@ -147,6 +149,35 @@ def test_relative_lengths_are_less_those_of_the_home_pose(
     bare = dataclasses.replace(robot, home=None)
     with pytest.raises(ValueError, match=r"log\.csv: relative lengths: expected a robot file with a key"):
         read_log_of(bare, path, ss.LogFormat(lengths="relative"))
+
+
+def test_the_motions_of_a_budget_are_those_of_the_reference_point(robot: Robot, tmp_path: Path) -> None:
+    time = np.linspace(0.0, 1.0, 101)
+    saved_poses(tmp_path / "log.csv", time, tool_poses(time))
+    written(robot, tmp_path / "robot.toml")
+    scene = tmp_path / "scene.toml"
+    scene.write_text('schema = 1\nrobot = "robot.toml"\nmotions = ["log.csv"]\ntolerance = 0.01\n')
+    np.testing.assert_allclose(read_budget(scene).motions["log.csv"].t, waving(time).t, atol=1e-15)
+
+
+@pytest.mark.parametrize("order", ["zyx", "xyz"])
+def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
+    order: str, robot: Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = str(written(dataclasses.replace(robot, euler_order=order), tmp_path / "robot.toml"))
+    out = [str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv")]
+    options = ["--sigma", "1", "--samples", "80", "--candidates", "2", "-o", str(tmp_path / "out")]
+    assert main(["identify", file, *options]) == 0
+    capsys.readouterr()
+    poses = trajectory_for(Robot.from_toml(file), out[0])
+    assert isinstance(poses, Trajectory)
+    L = ss.inverse_kinematics(robot, poses.motion).L
+    assert np.all((L >= robot.length_limits[:, 0]) & (L <= robot.length_limits[:, 1]))
+    assert main(["identify", file, "--sigma", "1", "-o", str(tmp_path / "again"), "--measured", *out]) == 0
+    assert "verdict: consistent" in capsys.readouterr().out
+    stated = ["--noise-position", "1e-4", "--noise-angle", "1e-4", "--measured", *out]
+    assert main(["identify", file, "-o", str(tmp_path / "third"), *stated]) == 2
+    assert "expected a robot file without a tool point" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("command", ["forces", "singularities", "simulate", "identify"])

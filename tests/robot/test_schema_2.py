@@ -196,6 +196,47 @@ def test_check_has_no_doubt_about_what_people_build(
     assert capsys.readouterr().err == ""
 
 
+DOUBTFUL = {
+    # what is wrong: what is replaced by what, name of the doubt, words of it
+    "millimetres": ('length_unit = "mm"\n', "", "length-unit", "points in millimetres, expected metres"),
+    "counted the other way": ("[50, 70, 170, 190, 290, 310]", "[310, 290, 190, 170, 70, 50]", "", "mirrored"),
+    "shifted": ("[50, 70, 170, 190, 290, 310]", "[170, 190, 290, 310, 50, 70]", "leg-order", "shifted by 2"),
+    "two legs exchanged": ("[50, 70, 170,", "[70, 50, 170,", "crossing", "legs 1, 2 cross"),
+    "exchanged": ("radius = 600", "radius = 100", "proportion", "base_point and platform_point exchanged"),
+    "home beyond the stroke": ("[-150, 150]", "[20, 150]", "home", "beyond length_limits at the home pose"),
+    "axes along the legs": (
+        "[leg.3]",
+        "[leg.3]\nuniversal_axis = [90, -407, 650]",
+        "joint-singularity",
+        "leg",
+    ),
+    "too weak": ("force_limit = 500.0", "force_limit = 0.5", "force-limit", "force_limit in kN"),
+    "speed in mm/s": ("speed_limit = 600", "speed_limit = 6e5", "speed-limit", "given in mm/s"),
+}
+
+
+@pytest.mark.parametrize("wrong", DOUBTFUL)
+def test_check_warns_of_what_is_likely_wrong(
+    wrong: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    old, new, name, words = DOUBTFUL[wrong]
+    path = tmp_path / "robot.toml"
+    path.write_text(TEXT.replace(old, new, 1))
+    assert main(["check", str(path)]) == 0
+    # In metres 600 mm/s is too fast as well.
+    line, *more = capsys.readouterr().err.splitlines()
+    assert words in line
+    assert line.endswith(f"{name}]")
+    assert len(more) == (wrong == "millimetres")
+
+
+def test_every_point_may_have_a_radius_and_a_height_of_its_own(tmp_path: Path) -> None:
+    sizes = "radius = [600, 610, 620, 630, 640, 650]\nz = [0, 1, 2, 3, 4, 5]"
+    found = robot_of(TEXT.replace("radius = 600", sizes, 1), tmp_path)
+    assert np.linalg.norm(found.b[:, :2], axis=-1) == pytest.approx(np.arange(0.6, 0.655, 0.01))
+    assert found.b[:, 2] == pytest.approx(np.arange(6) / 1000, abs=0)
+
+
 def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) -> None:
     wrong = TEXT.replace("[0.005, 0.2, 0.2]", "[0.5, 0.2, 0.2]")
     with pytest.warns(PhysicalityWarning, match=r"lower part of leg 3: inertia.* \[lower-inertia\]"):
@@ -245,6 +286,12 @@ MISTAKES: list[tuple[str, str, str, str]] = [
         "length_limits = [500, 900]\nstroke = [",
         "legs.stroke: expected stroke or length",
         "stroke",
+    ),
+    (
+        "[10, 110, 130, 230, 250, 350]",
+        "[0.2, 1.9, 2.3, 4, 4.4, 6.1]",
+        "base.angles: expected degrees all",
+        "6.1",
     ),
     ("[leg.3]", "[leg.7]", "leg.7: unknown key, expected one of 1, 2, 3, 4, 5, 6", "[leg.7]"),
     ("[leg.3]", "[[leg]]", "leg: expected tables [leg.1] to [leg.6], got ", "[[leg]]"),
