@@ -62,32 +62,40 @@ def joined(parts: list[Body]) -> Body:
 def _one(value: object, prefix: str, metres: Metres, along: float | None, whole: bool) -> dict[str, Any]:
     """A body given by itself; ``whole``: with nothing missing."""
     place = _PLACES["platform" if along is None else "leg"]
-    every = tuple(dict.fromkeys(key for sizes in SHAPES.values() for key in sizes))
-    table = tables.checked_table(value, prefix, (*INERTIA_KEYS, "shape", *every, "density", *place))
-    if "shape" not in table and not any(key in table for key in (*every, "density", *place)):
-        return _by_inertia(tables.checked_table(value, prefix, INERTIA_KEYS), prefix, metres, whole)
+    of_shapes = (*dict.fromkeys(key for sizes in SHAPES.values() for key in sizes), "density", *place)
+    table = tables.checked_table(value, prefix, (*INERTIA_KEYS, "shape", *of_shapes))
+    if "shape" in table or any(key in table for key in of_shapes):
+        return _by_shape(table, prefix, metres, along, place)._asdict()
+    return _by_inertia(table, prefix, metres, whole)
+
+
+def _by_shape(
+    table: dict[str, Any], prefix: str, metres: Metres, along: float | None, place: tuple[str, ...]
+) -> Body:
     tables.require(table, ("shape",), prefix, "missing")
     shape = tables.choice(table["shape"], tuple(SHAPES), f"{prefix}shape")
-    sizes = SHAPES[shape]
-    more = ("inner_radius",) if shape == "plate" else ()
-    free = place if shape != "box" else tuple(key for key in place if key != "axis")
-    table = tables.checked_table(value, prefix, ("shape", *sizes, *more, *_MATTER, *free), sizes)
-    side = along or 1.0
+    known = ("shape", *SHAPES[shape], *_MATTER, *place)
+    known += ("inner_radius",) if shape == "plate" else ()
+    known = tuple(key for key in known if (shape, key) != ("box", "axis"))
+    tables.checked_table(table, prefix, known, SHAPES[shape])
     if shape == "box":
         size = metres(tables.vector(table["size"], f"{prefix}size"))
         if np.any(size <= 0.0):
             raise ValueError(f"{prefix}size: expected three numbers > 0, got {shown(table['size'])}")
-        extent, volume = float(size[0]), float(size[0] * size[1] * size[2])
+        length, volume = float(size[0]), float(size[0] * size[1] * size[2])
         tensor = np.diag(size @ size - size**2) / 12.0
     else:
-        extent, volume, tensor = _cylinder(table, prefix, metres, _axis(table, prefix, along))
+        length, volume, tensor = _cylinder(table, prefix, metres, _axis(table, prefix, along))
     mass = _mass(table, prefix, volume)
+    return Body(mass, _center(table, prefix, metres, along, length), mass * tensor)
+
+
+def _center(table: dict[str, Any], prefix: str, metres: Metres, along: float | None, length: float) -> Array:
+    """Middle of a shape."""
     if along is None:
-        center = metres(tables.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center"))
-    else:
-        start = metres(tables.number(table.get("start", 0.0), f"{prefix}start"))
-        center = np.array([side * (start + 0.5 * extent), 0.0, 0.0])
-    return Body(mass, center, mass * tensor)._asdict()
+        return np.asarray(metres(tables.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center")))
+    start = metres(tables.number(table.get("start", 0.0), f"{prefix}start"))
+    return np.array([along * (start + 0.5 * length), 0.0, 0.0])
 
 
 def _by_inertia(table: dict[str, Any], prefix: str, metres: Metres, whole: bool) -> dict[str, Any]:
