@@ -53,8 +53,9 @@ READERS: dict[str, tuple[Callable[[Any], Any], bytes]] = {
     "poses": (read_csv, POSES),
     "motion": (read_any_csv, POSES),
     "forces": (read_forces_csv, FORCES),
+    "robot of schema 2": (Robot.from_toml, ss.robots.text("rubin_camera").encode()),
 }
-TOML = ("robot", "scene")
+TOML = ("robot", "scene", "robot of schema 2")
 NAME = b'name = "x"\n'
 MASS = b"mass = 40.0"
 MILLIONS = 5_000_000

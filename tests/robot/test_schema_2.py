@@ -71,6 +71,14 @@ def robot(tmp_path: Path) -> Robot:
     return robot_of(TEXT, tmp_path)
 
 
+def test_home_and_tool_are_lengths_in_other_units(robot: Robot) -> None:
+    units = ss.Units.of(robot)
+    small = units.robot(robot)
+    np.testing.assert_array_equal(small.home, robot.home / units.length)
+    np.testing.assert_array_equal(small.tool, robot.tool / units.length)
+    assert same(units.inverse.robot(small), robot)
+
+
 def test_points_stand_on_their_circle_in_metres(robot: Robot) -> None:
     turn = np.radians([10, 110, 130, 230, 250, 350])
     expected = np.stack([0.6 * np.cos(turn), 0.6 * np.sin(turn), 0 * turn], axis=-1)
