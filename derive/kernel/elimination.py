@@ -1,7 +1,7 @@
 """Shapes of the elimination: where its entries are and how rows change places.
 
-``written.elimination`` is the text, ``written.two_blocks`` that of what is tried before. A shape is what
-``read.function`` is given with a function that calls it.
+``written.elimination`` is the text. A shape is what ``read.function`` is given with a function that calls
+it.
 """
 
 from collections.abc import Callable, Mapping
@@ -9,7 +9,6 @@ from collections.abc import Callable, Mapping
 from .tree.nodes import Element, Expression, Name, Number
 from .tree.read import Given
 from .written import elimination as text
-from .written import two_blocks as blocks
 
 
 def _entries(name: str) -> Callable[..., Expression]:
@@ -146,9 +145,9 @@ BY_POINTERS: Mapping[str, Given] = {
 """One pose without vector registers: rows change places by their addresses, an upper one is read once."""
 
 _BLOCKS: Mapping[str, Given] = {
-    "two_blocks": blocks.two_blocks,
-    "adjugate_of_directions": blocks.adjugate_of_directions,
-    "eliminated": blocks.entry_by_entry,
+    "two_blocks": text.two_blocks,
+    "adjugate_of_directions": text.adjugate_of_directions,
+    "eliminated": text.entry_by_entry,
     "OWN": 0,
     "GUARDED": 0,
 }
@@ -163,8 +162,8 @@ BLOCKS_OF_POSE: Mapping[str, Given] = {
     **_BLOCKS,
     "a": _entries("A"),
     "x": _entries("x"),
-    "eliminated": blocks.column_by_column,
-    "column_of_sums": blocks.one_column,
+    "eliminated": text.column_by_column,
+    "column_of_sums": text.one_column,
 }
 """One pose, rows of eight vectors."""
 

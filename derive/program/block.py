@@ -309,8 +309,11 @@ def count(exprs: Iterable[sp.Expr]) -> Operations:
 
 
 def common_factor(expr: sp.Add) -> sp.Integer:
-    """The whole number by which all terms of a sum are multiplied, and programs the sum: J_xx + J_yy - J_zz of
-    a rod is zero to the last digit, and three times that as well, which the sum of three products need not be."""
+    """The whole number by which all terms of a sum are multiplied, and programs the sum.
+
+    J_xx + J_yy - J_zz of a rod is zero to the last digit, and so is three times that, which the sum of three
+    products need not be.
+    """
     found = expr.as_content_primitive()[0]
     return found if found.is_Integer else sp.S.One
 

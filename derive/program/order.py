@@ -1,6 +1,7 @@
 """The order of a sum's terms: what is ready first is added first, so that a processor waits least.
 
-Times are in additions; what a block reads is ready at once. Of equals, positive terms come first.
+Times are in additions; what a block reads is ready at once. Of equals, positive terms come first. A processor
+with few registers gains nothing by it.
 """
 
 from collections.abc import Iterable, Mapping
@@ -17,6 +18,9 @@ ROOT, QUOTIENT = 5, 4
 Ready = Mapping[str, int]
 """When named steps are ready."""
 NOTHING: Ready = MappingProxyType({})
+"""Nothing has to be waited for."""
+AS_DERIVED: Ready = MappingProxyType({"": 0})
+"""Positive terms before negative ones, else in SymPy's order."""
 
 
 def ready_in(steps: Iterable[Step]) -> dict[str, int]:
@@ -35,7 +39,12 @@ def _ordered(expr: sp.Add) -> tuple[sp.Expr, ...]:
 def terms_in_order(expr: sp.Add, ready: Ready) -> tuple[sp.Expr, ...]:
     """The terms of a sum in the order in which programs add them up; the first is positive where one is."""
     terms = list(_ordered(expr))
-    terms.sort(key=lambda term: (ready_when(term, ready), term.could_extract_minus_sign()))
+    terms.sort(
+        key=lambda term: (
+            0 if ready is AS_DERIVED else ready_when(term, ready),
+            term.could_extract_minus_sign(),
+        )
+    )
     first = next((term for term in terms if not term.could_extract_minus_sign()), terms[0])
     return first, *(term for term in terms if term is not first)
 

@@ -200,7 +200,7 @@ class KitInterpreter:
 
 @cache
 def _of_level(base_joint: str, formulation: str, fidelity: str) -> Interpreter:
-    found = program(plain_kernel(base_joint, formulation, fidelity))
+    found = program(plain_kernel(base_joint, formulation, fidelity), by_pivots=True)
     return Interpreter(found, ON, _solvers(each.name for each in found.functions))
 
 

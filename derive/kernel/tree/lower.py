@@ -7,7 +7,7 @@ from functools import partial, reduce
 import sympy as sp
 
 from ...program.block import Block, Quantity, Step, common_factor
-from ...program.order import NOTHING, Ready, ready_in, terms_in_order
+from ...program.order import AS_DERIVED, NOTHING, Ready, ready_in, terms_in_order
 from . import nodes as t
 
 OUT = "out"
@@ -162,6 +162,6 @@ def steps_of(steps: Sequence[Step], ready: Ready | None = None) -> list[t.Statem
         if any(said) and said != before:
             found.append(t.Comment(" ".join(part for part in said if part)))
         before = said
-        order = ready if step.name in ready else NOTHING
+        order = ready if ready is AS_DERIVED or step.name in ready else NOTHING
         found.append(t.Let(step.name, expression(step.expr, order)))
     return found
