@@ -1,8 +1,8 @@
 """A kit compiles without a warning and checks itself on every compiler, C standard, width and byte order.
 
 32-bit x86 comes with its two ways of computing: SSE2, which rounds like everything else, and x87, which
-keeps more digits than the type in registers. s390x has its bytes the other way round and runs in an
-emulator.
+keeps more digits than the type in registers. s390x has its bytes the other way round, AArch64 has vectors of
+two doubles and fuses; both run in an emulator.
 """
 
 import itertools
@@ -49,7 +49,9 @@ class Target:
 
 SSE = ("-m32", "-msse2", "-mfpmath=sse")
 X87 = ("-m32", "-mno-sse")
-CROSS = tuple(f"s390x-linux-gnu-gcc{version}" for version in ("", "-14", "-13", "-12"))
+VERSIONS = ("", "-14", "-13", "-12")
+CROSS = tuple(f"s390x-linux-gnu-gcc{version}" for version in VERSIONS)
+ARM = tuple(f"aarch64-linux-gnu-gcc{version}" for version in VERSIONS)
 TARGETS = {
     "gcc": Target(("gcc",), ()),
     "clang": Target(("clang",), ()),
@@ -59,6 +61,7 @@ TARGETS = {
     "clang-sse": Target(("clang",), SSE, bits=32),
     # Standard C there computes float in double, so that every comparison promotes.
     "s390x": Target(CROSS, ("-static",), evaluation=1, big_endian=True, runner=("qemu-s390x",)),
+    "aarch64": Target(ARM, ("-static",), runner=("qemu-aarch64",)),
 }
 STANDARDS = ("-std=c99", "-std=c11")
 LEVELS = ("-O0", "-O1", "-O2", "-O3")
@@ -73,6 +76,7 @@ COVERING = [
     ("clang-sse", "scalar", "-std=c99", "-O3", "float"),
     ("s390x", "lanes", "-std=c99", "-O0", "double"),
     ("s390x", "scalar", "-std=c11", "-O1", "float"),
+    ("aarch64", "lanes", "-std=c11", "-O3", "float"),
 ]
 """Every target, and every pair of kernel, standard, level and precision."""
 
@@ -129,7 +133,11 @@ def test_the_selection_has_every_target_and_every_pair() -> None:
 
 EVERYWHERE = [
     *itertools.product(TARGETS, ("scalar",), PRECISIONS, STANDARDS if FULL else STANDARDS[:1]),
-    *((name, "lanes", "double", "-std=c99") for name in TARGETS if FULL or name in ("gcc", "clang", "s390x")),
+    *(
+        (name, "lanes", "double", "-std=c99")
+        for name in TARGETS
+        if FULL or name in ("gcc", "clang", "s390x", "aarch64")
+    ),
 ]
 """Run at every level: what is small, by all targets; lanes, which compile slowly, by some. The text is C99 in
 all of it: the other standard, which the pairs above hold, at every level with STEWART_FULL=1."""
