@@ -1862,40 +1862,40 @@ def equations_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any
 def equations_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(9):
-        out.C_vv[i] = (pose.C_vv[i] + (legs.leg[0].C_vv[i] + legs.leg[1].C_vv[i] + legs.leg[2].C_vv[i] + legs.leg[3].C_vv[i]
-            + legs.leg[4].C_vv[i] + legs.leg[5].C_vv[i]))
+        out.C_vv[i] = (pose.C_vv[i] + (legs.leg[0].C_vv[i] + legs.leg[1].C_vv[i] + (legs.leg[2].C_vv[i] + legs.leg[3].C_vv[i])
+            + (legs.leg[4].C_vv[i] + legs.leg[5].C_vv[i])))
     for i in range(9):
-        out.C_vw[i] = (pose.C_vw[i] + (legs.leg[0].C_vw[i] + legs.leg[1].C_vw[i] + legs.leg[2].C_vw[i] + legs.leg[3].C_vw[i]
-            + legs.leg[4].C_vw[i] + legs.leg[5].C_vw[i]))
+        out.C_vw[i] = (pose.C_vw[i] + (legs.leg[0].C_vw[i] + legs.leg[1].C_vw[i] + (legs.leg[2].C_vw[i] + legs.leg[3].C_vw[i])
+            + (legs.leg[4].C_vw[i] + legs.leg[5].C_vw[i])))
     for i in range(9):
-        out.C_wv[i] = (pose.C_wv[i] + (legs.leg[0].C_wv[i] + legs.leg[1].C_wv[i] + legs.leg[2].C_wv[i] + legs.leg[3].C_wv[i]
-            + legs.leg[4].C_wv[i] + legs.leg[5].C_wv[i]))
+        out.C_wv[i] = (pose.C_wv[i] + (legs.leg[0].C_wv[i] + legs.leg[1].C_wv[i] + (legs.leg[2].C_wv[i] + legs.leg[3].C_wv[i])
+            + (legs.leg[4].C_wv[i] + legs.leg[5].C_wv[i])))
     for i in range(9):
-        out.C_ww[i] = (pose.C_ww[i] + (legs.leg[0].C_ww[i] + legs.leg[1].C_ww[i] + legs.leg[2].C_ww[i] + legs.leg[3].C_ww[i]
-            + legs.leg[4].C_ww[i] + legs.leg[5].C_ww[i]))
+        out.C_ww[i] = (pose.C_ww[i] + (legs.leg[0].C_ww[i] + legs.leg[1].C_ww[i] + (legs.leg[2].C_ww[i] + legs.leg[3].C_ww[i])
+            + (legs.leg[4].C_ww[i] + legs.leg[5].C_ww[i])))
     for i in range(3):
-        out.g_force[i] = (pose.g_force[i] + (legs.leg[0].g_force[i] + legs.leg[1].g_force[i] + legs.leg[2].g_force[i]
-            + legs.leg[3].g_force[i] + legs.leg[4].g_force[i] + legs.leg[5].g_force[i]))
+        out.g_force[i] = (pose.g_force[i] + (legs.leg[0].g_force[i] + legs.leg[1].g_force[i] + (legs.leg[2].g_force[i]
+            + legs.leg[3].g_force[i]) + (legs.leg[4].g_force[i] + legs.leg[5].g_force[i])))
     for i in range(3):
-        out.g_moment[i] = (pose.g_moment[i] + (legs.leg[0].g_moment[i] + legs.leg[1].g_moment[i] + legs.leg[2].g_moment[i]
-            + legs.leg[3].g_moment[i] + legs.leg[4].g_moment[i] + legs.leg[5].g_moment[i]))
+        out.g_moment[i] = (pose.g_moment[i] + (legs.leg[0].g_moment[i] + legs.leg[1].g_moment[i] + (legs.leg[2].g_moment[i]
+            + legs.leg[3].g_moment[i]) + (legs.leg[4].g_moment[i] + legs.leg[5].g_moment[i])))
     for i in range(3):
         out.friction_force[i] = (pose.friction_force[i] + (legs.leg[0].friction_force[i] + legs.leg[1].friction_force[i]
-            + legs.leg[2].friction_force[i] + legs.leg[3].friction_force[i] + legs.leg[4].friction_force[i]
-            + legs.leg[5].friction_force[i]))
+            + (legs.leg[2].friction_force[i] + legs.leg[3].friction_force[i]) + (legs.leg[4].friction_force[i]
+            + legs.leg[5].friction_force[i])))
     for i in range(3):
         out.friction_moment[i] = (pose.friction_moment[i] + (legs.leg[0].friction_moment[i] + legs.leg[1].friction_moment[i]
-            + legs.leg[2].friction_moment[i] + legs.leg[3].friction_moment[i] + legs.leg[4].friction_moment[i]
-            + legs.leg[5].friction_moment[i]))
+            + (legs.leg[2].friction_moment[i] + legs.leg[3].friction_moment[i]) + (legs.leg[4].friction_moment[i]
+            + legs.leg[5].friction_moment[i])))
 
 
 def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
@@ -2229,7 +2229,7 @@ def place_inertia_6(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: An
 
 
 def place_blocks_6(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: Any, A: Any) -> None:
-    """Four 3 x 3 blocks into six columns from ``first`` on."""
+    """Four 3 x 3 blocks, whose rows are ``ROW`` numbers apart, into six columns from ``first`` on."""
     for i in range(3):
         for j in range(3):
             A[i][first + j] = vv[3 * i + j]
@@ -2543,11 +2543,11 @@ def bias_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> 
 def bias_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(3):
-        out.bias_force[i] = (pose.bias_force[i] + (legs.leg[0].bias_force[i] + legs.leg[1].bias_force[i] + legs.leg[2].bias_force[i]
-            + legs.leg[3].bias_force[i] + legs.leg[4].bias_force[i] + legs.leg[5].bias_force[i]))
+        out.bias_force[i] = (pose.bias_force[i] + (legs.leg[0].bias_force[i] + legs.leg[1].bias_force[i] + (legs.leg[2].bias_force[i]
+            + legs.leg[3].bias_force[i]) + (legs.leg[4].bias_force[i] + legs.leg[5].bias_force[i])))
     for i in range(3):
         out.bias_moment[i] = (pose.bias_moment[i] + (legs.leg[0].bias_moment[i] + legs.leg[1].bias_moment[i]
-            + legs.leg[2].bias_moment[i] + legs.leg[3].bias_moment[i] + legs.leg[4].bias_moment[i] + legs.leg[5].bias_moment[i]))
+            + (legs.leg[2].bias_moment[i] + legs.leg[3].bias_moment[i]) + (legs.leg[4].bias_moment[i] + legs.leg[5].bias_moment[i])))
 
 
 def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
@@ -2869,20 +2869,20 @@ def forward_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) 
 def forward_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(3):
         out.right_force[i] = (pose.right_force[i] + (legs.leg[0].right_force[i] + legs.leg[1].right_force[i]
-            + legs.leg[2].right_force[i] + legs.leg[3].right_force[i] + legs.leg[4].right_force[i] + legs.leg[5].right_force[i]))
+            + (legs.leg[2].right_force[i] + legs.leg[3].right_force[i]) + (legs.leg[4].right_force[i] + legs.leg[5].right_force[i])))
     for i in range(3):
         out.right_moment[i] = (pose.right_moment[i] + (legs.leg[0].right_moment[i] + legs.leg[1].right_moment[i]
-            + legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i] + legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i]))
+            + (legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i]) + (legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i])))
 
 
 def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
@@ -2892,74 +2892,149 @@ def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any
     forward_total(on, pose, legs, summed)
 
 
-def place_symmetric_8(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any) -> None:
-    """A symmetric 3 x 3 block from xx xy xz yy yz zz."""
-    for i in range(3):
-        A[row][column + i] = parts[i]
-        A[row + i][column] = parts[i]
-    A[row + 1][column + 1] = parts[3]
-    A[row + 1][column + 2] = parts[4]
-    A[row + 2][column + 1] = parts[4]
-    A[row + 2][column + 2] = parts[5]
-
-
-def place_inertia_8(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
-    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
-    zz.
-    """
-    for i in range(3):
-        for j in range(3):
-            A[i][first + j + 3] = vw[3 * i + j]
-            A[j + 3][first + i] = vw[3 * i + j]
-    place_symmetric_8(on, vv, 0, first, A)
-    place_symmetric_8(on, ww, 3, first + 3, A)
-
-
-def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
-    """Back substitution; inverse: of the pivots."""
-    row = [0.0] * 8
-    for k in range(5, -1, -1):
-        for j in range(6, 8):
-            row[j] = A[k][j] * inverse[k]
-            A[k][j] = row[j]
-        for i in range(k):
-            factor = A[i][k]
-            for j in range(6, 8):
-                A[i][j] = A[i][j] - factor * row[j]
-
-
-def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored.
-
-    ``row``: a copy, which no compiler takes for one of those that change.
-    """
-    row = [0.0] * 8
-    for j in range(8):
-        row[j] = A[k][j]
-    for i in range(k + 1, 6):
-        factor = A[i][k] * inverse
-        for j in range(8):
-            A[i][j] = A[i][j] - factor * row[j]
-
-
-def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
-    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
-
-    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
-    """
-    scale = [0.0] * 6
-    inverse = [0.0] * 6
+def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
+    """The accelerations of a pose; INDEFINITE where elimination leaves too little of M."""
     status = OK
-    for k in range(6):
-        scale[k] = A[k][k]
-    for k in range(6):
-        fault = on.where(on.size(A[k][k]) <= on.MAX, INDEFINITE, NOT_FINITE)
-        fault = on.where(A[k][k] > kept * scale[k], OK, fault)
-        status = on.where(status == OK, fault, status)
-        inverse[k] = 1.0 / A[k][k]
-        clear_below_8(on, A, k, inverse[k])
-    substitute_back_8(on, A, inverse)
-    return status
+    y_0 = summed.right_force[0]
+    a_0_0, a_0_1, a_0_2 = summed.M_vv[0], summed.M_vv[1], summed.M_vv[2]
+    a_0_3, a_0_4, a_0_5 = summed.M_vw[0], summed.M_vw[1], summed.M_vw[2]
+    y_1 = summed.right_force[1]
+    a_1_1 = summed.M_vv[3]
+    a_1_2 = summed.M_vv[4]
+    a_1_3 = summed.M_vw[3]
+    a_1_4 = summed.M_vw[4]
+    a_1_5 = summed.M_vw[5]
+    y_2 = summed.right_force[2]
+    a_2_2 = summed.M_vv[5]
+    a_2_3 = summed.M_vw[6]
+    a_2_4 = summed.M_vw[7]
+    a_2_5 = summed.M_vw[8]
+    y_3 = summed.right_moment[0]
+    a_3_3 = summed.M_ww[0]
+    a_3_4 = summed.M_ww[1]
+    a_3_5 = summed.M_ww[2]
+    y_4 = summed.right_moment[1]
+    a_4_4 = summed.M_ww[3]
+    a_4_5 = summed.M_ww[4]
+    y_5 = summed.right_moment[2]
+    a_5_5 = summed.M_ww[5]
+    fault = on.where(on.size(a_0_0) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_0_0 > on.KEPT * summed.M_vv[0], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_0 = 1.0 / a_0_0
+    factor_0_1 = a_0_1 * inverse_0
+    a_1_1 = a_1_1 - factor_0_1 * a_0_1
+    a_1_2 = a_1_2 - factor_0_1 * a_0_2
+    a_1_3 = a_1_3 - factor_0_1 * a_0_3
+    a_1_4 = a_1_4 - factor_0_1 * a_0_4
+    a_1_5 = a_1_5 - factor_0_1 * a_0_5
+    y_1 = y_1 - factor_0_1 * y_0
+    factor_0_2 = a_0_2 * inverse_0
+    a_2_2 = a_2_2 - factor_0_2 * a_0_2
+    a_2_3 = a_2_3 - factor_0_2 * a_0_3
+    a_2_4 = a_2_4 - factor_0_2 * a_0_4
+    a_2_5 = a_2_5 - factor_0_2 * a_0_5
+    y_2 = y_2 - factor_0_2 * y_0
+    factor_0_3 = a_0_3 * inverse_0
+    a_3_3 = a_3_3 - factor_0_3 * a_0_3
+    a_3_4 = a_3_4 - factor_0_3 * a_0_4
+    a_3_5 = a_3_5 - factor_0_3 * a_0_5
+    y_3 = y_3 - factor_0_3 * y_0
+    factor_0_4 = a_0_4 * inverse_0
+    a_4_4 = a_4_4 - factor_0_4 * a_0_4
+    a_4_5 = a_4_5 - factor_0_4 * a_0_5
+    y_4 = y_4 - factor_0_4 * y_0
+    factor_0_5 = a_0_5 * inverse_0
+    a_5_5 = a_5_5 - factor_0_5 * a_0_5
+    y_5 = y_5 - factor_0_5 * y_0
+    fault = on.where(on.size(a_1_1) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_1_1 > on.KEPT * summed.M_vv[3], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_1 = 1.0 / a_1_1
+    factor_1_2 = a_1_2 * inverse_1
+    a_2_2 = a_2_2 - factor_1_2 * a_1_2
+    a_2_3 = a_2_3 - factor_1_2 * a_1_3
+    a_2_4 = a_2_4 - factor_1_2 * a_1_4
+    a_2_5 = a_2_5 - factor_1_2 * a_1_5
+    y_2 = y_2 - factor_1_2 * y_1
+    factor_1_3 = a_1_3 * inverse_1
+    a_3_3 = a_3_3 - factor_1_3 * a_1_3
+    a_3_4 = a_3_4 - factor_1_3 * a_1_4
+    a_3_5 = a_3_5 - factor_1_3 * a_1_5
+    y_3 = y_3 - factor_1_3 * y_1
+    factor_1_4 = a_1_4 * inverse_1
+    a_4_4 = a_4_4 - factor_1_4 * a_1_4
+    a_4_5 = a_4_5 - factor_1_4 * a_1_5
+    y_4 = y_4 - factor_1_4 * y_1
+    factor_1_5 = a_1_5 * inverse_1
+    a_5_5 = a_5_5 - factor_1_5 * a_1_5
+    y_5 = y_5 - factor_1_5 * y_1
+    fault = on.where(on.size(a_2_2) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_2_2 > on.KEPT * summed.M_vv[5], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_2 = 1.0 / a_2_2
+    factor_2_3 = a_2_3 * inverse_2
+    a_3_3 = a_3_3 - factor_2_3 * a_2_3
+    a_3_4 = a_3_4 - factor_2_3 * a_2_4
+    a_3_5 = a_3_5 - factor_2_3 * a_2_5
+    y_3 = y_3 - factor_2_3 * y_2
+    factor_2_4 = a_2_4 * inverse_2
+    a_4_4 = a_4_4 - factor_2_4 * a_2_4
+    a_4_5 = a_4_5 - factor_2_4 * a_2_5
+    y_4 = y_4 - factor_2_4 * y_2
+    factor_2_5 = a_2_5 * inverse_2
+    a_5_5 = a_5_5 - factor_2_5 * a_2_5
+    y_5 = y_5 - factor_2_5 * y_2
+    fault = on.where(on.size(a_3_3) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_3_3 > on.KEPT * summed.M_ww[0], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_3 = 1.0 / a_3_3
+    factor_3_4 = a_3_4 * inverse_3
+    a_4_4 = a_4_4 - factor_3_4 * a_3_4
+    a_4_5 = a_4_5 - factor_3_4 * a_3_5
+    y_4 = y_4 - factor_3_4 * y_3
+    factor_3_5 = a_3_5 * inverse_3
+    a_5_5 = a_5_5 - factor_3_5 * a_3_5
+    y_5 = y_5 - factor_3_5 * y_3
+    fault = on.where(on.size(a_4_4) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_4_4 > on.KEPT * summed.M_ww[3], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_4 = 1.0 / a_4_4
+    factor_4_5 = a_4_5 * inverse_4
+    a_5_5 = a_5_5 - factor_4_5 * a_4_5
+    y_5 = y_5 - factor_4_5 * y_4
+    fault = on.where(on.size(a_5_5) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_5_5 > on.KEPT * summed.M_ww[5], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_5 = 1.0 / a_5_5
+    x_5 = y_5 * inverse_5
+    x_4 = y_4 * inverse_4
+    x_4 = x_4 - factor_4_5 * x_5
+    x_3 = y_3 * inverse_3
+    x_3 = x_3 - factor_3_5 * x_5
+    x_3 = x_3 - factor_3_4 * x_4
+    x_2 = y_2 * inverse_2
+    x_2 = x_2 - factor_2_5 * x_5
+    x_2 = x_2 - factor_2_4 * x_4
+    x_2 = x_2 - factor_2_3 * x_3
+    x_1 = y_1 * inverse_1
+    x_1 = x_1 - factor_1_5 * x_5
+    x_1 = x_1 - factor_1_4 * x_4
+    x_1 = x_1 - factor_1_3 * x_3
+    x_1 = x_1 - factor_1_2 * x_2
+    x_0 = y_0 * inverse_0
+    x_0 = x_0 - factor_0_5 * x_5
+    x_0 = x_0 - factor_0_4 * x_4
+    x_0 = x_0 - factor_0_3 * x_3
+    x_0 = x_0 - factor_0_2 * x_2
+    x_0 = x_0 - factor_0_1 * x_1
+    out.a[0] = x_0
+    out.alpha[0] = x_3
+    out.a[1] = x_1
+    out.alpha[1] = x_4
+    out.a[2] = x_2
+    out.alpha[2] = x_5
+    out.status = on.where(legs.status == OK, status, legs.status)
 
 
 def check_forward_dynamics(on: Arithmetic, out: Any) -> None:
@@ -3256,20 +3331,20 @@ def joint_rows_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: An
 def joint_rows_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(3):
         out.right_force[i] = (pose.right_force[i] + (legs.leg[0].right_force[i] + legs.leg[1].right_force[i]
-            + legs.leg[2].right_force[i] + legs.leg[3].right_force[i] + legs.leg[4].right_force[i] + legs.leg[5].right_force[i]))
+            + (legs.leg[2].right_force[i] + legs.leg[3].right_force[i]) + (legs.leg[4].right_force[i] + legs.leg[5].right_force[i])))
     for i in range(3):
         out.right_moment[i] = (pose.right_moment[i] + (legs.leg[0].right_moment[i] + legs.leg[1].right_moment[i]
-            + legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i] + legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i]))
+            + (legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i]) + (legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i])))
 
 
 def joint_rows_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
@@ -3496,6 +3571,53 @@ def row_right(on: Arithmetic, by: Any, force: Any, held: Any, start: Any, rest: 
             right[k] = right[k] - by.share[i][k] * rest[i]
 
 
+def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
+    """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 8
+    for k in range(5, -1, -1):
+        for j in range(6, 8):
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
+        for i in range(k):
+            factor = A[i][k]
+            for j in range(6, 8):
+                A[i][j] = A[i][j] - factor * row[j]
+
+
+def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 8
+    for j in range(8):
+        row[j] = A[k][j]
+    for i in range(k + 1, 6):
+        factor = A[i][k] * inverse
+        for j in range(8):
+            A[i][j] = A[i][j] - factor * row[j]
+
+
+def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
+    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+
+    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    """
+    scale = [0.0] * 6
+    inverse = [0.0] * 6
+    status = OK
+    for k in range(6):
+        scale[k] = A[k][k]
+    for k in range(6):
+        fault = on.where(on.size(A[k][k]) <= on.MAX, INDEFINITE, NOT_FINITE)
+        fault = on.where(A[k][k] > kept * scale[k], OK, fault)
+        status = on.where(status == OK, fault, status)
+        inverse[k] = 1.0 / A[k][k]
+        clear_below_8(on, A, k, inverse[k])
+    substitute_back_8(on, A, inverse)
+    return status
+
+
 def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any) -> None:
     """[a; alpha] from the coordinates' accelerations."""
     x = [0.0] * 6
@@ -3599,26 +3721,18 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     out = Accelerations()
     legs = ForwardLegs()
     summed = ForwardSums()
-    A = [[0.0] * 8 for _ in range(6)]
     for i in range(6):
         legs.given[i].F = F[i]
     forward_sums(on, model, motion, legs, summed)
-    status = legs.status
-    place_inertia_8(on, summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
-    for i in range(3):
-        A[i][6] = summed.right_force[i]
-        A[i + 3][6] = summed.right_moment[i]
-    fault = solve_definite_8(on, A, on.KEPT)
-    if on.anywhere((status == OK) & (fault == INDEFINITE)):
+    accelerations_of(on, legs, summed, out)
+    if on.anywhere(out.status == INDEFINITE):
         by = Rows()
         apart = forward_apart(on, model, motion, F, by)
-        for i in range(6):
-            A[i][6] = on.where(fault == INDEFINITE, apart.x[i], A[i][6])
-        fault = on.where(fault == INDEFINITE, apart.status, fault)
-    for i in range(3):
-        out.a[i] = A[i][6]
-        out.alpha[i] = A[i + 3][6]
-    out.status = on.where(status == OK, fault, status)
+        lost = on.where(out.status == INDEFINITE, 1, 0)
+        for i in range(3):
+            out.a[i] = on.where(lost == 1, apart.x[i], out.a[i])
+            out.alpha[i] = on.where(lost == 1, apart.x[i + 3], out.alpha[i])
+        out.status = on.where(lost == 1, apart.status, out.status)
     check_forward_dynamics(on, out)
     return out
 
@@ -4490,38 +4604,38 @@ def derivatives_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: A
 def derivatives_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(9):
-        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i]
-            + legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i]))
+        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + (legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i])
+            + (legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i])))
     for i in range(9):
-        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i]
-            + legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i]))
+        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + (legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i])
+            + (legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i])))
     for i in range(9):
-        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i]
-            + legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i]))
+        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + (legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i])
+            + (legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i])))
     for i in range(9):
-        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i]
-            + legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i]))
+        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + (legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i])
+            + (legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i])))
     for i in range(9):
-        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i]
-            + legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i]))
+        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + (legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i])
+            + (legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i])))
     for i in range(9):
-        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i]
-            + legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i]))
+        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + (legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i])
+            + (legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i])))
     for i in range(9):
-        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i]
-            + legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i]))
+        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + (legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i])
+            + (legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i])))
     for i in range(9):
-        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i]
-            + legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i]))
+        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + (legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i])
+            + (legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i])))
 
 
 def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
@@ -5238,7 +5352,7 @@ def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed:
 
 
 def place_blocks_24(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: Any, A: Any) -> None:
-    """Four 3 x 3 blocks into six columns from ``first`` on."""
+    """Four 3 x 3 blocks, whose rows are ``ROW`` numbers apart, into six columns from ``first`` on."""
     for i in range(3):
         for j in range(3):
             A[i][first + j] = vv[3 * i + j]
@@ -6290,38 +6404,38 @@ def joint_slopes_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: 
 def joint_slopes_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(9):
-        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i]
-            + legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i]))
+        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + (legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i])
+            + (legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i])))
     for i in range(9):
-        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i]
-            + legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i]))
+        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + (legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i])
+            + (legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i])))
     for i in range(9):
-        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i]
-            + legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i]))
+        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + (legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i])
+            + (legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i])))
     for i in range(9):
-        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i]
-            + legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i]))
+        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + (legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i])
+            + (legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i])))
     for i in range(9):
-        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i]
-            + legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i]))
+        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + (legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i])
+            + (legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i])))
     for i in range(9):
-        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i]
-            + legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i]))
+        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + (legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i])
+            + (legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i])))
     for i in range(9):
-        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i]
-            + legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i]))
+        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + (legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i])
+            + (legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i])))
     for i in range(9):
-        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i]
-            + legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i]))
+        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + (legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i])
+            + (legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i])))
 
 
 def joint_slopes_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:

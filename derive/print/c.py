@@ -285,7 +285,8 @@ class C(Printer):
         """A definition; those of the interface have their comments where they are declared."""
         self._enter(function)
         apart = "STEWART_APART " if function.apart else ""
-        static = "" if function.public else f"{apart}{self.static}"
+        inlined = "STEWART_INLINE " if function.inlined else ""
+        static = "" if function.public else f"{apart}{self.static}{inlined}"
         used = {each.name for each in t.names_in(function.body)}.difference(self.unread)
         return [
             *([] if function.public else self.remark(function.meaning)),
@@ -341,8 +342,9 @@ class C(Printer):
                 pointer = f"*{alone}{name}"
                 text = self.declared(item, f"({pointer}){self._dims(tuple(others))}" if others else pointer)
                 return text if others else const + text
-            case t.Array(_, dims):
-                return (const if len(dims) == 1 else "") + self.declared(kind, name)
+            case t.Array(item, dims):
+                plain = len(dims) == 1 and not isinstance(item, t.Pointer)
+                return (const if plain else "") + self.declared(kind, name)
             case t.Pointer() | t.Record():
                 item = kind.item if isinstance(kind, t.Pointer) else kind
                 return const + self.declared(item, f"*{alone}{name}")
