@@ -1604,14 +1604,13 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     s_x = S_x * inv_L
     s_y = S_y * inv_L
     s_z = S_z * inv_L
+    # (10) distance of the tip from the fixed axis
+    rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
+    inv_rho = 1.0 / rho
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
-    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
-        * s_cross_normal_z))
-    inv_rho = 1.0 / rho
     # (10) third axis of the leg frame
     z_x = inv_rho * s_cross_normal_x
     z_y = inv_rho * s_cross_normal_y
@@ -2375,7 +2374,7 @@ def bias_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of C twist + g + friction: 305 (183 mul, 118 add, 2 div, 2 sqrt)."""
+    """One leg's part of C twist + g + friction: 315 (190 mul, 121 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -2417,18 +2416,21 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     s_x = S_x * inv_L
     s_y = S_y * inv_L
     s_z = S_z * inv_L
+    # (10) distance of the tip from the fixed axis
+    rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
+    inv_rho = 1.0 / rho
+    # share of the normal along s: rounding
+    n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
+    # one over |s x normal|
+    inv_across = 0.5 * inv_rho * n_along_s * n_along_s + inv_rho
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
-    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
-        * s_cross_normal_z))
-    inv_rho = 1.0 / rho
     # (10) third axis of the leg frame
-    z_x = inv_rho * s_cross_normal_x
-    z_y = inv_rho * s_cross_normal_y
-    z_z = inv_rho * s_cross_normal_z
+    z_x = inv_across * s_cross_normal_x
+    z_y = inv_across * s_cross_normal_y
+    z_z = inv_across * s_cross_normal_z
     # (10) rotating axis of the universal joint
     y_x = s_z * z_y - s_y * z_z
     y_y = s_x * z_z - s_z * z_x
@@ -2654,7 +2656,7 @@ def forward_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of M and of the right side: 425 (260 mul, 161 add, 2 div, 2 sqrt)."""
+    """One leg's part of M and of the right side: 435 (267 mul, 164 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -2697,18 +2699,21 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     s_x = S_x * inv_L
     s_y = S_y * inv_L
     s_z = S_z * inv_L
+    # (10) distance of the tip from the fixed axis
+    rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
+    inv_rho = 1.0 / rho
+    # share of the normal along s: rounding
+    n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
+    # one over |s x normal|
+    inv_across = 0.5 * inv_rho * n_along_s * n_along_s + inv_rho
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
-    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
-        * s_cross_normal_z))
-    inv_rho = 1.0 / rho
     # (10) third axis of the leg frame
-    z_x = inv_rho * s_cross_normal_x
-    z_y = inv_rho * s_cross_normal_y
-    z_z = inv_rho * s_cross_normal_z
+    z_x = inv_across * s_cross_normal_x
+    z_y = inv_across * s_cross_normal_y
+    z_z = inv_across * s_cross_normal_z
     # (10) rotating axis of the universal joint
     y_x = s_z * z_y - s_y * z_z
     y_y = s_x * z_z - s_z * z_x
@@ -4096,14 +4101,13 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     s_x = S_x * inv_L
     s_y = S_y * inv_L
     s_z = S_z * inv_L
+    # (10) distance of the tip from the fixed axis
+    rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
+    inv_rho = 1.0 / rho
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
-    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
-        * s_cross_normal_z))
-    inv_rho = 1.0 / rho
     # (10) third axis of the leg frame
     z_x = inv_rho * s_cross_normal_x
     z_y = inv_rho * s_cross_normal_y

@@ -6,8 +6,8 @@ SPDX-License-Identifier: 0BSD
 
 OPERATIONS: dict[str, int] = {
     "equations": 4634,
-    "bias": 2031,
-    "forward_dynamics": 2913,
+    "bias": 2091,
+    "forward_dynamics": 2973,
     "derivatives": 11204,
     "joint_rows": 2430,
     "joint_slopes": 13433,

@@ -357,18 +357,21 @@ STEWART_APART static void forward_of_leg(
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        /* (10) distance of the tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* share of the normal along s: rounding */
+        const stewart_real n_along_s = inv_rho*(k_cross_S_x*s_x + k_cross_S_y*s_y + k_cross_S_z*s_z);
+        /* one over |s x normal| */
+        const stewart_real inv_across = STEWART_HALF*inv_rho*n_along_s*n_along_s + inv_rho;
         /* (10) along the third axis of the leg */
         const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
-        /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
-        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
-        const stewart_real z_x = inv_rho*s_cross_normal_x;
-        const stewart_real z_y = inv_rho*s_cross_normal_y;
-        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        const stewart_real z_x = inv_across*s_cross_normal_x;
+        const stewart_real z_y = inv_across*s_cross_normal_y;
+        const stewart_real z_z = inv_across*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
         const stewart_real y_x = s_z*z_y - s_y*z_z;
         const stewart_real y_y = s_x*z_z - s_z*z_x;
@@ -1881,14 +1884,13 @@ STEWART_APART static void equations_of_leg(
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        /* (10) distance of the tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z);
+        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) along the third axis of the leg */
         const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
-        /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
-        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
@@ -3093,14 +3095,13 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        /* (10) distance of the tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z);
+        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) along the third axis of the leg */
         const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
-        /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
-        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
@@ -5951,18 +5952,21 @@ STEWART_APART static void bias_of_leg(
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
+        /* (10) distance of the tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z);
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* share of the normal along s: rounding */
+        const stewart_real n_along_s = inv_rho*(k_cross_S_x*s_x + k_cross_S_y*s_y + k_cross_S_z*s_z);
+        /* one over |s x normal| */
+        const stewart_real inv_across = STEWART_HALF*inv_rho*n_along_s*n_along_s + inv_rho;
         /* (10) along the third axis of the leg */
         const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
         const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
         const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
-        /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
-        const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
-        const stewart_real z_x = inv_rho*s_cross_normal_x;
-        const stewart_real z_y = inv_rho*s_cross_normal_y;
-        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        const stewart_real z_x = inv_across*s_cross_normal_x;
+        const stewart_real z_y = inv_across*s_cross_normal_y;
+        const stewart_real z_z = inv_across*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
         const stewart_real y_x = s_z*z_y - s_y*z_z;
         const stewart_real y_y = s_x*z_z - s_z*z_x;

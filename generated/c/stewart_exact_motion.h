@@ -13,8 +13,8 @@
  *
  * Operations per pose before any solve       with friction                                without
  * equations         4634 (2625 mul, 1985 add, 12 div, 12 sqrt)   4289
- * bias              2031 (1197 mul, 810 add, 12 div, 12 sqrt)    1815
- * forward_dynamics  2913 (1677 mul, 1212 add, 12 div, 12 sqrt)   2697
+ * bias              2091 (1239 mul, 828 add, 12 div, 12 sqrt)    1875
+ * forward_dynamics  2973 (1719 mul, 1230 add, 12 div, 12 sqrt)   2757
  * derivatives       11204 (6288 mul, 4892 add, 12 div, 12 sqrt)  8907
  */
 #ifndef STEWART_EXACT_MOTION_H

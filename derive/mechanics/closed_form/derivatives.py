@@ -81,7 +81,7 @@ class _Slopes:
 def derivatives_of_leg(friction: bool, near: bool) -> Block:
     """One leg's part; near: written for legs near their joint singularity."""
     build = Builder()
-    leg = parts.leg_of(build)
+    leg = parts.leg_of(build, early=not near, leaning=False)
     q, turn = leg.at.q, tip.skew(leg.at.q)
     by = _tip_slopes(build, leg, friction, near)
     W = tip.skew(n.omega.value)

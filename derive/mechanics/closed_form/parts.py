@@ -101,9 +101,9 @@ class Leg:
         return sp.Matrix.hstack(self.at.s, self.at.y, self.z)
 
 
-def leg_of(build: Builder) -> Leg:
-    """The leg's frame and its tip's velocity, named."""
-    at = joint_frame(build, with_z=True)
+def leg_of(build: Builder, early: bool = False, leaning: bool = True) -> Leg:
+    """The leg's frame and its tip's velocity, named; early, leaning: as ``joint_frame`` has it."""
+    at = joint_frame(build, with_z=True, early=early, leaning=leaning)
     w_q = build.vector("w_q", cross(n.omega.value, at.q), "(4)", "omega x q")
     S_dot = build.vector("S_dot", w_q + n.v.value, "(4)", "velocity of the platform point")
     return Leg(at, w_q, S_dot)
