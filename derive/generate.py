@@ -171,15 +171,17 @@ def _reduced_sums(name: str, friction: bool) -> closed_form.SumKernel:
 
 
 @cache
-def output_program(form: Formulation, outputs: tuple[str, ...], level: str = "general") -> Program:
+def output_program(
+    form: Formulation, outputs: tuple[str, ...], level: str = "general", by_pivots: bool = False
+) -> Program:
     """Some of ``kernel.outputs.OUTPUTS`` and of the kinematics as one program; what of the former is not of
-    the forces is of ``exact`` alone."""
+    the forces is of ``exact`` alone. by_pivots: without the solve that compares determinants."""
     of_model = tuple(each for each in outputs if each not in search.PUBLIC)
     parts = []
     if of_model:
         built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
         sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model))
-        parts.append(program(built, sums, of_model))
+        parts.append(program(built, sums, of_model, by_pivots))
     if of_robot := [each for each in outputs if each in search.PUBLIC]:
         parts.append(search.search_program(reduced_kinematics(), of_robot))
     return reduce(joined, parts)

@@ -120,6 +120,7 @@ class Model:
         self.leg: Any = [LegConstants() for _ in range(6)]  # the legs
         self.platform: Any = Platform()  # the platform
         self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
+        self.arm_cube: Any = 0.0  # cube of the largest arm over that length
         self.status: Any = 0  # 0, or what is wrong
 
 
@@ -744,9 +745,9 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z
     # first moment about the reference point
-    h_P_x = M * R_0_x + M_add * p_1_x + h_add_x
-    h_P_y = M * R_0_y + M_add * p_1_y + h_add_y
-    h_P_z = M * R_0_z + M_add * p_1_z + h_add_z
+    h_P_x = h_add_x + M * R_0_x + M_add * p_1_x
+    h_P_y = h_add_y + M * R_0_y + M_add * p_1_y
+    h_P_z = h_add_z + M * R_0_z + M_add * p_1_z
     c1 = 1.0 / M_P
     r_C_x = c1 * h_P_x
     r_C_y = c1 * h_P_y
@@ -755,17 +756,17 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     r_y = c1 * h_add_y
     r_z = c1 * h_add_z
     c2 = 0.5 * M * c1
-    u_x = c2 * (e_x + h_add_x)
-    u_y = c2 * (e_y + h_add_y)
-    u_z = c2 * (e_z + h_add_z)
-    c3 = 2.0 * arm_z * u_z + h_add_z * r_z
-    c4 = 2.0 * arm_y * u_y + h_add_y * r_y
+    u_x = c2 * (h_add_x + e_x)
+    u_y = c2 * (h_add_y + e_y)
+    u_z = c2 * (h_add_z + e_z)
+    c3 = h_add_z * r_z + 2.0 * arm_z * u_z
+    c4 = h_add_y * r_y + 2.0 * arm_y * u_y
     J_C_xx = I_p_xx + J_add_xx - c3 - c4
-    J_C_xy = I_p_xy + J_add_xy + arm_x * u_y + arm_y * u_x + h_add_x * r_y
-    J_C_xz = I_p_xz + J_add_xz + arm_x * u_z + arm_z * u_x + h_add_x * r_z
-    c5 = 2.0 * arm_x * u_x + h_add_x * r_x
+    J_C_xy = I_p_xy + J_add_xy + h_add_x * r_y + arm_x * u_y + arm_y * u_x
+    J_C_xz = I_p_xz + J_add_xz + h_add_x * r_z + arm_x * u_z + arm_z * u_x
+    c5 = h_add_x * r_x + 2.0 * arm_x * u_x
     J_C_yy = I_p_yy + J_add_yy - c3 - c5
-    J_C_yz = I_p_yz + J_add_yz + arm_y * u_z + arm_z * u_y + h_add_y * r_z
+    J_C_yz = I_p_yz + J_add_yz + h_add_y * r_z + arm_y * u_z + arm_z * u_y
     J_C_zz = I_p_zz + J_add_zz - c4 - c5
     c7 = r_C_y * r_C_y
     c8 = r_C_z * r_C_z
@@ -861,6 +862,15 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
     return lost
 
 
+def size_of(on: Arithmetic, model: Any) -> Any:
+    """Largest coordinate of the arms of moments about platform point 1, m."""
+    largest = 0.0
+    for j in range(3):
+        for i in range(1, 6):
+            largest = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), largest)
+    return largest
+
+
 def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
     """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
     1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
@@ -883,13 +893,10 @@ def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
     return per_length
 
 
-def size_of(on: Arithmetic, model: Any) -> Any:
-    """Largest coordinate of the arms of moments about platform point 1, m."""
-    largest = 0.0
-    for j in range(3):
-        for i in range(1, 6):
-            largest = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), largest)
-    return largest
+def cube_of(on: Arithmetic, arm: Any) -> Any:
+    """The cube of a length, or of one that has a cube."""
+    length = on.where(arm <= 1099511627776.0, arm, 1099511627776.0)
+    return length * length * length
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
@@ -902,7 +909,9 @@ def prepare(on: Arithmetic, robot: Any) -> Any:
         model.leg[i] = found
         total = add_up(on, total, found)
     model.platform = prepare_platform(on, robot, robot.leg[0].p, total)
-    model.per_length = per_length_of(on, size_of(on, model), on.SMALLEST)
+    largest = size_of(on, model)
+    model.per_length = per_length_of(on, largest, on.SMALLEST)
+    model.arm_cube = cube_of(on, largest * model.per_length)
     model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
     return model
 
@@ -943,9 +952,9 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     R_C_y = R_yx * r_C_x + R_yy * r_C_y + R_yz * r_C_z
     R_C_z = R_zx * r_C_x + R_zy * r_C_y + R_zz * r_C_z
     # (33) M_P (g - a_C)
-    N_x = M_P * (g_x - B_xx * R_C_x - B_xy * R_C_y - B_xz * R_C_z - a_x)
-    N_y = M_P * (g_y - B_yx * R_C_x - B_yy * R_C_y - B_yz * R_C_z - a_y)
-    N_z = M_P * (g_z - B_zx * R_C_x - B_zy * R_C_y - B_zz * R_C_z - a_z)
+    N_x = M_P * (g_x - a_x - B_xx * R_C_x - B_xy * R_C_y - B_xz * R_C_z)
+    N_y = M_P * (g_y - a_y - B_yx * R_C_x - B_yy * R_C_y - B_yz * R_C_z)
+    N_z = M_P * (g_z - a_z - B_zx * R_C_x - B_zy * R_C_y - B_zz * R_C_z)
     # angular velocity, platform frame
     omega_P_x = R_xx * omega_x + R_yx * omega_y + R_zx * omega_z
     omega_P_y = R_xy * omega_x + R_yy * omega_y + R_zy * omega_z
@@ -961,18 +970,18 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     P_yy = omega_P_y * omega_P_y
     P_zz = omega_P_z * omega_P_z
     # (34) external moment less I alpha + omega x I omega, platform frame
-    M_P_load_x = (J_C_xy * (P_xz - alpha_P_y) + M_ext_x - J_C_xx * alpha_P_x - J_C_xz * (P_xy + alpha_P_z) - J_C_yz
-        * (P_yy - P_zz) - P_yz * dJ_C_x)
-    M_P_load_y = (J_C_yz * (P_xy - alpha_P_z) + M_ext_y - J_C_xy * (P_yz + alpha_P_x) - J_C_xz * (P_zz - P_xx)
-        - J_C_yy * alpha_P_y - P_xz * dJ_C_y)
-    M_P_load_z = (J_C_xz * (P_yz - alpha_P_x) + M_ext_z - J_C_xy * (P_xx - P_yy) - J_C_yz * (P_xz + alpha_P_y)
-        - J_C_zz * alpha_P_z - P_xy * dJ_C_z)
+    M_P_load_x = (M_ext_x - J_C_yz * (P_yy - P_zz) - J_C_xx * alpha_P_x - P_yz * dJ_C_x + J_C_xy * (P_xz - alpha_P_y)
+        - J_C_xz * (alpha_P_z + P_xy))
+    M_P_load_y = (M_ext_y - J_C_xz * (P_zz - P_xx) - J_C_yy * alpha_P_y - P_xz * dJ_C_y + J_C_yz * (P_xy - alpha_P_z)
+        - J_C_xy * (alpha_P_x + P_yz))
+    M_P_load_z = (M_ext_z - J_C_xy * (P_xx - P_yy) - J_C_zz * alpha_P_z - P_xy * dJ_C_z + J_C_xz * (P_yz - alpha_P_x)
+        - J_C_yz * (alpha_P_y + P_xz))
     out = SharedTerms()
     out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
     out.c_force = [
-        F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + N_x,
-        F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + N_y,
-        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + N_z,
+        N_x + F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz,
+        N_y + F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz,
+        N_z + F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz,
     ]
     out.c_moment = [
         M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + N_z * R_C_y - C_P * omega_x - N_y * R_C_z,
@@ -989,9 +998,9 @@ def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
     c_moment_x, c_moment_y, c_moment_z = shared.c_moment
     out = ShiftTerms()
     out.c_tip = [
-        c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y,
-        c_force_z * q_1_x + c_moment_y - c_force_x * q_1_z,
-        c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x,
+        c_moment_x + c_force_y * q_1_z - c_force_z * q_1_y,
+        c_moment_y + c_force_z * q_1_x - c_force_x * q_1_z,
+        c_moment_z + c_force_x * q_1_y - c_force_y * q_1_x,
     ]
     return out
 
@@ -1017,6 +1026,92 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
         for j in range(i + 1, 6):
             total = total - A[i][j] * x[j]
         x[i] = on.where(i == 5, total / A[i][i], total * x[i])
+    return suspect
+
+
+def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
+    """Solves [H | c] for x, (36), as two blocks of three legs, where their determinants are small by
+    pivots; returns 1 where one of these is small.
+    """
+    suspect = 0
+    r_0_0 = A[1][3] * A[2][5] - A[2][3] * A[1][5]
+    r_0_1 = A[2][3] * A[0][5] - A[0][3] * A[2][5]
+    r_0_2 = A[0][3] * A[1][5] - A[1][3] * A[0][5]
+    r_1_0 = A[1][5] * A[2][1] - A[2][5] * A[1][1]
+    r_1_1 = A[2][5] * A[0][1] - A[0][5] * A[2][1]
+    r_1_2 = A[0][5] * A[1][1] - A[1][5] * A[0][1]
+    r_2_0 = A[1][1] * A[2][3] - A[2][1] * A[1][3]
+    r_2_1 = A[2][1] * A[0][3] - A[0][1] * A[2][3]
+    r_2_2 = A[0][1] * A[1][3] - A[1][1] * A[0][3]
+    det = A[0][1] * r_0_0 + A[1][1] * r_0_1 + A[2][1] * r_0_2
+    e_0_0 = r_0_0 * A[0][0] + r_0_1 * A[1][0] + r_0_2 * A[2][0]
+    e_1_0 = r_1_0 * A[0][0] + r_1_1 * A[1][0] + r_1_2 * A[2][0]
+    e_2_0 = r_2_0 * A[0][0] + r_2_1 * A[1][0] + r_2_2 * A[2][0]
+    own_0_0 = det * A[3][0] - A[3][1] * e_0_0
+    w_0_0 = own_0_0 - A[3][3] * e_1_0 - A[3][5] * e_2_0
+    own_1_0 = det * A[4][0] - A[4][1] * e_0_0
+    w_1_0 = own_1_0 - A[4][3] * e_1_0 - A[4][5] * e_2_0
+    own_2_0 = det * A[5][0] - A[5][1] * e_0_0
+    w_2_0 = own_2_0 - A[5][3] * e_1_0 - A[5][5] * e_2_0
+    e_0_2 = r_0_0 * A[0][2] + r_0_1 * A[1][2] + r_0_2 * A[2][2]
+    e_1_2 = r_1_0 * A[0][2] + r_1_1 * A[1][2] + r_1_2 * A[2][2]
+    e_2_2 = r_2_0 * A[0][2] + r_2_1 * A[1][2] + r_2_2 * A[2][2]
+    own_0_2 = det * A[3][2] - A[3][1] * e_0_2
+    w_0_2 = own_0_2 - A[3][3] * e_1_2 - A[3][5] * e_2_2
+    own_1_2 = det * A[4][2] - A[4][1] * e_0_2
+    w_1_2 = own_1_2 - A[4][3] * e_1_2 - A[4][5] * e_2_2
+    own_2_2 = det * A[5][2] - A[5][1] * e_0_2
+    w_2_2 = own_2_2 - A[5][3] * e_1_2 - A[5][5] * e_2_2
+    e_0_4 = r_0_0 * A[0][4] + r_0_1 * A[1][4] + r_0_2 * A[2][4]
+    e_1_4 = r_1_0 * A[0][4] + r_1_1 * A[1][4] + r_1_2 * A[2][4]
+    e_2_4 = r_2_0 * A[0][4] + r_2_1 * A[1][4] + r_2_2 * A[2][4]
+    own_0_4 = det * A[3][4] - A[3][1] * e_0_4
+    w_0_4 = own_0_4 - A[3][3] * e_1_4 - A[3][5] * e_2_4
+    own_1_4 = det * A[4][4] - A[4][1] * e_0_4
+    w_1_4 = own_1_4 - A[4][3] * e_1_4 - A[4][5] * e_2_4
+    own_2_4 = det * A[5][4] - A[5][1] * e_0_4
+    w_2_4 = own_2_4 - A[5][3] * e_1_4 - A[5][5] * e_2_4
+    e_0_6 = r_0_0 * A[0][6] + r_0_1 * A[1][6] + r_0_2 * A[2][6]
+    e_1_6 = r_1_0 * A[0][6] + r_1_1 * A[1][6] + r_1_2 * A[2][6]
+    e_2_6 = r_2_0 * A[0][6] + r_2_1 * A[1][6] + r_2_2 * A[2][6]
+    own_0_6 = det * A[3][6] - A[3][1] * e_0_6
+    w_0_6 = own_0_6 - A[3][3] * e_1_6 - A[3][5] * e_2_6
+    own_1_6 = det * A[4][6] - A[4][1] * e_0_6
+    w_1_6 = own_1_6 - A[4][3] * e_1_6 - A[4][5] * e_2_6
+    own_2_6 = det * A[5][6] - A[5][1] * e_0_6
+    w_2_6 = own_2_6 - A[5][3] * e_1_6 - A[5][5] * e_2_6
+    u_0_0 = w_1_2 * w_2_4 - w_2_2 * w_1_4
+    u_0_1 = w_2_2 * w_0_4 - w_0_2 * w_2_4
+    u_0_2 = w_0_2 * w_1_4 - w_1_2 * w_0_4
+    u_1_0 = w_1_4 * w_2_0 - w_2_4 * w_1_0
+    u_1_1 = w_2_4 * w_0_0 - w_0_4 * w_2_0
+    u_1_2 = w_0_4 * w_1_0 - w_1_4 * w_0_0
+    u_2_0 = w_1_0 * w_2_2 - w_2_0 * w_1_2
+    u_2_1 = w_2_0 * w_0_2 - w_0_0 * w_2_2
+    u_2_2 = w_0_0 * w_1_2 - w_1_0 * w_0_2
+    rest = w_0_0 * u_0_0 + w_1_0 * u_0_1 + w_2_0 * u_0_2
+    square_0 = e_0_0 * e_0_0 + e_0_2 * e_0_2 + e_0_4 * e_0_4
+    square_1 = e_1_0 * e_1_0 + e_1_2 * e_1_2 + e_1_4 * e_1_4
+    square_2 = e_2_0 * e_2_0 + e_2_2 * e_2_2 + e_2_4 * e_2_4
+    det2 = det * det
+    least = on.larger(on.size(det) * on.BLOCK_LEAST, on.BLOCK_SINGULAR) * (det2 * arm_cube)
+    spread = square_0 + square_1 + square_2
+    weak = on.where(spread > on.BLOCK_GROWTH * det2, 1.0, 0.0)
+    weak = on.where(on.size(rest) <= least, 1.0, weak)
+    inverse_det = 1.0 / (on.where(weak > 0.0, 1.0, det))
+    inverse_rest = 1.0 / (on.where(weak > 0.0, 1.0, rest))
+    x[0] = (u_0_0 * w_0_6 + u_0_1 * w_1_6 + u_0_2 * w_2_6) * inverse_rest
+    x[2] = (u_1_0 * w_0_6 + u_1_1 * w_1_6 + u_1_2 * w_2_6) * inverse_rest
+    x[4] = (u_2_0 * w_0_6 + u_2_1 * w_1_6 + u_2_2 * w_2_6) * inverse_rest
+    x[1] = (e_0_6 - e_0_0 * x[0] - e_0_2 * x[2] - e_0_4 * x[4]) * inverse_det
+    x[3] = (e_1_6 - e_1_0 * x[0] - e_1_2 * x[2] - e_1_4 * x[4]) * inverse_det
+    x[5] = (e_2_6 - e_2_0 * x[0] - e_2_2 * x[2] - e_2_4 * x[4]) * inverse_det
+    if on.anywhere(weak > 0.0):
+        other = [0.0] * 6
+        small = eliminate(on, A, other)
+        for number in range(6):
+            x[number] = on.where(weak > 0.0, other[number], x[number])
+        suspect = on.where(weak > 0.0, small, suspect)
     return suspect
 
 
@@ -1051,9 +1146,9 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -1061,7 +1156,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     k_cross_S_z = S_y * k_x - S_x * k_y
     rho2 = k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z
     # (2) leg length, and distance of its tip from the fixed axis
-    L = on.sqrt(rho2 + zeta * zeta)
+    L = on.sqrt(zeta * zeta + rho2)
     rho = on.sqrt(rho2)
     inv_L = 1.0 / L
     # (3) unit vector along the leg
@@ -1079,13 +1174,13 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     # (10) k1 / k3
     kappa = inv_rho * zeta
     # (4) velocity of the platform point
-    S_dot_x = omega_y * q_z + v_x - omega_z * q_y
-    S_dot_y = omega_z * q_x + v_y - omega_x * q_z
-    S_dot_z = omega_x * q_y + v_z - omega_y * q_x
+    S_dot_x = v_x + omega_y * q_z - omega_z * q_y
+    S_dot_y = v_y + omega_z * q_x - omega_x * q_z
+    S_dot_z = v_z + omega_x * q_y - omega_y * q_x
     # (7) acceleration of the platform point
-    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
-    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
-    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    S_ddot_x = a_x + B_xx * q_x + B_xy * q_y + B_xz * q_z
+    S_ddot_y = a_y + B_yx * q_x + B_yy * q_y + B_yz * q_z
+    S_ddot_z = a_z + B_zx * q_x + B_zy * q_y + B_zz * q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
@@ -1101,14 +1196,14 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     rho_share = L_share + lean
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
-    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # (9) accelerations of the joint coordinates
     theta_ddot = (inv_rho * (L_ddot * k1 - S_ddot_x * k_x - S_ddot_y * k_y - S_ddot_z * k_z) - theta_dot * (L_share
         + rho_share))
     phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - rho_share * two_phi_dot
     k13 = k1 * k3
     L_h2 = L * h2_x
-    a1 = L_h2 + dJ_zx
+    a1 = dJ_zx + L_h2
     a2 = J2_xz - L * h2_z
     a3 = J_xy - L * h_y
     # (19) inertia of the joint coordinates
@@ -1117,7 +1212,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     M_mixed = J_yz * k3 + a3 * k1
     k3_h = h_y * k3
     # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
-    M_phi_theta = a1 * k13 + a2 * (0.5 - k33)
+    M_phi_theta = a2 * (0.5 - k33) + a1 * k13
     M_phi_L = h_x * k33 - h_z * k13
     M_mixed_theta = J_yz * k1 - a3 * k3
     bend = L_dot * theta_dot
@@ -1125,23 +1220,23 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # first moment along k and against k x y
-    w_k = k1 * w_x + k3 * w_z
+    w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalised forces about y and about k
-    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * theta_ddot + bend * h2_x + g_k
-        * w_n + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) - M_phi_theta * phi_dot2)
-    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * phi_ddot + two_phi_dot
-        * (L_dot * M_phi_L + M_phi_theta * theta_dot) - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z)
-        - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    tau_y = (L_ddot * h_z + g_k * w_n + gamma_n * w_k + C_us * theta_dot - C_s * (omega_x * y_x + omega_y * y_y
+        + omega_z * y_z) - M_phi_theta * phi_dot2 + bend * h2_x + M_mixed * phi_ddot + M_theta * theta_ddot)
+    tau_k = (M_mixed_theta * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) - L_ddot * k3_h
+        + C_us * phi_dot - gamma_n * w_y - gamma_y * w_n + two_phi_dot * (L_dot * M_phi_L + M_phi_theta * theta_dot)
+        - bend * h2_y * k1 + M_phi * phi_ddot + M_mixed * theta_ddot)
     # (21) K = Q_k k + Q_y y, up to a part along s
     Q_k = -inv_rho * tau_y
     Q_y = inv_rho * tau_k
     # (21) force at the spherical joint, base frame
-    K_x = Q_k * k_x + Q_y * y_x
-    K_y = Q_k * k_y + Q_y * y_y
-    K_z = Q_k * k_z + Q_y * y_z
+    K_x = Q_y * y_x + Q_k * k_x
+    K_y = Q_y * y_y + Q_k * k_y
+    K_z = Q_y * y_z + Q_k * k_z
     # (24) known part of the actuator force, to match
-    D = C_p * L_dot + h_z * theta_ddot - M_phi_L * phi_dot2 - Q_k * k1 - h_x * theta_dot2 - k3_h * phi_ddot
+    D = C_p * L_dot - h_x * theta_dot2 - M_phi_L * phi_dot2 + h_z * theta_ddot - k3_h * phi_ddot - Q_k * k1
     c1 = C_s * phi_dot
     c2 = C_s * theta_dot
     out = LegTerms()
@@ -1311,9 +1406,9 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -1348,13 +1443,13 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     # (10) k1 / k3
     kappa = inv_rho * zeta
     # (4) velocity of the platform point
-    S_dot_x = omega_y * q_z + v_x - omega_z * q_y
-    S_dot_y = omega_z * q_x + v_y - omega_x * q_z
-    S_dot_z = omega_x * q_y + v_z - omega_y * q_x
+    S_dot_x = v_x + omega_y * q_z - omega_z * q_y
+    S_dot_y = v_y + omega_z * q_x - omega_x * q_z
+    S_dot_z = v_z + omega_x * q_y - omega_y * q_x
     # (7) acceleration of the platform point
-    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
-    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
-    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    S_ddot_x = a_x + B_xx * q_x + B_xy * q_y + B_xz * q_z
+    S_ddot_y = a_y + B_yx * q_x + B_yy * q_y + B_yz * q_z
+    S_ddot_z = a_z + B_zx * q_x + B_zy * q_y + B_zz * q_z
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
@@ -1368,9 +1463,9 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     two_phi_dot = 2.0 * phi_dot
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
-    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
-    own_theta_ddot = -2.0 * L_share * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c1 = k1 * k3
     # (9) accelerations of the joint coordinates
@@ -1378,7 +1473,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     phi_ddot = own_phi_ddot - lean * two_phi_dot
     k13 = c1
     L_h2 = L * h2_x
-    a1 = L_h2 + dJ_zx
+    a1 = dJ_zx + L_h2
     c2 = L * h2_z
     c3 = J2_xz - c2
     a2 = c3
@@ -1396,15 +1491,15 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # first moment along k and against k x y
-    w_k = k1 * w_x + k3 * w_z
+    w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalised forces about y and about k
-    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * own_theta_ddot + bend * h2_x + g_k
-        * w_n + gamma_n * w_k + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) - C_s * (omega_x * y_x
-        + omega_y * y_y + omega_z * y_z))
-    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * own_phi_ddot + two_phi_dot
-        * (L_dot * M_phi_L - theta_dot * (0.5 * J2_xz + J_xx * kappa - 0.5 * c2)) - C_s * (k_x * omega_x + k_y
-        * omega_y + k_z * omega_z) - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) + C_us * theta_dot
+        + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + M_theta * own_theta_ddot
+        + M_mixed * phi_ddot)
+    tau_k = (M_mixed_theta * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) - L_ddot * k3_h
+        + C_us * phi_dot - gamma_n * w_y - gamma_y * w_n + two_phi_dot * (L_dot * M_phi_L - theta_dot * (0.5
+        * J2_xz - 0.5 * c2 + J_xx * kappa)) - bend * h2_y * k1 + M_mixed * theta_ddot + M_phi * own_phi_ddot)
     # (21) K = Q_y y + Q_z z
     Q_y = inv_rho * tau_k
     Q_z = -inv_L * tau_y
@@ -1413,7 +1508,7 @@ def leg_near_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared:
     K_y = Q_y * y_y + Q_z * z_y
     K_z = Q_y * y_z + Q_z * z_z
     # (24) known part of the actuator force, to match
-    D = C_p * L_dot + h_z * theta_ddot - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h * phi_ddot
+    D = C_p * L_dot - h_x * theta_dot2 - M_phi_L * phi_dot2 + h_z * theta_ddot - k3_h * phi_ddot
     c4 = C_s * phi_dot
     c5 = C_s * theta_dot
     out = LegTerms()
@@ -1479,7 +1574,7 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
         for j in range(6):
             A[i][j] = sums.H[i][j]
             A[i + 3][j] = sums.H[i + 3][j] * model.per_length
-    small_pivot = eliminate(on, A, x)
+    small_pivot = solve_legs(on, A, model.arm_cube, x)
     suspect = on.where(small_pivot == 0, suspect, 1)
     if on.anywhere(suspect == 1):
         found = singular_status(on, sums.H, sums.arm, L, reach, largest_component(on, sums.q_1, 0.0))
@@ -1540,13 +1635,13 @@ def equations_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     out.C_wv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.C_ww = [
         c8 - c7,
-        J_base_yz * omega_y + c9 - J_base_yy * omega_z,
-        J_base_zz * omega_y - J_base_yz * omega_z - c10,
-        J_base_xx * omega_z - J_base_xz * omega_x - c9,
+        c9 + J_base_yz * omega_y - J_base_yy * omega_z,
+        J_base_zz * omega_y - c10 - J_base_yz * omega_z,
+        J_base_xx * omega_z - c9 - J_base_xz * omega_x,
         c11 + c7,
-        J_base_xz * omega_z + c12 - J_base_zz * omega_x,
-        J_base_xy * omega_x + c10 - J_base_xx * omega_y,
-        J_base_yy * omega_x - J_base_xy * omega_y - c12,
+        c12 + J_base_xz * omega_z - J_base_zz * omega_x,
+        c10 + J_base_xy * omega_x - J_base_xx * omega_y,
+        J_base_yy * omega_x - c12 - J_base_xy * omega_y,
         -c11 - c8,
     ]
     out.g_force = [-M_P * g_x, -M_P * g_y, -M_P * g_z]
@@ -1589,9 +1684,9 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -1641,7 +1736,7 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     k33 = c1
     k13 = k1 * k3
     L_h2 = L * h2_x
-    a1 = L_h2 + dJ_zx
+    a1 = dJ_zx + L_h2
     a2 = J2_xz - L * h2_z
     c2 = J_xy - L * h_y
     a3 = c2
@@ -1658,15 +1753,15 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     m_leg_yy = M_phi * inv_rho * inv_rho
     m_leg_yz = -M_mixed * c3
     m_leg_zz = M_theta * c4
-    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
-    m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
-    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
-    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
-    m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
-    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
-    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
-    m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
-    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    m_T_xs = m_leg_sz * z_x + m_leg_sy * y_x
+    m_T_xy = m_leg_sy * s_x + m_leg_yz * z_x + m_leg_yy * y_x
+    m_T_xz = m_leg_sz * s_x + m_leg_zz * z_x + m_leg_yz * y_x
+    m_T_ys = m_leg_sz * z_y + m_leg_sy * y_y
+    m_T_yy = m_leg_sy * s_y + m_leg_yz * z_y + m_leg_yy * y_y
+    m_T_yz = m_leg_sz * s_y + m_leg_zz * z_y + m_leg_yz * y_y
+    m_T_zs = m_leg_sz * z_z + m_leg_sy * y_z
+    m_T_zy = m_leg_sy * s_z + m_leg_yz * z_z + m_leg_yy * y_z
+    m_T_zz = m_leg_sz * s_z + m_leg_zz * z_z + m_leg_yz * y_z
     # inertia at the tip, base frame
     m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
     m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
@@ -1682,11 +1777,11 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     C_xi_22 = L_dot * h_x
     c7 = 2.0 * L
     c8 = 2.0 * J_xz - c7 * h_z
-    c9 = 0.5 * k1 * (c8 * k1 + 2.0 * k3 * (J_zz + c7 * h_x - J_xx)) - 0.5 * c1 * c8
+    c9 = 0.5 * k1 * (2.0 * k3 * (J_zz - J_xx + c7 * h_x) + c8 * k1) - 0.5 * c1 * c8
     C_xi_23 = -c9 * phi_dot
     c10 = h_y * k1
     C_xi_31 = c6 * phi_dot - c10 * theta_dot
-    C_xi_32 = c9 * phi_dot + theta_dot * (J_yz * k1 - c2 * k3) - L_dot * c10
+    C_xi_32 = theta_dot * (J_yz * k1 - c2 * k3) - L_dot * c10 + c9 * phi_dot
     C_xi_33 = L_dot * c6 + c9 * theta_dot
     c11 = k3 * phi_dot
     G_dot_12 = c11
@@ -1700,12 +1795,12 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     C_leg_11 = G_dot_21 * h_z - G_dot_31 * k3_h
     C_leg_12 = C_xi_13 * inv_rho + G_dot_22 * h_z - G_dot_32 * k3_h
     C_leg_13 = G_dot_23 * h_z - C_xi_12 * inv_L - G_dot_33 * k3_h
-    C_leg_21 = inv_rho * (C_xi_31 + G_dot_21 * M_mixed + G_dot_31 * M_phi)
+    C_leg_21 = inv_rho * (G_dot_21 * M_mixed + C_xi_31 + G_dot_31 * M_phi)
     C_leg_22 = inv_rho * (C_xi_33 * inv_rho + G_dot_22 * M_mixed + G_dot_32 * M_phi - G_dot_12 * k3_h)
-    C_leg_23 = inv_rho * (G_dot_23 * M_mixed + G_dot_33 * M_phi + k3_h * theta_dot - C_xi_32 * inv_L)
+    C_leg_23 = inv_rho * (G_dot_23 * M_mixed + k3_h * theta_dot + G_dot_33 * M_phi - C_xi_32 * inv_L)
     C_leg_31 = -inv_L * (C_xi_21 + G_dot_21 * M_theta + G_dot_31 * M_mixed)
-    C_leg_32 = -inv_L * (C_xi_23 * inv_rho + G_dot_12 * h_z + G_dot_22 * M_theta + G_dot_32 * M_mixed)
-    C_leg_33 = -inv_L * (G_dot_23 * M_theta + G_dot_33 * M_mixed - C_xi_22 * inv_L - h_z * theta_dot)
+    C_leg_32 = -inv_L * (G_dot_12 * h_z + C_xi_23 * inv_rho + G_dot_22 * M_theta + G_dot_32 * M_mixed)
+    C_leg_33 = -inv_L * (G_dot_23 * M_theta - C_xi_22 * inv_L - h_z * theta_dot + G_dot_33 * M_mixed)
     C_tip_T_xs = C_leg_11 * s_x + C_leg_21 * y_x + C_leg_31 * z_x
     C_tip_T_xy = C_leg_12 * s_x + C_leg_22 * y_x + C_leg_32 * z_x
     C_tip_T_xz = C_leg_13 * s_x + C_leg_23 * y_x + C_leg_33 * z_x
@@ -1716,36 +1811,36 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     C_tip_T_zy = C_leg_12 * s_z + C_leg_22 * y_z + C_leg_32 * z_z
     C_tip_T_zz = C_leg_13 * s_z + C_leg_23 * y_z + C_leg_33 * z_z
     # Coriolis matrix at the tip, base frame
-    C_tip_xx = C_tip_T_xs * s_x + C_tip_T_xy * y_x + C_tip_T_xz * z_x
-    C_tip_xy = C_tip_T_xs * s_y + C_tip_T_xy * y_y + C_tip_T_xz * z_y
-    C_tip_xz = C_tip_T_xs * s_z + C_tip_T_xy * y_z + C_tip_T_xz * z_z
-    C_tip_yx = C_tip_T_ys * s_x + C_tip_T_yy * y_x + C_tip_T_yz * z_x
-    C_tip_yy = C_tip_T_ys * s_y + C_tip_T_yy * y_y + C_tip_T_yz * z_y
-    C_tip_yz = C_tip_T_ys * s_z + C_tip_T_yy * y_z + C_tip_T_yz * z_z
-    C_tip_zx = C_tip_T_zs * s_x + C_tip_T_zy * y_x + C_tip_T_zz * z_x
-    C_tip_zy = C_tip_T_zs * s_y + C_tip_T_zy * y_y + C_tip_T_zz * z_y
-    C_tip_zz = C_tip_T_zs * s_z + C_tip_T_zy * y_z + C_tip_T_zz * z_z
+    C_tip_xx = C_tip_T_xz * z_x + C_tip_T_xs * s_x + C_tip_T_xy * y_x
+    C_tip_xy = C_tip_T_xz * z_y + C_tip_T_xs * s_y + C_tip_T_xy * y_y
+    C_tip_xz = C_tip_T_xz * z_z + C_tip_T_xs * s_z + C_tip_T_xy * y_z
+    C_tip_yx = C_tip_T_yz * z_x + C_tip_T_ys * s_x + C_tip_T_yy * y_x
+    C_tip_yy = C_tip_T_yz * z_y + C_tip_T_ys * s_y + C_tip_T_yy * y_y
+    C_tip_yz = C_tip_T_yz * z_z + C_tip_T_ys * s_z + C_tip_T_yy * y_z
+    C_tip_zx = C_tip_T_zz * z_x + C_tip_T_zs * s_x + C_tip_T_zy * y_x
+    C_tip_zy = C_tip_T_zz * z_y + C_tip_T_zs * s_y + C_tip_T_zy * y_y
+    C_tip_zz = C_tip_T_zz * z_z + C_tip_T_zs * s_z + C_tip_T_zy * y_z
     c13 = C_tip_xy * q_z
     c14 = m_xy * w_q_z
     c15 = C_tip_xz * q_y
     c16 = m_xz * w_q_y
-    C_q_xx = c15 + c16 - c13 - c14
+    C_q_xx = c16 - c14 + c15 - c13
     c17 = C_tip_xx * q_z
-    C_q_xy = c17 + m_xx * w_q_z - C_tip_xz * q_x - m_xz * w_q_x
+    C_q_xy = m_xx * w_q_z - m_xz * w_q_x + c17 - C_tip_xz * q_x
     c18 = C_tip_xx * q_y
-    C_q_xz = C_tip_xy * q_x + m_xy * w_q_x - c18 - m_xx * w_q_y
+    C_q_xz = m_xy * w_q_x - m_xx * w_q_y + C_tip_xy * q_x - c18
     c19 = C_tip_yy * q_z
-    C_q_yx = C_tip_yz * q_y + m_yz * w_q_y - c19 - m_yy * w_q_z
+    C_q_yx = m_yz * w_q_y - m_yy * w_q_z + C_tip_yz * q_y - c19
     c20 = C_tip_yx * q_z
     c21 = -C_tip_yz * q_x
     c22 = -m_yz * w_q_x
-    C_q_yy = c14 + c20 + c21 + c22
+    C_q_yy = c14 + c22 + c20 + c21
     c23 = -C_tip_yy * q_x
-    C_q_yz = m_yy * w_q_x - C_tip_yx * q_y - c23 - m_xy * w_q_y
+    C_q_yz = m_yy * w_q_x - m_xy * w_q_y - C_tip_yx * q_y - c23
     c24 = -C_tip_zz * q_y
-    C_q_zx = m_zz * w_q_y - C_tip_zy * q_z - c24 - m_yz * w_q_z
+    C_q_zx = m_zz * w_q_y - m_yz * w_q_z - C_tip_zy * q_z - c24
     c25 = -C_tip_zz * q_x
-    C_q_zy = C_tip_zx * q_z + c25 + m_xz * w_q_z - m_zz * w_q_x
+    C_q_zy = m_xz * w_q_z - m_zz * w_q_x + C_tip_zx * q_z + c25
     c26 = C_tip_zx * q_y
     c27 = -C_tip_zy * q_x
     C_q_zz = -c16 - c22 - c26 - c27
@@ -1753,7 +1848,7 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # first moment along k and against k x y
-    w_k = k1 * w_x + k3 * w_z
+    w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c28 = inv_L * (g_k * w_n + gamma_n * w_k)
     c29 = -gamma_n * w_y - gamma_y * w_n
@@ -1803,12 +1898,12 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     out.C_wv = [
         c26 - c20,
         C_tip_zy * q_y - c19,
-        -C_tip_yz * q_z - c24,
+        -c24 - C_tip_yz * q_z,
         c17 - C_tip_zx * q_x,
         c13 + c27,
-        C_tip_xz * q_z + c25,
+        c25 + C_tip_xz * q_z,
         C_tip_yx * q_x - c18,
-        -C_tip_xy * q_y - c23,
+        -c23 - C_tip_xy * q_y,
         -c15 - c21,
     ]
     out.C_ww = [
@@ -1826,9 +1921,9 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     out.g_moment = [held_z * q_y - held_y * q_z, held_x * q_z - held_z * q_x, held_y * q_x - held_x * q_y]
     out.friction_force = [resistance_x, resistance_y, resistance_z]
     out.friction_moment = [
-        q_y * resistance_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * resistance_y,
-        q_z * resistance_x - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * resistance_z,
-        q_x * resistance_y - C_s * (k_z * phi_dot + theta_dot * y_z) - q_y * resistance_x,
+        q_y * resistance_z - q_z * resistance_y - C_s * (k_x * phi_dot + theta_dot * y_x),
+        q_z * resistance_x - q_x * resistance_z - C_s * (k_y * phi_dot + theta_dot * y_y),
+        q_x * resistance_y - q_y * resistance_x - C_s * (k_z * phi_dot + theta_dot * y_z),
     ]
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
@@ -1926,9 +2021,9 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -1977,7 +2072,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     k33 = k3 * k3
     k13 = k1 * k3
     L_h2 = L * h2_x
-    a1 = L_h2 + dJ_zx
+    a1 = dJ_zx + L_h2
     a2 = J2_xz - L * h2_z
     a3 = J_xy - L * h_y
     # (19) inertia of the joint coordinates
@@ -1993,22 +2088,22 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     m_leg_yy = M_phi * inv_rho * inv_rho
     m_leg_yz = -M_mixed * inv_L * inv_rho
     m_leg_zz = M_theta * c3
-    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
+    m_T_xs = m_leg_sz * z_x + m_leg_sy * y_x
     m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
-    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
-    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
+    m_T_xz = m_leg_sz * s_x + m_leg_zz * z_x + m_leg_yz * y_x
+    m_T_ys = m_leg_sz * z_y + m_leg_sy * y_y
     m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
-    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
-    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
+    m_T_yz = m_leg_sz * s_y + m_leg_zz * z_y + m_leg_yz * y_y
+    m_T_zs = m_leg_sz * z_z + m_leg_sy * y_z
     m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
-    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    m_T_zz = m_leg_sz * s_z + m_leg_zz * z_z + m_leg_yz * y_z
     # inertia at the tip, base frame
-    m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
-    m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
-    m_xz = m_T_xs * s_z + m_T_xy * y_z + m_T_xz * z_z
-    m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
-    m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
-    m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
+    m_xx = m_T_xs * s_x + m_T_xz * z_x + m_T_xy * y_x
+    m_xy = m_T_xs * s_y + m_T_xz * z_y + m_T_xy * y_y
+    m_xz = m_T_xs * s_z + m_T_xz * z_z + m_T_xy * y_z
+    m_yy = m_T_ys * s_y + m_T_yz * z_y + m_T_yy * y_y
+    m_yz = m_T_ys * s_z + m_T_yz * z_z + m_T_yy * y_z
+    m_zz = m_T_zs * s_z + m_T_zz * z_z + m_T_zy * y_z
     inv_k3 = L * inv_rho
     # (6) leg's turning about z
     W_z = c1 * inv_L
@@ -2023,9 +2118,9 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c11 = c10 * h_y
     c12 = inv_k3 * k1
     c13 = W_z * c2
-    C_leg_12 = c11 * c12 + 2.0 * c12 * c13 + c9 - c7
+    C_leg_12 = c9 + c11 * c12 + 2.0 * c12 * c13 - c7
     c14 = c10 * h_x - c12 * c5
-    C_leg_13 = c14 + c8 * h_z
+    C_leg_13 = c8 * h_z + c14
     c15 = c3 * theta_dot
     c16 = J_yz * c15
     c17 = J_xy * c15
@@ -2035,7 +2130,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c21 = 2.0 * J_xz
     c22 = c18 * c21
     c23 = J_xx - J_zz
-    C_leg_21 = (W_z * c23 * c3 + W_z * h_z * inv_L * inv_k3 * k1 - c12 * c17 - c12 * c22 - c16 - c18 * c20 - c7)
+    C_leg_21 = (W_z * c23 * c3 - c16 - c12 * c17 - c18 * c20 - c7 + W_z * h_z * inv_L * inv_k3 * k1 - c12 * c22)
     c24 = J_xy * c18
     c25 = c8 * h_x
     c26 = c19 * c5
@@ -2047,54 +2142,54 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c32 = c12 * c31
     c33 = c19 * c24
     c34 = J_xx * k1 * inv_k3 * inv_k3 * inv_k3
-    C_leg_22 = (L_dot * c23 * c27 + L_dot * c3 * h_z * inv_k3 * k1 + c19 * h_z * inv_L * theta_dot + c32 + c33
-        - c15 * c29 - c15 * c34 - c20 * c28 - c21 * c30 - c24 - c25 - c26)
+    C_leg_22 = (L_dot * c23 * c27 - c20 * c28 - c25 + L_dot * c3 * h_z * inv_k3 * k1 - c21 * c30 + c19 * h_z
+        * inv_L * theta_dot - c15 * c29 - c15 * c34 + c32 + c33 - c24 - c26)
     c35 = c12 * c16
-    c36 = J_xy * c30 + J_yz * c28 + c18 * c29 - c13 * c19
-    C_leg_23 = c17 + c18 * c34 + c36 - c35
-    C_leg_31 = J_yy * c15 + c12 * c24 + c14 + c31
-    C_leg_32 = (c11 + c12 * c18 * (-J_yy - c23) + c13 + c17 * c19 + c35 + c36 - c11 * c19 - c12 * c9 - c17 - c22)
-    C_leg_33 = c24 + c26 - J_yy * c28 - c25 - c32 - c33 - c6
-    C_tip_T_xs = C_leg_11 * s_x + C_leg_21 * y_x + C_leg_31 * z_x
+    c36 = J_yz * c28 + J_xy * c30 + c18 * c29 - c13 * c19
+    C_leg_23 = c17 + c18 * c34 - c35 + c36
+    C_leg_31 = J_yy * c15 + c31 + c12 * c24 + c14
+    C_leg_32 = (c11 - c12 * c9 + c13 + c17 * c19 + c35 - c17 - c11 * c19 + c12 * c18 * (-J_yy - c23) - c22 + c36)
+    C_leg_33 = c24 - J_yy * c28 - c25 + c26 - c32 - c33 - c6
+    C_tip_T_xs = C_leg_11 * s_x + C_leg_31 * z_x + C_leg_21 * y_x
     C_tip_T_xy = C_leg_12 * s_x + C_leg_22 * y_x + C_leg_32 * z_x
-    C_tip_T_xz = C_leg_13 * s_x + C_leg_23 * y_x + C_leg_33 * z_x
-    C_tip_T_ys = C_leg_11 * s_y + C_leg_21 * y_y + C_leg_31 * z_y
+    C_tip_T_xz = C_leg_23 * y_x + C_leg_13 * s_x + C_leg_33 * z_x
+    C_tip_T_ys = C_leg_11 * s_y + C_leg_31 * z_y + C_leg_21 * y_y
     C_tip_T_yy = C_leg_12 * s_y + C_leg_22 * y_y + C_leg_32 * z_y
-    C_tip_T_yz = C_leg_13 * s_y + C_leg_23 * y_y + C_leg_33 * z_y
-    C_tip_T_zs = C_leg_11 * s_z + C_leg_21 * y_z + C_leg_31 * z_z
+    C_tip_T_yz = C_leg_23 * y_y + C_leg_13 * s_y + C_leg_33 * z_y
+    C_tip_T_zs = C_leg_11 * s_z + C_leg_31 * z_z + C_leg_21 * y_z
     C_tip_T_zy = C_leg_12 * s_z + C_leg_22 * y_z + C_leg_32 * z_z
-    C_tip_T_zz = C_leg_13 * s_z + C_leg_23 * y_z + C_leg_33 * z_z
+    C_tip_T_zz = C_leg_23 * y_z + C_leg_13 * s_z + C_leg_33 * z_z
     # Coriolis matrix at the tip, base frame
-    C_tip_xx = C_tip_T_xs * s_x + C_tip_T_xy * y_x + C_tip_T_xz * z_x
-    C_tip_xy = C_tip_T_xs * s_y + C_tip_T_xy * y_y + C_tip_T_xz * z_y
-    C_tip_xz = C_tip_T_xs * s_z + C_tip_T_xy * y_z + C_tip_T_xz * z_z
-    C_tip_yx = C_tip_T_ys * s_x + C_tip_T_yy * y_x + C_tip_T_yz * z_x
-    C_tip_yy = C_tip_T_ys * s_y + C_tip_T_yy * y_y + C_tip_T_yz * z_y
-    C_tip_yz = C_tip_T_ys * s_z + C_tip_T_yy * y_z + C_tip_T_yz * z_z
-    C_tip_zx = C_tip_T_zs * s_x + C_tip_T_zy * y_x + C_tip_T_zz * z_x
-    C_tip_zy = C_tip_T_zs * s_y + C_tip_T_zy * y_y + C_tip_T_zz * z_y
-    C_tip_zz = C_tip_T_zs * s_z + C_tip_T_zy * y_z + C_tip_T_zz * z_z
+    C_tip_xx = C_tip_T_xz * z_x + C_tip_T_xs * s_x + C_tip_T_xy * y_x
+    C_tip_xy = C_tip_T_xz * z_y + C_tip_T_xs * s_y + C_tip_T_xy * y_y
+    C_tip_xz = C_tip_T_xz * z_z + C_tip_T_xs * s_z + C_tip_T_xy * y_z
+    C_tip_yx = C_tip_T_yz * z_x + C_tip_T_ys * s_x + C_tip_T_yy * y_x
+    C_tip_yy = C_tip_T_yz * z_y + C_tip_T_ys * s_y + C_tip_T_yy * y_y
+    C_tip_yz = C_tip_T_yz * z_z + C_tip_T_ys * s_z + C_tip_T_yy * y_z
+    C_tip_zx = C_tip_T_zz * z_x + C_tip_T_zs * s_x + C_tip_T_zy * y_x
+    C_tip_zy = C_tip_T_zz * z_y + C_tip_T_zs * s_y + C_tip_T_zy * y_y
+    C_tip_zz = C_tip_T_zz * z_z + C_tip_T_zs * s_z + C_tip_T_zy * y_z
     c37 = C_tip_xy * q_z
     c38 = m_xy * w_q_z
     c39 = C_tip_xz * q_y
     c40 = m_xz * w_q_y
-    C_q_xx = c39 + c40 - c37 - c38
+    C_q_xx = c40 - c38 + c39 - c37
     c41 = C_tip_xx * q_z
-    C_q_xy = c41 + m_xx * w_q_z - C_tip_xz * q_x - m_xz * w_q_x
+    C_q_xy = m_xx * w_q_z - m_xz * w_q_x + c41 - C_tip_xz * q_x
     c42 = C_tip_xx * q_y
-    C_q_xz = C_tip_xy * q_x + m_xy * w_q_x - c42 - m_xx * w_q_y
+    C_q_xz = m_xy * w_q_x - m_xx * w_q_y + C_tip_xy * q_x - c42
     c43 = C_tip_yy * q_z
-    C_q_yx = C_tip_yz * q_y + m_yz * w_q_y - c43 - m_yy * w_q_z
+    C_q_yx = m_yz * w_q_y - m_yy * w_q_z + C_tip_yz * q_y - c43
     c44 = C_tip_yx * q_z
     c45 = -C_tip_yz * q_x
     c46 = -m_yz * w_q_x
-    C_q_yy = c38 + c44 + c45 + c46
+    C_q_yy = c38 + c46 + c44 + c45
     c47 = -C_tip_yy * q_x
-    C_q_yz = m_yy * w_q_x - C_tip_yx * q_y - c47 - m_xy * w_q_y
+    C_q_yz = m_yy * w_q_x - m_xy * w_q_y - C_tip_yx * q_y - c47
     c48 = -C_tip_zz * q_y
-    C_q_zx = m_zz * w_q_y - C_tip_zy * q_z - c48 - m_yz * w_q_z
+    C_q_zx = m_zz * w_q_y - m_yz * w_q_z - C_tip_zy * q_z - c48
     c49 = -C_tip_zz * q_x
-    C_q_zy = C_tip_zx * q_z + c49 + m_xz * w_q_z - m_zz * w_q_x
+    C_q_zy = m_xz * w_q_z - m_zz * w_q_x + C_tip_zx * q_z + c49
     c50 = C_tip_zx * q_y
     c51 = -C_tip_zy * q_x
     C_q_zz = -c40 - c46 - c50 - c51
@@ -2102,7 +2197,7 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # first moment along k and against k x y
-    w_k = k1 * w_x + k3 * w_z
+    w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     c52 = inv_L * (g_k * w_n + gamma_n * w_k)
     c53 = -gamma_n * w_y - gamma_y * w_n
@@ -2152,12 +2247,12 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     out.C_wv = [
         c50 - c44,
         C_tip_zy * q_y - c43,
-        -C_tip_yz * q_z - c48,
+        -c48 - C_tip_yz * q_z,
         c41 - C_tip_zx * q_x,
         c37 + c51,
-        C_tip_xz * q_z + c49,
+        c49 + C_tip_xz * q_z,
         C_tip_yx * q_x - c42,
-        -C_tip_xy * q_y - c47,
+        -c47 - C_tip_xy * q_y,
         -c39 - c45,
     ]
     out.C_ww = [
@@ -2175,9 +2270,9 @@ def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     out.g_moment = [held_z * q_y - held_y * q_z, held_x * q_z - held_z * q_x, held_y * q_x - held_x * q_y]
     out.friction_force = [resistance_x, resistance_y, resistance_z]
     out.friction_moment = [
-        q_y * resistance_z - C_s * (k_x * phi_dot + theta_dot * y_x) - q_z * resistance_y,
-        q_z * resistance_x - C_s * (k_y * phi_dot + theta_dot * y_y) - q_x * resistance_z,
-        q_x * resistance_y - C_s * (k_z * phi_dot + theta_dot * y_z) - q_y * resistance_x,
+        q_y * resistance_z - q_z * resistance_y - C_s * (k_x * phi_dot + theta_dot * y_x),
+        q_z * resistance_x - q_x * resistance_z - C_s * (k_y * phi_dot + theta_dot * y_y),
+        q_x * resistance_y - q_y * resistance_x - C_s * (k_z * phi_dot + theta_dot * y_z),
     ]
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
@@ -2401,9 +2496,9 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -2422,7 +2517,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     # share of the normal along s: rounding
     n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
     # one over |s x normal|
-    inv_across = 0.5 * inv_rho * n_along_s * n_along_s + inv_rho
+    inv_across = inv_rho + 0.5 * inv_rho * n_along_s * n_along_s
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
@@ -2465,9 +2560,9 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     S_ddot_z = B_0_zx * q_x + B_0_zy * q_y + B_0_zz * q_z
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
-    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
-    own_theta_ddot = -2.0 * L_share * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c1 = k1 * k3
     # (9) accelerations of the joint coordinates
@@ -2475,7 +2570,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     phi_ddot = own_phi_ddot - lean * two_phi_dot
     k13 = c1
     L_h2 = L * h2_x
-    a1 = L_h2 + dJ_zx
+    a1 = dJ_zx + L_h2
     c2 = L * h2_z
     c3 = J2_xz - c2
     a2 = c3
@@ -2493,15 +2588,15 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # first moment along k and against k x y
-    w_k = k1 * w_x + k3 * w_z
+    w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalised forces about y and about k
-    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * own_theta_ddot + bend * h2_x + g_k
-        * w_n + gamma_n * w_k + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) - C_s * (omega_x * y_x
-        + omega_y * y_y + omega_z * y_z))
-    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * own_phi_ddot + two_phi_dot
-        * (L_dot * M_phi_L - theta_dot * (0.5 * J2_xz + J_xx * kappa - 0.5 * c2)) - C_s * (k_x * omega_x + k_y
-        * omega_y + k_z * omega_z) - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) + C_us * theta_dot
+        + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + M_theta * own_theta_ddot
+        + M_mixed * phi_ddot)
+    tau_k = (M_mixed_theta * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) - L_ddot * k3_h
+        + C_us * phi_dot - gamma_n * w_y - gamma_y * w_n + two_phi_dot * (L_dot * M_phi_L - theta_dot * (0.5
+        * J2_xz - 0.5 * c2 + J_xx * kappa)) - bend * h2_y * k1 + M_mixed * theta_ddot + M_phi * own_phi_ddot)
     # (21) K = Q_y y + Q_z z
     Q_y = inv_rho * tau_k
     Q_z = -inv_L * tau_y
@@ -2510,7 +2605,7 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     K_y = Q_y * y_y + Q_z * z_y
     K_z = Q_y * y_z + Q_z * z_z
     # (24) known part of the actuator force, to match
-    D = C_p * L_dot + h_z * theta_ddot - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h * phi_ddot
+    D = C_p * L_dot - h_x * theta_dot2 - M_phi_L * phi_dot2 + h_z * theta_ddot - k3_h * phi_ddot
     # force at the tip
     R_tip_x = D * s_x + K_x
     R_tip_y = D * s_y + K_y
@@ -2518,9 +2613,9 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     out = BiasLeg()
     out.bias_force = [R_tip_x, R_tip_y, R_tip_z]
     out.bias_moment = [
-        R_tip_z * q_y - C_s * (k_x * phi_dot + theta_dot * y_x) - R_tip_y * q_z,
-        R_tip_x * q_z - C_s * (k_y * phi_dot + theta_dot * y_y) - R_tip_z * q_x,
-        R_tip_y * q_x - C_s * (k_z * phi_dot + theta_dot * y_z) - R_tip_x * q_y,
+        R_tip_z * q_y - R_tip_y * q_z - C_s * (k_x * phi_dot + theta_dot * y_x),
+        R_tip_x * q_z - R_tip_z * q_x - C_s * (k_y * phi_dot + theta_dot * y_y),
+        R_tip_y * q_x - R_tip_x * q_y - C_s * (k_z * phi_dot + theta_dot * y_z),
     ]
     out.q = [q_x, q_y, q_z]
     out.L = L
@@ -2684,9 +2779,9 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -2705,7 +2800,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     # share of the normal along s: rounding
     n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
     # one over |s x normal|
-    inv_across = 0.5 * inv_rho * n_along_s * n_along_s + inv_rho
+    inv_across = inv_rho + 0.5 * inv_rho * n_along_s * n_along_s
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
@@ -2748,9 +2843,9 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     S_ddot_z = B_0_zx * q_x + B_0_zy * q_y + B_0_zz * q_z
     k33 = k3 * k3
     # (8) accelerations of the joint coordinates
-    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
-    own_theta_ddot = -2.0 * L_share * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c1 = k1 * k3
     # (9) accelerations of the joint coordinates
@@ -2758,7 +2853,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     phi_ddot = own_phi_ddot - lean * two_phi_dot
     k13 = c1
     L_h2 = L * h2_x
-    a1 = L_h2 + dJ_zx
+    a1 = dJ_zx + L_h2
     c2 = L * h2_z
     c3 = J2_xz - c2
     a2 = c3
@@ -2776,15 +2871,15 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # first moment along k and against k x y
-    w_k = k1 * w_x + k3 * w_z
+    w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalised forces about y and about k
-    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * own_theta_ddot + bend * h2_x + g_k
-        * w_n + gamma_n * w_k + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) - C_s * (omega_x * y_x
-        + omega_y * y_y + omega_z * y_z))
-    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * own_phi_ddot + two_phi_dot
-        * (L_dot * M_phi_L - theta_dot * (0.5 * J2_xz + J_xx * kappa - 0.5 * c2)) - C_s * (k_x * omega_x + k_y
-        * omega_y + k_z * omega_z) - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c3 * (0.5 - k33)) + C_us * theta_dot
+        + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + M_theta * own_theta_ddot
+        + M_mixed * phi_ddot)
+    tau_k = (M_mixed_theta * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) - L_ddot * k3_h
+        + C_us * phi_dot - gamma_n * w_y - gamma_y * w_n + two_phi_dot * (L_dot * M_phi_L - theta_dot * (0.5
+        * J2_xz - 0.5 * c2 + J_xx * kappa)) - bend * h2_y * k1 + M_mixed * theta_ddot + M_phi * own_phi_ddot)
     # (21) K = Q_y y + Q_z z
     Q_y = inv_rho * tau_k
     Q_z = -inv_L * tau_y
@@ -2793,7 +2888,7 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     K_y = Q_y * y_y + Q_z * z_y
     K_z = Q_y * y_z + Q_z * z_z
     # (24) known part of the actuator force, to match
-    D = C_p * L_dot + h_z * theta_ddot - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h * phi_ddot
+    D = C_p * L_dot - h_x * theta_dot2 - M_phi_L * phi_dot2 + h_z * theta_ddot - k3_h * phi_ddot
     c4 = F - D
     # force on the platform at the tip
     push_x = c4 * s_x - K_x
@@ -2805,22 +2900,22 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     m_leg_yy = M_phi * inv_rho * inv_rho
     m_leg_yz = -M_mixed * inv_L * inv_rho
     m_leg_zz = M_theta * inv_L * inv_L
-    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
+    m_T_xs = m_leg_sz * z_x + m_leg_sy * y_x
     m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
-    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
-    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
+    m_T_xz = m_leg_sz * s_x + m_leg_zz * z_x + m_leg_yz * y_x
+    m_T_ys = m_leg_sz * z_y + m_leg_sy * y_y
     m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
-    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
-    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
+    m_T_yz = m_leg_sz * s_y + m_leg_zz * z_y + m_leg_yz * y_y
+    m_T_zs = m_leg_sz * z_z + m_leg_sy * y_z
     m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
-    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    m_T_zz = m_leg_sz * s_z + m_leg_zz * z_z + m_leg_yz * y_z
     # inertia at the tip, base frame
-    m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
-    m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
-    m_xz = m_T_xs * s_z + m_T_xy * y_z + m_T_xz * z_z
-    m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
-    m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
-    m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
+    m_xx = m_T_xs * s_x + m_T_xz * z_x + m_T_xy * y_x
+    m_xy = m_T_xs * s_y + m_T_xz * z_y + m_T_xy * y_y
+    m_xz = m_T_xs * s_z + m_T_xz * z_z + m_T_xy * y_z
+    m_yy = m_T_ys * s_y + m_T_yz * z_y + m_T_yy * y_y
+    m_yz = m_T_ys * s_z + m_T_yz * z_z + m_T_yy * y_z
+    m_zz = m_T_zs * s_z + m_T_zz * z_z + m_T_zy * y_z
     c5 = m_xy * q_z
     c6 = m_xz * q_y
     c7 = -m_yz * q_x
@@ -2847,9 +2942,9 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     ]
     out.right_force = [push_x, push_y, push_z]
     out.right_moment = [
-        C_s * (k_x * phi_dot + theta_dot * y_x) + push_z * q_y - push_y * q_z,
-        C_s * (k_y * phi_dot + theta_dot * y_y) + push_x * q_z - push_z * q_x,
-        C_s * (k_z * phi_dot + theta_dot * y_z) + push_y * q_x - push_x * q_y,
+        push_z * q_y - push_y * q_z + C_s * (k_x * phi_dot + theta_dot * y_x),
+        push_x * q_z - push_z * q_x + C_s * (k_y * phi_dot + theta_dot * y_y),
+        push_y * q_x - push_x * q_y + C_s * (k_z * phi_dot + theta_dot * y_z),
     ]
     out.q = [q_x, q_y, q_z]
     out.L = L
@@ -3083,11 +3178,11 @@ def joint_rows_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     h_base_x = R_xx * c3 + R_xy * c5 + R_xz * c6
     h_base_y = R_yx * c3 + R_yy * c5 + R_yz * c6
     h_base_z = R_zx * c3 + R_zy * c5 + R_zz * c6
-    c7 = J_0_xx * R_xx + J_0_xy * R_xy + J_0_xz * R_xz
-    c8 = J_0_xy * R_xx + J_0_yy * R_xy + J_0_yz * R_xz
+    c7 = J_0_xy * R_xy + J_0_xz * R_xz + J_0_xx * R_xx
+    c8 = J_0_xy * R_xx + J_0_yz * R_xz + J_0_yy * R_xy
     c9 = J_0_xz * R_xx + J_0_yz * R_xy + J_0_zz * R_xz
-    c10 = J_0_xx * R_yx + J_0_xy * R_yy + J_0_xz * R_yz
-    c11 = J_0_xy * R_yx + J_0_yy * R_yy + J_0_yz * R_yz
+    c10 = J_0_xy * R_yy + J_0_xz * R_yz + J_0_xx * R_yx
+    c11 = J_0_xy * R_yx + J_0_yz * R_yz + J_0_yy * R_yy
     c12 = J_0_xz * R_yx + J_0_yz * R_yy + J_0_zz * R_yz
     # (32) inertia of the platform, base frame
     J_base_xx = R_xx * c7 + R_xy * c8 + R_xz * c9
@@ -3095,8 +3190,8 @@ def joint_rows_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     J_base_xz = R_zx * c7 + R_zy * c8 + R_zz * c9
     J_base_yy = R_yx * c10 + R_yy * c11 + R_yz * c12
     J_base_yz = R_zx * c10 + R_zy * c11 + R_zz * c12
-    J_base_zz = (R_zx * (J_0_xx * R_zx + J_0_xy * R_zy + J_0_xz * R_zz) + R_zy * (J_0_xy * R_zx + J_0_yy * R_zy
-        + J_0_yz * R_zz) + R_zz * (J_0_xz * R_zx + J_0_yz * R_zy + J_0_zz * R_zz))
+    J_base_zz = (R_zx * (J_0_xy * R_zy + J_0_xz * R_zz + J_0_xx * R_zx) + R_zy * (J_0_xy * R_zx + J_0_yz * R_zz
+        + J_0_yy * R_zy) + R_zz * (J_0_xz * R_zx + J_0_yz * R_zy + J_0_zz * R_zz))
     # (31) omega x h
     w_h_x = h_base_z * omega_y - h_base_y * omega_z
     w_h_y = h_base_x * omega_z - h_base_z * omega_x
@@ -3168,9 +3263,9 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -3233,9 +3328,9 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     c4 = k3 * k3
     k33 = c4
     # (8) accelerations of the joint coordinates
-    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
-    own_theta_ddot = -2.0 * L_share * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - 2.0 * L_share * theta_dot
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c5 = k1 * k3
     # (9) accelerations of the joint coordinates
@@ -3243,7 +3338,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     phi_ddot = own_phi_ddot - lean * two_phi_dot
     k13 = c5
     L_h2 = L * h2_x
-    a1 = L_h2 + dJ_zx
+    a1 = dJ_zx + L_h2
     c6 = L * h2_z
     c7 = J2_xz - c6
     a2 = c7
@@ -3261,15 +3356,15 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
     # first moment along k and against k x y
-    w_k = k1 * w_x + k3 * w_z
+    w_k = k3 * w_z + k1 * w_x
     w_n = k3 * w_x - k1 * w_z
     # (20) generalised forces about y and about k
-    tau_y = (C_us * theta_dot + L_ddot * h_z + M_mixed * phi_ddot + M_theta * own_theta_ddot + bend * h2_x + g_k
-        * w_n + gamma_n * w_k + phi_dot2 * (k13 * (J_yy - dJ_zx) - c7 * (0.5 - k33)) - C_s * (omega_x * y_x
-        + omega_y * y_y + omega_z * y_z))
-    tau_k = (C_us * phi_dot + M_mixed * theta_ddot + M_mixed_theta * theta_dot2 + M_phi * own_phi_ddot + two_phi_dot
-        * (L_dot * M_phi_L - theta_dot * (0.5 * J2_xz + J_xx * kappa - 0.5 * c6)) - C_s * (k_x * omega_x + k_y
-        * omega_y + k_z * omega_z) - L_ddot * k3_h - bend * h2_y * k1 - gamma_n * w_y - gamma_y * w_n)
+    tau_y = (L_ddot * h_z + g_k * w_n + phi_dot2 * (k13 * (J_yy - dJ_zx) - c7 * (0.5 - k33)) + C_us * theta_dot
+        + bend * h2_x + gamma_n * w_k - C_s * (omega_x * y_x + omega_y * y_y + omega_z * y_z) + M_theta * own_theta_ddot
+        + M_mixed * phi_ddot)
+    tau_k = (M_mixed_theta * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) - L_ddot * k3_h
+        + C_us * phi_dot - gamma_n * w_y - gamma_y * w_n + two_phi_dot * (L_dot * M_phi_L - theta_dot * (0.5
+        * J2_xz - 0.5 * c6 + J_xx * kappa)) - bend * h2_y * k1 + M_mixed * theta_ddot + M_phi * own_phi_ddot)
     # of the platform point, from free fall
     fall_x = c1 - g_x
     fall_y = c2 - g_y
@@ -3311,7 +3406,7 @@ def joint_rows_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: A
     out.tau = [
         C_p * L_dot + fall_T_x * m_u + h_z * theta_ddot - F - M_phi_L * phi_dot2 - h_x * theta_dot2 - k3_h * phi_ddot,
         tau_y - c9 * fall_T_z,
-        c9 * fall_T_y * k3 + tau_k,
+        tau_k + c9 * fall_T_y * k3,
     ]
     out.q = [q_x, q_y, q_z]
     out.L = L
@@ -3983,14 +4078,14 @@ def derivatives_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     M_load_z = M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz
     c25 = J_base_xy * omega_z
     c26 = J_base_xz * omega_y
-    c28 = J_w_z + c17 - J_base_xx * omega_z
-    c29 = J_w_y + c15 - J_base_xx * omega_y
-    c30 = J_w_z + c18 - J_base_yy * omega_z
+    c28 = c17 - J_base_xx * omega_z + J_w_z
+    c29 = c15 - J_base_xx * omega_y + J_w_y
+    c30 = c18 - J_base_yy * omega_z + J_w_z
     c31 = J_base_yz * omega_x
     c33 = c25 - c31
-    c34 = J_w_x + c13 - J_base_yy * omega_x
-    c35 = J_w_y + c16 - J_base_zz * omega_y
-    c36 = J_w_x + c14 - J_base_zz * omega_x
+    c34 = c13 - J_base_yy * omega_x + J_w_x
+    c35 = c16 - J_base_zz * omega_y + J_w_y
+    c36 = c14 - J_base_zz * omega_x + J_w_x
     # derivative of I omega by dphi at fixed omega
     spin_xx = c25 - c26
     spin_xy = c28
@@ -4018,25 +4113,25 @@ def derivatives_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fr = [
         B_xz * h_base_y - B_xy * h_base_z,
-        B_xx * h_base_z - B_xz * h_base_x - F_load_z,
-        B_xy * h_base_x + F_load_y - B_xx * h_base_y,
-        B_yz * h_base_y + F_load_z - B_yy * h_base_z,
+        B_xx * h_base_z - F_load_z - B_xz * h_base_x,
+        F_load_y + B_xy * h_base_x - B_xx * h_base_y,
+        F_load_z + B_yz * h_base_y - B_yy * h_base_z,
         B_yx * h_base_z - B_yz * h_base_x,
-        B_yy * h_base_x - B_yx * h_base_y - F_load_x,
-        B_zz * h_base_y - B_zy * h_base_z - F_load_y,
-        B_zx * h_base_z + F_load_x - B_zz * h_base_x,
+        B_yy * h_base_x - F_load_x - B_yx * h_base_y,
+        B_zz * h_base_y - F_load_y - B_zy * h_base_z,
+        F_load_x + B_zx * h_base_z - B_zz * h_base_x,
         B_zy * h_base_x - B_zx * h_base_y,
     ]
     out.W_mt = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mr = [
         c40 + omega_y * spin_zx - c37 - c38 - c39 - omega_z * spin_yx,
-        J_alpha_z + c23 + h_base_x * rise_y + omega_y * spin_zy - J_base_xx * alpha_z - M_load_z - omega_z * spin_yy,
-        J_base_xx * alpha_y + M_load_y + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c21 - omega_z * spin_yz,
-        J_base_yy * alpha_z + M_load_z + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c24 - omega_x * spin_zx,
+        J_alpha_z + c23 + h_base_x * rise_y + omega_y * spin_zy - M_load_z - J_base_xx * alpha_z - omega_z * spin_yy,
+        M_load_y + J_base_xx * alpha_y + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c21 - omega_z * spin_yz,
+        M_load_z + J_base_yy * alpha_z + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c24 - omega_x * spin_zx,
         c42 + omega_z * spin_xy - c39 - c40 - c41 - omega_x * spin_zy,
-        J_alpha_x + c19 + h_base_y * rise_z + omega_z * spin_xz - J_base_yy * alpha_x - M_load_x - omega_x * spin_zz,
-        J_alpha_y + c22 + h_base_z * rise_x + omega_x * spin_yx - J_base_zz * alpha_y - M_load_y - omega_y * spin_xx,
-        J_base_zz * alpha_x + M_load_x + h_base_z * rise_y + omega_x * spin_yy - J_alpha_x - c20 - omega_y * spin_xy,
+        J_alpha_x + c19 + h_base_y * rise_z + omega_z * spin_xz - M_load_x - J_base_yy * alpha_x - omega_x * spin_zz,
+        J_alpha_y + c22 + h_base_z * rise_x + omega_x * spin_yx - M_load_y - J_base_zz * alpha_y - omega_y * spin_xx,
+        M_load_x + J_base_zz * alpha_x + h_base_z * rise_y + omega_x * spin_yy - J_alpha_x - c20 - omega_y * spin_xy,
         c37 + omega_x * spin_yz - c38 - c41 - c42 - omega_y * spin_xz,
     ]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
@@ -4086,9 +4181,9 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -4146,16 +4241,16 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     c5 = 2.0 * phi_dot
     two_phi_dot = c5
     # (7) acceleration of the platform point
-    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
-    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
-    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    S_ddot_x = a_x + B_xx * q_x + B_xy * q_y + B_xz * q_z
+    S_ddot_y = a_y + B_yx * q_x + B_yy * q_y + B_yz * q_z
+    S_ddot_z = a_z + B_zx * q_x + B_zy * q_y + B_zz * q_z
     c6 = k3 * k3
     k33 = c6
     # (8) accelerations of the joint coordinates
-    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     c7 = 2.0 * theta_dot
     # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
-    own_theta_ddot = -L_share * c7 - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - L_share * c7
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c8 = k1 * k3
     # (9) accelerations of the joint coordinates
@@ -4163,7 +4258,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     phi_ddot = own_phi_ddot - lean * two_phi_dot
     k13 = c8
     L_h2 = L * h2_x
-    a1 = L_h2 + dJ_zx
+    a1 = dJ_zx + L_h2
     a2 = J2_xz - L * h2_z
     c9 = J_xy - L * h_y
     a3 = c9
@@ -4171,7 +4266,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1 * k33 + a2 * k13
     M_theta = J_yy + L_h2
-    M_mixed = a3 * k1 + c10
+    M_mixed = c10 + a3 * k1
     c11 = h_y * k3
     k3_h = c11
     c12 = inv_rho * inv_rho
@@ -4183,15 +4278,15 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     m_leg_yy = M_phi * c12
     m_leg_yz = -M_mixed * c13
     m_leg_zz = M_theta * c14
-    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
-    m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
-    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
-    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
-    m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
-    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
-    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
-    m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
-    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    m_T_xs = m_leg_sz * z_x + m_leg_sy * y_x
+    m_T_xy = m_leg_sy * s_x + m_leg_yz * z_x + m_leg_yy * y_x
+    m_T_xz = m_leg_sz * s_x + m_leg_zz * z_x + m_leg_yz * y_x
+    m_T_ys = m_leg_sz * z_y + m_leg_sy * y_y
+    m_T_yy = m_leg_sy * s_y + m_leg_yz * z_y + m_leg_yy * y_y
+    m_T_yz = m_leg_sz * s_y + m_leg_zz * z_y + m_leg_yz * y_y
+    m_T_zs = m_leg_sz * z_z + m_leg_sy * y_z
+    m_T_zy = m_leg_sy * s_z + m_leg_yz * z_z + m_leg_yy * y_z
+    m_T_zz = m_leg_sz * s_z + m_leg_zz * z_z + m_leg_yz * y_z
     # inertia at the tip, base frame
     m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
     m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
@@ -4212,22 +4307,22 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     w_k_omega = k_x * omega_x + k_y * omega_y + k_z * omega_z
     c15 = c6 * h_x
     c16 = c15 - h_z * k1 * k3
-    tau_L = C_p * L_dot + h_z * theta_ddot - c11 * phi_ddot - c16 * c4 - c3 * h_x
+    tau_L = C_p * L_dot - c3 * h_x - c16 * c4 + h_z * theta_ddot - c11 * phi_ddot
     c18 = c7 * h_x
     c19 = 2.0 * L
     c20 = c19 * h_x
-    c21 = k1 * w_x + k3 * w_z
+    c21 = k3 * w_z + k1 * w_x
     c22 = k1 * w_z - k3 * w_x
     c24 = c10 + c9 * k1
     c25 = 2.0 * J_xz - c19 * h_z
     c26 = c25 * k1
-    c27 = J_zz + c20 - J_xx
+    c27 = J_zz - J_xx + c20
     c28 = c27 * k3
-    c29 = c26 + 2.0 * c28
+    c29 = 2.0 * c28 + c26
     c30 = 0.5 * k1
     c31 = c29 * c30 - 0.5 * c25 * c6
-    tau_theta = (C_us * theta_dot + L_ddot * h_z + L_dot * c18 + c21 * gamma_n + c24 * phi_ddot + theta_ddot
-        * (J_yy + c20) - C_s * w_y_omega - c22 * g_k - c31 * c4)
+    tau_theta = (L_ddot * h_z - c22 * g_k - c31 * c4 + C_us * theta_dot + c21 * gamma_n + L_dot * c18 - C_s
+        * w_y_omega + theta_ddot * (J_yy + c20) + c24 * phi_ddot)
     c33 = h_y * theta_dot
     c34 = c33 * k1
     c35 = L_dot * c16
@@ -4235,9 +4330,9 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     c37 = L_dot * h_y
     c38 = c37 * k1
     c39 = theta_dot * (J_yz * k1 - c9 * k3)
-    tau_phi = (C_us * phi_dot + L_dot * (c16 * phi_dot - c34) + c22 * gamma_y + c24 * theta_ddot + phi_ddot
-        * (J_xx + c25 * c8 + c27 * c6) + phi_dot * (c35 + c36) + theta_dot * (c31 * phi_dot + c39 - c38) - C_s
-        * w_k_omega - L_ddot * c11 - gamma_n * w_y)
+    tau_phi = (c22 * gamma_y - C_s * w_k_omega - L_ddot * c11 + C_us * phi_dot + phi_dot * (c35 + c36) - gamma_n
+        * w_y + theta_dot * (c39 - c38 + c31 * phi_dot) + L_dot * (c16 * phi_dot - c34) + c24 * theta_ddot + phi_ddot
+        * (J_xx + c27 * c6 + c25 * c8))
     c40 = k3 * phi_dot
     G_dot_12 = c40
     c41 = inv_L * theta_dot
@@ -4249,7 +4344,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     c44 = c40 * inv_rho
     G_dot_31 = -c44
     c45 = c1 * inv_rho
-    c46 = -c2 * inv_rho - c45
+    c46 = -c45 - c2 * inv_rho
     G_dot_32 = c46
     c47 = c42 * inv_rho
     G_dot_33 = c47
@@ -4257,22 +4352,21 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     G_ddot_11 = -c3 - c48
     c49 = k3 * phi_ddot
     c50 = c5 * k1
-    G_ddot_12 = c49 + c50 * theta_dot
+    G_ddot_12 = c50 * theta_dot + c49
     c51 = c4 * c8
     G_ddot_13 = c51 - theta_ddot
     G_ddot_21 = 2.0 * L_dot * c14 * theta_dot - c51 * inv_L - inv_L * theta_ddot
     G_ddot_22 = inv_L * k1 * phi_ddot - c41 * c5 * k3 - c43 * c50
     c52 = c4 * k1 * k1
-    G_ddot_23 = L_ddot * c14 + c3 * inv_L + c52 * inv_L - 2.0 * L_dot * L_dot * inv_L * inv_L * inv_L
-    G_ddot_31 = (c1 * c44 + c47 * theta_dot + theta_dot * (inv_rho * k3 * kappa * phi_dot - c47) - c40 * c46
+    G_ddot_23 = c3 * inv_L - 2.0 * L_dot * L_dot * inv_L * inv_L * inv_L + c52 * inv_L + L_ddot * c14
+    G_ddot_31 = (c1 * c44 + c47 * theta_dot - c40 * c46 + theta_dot * (inv_rho * k3 * kappa * phi_dot - c47)
         - c49 * inv_rho)
     c53 = inv_rho * kappa
     c54 = -c1 - c2
     c55 = inv_rho * theta_dot
-    G_ddot_32 = (L_dot * (c43 * inv_rho - c13 * c54) + theta_dot * (-c53 * c54 - c55 * (-kappa * kappa - 1.0))
-        - L_ddot * c13 - c48 * inv_rho - c52 * inv_rho - c53 * theta_ddot)
-    G_ddot_33 = (c42 * c46 + c44 * theta_dot + inv_rho * k1 * phi_ddot + theta_dot * (-c44 - c47 * kappa) - c42
-        * c45)
+    G_ddot_32 = (L_dot * (c43 * inv_rho - c13 * c54) - c48 * inv_rho - c52 * inv_rho - L_ddot * c13 + theta_dot
+        * (-c55 * (-1.0 - kappa * kappa) - c53 * c54) - c53 * theta_ddot)
+    G_ddot_33 = (c42 * c46 + c44 * theta_dot - c42 * c45 + theta_dot * (-c44 - c47 * kappa) + inv_rho * k1 * phi_ddot)
     tau_rate_12 = -c18
     tau_rate_13 = -c16 * c5
     tau_rate_21 = c18
@@ -4280,27 +4374,27 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     tau_rate_22 = C_us + L_dot * c56
     tau_rate_23 = -c31 * c5
     tau_rate_31 = 2.0 * c16 * phi_dot - 2.0 * c34
-    tau_rate_32 = c31 * c5 + 2.0 * c39 - 2.0 * c38
+    tau_rate_32 = 2.0 * c39 - 2.0 * c38 + c31 * c5
     tau_rate_33 = C_us + 2.0 * c35 + 2.0 * c36
     c57 = h_y * phi_ddot
     c58 = c56 * k3 - h_z * k1
     tau_place_12 = k1 * (-c4 * c58 - c57) - c48 * h_z
     c59 = 4.0 * h_x
-    c60 = c30 * (c59 * k3 - 2.0 * h_z * k1) + c6 * h_z
+    c60 = c6 * h_z + c30 * (c59 * k3 - 2.0 * h_z * k1)
     tau_place_21 = c56 * theta_ddot - c4 * c60 - c57 * k1
-    c61 = c30 * (2.0 * J_zz + L * c59 - 2.0 * J_xx) - c25 * k3
-    c62 = c26 + c28
-    tau_place_22 = (k1 * (J_yz * phi_ddot + g_k * w_x + gamma_n * w_z - c4 * c61) - k3 * (c9 * phi_ddot + gamma_n
-        * w_x - c4 * c62 - g_k * w_z))
-    tau_place_23 = -C_s * w_n_omega - c21 * gamma_y
+    c61 = c30 * (2.0 * J_zz - 2.0 * J_xx + L * c59) - c25 * k3
+    c62 = c28 + c26
+    tau_place_22 = (k1 * (g_k * w_x - c4 * c61 + gamma_n * w_z + J_yz * phi_ddot) - k3 * (gamma_n * w_x - g_k
+        * w_z - c4 * c62 + c9 * phi_ddot))
+    tau_place_23 = -c21 * gamma_y - C_s * w_n_omega
     c63 = c60 * phi_dot
-    tau_place_31 = (c63 * theta_dot + phi_ddot * (2.0 * c15 - 2.0 * c8 * h_z) + theta_dot * (c11 * theta_dot
-        + c63) - h_y * k1 * theta_ddot)
+    tau_place_31 = (c63 * theta_dot + theta_dot * (c11 * theta_dot + c63) + phi_ddot * (2.0 * c15 - 2.0 * c8
+        * h_z) - h_y * k1 * theta_ddot)
     c64 = L_dot * c58
-    tau_place_32 = (k1 * (J_yz * theta_ddot + c29 * phi_ddot + c64 * phi_dot + phi_dot * (c61 * theta_dot + c64)
-        + theta_dot * (c61 * phi_dot - c9 * theta_dot) - L_ddot * h_y - gamma_y * w_x) - k3 * (L_dot * (-c33
-        - c40 * h_z) + c25 * c49 + c9 * theta_ddot + gamma_y * w_z + phi_dot * (c62 * theta_dot - L_dot * h_z
-        * k3) + theta_dot * (J_yz * theta_dot + c62 * phi_dot - c37)))
+    tau_place_32 = (k1 * (c64 * phi_dot - L_ddot * h_y + phi_dot * (c64 + c61 * theta_dot) - gamma_y * w_x + theta_dot
+        * (c61 * phi_dot - c9 * theta_dot) + J_yz * theta_ddot + c29 * phi_ddot) - k3 * (gamma_y * w_z + phi_dot
+        * (c62 * theta_dot - L_dot * h_z * k3) + theta_dot * (J_yz * theta_dot - c37 + c62 * phi_dot) + c9 * theta_ddot
+        + L_dot * (-c33 - c40 * h_z) + c25 * c49))
     tau_place_33 = c22 * gamma_n + gamma_y * w_y
     c65 = inv_rho * tau_phi
     c66 = inv_L * tau_theta
@@ -4326,15 +4420,15 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     A_3_T_zy = A_3_leg_32 * z_z
     A_3_T_zz = A_3_leg_23 * y_z
     # force at the tip by omega
-    A_3_xx = A_3_T_xs * s_x + A_3_T_xy * y_x + A_3_T_xz * z_x
-    A_3_xy = A_3_T_xs * s_y + A_3_T_xy * y_y + A_3_T_xz * z_y
-    A_3_xz = A_3_T_xs * s_z + A_3_T_xy * y_z + A_3_T_xz * z_z
-    A_3_yx = A_3_T_ys * s_x + A_3_T_yy * y_x + A_3_T_yz * z_x
-    A_3_yy = A_3_T_ys * s_y + A_3_T_yy * y_y + A_3_T_yz * z_y
-    A_3_yz = A_3_T_ys * s_z + A_3_T_yy * y_z + A_3_T_yz * z_z
-    A_3_zx = A_3_T_zs * s_x + A_3_T_zy * y_x + A_3_T_zz * z_x
-    A_3_zy = A_3_T_zs * s_y + A_3_T_zy * y_y + A_3_T_zz * z_y
-    A_3_zz = A_3_T_zs * s_z + A_3_T_zy * y_z + A_3_T_zz * z_z
+    A_3_xx = A_3_T_xy * y_x + A_3_T_xs * s_x + A_3_T_xz * z_x
+    A_3_xy = A_3_T_xy * y_y + A_3_T_xs * s_y + A_3_T_xz * z_y
+    A_3_xz = A_3_T_xy * y_z + A_3_T_xs * s_z + A_3_T_xz * z_z
+    A_3_yx = A_3_T_yy * y_x + A_3_T_ys * s_x + A_3_T_yz * z_x
+    A_3_yy = A_3_T_yy * y_y + A_3_T_ys * s_y + A_3_T_yz * z_y
+    A_3_yz = A_3_T_yy * y_z + A_3_T_ys * s_z + A_3_T_yz * z_z
+    A_3_zx = A_3_T_zy * y_x + A_3_T_zs * s_x + A_3_T_zz * z_x
+    A_3_zy = A_3_T_zy * y_y + A_3_T_zs * s_y + A_3_T_zz * z_y
+    A_3_zz = A_3_T_zy * y_z + A_3_T_zs * s_z + A_3_T_zz * z_z
     c72 = C_s * k1
     f_S_leg_11 = G_dot_31 * c72
     f_S_leg_12 = C_s * (G_dot_32 * k1 - c55 * k3)
@@ -4344,27 +4438,27 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     f_S_leg_23 = C_s * G_dot_23
     c73 = C_s * k3
     f_S_leg_31 = G_dot_31 * c73
-    f_S_leg_32 = C_s * (G_dot_32 * k3 + c55 * k1)
+    f_S_leg_32 = C_s * (c55 * k1 + G_dot_32 * k3)
     f_S_leg_33 = G_dot_33 * c73
-    f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
-    f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
-    f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
-    f_S_T_ys = f_S_leg_11 * s_y + f_S_leg_21 * y_y + f_S_leg_31 * z_y
-    f_S_T_yy = f_S_leg_12 * s_y + f_S_leg_22 * y_y + f_S_leg_32 * z_y
-    f_S_T_yz = f_S_leg_13 * s_y + f_S_leg_23 * y_y + f_S_leg_33 * z_y
-    f_S_T_zs = f_S_leg_11 * s_z + f_S_leg_21 * y_z + f_S_leg_31 * z_z
-    f_S_T_zy = f_S_leg_12 * s_z + f_S_leg_22 * y_z + f_S_leg_32 * z_z
-    f_S_T_zz = f_S_leg_13 * s_z + f_S_leg_23 * y_z + f_S_leg_33 * z_z
+    f_S_T_xs = f_S_leg_21 * y_x + f_S_leg_11 * s_x + f_S_leg_31 * z_x
+    f_S_T_xy = f_S_leg_22 * y_x + f_S_leg_12 * s_x + f_S_leg_32 * z_x
+    f_S_T_xz = f_S_leg_23 * y_x + f_S_leg_13 * s_x + f_S_leg_33 * z_x
+    f_S_T_ys = f_S_leg_21 * y_y + f_S_leg_11 * s_y + f_S_leg_31 * z_y
+    f_S_T_yy = f_S_leg_22 * y_y + f_S_leg_12 * s_y + f_S_leg_32 * z_y
+    f_S_T_yz = f_S_leg_23 * y_y + f_S_leg_13 * s_y + f_S_leg_33 * z_y
+    f_S_T_zs = f_S_leg_21 * y_z + f_S_leg_11 * s_z + f_S_leg_31 * z_z
+    f_S_T_zy = f_S_leg_22 * y_z + f_S_leg_12 * s_z + f_S_leg_32 * z_z
+    f_S_T_zz = f_S_leg_23 * y_z + f_S_leg_13 * s_z + f_S_leg_33 * z_z
     # friction moment by S
-    f_S_xx = f_S_T_xs * s_x + f_S_T_xy * y_x + f_S_T_xz * z_x
-    f_S_xy = f_S_T_xs * s_y + f_S_T_xy * y_y + f_S_T_xz * z_y
-    f_S_xz = f_S_T_xs * s_z + f_S_T_xy * y_z + f_S_T_xz * z_z
-    f_S_yx = f_S_T_ys * s_x + f_S_T_yy * y_x + f_S_T_yz * z_x
-    f_S_yy = f_S_T_ys * s_y + f_S_T_yy * y_y + f_S_T_yz * z_y
-    f_S_yz = f_S_T_ys * s_z + f_S_T_yy * y_z + f_S_T_yz * z_z
-    f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
-    f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
-    f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
+    f_S_xx = f_S_T_xz * z_x + f_S_T_xs * s_x + f_S_T_xy * y_x
+    f_S_xy = f_S_T_xz * z_y + f_S_T_xs * s_y + f_S_T_xy * y_y
+    f_S_xz = f_S_T_xz * z_z + f_S_T_xs * s_z + f_S_T_xy * y_z
+    f_S_yx = f_S_T_yz * z_x + f_S_T_ys * s_x + f_S_T_yy * y_x
+    f_S_yy = f_S_T_yz * z_y + f_S_T_ys * s_y + f_S_T_yy * y_y
+    f_S_yz = f_S_T_yz * z_z + f_S_T_ys * s_z + f_S_T_yy * y_z
+    f_S_zx = f_S_T_zz * z_x + f_S_T_zs * s_x + f_S_T_zy * y_x
+    f_S_zy = f_S_T_zz * z_y + f_S_T_zs * s_y + f_S_T_zy * y_y
+    f_S_zz = f_S_T_zz * z_z + f_S_T_zs * s_z + f_S_T_zy * y_z
     f_S_dot_leg_12 = c69
     f_S_dot_leg_23 = -c71
     f_S_dot_leg_32 = c70
@@ -4384,26 +4478,26 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
     f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
     f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
-    A_0_leg_11 = G_ddot_21 * h_z + G_dot_21 * tau_rate_12 + G_dot_31 * tau_rate_13 - G_ddot_31 * k3_h
-    A_0_leg_12 = (C_p * G_dot_12 + G_ddot_22 * h_z + G_dot_22 * tau_rate_12 + G_dot_32 * tau_rate_13 - G_ddot_32
+    A_0_leg_11 = G_dot_21 * tau_rate_12 + G_dot_31 * tau_rate_13 + G_ddot_21 * h_z - G_ddot_31 * k3_h
+    A_0_leg_12 = (C_p * G_dot_12 + G_dot_22 * tau_rate_12 + G_dot_32 * tau_rate_13 + G_ddot_22 * h_z - G_ddot_32
         * k3_h - c12 * k3 * tau_phi)
     c74 = c14 * tau_theta
-    A_0_leg_13 = (G_ddot_23 * h_z + G_dot_23 * tau_rate_12 + G_dot_33 * tau_rate_13 + c74 - C_p * theta_dot
+    A_0_leg_13 = (G_ddot_23 * h_z - C_p * theta_dot + G_dot_23 * tau_rate_12 + G_dot_33 * tau_rate_13 + c74
         - G_ddot_33 * k3_h - inv_L * tau_place_12)
     c75 = c13 * tau_phi
-    A_0_leg_21 = (inv_rho * (G_ddot_21 * M_mixed + G_ddot_31 * M_phi + G_dot_21 * tau_rate_32 + G_dot_31 * tau_rate_33
-        + tau_place_31 - G_ddot_11 * k3_h) - c75)
-    A_0_leg_22 = (c13 * k1 * tau_theta + c67 * inv_rho * k3 + inv_rho * (G_ddot_22 * M_mixed + G_ddot_32 * M_phi
-        + G_dot_12 * tau_rate_31 + G_dot_22 * tau_rate_32 + G_dot_32 * tau_rate_33 + inv_rho * tau_place_33
-        - G_ddot_12 * k3_h))
-    A_0_leg_23 = (c75 * kappa + inv_rho * (G_ddot_23 * M_mixed + G_ddot_33 * M_phi + G_dot_23 * tau_rate_32
-        + G_dot_33 * tau_rate_33 - G_ddot_13 * k3_h - inv_L * tau_place_32 - tau_rate_31 * theta_dot))
-    A_0_leg_31 = (c74 - inv_L * (G_ddot_11 * h_z + G_ddot_21 * M_theta + G_ddot_31 * M_mixed + G_dot_21 * tau_rate_22
-        + G_dot_31 * tau_rate_23 + tau_place_21))
-    A_0_leg_32 = (c12 * k1 * tau_phi - inv_L * (G_ddot_12 * h_z + G_ddot_22 * M_theta + G_ddot_32 * M_mixed
-        + G_dot_12 * tau_rate_21 + G_dot_22 * tau_rate_22 + G_dot_32 * tau_rate_23 + inv_rho * tau_place_23))
-    A_0_leg_33 = (c67 * inv_L - inv_L * (G_ddot_13 * h_z + G_ddot_23 * M_theta + G_ddot_33 * M_mixed + G_dot_23
-        * tau_rate_22 + G_dot_33 * tau_rate_23 - inv_L * tau_place_22 - tau_rate_21 * theta_dot))
+    A_0_leg_21 = (inv_rho * (G_dot_21 * tau_rate_32 - G_ddot_11 * k3_h + G_dot_31 * tau_rate_33 + G_ddot_21
+        * M_mixed + tau_place_31 + G_ddot_31 * M_phi) - c75)
+    A_0_leg_22 = (c13 * k1 * tau_theta + c67 * inv_rho * k3 + inv_rho * (G_dot_32 * tau_rate_33 + inv_rho * tau_place_33
+        + G_dot_12 * tau_rate_31 + G_dot_22 * tau_rate_32 + G_ddot_22 * M_mixed + G_ddot_32 * M_phi - G_ddot_12
+        * k3_h))
+    A_0_leg_23 = (c75 * kappa + inv_rho * (G_ddot_23 * M_mixed + G_dot_33 * tau_rate_33 + G_dot_23 * tau_rate_32
+        - tau_rate_31 * theta_dot - G_ddot_13 * k3_h + G_ddot_33 * M_phi - inv_L * tau_place_32))
+    A_0_leg_31 = (c74 - inv_L * (G_ddot_11 * h_z + G_dot_21 * tau_rate_22 + G_dot_31 * tau_rate_23 + G_ddot_21
+        * M_theta + tau_place_21 + G_ddot_31 * M_mixed))
+    A_0_leg_32 = (c12 * k1 * tau_phi - inv_L * (G_dot_12 * tau_rate_21 + G_dot_22 * tau_rate_22 + G_dot_32 * tau_rate_23
+        + inv_rho * tau_place_23 + G_ddot_12 * h_z + G_ddot_22 * M_theta + G_ddot_32 * M_mixed))
+    A_0_leg_33 = (c67 * inv_L - inv_L * (G_ddot_23 * M_theta + G_dot_23 * tau_rate_22 - tau_rate_21 * theta_dot
+        + G_dot_33 * tau_rate_23 + G_ddot_13 * h_z + G_ddot_33 * M_mixed - inv_L * tau_place_22))
     A_0_T_xs = A_0_leg_11 * s_x + A_0_leg_21 * y_x + A_0_leg_31 * z_x
     A_0_T_xy = A_0_leg_12 * s_x + A_0_leg_22 * y_x + A_0_leg_32 * z_x
     A_0_T_xz = A_0_leg_13 * s_x + A_0_leg_23 * y_x + A_0_leg_33 * z_x
@@ -4427,57 +4521,57 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     c77 = 2.0 * k3_h
     A_1_leg_11 = C_p + G_dot_21 * c76 - G_dot_31 * c77
     A_1_leg_12 = G_dot_22 * c76 + inv_rho * tau_rate_13 - G_dot_32 * c77
-    A_1_leg_13 = 2.0 * G_dot_23 * h_z - G_dot_33 * c77 - inv_L * tau_rate_12
+    A_1_leg_13 = 2.0 * G_dot_23 * h_z - inv_L * tau_rate_12 - G_dot_33 * c77
     c78 = 2.0 * M_mixed
     c79 = 2.0 * M_phi
-    A_1_leg_21 = inv_rho * (G_dot_21 * c78 + G_dot_31 * c79 + tau_rate_31)
-    A_1_leg_22 = inv_rho * (G_dot_22 * c78 + G_dot_32 * c79 + inv_rho * tau_rate_33 - G_dot_12 * c77)
-    A_1_leg_23 = inv_rho * (G_dot_23 * c78 + G_dot_33 * c79 + c7 * k3_h - inv_L * tau_rate_32)
+    A_1_leg_21 = inv_rho * (G_dot_21 * c78 + tau_rate_31 + G_dot_31 * c79)
+    A_1_leg_22 = inv_rho * (inv_rho * tau_rate_33 + G_dot_22 * c78 + G_dot_32 * c79 - G_dot_12 * c77)
+    A_1_leg_23 = inv_rho * (G_dot_23 * c78 + c7 * k3_h + G_dot_33 * c79 - inv_L * tau_rate_32)
     c80 = 2.0 * M_theta
-    A_1_leg_31 = -inv_L * (G_dot_21 * c80 + G_dot_31 * c78 + tau_rate_21)
+    A_1_leg_31 = -inv_L * (tau_rate_21 + G_dot_21 * c80 + G_dot_31 * c78)
     A_1_leg_32 = -inv_L * (G_dot_12 * c76 + G_dot_22 * c80 + G_dot_32 * c78 + inv_rho * tau_rate_23)
-    A_1_leg_33 = -inv_L * (G_dot_23 * c80 + G_dot_33 * c78 - c7 * h_z - inv_L * tau_rate_22)
+    A_1_leg_33 = -inv_L * (G_dot_23 * c80 - inv_L * tau_rate_22 - c7 * h_z + G_dot_33 * c78)
     A_1_T_xs = A_1_leg_11 * s_x + A_1_leg_21 * y_x + A_1_leg_31 * z_x
     A_1_T_xy = A_1_leg_12 * s_x + A_1_leg_22 * y_x + A_1_leg_32 * z_x
-    A_1_T_xz = A_1_leg_13 * s_x + A_1_leg_23 * y_x + A_1_leg_33 * z_x
+    A_1_T_xz = A_1_leg_13 * s_x + A_1_leg_33 * z_x + A_1_leg_23 * y_x
     A_1_T_ys = A_1_leg_11 * s_y + A_1_leg_21 * y_y + A_1_leg_31 * z_y
     A_1_T_yy = A_1_leg_12 * s_y + A_1_leg_22 * y_y + A_1_leg_32 * z_y
-    A_1_T_yz = A_1_leg_13 * s_y + A_1_leg_23 * y_y + A_1_leg_33 * z_y
+    A_1_T_yz = A_1_leg_13 * s_y + A_1_leg_33 * z_y + A_1_leg_23 * y_y
     A_1_T_zs = A_1_leg_11 * s_z + A_1_leg_21 * y_z + A_1_leg_31 * z_z
     A_1_T_zy = A_1_leg_12 * s_z + A_1_leg_22 * y_z + A_1_leg_32 * z_z
-    A_1_T_zz = A_1_leg_13 * s_z + A_1_leg_23 * y_z + A_1_leg_33 * z_z
+    A_1_T_zz = A_1_leg_13 * s_z + A_1_leg_33 * z_z + A_1_leg_23 * y_z
     # force at the tip by S_dot
-    A_1_xx = A_1_T_xs * s_x + A_1_T_xy * y_x + A_1_T_xz * z_x
-    A_1_xy = A_1_T_xs * s_y + A_1_T_xy * y_y + A_1_T_xz * z_y
-    A_1_xz = A_1_T_xs * s_z + A_1_T_xy * y_z + A_1_T_xz * z_z
-    A_1_yx = A_1_T_ys * s_x + A_1_T_yy * y_x + A_1_T_yz * z_x
-    A_1_yy = A_1_T_ys * s_y + A_1_T_yy * y_y + A_1_T_yz * z_y
-    A_1_yz = A_1_T_ys * s_z + A_1_T_yy * y_z + A_1_T_yz * z_z
-    A_1_zx = A_1_T_zs * s_x + A_1_T_zy * y_x + A_1_T_zz * z_x
-    A_1_zy = A_1_T_zs * s_y + A_1_T_zy * y_y + A_1_T_zz * z_y
-    A_1_zz = A_1_T_zs * s_z + A_1_T_zy * y_z + A_1_T_zz * z_z
+    A_1_xx = A_1_T_xz * z_x + A_1_T_xs * s_x + A_1_T_xy * y_x
+    A_1_xy = A_1_T_xz * z_y + A_1_T_xs * s_y + A_1_T_xy * y_y
+    A_1_xz = A_1_T_xz * z_z + A_1_T_xs * s_z + A_1_T_xy * y_z
+    A_1_yx = A_1_T_yz * z_x + A_1_T_ys * s_x + A_1_T_yy * y_x
+    A_1_yy = A_1_T_yz * z_y + A_1_T_ys * s_y + A_1_T_yy * y_y
+    A_1_yz = A_1_T_yz * z_z + A_1_T_ys * s_z + A_1_T_yy * y_z
+    A_1_zx = A_1_T_zz * z_x + A_1_T_zs * s_x + A_1_T_zy * y_x
+    A_1_zy = A_1_T_zz * z_y + A_1_T_zs * s_y + A_1_T_zy * y_y
+    A_1_zz = A_1_T_zz * z_z + A_1_T_zs * s_z + A_1_T_zy * y_z
     # force by rotation about the tip
-    X_xx = A_0_xx + A_1_xy * omega_z + B_xx * m_xx + B_yx * m_xy + B_zx * m_xz - A_1_xz * omega_y
-    X_xy = A_0_xy + A_1_xz * omega_x + B_xy * m_xx + B_yy * m_xy + B_zy * m_xz - A_1_xx * omega_z
-    X_xz = A_0_xz + A_1_xx * omega_y + B_xz * m_xx + B_yz * m_xy + B_zz * m_xz - A_1_xy * omega_x
-    X_yx = A_0_yx + A_1_yy * omega_z + B_xx * m_xy + B_yx * m_yy + B_zx * m_yz - A_1_yz * omega_y
-    X_yy = A_0_yy + A_1_yz * omega_x + B_xy * m_xy + B_yy * m_yy + B_zy * m_yz - A_1_yx * omega_z
-    X_yz = A_0_yz + A_1_yx * omega_y + B_xz * m_xy + B_yz * m_yy + B_zz * m_yz - A_1_yy * omega_x
-    X_zx = A_0_zx + A_1_zy * omega_z + B_xx * m_xz + B_yx * m_yz + B_zx * m_zz - A_1_zz * omega_y
-    X_zy = A_0_zy + A_1_zz * omega_x + B_xy * m_xz + B_yy * m_yz + B_zy * m_zz - A_1_zx * omega_z
-    X_zz = A_0_zz + A_1_zx * omega_y + B_xz * m_xz + B_yz * m_yz + B_zz * m_zz - A_1_zy * omega_x
+    X_xx = B_xx * m_xx + B_yx * m_xy + B_zx * m_xz + A_1_xy * omega_z - A_1_xz * omega_y + A_0_xx
+    X_xy = B_xy * m_xx + B_yy * m_xy + B_zy * m_xz + A_1_xz * omega_x - A_1_xx * omega_z + A_0_xy
+    X_xz = B_xz * m_xx + B_yz * m_xy + B_zz * m_xz + A_1_xx * omega_y - A_1_xy * omega_x + A_0_xz
+    X_yx = B_xx * m_xy + B_yx * m_yy + B_zx * m_yz + A_1_yy * omega_z - A_1_yz * omega_y + A_0_yx
+    X_yy = B_xy * m_xy + B_yy * m_yy + B_zy * m_yz + A_1_yz * omega_x - A_1_yx * omega_z + A_0_yy
+    X_yz = B_xz * m_xy + B_yz * m_yy + B_zz * m_yz + A_1_yx * omega_y - A_1_yy * omega_x + A_0_yz
+    X_zx = B_xx * m_xz + B_yx * m_yz + B_zx * m_zz + A_1_zy * omega_z - A_1_zz * omega_y + A_0_zx
+    X_zy = B_xy * m_xz + B_yy * m_yz + B_zy * m_zz + A_1_zz * omega_x - A_1_zx * omega_z + A_0_zy
+    X_zz = B_xz * m_xz + B_yz * m_yz + B_zz * m_zz + A_1_zx * omega_y - A_1_zy * omega_x + A_0_zz
     c81 = m_xy * omega_z
     c82 = m_xz * omega_y
-    Y_xx = A_1_xx + c81 - c82
-    Y_xy = A_1_xy + m_xz * omega_x - m_xx * omega_z
-    Y_xz = A_1_xz + m_xx * omega_y - m_xy * omega_x
-    Y_yx = A_1_yx + m_yy * omega_z - m_yz * omega_y
+    Y_xx = c81 - c82 + A_1_xx
+    Y_xy = m_xz * omega_x - m_xx * omega_z + A_1_xy
+    Y_xz = m_xx * omega_y - m_xy * omega_x + A_1_xz
+    Y_yx = m_yy * omega_z - m_yz * omega_y + A_1_yx
     c83 = m_yz * omega_x
-    Y_yy = A_1_yy + c83 - c81
-    Y_yz = A_1_yz + m_xy * omega_y - m_yy * omega_x
-    Y_zx = A_1_zx + m_yz * omega_z - m_zz * omega_y
-    Y_zy = A_1_zy + m_zz * omega_x - m_xz * omega_z
-    Y_zz = A_1_zz + c82 - c83
+    Y_yy = c83 - c81 + A_1_yy
+    Y_yz = m_xy * omega_y - m_yy * omega_x + A_1_yz
+    Y_zx = m_yz * omega_z - m_zz * omega_y + A_1_zx
+    Y_zy = m_zz * omega_x - m_xz * omega_z + A_1_zy
+    Y_zz = c82 - c83 + A_1_zz
     Z_xx = X_xz * q_y - X_xy * q_z
     Z_xy = X_xx * q_z - X_xz * q_x
     Z_xz = X_xy * q_x - X_xx * q_y
@@ -4489,16 +4583,16 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     Z_zz = X_zy * q_x - X_zx * q_y
     c84 = m_xz * w_q_y
     c85 = m_xy * w_q_z
-    V_xx = A_3_xx + Y_xz * q_y + c84 - Y_xy * q_z - c85
-    V_xy = A_3_xy + Y_xx * q_z + m_xx * w_q_z - Y_xz * q_x - m_xz * w_q_x
-    V_xz = A_3_xz + Y_xy * q_x + m_xy * w_q_x - Y_xx * q_y - m_xx * w_q_y
-    V_yx = A_3_yx + Y_yz * q_y + m_yz * w_q_y - Y_yy * q_z - m_yy * w_q_z
+    V_xx = A_3_xx + c84 - c85 + Y_xz * q_y - Y_xy * q_z
+    V_xy = A_3_xy + m_xx * w_q_z - m_xz * w_q_x + Y_xx * q_z - Y_xz * q_x
+    V_xz = A_3_xz + m_xy * w_q_x - m_xx * w_q_y + Y_xy * q_x - Y_xx * q_y
+    V_yx = A_3_yx + m_yz * w_q_y - m_yy * w_q_z + Y_yz * q_y - Y_yy * q_z
     c86 = m_yz * w_q_x
-    V_yy = A_3_yy + Y_yx * q_z + c85 - Y_yz * q_x - c86
-    V_yz = A_3_yz + Y_yy * q_x + m_yy * w_q_x - Y_yx * q_y - m_xy * w_q_y
-    V_zx = A_3_zx + Y_zz * q_y + m_zz * w_q_y - Y_zy * q_z - m_yz * w_q_z
-    V_zy = A_3_zy + Y_zx * q_z + m_xz * w_q_z - Y_zz * q_x - m_zz * w_q_x
-    V_zz = A_3_zz + Y_zy * q_x + c86 - Y_zx * q_y - c84
+    V_yy = A_3_yy + c85 - c86 + Y_yx * q_z - Y_yz * q_x
+    V_yz = A_3_yz + m_yy * w_q_x - m_xy * w_q_y + Y_yy * q_x - Y_yx * q_y
+    V_zx = A_3_zx + m_zz * w_q_y - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
+    V_zy = A_3_zy + m_xz * w_q_z - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
+    V_zz = A_3_zz + c86 - c84 + Y_zy * q_x - Y_zx * q_y
     c87 = m_xy * q_z
     c88 = m_xz * q_y
     c89 = -m_yz * q_x
@@ -4514,16 +4608,16 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     m_q_zz = c88 + c89
     c90 = R_tip_y * q_y
     c91 = R_tip_z * q_z
-    c92 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
-    c93 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
-    c94 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
-    c95 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
-    c96 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c92 = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
+    c93 = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy
+    c94 = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx
+    c95 = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy
+    c96 = f_S_dot_yx * omega_y - f_S_dot_yy * omega_x + f_S_yz
     c97 = R_tip_x * q_x
-    c98 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
-    c99 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
-    c100 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
-    c101 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    c98 = f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx
+    c99 = f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy
+    c100 = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz
+    c101 = f_S_dot_zy * omega_z - f_S_dot_zz * omega_y + f_S_zx
     out = DerivativesLeg()
     out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
     out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
@@ -4538,39 +4632,39 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     out.W_ft = [A_0_xx, A_0_xy, A_0_xz, A_0_yx, A_0_yy, A_0_yz, A_0_zx, A_0_zy, A_0_zz]
     out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
     out.W_mt = [
-        A_0_zx * q_y - A_0_yx * q_z - f_S_xx,
-        A_0_zy * q_y - A_0_yy * q_z - f_S_xy,
-        A_0_zz * q_y - A_0_yz * q_z - f_S_xz,
-        A_0_xx * q_z - A_0_zx * q_x - f_S_yx,
-        A_0_xy * q_z - A_0_zy * q_x - f_S_yy,
-        A_0_xz * q_z - A_0_zz * q_x - f_S_yz,
-        A_0_yx * q_x - A_0_xx * q_y - f_S_zx,
-        A_0_yy * q_x - A_0_xy * q_y - f_S_zy,
-        A_0_yz * q_x - A_0_xz * q_y - f_S_zz,
+        A_0_zx * q_y - f_S_xx - A_0_yx * q_z,
+        A_0_zy * q_y - f_S_xy - A_0_yy * q_z,
+        A_0_zz * q_y - f_S_xz - A_0_yz * q_z,
+        A_0_xx * q_z - f_S_yx - A_0_zx * q_x,
+        A_0_xy * q_z - f_S_yy - A_0_zy * q_x,
+        A_0_xz * q_z - f_S_yz - A_0_zz * q_x,
+        A_0_yx * q_x - f_S_zx - A_0_xx * q_y,
+        A_0_yy * q_x - f_S_zy - A_0_xy * q_y,
+        A_0_yz * q_x - f_S_zz - A_0_xz * q_y,
     ]
     out.W_mr = [
-        Z_zx * q_y + c93 * q_z - Z_yx * q_z - c90 - c91 - c92 * q_y,
+        Z_zx * q_y + c93 * q_z - c90 - c91 - Z_yx * q_z - c92 * q_y,
         R_tip_y * q_x + Z_zy * q_y + c92 * q_x - Z_yy * q_z - c94 * q_z,
         R_tip_z * q_x + Z_zz * q_y + c94 * q_y - Z_yz * q_z - c93 * q_x,
         R_tip_x * q_y + Z_xx * q_z + c95 * q_z - Z_zx * q_x - c96 * q_y,
-        Z_xy * q_z + c96 * q_x - Z_zy * q_x - c91 - c97 - c98 * q_z,
+        Z_xy * q_z + c96 * q_x - c91 - c97 - Z_zy * q_x - c98 * q_z,
         R_tip_z * q_y + Z_xz * q_z + c98 * q_y - Z_zz * q_x - c95 * q_x,
         R_tip_x * q_z + Z_yx * q_x + c99 * q_z - Z_xx * q_y - c100 * q_y,
         R_tip_y * q_z + Z_yy * q_x + c100 * q_x - Z_xy * q_y - c101 * q_z,
-        Z_yz * q_x + c101 * q_y - Z_xz * q_y - c90 - c97 - c99 * q_x,
+        Z_yz * q_x + c101 * q_y - c90 - c97 - Z_xz * q_y - c99 * q_x,
     ]
     out.W_fv = [A_1_xx, A_1_xy, A_1_xz, A_1_yx, A_1_yy, A_1_yz, A_1_zx, A_1_zy, A_1_zz]
     out.W_fw = [V_xx, V_xy, V_xz, V_yx, V_yy, V_yz, V_zx, V_zy, V_zz]
     out.W_mv = [
-        A_1_zx * q_y - A_1_yx * q_z - f_S_dot_xx,
-        A_1_zy * q_y - A_1_yy * q_z - f_S_dot_xy,
-        A_1_zz * q_y - A_1_yz * q_z - f_S_dot_xz,
-        A_1_xx * q_z - A_1_zx * q_x - f_S_dot_yx,
-        A_1_xy * q_z - A_1_zy * q_x - f_S_dot_yy,
-        A_1_xz * q_z - A_1_zz * q_x - f_S_dot_yz,
-        A_1_yx * q_x - A_1_xx * q_y - f_S_dot_zx,
-        A_1_yy * q_x - A_1_xy * q_y - f_S_dot_zy,
-        A_1_yz * q_x - A_1_xz * q_y - f_S_dot_zz,
+        A_1_zx * q_y - f_S_dot_xx - A_1_yx * q_z,
+        A_1_zy * q_y - f_S_dot_xy - A_1_yy * q_z,
+        A_1_zz * q_y - f_S_dot_xz - A_1_yz * q_z,
+        A_1_xx * q_z - f_S_dot_yx - A_1_zx * q_x,
+        A_1_xy * q_z - f_S_dot_yy - A_1_zy * q_x,
+        A_1_xz * q_z - f_S_dot_yz - A_1_zz * q_x,
+        A_1_yx * q_x - f_S_dot_zx - A_1_xx * q_y,
+        A_1_yy * q_x - f_S_dot_zy - A_1_xy * q_y,
+        A_1_yz * q_x - f_S_dot_zz - A_1_xz * q_y,
     ]
     out.W_mw = [
         V_zx * q_y + f_S_dot_xy * q_z - V_yx * q_z - f_S_dot_xz * q_y,
@@ -4672,9 +4766,9 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -4732,20 +4826,20 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     # (6) leg's turning about z
     W_z = c1 * inv_L
     # (7) acceleration of the platform point
-    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
-    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
-    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    S_ddot_x = a_x + B_xx * q_x + B_xy * q_y + B_xz * q_z
+    S_ddot_y = a_y + B_yx * q_x + B_yy * q_y + B_yz * q_z
+    S_ddot_z = a_z + B_zx * q_x + B_zy * q_y + B_zz * q_z
     c4 = k3 * k3
     # (8) acceleration of the length
-    L_ddot = L * (c4 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    L_ddot = L * (theta_dot2 + c4 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     c5 = 2.0 * L_share
     # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
-    own_y = -c5 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_y = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - c5 * theta_dot
     own_z = inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c5
     k33 = c4
     k13 = k1 * k3
     L_h2 = L * h2_x
-    a1 = L_h2 + dJ_zx
+    a1 = dJ_zx + L_h2
     a2 = J2_xz - L * h2_z
     c6 = L * h_y
     a3 = J_xy - c6
@@ -4753,7 +4847,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     # (19) inertia of the joint coordinates
     M_phi = J_xx + a1 * k33 + a2 * k13
     M_theta = J_yy + L_h2
-    M_mixed = a3 * k1 + c7
+    M_mixed = c7 + a3 * k1
     c8 = h_y * k3
     k3_h = c8
     c9 = h_z * inv_L
@@ -4764,22 +4858,22 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     m_leg_yy = M_phi * inv_rho * inv_rho
     m_leg_yz = -M_mixed * inv_L * inv_rho
     m_leg_zz = M_theta * c10
-    m_T_xs = m_leg_sy * y_x + m_leg_sz * z_x
+    m_T_xs = m_leg_sz * z_x + m_leg_sy * y_x
     m_T_xy = m_leg_sy * s_x + m_leg_yy * y_x + m_leg_yz * z_x
-    m_T_xz = m_leg_sz * s_x + m_leg_yz * y_x + m_leg_zz * z_x
-    m_T_ys = m_leg_sy * y_y + m_leg_sz * z_y
+    m_T_xz = m_leg_sz * s_x + m_leg_zz * z_x + m_leg_yz * y_x
+    m_T_ys = m_leg_sz * z_y + m_leg_sy * y_y
     m_T_yy = m_leg_sy * s_y + m_leg_yy * y_y + m_leg_yz * z_y
-    m_T_yz = m_leg_sz * s_y + m_leg_yz * y_y + m_leg_zz * z_y
-    m_T_zs = m_leg_sy * y_z + m_leg_sz * z_z
+    m_T_yz = m_leg_sz * s_y + m_leg_zz * z_y + m_leg_yz * y_y
+    m_T_zs = m_leg_sz * z_z + m_leg_sy * y_z
     m_T_zy = m_leg_sy * s_z + m_leg_yy * y_z + m_leg_yz * z_z
-    m_T_zz = m_leg_sz * s_z + m_leg_yz * y_z + m_leg_zz * z_z
+    m_T_zz = m_leg_sz * s_z + m_leg_zz * z_z + m_leg_yz * y_z
     # inertia at the tip, base frame
-    m_xx = m_T_xs * s_x + m_T_xy * y_x + m_T_xz * z_x
-    m_xy = m_T_xs * s_y + m_T_xy * y_y + m_T_xz * z_y
-    m_xz = m_T_xs * s_z + m_T_xy * y_z + m_T_xz * z_z
-    m_yy = m_T_ys * s_y + m_T_yy * y_y + m_T_yz * z_y
-    m_yz = m_T_ys * s_z + m_T_yy * y_z + m_T_yz * z_z
-    m_zz = m_T_zs * s_z + m_T_zy * y_z + m_T_zz * z_z
+    m_xx = m_T_xs * s_x + m_T_xz * z_x + m_T_xy * y_x
+    m_xy = m_T_xs * s_y + m_T_xz * z_y + m_T_xy * y_y
+    m_xz = m_T_xs * s_z + m_T_xz * z_z + m_T_xy * y_z
+    m_yy = m_T_ys * s_y + m_T_yz * z_y + m_T_yy * y_y
+    m_yz = m_T_ys * s_z + m_T_yz * z_z + m_T_yy * y_z
+    m_zz = m_T_zs * s_z + m_T_zz * z_z + m_T_zy * y_z
     # gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
     gamma_y = g_x * y_x + g_y * y_y + g_z * y_z
@@ -4802,7 +4896,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c19 = c12 * h_z
     c20 = inv_k3 * k1
     c21 = 2.0 * c20
-    tau_L = C_p * L_dot + c15 * c18 + c19 * c21 + h_z * own_y - c11 - c13 - c14
+    tau_L = C_p * L_dot - c13 - c14 + c19 * c21 + h_z * own_y + c15 * c18 - c11
     c22 = C_us * theta_dot
     c23 = J_yy * own_y
     c24 = J_yz * own_z
@@ -4836,8 +4930,8 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c53 = J_xx - J_zz
     c54 = J_yy + c53
     c55 = c54 * k1
-    tau_theta = (L * c19 * c49 + c22 + c23 + c24 + c25 + c28 + c30 + c32 + c34 + c35 * c36 + c37 * h_x + c42
-        + c44 + c45 * c49 + c51 * c55 - c19 * c35 - c26 - c34 * c49 - c39 - c40 * c48 - c45 - c47 - c50)
+    tau_theta = (c44 - c50 + L * c19 * c49 + c28 - c19 * c35 + c51 * c55 + c25 - c39 + c22 + c30 + c32 + c34
+        + c37 * h_x - c26 + c23 + c35 * c36 + c45 * c49 - c34 * c49 - c45 + c24 - c47 + c42 - c40 * c48)
     c56 = C_s * w_k_omega
     c57 = gamma_n * w_y
     c58 = c41 * own_y
@@ -4859,17 +4953,17 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c75 = 2.0 * J_xx
     c76 = c49 * c75
     c77 = W_z * theta_dot
-    tau_phi = (C_us * c16 + J_xx * c40 + L_dot * W_z * c69 * k3 + c12 * c72 + c3 * c72 + c35 * c67 * h_x + c35
-        * c73 * h_z + c58 + c59 + c60 * c61 + c63 + c64 + c65 + c7 * own_y - L_ddot * c8 - L_dot * c68 * c70
-        - c15 * c37 - c16 * c66 - c27 * gamma_y - c35 * c68 * own_z - c48 * own_y - c51 * c6 - c53 * c67 - c56
-        - c57 - c62 * k3 - c71 * k3 - c76 * c77 * k1)
+    tau_phi = (c63 - c56 + c12 * c72 + c3 * c72 - c62 * k3 - c71 * k3 - c51 * c6 + c64 + c65 - L_ddot * c8 + c59
+        - c27 * gamma_y - c57 + C_us * c16 + c58 + c7 * own_y - c15 * c37 + L_dot * W_z * c69 * k3 - c16 * c66
+        - c48 * own_y + c35 * c73 * h_z - L_dot * c68 * c70 - c76 * c77 * k1 + J_xx * c40 + c60 * c61 + c35
+        * c67 * h_x - c35 * c68 * own_z - c53 * c67)
     c78 = inv_rho * tau_phi
     c79 = inv_L * tau_theta
     c80 = tau_L - F
     # force at the tip, less the actuator's
-    R_tip_x = c78 * y_x + c80 * s_x - c79 * z_x
-    R_tip_y = c78 * y_y + c80 * s_y - c79 * z_y
-    R_tip_z = c78 * y_z + c80 * s_z - c79 * z_z
+    R_tip_x = c80 * s_x - c79 * z_x + c78 * y_x
+    R_tip_y = c80 * s_y - c79 * z_y + c78 * y_y
+    R_tip_z = c80 * s_z - c79 * z_z + c78 * y_z
     c81 = C_s * inv_rho
     c82 = c81 * k1
     A_3_leg_21 = -c82
@@ -4887,15 +4981,15 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     A_3_T_zy = A_3_leg_32 * z_z
     A_3_T_zz = A_3_leg_23 * y_z
     # force at the tip by omega
-    A_3_xx = A_3_T_xs * s_x + A_3_T_xy * y_x + A_3_T_xz * z_x
-    A_3_xy = A_3_T_xs * s_y + A_3_T_xy * y_y + A_3_T_xz * z_y
-    A_3_xz = A_3_T_xs * s_z + A_3_T_xy * y_z + A_3_T_xz * z_z
-    A_3_yx = A_3_T_ys * s_x + A_3_T_yy * y_x + A_3_T_yz * z_x
-    A_3_yy = A_3_T_ys * s_y + A_3_T_yy * y_y + A_3_T_yz * z_y
-    A_3_yz = A_3_T_ys * s_z + A_3_T_yy * y_z + A_3_T_yz * z_z
-    A_3_zx = A_3_T_zs * s_x + A_3_T_zy * y_x + A_3_T_zz * z_x
-    A_3_zy = A_3_T_zs * s_y + A_3_T_zy * y_y + A_3_T_zz * z_y
-    A_3_zz = A_3_T_zs * s_z + A_3_T_zy * y_z + A_3_T_zz * z_z
+    A_3_xx = A_3_T_xy * y_x + A_3_T_xs * s_x + A_3_T_xz * z_x
+    A_3_xy = A_3_T_xy * y_y + A_3_T_xs * s_y + A_3_T_xz * z_y
+    A_3_xz = A_3_T_xy * y_z + A_3_T_xs * s_z + A_3_T_xz * z_z
+    A_3_yx = A_3_T_yy * y_x + A_3_T_ys * s_x + A_3_T_yz * z_x
+    A_3_yy = A_3_T_yy * y_y + A_3_T_ys * s_y + A_3_T_yz * z_y
+    A_3_yz = A_3_T_yy * y_z + A_3_T_ys * s_z + A_3_T_yz * z_z
+    A_3_zx = A_3_T_zy * y_x + A_3_T_zs * s_x + A_3_T_zz * z_x
+    A_3_zy = A_3_T_zy * y_y + A_3_T_zs * s_y + A_3_T_zz * z_y
+    A_3_zz = A_3_T_zy * y_z + A_3_T_zs * s_z + A_3_T_zz * z_z
     c85 = inv_L * theta_dot
     G_dot_21 = -c85
     c86 = k1 * phi_dot
@@ -4916,27 +5010,27 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_leg_23 = C_s * G_dot_23
     c91 = C_s * k3
     f_S_leg_31 = G_dot_31 * c91
-    f_S_leg_32 = C_s * (G_dot_32 * k3 + c89 * k1)
+    f_S_leg_32 = C_s * (c89 * k1 + G_dot_32 * k3)
     f_S_leg_33 = G_dot_33 * c91
-    f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
-    f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
-    f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
-    f_S_T_ys = f_S_leg_11 * s_y + f_S_leg_21 * y_y + f_S_leg_31 * z_y
-    f_S_T_yy = f_S_leg_12 * s_y + f_S_leg_22 * y_y + f_S_leg_32 * z_y
-    f_S_T_yz = f_S_leg_13 * s_y + f_S_leg_23 * y_y + f_S_leg_33 * z_y
-    f_S_T_zs = f_S_leg_11 * s_z + f_S_leg_21 * y_z + f_S_leg_31 * z_z
-    f_S_T_zy = f_S_leg_12 * s_z + f_S_leg_22 * y_z + f_S_leg_32 * z_z
-    f_S_T_zz = f_S_leg_13 * s_z + f_S_leg_23 * y_z + f_S_leg_33 * z_z
+    f_S_T_xs = f_S_leg_21 * y_x + f_S_leg_11 * s_x + f_S_leg_31 * z_x
+    f_S_T_xy = f_S_leg_22 * y_x + f_S_leg_12 * s_x + f_S_leg_32 * z_x
+    f_S_T_xz = f_S_leg_23 * y_x + f_S_leg_13 * s_x + f_S_leg_33 * z_x
+    f_S_T_ys = f_S_leg_21 * y_y + f_S_leg_11 * s_y + f_S_leg_31 * z_y
+    f_S_T_yy = f_S_leg_22 * y_y + f_S_leg_12 * s_y + f_S_leg_32 * z_y
+    f_S_T_yz = f_S_leg_23 * y_y + f_S_leg_13 * s_y + f_S_leg_33 * z_y
+    f_S_T_zs = f_S_leg_21 * y_z + f_S_leg_11 * s_z + f_S_leg_31 * z_z
+    f_S_T_zy = f_S_leg_22 * y_z + f_S_leg_12 * s_z + f_S_leg_32 * z_z
+    f_S_T_zz = f_S_leg_23 * y_z + f_S_leg_13 * s_z + f_S_leg_33 * z_z
     # friction moment by S
-    f_S_xx = f_S_T_xs * s_x + f_S_T_xy * y_x + f_S_T_xz * z_x
-    f_S_xy = f_S_T_xs * s_y + f_S_T_xy * y_y + f_S_T_xz * z_y
-    f_S_xz = f_S_T_xs * s_z + f_S_T_xy * y_z + f_S_T_xz * z_z
-    f_S_yx = f_S_T_ys * s_x + f_S_T_yy * y_x + f_S_T_yz * z_x
-    f_S_yy = f_S_T_ys * s_y + f_S_T_yy * y_y + f_S_T_yz * z_y
-    f_S_yz = f_S_T_ys * s_z + f_S_T_yy * y_z + f_S_T_yz * z_z
-    f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
-    f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
-    f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
+    f_S_xx = f_S_T_xs * s_x + f_S_T_xz * z_x + f_S_T_xy * y_x
+    f_S_xy = f_S_T_xs * s_y + f_S_T_xz * z_y + f_S_T_xy * y_y
+    f_S_xz = f_S_T_xs * s_z + f_S_T_xz * z_z + f_S_T_xy * y_z
+    f_S_yx = f_S_T_ys * s_x + f_S_T_yz * z_x + f_S_T_yy * y_x
+    f_S_yy = f_S_T_ys * s_y + f_S_T_yz * z_y + f_S_T_yy * y_y
+    f_S_yz = f_S_T_ys * s_z + f_S_T_yz * z_z + f_S_T_yy * y_z
+    f_S_zx = f_S_T_zs * s_x + f_S_T_zz * z_x + f_S_T_zy * y_x
+    f_S_zy = f_S_T_zs * s_y + f_S_T_zz * z_y + f_S_T_zy * y_y
+    f_S_zz = f_S_T_zs * s_z + f_S_T_zz * z_z + f_S_T_zy * y_z
     f_S_dot_leg_12 = c82
     f_S_dot_leg_23 = -c84
     f_S_dot_leg_32 = c83
@@ -4966,7 +5060,7 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c99 = c87 * c98
     c100 = W_z * c99
     c101 = c100 + 4.0 * c15 * c16 * c85 - c97
-    A_0_leg_11 = 2.0 * c12 * h_x * inv_L + 2.0 * c3 * h_x * inv_L - c101 - c92 - c94 - 4.0 * c96
+    A_0_leg_11 = 2.0 * c12 * h_x * inv_L + 2.0 * c3 * h_x * inv_L - 4.0 * c96 - c94 - c92 - c101
     c102 = h_x * inv_L
     c103 = c102 * c60
     c104 = J_yz * c10
@@ -4997,12 +5091,12 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c129 = c10 * c62
     c130 = c129 * c49
     c131 = inv_k3 * inv_k3 * inv_k3
-    A_0_leg_12 = (C_p * W_z + C_s * c10 * inv_k3 * w_k_omega + 2.0 * J_xx * W_z * c10 * c131 * k1 * theta_dot
-        + J_xy * c10 * c12 + J_xy * c10 * c3 + 2.0 * J_xz * W_z * c10 * c49 * theta_dot + 2.0 * L_ddot * c10
-        * h_y + 2.0 * W_z * h_z * inv_L * theta_dot + c10 * c53 * own_z + c10 * gamma_n * inv_k3 * w_y + c10
-        * gamma_y * w_x + 3.0 * c12 * c49 * h_y * inv_L + 2.0 * h_y * inv_L * inv_k3 * k1 * own_y + 3.0 * h_z
-        * inv_L * inv_k3 * k1 * own_z - c103 - c105 - c108 - c110 - c111 - c115 - c117 - c118 * c119 - c120
-        * c121 - 6.0 * c122 * c77 - c123 * c124 - c125 - c126 - c127 * c128 - c130)
+    A_0_leg_12 = (J_xy * c10 * c12 + J_xy * c10 * c3 - c115 - c130 + 3.0 * c12 * c49 * h_y * inv_L - c108 - c123
+        * c124 + C_s * c10 * inv_k3 * w_k_omega - c125 - c126 + 2.0 * L_ddot * c10 * h_y + C_p * W_z + c10 * gamma_y
+        * w_x + c10 * gamma_n * inv_k3 * w_y - c111 - c105 - c117 - 6.0 * c122 * c77 + 2.0 * W_z * h_z * inv_L
+        * theta_dot - c110 - c127 * c128 + 2.0 * J_xz * W_z * c10 * c49 * theta_dot + c10 * c53 * own_z + 2.0
+        * J_xx * W_z * c10 * c131 * k1 * theta_dot + 2.0 * h_y * inv_L * inv_k3 * k1 * own_y - c103 - c118 * c119
+        - c120 * c121 + 3.0 * h_z * inv_L * inv_k3 * k1 * own_z)
     c132 = c10 * c22
     c133 = c10 * c23
     c134 = c10 * c24
@@ -5022,10 +5116,10 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c148 = 4.0 * W_z
     c149 = c148 * c85
     c150 = c149 * h_y
-    c151 = (c10 * c28 + c10 * c30 + c10 * c32 + c128 * c99 + c146 + c150 * c49 + 2.0 * c36 * inv_L - c10 * c39
-        - c143 - c147 - c150 - c20 * c97)
-    A_0_leg_13 = (c132 + c133 + c134 + c137 + 2.0 * c138 + c141 + c143 * c49 + c144 + c145 * c55 * inv_k3 + c151
-        - C_p * theta_dot - c10 * c47 - c136 - c139 - c141 * c49)
+    c151 = (c146 - c143 + c10 * c28 - c10 * c39 + c10 * c30 + c10 * c32 - c147 + c128 * c99 + c150 * c49 + 2.0
+        * c36 * inv_L - c150 - c20 * c97)
+    A_0_leg_13 = (c137 - c136 - c139 + c143 * c49 + c145 * c55 * inv_k3 + 2.0 * c138 + c132 - C_p * theta_dot
+        + c141 + c133 - c141 * c49 + c134 - c10 * c47 + c144 + c151)
     c152 = L_ddot * c10
     c153 = c152 * h_y
     c154 = c10 * gamma_y
@@ -5046,10 +5140,10 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c169 = c168 + c75
     c170 = c131 * k1
     c171 = J_xx * c170
-    A_0_leg_21 = (J_xz * c167 * c49 + J_yz * c157 + 3.0 * c10 * c71 + c108 * c49 + c109 * c56 + c109 * c57 + c118
-        * c169 + c120 * c95 + c153 + c154 * w_x + c155 * c20 + c157 * c161 + c158 + c162 * c163 + c164 * c20
-        + c165 * c76 + c167 * c171 - c103 - 2.0 * c105 - c107 - 2.0 * c110 - c111 - 2.0 * c117 - c118 * c76
-        - c122 * c160 - c123 - 3.0 * c125 - 3.0 * c126 - 3.0 * c130 - c159 * c40 - c165 * c169)
+    A_0_leg_21 = (3.0 * c10 * c71 + c158 - 3.0 * c130 - c107 - c123 + c108 * c49 + c109 * c56 + c153 - 3.0 * c125
+        - 3.0 * c126 + J_yz * c157 + c109 * c57 + c154 * w_x + c157 * c161 + c164 * c20 + c165 * c76 - c111
+        + c155 * c20 + c162 * c163 - 2.0 * c105 - 2.0 * c117 - c165 * c169 + c167 * c171 - 2.0 * c110 - c122
+        * c160 + J_xz * c167 * c49 + c118 * c169 + c120 * c95 - c103 - c118 * c76 - c159 * c40)
     c173 = L_ddot * c112
     c174 = c14 * inv_L
     c175 = c113 * inv_L * inv_L * inv_L * inv_L
@@ -5092,13 +5186,13 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c212 = c211 * theta_dot
     c213 = c131 * c149 * c15
     c214 = c10 * g_k
-    c215 = C_p * c2 + c135 * h_x + c193 + c214 * c29 + c214 * c31 - F * inv_L - c152 * c69 - c192 * c27
-    A_0_leg_22 = (c132 * c20 + 3.0 * c138 * c20 + c143 * c170 + c156 * c203 + c156 * c212 + c173 * c53 + c174
-        + c175 * c206 + c175 * c76 + c176 * c188 + c176 * c198 + c180 * c49 + c183 + c184 * w_y + c185 * (J_yy
-        + c75 - J_zz) + c190 + c191 * c49 + c193 * c49 + c194 * c55 + c197 * c204 + c20 * c205 + c213 + c215
-        + c94 - c109 * g_k * w_z - c119 * c173 - c119 * c176 - c132 * c170 - c136 * c20 - c145 * c188 - c146
-        * c202 - c146 * c21 - c147 * c20 - c169 * c175 - 3.0 * c170 * c195 - c171 * c181 - c173 * c198 - c176
-        * c53 - c177 - c178 - c180 - c183 * c49 - c186 * c49 - 2.0 * c189 - c196 - c201 - c208 - c210 - c92)
+    c215 = c135 * h_x - F * inv_L + c214 * c31 + c214 * c29 + C_p * c2 - c152 * c69 + c193 - c192 * c27
+    A_0_leg_22 = (c175 * c76 + c176 * c188 + c185 * (J_yy + c75 - J_zz) - c119 * c176 - c145 * c188 - c176 * c53
+        - c177 + c174 - c169 * c175 - c178 - c109 * g_k * w_z + c143 * c170 + c197 * c204 - c136 * c20 - 3.0
+        * c170 * c195 + c173 * c53 + c175 * c206 + c176 * c198 - c146 * c202 - c146 * c21 - c119 * c173 - c173
+        * c198 + 3.0 * c138 * c20 - c186 * c49 + c156 * c212 + c132 * c20 + c94 + c156 * c203 + c184 * w_y + c190
+        + c193 * c49 - c132 * c170 + c183 + c194 * c55 + c215 - c147 * c20 - c201 - c92 + c191 * c49 + c213
+        - c171 * c181 - c196 - c210 - c183 * c49 + c180 * c49 - c180 - c208 + c20 * c205 - 2.0 * c189)
     c216 = c104 * c3
     c217 = c104 * c12
     c218 = J_xy * c49
@@ -5118,119 +5212,119 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c232 = c223 * c49
     c233 = 2.0 * c161
     c234 = c182 * c49
-    c235 = (J_yz * c173 + W_z * c231 + c159 * c73 + c160 * c170 * c9 + c161 * c173 + c184 * w_z + c230 * c49
-        - c124 * c229 - c162 * c207 - c165 * c234 - c166 * c169 - c175 * c228 - c175 * c233 - c232 * c56 - c232
-        * c57)
-    A_0_leg_23 = (c107 * c20 + c118 * c211 + c119 * c167 + c123 * c20 + c129 * c202 + c155 + c161 * c176 + c164
-        + c181 * c218 + c216 + c219 + c220 + c225 * c70 + c227 + c235 - J_xx * c167 * c187 - c108 * c170 - c128
-        * c226 - c153 * c20 - c164 * c49 - c165 * c211 - c217 - c221 - c222 - c224)
+    c235 = (J_yz * c173 - c175 * c228 + c161 * c173 - c232 * c56 - c175 * c233 + W_z * c231 + c184 * w_z - c232
+        * c57 + c159 * c73 - c165 * c234 + c160 * c170 * c9 - c166 * c169 - c162 * c207 + c230 * c49 - c124
+        * c229)
+    A_0_leg_23 = (c216 + c219 + c220 - c217 + c107 * c20 + c123 * c20 + c129 * c202 + c161 * c176 - c108 * c170
+        - c224 - c153 * c20 + c164 + c155 + c225 * c70 + c227 - c222 + c181 * c218 - c164 * c49 - c165 * c211
+        + c119 * c167 - c128 * c226 - c221 + c118 * c211 - J_xx * c167 * c187 + c235)
     c236 = 2.0 * J_yy
     c237 = c236 * theta_dot
     c238 = 2.0 * c41
-    A_0_leg_31 = (J_xy * c167 + c124 * c142 + 2.0 * c132 + 2.0 * c133 + c138 + 2.0 * c144 + c145 * c20 * (3.0
-        * J_xx + 3.0 * J_yy - 3.0 * J_zz) + c151 + 6.0 * c195 + c205 - 6.0 * c10 * c46 * c73 - 3.0 * c139 - c156
-        * c237 - c163 * c238 - c165 * c228 - c167 * c218)
+    A_0_leg_31 = (6.0 * c195 - 3.0 * c139 + c124 * c142 + c145 * c20 * (3.0 * J_xx + 3.0 * J_yy - 3.0 * J_zz)
+        + c138 + 2.0 * c132 - c156 * c237 - c165 * c228 + J_xy * c167 + 2.0 * c133 - c163 * c238 - 6.0 * c10
+        * c46 * c73 - c167 * c218 + c205 + 2.0 * c144 + c151)
     c239 = c179 * c181
     c240 = 4.0 * J_xz
-    c242 = c169 + c236
+    c242 = c236 + c169
     c243 = 4.0 * c128 * c9
-    A_0_leg_32 = (C_s * c109 * w_n_omega + W_z * c225 + c108 * c20 + c115 * c20 + c118 * c171 + c123 * c202
-        + c128 * c156 * c242 + 2.0 * c155 + c158 * c170 + c165 * c240 + c166 * c49 * (4.0 * J_xx + c168 + c236)
-        + c194 * c209 + 3.0 * c219 + c222 + c229 + c235 + c239 * c49 - 3.0 * c107 * c170 - c116 * c128 - 2.0
-        * c153 * c20 - c166 * c188 - c204 * c238 - 2.0 * c217 - c220 - 2.0 * c221 - c222 * c49 - c223 * c40
-        * c54 - 2.0 * c224 - c227 - c230 - c239 - c243 * theta_dot - c70 * c93)
-    A_0_leg_33 = (c101 + c137 * c170 + c175 * c236 + c177 + c178 + c189 + c191 + c196 + c201 + c208 + c210 + c215
-        + 2.0 * c96 - J_yy * c173 - J_yy * c176 - c10 * c18 * c41 - c100 * c49 - c118 * c218 - c142 * c202 - c174
-        - c185 * c54 - c186 - c190 - c200 - c213)
-    A_0_T_xs = A_0_leg_11 * s_x + A_0_leg_21 * y_x + A_0_leg_31 * z_x
-    A_0_T_xy = A_0_leg_12 * s_x + A_0_leg_22 * y_x + A_0_leg_32 * z_x
+    A_0_leg_32 = (3.0 * c219 - 2.0 * c217 - c220 + c108 * c20 + c115 * c20 + c158 * c170 + c123 * c202 - 3.0
+        * c107 * c170 - 2.0 * c224 - c204 * c238 - 2.0 * c153 * c20 + W_z * c225 + c222 + c165 * c240 + 2.0
+        * c155 + c194 * c209 - c222 * c49 - c227 - c70 * c93 + C_s * c109 * w_n_omega + c128 * c156 * c242 + c166
+        * c49 * (4.0 * J_xx + c168 + c236) + c229 + c239 * c49 - c116 * c128 - c166 * c188 - 2.0 * c221 - c239
+        + c118 * c171 - c230 - c243 * theta_dot - c223 * c40 * c54 + c235)
+    A_0_leg_33 = (c175 * c236 + c177 - J_yy * c176 + c178 - c185 * c54 - c174 + c137 * c170 + 2.0 * c96 - c142
+        * c202 - J_yy * c173 - c186 + c201 - c200 + c191 + c196 + c210 + c215 - c100 * c49 - c190 + c208 - c10
+        * c18 * c41 - c213 + c189 - c118 * c218 + c101)
+    A_0_T_xs = A_0_leg_11 * s_x + A_0_leg_31 * z_x + A_0_leg_21 * y_x
+    A_0_T_xy = A_0_leg_12 * s_x + A_0_leg_32 * z_x + A_0_leg_22 * y_x
     A_0_T_xz = A_0_leg_13 * s_x + A_0_leg_23 * y_x + A_0_leg_33 * z_x
-    A_0_T_ys = A_0_leg_11 * s_y + A_0_leg_21 * y_y + A_0_leg_31 * z_y
-    A_0_T_yy = A_0_leg_12 * s_y + A_0_leg_22 * y_y + A_0_leg_32 * z_y
+    A_0_T_ys = A_0_leg_11 * s_y + A_0_leg_31 * z_y + A_0_leg_21 * y_y
+    A_0_T_yy = A_0_leg_12 * s_y + A_0_leg_32 * z_y + A_0_leg_22 * y_y
     A_0_T_yz = A_0_leg_13 * s_y + A_0_leg_23 * y_y + A_0_leg_33 * z_y
-    A_0_T_zs = A_0_leg_11 * s_z + A_0_leg_21 * y_z + A_0_leg_31 * z_z
-    A_0_T_zy = A_0_leg_12 * s_z + A_0_leg_22 * y_z + A_0_leg_32 * z_z
+    A_0_T_zs = A_0_leg_11 * s_z + A_0_leg_31 * z_z + A_0_leg_21 * y_z
+    A_0_T_zy = A_0_leg_12 * s_z + A_0_leg_32 * z_z + A_0_leg_22 * y_z
     A_0_T_zz = A_0_leg_13 * s_z + A_0_leg_23 * y_z + A_0_leg_33 * z_z
     # force at the tip by S
-    A_0_xx = A_0_T_xs * s_x + A_0_T_xy * y_x + A_0_T_xz * z_x
-    A_0_xy = A_0_T_xs * s_y + A_0_T_xy * y_y + A_0_T_xz * z_y
-    A_0_xz = A_0_T_xs * s_z + A_0_T_xy * y_z + A_0_T_xz * z_z
-    A_0_yx = A_0_T_ys * s_x + A_0_T_yy * y_x + A_0_T_yz * z_x
-    A_0_yy = A_0_T_ys * s_y + A_0_T_yy * y_y + A_0_T_yz * z_y
-    A_0_yz = A_0_T_ys * s_z + A_0_T_yy * y_z + A_0_T_yz * z_z
-    A_0_zx = A_0_T_zs * s_x + A_0_T_zy * y_x + A_0_T_zz * z_x
-    A_0_zy = A_0_T_zs * s_y + A_0_T_zy * y_y + A_0_T_zz * z_y
-    A_0_zz = A_0_T_zs * s_z + A_0_T_zy * y_z + A_0_T_zz * z_z
+    A_0_xx = A_0_T_xz * z_x + A_0_T_xs * s_x + A_0_T_xy * y_x
+    A_0_xy = A_0_T_xz * z_y + A_0_T_xs * s_y + A_0_T_xy * y_y
+    A_0_xz = A_0_T_xz * z_z + A_0_T_xs * s_z + A_0_T_xy * y_z
+    A_0_yx = A_0_T_yz * z_x + A_0_T_ys * s_x + A_0_T_yy * y_x
+    A_0_yy = A_0_T_yz * z_y + A_0_T_ys * s_y + A_0_T_yy * y_y
+    A_0_yz = A_0_T_yz * z_z + A_0_T_ys * s_z + A_0_T_yy * y_z
+    A_0_zx = A_0_T_zz * z_x + A_0_T_zs * s_x + A_0_T_zy * y_x
+    A_0_zy = A_0_T_zz * z_y + A_0_T_zs * s_y + A_0_T_zy * y_y
+    A_0_zz = A_0_T_zz * z_z + A_0_T_zs * s_z + A_0_T_zy * y_z
     c244 = c106 * c70
     c245 = c244 - c226
     A_1_leg_11 = C_p + c245
     c246 = c102 * c70
     c247 = c85 * c98
-    A_1_leg_12 = c20 * c247 + c243 + c99 - c246
+    A_1_leg_12 = c99 + c20 * c247 - c246 + c243
     c248 = c231 - 2.0 * c106 * c128
     A_1_leg_13 = c127 + c248
     c249 = c109 * c17
-    A_1_leg_21 = (W_z * c10 * c169 + 2.0 * W_z * h_z * inv_L * inv_k3 * k1 - c140 * c76 - c159 * c16 - c199
-        - c246 - c249 * c41)
+    A_1_leg_21 = (W_z * c10 * c169 - c199 - c249 * c41 - c140 * c76 - c159 * c16 - c246 + 2.0 * W_z * h_z * inv_L
+        * inv_k3 * k1)
     c250 = c140 * c179
     c251 = c69 * c87
     c252 = c244 * c49
     c253 = c10 * c16
     c254 = c209 * c253
     c255 = c250 * c49
-    A_1_leg_22 = (C_us * c10 * c49 + 2.0 * L_dot * c10 * h_z * inv_k3 * k1 + L_dot * c112 * c169 + c254 + c255
-        + 2.0 * c49 * h_z * inv_L * theta_dot - c10 * c203 - c10 * c212 - c156 * c206 - c156 * c76 - c250 - c251
+    A_1_leg_22 = (C_us * c10 * c49 + L_dot * c112 * c169 - c156 * c206 - c156 * c76 - c251 + 2.0 * L_dot * c10
+        * h_z * inv_k3 * k1 - c10 * c212 + 2.0 * c49 * h_z * inv_L * theta_dot + c254 + c255 - c10 * c203 - c250
         - c252)
     c256 = c10 * c33
     c257 = c249 * c46
     c258 = c70 * c9
-    c259 = c140 * c234 + c156 * c228 + c156 * c233 - c258 * c49
-    A_1_leg_23 = c140 * c211 + c256 + c259 - c257
+    c259 = c156 * c228 + c156 * c233 + c140 * c234 - c258 * c49
+    A_1_leg_23 = c256 + c140 * c211 - c257 + c259
     A_1_leg_31 = c10 * c237 + c104 * c70 + c238 * c253 + c248
-    A_1_leg_32 = (c247 + c256 * c49 + c257 + c258 + c259 - c140 * c240 - c16 * c223 * c242 - c20 * c99 - c247
-        * c49 - c256)
-    A_1_leg_33 = C_us * c10 + c250 + c252 - c156 * c236 - c245 - c251 - c254 - c255
-    A_1_T_xs = A_1_leg_11 * s_x + A_1_leg_21 * y_x + A_1_leg_31 * z_x
+    A_1_leg_32 = (c247 - c20 * c99 + c257 + c256 * c49 + c258 - c247 * c49 - c256 - c140 * c240 - c16 * c223
+        * c242 + c259)
+    A_1_leg_33 = C_us * c10 - c156 * c236 - c251 + c250 + c252 - c245 - c254 - c255
+    A_1_T_xs = A_1_leg_11 * s_x + A_1_leg_31 * z_x + A_1_leg_21 * y_x
     A_1_T_xy = A_1_leg_12 * s_x + A_1_leg_22 * y_x + A_1_leg_32 * z_x
     A_1_T_xz = A_1_leg_13 * s_x + A_1_leg_23 * y_x + A_1_leg_33 * z_x
-    A_1_T_ys = A_1_leg_11 * s_y + A_1_leg_21 * y_y + A_1_leg_31 * z_y
+    A_1_T_ys = A_1_leg_11 * s_y + A_1_leg_31 * z_y + A_1_leg_21 * y_y
     A_1_T_yy = A_1_leg_12 * s_y + A_1_leg_22 * y_y + A_1_leg_32 * z_y
     A_1_T_yz = A_1_leg_13 * s_y + A_1_leg_23 * y_y + A_1_leg_33 * z_y
-    A_1_T_zs = A_1_leg_11 * s_z + A_1_leg_21 * y_z + A_1_leg_31 * z_z
+    A_1_T_zs = A_1_leg_11 * s_z + A_1_leg_31 * z_z + A_1_leg_21 * y_z
     A_1_T_zy = A_1_leg_12 * s_z + A_1_leg_22 * y_z + A_1_leg_32 * z_z
     A_1_T_zz = A_1_leg_13 * s_z + A_1_leg_23 * y_z + A_1_leg_33 * z_z
     # force at the tip by S_dot
-    A_1_xx = A_1_T_xs * s_x + A_1_T_xy * y_x + A_1_T_xz * z_x
-    A_1_xy = A_1_T_xs * s_y + A_1_T_xy * y_y + A_1_T_xz * z_y
-    A_1_xz = A_1_T_xs * s_z + A_1_T_xy * y_z + A_1_T_xz * z_z
-    A_1_yx = A_1_T_ys * s_x + A_1_T_yy * y_x + A_1_T_yz * z_x
-    A_1_yy = A_1_T_ys * s_y + A_1_T_yy * y_y + A_1_T_yz * z_y
-    A_1_yz = A_1_T_ys * s_z + A_1_T_yy * y_z + A_1_T_yz * z_z
-    A_1_zx = A_1_T_zs * s_x + A_1_T_zy * y_x + A_1_T_zz * z_x
-    A_1_zy = A_1_T_zs * s_y + A_1_T_zy * y_y + A_1_T_zz * z_y
-    A_1_zz = A_1_T_zs * s_z + A_1_T_zy * y_z + A_1_T_zz * z_z
+    A_1_xx = A_1_T_xs * s_x + A_1_T_xz * z_x + A_1_T_xy * y_x
+    A_1_xy = A_1_T_xs * s_y + A_1_T_xz * z_y + A_1_T_xy * y_y
+    A_1_xz = A_1_T_xs * s_z + A_1_T_xz * z_z + A_1_T_xy * y_z
+    A_1_yx = A_1_T_ys * s_x + A_1_T_yz * z_x + A_1_T_yy * y_x
+    A_1_yy = A_1_T_ys * s_y + A_1_T_yz * z_y + A_1_T_yy * y_y
+    A_1_yz = A_1_T_ys * s_z + A_1_T_yz * z_z + A_1_T_yy * y_z
+    A_1_zx = A_1_T_zs * s_x + A_1_T_zz * z_x + A_1_T_zy * y_x
+    A_1_zy = A_1_T_zs * s_y + A_1_T_zz * z_y + A_1_T_zy * y_y
+    A_1_zz = A_1_T_zs * s_z + A_1_T_zz * z_z + A_1_T_zy * y_z
     # force by rotation about the tip
-    X_xx = A_0_xx + A_1_xy * omega_z + B_xx * m_xx + B_yx * m_xy + B_zx * m_xz - A_1_xz * omega_y
-    X_xy = A_0_xy + A_1_xz * omega_x + B_xy * m_xx + B_yy * m_xy + B_zy * m_xz - A_1_xx * omega_z
-    X_xz = A_0_xz + A_1_xx * omega_y + B_xz * m_xx + B_yz * m_xy + B_zz * m_xz - A_1_xy * omega_x
-    X_yx = A_0_yx + A_1_yy * omega_z + B_xx * m_xy + B_yx * m_yy + B_zx * m_yz - A_1_yz * omega_y
-    X_yy = A_0_yy + A_1_yz * omega_x + B_xy * m_xy + B_yy * m_yy + B_zy * m_yz - A_1_yx * omega_z
-    X_yz = A_0_yz + A_1_yx * omega_y + B_xz * m_xy + B_yz * m_yy + B_zz * m_yz - A_1_yy * omega_x
-    X_zx = A_0_zx + A_1_zy * omega_z + B_xx * m_xz + B_yx * m_yz + B_zx * m_zz - A_1_zz * omega_y
-    X_zy = A_0_zy + A_1_zz * omega_x + B_xy * m_xz + B_yy * m_yz + B_zy * m_zz - A_1_zx * omega_z
-    X_zz = A_0_zz + A_1_zx * omega_y + B_xz * m_xz + B_yz * m_yz + B_zz * m_zz - A_1_zy * omega_x
+    X_xx = B_xx * m_xx + B_yx * m_xy + B_zx * m_xz + A_1_xy * omega_z - A_1_xz * omega_y + A_0_xx
+    X_xy = B_xy * m_xx + B_yy * m_xy + B_zy * m_xz + A_1_xz * omega_x - A_1_xx * omega_z + A_0_xy
+    X_xz = B_xz * m_xx + B_yz * m_xy + B_zz * m_xz + A_1_xx * omega_y - A_1_xy * omega_x + A_0_xz
+    X_yx = B_xx * m_xy + B_yx * m_yy + B_zx * m_yz + A_1_yy * omega_z - A_1_yz * omega_y + A_0_yx
+    X_yy = B_xy * m_xy + B_yy * m_yy + B_zy * m_yz + A_1_yz * omega_x - A_1_yx * omega_z + A_0_yy
+    X_yz = B_xz * m_xy + B_yz * m_yy + B_zz * m_yz + A_1_yx * omega_y - A_1_yy * omega_x + A_0_yz
+    X_zx = B_xx * m_xz + B_yx * m_yz + B_zx * m_zz + A_1_zy * omega_z - A_1_zz * omega_y + A_0_zx
+    X_zy = B_xy * m_xz + B_yy * m_yz + B_zy * m_zz + A_1_zz * omega_x - A_1_zx * omega_z + A_0_zy
+    X_zz = B_xz * m_xz + B_yz * m_yz + B_zz * m_zz + A_1_zx * omega_y - A_1_zy * omega_x + A_0_zz
     c260 = m_xy * omega_z
     c261 = m_xz * omega_y
-    Y_xx = A_1_xx + c260 - c261
-    Y_xy = A_1_xy + m_xz * omega_x - m_xx * omega_z
-    Y_xz = A_1_xz + m_xx * omega_y - m_xy * omega_x
-    Y_yx = A_1_yx + m_yy * omega_z - m_yz * omega_y
+    Y_xx = c260 - c261 + A_1_xx
+    Y_xy = m_xz * omega_x - m_xx * omega_z + A_1_xy
+    Y_xz = m_xx * omega_y - m_xy * omega_x + A_1_xz
+    Y_yx = m_yy * omega_z - m_yz * omega_y + A_1_yx
     c262 = m_yz * omega_x
-    Y_yy = A_1_yy + c262 - c260
-    Y_yz = A_1_yz + m_xy * omega_y - m_yy * omega_x
-    Y_zx = A_1_zx + m_yz * omega_z - m_zz * omega_y
-    Y_zy = A_1_zy + m_zz * omega_x - m_xz * omega_z
-    Y_zz = A_1_zz + c261 - c262
+    Y_yy = c262 - c260 + A_1_yy
+    Y_yz = m_xy * omega_y - m_yy * omega_x + A_1_yz
+    Y_zx = m_yz * omega_z - m_zz * omega_y + A_1_zx
+    Y_zy = m_zz * omega_x - m_xz * omega_z + A_1_zy
+    Y_zz = c261 - c262 + A_1_zz
     Z_xx = X_xz * q_y - X_xy * q_z
     Z_xy = X_xx * q_z - X_xz * q_x
     Z_xz = X_xy * q_x - X_xx * q_y
@@ -5242,16 +5336,16 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     Z_zz = X_zy * q_x - X_zx * q_y
     c263 = m_xz * w_q_y
     c264 = m_xy * w_q_z
-    V_xx = A_3_xx + Y_xz * q_y + c263 - Y_xy * q_z - c264
-    V_xy = A_3_xy + Y_xx * q_z + m_xx * w_q_z - Y_xz * q_x - m_xz * w_q_x
-    V_xz = A_3_xz + Y_xy * q_x + m_xy * w_q_x - Y_xx * q_y - m_xx * w_q_y
-    V_yx = A_3_yx + Y_yz * q_y + m_yz * w_q_y - Y_yy * q_z - m_yy * w_q_z
+    V_xx = A_3_xx + c263 - c264 + Y_xz * q_y - Y_xy * q_z
+    V_xy = A_3_xy + m_xx * w_q_z - m_xz * w_q_x + Y_xx * q_z - Y_xz * q_x
+    V_xz = A_3_xz + m_xy * w_q_x - m_xx * w_q_y + Y_xy * q_x - Y_xx * q_y
+    V_yx = A_3_yx + m_yz * w_q_y - m_yy * w_q_z + Y_yz * q_y - Y_yy * q_z
     c265 = m_yz * w_q_x
-    V_yy = A_3_yy + Y_yx * q_z + c264 - Y_yz * q_x - c265
-    V_yz = A_3_yz + Y_yy * q_x + m_yy * w_q_x - Y_yx * q_y - m_xy * w_q_y
-    V_zx = A_3_zx + Y_zz * q_y + m_zz * w_q_y - Y_zy * q_z - m_yz * w_q_z
-    V_zy = A_3_zy + Y_zx * q_z + m_xz * w_q_z - Y_zz * q_x - m_zz * w_q_x
-    V_zz = A_3_zz + Y_zy * q_x + c265 - Y_zx * q_y - c263
+    V_yy = A_3_yy + c264 - c265 + Y_yx * q_z - Y_yz * q_x
+    V_yz = A_3_yz + m_yy * w_q_x - m_xy * w_q_y + Y_yy * q_x - Y_yx * q_y
+    V_zx = A_3_zx + m_zz * w_q_y - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
+    V_zy = A_3_zy + m_xz * w_q_z - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
+    V_zz = A_3_zz + c265 - c263 + Y_zy * q_x - Y_zx * q_y
     c266 = m_xy * q_z
     c267 = m_xz * q_y
     c268 = -m_yz * q_x
@@ -5267,16 +5361,16 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     m_q_zz = c267 + c268
     c269 = R_tip_y * q_y
     c270 = R_tip_z * q_z
-    c271 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
-    c272 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
-    c273 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
-    c274 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
-    c275 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c271 = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
+    c272 = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy
+    c273 = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx
+    c274 = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy
+    c275 = f_S_dot_yx * omega_y - f_S_dot_yy * omega_x + f_S_yz
     c276 = R_tip_x * q_x
-    c277 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
-    c278 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
-    c279 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
-    c280 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    c277 = f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx
+    c278 = f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy
+    c279 = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz
+    c280 = f_S_dot_zy * omega_z - f_S_dot_zz * omega_y + f_S_zx
     out = DerivativesLeg()
     out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
     out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
@@ -5291,39 +5385,39 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     out.W_ft = [A_0_xx, A_0_xy, A_0_xz, A_0_yx, A_0_yy, A_0_yz, A_0_zx, A_0_zy, A_0_zz]
     out.W_fr = [Z_xx, Z_xy, Z_xz, Z_yx, Z_yy, Z_yz, Z_zx, Z_zy, Z_zz]
     out.W_mt = [
-        A_0_zx * q_y - A_0_yx * q_z - f_S_xx,
-        A_0_zy * q_y - A_0_yy * q_z - f_S_xy,
-        A_0_zz * q_y - A_0_yz * q_z - f_S_xz,
-        A_0_xx * q_z - A_0_zx * q_x - f_S_yx,
-        A_0_xy * q_z - A_0_zy * q_x - f_S_yy,
-        A_0_xz * q_z - A_0_zz * q_x - f_S_yz,
-        A_0_yx * q_x - A_0_xx * q_y - f_S_zx,
-        A_0_yy * q_x - A_0_xy * q_y - f_S_zy,
-        A_0_yz * q_x - A_0_xz * q_y - f_S_zz,
+        A_0_zx * q_y - f_S_xx - A_0_yx * q_z,
+        A_0_zy * q_y - f_S_xy - A_0_yy * q_z,
+        A_0_zz * q_y - f_S_xz - A_0_yz * q_z,
+        A_0_xx * q_z - f_S_yx - A_0_zx * q_x,
+        A_0_xy * q_z - f_S_yy - A_0_zy * q_x,
+        A_0_xz * q_z - f_S_yz - A_0_zz * q_x,
+        A_0_yx * q_x - f_S_zx - A_0_xx * q_y,
+        A_0_yy * q_x - f_S_zy - A_0_xy * q_y,
+        A_0_yz * q_x - f_S_zz - A_0_xz * q_y,
     ]
     out.W_mr = [
-        Z_zx * q_y + c272 * q_z - Z_yx * q_z - c269 - c270 - c271 * q_y,
+        Z_zx * q_y + c272 * q_z - c269 - c270 - Z_yx * q_z - c271 * q_y,
         R_tip_y * q_x + Z_zy * q_y + c271 * q_x - Z_yy * q_z - c273 * q_z,
         R_tip_z * q_x + Z_zz * q_y + c273 * q_y - Z_yz * q_z - c272 * q_x,
         R_tip_x * q_y + Z_xx * q_z + c274 * q_z - Z_zx * q_x - c275 * q_y,
-        Z_xy * q_z + c275 * q_x - Z_zy * q_x - c270 - c276 - c277 * q_z,
+        Z_xy * q_z + c275 * q_x - c270 - c276 - Z_zy * q_x - c277 * q_z,
         R_tip_z * q_y + Z_xz * q_z + c277 * q_y - Z_zz * q_x - c274 * q_x,
         R_tip_x * q_z + Z_yx * q_x + c278 * q_z - Z_xx * q_y - c279 * q_y,
         R_tip_y * q_z + Z_yy * q_x + c279 * q_x - Z_xy * q_y - c280 * q_z,
-        Z_yz * q_x + c280 * q_y - Z_xz * q_y - c269 - c276 - c278 * q_x,
+        Z_yz * q_x + c280 * q_y - c269 - c276 - Z_xz * q_y - c278 * q_x,
     ]
     out.W_fv = [A_1_xx, A_1_xy, A_1_xz, A_1_yx, A_1_yy, A_1_yz, A_1_zx, A_1_zy, A_1_zz]
     out.W_fw = [V_xx, V_xy, V_xz, V_yx, V_yy, V_yz, V_zx, V_zy, V_zz]
     out.W_mv = [
-        A_1_zx * q_y - A_1_yx * q_z - f_S_dot_xx,
-        A_1_zy * q_y - A_1_yy * q_z - f_S_dot_xy,
-        A_1_zz * q_y - A_1_yz * q_z - f_S_dot_xz,
-        A_1_xx * q_z - A_1_zx * q_x - f_S_dot_yx,
-        A_1_xy * q_z - A_1_zy * q_x - f_S_dot_yy,
-        A_1_xz * q_z - A_1_zz * q_x - f_S_dot_yz,
-        A_1_yx * q_x - A_1_xx * q_y - f_S_dot_zx,
-        A_1_yy * q_x - A_1_xy * q_y - f_S_dot_zy,
-        A_1_yz * q_x - A_1_xz * q_y - f_S_dot_zz,
+        A_1_zx * q_y - f_S_dot_xx - A_1_yx * q_z,
+        A_1_zy * q_y - f_S_dot_xy - A_1_yy * q_z,
+        A_1_zz * q_y - f_S_dot_xz - A_1_yz * q_z,
+        A_1_xx * q_z - f_S_dot_yx - A_1_zx * q_x,
+        A_1_xy * q_z - f_S_dot_yy - A_1_zy * q_x,
+        A_1_xz * q_z - f_S_dot_yz - A_1_zz * q_x,
+        A_1_yx * q_x - f_S_dot_zx - A_1_xx * q_y,
+        A_1_yy * q_x - f_S_dot_zy - A_1_xy * q_y,
+        A_1_yz * q_x - f_S_dot_zz - A_1_xz * q_y,
     ]
     out.W_mw = [
         V_zx * q_y + f_S_dot_xy * q_z - V_yx * q_z - f_S_dot_xz * q_y,
@@ -5600,11 +5694,11 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     h_base_x = R_xx * c3 + R_xy * c5 + R_xz * c6
     h_base_y = R_yx * c3 + R_yy * c5 + R_yz * c6
     h_base_z = R_zx * c3 + R_zy * c5 + R_zz * c6
-    c7 = J_0_xx * R_xx + J_0_xy * R_xy + J_0_xz * R_xz
-    c8 = J_0_xy * R_xx + J_0_yy * R_xy + J_0_yz * R_xz
+    c7 = J_0_xy * R_xy + J_0_xz * R_xz + J_0_xx * R_xx
+    c8 = J_0_xy * R_xx + J_0_yz * R_xz + J_0_yy * R_xy
     c9 = J_0_xz * R_xx + J_0_yz * R_xy + J_0_zz * R_xz
-    c10 = J_0_xx * R_yx + J_0_xy * R_yy + J_0_xz * R_yz
-    c11 = J_0_xy * R_yx + J_0_yy * R_yy + J_0_yz * R_yz
+    c10 = J_0_xy * R_yy + J_0_xz * R_yz + J_0_xx * R_yx
+    c11 = J_0_xy * R_yx + J_0_yz * R_yz + J_0_yy * R_yy
     c12 = J_0_xz * R_yx + J_0_yz * R_yy + J_0_zz * R_yz
     # (32) inertia of the platform, base frame
     J_base_xx = R_xx * c7 + R_xy * c8 + R_xz * c9
@@ -5612,8 +5706,8 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     J_base_xz = R_zx * c7 + R_zy * c8 + R_zz * c9
     J_base_yy = R_yx * c10 + R_yy * c11 + R_yz * c12
     J_base_yz = R_zx * c10 + R_zy * c11 + R_zz * c12
-    J_base_zz = (R_zx * (J_0_xx * R_zx + J_0_xy * R_zy + J_0_xz * R_zz) + R_zy * (J_0_xy * R_zx + J_0_yy * R_zy
-        + J_0_yz * R_zz) + R_zz * (J_0_xz * R_zx + J_0_yz * R_zy + J_0_zz * R_zz))
+    J_base_zz = (R_zx * (J_0_xy * R_zy + J_0_xz * R_zz + J_0_xx * R_zx) + R_zy * (J_0_xy * R_zx + J_0_yz * R_zz
+        + J_0_yy * R_zy) + R_zz * (J_0_xz * R_zx + J_0_yz * R_zy + J_0_zz * R_zz))
     c13 = h_base_y * omega_z
     c14 = h_base_z * omega_y
     c15 = h_base_x * omega_z
@@ -5672,14 +5766,14 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     M_load_z = M_ext_x * R_zx + M_ext_y * R_zy + M_ext_z * R_zz
     c31 = J_base_xy * omega_z
     c32 = J_base_xz * omega_y
-    c34 = J_w_z + c23 - J_base_xx * omega_z
-    c35 = J_w_y + c21 - J_base_xx * omega_y
-    c36 = J_w_z + c24 - J_base_yy * omega_z
+    c34 = c23 - J_base_xx * omega_z + J_w_z
+    c35 = c21 - J_base_xx * omega_y + J_w_y
+    c36 = c24 - J_base_yy * omega_z + J_w_z
     c37 = J_base_yz * omega_x
     c39 = c31 - c37
-    c40 = J_w_x + c19 - J_base_yy * omega_x
-    c41 = J_w_y + c22 - J_base_zz * omega_y
-    c42 = J_w_x + c20 - J_base_zz * omega_x
+    c40 = c19 - J_base_yy * omega_x + J_w_x
+    c41 = c22 - J_base_zz * omega_y + J_w_y
+    c42 = c20 - J_base_zz * omega_x + J_w_x
     # derivative of I omega by dphi at fixed omega
     spin_xx = c31 - c32
     spin_xy = c34
@@ -5707,25 +5801,25 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
     out.W_ft = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_fr = [
         B_xz * h_base_y - B_xy * h_base_z,
-        B_xx * h_base_z - B_xz * h_base_x - F_load_z,
-        B_xy * h_base_x + F_load_y - B_xx * h_base_y,
-        B_yz * h_base_y + F_load_z - B_yy * h_base_z,
+        B_xx * h_base_z - F_load_z - B_xz * h_base_x,
+        F_load_y + B_xy * h_base_x - B_xx * h_base_y,
+        F_load_z + B_yz * h_base_y - B_yy * h_base_z,
         B_yx * h_base_z - B_yz * h_base_x,
-        B_yy * h_base_x - B_yx * h_base_y - F_load_x,
-        B_zz * h_base_y - B_zy * h_base_z - F_load_y,
-        B_zx * h_base_z + F_load_x - B_zz * h_base_x,
+        B_yy * h_base_x - F_load_x - B_yx * h_base_y,
+        B_zz * h_base_y - F_load_y - B_zy * h_base_z,
+        F_load_x + B_zx * h_base_z - B_zz * h_base_x,
         B_zy * h_base_x - B_zx * h_base_y,
     ]
     out.W_mt = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.W_mr = [
         c46 + omega_y * spin_zx - c43 - c44 - c45 - omega_z * spin_yx,
-        J_alpha_z + c29 + h_base_x * rise_y + omega_y * spin_zy - J_base_xx * alpha_z - M_load_z - omega_z * spin_yy,
-        J_base_xx * alpha_y + M_load_y + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c27 - omega_z * spin_yz,
-        J_base_yy * alpha_z + M_load_z + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c30 - omega_x * spin_zx,
+        J_alpha_z + c29 + h_base_x * rise_y + omega_y * spin_zy - M_load_z - J_base_xx * alpha_z - omega_z * spin_yy,
+        M_load_y + J_base_xx * alpha_y + h_base_x * rise_z + omega_y * spin_zz - J_alpha_y - c27 - omega_z * spin_yz,
+        M_load_z + J_base_yy * alpha_z + h_base_y * rise_x + omega_z * spin_xx - J_alpha_z - c30 - omega_x * spin_zx,
         c48 + omega_z * spin_xy - c45 - c46 - c47 - omega_x * spin_zy,
-        J_alpha_x + c25 + h_base_y * rise_z + omega_z * spin_xz - J_base_yy * alpha_x - M_load_x - omega_x * spin_zz,
-        J_alpha_y + c28 + h_base_z * rise_x + omega_x * spin_yx - J_base_zz * alpha_y - M_load_y - omega_y * spin_xx,
-        J_base_zz * alpha_x + M_load_x + h_base_z * rise_y + omega_x * spin_yy - J_alpha_x - c26 - omega_y * spin_xy,
+        J_alpha_x + c25 + h_base_y * rise_z + omega_z * spin_xz - M_load_x - J_base_yy * alpha_x - omega_x * spin_zz,
+        J_alpha_y + c28 + h_base_z * rise_x + omega_x * spin_yx - M_load_y - J_base_zz * alpha_y - omega_y * spin_xx,
+        M_load_x + J_base_zz * alpha_x + h_base_z * rise_y + omega_x * spin_yy - J_alpha_x - c26 - omega_y * spin_xy,
         c43 + omega_x * spin_yz - c44 - c47 - c48 - omega_y * spin_xz,
     ]
     out.W_fv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
@@ -5777,9 +5871,9 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -5846,11 +5940,11 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     S_ddot_z = omega_x * w_q_y - c7
     c8 = k3 * k3
     # (8) acceleration of the length
-    L_ddot = L * (c8 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + turned_x
+    L_ddot = turned_x + L * (theta_dot2 + c8 * phi_dot2) + S_ddot_x * s_x + S_ddot_z * s_z + S_ddot_y * s_y
     c9 = 2.0 * L_share
     c10 = k3 * turned_z
     # (9) turning accelerations of the leg about y and z but for the turning of the frame about s
-    own_y = turned_y - c9 * theta_dot - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_y = turned_y - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - c9 * theta_dot
     own_z = c10 + inv_L * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - W_z * c9
     # gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
@@ -5866,16 +5960,16 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c11 = inv_rho * net_z
     c12 = inv_L * net_y
     # force at the tip, less the actuator's
-    R_tip_x = c11 * y_x + net_x * s_x - c12 * z_x
-    R_tip_y = c11 * y_y + net_x * s_y - c12 * z_y
-    R_tip_z = c11 * y_z + net_x * s_z - c12 * z_z
-    fall_x = omega_y * w_q_z - c5 - g_x
-    fall_y = -c6 - g_y
-    fall_z = omega_x * w_q_y - c7 - g_z
+    R_tip_x = net_x * s_x - c12 * z_x + c11 * y_x
+    R_tip_y = net_x * s_y - c12 * z_y + c11 * y_y
+    R_tip_z = net_x * s_z - c12 * z_z + c11 * y_z
+    fall_x = omega_y * w_q_z - g_x - c5
+    fall_y = -g_y - c6
+    fall_z = omega_x * w_q_y - g_z - c7
     # acceleration of the platform point from free fall, leg frame
-    fall_T_x = fall_x * s_x + fall_y * s_y + fall_z * s_z + turned_x
+    fall_T_x = turned_x + fall_x * s_x + fall_z * s_z + fall_y * s_y
     fall_T_y = L * c10 + fall_x * y_x + fall_y * y_y + fall_z * y_z
-    fall_T_z = fall_x * z_x + fall_y * z_y + fall_z * z_z - L * turned_y
+    fall_T_z = fall_x * z_x - L * turned_y + fall_y * z_y + fall_z * z_z
     c13 = h_z * own_y
     c14 = W_z * W_z
     c15 = inv_L * inv_L
@@ -5890,8 +5984,8 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c24 = c14 * h_z
     c25 = c24 * inv_L
     c26 = inv_k3 * k1
-    tau_S_leg_11 = (2.0 * L_dot * c15 * h_z * theta_dot + 2.0 * c14 * h_x * inv_L + 2.0 * c3 * h_x * inv_L + h_y
-        * inv_L * own_z - c13 * inv_L - c16 * c18 - c19 * c23 - 4.0 * c25 * c26)
+    tau_S_leg_11 = (2.0 * c14 * h_x * inv_L + 2.0 * c3 * h_x * inv_L - 4.0 * c25 * c26 + 2.0 * L_dot * c15 * h_z
+        * theta_dot - c16 * c18 - c13 * inv_L + h_y * inv_L * own_z - c19 * c23)
     c27 = 2.0 * h_x
     c28 = c27 * inv_L
     c29 = c28 * own_z
@@ -5922,9 +6016,9 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c54 = h_y * k1
     c55 = c54 * inv_k3
     c56 = c16 * c37
-    tau_S_leg_12 = (C_p * W_z + W_z * c27 * c49 + W_z * c38 + axial * c29 + axial * c44 + c31 * inv_L + c32
-        * h_y + c34 + c35 + c39 * c41 + c41 * c42 + c45 * c52 - axial * c34 - c17 * c48 - c21 * c53 * h_z - c29
-        - c35 * c52 - c36 * c50 * c51 * theta_dot - c44 - c45 - c55 * c56)
+    tau_S_leg_12 = (c35 - c17 * c48 + c45 * c52 - c45 - c35 * c52 + c32 * h_y + c34 + C_p * W_z + W_z * c38
+        + c31 * inv_L + W_z * c27 * c49 - axial * c34 - c55 * c56 + c39 * c41 + axial * c29 + c41 * c42 - c21
+        * c53 * h_z - c29 - c36 * c50 * c51 * theta_dot + axial * c44 - c44)
     c57 = c27 * own_y
     c58 = c57 * inv_L
     c59 = c30 * fall_T_z
@@ -5944,9 +6038,9 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c74 = c14 * inv_k3
     c75 = c74 * k1
     c76 = c15 * c75
-    tau_S_leg_13 = (c15 * c61 + c16 * c71 + c25 * c52 + c50 * c64 + c58 + c59 * inv_L + c60 + c62 * inv_L + c65
-        + c67 + c73 * c76 - C_p * theta_dot - axial * c58 - axial * c60 - axial * c65 - axial * c67 - axial
-        * c73 * c76 - c25 - c48 * c68 - c49 * c69 - c64)
+    tau_S_leg_13 = (c62 * inv_L - c48 * c68 + c25 * c52 - c25 + c65 - axial * c65 + c73 * c76 - axial * c73
+        * c76 + c15 * c61 + c59 * inv_L - C_p * theta_dot + c67 - c49 * c69 + c16 * c71 + c50 * c64 + c58 + c60
+        - axial * c67 - c64 - axial * c58 - axial * c60)
     c78 = C_us * inv_L
     c79 = c78 * theta_dot
     c80 = 2.0 * J_yy
@@ -5983,10 +6077,10 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c111 = c109 * c110
     c112 = c40 * c74
     c113 = 2.0 * J_xx
-    tau_S_leg_21 = (W_z * c104 + axial * c112 * c73 + axial * c93 + axial * c95 + c101 * c69 + c102 * theta_dot
-        + c107 * c108 + c111 * c20 + c112 * (3.0 * J_zz - 3.0 * J_yy - c113) + c23 * c82 + c24 + c50 * c90 + c84
-        + c85 + c87 * own_y - c100 * own_z - c105 - c106 - c2 * c71 - c57 - c59 - c62 - c79 - c80 * c81 - c82
-        * own_z - c90 - c93 - c95 - c96 * c97)
+    tau_S_leg_21 = (c24 - c62 - c106 + c107 * c108 - c96 * c97 + axial * c93 - c93 + c112 * (3.0 * J_zz - 3.0
+        * J_yy - c113) + axial * c112 * c73 - c59 + c102 * theta_dot + c101 * c69 - c79 + W_z * c104 + c84 + axial
+        * c95 + c111 * c20 + c87 * own_y - c95 + c50 * c90 + c85 - c105 - c57 - c90 - c2 * c71 - c80 * c81 + c23
+        * c82 - c100 * own_z - c82 * own_z)
     c114 = c98 * own_y
     c115 = W_z * c69
     c116 = gamma_y * inv_L * w_z
@@ -6028,15 +6122,15 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c152 = 2.0 * c99
     c153 = J_xz * c70
     c154 = c15 * c46
-    c155 = c150 + c80
+    c155 = c80 + c150
     c157 = W_z * c50
-    tau_S_leg_22 = (L_ddot * c19 * c26 + W_z * c150 * c88 + c103 * c48 + c109 * c138 * c147 + c114 + c117 + c119
-        * k1 + c120 * inv_k3 + c122 * c52 + c125 * c127 + c128 * c41 + c129 * c50 + c142 * c20 + c143 * c144
-        + c145 * c152 + c146 * c73 * inv_k3 + c148 * c56 * inv_k3 + c151 * inv_k3 + c153 * c16 * c50 + c2 * c51
-        * h_z + c2 * c83 + c23 * h_z + c3 * c55 + c39 * c50 + c42 + c74 * c99 - c100 * c3 - c114 * c50 - c115
-        - c116 - c117 * c52 - c118 * inv_k3 * w_n_omega - c121 - c122 - c124 * inv_k3 - c129 - c131 - 4.0 * c132
-        * c20 * c88 - c133 * gamma_y * inv_k3 - c135 * inv_k3 - c137 * c2 - c138 * c140 - c143 * c145 - c144
-        * c152 - 2.0 * c154 * c55 - c155 * c157 * c88 - c155 * c16 * c21 - c2 * c50 * c83 - c39 - c54 * c74)
+    tau_S_leg_22 = (c103 * c48 + c117 + c122 * c52 - c122 - c117 * c52 + c74 * c99 + c143 * c144 + c145 * c152
+        + c3 * c55 - c54 * c74 + c151 * inv_k3 - c100 * c3 - c143 * c145 - c144 * c152 - 2.0 * c154 * c55 + L_ddot
+        * c19 * c26 - c121 - c135 * inv_k3 + c2 * c83 + c129 * c50 - c129 + W_z * c150 * c88 + c114 + c120 * inv_k3
+        + c142 * c20 + c148 * c56 * inv_k3 - c115 - c116 - c133 * gamma_y * inv_k3 - c2 * c50 * c83 + c119 * k1
+        + c2 * c51 * h_z + c39 * c50 - c131 - c39 + c109 * c138 * c147 + c153 * c16 * c50 + c42 - c114 * c50
+        - 4.0 * c132 * c20 * c88 - c137 * c2 - c155 * c157 * c88 + c125 * c127 + c23 * h_z - c118 * inv_k3 * w_n_omega
+        - c124 * inv_k3 - c138 * c140 - c155 * c16 * c21 + c128 * c41 + c146 * c73 * inv_k3)
     c158 = g_k * k1
     c159 = gamma_n * w_z
     c160 = h_y * own_z
@@ -6045,13 +6139,13 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c163 = c16 * c20
     c164 = c107 * c40
     c165 = J_xx + c73
-    tau_S_leg_23 = (C_us * L_dot * c15 + 2.0 * J_xy * L_dot * W_z * c15 + 2.0 * J_xy * W_z * inv_L * inv_k3
-        * k1 * theta_dot + J_xy * c50 * inv_L * own_z + J_yy * L_ddot * c15 + J_yy * c3 * inv_L + 2.0 * J_yz
-        * W_z * inv_L * theta_dot + 2.0 * L_ddot * h_x * inv_L + 2.0 * L_dot * W_z * c50 * h_y * inv_L + 4.0
-        * W_z * c138 * h_y * k1 * theta_dot + 2.0 * c138 * c14 * h_z * k1 + c14 * c165 * c50 * inv_L + fall_T_x
-        * m_u + gamma_n * inv_L * k3 * w_x - c110 * c50 * c70 - c13 - c134 * c162 - c138 * c164 - c14 * c27
-        - c14 * c86 - 2.0 * c148 * c163 - c154 * c27 - c158 * c94 - c159 * c40 - c160 * c50 - c18 * c2 - c48
-        * c80 - c50 * c63 * c82 - c55 * c63 - c91 * g_k * w_z)
+    tau_S_leg_23 = (J_yy * c3 * inv_L - c14 * c27 - c154 * c27 - c48 * c80 + c14 * c165 * c50 * inv_L - c14
+        * c86 - c91 * g_k * w_z - c158 * c94 + C_us * L_dot * c15 + 2.0 * c138 * c14 * h_z * k1 - c138 * c164
+        + fall_T_x * m_u + J_yy * L_ddot * c15 + 2.0 * L_ddot * h_x * inv_L + gamma_n * inv_L * k3 * w_x - c159
+        * c40 - c13 - c18 * c2 - c55 * c63 + 2.0 * J_xy * L_dot * W_z * c15 + 2.0 * J_yz * W_z * inv_L * theta_dot
+        - c110 * c50 * c70 - 2.0 * c148 * c163 - c50 * c63 * c82 + 2.0 * L_dot * W_z * c50 * h_y * inv_L + 4.0
+        * W_z * c138 * h_y * k1 * theta_dot - c134 * c162 + 2.0 * J_xy * W_z * inv_L * inv_k3 * k1 * theta_dot
+        + J_xy * c50 * inv_L * own_z - c160 * c50)
     c166 = c27 * k3
     c167 = c166 * own_z
     c168 = c92 * gamma_y
@@ -6070,10 +6164,10 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c181 = J_yz * k3
     c182 = c50 * k1
     c184 = -W_z * c150 * k3
-    tau_S_leg_31 = (J_xx * c161 * c182 + axial * c167 + c101 * c179 + c111 * theta_dot + c113 * c163 + c128
-        * c91 + c131 * k1 + c14 * c178 + c16 * c184 + c168 + c169 + c175 * c176 + c178 * c3 + c180 * (J_xx + c149)
-        + c181 * c56 + c31 * k3 - axial * c168 - c109 * c117 - c109 * c122 - c114 * k1 - c119 - c139 * c2 - c146
-        * c172 - c167 - c171 * own_z - c173 * own_y - c174 * theta_dot - 2.0 * c74 * c98)
+    tau_S_leg_31 = (c169 + c14 * c178 + c178 * c3 - 2.0 * c74 * c98 - c109 * c117 - c109 * c122 + c111 * theta_dot
+        + c168 + c181 * c56 + c31 * k3 + c101 * c179 - axial * c168 + c113 * c163 + c131 * k1 + c175 * c176
+        - c119 - c173 * own_y + J_xx * c161 * c182 + c16 * c184 - c114 * k1 - c139 * c2 - c174 * theta_dot + axial
+        * c167 + c180 * (J_xx + c149) - c167 - c171 * own_z + c128 * c91 - c146 * c172)
     c185 = k3 * own_z
     c186 = c94 * gamma_n
     c187 = c172 * inv_k3
@@ -6084,21 +6178,21 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c192 = c113 * inv_L
     c193 = c68 * k1
     c194 = J_xx - J_zz
-    tau_S_leg_32 = (2.0 * J_xx * L_dot * c15 * c50 * k1 * theta_dot + 2.0 * J_xx * c138 * c3 * inv_L + 2.0 * J_xx
-        * c46 * c47 * inv_k3 + 2.0 * J_xy * L_dot * W_z * c15 * k3 + J_xy * inv_L * inv_k3 * own_z + 2.0 * J_xz
-        * L_dot * c15 * inv_k3 * theta_dot + 2.0 * J_xz * c3 * c50 * inv_L * k1 + 2.0 * J_xz * c3 * inv_L * k1
-        + 4.0 * J_xz * c46 * c47 * k1 + 2.0 * J_xz * inv_L * k3 * own_y + J_yz * inv_L * k1 * own_z + L_ddot
-        * c15 * c194 * k3 + 2.0 * L_ddot * h_z * inv_L * k1 + 2.0 * W_z * c50 * h_y * k1 * theta_dot + axial
-        * c14 * c73 * inv_L * k3 + axial * c8 * gamma_n * inv_L * w_x + axial * fall_T_z * k1 * m_u + c14 * c165
-        * inv_L * inv_k3 + 2.0 * c14 * c50 * h_z * k1 + c14 * inv_L * k3 * (J_xx - J_yy) + 2.0 * c15 * c46 * h_x
-        * k3 + c165 * inv_L * k1 * own_y + 2.0 * c3 * h_x * k3 + g_k * inv_L * k1 * k3 * w_x + gamma_n * inv_L
-        * inv_k3 * k1 * w_z + gamma_y * inv_L * inv_k3 * w_y + 2.0 * h_z * inv_k3 * own_y - C_us * c16 * inv_k3
-        - J_xx * c108 * c123 - J_xz * c109 * c32 - L_ddot * c166 * inv_L - W_z * c189 - axial * c14 * c73 * inv_L
-        * inv_k3 - axial * c158 * c92 - axial * c186 - 2.0 * c110 * c20 - c123 * c87 - c126 * c2 * c69 - 2.0
-        * c13 * k3 - c144 * c192 - c148 * c16 * c70 - c150 * c46 * c47 * k3 - c154 * c193 - c157 * c189 - c160
-        * inv_k3 - c164 * c50 - c164 - c170 * c32 - c171 * c3 - c173 * c63 - c182 * c79 - c185 * c98 - c186
-        * c8 - c187 * c81 - c188 * c50 - c188 - c190 * c191 - c194 * c3 * inv_L * k3 - c85 * k1 - fall_T_x * k3
-        * m_u)
+    tau_S_leg_32 = (2.0 * J_xx * c138 * c3 * inv_L - c144 * c192 + c14 * c165 * inv_L * inv_k3 + c14 * inv_L
+        * k3 * (J_xx - J_yy) + 2.0 * c3 * h_x * k3 + 2.0 * J_xx * c46 * c47 * inv_k3 + axial * c14 * c73 * inv_L
+        * k3 + 2.0 * c15 * c46 * h_x * k3 - c150 * c46 * c47 * k3 - c171 * c3 - c194 * c3 * inv_L * k3 - axial
+        * c14 * c73 * inv_L * inv_k3 - c154 * c193 - c164 - c188 + 2.0 * J_xz * c3 * inv_L * k1 + 4.0 * J_xz
+        * c46 * c47 * k1 + 2.0 * c14 * c50 * h_z * k1 + g_k * inv_L * k1 * k3 * w_x - axial * c158 * c92 - c164
+        * c50 - c188 * c50 + 2.0 * J_xz * c3 * c50 * inv_L * k1 - C_us * c16 * inv_k3 + L_ddot * c15 * c194
+        * k3 - L_ddot * c166 * inv_L - c170 * c32 - fall_T_x * k3 * m_u + 2.0 * L_ddot * h_z * inv_L * k1 - J_xz
+        * c109 * c32 + axial * fall_T_z * k1 * m_u - c182 * c79 - c190 * c191 + gamma_y * inv_L * inv_k3 * w_y
+        - axial * c186 - c126 * c2 * c69 - c186 * c8 + 2.0 * J_xz * L_dot * c15 * inv_k3 * theta_dot + axial
+        * c8 * gamma_n * inv_L * w_x + gamma_n * inv_L * inv_k3 * k1 * w_z - W_z * c189 - 2.0 * c110 * c20 - c157
+        * c189 - c173 * c63 + 2.0 * J_xx * L_dot * c15 * c50 * k1 * theta_dot + c165 * inv_L * k1 * own_y + 2.0
+        * h_z * inv_k3 * own_y - c123 * c87 - 2.0 * c13 * k3 - c148 * c16 * c70 - c187 * c81 + 2.0 * J_xy * L_dot
+        * W_z * c15 * k3 + 2.0 * J_xz * inv_L * k3 * own_y + 2.0 * W_z * c50 * h_y * k1 * theta_dot - J_xx * c108
+        * c123 - c85 * k1 + J_xy * inv_L * inv_k3 * own_z + J_yz * inv_L * k1 * own_z - c160 * inv_k3 - c185
+        * c98)
     c196 = J_xx * c146
     c197 = c157 * k1
     c198 = J_xy * k3
@@ -6106,81 +6200,81 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c200 = 2.0 * c181
     c201 = c14 * c50
     c202 = c113 * c197
-    tau_S_leg_33 = (c114 * k3 + c115 * k3 + c116 * k3 + c121 * k3 + c122 * c177 + c130 * c176 * k1 + c133 * gamma_y
-        + c135 + c137 * k1 * theta_dot + c148 * c56 + c152 * c3 + c161 * c170 + c172 * c180 + c174 * c2 + c184
-        * c88 + c196 * c50 + c196 + c197 * c78 + c201 * c99 - J_xx * c162 - W_z * c142 - c109 * c147 * c50 - c120
-        - c124 - c127 * own_z - c128 * c40 - c136 * c191 - c140 - c151 - c16 * c199 - c16 * c202 - c177 * c42
-        - c198 * c56 - c200 * c48 - c201 * c54)
+    tau_S_leg_33 = (c122 * c177 - c200 * c48 + c201 * c99 + c152 * c3 - c201 * c54 - c151 + c135 + c121 * k3
+        + c133 * gamma_y + c148 * c56 + c115 * k3 + c116 * k3 - W_z * c142 - c120 - c198 * c56 + c114 * k3 + c130
+        * c176 * k1 + c161 * c170 + c174 * c2 + c197 * c78 - c136 * c191 + c137 * k1 * theta_dot + c184 * c88
+        - c124 - c140 - c16 * c199 + c172 * c180 + c196 - J_xx * c162 - c109 * c147 * c50 - c127 * own_z - c16
+        * c202 + c196 * c50 - c177 * c42 - c128 * c40)
     # generalised forces by the tip's motion
-    tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_12 * y_x + tau_S_leg_13 * z_x
-    tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_12 * y_y + tau_S_leg_13 * z_y
-    tau_S_xz = s_z * tau_S_leg_11 + tau_S_leg_12 * y_z + tau_S_leg_13 * z_z
-    tau_S_yx = s_x * tau_S_leg_21 + tau_S_leg_22 * y_x + tau_S_leg_23 * z_x
-    tau_S_yy = s_y * tau_S_leg_21 + tau_S_leg_22 * y_y + tau_S_leg_23 * z_y
-    tau_S_yz = s_z * tau_S_leg_21 + tau_S_leg_22 * y_z + tau_S_leg_23 * z_z
-    tau_S_zx = s_x * tau_S_leg_31 + tau_S_leg_32 * y_x + tau_S_leg_33 * z_x
-    tau_S_zy = s_y * tau_S_leg_31 + tau_S_leg_32 * y_y + tau_S_leg_33 * z_y
-    tau_S_zz = s_z * tau_S_leg_31 + tau_S_leg_32 * y_z + tau_S_leg_33 * z_z
-    tau_S_dot_leg_11 = C_p + c19 * c70 - c38
+    tau_S_xx = s_x * tau_S_leg_11 + tau_S_leg_13 * z_x + tau_S_leg_12 * y_x
+    tau_S_xy = s_y * tau_S_leg_11 + tau_S_leg_13 * z_y + tau_S_leg_12 * y_y
+    tau_S_xz = s_z * tau_S_leg_11 + tau_S_leg_13 * z_z + tau_S_leg_12 * y_z
+    tau_S_yx = s_x * tau_S_leg_21 + tau_S_leg_23 * z_x + tau_S_leg_22 * y_x
+    tau_S_yy = s_y * tau_S_leg_21 + tau_S_leg_23 * z_y + tau_S_leg_22 * y_y
+    tau_S_yz = s_z * tau_S_leg_21 + tau_S_leg_23 * z_z + tau_S_leg_22 * y_z
+    tau_S_zx = s_x * tau_S_leg_31 + tau_S_leg_33 * z_x + tau_S_leg_32 * y_x
+    tau_S_zy = s_y * tau_S_leg_31 + tau_S_leg_33 * z_y + tau_S_leg_32 * y_y
+    tau_S_zz = s_z * tau_S_leg_31 + tau_S_leg_33 * z_z + tau_S_leg_32 * y_z
+    tau_S_dot_leg_11 = C_p - c38 + c19 * c70
     c203 = c109 * c19
-    tau_S_dot_leg_12 = c16 * c17 + c203 * inv_k3 * theta_dot + c22 * c36 - W_z * c28
+    tau_S_dot_leg_12 = c16 * c17 + c203 * inv_k3 * theta_dot - W_z * c28 + c22 * c36
     tau_S_dot_leg_13 = c16 * c68 + c27 * c88 - c20 * c203
-    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c152 * c20 - c69 - c70 * c82 - c80 * c88
+    tau_S_dot_leg_21 = 2.0 * W_z * h_y * inv_k3 * k1 - c69 - c80 * c88 - c152 * c20 - c70 * c82
     c204 = c109 * c82
     c205 = c204 * theta_dot
-    tau_S_dot_leg_22 = (2.0 * J_xy * inv_L * theta_dot + 4.0 * J_xz * W_z * inv_L + 2.0 * L_dot * h_y * inv_L
-        * inv_k3 * k1 + W_z * c155 * inv_L * inv_k3 * k1 + 2.0 * W_z * c50 * h_z + 2.0 * c50 * h_y * theta_dot
-        - c104 - c108 * c153 - c111 * inv_k3 - c136 - c205 * inv_k3 - 2.0 * c50 * c89 - c83)
+    tau_S_dot_leg_22 = (2.0 * L_dot * h_y * inv_L * inv_k3 * k1 - c104 - c111 * inv_k3 - c83 + 2.0 * J_xy * inv_L
+        * theta_dot + 2.0 * c50 * h_y * theta_dot - c205 * inv_k3 - c136 - 2.0 * c50 * c89 + 4.0 * J_xz * W_z
+        * inv_L + 2.0 * W_z * c50 * h_z + W_z * c155 * inv_L * inv_k3 * k1 - c108 * c153)
     c206 = c70 * c98
-    tau_S_dot_leg_23 = c102 + c141 + c18 + c20 * c204 + c206 * c50 - c18 * c50 - c190 - c206 - c78
-    tau_S_dot_leg_31 = (W_z * c150 * inv_L * k3 + 2.0 * W_z * h_z * k1 - c130 * c97 * k1 - c173 * c37 - c179
-        - c189 - c192 * c20)
-    tau_S_dot_leg_32 = (C_us * inv_L * inv_k3 + 2.0 * J_xy * W_z * inv_L * inv_k3 + 2.0 * J_yz * W_z * inv_L
-        * k1 + L_dot * c15 * c150 * k3 + 2.0 * L_dot * h_z * inv_L * k1 + 2.0 * h_z * inv_k3 * theta_dot - W_z
-        * c178 - c113 * c16 * inv_k3 - c113 * c182 * c88 - c132 * c53 - c166 * c2 - c18 * inv_k3 - c187 * c88)
-    tau_S_dot_leg_33 = c111 + c113 * c157 * c40 + c16 * c200 + 2.0 * c198 * c88 + c199 * inv_L - c174 - c205
+    tau_S_dot_leg_23 = c102 - c78 + c141 - c190 + c18 + c20 * c204 + c206 * c50 - c18 * c50 - c206
+    tau_S_dot_leg_31 = (W_z * c150 * inv_L * k3 - c173 * c37 - c179 - c189 + 2.0 * W_z * h_z * k1 - c192 * c20
+        - c130 * c97 * k1)
+    tau_S_dot_leg_32 = (C_us * inv_L * inv_k3 + L_dot * c15 * c150 * k3 - c166 * c2 + 2.0 * L_dot * h_z * inv_L
+        * k1 - c113 * c16 * inv_k3 - c132 * c53 + 2.0 * h_z * inv_k3 * theta_dot - c187 * c88 - W_z * c178 - c113
+        * c182 * c88 - c18 * inv_k3 + 2.0 * J_xy * W_z * inv_L * inv_k3 + 2.0 * J_yz * W_z * inv_L * k1)
+    tau_S_dot_leg_33 = c16 * c200 + c111 - c205 + 2.0 * c198 * c88 + c113 * c157 * c40 + c199 * inv_L - c174
     # generalised forces by the tip's motion
-    tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_x + tau_S_dot_leg_13 * z_x
-    tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_y + tau_S_dot_leg_13 * z_y
-    tau_S_dot_xz = s_z * tau_S_dot_leg_11 + tau_S_dot_leg_12 * y_z + tau_S_dot_leg_13 * z_z
-    tau_S_dot_yx = s_x * tau_S_dot_leg_21 + tau_S_dot_leg_22 * y_x + tau_S_dot_leg_23 * z_x
-    tau_S_dot_yy = s_y * tau_S_dot_leg_21 + tau_S_dot_leg_22 * y_y + tau_S_dot_leg_23 * z_y
-    tau_S_dot_yz = s_z * tau_S_dot_leg_21 + tau_S_dot_leg_22 * y_z + tau_S_dot_leg_23 * z_z
-    tau_S_dot_zx = s_x * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_x + tau_S_dot_leg_33 * z_x
-    tau_S_dot_zy = s_y * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_y + tau_S_dot_leg_33 * z_y
-    tau_S_dot_zz = s_z * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_z + tau_S_dot_leg_33 * z_z
+    tau_S_dot_xx = s_x * tau_S_dot_leg_11 + tau_S_dot_leg_13 * z_x + tau_S_dot_leg_12 * y_x
+    tau_S_dot_xy = s_y * tau_S_dot_leg_11 + tau_S_dot_leg_13 * z_y + tau_S_dot_leg_12 * y_y
+    tau_S_dot_xz = s_z * tau_S_dot_leg_11 + tau_S_dot_leg_13 * z_z + tau_S_dot_leg_12 * y_z
+    tau_S_dot_yx = s_x * tau_S_dot_leg_21 + tau_S_dot_leg_23 * z_x + tau_S_dot_leg_22 * y_x
+    tau_S_dot_yy = s_y * tau_S_dot_leg_21 + tau_S_dot_leg_23 * z_y + tau_S_dot_leg_22 * y_y
+    tau_S_dot_yz = s_z * tau_S_dot_leg_21 + tau_S_dot_leg_23 * z_z + tau_S_dot_leg_22 * y_z
+    tau_S_dot_zx = tau_S_dot_leg_33 * z_x + s_x * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_x
+    tau_S_dot_zy = tau_S_dot_leg_33 * z_y + s_y * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_y
+    tau_S_dot_zz = tau_S_dot_leg_33 * z_z + s_z * tau_S_dot_leg_31 + tau_S_dot_leg_32 * y_z
     tau_S_ddot_leg_12 = -c19
     tau_S_ddot_leg_13 = -c36
-    tau_S_ddot_leg_22 = c100 + c82 - c55
+    tau_S_ddot_leg_22 = c82 + c100 - c55
     c207 = L * m_u
-    tau_S_ddot_leg_23 = -c207 - c27 - c86
+    tau_S_ddot_leg_23 = -c27 - c86 - c207
     c208 = h_y * k3
     tau_S_ddot_leg_31 = -c208
-    tau_S_ddot_leg_32 = c166 + c171 + c172 * c40 + c207 * k3 - c193 - c194 * c91
+    tau_S_ddot_leg_32 = c166 + c207 * k3 + c171 - c194 * c91 + c172 * c40 - c193
     tau_S_ddot_leg_33 = h_y * k1 - c173 - c99
     # generalised forces by the tip's motion
-    tau_S_ddot_xx = m_u * s_x + tau_S_ddot_leg_12 * y_x + tau_S_ddot_leg_13 * z_x
-    tau_S_ddot_xy = m_u * s_y + tau_S_ddot_leg_12 * y_y + tau_S_ddot_leg_13 * z_y
-    tau_S_ddot_xz = m_u * s_z + tau_S_ddot_leg_12 * y_z + tau_S_ddot_leg_13 * z_z
-    tau_S_ddot_yx = h_z * s_x + tau_S_ddot_leg_22 * y_x + tau_S_ddot_leg_23 * z_x
-    tau_S_ddot_yy = h_z * s_y + tau_S_ddot_leg_22 * y_y + tau_S_ddot_leg_23 * z_y
-    tau_S_ddot_yz = h_z * s_z + tau_S_ddot_leg_22 * y_z + tau_S_ddot_leg_23 * z_z
-    tau_S_ddot_zx = s_x * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_x + tau_S_ddot_leg_33 * z_x
-    tau_S_ddot_zy = s_y * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_y + tau_S_ddot_leg_33 * z_y
-    tau_S_ddot_zz = s_z * tau_S_ddot_leg_31 + tau_S_ddot_leg_32 * y_z + tau_S_ddot_leg_33 * z_z
+    tau_S_ddot_xx = m_u * s_x + tau_S_ddot_leg_13 * z_x + tau_S_ddot_leg_12 * y_x
+    tau_S_ddot_xy = m_u * s_y + tau_S_ddot_leg_13 * z_y + tau_S_ddot_leg_12 * y_y
+    tau_S_ddot_xz = m_u * s_z + tau_S_ddot_leg_13 * z_z + tau_S_ddot_leg_12 * y_z
+    tau_S_ddot_yx = h_z * s_x + tau_S_ddot_leg_23 * z_x + tau_S_ddot_leg_22 * y_x
+    tau_S_ddot_yy = h_z * s_y + tau_S_ddot_leg_23 * z_y + tau_S_ddot_leg_22 * y_y
+    tau_S_ddot_yz = h_z * s_z + tau_S_ddot_leg_23 * z_z + tau_S_ddot_leg_22 * y_z
+    tau_S_ddot_zx = s_x * tau_S_ddot_leg_31 + tau_S_ddot_leg_33 * z_x + tau_S_ddot_leg_32 * y_x
+    tau_S_ddot_zy = s_y * tau_S_ddot_leg_31 + tau_S_ddot_leg_33 * z_y + tau_S_ddot_leg_32 * y_y
+    tau_S_ddot_zz = s_z * tau_S_ddot_leg_31 + tau_S_ddot_leg_33 * z_z + tau_S_ddot_leg_32 * y_z
     c209 = 1.0 - axial
     c210 = L * k1
-    c211 = (axial * net_z + c209 * (C_us * W_z * inv_k3 + J_xx * inv_k3 * own_z + J_xy * c14 * inv_k3 + J_xy
-        * k1 * own_y + 2.0 * J_xz * k1 * own_z + J_yz * c14 * k1 + J_yz * c3 * k1 + J_yz * k3 * own_y + 2.0
-        * L * W_z * h_z * inv_k3 * theta_dot + L * c14 * h_y * k3 + L * c3 * h_y * k3 + gamma_y * k1 * w_z - C_s
-        * w_k_omega - J_xx * c185 - L * c109 * c42 - L * c169 - L_ddot * c208 - L_dot * c139 - L_dot * c37 * c54
-        - c14 * c198 - c175 * c37 - c198 * c3 - c202 * theta_dot - c210 * c39 - gamma_n * w_y))
+    c211 = (axial * net_z + c209 * (J_xy * c14 * inv_k3 - C_s * w_k_omega + L * c14 * h_y * k3 + L * c3 * h_y
+        * k3 - c14 * c198 - c198 * c3 - L * c169 + J_yz * c14 * k1 + J_yz * c3 * k1 - L_ddot * c208 + gamma_y
+        * k1 * w_z - gamma_n * w_y + C_us * W_z * inv_k3 - L_dot * c37 * c54 + J_xy * k1 * own_y + J_yz * k3
+        * own_y - L_dot * c139 - c175 * c37 - c210 * c39 + J_xx * inv_k3 * own_z + 2.0 * L * W_z * h_z * inv_k3
+        * theta_dot - c202 * theta_dot + 2.0 * J_xz * k1 * own_z - J_xx * c185 - L * c109 * c42))
     c212 = c211 * inv_rho * inv_rho
     bent_leg_12 = -c212 * k3
     c213 = J_xy * c63
-    c214 = (axial * net_y + c209 * (C_us * theta_dot + J_xx * c75 + J_yz * own_z + L * c105 + L * c106 + c107
-        + c125 * c134 + c159 * k3 + c213 + c61 - C_s * w_y_omega - 2.0 * L * c24 - L * c55 * own_z - L * c84
-        - c148 * c20 * c37 - c158 * w_z - c213 * c50 - c50 * c96))
+    c214 = (axial * net_y + c209 * (c107 - c50 * c96 + L * c106 - 2.0 * L * c24 + J_xx * c75 - c158 * w_z + c61
+        + C_us * theta_dot + c159 * k3 - C_s * w_y_omega + c213 + L * c105 - L * c84 + J_yz * own_z - c148 * c20
+        * c37 - c213 * c50 + c125 * c134 - L * c55 * own_z))
     c215 = c15 * c214
     bent_leg_13 = c215
     bent_leg_21 = -L * c215
@@ -6189,45 +6283,45 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c216 = c211 * c4 * c91
     bent_leg_31 = -c216
     c217 = inv_rho * k3
-    bent_leg_32 = L * k3 * (c214 * c40 * inv_rho + c217 * net_x)
+    bent_leg_32 = L * k3 * (c217 * net_x + c214 * c40 * inv_rho)
     bent_leg_33 = c216 * kappa
     # generalised forces by the tip's place, as the rows turn
-    tau_place_xx = bent_leg_12 * y_x + bent_leg_13 * z_x + tau_S_xx
-    tau_place_xy = bent_leg_12 * y_y + bent_leg_13 * z_y + tau_S_xy
-    tau_place_xz = bent_leg_12 * y_z + bent_leg_13 * z_z + tau_S_xz
-    tau_place_yx = bent_leg_21 * s_x + bent_leg_22 * y_x + bent_leg_23 * z_x + tau_S_yx
-    tau_place_yy = bent_leg_21 * s_y + bent_leg_22 * y_y + bent_leg_23 * z_y + tau_S_yy
-    tau_place_yz = bent_leg_21 * s_z + bent_leg_22 * y_z + bent_leg_23 * z_z + tau_S_yz
-    tau_place_zx = bent_leg_31 * s_x + bent_leg_32 * y_x + bent_leg_33 * z_x + tau_S_zx
-    tau_place_zy = bent_leg_31 * s_y + bent_leg_32 * y_y + bent_leg_33 * z_y + tau_S_zy
-    tau_place_zz = bent_leg_31 * s_z + bent_leg_32 * y_z + bent_leg_33 * z_z + tau_S_zz
-    X_xx = (B_xx * tau_S_ddot_xx + B_yx * tau_S_ddot_xy + B_zx * tau_S_ddot_xz + omega_z * tau_S_dot_xy + tau_place_xx
-        - omega_y * tau_S_dot_xz)
-    X_xy = (B_xy * tau_S_ddot_xx + B_yy * tau_S_ddot_xy + B_zy * tau_S_ddot_xz + omega_x * tau_S_dot_xz + tau_place_xy
-        - omega_z * tau_S_dot_xx)
-    X_xz = (B_xz * tau_S_ddot_xx + B_yz * tau_S_ddot_xy + B_zz * tau_S_ddot_xz + omega_y * tau_S_dot_xx + tau_place_xz
-        - omega_x * tau_S_dot_xy)
-    X_yx = (B_xx * tau_S_ddot_yx + B_yx * tau_S_ddot_yy + B_zx * tau_S_ddot_yz + omega_z * tau_S_dot_yy + tau_place_yx
-        - omega_y * tau_S_dot_yz)
-    X_yy = (B_xy * tau_S_ddot_yx + B_yy * tau_S_ddot_yy + B_zy * tau_S_ddot_yz + omega_x * tau_S_dot_yz + tau_place_yy
-        - omega_z * tau_S_dot_yx)
-    X_yz = (B_xz * tau_S_ddot_yx + B_yz * tau_S_ddot_yy + B_zz * tau_S_ddot_yz + omega_y * tau_S_dot_yx + tau_place_yz
-        - omega_x * tau_S_dot_yy)
-    X_zx = (B_xx * tau_S_ddot_zx + B_yx * tau_S_ddot_zy + B_zx * tau_S_ddot_zz + omega_z * tau_S_dot_zy + tau_place_zx
-        - omega_y * tau_S_dot_zz)
-    X_zy = (B_xy * tau_S_ddot_zx + B_yy * tau_S_ddot_zy + B_zy * tau_S_ddot_zz + omega_x * tau_S_dot_zz + tau_place_zy
-        - omega_z * tau_S_dot_zx)
-    X_zz = (B_xz * tau_S_ddot_zx + B_yz * tau_S_ddot_zy + B_zz * tau_S_ddot_zz + omega_y * tau_S_dot_zx + tau_place_zz
-        - omega_x * tau_S_dot_zy)
-    Y_xx = omega_z * tau_S_ddot_xy + tau_S_dot_xx - omega_y * tau_S_ddot_xz
-    Y_xy = omega_x * tau_S_ddot_xz + tau_S_dot_xy - omega_z * tau_S_ddot_xx
-    Y_xz = omega_y * tau_S_ddot_xx + tau_S_dot_xz - omega_x * tau_S_ddot_xy
-    Y_yx = omega_z * tau_S_ddot_yy + tau_S_dot_yx - omega_y * tau_S_ddot_yz
-    Y_yy = omega_x * tau_S_ddot_yz + tau_S_dot_yy - omega_z * tau_S_ddot_yx
-    Y_yz = omega_y * tau_S_ddot_yx + tau_S_dot_yz - omega_x * tau_S_ddot_yy
-    Y_zx = omega_z * tau_S_ddot_zy + tau_S_dot_zx - omega_y * tau_S_ddot_zz
-    Y_zy = omega_x * tau_S_ddot_zz + tau_S_dot_zy - omega_z * tau_S_ddot_zx
-    Y_zz = omega_y * tau_S_ddot_zx + tau_S_dot_zz - omega_x * tau_S_ddot_zy
+    tau_place_xx = bent_leg_13 * z_x + tau_S_xx + bent_leg_12 * y_x
+    tau_place_xy = bent_leg_13 * z_y + tau_S_xy + bent_leg_12 * y_y
+    tau_place_xz = bent_leg_13 * z_z + tau_S_xz + bent_leg_12 * y_z
+    tau_place_yx = bent_leg_23 * z_x + bent_leg_21 * s_x + bent_leg_22 * y_x + tau_S_yx
+    tau_place_yy = bent_leg_23 * z_y + bent_leg_21 * s_y + bent_leg_22 * y_y + tau_S_yy
+    tau_place_yz = bent_leg_23 * z_z + bent_leg_21 * s_z + bent_leg_22 * y_z + tau_S_yz
+    tau_place_zx = bent_leg_32 * y_x + bent_leg_31 * s_x + bent_leg_33 * z_x + tau_S_zx
+    tau_place_zy = bent_leg_32 * y_y + bent_leg_31 * s_y + bent_leg_33 * z_y + tau_S_zy
+    tau_place_zz = bent_leg_32 * y_z + bent_leg_31 * s_z + bent_leg_33 * z_z + tau_S_zz
+    X_xx = (B_xx * tau_S_ddot_xx + B_yx * tau_S_ddot_xy + B_zx * tau_S_ddot_xz + omega_z * tau_S_dot_xy - omega_y
+        * tau_S_dot_xz + tau_place_xx)
+    X_xy = (B_xy * tau_S_ddot_xx + B_yy * tau_S_ddot_xy + B_zy * tau_S_ddot_xz + omega_x * tau_S_dot_xz - omega_z
+        * tau_S_dot_xx + tau_place_xy)
+    X_xz = (B_xz * tau_S_ddot_xx + B_yz * tau_S_ddot_xy + B_zz * tau_S_ddot_xz + omega_y * tau_S_dot_xx - omega_x
+        * tau_S_dot_xy + tau_place_xz)
+    X_yx = (B_xx * tau_S_ddot_yx + B_yx * tau_S_ddot_yy + B_zx * tau_S_ddot_yz + omega_z * tau_S_dot_yy - omega_y
+        * tau_S_dot_yz + tau_place_yx)
+    X_yy = (B_xy * tau_S_ddot_yx + B_yy * tau_S_ddot_yy + B_zy * tau_S_ddot_yz + omega_x * tau_S_dot_yz - omega_z
+        * tau_S_dot_yx + tau_place_yy)
+    X_yz = (B_xz * tau_S_ddot_yx + B_yz * tau_S_ddot_yy + B_zz * tau_S_ddot_yz + omega_y * tau_S_dot_yx - omega_x
+        * tau_S_dot_yy + tau_place_yz)
+    X_zx = (B_xx * tau_S_ddot_zx + B_yx * tau_S_ddot_zy + B_zx * tau_S_ddot_zz + omega_z * tau_S_dot_zy - omega_y
+        * tau_S_dot_zz + tau_place_zx)
+    X_zy = (B_xy * tau_S_ddot_zx + B_yy * tau_S_ddot_zy + B_zy * tau_S_ddot_zz + omega_x * tau_S_dot_zz - omega_z
+        * tau_S_dot_zx + tau_place_zy)
+    X_zz = (B_xz * tau_S_ddot_zx + B_yz * tau_S_ddot_zy + B_zz * tau_S_ddot_zz + omega_y * tau_S_dot_zx - omega_x
+        * tau_S_dot_zy + tau_place_zz)
+    Y_xx = omega_z * tau_S_ddot_xy - omega_y * tau_S_ddot_xz + tau_S_dot_xx
+    Y_xy = omega_x * tau_S_ddot_xz - omega_z * tau_S_ddot_xx + tau_S_dot_xy
+    Y_xz = omega_y * tau_S_ddot_xx - omega_x * tau_S_ddot_xy + tau_S_dot_xz
+    Y_yx = omega_z * tau_S_ddot_yy - omega_y * tau_S_ddot_yz + tau_S_dot_yx
+    Y_yy = omega_x * tau_S_ddot_yz - omega_z * tau_S_ddot_yx + tau_S_dot_yy
+    Y_yz = omega_y * tau_S_ddot_yx - omega_x * tau_S_ddot_yy + tau_S_dot_yz
+    Y_zx = omega_z * tau_S_ddot_zy - omega_y * tau_S_ddot_zz + tau_S_dot_zx
+    Y_zy = omega_x * tau_S_ddot_zz - omega_z * tau_S_ddot_zx + tau_S_dot_zy
+    Y_zz = omega_y * tau_S_ddot_zx - omega_x * tau_S_ddot_zy + tau_S_dot_zz
     G_dot_21 = -c88
     c218 = k1 * phi_dot
     G_dot_22 = c218 * inv_L
@@ -6245,27 +6339,27 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_leg_23 = C_s * G_dot_23
     c221 = C_s * k3
     f_S_leg_31 = G_dot_31 * c221
-    f_S_leg_32 = C_s * (G_dot_32 * k3 + c219 * k1)
+    f_S_leg_32 = C_s * (c219 * k1 + G_dot_32 * k3)
     f_S_leg_33 = G_dot_33 * c221
-    f_S_T_xs = f_S_leg_11 * s_x + f_S_leg_21 * y_x + f_S_leg_31 * z_x
-    f_S_T_xy = f_S_leg_12 * s_x + f_S_leg_22 * y_x + f_S_leg_32 * z_x
-    f_S_T_xz = f_S_leg_13 * s_x + f_S_leg_23 * y_x + f_S_leg_33 * z_x
-    f_S_T_ys = f_S_leg_11 * s_y + f_S_leg_21 * y_y + f_S_leg_31 * z_y
-    f_S_T_yy = f_S_leg_12 * s_y + f_S_leg_22 * y_y + f_S_leg_32 * z_y
-    f_S_T_yz = f_S_leg_13 * s_y + f_S_leg_23 * y_y + f_S_leg_33 * z_y
-    f_S_T_zs = f_S_leg_11 * s_z + f_S_leg_21 * y_z + f_S_leg_31 * z_z
-    f_S_T_zy = f_S_leg_12 * s_z + f_S_leg_22 * y_z + f_S_leg_32 * z_z
-    f_S_T_zz = f_S_leg_13 * s_z + f_S_leg_23 * y_z + f_S_leg_33 * z_z
+    f_S_T_xs = f_S_leg_21 * y_x + f_S_leg_11 * s_x + f_S_leg_31 * z_x
+    f_S_T_xy = f_S_leg_22 * y_x + f_S_leg_12 * s_x + f_S_leg_32 * z_x
+    f_S_T_xz = f_S_leg_23 * y_x + f_S_leg_13 * s_x + f_S_leg_33 * z_x
+    f_S_T_ys = f_S_leg_21 * y_y + f_S_leg_11 * s_y + f_S_leg_31 * z_y
+    f_S_T_yy = f_S_leg_22 * y_y + f_S_leg_12 * s_y + f_S_leg_32 * z_y
+    f_S_T_yz = f_S_leg_23 * y_y + f_S_leg_13 * s_y + f_S_leg_33 * z_y
+    f_S_T_zs = f_S_leg_21 * y_z + f_S_leg_11 * s_z + f_S_leg_31 * z_z
+    f_S_T_zy = f_S_leg_22 * y_z + f_S_leg_12 * s_z + f_S_leg_32 * z_z
+    f_S_T_zz = f_S_leg_23 * y_z + f_S_leg_13 * s_z + f_S_leg_33 * z_z
     # friction moment by S
-    f_S_xx = f_S_T_xs * s_x + f_S_T_xy * y_x + f_S_T_xz * z_x
-    f_S_xy = f_S_T_xs * s_y + f_S_T_xy * y_y + f_S_T_xz * z_y
-    f_S_xz = f_S_T_xs * s_z + f_S_T_xy * y_z + f_S_T_xz * z_z
-    f_S_yx = f_S_T_ys * s_x + f_S_T_yy * y_x + f_S_T_yz * z_x
-    f_S_yy = f_S_T_ys * s_y + f_S_T_yy * y_y + f_S_T_yz * z_y
-    f_S_yz = f_S_T_ys * s_z + f_S_T_yy * y_z + f_S_T_yz * z_z
-    f_S_zx = f_S_T_zs * s_x + f_S_T_zy * y_x + f_S_T_zz * z_x
-    f_S_zy = f_S_T_zs * s_y + f_S_T_zy * y_y + f_S_T_zz * z_y
-    f_S_zz = f_S_T_zs * s_z + f_S_T_zy * y_z + f_S_T_zz * z_z
+    f_S_xx = f_S_T_xs * s_x + f_S_T_xz * z_x + f_S_T_xy * y_x
+    f_S_xy = f_S_T_xs * s_y + f_S_T_xz * z_y + f_S_T_xy * y_y
+    f_S_xz = f_S_T_xs * s_z + f_S_T_xz * z_z + f_S_T_xy * y_z
+    f_S_yx = f_S_T_ys * s_x + f_S_T_yz * z_x + f_S_T_yy * y_x
+    f_S_yy = f_S_T_ys * s_y + f_S_T_yz * z_y + f_S_T_yy * y_y
+    f_S_yz = f_S_T_ys * s_z + f_S_T_yz * z_z + f_S_T_yy * y_z
+    f_S_zx = f_S_T_zs * s_x + f_S_T_zz * z_x + f_S_T_zy * y_x
+    f_S_zy = f_S_T_zs * s_y + f_S_T_zz * z_y + f_S_T_zy * y_y
+    f_S_zz = f_S_T_zs * s_z + f_S_T_zz * z_z + f_S_T_zy * y_z
     f_S_dot_leg_12 = c220 * inv_rho
     f_S_dot_leg_23 = -c118
     f_S_dot_leg_32 = C_s * c217
@@ -6287,16 +6381,16 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
     c222 = R_tip_y * q_y
     c223 = R_tip_z * q_z
-    c224 = f_S_dot_xx * omega_y + f_S_xz - f_S_dot_xy * omega_x
-    c225 = f_S_dot_xz * omega_x + f_S_xy - f_S_dot_xx * omega_z
-    c226 = f_S_dot_xy * omega_z + f_S_xx - f_S_dot_xz * omega_y
-    c227 = f_S_dot_yz * omega_x + f_S_yy - f_S_dot_yx * omega_z
-    c228 = f_S_dot_yx * omega_y + f_S_yz - f_S_dot_yy * omega_x
+    c224 = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
+    c225 = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy
+    c226 = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx
+    c227 = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy
+    c228 = f_S_dot_yx * omega_y - f_S_dot_yy * omega_x + f_S_yz
     c229 = R_tip_x * q_x
-    c230 = f_S_dot_yy * omega_z + f_S_yx - f_S_dot_yz * omega_y
-    c231 = f_S_dot_zz * omega_x + f_S_zy - f_S_dot_zx * omega_z
-    c232 = f_S_dot_zx * omega_y + f_S_zz - f_S_dot_zy * omega_x
-    c233 = f_S_dot_zy * omega_z + f_S_zx - f_S_dot_zz * omega_y
+    c230 = f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx
+    c231 = f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy
+    c232 = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz
+    c233 = f_S_dot_zy * omega_z - f_S_dot_zz * omega_y + f_S_zx
     out = JointSlopesLeg()
     out.M_vv = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0]
     out.M_vw = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0]

@@ -190,9 +190,9 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
     q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
     # (1) leg vector
-    S_x = q_x + t_x - b_x
-    S_y = q_y + t_y - b_y
-    S_z = q_z + t_z - b_z
+    S_x = t_x - b_x + q_x
+    S_y = t_y - b_y + q_y
+    S_z = t_z - b_z + q_z
     # (10) leg vector along the fixed axis, and normal to both
     zeta = S_x * k_x + S_y * k_y + S_z * k_z
     k_cross_S_x = S_z * k_y - S_y * k_z
@@ -235,9 +235,9 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     S_dot_y = v_y + w_q_y
     S_dot_z = v_z + w_q_z
     # (7) acceleration of the platform point
-    S_ddot_x = a_x + alpha_y * q_z + omega_y * w_q_z - alpha_z * q_y - omega_z * w_q_y
-    S_ddot_y = a_y + alpha_z * q_x + omega_z * w_q_x - alpha_x * q_z - omega_x * w_q_z
-    S_ddot_z = a_z + alpha_x * q_y + omega_x * w_q_y - alpha_y * q_x - omega_y * w_q_x
+    S_ddot_x = a_x + alpha_y * q_z - alpha_z * q_y + omega_y * w_q_z - omega_z * w_q_y
+    S_ddot_y = a_y + alpha_z * q_x - alpha_x * q_z + omega_z * w_q_x - omega_x * w_q_z
+    S_ddot_z = a_z + alpha_x * q_y - alpha_y * q_x + omega_x * w_q_y - omega_y * w_q_x
     # (5) rates of the joint coordinates: L, phi about k, theta about y
     L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z
     # (6) rates of the joint coordinates: L, phi about k, theta about y
@@ -255,10 +255,10 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c4 = k3 * k3
     k33 = c4
     # (8) accelerations of the joint coordinates
-    L_ddot = L * (k33 * phi_dot2 + theta_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
+    L_ddot = L * (theta_dot2 + k33 * phi_dot2) + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     c5 = 2.0 * theta_dot
     # (9) accelerations of the joint coordinates but for the turning of the leg frame about s
-    own_theta_ddot = -L_share * c5 - inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z)
+    own_theta_ddot = -inv_L * (S_ddot_x * z_x + S_ddot_y * z_y + S_ddot_z * z_z) - L_share * c5
     own_phi_ddot = inv_rho * (S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z) - L_share * two_phi_dot
     c6 = k1 * k3
     # (9) accelerations of the joint coordinates
@@ -292,15 +292,15 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c14 = c3 * c4
     # (20) torques by h_u_x
     tau_L_h_u_x = -c1 - c10
-    tau_theta_h_u_x = c11 * own_theta_ddot + c12 + c7
-    tau_phi_h_u_x = L_dot * c14 + c11 * c13 + c8
+    tau_theta_h_u_x = c12 + c7 + c11 * own_theta_ddot
+    tau_phi_h_u_x = c8 + L_dot * c14 + c11 * c13
     c15 = k3 * phi_ddot
     c16 = k1 * phi_ddot
     c17 = k1 * theta_ddot
     # (20) torques by h_u_y
     tau_L_h_u_y = -c15
     tau_theta_h_u_y = -L * c16
-    tau_phi_h_u_y = L * c1 * k3 - L * c17 - L_ddot * k3 - c12 * k1 - gamma_n
+    tau_phi_h_u_y = L * c1 * k3 - L_ddot * k3 - gamma_n - c12 * k1 - L * c17
     c18 = c2 * c6
     c19 = k1 * k1
     c20 = c19 * c2
@@ -309,8 +309,8 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c23 = c19 * c22
     # (20) torques by h_u_z
     tau_L_h_u_z = c18 + theta_ddot
-    tau_theta_h_u_z = L * c20 + L_ddot + gamma_n * k3 - L * c10 - c9
-    tau_phi_h_u_z = (2.0 * L * c4 * phi_dot * theta_dot + gamma_y * k1 - L * c23 - L_dot * c3 * c6 - c11 * c21)
+    tau_theta_h_u_z = L * c20 - L * c10 - c9 + L_ddot + gamma_n * k3
+    tau_phi_h_u_z = (gamma_y * k1 + 2.0 * L * c4 * phi_dot * theta_dot - L_dot * c3 * c6 - L * c23 - c11 * c21)
     # (20) torques by J_u_xx
     tau_theta_J_u_xx = c18
     tau_phi_J_u_xx = phi_ddot - c22 * c6 - c4 * phi_ddot
@@ -319,7 +319,7 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     tau_phi_J_u_xy = c17 - c1 * k3
     # (20) torques by J_u_xz
     tau_theta_J_u_xz = c10 - c20
-    tau_phi_J_u_xz = 2.0 * c21 + c23 - c14 * theta_dot
+    tau_phi_J_u_xz = c23 - c14 * theta_dot + 2.0 * c21
     # (20) torques by J_u_yz
     tau_theta_J_u_yz = c15
     tau_phi_J_u_yz = c1 * k1 + k3 * theta_ddot
@@ -330,9 +330,9 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     tau_theta_C_s = theta_dot - w_y_omega
     tau_phi_C_s = phi_dot - w_k_omega
     # (6) angular velocity of the leg
-    W_x = k_x * phi_dot + theta_dot * y_x
-    W_y = k_y * phi_dot + theta_dot * y_y
-    W_z = k_z * phi_dot + theta_dot * y_z
+    W_x = theta_dot * y_x + k_x * phi_dot
+    W_y = theta_dot * y_y + k_y * phi_dot
+    W_z = theta_dot * y_z + k_z * phi_dot
     c24 = inv_L * tau_theta_h_d_x
     # force at the tip by h_d_x
     R_h_d_x_x = inv_rho * tau_phi_h_d_x * y_x - c24 * z_x
@@ -351,21 +351,21 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c27 = inv_rho * tau_phi_h_u_x
     c28 = inv_L * tau_theta_h_u_x
     # force at the tip by h_u_x
-    R_h_u_x_x = c27 * y_x + s_x * tau_L_h_u_x - c28 * z_x
-    R_h_u_x_y = c27 * y_y + s_y * tau_L_h_u_x - c28 * z_y
-    R_h_u_x_z = c27 * y_z + s_z * tau_L_h_u_x - c28 * z_z
+    R_h_u_x_x = s_x * tau_L_h_u_x - c28 * z_x + c27 * y_x
+    R_h_u_x_y = s_y * tau_L_h_u_x - c28 * z_y + c27 * y_y
+    R_h_u_x_z = s_z * tau_L_h_u_x - c28 * z_z + c27 * y_z
     c29 = inv_rho * tau_phi_h_u_y
     c30 = inv_L * tau_theta_h_u_y
     # force at the tip by h_u_y
-    R_h_u_y_x = c29 * y_x + s_x * tau_L_h_u_y - c30 * z_x
-    R_h_u_y_y = c29 * y_y + s_y * tau_L_h_u_y - c30 * z_y
-    R_h_u_y_z = c29 * y_z + s_z * tau_L_h_u_y - c30 * z_z
+    R_h_u_y_x = s_x * tau_L_h_u_y + c29 * y_x - c30 * z_x
+    R_h_u_y_y = s_y * tau_L_h_u_y + c29 * y_y - c30 * z_y
+    R_h_u_y_z = s_z * tau_L_h_u_y + c29 * y_z - c30 * z_z
     c31 = inv_rho * tau_phi_h_u_z
     c32 = inv_L * tau_theta_h_u_z
     # force at the tip by h_u_z
-    R_h_u_z_x = c31 * y_x + s_x * tau_L_h_u_z - c32 * z_x
-    R_h_u_z_y = c31 * y_y + s_y * tau_L_h_u_z - c32 * z_y
-    R_h_u_z_z = c31 * y_z + s_z * tau_L_h_u_z - c32 * z_z
+    R_h_u_z_x = s_x * tau_L_h_u_z - c32 * z_x + c31 * y_x
+    R_h_u_z_y = s_y * tau_L_h_u_z - c32 * z_y + c31 * y_y
+    R_h_u_z_z = s_z * tau_L_h_u_z - c32 * z_z + c31 * y_z
     c33 = inv_L * tau_theta_J_u_xx
     # force at the tip by J_u_xx
     R_J_u_xx_x = inv_rho * tau_phi_J_u_xx * y_x - c33 * z_x
@@ -511,9 +511,9 @@ def regressor_of_leg(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     ]
     out.force_C_s = [R_C_s_x, R_C_s_y, R_C_s_z]
     out.moment_C_s = [
-        R_C_s_z * q_y + omega_x - R_C_s_y * q_z - W_x,
-        R_C_s_x * q_z + omega_y - R_C_s_z * q_x - W_y,
-        R_C_s_y * q_x + omega_z - R_C_s_x * q_y - W_z,
+        omega_x + R_C_s_z * q_y - W_x - R_C_s_y * q_z,
+        omega_y + R_C_s_x * q_z - W_y - R_C_s_z * q_x,
+        omega_z + R_C_s_y * q_x - W_z - R_C_s_x * q_y,
     ]
     out.q = [q_x, q_y, q_z]
     out.L = L

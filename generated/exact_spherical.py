@@ -47,18 +47,18 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1008, 805, 12, 6),
+        "total": (1082, 840, 8, 6),
     },
     "frictionless": {
         "leg": (87, 68, 1, 1),
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (762, 649, 12, 6),
+        "total": (836, 684, 8, 6),
     },
 }
 
@@ -144,9 +144,9 @@ def platform_wrench(on: Arithmetic, robot: Any, motion: Any) -> Any:
     c2 = R_G_x * omega_z - R_G_z * omega_x
     c3 = R_G_z * omega_y - R_G_y * omega_z
     # (31) acceleration of the centre of mass
-    a_G_x = R_G_z * alpha_y + a_x + c1 * omega_y - R_G_y * alpha_z - c2 * omega_z
-    a_G_y = R_G_x * alpha_z + a_y + c3 * omega_z - R_G_z * alpha_x - c1 * omega_x
-    a_G_z = R_G_y * alpha_x + a_z + c2 * omega_x - R_G_x * alpha_y - c3 * omega_y
+    a_G_x = a_x + R_G_z * alpha_y - R_G_y * alpha_z + c1 * omega_y - c2 * omega_z
+    a_G_y = a_y + R_G_x * alpha_z - R_G_z * alpha_x + c3 * omega_z - c1 * omega_x
+    a_G_z = a_z + R_G_y * alpha_x - R_G_x * alpha_y + c2 * omega_x - c3 * omega_y
     c4 = I_p_xx * R_xx + I_p_xy * R_xy + I_p_xz * R_xz
     c5 = I_p_xy * R_xx + I_p_yy * R_xy + I_p_yz * R_xz
     c6 = I_p_xz * R_xx + I_p_yz * R_xy + I_p_zz * R_xz
@@ -215,9 +215,9 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
     q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
     # (1) leg vector
-    S_x = q_x + t_x - b_x
-    S_y = q_y + t_y - b_y
-    S_z = q_z + t_z - b_z
+    S_x = t_x - b_x + q_x
+    S_y = t_y - b_y + q_y
+    S_z = t_z - b_z + q_z
     # (2) leg length
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
@@ -234,9 +234,9 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     S_dot_y = v_y + w_q_y
     S_dot_z = v_z + w_q_z
     # (7) acceleration of the platform point
-    S_ddot_x = a_x + alpha_y * q_z + omega_y * w_q_z - alpha_z * q_y - omega_z * w_q_y
-    S_ddot_y = a_y + alpha_z * q_x + omega_z * w_q_x - alpha_x * q_z - omega_x * w_q_z
-    S_ddot_z = a_z + alpha_x * q_y + omega_x * w_q_y - alpha_y * q_x - omega_y * w_q_x
+    S_ddot_x = a_x + alpha_y * q_z - alpha_z * q_y + omega_y * w_q_z - omega_z * w_q_y
+    S_ddot_y = a_y + alpha_z * q_x - alpha_x * q_z + omega_z * w_q_x - omega_x * w_q_z
+    S_ddot_z = a_z + alpha_x * q_y - alpha_y * q_x + omega_x * w_q_y - omega_y * w_q_x
     # part of e along the leg
     e_x = S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # part of u along the leg
@@ -269,7 +269,7 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c4 = inv_L * inv_L
     c5 = m_u * r_u0_x
     # (24) known part of the actuator force
-    D = C_p * u_x + e_x * m_u - c4 * c5 * u_square - gamma_x * m_u
+    D = C_p * u_x - c4 * c5 * u_square - gamma_x * m_u + e_x * m_u
     c6 = m_u * L * L
     c7 = m_d * r_d0_x * r_d0_x
     c8 = m_u * r_u0_x * r_u0_x
@@ -278,15 +278,15 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c10 = 2.0 * inv_L * u_x
     K_u = (c4 * (C_s + C_u + 2.0 * L * m_u * u_x + 2.0 * m_u * r_u0_x * u_x - I_d0_yy * c10 - I_u0_yy * c10
         - c10 * c6 - c10 * c7 - c10 * c8 - 4.0 * c9 * inv_L * r_u0_x * u_x))
-    K_gamma = -inv_L * (c5 + c9 + m_d * r_d0_x)
+    K_gamma = -inv_L * (c5 + m_d * r_d0_x + c9)
     c11 = C_s * inv_L
     K_s_w = c11
     # K, base frame
-    K_x = (K_e * e_across_x + K_gamma * gamma_across_x + K_s_w * (s_y * w_across_z - s_z * w_across_y) + K_u
+    K_x = (K_gamma * gamma_across_x + K_s_w * (s_y * w_across_z - s_z * w_across_y) + K_e * e_across_x + K_u
         * u_across_x)
-    K_y = (K_e * e_across_y + K_gamma * gamma_across_y + K_s_w * (s_z * w_across_x - s_x * w_across_z) + K_u
+    K_y = (K_gamma * gamma_across_y + K_s_w * (s_z * w_across_x - s_x * w_across_z) + K_e * e_across_y + K_u
         * u_across_y)
-    K_z = (K_e * e_across_z + K_gamma * gamma_across_z + K_s_w * (s_x * w_across_y - s_y * w_across_x) + K_u
+    K_z = (K_gamma * gamma_across_z + K_s_w * (s_x * w_across_y - s_y * w_across_x) + K_e * e_across_z + K_u
         * u_across_z)
     f_s_u = c11
     # f, base frame
@@ -301,7 +301,7 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
     out.c_force = [-K_x, -K_y, -K_z]
-    out.c_moment = [K_y * q_z + f_x - K_z * q_y, K_z * q_x + f_y - K_x * q_z, K_x * q_y + f_z - K_y * q_x]
+    out.c_moment = [f_x + K_y * q_z - K_z * q_y, f_y + K_z * q_x - K_x * q_z, f_z + K_x * q_y - K_y * q_x]
     out.k3 = 1.0
     return out
 
@@ -329,9 +329,9 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
     q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
     # (1) leg vector
-    S_x = q_x + t_x - b_x
-    S_y = q_y + t_y - b_y
-    S_z = q_z + t_z - b_z
+    S_x = t_x - b_x + q_x
+    S_y = t_y - b_y + q_y
+    S_z = t_z - b_z + q_z
     # (2) leg length
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
@@ -348,9 +348,9 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     S_dot_y = v_y + w_q_y
     S_dot_z = v_z + w_q_z
     # (7) acceleration of the platform point
-    S_ddot_x = a_x + alpha_y * q_z + omega_y * w_q_z - alpha_z * q_y - omega_z * w_q_y
-    S_ddot_y = a_y + alpha_z * q_x + omega_z * w_q_x - alpha_x * q_z - omega_x * w_q_z
-    S_ddot_z = a_z + alpha_x * q_y + omega_x * w_q_y - alpha_y * q_x - omega_y * w_q_x
+    S_ddot_x = a_x + alpha_y * q_z - alpha_z * q_y + omega_y * w_q_z - omega_z * w_q_y
+    S_ddot_y = a_y + alpha_z * q_x - alpha_x * q_z + omega_z * w_q_x - omega_x * w_q_z
+    S_ddot_z = a_z + alpha_x * q_y - alpha_y * q_x + omega_x * w_q_y - omega_y * w_q_x
     # part of e along the leg
     e_x = S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # part of u along the leg
@@ -394,8 +394,8 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     c14 = c3 * inv_L
     c15 = c14 * c8
     c16 = c4 * inv_L
-    F_s_u = (c1 * (C_s + C_u + 2.0 * L * m_u * u_x + 2.0 * m_u * r_u0_x * u_x - c10 * c8 - c11 * c12 * r_u0_x
-        - c13 * c8 - c15 - c16 * c8 - c9))
+    F_s_u = (c1 * (C_s + C_u + 2.0 * L * m_u * u_x + 2.0 * m_u * r_u0_x * u_x - c10 * c8 - c13 * c8 - c15 - c16
+        * c8 - c9 - c11 * c12 * r_u0_x))
     c17 = m_d * r_d0_x
     c18 = m_u * r_u0_x
     F_s_gamma = -inv_L * (c17 + c18 + c5)
@@ -405,10 +405,10 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     c21 = s_z * w_across_x - s_x * w_across_z
     c22 = s_x * w_across_y - s_y * w_across_x
     # F_s, base frame
-    F_s_x = F_s_e * e_across_x + F_s_gamma * gamma_across_x + F_s_s_w * c20 + F_s_u * u_across_x + s_x * x
-    F_s_y = F_s_e * e_across_y + F_s_gamma * gamma_across_y + F_s_s_w * c21 + F_s_u * u_across_y + s_y * x
-    F_s_z = F_s_e * e_across_z + F_s_gamma * gamma_across_z + F_s_s_w * c22 + F_s_u * u_across_z + s_z * x
-    c24 = c10 + c11 * c6 + c13 + c14 + c16 + c7 - c18 - c5
+    F_s_x = s_x * x + F_s_gamma * gamma_across_x + F_s_s_w * c20 + F_s_e * e_across_x + F_s_u * u_across_x
+    F_s_y = s_y * x + F_s_gamma * gamma_across_y + F_s_s_w * c21 + F_s_e * e_across_y + F_s_u * u_across_y
+    F_s_z = s_z * x + F_s_gamma * gamma_across_z + F_s_s_w * c22 + F_s_e * e_across_z + F_s_u * u_across_z
+    c24 = c10 - c18 + c13 + c14 + c16 + c7 - c5 + c11 * c6
     F_u_e = -inv_L * (c24 - c17)
     c26 = c1 * c8
     c27 = I_d0_yy * c26
@@ -417,21 +417,21 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     c30 = c2 * c26
     c31 = c26 * c3
     c32 = c26 * c4
-    c33 = (c27 + c28 + c29 * c5 + c30 + c31 + c32 + c8 * m_u - C_u * inv_L - 4.0 * L * inv_L * m_u * u_x - c19
+    c33 = (c8 * m_u - C_u * inv_L - c19 + c27 + c28 + c30 + c31 + c32 + c29 * c5 - 4.0 * L * inv_L * m_u * u_x
         - 4.0 * inv_L * m_u * r_u0_x * u_x)
     F_u_u = -inv_L * (2.0 * inv_L * m_d * r_d0_x * u_x - c33)
     c34 = c17 * inv_L
     c35 = c18 * inv_L
-    c36 = c11 + c34 + c35 - m_u
+    c36 = c34 - m_u + c35 + c11
     F_u_gamma = c36 - m_d
     F_u_s_w = -c19
     c37 = c1 * u_square
-    c38 = c18 * c37 + gamma_x * m_u + x - e_x * m_u
-    c39 = -c17 * c37 - c38 - gamma_x * m_d
+    c38 = x + c18 * c37 + gamma_x * m_u - e_x * m_u
+    c39 = -c17 * c37 - gamma_x * m_d - c38
     # F_u, base frame
-    F_u_x = F_u_e * e_across_x + F_u_gamma * gamma_across_x + F_u_s_w * c20 + F_u_u * u_across_x + c39 * s_x
-    F_u_y = F_u_e * e_across_y + F_u_gamma * gamma_across_y + F_u_s_w * c21 + F_u_u * u_across_y + c39 * s_y
-    F_u_z = F_u_e * e_across_z + F_u_gamma * gamma_across_z + F_u_s_w * c22 + F_u_u * u_across_z + c39 * s_z
+    F_u_x = F_u_gamma * gamma_across_x + F_u_s_w * c20 + F_u_e * e_across_x + c39 * s_x + F_u_u * u_across_x
+    F_u_y = F_u_gamma * gamma_across_y + F_u_s_w * c21 + F_u_e * e_across_y + c39 * s_y + F_u_u * u_across_y
+    F_u_z = F_u_gamma * gamma_across_z + F_u_s_w * c22 + F_u_e * e_across_z + c39 * s_z + F_u_u * u_across_z
     c40 = -c24 * inv_L
     F_p_e = c40
     c41 = c33 * inv_L
@@ -440,34 +440,34 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     F_p_s_w = -c19
     c42 = C_p * u_x - c38
     # F_p, base frame
-    F_p_x = F_p_e * e_across_x + F_p_gamma * gamma_across_x + F_p_s_w * c20 + F_p_u * u_across_x + c42 * s_x
-    F_p_y = F_p_e * e_across_y + F_p_gamma * gamma_across_y + F_p_s_w * c21 + F_p_u * u_across_y + c42 * s_y
-    F_p_z = F_p_e * e_across_z + F_p_gamma * gamma_across_z + F_p_s_w * c22 + F_p_u * u_across_z + c42 * s_z
+    F_p_x = F_p_gamma * gamma_across_x + F_p_s_w * c20 + F_p_e * e_across_x + c42 * s_x + F_p_u * u_across_x
+    F_p_y = F_p_gamma * gamma_across_y + F_p_s_w * c21 + F_p_e * e_across_y + c42 * s_y + F_p_u * u_across_y
+    F_p_z = F_p_gamma * gamma_across_z + F_p_s_w * c22 + F_p_e * e_across_z + c42 * s_z + F_p_u * u_across_z
     F_c_e = c40
     F_c_u = c41
     F_c_gamma = c36
     F_c_s_w = -c19
     # F_c, base frame
-    F_c_x = F_c_e * e_across_x + F_c_gamma * gamma_across_x + F_c_s_w * c20 + F_c_u * u_across_x
-    F_c_y = F_c_e * e_across_y + F_c_gamma * gamma_across_y + F_c_s_w * c21 + F_c_u * u_across_y
-    F_c_z = F_c_e * e_across_z + F_c_gamma * gamma_across_z + F_c_s_w * c22 + F_c_u * u_across_z
+    F_c_x = F_c_gamma * gamma_across_x + F_c_s_w * c20 + F_c_e * e_across_x + F_c_u * u_across_x
+    F_c_y = F_c_gamma * gamma_across_y + F_c_s_w * c21 + F_c_e * e_across_y + F_c_u * u_across_y
+    F_c_z = F_c_gamma * gamma_across_z + F_c_s_w * c22 + F_c_e * e_across_z + F_c_u * u_across_z
     c43 = bearing * c5
     c44 = bearing * c11
-    M_p_s_e = (inv_L * (bearing * c10 + bearing * c13 + bearing * c14 + bearing * c16 + bearing * c7 + c44 * c6
-        - I_d0_yy - bearing * c18 - c3 - c43))
+    M_p_s_e = (inv_L * (bearing * c10 - I_d0_yy - bearing * c18 - c3 + bearing * c13 + bearing * c14 + bearing
+        * c16 + bearing * c7 - c43 + c44 * c6))
     c45 = -bearing * c19
-    M_p_s_u = (inv_L * (C_u * bearing * inv_L + 4.0 * L * bearing * inv_L * m_u * u_x + 4.0 * bearing * inv_L
-        * m_u * r_u0_x * u_x + c15 + c9 - C_u - bearing * c27 - bearing * c28 - bearing * c30 - bearing * c31
-        - bearing * c32 - bearing * c8 * m_u - c29 * c43 - c45))
+    M_p_s_u = (inv_L * (C_u * bearing * inv_L - C_u - c45 + c15 + c9 - bearing * c8 * m_u + 4.0 * L * bearing
+        * inv_L * m_u * u_x + 4.0 * bearing * inv_L * m_u * r_u0_x * u_x - bearing * c27 - bearing * c28 - bearing
+        * c30 - bearing * c31 - bearing * c32 - c29 * c43))
     M_p_s_gamma = bearing * m_u + c17 - bearing * c34 - bearing * c35 - c44
     M_p_w = c45
     # M_p, base frame
-    M_p_x = (M_p_s_e * (e_across_z * s_y - e_across_y * s_z) + M_p_s_gamma * (gamma_across_z * s_y - gamma_across_y
-        * s_z) + M_p_s_u * (s_y * u_across_z - s_z * u_across_y) + M_p_w * w_across_x)
-    M_p_y = (M_p_s_e * (e_across_x * s_z - e_across_z * s_x) + M_p_s_gamma * (gamma_across_x * s_z - gamma_across_z
-        * s_x) + M_p_s_u * (s_z * u_across_x - s_x * u_across_z) + M_p_w * w_across_y)
-    M_p_z = (M_p_s_e * (e_across_y * s_x - e_across_x * s_y) + M_p_s_gamma * (gamma_across_y * s_x - gamma_across_x
-        * s_y) + M_p_s_u * (s_x * u_across_y - s_y * u_across_x) + M_p_w * w_across_z)
+    M_p_x = (M_p_w * w_across_x + M_p_s_gamma * (gamma_across_z * s_y - gamma_across_y * s_z) + M_p_s_e * (e_across_z
+        * s_y - e_across_y * s_z) + M_p_s_u * (s_y * u_across_z - s_z * u_across_y))
+    M_p_y = (M_p_w * w_across_y + M_p_s_gamma * (gamma_across_x * s_z - gamma_across_z * s_x) + M_p_s_e * (e_across_x
+        * s_z - e_across_z * s_x) + M_p_s_u * (s_z * u_across_x - s_x * u_across_z))
+    M_p_z = (M_p_w * w_across_z + M_p_s_gamma * (gamma_across_y * s_x - gamma_across_x * s_y) + M_p_s_e * (e_across_y
+        * s_x - e_across_x * s_y) + M_p_s_u * (s_x * u_across_y - s_y * u_across_x))
     out = LegReactions()
     out.F_s = [F_s_x, F_s_y, F_s_z]
     out.F_u = [F_u_x, F_u_y, F_u_z]

@@ -106,6 +106,7 @@ class Model:
         self.leg: Any = [LegConstants() for _ in range(6)]  # the legs
         self.platform: Any = Platform()  # the platform
         self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
+        self.arm_cube: Any = 0.0  # cube of the largest arm over that length
         self.status: Any = 0  # 0, or what is wrong
 
 
@@ -218,9 +219,9 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     e_y = h_add_y - M_add * arm_y
     e_z = h_add_z - M_add * arm_z
     # first moment about the reference point
-    h_P_x = M * R_0_x + M_add * p_1_x + h_add_x
-    h_P_y = M * R_0_y + M_add * p_1_y + h_add_y
-    h_P_z = M * R_0_z + M_add * p_1_z + h_add_z
+    h_P_x = h_add_x + M * R_0_x + M_add * p_1_x
+    h_P_y = h_add_y + M * R_0_y + M_add * p_1_y
+    h_P_z = h_add_z + M * R_0_z + M_add * p_1_z
     c1 = 1.0 / M_P
     r_C_x = c1 * h_P_x
     r_C_y = c1 * h_P_y
@@ -229,17 +230,17 @@ def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
     r_y = c1 * h_add_y
     r_z = c1 * h_add_z
     c2 = 0.5 * M * c1
-    u_x = c2 * (e_x + h_add_x)
-    u_y = c2 * (e_y + h_add_y)
-    u_z = c2 * (e_z + h_add_z)
-    c3 = 2.0 * arm_z * u_z + h_add_z * r_z
-    c4 = 2.0 * arm_y * u_y + h_add_y * r_y
+    u_x = c2 * (h_add_x + e_x)
+    u_y = c2 * (h_add_y + e_y)
+    u_z = c2 * (h_add_z + e_z)
+    c3 = h_add_z * r_z + 2.0 * arm_z * u_z
+    c4 = h_add_y * r_y + 2.0 * arm_y * u_y
     J_C_xx = I_p_xx + J_add_xx - c3 - c4
-    J_C_xy = I_p_xy + J_add_xy + arm_x * u_y + arm_y * u_x + h_add_x * r_y
-    J_C_xz = I_p_xz + J_add_xz + arm_x * u_z + arm_z * u_x + h_add_x * r_z
-    c5 = 2.0 * arm_x * u_x + h_add_x * r_x
+    J_C_xy = I_p_xy + J_add_xy + h_add_x * r_y + arm_x * u_y + arm_y * u_x
+    J_C_xz = I_p_xz + J_add_xz + h_add_x * r_z + arm_x * u_z + arm_z * u_x
+    c5 = h_add_x * r_x + 2.0 * arm_x * u_x
     J_C_yy = I_p_yy + J_add_yy - c3 - c5
-    J_C_yz = I_p_yz + J_add_yz + arm_y * u_z + arm_z * u_y + h_add_y * r_z
+    J_C_yz = I_p_yz + J_add_yz + h_add_y * r_z + arm_y * u_z + arm_z * u_y
     J_C_zz = I_p_zz + J_add_zz - c4 - c5
     out = Platform()
     out.M_P = M_P
@@ -301,6 +302,15 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
     return lost
 
 
+def size_of(on: Arithmetic, model: Any) -> Any:
+    """Largest coordinate of the arms of moments about platform point 1, m."""
+    largest = 0.0
+    for j in range(3):
+        for i in range(1, 6):
+            largest = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), largest)
+    return largest
+
+
 def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
     """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
     1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
@@ -323,13 +333,10 @@ def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
     return per_length
 
 
-def size_of(on: Arithmetic, model: Any) -> Any:
-    """Largest coordinate of the arms of moments about platform point 1, m."""
-    largest = 0.0
-    for j in range(3):
-        for i in range(1, 6):
-            largest = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), largest)
-    return largest
+def cube_of(on: Arithmetic, arm: Any) -> Any:
+    """The cube of a length, or of one that has a cube."""
+    length = on.where(arm <= 1099511627776.0, arm, 1099511627776.0)
+    return length * length * length
 
 
 def prepare(on: Arithmetic, robot: Any) -> Any:
@@ -342,7 +349,9 @@ def prepare(on: Arithmetic, robot: Any) -> Any:
         model.leg[i] = found
         total = add_up(on, total, found)
     model.platform = prepare_platform(on, robot, robot.leg[0].p, total)
-    model.per_length = per_length_of(on, size_of(on, model), on.SMALLEST)
+    largest = size_of(on, model)
+    model.per_length = per_length_of(on, largest, on.SMALLEST)
+    model.arm_cube = cube_of(on, largest * model.per_length)
     model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
     return model
 
@@ -382,9 +391,9 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     R_C_y = R_yx * r_C_x + R_yy * r_C_y + R_yz * r_C_z
     R_C_z = R_zx * r_C_x + R_zy * r_C_y + R_zz * r_C_z
     # (33) M_P (g - a_C)
-    N_x = M_P * (g_x - B_xx * R_C_x - B_xy * R_C_y - B_xz * R_C_z - a_x)
-    N_y = M_P * (g_y - B_yx * R_C_x - B_yy * R_C_y - B_yz * R_C_z - a_y)
-    N_z = M_P * (g_z - B_zx * R_C_x - B_zy * R_C_y - B_zz * R_C_z - a_z)
+    N_x = M_P * (g_x - a_x - B_xx * R_C_x - B_xy * R_C_y - B_xz * R_C_z)
+    N_y = M_P * (g_y - a_y - B_yx * R_C_x - B_yy * R_C_y - B_yz * R_C_z)
+    N_z = M_P * (g_z - a_z - B_zx * R_C_x - B_zy * R_C_y - B_zz * R_C_z)
     # angular velocity, platform frame
     omega_P_x = R_xx * omega_x + R_yx * omega_y + R_zx * omega_z
     omega_P_y = R_xy * omega_x + R_yy * omega_y + R_zy * omega_z
@@ -400,18 +409,18 @@ def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
     P_yy = omega_P_y * omega_P_y
     P_zz = omega_P_z * omega_P_z
     # (34) external moment less I alpha + omega x I omega, platform frame
-    M_P_load_x = (J_C_xy * (P_xz - alpha_P_y) + M_ext_x - J_C_xx * alpha_P_x - J_C_xz * (P_xy + alpha_P_z) - J_C_yz
-        * (P_yy - P_zz) - P_yz * dJ_C_x)
-    M_P_load_y = (J_C_yz * (P_xy - alpha_P_z) + M_ext_y - J_C_xy * (P_yz + alpha_P_x) - J_C_xz * (P_zz - P_xx)
-        - J_C_yy * alpha_P_y - P_xz * dJ_C_y)
-    M_P_load_z = (J_C_xz * (P_yz - alpha_P_x) + M_ext_z - J_C_xy * (P_xx - P_yy) - J_C_yz * (P_xz + alpha_P_y)
-        - J_C_zz * alpha_P_z - P_xy * dJ_C_z)
+    M_P_load_x = (M_ext_x - J_C_yz * (P_yy - P_zz) - J_C_xx * alpha_P_x - P_yz * dJ_C_x + J_C_xy * (P_xz - alpha_P_y)
+        - J_C_xz * (alpha_P_z + P_xy))
+    M_P_load_y = (M_ext_y - J_C_xz * (P_zz - P_xx) - J_C_yy * alpha_P_y - P_xz * dJ_C_y + J_C_yz * (P_xy - alpha_P_z)
+        - J_C_xy * (alpha_P_x + P_yz))
+    M_P_load_z = (M_ext_z - J_C_xy * (P_xx - P_yy) - J_C_zz * alpha_P_z - P_xy * dJ_C_z + J_C_xz * (P_yz - alpha_P_x)
+        - J_C_yz * (alpha_P_y + P_xz))
     out = SharedTerms()
     out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
     out.c_force = [
-        F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz + N_x,
-        F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz + N_y,
-        F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz + N_z,
+        N_x + F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz,
+        N_y + F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz,
+        N_z + F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz,
     ]
     out.c_moment = [
         M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + N_z * R_C_y - N_y * R_C_z,
@@ -428,9 +437,9 @@ def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
     c_moment_x, c_moment_y, c_moment_z = shared.c_moment
     out = ShiftTerms()
     out.c_tip = [
-        c_force_y * q_1_z + c_moment_x - c_force_z * q_1_y,
-        c_force_z * q_1_x + c_moment_y - c_force_x * q_1_z,
-        c_force_x * q_1_y + c_moment_z - c_force_y * q_1_x,
+        c_moment_x + c_force_y * q_1_z - c_force_z * q_1_y,
+        c_moment_y + c_force_z * q_1_x - c_force_x * q_1_z,
+        c_moment_z + c_force_x * q_1_y - c_force_y * q_1_x,
     ]
     return out
 
@@ -456,6 +465,92 @@ def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
         for j in range(i + 1, 6):
             total = total - A[i][j] * x[j]
         x[i] = on.where(i == 5, total / A[i][i], total * x[i])
+    return suspect
+
+
+def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
+    """Solves [H | c] for x, (36), as two blocks of three legs, where their determinants are small by
+    pivots; returns 1 where one of these is small.
+    """
+    suspect = 0
+    r_0_0 = A[1][3] * A[2][5] - A[2][3] * A[1][5]
+    r_0_1 = A[2][3] * A[0][5] - A[0][3] * A[2][5]
+    r_0_2 = A[0][3] * A[1][5] - A[1][3] * A[0][5]
+    r_1_0 = A[1][5] * A[2][1] - A[2][5] * A[1][1]
+    r_1_1 = A[2][5] * A[0][1] - A[0][5] * A[2][1]
+    r_1_2 = A[0][5] * A[1][1] - A[1][5] * A[0][1]
+    r_2_0 = A[1][1] * A[2][3] - A[2][1] * A[1][3]
+    r_2_1 = A[2][1] * A[0][3] - A[0][1] * A[2][3]
+    r_2_2 = A[0][1] * A[1][3] - A[1][1] * A[0][3]
+    det = A[0][1] * r_0_0 + A[1][1] * r_0_1 + A[2][1] * r_0_2
+    e_0_0 = r_0_0 * A[0][0] + r_0_1 * A[1][0] + r_0_2 * A[2][0]
+    e_1_0 = r_1_0 * A[0][0] + r_1_1 * A[1][0] + r_1_2 * A[2][0]
+    e_2_0 = r_2_0 * A[0][0] + r_2_1 * A[1][0] + r_2_2 * A[2][0]
+    own_0_0 = det * A[3][0] - A[3][1] * e_0_0
+    w_0_0 = own_0_0 - A[3][3] * e_1_0 - A[3][5] * e_2_0
+    own_1_0 = det * A[4][0] - A[4][1] * e_0_0
+    w_1_0 = own_1_0 - A[4][3] * e_1_0 - A[4][5] * e_2_0
+    own_2_0 = det * A[5][0] - A[5][1] * e_0_0
+    w_2_0 = own_2_0 - A[5][3] * e_1_0 - A[5][5] * e_2_0
+    e_0_2 = r_0_0 * A[0][2] + r_0_1 * A[1][2] + r_0_2 * A[2][2]
+    e_1_2 = r_1_0 * A[0][2] + r_1_1 * A[1][2] + r_1_2 * A[2][2]
+    e_2_2 = r_2_0 * A[0][2] + r_2_1 * A[1][2] + r_2_2 * A[2][2]
+    own_0_2 = det * A[3][2] - A[3][1] * e_0_2
+    w_0_2 = own_0_2 - A[3][3] * e_1_2 - A[3][5] * e_2_2
+    own_1_2 = det * A[4][2] - A[4][1] * e_0_2
+    w_1_2 = own_1_2 - A[4][3] * e_1_2 - A[4][5] * e_2_2
+    own_2_2 = det * A[5][2] - A[5][1] * e_0_2
+    w_2_2 = own_2_2 - A[5][3] * e_1_2 - A[5][5] * e_2_2
+    e_0_4 = r_0_0 * A[0][4] + r_0_1 * A[1][4] + r_0_2 * A[2][4]
+    e_1_4 = r_1_0 * A[0][4] + r_1_1 * A[1][4] + r_1_2 * A[2][4]
+    e_2_4 = r_2_0 * A[0][4] + r_2_1 * A[1][4] + r_2_2 * A[2][4]
+    own_0_4 = det * A[3][4] - A[3][1] * e_0_4
+    w_0_4 = own_0_4 - A[3][3] * e_1_4 - A[3][5] * e_2_4
+    own_1_4 = det * A[4][4] - A[4][1] * e_0_4
+    w_1_4 = own_1_4 - A[4][3] * e_1_4 - A[4][5] * e_2_4
+    own_2_4 = det * A[5][4] - A[5][1] * e_0_4
+    w_2_4 = own_2_4 - A[5][3] * e_1_4 - A[5][5] * e_2_4
+    e_0_6 = r_0_0 * A[0][6] + r_0_1 * A[1][6] + r_0_2 * A[2][6]
+    e_1_6 = r_1_0 * A[0][6] + r_1_1 * A[1][6] + r_1_2 * A[2][6]
+    e_2_6 = r_2_0 * A[0][6] + r_2_1 * A[1][6] + r_2_2 * A[2][6]
+    own_0_6 = det * A[3][6] - A[3][1] * e_0_6
+    w_0_6 = own_0_6 - A[3][3] * e_1_6 - A[3][5] * e_2_6
+    own_1_6 = det * A[4][6] - A[4][1] * e_0_6
+    w_1_6 = own_1_6 - A[4][3] * e_1_6 - A[4][5] * e_2_6
+    own_2_6 = det * A[5][6] - A[5][1] * e_0_6
+    w_2_6 = own_2_6 - A[5][3] * e_1_6 - A[5][5] * e_2_6
+    u_0_0 = w_1_2 * w_2_4 - w_2_2 * w_1_4
+    u_0_1 = w_2_2 * w_0_4 - w_0_2 * w_2_4
+    u_0_2 = w_0_2 * w_1_4 - w_1_2 * w_0_4
+    u_1_0 = w_1_4 * w_2_0 - w_2_4 * w_1_0
+    u_1_1 = w_2_4 * w_0_0 - w_0_4 * w_2_0
+    u_1_2 = w_0_4 * w_1_0 - w_1_4 * w_0_0
+    u_2_0 = w_1_0 * w_2_2 - w_2_0 * w_1_2
+    u_2_1 = w_2_0 * w_0_2 - w_0_0 * w_2_2
+    u_2_2 = w_0_0 * w_1_2 - w_1_0 * w_0_2
+    rest = w_0_0 * u_0_0 + w_1_0 * u_0_1 + w_2_0 * u_0_2
+    square_0 = e_0_0 * e_0_0 + e_0_2 * e_0_2 + e_0_4 * e_0_4
+    square_1 = e_1_0 * e_1_0 + e_1_2 * e_1_2 + e_1_4 * e_1_4
+    square_2 = e_2_0 * e_2_0 + e_2_2 * e_2_2 + e_2_4 * e_2_4
+    det2 = det * det
+    least = on.larger(on.size(det) * on.BLOCK_LEAST, on.BLOCK_SINGULAR) * (det2 * arm_cube)
+    spread = square_0 + square_1 + square_2
+    weak = on.where(spread > on.BLOCK_GROWTH * det2, 1.0, 0.0)
+    weak = on.where(on.size(rest) <= least, 1.0, weak)
+    inverse_det = 1.0 / (on.where(weak > 0.0, 1.0, det))
+    inverse_rest = 1.0 / (on.where(weak > 0.0, 1.0, rest))
+    x[0] = (u_0_0 * w_0_6 + u_0_1 * w_1_6 + u_0_2 * w_2_6) * inverse_rest
+    x[2] = (u_1_0 * w_0_6 + u_1_1 * w_1_6 + u_1_2 * w_2_6) * inverse_rest
+    x[4] = (u_2_0 * w_0_6 + u_2_1 * w_1_6 + u_2_2 * w_2_6) * inverse_rest
+    x[1] = (e_0_6 - e_0_0 * x[0] - e_0_2 * x[2] - e_0_4 * x[4]) * inverse_det
+    x[3] = (e_1_6 - e_1_0 * x[0] - e_1_2 * x[2] - e_1_4 * x[4]) * inverse_det
+    x[5] = (e_2_6 - e_2_0 * x[0] - e_2_2 * x[2] - e_2_4 * x[4]) * inverse_det
+    if on.anywhere(weak > 0.0):
+        other = [0.0] * 6
+        small = eliminate(on, A, other)
+        for number in range(6):
+            x[number] = on.where(weak > 0.0, other[number], x[number])
+        suspect = on.where(weak > 0.0, small, suspect)
     return suspect
 
 
@@ -488,9 +583,9 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     t_b_y = t_y - b_y
     t_b_z = t_z - b_z
     # (1) leg vector
-    S_x = q_x + t_b_x
-    S_y = q_y + t_b_y
-    S_z = q_z + t_b_z
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
     # (2) leg length
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
@@ -507,9 +602,9 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     S_dot_y = v_y + w_q_y
     S_dot_z = v_z + w_q_z
     # (7) acceleration of the platform point
-    S_ddot_x = B_xx * q_x + B_xy * q_y + B_xz * q_z + a_x
-    S_ddot_y = B_yx * q_x + B_yy * q_y + B_yz * q_z + a_y
-    S_ddot_z = B_zx * q_x + B_zy * q_y + B_zz * q_z + a_z
+    S_ddot_x = a_x + B_xx * q_x + B_xy * q_y + B_xz * q_z
+    S_ddot_y = a_y + B_yx * q_x + B_yy * q_y + B_yz * q_z
+    S_ddot_z = a_z + B_zx * q_x + B_zy * q_y + B_zz * q_z
     # part of e along the leg
     e_x = S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z
     # part of u along the leg
@@ -542,7 +637,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     c4 = inv_L * inv_L
     c5 = m_u * r_u0_x
     # (24) known part of the actuator force
-    D = C_p * u_x + e_x * m_u - c4 * c5 * u_square - gamma_x * m_u
+    D = C_p * u_x - c4 * c5 * u_square - gamma_x * m_u + e_x * m_u
     c6 = m_u * L * L
     c7 = m_d * r_d0_x * r_d0_x
     c8 = m_u * r_u0_x * r_u0_x
@@ -551,15 +646,15 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     c10 = 2.0 * inv_L * u_x
     K_u = (c4 * (C_s + C_u + 2.0 * L * m_u * u_x + 2.0 * m_u * r_u0_x * u_x - I_d0_yy * c10 - I_u0_yy * c10
         - c10 * c6 - c10 * c7 - c10 * c8 - 4.0 * c9 * inv_L * r_u0_x * u_x))
-    K_gamma = -inv_L * (c5 + c9 + m_d * r_d0_x)
+    K_gamma = -inv_L * (c5 + m_d * r_d0_x + c9)
     c11 = C_s * inv_L
     K_s_w = c11
     # K, base frame
-    K_x = (K_e * e_across_x + K_gamma * gamma_across_x + K_s_w * (s_y * w_across_z - s_z * w_across_y) + K_u
+    K_x = (K_gamma * gamma_across_x + K_e * e_across_x + K_s_w * (s_y * w_across_z - s_z * w_across_y) + K_u
         * u_across_x)
-    K_y = (K_e * e_across_y + K_gamma * gamma_across_y + K_s_w * (s_z * w_across_x - s_x * w_across_z) + K_u
+    K_y = (K_gamma * gamma_across_y + K_e * e_across_y + K_s_w * (s_z * w_across_x - s_x * w_across_z) + K_u
         * u_across_y)
-    K_z = (K_e * e_across_z + K_gamma * gamma_across_z + K_s_w * (s_x * w_across_y - s_y * w_across_x) + K_u
+    K_z = (K_gamma * gamma_across_z + K_e * e_across_z + K_s_w * (s_x * w_across_y - s_y * w_across_x) + K_u
         * u_across_z)
     f_s_u = c11
     # f, base frame
@@ -748,7 +843,7 @@ def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
         for j in range(6):
             A[i][j] = sums.H[i][j]
             A[i + 3][j] = sums.H[i + 3][j] * model.per_length
-    small_pivot = eliminate(on, A, x)
+    small_pivot = solve_legs(on, A, model.arm_cube, x)
     suspect = on.where(small_pivot == 0, suspect, 1)
     if on.anywhere(suspect == 1):
         found = singular_status(on, sums.H, sums.arm, L, reach, largest_component(on, sums.q_1, 0.0))

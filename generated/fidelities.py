@@ -13,8 +13,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "everything",
         "universal": True,
         "operations": {
-            "leg": 265, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
-            "total": 2101,
+            "leg": 265, "platform": 192, "moments": 21, "sum of c": 51, "solve": 262, "forces": 6,
+            "total": 2206,
         },
     },
     "frictionless": {
@@ -22,8 +22,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "no friction",
         "universal": True,
         "operations": {
-            "leg": 234, "platform": 186, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
-            "total": 1891,
+            "leg": 234, "platform": 186, "moments": 21, "sum of c": 33, "solve": 262, "forces": 6,
+            "total": 1996,
         },
     },
     "axisymmetric_friction": {
@@ -31,8 +31,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "axisymmetric legs, with friction",
         "universal": True,
         "operations": {
-            "leg": 225, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
-            "total": 1861,
+            "leg": 225, "platform": 192, "moments": 21, "sum of c": 51, "solve": 262, "forces": 6,
+            "total": 1966,
         },
     },
     "axisymmetric": {
@@ -40,8 +40,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "axisymmetric legs",
         "universal": True,
         "operations": {
-            "leg": 194, "platform": 186, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
-            "total": 1651,
+            "leg": 194, "platform": 186, "moments": 21, "sum of c": 33, "solve": 262, "forces": 6,
+            "total": 1756,
         },
     },
     "slender_friction": {
@@ -49,8 +49,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "no inertia about the leg's axis, with friction",
         "universal": True,
         "operations": {
-            "leg": 223, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
-            "total": 1849,
+            "leg": 223, "platform": 192, "moments": 21, "sum of c": 51, "solve": 262, "forces": 6,
+            "total": 1954,
         },
     },
     "slender": {
@@ -58,8 +58,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "no inertia about the leg's axis",
         "universal": False,
         "operations": {
-            "leg": 107, "platform": 186, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
-            "total": 1129,
+            "leg": 107, "platform": 186, "moments": 21, "sum of c": 33, "solve": 262, "forces": 6,
+            "total": 1234,
         },
     },
     "point_masses_friction": {
@@ -67,8 +67,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "parts of the legs as points, with friction",
         "universal": True,
         "operations": {
-            "leg": 223, "platform": 192, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
-            "total": 1849,
+            "leg": 223, "platform": 192, "moments": 21, "sum of c": 51, "solve": 262, "forces": 6,
+            "total": 1954,
         },
     },
     "point_masses": {
@@ -76,8 +76,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "parts of the legs as points",
         "universal": False,
         "operations": {
-            "leg": 107, "platform": 186, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
-            "total": 1129,
+            "leg": 107, "platform": 186, "moments": 21, "sum of c": 33, "solve": 262, "forces": 6,
+            "total": 1234,
         },
     },
     "massless_friction": {
@@ -85,8 +85,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "legs without mass, with friction",
         "universal": True,
         "operations": {
-            "leg": 126, "platform": 180, "moments": 21, "sum of c": 51, "solve": 157, "forces": 6,
-            "total": 1255,
+            "leg": 126, "platform": 180, "moments": 21, "sum of c": 51, "solve": 262, "forces": 6,
+            "total": 1360,
         },
     },
     "massless": {
@@ -94,8 +94,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "legs without mass, (41)",
         "universal": False,
         "operations": {
-            "leg": 31, "platform": 174, "moments": 12, "sum of c": 0, "solve": 157, "forces": 0,
-            "total": 577,
+            "leg": 31, "platform": 174, "moments": 12, "sum of c": 0, "solve": 262, "forces": 0,
+            "total": 682,
         },
     },
     "general_static": {
@@ -103,8 +103,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "at rest",
         "universal": True,
         "operations": {
-            "leg": 88, "platform": 72, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
-            "total": 901,
+            "leg": 88, "platform": 72, "moments": 21, "sum of c": 33, "solve": 262, "forces": 6,
+            "total": 1006,
         },
     },
     "slender_static": {
@@ -112,8 +112,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "at rest, centres of mass on the legs' axes",
         "universal": False,
         "operations": {
-            "leg": 40, "platform": 72, "moments": 21, "sum of c": 33, "solve": 157, "forces": 6,
-            "total": 613,
+            "leg": 40, "platform": 72, "moments": 21, "sum of c": 33, "solve": 262, "forces": 6,
+            "total": 718,
         },
     },
     "massless_static": {
@@ -121,8 +121,8 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         "meaning": "at rest, legs without mass",
         "universal": False,
         "operations": {
-            "leg": 31, "platform": 72, "moments": 12, "sum of c": 0, "solve": 157, "forces": 0,
-            "total": 475,
+            "leg": 31, "platform": 72, "moments": 12, "sum of c": 0, "solve": 262, "forces": 0,
+            "total": 580,
         },
     },
 }

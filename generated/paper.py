@@ -47,18 +47,18 @@ FORCE_OPERATIONS: dict[str, dict[str, tuple[int, int, int, int]]] = {
         "platform": (99, 93, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 51, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (1095, 844, 18, 12),
+        "total": (1169, 879, 14, 12),
     },
     "frictionless": {
         "leg": (123, 85, 2, 2),
         "platform": (96, 90, 0, 0),
         "moments": (12, 9, 0, 0),
         "sum of c": (0, 33, 0, 0),
-        "solve": (84, 67, 6, 0),
+        "solve": (158, 102, 2, 0),
         "forces": (0, 6, 0, 0),
-        "total": (978, 751, 18, 12),
+        "total": (1052, 786, 14, 12),
     },
 }
 
@@ -144,9 +144,9 @@ def platform_wrench(on: Arithmetic, robot: Any, motion: Any) -> Any:
     c2 = R_G_x * omega_z - R_G_z * omega_x
     c3 = R_G_z * omega_y - R_G_y * omega_z
     # (31) acceleration of the centre of mass
-    a_G_x = R_G_z * alpha_y + a_x + c1 * omega_y - R_G_y * alpha_z - c2 * omega_z
-    a_G_y = R_G_x * alpha_z + a_y + c3 * omega_z - R_G_z * alpha_x - c1 * omega_x
-    a_G_z = R_G_y * alpha_x + a_z + c2 * omega_x - R_G_x * alpha_y - c3 * omega_y
+    a_G_x = a_x + R_G_z * alpha_y - R_G_y * alpha_z + c1 * omega_y - c2 * omega_z
+    a_G_y = a_y + R_G_x * alpha_z - R_G_z * alpha_x + c3 * omega_z - c1 * omega_x
+    a_G_z = a_z + R_G_y * alpha_x - R_G_x * alpha_y + c2 * omega_x - c3 * omega_y
     c4 = I_p_xx * R_xx + I_p_xy * R_xy + I_p_xz * R_xz
     c5 = I_p_xy * R_xx + I_p_yy * R_xy + I_p_yz * R_xz
     c6 = I_p_xz * R_xx + I_p_yz * R_xy + I_p_zz * R_xz
@@ -224,9 +224,9 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
     q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
     # (1) leg vector
-    S_x = q_x + t_x - b_x
-    S_y = q_y + t_y - b_y
-    S_z = q_z + t_z - b_z
+    S_x = t_x - b_x + q_x
+    S_y = t_y - b_y + q_y
+    S_z = t_z - b_z + q_z
     # (2) leg length
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
@@ -243,9 +243,9 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     S_dot_y = v_y + w_q_y
     S_dot_z = v_z + w_q_z
     # (7) acceleration of the platform point
-    S_ddot_x = a_x + alpha_y * q_z + omega_y * w_q_z - alpha_z * q_y - omega_z * w_q_y
-    S_ddot_y = a_y + alpha_z * q_x + omega_z * w_q_x - alpha_x * q_z - omega_x * w_q_z
-    S_ddot_z = a_z + alpha_x * q_y + omega_x * w_q_y - alpha_y * q_x - omega_y * w_q_x
+    S_ddot_x = a_x + alpha_y * q_z - alpha_z * q_y + omega_y * w_q_z - omega_z * w_q_y
+    S_ddot_y = a_y + alpha_z * q_x - alpha_x * q_z + omega_z * w_q_x - omega_x * w_q_z
+    S_ddot_z = a_z + alpha_x * q_y - alpha_y * q_x + omega_x * w_q_y - omega_y * w_q_x
     # (10) normal to the fixed axis and the leg
     k_cross_s_x = k_y * s_z - k_z * s_y
     k_cross_s_y = k_z * s_x - k_x * s_z
@@ -294,18 +294,18 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     c5 = W_y * c3
     # (9) angular acceleration of the leg but for its spin, leg frame
     A_z_own = inv_L * (e_y - c4)
-    A_y_own = inv_L * (-c5 - e_z)
+    A_y_own = inv_L * (-e_z - c5)
     # (12) centre of mass of the upper part from the base point
-    r_u_x = L + r_u0_x
+    r_u_x = r_u0_x + L
     c6 = W_y * W_z
     # (11), (13) acceleration of the lower centre of mass
-    a_d_x = A_y_own * r_d0_z - A_z_own * r_d0_y - c1 * r_d0_x - c2 * r_d0_x
-    a_d_y = A_z_own * r_d0_x + c6 * r_d0_z - c2 * r_d0_y
-    a_d_z = W_y * W_z * r_d0_y - A_y_own * r_d0_x - c1 * r_d0_z
+    a_d_x = A_y_own * r_d0_z - c1 * r_d0_x - c2 * r_d0_x - A_z_own * r_d0_y
+    a_d_y = c6 * r_d0_z - c2 * r_d0_y + A_z_own * r_d0_x
+    a_d_z = W_y * W_z * r_d0_y - c1 * r_d0_z - A_y_own * r_d0_x
     # (14) acceleration of the upper centre of mass
-    a_u_x = A_y_own * r_u0_z + L_ddot - A_z_own * r_u0_y - c1 * r_u_x - c2 * r_u_x
-    a_u_y = A_z_own * r_u_x + c4 + c6 * r_u0_z - c2 * r_u0_y
-    a_u_z = W_y * W_z * r_u0_y - A_y_own * r_u_x - c1 * r_u0_z - c5
+    a_u_x = L_ddot - c1 * r_u_x - c2 * r_u_x + A_y_own * r_u0_z - A_z_own * r_u0_y
+    a_u_y = c4 - c2 * r_u0_y + c6 * r_u0_z + A_z_own * r_u_x
+    a_u_z = W_y * W_z * r_u0_y - c1 * r_u0_z - c5 - A_y_own * r_u_x
     # (25) m_d (a_d - g)
     N_d_x = m_d * (a_d_x - gamma_x)
     N_d_y = m_d * (a_d_y - gamma_y)
@@ -326,11 +326,11 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     I_yz = I_d0_yz + I_u0_yz
     I_zz = I_d0_zz + I_u0_zz + c10
     # (19) I A + W x I W
-    E_y = A_y_own * I_yy + A_z_own * I_yz + I_xy * c6 + I_xz * c2
-    E_z = A_y_own * I_yz + A_z_own * I_zz - I_xy * c1 - I_xz * c6
+    E_y = I_xz * c2 + I_xy * c6 + A_y_own * I_yy + A_z_own * I_yz
+    E_z = A_y_own * I_yz - I_xy * c1 - I_xz * c6 + A_z_own * I_zz
     # (20) moment that the joints' forces must make
-    C_y = C_u * W_y + E_y + N_d_x * r_d0_z + N_u_x * r_u0_z + f_leg_y - N_d_z * r_d0_x - N_u_z * r_u_x
-    C_z = C_u * W_z + E_z + N_d_y * r_d0_x + N_u_y * r_u_x + f_leg_z - N_d_x * r_d0_y - N_u_x * r_u0_y
+    C_y = C_u * W_y + f_leg_y + E_y - N_d_z * r_d0_x - N_u_z * r_u_x + N_d_x * r_d0_z + N_u_x * r_u0_z
+    C_z = C_u * W_z + f_leg_z + E_z + N_d_y * r_d0_x + N_u_y * r_u_x - N_d_x * r_d0_y - N_u_x * r_u0_y
     # (24) known part of the actuator force
     D = C_p * u_x + N_u_x
     # (21) transverse force at the spherical joint, leg frame
@@ -353,7 +353,7 @@ def leg_dynamics(on: Arithmetic, leg: Any, robot: Any, motion: Any) -> Any:
     out.H_force = [s_x, s_y, s_z]
     out.H_moment = [q_y * s_z - q_z * s_y, q_z * s_x - q_x * s_z, q_x * s_y - q_y * s_x]
     out.c_force = [-K_x, -K_y, -K_z]
-    out.c_moment = [K_y * q_z + f_x - K_z * q_y, K_z * q_x + f_y - K_x * q_z, K_x * q_y + f_z - K_y * q_x]
+    out.c_moment = [f_x + K_y * q_z - K_z * q_y, f_y + K_z * q_x - K_x * q_z, f_z + K_x * q_y - K_y * q_x]
     return out
 
 
@@ -389,9 +389,9 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
     q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
     # (1) leg vector
-    S_x = q_x + t_x - b_x
-    S_y = q_y + t_y - b_y
-    S_z = q_z + t_z - b_z
+    S_x = t_x - b_x + q_x
+    S_y = t_y - b_y + q_y
+    S_z = t_z - b_z + q_z
     # (2) leg length
     L = on.sqrt(S_x * S_x + S_y * S_y + S_z * S_z)
     inv_L = 1.0 / L
@@ -408,9 +408,9 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     S_dot_y = v_y + w_q_y
     S_dot_z = v_z + w_q_z
     # (7) acceleration of the platform point
-    S_ddot_x = a_x + alpha_y * q_z + omega_y * w_q_z - alpha_z * q_y - omega_z * w_q_y
-    S_ddot_y = a_y + alpha_z * q_x + omega_z * w_q_x - alpha_x * q_z - omega_x * w_q_z
-    S_ddot_z = a_z + alpha_x * q_y + omega_x * w_q_y - alpha_y * q_x - omega_y * w_q_x
+    S_ddot_x = a_x + alpha_y * q_z - alpha_z * q_y + omega_y * w_q_z - omega_z * w_q_y
+    S_ddot_y = a_y + alpha_z * q_x - alpha_x * q_z + omega_z * w_q_x - omega_x * w_q_z
+    S_ddot_z = a_z + alpha_x * q_y - alpha_y * q_x + omega_x * w_q_y - omega_y * w_q_x
     # (10) normal to the fixed axis and the leg
     k_cross_s_x = k_y * s_z - k_z * s_y
     k_cross_s_y = k_z * s_x - k_x * s_z
@@ -459,18 +459,18 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     c5 = W_y * c3
     # (9) angular acceleration of the leg but for its spin, leg frame
     A_z_own = inv_L * (e_y - c4)
-    A_y_own = inv_L * (-c5 - e_z)
+    A_y_own = inv_L * (-e_z - c5)
     # (12) centre of mass of the upper part from the base point
-    r_u_x = L + r_u0_x
+    r_u_x = r_u0_x + L
     c6 = W_y * W_z
     # (11), (13) acceleration of the lower centre of mass
-    a_d_x = A_y_own * r_d0_z - A_z_own * r_d0_y - c1 * r_d0_x - c2 * r_d0_x
-    a_d_y = A_z_own * r_d0_x + c6 * r_d0_z - c2 * r_d0_y
-    a_d_z = W_y * W_z * r_d0_y - A_y_own * r_d0_x - c1 * r_d0_z
+    a_d_x = A_y_own * r_d0_z - c1 * r_d0_x - c2 * r_d0_x - A_z_own * r_d0_y
+    a_d_y = c6 * r_d0_z - c2 * r_d0_y + A_z_own * r_d0_x
+    a_d_z = W_y * W_z * r_d0_y - c1 * r_d0_z - A_y_own * r_d0_x
     # (14) acceleration of the upper centre of mass
-    a_u_x = A_y_own * r_u0_z + L_ddot - A_z_own * r_u0_y - c1 * r_u_x - c2 * r_u_x
-    a_u_y = A_z_own * r_u_x + c4 + c6 * r_u0_z - c2 * r_u0_y
-    a_u_z = W_y * W_z * r_u0_y - A_y_own * r_u_x - c1 * r_u0_z - c5
+    a_u_x = L_ddot - c1 * r_u_x - c2 * r_u_x + A_y_own * r_u0_z - A_z_own * r_u0_y
+    a_u_y = c4 - c2 * r_u0_y + c6 * r_u0_z + A_z_own * r_u_x
+    a_u_z = W_y * W_z * r_u0_y - c1 * r_u0_z - c5 - A_y_own * r_u_x
     # (25) m_d (a_d - g)
     N_d_x = m_d * (a_d_x - gamma_x)
     N_d_y = m_d * (a_d_y - gamma_y)
@@ -491,21 +491,21 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     I_yz = I_d0_yz + I_u0_yz
     I_zz = I_d0_zz + I_u0_zz + c10
     # (19) I A + W x I W
-    E_x = A_y_own * I_xy + A_z_own * I_xz + I_yz * c1 + c6 * (I_zz - I_yy) - I_yz * c2
-    E_y = A_y_own * I_yy + A_z_own * I_yz + I_xy * c6 + I_xz * c2
-    E_z = A_y_own * I_yz + A_z_own * I_zz - I_xy * c1 - I_xz * c6
+    E_x = I_yz * c1 - I_yz * c2 + c6 * (I_zz - I_yy) + A_y_own * I_xy + A_z_own * I_xz
+    E_y = I_xz * c2 + I_xy * c6 + A_y_own * I_yy + A_z_own * I_yz
+    E_z = A_y_own * I_yz - I_xy * c1 - I_xz * c6 + A_z_own * I_zz
     # (17) I_d A + W x I_d W
-    E_d_x = A_y_own * I_d0_xy + A_z_own * I_d0_xz + I_d0_yz * c1 + c6 * (I_d0_zz - I_d0_yy) - I_d0_yz * c2
-    E_d_y = A_y_own * I_d0_yy + A_z_own * I_d0_yz + I_d0_xy * c6 + I_d0_xz * c2
-    E_d_z = A_y_own * I_d0_yz + A_z_own * I_d0_zz - I_d0_xy * c1 - I_d0_xz * c6
+    E_d_x = I_d0_yz * c1 - I_d0_yz * c2 + c6 * (I_d0_zz - I_d0_yy) + A_y_own * I_d0_xy + A_z_own * I_d0_xz
+    E_d_y = I_d0_xz * c2 + I_d0_xy * c6 + A_y_own * I_d0_yy + A_z_own * I_d0_yz
+    E_d_z = A_y_own * I_d0_yz - I_d0_xy * c1 - I_d0_xz * c6 + A_z_own * I_d0_zz
     c11 = N_d_z * r_d0_y
     c12 = N_d_y * r_d0_z
-    c13 = C_u * W_y + N_d_x * r_d0_z - N_d_z * r_d0_x
+    c13 = C_u * W_y - N_d_z * r_d0_x + N_d_x * r_d0_z
     c14 = C_u * W_z + N_d_y * r_d0_x - N_d_x * r_d0_y
     # (20) moment that the joints' forces must make
-    C_x = E_x + N_u_z * r_u0_y + c11 + f_leg_x - N_u_y * r_u0_z - c12
-    C_y = E_y + N_u_x * r_u0_z + c13 + f_leg_y - N_u_z * r_u_x
-    C_z = E_z + N_u_y * r_u_x + c14 + f_leg_z - N_u_x * r_u0_y
+    C_x = f_leg_x + E_x + N_u_z * r_u0_y + c11 - N_u_y * r_u0_z - c12
+    C_y = f_leg_y + E_y - N_u_z * r_u_x + N_u_x * r_u0_z + c13
+    C_z = f_leg_z + E_z + N_u_y * r_u_x - N_u_x * r_u0_y + c14
     c15 = C_z * inv_L
     c16 = C_y * inv_L
     # (21) transverse force at the spherical joint, leg frame
@@ -526,8 +526,8 @@ def leg_reactions(on: Arithmetic, leg: Any, robot: Any, motion: Any, x: Any, bea
     F_c_leg_y = c19
     F_c_leg_z = c18
     # M_p, leg frame
-    M_p_leg_x = C_x + c12 - E_d_x - c11
-    M_p_leg_y = C_y * bearing * inv_L + N_u_z * bearing - E_d_y - c13
+    M_p_leg_x = c12 - E_d_x - c11 + C_x
+    M_p_leg_y = N_u_z * bearing - E_d_y - c13 + C_y * bearing * inv_L
     M_p_leg_z = C_z * bearing * inv_L - E_d_z - N_u_y * bearing - c14
     out = LegReactions()
     out.F_s = [

@@ -6,10 +6,14 @@ since pytest-xdist 3.8 writes a mark into a node id that pytest 9.2 no longer re
 """
 
 import os
+from collections.abc import Iterator
 from pathlib import PurePosixPath
 from typing import Any
 
 import pytest
+
+from stewart_sym.backend import c_kernel, native
+from stewart_sym.dynamics import closed_form
 
 # A process for each core: BLAS threads would wait for each other.
 for library in ("OMP", "OPENBLAS", "MKL"):
@@ -75,6 +79,28 @@ LONG = (
     "test_reproduce",
 )
 """Modules with tests of more than two seconds, the longest first."""
+
+
+_LOADED = (c_kernel.library, c_kernel.function, closed_form.library)
+
+
+@pytest.fixture
+def rounded_twice() -> Iterator[None]:
+    """The C without fused multiply-add, whose bits are NumPy's."""
+    with pytest.MonkeyPatch.context() as changed:
+        load = native.load
+        changed.setattr(
+            native,
+            "load",
+            lambda name, sources, flags=(), defines=None: load(
+                name, sources, flags, {**(defines or {}), "STEWART_NO_FMA": 1}
+            ),
+        )
+        for each in _LOADED:
+            each.cache_clear()
+        yield
+    for each in _LOADED:
+        each.cache_clear()
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

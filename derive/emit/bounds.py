@@ -1,9 +1,13 @@
 """C99: the actuator forces with a bound of their rounding error and the reciprocal condition of H."""
 
 from ..kernel.bounds import BoundedForces
+from ..kernel.tree.nodes import Function
 from ..print.c import C
 from ..print.template import filled
 from .shared import LANES, SIZES, header
+
+_OF_FORCES = ("shared_of_pose", "leg_of_pose", "leg_of_pose_near_singularity")
+"""Functions that round as those of the force kernel do; in the others every operation has its own error."""
 
 
 def files(made: BoundedForces, version: str) -> dict[str, str]:
@@ -14,5 +18,7 @@ def files(made: BoundedForces, version: str) -> dict[str, str]:
     file = f"stewart_{name}_bounds"
     texts = header("bounds.h", file, version, name=name, structures=C().source(*structures))
     top = filled("bounds_top.c", name=name, version=version, header=LANES) + filled("bounds_macros.c")
-    source = C(made.texts.functions.values(), SIZES).source(top, *made.parts())
+    parts = list(made.parts())
+    apart = {each.name for each in parts if isinstance(each, Function)}.difference(_OF_FORCES)
+    source = C(made.texts.functions.values(), SIZES, apart=apart).source(top, *parts)
     return texts | {f"{file}.c": source}

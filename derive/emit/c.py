@@ -81,6 +81,10 @@ def operations_table(counts: KernelOperations, frictionless: KernelOperations | 
         rows.append(f"{'':8s} {'with friction':41s} without friction")
         plain = frictionless.parts()
         rows += [f"{part:8s} {count!s:41s} {plain[part]}" for part, count in counts.parts().items()]
+    if counts.fused:
+        both = [each for each in (counts, frictionless) if each is not None]
+        found = " and ".join(str(each.total.total - each.fused) for each in both)
+        rows.append(f"With products and the sums that they feed in one instruction {found}.")
     return "\n".join((prefix + row).rstrip() for row in rows)
 
 

@@ -67,7 +67,7 @@ def _files(
     snake = {
         each.name: re.sub(r"(?<=[a-z])([A-Z])", r"_\1", each.name).lower() for each in program.structures
     }
-    printer = C(program.functions, None, brackets, snake | records, program.structures)
+    printer = C(program.functions, None, brackets, snake | records, program.structures, fused=False)
     own = (each for each in program.structures if each.name not in records)
     before = top(file, version, ARITHMETIC)
     after = [] if program.functions[-1].public else [filled(f"{name}.c")]

@@ -29,6 +29,8 @@ from .shared import Part, Source, header, top
 
 CHECKED = (n.q, n.L, n.k3)
 """Outputs of a leg by which it is checked; they are not stored as they are."""
+_ROWS = {n.H_force: 0, n.H_moment: 3}
+"""First row of the part of a column of H."""
 _WITHOUT_D = "#define STEWART_FORCE(D, x) (-(x))\n"
 
 
@@ -66,7 +68,7 @@ def files(
 def model_numbers(kernel: ForceKernel) -> int:
     """How many numbers ``stewart_<kernel>_model`` holds."""
     of_legs = LANES * sum(len(q.keys) for q in kernel.leg_constants())
-    return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 1
+    return of_legs + sum(len(q.keys) for q in kernel.platform_constants()) + 2
 
 
 def reach_terms(kernel: ForceKernel) -> tuple[list[sp.Expr], tuple[Quantity, ...]]:
@@ -99,7 +101,8 @@ class _Source(Source):
         motion = kernel.used_motion()
         moved = [out.quantity for out in kernel.shift.outputs]
         blocks = (kernel.leg, kernel.moments) if kernel.about_tip else (kernel.leg,)
-        terms = [out.quantity for block in blocks for out in block.outputs if out.quantity not in CHECKED]
+        terms = [out.quantity for block in blocks for out in block.outputs]
+        terms = [q for q in terms if q not in (*CHECKED, *_ROWS)]
         kept = [q for q in (n.q, *lay.RIGHT_SIDE) if q in self.given]
         sine = [t.numbers("k3", LANES)] if n.k3 in self.given else []
         known = [t.numbers("D", 6, LANES)] if n.D in self.given else []
@@ -112,7 +115,7 @@ class _Source(Source):
             (
                 *(lay.described(q, LANES) for q in kernel.leg_constants()),
                 *(lay.described(q) for q in kernel.platform_constants()),
-                *([] if self.baked else [p.PER_LENGTH]),
+                *([] if self.baked else [p.PER_LENGTH, p.ARM_CUBE]),
             ),
         )
         return {
@@ -137,6 +140,7 @@ class _Source(Source):
                 "leg_lanes",
                 "The legs of one pose.",
                 (
+                    t.numbers("A", 6, LANES, meaning="H, whose columns are those of the legs"),
                     *(lay.stored(q, LANES, always=False) for q in (n.q, *terms)),
                     t.numbers("L", LANES),
                     t.numbers("reach", LANES),
@@ -244,7 +248,7 @@ class _Source(Source):
         outside, inside = lay.parted(lay.loaded(leg, self._place("at", leg=lay.LANE), *more))
         kept = [out for out in leg.outputs if out.quantity not in CHECKED]
         kept += [out for out in leg.outputs if out.quantity == n.q]
-        body = (*inside, *steps_of(leg.steps), *lay.stores(kept, _out(lay.LANE)))
+        body = (*inside, *steps_of(leg.steps), *lay.stores(kept, _of_legs("out")))
         given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body}
         given |= lay.checks(leg, terms, "SHORT_SHARE", least)
         return self.texts.function(written.legs_of_pose, name, given=given, says=says, count=leg.operations())
@@ -258,7 +262,7 @@ class _Source(Source):
             *lay.lines(shift, lambda q: lay.member("shared", q), without=(q_1,)),
             *lay.stores(shift.outputs, lambda q: lay.member("shared", q)),
         )
-        legs: lay.Layout = lambda q: lay.member("legs", q, lay.LANE)  # noqa: E731
+        legs = _of_legs("legs")
         body = (*lay.lines(leg, legs, without=(q_1,)), *lay.stores(leg.outputs, legs))
         read = self.texts.function
         yield read(written.shift_of_pose, given={"SHIFT": moved})
@@ -372,6 +376,17 @@ def _c(row: int) -> t.Expression:
 
 def _out(*lane: t.Expression) -> lay.Layout:
     return lambda q: lay.member("out", q, *lane)
+
+
+def _of_legs(owner: str) -> lay.Layout:
+    """The legs of a pose: columns of H are in the rows that are solved."""
+
+    def place(q: Quantity) -> lay.Place:
+        if q in _ROWS:
+            return lay.Place(t.of(owner, "A"), (lay.LANE,), _ROWS[q])
+        return lay.member(owner, q, lay.LANE)
+
+    return place
 
 
 def _transposed(q: Quantity) -> t.Statement:

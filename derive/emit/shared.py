@@ -31,8 +31,8 @@ def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
         LANES: filled(
             "lanes.h",
             version=version,
-            functions=_printed(found, found.lanes[:-1]),
-            solve_block=_printed(found, found.lanes[-1:], "STEWART_NO_COPY "),
+            functions=_printed(found, found.lanes[:-3]),
+            solve_block=_printed(found, found.lanes[-3:], "STEWART_NO_COPY "),
             blocks=filled("blocks.c"),
         ),
         OUTPUTS: filled("outputs.h", version=version, functions=_printed(found, found.outputs)),

@@ -18,6 +18,7 @@ from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import ADDED, B, arm_c, c_tip, q_1
 from ..program.adjoint import Adjoint, adjoint
 from ..program.block import Output, Quantity
+from ..program.order import ready_in
 from ..program.rounding import RoundedBlock, component_errors, error_symbol, rounded
 from . import batches
 from . import error_steps as err
@@ -51,6 +52,11 @@ class BoundedForces:
         """Finds the errors of every block; ValueError for a kernel that is no such."""
         if not kernel.about_tip or kernel.leg_near_singular is None:
             raise ValueError("kernel: expected one with moments about platform point 1 and universal joints")
+        of_pose, moments, near = (
+            ready_in(each.steps) for each in (kernel.shared, kernel.moments, kernel.leg_near_singular)
+        )
+        of_pose |= ready_in(kernel.shift.steps)
+        of_leg = ready_in(kernel.leg.steps) | moments
         kernel = kernel.whole()
         self.kernel = kernel
         # R stands for the rotation nearest to it; one bound for all its entries.
@@ -60,12 +66,14 @@ class BoundedForces:
         prepared = self.prepare_leg, self.prepare_platform
         made = ((block, out.quantity) for block in prepared for out in block.block.outputs)
         constants = component_errors(q for block, q in made if block.inexact(q))
-        self.shared = rounded(kernel.shared, R | constants)
+        self.shared = rounded(kernel.shared, R | constants, of_pose)
         inexact = R | constants | component_errors((B, q_1))
         # By the ending of the functions' names: away from the joint singularity and near it.
-        near = kernel.leg_near_singular
-        assert near is not None
-        self.legs = {"": rounded(kernel.leg, inexact), "_near_singularity": rounded(near, inexact)}
+        assert kernel.leg_near_singular is not None
+        self.legs = {
+            "": rounded(kernel.leg, inexact, of_leg),
+            "_near_singularity": rounded(kernel.leg_near_singular, inexact, near | moments),
+        }
         self.structures = {
             "Robot": p.ROBOT,
             "RawLeg": p.LEG,
@@ -86,6 +94,7 @@ class BoundedForces:
             t.Field("platform", t.Record(f"{name}_platform")),
             t.Field("length", t.Real(), length),
             p.PER_LENGTH,
+            p.ARM_CUBE,
         )
         added, slopes = (
             [stored(part, always=False) for q in held for part in (q, err.error_of(q))]
@@ -216,7 +225,7 @@ class BoundedForces:
     def _values(self, block: RoundedBlock) -> tuple[t.Statement, ...]:
         """A block without its errors."""
         return (
-            *lines(block.block, self._layout),
+            *lines(block.block, self._layout, ready=block.ready),
             *stores(err.kept_outputs(block), lambda q: member("out", q)),
         )
 

@@ -1,7 +1,7 @@
 """Shapes of the elimination: where its entries are and how rows change places.
 
-``written.elimination`` is the text. A shape is what ``read.function`` is given with a function that calls
-it.
+``written.elimination`` is the text, ``written.two_blocks`` that of what is tried before. A shape is what
+``read.function`` is given with a function that calls it.
 """
 
 from collections.abc import Callable, Mapping
@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from .tree.nodes import Element, Expression, Name, Number
 from .tree.read import Given
 from .written import elimination as text
+from .written import two_blocks as blocks
 
 
 def _entries(name: str) -> Callable[..., Expression]:
@@ -143,3 +144,31 @@ BY_POINTERS: Mapping[str, Given] = {
     "weigh_pivot": text.product,
 }
 """One pose without vector registers: rows change places by their addresses, an upper one is read once."""
+
+_BLOCKS: Mapping[str, Given] = {
+    "two_blocks": blocks.two_blocks,
+    "adjugate_of_directions": blocks.adjugate_of_directions,
+    "eliminated": blocks.entry_by_entry,
+    "OWN": 0,
+    "GUARDED": 0,
+}
+BLOCKS_IN_ARRAYS: Mapping[str, Given] = {
+    **_BLOCKS,
+    "a": _entries("A"),
+    "x": _entries("x"),
+    "GUARDED": 1,
+}
+"""Two blocks of poses side by side in arrays; nothing is divided by zero, for derivatives' sake."""
+BLOCKS_OF_POSE: Mapping[str, Given] = {
+    **_BLOCKS,
+    "a": _entries("A"),
+    "x": _entries("x"),
+    "eliminated": blocks.column_by_column,
+    "column_of_sums": blocks.one_column,
+}
+"""One pose, rows of eight vectors."""
+
+
+def blocks_in_lanes(about_tip: bool) -> dict[str, Given]:
+    """Every entry a variable in a loop over lanes; leg 1 has no moments about platform point 1."""
+    return {**_BLOCKS, "OWN": 2 if about_tip else 0, "FIRST": 3 if about_tip else 6}

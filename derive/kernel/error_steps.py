@@ -114,7 +114,7 @@ def step_statements(
         if any(said) and said != before:
             yield t.Comment(" ".join(part for part in said if part))
         before = said
-        yield t.Let(step.name, expression(step.expr))
+        yield t.Let(step.name, expression(step.expr, block.order_of(step)))
         own = _own_error(each)
         if each.rounds and step.name in apart:
             yield t.Let(f"{step.name}_own", own)

@@ -14,6 +14,7 @@ import sympy as sp
 from ..mechanics import quantities as n
 from ..mechanics.lumped_constants import arm_c
 from ..program.block import Block, Output, Quantity
+from ..program.order import Ready
 from .tree import nodes as t
 from .tree import read
 from .tree.lower import expression, steps_of
@@ -107,9 +108,13 @@ def assembled(
     H, c: places of a row.
     """
     column = [(i, e) for i, q in ((0, n.H_force), (3, n.H_moment)) for i, e in enumerate(exprs.get(q, ()), i)]
-    rows = ((0, n.c_force), (3, n.c_moment), (3, arm_c))
-    part = [(i, e) for i, q in rows for i, e in enumerate(exprs.get(q, ()), i)]
-    return (*(t.Assign(H(i), expression(e)) for i, e in column), *(added(c(i), e) for i, e in part))
+    parts = []
+    for i, q in ((0, n.c_force), (3, n.c_moment), (3, arm_c)):
+        for row, term, name in zip(range(i, i + 3), exprs.get(q, ()), q.names, strict=False):
+            # A product is rounded before it is added, as where it is stored.
+            parts += [t.Let(name, expression(term))] if term.is_Mul else []
+            parts.append(added(c(row), sp.Symbol(name) if term.is_Mul else term))
+    return (*(t.Assign(H(i), expression(e)) for i, e in column), *parts)
 
 
 def names_used(block: Block) -> set[str]:
@@ -132,11 +137,13 @@ def _entry(quantity: Quantity, index: int, owner: t.Expression, *lane: t.Express
     return member(owner, quantity, *lane).part(quantity, index)
 
 
-def lines(block: Block, layout: Layout, without: Iterable[Quantity] = ()) -> tuple[t.Statement, ...]:
-    """Loads and steps of a block; without: what is loaded already."""
+def lines(
+    block: Block, layout: Layout, without: Iterable[Quantity] = (), ready: Ready | None = None
+) -> tuple[t.Statement, ...]:
+    """Loads and steps of a block; without: what is loaded already; ready: when steps are, by themselves."""
     given = set(without)
     inputs = (q for q in block.inputs if q not in given)
-    return (*loads(inputs, names_used(block), layout), *steps_of(block.steps))
+    return (*loads(inputs, names_used(block), layout), *steps_of(block.steps, ready))
 
 
 def exprs_of(block: Block) -> dict[Quantity, tuple[sp.Expr, ...]]:

@@ -37,6 +37,7 @@ def model_structures(kernel: ForceKernel) -> list[t.Structure]:
                 t.Field("leg", t.Array(t.Record("LegConstants"), (6,)), "the legs"),
                 t.Field("platform", t.Record("Platform"), "the platform"),
                 t.Field("per_length", t.Real(), "1/m: one over the length over which moments are taken"),
+                t.Field("arm_cube", t.Real(), "cube of the largest arm over that length"),
                 STATUS_FIELD,
             ),
         ),

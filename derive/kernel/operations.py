@@ -14,12 +14,14 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
 from ..mechanics.lumped_constants import arm_c
-from ..program.block import Operations
-from .elimination import BY_POINTERS, ONCE, in_lanes
+from ..program.block import Block, Operations
+from .elimination import BY_POINTERS, ONCE, blocks_in_lanes, in_lanes
 from .shared import FORCE
 from .tree import read
 from .tree.counted import counted
-from .tree.nodes import Name, Program, Return
+from .tree.fused import fused
+from .tree.lower import expression, steps_of
+from .tree.nodes import Function, Let, Name, Program, Return, calls_in
 from .tree.read import LANES, Given
 from .written import lanes, scalar, solve
 
@@ -30,7 +32,7 @@ NOTHING = Operations()
 @dataclass(frozen=True)
 class KernelOperations:
     """Counts of one pose of inverse dynamics, part by part; moments: of one leg; arms: of how many legs
-    they are made."""
+    they are made. fused: products that a processor with fused multiply-add takes together with a sum."""
 
     leg: Operations
     platform: Operations
@@ -39,6 +41,7 @@ class KernelOperations:
     forces: Operations
     moments: Operations = NOTHING
     arms: int = LEGS - 1
+    fused: int = 0
 
     @property
     def total(self) -> Operations:
@@ -61,8 +64,9 @@ class KernelOperations:
 
 _SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
     "every output": (solve.eliminate, ONCE, 1),
-    "block": (lanes.solve_block, in_lanes(about_tip=False), LANES),
-    "block about tip": (lanes.solve_block, in_lanes(about_tip=True), LANES),
+    "block": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=False), LANES),
+    "block about tip": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=True), LANES),
+    "pivots about tip": (lanes.pivots_of_lanes, in_lanes(about_tip=True), LANES),
     "one pose": (scalar.solve, BY_POINTERS, 1),
 }
 
@@ -70,14 +74,28 @@ _SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
 @cache
 def solve_operations(name: str) -> Operations:
     """Operations of a written solve, of one of the systems where it solves several side by side."""
-    text, given, count = _SOLVES[name]
-    # F = D - x is counted apart.
-    force = replace(FORCE, body=(Return(Name("x")),))
-    function = read.function(text, {}, {force.name: force}, given=given)
+    force, function, count = _solve(name)
     draw = random.Random(1)
     alone = Program("", (), (force, function))
     found = counted(alone, function.name, lambda _: draw.uniform(0.5, 1.5), {"LANES": LANES})
     return Operations(*(each // count for each in (found.mul, found.add, found.div, found.sqrt)))
+
+
+def _solve(name: str) -> tuple[Function, Function, int]:
+    """What stands for F = D - x, which is counted apart; a solve; and how many systems it solves."""
+    text, given, count = _SOLVES[name]
+    force = replace(FORCE, body=(Return(Name("x")),))
+    return force, read.function(text, {}, {force.name: force}, given=given), count
+
+
+def _fused(function: Function) -> int:
+    return sum(each.function == "fma" for each in calls_in(fused(function)))
+
+
+def _fused_in(block: Block) -> int:
+    """Products of a block that a sum takes with it."""
+    results = [Let("", expression(expr)) for out in block.outputs for expr in out.exprs]
+    return _fused(Function("", "", (), None, (*steps_of(block.steps), *results)))
 
 
 def kernel_operations(kernel: Kernel) -> KernelOperations:
@@ -113,4 +131,10 @@ def force_operations(kernel: ForceKernel, scalar_text: bool = False) -> KernelOp
         forces=Operations(add=LEGS if n.D in given else 0),
         moments=moments,
         arms=arms,
+        fused=LEGS * _fused_in(kernel.leg)
+        + _fused_in(kernel.shared)
+        + (_fused_in(kernel.shift) + arms * _fused_in(kernel.moments) if kernel.about_tip else 0)
+        + _fused(
+            _solve("one pose" if scalar_text else "block about tip" if kernel.about_tip else "block")[1]
+        ),
     )

@@ -12,7 +12,7 @@ from ..mechanics import lumped_constants as p
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..program.block import Block, Output, Quantity
-from .elimination import CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
+from .elimination import BLOCKS_IN_ARRAYS, CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
 from .model import STATUS_FIELD, block_arguments, model_functions, model_structures
 from .shared import legs_in_turn, shared
 from .tree import nodes as t
@@ -58,17 +58,20 @@ def program(
     kernel: ForceKernel,
     sums: Collection[m.SumKernel] = (),
     outputs: Collection[str] = (FORCES,),
+    by_pivots: bool = False,
 ) -> Program:
     """Preparation and some of ``OUTPUTS``, of one pose or of many side by side.
 
-    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. Raises
-    ValueError for an output that is not one of ``OUTPUTS``.
+    kernel: the forces' blocks, whose prepared model serves all; sums: those of the closed form. by_pivots:
+    one solve alone. Raises ValueError for an output that is not one of ``OUTPUTS``.
     """
     unknown = [each for each in outputs if each not in OUTPUTS]
     if unknown:
         raise ValueError(f"outputs: expected some of {', '.join(OUTPUTS)}, got {unknown[0]}")
     of_model = {each.name: each for each in model_structures(kernel)}
     known = _texts(kernel) | _of_forces(kernel) | _NAMED
+    if by_pivots:
+        known["solve_legs"] = Text(solve.solve_by_pivots)
     for each in sums:
         known |= _of_sums(kernel, each)
     functions = {each.name: each for each in model_functions(kernel, of_model)}
@@ -178,6 +181,7 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     }
     found["fault_of"] = Text(legs.fault_of, given=CARRIED)
     found["eliminate"] = Text(solve.eliminate, given=IN_ARRAYS)
+    found["solve_legs"] = Text(solve.solve_legs, given=BLOCKS_IN_ARRAYS)
     found["solve_pivoted"] = Text(solve.solve_pivoted, given=LONG_ROWS)
     found["solve_definite"] = Text(solve.solve_definite, given=DEFINITE)
     found["singular_status"] = Text(solve.singular_status, given={**INVERSE, **CARRIED})

@@ -27,6 +27,9 @@ PER_LENGTH = t.Field(
     f"1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for platforms of "
     f"{SMALLEST:g} to {LARGEST:g} m. Otherwise one over the least power of two that no arm exceeds.",
 )
+ARM_CUBE = t.Field(
+    "arm_cube", t.Real(), "cube of the largest arm over that length: what determinants of moments are beside"
+)
 ROBOT = t.Structure(
     "stewart_robot",
     "",
@@ -64,6 +67,10 @@ def flags(kernel: ForceKernel) -> dict[str, Given]:
         "SCALED": 0 if not is_scaled(kernel) else 2 if baked else 1,
         "SMALLEST": t.Number(SMALLEST),
         "PER_LENGTH": t.Number(per_length(kernel.size)),
+        "UNIT_OF_MOMENTS": t.Number(per_length(kernel.size)) if baked else t.of("model", "per_length"),
+        "ARM_CUBE": t.Number((kernel.size * per_length(kernel.size)) ** 3)
+        if baked
+        else t.of("model", "arm_cube"),
     }
 
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 from functools import cache
 
 from .batches import LOADS, MOTIONS, parts_at, parts_of_one
-from .elimination import INVERSE, ONCE, RETURNED, by_rows, in_lanes
+from .elimination import BLOCKS_OF_POSE, INVERSE, ONCE, RETURNED, blocks_in_lanes, by_rows, in_lanes
 from .layouts import Written
 from .prepare import MOTION
 from .tree import nodes as t
@@ -114,6 +114,7 @@ def shared(about_tip: bool = True) -> Shared:
     rows = (lanes.exchange_rows, lanes.subtract_row)
     return Shared(
         (
+            read(solve.cube_of),
             settled(read(solve.per_length_of, given={"LARGEST": t.Number(LARGEST)})),
             read(solve.scaled_axis),
             read(legs.largest_component),
@@ -122,9 +123,13 @@ def shared(about_tip: bool = True) -> Shared:
         ),
         (
             *(read(each) for each in rows),
-            read(lanes.solve_pose, given=by_rows(about_tip)),
+            read(lanes.blocks_of_pose, given=BLOCKS_OF_POSE),
+            read(lanes.pivots_of_pose, apart=True, given=by_rows(about_tip)),
+            read(lanes.solve_pose),
             read(lanes.scale_pose),
-            read(lanes.solve_block, apart=True, given=in_lanes(about_tip)),
+            read(lanes.blocks_of_lanes, apart=True, given=blocks_in_lanes(about_tip)),
+            read(lanes.pivots_of_lanes, apart=True, given=in_lanes(about_tip)),
+            read(lanes.solve_block),
         ),
         (
             read(solve.eliminate, given=ONCE),

@@ -5,11 +5,19 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import groupby
 
 from ..kernel.tree import nodes as t
+from ..kernel.tree.fused import fused
 from .spelling import ATOM, COMPARE, LEVELS, OR, PRODUCT, SELECT, SIGN, SUM, WIDTH, Printer
 
-_BUILT_IN = {"sqrt": "STEWART_SQRT", "size": "STEWART_FABS", "larger": "STEWART_LARGER"}
+_BUILT_IN = {
+    "sqrt": "STEWART_SQRT",
+    "size": "STEWART_FABS",
+    "larger": "STEWART_LARGER",
+    "fma": "STEWART_FMA",
+}
 _PLAIN = {"NULL": "NULL", "LANES": "LANES"}
 _NAMES = {t.Real: "stewart_real", t.Integer: "int", t.Count: "size_t", t.Truth: "int"}
+PREPARATION = ("prepare_leg", "prepare_platform")
+"""Functions that are run once, and give the constants that Python folds into a machine's own kernel."""
 _ALIGNED = {False: "", True: "STEWART_ALIGNED "}
 
 
@@ -19,7 +27,8 @@ class C(Printer):
     functions: those that are called, for how their arguments are passed. sizes: names of dimensions, such as
     ``{8: "LANES"}``. brackets: around every operand that is an operation of another kind, as MISRA C advises.
     records: names of structures in C, where those are others. structures: those that variables have. static:
-    before functions that are not of the interface. unread: arguments that macros may leave unread.
+    before functions that are not of the interface. unread: arguments that macros may leave unread. fused:
+    whether products that feed sums are ``STEWART_FMA``; apart: functions in which they are not.
     """
 
     def __init__(
@@ -31,10 +40,13 @@ class C(Printer):
         structures: Iterable[t.Structure] = (),
         static: str = "static ",
         unread: Collection[str] = (),
+        fused: bool = True,
+        apart: Collection[str] = PREPARATION,
     ) -> None:
         super().__init__(functions)
         self.sizes, self.brackets = dict(sizes or {}), brackets
         self.static, self.unread = static, unread
+        self.fused, self.apart = fused, apart
         self.records = dict(records or {})
         self.structures = {each.name: each for each in structures}
         self.empty: set[str] = set()
@@ -284,6 +296,8 @@ class C(Printer):
     def function(self, function: t.Function) -> list[str]:
         """A definition; those of the interface have their comments where they are declared."""
         self._enter(function)
+        if self.fused and function.name not in self.apart:
+            function = fused(function)
         apart = "STEWART_APART " if function.apart else ""
         inlined = "STEWART_INLINE " if function.inlined else ""
         static = "" if function.public else f"{apart}{self.static}{inlined}"

@@ -7,7 +7,7 @@ notebook shows them. A block depends neither on the Stewart platform nor on a ta
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property, reduce
+from functools import cached_property, reduce
 from operator import mul
 from typing import Any
 
@@ -270,14 +270,6 @@ def _needed(block: Block) -> tuple[Step, ...]:
             kept.append(step)
             wanted |= step.expr.free_symbols
     return tuple(reversed(kept))
-
-
-@cache
-def terms_in_order(expr: sp.Add) -> tuple[sp.Expr, ...]:
-    """The terms of a sum in the order in which programs add them up, negative ones last."""
-    terms = expr.as_ordered_terms()
-    negative = [term for term in terms if term.could_extract_minus_sign()]
-    return tuple([term for term in terms if term not in negative] + negative)
 
 
 def run(expr: sp.Expr, known: Mapping[str, Any], sqrt: Callable[[Any], Any]) -> Any:

@@ -18,7 +18,8 @@ from math import prod
 
 import sympy as sp
 
-from .block import Block, Output, Quantity, Step, component_name, terms_in_order
+from .block import Block, Output, Quantity, Step, component_name
+from .order import NOTHING, Ready, ready_in, terms_in_order
 
 PLAIN, ROOT, RECIPROCAL = "plain", "root", "reciprocal"
 
@@ -61,6 +62,11 @@ class RoundedBlock:
     steps: tuple[RoundedStep, ...]
     errors: Mapping[str, sp.Expr]
     limits: frozenset[str]
+    ready: Ready
+
+    def order_of(self, step: Step) -> Ready:
+        """What orders the terms of a step; components of outputs are computed where they are stored."""
+        return self.ready if step.name in self.ready else NOTHING
 
     def output_error(self, expr: sp.Expr) -> sp.Expr:
         """Error of a component that leaves the block."""
@@ -72,13 +78,17 @@ class RoundedBlock:
         return any(self.output_error(expr) != 0 for expr in out.exprs)
 
 
-def rounded(block: Block, errors: Mapping[str, sp.Expr]) -> RoundedBlock:
-    """The block with its error bounds; errors: of input components by name, those left out are exact."""
+def rounded(block: Block, errors: Mapping[str, sp.Expr], ready: Ready | None = None) -> RoundedBlock:
+    """The block with its error bounds; errors: of input components by name, those left out are exact.
+
+    ready: when its steps are, where the block is made of several.
+    """
     named = _outputs_named(block)
     known = {name: errors.get(name, sp.S.Zero) for quantity in named.inputs for name in quantity.names}
+    ready = ready_in(block.steps) if ready is None else ready
     steps = []
     for step in named.steps:
-        steps.append(_rounded_step(step, known))
+        steps.append(_rounded_step(step, known, ready if step.name in ready else NOTHING))
         known[step.name] = sp.S.Zero if steps[-1].exact else error_symbol(step.name)
     limits = {
         symbol.name.removesuffix(_MAX)
@@ -87,7 +97,7 @@ def rounded(block: Block, errors: Mapping[str, sp.Expr]) -> RoundedBlock:
         for symbol in expr.free_symbols
         if symbol.name.endswith(_MAX)
     }
-    return RoundedBlock(named, tuple(steps), known, frozenset(limits))
+    return RoundedBlock(named, tuple(steps), known, frozenset(limits), ready)
 
 
 _ERROR, _MAX = "_err", "_max"
@@ -127,14 +137,14 @@ def _outputs_named(block: Block) -> Block:
     return replace(block, steps=tuple(steps), outputs=tuple(outputs))
 
 
-def _rounded_step(step: Step, errors: Mapping[str, sp.Expr]) -> RoundedStep:
+def _rounded_step(step: Step, errors: Mapping[str, sp.Expr], ready: Ready) -> RoundedStep:
     expr = step.expr
     if expr.is_Pow and expr.exp == sp.Rational(1, 2):
         argument = expr.base
-        return RoundedStep(step, ROOT, _carried(argument, errors), _roundings(argument), True)
+        return RoundedStep(step, ROOT, _carried(argument, errors), _roundings(argument, ready), True)
     if expr.is_Pow and expr.exp == -1 and expr.base.is_Symbol:
         return RoundedStep(step, RECIPROCAL, errors[expr.base.name], sp.S.Zero, True)
-    inner, own = _inner_roundings(expr)
+    inner, own = _inner_roundings(expr, ready)
     return RoundedStep(step, PLAIN, _carried(expr, errors), inner, own)
 
 
@@ -164,19 +174,19 @@ def _size(expr: sp.Expr) -> sp.Expr:
     raise ValueError(f"no error bound for {type(expr).__name__} in {expr}: it needs a name")
 
 
-def _roundings(expr: sp.Expr) -> sp.Expr:
+def _roundings(expr: sp.Expr, ready: Ready) -> sp.Expr:
     """Sum of the sizes of all results that are rounded on the way to ``expr``, itself the last."""
-    inner, own = _inner_roundings(expr)
+    inner, own = _inner_roundings(expr, ready)
     return inner + _size(expr) if own else inner
 
 
-def _inner_roundings(expr: sp.Expr) -> tuple[sp.Expr, bool]:
+def _inner_roundings(expr: sp.Expr, ready: Ready) -> tuple[sp.Expr, bool]:
     """The same without the last operation, and whether that one rounds."""
     if expr.is_Atom:
         return sp.S.Zero, False
     if expr.is_Add:
-        terms = terms_in_order(expr)
-        below = sum(map(_roundings, terms), sp.S.Zero)
+        terms = terms_in_order(expr, ready)
+        below = sum((_roundings(term, ready) for term in terms), sp.S.Zero)
         # The first term is in every sum on the way, the second one too, each later one in one less.
         on_the_way = ((len(terms) - max(i, 2)) * _size(term) for i, term in enumerate(terms, start=1))
         return below + sum(on_the_way, sp.S.Zero), True
@@ -185,7 +195,7 @@ def _inner_roundings(expr: sp.Expr) -> tuple[sp.Expr, bool]:
     sizes = [_size(factor) for factor in factors]
     below = sum(
         (
-            abs(coefficient) * _roundings(factor) * prod(sizes[:i] + sizes[i + 1 :], start=sp.S.One)
+            abs(coefficient) * _roundings(factor, ready) * prod(sizes[:i] + sizes[i + 1 :], start=sp.S.One)
             for i, factor in enumerate(factors)
         ),
         sp.S.Zero,

@@ -24,6 +24,21 @@
 #endif
 #endif
 
+/* a b + c, rounded once where the processor has that in one instruction: one pose, every place of a batch and
+ * every compiler then give the same bits. -DSTEWART_NO_FMA: rounded twice, as NumPy does it. */
+#if !defined(STEWART_FMA)
+#if !defined(STEWART_REAL) && !defined(STEWART_NO_FMA) \
+    && (defined(__FP_FAST_FMA) || defined(__FMA__) || defined(__ARM_FEATURE_FMA))
+#if defined(STEWART_FLOAT)
+#define STEWART_FMA(a, b, c) fmaf(a, b, c)
+#else
+#define STEWART_FMA(a, b, c) fma(a, b, c)
+#endif
+#else
+#define STEWART_FMA(a, b, c) ((a) * (b) + (c))
+#endif
+#endif
+
 /* A length or sine below this many rounding units of its terms is rounding error and nothing else. */
 #define STEWART_ROUNDING (REAL(16) * STEWART_EPSILON)
 
@@ -66,6 +81,21 @@
 #endif
 #endif
 
+/* Where two blocks of three legs are not solved one after the other, but by pivots: where the squares of what
+ * legs 2, 4 and 6 take from unit forces along the others add up to more than this, or the moments that are left
+ * to legs 1, 3 and 5 have a determinant below the second share of the cube of the largest arm, or that
+ * times the determinant of the directions is below the third. Between them neither the median nor the
+ * largest of the errors is above twice that of pivots. */
+#if !defined(STEWART_BLOCK_GROWTH)
+#define STEWART_BLOCK_GROWTH REAL(16)
+#define STEWART_BLOCK_LEAST REAL(0.00048828125)
+#if defined(STEWART_FLOAT)
+#define STEWART_BLOCK_SINGULAR REAL(0.000244140625)
+#else
+#define STEWART_BLOCK_SINGULAR REAL(0.00000762939453125)
+#endif
+#endif
+
 /* Legs of a pose, or poses, side by side. */
 #define LANES 8
 
@@ -73,6 +103,13 @@
 #define STEWART_RESTRICT __restrict
 #else
 #define STEWART_RESTRICT restrict
+#endif
+
+/* GCC writes short loops out before it looks for vectors, and then finds few. */
+#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
+#define STEWART_LOOP _Pragma("GCC unroll 1")
+#else
+#define STEWART_LOOP
 #endif
 
 /* STEWART_APART: never merged into its callers. Compilers make vector instructions of a long loop more readily

@@ -61,72 +61,75 @@ static void leg_dynamics(
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+    const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+    const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
-    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
     /* (4) omega x q */
-    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+    const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+    const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = v_x + w_q_x;
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* (10) normal to the fixed axis and the leg */
-    const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
-    const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
-    const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+    const stewart_real k_cross_s_x = STEWART_FMA(-k_z, s_y, k_y*s_z);
+    const stewart_real k_cross_s_y = STEWART_FMA(-k_x, s_z, k_z*s_x);
+    const stewart_real k_cross_s_z = STEWART_FMA(-k_y, s_x, k_x*s_y);
     /* (10) along the third axis of the leg */
-    const stewart_real s_cross_normal_x = k_cross_s_z*s_y - k_cross_s_y*s_z;
-    const stewart_real s_cross_normal_y = k_cross_s_x*s_z - k_cross_s_z*s_x;
-    const stewart_real s_cross_normal_z = k_cross_s_y*s_x - k_cross_s_x*s_y;
+    const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_s_y, s_z, k_cross_s_z*s_y);
+    const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_s_z, s_x, k_cross_s_x*s_z);
+    const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_s_x, s_y, k_cross_s_y*s_x);
     /* (10) k = (k1, 0, k3) in the leg frame */
-    const stewart_real k3 = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-        + s_cross_normal_z*s_cross_normal_z);
+    const stewart_real k3 = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+        STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
     const stewart_real inv_k3 = REAL(1)/k3;
     /* (10) third axis of the leg frame */
     const stewart_real z_x = inv_k3*s_cross_normal_x;
     const stewart_real z_y = inv_k3*s_cross_normal_y;
     const stewart_real z_z = inv_k3*s_cross_normal_z;
     /* (10) rotating axis of the universal joint */
-    const stewart_real y_x = s_z*z_y - s_y*z_z;
-    const stewart_real y_y = s_x*z_z - s_z*z_x;
-    const stewart_real y_z = s_y*z_x - s_x*z_y;
+    const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+    const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+    const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
     /* (10) k = (k1, 0, k3) in the leg frame */
-    const stewart_real k1 = k_x*s_x + k_y*s_y + k_z*s_z;
+    const stewart_real k1 = STEWART_FMA(k_z, s_z, STEWART_FMA(k_y, s_y, k_x*s_x));
     /* spin of the leg about s for each turn about z */
     const stewart_real kappa = inv_k3*k1;
     /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
-    const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-    const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
-    const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
+    const stewart_real u_x = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+    const stewart_real u_y = STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y, S_dot_x*y_x));
+    const stewart_real u_z = STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y, S_dot_x*z_x));
     /* (7) acceleration of the platform point, leg frame */
-    const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
-    const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
-    const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
+    const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
+    const stewart_real e_y = STEWART_FMA(S_ddot_z, y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x));
+    const stewart_real e_z = STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x));
     /* gravity, leg frame */
-    const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
-    const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
-    const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
+    const stewart_real gamma_x = STEWART_FMA(g_z, s_z, STEWART_FMA(g_y, s_y, g_x*s_x));
+    const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+    const stewart_real gamma_z = STEWART_FMA(g_z, z_z, STEWART_FMA(g_y, z_y, g_x*z_x));
     /* angular velocity of the platform, leg frame */
-    const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
-    const stewart_real w_y = omega_x*y_x + omega_y*y_y + omega_z*y_z;
-    const stewart_real w_z = omega_x*z_x + omega_y*z_y + omega_z*z_z;
+    const stewart_real w_x = STEWART_FMA(omega_z, s_z, STEWART_FMA(omega_y, s_y, omega_x*s_x));
+    const stewart_real w_y = STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x));
+    const stewart_real w_z = STEWART_FMA(omega_z, z_z, STEWART_FMA(omega_y, z_y, omega_x*z_x));
     /* (6) angular velocity of the leg, leg frame */
     const stewart_real W_z = inv_L*u_y;
     const stewart_real W_y = -inv_L*u_z;
@@ -134,32 +137,37 @@ static void leg_dynamics(
     const stewart_real c1 = W_y*W_y;
     const stewart_real c2 = W_z*W_z;
     /* (8) sliding acceleration */
-    const stewart_real L_ddot = L*c1 + L*c2 + e_x;
+    const stewart_real L_ddot = STEWART_FMA(L, c2, L*c1) + e_x;
     const stewart_real c3 = REAL(2)*u_x;
     const stewart_real c4 = W_z*c3;
     const stewart_real c5 = W_y*c3;
     /* (9) angular acceleration of the leg but for its spin, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
-    const stewart_real A_y_own = inv_L*(-c5 - e_z);
+    const stewart_real A_y_own = inv_L*(-e_z - c5);
     const stewart_real c6 = W_y*W_z;
     const stewart_real c7 = W_x*W_y;
     const stewart_real c8 = REAL(2)*c7;
     /* (9) angular acceleration of the leg, leg frame */
-    const stewart_real A_x = kappa*(A_z_own - c8) - c6;
+    const stewart_real A_x = STEWART_FMA(kappa, A_z_own - c8, -c6);
     /* (12) centre of mass of the upper part from the base point */
-    const stewart_real r_u_x = L + r_u0_x;
+    const stewart_real r_u_x = r_u0_x + L;
     const stewart_real c9 = W_x*W_z;
     const stewart_real c10 = REAL(2)*c9;
     const stewart_real c11 = W_x*W_x;
     /* (11), (13) acceleration of the lower centre of mass */
-    const stewart_real a_d_x = A_y_own*r_d0_z + c10*r_d0_z + c8*r_d0_y - A_z_own*r_d0_y - c1*r_d0_x - c2*r_d0_x;
-    const stewart_real a_d_y = A_z_own*r_d0_x + W_y*W_z*r_d0_z - A_x*r_d0_z - c11*r_d0_y - c2*r_d0_y;
-    const stewart_real a_d_z = A_x*r_d0_y + W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z - c11*r_d0_z;
+    const stewart_real a_d_x = STEWART_FMA(-A_z_own, r_d0_y, STEWART_FMA(c8, r_d0_y, STEWART_FMA(c10,
+        r_d0_z, STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1, r_d0_x, A_y_own*r_d0_z)))));
+    const stewart_real a_d_y = STEWART_FMA(-A_x, r_d0_z, STEWART_FMA(A_z_own, r_d0_x, STEWART_FMA(-c2,
+        r_d0_y, STEWART_FMA(-c11, r_d0_y, W_y*W_z*r_d0_z))));
+    const stewart_real a_d_z = STEWART_FMA(A_x, r_d0_y, STEWART_FMA(-A_y_own, r_d0_x, STEWART_FMA(-c11,
+        r_d0_z, STEWART_FMA(-c1, r_d0_z, W_y*W_z*r_d0_y))));
     /* (14) acceleration of the upper centre of mass */
-    const stewart_real a_u_x = A_y_own*r_u0_z + L_ddot + c10*r_u0_z + c8*r_u0_y - A_z_own*r_u0_y - c1*r_u_x
-        - c2*r_u_x;
-    const stewart_real a_u_y = A_z_own*r_u_x + W_y*W_z*r_u0_z + c4 - A_x*r_u0_z - c11*r_u0_y - c2*r_u0_y;
-    const stewart_real a_u_z = A_x*r_u0_y + W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c11*r_u0_z - c5;
+    const stewart_real a_u_x = STEWART_FMA(-A_z_own, r_u0_y, STEWART_FMA(c8, r_u0_y, STEWART_FMA(c10,
+        r_u0_z, STEWART_FMA(A_y_own, r_u0_z, STEWART_FMA(-c2, r_u_x, STEWART_FMA(-c1, r_u_x, L_ddot))))));
+    const stewart_real a_u_y = STEWART_FMA(-A_x, r_u0_z, STEWART_FMA(A_z_own, r_u_x, STEWART_FMA(W_y*W_z,
+        r_u0_z, STEWART_FMA(-c2, r_u0_y, STEWART_FMA(-c11, r_u0_y, c4)))));
+    const stewart_real a_u_z = STEWART_FMA(A_x, r_u0_y, STEWART_FMA(-A_y_own, r_u_x, STEWART_FMA(-c11,
+        r_u0_z, STEWART_FMA(-c1, r_u0_z, W_y*W_z*r_u0_y)) - c5));
     /* (25) m_d (a_d - g) */
     const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
     const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
@@ -181,28 +189,34 @@ static void leg_dynamics(
     const stewart_real I_zz = I_d0_zz + I_u0_zz;
     const stewart_real c15 = I_yy - I_zz;
     /* (19) I A + W x I W */
-    const stewart_real E_x = A_x*I_xx + A_y_own*I_xy + A_z_own*I_xz + I_yz*c1 - I_yz*c2 - c15*c6;
-    const stewart_real E_y = A_x*I_xy + A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2 + c9*(I_xx + c15) - I_xz*c11
-        - I_yz*c8;
-    const stewart_real E_z = A_x*I_xz + A_y_own*I_yz + A_z_own*I_zz + I_xy*c11 + I_yz*c10 + c7*(I_yy - I_xx
-        - I_zz) - I_xy*c1 - I_xz*c6;
+    const stewart_real E_x = STEWART_FMA(A_x, I_xx, STEWART_FMA(A_z_own, I_xz, STEWART_FMA(-c15, c6,
+        STEWART_FMA(A_y_own, I_xy, STEWART_FMA(-I_yz, c2, I_yz*c1)))));
+    const stewart_real E_y = STEWART_FMA(A_x, I_xy, STEWART_FMA(-I_yz, c8, STEWART_FMA(A_z_own, I_yz,
+        STEWART_FMA(c9, I_xx + c15, STEWART_FMA(A_y_own, I_yy, STEWART_FMA(I_xy, c6, STEWART_FMA(-I_xz, c11,
+        I_xz*c2)))))));
+    const stewart_real E_z = STEWART_FMA(A_x, I_xz, STEWART_FMA(A_z_own, I_zz, STEWART_FMA(I_yz, c10,
+        STEWART_FMA(-I_xz, c6, STEWART_FMA(c7, I_yy - I_xx - I_zz, STEWART_FMA(A_y_own, I_yz,
+        STEWART_FMA(-I_xy, c1, I_xy*c11)))))));
     /* (20) moment that the joints' forces must make */
-    const stewart_real C_x = C_u*W_x + E_x + N_d_z*r_d0_y + N_u_z*r_u0_y + f_leg_x - N_d_y*r_d0_z - N_u_y*r_u0_z;
-    const stewart_real C_y = C_u*W_y + E_y + N_d_x*r_d0_z + N_u_x*r_u0_z + f_leg_y - N_d_z*r_d0_x - N_u_z*r_u_x;
-    const stewart_real C_z = C_u*W_z + E_z + N_d_y*r_d0_x + N_u_y*r_u_x + f_leg_z - N_d_x*r_d0_y - N_u_x*r_u0_y;
+    const stewart_real C_x = STEWART_FMA(-N_u_y, r_u0_z, STEWART_FMA(-N_d_y, r_d0_z, STEWART_FMA(N_u_z,
+        r_u0_y, STEWART_FMA(N_d_z, r_d0_y, STEWART_FMA(C_u, W_x, f_leg_x) + E_x))));
+    const stewart_real C_y = STEWART_FMA(-N_u_z, r_u_x, STEWART_FMA(-N_d_z, r_d0_x, STEWART_FMA(N_u_x,
+        r_u0_z, STEWART_FMA(N_d_x, r_d0_z, STEWART_FMA(C_u, W_y, f_leg_y) + E_y))));
+    const stewart_real C_z = STEWART_FMA(N_u_y, r_u_x, STEWART_FMA(N_d_y, r_d0_x, STEWART_FMA(-N_u_x,
+        r_u0_y, STEWART_FMA(-N_d_x, r_d0_y, STEWART_FMA(C_u, W_z, f_leg_z) + E_z))));
     /* (24) known part of the actuator force */
-    const stewart_real D = C_p*u_x + N_u_x;
+    const stewart_real D = STEWART_FMA(C_p, u_x, N_u_x);
     /* (21) transverse force at the spherical joint, leg frame */
-    const stewart_real K_leg_y = inv_L*(C_x*kappa + C_z);
+    const stewart_real K_leg_y = inv_L*STEWART_FMA(C_x, kappa, C_z);
     const stewart_real K_leg_z = -C_y*inv_L;
     /* (21) transverse force at the spherical joint, base frame */
-    const stewart_real K_x = K_leg_y*y_x + K_leg_z*z_x;
-    const stewart_real K_y = K_leg_y*y_y + K_leg_z*z_y;
-    const stewart_real K_z = K_leg_y*y_z + K_leg_z*z_z;
+    const stewart_real K_x = STEWART_FMA(K_leg_y, y_x, K_leg_z*z_x);
+    const stewart_real K_y = STEWART_FMA(K_leg_y, y_y, K_leg_z*z_y);
+    const stewart_real K_z = STEWART_FMA(K_leg_y, y_z, K_leg_z*z_z);
     /* (18) friction moment at the spherical joint, base frame */
-    const stewart_real f_x = f_leg_x*s_x + f_leg_y*y_x + f_leg_z*z_x;
-    const stewart_real f_y = f_leg_x*s_y + f_leg_y*y_y + f_leg_z*z_y;
-    const stewart_real f_z = f_leg_x*s_z + f_leg_y*y_z + f_leg_z*z_z;
+    const stewart_real f_x = STEWART_FMA(f_leg_x, s_x, STEWART_FMA(f_leg_z, z_x, f_leg_y*y_x));
+    const stewart_real f_y = STEWART_FMA(f_leg_x, s_y, STEWART_FMA(f_leg_z, z_y, f_leg_y*y_y));
+    const stewart_real f_z = STEWART_FMA(f_leg_x, s_z, STEWART_FMA(f_leg_z, z_z, f_leg_y*y_z));
     out->q[0] = q_x;
     out->q[1] = q_y;
     out->q[2] = q_z;
@@ -215,15 +229,15 @@ static void leg_dynamics(
     out->H_force[0] = s_x;
     out->H_force[1] = s_y;
     out->H_force[2] = s_z;
-    out->H_moment[0] = q_y*s_z - q_z*s_y;
-    out->H_moment[1] = q_z*s_x - q_x*s_z;
-    out->H_moment[2] = q_x*s_y - q_y*s_x;
+    out->H_moment[0] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+    out->H_moment[1] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+    out->H_moment[2] = STEWART_FMA(-q_y, s_x, q_x*s_y);
     out->c_force[0] = -K_x;
     out->c_force[1] = -K_y;
     out->c_force[2] = -K_z;
-    out->c_moment[0] = K_y*q_z + f_x - K_z*q_y;
-    out->c_moment[1] = K_z*q_x + f_y - K_x*q_z;
-    out->c_moment[2] = K_x*q_y + f_z - K_y*q_x;
+    out->c_moment[0] = STEWART_FMA(-K_z, q_y, STEWART_FMA(K_y, q_z, f_x));
+    out->c_moment[1] = STEWART_FMA(-K_x, q_z, STEWART_FMA(K_z, q_x, f_y));
+    out->c_moment[2] = STEWART_FMA(-K_y, q_x, STEWART_FMA(K_x, q_y, f_z));
 }
 
 /* The platform's own part of c, (33)-(35). Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt). */
@@ -242,55 +256,62 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
         I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     /* (30) centre of mass from the reference point, base frame */
-    const stewart_real R_G_x = R_0_x*R_xx + R_0_y*R_xy + R_0_z*R_xz;
-    const stewart_real R_G_y = R_0_x*R_yx + R_0_y*R_yy + R_0_z*R_yz;
-    const stewart_real R_G_z = R_0_x*R_zx + R_0_y*R_zy + R_0_z*R_zz;
-    const stewart_real c1 = R_G_y*omega_x - R_G_x*omega_y;
-    const stewart_real c2 = R_G_x*omega_z - R_G_z*omega_x;
-    const stewart_real c3 = R_G_z*omega_y - R_G_y*omega_z;
+    const stewart_real R_G_x = STEWART_FMA(R_0_z, R_xz, STEWART_FMA(R_0_y, R_xy, R_0_x*R_xx));
+    const stewart_real R_G_y = STEWART_FMA(R_0_z, R_yz, STEWART_FMA(R_0_y, R_yy, R_0_x*R_yx));
+    const stewart_real R_G_z = STEWART_FMA(R_0_z, R_zz, STEWART_FMA(R_0_y, R_zy, R_0_x*R_zx));
+    const stewart_real c1 = STEWART_FMA(-R_G_x, omega_y, R_G_y*omega_x);
+    const stewart_real c2 = STEWART_FMA(-R_G_z, omega_x, R_G_x*omega_z);
+    const stewart_real c3 = STEWART_FMA(-R_G_y, omega_z, R_G_z*omega_y);
     /* (31) acceleration of the centre of mass */
-    const stewart_real a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z;
-    const stewart_real a_G_y = R_G_x*alpha_z + a_y + c3*omega_z - R_G_z*alpha_x - c1*omega_x;
-    const stewart_real a_G_z = R_G_y*alpha_x + a_z + c2*omega_x - R_G_x*alpha_y - c3*omega_y;
-    const stewart_real c4 = I_p_xx*R_xx + I_p_xy*R_xy + I_p_xz*R_xz;
-    const stewart_real c5 = I_p_xy*R_xx + I_p_yy*R_xy + I_p_yz*R_xz;
-    const stewart_real c6 = I_p_xz*R_xx + I_p_yz*R_xy + I_p_zz*R_xz;
-    const stewart_real c7 = I_p_xx*R_yx + I_p_xy*R_yy + I_p_xz*R_yz;
-    const stewart_real c8 = I_p_xy*R_yx + I_p_yy*R_yy + I_p_yz*R_yz;
-    const stewart_real c9 = I_p_xz*R_yx + I_p_yz*R_yy + I_p_zz*R_yz;
+    const stewart_real a_G_x = STEWART_FMA(-c2, omega_z, STEWART_FMA(c1, omega_y, STEWART_FMA(-R_G_y,
+        alpha_z, STEWART_FMA(R_G_z, alpha_y, a_x))));
+    const stewart_real a_G_y = STEWART_FMA(-c1, omega_x, STEWART_FMA(c3, omega_z, STEWART_FMA(-R_G_z,
+        alpha_x, STEWART_FMA(R_G_x, alpha_z, a_y))));
+    const stewart_real a_G_z = STEWART_FMA(-c3, omega_y, STEWART_FMA(c2, omega_x, STEWART_FMA(-R_G_x,
+        alpha_y, STEWART_FMA(R_G_y, alpha_x, a_z))));
+    const stewart_real c4 = STEWART_FMA(I_p_xz, R_xz, STEWART_FMA(I_p_xy, R_xy, I_p_xx*R_xx));
+    const stewart_real c5 = STEWART_FMA(I_p_yz, R_xz, STEWART_FMA(I_p_yy, R_xy, I_p_xy*R_xx));
+    const stewart_real c6 = STEWART_FMA(I_p_zz, R_xz, STEWART_FMA(I_p_yz, R_xy, I_p_xz*R_xx));
+    const stewart_real c7 = STEWART_FMA(I_p_xz, R_yz, STEWART_FMA(I_p_xy, R_yy, I_p_xx*R_yx));
+    const stewart_real c8 = STEWART_FMA(I_p_yz, R_yz, STEWART_FMA(I_p_yy, R_yy, I_p_xy*R_yx));
+    const stewart_real c9 = STEWART_FMA(I_p_zz, R_yz, STEWART_FMA(I_p_yz, R_yy, I_p_xz*R_yx));
     /* (32) inertia of the platform, base frame */
-    const stewart_real I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6;
-    const stewart_real I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6;
-    const stewart_real I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-    const stewart_real I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9;
-    const stewart_real I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9;
-    const stewart_real I_zz = R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
-        + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz);
+    const stewart_real I_xx = STEWART_FMA(R_xz, c6, STEWART_FMA(R_xy, c5, R_xx*c4));
+    const stewart_real I_xy = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c4));
+    const stewart_real I_xz = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c4));
+    const stewart_real I_yy = STEWART_FMA(R_yz, c9, STEWART_FMA(R_yy, c8, R_yx*c7));
+    const stewart_real I_yz = STEWART_FMA(R_zz, c9, STEWART_FMA(R_zy, c8, R_zx*c7));
+    const stewart_real I_zz = STEWART_FMA(R_zz, STEWART_FMA(I_p_zz, R_zz, STEWART_FMA(I_p_yz, R_zy,
+        I_p_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(I_p_yz, R_zz, STEWART_FMA(I_p_yy, R_zy, I_p_xy*R_zx)),
+        R_zx*STEWART_FMA(I_p_xz, R_zz, STEWART_FMA(I_p_xy, R_zy, I_p_xx*R_zx))));
     /* (33) M (g - a_G) */
     const stewart_real N_x = M*(g_x - a_G_x);
     const stewart_real N_y = M*(g_y - a_G_y);
     const stewart_real N_z = M*(g_z - a_G_z);
-    const stewart_real c10 = I_xz*omega_x + I_yz*omega_y + I_zz*omega_z;
-    const stewart_real c11 = I_xy*omega_x + I_yy*omega_y + I_yz*omega_z;
-    const stewart_real c12 = I_xx*omega_x + I_xy*omega_y + I_xz*omega_z;
+    const stewart_real c10 = STEWART_FMA(I_zz, omega_z, STEWART_FMA(I_yz, omega_y, I_xz*omega_x));
+    const stewart_real c11 = STEWART_FMA(I_yz, omega_z, STEWART_FMA(I_yy, omega_y, I_xy*omega_x));
+    const stewart_real c12 = STEWART_FMA(I_xz, omega_z, STEWART_FMA(I_xy, omega_y, I_xx*omega_x));
     /* (34) I alpha + omega x I omega */
-    const stewart_real E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z;
-    const stewart_real E_y = I_xy*alpha_x + I_yy*alpha_y + I_yz*alpha_z + c12*omega_z - c10*omega_x;
-    const stewart_real E_z = I_xz*alpha_x + I_yz*alpha_y + I_zz*alpha_z + c11*omega_x - c12*omega_y;
+    const stewart_real E_x = STEWART_FMA(-c11, omega_z, STEWART_FMA(c10, omega_y, STEWART_FMA(I_xz, alpha_z,
+        STEWART_FMA(I_xy, alpha_y, I_xx*alpha_x))));
+    const stewart_real E_y = STEWART_FMA(-c10, omega_x, STEWART_FMA(c12, omega_z, STEWART_FMA(I_yz, alpha_z,
+        STEWART_FMA(I_yy, alpha_y, I_xy*alpha_x))));
+    const stewart_real E_z = STEWART_FMA(-c12, omega_y, STEWART_FMA(c11, omega_x, STEWART_FMA(I_zz, alpha_z,
+        STEWART_FMA(I_yz, alpha_y, I_xz*alpha_x))));
     /* (33) external force, base frame */
-    const stewart_real F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
-    const stewart_real F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
-    const stewart_real F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
+    const stewart_real F_load_x = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx));
+    const stewart_real F_load_y = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx));
+    const stewart_real F_load_z = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx));
     /* (34) external moment, base frame */
-    const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
-    const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
-    const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
+    const stewart_real M_load_x = STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx));
+    const stewart_real M_load_y = STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy, M_ext_x*R_yx));
+    const stewart_real M_load_z = STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx));
     out->c_force[0] = F_load_x + N_x;
     out->c_force[1] = F_load_y + N_y;
     out->c_force[2] = F_load_z + N_z;
-    out->c_moment[0] = M_load_x + N_z*R_G_y - E_x - N_y*R_G_z;
-    out->c_moment[1] = M_load_y + N_x*R_G_z - E_y - N_z*R_G_x;
-    out->c_moment[2] = M_load_z + N_y*R_G_x - E_z - N_x*R_G_y;
+    out->c_moment[0] = STEWART_FMA(-N_y, R_G_z, STEWART_FMA(N_z, R_G_y, M_load_x) - E_x);
+    out->c_moment[1] = STEWART_FMA(-N_z, R_G_x, STEWART_FMA(N_x, R_G_z, M_load_y) - E_y);
+    out->c_moment[2] = STEWART_FMA(-N_x, R_G_y, STEWART_FMA(N_y, R_G_x, M_load_z) - E_z);
 }
 
 /* One leg: joint reactions, (21), (26)-(29), (17). Operations: 508 (275 mul, 229 add, 2 div, 2 sqrt). */
@@ -321,72 +342,75 @@ static void leg_reactions(
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+    const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+    const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
-    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
     /* (4) omega x q */
-    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+    const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+    const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = v_x + w_q_x;
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* (10) normal to the fixed axis and the leg */
-    const stewart_real k_cross_s_x = k_y*s_z - k_z*s_y;
-    const stewart_real k_cross_s_y = k_z*s_x - k_x*s_z;
-    const stewart_real k_cross_s_z = k_x*s_y - k_y*s_x;
+    const stewart_real k_cross_s_x = STEWART_FMA(-k_z, s_y, k_y*s_z);
+    const stewart_real k_cross_s_y = STEWART_FMA(-k_x, s_z, k_z*s_x);
+    const stewart_real k_cross_s_z = STEWART_FMA(-k_y, s_x, k_x*s_y);
     /* (10) along the third axis of the leg */
-    const stewart_real s_cross_normal_x = k_cross_s_z*s_y - k_cross_s_y*s_z;
-    const stewart_real s_cross_normal_y = k_cross_s_x*s_z - k_cross_s_z*s_x;
-    const stewart_real s_cross_normal_z = k_cross_s_y*s_x - k_cross_s_x*s_y;
+    const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_s_y, s_z, k_cross_s_z*s_y);
+    const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_s_z, s_x, k_cross_s_x*s_z);
+    const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_s_x, s_y, k_cross_s_y*s_x);
     /* (10) k = (k1, 0, k3) in the leg frame */
-    const stewart_real k3 = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-        + s_cross_normal_z*s_cross_normal_z);
+    const stewart_real k3 = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+        STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
     const stewart_real inv_k3 = REAL(1)/k3;
     /* (10) third axis of the leg frame */
     const stewart_real z_x = inv_k3*s_cross_normal_x;
     const stewart_real z_y = inv_k3*s_cross_normal_y;
     const stewart_real z_z = inv_k3*s_cross_normal_z;
     /* (10) rotating axis of the universal joint */
-    const stewart_real y_x = s_z*z_y - s_y*z_z;
-    const stewart_real y_y = s_x*z_z - s_z*z_x;
-    const stewart_real y_z = s_y*z_x - s_x*z_y;
+    const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+    const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+    const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
     /* (10) k = (k1, 0, k3) in the leg frame */
-    const stewart_real k1 = k_x*s_x + k_y*s_y + k_z*s_z;
+    const stewart_real k1 = STEWART_FMA(k_z, s_z, STEWART_FMA(k_y, s_y, k_x*s_x));
     /* spin of the leg about s for each turn about z */
     const stewart_real kappa = inv_k3*k1;
     /* (4), (5) velocity of the platform point, leg frame; u_x is L_dot */
-    const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-    const stewart_real u_y = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
-    const stewart_real u_z = S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z;
+    const stewart_real u_x = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+    const stewart_real u_y = STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y, S_dot_x*y_x));
+    const stewart_real u_z = STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y, S_dot_x*z_x));
     /* (7) acceleration of the platform point, leg frame */
-    const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
-    const stewart_real e_y = S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z;
-    const stewart_real e_z = S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z;
+    const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
+    const stewart_real e_y = STEWART_FMA(S_ddot_z, y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x));
+    const stewart_real e_z = STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x));
     /* gravity, leg frame */
-    const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
-    const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
-    const stewart_real gamma_z = g_x*z_x + g_y*z_y + g_z*z_z;
+    const stewart_real gamma_x = STEWART_FMA(g_z, s_z, STEWART_FMA(g_y, s_y, g_x*s_x));
+    const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+    const stewart_real gamma_z = STEWART_FMA(g_z, z_z, STEWART_FMA(g_y, z_y, g_x*z_x));
     /* angular velocity of the platform, leg frame */
-    const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
-    const stewart_real w_y = omega_x*y_x + omega_y*y_y + omega_z*y_z;
-    const stewart_real w_z = omega_x*z_x + omega_y*z_y + omega_z*z_z;
+    const stewart_real w_x = STEWART_FMA(omega_z, s_z, STEWART_FMA(omega_y, s_y, omega_x*s_x));
+    const stewart_real w_y = STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x));
+    const stewart_real w_z = STEWART_FMA(omega_z, z_z, STEWART_FMA(omega_y, z_y, omega_x*z_x));
     /* (6) angular velocity of the leg, leg frame */
     const stewart_real W_z = inv_L*u_y;
     const stewart_real W_y = -inv_L*u_z;
@@ -394,32 +418,37 @@ static void leg_reactions(
     const stewart_real c1 = W_y*W_y;
     const stewart_real c2 = W_z*W_z;
     /* (8) sliding acceleration */
-    const stewart_real L_ddot = L*c1 + L*c2 + e_x;
+    const stewart_real L_ddot = STEWART_FMA(L, c2, L*c1) + e_x;
     const stewart_real c3 = REAL(2)*u_x;
     const stewart_real c4 = W_z*c3;
     const stewart_real c5 = W_y*c3;
     /* (9) angular acceleration of the leg but for its spin, leg frame */
     const stewart_real A_z_own = inv_L*(e_y - c4);
-    const stewart_real A_y_own = inv_L*(-c5 - e_z);
+    const stewart_real A_y_own = inv_L*(-e_z - c5);
     const stewart_real c6 = W_y*W_z;
     const stewart_real c7 = W_x*W_y;
     const stewart_real c8 = REAL(2)*c7;
     /* (9) angular acceleration of the leg, leg frame */
-    const stewart_real A_x = kappa*(A_z_own - c8) - c6;
+    const stewart_real A_x = STEWART_FMA(kappa, A_z_own - c8, -c6);
     /* (12) centre of mass of the upper part from the base point */
-    const stewart_real r_u_x = L + r_u0_x;
+    const stewart_real r_u_x = r_u0_x + L;
     const stewart_real c9 = W_x*W_z;
     const stewart_real c10 = REAL(2)*c9;
     const stewart_real c11 = W_x*W_x;
     /* (11), (13) acceleration of the lower centre of mass */
-    const stewart_real a_d_x = A_y_own*r_d0_z + c10*r_d0_z + c8*r_d0_y - A_z_own*r_d0_y - c1*r_d0_x - c2*r_d0_x;
-    const stewart_real a_d_y = A_z_own*r_d0_x + W_y*W_z*r_d0_z - A_x*r_d0_z - c11*r_d0_y - c2*r_d0_y;
-    const stewart_real a_d_z = A_x*r_d0_y + W_y*W_z*r_d0_y - A_y_own*r_d0_x - c1*r_d0_z - c11*r_d0_z;
+    const stewart_real a_d_x = STEWART_FMA(-A_z_own, r_d0_y, STEWART_FMA(c8, r_d0_y, STEWART_FMA(c10,
+        r_d0_z, STEWART_FMA(-c2, r_d0_x, STEWART_FMA(-c1, r_d0_x, A_y_own*r_d0_z)))));
+    const stewart_real a_d_y = STEWART_FMA(-A_x, r_d0_z, STEWART_FMA(A_z_own, r_d0_x, STEWART_FMA(-c2,
+        r_d0_y, STEWART_FMA(-c11, r_d0_y, W_y*W_z*r_d0_z))));
+    const stewart_real a_d_z = STEWART_FMA(A_x, r_d0_y, STEWART_FMA(-A_y_own, r_d0_x, STEWART_FMA(-c11,
+        r_d0_z, STEWART_FMA(-c1, r_d0_z, W_y*W_z*r_d0_y))));
     /* (14) acceleration of the upper centre of mass */
-    const stewart_real a_u_x = A_y_own*r_u0_z + L_ddot + c10*r_u0_z + c8*r_u0_y - A_z_own*r_u0_y - c1*r_u_x
-        - c2*r_u_x;
-    const stewart_real a_u_y = A_z_own*r_u_x + W_y*W_z*r_u0_z + c4 - A_x*r_u0_z - c11*r_u0_y - c2*r_u0_y;
-    const stewart_real a_u_z = A_x*r_u0_y + W_y*W_z*r_u0_y - A_y_own*r_u_x - c1*r_u0_z - c11*r_u0_z - c5;
+    const stewart_real a_u_x = STEWART_FMA(-A_z_own, r_u0_y, STEWART_FMA(c8, r_u0_y, STEWART_FMA(c10,
+        r_u0_z, STEWART_FMA(A_y_own, r_u0_z, STEWART_FMA(-c2, r_u_x, STEWART_FMA(-c1, r_u_x, L_ddot))))));
+    const stewart_real a_u_y = STEWART_FMA(-A_x, r_u0_z, STEWART_FMA(A_z_own, r_u_x, STEWART_FMA(W_y*W_z,
+        r_u0_z, STEWART_FMA(-c2, r_u0_y, STEWART_FMA(-c11, r_u0_y, c4)))));
+    const stewart_real a_u_z = STEWART_FMA(A_x, r_u0_y, STEWART_FMA(-A_y_own, r_u_x, STEWART_FMA(-c11,
+        r_u0_z, STEWART_FMA(-c1, r_u0_z, W_y*W_z*r_u0_y)) - c5));
     /* (25) m_d (a_d - g) */
     const stewart_real N_d_x = m_d*(a_d_x - gamma_x);
     const stewart_real N_d_y = m_d*(a_d_y - gamma_y);
@@ -441,25 +470,31 @@ static void leg_reactions(
     const stewart_real I_zz = I_d0_zz + I_u0_zz;
     const stewart_real c15 = I_yy - I_zz;
     /* (19) I A + W x I W */
-    const stewart_real E_x = A_x*I_xx + A_y_own*I_xy + A_z_own*I_xz + I_yz*c1 - I_yz*c2 - c15*c6;
-    const stewart_real E_y = A_x*I_xy + A_y_own*I_yy + A_z_own*I_yz + I_xy*c6 + I_xz*c2 + c9*(I_xx + c15) - I_xz*c11
-        - I_yz*c8;
-    const stewart_real E_z = A_x*I_xz + A_y_own*I_yz + A_z_own*I_zz + I_xy*c11 + I_yz*c10 + c7*(I_yy - I_xx
-        - I_zz) - I_xy*c1 - I_xz*c6;
+    const stewart_real E_x = STEWART_FMA(A_x, I_xx, STEWART_FMA(A_z_own, I_xz, STEWART_FMA(-c15, c6,
+        STEWART_FMA(A_y_own, I_xy, STEWART_FMA(-I_yz, c2, I_yz*c1)))));
+    const stewart_real E_y = STEWART_FMA(A_x, I_xy, STEWART_FMA(-I_yz, c8, STEWART_FMA(A_z_own, I_yz,
+        STEWART_FMA(c9, I_xx + c15, STEWART_FMA(A_y_own, I_yy, STEWART_FMA(I_xy, c6, STEWART_FMA(-I_xz, c11,
+        I_xz*c2)))))));
+    const stewart_real E_z = STEWART_FMA(A_x, I_xz, STEWART_FMA(A_z_own, I_zz, STEWART_FMA(I_yz, c10,
+        STEWART_FMA(-I_xz, c6, STEWART_FMA(c7, I_yy - I_xx - I_zz, STEWART_FMA(A_y_own, I_yz,
+        STEWART_FMA(-I_xy, c1, I_xy*c11)))))));
     const stewart_real c16 = I_d0_yy - I_d0_zz;
     /* (17) I_d A + W x I_d W */
-    const stewart_real E_d_x = A_x*I_d0_xx + A_y_own*I_d0_xy + A_z_own*I_d0_xz + I_d0_yz*c1 - I_d0_yz*c2 - c16*c6;
-    const stewart_real E_d_y = A_x*I_d0_xy + A_y_own*I_d0_yy + A_z_own*I_d0_yz + I_d0_xy*c6 + I_d0_xz*c2 + c9*(I_d0_xx
-        + c16) - I_d0_xz*c11 - I_d0_yz*c8;
-    const stewart_real E_d_z = A_x*I_d0_xz + A_y_own*I_d0_yz + A_z_own*I_d0_zz + I_d0_xy*c11 + I_d0_yz*c10 + c7*(I_d0_yy
-        - I_d0_xx - I_d0_zz) - I_d0_xy*c1 - I_d0_xz*c6;
-    const stewart_real c17 = C_u*W_x + N_d_z*r_d0_y - N_d_y*r_d0_z;
-    const stewart_real c18 = C_u*W_y + N_d_x*r_d0_z - N_d_z*r_d0_x;
-    const stewart_real c19 = C_u*W_z + N_d_y*r_d0_x - N_d_x*r_d0_y;
+    const stewart_real E_d_x = STEWART_FMA(A_x, I_d0_xx, STEWART_FMA(A_z_own, I_d0_xz, STEWART_FMA(-c16, c6,
+        STEWART_FMA(A_y_own, I_d0_xy, STEWART_FMA(-I_d0_yz, c2, I_d0_yz*c1)))));
+    const stewart_real E_d_y = STEWART_FMA(A_x, I_d0_xy, STEWART_FMA(-I_d0_yz, c8, STEWART_FMA(A_z_own,
+        I_d0_yz, STEWART_FMA(c9, I_d0_xx + c16, STEWART_FMA(A_y_own, I_d0_yy, STEWART_FMA(I_d0_xy, c6,
+        STEWART_FMA(-I_d0_xz, c11, I_d0_xz*c2)))))));
+    const stewart_real E_d_z = STEWART_FMA(A_x, I_d0_xz, STEWART_FMA(A_z_own, I_d0_zz, STEWART_FMA(I_d0_yz,
+        c10, STEWART_FMA(-I_d0_xz, c6, STEWART_FMA(c7, I_d0_yy - I_d0_xx - I_d0_zz, STEWART_FMA(A_y_own,
+        I_d0_yz, STEWART_FMA(-I_d0_xy, c1, I_d0_xy*c11)))))));
+    const stewart_real c17 = STEWART_FMA(-N_d_y, r_d0_z, STEWART_FMA(N_d_z, r_d0_y, C_u*W_x));
+    const stewart_real c18 = STEWART_FMA(-N_d_z, r_d0_x, STEWART_FMA(N_d_x, r_d0_z, C_u*W_y));
+    const stewart_real c19 = STEWART_FMA(N_d_y, r_d0_x, STEWART_FMA(-N_d_x, r_d0_y, C_u*W_z));
     /* (20) moment that the joints' forces must make */
-    const stewart_real C_x = E_x + N_u_z*r_u0_y + c17 + f_leg_x - N_u_y*r_u0_z;
-    const stewart_real C_y = E_y + N_u_x*r_u0_z + c18 + f_leg_y - N_u_z*r_u_x;
-    const stewart_real C_z = E_z + N_u_y*r_u_x + c19 + f_leg_z - N_u_x*r_u0_y;
+    const stewart_real C_x = STEWART_FMA(-N_u_y, r_u0_z, STEWART_FMA(N_u_z, r_u0_y, f_leg_x + E_x)) + c17;
+    const stewart_real C_y = STEWART_FMA(-N_u_z, r_u_x, STEWART_FMA(N_u_x, r_u0_z, f_leg_y + E_y)) + c18;
+    const stewart_real C_z = STEWART_FMA(N_u_y, r_u_x, STEWART_FMA(-N_u_x, r_u0_y, f_leg_z + E_z)) + c19;
     const stewart_real c20 = C_x*kappa;
     const stewart_real c21 = C_z + c20;
     const stewart_real c22 = C_y*inv_L;
@@ -467,14 +502,14 @@ static void leg_reactions(
     const stewart_real K_leg_y = c21*inv_L;
     const stewart_real K_leg_z = -c22;
     const stewart_real c23 = N_u_x - x;
-    const stewart_real c24 = N_u_y - c21*inv_L;
+    const stewart_real c24 = STEWART_FMA(-c21, inv_L, N_u_y);
     const stewart_real c25 = N_u_z + c22;
     /* F_u, leg frame */
     const stewart_real F_u_leg_x = N_d_x + c23;
     const stewart_real F_u_leg_y = N_d_y + c24;
     const stewart_real F_u_leg_z = N_d_z + c25;
     /* F_p, leg frame */
-    const stewart_real F_p_leg_x = C_p*u_x + c23;
+    const stewart_real F_p_leg_x = STEWART_FMA(C_p, u_x, c23);
     const stewart_real F_p_leg_y = c24;
     const stewart_real F_p_leg_z = c25;
     /* F_c, leg frame */
@@ -482,23 +517,24 @@ static void leg_reactions(
     const stewart_real F_c_leg_z = c25;
     /* M_p, leg frame */
     const stewart_real M_p_leg_x = C_x - E_d_x - c17;
-    const stewart_real M_p_leg_y = C_y*bearing*inv_L + N_u_z*bearing - E_d_y - c18;
-    const stewart_real M_p_leg_z = inv_L*(C_z*bearing + bearing*c20) - E_d_z - N_u_y*bearing - c19 - c20;
-    out->F_s[0] = K_leg_y*y_x + K_leg_z*z_x + s_x*x;
-    out->F_s[1] = K_leg_y*y_y + K_leg_z*z_y + s_y*x;
-    out->F_s[2] = K_leg_y*y_z + K_leg_z*z_z + s_z*x;
-    out->F_u[0] = F_u_leg_x*s_x + F_u_leg_y*y_x + F_u_leg_z*z_x;
-    out->F_u[1] = F_u_leg_x*s_y + F_u_leg_y*y_y + F_u_leg_z*z_y;
-    out->F_u[2] = F_u_leg_x*s_z + F_u_leg_y*y_z + F_u_leg_z*z_z;
-    out->F_p[0] = F_p_leg_x*s_x + F_p_leg_y*y_x + F_p_leg_z*z_x;
-    out->F_p[1] = F_p_leg_x*s_y + F_p_leg_y*y_y + F_p_leg_z*z_y;
-    out->F_p[2] = F_p_leg_x*s_z + F_p_leg_y*y_z + F_p_leg_z*z_z;
-    out->F_c[0] = F_c_leg_y*y_x + F_c_leg_z*z_x;
-    out->F_c[1] = F_c_leg_y*y_y + F_c_leg_z*z_y;
-    out->F_c[2] = F_c_leg_y*y_z + F_c_leg_z*z_z;
-    out->M_p[0] = M_p_leg_x*s_x + M_p_leg_y*y_x + M_p_leg_z*z_x;
-    out->M_p[1] = M_p_leg_x*s_y + M_p_leg_y*y_y + M_p_leg_z*z_y;
-    out->M_p[2] = M_p_leg_x*s_z + M_p_leg_y*y_z + M_p_leg_z*z_z;
+    const stewart_real M_p_leg_y = STEWART_FMA(C_y*bearing, inv_L, STEWART_FMA(N_u_z, bearing, -E_d_y) - c18);
+    const stewart_real M_p_leg_z = STEWART_FMA(-N_u_y, bearing, STEWART_FMA(inv_L, STEWART_FMA(bearing, c20,
+        C_z*bearing), -E_d_z)) - c19 - c20;
+    out->F_s[0] = STEWART_FMA(s_x, x, STEWART_FMA(K_leg_z, z_x, K_leg_y*y_x));
+    out->F_s[1] = STEWART_FMA(s_y, x, STEWART_FMA(K_leg_z, z_y, K_leg_y*y_y));
+    out->F_s[2] = STEWART_FMA(s_z, x, STEWART_FMA(K_leg_z, z_z, K_leg_y*y_z));
+    out->F_u[0] = STEWART_FMA(F_u_leg_z, z_x, STEWART_FMA(F_u_leg_y, y_x, F_u_leg_x*s_x));
+    out->F_u[1] = STEWART_FMA(F_u_leg_z, z_y, STEWART_FMA(F_u_leg_y, y_y, F_u_leg_x*s_y));
+    out->F_u[2] = STEWART_FMA(F_u_leg_z, z_z, STEWART_FMA(F_u_leg_y, y_z, F_u_leg_x*s_z));
+    out->F_p[0] = STEWART_FMA(F_p_leg_z, z_x, STEWART_FMA(F_p_leg_y, y_x, F_p_leg_x*s_x));
+    out->F_p[1] = STEWART_FMA(F_p_leg_z, z_y, STEWART_FMA(F_p_leg_y, y_y, F_p_leg_x*s_y));
+    out->F_p[2] = STEWART_FMA(F_p_leg_z, z_z, STEWART_FMA(F_p_leg_y, y_z, F_p_leg_x*s_z));
+    out->F_c[0] = STEWART_FMA(F_c_leg_z, z_x, F_c_leg_y*y_x);
+    out->F_c[1] = STEWART_FMA(F_c_leg_z, z_y, F_c_leg_y*y_y);
+    out->F_c[2] = STEWART_FMA(F_c_leg_z, z_z, F_c_leg_y*y_z);
+    out->M_p[0] = STEWART_FMA(M_p_leg_z, z_x, STEWART_FMA(M_p_leg_y, y_x, M_p_leg_x*s_x));
+    out->M_p[1] = STEWART_FMA(M_p_leg_z, z_y, STEWART_FMA(M_p_leg_y, y_y, M_p_leg_x*s_y));
+    out->M_p[2] = STEWART_FMA(M_p_leg_z, z_z, STEWART_FMA(M_p_leg_y, y_z, M_p_leg_x*s_z));
     out->M_u = -C_x*inv_k3;
 }
 

@@ -288,10 +288,10 @@ static void prepare_leg(
         + REAL(2)*I_u0_xx_max + REAL(3)*m_d_max*(c5_max + c6_max) + REAL(2)*m_u_max*(c7_max + c8_max) + STEWART_FABS(J_xx));
     const stewart_real J_xy = I_d0_xy + I_u0_xy - c1*r_u0_y - c3*r_d0_y;
     const stewart_real J_xy_err = c1_err*r_u0_y_max + c3_err*r_d0_y_max + STEWART_UNIT*(REAL(2)*I_d0_xy_max
-        + REAL(2)*I_u0_xy_max + REAL(2)*c1_max*r_u0_y_max + c3_max*r_d0_y_max + STEWART_FABS(J_xy));
+        + REAL(2)*I_u0_xy_max + c3_max*r_d0_y_max + REAL(2)*c1_max*r_u0_y_max + STEWART_FABS(J_xy));
     const stewart_real J_xz = I_d0_xz + I_u0_xz - c1*r_u0_z - c3*r_d0_z;
     const stewart_real J_xz_err = c1_err*r_u0_z_max + c3_err*r_d0_z_max + STEWART_UNIT*(REAL(2)*I_d0_xz_max
-        + REAL(2)*I_u0_xz_max + REAL(2)*c1_max*r_u0_z_max + c3_max*r_d0_z_max + STEWART_FABS(J_xz));
+        + REAL(2)*I_u0_xz_max + c3_max*r_d0_z_max + REAL(2)*c1_max*r_u0_z_max + STEWART_FABS(J_xz));
     const stewart_real c9 = r_d0_x*r_d0_x;
     const stewart_real c9_err = STEWART_UNIT*STEWART_FABS(c9);
     const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
@@ -303,7 +303,7 @@ static void prepare_leg(
         + REAL(2)*I_u0_yy_max + REAL(3)*m_d_max*(c6_max + c9_max) + REAL(2)*m_u_max*(c10_max + c8_max) + STEWART_FABS(J_yy));
     const stewart_real J_yz = I_d0_yz + I_u0_yz - c2*r_u0_z - c4*r_d0_z;
     const stewart_real J_yz_err = c2_err*r_u0_z_max + c4_err*r_d0_z_max + STEWART_UNIT*(REAL(2)*I_d0_yz_max
-        + REAL(2)*I_u0_yz_max + REAL(2)*c2_max*r_u0_z_max + c4_max*r_d0_z_max + STEWART_FABS(J_yz));
+        + REAL(2)*I_u0_yz_max + c4_max*r_d0_z_max + REAL(2)*c2_max*r_u0_z_max + STEWART_FABS(J_yz));
     const stewart_real J_zz = I_d0_zz + I_u0_zz + m_d*(c5 + c9) + m_u*(c10 + c7);
     const stewart_real J_zz_err = c10_err*m_u_max + c5_err*m_d_max + c7_err*m_u_max + c9_err*m_d_max + STEWART_UNIT*(REAL(2)*I_d0_zz_max
         + REAL(2)*I_u0_zz_max + REAL(3)*m_d_max*(c5_max + c9_max) + REAL(2)*m_u_max*(c10_max + c7_max) + STEWART_FABS(J_zz));
@@ -349,8 +349,8 @@ static void prepare_leg(
     const stewart_real dJ_zx_err = J_xx_err + J_zz_err + STEWART_UNIT*STEWART_FABS(dJ_zx);
     /* gravity along the fixed axis */
     const stewart_real g_k = g_x*k_unit_x + g_y*k_unit_y + g_z*k_unit_z;
-    const stewart_real g_k_err = g_x_max*k_unit_x_err + g_y_max*k_unit_y_err + g_z_max*k_unit_z_err + STEWART_UNIT*(REAL(2)*g_x_max*k_unit_x_max
-        + REAL(2)*g_y_max*k_unit_y_max + g_z_max*k_unit_z_max + STEWART_FABS(g_k));
+    const stewart_real g_k_err = g_x_max*k_unit_x_err + g_y_max*k_unit_y_err + g_z_max*k_unit_z_err + STEWART_UNIT*(g_z_max*k_unit_z_max
+        + REAL(2)*g_x_max*k_unit_x_max + REAL(2)*g_y_max*k_unit_y_max + STEWART_FABS(g_k));
     /* g x k, base frame */
     const stewart_real g_x_k_x = g_y*k_unit_z - g_z*k_unit_y;
     const stewart_real g_x_k_x_err = g_y_max*k_unit_z_err + g_z_max*k_unit_y_err + STEWART_UNIT*(g_y_max*k_unit_z_max
@@ -522,28 +522,28 @@ static void prepare_platform(
     const stewart_real arm_z_max = STEWART_FABS(arm_z) + arm_z_err;
     /* first moment of what is lumped with it about that centre */
     const stewart_real e_x = h_add_x - M_add*arm_x;
-    const stewart_real e_x_err = M_add_err*arm_x_max + M_add_max*arm_x_err + h_add_x_err + STEWART_UNIT*(M_add_max*arm_x_max
+    const stewart_real e_x_err = h_add_x_err + M_add_err*arm_x_max + M_add_max*arm_x_err + STEWART_UNIT*(M_add_max*arm_x_max
         + STEWART_FABS(e_x));
     const stewart_real e_x_max = STEWART_FABS(e_x) + e_x_err;
     const stewart_real e_y = h_add_y - M_add*arm_y;
-    const stewart_real e_y_err = M_add_err*arm_y_max + M_add_max*arm_y_err + h_add_y_err + STEWART_UNIT*(M_add_max*arm_y_max
+    const stewart_real e_y_err = h_add_y_err + M_add_err*arm_y_max + M_add_max*arm_y_err + STEWART_UNIT*(M_add_max*arm_y_max
         + STEWART_FABS(e_y));
     const stewart_real e_y_max = STEWART_FABS(e_y) + e_y_err;
     const stewart_real e_z = h_add_z - M_add*arm_z;
-    const stewart_real e_z_err = M_add_err*arm_z_max + M_add_max*arm_z_err + h_add_z_err + STEWART_UNIT*(M_add_max*arm_z_max
+    const stewart_real e_z_err = h_add_z_err + M_add_err*arm_z_max + M_add_max*arm_z_err + STEWART_UNIT*(M_add_max*arm_z_max
         + STEWART_FABS(e_z));
     const stewart_real e_z_max = STEWART_FABS(e_z) + e_z_err;
     /* first moment about the reference point */
-    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
-    const stewart_real h_P_x_err = M_add_err*p_1_x_max + h_add_x_err + STEWART_UNIT*(REAL(2)*M_add_max*p_1_x_max
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_x_err = h_add_x_err + M_add_err*p_1_x_max + STEWART_UNIT*(h_add_x_max + M_add_max*p_1_x_max
         + REAL(2)*M_max*R_0_x_max + STEWART_FABS(h_P_x));
     const stewart_real h_P_x_max = STEWART_FABS(h_P_x) + h_P_x_err;
-    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
-    const stewart_real h_P_y_err = M_add_err*p_1_y_max + h_add_y_err + STEWART_UNIT*(REAL(2)*M_add_max*p_1_y_max
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_y_err = h_add_y_err + M_add_err*p_1_y_max + STEWART_UNIT*(h_add_y_max + M_add_max*p_1_y_max
         + REAL(2)*M_max*R_0_y_max + STEWART_FABS(h_P_y));
     const stewart_real h_P_y_max = STEWART_FABS(h_P_y) + h_P_y_err;
-    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
-    const stewart_real h_P_z_err = M_add_err*p_1_z_max + h_add_z_err + STEWART_UNIT*(REAL(2)*M_add_max*p_1_z_max
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
+    const stewart_real h_P_z_err = h_add_z_err + M_add_err*p_1_z_max + STEWART_UNIT*(h_add_z_max + M_add_max*p_1_z_max
         + REAL(2)*M_max*R_0_z_max + STEWART_FABS(h_P_z));
     const stewart_real h_P_z_max = STEWART_FABS(h_P_z) + h_P_z_err;
     const stewart_real c1 = REAL(1)/M_P;
@@ -567,50 +567,50 @@ static void prepare_platform(
     const stewart_real c2 = STEWART_HALF*M*c1;
     const stewart_real c2_err = STEWART_HALF*M_max*c1_err + STEWART_UNIT*STEWART_FABS(c2);
     const stewart_real c2_max = STEWART_FABS(c2) + c2_err;
-    const stewart_real u_x = c2*(e_x + h_add_x);
-    const stewart_real u_x_err = c2_err*(e_x_max + h_add_x_max) + c2_max*e_x_err + c2_max*h_add_x_err + STEWART_UNIT*(c2_max*(e_x_max
+    const stewart_real u_x = c2*(h_add_x + e_x);
+    const stewart_real u_x_err = c2_max*e_x_err + c2_max*h_add_x_err + c2_err*(e_x_max + h_add_x_max) + STEWART_UNIT*(c2_max*(e_x_max
         + h_add_x_max) + STEWART_FABS(u_x));
     const stewart_real u_x_max = STEWART_FABS(u_x) + u_x_err;
-    const stewart_real u_y = c2*(e_y + h_add_y);
-    const stewart_real u_y_err = c2_err*(e_y_max + h_add_y_max) + c2_max*e_y_err + c2_max*h_add_y_err + STEWART_UNIT*(c2_max*(e_y_max
+    const stewart_real u_y = c2*(h_add_y + e_y);
+    const stewart_real u_y_err = c2_max*e_y_err + c2_max*h_add_y_err + c2_err*(e_y_max + h_add_y_max) + STEWART_UNIT*(c2_max*(e_y_max
         + h_add_y_max) + STEWART_FABS(u_y));
     const stewart_real u_y_max = STEWART_FABS(u_y) + u_y_err;
-    const stewart_real u_z = c2*(e_z + h_add_z);
-    const stewart_real u_z_err = c2_err*(e_z_max + h_add_z_max) + c2_max*e_z_err + c2_max*h_add_z_err + STEWART_UNIT*(c2_max*(e_z_max
+    const stewart_real u_z = c2*(h_add_z + e_z);
+    const stewart_real u_z_err = c2_max*e_z_err + c2_max*h_add_z_err + c2_err*(e_z_max + h_add_z_max) + STEWART_UNIT*(c2_max*(e_z_max
         + h_add_z_max) + STEWART_FABS(u_z));
     const stewart_real u_z_max = STEWART_FABS(u_z) + u_z_err;
-    const stewart_real c3 = REAL(2)*arm_z*u_z + h_add_z*r_z;
-    const stewart_real c3_err = REAL(2)*arm_z_err*u_z_max + REAL(2)*arm_z_max*u_z_err + h_add_z_err*r_z_max
-        + h_add_z_max*r_z_err + STEWART_UNIT*(REAL(2)*arm_z_max*u_z_max + h_add_z_max*r_z_max + STEWART_FABS(c3));
+    const stewart_real c3 = h_add_z*r_z + REAL(2)*arm_z*u_z;
+    const stewart_real c3_err = h_add_z_err*r_z_max + h_add_z_max*r_z_err + REAL(2)*arm_z_err*u_z_max + REAL(2)*arm_z_max*u_z_err
+        + STEWART_UNIT*(h_add_z_max*r_z_max + REAL(2)*arm_z_max*u_z_max + STEWART_FABS(c3));
     const stewart_real c3_max = STEWART_FABS(c3) + c3_err;
-    const stewart_real c4 = REAL(2)*arm_y*u_y + h_add_y*r_y;
-    const stewart_real c4_err = REAL(2)*arm_y_err*u_y_max + REAL(2)*arm_y_max*u_y_err + h_add_y_err*r_y_max
-        + h_add_y_max*r_y_err + STEWART_UNIT*(REAL(2)*arm_y_max*u_y_max + h_add_y_max*r_y_max + STEWART_FABS(c4));
+    const stewart_real c4 = h_add_y*r_y + REAL(2)*arm_y*u_y;
+    const stewart_real c4_err = h_add_y_err*r_y_max + h_add_y_max*r_y_err + REAL(2)*arm_y_err*u_y_max + REAL(2)*arm_y_max*u_y_err
+        + STEWART_UNIT*(h_add_y_max*r_y_max + REAL(2)*arm_y_max*u_y_max + STEWART_FABS(c4));
     const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
     const stewart_real J_C_xx = I_p_xx + J_add_xx - c3 - c4;
-    const stewart_real J_C_xx_err = J_add_xx_err + c3_err + c4_err + STEWART_UNIT*(REAL(2)*I_p_xx_max + REAL(2)*J_add_xx_max
-        + c3_max + STEWART_FABS(J_C_xx));
-    const stewart_real J_C_xy = I_p_xy + J_add_xy + arm_x*u_y + arm_y*u_x + h_add_x*r_y;
+    const stewart_real J_C_xx_err = J_add_xx_err + c3_err + c4_err + STEWART_UNIT*(c3_max + REAL(2)*I_p_xx_max
+        + REAL(2)*J_add_xx_max + STEWART_FABS(J_C_xx));
+    const stewart_real J_C_xy = I_p_xy + J_add_xy + h_add_x*r_y + arm_x*u_y + arm_y*u_x;
     const stewart_real J_C_xy_err = J_add_xy_err + arm_x_err*u_y_max + arm_x_max*u_y_err + arm_y_err*u_x_max
         + arm_y_max*u_x_err + h_add_x_err*r_y_max + h_add_x_max*r_y_err + STEWART_UNIT*(REAL(3)*I_p_xy_max + REAL(3)*J_add_xy_max
-        + REAL(3)*arm_x_max*u_y_max + REAL(2)*arm_y_max*u_x_max + h_add_x_max*r_y_max + STEWART_FABS(J_C_xy));
-    const stewart_real J_C_xz = I_p_xz + J_add_xz + arm_x*u_z + arm_z*u_x + h_add_x*r_z;
+        + arm_y_max*u_x_max + REAL(2)*arm_x_max*u_y_max + REAL(3)*h_add_x_max*r_y_max + STEWART_FABS(J_C_xy));
+    const stewart_real J_C_xz = I_p_xz + J_add_xz + h_add_x*r_z + arm_x*u_z + arm_z*u_x;
     const stewart_real J_C_xz_err = J_add_xz_err + arm_x_err*u_z_max + arm_x_max*u_z_err + arm_z_err*u_x_max
         + arm_z_max*u_x_err + h_add_x_err*r_z_max + h_add_x_max*r_z_err + STEWART_UNIT*(REAL(3)*I_p_xz_max + REAL(3)*J_add_xz_max
-        + REAL(3)*arm_x_max*u_z_max + REAL(2)*arm_z_max*u_x_max + h_add_x_max*r_z_max + STEWART_FABS(J_C_xz));
-    const stewart_real c5 = REAL(2)*arm_x*u_x + h_add_x*r_x;
-    const stewart_real c5_err = REAL(2)*arm_x_err*u_x_max + REAL(2)*arm_x_max*u_x_err + h_add_x_err*r_x_max
-        + h_add_x_max*r_x_err + STEWART_UNIT*(REAL(2)*arm_x_max*u_x_max + h_add_x_max*r_x_max + STEWART_FABS(c5));
+        + arm_z_max*u_x_max + REAL(2)*arm_x_max*u_z_max + REAL(3)*h_add_x_max*r_z_max + STEWART_FABS(J_C_xz));
+    const stewart_real c5 = h_add_x*r_x + REAL(2)*arm_x*u_x;
+    const stewart_real c5_err = h_add_x_err*r_x_max + h_add_x_max*r_x_err + REAL(2)*arm_x_err*u_x_max + REAL(2)*arm_x_max*u_x_err
+        + STEWART_UNIT*(h_add_x_max*r_x_max + REAL(2)*arm_x_max*u_x_max + STEWART_FABS(c5));
     const stewart_real J_C_yy = I_p_yy + J_add_yy - c3 - c5;
-    const stewart_real J_C_yy_err = J_add_yy_err + c3_err + c5_err + STEWART_UNIT*(REAL(2)*I_p_yy_max + REAL(2)*J_add_yy_max
-        + c3_max + STEWART_FABS(J_C_yy));
-    const stewart_real J_C_yz = I_p_yz + J_add_yz + arm_y*u_z + arm_z*u_y + h_add_y*r_z;
+    const stewart_real J_C_yy_err = J_add_yy_err + c3_err + c5_err + STEWART_UNIT*(c3_max + REAL(2)*I_p_yy_max
+        + REAL(2)*J_add_yy_max + STEWART_FABS(J_C_yy));
+    const stewart_real J_C_yz = I_p_yz + J_add_yz + h_add_y*r_z + arm_y*u_z + arm_z*u_y;
     const stewart_real J_C_yz_err = J_add_yz_err + arm_y_err*u_z_max + arm_y_max*u_z_err + arm_z_err*u_y_max
         + arm_z_max*u_y_err + h_add_y_err*r_z_max + h_add_y_max*r_z_err + STEWART_UNIT*(REAL(3)*I_p_yz_max + REAL(3)*J_add_yz_max
-        + REAL(3)*arm_y_max*u_z_max + REAL(2)*arm_z_max*u_y_max + h_add_y_max*r_z_max + STEWART_FABS(J_C_yz));
+        + arm_z_max*u_y_max + REAL(2)*arm_y_max*u_z_max + REAL(3)*h_add_y_max*r_z_max + STEWART_FABS(J_C_yz));
     const stewart_real J_C_zz = I_p_zz + J_add_zz - c4 - c5;
-    const stewart_real J_C_zz_err = J_add_zz_err + c4_err + c5_err + STEWART_UNIT*(REAL(2)*I_p_zz_max + REAL(2)*J_add_zz_max
-        + c4_max + STEWART_FABS(J_C_zz));
+    const stewart_real J_C_zz_err = J_add_zz_err + c4_err + c5_err + STEWART_UNIT*(c4_max + REAL(2)*I_p_zz_max
+        + REAL(2)*J_add_zz_max + STEWART_FABS(J_C_zz));
     /* J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
     const stewart_real dJ_C_x = J_C_zz - J_C_yy;
     const stewart_real dJ_C_x_err = J_C_yy_err + J_C_zz_err + STEWART_UNIT*STEWART_FABS(dJ_C_x);
@@ -718,9 +718,11 @@ int stewart_exact_bounds_prepare(const stewart_robot *robot, stewart_exact_bound
     }
     prepare_platform(robot, &sum, &made.platform);
     made.length = STEWART_SQRT(squares/REAL(6));
-    made.per_length = per_length_of(size_of(&made), REAL(0.125));
+    const stewart_real largest = size_of(&made);
+    made.per_length = per_length_of(largest, REAL(0.125));
+    made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 384; ++i) {
+    for (i = 0; i < 385; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -766,21 +768,24 @@ static void shared_of_pose(
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
     /* (30) centre of mass from the reference point, base frame */
-    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+    const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+    const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
     /* (33) M_P (g - a_C) */
-    const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
-    const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
-    const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
+    const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+        R_C_x, g_x - a_x)));
+    const stewart_real N_y = M_P*STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+        R_C_x, g_y - a_y)));
+    const stewart_real N_z = M_P*STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+        R_C_x, g_z - a_z)));
     /* angular velocity, platform frame */
-    const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-    const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-    const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+    const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+    const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+    const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
     /* angular acceleration, platform frame */
-    const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-    const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-    const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+    const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+    const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+    const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
     const stewart_real P_xy = omega_P_x*omega_P_y;
     const stewart_real P_xz = omega_P_x*omega_P_z;
     const stewart_real P_yz = omega_P_y*omega_P_z;
@@ -788,29 +793,35 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy + alpha_P_z)
-        - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
-    const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
-        - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
-    const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
-        + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
-    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-    const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - C_P*omega_x
-        - N_y*R_C_z;
-    const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - C_P*omega_y
-        - N_z*R_C_x;
-    const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - C_P*omega_z
-        - N_x*R_C_y;
+    const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+        STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+        M_ext_x)))));
+    const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+        STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+        M_ext_y)))));
+    const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+        STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+        M_ext_z)))));
+    const stewart_real c_force_x = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy,
+        STEWART_FMA(F_ext_x, R_xx, N_x)));
+    const stewart_real c_force_y = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy,
+        STEWART_FMA(F_ext_x, R_yx, N_y)));
+    const stewart_real c_force_z = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy,
+        STEWART_FMA(F_ext_x, R_zx, N_z)));
+    const stewart_real c_moment_x = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z,
+        R_C_y, STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
+    const stewart_real c_moment_y = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x,
+        R_C_z, STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
+    const stewart_real c_moment_z = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y,
+        R_C_x, STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
     /* (1) platform point 1 from the reference point, base frame */
-    const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
-    const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
-    const stewart_real q_1_z = R_zx*p_1_x + R_zy*p_1_y + R_zz*p_1_z;
+    const stewart_real q_1_x = STEWART_FMA(R_xz, p_1_z, STEWART_FMA(R_xy, p_1_y, R_xx*p_1_x));
+    const stewart_real q_1_y = STEWART_FMA(R_yz, p_1_z, STEWART_FMA(R_yy, p_1_y, R_yx*p_1_x));
+    const stewart_real q_1_z = STEWART_FMA(R_zz, p_1_z, STEWART_FMA(R_zy, p_1_y, R_zx*p_1_x));
     /* the platform's part of c, moment rows, about platform point 1 */
-    const stewart_real c_tip_x = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-    const stewart_real c_tip_y = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-    const stewart_real c_tip_z = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    const stewart_real c_tip_x = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    const stewart_real c_tip_y = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    const stewart_real c_tip_z = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -866,25 +877,26 @@ static void leg_of_pose(
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+    const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+    const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) reference point from base point, base frame */
     const stewart_real t_b_x = t_x - b_x;
     const stewart_real t_b_y = t_y - b_y;
     const stewart_real t_b_z = t_z - b_z;
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_b_x;
-    const stewart_real S_y = q_y + t_b_y;
-    const stewart_real S_z = q_z + t_b_z;
+    const stewart_real S_x = t_b_x + q_x;
+    const stewart_real S_y = t_b_y + q_y;
+    const stewart_real S_z = t_b_z + q_z;
     /* (10) leg vector along the fixed axis, and normal to both */
-    const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-    const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-    const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-    const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-    const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
+    const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+    const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+    const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+    const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+    const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y, k_cross_S_y,
+        k_cross_S_x*k_cross_S_x));
     /* (2) leg length, and distance of its tip from the fixed axis */
-    const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+    const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
     const stewart_real rho = STEWART_SQRT(rho2);
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
@@ -902,18 +914,22 @@ static void leg_of_pose(
     /* (10) k1 / k3 */
     const stewart_real kappa = inv_rho*zeta;
     /* (4) velocity of the platform point */
-    const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+    const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+    const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+    const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-    const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-    const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+    const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+        a_x)));
+    const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+        a_y)));
+    const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+        a_z)));
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-    const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
     /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-    const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-    const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+    const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y, S_dot_x*y_x));
+    const stewart_real theta_dot = inv_rho*STEWART_FMA(-S_dot_z, k_z, STEWART_FMA(-S_dot_y, k_y,
+        STEWART_FMA(-S_dot_x, k_x, L_dot*k1)));
     /* L_dot / L */
     const stewart_real L_share = L_dot*inv_L;
     const stewart_real lean = kappa*theta_dot;
@@ -924,47 +940,55 @@ static void leg_of_pose(
     const stewart_real rho_share = L_share + lean;
     const stewart_real k33 = k3*k3;
     /* (8) accelerations of the joint coordinates */
-    const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, STEWART_FMA(S_ddot_x,
+        s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
     /* (9) accelerations of the joint coordinates */
-    const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share
-        + rho_share);
-    const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot;
+    const stewart_real theta_ddot = STEWART_FMA(-theta_dot, L_share + rho_share,
+        inv_rho*STEWART_FMA(-S_ddot_z, k_z, STEWART_FMA(-S_ddot_y, k_y, STEWART_FMA(-S_ddot_x, k_x,
+        L_ddot*k1))));
+    const stewart_real phi_ddot = STEWART_FMA(-rho_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z, y_z,
+        STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
     const stewart_real k13 = k1*k3;
     const stewart_real L_h2 = L*h2_x;
-    const stewart_real a1 = L_h2 + dJ_zx;
-    const stewart_real a2 = J2_xz - L*h2_z;
-    const stewart_real a3 = J_xy - L*h_y;
+    const stewart_real a1 = dJ_zx + L_h2;
+    const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
+    const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
     /* (19) inertia of the joint coordinates */
-    const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+    const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
     const stewart_real M_theta = J_yy + L_h2;
-    const stewart_real M_mixed = J_yz*k3 + a3*k1;
+    const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
     const stewart_real k3_h = h_y*k3;
     /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-    const stewart_real M_phi_theta = a1*k13 + a2*(STEWART_HALF - k33);
-    const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-    const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+    const stewart_real M_phi_theta = STEWART_FMA(a1, k13, a2*(STEWART_HALF - k33));
+    const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
+    const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
     const stewart_real bend = L_dot*theta_dot;
     /* gravity along k x y and along y */
-    const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-    const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+    const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+    const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
     /* first moment along k and against k x y */
-    const stewart_real w_k = k1*w_x + k3*w_z;
-    const stewart_real w_n = k3*w_x - k1*w_z;
+    const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+    const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot + bend*h2_x
-        + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-        - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(M_mixed, phi_ddot,
+        STEWART_FMA(bend, h2_x, STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(-C_s, STEWART_FMA(omega_z,
+        y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(C_us, theta_dot, STEWART_FMA(gamma_n, w_k,
+        STEWART_FMA(g_k, w_n, L_ddot*h_z))))))));
+    const stewart_real tau_k = STEWART_FMA(M_mixed, theta_ddot, STEWART_FMA(M_phi, phi_ddot,
+        STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(M_phi_theta, theta_dot,
+        L_dot*M_phi_L), STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+        STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+        k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
     /* (21) K = Q_k k + Q_y y, up to a part along s */
     const stewart_real Q_k = -inv_rho*tau_y;
     const stewart_real Q_y = inv_rho*tau_k;
     /* (21) force at the spherical joint, base frame */
-    const stewart_real K_x = Q_k*k_x + Q_y*y_x;
-    const stewart_real K_y = Q_k*k_y + Q_y*y_y;
-    const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+    const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
+    const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
+    const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
     /* (24) known part of the actuator force, to match */
-    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2 - k3_h*phi_ddot;
+    const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+        STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot)))));
     const stewart_real c1 = C_s*phi_dot;
     const stewart_real c2 = C_s*theta_dot;
     const stewart_real H_force_x = s_x;
@@ -978,17 +1002,17 @@ static void leg_of_pose(
     const stewart_real arm_y = q_y - q_1_y;
     const stewart_real arm_z = q_z - q_1_z;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = c1*k_x + c2*y_x;
-    const stewart_real c_moment_y = c1*k_y + c2*y_y;
-    const stewart_real c_moment_z = c1*k_z + c2*y_z;
+    const stewart_real c_moment_x = STEWART_FMA(c2, y_x, c1*k_x);
+    const stewart_real c_moment_y = STEWART_FMA(c2, y_y, c1*k_y);
+    const stewart_real c_moment_z = STEWART_FMA(c2, y_z, c1*k_z);
     /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
-    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
-    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    const stewart_real H_moment_x = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+    const stewart_real H_moment_y = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+    const stewart_real H_moment_z = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
     /* moment of the leg's part of c, force rows, about platform point 1 */
-    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
-    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
-    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
+    const stewart_real arm_c_x = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+    const stewart_real arm_c_y = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+    const stewart_real arm_c_z = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     out->D = D;
     out->H_force[0] = H_force_x;
     out->H_force[1] = H_force_y;
@@ -1055,63 +1079,66 @@ static void leg_of_pose_near_singularity(
     const stewart_real g_x = platform->g[0], g_y = platform->g[1], g_z = platform->g[2];
     const stewart_real q_1_x = shared->q_1[0], q_1_y = shared->q_1[1], q_1_z = shared->q_1[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+    const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+    const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) reference point from base point, base frame */
     const stewart_real t_b_x = t_x - b_x;
     const stewart_real t_b_y = t_y - b_y;
     const stewart_real t_b_z = t_z - b_z;
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_b_x;
-    const stewart_real S_y = q_y + t_b_y;
-    const stewart_real S_z = q_z + t_b_z;
+    const stewart_real S_x = t_b_x + q_x;
+    const stewart_real S_y = t_b_y + q_y;
+    const stewart_real S_z = t_b_z + q_z;
     /* (10) leg vector along the fixed axis, and normal to both */
-    const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-    const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-    const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-    const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+    const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+    const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+    const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+    const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
     /* (2) leg length, and distance of its tip from the fixed axis */
-    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
     /* (10) along the third axis of the leg */
-    const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-    const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-    const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+    const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+    const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+    const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
     /* (10) leg length, and distance of its tip from the fixed axis */
-    const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-        + s_cross_normal_z*s_cross_normal_z);
+    const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+        STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
     const stewart_real inv_rho = REAL(1)/rho;
     /* (10) third axis of the leg frame */
     const stewart_real z_x = inv_rho*s_cross_normal_x;
     const stewart_real z_y = inv_rho*s_cross_normal_y;
     const stewart_real z_z = inv_rho*s_cross_normal_z;
     /* (10) rotating axis of the universal joint */
-    const stewart_real y_x = s_z*z_y - s_y*z_z;
-    const stewart_real y_y = s_x*z_z - s_z*z_x;
-    const stewart_real y_z = s_y*z_x - s_x*z_y;
+    const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+    const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+    const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
     /* (10) k = (k1, 0, k3) in the leg frame */
     const stewart_real k1 = inv_L*zeta;
     const stewart_real k3 = inv_L*rho;
     /* (10) k1 / k3 */
     const stewart_real kappa = inv_rho*zeta;
     /* (4) velocity of the platform point */
-    const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+    const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+    const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+    const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-    const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-    const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+    const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+        a_x)));
+    const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+        a_y)));
+    const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+        a_z)));
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-    const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
     /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-    const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-    const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+    const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y, S_dot_x*y_x));
+    const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y, S_dot_x*z_x));
     /* L_dot / L */
     const stewart_real L_share = L_dot*inv_L;
     const stewart_real lean = kappa*theta_dot;
@@ -1120,52 +1147,60 @@ static void leg_of_pose_near_singularity(
     const stewart_real two_phi_dot = REAL(2)*phi_dot;
     const stewart_real k33 = k3*k3;
     /* (8) accelerations of the joint coordinates */
-    const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, STEWART_FMA(S_ddot_x,
+        s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
     /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-    const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
-    const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+    const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+        -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+    const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z, y_z,
+        STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
     const stewart_real c1 = k1*k3;
     /* (9) accelerations of the joint coordinates */
-    const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
-    const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+    const stewart_real theta_ddot = STEWART_FMA(c1, phi_dot2, own_theta_ddot);
+    const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
     const stewart_real k13 = c1;
     const stewart_real L_h2 = L*h2_x;
-    const stewart_real a1 = L_h2 + dJ_zx;
+    const stewart_real a1 = dJ_zx + L_h2;
     const stewart_real c2 = L*h2_z;
     const stewart_real c3 = J2_xz - c2;
     const stewart_real a2 = c3;
-    const stewart_real a3 = J_xy - L*h_y;
+    const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
     /* (19) inertia of the joint coordinates */
-    const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+    const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
     const stewart_real M_theta = J_yy + L_h2;
-    const stewart_real M_mixed = J_yz*k3 + a3*k1;
+    const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
     const stewart_real k3_h = h_y*k3;
     /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-    const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-    const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+    const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
+    const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
     const stewart_real bend = L_dot*theta_dot;
     /* gravity along k x y and along y */
-    const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-    const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+    const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+    const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
     /* first moment along k and against k x y */
-    const stewart_real w_k = k1*w_x + k3*w_z;
-    const stewart_real w_n = k3*w_x - k1*w_z;
+    const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+    const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
-        + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
-        + omega_y*y_y + omega_z*y_z);
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2)) - C_s*(k_x*omega_x
-        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+    const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
+        STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+        STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot, STEWART_FMA(phi_dot2,
+        STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k, w_n, L_ddot*h_z))))))));
+    const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
+        STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+        kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L), STEWART_FMA(-gamma_y,
+        w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot, STEWART_FMA(-L_ddot, k3_h,
+        STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
+        M_mixed_theta*theta_dot2)))))))));
     /* (21) K = Q_y y + Q_z z */
     const stewart_real Q_y = inv_rho*tau_k;
     const stewart_real Q_z = -inv_L*tau_y;
     /* (21) force at the spherical joint, base frame */
-    const stewart_real K_x = Q_y*y_x + Q_z*z_x;
-    const stewart_real K_y = Q_y*y_y + Q_z*z_y;
-    const stewart_real K_z = Q_y*y_z + Q_z*z_z;
+    const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
+    const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
+    const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
     /* (24) known part of the actuator force, to match */
-    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
+    const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot, STEWART_FMA(-M_phi_L,
+        phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
     const stewart_real c4 = C_s*phi_dot;
     const stewart_real c5 = C_s*theta_dot;
     const stewart_real H_force_x = s_x;
@@ -1179,17 +1214,17 @@ static void leg_of_pose_near_singularity(
     const stewart_real arm_y = q_y - q_1_y;
     const stewart_real arm_z = q_z - q_1_z;
     /* part of c, moment rows, base frame */
-    const stewart_real c_moment_x = c4*k_x + c5*y_x;
-    const stewart_real c_moment_y = c4*k_y + c5*y_y;
-    const stewart_real c_moment_z = c4*k_z + c5*y_z;
+    const stewart_real c_moment_x = STEWART_FMA(c5, y_x, c4*k_x);
+    const stewart_real c_moment_y = STEWART_FMA(c5, y_y, c4*k_y);
+    const stewart_real c_moment_z = STEWART_FMA(c5, y_z, c4*k_z);
     /* the leg's column of H, moment rows */
-    const stewart_real H_moment_x = H_force_z*arm_y - H_force_y*arm_z;
-    const stewart_real H_moment_y = H_force_x*arm_z - H_force_z*arm_x;
-    const stewart_real H_moment_z = H_force_y*arm_x - H_force_x*arm_y;
+    const stewart_real H_moment_x = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+    const stewart_real H_moment_y = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+    const stewart_real H_moment_z = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
     /* moment of the leg's part of c, force rows, about platform point 1 */
-    const stewart_real arm_c_x = arm_y*c_force_z - arm_z*c_force_y;
-    const stewart_real arm_c_y = arm_z*c_force_x - arm_x*c_force_z;
-    const stewart_real arm_c_z = arm_x*c_force_y - arm_y*c_force_x;
+    const stewart_real arm_c_x = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+    const stewart_real arm_c_y = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+    const stewart_real arm_c_z = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     out->D = D;
     out->H_force[0] = H_force_x;
     out->H_force[1] = H_force_y;
@@ -1495,75 +1530,75 @@ static void shared_errors(
     const stewart_real B_zz_max = STEWART_FABS(B_zz) + B_zz_err;
     /* (30) centre of mass from the reference point, base frame */
     const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-    const stewart_real R_C_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*r_C_x_max + REAL(2)*R_xy_max*r_C_y_max + R_xz_max*r_C_z_max
+    const stewart_real R_C_x_own = STEWART_UNIT*(R_xz_max*r_C_z_max + REAL(2)*R_xx_max*r_C_x_max + REAL(2)*R_xy_max*r_C_y_max
         + STEWART_FABS(R_C_x));
-    const stewart_real R_C_x_err = R_err*(r_C_x_max + r_C_y_max + r_C_z_max) + R_xx_max*r_C_x_err + R_xy_max*r_C_y_err
-        + R_xz_max*r_C_z_err + R_C_x_own;
+    const stewart_real R_C_x_err = R_xx_max*r_C_x_err + R_xy_max*r_C_y_err + R_xz_max*r_C_z_err + R_err*(r_C_x_max
+        + r_C_y_max + r_C_z_max) + R_C_x_own;
     const stewart_real R_C_x_max = STEWART_FABS(R_C_x) + R_C_x_err;
     const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-    const stewart_real R_C_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*r_C_x_max + REAL(2)*R_yy_max*r_C_y_max + R_yz_max*r_C_z_max
+    const stewart_real R_C_y_own = STEWART_UNIT*(R_yz_max*r_C_z_max + REAL(2)*R_yx_max*r_C_x_max + REAL(2)*R_yy_max*r_C_y_max
         + STEWART_FABS(R_C_y));
-    const stewart_real R_C_y_err = R_err*(r_C_x_max + r_C_y_max + r_C_z_max) + R_yx_max*r_C_x_err + R_yy_max*r_C_y_err
-        + R_yz_max*r_C_z_err + R_C_y_own;
+    const stewart_real R_C_y_err = R_yx_max*r_C_x_err + R_yy_max*r_C_y_err + R_yz_max*r_C_z_err + R_err*(r_C_x_max
+        + r_C_y_max + r_C_z_max) + R_C_y_own;
     const stewart_real R_C_y_max = STEWART_FABS(R_C_y) + R_C_y_err;
     const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
-    const stewart_real R_C_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*r_C_x_max + REAL(2)*R_zy_max*r_C_y_max + R_zz_max*r_C_z_max
+    const stewart_real R_C_z_own = STEWART_UNIT*(R_zz_max*r_C_z_max + REAL(2)*R_zx_max*r_C_x_max + REAL(2)*R_zy_max*r_C_y_max
         + STEWART_FABS(R_C_z));
-    const stewart_real R_C_z_err = R_err*(r_C_x_max + r_C_y_max + r_C_z_max) + R_zx_max*r_C_x_err + R_zy_max*r_C_y_err
-        + R_zz_max*r_C_z_err + R_C_z_own;
+    const stewart_real R_C_z_err = R_zx_max*r_C_x_err + R_zy_max*r_C_y_err + R_zz_max*r_C_z_err + R_err*(r_C_x_max
+        + r_C_y_max + r_C_z_max) + R_C_z_own;
     const stewart_real R_C_z_max = STEWART_FABS(R_C_z) + R_C_z_err;
     /* (33) M_P (g - a_C) */
-    const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
-    const stewart_real N_x_own = STEWART_UNIT*(M_P_max*(REAL(5)*B_xx_max*R_C_x_max + REAL(4)*B_xy_max*R_C_y_max
-        + REAL(3)*B_xz_max*R_C_z_max + a_x_max + REAL(4)*g_x_max) + STEWART_FABS(N_x));
+    const stewart_real N_x = M_P*(g_x - a_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z);
+    const stewart_real N_x_own = STEWART_UNIT*(M_P_max*(REAL(4)*a_x_max + REAL(4)*g_x_max + REAL(4)*B_xx_max*R_C_x_max
+        + REAL(3)*B_xy_max*R_C_y_max + REAL(2)*B_xz_max*R_C_z_max) + STEWART_FABS(N_x));
     const stewart_real N_x_err = B_xx_err*M_P_max*R_C_x_max + B_xx_max*M_P_max*R_C_x_err + B_xy_err*M_P_max*R_C_y_max
-        + B_xy_max*M_P_max*R_C_y_err + B_xz_err*M_P_max*R_C_z_max + B_xz_max*M_P_max*R_C_z_err + M_P_err*(B_xx_max*R_C_x_max
-        + B_xy_max*R_C_y_max + B_xz_max*R_C_z_max + a_x_max + g_x_max) + N_x_own;
+        + B_xy_max*M_P_max*R_C_y_err + B_xz_err*M_P_max*R_C_z_max + B_xz_max*M_P_max*R_C_z_err + M_P_err*(a_x_max
+        + g_x_max + B_xx_max*R_C_x_max + B_xy_max*R_C_y_max + B_xz_max*R_C_z_max) + N_x_own;
     const stewart_real N_x_max = STEWART_FABS(N_x) + N_x_err;
-    const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
-    const stewart_real N_y_own = STEWART_UNIT*(M_P_max*(REAL(5)*B_yx_max*R_C_x_max + REAL(4)*B_yy_max*R_C_y_max
-        + REAL(3)*B_yz_max*R_C_z_max + a_y_max + REAL(4)*g_y_max) + STEWART_FABS(N_y));
+    const stewart_real N_y = M_P*(g_y - a_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z);
+    const stewart_real N_y_own = STEWART_UNIT*(M_P_max*(REAL(4)*a_y_max + REAL(4)*g_y_max + REAL(4)*B_yx_max*R_C_x_max
+        + REAL(3)*B_yy_max*R_C_y_max + REAL(2)*B_yz_max*R_C_z_max) + STEWART_FABS(N_y));
     const stewart_real N_y_err = B_yx_err*M_P_max*R_C_x_max + B_yx_max*M_P_max*R_C_x_err + B_yy_err*M_P_max*R_C_y_max
-        + B_yy_max*M_P_max*R_C_y_err + B_yz_err*M_P_max*R_C_z_max + B_yz_max*M_P_max*R_C_z_err + M_P_err*(B_yx_max*R_C_x_max
-        + B_yy_max*R_C_y_max + B_yz_max*R_C_z_max + a_y_max + g_y_max) + N_y_own;
+        + B_yy_max*M_P_max*R_C_y_err + B_yz_err*M_P_max*R_C_z_max + B_yz_max*M_P_max*R_C_z_err + M_P_err*(a_y_max
+        + g_y_max + B_yx_max*R_C_x_max + B_yy_max*R_C_y_max + B_yz_max*R_C_z_max) + N_y_own;
     const stewart_real N_y_max = STEWART_FABS(N_y) + N_y_err;
-    const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
-    const stewart_real N_z_own = STEWART_UNIT*(M_P_max*(REAL(5)*B_zx_max*R_C_x_max + REAL(4)*B_zy_max*R_C_y_max
-        + REAL(3)*B_zz_max*R_C_z_max + a_z_max + REAL(4)*g_z_max) + STEWART_FABS(N_z));
+    const stewart_real N_z = M_P*(g_z - a_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z);
+    const stewart_real N_z_own = STEWART_UNIT*(M_P_max*(REAL(4)*a_z_max + REAL(4)*g_z_max + REAL(4)*B_zx_max*R_C_x_max
+        + REAL(3)*B_zy_max*R_C_y_max + REAL(2)*B_zz_max*R_C_z_max) + STEWART_FABS(N_z));
     const stewart_real N_z_err = B_zx_err*M_P_max*R_C_x_max + B_zx_max*M_P_max*R_C_x_err + B_zy_err*M_P_max*R_C_y_max
-        + B_zy_max*M_P_max*R_C_y_err + B_zz_err*M_P_max*R_C_z_max + B_zz_max*M_P_max*R_C_z_err + M_P_err*(B_zx_max*R_C_x_max
-        + B_zy_max*R_C_y_max + B_zz_max*R_C_z_max + a_z_max + g_z_max) + N_z_own;
+        + B_zy_max*M_P_max*R_C_y_err + B_zz_err*M_P_max*R_C_z_max + B_zz_max*M_P_max*R_C_z_err + M_P_err*(a_z_max
+        + g_z_max + B_zx_max*R_C_x_max + B_zy_max*R_C_y_max + B_zz_max*R_C_z_max) + N_z_own;
     const stewart_real N_z_max = STEWART_FABS(N_z) + N_z_err;
     /* angular velocity, platform frame */
     const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-    const stewart_real omega_P_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*omega_x_max + REAL(2)*R_yx_max*omega_y_max
-        + R_zx_max*omega_z_max + STEWART_FABS(omega_P_x));
+    const stewart_real omega_P_x_own = STEWART_UNIT*(R_zx_max*omega_z_max + REAL(2)*R_xx_max*omega_x_max + REAL(2)*R_yx_max*omega_y_max
+        + STEWART_FABS(omega_P_x));
     const stewart_real omega_P_x_err = R_err*(omega_x_max + omega_y_max + omega_z_max) + omega_P_x_own;
     const stewart_real omega_P_x_max = STEWART_FABS(omega_P_x) + omega_P_x_err;
     const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-    const stewart_real omega_P_y_own = STEWART_UNIT*(REAL(2)*R_xy_max*omega_x_max + REAL(2)*R_yy_max*omega_y_max
-        + R_zy_max*omega_z_max + STEWART_FABS(omega_P_y));
+    const stewart_real omega_P_y_own = STEWART_UNIT*(R_zy_max*omega_z_max + REAL(2)*R_xy_max*omega_x_max + REAL(2)*R_yy_max*omega_y_max
+        + STEWART_FABS(omega_P_y));
     const stewart_real omega_P_y_err = R_err*(omega_x_max + omega_y_max + omega_z_max) + omega_P_y_own;
     const stewart_real omega_P_y_max = STEWART_FABS(omega_P_y) + omega_P_y_err;
     const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
-    const stewart_real omega_P_z_own = STEWART_UNIT*(REAL(2)*R_xz_max*omega_x_max + REAL(2)*R_yz_max*omega_y_max
-        + R_zz_max*omega_z_max + STEWART_FABS(omega_P_z));
+    const stewart_real omega_P_z_own = STEWART_UNIT*(R_zz_max*omega_z_max + REAL(2)*R_xz_max*omega_x_max + REAL(2)*R_yz_max*omega_y_max
+        + STEWART_FABS(omega_P_z));
     const stewart_real omega_P_z_err = R_err*(omega_x_max + omega_y_max + omega_z_max) + omega_P_z_own;
     const stewart_real omega_P_z_max = STEWART_FABS(omega_P_z) + omega_P_z_err;
     /* angular acceleration, platform frame */
     const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-    const stewart_real alpha_P_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*alpha_x_max + REAL(2)*R_yx_max*alpha_y_max
-        + R_zx_max*alpha_z_max + STEWART_FABS(alpha_P_x));
+    const stewart_real alpha_P_x_own = STEWART_UNIT*(R_zx_max*alpha_z_max + REAL(2)*R_xx_max*alpha_x_max + REAL(2)*R_yx_max*alpha_y_max
+        + STEWART_FABS(alpha_P_x));
     const stewart_real alpha_P_x_err = R_err*(alpha_x_max + alpha_y_max + alpha_z_max) + alpha_P_x_own;
     const stewart_real alpha_P_x_max = STEWART_FABS(alpha_P_x) + alpha_P_x_err;
     const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-    const stewart_real alpha_P_y_own = STEWART_UNIT*(REAL(2)*R_xy_max*alpha_x_max + REAL(2)*R_yy_max*alpha_y_max
-        + R_zy_max*alpha_z_max + STEWART_FABS(alpha_P_y));
+    const stewart_real alpha_P_y_own = STEWART_UNIT*(R_zy_max*alpha_z_max + REAL(2)*R_xy_max*alpha_x_max + REAL(2)*R_yy_max*alpha_y_max
+        + STEWART_FABS(alpha_P_y));
     const stewart_real alpha_P_y_err = R_err*(alpha_x_max + alpha_y_max + alpha_z_max) + alpha_P_y_own;
     const stewart_real alpha_P_y_max = STEWART_FABS(alpha_P_y) + alpha_P_y_err;
     const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
-    const stewart_real alpha_P_z_own = STEWART_UNIT*(REAL(2)*R_xz_max*alpha_x_max + REAL(2)*R_yz_max*alpha_y_max
-        + R_zz_max*alpha_z_max + STEWART_FABS(alpha_P_z));
+    const stewart_real alpha_P_z_own = STEWART_UNIT*(R_zz_max*alpha_z_max + REAL(2)*R_xz_max*alpha_x_max + REAL(2)*R_yz_max*alpha_y_max
+        + STEWART_FABS(alpha_P_z));
     const stewart_real alpha_P_z_err = R_err*(alpha_x_max + alpha_y_max + alpha_z_max) + alpha_P_z_own;
     const stewart_real alpha_P_z_max = STEWART_FABS(alpha_P_z) + alpha_P_z_err;
     const stewart_real P_xy = omega_P_x*omega_P_y;
@@ -1591,110 +1626,107 @@ static void shared_errors(
     const stewart_real P_zz_err = REAL(2)*omega_P_z_err*omega_P_z_max + P_zz_own;
     const stewart_real P_zz_max = STEWART_FABS(P_zz) + P_zz_err;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy + alpha_P_z)
-        - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
-    const stewart_real M_P_load_x_own = STEWART_UNIT*(REAL(4)*J_C_xx_max*alpha_P_x_max + REAL(6)*J_C_xy_max*(P_xz_max
-        + alpha_P_y_max) + REAL(4)*J_C_xz_max*(P_xy_max + alpha_P_z_max) + REAL(3)*J_C_yz_max*(P_yy_max + P_zz_max)
-        + REAL(4)*M_ext_x_max + P_yz_max*dJ_C_x_max + STEWART_FABS(M_P_load_x));
-    const stewart_real M_P_load_x_err = J_C_xx_err*alpha_P_x_max + J_C_xx_max*alpha_P_x_err + J_C_xy_err*(P_xz_max
-        + alpha_P_y_max) + J_C_xy_max*P_xz_err + J_C_xy_max*alpha_P_y_err + J_C_xz_err*(P_xy_max + alpha_P_z_max)
-        + J_C_xz_max*P_xy_err + J_C_xz_max*alpha_P_z_err + J_C_yz_err*(P_yy_max + P_zz_max) + J_C_yz_max*P_yy_err
-        + J_C_yz_max*P_zz_err + P_yz_err*dJ_C_x_max + P_yz_max*dJ_C_x_err + M_P_load_x_own;
+    const stewart_real M_P_load_x = M_ext_x - J_C_yz*(P_yy - P_zz) - J_C_xx*alpha_P_x - P_yz*dJ_C_x + J_C_xy*(P_xz
+        - alpha_P_y) - J_C_xz*(alpha_P_z + P_xy);
+    const stewart_real M_P_load_x_own = STEWART_UNIT*(REAL(4)*M_ext_x_max + REAL(4)*J_C_xx_max*alpha_P_x_max
+        + REAL(3)*P_yz_max*dJ_C_x_max + REAL(3)*J_C_xy_max*(P_xz_max + alpha_P_y_max) + REAL(2)*J_C_xz_max*(P_xy_max
+        + alpha_P_z_max) + REAL(6)*J_C_yz_max*(P_yy_max + P_zz_max) + STEWART_FABS(M_P_load_x));
+    const stewart_real M_P_load_x_err = J_C_xx_err*alpha_P_x_max + J_C_xx_max*alpha_P_x_err + J_C_xy_max*P_xz_err
+        + J_C_xy_max*alpha_P_y_err + J_C_xz_max*P_xy_err + J_C_xz_max*alpha_P_z_err + J_C_yz_max*P_yy_err + J_C_yz_max*P_zz_err
+        + P_yz_err*dJ_C_x_max + P_yz_max*dJ_C_x_err + J_C_xy_err*(P_xz_max + alpha_P_y_max) + J_C_xz_err*(P_xy_max
+        + alpha_P_z_max) + J_C_yz_err*(P_yy_max + P_zz_max) + M_P_load_x_own;
     const stewart_real M_P_load_x_max = STEWART_FABS(M_P_load_x) + M_P_load_x_err;
-    const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
-        - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
-    const stewart_real M_P_load_y_own = STEWART_UNIT*(REAL(5)*J_C_xy_max*(P_yz_max + alpha_P_x_max) + REAL(4)*J_C_xz_max*(P_xx_max
-        + P_zz_max) + REAL(2)*J_C_yy_max*alpha_P_y_max + REAL(6)*J_C_yz_max*(P_xy_max + alpha_P_z_max) + REAL(4)*M_ext_y_max
-        + P_xz_max*dJ_C_y_max + STEWART_FABS(M_P_load_y));
-    const stewart_real M_P_load_y_err = J_C_xy_err*(P_yz_max + alpha_P_x_max) + J_C_xy_max*P_yz_err + J_C_xy_max*alpha_P_x_err
-        + J_C_xz_err*(P_xx_max + P_zz_max) + J_C_xz_max*P_xx_err + J_C_xz_max*P_zz_err + J_C_yy_err*alpha_P_y_max
-        + J_C_yy_max*alpha_P_y_err + J_C_yz_err*(P_xy_max + alpha_P_z_max) + J_C_yz_max*P_xy_err + J_C_yz_max*alpha_P_z_err
-        + P_xz_err*dJ_C_y_max + P_xz_max*dJ_C_y_err + M_P_load_y_own;
+    const stewart_real M_P_load_y = M_ext_y - J_C_xz*(P_zz - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y + J_C_yz*(P_xy
+        - alpha_P_z) - J_C_xy*(alpha_P_x + P_yz);
+    const stewart_real M_P_load_y_own = STEWART_UNIT*(REAL(4)*M_ext_y_max + REAL(4)*J_C_yy_max*alpha_P_y_max
+        + REAL(3)*P_xz_max*dJ_C_y_max + REAL(2)*J_C_xy_max*(P_yz_max + alpha_P_x_max) + REAL(6)*J_C_xz_max*(P_xx_max
+        + P_zz_max) + REAL(3)*J_C_yz_max*(P_xy_max + alpha_P_z_max) + STEWART_FABS(M_P_load_y));
+    const stewart_real M_P_load_y_err = J_C_xy_max*P_yz_err + J_C_xy_max*alpha_P_x_err + J_C_xz_max*P_xx_err
+        + J_C_xz_max*P_zz_err + J_C_yy_err*alpha_P_y_max + J_C_yy_max*alpha_P_y_err + J_C_yz_max*P_xy_err + J_C_yz_max*alpha_P_z_err
+        + P_xz_err*dJ_C_y_max + P_xz_max*dJ_C_y_err + J_C_xy_err*(P_yz_max + alpha_P_x_max) + J_C_xz_err*(P_xx_max
+        + P_zz_max) + J_C_yz_err*(P_xy_max + alpha_P_z_max) + M_P_load_y_own;
     const stewart_real M_P_load_y_max = STEWART_FABS(M_P_load_y) + M_P_load_y_err;
-    const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
-        + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
-    const stewart_real M_P_load_z_own = STEWART_UNIT*(REAL(5)*J_C_xy_max*(P_xx_max + P_yy_max) + REAL(6)*J_C_xz_max*(P_yz_max
-        + alpha_P_x_max) + REAL(4)*J_C_yz_max*(P_xz_max + alpha_P_y_max) + REAL(2)*J_C_zz_max*alpha_P_z_max
-        + REAL(4)*M_ext_z_max + P_xy_max*dJ_C_z_max + STEWART_FABS(M_P_load_z));
-    const stewart_real M_P_load_z_err = J_C_xy_err*(P_xx_max + P_yy_max) + J_C_xy_max*P_xx_err + J_C_xy_max*P_yy_err
-        + J_C_xz_err*(P_yz_max + alpha_P_x_max) + J_C_xz_max*P_yz_err + J_C_xz_max*alpha_P_x_err + J_C_yz_err*(P_xz_max
-        + alpha_P_y_max) + J_C_yz_max*P_xz_err + J_C_yz_max*alpha_P_y_err + J_C_zz_err*alpha_P_z_max + J_C_zz_max*alpha_P_z_err
-        + P_xy_err*dJ_C_z_max + P_xy_max*dJ_C_z_err + M_P_load_z_own;
+    const stewart_real M_P_load_z = M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_zz*alpha_P_z - P_xy*dJ_C_z + J_C_xz*(P_yz
+        - alpha_P_x) - J_C_yz*(alpha_P_y + P_xz);
+    const stewart_real M_P_load_z_own = STEWART_UNIT*(REAL(4)*M_ext_z_max + REAL(4)*J_C_zz_max*alpha_P_z_max
+        + REAL(3)*P_xy_max*dJ_C_z_max + REAL(6)*J_C_xy_max*(P_xx_max + P_yy_max) + REAL(3)*J_C_xz_max*(P_yz_max
+        + alpha_P_x_max) + REAL(2)*J_C_yz_max*(P_xz_max + alpha_P_y_max) + STEWART_FABS(M_P_load_z));
+    const stewart_real M_P_load_z_err = J_C_xy_max*P_xx_err + J_C_xy_max*P_yy_err + J_C_xz_max*P_yz_err + J_C_xz_max*alpha_P_x_err
+        + J_C_yz_max*P_xz_err + J_C_yz_max*alpha_P_y_err + J_C_zz_err*alpha_P_z_max + J_C_zz_max*alpha_P_z_err
+        + P_xy_err*dJ_C_z_max + P_xy_max*dJ_C_z_err + J_C_xy_err*(P_xx_max + P_yy_max) + J_C_xz_err*(P_yz_max
+        + alpha_P_x_max) + J_C_yz_err*(P_xz_max + alpha_P_y_max) + M_P_load_z_own;
     const stewart_real M_P_load_z_max = STEWART_FABS(M_P_load_z) + M_P_load_z_err;
-    const stewart_real c_force_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-    const stewart_real c_force_x_own = STEWART_UNIT*(REAL(3)*F_ext_x_max*R_xx_max + REAL(3)*F_ext_y_max*R_xy_max
-        + REAL(2)*F_ext_z_max*R_xz_max + STEWART_FABS(c_force_x));
+    const stewart_real c_force_x = N_x + F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
+    const stewart_real c_force_x_own = STEWART_UNIT*(F_ext_z_max*R_xz_max + REAL(2)*N_x_max + REAL(3)*F_ext_x_max*R_xx_max
+        + REAL(2)*F_ext_y_max*R_xy_max + STEWART_FABS(c_force_x));
     const stewart_real c_force_x_err = N_x_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_x_own;
     const stewart_real c_force_x_max = STEWART_FABS(c_force_x) + c_force_x_err;
-    const stewart_real c_force_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-    const stewart_real c_force_y_own = STEWART_UNIT*(REAL(3)*F_ext_x_max*R_yx_max + REAL(3)*F_ext_y_max*R_yy_max
-        + REAL(2)*F_ext_z_max*R_yz_max + STEWART_FABS(c_force_y));
+    const stewart_real c_force_y = N_y + F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
+    const stewart_real c_force_y_own = STEWART_UNIT*(F_ext_z_max*R_yz_max + REAL(2)*N_y_max + REAL(3)*F_ext_x_max*R_yx_max
+        + REAL(2)*F_ext_y_max*R_yy_max + STEWART_FABS(c_force_y));
     const stewart_real c_force_y_err = N_y_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_y_own;
     const stewart_real c_force_y_max = STEWART_FABS(c_force_y) + c_force_y_err;
-    const stewart_real c_force_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-    const stewart_real c_force_z_own = STEWART_UNIT*(REAL(3)*F_ext_x_max*R_zx_max + REAL(3)*F_ext_y_max*R_zy_max
-        + REAL(2)*F_ext_z_max*R_zz_max + STEWART_FABS(c_force_z));
+    const stewart_real c_force_z = N_z + F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
+    const stewart_real c_force_z_own = STEWART_UNIT*(F_ext_z_max*R_zz_max + REAL(2)*N_z_max + REAL(3)*F_ext_x_max*R_zx_max
+        + REAL(2)*F_ext_y_max*R_zy_max + STEWART_FABS(c_force_z));
     const stewart_real c_force_z_err = N_z_err + R_err*(F_ext_x_max + F_ext_y_max + F_ext_z_max) + c_force_z_own;
     const stewart_real c_force_z_max = STEWART_FABS(c_force_z) + c_force_z_err;
     const stewart_real c_moment_x = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - C_P*omega_x
         - N_y*R_C_z;
-    const stewart_real c_moment_x_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_x_max + REAL(5)*M_P_load_x_max*R_xx_max
-        + REAL(5)*M_P_load_y_max*R_xy_max + REAL(4)*M_P_load_z_max*R_xz_max + N_y_max*R_C_z_max + REAL(3)*N_z_max*R_C_y_max
-        + STEWART_FABS(c_moment_x));
+    const stewart_real c_moment_x_own = STEWART_UNIT*(N_y_max*R_C_z_max + REAL(2)*C_P_max*omega_x_max + REAL(5)*M_P_load_x_max*R_xx_max
+        + REAL(5)*M_P_load_y_max*R_xy_max + REAL(4)*M_P_load_z_max*R_xz_max + REAL(3)*N_z_max*R_C_y_max + STEWART_FABS(c_moment_x));
     const stewart_real c_moment_x_err = C_P_err*omega_x_max + M_P_load_x_err*R_xx_max + M_P_load_y_err*R_xy_max
         + M_P_load_z_err*R_xz_max + N_y_err*R_C_z_max + N_y_max*R_C_z_err + N_z_err*R_C_y_max + N_z_max*R_C_y_err
         + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + c_moment_x_own;
     const stewart_real c_moment_x_max = STEWART_FABS(c_moment_x) + c_moment_x_err;
     const stewart_real c_moment_y = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - C_P*omega_y
         - N_z*R_C_x;
-    const stewart_real c_moment_y_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_y_max + REAL(5)*M_P_load_x_max*R_yx_max
-        + REAL(5)*M_P_load_y_max*R_yy_max + REAL(4)*M_P_load_z_max*R_yz_max + REAL(3)*N_x_max*R_C_z_max + N_z_max*R_C_x_max
-        + STEWART_FABS(c_moment_y));
+    const stewart_real c_moment_y_own = STEWART_UNIT*(N_z_max*R_C_x_max + REAL(2)*C_P_max*omega_y_max + REAL(5)*M_P_load_x_max*R_yx_max
+        + REAL(5)*M_P_load_y_max*R_yy_max + REAL(4)*M_P_load_z_max*R_yz_max + REAL(3)*N_x_max*R_C_z_max + STEWART_FABS(c_moment_y));
     const stewart_real c_moment_y_err = C_P_err*omega_y_max + M_P_load_x_err*R_yx_max + M_P_load_y_err*R_yy_max
         + M_P_load_z_err*R_yz_max + N_x_err*R_C_z_max + N_x_max*R_C_z_err + N_z_err*R_C_x_max + N_z_max*R_C_x_err
         + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + c_moment_y_own;
     const stewart_real c_moment_y_max = STEWART_FABS(c_moment_y) + c_moment_y_err;
     const stewart_real c_moment_z = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - C_P*omega_z
         - N_x*R_C_y;
-    const stewart_real c_moment_z_own = STEWART_UNIT*(REAL(2)*C_P_max*omega_z_max + REAL(5)*M_P_load_x_max*R_zx_max
-        + REAL(5)*M_P_load_y_max*R_zy_max + REAL(4)*M_P_load_z_max*R_zz_max + N_x_max*R_C_y_max + REAL(3)*N_y_max*R_C_x_max
-        + STEWART_FABS(c_moment_z));
+    const stewart_real c_moment_z_own = STEWART_UNIT*(N_x_max*R_C_y_max + REAL(2)*C_P_max*omega_z_max + REAL(5)*M_P_load_x_max*R_zx_max
+        + REAL(5)*M_P_load_y_max*R_zy_max + REAL(4)*M_P_load_z_max*R_zz_max + REAL(3)*N_y_max*R_C_x_max + STEWART_FABS(c_moment_z));
     const stewart_real c_moment_z_err = C_P_err*omega_z_max + M_P_load_x_err*R_zx_max + M_P_load_y_err*R_zy_max
         + M_P_load_z_err*R_zz_max + N_x_err*R_C_y_max + N_x_max*R_C_y_err + N_y_err*R_C_x_max + N_y_max*R_C_x_err
         + R_err*(M_P_load_x_max + M_P_load_y_max + M_P_load_z_max) + c_moment_z_own;
     const stewart_real c_moment_z_max = STEWART_FABS(c_moment_z) + c_moment_z_err;
     /* (1) platform point 1 from the reference point, base frame */
     const stewart_real q_1_x = R_xx*p_1_x + R_xy*p_1_y + R_xz*p_1_z;
-    const stewart_real q_1_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_1_x_max + REAL(2)*R_xy_max*p_1_y_max + R_xz_max*p_1_z_max
+    const stewart_real q_1_x_own = STEWART_UNIT*(R_xz_max*p_1_z_max + REAL(2)*R_xx_max*p_1_x_max + REAL(2)*R_xy_max*p_1_y_max
         + STEWART_FABS(q_1_x));
     const stewart_real q_1_x_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_x_own;
     const stewart_real q_1_x_max = STEWART_FABS(q_1_x) + q_1_x_err;
     const stewart_real q_1_y = R_yx*p_1_x + R_yy*p_1_y + R_yz*p_1_z;
-    const stewart_real q_1_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_1_x_max + REAL(2)*R_yy_max*p_1_y_max + R_yz_max*p_1_z_max
+    const stewart_real q_1_y_own = STEWART_UNIT*(R_yz_max*p_1_z_max + REAL(2)*R_yx_max*p_1_x_max + REAL(2)*R_yy_max*p_1_y_max
         + STEWART_FABS(q_1_y));
     const stewart_real q_1_y_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_y_own;
     const stewart_real q_1_y_max = STEWART_FABS(q_1_y) + q_1_y_err;
     const stewart_real q_1_z = R_zx*p_1_x + R_zy*p_1_y + R_zz*p_1_z;
-    const stewart_real q_1_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_1_x_max + REAL(2)*R_zy_max*p_1_y_max + R_zz_max*p_1_z_max
+    const stewart_real q_1_z_own = STEWART_UNIT*(R_zz_max*p_1_z_max + REAL(2)*R_zx_max*p_1_x_max + REAL(2)*R_zy_max*p_1_y_max
         + STEWART_FABS(q_1_z));
     const stewart_real q_1_z_err = R_err*(p_1_x_max + p_1_y_max + p_1_z_max) + q_1_z_own;
     const stewart_real q_1_z_max = STEWART_FABS(q_1_z) + q_1_z_err;
     /* the platform's part of c, moment rows, about platform point 1 */
-    const stewart_real c_tip_x = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-    const stewart_real c_tip_x_own = STEWART_UNIT*(REAL(2)*c_force_y_max*q_1_z_max + c_force_z_max*q_1_y_max
-        + c_moment_x_max + STEWART_FABS(c_tip_x));
-    const stewart_real c_tip_x_err = c_force_y_err*q_1_z_max + c_force_y_max*q_1_z_err + c_force_z_err*q_1_y_max
-        + c_force_z_max*q_1_y_err + c_moment_x_err + c_tip_x_own;
-    const stewart_real c_tip_y = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-    const stewart_real c_tip_y_own = STEWART_UNIT*(c_force_x_max*q_1_z_max + REAL(2)*c_force_z_max*q_1_x_max
-        + c_moment_y_max + STEWART_FABS(c_tip_y));
-    const stewart_real c_tip_y_err = c_force_x_err*q_1_z_max + c_force_x_max*q_1_z_err + c_force_z_err*q_1_x_max
-        + c_force_z_max*q_1_x_err + c_moment_y_err + c_tip_y_own;
-    const stewart_real c_tip_z = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
-    const stewart_real c_tip_z_own = STEWART_UNIT*(REAL(2)*c_force_x_max*q_1_y_max + c_force_y_max*q_1_x_max
-        + c_moment_z_max + STEWART_FABS(c_tip_z));
-    const stewart_real c_tip_z_err = c_force_x_err*q_1_y_max + c_force_x_max*q_1_y_err + c_force_y_err*q_1_x_max
-        + c_force_y_max*q_1_x_err + c_moment_z_err + c_tip_z_own;
+    const stewart_real c_tip_x = c_moment_x + c_force_y*q_1_z - c_force_z*q_1_y;
+    const stewart_real c_tip_x_own = STEWART_UNIT*(c_moment_x_max + c_force_z_max*q_1_y_max + REAL(2)*c_force_y_max*q_1_z_max
+        + STEWART_FABS(c_tip_x));
+    const stewart_real c_tip_x_err = c_moment_x_err + c_force_y_err*q_1_z_max + c_force_y_max*q_1_z_err + c_force_z_err*q_1_y_max
+        + c_force_z_max*q_1_y_err + c_tip_x_own;
+    const stewart_real c_tip_y = c_moment_y + c_force_z*q_1_x - c_force_x*q_1_z;
+    const stewart_real c_tip_y_own = STEWART_UNIT*(c_moment_y_max + c_force_x_max*q_1_z_max + REAL(2)*c_force_z_max*q_1_x_max
+        + STEWART_FABS(c_tip_y));
+    const stewart_real c_tip_y_err = c_moment_y_err + c_force_x_err*q_1_z_max + c_force_x_max*q_1_z_err + c_force_z_err*q_1_x_max
+        + c_force_z_max*q_1_x_err + c_tip_y_own;
+    const stewart_real c_tip_z = c_moment_z + c_force_x*q_1_y - c_force_y*q_1_x;
+    const stewart_real c_tip_z_own = STEWART_UNIT*(c_moment_z_max + c_force_y_max*q_1_x_max + REAL(2)*c_force_x_max*q_1_y_max
+        + STEWART_FABS(c_tip_z));
+    const stewart_real c_tip_z_err = c_moment_z_err + c_force_x_err*q_1_y_max + c_force_x_max*q_1_y_err + c_force_y_err*q_1_x_max
+        + c_force_y_max*q_1_x_err + c_tip_z_own;
     out->B[0] = B_xx;
     out->B_err[0] = B_xx_err;
     out->B[1] = B_xy;
@@ -1783,24 +1815,24 @@ static void shared_errors(
             const stewart_real q_1_legs_x_max = STEWART_FABS(q_1_legs_x) + q_1_legs_x_err;
             const stewart_real q_1_legs_y_max = STEWART_FABS(q_1_legs_y) + q_1_legs_y_err;
             const stewart_real q_1_legs_z_max = STEWART_FABS(q_1_legs_z) + q_1_legs_z_err;
-            const stewart_real q_1_z_bar = Y_moment_y*c_force_x + q_1_legs_z - Y_moment_x*c_force_y;
-            const stewart_real q_1_z_bar_err = Y_moment_x_max*c_force_y_err + Y_moment_y_max*c_force_x_err + q_1_legs_z_err
-                + STEWART_UNIT*(Y_moment_x_max*c_force_y_max + REAL(2)*Y_moment_y_max*c_force_x_max + q_1_legs_z_max
+            const stewart_real q_1_z_bar = q_1_legs_z + Y_moment_y*c_force_x - Y_moment_x*c_force_y;
+            const stewart_real q_1_z_bar_err = q_1_legs_z_err + Y_moment_x_max*c_force_y_err + Y_moment_y_max*c_force_x_err
+                + STEWART_UNIT*(q_1_legs_z_max + Y_moment_x_max*c_force_y_max + REAL(2)*Y_moment_y_max*c_force_x_max
                 + STEWART_FABS(q_1_z_bar));
             const stewart_real q_1_z_bar_max = STEWART_FABS(q_1_z_bar) + q_1_z_bar_err;
-            const stewart_real q_1_y_bar = Y_moment_x*c_force_z + q_1_legs_y - Y_moment_z*c_force_x;
-            const stewart_real q_1_y_bar_err = Y_moment_x_max*c_force_z_err + Y_moment_z_max*c_force_x_err + q_1_legs_y_err
-                + STEWART_UNIT*(REAL(2)*Y_moment_x_max*c_force_z_max + Y_moment_z_max*c_force_x_max + q_1_legs_y_max
+            const stewart_real q_1_y_bar = q_1_legs_y + Y_moment_x*c_force_z - Y_moment_z*c_force_x;
+            const stewart_real q_1_y_bar_err = q_1_legs_y_err + Y_moment_x_max*c_force_z_err + Y_moment_z_max*c_force_x_err
+                + STEWART_UNIT*(q_1_legs_y_max + Y_moment_z_max*c_force_x_max + REAL(2)*Y_moment_x_max*c_force_z_max
                 + STEWART_FABS(q_1_y_bar));
             const stewart_real q_1_y_bar_max = STEWART_FABS(q_1_y_bar) + q_1_y_bar_err;
-            const stewart_real q_1_x_bar = Y_moment_z*c_force_y + q_1_legs_x - Y_moment_y*c_force_z;
-            const stewart_real q_1_x_bar_err = Y_moment_y_max*c_force_z_err + Y_moment_z_max*c_force_y_err + q_1_legs_x_err
-                + STEWART_UNIT*(Y_moment_y_max*c_force_z_max + REAL(2)*Y_moment_z_max*c_force_y_max + q_1_legs_x_max
+            const stewart_real q_1_x_bar = q_1_legs_x + Y_moment_z*c_force_y - Y_moment_y*c_force_z;
+            const stewart_real q_1_x_bar_err = q_1_legs_x_err + Y_moment_y_max*c_force_z_err + Y_moment_z_max*c_force_y_err
+                + STEWART_UNIT*(q_1_legs_x_max + Y_moment_y_max*c_force_z_max + REAL(2)*Y_moment_z_max*c_force_y_max
                 + STEWART_FABS(q_1_x_bar));
             const stewart_real q_1_x_bar_max = STEWART_FABS(q_1_x_bar) + q_1_x_bar_err;
             const stewart_real c_force_z_bar = Y_moment_x*q_1_y - Y_force_z - Y_moment_y*q_1_x;
             const stewart_real c_force_z_bar_err = Y_moment_x_max*q_1_y_err + Y_moment_y_max*q_1_x_err + STEWART_UNIT*(Y_force_z_max
-                + REAL(2)*Y_moment_x_max*q_1_y_max + Y_moment_y_max*q_1_x_max + STEWART_FABS(c_force_z_bar));
+                + Y_moment_y_max*q_1_x_max + REAL(2)*Y_moment_x_max*q_1_y_max + STEWART_FABS(c_force_z_bar));
             const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
             const stewart_real c_force_y_bar = Y_moment_z*q_1_x - Y_force_y - Y_moment_x*q_1_z;
             const stewart_real c_force_y_bar_err = Y_moment_x_max*q_1_z_err + Y_moment_z_max*q_1_x_err + STEWART_UNIT*(Y_force_y_max
@@ -1808,21 +1840,21 @@ static void shared_errors(
             const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
             const stewart_real c_force_x_bar = Y_moment_y*q_1_z - Y_force_x - Y_moment_z*q_1_y;
             const stewart_real c_force_x_bar_err = Y_moment_y_max*q_1_z_err + Y_moment_z_max*q_1_y_err + STEWART_UNIT*(Y_force_x_max
-                + REAL(2)*Y_moment_y_max*q_1_z_max + Y_moment_z_max*q_1_y_max + STEWART_FABS(c_force_x_bar));
+                + Y_moment_z_max*q_1_y_max + REAL(2)*Y_moment_y_max*q_1_z_max + STEWART_FABS(c_force_x_bar));
             const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
             const stewart_real M_P_load_z_bar = -R_xz*Y_moment_x - R_yz*Y_moment_y - R_zz*Y_moment_z;
             const stewart_real M_P_load_z_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
-                + STEWART_UNIT*(REAL(2)*R_xz_max*Y_moment_x_max + REAL(2)*R_yz_max*Y_moment_y_max + R_zz_max*Y_moment_z_max
+                + STEWART_UNIT*(R_zz_max*Y_moment_z_max + REAL(2)*R_xz_max*Y_moment_x_max + REAL(2)*R_yz_max*Y_moment_y_max
                 + STEWART_FABS(M_P_load_z_bar));
             const stewart_real M_P_load_z_bar_max = STEWART_FABS(M_P_load_z_bar) + M_P_load_z_bar_err;
             const stewart_real M_P_load_y_bar = -R_xy*Y_moment_x - R_yy*Y_moment_y - R_zy*Y_moment_z;
             const stewart_real M_P_load_y_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
-                + STEWART_UNIT*(REAL(2)*R_xy_max*Y_moment_x_max + REAL(2)*R_yy_max*Y_moment_y_max + R_zy_max*Y_moment_z_max
+                + STEWART_UNIT*(R_zy_max*Y_moment_z_max + REAL(2)*R_xy_max*Y_moment_x_max + REAL(2)*R_yy_max*Y_moment_y_max
                 + STEWART_FABS(M_P_load_y_bar));
             const stewart_real M_P_load_y_bar_max = STEWART_FABS(M_P_load_y_bar) + M_P_load_y_bar_err;
             const stewart_real M_P_load_x_bar = -R_xx*Y_moment_x - R_yx*Y_moment_y - R_zx*Y_moment_z;
             const stewart_real M_P_load_x_bar_err = R_err*(Y_moment_x_max + Y_moment_y_max + Y_moment_z_max)
-                + STEWART_UNIT*(REAL(2)*R_xx_max*Y_moment_x_max + REAL(2)*R_yx_max*Y_moment_y_max + R_zx_max*Y_moment_z_max
+                + STEWART_UNIT*(R_zx_max*Y_moment_z_max + REAL(2)*R_xx_max*Y_moment_x_max + REAL(2)*R_yx_max*Y_moment_y_max
                 + STEWART_FABS(M_P_load_x_bar));
             const stewart_real M_P_load_x_bar_max = STEWART_FABS(M_P_load_x_bar) + M_P_load_x_bar_err;
             const stewart_real c1 = J_C_xz*M_P_load_y_bar;
@@ -1834,7 +1866,7 @@ static void shared_errors(
             const stewart_real P_zz_bar_max = STEWART_FABS(P_zz_bar) + P_zz_bar_err;
             const stewart_real c3 = J_C_xy*M_P_load_z_bar;
             const stewart_real c3_err = J_C_xy_err*M_P_load_z_bar_max + J_C_xy_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c3);
-            const stewart_real P_yy_bar = c2 + c3;
+            const stewart_real P_yy_bar = c3 + c2;
             const stewart_real P_yy_bar_err = c2_err + c3_err + STEWART_UNIT*STEWART_FABS(P_yy_bar);
             const stewart_real P_yy_bar_max = STEWART_FABS(P_yy_bar) + P_yy_bar_err;
             const stewart_real P_xx_bar = c1 - c3;
@@ -1847,8 +1879,8 @@ static void shared_errors(
             const stewart_real c5_err = J_C_xz_err*M_P_load_z_bar_max + J_C_xz_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c5);
             const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
             const stewart_real P_yz_bar = c5 - M_P_load_x_bar*dJ_C_x - c4;
-            const stewart_real P_yz_bar_err = M_P_load_x_bar_err*dJ_C_x_max + M_P_load_x_bar_max*dJ_C_x_err
-                + c4_err + c5_err + STEWART_UNIT*(REAL(2)*M_P_load_x_bar_max*dJ_C_x_max + c5_max + STEWART_FABS(P_yz_bar));
+            const stewart_real P_yz_bar_err = c4_err + c5_err + M_P_load_x_bar_err*dJ_C_x_max + M_P_load_x_bar_max*dJ_C_x_err
+                + STEWART_UNIT*(c5_max + REAL(2)*M_P_load_x_bar_max*dJ_C_x_max + STEWART_FABS(P_yz_bar));
             const stewart_real P_yz_bar_max = STEWART_FABS(P_yz_bar) + P_yz_bar_err;
             const stewart_real c6 = J_C_yz*M_P_load_z_bar;
             const stewart_real c6_err = J_C_yz_err*M_P_load_z_bar_max + J_C_yz_max*M_P_load_z_bar_err + STEWART_UNIT*STEWART_FABS(c6);
@@ -1857,8 +1889,8 @@ static void shared_errors(
             const stewart_real c7_err = J_C_xy_err*M_P_load_x_bar_max + J_C_xy_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c7);
             const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
             const stewart_real P_xz_bar = c7 - M_P_load_y_bar*dJ_C_y - c6;
-            const stewart_real P_xz_bar_err = M_P_load_y_bar_err*dJ_C_y_max + M_P_load_y_bar_max*dJ_C_y_err
-                + c6_err + c7_err + STEWART_UNIT*(REAL(2)*M_P_load_y_bar_max*dJ_C_y_max + c7_max + STEWART_FABS(P_xz_bar));
+            const stewart_real P_xz_bar_err = c6_err + c7_err + M_P_load_y_bar_err*dJ_C_y_max + M_P_load_y_bar_max*dJ_C_y_err
+                + STEWART_UNIT*(c7_max + REAL(2)*M_P_load_y_bar_max*dJ_C_y_max + STEWART_FABS(P_xz_bar));
             const stewart_real P_xz_bar_max = STEWART_FABS(P_xz_bar) + P_xz_bar_err;
             const stewart_real c8 = J_C_xz*M_P_load_x_bar;
             const stewart_real c8_err = J_C_xz_err*M_P_load_x_bar_max + J_C_xz_max*M_P_load_x_bar_err + STEWART_UNIT*STEWART_FABS(c8);
@@ -1867,20 +1899,20 @@ static void shared_errors(
             const stewart_real c9_err = J_C_yz_err*M_P_load_y_bar_max + J_C_yz_max*M_P_load_y_bar_err + STEWART_UNIT*STEWART_FABS(c9);
             const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
             const stewart_real P_xy_bar = c9 - M_P_load_z_bar*dJ_C_z - c8;
-            const stewart_real P_xy_bar_err = M_P_load_z_bar_err*dJ_C_z_max + M_P_load_z_bar_max*dJ_C_z_err
-                + c8_err + c9_err + STEWART_UNIT*(REAL(2)*M_P_load_z_bar_max*dJ_C_z_max + c9_max + STEWART_FABS(P_xy_bar));
+            const stewart_real P_xy_bar_err = c8_err + c9_err + M_P_load_z_bar_err*dJ_C_z_max + M_P_load_z_bar_max*dJ_C_z_err
+                + STEWART_UNIT*(c9_max + REAL(2)*M_P_load_z_bar_max*dJ_C_z_max + STEWART_FABS(P_xy_bar));
             const stewart_real P_xy_bar_max = STEWART_FABS(P_xy_bar) + P_xy_bar_err;
             const stewart_real alpha_P_z_bar = -J_C_zz*M_P_load_z_bar - c8 - c9;
-            const stewart_real alpha_P_z_bar_err = J_C_zz_err*M_P_load_z_bar_max + J_C_zz_max*M_P_load_z_bar_err
-                + c8_err + c9_err + STEWART_UNIT*(REAL(2)*J_C_zz_max*M_P_load_z_bar_max + c8_max + STEWART_FABS(alpha_P_z_bar));
+            const stewart_real alpha_P_z_bar_err = c8_err + c9_err + J_C_zz_err*M_P_load_z_bar_max + J_C_zz_max*M_P_load_z_bar_err
+                + STEWART_UNIT*(c8_max + REAL(2)*J_C_zz_max*M_P_load_z_bar_max + STEWART_FABS(alpha_P_z_bar));
             const stewart_real alpha_P_z_bar_max = STEWART_FABS(alpha_P_z_bar) + alpha_P_z_bar_err;
             const stewart_real alpha_P_y_bar = -J_C_yy*M_P_load_y_bar - c6 - c7;
-            const stewart_real alpha_P_y_bar_err = J_C_yy_err*M_P_load_y_bar_max + J_C_yy_max*M_P_load_y_bar_err
-                + c6_err + c7_err + STEWART_UNIT*(REAL(2)*J_C_yy_max*M_P_load_y_bar_max + c6_max + STEWART_FABS(alpha_P_y_bar));
+            const stewart_real alpha_P_y_bar_err = c6_err + c7_err + J_C_yy_err*M_P_load_y_bar_max + J_C_yy_max*M_P_load_y_bar_err
+                + STEWART_UNIT*(c6_max + REAL(2)*J_C_yy_max*M_P_load_y_bar_max + STEWART_FABS(alpha_P_y_bar));
             const stewart_real alpha_P_y_bar_max = STEWART_FABS(alpha_P_y_bar) + alpha_P_y_bar_err;
             const stewart_real alpha_P_x_bar = -J_C_xx*M_P_load_x_bar - c4 - c5;
-            const stewart_real alpha_P_x_bar_err = J_C_xx_err*M_P_load_x_bar_max + J_C_xx_max*M_P_load_x_bar_err
-                + c4_err + c5_err + STEWART_UNIT*(REAL(2)*J_C_xx_max*M_P_load_x_bar_max + c4_max + STEWART_FABS(alpha_P_x_bar));
+            const stewart_real alpha_P_x_bar_err = c4_err + c5_err + J_C_xx_err*M_P_load_x_bar_max + J_C_xx_max*M_P_load_x_bar_err
+                + STEWART_UNIT*(c4_max + REAL(2)*J_C_xx_max*M_P_load_x_bar_max + STEWART_FABS(alpha_P_x_bar));
             const stewart_real alpha_P_x_bar_max = STEWART_FABS(alpha_P_x_bar) + alpha_P_x_bar_err;
             const stewart_real omega_P_z_bar = P_xz_bar*omega_P_x + P_yz_bar*omega_P_y + REAL(2)*P_zz_bar*omega_P_z;
             const stewart_real omega_P_z_bar_err = P_xz_bar_err*omega_P_x_max + P_xz_bar_max*omega_P_x_err + P_yz_bar_err*omega_P_y_max
@@ -1889,31 +1921,28 @@ static void shared_errors(
                 + STEWART_FABS(omega_P_z_bar));
             const stewart_real omega_P_z_bar_max = STEWART_FABS(omega_P_z_bar) + omega_P_z_bar_err;
             const stewart_real omega_P_y_bar = P_xy_bar*omega_P_x + REAL(2)*P_yy_bar*omega_P_y + P_yz_bar*omega_P_z;
-            const stewart_real omega_P_y_bar_err = P_xy_bar_err*omega_P_x_max + P_xy_bar_max*omega_P_x_err + REAL(2)*P_yy_bar_err*omega_P_y_max
-                + REAL(2)*P_yy_bar_max*omega_P_y_err + P_yz_bar_err*omega_P_z_max + P_yz_bar_max*omega_P_z_err
-                + STEWART_UNIT*(REAL(2)*P_xy_bar_max*omega_P_x_max + REAL(4)*P_yy_bar_max*omega_P_y_max + P_yz_bar_max*omega_P_z_max
+            const stewart_real omega_P_y_bar_err = P_xy_bar_err*omega_P_x_max + P_xy_bar_max*omega_P_x_err + P_yz_bar_err*omega_P_z_max
+                + P_yz_bar_max*omega_P_z_err + REAL(2)*P_yy_bar_err*omega_P_y_max + REAL(2)*P_yy_bar_max*omega_P_y_err
+                + STEWART_UNIT*(P_yz_bar_max*omega_P_z_max + REAL(2)*P_xy_bar_max*omega_P_x_max + REAL(4)*P_yy_bar_max*omega_P_y_max
                 + STEWART_FABS(omega_P_y_bar));
             const stewart_real omega_P_y_bar_max = STEWART_FABS(omega_P_y_bar) + omega_P_y_bar_err;
             const stewart_real omega_P_x_bar = REAL(2)*P_xx_bar*omega_P_x + P_xy_bar*omega_P_y + P_xz_bar*omega_P_z;
-            const stewart_real omega_P_x_bar_err = REAL(2)*P_xx_bar_err*omega_P_x_max + REAL(2)*P_xx_bar_max*omega_P_x_err
-                + P_xy_bar_err*omega_P_y_max + P_xy_bar_max*omega_P_y_err + P_xz_bar_err*omega_P_z_max + P_xz_bar_max*omega_P_z_err
-                + STEWART_UNIT*(REAL(4)*P_xx_bar_max*omega_P_x_max + REAL(2)*P_xy_bar_max*omega_P_y_max + P_xz_bar_max*omega_P_z_max
+            const stewart_real omega_P_x_bar_err = P_xy_bar_err*omega_P_y_max + P_xy_bar_max*omega_P_y_err + P_xz_bar_err*omega_P_z_max
+                + P_xz_bar_max*omega_P_z_err + REAL(2)*P_xx_bar_err*omega_P_x_max + REAL(2)*P_xx_bar_max*omega_P_x_err
+                + STEWART_UNIT*(P_xz_bar_max*omega_P_z_max + REAL(4)*P_xx_bar_max*omega_P_x_max + REAL(2)*P_xy_bar_max*omega_P_y_max
                 + STEWART_FABS(omega_P_x_bar));
             const stewart_real omega_P_x_bar_max = STEWART_FABS(omega_P_x_bar) + omega_P_x_bar_err;
-            const stewart_real N_z_bar = R_C_x*Y_moment_y + c_force_z_bar - R_C_y*Y_moment_x;
-            const stewart_real N_z_bar_err = R_C_x_err*Y_moment_y_max + R_C_y_err*Y_moment_x_max + c_force_z_bar_err
-                + STEWART_UNIT*(REAL(2)*R_C_x_max*Y_moment_y_max + R_C_y_max*Y_moment_x_max + c_force_z_bar_max
-                + STEWART_FABS(N_z_bar));
+            const stewart_real N_z_bar = R_C_x*Y_moment_y - R_C_y*Y_moment_x + c_force_z_bar;
+            const stewart_real N_z_bar_err = c_force_z_bar_err + R_C_x_err*Y_moment_y_max + R_C_y_err*Y_moment_x_max
+                + STEWART_UNIT*(REAL(2)*R_C_x_max*Y_moment_y_max + REAL(2)*R_C_y_max*Y_moment_x_max + STEWART_FABS(N_z_bar));
             const stewart_real N_z_bar_max = STEWART_FABS(N_z_bar) + N_z_bar_err;
-            const stewart_real N_y_bar = R_C_z*Y_moment_x + c_force_y_bar - R_C_x*Y_moment_z;
-            const stewart_real N_y_bar_err = R_C_x_err*Y_moment_z_max + R_C_z_err*Y_moment_x_max + c_force_y_bar_err
-                + STEWART_UNIT*(R_C_x_max*Y_moment_z_max + REAL(2)*R_C_z_max*Y_moment_x_max + c_force_y_bar_max
-                + STEWART_FABS(N_y_bar));
+            const stewart_real N_y_bar = R_C_z*Y_moment_x - R_C_x*Y_moment_z + c_force_y_bar;
+            const stewart_real N_y_bar_err = c_force_y_bar_err + R_C_x_err*Y_moment_z_max + R_C_z_err*Y_moment_x_max
+                + STEWART_UNIT*(REAL(2)*R_C_x_max*Y_moment_z_max + REAL(2)*R_C_z_max*Y_moment_x_max + STEWART_FABS(N_y_bar));
             const stewart_real N_y_bar_max = STEWART_FABS(N_y_bar) + N_y_bar_err;
-            const stewart_real N_x_bar = R_C_y*Y_moment_z + c_force_x_bar - R_C_z*Y_moment_y;
-            const stewart_real N_x_bar_err = R_C_y_err*Y_moment_z_max + R_C_z_err*Y_moment_y_max + c_force_x_bar_err
-                + STEWART_UNIT*(REAL(2)*R_C_y_max*Y_moment_z_max + R_C_z_max*Y_moment_y_max + c_force_x_bar_max
-                + STEWART_FABS(N_x_bar));
+            const stewart_real N_x_bar = R_C_y*Y_moment_z - R_C_z*Y_moment_y + c_force_x_bar;
+            const stewart_real N_x_bar_err = c_force_x_bar_err + R_C_y_err*Y_moment_z_max + R_C_z_err*Y_moment_y_max
+                + STEWART_UNIT*(REAL(2)*R_C_y_max*Y_moment_z_max + REAL(2)*R_C_z_max*Y_moment_y_max + STEWART_FABS(N_x_bar));
             const stewart_real N_x_bar_max = STEWART_FABS(N_x_bar) + N_x_bar_err;
             const stewart_real c10 = M_P*N_x_bar;
             const stewart_real c10_err = M_P_err*N_x_bar_max + M_P_max*N_x_bar_err + STEWART_UNIT*STEWART_FABS(c10);
@@ -1924,22 +1953,22 @@ static void shared_errors(
             const stewart_real c12 = M_P*N_z_bar;
             const stewart_real c12_err = M_P_err*N_z_bar_max + M_P_max*N_z_bar_err + STEWART_UNIT*STEWART_FABS(c12);
             const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
-            const stewart_real R_C_z_bar = N_y*Y_moment_x - B_xz*c10 - B_yz*c11 - B_zz*c12 - N_x*Y_moment_y;
+            const stewart_real R_C_z_bar = N_y*Y_moment_x - N_x*Y_moment_y - B_xz*c10 - B_yz*c11 - B_zz*c12;
             const stewart_real R_C_z_bar_err = B_xz_err*c10_max + B_xz_max*c10_err + B_yz_err*c11_max + B_yz_max*c11_err
-                + B_zz_err*c12_max + B_zz_max*c12_err + N_x_err*Y_moment_y_max + N_y_err*Y_moment_x_max + STEWART_UNIT*(REAL(4)*B_xz_max*c10_max
-                + REAL(3)*B_yz_max*c11_max + REAL(2)*B_zz_max*c12_max + N_x_max*Y_moment_y_max + REAL(4)*N_y_max*Y_moment_x_max
+                + B_zz_err*c12_max + B_zz_max*c12_err + N_x_err*Y_moment_y_max + N_y_err*Y_moment_x_max + STEWART_UNIT*(B_zz_max*c12_max
+                + REAL(3)*B_xz_max*c10_max + REAL(2)*B_yz_max*c11_max + REAL(4)*N_x_max*Y_moment_y_max + REAL(4)*N_y_max*Y_moment_x_max
                 + STEWART_FABS(R_C_z_bar));
             const stewart_real R_C_z_bar_max = STEWART_FABS(R_C_z_bar) + R_C_z_bar_err;
-            const stewart_real R_C_y_bar = N_x*Y_moment_z - B_xy*c10 - B_yy*c11 - B_zy*c12 - N_z*Y_moment_x;
+            const stewart_real R_C_y_bar = N_x*Y_moment_z - N_z*Y_moment_x - B_xy*c10 - B_yy*c11 - B_zy*c12;
             const stewart_real R_C_y_bar_err = B_xy_err*c10_max + B_xy_max*c10_err + B_yy_err*c11_max + B_yy_max*c11_err
-                + B_zy_err*c12_max + B_zy_max*c12_err + N_x_err*Y_moment_z_max + N_z_err*Y_moment_x_max + STEWART_UNIT*(REAL(4)*B_xy_max*c10_max
-                + REAL(3)*B_yy_max*c11_max + REAL(2)*B_zy_max*c12_max + REAL(4)*N_x_max*Y_moment_z_max + N_z_max*Y_moment_x_max
+                + B_zy_err*c12_max + B_zy_max*c12_err + N_x_err*Y_moment_z_max + N_z_err*Y_moment_x_max + STEWART_UNIT*(B_zy_max*c12_max
+                + REAL(3)*B_xy_max*c10_max + REAL(2)*B_yy_max*c11_max + REAL(4)*N_x_max*Y_moment_z_max + REAL(4)*N_z_max*Y_moment_x_max
                 + STEWART_FABS(R_C_y_bar));
             const stewart_real R_C_y_bar_max = STEWART_FABS(R_C_y_bar) + R_C_y_bar_err;
-            const stewart_real R_C_x_bar = N_z*Y_moment_y - B_xx*c10 - B_yx*c11 - B_zx*c12 - N_y*Y_moment_z;
+            const stewart_real R_C_x_bar = N_z*Y_moment_y - N_y*Y_moment_z - B_xx*c10 - B_yx*c11 - B_zx*c12;
             const stewart_real R_C_x_bar_err = B_xx_err*c10_max + B_xx_max*c10_err + B_yx_err*c11_max + B_yx_max*c11_err
-                + B_zx_err*c12_max + B_zx_max*c12_err + N_y_err*Y_moment_z_max + N_z_err*Y_moment_y_max + STEWART_UNIT*(REAL(4)*B_xx_max*c10_max
-                + REAL(3)*B_yx_max*c11_max + REAL(2)*B_zx_max*c12_max + N_y_max*Y_moment_z_max + REAL(4)*N_z_max*Y_moment_y_max
+                + B_zx_err*c12_max + B_zx_max*c12_err + N_y_err*Y_moment_z_max + N_z_err*Y_moment_y_max + STEWART_UNIT*(B_zx_max*c12_max
+                + REAL(3)*B_xx_max*c10_max + REAL(2)*B_yx_max*c11_max + REAL(4)*N_y_max*Y_moment_z_max + REAL(4)*N_z_max*Y_moment_y_max
                 + STEWART_FABS(R_C_x_bar));
             const stewart_real R_C_x_bar_max = STEWART_FABS(R_C_x_bar) + R_C_x_bar_err;
             const stewart_real B_zz_bar = B_legs_zz - R_C_z*c12;
@@ -1996,102 +2025,103 @@ static void shared_errors(
             const stewart_real omega_xx_bar = -B_yy_bar - B_zz_bar;
             const stewart_real omega_xx_bar_err = B_yy_bar_err + B_zz_bar_err + STEWART_UNIT*STEWART_FABS(omega_xx_bar);
             const stewart_real omega_xx_bar_max = STEWART_FABS(omega_xx_bar) + omega_xx_bar_err;
-            const stewart_real R_xx_bar = F_ext_x*c_force_x_bar + R_C_x_bar*r_C_x + R_legs_xx + alpha_P_x_bar*alpha_x
-                + omega_P_x_bar*omega_x + p_1_x*q_1_x_bar - M_P_load_x*Y_moment_x;
-            const stewart_real R_xx_bar_err = F_ext_x_max*c_force_x_bar_err + M_P_load_x_err*Y_moment_x_max
-                + R_C_x_bar_err*r_C_x_max + R_C_x_bar_max*r_C_x_err + R_legs_xx_err + alpha_P_x_bar_err*alpha_x_max
-                + omega_P_x_bar_err*omega_x_max + p_1_x_max*q_1_x_bar_err + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_x_bar_max
-                + M_P_load_x_max*Y_moment_x_max + REAL(6)*R_C_x_bar_max*r_C_x_max + REAL(4)*R_legs_xx_max + REAL(4)*alpha_P_x_bar_max*alpha_x_max
-                + REAL(3)*omega_P_x_bar_max*omega_x_max + REAL(2)*p_1_x_max*q_1_x_bar_max + STEWART_FABS(R_xx_bar));
-            const stewart_real R_xy_bar = F_ext_y*c_force_x_bar + R_C_x_bar*r_C_y + R_legs_xy + alpha_P_y_bar*alpha_x
-                + omega_P_y_bar*omega_x + p_1_y*q_1_x_bar - M_P_load_y*Y_moment_x;
-            const stewart_real R_xy_bar_err = F_ext_y_max*c_force_x_bar_err + M_P_load_y_err*Y_moment_x_max
-                + R_C_x_bar_err*r_C_y_max + R_C_x_bar_max*r_C_y_err + R_legs_xy_err + alpha_P_y_bar_err*alpha_x_max
-                + omega_P_y_bar_err*omega_x_max + p_1_y_max*q_1_x_bar_err + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_x_bar_max
-                + M_P_load_y_max*Y_moment_x_max + REAL(6)*R_C_x_bar_max*r_C_y_max + REAL(4)*R_legs_xy_max + REAL(4)*alpha_P_y_bar_max*alpha_x_max
-                + REAL(3)*omega_P_y_bar_max*omega_x_max + REAL(2)*p_1_y_max*q_1_x_bar_max + STEWART_FABS(R_xy_bar));
-            const stewart_real R_xz_bar = F_ext_z*c_force_x_bar + R_C_x_bar*r_C_z + R_legs_xz + alpha_P_z_bar*alpha_x
-                + omega_P_z_bar*omega_x + p_1_z*q_1_x_bar - M_P_load_z*Y_moment_x;
-            const stewart_real R_xz_bar_err = F_ext_z_max*c_force_x_bar_err + M_P_load_z_err*Y_moment_x_max
-                + R_C_x_bar_err*r_C_z_max + R_C_x_bar_max*r_C_z_err + R_legs_xz_err + alpha_P_z_bar_err*alpha_x_max
-                + omega_P_z_bar_err*omega_x_max + p_1_z_max*q_1_x_bar_err + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_x_bar_max
-                + M_P_load_z_max*Y_moment_x_max + REAL(6)*R_C_x_bar_max*r_C_z_max + REAL(4)*R_legs_xz_max + REAL(4)*alpha_P_z_bar_max*alpha_x_max
-                + REAL(3)*omega_P_z_bar_max*omega_x_max + REAL(2)*p_1_z_max*q_1_x_bar_max + STEWART_FABS(R_xz_bar));
-            const stewart_real R_yx_bar = F_ext_x*c_force_y_bar + R_C_y_bar*r_C_x + R_legs_yx + alpha_P_x_bar*alpha_y
-                + omega_P_x_bar*omega_y + p_1_x*q_1_y_bar - M_P_load_x*Y_moment_y;
-            const stewart_real R_yx_bar_err = F_ext_x_max*c_force_y_bar_err + M_P_load_x_err*Y_moment_y_max
-                + R_C_y_bar_err*r_C_x_max + R_C_y_bar_max*r_C_x_err + R_legs_yx_err + alpha_P_x_bar_err*alpha_y_max
-                + omega_P_x_bar_err*omega_y_max + p_1_x_max*q_1_y_bar_err + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_y_bar_max
-                + M_P_load_x_max*Y_moment_y_max + REAL(6)*R_C_y_bar_max*r_C_x_max + REAL(4)*R_legs_yx_max + REAL(4)*alpha_P_x_bar_max*alpha_y_max
-                + REAL(3)*omega_P_x_bar_max*omega_y_max + REAL(2)*p_1_x_max*q_1_y_bar_max + STEWART_FABS(R_yx_bar));
-            const stewart_real R_yy_bar = F_ext_y*c_force_y_bar + R_C_y_bar*r_C_y + R_legs_yy + alpha_P_y_bar*alpha_y
-                + omega_P_y_bar*omega_y + p_1_y*q_1_y_bar - M_P_load_y*Y_moment_y;
-            const stewart_real R_yy_bar_err = F_ext_y_max*c_force_y_bar_err + M_P_load_y_err*Y_moment_y_max
-                + R_C_y_bar_err*r_C_y_max + R_C_y_bar_max*r_C_y_err + R_legs_yy_err + alpha_P_y_bar_err*alpha_y_max
-                + omega_P_y_bar_err*omega_y_max + p_1_y_max*q_1_y_bar_err + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_y_bar_max
-                + M_P_load_y_max*Y_moment_y_max + REAL(6)*R_C_y_bar_max*r_C_y_max + REAL(4)*R_legs_yy_max + REAL(4)*alpha_P_y_bar_max*alpha_y_max
-                + REAL(3)*omega_P_y_bar_max*omega_y_max + REAL(2)*p_1_y_max*q_1_y_bar_max + STEWART_FABS(R_yy_bar));
-            const stewart_real R_yz_bar = F_ext_z*c_force_y_bar + R_C_y_bar*r_C_z + R_legs_yz + alpha_P_z_bar*alpha_y
-                + omega_P_z_bar*omega_y + p_1_z*q_1_y_bar - M_P_load_z*Y_moment_y;
-            const stewart_real R_yz_bar_err = F_ext_z_max*c_force_y_bar_err + M_P_load_z_err*Y_moment_y_max
-                + R_C_y_bar_err*r_C_z_max + R_C_y_bar_max*r_C_z_err + R_legs_yz_err + alpha_P_z_bar_err*alpha_y_max
-                + omega_P_z_bar_err*omega_y_max + p_1_z_max*q_1_y_bar_err + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_y_bar_max
-                + M_P_load_z_max*Y_moment_y_max + REAL(6)*R_C_y_bar_max*r_C_z_max + REAL(4)*R_legs_yz_max + REAL(4)*alpha_P_z_bar_max*alpha_y_max
-                + REAL(3)*omega_P_z_bar_max*omega_y_max + REAL(2)*p_1_z_max*q_1_y_bar_max + STEWART_FABS(R_yz_bar));
-            const stewart_real R_zx_bar = F_ext_x*c_force_z_bar + R_C_z_bar*r_C_x + R_legs_zx + alpha_P_x_bar*alpha_z
-                + omega_P_x_bar*omega_z + p_1_x*q_1_z_bar - M_P_load_x*Y_moment_z;
-            const stewart_real R_zx_bar_err = F_ext_x_max*c_force_z_bar_err + M_P_load_x_err*Y_moment_z_max
-                + R_C_z_bar_err*r_C_x_max + R_C_z_bar_max*r_C_x_err + R_legs_zx_err + alpha_P_x_bar_err*alpha_z_max
-                + omega_P_x_bar_err*omega_z_max + p_1_x_max*q_1_z_bar_err + STEWART_UNIT*(REAL(6)*F_ext_x_max*c_force_z_bar_max
-                + M_P_load_x_max*Y_moment_z_max + REAL(6)*R_C_z_bar_max*r_C_x_max + REAL(4)*R_legs_zx_max + REAL(4)*alpha_P_x_bar_max*alpha_z_max
-                + REAL(3)*omega_P_x_bar_max*omega_z_max + REAL(2)*p_1_x_max*q_1_z_bar_max + STEWART_FABS(R_zx_bar));
-            const stewart_real R_zy_bar = F_ext_y*c_force_z_bar + R_C_z_bar*r_C_y + R_legs_zy + alpha_P_y_bar*alpha_z
-                + omega_P_y_bar*omega_z + p_1_y*q_1_z_bar - M_P_load_y*Y_moment_z;
-            const stewart_real R_zy_bar_err = F_ext_y_max*c_force_z_bar_err + M_P_load_y_err*Y_moment_z_max
-                + R_C_z_bar_err*r_C_y_max + R_C_z_bar_max*r_C_y_err + R_legs_zy_err + alpha_P_y_bar_err*alpha_z_max
-                + omega_P_y_bar_err*omega_z_max + p_1_y_max*q_1_z_bar_err + STEWART_UNIT*(REAL(6)*F_ext_y_max*c_force_z_bar_max
-                + M_P_load_y_max*Y_moment_z_max + REAL(6)*R_C_z_bar_max*r_C_y_max + REAL(4)*R_legs_zy_max + REAL(4)*alpha_P_y_bar_max*alpha_z_max
-                + REAL(3)*omega_P_y_bar_max*omega_z_max + REAL(2)*p_1_y_max*q_1_z_bar_max + STEWART_FABS(R_zy_bar));
-            const stewart_real R_zz_bar = F_ext_z*c_force_z_bar + R_C_z_bar*r_C_z + R_legs_zz + alpha_P_z_bar*alpha_z
-                + omega_P_z_bar*omega_z + p_1_z*q_1_z_bar - M_P_load_z*Y_moment_z;
-            const stewart_real R_zz_bar_err = F_ext_z_max*c_force_z_bar_err + M_P_load_z_err*Y_moment_z_max
-                + R_C_z_bar_err*r_C_z_max + R_C_z_bar_max*r_C_z_err + R_legs_zz_err + alpha_P_z_bar_err*alpha_z_max
-                + omega_P_z_bar_err*omega_z_max + p_1_z_max*q_1_z_bar_err + STEWART_UNIT*(REAL(6)*F_ext_z_max*c_force_z_bar_max
-                + M_P_load_z_max*Y_moment_z_max + REAL(6)*R_C_z_bar_max*r_C_z_max + REAL(4)*R_legs_zz_max + REAL(4)*alpha_P_z_bar_max*alpha_z_max
-                + REAL(3)*omega_P_z_bar_max*omega_z_max + REAL(2)*p_1_z_max*q_1_z_bar_max + STEWART_FABS(R_zz_bar));
-            const stewart_real M_P_bar = N_x_bar*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x) + N_y_bar*(g_y
-                - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y) + N_z_bar*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z
-                - a_z);
+            const stewart_real R_xx_bar = R_legs_xx - M_P_load_x*Y_moment_x + p_1_x*q_1_x_bar + F_ext_x*c_force_x_bar
+                + alpha_P_x_bar*alpha_x + R_C_x_bar*r_C_x + omega_P_x_bar*omega_x;
+            const stewart_real R_xx_bar_err = R_legs_xx_err + F_ext_x_max*c_force_x_bar_err + M_P_load_x_err*Y_moment_x_max
+                + R_C_x_bar_err*r_C_x_max + R_C_x_bar_max*r_C_x_err + alpha_P_x_bar_err*alpha_x_max + omega_P_x_bar_err*omega_x_max
+                + p_1_x_max*q_1_x_bar_err + STEWART_UNIT*(REAL(5)*R_legs_xx_max + omega_P_x_bar_max*omega_x_max
+                + REAL(4)*F_ext_x_max*c_force_x_bar_max + REAL(6)*M_P_load_x_max*Y_moment_x_max + REAL(2)*R_C_x_bar_max*r_C_x_max
+                + REAL(3)*alpha_P_x_bar_max*alpha_x_max + REAL(5)*p_1_x_max*q_1_x_bar_max + STEWART_FABS(R_xx_bar));
+            const stewart_real R_xy_bar = R_legs_xy - M_P_load_y*Y_moment_x + p_1_y*q_1_x_bar + F_ext_y*c_force_x_bar
+                + alpha_P_y_bar*alpha_x + R_C_x_bar*r_C_y + omega_P_y_bar*omega_x;
+            const stewart_real R_xy_bar_err = R_legs_xy_err + F_ext_y_max*c_force_x_bar_err + M_P_load_y_err*Y_moment_x_max
+                + R_C_x_bar_err*r_C_y_max + R_C_x_bar_max*r_C_y_err + alpha_P_y_bar_err*alpha_x_max + omega_P_y_bar_err*omega_x_max
+                + p_1_y_max*q_1_x_bar_err + STEWART_UNIT*(REAL(5)*R_legs_xy_max + omega_P_y_bar_max*omega_x_max
+                + REAL(4)*F_ext_y_max*c_force_x_bar_max + REAL(6)*M_P_load_y_max*Y_moment_x_max + REAL(2)*R_C_x_bar_max*r_C_y_max
+                + REAL(3)*alpha_P_y_bar_max*alpha_x_max + REAL(5)*p_1_y_max*q_1_x_bar_max + STEWART_FABS(R_xy_bar));
+            const stewart_real R_xz_bar = R_legs_xz - M_P_load_z*Y_moment_x + p_1_z*q_1_x_bar + F_ext_z*c_force_x_bar
+                + alpha_P_z_bar*alpha_x + R_C_x_bar*r_C_z + omega_P_z_bar*omega_x;
+            const stewart_real R_xz_bar_err = R_legs_xz_err + F_ext_z_max*c_force_x_bar_err + M_P_load_z_err*Y_moment_x_max
+                + R_C_x_bar_err*r_C_z_max + R_C_x_bar_max*r_C_z_err + alpha_P_z_bar_err*alpha_x_max + omega_P_z_bar_err*omega_x_max
+                + p_1_z_max*q_1_x_bar_err + STEWART_UNIT*(REAL(5)*R_legs_xz_max + omega_P_z_bar_max*omega_x_max
+                + REAL(4)*F_ext_z_max*c_force_x_bar_max + REAL(6)*M_P_load_z_max*Y_moment_x_max + REAL(2)*R_C_x_bar_max*r_C_z_max
+                + REAL(3)*alpha_P_z_bar_max*alpha_x_max + REAL(5)*p_1_z_max*q_1_x_bar_max + STEWART_FABS(R_xz_bar));
+            const stewart_real R_yx_bar = R_legs_yx - M_P_load_x*Y_moment_y + p_1_x*q_1_y_bar + F_ext_x*c_force_y_bar
+                + alpha_P_x_bar*alpha_y + R_C_y_bar*r_C_x + omega_P_x_bar*omega_y;
+            const stewart_real R_yx_bar_err = R_legs_yx_err + F_ext_x_max*c_force_y_bar_err + M_P_load_x_err*Y_moment_y_max
+                + R_C_y_bar_err*r_C_x_max + R_C_y_bar_max*r_C_x_err + alpha_P_x_bar_err*alpha_y_max + omega_P_x_bar_err*omega_y_max
+                + p_1_x_max*q_1_y_bar_err + STEWART_UNIT*(REAL(5)*R_legs_yx_max + omega_P_x_bar_max*omega_y_max
+                + REAL(4)*F_ext_x_max*c_force_y_bar_max + REAL(6)*M_P_load_x_max*Y_moment_y_max + REAL(2)*R_C_y_bar_max*r_C_x_max
+                + REAL(3)*alpha_P_x_bar_max*alpha_y_max + REAL(5)*p_1_x_max*q_1_y_bar_max + STEWART_FABS(R_yx_bar));
+            const stewart_real R_yy_bar = R_legs_yy - M_P_load_y*Y_moment_y + p_1_y*q_1_y_bar + F_ext_y*c_force_y_bar
+                + alpha_P_y_bar*alpha_y + R_C_y_bar*r_C_y + omega_P_y_bar*omega_y;
+            const stewart_real R_yy_bar_err = R_legs_yy_err + F_ext_y_max*c_force_y_bar_err + M_P_load_y_err*Y_moment_y_max
+                + R_C_y_bar_err*r_C_y_max + R_C_y_bar_max*r_C_y_err + alpha_P_y_bar_err*alpha_y_max + omega_P_y_bar_err*omega_y_max
+                + p_1_y_max*q_1_y_bar_err + STEWART_UNIT*(REAL(5)*R_legs_yy_max + omega_P_y_bar_max*omega_y_max
+                + REAL(4)*F_ext_y_max*c_force_y_bar_max + REAL(6)*M_P_load_y_max*Y_moment_y_max + REAL(2)*R_C_y_bar_max*r_C_y_max
+                + REAL(3)*alpha_P_y_bar_max*alpha_y_max + REAL(5)*p_1_y_max*q_1_y_bar_max + STEWART_FABS(R_yy_bar));
+            const stewart_real R_yz_bar = R_legs_yz - M_P_load_z*Y_moment_y + p_1_z*q_1_y_bar + F_ext_z*c_force_y_bar
+                + alpha_P_z_bar*alpha_y + R_C_y_bar*r_C_z + omega_P_z_bar*omega_y;
+            const stewart_real R_yz_bar_err = R_legs_yz_err + F_ext_z_max*c_force_y_bar_err + M_P_load_z_err*Y_moment_y_max
+                + R_C_y_bar_err*r_C_z_max + R_C_y_bar_max*r_C_z_err + alpha_P_z_bar_err*alpha_y_max + omega_P_z_bar_err*omega_y_max
+                + p_1_z_max*q_1_y_bar_err + STEWART_UNIT*(REAL(5)*R_legs_yz_max + omega_P_z_bar_max*omega_y_max
+                + REAL(4)*F_ext_z_max*c_force_y_bar_max + REAL(6)*M_P_load_z_max*Y_moment_y_max + REAL(2)*R_C_y_bar_max*r_C_z_max
+                + REAL(3)*alpha_P_z_bar_max*alpha_y_max + REAL(5)*p_1_z_max*q_1_y_bar_max + STEWART_FABS(R_yz_bar));
+            const stewart_real R_zx_bar = R_legs_zx - M_P_load_x*Y_moment_z + p_1_x*q_1_z_bar + F_ext_x*c_force_z_bar
+                + alpha_P_x_bar*alpha_z + R_C_z_bar*r_C_x + omega_P_x_bar*omega_z;
+            const stewart_real R_zx_bar_err = R_legs_zx_err + F_ext_x_max*c_force_z_bar_err + M_P_load_x_err*Y_moment_z_max
+                + R_C_z_bar_err*r_C_x_max + R_C_z_bar_max*r_C_x_err + alpha_P_x_bar_err*alpha_z_max + omega_P_x_bar_err*omega_z_max
+                + p_1_x_max*q_1_z_bar_err + STEWART_UNIT*(REAL(5)*R_legs_zx_max + omega_P_x_bar_max*omega_z_max
+                + REAL(4)*F_ext_x_max*c_force_z_bar_max + REAL(6)*M_P_load_x_max*Y_moment_z_max + REAL(2)*R_C_z_bar_max*r_C_x_max
+                + REAL(3)*alpha_P_x_bar_max*alpha_z_max + REAL(5)*p_1_x_max*q_1_z_bar_max + STEWART_FABS(R_zx_bar));
+            const stewart_real R_zy_bar = R_legs_zy - M_P_load_y*Y_moment_z + p_1_y*q_1_z_bar + F_ext_y*c_force_z_bar
+                + alpha_P_y_bar*alpha_z + R_C_z_bar*r_C_y + omega_P_y_bar*omega_z;
+            const stewart_real R_zy_bar_err = R_legs_zy_err + F_ext_y_max*c_force_z_bar_err + M_P_load_y_err*Y_moment_z_max
+                + R_C_z_bar_err*r_C_y_max + R_C_z_bar_max*r_C_y_err + alpha_P_y_bar_err*alpha_z_max + omega_P_y_bar_err*omega_z_max
+                + p_1_y_max*q_1_z_bar_err + STEWART_UNIT*(REAL(5)*R_legs_zy_max + omega_P_y_bar_max*omega_z_max
+                + REAL(4)*F_ext_y_max*c_force_z_bar_max + REAL(6)*M_P_load_y_max*Y_moment_z_max + REAL(2)*R_C_z_bar_max*r_C_y_max
+                + REAL(3)*alpha_P_y_bar_max*alpha_z_max + REAL(5)*p_1_y_max*q_1_z_bar_max + STEWART_FABS(R_zy_bar));
+            const stewart_real R_zz_bar = R_legs_zz - M_P_load_z*Y_moment_z + p_1_z*q_1_z_bar + F_ext_z*c_force_z_bar
+                + alpha_P_z_bar*alpha_z + R_C_z_bar*r_C_z + omega_P_z_bar*omega_z;
+            const stewart_real R_zz_bar_err = R_legs_zz_err + F_ext_z_max*c_force_z_bar_err + M_P_load_z_err*Y_moment_z_max
+                + R_C_z_bar_err*r_C_z_max + R_C_z_bar_max*r_C_z_err + alpha_P_z_bar_err*alpha_z_max + omega_P_z_bar_err*omega_z_max
+                + p_1_z_max*q_1_z_bar_err + STEWART_UNIT*(REAL(5)*R_legs_zz_max + omega_P_z_bar_max*omega_z_max
+                + REAL(4)*F_ext_z_max*c_force_z_bar_max + REAL(6)*M_P_load_z_max*Y_moment_z_max + REAL(2)*R_C_z_bar_max*r_C_z_max
+                + REAL(3)*alpha_P_z_bar_max*alpha_z_max + REAL(5)*p_1_z_max*q_1_z_bar_max + STEWART_FABS(R_zz_bar));
+            const stewart_real M_P_bar = N_x_bar*(g_x - a_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z) + N_y_bar*(g_y
+                - a_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z) + N_z_bar*(g_z - a_z - B_zx*R_C_x - B_zy*R_C_y
+                - B_zz*R_C_z);
             const stewart_real M_P_bar_err = B_xx_err*N_x_bar_max*R_C_x_max + B_xy_err*N_x_bar_max*R_C_y_max
                 + B_xz_err*N_x_bar_max*R_C_z_max + B_yx_err*N_y_bar_max*R_C_x_max + B_yy_err*N_y_bar_max*R_C_y_max
                 + B_yz_err*N_y_bar_max*R_C_z_max + B_zx_err*N_z_bar_max*R_C_x_max + B_zy_err*N_z_bar_max*R_C_y_max
-                + B_zz_err*N_z_bar_max*R_C_z_max + N_x_bar_err*(B_xx_max*R_C_x_max + B_xy_max*R_C_y_max + B_xz_max*R_C_z_max
-                + a_x_max + g_x_max) + N_y_bar_err*(B_yx_max*R_C_x_max + B_yy_max*R_C_y_max + B_yz_max*R_C_z_max
-                + a_y_max + g_y_max) + N_z_bar_err*(B_zx_max*R_C_x_max + B_zy_max*R_C_y_max + B_zz_max*R_C_z_max
-                + a_z_max + g_z_max) + R_C_x_err*(B_xx_max*N_x_bar_max + B_yx_max*N_y_bar_max + B_zx_max*N_z_bar_max)
+                + B_zz_err*N_z_bar_max*R_C_z_max + R_C_x_err*(B_xx_max*N_x_bar_max + B_yx_max*N_y_bar_max + B_zx_max*N_z_bar_max)
                 + R_C_y_err*(B_xy_max*N_x_bar_max + B_yy_max*N_y_bar_max + B_zy_max*N_z_bar_max) + R_C_z_err*(B_xz_max*N_x_bar_max
-                + B_yz_max*N_y_bar_max + B_zz_max*N_z_bar_max) + STEWART_UNIT*(REAL(2)*N_x_bar_max*(B_xx_max*R_C_x_max
-                + B_xy_max*R_C_y_max + B_xz_max*R_C_z_max + a_x_max + g_x_max) + N_x_bar_max*(REAL(5)*B_xx_max*R_C_x_max
-                + REAL(4)*B_xy_max*R_C_y_max + REAL(3)*B_xz_max*R_C_z_max + a_x_max + REAL(4)*g_x_max) + REAL(2)*N_y_bar_max*(B_yx_max*R_C_x_max
-                + B_yy_max*R_C_y_max + B_yz_max*R_C_z_max + a_y_max + g_y_max) + N_y_bar_max*(REAL(5)*B_yx_max*R_C_x_max
-                + REAL(4)*B_yy_max*R_C_y_max + REAL(3)*B_yz_max*R_C_z_max + a_y_max + REAL(4)*g_y_max) + N_z_bar_max*(B_zx_max*R_C_x_max
-                + B_zy_max*R_C_y_max + B_zz_max*R_C_z_max + a_z_max + g_z_max) + N_z_bar_max*(REAL(5)*B_zx_max*R_C_x_max
-                + REAL(4)*B_zy_max*R_C_y_max + REAL(3)*B_zz_max*R_C_z_max + a_z_max + REAL(4)*g_z_max) + STEWART_FABS(M_P_bar));
+                + B_yz_max*N_y_bar_max + B_zz_max*N_z_bar_max) + N_x_bar_err*(a_x_max + g_x_max + B_xx_max*R_C_x_max
+                + B_xy_max*R_C_y_max + B_xz_max*R_C_z_max) + N_y_bar_err*(a_y_max + g_y_max + B_yx_max*R_C_x_max
+                + B_yy_max*R_C_y_max + B_yz_max*R_C_z_max) + N_z_bar_err*(a_z_max + g_z_max + B_zx_max*R_C_x_max
+                + B_zy_max*R_C_y_max + B_zz_max*R_C_z_max) + STEWART_UNIT*(N_z_bar_max*(a_z_max + g_z_max + B_zx_max*R_C_x_max
+                + B_zy_max*R_C_y_max + B_zz_max*R_C_z_max) + REAL(2)*N_x_bar_max*(a_x_max + g_x_max + B_xx_max*R_C_x_max
+                + B_xy_max*R_C_y_max + B_xz_max*R_C_z_max) + N_x_bar_max*(REAL(4)*a_x_max + REAL(4)*g_x_max
+                + REAL(4)*B_xx_max*R_C_x_max + REAL(3)*B_xy_max*R_C_y_max + REAL(2)*B_xz_max*R_C_z_max) + REAL(2)*N_y_bar_max*(a_y_max
+                + g_y_max + B_yx_max*R_C_x_max + B_yy_max*R_C_y_max + B_yz_max*R_C_z_max) + N_y_bar_max*(REAL(4)*a_y_max
+                + REAL(4)*g_y_max + REAL(4)*B_yx_max*R_C_x_max + REAL(3)*B_yy_max*R_C_y_max + REAL(2)*B_yz_max*R_C_z_max)
+                + N_z_bar_max*(REAL(4)*a_z_max + REAL(4)*g_z_max + REAL(4)*B_zx_max*R_C_x_max + REAL(3)*B_zy_max*R_C_y_max
+                + REAL(2)*B_zz_max*R_C_z_max) + STEWART_FABS(M_P_bar));
             const stewart_real M_P_bar_max = STEWART_FABS(M_P_bar) + M_P_bar_err;
             const stewart_real r_C_x_bar = R_C_x_bar*R_xx + R_C_y_bar*R_yx + R_C_z_bar*R_zx;
             const stewart_real r_C_x_bar_err = R_C_x_bar_err*R_xx_max + R_C_y_bar_err*R_yx_max + R_C_z_bar_err*R_zx_max
-                + R_err*(R_C_x_bar_max + R_C_y_bar_max + R_C_z_bar_max) + STEWART_UNIT*(REAL(2)*R_C_x_bar_max*R_xx_max
-                + REAL(2)*R_C_y_bar_max*R_yx_max + R_C_z_bar_max*R_zx_max + STEWART_FABS(r_C_x_bar));
+                + R_err*(R_C_x_bar_max + R_C_y_bar_max + R_C_z_bar_max) + STEWART_UNIT*(R_C_z_bar_max*R_zx_max
+                + REAL(2)*R_C_x_bar_max*R_xx_max + REAL(2)*R_C_y_bar_max*R_yx_max + STEWART_FABS(r_C_x_bar));
             const stewart_real r_C_x_bar_max = STEWART_FABS(r_C_x_bar) + r_C_x_bar_err;
             const stewart_real r_C_y_bar = R_C_x_bar*R_xy + R_C_y_bar*R_yy + R_C_z_bar*R_zy;
             const stewart_real r_C_y_bar_err = R_C_x_bar_err*R_xy_max + R_C_y_bar_err*R_yy_max + R_C_z_bar_err*R_zy_max
-                + R_err*(R_C_x_bar_max + R_C_y_bar_max + R_C_z_bar_max) + STEWART_UNIT*(REAL(2)*R_C_x_bar_max*R_xy_max
-                + REAL(2)*R_C_y_bar_max*R_yy_max + R_C_z_bar_max*R_zy_max + STEWART_FABS(r_C_y_bar));
+                + R_err*(R_C_x_bar_max + R_C_y_bar_max + R_C_z_bar_max) + STEWART_UNIT*(R_C_z_bar_max*R_zy_max
+                + REAL(2)*R_C_x_bar_max*R_xy_max + REAL(2)*R_C_y_bar_max*R_yy_max + STEWART_FABS(r_C_y_bar));
             const stewart_real r_C_y_bar_max = STEWART_FABS(r_C_y_bar) + r_C_y_bar_err;
             const stewart_real r_C_z_bar = R_C_x_bar*R_xz + R_C_y_bar*R_yz + R_C_z_bar*R_zz;
             const stewart_real r_C_z_bar_err = R_C_x_bar_err*R_xz_max + R_C_y_bar_err*R_yz_max + R_C_z_bar_err*R_zz_max
-                + R_err*(R_C_x_bar_max + R_C_y_bar_max + R_C_z_bar_max) + STEWART_UNIT*(REAL(2)*R_C_x_bar_max*R_xz_max
-                + REAL(2)*R_C_y_bar_max*R_yz_max + R_C_z_bar_max*R_zz_max + STEWART_FABS(r_C_z_bar));
+                + R_err*(R_C_x_bar_max + R_C_y_bar_max + R_C_z_bar_max) + STEWART_UNIT*(R_C_z_bar_max*R_zz_max
+                + REAL(2)*R_C_x_bar_max*R_xz_max + REAL(2)*R_C_y_bar_max*R_yz_max + STEWART_FABS(r_C_z_bar));
             const stewart_real r_C_z_bar_max = STEWART_FABS(r_C_z_bar) + r_C_z_bar_err;
             const stewart_real J_C_xx_bar = -M_P_load_x_bar*alpha_P_x;
             const stewart_real J_C_xx_bar_err = M_P_load_x_bar_err*alpha_P_x_max + M_P_load_x_bar_max*alpha_P_x_err
@@ -2099,21 +2129,20 @@ static void shared_errors(
             const stewart_real J_C_xx_bar_max = STEWART_FABS(J_C_xx_bar) + J_C_xx_bar_err;
             const stewart_real J_C_xy_bar = M_P_load_x_bar*(P_xz - alpha_P_y) + M_P_load_y_bar*(-P_yz - alpha_P_x)
                 + M_P_load_z_bar*(P_yy - P_xx);
-            const stewart_real J_C_xy_bar_err = M_P_load_x_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_x_bar_max*P_xz_err
-                + M_P_load_x_bar_max*alpha_P_y_err + M_P_load_y_bar_err*(P_yz_max + alpha_P_x_max) + M_P_load_y_bar_max*P_yz_err
-                + M_P_load_y_bar_max*alpha_P_x_err + M_P_load_z_bar_err*(P_xx_max + P_yy_max) + M_P_load_z_bar_max*P_xx_err
-                + M_P_load_z_bar_max*P_yy_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xz_max + alpha_P_y_max)
-                + REAL(3)*M_P_load_y_bar_max*(P_yz_max + alpha_P_x_max) + REAL(2)*M_P_load_z_bar_max*(P_xx_max
+            const stewart_real J_C_xy_bar_err = M_P_load_x_bar_max*P_xz_err + M_P_load_x_bar_max*alpha_P_y_err
+                + M_P_load_y_bar_max*P_yz_err + M_P_load_y_bar_max*alpha_P_x_err + M_P_load_z_bar_max*P_xx_err
+                + M_P_load_z_bar_max*P_yy_err + M_P_load_x_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_y_bar_err*(P_yz_max
+                + alpha_P_x_max) + M_P_load_z_bar_err*(P_xx_max + P_yy_max) + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xz_max
+                + alpha_P_y_max) + REAL(3)*M_P_load_y_bar_max*(P_yz_max + alpha_P_x_max) + REAL(2)*M_P_load_z_bar_max*(P_xx_max
                 + P_yy_max) + STEWART_FABS(J_C_xy_bar));
             const stewart_real J_C_xy_bar_max = STEWART_FABS(J_C_xy_bar) + J_C_xy_bar_err;
             const stewart_real J_C_xz_bar = M_P_load_x_bar*(-P_xy - alpha_P_z) + M_P_load_y_bar*(P_xx - P_zz)
                 + M_P_load_z_bar*(P_yz - alpha_P_x);
-            const stewart_real J_C_xz_bar_err = M_P_load_x_bar_err*(P_xy_max + alpha_P_z_max) + M_P_load_x_bar_max*P_xy_err
-                + M_P_load_x_bar_max*alpha_P_z_err + M_P_load_y_bar_err*(P_xx_max + P_zz_max) + M_P_load_y_bar_max*P_xx_err
-                + M_P_load_y_bar_max*P_zz_err + M_P_load_z_bar_err*(P_yz_max + alpha_P_x_max) + M_P_load_z_bar_max*P_yz_err
-                + M_P_load_z_bar_max*alpha_P_x_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xy_max + alpha_P_z_max)
-                + REAL(3)*M_P_load_y_bar_max*(P_xx_max + P_zz_max) + REAL(2)*M_P_load_z_bar_max*(P_yz_max + alpha_P_x_max)
-                + STEWART_FABS(J_C_xz_bar));
+            const stewart_real J_C_xz_bar_err = M_P_load_x_bar_max*P_xy_err + M_P_load_x_bar_max*alpha_P_z_err
+                + M_P_load_y_bar_max*P_xx_err + M_P_load_y_bar_max*P_zz_err + M_P_load_z_bar_max*P_yz_err + M_P_load_z_bar_max*alpha_P_x_err
+                + M_P_load_x_bar_err*(P_xy_max + alpha_P_z_max) + M_P_load_y_bar_err*(P_xx_max + P_zz_max) + M_P_load_z_bar_err*(P_yz_max
+                + alpha_P_x_max) + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_xy_max + alpha_P_z_max) + REAL(3)*M_P_load_y_bar_max*(P_xx_max
+                + P_zz_max) + REAL(2)*M_P_load_z_bar_max*(P_yz_max + alpha_P_x_max) + STEWART_FABS(J_C_xz_bar));
             const stewart_real J_C_xz_bar_max = STEWART_FABS(J_C_xz_bar) + J_C_xz_bar_err;
             const stewart_real J_C_yy_bar = -M_P_load_y_bar*alpha_P_y;
             const stewart_real J_C_yy_bar_err = M_P_load_y_bar_err*alpha_P_y_max + M_P_load_y_bar_max*alpha_P_y_err
@@ -2121,12 +2150,11 @@ static void shared_errors(
             const stewart_real J_C_yy_bar_max = STEWART_FABS(J_C_yy_bar) + J_C_yy_bar_err;
             const stewart_real J_C_yz_bar = M_P_load_x_bar*(P_zz - P_yy) + M_P_load_y_bar*(P_xy - alpha_P_z)
                 + M_P_load_z_bar*(-P_xz - alpha_P_y);
-            const stewart_real J_C_yz_bar_err = M_P_load_x_bar_err*(P_yy_max + P_zz_max) + M_P_load_x_bar_max*P_yy_err
-                + M_P_load_x_bar_max*P_zz_err + M_P_load_y_bar_err*(P_xy_max + alpha_P_z_max) + M_P_load_y_bar_max*P_xy_err
-                + M_P_load_y_bar_max*alpha_P_z_err + M_P_load_z_bar_err*(P_xz_max + alpha_P_y_max) + M_P_load_z_bar_max*P_xz_err
-                + M_P_load_z_bar_max*alpha_P_y_err + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_yy_max + P_zz_max)
-                + REAL(3)*M_P_load_y_bar_max*(P_xy_max + alpha_P_z_max) + REAL(2)*M_P_load_z_bar_max*(P_xz_max
-                + alpha_P_y_max) + STEWART_FABS(J_C_yz_bar));
+            const stewart_real J_C_yz_bar_err = M_P_load_x_bar_max*P_yy_err + M_P_load_x_bar_max*P_zz_err + M_P_load_y_bar_max*P_xy_err
+                + M_P_load_y_bar_max*alpha_P_z_err + M_P_load_z_bar_max*P_xz_err + M_P_load_z_bar_max*alpha_P_y_err
+                + M_P_load_x_bar_err*(P_yy_max + P_zz_max) + M_P_load_y_bar_err*(P_xy_max + alpha_P_z_max) + M_P_load_z_bar_err*(P_xz_max
+                + alpha_P_y_max) + STEWART_UNIT*(REAL(3)*M_P_load_x_bar_max*(P_yy_max + P_zz_max) + REAL(3)*M_P_load_y_bar_max*(P_xy_max
+                + alpha_P_z_max) + REAL(2)*M_P_load_z_bar_max*(P_xz_max + alpha_P_y_max) + STEWART_FABS(J_C_yz_bar));
             const stewart_real J_C_yz_bar_max = STEWART_FABS(J_C_yz_bar) + J_C_yz_bar_err;
             const stewart_real J_C_zz_bar = -M_P_load_z_bar*alpha_P_z;
             const stewart_real J_C_zz_bar_err = M_P_load_z_bar_err*alpha_P_z_max + M_P_load_z_bar_max*alpha_P_z_err
@@ -2142,8 +2170,8 @@ static void shared_errors(
             const stewart_real dJ_C_z_bar_err = M_P_load_z_bar_err*P_xy_max + M_P_load_z_bar_max*P_xy_err + STEWART_UNIT*STEWART_FABS(dJ_C_z_bar);
             const stewart_real dJ_C_z_bar_max = STEWART_FABS(dJ_C_z_bar) + dJ_C_z_bar_err;
             const stewart_real C_P_bar = Y_moment_x*omega_x + Y_moment_y*omega_y + Y_moment_z*omega_z;
-            const stewart_real C_P_bar_err = STEWART_UNIT*(REAL(2)*Y_moment_x_max*omega_x_max + REAL(2)*Y_moment_y_max*omega_y_max
-                + Y_moment_z_max*omega_z_max + STEWART_FABS(C_P_bar));
+            const stewart_real C_P_bar_err = STEWART_UNIT*(Y_moment_z_max*omega_z_max + REAL(2)*Y_moment_x_max*omega_x_max
+                + REAL(2)*Y_moment_y_max*omega_y_max + STEWART_FABS(C_P_bar));
             const stewart_real C_P_bar_max = STEWART_FABS(C_P_bar) + C_P_bar_err;
             error[i] = error[i] + M_P_bar_max*M_P_err + r_C_x_bar_max*r_C_x_err + r_C_y_bar_max*r_C_y_err + r_C_z_bar_max*r_C_z_err
                 + J_C_xx_bar_max*J_C_xx_err + J_C_xy_bar_max*J_C_xy_err + J_C_xz_bar_max*J_C_xz_err + J_C_yy_bar_max*J_C_yy_err
@@ -2274,6 +2302,9 @@ static void leg_errors(
     const stewart_real v_x_max = STEWART_FABS(v_x);
     const stewart_real v_y_max = STEWART_FABS(v_y);
     const stewart_real v_z_max = STEWART_FABS(v_z);
+    const stewart_real a_x_max = STEWART_FABS(a_x);
+    const stewart_real a_y_max = STEWART_FABS(a_y);
+    const stewart_real a_z_max = STEWART_FABS(a_z);
     const stewart_real B_xx_max = STEWART_FABS(B_xx) + B_xx_err;
     const stewart_real B_xy_max = STEWART_FABS(B_xy) + B_xy_err;
     const stewart_real B_xz_max = STEWART_FABS(B_xz) + B_xz_err;
@@ -2288,17 +2319,17 @@ static void leg_errors(
     const stewart_real g_z_max = STEWART_FABS(g_z);
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max + R_xz_max*p_z_max
+    const stewart_real q_x_own = STEWART_UNIT*(R_xz_max*p_z_max + REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max
         + STEWART_FABS(q_x));
     const stewart_real q_x_err = R_err*(p_x_max + p_y_max + p_z_max) + q_x_own;
     const stewart_real q_x_max = STEWART_FABS(q_x) + q_x_err;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max + R_yz_max*p_z_max
+    const stewart_real q_y_own = STEWART_UNIT*(R_yz_max*p_z_max + REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max
         + STEWART_FABS(q_y));
     const stewart_real q_y_err = R_err*(p_x_max + p_y_max + p_z_max) + q_y_own;
     const stewart_real q_y_max = STEWART_FABS(q_y) + q_y_err;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-    const stewart_real q_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max + R_zz_max*p_z_max
+    const stewart_real q_z_own = STEWART_UNIT*(R_zz_max*p_z_max + REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max
         + STEWART_FABS(q_z));
     const stewart_real q_z_err = R_err*(p_x_max + p_y_max + p_z_max) + q_z_own;
     const stewart_real q_z_max = STEWART_FABS(q_z) + q_z_err;
@@ -2313,21 +2344,21 @@ static void leg_errors(
     const stewart_real t_b_z_own = STEWART_UNIT*STEWART_FABS(t_b_z);
     const stewart_real t_b_z_err = t_b_z_own;
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_b_x;
+    const stewart_real S_x = t_b_x + q_x;
     const stewart_real S_x_own = STEWART_UNIT*STEWART_FABS(S_x);
     const stewart_real S_x_err = q_x_err + t_b_x_err + S_x_own;
     const stewart_real S_x_max = STEWART_FABS(S_x) + S_x_err;
-    const stewart_real S_y = q_y + t_b_y;
+    const stewart_real S_y = t_b_y + q_y;
     const stewart_real S_y_own = STEWART_UNIT*STEWART_FABS(S_y);
     const stewart_real S_y_err = q_y_err + t_b_y_err + S_y_own;
     const stewart_real S_y_max = STEWART_FABS(S_y) + S_y_err;
-    const stewart_real S_z = q_z + t_b_z;
+    const stewart_real S_z = t_b_z + q_z;
     const stewart_real S_z_own = STEWART_UNIT*STEWART_FABS(S_z);
     const stewart_real S_z_err = q_z_err + t_b_z_err + S_z_own;
     const stewart_real S_z_max = STEWART_FABS(S_z) + S_z_err;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-    const stewart_real zeta_own = STEWART_UNIT*(REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max + S_z_max*k_z_max
+    const stewart_real zeta_own = STEWART_UNIT*(S_z_max*k_z_max + REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max
         + STEWART_FABS(zeta));
     const stewart_real zeta_err = S_x_err*k_x_max + S_x_max*k_x_err + S_y_err*k_y_max + S_y_max*k_y_err + S_z_err*k_z_max
         + S_z_max*k_z_err + zeta_own;
@@ -2348,13 +2379,13 @@ static void leg_errors(
         + k_cross_S_z_own;
     const stewart_real k_cross_S_z_max = STEWART_FABS(k_cross_S_z) + k_cross_S_z_err;
     const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
-    const stewart_real rho2_own = STEWART_UNIT*(REAL(2)*k_cross_S_x_max*k_cross_S_x_max + REAL(2)*k_cross_S_y_max*k_cross_S_y_max
-        + k_cross_S_z_max*k_cross_S_z_max + STEWART_FABS(rho2));
+    const stewart_real rho2_own = STEWART_UNIT*(k_cross_S_z_max*k_cross_S_z_max + REAL(2)*k_cross_S_x_max*k_cross_S_x_max
+        + REAL(2)*k_cross_S_y_max*k_cross_S_y_max + STEWART_FABS(rho2));
     const stewart_real rho2_err = REAL(2)*k_cross_S_x_err*k_cross_S_x_max + REAL(2)*k_cross_S_y_err*k_cross_S_y_max
         + REAL(2)*k_cross_S_z_err*k_cross_S_z_max + rho2_own;
     const stewart_real rho2_max = STEWART_FABS(rho2) + rho2_err;
     /* (2) leg length, and distance of its tip from the fixed axis */
-    const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+    const stewart_real L = STEWART_SQRT(zeta*zeta + rho2);
     const stewart_real L_own = root_error(L, STEWART_UNIT*(rho2_max + REAL(2)*zeta_max*zeta_max));
     const stewart_real L_err = root_error(L, rho2_err + REAL(2)*zeta_err*zeta_max + STEWART_UNIT*(rho2_max + REAL(2)*zeta_max*zeta_max));
     const stewart_real L_max = STEWART_FABS(L) + L_err;
@@ -2411,43 +2442,43 @@ static void leg_errors(
     const stewart_real kappa_err = inv_rho_err*zeta_max + inv_rho_max*zeta_err + kappa_own;
     const stewart_real kappa_max = STEWART_FABS(kappa) + kappa_err;
     /* (4) velocity of the platform point */
-    const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + omega_z_max*q_y_max + v_x_max
+    const stewart_real S_dot_x = v_x + omega_y*q_z - omega_z*q_y;
+    const stewart_real S_dot_x_own = STEWART_UNIT*(v_x_max + omega_z_max*q_y_max + REAL(2)*omega_y_max*q_z_max
         + STEWART_FABS(S_dot_x));
     const stewart_real S_dot_x_err = omega_y_max*q_z_err + omega_z_max*q_y_err + S_dot_x_own;
     const stewart_real S_dot_x_max = STEWART_FABS(S_dot_x) + S_dot_x_err;
-    const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_y_own = STEWART_UNIT*(omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max + v_y_max
+    const stewart_real S_dot_y = v_y + omega_z*q_x - omega_x*q_z;
+    const stewart_real S_dot_y_own = STEWART_UNIT*(v_y_max + omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max
         + STEWART_FABS(S_dot_y));
     const stewart_real S_dot_y_err = omega_x_max*q_z_err + omega_z_max*q_x_err + S_dot_y_own;
     const stewart_real S_dot_y_max = STEWART_FABS(S_dot_y) + S_dot_y_err;
-    const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
-    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + omega_y_max*q_x_max + v_z_max
+    const stewart_real S_dot_z = v_z + omega_x*q_y - omega_y*q_x;
+    const stewart_real S_dot_z_own = STEWART_UNIT*(v_z_max + omega_y_max*q_x_max + REAL(2)*omega_x_max*q_y_max
         + STEWART_FABS(S_dot_z));
     const stewart_real S_dot_z_err = omega_x_max*q_y_err + omega_y_max*q_x_err + S_dot_z_own;
     const stewart_real S_dot_z_max = STEWART_FABS(S_dot_z) + S_dot_z_err;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-    const stewart_real S_ddot_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*q_x_max + REAL(3)*B_xy_max*q_y_max + REAL(2)*B_xz_max*q_z_max
-        + STEWART_FABS(S_ddot_x));
+    const stewart_real S_ddot_x = a_x + B_xx*q_x + B_xy*q_y + B_xz*q_z;
+    const stewart_real S_ddot_x_own = STEWART_UNIT*(B_xz_max*q_z_max + REAL(2)*a_x_max + REAL(3)*B_xx_max*q_x_max
+        + REAL(2)*B_xy_max*q_y_max + STEWART_FABS(S_ddot_x));
     const stewart_real S_ddot_x_err = B_xx_err*q_x_max + B_xx_max*q_x_err + B_xy_err*q_y_max + B_xy_max*q_y_err
         + B_xz_err*q_z_max + B_xz_max*q_z_err + S_ddot_x_own;
     const stewart_real S_ddot_x_max = STEWART_FABS(S_ddot_x) + S_ddot_x_err;
-    const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-    const stewart_real S_ddot_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*q_x_max + REAL(3)*B_yy_max*q_y_max + REAL(2)*B_yz_max*q_z_max
-        + STEWART_FABS(S_ddot_y));
+    const stewart_real S_ddot_y = a_y + B_yx*q_x + B_yy*q_y + B_yz*q_z;
+    const stewart_real S_ddot_y_own = STEWART_UNIT*(B_yz_max*q_z_max + REAL(2)*a_y_max + REAL(3)*B_yx_max*q_x_max
+        + REAL(2)*B_yy_max*q_y_max + STEWART_FABS(S_ddot_y));
     const stewart_real S_ddot_y_err = B_yx_err*q_x_max + B_yx_max*q_x_err + B_yy_err*q_y_max + B_yy_max*q_y_err
         + B_yz_err*q_z_max + B_yz_max*q_z_err + S_ddot_y_own;
     const stewart_real S_ddot_y_max = STEWART_FABS(S_ddot_y) + S_ddot_y_err;
-    const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
-    const stewart_real S_ddot_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*q_x_max + REAL(3)*B_zy_max*q_y_max + REAL(2)*B_zz_max*q_z_max
-        + STEWART_FABS(S_ddot_z));
+    const stewart_real S_ddot_z = a_z + B_zx*q_x + B_zy*q_y + B_zz*q_z;
+    const stewart_real S_ddot_z_own = STEWART_UNIT*(B_zz_max*q_z_max + REAL(2)*a_z_max + REAL(3)*B_zx_max*q_x_max
+        + REAL(2)*B_zy_max*q_y_max + STEWART_FABS(S_ddot_z));
     const stewart_real S_ddot_z_err = B_zx_err*q_x_max + B_zx_max*q_x_err + B_zy_err*q_y_max + B_zy_max*q_y_err
         + B_zz_err*q_z_max + B_zz_max*q_z_err + S_ddot_z_own;
     const stewart_real S_ddot_z_max = STEWART_FABS(S_ddot_z) + S_ddot_z_err;
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-    const stewart_real L_dot_own = STEWART_UNIT*(REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max + S_dot_z_max*s_z_max
+    const stewart_real L_dot_own = STEWART_UNIT*(S_dot_z_max*s_z_max + REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max
         + STEWART_FABS(L_dot));
     const stewart_real L_dot_err = S_dot_x_err*s_x_max + S_dot_x_max*s_x_err + S_dot_y_err*s_y_max + S_dot_y_max*s_y_err
         + S_dot_z_err*s_z_max + S_dot_z_max*s_z_err + L_dot_own;
@@ -2497,35 +2528,34 @@ static void leg_errors(
     const stewart_real k33_err = REAL(2)*k3_err*k3_max + k33_own;
     const stewart_real k33_max = STEWART_FABS(k33) + k33_err;
     /* (8) accelerations of the joint coordinates */
-    const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
-    const stewart_real L_ddot_own = STEWART_UNIT*(REAL(3)*L_max*(k33_max*phi_dot2_max + theta_dot2_max) + L_max*(REAL(2)*k33_max*phi_dot2_max
-        + theta_dot2_max) + REAL(3)*S_ddot_x_max*s_x_max + REAL(2)*S_ddot_y_max*s_y_max + S_ddot_z_max*s_z_max
+    const stewart_real L_ddot = L*(theta_dot2 + k33*phi_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real L_ddot_own = STEWART_UNIT*(S_ddot_z_max*s_z_max + REAL(3)*S_ddot_x_max*s_x_max + REAL(2)*S_ddot_y_max*s_y_max
+        + REAL(3)*L_max*(theta_dot2_max + k33_max*phi_dot2_max) + L_max*(theta_dot2_max + REAL(2)*k33_max*phi_dot2_max)
         + STEWART_FABS(L_ddot));
-    const stewart_real L_ddot_err = L_err*(k33_max*phi_dot2_max + theta_dot2_max) + L_max*k33_err*phi_dot2_max
-        + L_max*k33_max*phi_dot2_err + L_max*theta_dot2_err + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max
-        + S_ddot_y_max*s_y_err + S_ddot_z_err*s_z_max + S_ddot_z_max*s_z_err + L_ddot_own;
+    const stewart_real L_ddot_err = L_max*theta_dot2_err + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max
+        + S_ddot_y_max*s_y_err + S_ddot_z_err*s_z_max + S_ddot_z_max*s_z_err + L_max*k33_err*phi_dot2_max + L_max*k33_max*phi_dot2_err
+        + L_err*(theta_dot2_max + k33_max*phi_dot2_max) + L_ddot_own;
     const stewart_real L_ddot_max = STEWART_FABS(L_ddot) + L_ddot_err;
     /* (9) accelerations of the joint coordinates */
     const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share
         + rho_share);
-    const stewart_real theta_ddot_own = STEWART_UNIT*(inv_rho_max*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max
-        + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + inv_rho_max*(REAL(4)*L_ddot_max*k1_max + REAL(4)*S_ddot_x_max*k_x_max
-        + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max) + REAL(2)*theta_dot_max*(L_share_max
-        + rho_share_max) + STEWART_FABS(theta_ddot));
-    const stewart_real theta_ddot_err = L_ddot_err*inv_rho_max*k1_max + L_ddot_max*inv_rho_max*k1_err + L_share_err*theta_dot_max
-        + S_ddot_x_err*inv_rho_max*k_x_max + S_ddot_x_max*inv_rho_max*k_x_err + S_ddot_y_err*inv_rho_max*k_y_max
-        + S_ddot_y_max*inv_rho_max*k_y_err + S_ddot_z_err*inv_rho_max*k_z_max + S_ddot_z_max*inv_rho_max*k_z_err
-        + inv_rho_err*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max)
-        + rho_share_err*theta_dot_max + theta_dot_err*(L_share_max + rho_share_max) + theta_ddot_own;
+    const stewart_real theta_ddot_own = STEWART_UNIT*(REAL(2)*theta_dot_max*(L_share_max + rho_share_max) + inv_rho_max*(L_ddot_max*k1_max
+        + S_ddot_x_max*k_x_max + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + inv_rho_max*(REAL(4)*L_ddot_max*k1_max
+        + REAL(4)*S_ddot_x_max*k_x_max + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max) + STEWART_FABS(theta_ddot));
+    const stewart_real theta_ddot_err = L_share_err*theta_dot_max + rho_share_err*theta_dot_max + L_ddot_err*inv_rho_max*k1_max
+        + L_ddot_max*inv_rho_max*k1_err + S_ddot_x_err*inv_rho_max*k_x_max + S_ddot_x_max*inv_rho_max*k_x_err
+        + S_ddot_y_err*inv_rho_max*k_y_max + S_ddot_y_max*inv_rho_max*k_y_err + S_ddot_z_err*inv_rho_max*k_z_max
+        + S_ddot_z_max*inv_rho_max*k_z_err + theta_dot_err*(L_share_max + rho_share_max) + inv_rho_err*(L_ddot_max*k1_max
+        + S_ddot_x_max*k_x_max + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + theta_ddot_own;
     const stewart_real theta_ddot_max = STEWART_FABS(theta_ddot) + theta_ddot_err;
     const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot;
-    const stewart_real phi_ddot_own = STEWART_UNIT*(inv_rho_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max
-        + S_ddot_z_max*y_z_max) + inv_rho_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max + REAL(2)*S_ddot_z_max*y_z_max)
-        + rho_share_max*two_phi_dot_max + STEWART_FABS(phi_ddot));
-    const stewart_real phi_ddot_err = S_ddot_x_err*inv_rho_max*y_x_max + S_ddot_x_max*inv_rho_max*y_x_err + S_ddot_y_err*inv_rho_max*y_y_max
-        + S_ddot_y_max*inv_rho_max*y_y_err + S_ddot_z_err*inv_rho_max*y_z_max + S_ddot_z_max*inv_rho_max*y_z_err
-        + inv_rho_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max) + rho_share_err*two_phi_dot_max
-        + rho_share_max*two_phi_dot_err + phi_ddot_own;
+    const stewart_real phi_ddot_own = STEWART_UNIT*(rho_share_max*two_phi_dot_max + inv_rho_max*(S_ddot_x_max*y_x_max
+        + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max) + inv_rho_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
+        + REAL(2)*S_ddot_z_max*y_z_max) + STEWART_FABS(phi_ddot));
+    const stewart_real phi_ddot_err = rho_share_err*two_phi_dot_max + rho_share_max*two_phi_dot_err + S_ddot_x_err*inv_rho_max*y_x_max
+        + S_ddot_x_max*inv_rho_max*y_x_err + S_ddot_y_err*inv_rho_max*y_y_max + S_ddot_y_max*inv_rho_max*y_y_err
+        + S_ddot_z_err*inv_rho_max*y_z_max + S_ddot_z_max*inv_rho_max*y_z_err + inv_rho_err*(S_ddot_x_max*y_x_max
+        + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max) + phi_ddot_own;
     const stewart_real phi_ddot_max = STEWART_FABS(phi_ddot) + phi_ddot_err;
     const stewart_real k13 = k1*k3;
     const stewart_real k13_own = STEWART_UNIT*STEWART_FABS(k13);
@@ -2534,7 +2564,7 @@ static void leg_errors(
     const stewart_real L_h2 = L*h2_x;
     const stewart_real L_h2_own = STEWART_UNIT*STEWART_FABS(L_h2);
     const stewart_real L_h2_err = L_err*h2_x_max + L_max*h2_x_err + L_h2_own;
-    const stewart_real a1 = L_h2 + dJ_zx;
+    const stewart_real a1 = dJ_zx + L_h2;
     const stewart_real a1_own = STEWART_UNIT*STEWART_FABS(a1);
     const stewart_real a1_err = L_h2_err + dJ_zx_err + a1_own;
     const stewart_real a1_max = STEWART_FABS(a1) + a1_err;
@@ -2548,7 +2578,7 @@ static void leg_errors(
     const stewart_real a3_max = STEWART_FABS(a3) + a3_err;
     /* (19) inertia of the joint coordinates */
     const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
-    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + a2_max*k13_max + STEWART_FABS(M_phi));
+    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + a2_max*k13_max + REAL(2)*a1_max*k33_max + STEWART_FABS(M_phi));
     const stewart_real M_phi_err = J_xx_err + a1_err*k33_max + a1_max*k33_err + a2_err*k13_max + a2_max*k13_err
         + M_phi_own;
     const stewart_real M_phi_max = STEWART_FABS(M_phi) + M_phi_err;
@@ -2565,11 +2595,11 @@ static void leg_errors(
     const stewart_real k3_h_err = h_y_err*k3_max + h_y_max*k3_err + k3_h_own;
     const stewart_real k3_h_max = STEWART_FABS(k3_h) + k3_h_err;
     /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-    const stewart_real M_phi_theta = a1*k13 + a2*(STEWART_HALF - k33);
+    const stewart_real M_phi_theta = a2*(STEWART_HALF - k33) + a1*k13;
     const stewart_real M_phi_theta_own = STEWART_UNIT*(a1_max*k13_max + REAL(2)*a2_max*(k33_max + STEWART_HALF)
         + STEWART_FABS(M_phi_theta));
-    const stewart_real M_phi_theta_err = a1_err*k13_max + a1_max*k13_err + a2_err*(k33_max + STEWART_HALF) + a2_max*k33_err
-        + M_phi_theta_own;
+    const stewart_real M_phi_theta_err = a1_err*k13_max + a1_max*k13_err + a2_max*k33_err + a2_err*(k33_max
+        + STEWART_HALF) + M_phi_theta_own;
     const stewart_real M_phi_theta_max = STEWART_FABS(M_phi_theta) + M_phi_theta_err;
     const stewart_real M_phi_L = h_x*k33 - h_z*k13;
     const stewart_real M_phi_L_own = STEWART_UNIT*(h_x_max*k33_max + h_z_max*k13_max + STEWART_FABS(M_phi_L));
@@ -2586,18 +2616,18 @@ static void leg_errors(
     const stewart_real bend_max = STEWART_FABS(bend) + bend_err;
     /* gravity along k x y and along y */
     const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-    const stewart_real gamma_n_own = STEWART_UNIT*(REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
-        + g_x_k_z_max*y_z_max + STEWART_FABS(gamma_n));
+    const stewart_real gamma_n_own = STEWART_UNIT*(g_x_k_z_max*y_z_max + REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
+        + STEWART_FABS(gamma_n));
     const stewart_real gamma_n_err = g_x_k_x_err*y_x_max + g_x_k_x_max*y_x_err + g_x_k_y_err*y_y_max + g_x_k_y_max*y_y_err
         + g_x_k_z_err*y_z_max + g_x_k_z_max*y_z_err + gamma_n_own;
     const stewart_real gamma_n_max = STEWART_FABS(gamma_n) + gamma_n_err;
     const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
-    const stewart_real gamma_y_own = STEWART_UNIT*(REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max + g_z_max*y_z_max
+    const stewart_real gamma_y_own = STEWART_UNIT*(g_z_max*y_z_max + REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max
         + STEWART_FABS(gamma_y));
     const stewart_real gamma_y_err = g_x_max*y_x_err + g_y_max*y_y_err + g_z_max*y_z_err + gamma_y_own;
     const stewart_real gamma_y_max = STEWART_FABS(gamma_y) + gamma_y_err;
     /* first moment along k and against k x y */
-    const stewart_real w_k = k1*w_x + k3*w_z;
+    const stewart_real w_k = k3*w_z + k1*w_x;
     const stewart_real w_k_own = STEWART_UNIT*(k1_max*w_x_max + k3_max*w_z_max + STEWART_FABS(w_k));
     const stewart_real w_k_err = k1_err*w_x_max + k1_max*w_x_err + k3_err*w_z_max + k3_max*w_z_err + w_k_own;
     const stewart_real w_k_max = STEWART_FABS(w_k) + w_k_err;
@@ -2606,35 +2636,36 @@ static void leg_errors(
     const stewart_real w_n_err = k1_err*w_z_max + k1_max*w_z_err + k3_err*w_x_max + k3_max*w_x_err + w_n_own;
     const stewart_real w_n_max = STEWART_FABS(w_n) + w_n_err;
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*theta_ddot + bend*h2_x
-        + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
-    const stewart_real tau_y_own = STEWART_UNIT*(REAL(2)*C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max
-        + omega_z_max*y_z_max) + C_s_max*(REAL(3)*omega_x_max*y_x_max + REAL(3)*omega_y_max*y_y_max + REAL(2)*omega_z_max*y_z_max)
-        + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max + REAL(7)*M_mixed_max*phi_ddot_max + M_phi_theta_max*phi_dot2_max
-        + REAL(6)*M_theta_max*theta_ddot_max + REAL(5)*bend_max*h2_x_max + REAL(4)*g_k_max*w_n_max + REAL(3)*gamma_n_max*w_k_max
-        + STEWART_FABS(tau_y));
-    const stewart_real tau_y_err = C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err + C_s_max*omega_z_max*y_z_err
-        + C_us_err*theta_dot_max + C_us_max*theta_dot_err + L_ddot_err*h_z_max + L_ddot_max*h_z_err + M_mixed_err*phi_ddot_max
-        + M_mixed_max*phi_ddot_err + M_phi_theta_err*phi_dot2_max + M_phi_theta_max*phi_dot2_err + M_theta_err*theta_ddot_max
-        + M_theta_max*theta_ddot_err + bend_err*h2_x_max + bend_max*h2_x_err + g_k_err*w_n_max + g_k_max*w_n_err
-        + gamma_n_err*w_k_max + gamma_n_max*w_k_err + tau_y_own;
+    const stewart_real tau_y = L_ddot*h_z + g_k*w_n + gamma_n*w_k + C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y
+        + omega_z*y_z) - M_phi_theta*phi_dot2 + bend*h2_x + M_mixed*phi_ddot + M_theta*theta_ddot;
+    const stewart_real tau_y_own = STEWART_UNIT*(M_theta_max*theta_ddot_max + REAL(6)*C_us_max*theta_dot_max
+        + REAL(8)*L_ddot_max*h_z_max + REAL(2)*M_mixed_max*phi_ddot_max + REAL(4)*M_phi_theta_max*phi_dot2_max
+        + REAL(3)*bend_max*h2_x_max + REAL(8)*g_k_max*w_n_max + REAL(7)*gamma_n_max*w_k_max + REAL(5)*C_s_max*(omega_x_max*y_x_max
+        + omega_y_max*y_y_max + omega_z_max*y_z_max) + C_s_max*(REAL(3)*omega_x_max*y_x_max + REAL(3)*omega_y_max*y_y_max
+        + REAL(2)*omega_z_max*y_z_max) + STEWART_FABS(tau_y));
+    const stewart_real tau_y_err = C_us_err*theta_dot_max + C_us_max*theta_dot_err + L_ddot_err*h_z_max + L_ddot_max*h_z_err
+        + M_mixed_err*phi_ddot_max + M_mixed_max*phi_ddot_err + M_phi_theta_err*phi_dot2_max + M_phi_theta_max*phi_dot2_err
+        + M_theta_err*theta_ddot_max + M_theta_max*theta_ddot_err + bend_err*h2_x_max + bend_max*h2_x_err + g_k_err*w_n_max
+        + g_k_max*w_n_err + gamma_n_err*w_k_max + gamma_n_max*w_k_err + C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err
+        + C_s_max*omega_z_max*y_z_err + tau_y_own;
     const stewart_real tau_y_max = STEWART_FABS(tau_y) + tau_y_err;
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z)
-        - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
-    const stewart_real tau_k_own = STEWART_UNIT*(REAL(5)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
-        + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max + REAL(2)*k_z_max*omega_z_max)
-        + REAL(9)*C_us_max*phi_dot_max + REAL(4)*L_ddot_max*k3_h_max + REAL(9)*M_mixed_max*theta_ddot_max + REAL(8)*M_mixed_theta_max*theta_dot2_max
-        + REAL(7)*M_phi_max*phi_ddot_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(2)*gamma_n_max*w_y_max + gamma_y_max*w_n_max
-        + REAL(6)*two_phi_dot_max*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max
-        + REAL(2)*M_phi_theta_max*theta_dot_max) + STEWART_FABS(tau_k));
-    const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max + C_s_max*k_z_err*omega_z_max
-        + C_us_err*phi_dot_max + C_us_max*phi_dot_err + L_ddot_err*k3_h_max + L_ddot_max*k3_h_err + L_dot_err*M_phi_L_max*two_phi_dot_max
-        + L_dot_max*M_phi_L_err*two_phi_dot_max + M_mixed_err*theta_ddot_max + M_mixed_max*theta_ddot_err + M_mixed_theta_err*theta_dot2_max
-        + M_mixed_theta_max*theta_dot2_err + M_phi_err*phi_ddot_max + M_phi_max*phi_ddot_err + M_phi_theta_err*theta_dot_max*two_phi_dot_max
+    const stewart_real tau_k = M_mixed_theta*theta_dot2 - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h
+        + C_us*phi_dot - gamma_n*w_y - gamma_y*w_n + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot) - bend*h2_y*k1
+        + M_phi*phi_ddot + M_mixed*theta_ddot;
+    const stewart_real tau_k_own = STEWART_UNIT*(M_mixed_max*theta_ddot_max + REAL(7)*C_us_max*phi_dot_max + REAL(8)*L_ddot_max*k3_h_max
+        + REAL(9)*M_mixed_theta_max*theta_dot2_max + REAL(2)*M_phi_max*phi_ddot_max + REAL(6)*gamma_n_max*w_y_max
+        + REAL(5)*gamma_y_max*w_n_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(4)*two_phi_dot_max*(L_dot_max*M_phi_L_max
+        + M_phi_theta_max*theta_dot_max) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*M_phi_theta_max*theta_dot_max)
+        + REAL(9)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max
+        + REAL(3)*k_y_max*omega_y_max + REAL(2)*k_z_max*omega_z_max) + STEWART_FABS(tau_k));
+    const stewart_real tau_k_err = C_us_err*phi_dot_max + C_us_max*phi_dot_err + L_ddot_err*k3_h_max + L_ddot_max*k3_h_err
+        + M_mixed_err*theta_ddot_max + M_mixed_max*theta_ddot_err + M_mixed_theta_err*theta_dot2_max + M_mixed_theta_max*theta_dot2_err
+        + M_phi_err*phi_ddot_max + M_phi_max*phi_ddot_err + gamma_n_err*w_y_max + gamma_n_max*w_y_err + gamma_y_err*w_n_max
+        + gamma_y_max*w_n_err + C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max + C_s_max*k_z_err*omega_z_max
+        + L_dot_err*M_phi_L_max*two_phi_dot_max + L_dot_max*M_phi_L_err*two_phi_dot_max + M_phi_theta_err*theta_dot_max*two_phi_dot_max
         + M_phi_theta_max*theta_dot_err*two_phi_dot_max + bend_err*h2_y_max*k1_max + bend_max*h2_y_err*k1_max
-        + bend_max*h2_y_max*k1_err + gamma_n_err*w_y_max + gamma_n_max*w_y_err + gamma_y_err*w_n_max + gamma_y_max*w_n_err
-        + two_phi_dot_err*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max) + tau_k_own;
+        + bend_max*h2_y_max*k1_err + two_phi_dot_err*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
+        + tau_k_own;
     const stewart_real tau_k_max = STEWART_FABS(tau_k) + tau_k_err;
     /* (21) K = Q_k k + Q_y y, up to a part along s */
     const stewart_real Q_k = -inv_rho*tau_y;
@@ -2646,19 +2677,19 @@ static void leg_errors(
     const stewart_real Q_y_err = inv_rho_err*tau_k_max + inv_rho_max*tau_k_err + Q_y_own;
     const stewart_real Q_y_max = STEWART_FABS(Q_y) + Q_y_err;
     /* (21) force at the spherical joint, base frame */
-    const stewart_real K_x = Q_k*k_x + Q_y*y_x;
+    const stewart_real K_x = Q_y*y_x + Q_k*k_x;
     const stewart_real K_x_own = STEWART_UNIT*(Q_k_max*k_x_max + Q_y_max*y_x_max + STEWART_FABS(K_x));
     const stewart_real K_x_err = Q_k_err*k_x_max + Q_k_max*k_x_err + Q_y_err*y_x_max + Q_y_max*y_x_err + K_x_own;
-    const stewart_real K_y = Q_k*k_y + Q_y*y_y;
+    const stewart_real K_y = Q_y*y_y + Q_k*k_y;
     const stewart_real K_y_own = STEWART_UNIT*(Q_k_max*k_y_max + Q_y_max*y_y_max + STEWART_FABS(K_y));
     const stewart_real K_y_err = Q_k_err*k_y_max + Q_k_max*k_y_err + Q_y_err*y_y_max + Q_y_max*y_y_err + K_y_own;
-    const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+    const stewart_real K_z = Q_y*y_z + Q_k*k_z;
     const stewart_real K_z_own = STEWART_UNIT*(Q_k_max*k_z_max + Q_y_max*y_z_max + STEWART_FABS(K_z));
     const stewart_real K_z_err = Q_k_err*k_z_max + Q_k_max*k_z_err + Q_y_err*y_z_max + Q_y_max*y_z_err + K_z_own;
     /* (24) known part of the actuator force, to match */
-    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - Q_k*k1 - h_x*theta_dot2 - k3_h*phi_ddot;
-    const stewart_real D_own = STEWART_UNIT*(REAL(5)*C_p_max*L_dot_max + REAL(4)*M_phi_L_max*phi_dot2_max + REAL(3)*Q_k_max*k1_max
-        + REAL(2)*h_x_max*theta_dot2_max + REAL(5)*h_z_max*theta_ddot_max + k3_h_max*phi_ddot_max + STEWART_FABS(D));
+    const stewart_real D = C_p*L_dot - h_x*theta_dot2 - M_phi_L*phi_dot2 + h_z*theta_ddot - k3_h*phi_ddot - Q_k*k1;
+    const stewart_real D_own = STEWART_UNIT*(Q_k_max*k1_max + REAL(5)*C_p_max*L_dot_max + REAL(4)*M_phi_L_max*phi_dot2_max
+        + REAL(5)*h_x_max*theta_dot2_max + REAL(3)*h_z_max*theta_ddot_max + REAL(2)*k3_h_max*phi_ddot_max + STEWART_FABS(D));
     const stewart_real c1 = C_s*phi_dot;
     const stewart_real c1_own = STEWART_UNIT*STEWART_FABS(c1);
     const stewart_real c1_err = C_s_max*phi_dot_err + c1_own;
@@ -2772,6 +2803,9 @@ static void leg_errors(
         const stewart_real Y_arm_x = rows->force[i].Y_arm[0], Y_arm_y = rows->force[i].Y_arm[1], Y_arm_z = rows->force[i].Y_arm[2];
         const stewart_real D_weight = rows->force[i].D_weight;
         const stewart_real x = rows->force[i].x;
+        const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x);
+        const stewart_real Y_force_y_max = STEWART_FABS(Y_force_y);
+        const stewart_real Y_force_z_max = STEWART_FABS(Y_force_z);
         const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x);
         const stewart_real Y_moment_y_max = STEWART_FABS(Y_moment_y);
         const stewart_real Y_moment_z_max = STEWART_FABS(Y_moment_z);
@@ -2797,43 +2831,40 @@ static void leg_errors(
         const stewart_real H_moment_z_weight = Y_arm_z*x;
         const stewart_real H_moment_z_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_z_weight);
         const stewart_real H_moment_z_weight_max = STEWART_FABS(H_moment_z_weight) + H_moment_z_weight_err;
-        const stewart_real arm_z_bar = H_force_x*H_moment_y_weight + Y_arm_x*c_force_y - H_force_y*H_moment_x_weight
-            - Y_arm_y*c_force_x;
+        const stewart_real arm_z_bar = Y_arm_x*c_force_y + H_force_x*H_moment_y_weight - Y_arm_y*c_force_x - H_force_y*H_moment_x_weight;
         const stewart_real arm_z_bar_err = H_force_x_err*H_moment_y_weight_max + H_force_x_max*H_moment_y_weight_err
             + H_force_y_err*H_moment_x_weight_max + H_force_y_max*H_moment_x_weight_err + Y_arm_x_max*c_force_y_err
-            + Y_arm_y_max*c_force_x_err + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_y_weight_max + REAL(2)*H_force_y_max*H_moment_x_weight_max
-            + REAL(3)*Y_arm_x_max*c_force_y_max + Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
+            + Y_arm_y_max*c_force_x_err + STEWART_UNIT*(H_force_y_max*H_moment_x_weight_max + REAL(3)*H_force_x_max*H_moment_y_weight_max
+            + REAL(3)*Y_arm_x_max*c_force_y_max + REAL(2)*Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
         const stewart_real arm_z_bar_max = STEWART_FABS(arm_z_bar) + arm_z_bar_err;
-        const stewart_real arm_y_bar = H_force_z*H_moment_x_weight + Y_arm_z*c_force_x - H_force_x*H_moment_z_weight
-            - Y_arm_x*c_force_z;
+        const stewart_real arm_y_bar = Y_arm_z*c_force_x + H_force_z*H_moment_x_weight - Y_arm_x*c_force_z - H_force_x*H_moment_z_weight;
         const stewart_real arm_y_bar_err = H_force_x_err*H_moment_z_weight_max + H_force_x_max*H_moment_z_weight_err
             + H_force_z_err*H_moment_x_weight_max + H_force_z_max*H_moment_x_weight_err + Y_arm_x_max*c_force_z_err
-            + Y_arm_z_max*c_force_x_err + STEWART_UNIT*(REAL(2)*H_force_x_max*H_moment_z_weight_max + REAL(3)*H_force_z_max*H_moment_x_weight_max
-            + Y_arm_x_max*c_force_z_max + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
+            + Y_arm_z_max*c_force_x_err + STEWART_UNIT*(H_force_x_max*H_moment_z_weight_max + REAL(3)*H_force_z_max*H_moment_x_weight_max
+            + REAL(2)*Y_arm_x_max*c_force_z_max + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
         const stewart_real arm_y_bar_max = STEWART_FABS(arm_y_bar) + arm_y_bar_err;
-        const stewart_real arm_x_bar = H_force_y*H_moment_z_weight + Y_arm_y*c_force_z - H_force_z*H_moment_y_weight
-            - Y_arm_z*c_force_y;
+        const stewart_real arm_x_bar = Y_arm_y*c_force_z + H_force_y*H_moment_z_weight - Y_arm_z*c_force_y - H_force_z*H_moment_y_weight;
         const stewart_real arm_x_bar_err = H_force_y_err*H_moment_z_weight_max + H_force_y_max*H_moment_z_weight_err
             + H_force_z_err*H_moment_y_weight_max + H_force_z_max*H_moment_y_weight_err + Y_arm_y_max*c_force_z_err
-            + Y_arm_z_max*c_force_y_err + STEWART_UNIT*(REAL(3)*H_force_y_max*H_moment_z_weight_max + REAL(2)*H_force_z_max*H_moment_y_weight_max
-            + REAL(3)*Y_arm_y_max*c_force_z_max + Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
+            + Y_arm_z_max*c_force_y_err + STEWART_UNIT*(H_force_z_max*H_moment_y_weight_max + REAL(3)*H_force_y_max*H_moment_z_weight_max
+            + REAL(3)*Y_arm_y_max*c_force_z_max + REAL(2)*Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
         const stewart_real arm_x_bar_max = STEWART_FABS(arm_x_bar) + arm_x_bar_err;
-        const stewart_real c_force_z_bar = Y_arm_y*arm_x - Y_arm_x*arm_y - Y_force_z;
-        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_y_max
-            + REAL(2)*Y_arm_y_max*arm_x_max + STEWART_FABS(c_force_z_bar));
+        const stewart_real c_force_z_bar = Y_arm_y*arm_x - Y_force_z - Y_arm_x*arm_y;
+        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err + STEWART_UNIT*(Y_force_z_max
+            + Y_arm_x_max*arm_y_max + REAL(2)*Y_arm_y_max*arm_x_max + STEWART_FABS(c_force_z_bar));
         const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
-        const stewart_real c_force_y_bar = Y_arm_x*arm_z - Y_arm_z*arm_x - Y_force_y;
-        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_z_max
-            + REAL(2)*Y_arm_z_max*arm_x_max + STEWART_FABS(c_force_y_bar));
+        const stewart_real c_force_y_bar = Y_arm_x*arm_z - Y_force_y - Y_arm_z*arm_x;
+        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err + STEWART_UNIT*(Y_force_y_max
+            + Y_arm_z_max*arm_x_max + REAL(2)*Y_arm_x_max*arm_z_max + STEWART_FABS(c_force_y_bar));
         const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
-        const stewart_real c_force_x_bar = Y_arm_z*arm_y - Y_arm_y*arm_z - Y_force_x;
-        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err + STEWART_UNIT*(REAL(2)*Y_arm_y_max*arm_z_max
-            + REAL(2)*Y_arm_z_max*arm_y_max + STEWART_FABS(c_force_x_bar));
+        const stewart_real c_force_x_bar = Y_arm_z*arm_y - Y_force_x - Y_arm_y*arm_z;
+        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err + STEWART_UNIT*(Y_force_x_max
+            + Y_arm_y_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_y_max + STEWART_FABS(c_force_x_bar));
         const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
         const stewart_real H_force_z_bar = H_force_z_weight + H_moment_x_weight*arm_y - H_moment_y_weight*arm_x;
         const stewart_real H_force_z_bar_err = H_force_z_weight_err + H_moment_x_weight_err*arm_y_max + H_moment_x_weight_max*arm_y_err
             + H_moment_y_weight_err*arm_x_max + H_moment_y_weight_max*arm_x_err + STEWART_UNIT*(H_force_z_weight_max
-            + REAL(2)*H_moment_x_weight_max*arm_y_max + H_moment_y_weight_max*arm_x_max + STEWART_FABS(H_force_z_bar));
+            + H_moment_y_weight_max*arm_x_max + REAL(2)*H_moment_x_weight_max*arm_y_max + STEWART_FABS(H_force_z_bar));
         const stewart_real H_force_z_bar_max = STEWART_FABS(H_force_z_bar) + H_force_z_bar_err;
         const stewart_real H_force_y_bar = H_force_y_weight + H_moment_z_weight*arm_x - H_moment_x_weight*arm_z;
         const stewart_real H_force_y_bar_err = H_force_y_weight_err + H_moment_x_weight_err*arm_z_max + H_moment_x_weight_max*arm_z_err
@@ -2843,28 +2874,28 @@ static void leg_errors(
         const stewart_real H_force_x_bar = H_force_x_weight + H_moment_y_weight*arm_z - H_moment_z_weight*arm_y;
         const stewart_real H_force_x_bar_err = H_force_x_weight_err + H_moment_y_weight_err*arm_z_max + H_moment_y_weight_max*arm_z_err
             + H_moment_z_weight_err*arm_y_max + H_moment_z_weight_max*arm_y_err + STEWART_UNIT*(H_force_x_weight_max
-            + REAL(2)*H_moment_y_weight_max*arm_z_max + H_moment_z_weight_max*arm_y_max + STEWART_FABS(H_force_x_bar));
+            + H_moment_z_weight_max*arm_y_max + REAL(2)*H_moment_y_weight_max*arm_z_max + STEWART_FABS(H_force_x_bar));
         const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
         const stewart_real c2_bar = -Y_moment_x*y_x - Y_moment_y*y_y - Y_moment_z*y_z;
         const stewart_real c2_bar_err = Y_moment_x_max*y_x_err + Y_moment_y_max*y_y_err + Y_moment_z_max*y_z_err
-            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max + Y_moment_z_max*y_z_max
+            + STEWART_UNIT*(Y_moment_z_max*y_z_max + REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max
             + STEWART_FABS(c2_bar));
         const stewart_real c2_bar_max = STEWART_FABS(c2_bar) + c2_bar_err;
         const stewart_real c1_bar = -Y_moment_x*k_x - Y_moment_y*k_y - Y_moment_z*k_z;
         const stewart_real c1_bar_err = Y_moment_x_max*k_x_err + Y_moment_y_max*k_y_err + Y_moment_z_max*k_z_err
-            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max + Y_moment_z_max*k_z_max
+            + STEWART_UNIT*(Y_moment_z_max*k_z_max + REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max
             + STEWART_FABS(c1_bar));
         const stewart_real c1_bar_max = STEWART_FABS(c1_bar) + c1_bar_err;
         const stewart_real Q_y_bar = -c_force_x_bar*y_x - c_force_y_bar*y_y - c_force_z_bar*y_z;
         const stewart_real Q_y_bar_err = c_force_x_bar_err*y_x_max + c_force_x_bar_max*y_x_err + c_force_y_bar_err*y_y_max
-            + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max + c_force_z_bar_max*y_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*y_x_max
-            + REAL(2)*c_force_y_bar_max*y_y_max + c_force_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
+            + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max + c_force_z_bar_max*y_z_err + STEWART_UNIT*(c_force_z_bar_max*y_z_max
+            + REAL(2)*c_force_x_bar_max*y_x_max + REAL(2)*c_force_y_bar_max*y_y_max + STEWART_FABS(Q_y_bar));
         const stewart_real Q_y_bar_max = STEWART_FABS(Q_y_bar) + Q_y_bar_err;
         const stewart_real Q_k_bar = -D_weight*k1 - c_force_x_bar*k_x - c_force_y_bar*k_y - c_force_z_bar*k_z;
         const stewart_real Q_k_bar_err = D_weight_max*k1_err + c_force_x_bar_err*k_x_max + c_force_x_bar_max*k_x_err
             + c_force_y_bar_err*k_y_max + c_force_y_bar_max*k_y_err + c_force_z_bar_err*k_z_max + c_force_z_bar_max*k_z_err
-            + STEWART_UNIT*(REAL(3)*D_weight_max*k1_max + REAL(3)*c_force_x_bar_max*k_x_max + REAL(2)*c_force_y_bar_max*k_y_max
-            + c_force_z_bar_max*k_z_max + STEWART_FABS(Q_k_bar));
+            + STEWART_UNIT*(c_force_z_bar_max*k_z_max + REAL(3)*D_weight_max*k1_max + REAL(3)*c_force_x_bar_max*k_x_max
+            + REAL(2)*c_force_y_bar_max*k_y_max + STEWART_FABS(Q_k_bar));
         const stewart_real Q_k_bar_max = STEWART_FABS(Q_k_bar) + Q_k_bar_err;
         const stewart_real tau_k_bar = Q_y_bar*inv_rho;
         const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err + STEWART_UNIT*STEWART_FABS(tau_k_bar);
@@ -2911,7 +2942,7 @@ static void leg_errors(
         const stewart_real k3_h_bar_err = D_weight_max*phi_ddot_err + L_ddot_err*tau_k_bar_max + L_ddot_max*tau_k_bar_err
             + STEWART_UNIT*(D_weight_max*phi_ddot_max + L_ddot_max*tau_k_bar_max + STEWART_FABS(k3_h_bar));
         const stewart_real k3_h_bar_max = STEWART_FABS(k3_h_bar) + k3_h_bar_err;
-        const stewart_real M_mixed_bar = phi_ddot*tau_y_bar + tau_k_bar*theta_ddot;
+        const stewart_real M_mixed_bar = tau_k_bar*theta_ddot + phi_ddot*tau_y_bar;
         const stewart_real M_mixed_bar_err = phi_ddot_err*tau_y_bar_max + phi_ddot_max*tau_y_bar_err + tau_k_bar_err*theta_ddot_max
             + tau_k_bar_max*theta_ddot_err + STEWART_UNIT*(phi_ddot_max*tau_y_bar_max + tau_k_bar_max*theta_ddot_max
             + STEWART_FABS(M_mixed_bar));
@@ -2928,8 +2959,8 @@ static void leg_errors(
             + STEWART_FABS(a3_bar));
         const stewart_real a3_bar_max = STEWART_FABS(a3_bar) + a3_bar_err;
         const stewart_real a2_bar = M_phi_bar*k13 + M_phi_theta_bar*(STEWART_HALF - k33);
-        const stewart_real a2_bar_err = M_phi_bar_err*k13_max + M_phi_bar_max*k13_err + M_phi_theta_bar_err*(k33_max
-            + STEWART_HALF) + M_phi_theta_bar_max*k33_err + STEWART_UNIT*(M_phi_bar_max*k13_max + REAL(2)*M_phi_theta_bar_max*(k33_max
+        const stewart_real a2_bar_err = M_phi_bar_err*k13_max + M_phi_bar_max*k13_err + M_phi_theta_bar_max*k33_err
+            + M_phi_theta_bar_err*(k33_max + STEWART_HALF) + STEWART_UNIT*(M_phi_bar_max*k13_max + REAL(2)*M_phi_theta_bar_max*(k33_max
             + STEWART_HALF) + STEWART_FABS(a2_bar));
         const stewart_real a2_bar_max = STEWART_FABS(a2_bar) + a2_bar_err;
         const stewart_real a1_bar = M_phi_bar*k33 + M_phi_theta_bar*k13;
@@ -2945,32 +2976,32 @@ static void leg_errors(
             + M_phi_bar_max*a2_err + M_phi_theta_bar_err*a1_max + M_phi_theta_bar_max*a1_err + STEWART_UNIT*(M_phi_L_bar_max*h_z_max
             + REAL(2)*M_phi_bar_max*a2_max + REAL(2)*M_phi_theta_bar_max*a1_max + STEWART_FABS(k13_bar));
         const stewart_real k13_bar_max = STEWART_FABS(k13_bar) + k13_bar_err;
-        const stewart_real phi_ddot_bar = M_mixed*tau_y_bar + M_phi*tau_k_bar - D_weight*k3_h;
+        const stewart_real phi_ddot_bar = M_phi*tau_k_bar - D_weight*k3_h + M_mixed*tau_y_bar;
         const stewart_real phi_ddot_bar_err = D_weight_max*k3_h_err + M_mixed_err*tau_y_bar_max + M_mixed_max*tau_y_bar_err
-            + M_phi_err*tau_k_bar_max + M_phi_max*tau_k_bar_err + STEWART_UNIT*(D_weight_max*k3_h_max + REAL(2)*M_mixed_max*tau_y_bar_max
+            + M_phi_err*tau_k_bar_max + M_phi_max*tau_k_bar_err + STEWART_UNIT*(M_mixed_max*tau_y_bar_max + REAL(2)*D_weight_max*k3_h_max
             + REAL(2)*M_phi_max*tau_k_bar_max + STEWART_FABS(phi_ddot_bar));
         const stewart_real phi_ddot_bar_max = STEWART_FABS(phi_ddot_bar) + phi_ddot_bar_err;
         const stewart_real theta_ddot_bar = D_weight*h_z + M_mixed*tau_k_bar + M_theta*tau_y_bar;
         const stewart_real theta_ddot_bar_err = D_weight_max*h_z_err + M_mixed_err*tau_k_bar_max + M_mixed_max*tau_k_bar_err
-            + M_theta_err*tau_y_bar_max + M_theta_max*tau_y_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_z_max
-            + REAL(2)*M_mixed_max*tau_k_bar_max + M_theta_max*tau_y_bar_max + STEWART_FABS(theta_ddot_bar));
+            + M_theta_err*tau_y_bar_max + M_theta_max*tau_y_bar_err + STEWART_UNIT*(M_theta_max*tau_y_bar_max
+            + REAL(2)*D_weight_max*h_z_max + REAL(2)*M_mixed_max*tau_k_bar_max + STEWART_FABS(theta_ddot_bar));
         const stewart_real theta_ddot_bar_max = STEWART_FABS(theta_ddot_bar) + theta_ddot_bar_err;
         const stewart_real c4 = inv_rho*k1;
         const stewart_real c4_err = inv_rho_err*k1_max + inv_rho_max*k1_err + STEWART_UNIT*STEWART_FABS(c4);
         const stewart_real c4_max = STEWART_FABS(c4) + c4_err;
-        const stewart_real L_ddot_bar = c4*theta_ddot_bar + h_z*tau_y_bar - k3_h*tau_k_bar;
+        const stewart_real L_ddot_bar = h_z*tau_y_bar - k3_h*tau_k_bar + c4*theta_ddot_bar;
         const stewart_real L_ddot_bar_err = c4_err*theta_ddot_bar_max + c4_max*theta_ddot_bar_err + h_z_err*tau_y_bar_max
-            + h_z_max*tau_y_bar_err + k3_h_err*tau_k_bar_max + k3_h_max*tau_k_bar_err + STEWART_UNIT*(REAL(2)*c4_max*theta_ddot_bar_max
-            + REAL(2)*h_z_max*tau_y_bar_max + k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
+            + h_z_max*tau_y_bar_err + k3_h_err*tau_k_bar_max + k3_h_max*tau_k_bar_err + STEWART_UNIT*(c4_max*theta_ddot_bar_max
+            + REAL(2)*h_z_max*tau_y_bar_max + REAL(2)*k3_h_max*tau_k_bar_max + STEWART_FABS(L_ddot_bar));
         const stewart_real L_ddot_bar_max = STEWART_FABS(L_ddot_bar) + L_ddot_bar_err;
         const stewart_real c5 = L*L_ddot_bar;
         const stewart_real c5_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c5);
         const stewart_real c5_max = STEWART_FABS(c5) + c5_err;
-        const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c5*phi_dot2 - M_phi_theta_bar*a2;
+        const stewart_real k33_bar = M_phi_bar*a1 + M_phi_L_bar*h_x - M_phi_theta_bar*a2 + c5*phi_dot2;
         const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err + M_phi_bar_err*a1_max
             + M_phi_bar_max*a1_err + M_phi_theta_bar_err*a2_max + M_phi_theta_bar_max*a2_err + c5_err*phi_dot2_max
-            + c5_max*phi_dot2_err + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
-            + M_phi_theta_bar_max*a2_max + REAL(2)*c5_max*phi_dot2_max + STEWART_FABS(k33_bar));
+            + c5_max*phi_dot2_err + STEWART_UNIT*(c5_max*phi_dot2_max + REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
+            + REAL(2)*M_phi_theta_bar_max*a2_max + STEWART_FABS(k33_bar));
         const stewart_real k33_bar_max = STEWART_FABS(k33_bar) + k33_bar_err;
         const stewart_real c6 = theta_ddot_bar*theta_dot;
         const stewart_real c6_err = theta_ddot_bar_err*theta_dot_max + theta_ddot_bar_max*theta_dot_err + STEWART_UNIT*STEWART_FABS(c6);
@@ -2979,19 +3010,20 @@ static void leg_errors(
             + STEWART_UNIT*(phi_ddot_bar_max*two_phi_dot_max + STEWART_FABS(rho_share_bar));
         const stewart_real rho_share_bar_max = STEWART_FABS(rho_share_bar) + rho_share_bar_err;
         const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L + M_phi_theta*theta_dot) - phi_ddot_bar*rho_share;
-        const stewart_real two_phi_dot_bar_err = L_dot_err*M_phi_L_max*tau_k_bar_max + L_dot_max*M_phi_L_err*tau_k_bar_max
-            + M_phi_theta_err*tau_k_bar_max*theta_dot_max + M_phi_theta_max*tau_k_bar_max*theta_dot_err + phi_ddot_bar_err*rho_share_max
-            + phi_ddot_bar_max*rho_share_err + tau_k_bar_err*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
+        const stewart_real two_phi_dot_bar_err = phi_ddot_bar_err*rho_share_max + phi_ddot_bar_max*rho_share_err
+            + L_dot_err*M_phi_L_max*tau_k_bar_max + L_dot_max*M_phi_L_err*tau_k_bar_max + M_phi_theta_err*tau_k_bar_max*theta_dot_max
+            + M_phi_theta_max*tau_k_bar_max*theta_dot_err + tau_k_bar_err*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
             + STEWART_UNIT*(phi_ddot_bar_max*rho_share_max + tau_k_bar_max*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
             + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*M_phi_theta_max*theta_dot_max) + STEWART_FABS(two_phi_dot_bar));
+        const stewart_real two_phi_dot_bar_max = STEWART_FABS(two_phi_dot_bar) + two_phi_dot_bar_err;
         const stewart_real phi_dot2_bar = L*L_ddot_bar*k33 - D_weight*M_phi_L - M_phi_theta*tau_y_bar;
-        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + L_ddot_bar_err*L_max*k33_max + L_ddot_bar_max*L_err*k33_max
-            + L_ddot_bar_max*L_max*k33_err + M_phi_theta_err*tau_y_bar_max + M_phi_theta_max*tau_y_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*M_phi_L_max
-            + REAL(3)*L_ddot_bar_max*L_max*k33_max + M_phi_theta_max*tau_y_bar_max + STEWART_FABS(phi_dot2_bar));
+        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + M_phi_theta_err*tau_y_bar_max + M_phi_theta_max*tau_y_bar_err
+            + L_ddot_bar_err*L_max*k33_max + L_ddot_bar_max*L_err*k33_max + L_ddot_bar_max*L_max*k33_err + STEWART_UNIT*(M_phi_theta_max*tau_y_bar_max
+            + REAL(2)*D_weight_max*M_phi_L_max + REAL(3)*L_ddot_bar_max*L_max*k33_max + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
-        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c5 - D_weight*h_x;
-        const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max + M_mixed_theta_max*tau_k_bar_err
-            + c5_err + STEWART_UNIT*(D_weight_max*h_x_max + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c5_max
+        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar - D_weight*h_x + c5;
+        const stewart_real theta_dot2_bar_err = c5_err + D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
+            + M_mixed_theta_max*tau_k_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_x_max + REAL(2)*M_mixed_theta_max*tau_k_bar_max
             + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
         const stewart_real L_share_bar = rho_share_bar - c6;
@@ -3000,27 +3032,28 @@ static void leg_errors(
         const stewart_real c7 = tau_k_bar*two_phi_dot;
         const stewart_real c7_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err + STEWART_UNIT*STEWART_FABS(c7);
         const stewart_real c7_max = STEWART_FABS(c7) + c7_err;
-        const stewart_real theta_dot_bar = C_s*c2_bar + C_us*tau_y_bar + L_dot*bend_bar + M_phi_theta*c7 + kappa*rho_share_bar
-            + theta_ddot_bar*(-L_share - rho_share) + REAL(2)*theta_dot*theta_dot2_bar;
+        const stewart_real theta_dot_bar = C_s*c2_bar + C_us*tau_y_bar + M_phi_theta*c7 + theta_ddot_bar*(-L_share
+            - rho_share) + L_dot*bend_bar + kappa*rho_share_bar + REAL(2)*theta_dot*theta_dot2_bar;
         const stewart_real theta_dot_bar_err = C_s_max*c2_bar_err + C_us_err*tau_y_bar_max + C_us_max*tau_y_bar_err
             + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err + L_share_err*theta_ddot_bar_max + M_phi_theta_err*c7_max
             + M_phi_theta_max*c7_err + kappa_err*rho_share_bar_max + kappa_max*rho_share_bar_err + rho_share_err*theta_ddot_bar_max
-            + theta_ddot_bar_err*(L_share_max + rho_share_max) + REAL(2)*theta_dot2_bar_err*theta_dot_max + REAL(2)*theta_dot2_bar_max*theta_dot_err
-            + STEWART_UNIT*(REAL(6)*C_s_max*c2_bar_max + REAL(6)*C_us_max*tau_y_bar_max + REAL(5)*L_dot_max*bend_bar_max
-            + REAL(4)*M_phi_theta_max*c7_max + REAL(3)*kappa_max*rho_share_bar_max + REAL(3)*theta_ddot_bar_max*(L_share_max
-            + rho_share_max) + REAL(2)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
+            + REAL(2)*theta_dot2_bar_err*theta_dot_max + REAL(2)*theta_dot2_bar_max*theta_dot_err + theta_ddot_bar_err*(L_share_max
+            + rho_share_max) + STEWART_UNIT*(REAL(6)*C_s_max*c2_bar_max + REAL(6)*C_us_max*tau_y_bar_max + REAL(3)*L_dot_max*bend_bar_max
+            + REAL(5)*M_phi_theta_max*c7_max + REAL(2)*kappa_max*rho_share_bar_max + REAL(2)*theta_dot2_bar_max*theta_dot_max
+            + REAL(5)*theta_ddot_bar_max*(L_share_max + rho_share_max) + STEWART_FABS(theta_dot_bar));
         const stewart_real theta_dot_bar_max = STEWART_FABS(theta_dot_bar) + theta_dot_bar_err;
-        const stewart_real phi_dot_bar = C_s*c1_bar + C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar + REAL(2)*two_phi_dot_bar;
+        const stewart_real phi_dot_bar = C_s*c1_bar + C_us*tau_k_bar + REAL(2)*two_phi_dot_bar + REAL(2)*phi_dot*phi_dot2_bar;
         const stewart_real phi_dot_bar_err = C_s_max*c1_bar_err + C_us_err*tau_k_bar_max + C_us_max*tau_k_bar_err
-            + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err + REAL(2)*two_phi_dot_bar_err
-            + STEWART_UNIT*(REAL(3)*C_s_max*c1_bar_max + REAL(3)*C_us_max*tau_k_bar_max + REAL(4)*phi_dot2_bar_max*phi_dot_max
-            + STEWART_FABS(phi_dot_bar));
+            + REAL(2)*two_phi_dot_bar_err + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err
+            + STEWART_UNIT*(REAL(2)*two_phi_dot_bar_max + REAL(3)*C_s_max*c1_bar_max + REAL(3)*C_us_max*tau_k_bar_max
+            + REAL(2)*phi_dot2_bar_max*phi_dot_max + STEWART_FABS(phi_dot_bar));
         const stewart_real phi_dot_bar_max = STEWART_FABS(phi_dot_bar) + phi_dot_bar_err;
-        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c7 + bend_bar*theta_dot + c4*theta_dot_bar;
+        const stewart_real L_dot_bar = C_p*D_weight + M_phi_L*c7 + bend_bar*theta_dot + L_share_bar*inv_L + c4*theta_dot_bar;
         const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err + M_phi_L_err*c7_max
             + M_phi_L_max*c7_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err + c4_err*theta_dot_bar_max
-            + c4_max*theta_dot_bar_err + STEWART_UNIT*(REAL(4)*C_p_max*D_weight_max + REAL(4)*L_share_bar_max*inv_L_max
-            + REAL(3)*M_phi_L_max*c7_max + REAL(2)*bend_bar_max*theta_dot_max + c4_max*theta_dot_bar_max + STEWART_FABS(L_dot_bar));
+            + c4_max*theta_dot_bar_err + STEWART_UNIT*(c4_max*theta_dot_bar_max + REAL(4)*C_p_max*D_weight_max
+            + REAL(2)*L_share_bar_max*inv_L_max + REAL(4)*M_phi_L_max*c7_max + REAL(3)*bend_bar_max*theta_dot_max
+            + STEWART_FABS(L_dot_bar));
         const stewart_real L_dot_bar_max = STEWART_FABS(L_dot_bar) + L_dot_bar_err;
         const stewart_real c8 = inv_rho*phi_ddot_bar;
         const stewart_real c8_err = inv_rho_err*phi_ddot_bar_max + inv_rho_max*phi_ddot_bar_err + STEWART_UNIT*STEWART_FABS(c8);
@@ -3028,20 +3061,20 @@ static void leg_errors(
         const stewart_real c9 = inv_rho*theta_ddot_bar;
         const stewart_real c9_err = inv_rho_err*theta_ddot_bar_max + inv_rho_max*theta_ddot_bar_err + STEWART_UNIT*STEWART_FABS(c9);
         const stewart_real c9_max = STEWART_FABS(c9) + c9_err;
-        const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c8*y_z - c9*k_z;
+        const stewart_real S_ddot_z_bar = c8*y_z + L_ddot_bar*s_z - c9*k_z;
         const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c8_err*y_z_max
-            + c8_max*y_z_err + c9_err*k_z_max + c9_max*k_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
-            + REAL(2)*c8_max*y_z_max + c9_max*k_z_max + STEWART_FABS(S_ddot_z_bar));
+            + c8_max*y_z_err + c9_err*k_z_max + c9_max*k_z_err + STEWART_UNIT*(c9_max*k_z_max + REAL(2)*L_ddot_bar_max*s_z_max
+            + REAL(2)*c8_max*y_z_max + STEWART_FABS(S_ddot_z_bar));
         const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
-        const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c8*y_y - c9*k_y;
+        const stewart_real S_ddot_y_bar = c8*y_y + L_ddot_bar*s_y - c9*k_y;
         const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c8_err*y_y_max
-            + c8_max*y_y_err + c9_err*k_y_max + c9_max*k_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
-            + REAL(2)*c8_max*y_y_max + c9_max*k_y_max + STEWART_FABS(S_ddot_y_bar));
+            + c8_max*y_y_err + c9_err*k_y_max + c9_max*k_y_err + STEWART_UNIT*(c9_max*k_y_max + REAL(2)*L_ddot_bar_max*s_y_max
+            + REAL(2)*c8_max*y_y_max + STEWART_FABS(S_ddot_y_bar));
         const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
-        const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c8*y_x - c9*k_x;
+        const stewart_real S_ddot_x_bar = c8*y_x + L_ddot_bar*s_x - c9*k_x;
         const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c8_err*y_x_max
-            + c8_max*y_x_err + c9_err*k_x_max + c9_max*k_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
-            + REAL(2)*c8_max*y_x_max + c9_max*k_x_max + STEWART_FABS(S_ddot_x_bar));
+            + c8_max*y_x_err + c9_err*k_x_max + c9_max*k_x_err + STEWART_UNIT*(c9_max*k_x_max + REAL(2)*L_ddot_bar_max*s_x_max
+            + REAL(2)*c8_max*y_x_max + STEWART_FABS(S_ddot_x_bar));
         const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
         const stewart_real c10 = inv_rho*phi_dot_bar;
         const stewart_real c10_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err + STEWART_UNIT*STEWART_FABS(c10);
@@ -3051,137 +3084,140 @@ static void leg_errors(
         const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
         const stewart_real S_dot_z_bar = L_dot_bar*s_z + c10*y_z - c11*k_z;
         const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c10_err*y_z_max
-            + c10_max*y_z_err + c11_err*k_z_max + c11_max*k_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
-            + REAL(2)*c10_max*y_z_max + c11_max*k_z_max + STEWART_FABS(S_dot_z_bar));
+            + c10_max*y_z_err + c11_err*k_z_max + c11_max*k_z_err + STEWART_UNIT*(c11_max*k_z_max + REAL(2)*L_dot_bar_max*s_z_max
+            + REAL(2)*c10_max*y_z_max + STEWART_FABS(S_dot_z_bar));
         const stewart_real S_dot_z_bar_max = STEWART_FABS(S_dot_z_bar) + S_dot_z_bar_err;
         const stewart_real S_dot_y_bar = L_dot_bar*s_y + c10*y_y - c11*k_y;
         const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c10_err*y_y_max
-            + c10_max*y_y_err + c11_err*k_y_max + c11_max*k_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
-            + REAL(2)*c10_max*y_y_max + c11_max*k_y_max + STEWART_FABS(S_dot_y_bar));
+            + c10_max*y_y_err + c11_err*k_y_max + c11_max*k_y_err + STEWART_UNIT*(c11_max*k_y_max + REAL(2)*L_dot_bar_max*s_y_max
+            + REAL(2)*c10_max*y_y_max + STEWART_FABS(S_dot_y_bar));
         const stewart_real S_dot_y_bar_max = STEWART_FABS(S_dot_y_bar) + S_dot_y_bar_err;
         const stewart_real S_dot_x_bar = L_dot_bar*s_x + c10*y_x - c11*k_x;
         const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c10_err*y_x_max
-            + c10_max*y_x_err + c11_err*k_x_max + c11_max*k_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
-            + REAL(2)*c10_max*y_x_max + c11_max*k_x_max + STEWART_FABS(S_dot_x_bar));
+            + c10_max*y_x_err + c11_err*k_x_max + c11_max*k_x_err + STEWART_UNIT*(c11_max*k_x_max + REAL(2)*L_dot_bar_max*s_x_max
+            + REAL(2)*c10_max*y_x_max + STEWART_FABS(S_dot_x_bar));
         const stewart_real S_dot_x_bar_max = STEWART_FABS(S_dot_x_bar) + S_dot_x_bar_err;
         const stewart_real kappa_bar = rho_share_bar*theta_dot;
         const stewart_real kappa_bar_err = rho_share_bar_err*theta_dot_max + rho_share_bar_max*theta_dot_err
             + STEWART_UNIT*STEWART_FABS(kappa_bar);
         const stewart_real kappa_bar_max = STEWART_FABS(kappa_bar) + kappa_bar_err;
-        const stewart_real k3_bar = J_yz*M_mixed_bar + h_y*k3_h_bar + k1*k13_bar + REAL(2)*k3*k33_bar + w_k_bar*w_z
-            + w_n_bar*w_x - M_mixed_theta_bar*a3;
+        const stewart_real k3_bar = w_k_bar*w_z - M_mixed_theta_bar*a3 + J_yz*M_mixed_bar + h_y*k3_h_bar + w_n_bar*w_x
+            + k1*k13_bar + REAL(2)*k3*k33_bar;
         const stewart_real k3_bar_err = J_yz_err*M_mixed_bar_max + J_yz_max*M_mixed_bar_err + M_mixed_theta_bar_err*a3_max
             + M_mixed_theta_bar_max*a3_err + h_y_err*k3_h_bar_max + h_y_max*k3_h_bar_err + k13_bar_err*k1_max
-            + k13_bar_max*k1_err + REAL(2)*k33_bar_err*k3_max + REAL(2)*k33_bar_max*k3_err + w_k_bar_err*w_z_max
-            + w_k_bar_max*w_z_err + w_n_bar_err*w_x_max + w_n_bar_max*w_x_err + STEWART_UNIT*(REAL(6)*J_yz_max*M_mixed_bar_max
-            + M_mixed_theta_bar_max*a3_max + REAL(6)*h_y_max*k3_h_bar_max + REAL(5)*k13_bar_max*k1_max + REAL(8)*k33_bar_max*k3_max
-            + REAL(3)*w_k_bar_max*w_z_max + REAL(2)*w_n_bar_max*w_x_max + STEWART_FABS(k3_bar));
+            + k13_bar_max*k1_err + w_k_bar_err*w_z_max + w_k_bar_max*w_z_err + w_n_bar_err*w_x_max + w_n_bar_max*w_x_err
+            + REAL(2)*k33_bar_err*k3_max + REAL(2)*k33_bar_max*k3_err + STEWART_UNIT*(REAL(5)*J_yz_max*M_mixed_bar_max
+            + REAL(6)*M_mixed_theta_bar_max*a3_max + REAL(4)*h_y_max*k3_h_bar_max + REAL(2)*k13_bar_max*k1_max
+            + REAL(2)*k33_bar_max*k3_max + REAL(6)*w_k_bar_max*w_z_max + REAL(3)*w_n_bar_max*w_x_max + STEWART_FABS(k3_bar));
         const stewart_real k3_bar_max = STEWART_FABS(k3_bar) + k3_bar_err;
-        const stewart_real k1_bar = J_yz*M_mixed_theta_bar + L_ddot*c9 + L_dot*c11 + M_mixed_bar*a3 + k13_bar*k3
-            + w_k_bar*w_x - D_weight*Q_k - bend*c3 - w_n_bar*w_z;
+        const stewart_real k1_bar = J_yz*M_mixed_theta_bar - D_weight*Q_k + w_k_bar*w_x - bend*c3 + M_mixed_bar*a3
+            + L_ddot*c9 - w_n_bar*w_z + k13_bar*k3 + L_dot*c11;
         const stewart_real k1_bar_err = D_weight_max*Q_k_err + J_yz_err*M_mixed_theta_bar_max + J_yz_max*M_mixed_theta_bar_err
             + L_ddot_err*c9_max + L_ddot_max*c9_err + L_dot_err*c11_max + L_dot_max*c11_err + M_mixed_bar_err*a3_max
             + M_mixed_bar_max*a3_err + bend_err*c3_max + bend_max*c3_err + k13_bar_err*k3_max + k13_bar_max*k3_err
-            + w_k_bar_err*w_x_max + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err + STEWART_UNIT*(REAL(3)*D_weight_max*Q_k_max
-            + REAL(8)*J_yz_max*M_mixed_theta_bar_max + REAL(8)*L_ddot_max*c9_max + REAL(7)*L_dot_max*c11_max
-            + REAL(6)*M_mixed_bar_max*a3_max + REAL(2)*bend_max*c3_max + REAL(5)*k13_bar_max*k3_max + REAL(4)*w_k_bar_max*w_x_max
-            + w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
+            + w_k_bar_err*w_x_max + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err + STEWART_UNIT*(L_dot_max*c11_max
+            + REAL(8)*D_weight_max*Q_k_max + REAL(8)*J_yz_max*M_mixed_theta_bar_max + REAL(4)*L_ddot_max*c9_max
+            + REAL(5)*M_mixed_bar_max*a3_max + REAL(6)*bend_max*c3_max + REAL(2)*k13_bar_max*k3_max + REAL(7)*w_k_bar_max*w_x_max
+            + REAL(3)*w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
         const stewart_real k1_bar_max = STEWART_FABS(k1_bar) + k1_bar_err;
         const stewart_real c12 = C_s*tau_y_bar;
         const stewart_real c12_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c12);
         const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
-        const stewart_real y_z_bar = S_ddot_z*c8 + S_dot_z*c10 + g_x_k_z*gamma_n_bar + g_z*gamma_y_bar - Q_y*c_force_z_bar
-            - Y_moment_z*c2 - c12*omega_z;
+        const stewart_real y_z_bar = g_z*gamma_y_bar - Y_moment_z*c2 - Q_y*c_force_z_bar - c12*omega_z + S_ddot_z*c8
+            + g_x_k_z*gamma_n_bar + S_dot_z*c10;
         const stewart_real y_z_bar_err = Q_y_err*c_force_z_bar_max + Q_y_max*c_force_z_bar_err + S_ddot_z_err*c8_max
             + S_ddot_z_max*c8_err + S_dot_z_err*c10_max + S_dot_z_max*c10_err + Y_moment_z_max*c2_err + c12_err*omega_z_max
-            + g_x_k_z_err*gamma_n_bar_max + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_z_bar_max
-            + REAL(6)*S_ddot_z_max*c8_max + REAL(6)*S_dot_z_max*c10_max + REAL(2)*Y_moment_z_max*c2_max + c12_max*omega_z_max
-            + REAL(5)*g_x_k_z_max*gamma_n_bar_max + REAL(4)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
+            + g_x_k_z_err*gamma_n_bar_max + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(S_dot_z_max*c10_max
+            + REAL(5)*Q_y_max*c_force_z_bar_max + REAL(3)*S_ddot_z_max*c8_max + REAL(6)*Y_moment_z_max*c2_max
+            + REAL(4)*c12_max*omega_z_max + REAL(2)*g_x_k_z_max*gamma_n_bar_max + REAL(6)*g_z_max*gamma_y_bar_max
+            + STEWART_FABS(y_z_bar));
         const stewart_real y_z_bar_max = STEWART_FABS(y_z_bar) + y_z_bar_err;
-        const stewart_real y_y_bar = S_ddot_y*c8 + S_dot_y*c10 + g_x_k_y*gamma_n_bar + g_y*gamma_y_bar - Q_y*c_force_y_bar
-            - Y_moment_y*c2 - c12*omega_y;
+        const stewart_real y_y_bar = g_y*gamma_y_bar - Y_moment_y*c2 - Q_y*c_force_y_bar - c12*omega_y + S_ddot_y*c8
+            + g_x_k_y*gamma_n_bar + S_dot_y*c10;
         const stewart_real y_y_bar_err = Q_y_err*c_force_y_bar_max + Q_y_max*c_force_y_bar_err + S_ddot_y_err*c8_max
             + S_ddot_y_max*c8_err + S_dot_y_err*c10_max + S_dot_y_max*c10_err + Y_moment_y_max*c2_err + c12_err*omega_y_max
-            + g_x_k_y_err*gamma_n_bar_max + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_y_bar_max
-            + REAL(6)*S_ddot_y_max*c8_max + REAL(6)*S_dot_y_max*c10_max + REAL(2)*Y_moment_y_max*c2_max + c12_max*omega_y_max
-            + REAL(5)*g_x_k_y_max*gamma_n_bar_max + REAL(4)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
+            + g_x_k_y_err*gamma_n_bar_max + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(S_dot_y_max*c10_max
+            + REAL(5)*Q_y_max*c_force_y_bar_max + REAL(3)*S_ddot_y_max*c8_max + REAL(6)*Y_moment_y_max*c2_max
+            + REAL(4)*c12_max*omega_y_max + REAL(2)*g_x_k_y_max*gamma_n_bar_max + REAL(6)*g_y_max*gamma_y_bar_max
+            + STEWART_FABS(y_y_bar));
         const stewart_real y_y_bar_max = STEWART_FABS(y_y_bar) + y_y_bar_err;
-        const stewart_real y_x_bar = S_ddot_x*c8 + S_dot_x*c10 + g_x*gamma_y_bar + g_x_k_x*gamma_n_bar - Q_y*c_force_x_bar
-            - Y_moment_x*c2 - c12*omega_x;
+        const stewart_real y_x_bar = g_x*gamma_y_bar - Y_moment_x*c2 - Q_y*c_force_x_bar - c12*omega_x + S_ddot_x*c8
+            + g_x_k_x*gamma_n_bar + S_dot_x*c10;
         const stewart_real y_x_bar_err = Q_y_err*c_force_x_bar_max + Q_y_max*c_force_x_bar_err + S_ddot_x_err*c8_max
             + S_ddot_x_max*c8_err + S_dot_x_err*c10_max + S_dot_x_max*c10_err + Y_moment_x_max*c2_err + c12_err*omega_x_max
-            + g_x_k_x_err*gamma_n_bar_max + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_x_bar_max
-            + REAL(6)*S_ddot_x_max*c8_max + REAL(6)*S_dot_x_max*c10_max + REAL(2)*Y_moment_x_max*c2_max + c12_max*omega_x_max
-            + REAL(4)*g_x_k_x_max*gamma_n_bar_max + REAL(5)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
+            + g_x_k_x_err*gamma_n_bar_max + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(S_dot_x_max*c10_max
+            + REAL(5)*Q_y_max*c_force_x_bar_max + REAL(3)*S_ddot_x_max*c8_max + REAL(6)*Y_moment_x_max*c2_max
+            + REAL(4)*c12_max*omega_x_max + REAL(2)*g_x_k_x_max*gamma_n_bar_max + REAL(6)*g_x_max*gamma_y_bar_max
+            + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
-        const stewart_real inv_rho_bar = Q_y_bar*tau_k + k_cross_S_x*y_x_bar + k_cross_S_y*y_y_bar + k_cross_S_z*y_z_bar
-            + kappa_bar*zeta + phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) + phi_dot_bar*(S_dot_x*y_x
-            + S_dot_y*y_y + S_dot_z*y_z) + theta_ddot_bar*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z)
-            + theta_dot_bar*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z) - Q_k_bar*tau_y;
-        const stewart_real inv_rho_bar_err = L_ddot_err*k1_max*theta_ddot_bar_max + L_dot_err*k1_max*theta_dot_bar_max
-            + Q_k_bar_err*tau_y_max + Q_k_bar_max*tau_y_err + Q_y_bar_err*tau_k_max + Q_y_bar_max*tau_k_err
+        const stewart_real inv_rho_bar = Q_y_bar*tau_k - Q_k_bar*tau_y + phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y
+            + S_ddot_z*y_z) + theta_ddot_bar*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) + kappa_bar*zeta
+            + theta_dot_bar*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z) + phi_dot_bar*(S_dot_x*y_x
+            + S_dot_y*y_y + S_dot_z*y_z) + k_cross_S_x*y_x_bar + k_cross_S_y*y_y_bar + k_cross_S_z*y_z_bar;
+        const stewart_real inv_rho_bar_err = Q_k_bar_err*tau_y_max + Q_k_bar_max*tau_y_err + Q_y_bar_err*tau_k_max
+            + Q_y_bar_max*tau_k_err + k_cross_S_x_err*y_x_bar_max + k_cross_S_x_max*y_x_bar_err + k_cross_S_y_err*y_y_bar_max
+            + k_cross_S_y_max*y_y_bar_err + k_cross_S_z_err*y_z_bar_max + k_cross_S_z_max*y_z_bar_err + kappa_bar_err*zeta_max
+            + kappa_bar_max*zeta_err + L_ddot_err*k1_max*theta_ddot_bar_max + L_dot_err*k1_max*theta_dot_bar_max
             + S_ddot_x_err*(k_x_max*theta_ddot_bar_max + phi_ddot_bar_max*y_x_max) + S_ddot_y_err*(k_y_max*theta_ddot_bar_max
             + phi_ddot_bar_max*y_y_max) + S_ddot_z_err*(k_z_max*theta_ddot_bar_max + phi_ddot_bar_max*y_z_max)
             + S_dot_x_err*(k_x_max*theta_dot_bar_max + phi_dot_bar_max*y_x_max) + S_dot_y_err*(k_y_max*theta_dot_bar_max
             + phi_dot_bar_max*y_y_max) + S_dot_z_err*(k_z_max*theta_dot_bar_max + phi_dot_bar_max*y_z_max) + k1_err*(L_ddot_max*theta_ddot_bar_max
-            + L_dot_max*theta_dot_bar_max) + k_cross_S_x_err*y_x_bar_max + k_cross_S_x_max*y_x_bar_err + k_cross_S_y_err*y_y_bar_max
-            + k_cross_S_y_max*y_y_bar_err + k_cross_S_z_err*y_z_bar_max + k_cross_S_z_max*y_z_bar_err + k_x_err*(S_ddot_x_max*theta_ddot_bar_max
-            + S_dot_x_max*theta_dot_bar_max) + k_y_err*(S_ddot_y_max*theta_ddot_bar_max + S_dot_y_max*theta_dot_bar_max)
-            + k_z_err*(S_ddot_z_max*theta_ddot_bar_max + S_dot_z_max*theta_dot_bar_max) + kappa_bar_err*zeta_max
-            + kappa_bar_max*zeta_err + phi_ddot_bar_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
+            + L_dot_max*theta_dot_bar_max) + k_x_err*(S_ddot_x_max*theta_ddot_bar_max + S_dot_x_max*theta_dot_bar_max)
+            + k_y_err*(S_ddot_y_max*theta_ddot_bar_max + S_dot_y_max*theta_dot_bar_max) + k_z_err*(S_ddot_z_max*theta_ddot_bar_max
+            + S_dot_z_max*theta_dot_bar_max) + y_x_err*(S_ddot_x_max*phi_ddot_bar_max + S_dot_x_max*phi_dot_bar_max)
+            + y_y_err*(S_ddot_y_max*phi_ddot_bar_max + S_dot_y_max*phi_dot_bar_max) + y_z_err*(S_ddot_z_max*phi_ddot_bar_max
+            + S_dot_z_max*phi_dot_bar_max) + phi_ddot_bar_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
             + phi_dot_bar_err*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + theta_ddot_bar_err*(L_ddot_max*k1_max
             + S_ddot_x_max*k_x_max + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + theta_dot_bar_err*(L_dot_max*k1_max
-            + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max + S_dot_z_max*k_z_max) + y_x_err*(S_ddot_x_max*phi_ddot_bar_max
-            + S_dot_x_max*phi_dot_bar_max) + y_y_err*(S_ddot_y_max*phi_ddot_bar_max + S_dot_y_max*phi_dot_bar_max)
-            + y_z_err*(S_ddot_z_max*phi_ddot_bar_max + S_dot_z_max*phi_dot_bar_max) + STEWART_UNIT*(Q_k_bar_max*tau_y_max
-            + REAL(9)*Q_y_bar_max*tau_k_max + REAL(9)*k_cross_S_x_max*y_x_bar_max + REAL(8)*k_cross_S_y_max*y_y_bar_max
-            + REAL(7)*k_cross_S_z_max*y_z_bar_max + REAL(6)*kappa_bar_max*zeta_max + REAL(5)*phi_ddot_bar_max*(S_ddot_x_max*y_x_max
+            + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max + S_dot_z_max*k_z_max) + STEWART_UNIT*(k_cross_S_z_max*y_z_bar_max
+            + REAL(9)*Q_k_bar_max*tau_y_max + REAL(9)*Q_y_bar_max*tau_k_max + REAL(3)*k_cross_S_x_max*y_x_bar_max
+            + REAL(2)*k_cross_S_y_max*y_y_bar_max + REAL(6)*kappa_bar_max*zeta_max + REAL(8)*phi_ddot_bar_max*(S_ddot_x_max*y_x_max
             + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max) + phi_ddot_bar_max*(REAL(3)*S_ddot_x_max*y_x_max
             + REAL(3)*S_ddot_y_max*y_y_max + REAL(2)*S_ddot_z_max*y_z_max) + REAL(4)*phi_dot_bar_max*(S_dot_x_max*y_x_max
             + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + phi_dot_bar_max*(REAL(3)*S_dot_x_max*y_x_max + REAL(3)*S_dot_y_max*y_y_max
-            + REAL(2)*S_dot_z_max*y_z_max) + REAL(3)*theta_ddot_bar_max*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max
+            + REAL(2)*S_dot_z_max*y_z_max) + REAL(7)*theta_ddot_bar_max*(L_ddot_max*k1_max + S_ddot_x_max*k_x_max
             + S_ddot_y_max*k_y_max + S_ddot_z_max*k_z_max) + theta_ddot_bar_max*(REAL(4)*L_ddot_max*k1_max + REAL(4)*S_ddot_x_max*k_x_max
-            + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max) + REAL(2)*theta_dot_bar_max*(L_dot_max*k1_max
+            + REAL(3)*S_ddot_y_max*k_y_max + REAL(2)*S_ddot_z_max*k_z_max) + REAL(5)*theta_dot_bar_max*(L_dot_max*k1_max
             + S_dot_x_max*k_x_max + S_dot_y_max*k_y_max + S_dot_z_max*k_z_max) + theta_dot_bar_max*(REAL(4)*L_dot_max*k1_max
             + REAL(4)*S_dot_x_max*k_x_max + REAL(3)*S_dot_y_max*k_y_max + REAL(2)*S_dot_z_max*k_z_max) + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
         const stewart_real s_z_bar = H_force_z_bar + L_ddot_bar*S_ddot_z + L_dot_bar*S_dot_z;
         const stewart_real s_z_bar_err = H_force_z_bar_err + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err
-            + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(H_force_z_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_z_max
-            + L_dot_bar_max*S_dot_z_max + STEWART_FABS(s_z_bar));
+            + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err + STEWART_UNIT*(H_force_z_bar_max + L_dot_bar_max*S_dot_z_max
+            + REAL(2)*L_ddot_bar_max*S_ddot_z_max + STEWART_FABS(s_z_bar));
         const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
         const stewart_real s_y_bar = H_force_y_bar + L_ddot_bar*S_ddot_y + L_dot_bar*S_dot_y;
         const stewart_real s_y_bar_err = H_force_y_bar_err + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err
-            + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(H_force_y_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_y_max
-            + L_dot_bar_max*S_dot_y_max + STEWART_FABS(s_y_bar));
+            + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err + STEWART_UNIT*(H_force_y_bar_max + L_dot_bar_max*S_dot_y_max
+            + REAL(2)*L_ddot_bar_max*S_ddot_y_max + STEWART_FABS(s_y_bar));
         const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
         const stewart_real s_x_bar = H_force_x_bar + L_ddot_bar*S_ddot_x + L_dot_bar*S_dot_x;
         const stewart_real s_x_bar_err = H_force_x_bar_err + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err
-            + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(H_force_x_bar_max + REAL(2)*L_ddot_bar_max*S_ddot_x_max
-            + L_dot_bar_max*S_dot_x_max + STEWART_FABS(s_x_bar));
+            + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err + STEWART_UNIT*(H_force_x_bar_max + L_dot_bar_max*S_dot_x_max
+            + REAL(2)*L_ddot_bar_max*S_ddot_x_max + STEWART_FABS(s_x_bar));
         const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
-        const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
-            + k3_bar*rho;
+        const stewart_real inv_L_bar = L_dot*L_share_bar + k3_bar*rho + k1_bar*zeta + S_x*s_x_bar + S_y*s_y_bar
+            + S_z*s_z_bar;
         const stewart_real inv_L_bar_err = L_dot_err*L_share_bar_max + L_dot_max*L_share_bar_err + S_x_err*s_x_bar_max
             + S_x_max*s_x_bar_err + S_y_err*s_y_bar_max + S_y_max*s_y_bar_err + S_z_err*s_z_bar_max + S_z_max*s_z_bar_err
-            + k1_bar_err*zeta_max + k1_bar_max*zeta_err + k3_bar_err*rho_max + k3_bar_max*rho_err + STEWART_UNIT*(REAL(5)*L_dot_max*L_share_bar_max
-            + REAL(5)*S_x_max*s_x_bar_max + REAL(4)*S_y_max*s_y_bar_max + REAL(3)*S_z_max*s_z_bar_max + REAL(2)*k1_bar_max*zeta_max
-            + k3_bar_max*rho_max + STEWART_FABS(inv_L_bar));
+            + k1_bar_err*zeta_max + k1_bar_max*zeta_err + k3_bar_err*rho_max + k3_bar_max*rho_err + STEWART_UNIT*(S_z_max*s_z_bar_max
+            + REAL(5)*L_dot_max*L_share_bar_max + REAL(3)*S_x_max*s_x_bar_max + REAL(2)*S_y_max*s_y_bar_max
+            + REAL(4)*k1_bar_max*zeta_max + REAL(5)*k3_bar_max*rho_max + STEWART_FABS(inv_L_bar));
         const stewart_real inv_L_bar_max = STEWART_FABS(inv_L_bar) + inv_L_bar_err;
         const stewart_real rho_bar = inv_L*k3_bar - inv_rho_bar*inv_rho*inv_rho;
         const stewart_real rho_bar_err = inv_L_err*k3_bar_max + inv_L_max*k3_bar_err + inv_rho_bar_err*inv_rho_max*inv_rho_max
             + REAL(2)*inv_rho_bar_max*inv_rho_err*inv_rho_max + STEWART_UNIT*(inv_L_max*k3_bar_max + REAL(2)*inv_rho_bar_max*inv_rho_max*inv_rho_max
             + STEWART_FABS(rho_bar));
         const stewart_real rho_bar_max = STEWART_FABS(rho_bar) + rho_bar_err;
-        const stewart_real L_bar = L_ddot_bar*(k33*phi_dot2 + theta_dot2) + L_h2_bar*h2_x - a2_bar*h2_z - a3_bar*h_y
+        const stewart_real L_bar = L_ddot_bar*(theta_dot2 + k33*phi_dot2) - a3_bar*h_y + L_h2_bar*h2_x - a2_bar*h2_z
             - inv_L_bar*inv_L*inv_L;
-        const stewart_real L_bar_err = L_ddot_bar_err*(k33_max*phi_dot2_max + theta_dot2_max) + L_ddot_bar_max*k33_err*phi_dot2_max
-            + L_ddot_bar_max*k33_max*phi_dot2_err + L_ddot_bar_max*theta_dot2_err + L_h2_bar_err*h2_x_max + L_h2_bar_max*h2_x_err
-            + a2_bar_err*h2_z_max + a2_bar_max*h2_z_err + a3_bar_err*h_y_max + a3_bar_max*h_y_err + inv_L_bar_err*inv_L_max*inv_L_max
-            + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max + STEWART_UNIT*(REAL(4)*L_ddot_bar_max*(k33_max*phi_dot2_max
-            + theta_dot2_max) + L_ddot_bar_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(4)*L_h2_bar_max*h2_x_max
-            + REAL(3)*a2_bar_max*h2_z_max + REAL(2)*a3_bar_max*h_y_max + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max
-            + STEWART_FABS(L_bar));
+        const stewart_real L_bar_err = L_ddot_bar_max*theta_dot2_err + L_h2_bar_err*h2_x_max + L_h2_bar_max*h2_x_err
+            + a2_bar_err*h2_z_max + a2_bar_max*h2_z_err + a3_bar_err*h_y_max + a3_bar_max*h_y_err + L_ddot_bar_max*k33_err*phi_dot2_max
+            + L_ddot_bar_max*k33_max*phi_dot2_err + inv_L_bar_err*inv_L_max*inv_L_max + L_ddot_bar_err*(theta_dot2_max
+            + k33_max*phi_dot2_max) + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max + STEWART_UNIT*(REAL(3)*L_h2_bar_max*h2_x_max
+            + REAL(2)*a2_bar_max*h2_z_max + REAL(4)*a3_bar_max*h_y_max + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max
+            + REAL(4)*L_ddot_bar_max*(theta_dot2_max + k33_max*phi_dot2_max) + L_ddot_bar_max*(theta_dot2_max
+            + REAL(2)*k33_max*phi_dot2_max) + STEWART_FABS(L_bar));
         const stewart_real L_bar_max = STEWART_FABS(L_bar) + L_bar_err;
         const stewart_real c13 = L_bar*inv_L;
         const stewart_real c13_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c13);
@@ -3193,96 +3229,96 @@ static void leg_errors(
         const stewart_real c14 = REAL(2)*rho2_bar;
         const stewart_real c14_err = REAL(2)*rho2_bar_err;
         const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
-        const stewart_real k_cross_S_z_bar = c14*k_cross_S_z + inv_rho*y_z_bar;
+        const stewart_real k_cross_S_z_bar = inv_rho*y_z_bar + c14*k_cross_S_z;
         const stewart_real k_cross_S_z_bar_err = c14_err*k_cross_S_z_max + c14_max*k_cross_S_z_err + inv_rho_err*y_z_bar_max
             + inv_rho_max*y_z_bar_err + STEWART_UNIT*(c14_max*k_cross_S_z_max + inv_rho_max*y_z_bar_max + STEWART_FABS(k_cross_S_z_bar));
         const stewart_real k_cross_S_z_bar_max = STEWART_FABS(k_cross_S_z_bar) + k_cross_S_z_bar_err;
-        const stewart_real k_cross_S_y_bar = c14*k_cross_S_y + inv_rho*y_y_bar;
+        const stewart_real k_cross_S_y_bar = inv_rho*y_y_bar + c14*k_cross_S_y;
         const stewart_real k_cross_S_y_bar_err = c14_err*k_cross_S_y_max + c14_max*k_cross_S_y_err + inv_rho_err*y_y_bar_max
             + inv_rho_max*y_y_bar_err + STEWART_UNIT*(c14_max*k_cross_S_y_max + inv_rho_max*y_y_bar_max + STEWART_FABS(k_cross_S_y_bar));
         const stewart_real k_cross_S_y_bar_max = STEWART_FABS(k_cross_S_y_bar) + k_cross_S_y_bar_err;
-        const stewart_real k_cross_S_x_bar = c14*k_cross_S_x + inv_rho*y_x_bar;
+        const stewart_real k_cross_S_x_bar = inv_rho*y_x_bar + c14*k_cross_S_x;
         const stewart_real k_cross_S_x_bar_err = c14_err*k_cross_S_x_max + c14_max*k_cross_S_x_err + inv_rho_err*y_x_bar_max
             + inv_rho_max*y_x_bar_err + STEWART_UNIT*(c14_max*k_cross_S_x_max + inv_rho_max*y_x_bar_max + STEWART_FABS(k_cross_S_x_bar));
         const stewart_real k_cross_S_x_bar_max = STEWART_FABS(k_cross_S_x_bar) + k_cross_S_x_bar_err;
-        const stewart_real zeta_bar = c13*zeta + inv_L*k1_bar + inv_rho*kappa_bar;
+        const stewart_real zeta_bar = inv_rho*kappa_bar + inv_L*k1_bar + c13*zeta;
         const stewart_real zeta_bar_err = c13_err*zeta_max + c13_max*zeta_err + inv_L_err*k1_bar_max + inv_L_max*k1_bar_err
-            + inv_rho_err*kappa_bar_max + inv_rho_max*kappa_bar_err + STEWART_UNIT*(REAL(2)*c13_max*zeta_max
-            + REAL(2)*inv_L_max*k1_bar_max + inv_rho_max*kappa_bar_max + STEWART_FABS(zeta_bar));
+            + inv_rho_err*kappa_bar_max + inv_rho_max*kappa_bar_err + STEWART_UNIT*(c13_max*zeta_max + REAL(2)*inv_L_max*k1_bar_max
+            + REAL(2)*inv_rho_max*kappa_bar_max + STEWART_FABS(zeta_bar));
         const stewart_real zeta_bar_max = STEWART_FABS(zeta_bar) + zeta_bar_err;
-        const stewart_real S_z_bar = inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar - k_cross_S_y_bar*k_x;
+        const stewart_real S_z_bar = inv_L*s_z_bar + k_z*zeta_bar + k_cross_S_x_bar*k_y - k_cross_S_y_bar*k_x;
         const stewart_real S_z_bar_err = inv_L_err*s_z_bar_max + inv_L_max*s_z_bar_err + k_cross_S_x_bar_err*k_y_max
             + k_cross_S_x_bar_max*k_y_err + k_cross_S_y_bar_err*k_x_max + k_cross_S_y_bar_max*k_x_err + k_z_err*zeta_bar_max
-            + k_z_max*zeta_bar_err + STEWART_UNIT*(REAL(3)*inv_L_max*s_z_bar_max + REAL(3)*k_cross_S_x_bar_max*k_y_max
-            + k_cross_S_y_bar_max*k_x_max + REAL(2)*k_z_max*zeta_bar_max + STEWART_FABS(S_z_bar));
+            + k_z_max*zeta_bar_err + STEWART_UNIT*(k_cross_S_y_bar_max*k_x_max + REAL(3)*inv_L_max*s_z_bar_max
+            + REAL(2)*k_cross_S_x_bar_max*k_y_max + REAL(3)*k_z_max*zeta_bar_max + STEWART_FABS(S_z_bar));
         const stewart_real S_z_bar_max = STEWART_FABS(S_z_bar) + S_z_bar_err;
-        const stewart_real S_y_bar = inv_L*s_y_bar + k_cross_S_z_bar*k_x + k_y*zeta_bar - k_cross_S_x_bar*k_z;
+        const stewart_real S_y_bar = inv_L*s_y_bar + k_y*zeta_bar + k_cross_S_z_bar*k_x - k_cross_S_x_bar*k_z;
         const stewart_real S_y_bar_err = inv_L_err*s_y_bar_max + inv_L_max*s_y_bar_err + k_cross_S_x_bar_err*k_z_max
             + k_cross_S_x_bar_max*k_z_err + k_cross_S_z_bar_err*k_x_max + k_cross_S_z_bar_max*k_x_err + k_y_err*zeta_bar_max
-            + k_y_max*zeta_bar_err + STEWART_UNIT*(REAL(3)*inv_L_max*s_y_bar_max + k_cross_S_x_bar_max*k_z_max
-            + REAL(3)*k_cross_S_z_bar_max*k_x_max + REAL(2)*k_y_max*zeta_bar_max + STEWART_FABS(S_y_bar));
+            + k_y_max*zeta_bar_err + STEWART_UNIT*(k_cross_S_x_bar_max*k_z_max + REAL(3)*inv_L_max*s_y_bar_max
+            + REAL(2)*k_cross_S_z_bar_max*k_x_max + REAL(3)*k_y_max*zeta_bar_max + STEWART_FABS(S_y_bar));
         const stewart_real S_y_bar_max = STEWART_FABS(S_y_bar) + S_y_bar_err;
-        const stewart_real S_x_bar = inv_L*s_x_bar + k_cross_S_y_bar*k_z + k_x*zeta_bar - k_cross_S_z_bar*k_y;
+        const stewart_real S_x_bar = inv_L*s_x_bar + k_x*zeta_bar + k_cross_S_y_bar*k_z - k_cross_S_z_bar*k_y;
         const stewart_real S_x_bar_err = inv_L_err*s_x_bar_max + inv_L_max*s_x_bar_err + k_cross_S_y_bar_err*k_z_max
             + k_cross_S_y_bar_max*k_z_err + k_cross_S_z_bar_err*k_y_max + k_cross_S_z_bar_max*k_y_err + k_x_err*zeta_bar_max
-            + k_x_max*zeta_bar_err + STEWART_UNIT*(REAL(3)*inv_L_max*s_x_bar_max + REAL(3)*k_cross_S_y_bar_max*k_z_max
-            + k_cross_S_z_bar_max*k_y_max + REAL(2)*k_x_max*zeta_bar_max + STEWART_FABS(S_x_bar));
+            + k_x_max*zeta_bar_err + STEWART_UNIT*(k_cross_S_z_bar_max*k_y_max + REAL(3)*inv_L_max*s_x_bar_max
+            + REAL(2)*k_cross_S_y_bar_max*k_z_max + REAL(3)*k_x_max*zeta_bar_max + STEWART_FABS(S_x_bar));
         const stewart_real S_x_bar_max = STEWART_FABS(S_x_bar) + S_x_bar_err;
-        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_dot_x_bar*omega_y
-            + S_z_bar + arm_z_bar - S_dot_y_bar*omega_x;
-        const stewart_real q_z_bar_err = B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err + B_yz_err*S_ddot_y_bar_max
-            + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max + B_zz_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_y_max
-            + S_dot_y_bar_err*omega_x_max + S_z_bar_err + arm_z_bar_err + STEWART_UNIT*(REAL(6)*B_xz_max*S_ddot_x_bar_max
-            + REAL(6)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max + REAL(4)*S_dot_x_bar_max*omega_y_max
-            + S_dot_y_bar_max*omega_x_max + REAL(2)*S_z_bar_max + arm_z_bar_max + STEWART_FABS(q_z_bar));
+        const stewart_real q_z_bar = arm_z_bar + B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_dot_x_bar*omega_y
+            - S_dot_y_bar*omega_x + S_z_bar;
+        const stewart_real q_z_bar_err = S_z_bar_err + arm_z_bar_err + B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err
+            + B_yz_err*S_ddot_y_bar_max + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max + B_zz_max*S_ddot_z_bar_err
+            + S_dot_x_bar_err*omega_y_max + S_dot_y_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*arm_z_bar_max
+            + REAL(6)*B_xz_max*S_ddot_x_bar_max + REAL(5)*B_yz_max*S_ddot_y_bar_max + REAL(4)*B_zz_max*S_ddot_z_bar_max
+            + REAL(3)*S_dot_x_bar_max*omega_y_max + REAL(2)*S_dot_y_bar_max*omega_x_max + STEWART_FABS(q_z_bar));
         const stewart_real q_z_bar_max = STEWART_FABS(q_z_bar) + q_z_bar_err;
-        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_dot_z_bar*omega_x
-            + S_y_bar + arm_y_bar - S_dot_x_bar*omega_z;
-        const stewart_real q_y_bar_err = B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err + B_yy_err*S_ddot_y_bar_max
-            + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max + B_zy_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_x_max + S_y_bar_err + arm_y_bar_err + STEWART_UNIT*(REAL(6)*B_xy_max*S_ddot_x_bar_max
-            + REAL(6)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max + S_dot_x_bar_max*omega_z_max
-            + REAL(4)*S_dot_z_bar_max*omega_x_max + REAL(2)*S_y_bar_max + arm_y_bar_max + STEWART_FABS(q_y_bar));
+        const stewart_real q_y_bar = arm_y_bar + B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_dot_z_bar*omega_x
+            - S_dot_x_bar*omega_z + S_y_bar;
+        const stewart_real q_y_bar_err = S_y_bar_err + arm_y_bar_err + B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err
+            + B_yy_err*S_ddot_y_bar_max + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max + B_zy_max*S_ddot_z_bar_err
+            + S_dot_x_bar_err*omega_z_max + S_dot_z_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*arm_y_bar_max
+            + REAL(6)*B_xy_max*S_ddot_x_bar_max + REAL(5)*B_yy_max*S_ddot_y_bar_max + REAL(4)*B_zy_max*S_ddot_z_bar_max
+            + REAL(2)*S_dot_x_bar_max*omega_z_max + REAL(3)*S_dot_z_bar_max*omega_x_max + STEWART_FABS(q_y_bar));
         const stewart_real q_y_bar_max = STEWART_FABS(q_y_bar) + q_y_bar_err;
-        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_dot_y_bar*omega_z
-            + S_x_bar + arm_x_bar - S_dot_z_bar*omega_y;
-        const stewart_real q_x_bar_err = B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err + B_yx_err*S_ddot_y_bar_max
-            + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max + B_zx_max*S_ddot_z_bar_err + S_dot_y_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_y_max + S_x_bar_err + arm_x_bar_err + STEWART_UNIT*(REAL(6)*B_xx_max*S_ddot_x_bar_max
-            + REAL(6)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max + REAL(4)*S_dot_y_bar_max*omega_z_max
-            + S_dot_z_bar_max*omega_y_max + REAL(2)*S_x_bar_max + arm_x_bar_max + STEWART_FABS(q_x_bar));
+        const stewart_real q_x_bar = arm_x_bar + B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_dot_y_bar*omega_z
+            - S_dot_z_bar*omega_y + S_x_bar;
+        const stewart_real q_x_bar_err = S_x_bar_err + arm_x_bar_err + B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err
+            + B_yx_err*S_ddot_y_bar_max + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max + B_zx_max*S_ddot_z_bar_err
+            + S_dot_y_bar_err*omega_z_max + S_dot_z_bar_err*omega_y_max + STEWART_UNIT*(REAL(5)*arm_x_bar_max
+            + REAL(6)*B_xx_max*S_ddot_x_bar_max + REAL(5)*B_yx_max*S_ddot_y_bar_max + REAL(4)*B_zx_max*S_ddot_z_bar_max
+            + REAL(3)*S_dot_y_bar_max*omega_z_max + REAL(2)*S_dot_z_bar_max*omega_y_max + STEWART_FABS(q_x_bar));
         const stewart_real q_x_bar_max = STEWART_FABS(q_x_bar) + q_x_bar_err;
         const stewart_real c15 = C_s*tau_k_bar;
         const stewart_real c15_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c15);
         const stewart_real c15_max = STEWART_FABS(c15) + c15_err;
-        const stewart_real k_x_bar = S_x*zeta_bar + S_y*k_cross_S_z_bar - Q_k*c_force_x_bar - S_ddot_x*c9 - S_dot_x*c11
-            - S_z*k_cross_S_y_bar - Y_moment_x*c1 - c15*omega_x;
+        const stewart_real k_x_bar = S_x*zeta_bar - Y_moment_x*c1 - Q_k*c_force_x_bar - c15*omega_x - S_ddot_x*c9
+            - S_dot_x*c11 + S_y*k_cross_S_z_bar - S_z*k_cross_S_y_bar;
         const stewart_real k_x_bar_err = Q_k_err*c_force_x_bar_max + Q_k_max*c_force_x_bar_err + S_ddot_x_err*c9_max
             + S_ddot_x_max*c9_err + S_dot_x_err*c11_max + S_dot_x_max*c11_err + S_x_err*zeta_bar_max + S_x_max*zeta_bar_err
             + S_y_err*k_cross_S_z_bar_max + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err
-            + Y_moment_x_max*c1_err + c15_err*omega_x_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_x_bar_max
-            + REAL(5)*S_ddot_x_max*c9_max + REAL(4)*S_dot_x_max*c11_max + REAL(7)*S_x_max*zeta_bar_max + REAL(7)*S_y_max*k_cross_S_z_bar_max
-            + REAL(3)*S_z_max*k_cross_S_y_bar_max + REAL(2)*Y_moment_x_max*c1_max + c15_max*omega_x_max + STEWART_FABS(k_x_bar));
+            + Y_moment_x_max*c1_err + c15_err*omega_x_max + STEWART_UNIT*(S_z_max*k_cross_S_y_bar_max + REAL(6)*Q_k_max*c_force_x_bar_max
+            + REAL(4)*S_ddot_x_max*c9_max + REAL(3)*S_dot_x_max*c11_max + REAL(7)*S_x_max*zeta_bar_max + REAL(2)*S_y_max*k_cross_S_z_bar_max
+            + REAL(7)*Y_moment_x_max*c1_max + REAL(5)*c15_max*omega_x_max + STEWART_FABS(k_x_bar));
         const stewart_real k_x_bar_max = STEWART_FABS(k_x_bar) + k_x_bar_err;
-        const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - Q_k*c_force_y_bar - S_ddot_y*c9 - S_dot_y*c11
-            - S_x*k_cross_S_z_bar - Y_moment_y*c1 - c15*omega_y;
+        const stewart_real k_y_bar = S_y*zeta_bar - Y_moment_y*c1 - Q_k*c_force_y_bar - c15*omega_y - S_ddot_y*c9
+            - S_dot_y*c11 + S_z*k_cross_S_x_bar - S_x*k_cross_S_z_bar;
         const stewart_real k_y_bar_err = Q_k_err*c_force_y_bar_max + Q_k_max*c_force_y_bar_err + S_ddot_y_err*c9_max
             + S_ddot_y_max*c9_err + S_dot_y_err*c11_max + S_dot_y_max*c11_err + S_x_err*k_cross_S_z_bar_max
             + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max
-            + S_z_max*k_cross_S_x_bar_err + Y_moment_y_max*c1_err + c15_err*omega_y_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_y_bar_max
-            + REAL(5)*S_ddot_y_max*c9_max + REAL(4)*S_dot_y_max*c11_max + REAL(3)*S_x_max*k_cross_S_z_bar_max
-            + REAL(7)*S_y_max*zeta_bar_max + REAL(7)*S_z_max*k_cross_S_x_bar_max + REAL(2)*Y_moment_y_max*c1_max
-            + c15_max*omega_y_max + STEWART_FABS(k_y_bar));
+            + S_z_max*k_cross_S_x_bar_err + Y_moment_y_max*c1_err + c15_err*omega_y_max + STEWART_UNIT*(S_x_max*k_cross_S_z_bar_max
+            + REAL(6)*Q_k_max*c_force_y_bar_max + REAL(4)*S_ddot_y_max*c9_max + REAL(3)*S_dot_y_max*c11_max
+            + REAL(7)*S_y_max*zeta_bar_max + REAL(2)*S_z_max*k_cross_S_x_bar_max + REAL(7)*Y_moment_y_max*c1_max
+            + REAL(5)*c15_max*omega_y_max + STEWART_FABS(k_y_bar));
         const stewart_real k_y_bar_max = STEWART_FABS(k_y_bar) + k_y_bar_err;
-        const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - Q_k*c_force_z_bar - S_ddot_z*c9 - S_dot_z*c11
-            - S_y*k_cross_S_x_bar - Y_moment_z*c1 - c15*omega_z;
+        const stewart_real k_z_bar = S_z*zeta_bar - Y_moment_z*c1 - Q_k*c_force_z_bar - c15*omega_z - S_ddot_z*c9
+            - S_dot_z*c11 + S_x*k_cross_S_y_bar - S_y*k_cross_S_x_bar;
         const stewart_real k_z_bar_err = Q_k_err*c_force_z_bar_max + Q_k_max*c_force_z_bar_err + S_ddot_z_err*c9_max
             + S_ddot_z_max*c9_err + S_dot_z_err*c11_max + S_dot_z_max*c11_err + S_x_err*k_cross_S_y_bar_max
             + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max
-            + S_z_max*zeta_bar_err + Y_moment_z_max*c1_err + c15_err*omega_z_max + STEWART_UNIT*(REAL(6)*Q_k_max*c_force_z_bar_max
-            + REAL(5)*S_ddot_z_max*c9_max + REAL(4)*S_dot_z_max*c11_max + REAL(7)*S_x_max*k_cross_S_y_bar_max
-            + REAL(3)*S_y_max*k_cross_S_x_bar_max + REAL(7)*S_z_max*zeta_bar_max + REAL(2)*Y_moment_z_max*c1_max
-            + c15_max*omega_z_max + STEWART_FABS(k_z_bar));
+            + S_z_max*zeta_bar_err + Y_moment_z_max*c1_err + c15_err*omega_z_max + STEWART_UNIT*(S_y_max*k_cross_S_x_bar_max
+            + REAL(6)*Q_k_max*c_force_z_bar_max + REAL(4)*S_ddot_z_max*c9_max + REAL(3)*S_dot_z_max*c11_max
+            + REAL(2)*S_x_max*k_cross_S_y_bar_max + REAL(7)*S_z_max*zeta_bar_max + REAL(7)*Y_moment_z_max*c1_max
+            + REAL(5)*c15_max*omega_z_max + STEWART_FABS(k_z_bar));
         const stewart_real k_z_bar_max = STEWART_FABS(k_z_bar) + k_z_bar_err;
         const stewart_real h_x_bar = M_phi_L_bar*k33 - D_weight*theta_dot2;
         const stewart_real h_x_bar_err = D_weight_max*theta_dot2_err + M_phi_L_bar_err*k33_max + M_phi_L_bar_max*k33_err
@@ -3294,10 +3330,10 @@ static void leg_errors(
         const stewart_real h_y_bar_max = STEWART_FABS(h_y_bar) + h_y_bar_err;
         const stewart_real h_z_bar = D_weight*theta_ddot + L_ddot*tau_y_bar - M_phi_L_bar*k13;
         const stewart_real h_z_bar_err = D_weight_max*theta_ddot_err + L_ddot_err*tau_y_bar_max + L_ddot_max*tau_y_bar_err
-            + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err + STEWART_UNIT*(REAL(2)*D_weight_max*theta_ddot_max
-            + REAL(2)*L_ddot_max*tau_y_bar_max + M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
+            + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err + STEWART_UNIT*(M_phi_L_bar_max*k13_max + REAL(2)*D_weight_max*theta_ddot_max
+            + REAL(2)*L_ddot_max*tau_y_bar_max + STEWART_FABS(h_z_bar));
         const stewart_real h_z_bar_max = STEWART_FABS(h_z_bar) + h_z_bar_err;
-        const stewart_real h2_x_bar = L*L_h2_bar + bend*tau_y_bar;
+        const stewart_real h2_x_bar = bend*tau_y_bar + L*L_h2_bar;
         const stewart_real h2_x_bar_err = L_err*L_h2_bar_max + L_h2_bar_err*L_max + bend_err*tau_y_bar_max + bend_max*tau_y_bar_err
             + STEWART_UNIT*(L_h2_bar_max*L_max + bend_max*tau_y_bar_max + STEWART_FABS(h2_x_bar));
         const stewart_real h2_x_bar_max = STEWART_FABS(h2_x_bar) + h2_x_bar_err;
@@ -3319,7 +3355,7 @@ static void leg_errors(
         const stewart_real w_z_bar_err = k1_err*w_n_bar_max + k1_max*w_n_bar_err + k3_err*w_k_bar_max + k3_max*w_k_bar_err
             + STEWART_UNIT*(k1_max*w_n_bar_max + k3_max*w_k_bar_max + STEWART_FABS(w_z_bar));
         const stewart_real w_z_bar_max = STEWART_FABS(w_z_bar) + w_z_bar_err;
-        const stewart_real J_yz_bar = M_mixed_bar*k3 + M_mixed_theta_bar*k1;
+        const stewart_real J_yz_bar = M_mixed_theta_bar*k1 + M_mixed_bar*k3;
         const stewart_real J_yz_bar_err = M_mixed_bar_err*k3_max + M_mixed_bar_max*k3_err + M_mixed_theta_bar_err*k1_max
             + M_mixed_theta_bar_max*k1_err + STEWART_UNIT*(M_mixed_bar_max*k3_max + M_mixed_theta_bar_max*k1_max
             + STEWART_FABS(J_yz_bar));
@@ -3521,6 +3557,9 @@ static void leg_errors_near_singularity(
     const stewart_real v_x_max = STEWART_FABS(v_x);
     const stewart_real v_y_max = STEWART_FABS(v_y);
     const stewart_real v_z_max = STEWART_FABS(v_z);
+    const stewart_real a_x_max = STEWART_FABS(a_x);
+    const stewart_real a_y_max = STEWART_FABS(a_y);
+    const stewart_real a_z_max = STEWART_FABS(a_z);
     const stewart_real B_xx_max = STEWART_FABS(B_xx) + B_xx_err;
     const stewart_real B_xy_max = STEWART_FABS(B_xy) + B_xy_err;
     const stewart_real B_xz_max = STEWART_FABS(B_xz) + B_xz_err;
@@ -3535,17 +3574,17 @@ static void leg_errors_near_singularity(
     const stewart_real g_z_max = STEWART_FABS(g_z);
     /* (1) platform point from the reference point */
     const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_x_own = STEWART_UNIT*(REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max + R_xz_max*p_z_max
+    const stewart_real q_x_own = STEWART_UNIT*(R_xz_max*p_z_max + REAL(2)*R_xx_max*p_x_max + REAL(2)*R_xy_max*p_y_max
         + STEWART_FABS(q_x));
     const stewart_real q_x_err = R_err*(p_x_max + p_y_max + p_z_max) + q_x_own;
     const stewart_real q_x_max = STEWART_FABS(q_x) + q_x_err;
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_y_own = STEWART_UNIT*(REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max + R_yz_max*p_z_max
+    const stewart_real q_y_own = STEWART_UNIT*(R_yz_max*p_z_max + REAL(2)*R_yx_max*p_x_max + REAL(2)*R_yy_max*p_y_max
         + STEWART_FABS(q_y));
     const stewart_real q_y_err = R_err*(p_x_max + p_y_max + p_z_max) + q_y_own;
     const stewart_real q_y_max = STEWART_FABS(q_y) + q_y_err;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
-    const stewart_real q_z_own = STEWART_UNIT*(REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max + R_zz_max*p_z_max
+    const stewart_real q_z_own = STEWART_UNIT*(R_zz_max*p_z_max + REAL(2)*R_zx_max*p_x_max + REAL(2)*R_zy_max*p_y_max
         + STEWART_FABS(q_z));
     const stewart_real q_z_err = R_err*(p_x_max + p_y_max + p_z_max) + q_z_own;
     const stewart_real q_z_max = STEWART_FABS(q_z) + q_z_err;
@@ -3560,21 +3599,21 @@ static void leg_errors_near_singularity(
     const stewart_real t_b_z_own = STEWART_UNIT*STEWART_FABS(t_b_z);
     const stewart_real t_b_z_err = t_b_z_own;
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_b_x;
+    const stewart_real S_x = t_b_x + q_x;
     const stewart_real S_x_own = STEWART_UNIT*STEWART_FABS(S_x);
     const stewart_real S_x_err = q_x_err + t_b_x_err + S_x_own;
     const stewart_real S_x_max = STEWART_FABS(S_x) + S_x_err;
-    const stewart_real S_y = q_y + t_b_y;
+    const stewart_real S_y = t_b_y + q_y;
     const stewart_real S_y_own = STEWART_UNIT*STEWART_FABS(S_y);
     const stewart_real S_y_err = q_y_err + t_b_y_err + S_y_own;
     const stewart_real S_y_max = STEWART_FABS(S_y) + S_y_err;
-    const stewart_real S_z = q_z + t_b_z;
+    const stewart_real S_z = t_b_z + q_z;
     const stewart_real S_z_own = STEWART_UNIT*STEWART_FABS(S_z);
     const stewart_real S_z_err = q_z_err + t_b_z_err + S_z_own;
     const stewart_real S_z_max = STEWART_FABS(S_z) + S_z_err;
     /* (10) leg vector along the fixed axis, and normal to both */
     const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-    const stewart_real zeta_own = STEWART_UNIT*(REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max + S_z_max*k_z_max
+    const stewart_real zeta_own = STEWART_UNIT*(S_z_max*k_z_max + REAL(2)*S_x_max*k_x_max + REAL(2)*S_y_max*k_y_max
         + STEWART_FABS(zeta));
     const stewart_real zeta_err = S_x_err*k_x_max + S_x_max*k_x_err + S_y_err*k_y_max + S_y_max*k_y_err + S_z_err*k_z_max
         + S_z_max*k_z_err + zeta_own;
@@ -3692,43 +3731,43 @@ static void leg_errors_near_singularity(
     const stewart_real kappa_err = inv_rho_err*zeta_max + inv_rho_max*zeta_err + kappa_own;
     const stewart_real kappa_max = STEWART_FABS(kappa) + kappa_err;
     /* (4) velocity of the platform point */
-    const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-    const stewart_real S_dot_x_own = STEWART_UNIT*(REAL(2)*omega_y_max*q_z_max + omega_z_max*q_y_max + v_x_max
+    const stewart_real S_dot_x = v_x + omega_y*q_z - omega_z*q_y;
+    const stewart_real S_dot_x_own = STEWART_UNIT*(v_x_max + omega_z_max*q_y_max + REAL(2)*omega_y_max*q_z_max
         + STEWART_FABS(S_dot_x));
     const stewart_real S_dot_x_err = omega_y_max*q_z_err + omega_z_max*q_y_err + S_dot_x_own;
     const stewart_real S_dot_x_max = STEWART_FABS(S_dot_x) + S_dot_x_err;
-    const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-    const stewart_real S_dot_y_own = STEWART_UNIT*(omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max + v_y_max
+    const stewart_real S_dot_y = v_y + omega_z*q_x - omega_x*q_z;
+    const stewart_real S_dot_y_own = STEWART_UNIT*(v_y_max + omega_x_max*q_z_max + REAL(2)*omega_z_max*q_x_max
         + STEWART_FABS(S_dot_y));
     const stewart_real S_dot_y_err = omega_x_max*q_z_err + omega_z_max*q_x_err + S_dot_y_own;
     const stewart_real S_dot_y_max = STEWART_FABS(S_dot_y) + S_dot_y_err;
-    const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
-    const stewart_real S_dot_z_own = STEWART_UNIT*(REAL(2)*omega_x_max*q_y_max + omega_y_max*q_x_max + v_z_max
+    const stewart_real S_dot_z = v_z + omega_x*q_y - omega_y*q_x;
+    const stewart_real S_dot_z_own = STEWART_UNIT*(v_z_max + omega_y_max*q_x_max + REAL(2)*omega_x_max*q_y_max
         + STEWART_FABS(S_dot_z));
     const stewart_real S_dot_z_err = omega_x_max*q_y_err + omega_y_max*q_x_err + S_dot_z_own;
     const stewart_real S_dot_z_max = STEWART_FABS(S_dot_z) + S_dot_z_err;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-    const stewart_real S_ddot_x_own = STEWART_UNIT*(REAL(3)*B_xx_max*q_x_max + REAL(3)*B_xy_max*q_y_max + REAL(2)*B_xz_max*q_z_max
-        + STEWART_FABS(S_ddot_x));
+    const stewart_real S_ddot_x = a_x + B_xx*q_x + B_xy*q_y + B_xz*q_z;
+    const stewart_real S_ddot_x_own = STEWART_UNIT*(B_xz_max*q_z_max + REAL(2)*a_x_max + REAL(3)*B_xx_max*q_x_max
+        + REAL(2)*B_xy_max*q_y_max + STEWART_FABS(S_ddot_x));
     const stewart_real S_ddot_x_err = B_xx_err*q_x_max + B_xx_max*q_x_err + B_xy_err*q_y_max + B_xy_max*q_y_err
         + B_xz_err*q_z_max + B_xz_max*q_z_err + S_ddot_x_own;
     const stewart_real S_ddot_x_max = STEWART_FABS(S_ddot_x) + S_ddot_x_err;
-    const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-    const stewart_real S_ddot_y_own = STEWART_UNIT*(REAL(3)*B_yx_max*q_x_max + REAL(3)*B_yy_max*q_y_max + REAL(2)*B_yz_max*q_z_max
-        + STEWART_FABS(S_ddot_y));
+    const stewart_real S_ddot_y = a_y + B_yx*q_x + B_yy*q_y + B_yz*q_z;
+    const stewart_real S_ddot_y_own = STEWART_UNIT*(B_yz_max*q_z_max + REAL(2)*a_y_max + REAL(3)*B_yx_max*q_x_max
+        + REAL(2)*B_yy_max*q_y_max + STEWART_FABS(S_ddot_y));
     const stewart_real S_ddot_y_err = B_yx_err*q_x_max + B_yx_max*q_x_err + B_yy_err*q_y_max + B_yy_max*q_y_err
         + B_yz_err*q_z_max + B_yz_max*q_z_err + S_ddot_y_own;
     const stewart_real S_ddot_y_max = STEWART_FABS(S_ddot_y) + S_ddot_y_err;
-    const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
-    const stewart_real S_ddot_z_own = STEWART_UNIT*(REAL(3)*B_zx_max*q_x_max + REAL(3)*B_zy_max*q_y_max + REAL(2)*B_zz_max*q_z_max
-        + STEWART_FABS(S_ddot_z));
+    const stewart_real S_ddot_z = a_z + B_zx*q_x + B_zy*q_y + B_zz*q_z;
+    const stewart_real S_ddot_z_own = STEWART_UNIT*(B_zz_max*q_z_max + REAL(2)*a_z_max + REAL(3)*B_zx_max*q_x_max
+        + REAL(2)*B_zy_max*q_y_max + STEWART_FABS(S_ddot_z));
     const stewart_real S_ddot_z_err = B_zx_err*q_x_max + B_zx_max*q_x_err + B_zy_err*q_y_max + B_zy_max*q_y_err
         + B_zz_err*q_z_max + B_zz_max*q_z_err + S_ddot_z_own;
     const stewart_real S_ddot_z_max = STEWART_FABS(S_ddot_z) + S_ddot_z_err;
     /* (5) rates of the joint coordinates: L, phi about k, theta about y */
     const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-    const stewart_real L_dot_own = STEWART_UNIT*(REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max + S_dot_z_max*s_z_max
+    const stewart_real L_dot_own = STEWART_UNIT*(S_dot_z_max*s_z_max + REAL(2)*S_dot_x_max*s_x_max + REAL(2)*S_dot_y_max*s_y_max
         + STEWART_FABS(L_dot));
     const stewart_real L_dot_err = S_dot_x_err*s_x_max + S_dot_x_max*s_x_err + S_dot_y_err*s_y_max + S_dot_y_max*s_y_err
         + S_dot_z_err*s_z_max + S_dot_z_max*s_z_err + L_dot_own;
@@ -3773,16 +3812,16 @@ static void leg_errors_near_singularity(
     const stewart_real k33_err = REAL(2)*k3_err*k3_max + k33_own;
     const stewart_real k33_max = STEWART_FABS(k33) + k33_err;
     /* (8) accelerations of the joint coordinates */
-    const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
-    const stewart_real L_ddot_own = STEWART_UNIT*(REAL(3)*L_max*(k33_max*phi_dot2_max + theta_dot2_max) + L_max*(REAL(2)*k33_max*phi_dot2_max
-        + theta_dot2_max) + REAL(3)*S_ddot_x_max*s_x_max + REAL(2)*S_ddot_y_max*s_y_max + S_ddot_z_max*s_z_max
+    const stewart_real L_ddot = L*(theta_dot2 + k33*phi_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real L_ddot_own = STEWART_UNIT*(S_ddot_z_max*s_z_max + REAL(3)*S_ddot_x_max*s_x_max + REAL(2)*S_ddot_y_max*s_y_max
+        + REAL(3)*L_max*(theta_dot2_max + k33_max*phi_dot2_max) + L_max*(theta_dot2_max + REAL(2)*k33_max*phi_dot2_max)
         + STEWART_FABS(L_ddot));
-    const stewart_real L_ddot_err = L_err*(k33_max*phi_dot2_max + theta_dot2_max) + L_max*k33_err*phi_dot2_max
-        + L_max*k33_max*phi_dot2_err + L_max*theta_dot2_err + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max
-        + S_ddot_y_max*s_y_err + S_ddot_z_err*s_z_max + S_ddot_z_max*s_z_err + L_ddot_own;
+    const stewart_real L_ddot_err = L_max*theta_dot2_err + S_ddot_x_err*s_x_max + S_ddot_x_max*s_x_err + S_ddot_y_err*s_y_max
+        + S_ddot_y_max*s_y_err + S_ddot_z_err*s_z_max + S_ddot_z_max*s_z_err + L_max*k33_err*phi_dot2_max + L_max*k33_max*phi_dot2_err
+        + L_err*(theta_dot2_max + k33_max*phi_dot2_max) + L_ddot_own;
     const stewart_real L_ddot_max = STEWART_FABS(L_ddot) + L_ddot_err;
     /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-    const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
+    const stewart_real own_theta_ddot = -inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z) - REAL(2)*L_share*theta_dot;
     const stewart_real own_theta_ddot_own = STEWART_UNIT*(REAL(2)*L_share_max*theta_dot_max + inv_L_max*(S_ddot_x_max*z_x_max
         + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max) + inv_L_max*(REAL(3)*S_ddot_x_max*z_x_max + REAL(3)*S_ddot_y_max*z_y_max
         + REAL(2)*S_ddot_z_max*z_z_max) + STEWART_FABS(own_theta_ddot));
@@ -3807,11 +3846,11 @@ static void leg_errors_near_singularity(
     /* (9) accelerations of the joint coordinates */
     const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
     const stewart_real theta_ddot_own = STEWART_UNIT*(c1_max*phi_dot2_max + STEWART_FABS(theta_ddot));
-    const stewart_real theta_ddot_err = c1_err*phi_dot2_max + c1_max*phi_dot2_err + own_theta_ddot_err + theta_ddot_own;
+    const stewart_real theta_ddot_err = own_theta_ddot_err + c1_err*phi_dot2_max + c1_max*phi_dot2_err + theta_ddot_own;
     const stewart_real theta_ddot_max = STEWART_FABS(theta_ddot) + theta_ddot_err;
     const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
     const stewart_real phi_ddot_own = STEWART_UNIT*(lean_max*two_phi_dot_max + STEWART_FABS(phi_ddot));
-    const stewart_real phi_ddot_err = lean_err*two_phi_dot_max + lean_max*two_phi_dot_err + own_phi_ddot_err
+    const stewart_real phi_ddot_err = own_phi_ddot_err + lean_err*two_phi_dot_max + lean_max*two_phi_dot_err
         + phi_ddot_own;
     const stewart_real phi_ddot_max = STEWART_FABS(phi_ddot) + phi_ddot_err;
     const stewart_real k13 = c1;
@@ -3820,7 +3859,7 @@ static void leg_errors_near_singularity(
     const stewart_real L_h2 = L*h2_x;
     const stewart_real L_h2_own = STEWART_UNIT*STEWART_FABS(L_h2);
     const stewart_real L_h2_err = L_err*h2_x_max + L_max*h2_x_err + L_h2_own;
-    const stewart_real a1 = L_h2 + dJ_zx;
+    const stewart_real a1 = dJ_zx + L_h2;
     const stewart_real a1_own = STEWART_UNIT*STEWART_FABS(a1);
     const stewart_real a1_err = L_h2_err + dJ_zx_err + a1_own;
     const stewart_real a1_max = STEWART_FABS(a1) + a1_err;
@@ -3841,7 +3880,7 @@ static void leg_errors_near_singularity(
     const stewart_real a3_max = STEWART_FABS(a3) + a3_err;
     /* (19) inertia of the joint coordinates */
     const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
-    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + REAL(2)*a1_max*k33_max + a2_max*k13_max + STEWART_FABS(M_phi));
+    const stewart_real M_phi_own = STEWART_UNIT*(J_xx_max + a2_max*k13_max + REAL(2)*a1_max*k33_max + STEWART_FABS(M_phi));
     const stewart_real M_phi_err = J_xx_err + a1_err*k33_max + a1_max*k33_err + a2_err*k13_max + a2_max*k13_err
         + M_phi_own;
     const stewart_real M_phi_max = STEWART_FABS(M_phi) + M_phi_err;
@@ -3873,18 +3912,18 @@ static void leg_errors_near_singularity(
     const stewart_real bend_max = STEWART_FABS(bend) + bend_err;
     /* gravity along k x y and along y */
     const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-    const stewart_real gamma_n_own = STEWART_UNIT*(REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
-        + g_x_k_z_max*y_z_max + STEWART_FABS(gamma_n));
+    const stewart_real gamma_n_own = STEWART_UNIT*(g_x_k_z_max*y_z_max + REAL(2)*g_x_k_x_max*y_x_max + REAL(2)*g_x_k_y_max*y_y_max
+        + STEWART_FABS(gamma_n));
     const stewart_real gamma_n_err = g_x_k_x_err*y_x_max + g_x_k_x_max*y_x_err + g_x_k_y_err*y_y_max + g_x_k_y_max*y_y_err
         + g_x_k_z_err*y_z_max + g_x_k_z_max*y_z_err + gamma_n_own;
     const stewart_real gamma_n_max = STEWART_FABS(gamma_n) + gamma_n_err;
     const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
-    const stewart_real gamma_y_own = STEWART_UNIT*(REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max + g_z_max*y_z_max
+    const stewart_real gamma_y_own = STEWART_UNIT*(g_z_max*y_z_max + REAL(2)*g_x_max*y_x_max + REAL(2)*g_y_max*y_y_max
         + STEWART_FABS(gamma_y));
     const stewart_real gamma_y_err = g_x_max*y_x_err + g_y_max*y_y_err + g_z_max*y_z_err + gamma_y_own;
     const stewart_real gamma_y_max = STEWART_FABS(gamma_y) + gamma_y_err;
     /* first moment along k and against k x y */
-    const stewart_real w_k = k1*w_x + k3*w_z;
+    const stewart_real w_k = k3*w_z + k1*w_x;
     const stewart_real w_k_own = STEWART_UNIT*(k1_max*w_x_max + k3_max*w_z_max + STEWART_FABS(w_k));
     const stewart_real w_k_err = k1_err*w_x_max + k1_max*w_x_err + k3_err*w_z_max + k3_max*w_z_err + w_k_own;
     const stewart_real w_k_max = STEWART_FABS(w_k) + w_k_err;
@@ -3893,42 +3932,42 @@ static void leg_errors_near_singularity(
     const stewart_real w_n_err = k1_err*w_z_max + k1_max*w_z_err + k3_err*w_x_max + k3_max*w_x_err + w_n_own;
     const stewart_real w_n_max = STEWART_FABS(w_n) + w_n_err;
     /* (20) generalised forces about y and about k */
-    const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
-        + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
-        + omega_y*y_y + omega_z*y_z);
-    const stewart_real tau_y_own = STEWART_UNIT*(C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max + omega_z_max*y_z_max)
-        + C_s_max*(REAL(3)*omega_x_max*y_x_max + REAL(3)*omega_y_max*y_y_max + REAL(2)*omega_z_max*y_z_max)
-        + REAL(8)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max + REAL(7)*M_mixed_max*phi_ddot_max + REAL(6)*M_theta_max*own_theta_ddot_max
-        + REAL(5)*bend_max*h2_x_max + REAL(4)*g_k_max*w_n_max + REAL(3)*gamma_n_max*w_k_max + REAL(2)*phi_dot2_max*(c3_max*(k33_max
+    const stewart_real tau_y = L_ddot*h_z + g_k*w_n + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33))
+        + C_us*theta_dot + bend*h2_x + gamma_n*w_k - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z) + M_theta*own_theta_ddot
+        + M_mixed*phi_ddot;
+    const stewart_real tau_y_own = STEWART_UNIT*(M_mixed_max*phi_ddot_max + REAL(6)*C_us_max*theta_dot_max + REAL(8)*L_ddot_max*h_z_max
+        + REAL(2)*M_theta_max*own_theta_ddot_max + REAL(5)*bend_max*h2_x_max + REAL(8)*g_k_max*w_n_max + REAL(4)*gamma_n_max*w_k_max
+        + REAL(3)*C_s_max*(omega_x_max*y_x_max + omega_y_max*y_y_max + omega_z_max*y_z_max) + C_s_max*(REAL(3)*omega_x_max*y_x_max
+        + REAL(3)*omega_y_max*y_y_max + REAL(2)*omega_z_max*y_z_max) + REAL(7)*phi_dot2_max*(c3_max*(k33_max
         + STEWART_HALF) + k13_max*(J_yy_max + dJ_zx_max)) + phi_dot2_max*(REAL(3)*c3_max*(k33_max + STEWART_HALF)
         + REAL(3)*k13_max*(J_yy_max + dJ_zx_max)) + STEWART_FABS(tau_y));
-    const stewart_real tau_y_err = C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err + C_s_max*omega_z_max*y_z_err
-        + C_us_err*theta_dot_max + C_us_max*theta_dot_err + J_yy_err*k13_max*phi_dot2_max + L_ddot_err*h_z_max
-        + L_ddot_max*h_z_err + M_mixed_err*phi_ddot_max + M_mixed_max*phi_ddot_err + M_theta_err*own_theta_ddot_max
-        + M_theta_max*own_theta_ddot_err + bend_err*h2_x_max + bend_max*h2_x_err + c3_err*phi_dot2_max*(k33_max
-        + STEWART_HALF) + c3_max*k33_err*phi_dot2_max + dJ_zx_err*k13_max*phi_dot2_max + g_k_err*w_n_max + g_k_max*w_n_err
-        + gamma_n_err*w_k_max + gamma_n_max*w_k_err + k13_err*phi_dot2_max*(J_yy_max + dJ_zx_max) + phi_dot2_err*(c3_max*(k33_max
-        + STEWART_HALF) + k13_max*(J_yy_max + dJ_zx_max)) + tau_y_own;
+    const stewart_real tau_y_err = C_us_err*theta_dot_max + C_us_max*theta_dot_err + L_ddot_err*h_z_max + L_ddot_max*h_z_err
+        + M_mixed_err*phi_ddot_max + M_mixed_max*phi_ddot_err + M_theta_err*own_theta_ddot_max + M_theta_max*own_theta_ddot_err
+        + bend_err*h2_x_max + bend_max*h2_x_err + g_k_err*w_n_max + g_k_max*w_n_err + gamma_n_err*w_k_max + gamma_n_max*w_k_err
+        + C_s_max*omega_x_max*y_x_err + C_s_max*omega_y_max*y_y_err + C_s_max*omega_z_max*y_z_err + J_yy_err*k13_max*phi_dot2_max
+        + c3_max*k33_err*phi_dot2_max + dJ_zx_err*k13_max*phi_dot2_max + c3_err*phi_dot2_max*(k33_max + STEWART_HALF)
+        + k13_err*phi_dot2_max*(J_yy_max + dJ_zx_max) + phi_dot2_err*(c3_max*(k33_max + STEWART_HALF) + k13_max*(J_yy_max
+        + dJ_zx_max)) + tau_y_own;
     const stewart_real tau_y_max = STEWART_FABS(tau_y) + tau_y_err;
-    const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
-        + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2)) - C_s*(k_x*omega_x
-        + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
-    const stewart_real tau_k_own = STEWART_UNIT*(REAL(5)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max
-        + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max + REAL(2)*k_z_max*omega_z_max)
-        + REAL(9)*C_us_max*phi_dot_max + REAL(4)*L_ddot_max*k3_h_max + REAL(9)*M_mixed_max*theta_ddot_max + REAL(8)*M_mixed_theta_max*theta_dot2_max
-        + REAL(7)*M_phi_max*own_phi_ddot_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(2)*gamma_n_max*w_y_max
-        + gamma_y_max*w_n_max + REAL(6)*two_phi_dot_max*(L_dot_max*M_phi_L_max + theta_dot_max*(STEWART_HALF*J2_xz_max
-        + J_xx_max*kappa_max + STEWART_HALF*c2_max)) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*theta_dot_max*(STEWART_HALF*J2_xz_max
-        + J_xx_max*kappa_max + STEWART_HALF*c2_max) + theta_dot_max*(J2_xz_max + REAL(3)*J_xx_max*kappa_max
+    const stewart_real tau_k = M_mixed_theta*theta_dot2 - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h
+        + C_us*phi_dot - gamma_n*w_y - gamma_y*w_n + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz
+        - STEWART_HALF*c2 + J_xx*kappa)) - bend*h2_y*k1 + M_mixed*theta_ddot + M_phi*own_phi_ddot;
+    const stewart_real tau_k_own = STEWART_UNIT*(M_phi_max*own_phi_ddot_max + REAL(7)*C_us_max*phi_dot_max + REAL(8)*L_ddot_max*k3_h_max
+        + REAL(2)*M_mixed_max*theta_ddot_max + REAL(9)*M_mixed_theta_max*theta_dot2_max + REAL(6)*gamma_n_max*w_y_max
+        + REAL(5)*gamma_y_max*w_n_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(9)*C_s_max*(k_x_max*omega_x_max
+        + k_y_max*omega_y_max + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max
+        + REAL(2)*k_z_max*omega_z_max) + REAL(4)*two_phi_dot_max*(L_dot_max*M_phi_L_max + theta_dot_max*(STEWART_HALF*J2_xz_max
+        + J_xx_max*kappa_max + STEWART_HALF*c2_max)) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max + theta_dot_max*(J2_xz_max
+        + c2_max + REAL(2)*J_xx_max*kappa_max) + REAL(2)*theta_dot_max*(STEWART_HALF*J2_xz_max + J_xx_max*kappa_max
         + STEWART_HALF*c2_max)) + STEWART_FABS(tau_k));
-    const stewart_real tau_k_err = C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max + C_s_max*k_z_err*omega_z_max
-        + C_us_err*phi_dot_max + C_us_max*phi_dot_err + STEWART_HALF*J2_xz_err*theta_dot_max*two_phi_dot_max
-        + J_xx_err*kappa_max*theta_dot_max*two_phi_dot_max + J_xx_max*kappa_err*theta_dot_max*two_phi_dot_max
-        + L_ddot_err*k3_h_max + L_ddot_max*k3_h_err + L_dot_err*M_phi_L_max*two_phi_dot_max + L_dot_max*M_phi_L_err*two_phi_dot_max
+    const stewart_real tau_k_err = C_us_err*phi_dot_max + C_us_max*phi_dot_err + L_ddot_err*k3_h_max + L_ddot_max*k3_h_err
         + M_mixed_err*theta_ddot_max + M_mixed_max*theta_ddot_err + M_mixed_theta_err*theta_dot2_max + M_mixed_theta_max*theta_dot2_err
-        + M_phi_err*own_phi_ddot_max + M_phi_max*own_phi_ddot_err + bend_err*h2_y_max*k1_max + bend_max*h2_y_err*k1_max
-        + bend_max*h2_y_max*k1_err + STEWART_HALF*c2_err*theta_dot_max*two_phi_dot_max + gamma_n_err*w_y_max
-        + gamma_n_max*w_y_err + gamma_y_err*w_n_max + gamma_y_max*w_n_err + theta_dot_err*two_phi_dot_max*(STEWART_HALF*J2_xz_max
+        + M_phi_err*own_phi_ddot_max + M_phi_max*own_phi_ddot_err + gamma_n_err*w_y_max + gamma_n_max*w_y_err
+        + gamma_y_err*w_n_max + gamma_y_max*w_n_err + C_s_max*k_x_err*omega_x_max + C_s_max*k_y_err*omega_y_max
+        + C_s_max*k_z_err*omega_z_max + L_dot_err*M_phi_L_max*two_phi_dot_max + L_dot_max*M_phi_L_err*two_phi_dot_max
+        + bend_err*h2_y_max*k1_max + bend_max*h2_y_err*k1_max + bend_max*h2_y_max*k1_err + STEWART_HALF*J2_xz_err*theta_dot_max*two_phi_dot_max
+        + J_xx_err*kappa_max*theta_dot_max*two_phi_dot_max + J_xx_max*kappa_err*theta_dot_max*two_phi_dot_max
+        + STEWART_HALF*c2_err*theta_dot_max*two_phi_dot_max + theta_dot_err*two_phi_dot_max*(STEWART_HALF*J2_xz_max
         + J_xx_max*kappa_max + STEWART_HALF*c2_max) + two_phi_dot_err*(L_dot_max*M_phi_L_max + theta_dot_max*(STEWART_HALF*J2_xz_max
         + J_xx_max*kappa_max + STEWART_HALF*c2_max)) + tau_k_own;
     const stewart_real tau_k_max = STEWART_FABS(tau_k) + tau_k_err;
@@ -3952,9 +3991,9 @@ static void leg_errors_near_singularity(
     const stewart_real K_z_own = STEWART_UNIT*(Q_y_max*y_z_max + Q_z_max*z_z_max + STEWART_FABS(K_z));
     const stewart_real K_z_err = Q_y_err*y_z_max + Q_y_max*y_z_err + Q_z_err*z_z_max + Q_z_max*z_z_err + K_z_own;
     /* (24) known part of the actuator force, to match */
-    const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
-    const stewart_real D_own = STEWART_UNIT*(REAL(4)*C_p_max*L_dot_max + REAL(3)*M_phi_L_max*phi_dot2_max + REAL(2)*h_x_max*theta_dot2_max
-        + REAL(4)*h_z_max*theta_ddot_max + k3_h_max*phi_ddot_max + STEWART_FABS(D));
+    const stewart_real D = C_p*L_dot - h_x*theta_dot2 - M_phi_L*phi_dot2 + h_z*theta_ddot - k3_h*phi_ddot;
+    const stewart_real D_own = STEWART_UNIT*(k3_h_max*phi_ddot_max + REAL(4)*C_p_max*L_dot_max + REAL(3)*M_phi_L_max*phi_dot2_max
+        + REAL(4)*h_x_max*theta_dot2_max + REAL(2)*h_z_max*theta_ddot_max + STEWART_FABS(D));
     const stewart_real c4 = C_s*phi_dot;
     const stewart_real c4_own = STEWART_UNIT*STEWART_FABS(c4);
     const stewart_real c4_err = C_s_max*phi_dot_err + c4_own;
@@ -4068,6 +4107,9 @@ static void leg_errors_near_singularity(
         const stewart_real Y_arm_x = rows->force[i].Y_arm[0], Y_arm_y = rows->force[i].Y_arm[1], Y_arm_z = rows->force[i].Y_arm[2];
         const stewart_real D_weight = rows->force[i].D_weight;
         const stewart_real x = rows->force[i].x;
+        const stewart_real Y_force_x_max = STEWART_FABS(Y_force_x);
+        const stewart_real Y_force_y_max = STEWART_FABS(Y_force_y);
+        const stewart_real Y_force_z_max = STEWART_FABS(Y_force_z);
         const stewart_real Y_moment_x_max = STEWART_FABS(Y_moment_x);
         const stewart_real Y_moment_y_max = STEWART_FABS(Y_moment_y);
         const stewart_real Y_moment_z_max = STEWART_FABS(Y_moment_z);
@@ -4093,43 +4135,40 @@ static void leg_errors_near_singularity(
         const stewart_real H_moment_z_weight = Y_arm_z*x;
         const stewart_real H_moment_z_weight_err = STEWART_UNIT*STEWART_FABS(H_moment_z_weight);
         const stewart_real H_moment_z_weight_max = STEWART_FABS(H_moment_z_weight) + H_moment_z_weight_err;
-        const stewart_real arm_z_bar = H_force_x*H_moment_y_weight + Y_arm_x*c_force_y - H_force_y*H_moment_x_weight
-            - Y_arm_y*c_force_x;
+        const stewart_real arm_z_bar = Y_arm_x*c_force_y + H_force_x*H_moment_y_weight - Y_arm_y*c_force_x - H_force_y*H_moment_x_weight;
         const stewart_real arm_z_bar_err = H_force_x_err*H_moment_y_weight_max + H_force_x_max*H_moment_y_weight_err
             + H_force_y_err*H_moment_x_weight_max + H_force_y_max*H_moment_x_weight_err + Y_arm_x_max*c_force_y_err
-            + Y_arm_y_max*c_force_x_err + STEWART_UNIT*(REAL(3)*H_force_x_max*H_moment_y_weight_max + REAL(2)*H_force_y_max*H_moment_x_weight_max
-            + REAL(3)*Y_arm_x_max*c_force_y_max + Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
+            + Y_arm_y_max*c_force_x_err + STEWART_UNIT*(H_force_y_max*H_moment_x_weight_max + REAL(3)*H_force_x_max*H_moment_y_weight_max
+            + REAL(3)*Y_arm_x_max*c_force_y_max + REAL(2)*Y_arm_y_max*c_force_x_max + STEWART_FABS(arm_z_bar));
         const stewart_real arm_z_bar_max = STEWART_FABS(arm_z_bar) + arm_z_bar_err;
-        const stewart_real arm_y_bar = H_force_z*H_moment_x_weight + Y_arm_z*c_force_x - H_force_x*H_moment_z_weight
-            - Y_arm_x*c_force_z;
+        const stewart_real arm_y_bar = Y_arm_z*c_force_x + H_force_z*H_moment_x_weight - Y_arm_x*c_force_z - H_force_x*H_moment_z_weight;
         const stewart_real arm_y_bar_err = H_force_x_err*H_moment_z_weight_max + H_force_x_max*H_moment_z_weight_err
             + H_force_z_err*H_moment_x_weight_max + H_force_z_max*H_moment_x_weight_err + Y_arm_x_max*c_force_z_err
-            + Y_arm_z_max*c_force_x_err + STEWART_UNIT*(REAL(2)*H_force_x_max*H_moment_z_weight_max + REAL(3)*H_force_z_max*H_moment_x_weight_max
-            + Y_arm_x_max*c_force_z_max + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
+            + Y_arm_z_max*c_force_x_err + STEWART_UNIT*(H_force_x_max*H_moment_z_weight_max + REAL(3)*H_force_z_max*H_moment_x_weight_max
+            + REAL(2)*Y_arm_x_max*c_force_z_max + REAL(3)*Y_arm_z_max*c_force_x_max + STEWART_FABS(arm_y_bar));
         const stewart_real arm_y_bar_max = STEWART_FABS(arm_y_bar) + arm_y_bar_err;
-        const stewart_real arm_x_bar = H_force_y*H_moment_z_weight + Y_arm_y*c_force_z - H_force_z*H_moment_y_weight
-            - Y_arm_z*c_force_y;
+        const stewart_real arm_x_bar = Y_arm_y*c_force_z + H_force_y*H_moment_z_weight - Y_arm_z*c_force_y - H_force_z*H_moment_y_weight;
         const stewart_real arm_x_bar_err = H_force_y_err*H_moment_z_weight_max + H_force_y_max*H_moment_z_weight_err
             + H_force_z_err*H_moment_y_weight_max + H_force_z_max*H_moment_y_weight_err + Y_arm_y_max*c_force_z_err
-            + Y_arm_z_max*c_force_y_err + STEWART_UNIT*(REAL(3)*H_force_y_max*H_moment_z_weight_max + REAL(2)*H_force_z_max*H_moment_y_weight_max
-            + REAL(3)*Y_arm_y_max*c_force_z_max + Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
+            + Y_arm_z_max*c_force_y_err + STEWART_UNIT*(H_force_z_max*H_moment_y_weight_max + REAL(3)*H_force_y_max*H_moment_z_weight_max
+            + REAL(3)*Y_arm_y_max*c_force_z_max + REAL(2)*Y_arm_z_max*c_force_y_max + STEWART_FABS(arm_x_bar));
         const stewart_real arm_x_bar_max = STEWART_FABS(arm_x_bar) + arm_x_bar_err;
-        const stewart_real c_force_z_bar = Y_arm_y*arm_x - Y_arm_x*arm_y - Y_force_z;
-        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_y_max
-            + REAL(2)*Y_arm_y_max*arm_x_max + STEWART_FABS(c_force_z_bar));
+        const stewart_real c_force_z_bar = Y_arm_y*arm_x - Y_force_z - Y_arm_x*arm_y;
+        const stewart_real c_force_z_bar_err = Y_arm_x_max*arm_y_err + Y_arm_y_max*arm_x_err + STEWART_UNIT*(Y_force_z_max
+            + Y_arm_x_max*arm_y_max + REAL(2)*Y_arm_y_max*arm_x_max + STEWART_FABS(c_force_z_bar));
         const stewart_real c_force_z_bar_max = STEWART_FABS(c_force_z_bar) + c_force_z_bar_err;
-        const stewart_real c_force_y_bar = Y_arm_x*arm_z - Y_arm_z*arm_x - Y_force_y;
-        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err + STEWART_UNIT*(REAL(2)*Y_arm_x_max*arm_z_max
-            + REAL(2)*Y_arm_z_max*arm_x_max + STEWART_FABS(c_force_y_bar));
+        const stewart_real c_force_y_bar = Y_arm_x*arm_z - Y_force_y - Y_arm_z*arm_x;
+        const stewart_real c_force_y_bar_err = Y_arm_x_max*arm_z_err + Y_arm_z_max*arm_x_err + STEWART_UNIT*(Y_force_y_max
+            + Y_arm_z_max*arm_x_max + REAL(2)*Y_arm_x_max*arm_z_max + STEWART_FABS(c_force_y_bar));
         const stewart_real c_force_y_bar_max = STEWART_FABS(c_force_y_bar) + c_force_y_bar_err;
-        const stewart_real c_force_x_bar = Y_arm_z*arm_y - Y_arm_y*arm_z - Y_force_x;
-        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err + STEWART_UNIT*(REAL(2)*Y_arm_y_max*arm_z_max
-            + REAL(2)*Y_arm_z_max*arm_y_max + STEWART_FABS(c_force_x_bar));
+        const stewart_real c_force_x_bar = Y_arm_z*arm_y - Y_force_x - Y_arm_y*arm_z;
+        const stewart_real c_force_x_bar_err = Y_arm_y_max*arm_z_err + Y_arm_z_max*arm_y_err + STEWART_UNIT*(Y_force_x_max
+            + Y_arm_y_max*arm_z_max + REAL(2)*Y_arm_z_max*arm_y_max + STEWART_FABS(c_force_x_bar));
         const stewart_real c_force_x_bar_max = STEWART_FABS(c_force_x_bar) + c_force_x_bar_err;
         const stewart_real H_force_z_bar = H_force_z_weight + H_moment_x_weight*arm_y - H_moment_y_weight*arm_x;
         const stewart_real H_force_z_bar_err = H_force_z_weight_err + H_moment_x_weight_err*arm_y_max + H_moment_x_weight_max*arm_y_err
             + H_moment_y_weight_err*arm_x_max + H_moment_y_weight_max*arm_x_err + STEWART_UNIT*(H_force_z_weight_max
-            + REAL(2)*H_moment_x_weight_max*arm_y_max + H_moment_y_weight_max*arm_x_max + STEWART_FABS(H_force_z_bar));
+            + H_moment_y_weight_max*arm_x_max + REAL(2)*H_moment_x_weight_max*arm_y_max + STEWART_FABS(H_force_z_bar));
         const stewart_real H_force_z_bar_max = STEWART_FABS(H_force_z_bar) + H_force_z_bar_err;
         const stewart_real H_force_y_bar = H_force_y_weight + H_moment_z_weight*arm_x - H_moment_x_weight*arm_z;
         const stewart_real H_force_y_bar_err = H_force_y_weight_err + H_moment_x_weight_err*arm_z_max + H_moment_x_weight_max*arm_z_err
@@ -4139,27 +4178,27 @@ static void leg_errors_near_singularity(
         const stewart_real H_force_x_bar = H_force_x_weight + H_moment_y_weight*arm_z - H_moment_z_weight*arm_y;
         const stewart_real H_force_x_bar_err = H_force_x_weight_err + H_moment_y_weight_err*arm_z_max + H_moment_y_weight_max*arm_z_err
             + H_moment_z_weight_err*arm_y_max + H_moment_z_weight_max*arm_y_err + STEWART_UNIT*(H_force_x_weight_max
-            + REAL(2)*H_moment_y_weight_max*arm_z_max + H_moment_z_weight_max*arm_y_max + STEWART_FABS(H_force_x_bar));
+            + H_moment_z_weight_max*arm_y_max + REAL(2)*H_moment_y_weight_max*arm_z_max + STEWART_FABS(H_force_x_bar));
         const stewart_real H_force_x_bar_max = STEWART_FABS(H_force_x_bar) + H_force_x_bar_err;
         const stewart_real c5_bar = -Y_moment_x*y_x - Y_moment_y*y_y - Y_moment_z*y_z;
         const stewart_real c5_bar_err = Y_moment_x_max*y_x_err + Y_moment_y_max*y_y_err + Y_moment_z_max*y_z_err
-            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max + Y_moment_z_max*y_z_max
+            + STEWART_UNIT*(Y_moment_z_max*y_z_max + REAL(2)*Y_moment_x_max*y_x_max + REAL(2)*Y_moment_y_max*y_y_max
             + STEWART_FABS(c5_bar));
         const stewart_real c5_bar_max = STEWART_FABS(c5_bar) + c5_bar_err;
         const stewart_real c4_bar = -Y_moment_x*k_x - Y_moment_y*k_y - Y_moment_z*k_z;
         const stewart_real c4_bar_err = Y_moment_x_max*k_x_err + Y_moment_y_max*k_y_err + Y_moment_z_max*k_z_err
-            + STEWART_UNIT*(REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max + Y_moment_z_max*k_z_max
+            + STEWART_UNIT*(Y_moment_z_max*k_z_max + REAL(2)*Y_moment_x_max*k_x_max + REAL(2)*Y_moment_y_max*k_y_max
             + STEWART_FABS(c4_bar));
         const stewart_real c4_bar_max = STEWART_FABS(c4_bar) + c4_bar_err;
         const stewart_real Q_z_bar = -c_force_x_bar*z_x - c_force_y_bar*z_y - c_force_z_bar*z_z;
         const stewart_real Q_z_bar_err = c_force_x_bar_err*z_x_max + c_force_x_bar_max*z_x_err + c_force_y_bar_err*z_y_max
-            + c_force_y_bar_max*z_y_err + c_force_z_bar_err*z_z_max + c_force_z_bar_max*z_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*z_x_max
-            + REAL(2)*c_force_y_bar_max*z_y_max + c_force_z_bar_max*z_z_max + STEWART_FABS(Q_z_bar));
+            + c_force_y_bar_max*z_y_err + c_force_z_bar_err*z_z_max + c_force_z_bar_max*z_z_err + STEWART_UNIT*(c_force_z_bar_max*z_z_max
+            + REAL(2)*c_force_x_bar_max*z_x_max + REAL(2)*c_force_y_bar_max*z_y_max + STEWART_FABS(Q_z_bar));
         const stewart_real Q_z_bar_max = STEWART_FABS(Q_z_bar) + Q_z_bar_err;
         const stewart_real Q_y_bar = -c_force_x_bar*y_x - c_force_y_bar*y_y - c_force_z_bar*y_z;
         const stewart_real Q_y_bar_err = c_force_x_bar_err*y_x_max + c_force_x_bar_max*y_x_err + c_force_y_bar_err*y_y_max
-            + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max + c_force_z_bar_max*y_z_err + STEWART_UNIT*(REAL(2)*c_force_x_bar_max*y_x_max
-            + REAL(2)*c_force_y_bar_max*y_y_max + c_force_z_bar_max*y_z_max + STEWART_FABS(Q_y_bar));
+            + c_force_y_bar_max*y_y_err + c_force_z_bar_err*y_z_max + c_force_z_bar_max*y_z_err + STEWART_UNIT*(c_force_z_bar_max*y_z_max
+            + REAL(2)*c_force_x_bar_max*y_x_max + REAL(2)*c_force_y_bar_max*y_y_max + STEWART_FABS(Q_y_bar));
         const stewart_real Q_y_bar_max = STEWART_FABS(Q_y_bar) + Q_y_bar_err;
         const stewart_real tau_k_bar = Q_y_bar*inv_rho;
         const stewart_real tau_k_bar_err = Q_y_bar_err*inv_rho_max + Q_y_bar_max*inv_rho_err + STEWART_UNIT*STEWART_FABS(tau_k_bar);
@@ -4201,7 +4240,7 @@ static void leg_errors_near_singularity(
         const stewart_real k3_h_bar_err = D_weight_max*phi_ddot_err + L_ddot_err*tau_k_bar_max + L_ddot_max*tau_k_bar_err
             + STEWART_UNIT*(D_weight_max*phi_ddot_max + L_ddot_max*tau_k_bar_max + STEWART_FABS(k3_h_bar));
         const stewart_real k3_h_bar_max = STEWART_FABS(k3_h_bar) + k3_h_bar_err;
-        const stewart_real M_mixed_bar = phi_ddot*tau_y_bar + tau_k_bar*theta_ddot;
+        const stewart_real M_mixed_bar = tau_k_bar*theta_ddot + phi_ddot*tau_y_bar;
         const stewart_real M_mixed_bar_err = phi_ddot_err*tau_y_bar_max + phi_ddot_max*tau_y_bar_err + tau_k_bar_err*theta_ddot_max
             + tau_k_bar_max*theta_ddot_err + STEWART_UNIT*(phi_ddot_max*tau_y_bar_max + tau_k_bar_max*theta_ddot_max
             + STEWART_FABS(M_mixed_bar));
@@ -4258,16 +4297,16 @@ static void leg_errors_near_singularity(
         const stewart_real theta_ddot_bar_err = D_weight_max*h_z_err + M_mixed_err*tau_k_bar_max + M_mixed_max*tau_k_bar_err
             + STEWART_UNIT*(D_weight_max*h_z_max + M_mixed_max*tau_k_bar_max + STEWART_FABS(theta_ddot_bar));
         const stewart_real theta_ddot_bar_max = STEWART_FABS(theta_ddot_bar) + theta_ddot_bar_err;
-        const stewart_real c1_bar = k13_bar + phi_dot2*theta_ddot_bar;
+        const stewart_real c1_bar = phi_dot2*theta_ddot_bar + k13_bar;
         const stewart_real c1_bar_err = k13_bar_err + phi_dot2_err*theta_ddot_bar_max + phi_dot2_max*theta_ddot_bar_err
             + STEWART_UNIT*(phi_dot2_max*theta_ddot_bar_max + STEWART_FABS(c1_bar));
         const stewart_real c1_bar_max = STEWART_FABS(c1_bar) + c1_bar_err;
         const stewart_real own_phi_ddot_bar = M_phi*tau_k_bar + phi_ddot_bar;
-        const stewart_real own_phi_ddot_bar_err = M_phi_err*tau_k_bar_max + M_phi_max*tau_k_bar_err + phi_ddot_bar_err
+        const stewart_real own_phi_ddot_bar_err = phi_ddot_bar_err + M_phi_err*tau_k_bar_max + M_phi_max*tau_k_bar_err
             + STEWART_UNIT*(M_phi_max*tau_k_bar_max + STEWART_FABS(own_phi_ddot_bar));
         const stewart_real own_phi_ddot_bar_max = STEWART_FABS(own_phi_ddot_bar) + own_phi_ddot_bar_err;
         const stewart_real own_theta_ddot_bar = M_theta*tau_y_bar + theta_ddot_bar;
-        const stewart_real own_theta_ddot_bar_err = M_theta_err*tau_y_bar_max + M_theta_max*tau_y_bar_err + theta_ddot_bar_err
+        const stewart_real own_theta_ddot_bar_err = theta_ddot_bar_err + M_theta_err*tau_y_bar_max + M_theta_max*tau_y_bar_err
             + STEWART_UNIT*(M_theta_max*tau_y_bar_max + STEWART_FABS(own_theta_ddot_bar));
         const stewart_real own_theta_ddot_bar_max = STEWART_FABS(own_theta_ddot_bar) + own_theta_ddot_bar_err;
         const stewart_real L_ddot_bar = h_z*tau_y_bar - k3_h*tau_k_bar;
@@ -4277,34 +4316,35 @@ static void leg_errors_near_singularity(
         const stewart_real c11 = L*L_ddot_bar;
         const stewart_real c11_err = L_ddot_bar_err*L_max + L_ddot_bar_max*L_err + STEWART_UNIT*STEWART_FABS(c11);
         const stewart_real c11_max = STEWART_FABS(c11) + c11_err;
-        const stewart_real k33_bar = M_phi_L_bar*h_x + M_phi_bar*a1 + c11*phi_dot2 + c3*c8;
+        const stewart_real k33_bar = M_phi_bar*a1 + c3*c8 + M_phi_L_bar*h_x + c11*phi_dot2;
         const stewart_real k33_bar_err = M_phi_L_bar_err*h_x_max + M_phi_L_bar_max*h_x_err + M_phi_bar_err*a1_max
             + M_phi_bar_max*a1_err + c11_err*phi_dot2_max + c11_max*phi_dot2_err + c3_err*c8_max + c3_max*c8_err
-            + STEWART_UNIT*(REAL(3)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max + REAL(2)*c11_max*phi_dot2_max
-            + c3_max*c8_max + STEWART_FABS(k33_bar));
+            + STEWART_UNIT*(c11_max*phi_dot2_max + REAL(2)*M_phi_L_bar_max*h_x_max + REAL(3)*M_phi_bar_max*a1_max
+            + REAL(3)*c3_max*c8_max + STEWART_FABS(k33_bar));
         const stewart_real k33_bar_max = STEWART_FABS(k33_bar) + k33_bar_err;
         const stewart_real c12 = STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2;
         const stewart_real c12_err = STEWART_HALF*J2_xz_err + J_xx_err*kappa_max + J_xx_max*kappa_err + STEWART_HALF*c2_err
             + STEWART_UNIT*(STEWART_HALF*J2_xz_max + REAL(2)*J_xx_max*kappa_max + STEWART_FABS(c12));
         const stewart_real c12_max = STEWART_FABS(c12) + c12_err;
-        const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L - c12*theta_dot) - L_share*own_phi_ddot_bar
-            - lean*phi_ddot_bar;
-        const stewart_real two_phi_dot_bar_err = L_dot_err*M_phi_L_max*tau_k_bar_max + L_dot_max*M_phi_L_err*tau_k_bar_max
-            + L_share_err*own_phi_ddot_bar_max + L_share_max*own_phi_ddot_bar_err + c12_err*tau_k_bar_max*theta_dot_max
-            + c12_max*tau_k_bar_max*theta_dot_err + lean_err*phi_ddot_bar_max + lean_max*phi_ddot_bar_err + tau_k_bar_err*(L_dot_max*M_phi_L_max
-            + c12_max*theta_dot_max) + STEWART_UNIT*(REAL(2)*L_share_max*own_phi_ddot_bar_max + lean_max*phi_ddot_bar_max
+        const stewart_real two_phi_dot_bar = tau_k_bar*(L_dot*M_phi_L - c12*theta_dot) - lean*phi_ddot_bar - L_share*own_phi_ddot_bar;
+        const stewart_real two_phi_dot_bar_err = L_share_err*own_phi_ddot_bar_max + L_share_max*own_phi_ddot_bar_err
+            + lean_err*phi_ddot_bar_max + lean_max*phi_ddot_bar_err + L_dot_err*M_phi_L_max*tau_k_bar_max + L_dot_max*M_phi_L_err*tau_k_bar_max
+            + c12_err*tau_k_bar_max*theta_dot_max + c12_max*tau_k_bar_max*theta_dot_err + tau_k_bar_err*(L_dot_max*M_phi_L_max
+            + c12_max*theta_dot_max) + STEWART_UNIT*(L_share_max*own_phi_ddot_bar_max + REAL(2)*lean_max*phi_ddot_bar_max
             + REAL(2)*tau_k_bar_max*(L_dot_max*M_phi_L_max + c12_max*theta_dot_max) + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max
             + REAL(2)*c12_max*theta_dot_max) + STEWART_FABS(two_phi_dot_bar));
-        const stewart_real phi_dot2_bar = c1*theta_ddot_bar + c11*k33 + tau_y_bar*(c10*k13 + c3*c7) - D_weight*M_phi_L;
-        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + c10_err*k13_max*tau_y_bar_max + c10_max*k13_err*tau_y_bar_max
-            + c11_err*k33_max + c11_max*k33_err + c1_err*theta_ddot_bar_max + c1_max*theta_ddot_bar_err + c3_err*c7_max*tau_y_bar_max
-            + c3_max*c7_err*tau_y_bar_max + tau_y_bar_err*(c10_max*k13_max + c3_max*c7_max) + STEWART_UNIT*(D_weight_max*M_phi_L_max
-            + REAL(3)*c11_max*k33_max + REAL(3)*c1_max*theta_ddot_bar_max + REAL(2)*tau_y_bar_max*(c10_max*k13_max
+        const stewart_real two_phi_dot_bar_max = STEWART_FABS(two_phi_dot_bar) + two_phi_dot_bar_err;
+        const stewart_real phi_dot2_bar = tau_y_bar*(c10*k13 + c3*c7) - D_weight*M_phi_L + c1*theta_ddot_bar
+            + c11*k33;
+        const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + c11_err*k33_max + c11_max*k33_err + c1_err*theta_ddot_bar_max
+            + c1_max*theta_ddot_bar_err + c10_err*k13_max*tau_y_bar_max + c10_max*k13_err*tau_y_bar_max + c3_err*c7_max*tau_y_bar_max
+            + c3_max*c7_err*tau_y_bar_max + tau_y_bar_err*(c10_max*k13_max + c3_max*c7_max) + STEWART_UNIT*(c11_max*k33_max
+            + REAL(3)*D_weight_max*M_phi_L_max + REAL(2)*c1_max*theta_ddot_bar_max + REAL(3)*tau_y_bar_max*(c10_max*k13_max
             + c3_max*c7_max) + tau_y_bar_max*(REAL(2)*c10_max*k13_max + REAL(2)*c3_max*c7_max) + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
-        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar + c11 - D_weight*h_x;
-        const stewart_real theta_dot2_bar_err = D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max + M_mixed_theta_max*tau_k_bar_err
-            + c11_err + STEWART_UNIT*(D_weight_max*h_x_max + REAL(2)*M_mixed_theta_max*tau_k_bar_max + c11_max
+        const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar - D_weight*h_x + c11;
+        const stewart_real theta_dot2_bar_err = c11_err + D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
+            + M_mixed_theta_max*tau_k_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_x_max + REAL(2)*M_mixed_theta_max*tau_k_bar_max
             + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
         const stewart_real lean_bar = -phi_ddot_bar*two_phi_dot;
@@ -4314,7 +4354,7 @@ static void leg_errors_near_singularity(
         const stewart_real c13 = REAL(2)*own_theta_ddot_bar;
         const stewart_real c13_err = REAL(2)*own_theta_ddot_bar_err;
         const stewart_real c13_max = STEWART_FABS(c13) + c13_err;
-        const stewart_real L_share_bar = -c13*theta_dot - own_phi_ddot_bar*two_phi_dot;
+        const stewart_real L_share_bar = -own_phi_ddot_bar*two_phi_dot - c13*theta_dot;
         const stewart_real L_share_bar_err = c13_err*theta_dot_max + c13_max*theta_dot_err + own_phi_ddot_bar_err*two_phi_dot_max
             + own_phi_ddot_bar_max*two_phi_dot_err + STEWART_UNIT*(c13_max*theta_dot_max + own_phi_ddot_bar_max*two_phi_dot_max
             + STEWART_FABS(L_share_bar));
@@ -4322,25 +4362,26 @@ static void leg_errors_near_singularity(
         const stewart_real c14 = tau_k_bar*two_phi_dot;
         const stewart_real c14_err = tau_k_bar_err*two_phi_dot_max + tau_k_bar_max*two_phi_dot_err + STEWART_UNIT*STEWART_FABS(c14);
         const stewart_real c14_max = STEWART_FABS(c14) + c14_err;
-        const stewart_real theta_dot_bar = C_s*c5_bar + C_us*tau_y_bar + L_dot*bend_bar + kappa*lean_bar + REAL(2)*theta_dot*theta_dot2_bar
-            - L_share*c13 - c12*c14;
+        const stewart_real theta_dot_bar = C_s*c5_bar + C_us*tau_y_bar - c12*c14 + L_dot*bend_bar + kappa*lean_bar
+            - L_share*c13 + REAL(2)*theta_dot*theta_dot2_bar;
         const stewart_real theta_dot_bar_err = C_s_max*c5_bar_err + C_us_err*tau_y_bar_max + C_us_max*tau_y_bar_err
             + L_dot_err*bend_bar_max + L_dot_max*bend_bar_err + L_share_err*c13_max + L_share_max*c13_err + c12_err*c14_max
             + c12_max*c14_err + kappa_err*lean_bar_max + kappa_max*lean_bar_err + REAL(2)*theta_dot2_bar_err*theta_dot_max
             + REAL(2)*theta_dot2_bar_max*theta_dot_err + STEWART_UNIT*(REAL(6)*C_s_max*c5_bar_max + REAL(6)*C_us_max*tau_y_bar_max
-            + REAL(5)*L_dot_max*bend_bar_max + REAL(2)*L_share_max*c13_max + c12_max*c14_max + REAL(4)*kappa_max*lean_bar_max
-            + REAL(6)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
+            + REAL(4)*L_dot_max*bend_bar_max + REAL(2)*L_share_max*c13_max + REAL(5)*c12_max*c14_max + REAL(3)*kappa_max*lean_bar_max
+            + REAL(2)*theta_dot2_bar_max*theta_dot_max + STEWART_FABS(theta_dot_bar));
         const stewart_real theta_dot_bar_max = STEWART_FABS(theta_dot_bar) + theta_dot_bar_err;
-        const stewart_real phi_dot_bar = C_s*c4_bar + C_us*tau_k_bar + REAL(2)*phi_dot*phi_dot2_bar + REAL(2)*two_phi_dot_bar;
+        const stewart_real phi_dot_bar = C_s*c4_bar + C_us*tau_k_bar + REAL(2)*two_phi_dot_bar + REAL(2)*phi_dot*phi_dot2_bar;
         const stewart_real phi_dot_bar_err = C_s_max*c4_bar_err + C_us_err*tau_k_bar_max + C_us_max*tau_k_bar_err
-            + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err + REAL(2)*two_phi_dot_bar_err
-            + STEWART_UNIT*(REAL(3)*C_s_max*c4_bar_max + REAL(3)*C_us_max*tau_k_bar_max + REAL(4)*phi_dot2_bar_max*phi_dot_max
-            + STEWART_FABS(phi_dot_bar));
+            + REAL(2)*two_phi_dot_bar_err + REAL(2)*phi_dot2_bar_err*phi_dot_max + REAL(2)*phi_dot2_bar_max*phi_dot_err
+            + STEWART_UNIT*(REAL(2)*two_phi_dot_bar_max + REAL(3)*C_s_max*c4_bar_max + REAL(3)*C_us_max*tau_k_bar_max
+            + REAL(2)*phi_dot2_bar_max*phi_dot_max + STEWART_FABS(phi_dot_bar));
         const stewart_real phi_dot_bar_max = STEWART_FABS(phi_dot_bar) + phi_dot_bar_err;
-        const stewart_real L_dot_bar = C_p*D_weight + L_share_bar*inv_L + M_phi_L*c14 + bend_bar*theta_dot;
+        const stewart_real L_dot_bar = C_p*D_weight + M_phi_L*c14 + bend_bar*theta_dot + L_share_bar*inv_L;
         const stewart_real L_dot_bar_err = L_share_bar_err*inv_L_max + L_share_bar_max*inv_L_err + M_phi_L_err*c14_max
-            + M_phi_L_max*c14_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err + STEWART_UNIT*(REAL(3)*C_p_max*D_weight_max
-            + REAL(3)*L_share_bar_max*inv_L_max + REAL(2)*M_phi_L_max*c14_max + bend_bar_max*theta_dot_max + STEWART_FABS(L_dot_bar));
+            + M_phi_L_max*c14_err + bend_bar_err*theta_dot_max + bend_bar_max*theta_dot_err + STEWART_UNIT*(L_share_bar_max*inv_L_max
+            + REAL(3)*C_p_max*D_weight_max + REAL(3)*M_phi_L_max*c14_max + REAL(2)*bend_bar_max*theta_dot_max
+            + STEWART_FABS(L_dot_bar));
         const stewart_real L_dot_bar_max = STEWART_FABS(L_dot_bar) + L_dot_bar_err;
         const stewart_real c15 = inv_rho*own_phi_ddot_bar;
         const stewart_real c15_err = inv_rho_err*own_phi_ddot_bar_max + inv_rho_max*own_phi_ddot_bar_err + STEWART_UNIT*STEWART_FABS(c15);
@@ -4350,18 +4391,18 @@ static void leg_errors_near_singularity(
         const stewart_real c16_max = STEWART_FABS(c16) + c16_err;
         const stewart_real S_ddot_z_bar = L_ddot_bar*s_z + c15*y_z - c16*z_z;
         const stewart_real S_ddot_z_bar_err = L_ddot_bar_err*s_z_max + L_ddot_bar_max*s_z_err + c15_err*y_z_max
-            + c15_max*y_z_err + c16_err*z_z_max + c16_max*z_z_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_z_max
-            + REAL(2)*c15_max*y_z_max + c16_max*z_z_max + STEWART_FABS(S_ddot_z_bar));
+            + c15_max*y_z_err + c16_err*z_z_max + c16_max*z_z_err + STEWART_UNIT*(c16_max*z_z_max + REAL(2)*L_ddot_bar_max*s_z_max
+            + REAL(2)*c15_max*y_z_max + STEWART_FABS(S_ddot_z_bar));
         const stewart_real S_ddot_z_bar_max = STEWART_FABS(S_ddot_z_bar) + S_ddot_z_bar_err;
         const stewart_real S_ddot_y_bar = L_ddot_bar*s_y + c15*y_y - c16*z_y;
         const stewart_real S_ddot_y_bar_err = L_ddot_bar_err*s_y_max + L_ddot_bar_max*s_y_err + c15_err*y_y_max
-            + c15_max*y_y_err + c16_err*z_y_max + c16_max*z_y_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_y_max
-            + REAL(2)*c15_max*y_y_max + c16_max*z_y_max + STEWART_FABS(S_ddot_y_bar));
+            + c15_max*y_y_err + c16_err*z_y_max + c16_max*z_y_err + STEWART_UNIT*(c16_max*z_y_max + REAL(2)*L_ddot_bar_max*s_y_max
+            + REAL(2)*c15_max*y_y_max + STEWART_FABS(S_ddot_y_bar));
         const stewart_real S_ddot_y_bar_max = STEWART_FABS(S_ddot_y_bar) + S_ddot_y_bar_err;
         const stewart_real S_ddot_x_bar = L_ddot_bar*s_x + c15*y_x - c16*z_x;
         const stewart_real S_ddot_x_bar_err = L_ddot_bar_err*s_x_max + L_ddot_bar_max*s_x_err + c15_err*y_x_max
-            + c15_max*y_x_err + c16_err*z_x_max + c16_max*z_x_err + STEWART_UNIT*(REAL(2)*L_ddot_bar_max*s_x_max
-            + REAL(2)*c15_max*y_x_max + c16_max*z_x_max + STEWART_FABS(S_ddot_x_bar));
+            + c15_max*y_x_err + c16_err*z_x_max + c16_max*z_x_err + STEWART_UNIT*(c16_max*z_x_max + REAL(2)*L_ddot_bar_max*s_x_max
+            + REAL(2)*c15_max*y_x_max + STEWART_FABS(S_ddot_x_bar));
         const stewart_real S_ddot_x_bar_max = STEWART_FABS(S_ddot_x_bar) + S_ddot_x_bar_err;
         const stewart_real c17 = inv_rho*phi_dot_bar;
         const stewart_real c17_err = inv_rho_err*phi_dot_bar_max + inv_rho_max*phi_dot_bar_err + STEWART_UNIT*STEWART_FABS(c17);
@@ -4371,18 +4412,18 @@ static void leg_errors_near_singularity(
         const stewart_real c18_max = STEWART_FABS(c18) + c18_err;
         const stewart_real S_dot_z_bar = L_dot_bar*s_z + c17*y_z - c18*z_z;
         const stewart_real S_dot_z_bar_err = L_dot_bar_err*s_z_max + L_dot_bar_max*s_z_err + c17_err*y_z_max
-            + c17_max*y_z_err + c18_err*z_z_max + c18_max*z_z_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_z_max
-            + REAL(2)*c17_max*y_z_max + c18_max*z_z_max + STEWART_FABS(S_dot_z_bar));
+            + c17_max*y_z_err + c18_err*z_z_max + c18_max*z_z_err + STEWART_UNIT*(c18_max*z_z_max + REAL(2)*L_dot_bar_max*s_z_max
+            + REAL(2)*c17_max*y_z_max + STEWART_FABS(S_dot_z_bar));
         const stewart_real S_dot_z_bar_max = STEWART_FABS(S_dot_z_bar) + S_dot_z_bar_err;
         const stewart_real S_dot_y_bar = L_dot_bar*s_y + c17*y_y - c18*z_y;
         const stewart_real S_dot_y_bar_err = L_dot_bar_err*s_y_max + L_dot_bar_max*s_y_err + c17_err*y_y_max
-            + c17_max*y_y_err + c18_err*z_y_max + c18_max*z_y_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_y_max
-            + REAL(2)*c17_max*y_y_max + c18_max*z_y_max + STEWART_FABS(S_dot_y_bar));
+            + c17_max*y_y_err + c18_err*z_y_max + c18_max*z_y_err + STEWART_UNIT*(c18_max*z_y_max + REAL(2)*L_dot_bar_max*s_y_max
+            + REAL(2)*c17_max*y_y_max + STEWART_FABS(S_dot_y_bar));
         const stewart_real S_dot_y_bar_max = STEWART_FABS(S_dot_y_bar) + S_dot_y_bar_err;
         const stewart_real S_dot_x_bar = L_dot_bar*s_x + c17*y_x - c18*z_x;
         const stewart_real S_dot_x_bar_err = L_dot_bar_err*s_x_max + L_dot_bar_max*s_x_err + c17_err*y_x_max
-            + c17_max*y_x_err + c18_err*z_x_max + c18_max*z_x_err + STEWART_UNIT*(REAL(2)*L_dot_bar_max*s_x_max
-            + REAL(2)*c17_max*y_x_max + c18_max*z_x_max + STEWART_FABS(S_dot_x_bar));
+            + c17_max*y_x_err + c18_err*z_x_max + c18_max*z_x_err + STEWART_UNIT*(c18_max*z_x_max + REAL(2)*L_dot_bar_max*s_x_max
+            + REAL(2)*c17_max*y_x_max + STEWART_FABS(S_dot_x_bar));
         const stewart_real S_dot_x_bar_max = STEWART_FABS(S_dot_x_bar) + S_dot_x_bar_err;
         const stewart_real c19 = c14*theta_dot;
         const stewart_real c19_err = c14_err*theta_dot_max + c14_max*theta_dot_err + STEWART_UNIT*STEWART_FABS(c19);
@@ -4391,86 +4432,88 @@ static void leg_errors_near_singularity(
         const stewart_real kappa_bar_err = J_xx_err*c19_max + J_xx_max*c19_err + lean_bar_err*theta_dot_max
             + lean_bar_max*theta_dot_err + STEWART_UNIT*(J_xx_max*c19_max + lean_bar_max*theta_dot_max + STEWART_FABS(kappa_bar));
         const stewart_real kappa_bar_max = STEWART_FABS(kappa_bar) + kappa_bar_err;
-        const stewart_real k3_bar = J_yz*M_mixed_bar + c1_bar*k1 + h_y*k3_h_bar + REAL(2)*k3*k33_bar + w_k_bar*w_z
-            + w_n_bar*w_x - M_mixed_theta_bar*a3;
+        const stewart_real k3_bar = w_k_bar*w_z - M_mixed_theta_bar*a3 + J_yz*M_mixed_bar + h_y*k3_h_bar + w_n_bar*w_x
+            + c1_bar*k1 + REAL(2)*k3*k33_bar;
         const stewart_real k3_bar_err = J_yz_err*M_mixed_bar_max + J_yz_max*M_mixed_bar_err + M_mixed_theta_bar_err*a3_max
             + M_mixed_theta_bar_max*a3_err + c1_bar_err*k1_max + c1_bar_max*k1_err + h_y_err*k3_h_bar_max + h_y_max*k3_h_bar_err
-            + REAL(2)*k33_bar_err*k3_max + REAL(2)*k33_bar_max*k3_err + w_k_bar_err*w_z_max + w_k_bar_max*w_z_err
-            + w_n_bar_err*w_x_max + w_n_bar_max*w_x_err + STEWART_UNIT*(REAL(6)*J_yz_max*M_mixed_bar_max + M_mixed_theta_bar_max*a3_max
-            + REAL(6)*c1_bar_max*k1_max + REAL(5)*h_y_max*k3_h_bar_max + REAL(8)*k33_bar_max*k3_max + REAL(3)*w_k_bar_max*w_z_max
-            + REAL(2)*w_n_bar_max*w_x_max + STEWART_FABS(k3_bar));
+            + w_k_bar_err*w_z_max + w_k_bar_max*w_z_err + w_n_bar_err*w_x_max + w_n_bar_max*w_x_err + REAL(2)*k33_bar_err*k3_max
+            + REAL(2)*k33_bar_max*k3_err + STEWART_UNIT*(REAL(5)*J_yz_max*M_mixed_bar_max + REAL(6)*M_mixed_theta_bar_max*a3_max
+            + REAL(2)*c1_bar_max*k1_max + REAL(4)*h_y_max*k3_h_bar_max + REAL(2)*k33_bar_max*k3_max + REAL(6)*w_k_bar_max*w_z_max
+            + REAL(3)*w_n_bar_max*w_x_max + STEWART_FABS(k3_bar));
         const stewart_real k3_bar_max = STEWART_FABS(k3_bar) + k3_bar_err;
-        const stewart_real k1_bar = J_yz*M_mixed_theta_bar + M_mixed_bar*a3 + c1_bar*k3 + w_k_bar*w_x - bend*c6
-            - w_n_bar*w_z;
+        const stewart_real k1_bar = J_yz*M_mixed_theta_bar + w_k_bar*w_x - bend*c6 + M_mixed_bar*a3 - w_n_bar*w_z
+            + c1_bar*k3;
         const stewart_real k1_bar_err = J_yz_err*M_mixed_theta_bar_max + J_yz_max*M_mixed_theta_bar_err + M_mixed_bar_err*a3_max
             + M_mixed_bar_max*a3_err + bend_err*c6_max + bend_max*c6_err + c1_bar_err*k3_max + c1_bar_max*k3_err
-            + w_k_bar_err*w_x_max + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err + STEWART_UNIT*(REAL(5)*J_yz_max*M_mixed_theta_bar_max
-            + REAL(5)*M_mixed_bar_max*a3_max + REAL(2)*bend_max*c6_max + REAL(4)*c1_bar_max*k3_max + REAL(3)*w_k_bar_max*w_x_max
-            + w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
+            + w_k_bar_err*w_x_max + w_k_bar_max*w_x_err + w_n_bar_err*w_z_max + w_n_bar_max*w_z_err + STEWART_UNIT*(c1_bar_max*k3_max
+            + REAL(5)*J_yz_max*M_mixed_theta_bar_max + REAL(3)*M_mixed_bar_max*a3_max + REAL(4)*bend_max*c6_max
+            + REAL(5)*w_k_bar_max*w_x_max + REAL(2)*w_n_bar_max*w_z_max + STEWART_FABS(k1_bar));
         const stewart_real k1_bar_max = STEWART_FABS(k1_bar) + k1_bar_err;
         const stewart_real c20 = C_s*tau_y_bar;
         const stewart_real c20_err = C_s_max*tau_y_bar_err + STEWART_UNIT*STEWART_FABS(c20);
         const stewart_real c20_max = STEWART_FABS(c20) + c20_err;
-        const stewart_real y_z_bar = S_ddot_z*c15 + S_dot_z*c17 + g_x_k_z*gamma_n_bar + g_z*gamma_y_bar - Q_y*c_force_z_bar
-            - Y_moment_z*c5 - c20*omega_z;
+        const stewart_real y_z_bar = g_z*gamma_y_bar - Y_moment_z*c5 - Q_y*c_force_z_bar - c20*omega_z + g_x_k_z*gamma_n_bar
+            + S_ddot_z*c15 + S_dot_z*c17;
         const stewart_real y_z_bar_err = Q_y_err*c_force_z_bar_max + Q_y_max*c_force_z_bar_err + S_ddot_z_err*c15_max
             + S_ddot_z_max*c15_err + S_dot_z_err*c17_max + S_dot_z_max*c17_err + Y_moment_z_max*c5_err + c20_err*omega_z_max
-            + g_x_k_z_err*gamma_n_bar_max + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_z_bar_max
-            + REAL(6)*S_ddot_z_max*c15_max + REAL(6)*S_dot_z_max*c17_max + REAL(2)*Y_moment_z_max*c5_max + c20_max*omega_z_max
-            + REAL(5)*g_x_k_z_max*gamma_n_bar_max + REAL(4)*g_z_max*gamma_y_bar_max + STEWART_FABS(y_z_bar));
+            + g_x_k_z_err*gamma_n_bar_max + g_x_k_z_max*gamma_n_bar_err + g_z_max*gamma_y_bar_err + STEWART_UNIT*(S_dot_z_max*c17_max
+            + REAL(5)*Q_y_max*c_force_z_bar_max + REAL(2)*S_ddot_z_max*c15_max + REAL(6)*Y_moment_z_max*c5_max
+            + REAL(4)*c20_max*omega_z_max + REAL(3)*g_x_k_z_max*gamma_n_bar_max + REAL(6)*g_z_max*gamma_y_bar_max
+            + STEWART_FABS(y_z_bar));
         const stewart_real y_z_bar_max = STEWART_FABS(y_z_bar) + y_z_bar_err;
-        const stewart_real y_y_bar = S_ddot_y*c15 + S_dot_y*c17 + g_x_k_y*gamma_n_bar + g_y*gamma_y_bar - Q_y*c_force_y_bar
-            - Y_moment_y*c5 - c20*omega_y;
+        const stewart_real y_y_bar = g_y*gamma_y_bar - Y_moment_y*c5 - Q_y*c_force_y_bar - c20*omega_y + g_x_k_y*gamma_n_bar
+            + S_ddot_y*c15 + S_dot_y*c17;
         const stewart_real y_y_bar_err = Q_y_err*c_force_y_bar_max + Q_y_max*c_force_y_bar_err + S_ddot_y_err*c15_max
             + S_ddot_y_max*c15_err + S_dot_y_err*c17_max + S_dot_y_max*c17_err + Y_moment_y_max*c5_err + c20_err*omega_y_max
-            + g_x_k_y_err*gamma_n_bar_max + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_y_bar_max
-            + REAL(6)*S_ddot_y_max*c15_max + REAL(6)*S_dot_y_max*c17_max + REAL(2)*Y_moment_y_max*c5_max + c20_max*omega_y_max
-            + REAL(5)*g_x_k_y_max*gamma_n_bar_max + REAL(4)*g_y_max*gamma_y_bar_max + STEWART_FABS(y_y_bar));
+            + g_x_k_y_err*gamma_n_bar_max + g_x_k_y_max*gamma_n_bar_err + g_y_max*gamma_y_bar_err + STEWART_UNIT*(S_dot_y_max*c17_max
+            + REAL(5)*Q_y_max*c_force_y_bar_max + REAL(2)*S_ddot_y_max*c15_max + REAL(6)*Y_moment_y_max*c5_max
+            + REAL(4)*c20_max*omega_y_max + REAL(3)*g_x_k_y_max*gamma_n_bar_max + REAL(6)*g_y_max*gamma_y_bar_max
+            + STEWART_FABS(y_y_bar));
         const stewart_real y_y_bar_max = STEWART_FABS(y_y_bar) + y_y_bar_err;
-        const stewart_real y_x_bar = S_ddot_x*c15 + S_dot_x*c17 + g_x*gamma_y_bar + g_x_k_x*gamma_n_bar - Q_y*c_force_x_bar
-            - Y_moment_x*c5 - c20*omega_x;
+        const stewart_real y_x_bar = g_x*gamma_y_bar - Y_moment_x*c5 - Q_y*c_force_x_bar - c20*omega_x + g_x_k_x*gamma_n_bar
+            + S_ddot_x*c15 + S_dot_x*c17;
         const stewart_real y_x_bar_err = Q_y_err*c_force_x_bar_max + Q_y_max*c_force_x_bar_err + S_ddot_x_err*c15_max
             + S_ddot_x_max*c15_err + S_dot_x_err*c17_max + S_dot_x_max*c17_err + Y_moment_x_max*c5_err + c20_err*omega_x_max
-            + g_x_k_x_err*gamma_n_bar_max + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(REAL(3)*Q_y_max*c_force_x_bar_max
-            + REAL(6)*S_ddot_x_max*c15_max + REAL(6)*S_dot_x_max*c17_max + REAL(2)*Y_moment_x_max*c5_max + c20_max*omega_x_max
-            + REAL(4)*g_x_k_x_max*gamma_n_bar_max + REAL(5)*g_x_max*gamma_y_bar_max + STEWART_FABS(y_x_bar));
+            + g_x_k_x_err*gamma_n_bar_max + g_x_k_x_max*gamma_n_bar_err + g_x_max*gamma_y_bar_err + STEWART_UNIT*(S_dot_x_max*c17_max
+            + REAL(5)*Q_y_max*c_force_x_bar_max + REAL(2)*S_ddot_x_max*c15_max + REAL(6)*Y_moment_x_max*c5_max
+            + REAL(4)*c20_max*omega_x_max + REAL(3)*g_x_k_x_max*gamma_n_bar_max + REAL(6)*g_x_max*gamma_y_bar_max
+            + STEWART_FABS(y_x_bar));
         const stewart_real y_x_bar_max = STEWART_FABS(y_x_bar) + y_x_bar_err;
         const stewart_real z_z_bar = s_x*y_y_bar - Q_z*c_force_z_bar - S_ddot_z*c16 - S_dot_z*c18 - s_y*y_x_bar;
         const stewart_real z_z_bar_err = Q_z_err*c_force_z_bar_max + Q_z_max*c_force_z_bar_err + S_ddot_z_err*c16_max
             + S_ddot_z_max*c16_err + S_dot_z_err*c18_max + S_dot_z_max*c18_err + s_x_err*y_y_bar_max + s_x_max*y_y_bar_err
-            + s_y_err*y_x_bar_max + s_y_max*y_x_bar_err + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_z_bar_max + REAL(3)*S_ddot_z_max*c16_max
-            + REAL(2)*S_dot_z_max*c18_max + REAL(4)*s_x_max*y_y_bar_max + s_y_max*y_x_bar_max + STEWART_FABS(z_z_bar));
+            + s_y_err*y_x_bar_max + s_y_max*y_x_bar_err + STEWART_UNIT*(s_y_max*y_x_bar_max + REAL(4)*Q_z_max*c_force_z_bar_max
+            + REAL(3)*S_ddot_z_max*c16_max + REAL(2)*S_dot_z_max*c18_max + REAL(4)*s_x_max*y_y_bar_max + STEWART_FABS(z_z_bar));
         const stewart_real z_z_bar_max = STEWART_FABS(z_z_bar) + z_z_bar_err;
         const stewart_real z_y_bar = s_z*y_x_bar - Q_z*c_force_y_bar - S_ddot_y*c16 - S_dot_y*c18 - s_x*y_z_bar;
         const stewart_real z_y_bar_err = Q_z_err*c_force_y_bar_max + Q_z_max*c_force_y_bar_err + S_ddot_y_err*c16_max
             + S_ddot_y_max*c16_err + S_dot_y_err*c18_max + S_dot_y_max*c18_err + s_x_err*y_z_bar_max + s_x_max*y_z_bar_err
-            + s_z_err*y_x_bar_max + s_z_max*y_x_bar_err + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_y_bar_max + REAL(3)*S_ddot_y_max*c16_max
-            + REAL(2)*S_dot_y_max*c18_max + s_x_max*y_z_bar_max + REAL(4)*s_z_max*y_x_bar_max + STEWART_FABS(z_y_bar));
+            + s_z_err*y_x_bar_max + s_z_max*y_x_bar_err + STEWART_UNIT*(s_x_max*y_z_bar_max + REAL(4)*Q_z_max*c_force_y_bar_max
+            + REAL(3)*S_ddot_y_max*c16_max + REAL(2)*S_dot_y_max*c18_max + REAL(4)*s_z_max*y_x_bar_max + STEWART_FABS(z_y_bar));
         const stewart_real z_y_bar_max = STEWART_FABS(z_y_bar) + z_y_bar_err;
         const stewart_real z_x_bar = s_y*y_z_bar - Q_z*c_force_x_bar - S_ddot_x*c16 - S_dot_x*c18 - s_z*y_y_bar;
         const stewart_real z_x_bar_err = Q_z_err*c_force_x_bar_max + Q_z_max*c_force_x_bar_err + S_ddot_x_err*c16_max
             + S_ddot_x_max*c16_err + S_dot_x_err*c18_max + S_dot_x_max*c18_err + s_y_err*y_z_bar_max + s_y_max*y_z_bar_err
-            + s_z_err*y_y_bar_max + s_z_max*y_y_bar_err + STEWART_UNIT*(REAL(4)*Q_z_max*c_force_x_bar_max + REAL(3)*S_ddot_x_max*c16_max
-            + REAL(2)*S_dot_x_max*c18_max + REAL(4)*s_y_max*y_z_bar_max + s_z_max*y_y_bar_max + STEWART_FABS(z_x_bar));
+            + s_z_err*y_y_bar_max + s_z_max*y_y_bar_err + STEWART_UNIT*(s_z_max*y_y_bar_max + REAL(4)*Q_z_max*c_force_x_bar_max
+            + REAL(3)*S_ddot_x_max*c16_max + REAL(2)*S_dot_x_max*c18_max + REAL(4)*s_y_max*y_z_bar_max + STEWART_FABS(z_x_bar));
         const stewart_real z_x_bar_max = STEWART_FABS(z_x_bar) + z_x_bar_err;
-        const stewart_real inv_rho_bar = Q_y_bar*tau_k + kappa_bar*zeta + own_phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y
-            + S_ddot_z*y_z) + phi_dot_bar*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z) + s_cross_normal_x*z_x_bar
+        const stewart_real inv_rho_bar = Q_y_bar*tau_k + own_phi_ddot_bar*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z)
+            + kappa_bar*zeta + phi_dot_bar*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z) + s_cross_normal_x*z_x_bar
             + s_cross_normal_y*z_y_bar + s_cross_normal_z*z_z_bar;
-        const stewart_real inv_rho_bar_err = Q_y_bar_err*tau_k_max + Q_y_bar_max*tau_k_err + S_ddot_x_err*own_phi_ddot_bar_max*y_x_max
-            + S_ddot_y_err*own_phi_ddot_bar_max*y_y_max + S_ddot_z_err*own_phi_ddot_bar_max*y_z_max + S_dot_x_err*phi_dot_bar_max*y_x_max
-            + S_dot_y_err*phi_dot_bar_max*y_y_max + S_dot_z_err*phi_dot_bar_max*y_z_max + kappa_bar_err*zeta_max
-            + kappa_bar_max*zeta_err + own_phi_ddot_bar_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
-            + phi_dot_bar_err*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + s_cross_normal_x_err*z_x_bar_max
-            + s_cross_normal_x_max*z_x_bar_err + s_cross_normal_y_err*z_y_bar_max + s_cross_normal_y_max*z_y_bar_err
-            + s_cross_normal_z_err*z_z_bar_max + s_cross_normal_z_max*z_z_bar_err + y_x_err*(S_ddot_x_max*own_phi_ddot_bar_max
-            + S_dot_x_max*phi_dot_bar_max) + y_y_err*(S_ddot_y_max*own_phi_ddot_bar_max + S_dot_y_max*phi_dot_bar_max)
-            + y_z_err*(S_ddot_z_max*own_phi_ddot_bar_max + S_dot_z_max*phi_dot_bar_max) + STEWART_UNIT*(REAL(6)*Q_y_bar_max*tau_k_max
-            + REAL(6)*kappa_bar_max*zeta_max + REAL(5)*own_phi_ddot_bar_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max
-            + S_ddot_z_max*y_z_max) + own_phi_ddot_bar_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max
-            + REAL(2)*S_ddot_z_max*y_z_max) + REAL(4)*phi_dot_bar_max*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max
-            + S_dot_z_max*y_z_max) + phi_dot_bar_max*(REAL(3)*S_dot_x_max*y_x_max + REAL(3)*S_dot_y_max*y_y_max
-            + REAL(2)*S_dot_z_max*y_z_max) + REAL(3)*s_cross_normal_x_max*z_x_bar_max + REAL(2)*s_cross_normal_y_max*z_y_bar_max
-            + s_cross_normal_z_max*z_z_bar_max + STEWART_FABS(inv_rho_bar));
+        const stewart_real inv_rho_bar_err = Q_y_bar_err*tau_k_max + Q_y_bar_max*tau_k_err + kappa_bar_err*zeta_max
+            + kappa_bar_max*zeta_err + s_cross_normal_x_err*z_x_bar_max + s_cross_normal_x_max*z_x_bar_err + s_cross_normal_y_err*z_y_bar_max
+            + s_cross_normal_y_max*z_y_bar_err + s_cross_normal_z_err*z_z_bar_max + s_cross_normal_z_max*z_z_bar_err
+            + S_ddot_x_err*own_phi_ddot_bar_max*y_x_max + S_ddot_y_err*own_phi_ddot_bar_max*y_y_max + S_ddot_z_err*own_phi_ddot_bar_max*y_z_max
+            + S_dot_x_err*phi_dot_bar_max*y_x_max + S_dot_y_err*phi_dot_bar_max*y_y_max + S_dot_z_err*phi_dot_bar_max*y_z_max
+            + y_x_err*(S_ddot_x_max*own_phi_ddot_bar_max + S_dot_x_max*phi_dot_bar_max) + y_y_err*(S_ddot_y_max*own_phi_ddot_bar_max
+            + S_dot_y_max*phi_dot_bar_max) + y_z_err*(S_ddot_z_max*own_phi_ddot_bar_max + S_dot_z_max*phi_dot_bar_max)
+            + own_phi_ddot_bar_err*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max) + phi_dot_bar_err*(S_dot_x_max*y_x_max
+            + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + STEWART_UNIT*(s_cross_normal_z_max*z_z_bar_max + REAL(6)*Q_y_bar_max*tau_k_max
+            + REAL(5)*kappa_bar_max*zeta_max + REAL(3)*s_cross_normal_x_max*z_x_bar_max + REAL(2)*s_cross_normal_y_max*z_y_bar_max
+            + REAL(6)*own_phi_ddot_bar_max*(S_ddot_x_max*y_x_max + S_ddot_y_max*y_y_max + S_ddot_z_max*y_z_max)
+            + own_phi_ddot_bar_max*(REAL(3)*S_ddot_x_max*y_x_max + REAL(3)*S_ddot_y_max*y_y_max + REAL(2)*S_ddot_z_max*y_z_max)
+            + REAL(4)*phi_dot_bar_max*(S_dot_x_max*y_x_max + S_dot_y_max*y_y_max + S_dot_z_max*y_z_max) + phi_dot_bar_max*(REAL(3)*S_dot_x_max*y_x_max
+            + REAL(3)*S_dot_y_max*y_y_max + REAL(2)*S_dot_z_max*y_z_max) + STEWART_FABS(inv_rho_bar));
         const stewart_real inv_rho_bar_max = STEWART_FABS(inv_rho_bar) + inv_rho_bar_err;
         const stewart_real rho_bar = inv_L*k3_bar - inv_rho_bar*inv_rho*inv_rho;
         const stewart_real rho_bar_err = inv_L_err*k3_bar_max + inv_L_max*k3_bar_err + inv_rho_bar_err*inv_rho_max*inv_rho_max
@@ -4480,79 +4523,79 @@ static void leg_errors_near_singularity(
         const stewart_real c21 = inv_rho*rho_bar;
         const stewart_real c21_err = inv_rho_err*rho_bar_max + inv_rho_max*rho_bar_err + STEWART_UNIT*STEWART_FABS(c21);
         const stewart_real c21_max = STEWART_FABS(c21) + c21_err;
-        const stewart_real s_cross_normal_z_bar = c21*s_cross_normal_z + inv_rho*z_z_bar;
+        const stewart_real s_cross_normal_z_bar = inv_rho*z_z_bar + c21*s_cross_normal_z;
         const stewart_real s_cross_normal_z_bar_err = c21_err*s_cross_normal_z_max + c21_max*s_cross_normal_z_err
             + inv_rho_err*z_z_bar_max + inv_rho_max*z_z_bar_err + STEWART_UNIT*(c21_max*s_cross_normal_z_max
             + inv_rho_max*z_z_bar_max + STEWART_FABS(s_cross_normal_z_bar));
         const stewart_real s_cross_normal_z_bar_max = STEWART_FABS(s_cross_normal_z_bar) + s_cross_normal_z_bar_err;
-        const stewart_real s_cross_normal_y_bar = c21*s_cross_normal_y + inv_rho*z_y_bar;
+        const stewart_real s_cross_normal_y_bar = inv_rho*z_y_bar + c21*s_cross_normal_y;
         const stewart_real s_cross_normal_y_bar_err = c21_err*s_cross_normal_y_max + c21_max*s_cross_normal_y_err
             + inv_rho_err*z_y_bar_max + inv_rho_max*z_y_bar_err + STEWART_UNIT*(c21_max*s_cross_normal_y_max
             + inv_rho_max*z_y_bar_max + STEWART_FABS(s_cross_normal_y_bar));
         const stewart_real s_cross_normal_y_bar_max = STEWART_FABS(s_cross_normal_y_bar) + s_cross_normal_y_bar_err;
-        const stewart_real s_cross_normal_x_bar = c21*s_cross_normal_x + inv_rho*z_x_bar;
+        const stewart_real s_cross_normal_x_bar = inv_rho*z_x_bar + c21*s_cross_normal_x;
         const stewart_real s_cross_normal_x_bar_err = c21_err*s_cross_normal_x_max + c21_max*s_cross_normal_x_err
             + inv_rho_err*z_x_bar_max + inv_rho_max*z_x_bar_err + STEWART_UNIT*(c21_max*s_cross_normal_x_max
             + inv_rho_max*z_x_bar_max + STEWART_FABS(s_cross_normal_x_bar));
         const stewart_real s_cross_normal_x_bar_max = STEWART_FABS(s_cross_normal_x_bar) + s_cross_normal_x_bar_err;
-        const stewart_real s_z_bar = H_force_z_bar + L_ddot_bar*S_ddot_z + L_dot_bar*S_dot_z + k_cross_S_x*s_cross_normal_y_bar
-            + y_x_bar*z_y - k_cross_S_y*s_cross_normal_x_bar - y_y_bar*z_x;
+        const stewart_real s_z_bar = H_force_z_bar + L_ddot_bar*S_ddot_z + L_dot_bar*S_dot_z + y_x_bar*z_y - y_y_bar*z_x
+            + k_cross_S_x*s_cross_normal_y_bar - k_cross_S_y*s_cross_normal_x_bar;
         const stewart_real s_z_bar_err = H_force_z_bar_err + L_ddot_bar_err*S_ddot_z_max + L_ddot_bar_max*S_ddot_z_err
             + L_dot_bar_err*S_dot_z_max + L_dot_bar_max*S_dot_z_err + k_cross_S_x_err*s_cross_normal_y_bar_max
             + k_cross_S_x_max*s_cross_normal_y_bar_err + k_cross_S_y_err*s_cross_normal_x_bar_max + k_cross_S_y_max*s_cross_normal_x_bar_err
             + y_x_bar_err*z_y_max + y_x_bar_max*z_y_err + y_y_bar_err*z_x_max + y_y_bar_max*z_x_err + STEWART_UNIT*(REAL(5)*H_force_z_bar_max
-            + REAL(6)*L_ddot_bar_max*S_ddot_z_max + REAL(5)*L_dot_bar_max*S_dot_z_max + REAL(4)*k_cross_S_x_max*s_cross_normal_y_bar_max
-            + REAL(2)*k_cross_S_y_max*s_cross_normal_x_bar_max + REAL(3)*y_x_bar_max*z_y_max + y_y_bar_max*z_x_max
+            + k_cross_S_y_max*s_cross_normal_x_bar_max + REAL(6)*L_ddot_bar_max*S_ddot_z_max + REAL(5)*L_dot_bar_max*S_dot_z_max
+            + REAL(2)*k_cross_S_x_max*s_cross_normal_y_bar_max + REAL(4)*y_x_bar_max*z_y_max + REAL(3)*y_y_bar_max*z_x_max
             + STEWART_FABS(s_z_bar));
         const stewart_real s_z_bar_max = STEWART_FABS(s_z_bar) + s_z_bar_err;
-        const stewart_real s_y_bar = H_force_y_bar + L_ddot_bar*S_ddot_y + L_dot_bar*S_dot_y + k_cross_S_z*s_cross_normal_x_bar
-            + y_z_bar*z_x - k_cross_S_x*s_cross_normal_z_bar - y_x_bar*z_z;
+        const stewart_real s_y_bar = H_force_y_bar + L_ddot_bar*S_ddot_y + L_dot_bar*S_dot_y + y_z_bar*z_x - y_x_bar*z_z
+            + k_cross_S_z*s_cross_normal_x_bar - k_cross_S_x*s_cross_normal_z_bar;
         const stewart_real s_y_bar_err = H_force_y_bar_err + L_ddot_bar_err*S_ddot_y_max + L_ddot_bar_max*S_ddot_y_err
             + L_dot_bar_err*S_dot_y_max + L_dot_bar_max*S_dot_y_err + k_cross_S_x_err*s_cross_normal_z_bar_max
             + k_cross_S_x_max*s_cross_normal_z_bar_err + k_cross_S_z_err*s_cross_normal_x_bar_max + k_cross_S_z_max*s_cross_normal_x_bar_err
             + y_x_bar_err*z_z_max + y_x_bar_max*z_z_err + y_z_bar_err*z_x_max + y_z_bar_max*z_x_err + STEWART_UNIT*(REAL(5)*H_force_y_bar_max
-            + REAL(6)*L_ddot_bar_max*S_ddot_y_max + REAL(5)*L_dot_bar_max*S_dot_y_max + REAL(2)*k_cross_S_x_max*s_cross_normal_z_bar_max
-            + REAL(4)*k_cross_S_z_max*s_cross_normal_x_bar_max + y_x_bar_max*z_z_max + REAL(3)*y_z_bar_max*z_x_max
+            + k_cross_S_x_max*s_cross_normal_z_bar_max + REAL(6)*L_ddot_bar_max*S_ddot_y_max + REAL(5)*L_dot_bar_max*S_dot_y_max
+            + REAL(2)*k_cross_S_z_max*s_cross_normal_x_bar_max + REAL(3)*y_x_bar_max*z_z_max + REAL(4)*y_z_bar_max*z_x_max
             + STEWART_FABS(s_y_bar));
         const stewart_real s_y_bar_max = STEWART_FABS(s_y_bar) + s_y_bar_err;
-        const stewart_real s_x_bar = H_force_x_bar + L_ddot_bar*S_ddot_x + L_dot_bar*S_dot_x + k_cross_S_y*s_cross_normal_z_bar
-            + y_y_bar*z_z - k_cross_S_z*s_cross_normal_y_bar - y_z_bar*z_y;
+        const stewart_real s_x_bar = H_force_x_bar + L_ddot_bar*S_ddot_x + L_dot_bar*S_dot_x + y_y_bar*z_z - y_z_bar*z_y
+            + k_cross_S_y*s_cross_normal_z_bar - k_cross_S_z*s_cross_normal_y_bar;
         const stewart_real s_x_bar_err = H_force_x_bar_err + L_ddot_bar_err*S_ddot_x_max + L_ddot_bar_max*S_ddot_x_err
             + L_dot_bar_err*S_dot_x_max + L_dot_bar_max*S_dot_x_err + k_cross_S_y_err*s_cross_normal_z_bar_max
             + k_cross_S_y_max*s_cross_normal_z_bar_err + k_cross_S_z_err*s_cross_normal_y_bar_max + k_cross_S_z_max*s_cross_normal_y_bar_err
             + y_y_bar_err*z_z_max + y_y_bar_max*z_z_err + y_z_bar_err*z_y_max + y_z_bar_max*z_y_err + STEWART_UNIT*(REAL(5)*H_force_x_bar_max
-            + REAL(6)*L_ddot_bar_max*S_ddot_x_max + REAL(5)*L_dot_bar_max*S_dot_x_max + REAL(4)*k_cross_S_y_max*s_cross_normal_z_bar_max
-            + REAL(2)*k_cross_S_z_max*s_cross_normal_y_bar_max + REAL(3)*y_y_bar_max*z_z_max + y_z_bar_max*z_y_max
+            + k_cross_S_z_max*s_cross_normal_y_bar_max + REAL(6)*L_ddot_bar_max*S_ddot_x_max + REAL(5)*L_dot_bar_max*S_dot_x_max
+            + REAL(2)*k_cross_S_y_max*s_cross_normal_z_bar_max + REAL(4)*y_y_bar_max*z_z_max + REAL(3)*y_z_bar_max*z_y_max
             + STEWART_FABS(s_x_bar));
         const stewart_real s_x_bar_max = STEWART_FABS(s_x_bar) + s_x_bar_err;
-        const stewart_real inv_L_bar = L_dot*L_share_bar + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar + k1_bar*zeta
-            + k3_bar*rho + own_theta_ddot_bar*(-S_ddot_x*z_x - S_ddot_y*z_y - S_ddot_z*z_z) + theta_dot_bar*(-S_dot_x*z_x
-            - S_dot_y*z_y - S_dot_z*z_z) - Q_z_bar*tau_y;
+        const stewart_real inv_L_bar = own_theta_ddot_bar*(-S_ddot_x*z_x - S_ddot_y*z_y - S_ddot_z*z_z) - Q_z_bar*tau_y
+            + L_dot*L_share_bar + k1_bar*zeta + theta_dot_bar*(-S_dot_x*z_x - S_dot_y*z_y - S_dot_z*z_z) + k3_bar*rho
+            + S_x*s_x_bar + S_y*s_y_bar + S_z*s_z_bar;
         const stewart_real inv_L_bar_err = L_dot_err*L_share_bar_max + L_dot_max*L_share_bar_err + Q_z_bar_err*tau_y_max
-            + Q_z_bar_max*tau_y_err + S_ddot_x_err*own_theta_ddot_bar_max*z_x_max + S_ddot_y_err*own_theta_ddot_bar_max*z_y_max
+            + Q_z_bar_max*tau_y_err + S_x_err*s_x_bar_max + S_x_max*s_x_bar_err + S_y_err*s_y_bar_max + S_y_max*s_y_bar_err
+            + S_z_err*s_z_bar_max + S_z_max*s_z_bar_err + k1_bar_err*zeta_max + k1_bar_max*zeta_err + k3_bar_err*rho_max
+            + k3_bar_max*rho_err + S_ddot_x_err*own_theta_ddot_bar_max*z_x_max + S_ddot_y_err*own_theta_ddot_bar_max*z_y_max
             + S_ddot_z_err*own_theta_ddot_bar_max*z_z_max + S_dot_x_err*theta_dot_bar_max*z_x_max + S_dot_y_err*theta_dot_bar_max*z_y_max
-            + S_dot_z_err*theta_dot_bar_max*z_z_max + S_x_err*s_x_bar_max + S_x_max*s_x_bar_err + S_y_err*s_y_bar_max
-            + S_y_max*s_y_bar_err + S_z_err*s_z_bar_max + S_z_max*s_z_bar_err + k1_bar_err*zeta_max + k1_bar_max*zeta_err
-            + k3_bar_err*rho_max + k3_bar_max*rho_err + own_theta_ddot_bar_err*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max
+            + S_dot_z_err*theta_dot_bar_max*z_z_max + z_x_err*(S_ddot_x_max*own_theta_ddot_bar_max + S_dot_x_max*theta_dot_bar_max)
+            + z_y_err*(S_ddot_y_max*own_theta_ddot_bar_max + S_dot_y_max*theta_dot_bar_max) + z_z_err*(S_ddot_z_max*own_theta_ddot_bar_max
+            + S_dot_z_max*theta_dot_bar_max) + own_theta_ddot_bar_err*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max
             + S_ddot_z_max*z_z_max) + theta_dot_bar_err*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max)
-            + z_x_err*(S_ddot_x_max*own_theta_ddot_bar_max + S_dot_x_max*theta_dot_bar_max) + z_y_err*(S_ddot_y_max*own_theta_ddot_bar_max
-            + S_dot_y_max*theta_dot_bar_max) + z_z_err*(S_ddot_z_max*own_theta_ddot_bar_max + S_dot_z_max*theta_dot_bar_max)
-            + STEWART_UNIT*(REAL(8)*L_dot_max*L_share_bar_max + Q_z_bar_max*tau_y_max + REAL(8)*S_x_max*s_x_bar_max
-            + REAL(7)*S_y_max*s_y_bar_max + REAL(6)*S_z_max*s_z_bar_max + REAL(5)*k1_bar_max*zeta_max + REAL(4)*k3_bar_max*rho_max
-            + REAL(3)*own_theta_ddot_bar_max*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max)
+            + STEWART_UNIT*(S_z_max*s_z_bar_max + REAL(7)*L_dot_max*L_share_bar_max + REAL(8)*Q_z_bar_max*tau_y_max
+            + REAL(3)*S_x_max*s_x_bar_max + REAL(2)*S_y_max*s_y_bar_max + REAL(6)*k1_bar_max*zeta_max + REAL(4)*k3_bar_max*rho_max
+            + REAL(8)*own_theta_ddot_bar_max*(S_ddot_x_max*z_x_max + S_ddot_y_max*z_y_max + S_ddot_z_max*z_z_max)
             + own_theta_ddot_bar_max*(REAL(3)*S_ddot_x_max*z_x_max + REAL(3)*S_ddot_y_max*z_y_max + REAL(2)*S_ddot_z_max*z_z_max)
-            + REAL(2)*theta_dot_bar_max*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max) + theta_dot_bar_max*(REAL(3)*S_dot_x_max*z_x_max
+            + REAL(5)*theta_dot_bar_max*(S_dot_x_max*z_x_max + S_dot_y_max*z_y_max + S_dot_z_max*z_z_max) + theta_dot_bar_max*(REAL(3)*S_dot_x_max*z_x_max
             + REAL(3)*S_dot_y_max*z_y_max + REAL(2)*S_dot_z_max*z_z_max) + STEWART_FABS(inv_L_bar));
         const stewart_real inv_L_bar_max = STEWART_FABS(inv_L_bar) + inv_L_bar_err;
-        const stewart_real L_bar = L_ddot_bar*(k33*phi_dot2 + theta_dot2) + L_h2_bar*h2_x + c2_bar*h2_z - a3_bar*h_y
+        const stewart_real L_bar = L_ddot_bar*(theta_dot2 + k33*phi_dot2) + L_h2_bar*h2_x + c2_bar*h2_z - a3_bar*h_y
             - inv_L_bar*inv_L*inv_L;
-        const stewart_real L_bar_err = L_ddot_bar_err*(k33_max*phi_dot2_max + theta_dot2_max) + L_ddot_bar_max*k33_err*phi_dot2_max
-            + L_ddot_bar_max*k33_max*phi_dot2_err + L_ddot_bar_max*theta_dot2_err + L_h2_bar_err*h2_x_max + L_h2_bar_max*h2_x_err
-            + a3_bar_err*h_y_max + a3_bar_max*h_y_err + c2_bar_err*h2_z_max + c2_bar_max*h2_z_err + inv_L_bar_err*inv_L_max*inv_L_max
-            + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max + STEWART_UNIT*(REAL(4)*L_ddot_bar_max*(k33_max*phi_dot2_max
-            + theta_dot2_max) + L_ddot_bar_max*(REAL(2)*k33_max*phi_dot2_max + theta_dot2_max) + REAL(4)*L_h2_bar_max*h2_x_max
+        const stewart_real L_bar_err = L_ddot_bar_max*theta_dot2_err + L_h2_bar_err*h2_x_max + L_h2_bar_max*h2_x_err
+            + a3_bar_err*h_y_max + a3_bar_max*h_y_err + c2_bar_err*h2_z_max + c2_bar_max*h2_z_err + L_ddot_bar_max*k33_err*phi_dot2_max
+            + L_ddot_bar_max*k33_max*phi_dot2_err + inv_L_bar_err*inv_L_max*inv_L_max + L_ddot_bar_err*(theta_dot2_max
+            + k33_max*phi_dot2_max) + REAL(2)*inv_L_bar_max*inv_L_err*inv_L_max + STEWART_UNIT*(REAL(4)*L_h2_bar_max*h2_x_max
             + REAL(2)*a3_bar_max*h_y_max + REAL(3)*c2_bar_max*h2_z_max + REAL(2)*inv_L_bar_max*inv_L_max*inv_L_max
-            + STEWART_FABS(L_bar));
+            + REAL(4)*L_ddot_bar_max*(theta_dot2_max + k33_max*phi_dot2_max) + L_ddot_bar_max*(theta_dot2_max
+            + REAL(2)*k33_max*phi_dot2_max) + STEWART_FABS(L_bar));
         const stewart_real L_bar_max = STEWART_FABS(L_bar) + L_bar_err;
         const stewart_real k_cross_S_z_bar = s_cross_normal_x_bar*s_y - s_cross_normal_y_bar*s_x;
         const stewart_real k_cross_S_z_bar_err = s_cross_normal_x_bar_err*s_y_max + s_cross_normal_x_bar_max*s_y_err
@@ -4569,81 +4612,83 @@ static void leg_errors_near_singularity(
             + s_cross_normal_z_bar_err*s_y_max + s_cross_normal_z_bar_max*s_y_err + STEWART_UNIT*(s_cross_normal_y_bar_max*s_z_max
             + s_cross_normal_z_bar_max*s_y_max + STEWART_FABS(k_cross_S_x_bar));
         const stewart_real k_cross_S_x_bar_max = STEWART_FABS(k_cross_S_x_bar) + k_cross_S_x_bar_err;
-        const stewart_real zeta_bar = inv_L*k1_bar + inv_rho*kappa_bar;
+        const stewart_real zeta_bar = inv_rho*kappa_bar + inv_L*k1_bar;
         const stewart_real zeta_bar_err = inv_L_err*k1_bar_max + inv_L_max*k1_bar_err + inv_rho_err*kappa_bar_max
             + inv_rho_max*kappa_bar_err + STEWART_UNIT*(inv_L_max*k1_bar_max + inv_rho_max*kappa_bar_max + STEWART_FABS(zeta_bar));
         const stewart_real zeta_bar_max = STEWART_FABS(zeta_bar) + zeta_bar_err;
         const stewart_real c22 = L_bar*inv_L;
         const stewart_real c22_err = L_bar_err*inv_L_max + L_bar_max*inv_L_err + STEWART_UNIT*STEWART_FABS(c22);
         const stewart_real c22_max = STEWART_FABS(c22) + c22_err;
-        const stewart_real S_z_bar = S_z*c22 + inv_L*s_z_bar + k_cross_S_x_bar*k_y + k_z*zeta_bar - k_cross_S_y_bar*k_x;
+        const stewart_real S_z_bar = k_z*zeta_bar + inv_L*s_z_bar + k_cross_S_x_bar*k_y - k_cross_S_y_bar*k_x
+            + S_z*c22;
         const stewart_real S_z_bar_err = S_z_err*c22_max + S_z_max*c22_err + inv_L_err*s_z_bar_max + inv_L_max*s_z_bar_err
             + k_cross_S_x_bar_err*k_y_max + k_cross_S_x_bar_max*k_y_err + k_cross_S_y_bar_err*k_x_max + k_cross_S_y_bar_max*k_x_err
-            + k_z_err*zeta_bar_max + k_z_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_z_max*c22_max + REAL(4)*inv_L_max*s_z_bar_max
-            + REAL(3)*k_cross_S_x_bar_max*k_y_max + k_cross_S_y_bar_max*k_x_max + REAL(2)*k_z_max*zeta_bar_max
+            + k_z_err*zeta_bar_max + k_z_max*zeta_bar_err + STEWART_UNIT*(S_z_max*c22_max + REAL(4)*inv_L_max*s_z_bar_max
+            + REAL(3)*k_cross_S_x_bar_max*k_y_max + REAL(2)*k_cross_S_y_bar_max*k_x_max + REAL(4)*k_z_max*zeta_bar_max
             + STEWART_FABS(S_z_bar));
         const stewart_real S_z_bar_max = STEWART_FABS(S_z_bar) + S_z_bar_err;
-        const stewart_real S_y_bar = S_y*c22 + inv_L*s_y_bar + k_cross_S_z_bar*k_x + k_y*zeta_bar - k_cross_S_x_bar*k_z;
+        const stewart_real S_y_bar = k_y*zeta_bar + inv_L*s_y_bar + k_cross_S_z_bar*k_x - k_cross_S_x_bar*k_z
+            + S_y*c22;
         const stewart_real S_y_bar_err = S_y_err*c22_max + S_y_max*c22_err + inv_L_err*s_y_bar_max + inv_L_max*s_y_bar_err
             + k_cross_S_x_bar_err*k_z_max + k_cross_S_x_bar_max*k_z_err + k_cross_S_z_bar_err*k_x_max + k_cross_S_z_bar_max*k_x_err
-            + k_y_err*zeta_bar_max + k_y_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_y_max*c22_max + REAL(4)*inv_L_max*s_y_bar_max
-            + k_cross_S_x_bar_max*k_z_max + REAL(3)*k_cross_S_z_bar_max*k_x_max + REAL(2)*k_y_max*zeta_bar_max
+            + k_y_err*zeta_bar_max + k_y_max*zeta_bar_err + STEWART_UNIT*(S_y_max*c22_max + REAL(4)*inv_L_max*s_y_bar_max
+            + REAL(2)*k_cross_S_x_bar_max*k_z_max + REAL(3)*k_cross_S_z_bar_max*k_x_max + REAL(4)*k_y_max*zeta_bar_max
             + STEWART_FABS(S_y_bar));
         const stewart_real S_y_bar_max = STEWART_FABS(S_y_bar) + S_y_bar_err;
-        const stewart_real S_x_bar = S_x*c22 + inv_L*s_x_bar + k_cross_S_y_bar*k_z + k_x*zeta_bar - k_cross_S_z_bar*k_y;
+        const stewart_real S_x_bar = k_x*zeta_bar + inv_L*s_x_bar + k_cross_S_y_bar*k_z - k_cross_S_z_bar*k_y
+            + S_x*c22;
         const stewart_real S_x_bar_err = S_x_err*c22_max + S_x_max*c22_err + inv_L_err*s_x_bar_max + inv_L_max*s_x_bar_err
             + k_cross_S_y_bar_err*k_z_max + k_cross_S_y_bar_max*k_z_err + k_cross_S_z_bar_err*k_y_max + k_cross_S_z_bar_max*k_y_err
-            + k_x_err*zeta_bar_max + k_x_max*zeta_bar_err + STEWART_UNIT*(REAL(4)*S_x_max*c22_max + REAL(4)*inv_L_max*s_x_bar_max
-            + REAL(3)*k_cross_S_y_bar_max*k_z_max + k_cross_S_z_bar_max*k_y_max + REAL(2)*k_x_max*zeta_bar_max
+            + k_x_err*zeta_bar_max + k_x_max*zeta_bar_err + STEWART_UNIT*(S_x_max*c22_max + REAL(4)*inv_L_max*s_x_bar_max
+            + REAL(3)*k_cross_S_y_bar_max*k_z_max + REAL(2)*k_cross_S_z_bar_max*k_y_max + REAL(4)*k_x_max*zeta_bar_max
             + STEWART_FABS(S_x_bar));
         const stewart_real S_x_bar_max = STEWART_FABS(S_x_bar) + S_x_bar_err;
-        const stewart_real q_z_bar = B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_dot_x_bar*omega_y
-            + S_z_bar + arm_z_bar - S_dot_y_bar*omega_x;
-        const stewart_real q_z_bar_err = B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err + B_yz_err*S_ddot_y_bar_max
-            + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max + B_zz_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_y_max
-            + S_dot_y_bar_err*omega_x_max + S_z_bar_err + arm_z_bar_err + STEWART_UNIT*(REAL(6)*B_xz_max*S_ddot_x_bar_max
-            + REAL(6)*B_yz_max*S_ddot_y_bar_max + REAL(5)*B_zz_max*S_ddot_z_bar_max + REAL(4)*S_dot_x_bar_max*omega_y_max
-            + S_dot_y_bar_max*omega_x_max + REAL(2)*S_z_bar_max + arm_z_bar_max + STEWART_FABS(q_z_bar));
+        const stewart_real q_z_bar = arm_z_bar + B_xz*S_ddot_x_bar + B_yz*S_ddot_y_bar + B_zz*S_ddot_z_bar + S_dot_x_bar*omega_y
+            - S_dot_y_bar*omega_x + S_z_bar;
+        const stewart_real q_z_bar_err = S_z_bar_err + arm_z_bar_err + B_xz_err*S_ddot_x_bar_max + B_xz_max*S_ddot_x_bar_err
+            + B_yz_err*S_ddot_y_bar_max + B_yz_max*S_ddot_y_bar_err + B_zz_err*S_ddot_z_bar_max + B_zz_max*S_ddot_z_bar_err
+            + S_dot_x_bar_err*omega_y_max + S_dot_y_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*arm_z_bar_max
+            + REAL(6)*B_xz_max*S_ddot_x_bar_max + REAL(5)*B_yz_max*S_ddot_y_bar_max + REAL(4)*B_zz_max*S_ddot_z_bar_max
+            + REAL(3)*S_dot_x_bar_max*omega_y_max + REAL(2)*S_dot_y_bar_max*omega_x_max + STEWART_FABS(q_z_bar));
         const stewart_real q_z_bar_max = STEWART_FABS(q_z_bar) + q_z_bar_err;
-        const stewart_real q_y_bar = B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_dot_z_bar*omega_x
-            + S_y_bar + arm_y_bar - S_dot_x_bar*omega_z;
-        const stewart_real q_y_bar_err = B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err + B_yy_err*S_ddot_y_bar_max
-            + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max + B_zy_max*S_ddot_z_bar_err + S_dot_x_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_x_max + S_y_bar_err + arm_y_bar_err + STEWART_UNIT*(REAL(6)*B_xy_max*S_ddot_x_bar_max
-            + REAL(6)*B_yy_max*S_ddot_y_bar_max + REAL(5)*B_zy_max*S_ddot_z_bar_max + S_dot_x_bar_max*omega_z_max
-            + REAL(4)*S_dot_z_bar_max*omega_x_max + REAL(2)*S_y_bar_max + arm_y_bar_max + STEWART_FABS(q_y_bar));
+        const stewart_real q_y_bar = arm_y_bar + B_xy*S_ddot_x_bar + B_yy*S_ddot_y_bar + B_zy*S_ddot_z_bar + S_dot_z_bar*omega_x
+            - S_dot_x_bar*omega_z + S_y_bar;
+        const stewart_real q_y_bar_err = S_y_bar_err + arm_y_bar_err + B_xy_err*S_ddot_x_bar_max + B_xy_max*S_ddot_x_bar_err
+            + B_yy_err*S_ddot_y_bar_max + B_yy_max*S_ddot_y_bar_err + B_zy_err*S_ddot_z_bar_max + B_zy_max*S_ddot_z_bar_err
+            + S_dot_x_bar_err*omega_z_max + S_dot_z_bar_err*omega_x_max + STEWART_UNIT*(REAL(5)*arm_y_bar_max
+            + REAL(6)*B_xy_max*S_ddot_x_bar_max + REAL(5)*B_yy_max*S_ddot_y_bar_max + REAL(4)*B_zy_max*S_ddot_z_bar_max
+            + REAL(2)*S_dot_x_bar_max*omega_z_max + REAL(3)*S_dot_z_bar_max*omega_x_max + STEWART_FABS(q_y_bar));
         const stewart_real q_y_bar_max = STEWART_FABS(q_y_bar) + q_y_bar_err;
-        const stewart_real q_x_bar = B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_dot_y_bar*omega_z
-            + S_x_bar + arm_x_bar - S_dot_z_bar*omega_y;
-        const stewart_real q_x_bar_err = B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err + B_yx_err*S_ddot_y_bar_max
-            + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max + B_zx_max*S_ddot_z_bar_err + S_dot_y_bar_err*omega_z_max
-            + S_dot_z_bar_err*omega_y_max + S_x_bar_err + arm_x_bar_err + STEWART_UNIT*(REAL(6)*B_xx_max*S_ddot_x_bar_max
-            + REAL(6)*B_yx_max*S_ddot_y_bar_max + REAL(5)*B_zx_max*S_ddot_z_bar_max + REAL(4)*S_dot_y_bar_max*omega_z_max
-            + S_dot_z_bar_max*omega_y_max + REAL(2)*S_x_bar_max + arm_x_bar_max + STEWART_FABS(q_x_bar));
+        const stewart_real q_x_bar = arm_x_bar + B_xx*S_ddot_x_bar + B_yx*S_ddot_y_bar + B_zx*S_ddot_z_bar + S_dot_y_bar*omega_z
+            - S_dot_z_bar*omega_y + S_x_bar;
+        const stewart_real q_x_bar_err = S_x_bar_err + arm_x_bar_err + B_xx_err*S_ddot_x_bar_max + B_xx_max*S_ddot_x_bar_err
+            + B_yx_err*S_ddot_y_bar_max + B_yx_max*S_ddot_y_bar_err + B_zx_err*S_ddot_z_bar_max + B_zx_max*S_ddot_z_bar_err
+            + S_dot_y_bar_err*omega_z_max + S_dot_z_bar_err*omega_y_max + STEWART_UNIT*(REAL(5)*arm_x_bar_max
+            + REAL(6)*B_xx_max*S_ddot_x_bar_max + REAL(5)*B_yx_max*S_ddot_y_bar_max + REAL(4)*B_zx_max*S_ddot_z_bar_max
+            + REAL(3)*S_dot_y_bar_max*omega_z_max + REAL(2)*S_dot_z_bar_max*omega_y_max + STEWART_FABS(q_x_bar));
         const stewart_real q_x_bar_max = STEWART_FABS(q_x_bar) + q_x_bar_err;
         const stewart_real c23 = C_s*tau_k_bar;
         const stewart_real c23_err = C_s_max*tau_k_bar_err + STEWART_UNIT*STEWART_FABS(c23);
         const stewart_real c23_max = STEWART_FABS(c23) + c23_err;
-        const stewart_real k_x_bar = S_x*zeta_bar + S_y*k_cross_S_z_bar - S_z*k_cross_S_y_bar - Y_moment_x*c4
-            - c23*omega_x;
+        const stewart_real k_x_bar = S_x*zeta_bar - Y_moment_x*c4 - c23*omega_x + S_y*k_cross_S_z_bar - S_z*k_cross_S_y_bar;
         const stewart_real k_x_bar_err = S_x_err*zeta_bar_max + S_x_max*zeta_bar_err + S_y_err*k_cross_S_z_bar_max
             + S_y_max*k_cross_S_z_bar_err + S_z_err*k_cross_S_y_bar_max + S_z_max*k_cross_S_y_bar_err + Y_moment_x_max*c4_err
-            + c23_err*omega_x_max + STEWART_UNIT*(REAL(4)*S_x_max*zeta_bar_max + REAL(4)*S_y_max*k_cross_S_z_bar_max
-            + REAL(3)*S_z_max*k_cross_S_y_bar_max + REAL(2)*Y_moment_x_max*c4_max + c23_max*omega_x_max + STEWART_FABS(k_x_bar));
+            + c23_err*omega_x_max + STEWART_UNIT*(S_z_max*k_cross_S_y_bar_max + REAL(4)*S_x_max*zeta_bar_max
+            + REAL(2)*S_y_max*k_cross_S_z_bar_max + REAL(4)*Y_moment_x_max*c4_max + REAL(3)*c23_max*omega_x_max
+            + STEWART_FABS(k_x_bar));
         const stewart_real k_x_bar_max = STEWART_FABS(k_x_bar) + k_x_bar_err;
-        const stewart_real k_y_bar = S_y*zeta_bar + S_z*k_cross_S_x_bar - S_x*k_cross_S_z_bar - Y_moment_y*c4
-            - c23*omega_y;
+        const stewart_real k_y_bar = S_y*zeta_bar - Y_moment_y*c4 - c23*omega_y + S_z*k_cross_S_x_bar - S_x*k_cross_S_z_bar;
         const stewart_real k_y_bar_err = S_x_err*k_cross_S_z_bar_max + S_x_max*k_cross_S_z_bar_err + S_y_err*zeta_bar_max
             + S_y_max*zeta_bar_err + S_z_err*k_cross_S_x_bar_max + S_z_max*k_cross_S_x_bar_err + Y_moment_y_max*c4_err
-            + c23_err*omega_y_max + STEWART_UNIT*(REAL(3)*S_x_max*k_cross_S_z_bar_max + REAL(4)*S_y_max*zeta_bar_max
-            + REAL(4)*S_z_max*k_cross_S_x_bar_max + REAL(2)*Y_moment_y_max*c4_max + c23_max*omega_y_max + STEWART_FABS(k_y_bar));
+            + c23_err*omega_y_max + STEWART_UNIT*(S_x_max*k_cross_S_z_bar_max + REAL(4)*S_y_max*zeta_bar_max
+            + REAL(2)*S_z_max*k_cross_S_x_bar_max + REAL(4)*Y_moment_y_max*c4_max + REAL(3)*c23_max*omega_y_max
+            + STEWART_FABS(k_y_bar));
         const stewart_real k_y_bar_max = STEWART_FABS(k_y_bar) + k_y_bar_err;
-        const stewart_real k_z_bar = S_x*k_cross_S_y_bar + S_z*zeta_bar - S_y*k_cross_S_x_bar - Y_moment_z*c4
-            - c23*omega_z;
+        const stewart_real k_z_bar = S_z*zeta_bar - Y_moment_z*c4 - c23*omega_z + S_x*k_cross_S_y_bar - S_y*k_cross_S_x_bar;
         const stewart_real k_z_bar_err = S_x_err*k_cross_S_y_bar_max + S_x_max*k_cross_S_y_bar_err + S_y_err*k_cross_S_x_bar_max
             + S_y_max*k_cross_S_x_bar_err + S_z_err*zeta_bar_max + S_z_max*zeta_bar_err + Y_moment_z_max*c4_err
-            + c23_err*omega_z_max + STEWART_UNIT*(REAL(4)*S_x_max*k_cross_S_y_bar_max + REAL(3)*S_y_max*k_cross_S_x_bar_max
-            + REAL(4)*S_z_max*zeta_bar_max + REAL(2)*Y_moment_z_max*c4_max + c23_max*omega_z_max + STEWART_FABS(k_z_bar));
+            + c23_err*omega_z_max + STEWART_UNIT*(S_y_max*k_cross_S_x_bar_max + REAL(2)*S_x_max*k_cross_S_y_bar_max
+            + REAL(4)*S_z_max*zeta_bar_max + REAL(4)*Y_moment_z_max*c4_max + REAL(3)*c23_max*omega_z_max + STEWART_FABS(k_z_bar));
         const stewart_real k_z_bar_max = STEWART_FABS(k_z_bar) + k_z_bar_err;
         const stewart_real h_x_bar = M_phi_L_bar*k33 - D_weight*theta_dot2;
         const stewart_real h_x_bar_err = D_weight_max*theta_dot2_err + M_phi_L_bar_err*k33_max + M_phi_L_bar_max*k33_err
@@ -4655,10 +4700,10 @@ static void leg_errors_near_singularity(
         const stewart_real h_y_bar_max = STEWART_FABS(h_y_bar) + h_y_bar_err;
         const stewart_real h_z_bar = D_weight*theta_ddot + L_ddot*tau_y_bar - M_phi_L_bar*k13;
         const stewart_real h_z_bar_err = D_weight_max*theta_ddot_err + L_ddot_err*tau_y_bar_max + L_ddot_max*tau_y_bar_err
-            + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err + STEWART_UNIT*(REAL(2)*D_weight_max*theta_ddot_max
-            + REAL(2)*L_ddot_max*tau_y_bar_max + M_phi_L_bar_max*k13_max + STEWART_FABS(h_z_bar));
+            + M_phi_L_bar_err*k13_max + M_phi_L_bar_max*k13_err + STEWART_UNIT*(M_phi_L_bar_max*k13_max + REAL(2)*D_weight_max*theta_ddot_max
+            + REAL(2)*L_ddot_max*tau_y_bar_max + STEWART_FABS(h_z_bar));
         const stewart_real h_z_bar_max = STEWART_FABS(h_z_bar) + h_z_bar_err;
-        const stewart_real h2_x_bar = L*L_h2_bar + bend*tau_y_bar;
+        const stewart_real h2_x_bar = bend*tau_y_bar + L*L_h2_bar;
         const stewart_real h2_x_bar_err = L_err*L_h2_bar_max + L_h2_bar_err*L_max + bend_err*tau_y_bar_max + bend_max*tau_y_bar_err
             + STEWART_UNIT*(L_h2_bar_max*L_max + bend_max*tau_y_bar_max + STEWART_FABS(h2_x_bar));
         const stewart_real h2_x_bar_max = STEWART_FABS(h2_x_bar) + h2_x_bar_err;
@@ -4689,7 +4734,7 @@ static void leg_errors_near_singularity(
         const stewart_real J_yy_bar = M_theta_bar + c24;
         const stewart_real J_yy_bar_err = M_theta_bar_err + c24_err + STEWART_UNIT*STEWART_FABS(J_yy_bar);
         const stewart_real J_yy_bar_max = STEWART_FABS(J_yy_bar) + J_yy_bar_err;
-        const stewart_real J_yz_bar = M_mixed_bar*k3 + M_mixed_theta_bar*k1;
+        const stewart_real J_yz_bar = M_mixed_theta_bar*k1 + M_mixed_bar*k3;
         const stewart_real J_yz_bar_err = M_mixed_bar_err*k3_max + M_mixed_bar_max*k3_err + M_mixed_theta_bar_err*k1_max
             + M_mixed_theta_bar_max*k1_err + STEWART_UNIT*(M_mixed_bar_max*k3_max + M_mixed_theta_bar_max*k1_max
             + STEWART_FABS(J_yz_bar));
@@ -4871,25 +4916,27 @@ static int pose_status(const platform_equations *of, const shared_terms *shared,
     return singular_status(H, arm, of->L, of->reach, largest_component(shared->q_1, REAL(0)));
 }
 
-/* x, and the inverse Y of H, by the elimination of the force kernel. Returns 1 for a small pivot, else
- * 0. */
+/* x, and the inverse Y of H, by the solve of the force kernel. Returns 1 for a small pivot, else 0. */
 static int solution(
-    const platform_equations *of, stewart_real per_length, stewart_real x[6], stewart_real Y[6][6])
+    const platform_equations *of, const stewart_exact_bounds_model *model, stewart_real x[6],
+    stewart_real Y[6][6])
 {
     int column, i, j;
     stewart_real A[6][LANES];
+    stewart_real wrench[6];
     stewart_real found[6];
     int suspect = 0;
     for (column = 0; column < 7; ++column) {
         for (i = 0; i < 6; ++i) {
-            const stewart_real unit = i < 3 ? REAL(1) : per_length;
+            const stewart_real unit = i < 3 ? REAL(1) : model->per_length;
             for (j = 0; j < 6; ++j) {
                 A[i][j] = unit*of->H[i][j];
             }
-            A[i][6] = column < 6 ? (i == column ? unit : REAL(0)) : unit*of->c[i];
+            A[i][6] = REAL(0);
             A[i][7] = REAL(0);
+            wrench[i] = column < 6 ? (i == column ? unit : REAL(0)) : unit*of->c[i];
         }
-        suspect = solve_pose(A, found);
+        suspect = solve_pose(A, wrench, model->arm_cube, found);
         for (i = 0; i < 6; ++i) {
             if (column < 6) {
                 Y[i][column] = found[i];
@@ -5021,7 +5068,7 @@ static int forces_of_pose(
         status = equations_of_pose(model, at, &shared, 1, D, &equations);
     }
     if (status == STEWART_OK) {
-        const int suspect = solution(&equations, model->per_length, x, Y);
+        const int suspect = solution(&equations, model, x, Y);
         status = pose_status(&equations, &shared, suspect);
     }
     for (i = 0; i < 6; ++i) {

@@ -76,6 +76,7 @@ typedef struct {
     /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for
      * platforms of 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
     stewart_real per_length;
+    stewart_real arm_cube; /* cube of the largest arm over that length: what determinants of moments are beside */
 } stewart_exact_bounds_model;
 
 /* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE

@@ -28,11 +28,10 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
+    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
-    stewart_real H_force[3][LANES];
     stewart_real c_force[3][LANES];
-    stewart_real H_moment[3][LANES];
     stewart_real arm_c[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
@@ -134,9 +133,9 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
     const stewart_real M_P = M + M_add;
     /* first moment about the reference point */
-    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
-    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
-    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
     const stewart_real c1 = REAL(1)/M_P;
     const stewart_real r_C_x = c1*h_P_x;
     const stewart_real r_C_y = c1*h_P_y;
@@ -229,9 +228,11 @@ int stewart_exact_general_static_prepare(
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
-    made.per_length = per_length_of(size_of(&made), REAL(0.125));
+    const stewart_real largest = size_of(&made);
+    made.per_length = per_length_of(largest, REAL(0.125));
+    made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 138; ++i) {
+    for (i = 0; i < 139; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -251,19 +252,25 @@ static void shared_of_pose(
     const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
     const stewart_real W_P_x = model->W_P[0], W_P_y = model->W_P[1], W_P_z = model->W_P[2];
     /* (30) centre of mass from the reference point, base frame */
-    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+    const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+    const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
     /* (33) M_P (g - a_C) */
     const stewart_real N_x = W_P_x;
     const stewart_real N_y = W_P_y;
     const stewart_real N_z = W_P_z;
-    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-    out->c_moment[0] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + N_z*R_C_y - N_y*R_C_z;
-    out->c_moment[1] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + N_x*R_C_z - N_z*R_C_x;
-    out->c_moment[2] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + N_y*R_C_x - N_x*R_C_y;
+    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx,
+        N_x)));
+    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx,
+        N_y)));
+    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx,
+        N_z)));
+    out->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_ext_z, R_xz,
+        STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx))));
+    out->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_ext_z, R_yz,
+        STEWART_FMA(M_ext_y, R_yy, M_ext_x*R_yx))));
+    out->c_moment[2] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_ext_z, R_zz,
+        STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx))));
 }
 
 /* The legs of one pose side by side: 88 (53 mul, 31 add, 2 div, 2 sqrt) operations each. */
@@ -286,25 +293,26 @@ static void legs_of_pose(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x));
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -320,27 +328,27 @@ static void legs_of_pose(
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = k1*w_x + k3*w_z;
-        const stewart_real w_n = k3*w_x - k1*w_z;
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = g_k*w_n + gamma_n*w_k;
-        const stewart_real tau_k = -gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = STEWART_FMA(gamma_n, w_k, g_k*w_n);
+        const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_k*k_x + Q_y*y_x;
-        const stewart_real K_y = Q_k*k_y + Q_y*y_y;
-        const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+        const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_k*k_x);
+        const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_k*k_y);
+        const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_k*k_z);
         /* (24) known part of the actuator force, to match */
         const stewart_real D = -Q_k*k1;
         out->D[l] = D;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
@@ -388,68 +396,68 @@ static void legs_near_singular(
         const stewart_real g_k = model->g_k[l];
         const stewart_real g_x_k_x = model->g_x_k[0][l], g_x_k_y = model->g_x_k[1][l], g_x_k_z = model->g_x_k[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+            STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
         const stewart_real z_z = inv_rho*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = k1*w_x + k3*w_z;
-        const stewart_real w_n = k3*w_x - k1*w_z;
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = g_k*w_n + gamma_n*w_k;
-        const stewart_real tau_k = -gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = STEWART_FMA(gamma_n, w_k, g_k*w_n);
+        const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_y*y_x + Q_z*z_x;
-        const stewart_real K_y = Q_y*y_y + Q_z*z_y;
-        const stewart_real K_z = Q_y*y_z + Q_z*z_z;
+        const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
+        const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
+        const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
         out->D[l] = REAL(0);
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
@@ -482,9 +490,9 @@ static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
     const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
-    shared->c_tip[0] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-    shared->c_tip[1] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-    shared->c_tip[2] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    shared->c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    shared->c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    shared->c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
 }
 
 /* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the
@@ -495,23 +503,23 @@ static void moments_of_pose(leg_lanes *legs)
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
         const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        legs->H_moment[0][l] = H_force_z*arm_y - H_force_y*arm_z;
-        legs->H_moment[1][l] = H_force_x*arm_z - H_force_z*arm_x;
-        legs->H_moment[2][l] = H_force_y*arm_x - H_force_x*arm_y;
-        legs->arm_c[0][l] = arm_y*c_force_z - arm_z*c_force_y;
-        legs->arm_c[1][l] = arm_z*c_force_x - arm_x*c_force_z;
-        legs->arm_c[2][l] = arm_x*c_force_y - arm_y*c_force_x;
+        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        legs->arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        legs->arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        legs->arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     }
 }
 
 /* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs)
+STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
 {
     int i, j;
     stewart_real H[6][6];
@@ -523,8 +531,8 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->H_force[j][i];
-            H[j + 3][i] = legs->H_moment[j][i];
+            H[j][i] = legs->A[j][i];
+            H[j + 3][i] = legs->A[j + 3][i]/per_length;
         }
     }
     return singular_status(H, arm, legs->L, legs->reach, tip);
@@ -536,7 +544,7 @@ int stewart_exact_general_static_forces(
     int i, j;
     shared_terms shared;
     leg_lanes legs;
-    stewart_real A[6][LANES];
+    stewart_real wrench[6];
     stewart_real x[6];
     stewart_real found[6];
     int close = 0;
@@ -564,25 +572,19 @@ int stewart_exact_general_static_forces(
     for (j = 0; j < 3; ++j) {
         stewart_real force = shared.c_force[j];
         stewart_real turn = shared.c_tip[j];
-        for (i = 0; i < 6; ++i) {
+        STEWART_LOOP for (i = 0; i < 6; ++i) {
             force = force + legs.c_force[j][i];
             turn = turn + legs.arm_c[j][i];
         }
-        for (i = 0; i < LANES; ++i) {
-            A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
-        }
-        A[j][6] = force;
-        A[j + 3][6] = turn;
-        A[j][7] = REAL(0);
-        A[j + 3][7] = REAL(0);
+        wrench[j] = force;
+        wrench[j + 3] = turn;
     }
     if (model->per_length != REAL(1)) {
-        scale_pose(A, model->per_length);
+        scale_pose(legs.A, wrench, model->per_length);
     }
-    const int suspect = solve_pose(A, x);
+    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs);
+        const int status = pose_status(&legs, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -629,19 +631,22 @@ static void shared_of_block(
         const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
         const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         /* (30) centre of mass from the reference point, base frame */
-        const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-        const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-        const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+        const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+        const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+        const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
         /* (33) M_P (g - a_C) */
         const stewart_real N_x = W_P_x;
         const stewart_real N_y = W_P_y;
         const stewart_real N_z = W_P_z;
-        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-        c[3][l] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + N_z*R_C_y - N_y*R_C_z;
-        c[4][l] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + N_x*R_C_z - N_z*R_C_x;
-        c[5][l] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + N_y*R_C_x - N_x*R_C_y;
+        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
+        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
+        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
+        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_ext_z, R_xz,
+            STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx))));
+        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_ext_z, R_yz,
+            STEWART_FMA(M_ext_y, R_yy, M_ext_x*R_yx))));
+        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_ext_z, R_zz,
+            STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx))));
     }
 }
 
@@ -667,25 +672,26 @@ static void leg_of_block(
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
         const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x));
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -701,21 +707,21 @@ static void leg_of_block(
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = k1*w_x + k3*w_z;
-        const stewart_real w_n = k3*w_x - k1*w_z;
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = g_k*w_n + gamma_n*w_k;
-        const stewart_real tau_k = -gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = STEWART_FMA(gamma_n, w_k, g_k*w_n);
+        const stewart_real tau_k = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_k*k_x + Q_y*y_x;
-        const stewart_real K_y = Q_k*k_y + Q_y*y_y;
-        const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+        const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_k*k_x);
+        const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_k*k_y);
+        const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_k*k_z);
         /* (24) known part of the actuator force, to match */
         const stewart_real D = -Q_k*k1;
         column[0][l] = s_x;
@@ -754,9 +760,9 @@ static void moments_of_first(
         const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
         const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
             c_moment_y = c[4][l], c_moment_z = c[5][l];
-        c[3][l] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-        c[4][l] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-        c[5][l] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
         c[0][l] = c[0][l] + own->c_force[0][l];
         c[1][l] = c[1][l] + own->c_force[1][l];
         c[2][l] = c[2][l] + own->c_force[2][l];
@@ -779,15 +785,15 @@ static void moments_of_block(
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        column[3][l] = H_force_z*arm_y - H_force_y*arm_z;
-        column[4][l] = H_force_x*arm_z - H_force_z*arm_x;
-        column[5][l] = H_force_y*arm_x - H_force_x*arm_y;
+        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
         c[0][l] = c[0][l] + own->c_force[0][l];
         c[1][l] = c[1][l] + own->c_force[1][l];
         c[2][l] = c[2][l] + own->c_force[2][l];
-        c[3][l] = c[3][l] + (arm_y*c_force_z - arm_z*c_force_y);
-        c[4][l] = c[4][l] + (arm_z*c_force_x - arm_x*c_force_z);
-        c[5][l] = c[5][l] + (arm_x*c_force_y - arm_y*c_force_x);
+        c[3][l] = c[3][l] + STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        c[4][l] = c[4][l] + STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        c[5][l] = c[5][l] + STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     }
 }
 
@@ -845,7 +851,7 @@ static void forces_of_block(
     if (model->per_length != REAL(1)) {
         scale_block(out, model->per_length);
     }
-    solve_block(out->column, out->D, out->F, out->bad);
+    solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

@@ -32,9 +32,8 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
+    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
     stewart_real q[3][LANES];
-    stewart_real H_force[3][LANES];
-    stewart_real H_moment[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
     stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
@@ -105,9 +104,9 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
     /* first moment about the reference point */
-    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
-    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
-    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
     const stewart_real c1 = REAL(1)/M_P;
     const stewart_real r_C_x = c1*h_P_x;
     const stewart_real r_C_y = c1*h_P_y;
@@ -116,17 +115,17 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real r_y = c1*h_add_y;
     const stewart_real r_z = c1*h_add_z;
     const stewart_real c2 = STEWART_HALF*M*c1;
-    const stewart_real u_x = c2*(e_x + h_add_x);
-    const stewart_real u_y = c2*(e_y + h_add_y);
-    const stewart_real u_z = c2*(e_z + h_add_z);
-    const stewart_real c3 = REAL(2)*arm_z*u_z + h_add_z*r_z;
-    const stewart_real c4 = REAL(2)*arm_y*u_y + h_add_y*r_y;
+    const stewart_real u_x = c2*(h_add_x + e_x);
+    const stewart_real u_y = c2*(h_add_y + e_y);
+    const stewart_real u_z = c2*(h_add_z + e_z);
+    const stewart_real c3 = h_add_z*r_z + REAL(2)*arm_z*u_z;
+    const stewart_real c4 = h_add_y*r_y + REAL(2)*arm_y*u_y;
     const stewart_real J_C_xx = I_p_xx + J_add_xx - c3 - c4;
-    const stewart_real J_C_xy = I_p_xy + J_add_xy + arm_x*u_y + arm_y*u_x + h_add_x*r_y;
-    const stewart_real J_C_xz = I_p_xz + J_add_xz + arm_x*u_z + arm_z*u_x + h_add_x*r_z;
-    const stewart_real c5 = REAL(2)*arm_x*u_x + h_add_x*r_x;
+    const stewart_real J_C_xy = I_p_xy + J_add_xy + h_add_x*r_y + arm_x*u_y + arm_y*u_x;
+    const stewart_real J_C_xz = I_p_xz + J_add_xz + h_add_x*r_z + arm_x*u_z + arm_z*u_x;
+    const stewart_real c5 = h_add_x*r_x + REAL(2)*arm_x*u_x;
     const stewart_real J_C_yy = I_p_yy + J_add_yy - c3 - c5;
-    const stewart_real J_C_yz = I_p_yz + J_add_yz + arm_y*u_z + arm_z*u_y + h_add_y*r_z;
+    const stewart_real J_C_yz = I_p_yz + J_add_yz + h_add_y*r_z + arm_y*u_z + arm_z*u_y;
     const stewart_real J_C_zz = I_p_zz + J_add_zz - c4 - c5;
     out->M_P = M_P;
     out->r_C[0] = r_C_x;
@@ -219,9 +218,11 @@ int stewart_exact_massless_prepare(const stewart_robot *robot, stewart_exact_mas
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
-    made.per_length = per_length_of(size_of(&made), REAL(0.125));
+    const stewart_real largest = size_of(&made);
+    made.per_length = per_length_of(largest, REAL(0.125));
+    made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 65; ++i) {
+    for (i = 0; i < 66; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -248,21 +249,21 @@ static void shared_of_pose(
     const stewart_real dJ_C_x = model->dJ_C[0], dJ_C_y = model->dJ_C[1], dJ_C_z = model->dJ_C[2];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
     /* angular velocity, platform frame */
-    const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-    const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-    const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+    const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+    const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+    const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
     /* angular acceleration, platform frame */
-    const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-    const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-    const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+    const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+    const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+    const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
     /* (33) g - a */
     const stewart_real fall_x = g_x - a_x;
     const stewart_real fall_y = g_y - a_y;
     const stewart_real fall_z = g_z - a_z;
     /* (33) g - a in the platform frame */
-    const stewart_real fall_P_x = R_xx*fall_x + R_yx*fall_y + R_zx*fall_z;
-    const stewart_real fall_P_y = R_xy*fall_x + R_yy*fall_y + R_zy*fall_z;
-    const stewart_real fall_P_z = R_xz*fall_x + R_yz*fall_y + R_zz*fall_z;
+    const stewart_real fall_P_x = STEWART_FMA(R_zx, fall_z, STEWART_FMA(R_yx, fall_y, R_xx*fall_x));
+    const stewart_real fall_P_y = STEWART_FMA(R_zy, fall_z, STEWART_FMA(R_yy, fall_y, R_xy*fall_x));
+    const stewart_real fall_P_z = STEWART_FMA(R_zz, fall_z, STEWART_FMA(R_yz, fall_y, R_xz*fall_x));
     const stewart_real c1 = omega_P_x*omega_P_x;
     const stewart_real c2 = omega_P_x*omega_P_y;
     const stewart_real c3 = omega_P_x*omega_P_z;
@@ -287,9 +288,12 @@ static void shared_of_pose(
     const stewart_real B_zy = alpha_P_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
     /* (33) M_P (g - a_C) in the platform frame */
-    const stewart_real N_P_x = M_P*(fall_P_x - B_xx*r_C_x - B_xy*r_C_y - B_xz*r_C_z);
-    const stewart_real N_P_y = M_P*(fall_P_y - B_yx*r_C_x - B_yy*r_C_y - B_yz*r_C_z);
-    const stewart_real N_P_z = M_P*(fall_P_z - B_zx*r_C_x - B_zy*r_C_y - B_zz*r_C_z);
+    const stewart_real N_P_x = M_P*STEWART_FMA(-B_xy, r_C_y, STEWART_FMA(-B_xz, r_C_z, STEWART_FMA(-B_xx,
+        r_C_x, fall_P_x)));
+    const stewart_real N_P_y = M_P*STEWART_FMA(-B_yz, r_C_z, STEWART_FMA(-B_yx, r_C_x, STEWART_FMA(-B_yy,
+        r_C_y, fall_P_y)));
+    const stewart_real N_P_z = M_P*STEWART_FMA(-B_zx, r_C_x, STEWART_FMA(-B_zy, r_C_y, STEWART_FMA(-B_zz,
+        r_C_z, fall_P_z)));
     /* (33) external force less inertia, in the platform frame */
     const stewart_real F_P_load_x = F_ext_x + N_P_x;
     const stewart_real F_P_load_y = F_ext_y + N_P_y;
@@ -301,18 +305,21 @@ static void shared_of_pose(
     const stewart_real P_yy = c4;
     const stewart_real P_zz = c6;
     /* (34) external moment less I alpha + omega x I omega, in the platform frame */
-    const stewart_real M_P_load_x = B_zx*J_C_xy + M_ext_x + N_P_z*r_C_y - B_yx*J_C_xz - J_C_xx*alpha_P_x - J_C_yz*(P_yy
-        - P_zz) - N_P_y*r_C_z - P_yz*dJ_C_x;
-    const stewart_real M_P_load_y = B_xy*J_C_yz + M_ext_y + N_P_x*r_C_z - B_zy*J_C_xy - J_C_xz*(P_zz - P_xx)
-        - J_C_yy*alpha_P_y - N_P_z*r_C_x - P_xz*dJ_C_y;
-    const stewart_real M_P_load_z = B_yz*J_C_xz + M_ext_z + N_P_y*r_C_x - B_xz*J_C_yz - J_C_xy*(P_xx - P_yy)
-        - J_C_zz*alpha_P_z - N_P_x*r_C_y - P_xy*dJ_C_z;
-    out->c_force[0] = F_P_load_x*R_xx + F_P_load_y*R_xy + F_P_load_z*R_xz;
-    out->c_force[1] = F_P_load_x*R_yx + F_P_load_y*R_yy + F_P_load_z*R_yz;
-    out->c_force[2] = F_P_load_x*R_zx + F_P_load_y*R_zy + F_P_load_z*R_zz;
-    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz;
-    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz;
-    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz;
+    const stewart_real M_P_load_x = STEWART_FMA(-N_P_y, r_C_z, STEWART_FMA(N_P_z, r_C_y, STEWART_FMA(-B_yx,
+        J_C_xz, STEWART_FMA(B_zx, J_C_xy, STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x,
+        STEWART_FMA(-J_C_yz, P_yy - P_zz, M_ext_x)))))));
+    const stewart_real M_P_load_y = STEWART_FMA(-N_P_z, r_C_x, STEWART_FMA(N_P_x, r_C_z, STEWART_FMA(-B_zy,
+        J_C_xy, STEWART_FMA(B_xy, J_C_yz, STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y,
+        STEWART_FMA(-J_C_xz, P_zz - P_xx, M_ext_y)))))));
+    const stewart_real M_P_load_z = STEWART_FMA(-N_P_x, r_C_y, STEWART_FMA(N_P_y, r_C_x, STEWART_FMA(-B_xz,
+        J_C_yz, STEWART_FMA(B_yz, J_C_xz, STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z,
+        STEWART_FMA(-J_C_xy, P_xx - P_yy, M_ext_z)))))));
+    out->c_force[0] = STEWART_FMA(F_P_load_z, R_xz, STEWART_FMA(F_P_load_y, R_xy, F_P_load_x*R_xx));
+    out->c_force[1] = STEWART_FMA(F_P_load_z, R_yz, STEWART_FMA(F_P_load_y, R_yy, F_P_load_x*R_yx));
+    out->c_force[2] = STEWART_FMA(F_P_load_z, R_zz, STEWART_FMA(F_P_load_y, R_zy, F_P_load_x*R_zx));
+    out->c_moment[0] = STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx));
+    out->c_moment[1] = STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx));
+    out->c_moment[2] = STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx));
 }
 
 /* The legs of one pose side by side: 31 (15 mul, 14 add, 1 div, 1 sqrt) operations each. */
@@ -329,27 +336,27 @@ static void legs_of_pose(
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (2) leg length */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
@@ -377,9 +384,9 @@ static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
     const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
-    shared->c_tip[0] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-    shared->c_tip[1] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-    shared->c_tip[2] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    shared->c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    shared->c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    shared->c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
 }
 
 /* Moments about platform point 1, 12 (6 mul, 6 add, 0 div, 0 sqrt) operations of each leg but the first,
@@ -390,19 +397,19 @@ static void moments_of_pose(leg_lanes *legs)
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        legs->H_moment[0][l] = H_force_z*arm_y - H_force_y*arm_z;
-        legs->H_moment[1][l] = H_force_x*arm_z - H_force_z*arm_x;
-        legs->H_moment[2][l] = H_force_y*arm_x - H_force_x*arm_y;
+        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
     }
 }
 
 /* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs)
+STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
 {
     int i, j;
     stewart_real H[6][6];
@@ -414,8 +421,8 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->H_force[j][i];
-            H[j + 3][i] = legs->H_moment[j][i];
+            H[j][i] = legs->A[j][i];
+            H[j + 3][i] = legs->A[j + 3][i]/per_length;
         }
     }
     return singular_status(H, arm, legs->L, legs->reach, tip);
@@ -427,7 +434,7 @@ int stewart_exact_massless_forces(
     int i, j;
     shared_terms shared;
     leg_lanes legs;
-    stewart_real A[6][LANES];
+    stewart_real wrench[6];
     stewart_real x[6];
     stewart_real found[6];
     int close = 0;
@@ -450,21 +457,15 @@ int stewart_exact_massless_forces(
     for (j = 0; j < 3; ++j) {
         const stewart_real force = shared.c_force[j];
         const stewart_real turn = shared.c_tip[j];
-        for (i = 0; i < LANES; ++i) {
-            A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
-        }
-        A[j][6] = force;
-        A[j + 3][6] = turn;
-        A[j][7] = REAL(0);
-        A[j + 3][7] = REAL(0);
+        wrench[j] = force;
+        wrench[j + 3] = turn;
     }
     if (model->per_length != REAL(1)) {
-        scale_pose(A, model->per_length);
+        scale_pose(legs.A, wrench, model->per_length);
     }
-    const int suspect = solve_pose(A, x);
+    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs);
+        const int status = pose_status(&legs, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -515,21 +516,21 @@ static void shared_of_block(
         const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
         const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         /* angular velocity, platform frame */
-        const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-        const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-        const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+        const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+        const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+        const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
         /* angular acceleration, platform frame */
-        const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-        const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-        const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+        const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+        const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+        const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
         /* (33) g - a */
         const stewart_real fall_x = g_x - a_x;
         const stewart_real fall_y = g_y - a_y;
         const stewart_real fall_z = g_z - a_z;
         /* (33) g - a in the platform frame */
-        const stewart_real fall_P_x = R_xx*fall_x + R_yx*fall_y + R_zx*fall_z;
-        const stewart_real fall_P_y = R_xy*fall_x + R_yy*fall_y + R_zy*fall_z;
-        const stewart_real fall_P_z = R_xz*fall_x + R_yz*fall_y + R_zz*fall_z;
+        const stewart_real fall_P_x = STEWART_FMA(R_zx, fall_z, STEWART_FMA(R_yx, fall_y, R_xx*fall_x));
+        const stewart_real fall_P_y = STEWART_FMA(R_zy, fall_z, STEWART_FMA(R_yy, fall_y, R_xy*fall_x));
+        const stewart_real fall_P_z = STEWART_FMA(R_zz, fall_z, STEWART_FMA(R_yz, fall_y, R_xz*fall_x));
         const stewart_real c1 = omega_P_x*omega_P_x;
         const stewart_real c2 = omega_P_x*omega_P_y;
         const stewart_real c3 = omega_P_x*omega_P_z;
@@ -554,9 +555,12 @@ static void shared_of_block(
         const stewart_real B_zy = alpha_P_x + omega_yz;
         const stewart_real B_zz = -omega_xx - omega_yy;
         /* (33) M_P (g - a_C) in the platform frame */
-        const stewart_real N_P_x = M_P*(fall_P_x - B_xx*r_C_x - B_xy*r_C_y - B_xz*r_C_z);
-        const stewart_real N_P_y = M_P*(fall_P_y - B_yx*r_C_x - B_yy*r_C_y - B_yz*r_C_z);
-        const stewart_real N_P_z = M_P*(fall_P_z - B_zx*r_C_x - B_zy*r_C_y - B_zz*r_C_z);
+        const stewart_real N_P_x = M_P*STEWART_FMA(-B_xy, r_C_y, STEWART_FMA(-B_xz, r_C_z,
+            STEWART_FMA(-B_xx, r_C_x, fall_P_x)));
+        const stewart_real N_P_y = M_P*STEWART_FMA(-B_yz, r_C_z, STEWART_FMA(-B_yx, r_C_x,
+            STEWART_FMA(-B_yy, r_C_y, fall_P_y)));
+        const stewart_real N_P_z = M_P*STEWART_FMA(-B_zx, r_C_x, STEWART_FMA(-B_zy, r_C_y,
+            STEWART_FMA(-B_zz, r_C_z, fall_P_z)));
         /* (33) external force less inertia, in the platform frame */
         const stewart_real F_P_load_x = F_ext_x + N_P_x;
         const stewart_real F_P_load_y = F_ext_y + N_P_y;
@@ -568,18 +572,21 @@ static void shared_of_block(
         const stewart_real P_yy = c4;
         const stewart_real P_zz = c6;
         /* (34) external moment less I alpha + omega x I omega, in the platform frame */
-        const stewart_real M_P_load_x = B_zx*J_C_xy + M_ext_x + N_P_z*r_C_y - B_yx*J_C_xz - J_C_xx*alpha_P_x
-            - J_C_yz*(P_yy - P_zz) - N_P_y*r_C_z - P_yz*dJ_C_x;
-        const stewart_real M_P_load_y = B_xy*J_C_yz + M_ext_y + N_P_x*r_C_z - B_zy*J_C_xy - J_C_xz*(P_zz - P_xx)
-            - J_C_yy*alpha_P_y - N_P_z*r_C_x - P_xz*dJ_C_y;
-        const stewart_real M_P_load_z = B_yz*J_C_xz + M_ext_z + N_P_y*r_C_x - B_xz*J_C_yz - J_C_xy*(P_xx - P_yy)
-            - J_C_zz*alpha_P_z - N_P_x*r_C_y - P_xy*dJ_C_z;
-        c[0][l] = F_P_load_x*R_xx + F_P_load_y*R_xy + F_P_load_z*R_xz;
-        c[1][l] = F_P_load_x*R_yx + F_P_load_y*R_yy + F_P_load_z*R_yz;
-        c[2][l] = F_P_load_x*R_zx + F_P_load_y*R_zy + F_P_load_z*R_zz;
-        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz;
-        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz;
-        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz;
+        const stewart_real M_P_load_x = STEWART_FMA(-N_P_y, r_C_z, STEWART_FMA(N_P_z, r_C_y,
+            STEWART_FMA(-B_yx, J_C_xz, STEWART_FMA(B_zx, J_C_xy, STEWART_FMA(-P_yz, dJ_C_x,
+            STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz, M_ext_x)))))));
+        const stewart_real M_P_load_y = STEWART_FMA(-N_P_z, r_C_x, STEWART_FMA(N_P_x, r_C_z,
+            STEWART_FMA(-B_zy, J_C_xy, STEWART_FMA(B_xy, J_C_yz, STEWART_FMA(-P_xz, dJ_C_y,
+            STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx, M_ext_y)))))));
+        const stewart_real M_P_load_z = STEWART_FMA(-N_P_x, r_C_y, STEWART_FMA(N_P_y, r_C_x,
+            STEWART_FMA(-B_xz, J_C_yz, STEWART_FMA(B_yz, J_C_xz, STEWART_FMA(-P_xy, dJ_C_z,
+            STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy, M_ext_z)))))));
+        c[0][l] = STEWART_FMA(F_P_load_z, R_xz, STEWART_FMA(F_P_load_y, R_xy, F_P_load_x*R_xx));
+        c[1][l] = STEWART_FMA(F_P_load_z, R_yz, STEWART_FMA(F_P_load_y, R_yy, F_P_load_x*R_yx));
+        c[2][l] = STEWART_FMA(F_P_load_z, R_zz, STEWART_FMA(F_P_load_y, R_zy, F_P_load_x*R_zx));
+        c[3][l] = STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx));
+        c[4][l] = STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx));
+        c[5][l] = STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx));
     }
 }
 
@@ -600,19 +607,19 @@ static void leg_of_block(
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
         const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (2) leg length */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
@@ -649,9 +656,9 @@ static void moments_of_first(
         const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
         const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
             c_moment_y = c[4][l], c_moment_z = c[5][l];
-        c[3][l] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-        c[4][l] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-        c[5][l] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
     }
 }
 
@@ -671,9 +678,9 @@ static void moments_of_block(
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        column[3][l] = H_force_z*arm_y - H_force_y*arm_z;
-        column[4][l] = H_force_x*arm_z - H_force_z*arm_x;
-        column[5][l] = H_force_y*arm_x - H_force_x*arm_y;
+        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
     }
 }
 
@@ -733,7 +740,7 @@ static void forces_of_block(const stewart_exact_massless_model *model, const mot
     if (model->per_length != REAL(1)) {
         scale_block(out, model->per_length);
     }
-    solve_block(out->column, NULL, out->F, out->bad);
+    solve_block(out->column, NULL, model->arm_cube, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

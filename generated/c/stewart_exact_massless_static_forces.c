@@ -29,9 +29,8 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
+    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
     stewart_real q[3][LANES];
-    stewart_real H_force[3][LANES];
-    stewart_real H_moment[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
     stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
@@ -87,9 +86,9 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
     const stewart_real M_P = M + M_add;
     /* first moment about the reference point */
-    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
-    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
-    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
     const stewart_real c1 = REAL(1)/M_P;
     const stewart_real r_C_x = c1*h_P_x;
     const stewart_real r_C_y = c1*h_P_y;
@@ -166,9 +165,11 @@ int stewart_exact_massless_static_prepare(
     made.W_P[0] = platform.W_P[0];
     made.W_P[1] = platform.W_P[1];
     made.W_P[2] = platform.W_P[2];
-    made.per_length = per_length_of(size_of(&made), REAL(0.125));
+    const stewart_real largest = size_of(&made);
+    made.per_length = per_length_of(largest, REAL(0.125));
+    made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 55; ++i) {
+    for (i = 0; i < 56; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -188,19 +189,25 @@ static void shared_of_pose(
     const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
     const stewart_real W_P_x = model->W_P[0], W_P_y = model->W_P[1], W_P_z = model->W_P[2];
     /* (30) centre of mass from the reference point, base frame */
-    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+    const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+    const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
     /* (33) M_P (g - a_C) */
     const stewart_real N_x = W_P_x;
     const stewart_real N_y = W_P_y;
     const stewart_real N_z = W_P_z;
-    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-    out->c_moment[0] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + N_z*R_C_y - N_y*R_C_z;
-    out->c_moment[1] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + N_x*R_C_z - N_z*R_C_x;
-    out->c_moment[2] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + N_y*R_C_x - N_x*R_C_y;
+    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx,
+        N_x)));
+    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx,
+        N_y)));
+    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx,
+        N_z)));
+    out->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_ext_z, R_xz,
+        STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx))));
+    out->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_ext_z, R_yz,
+        STEWART_FMA(M_ext_y, R_yy, M_ext_x*R_yx))));
+    out->c_moment[2] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_ext_z, R_zz,
+        STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx))));
 }
 
 /* The legs of one pose side by side: 31 (15 mul, 14 add, 1 div, 1 sqrt) operations each. */
@@ -218,27 +225,27 @@ static void legs_of_pose(
         const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
         const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (2) leg length */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
@@ -266,9 +273,9 @@ static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
     const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
-    shared->c_tip[0] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-    shared->c_tip[1] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-    shared->c_tip[2] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    shared->c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    shared->c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    shared->c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
 }
 
 /* Moments about platform point 1, 12 (6 mul, 6 add, 0 div, 0 sqrt) operations of each leg but the first,
@@ -279,19 +286,19 @@ static void moments_of_pose(leg_lanes *legs)
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        legs->H_moment[0][l] = H_force_z*arm_y - H_force_y*arm_z;
-        legs->H_moment[1][l] = H_force_x*arm_z - H_force_z*arm_x;
-        legs->H_moment[2][l] = H_force_y*arm_x - H_force_x*arm_y;
+        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
     }
 }
 
 /* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs)
+STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
 {
     int i, j;
     stewart_real H[6][6];
@@ -303,8 +310,8 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->H_force[j][i];
-            H[j + 3][i] = legs->H_moment[j][i];
+            H[j][i] = legs->A[j][i];
+            H[j + 3][i] = legs->A[j + 3][i]/per_length;
         }
     }
     return singular_status(H, arm, legs->L, legs->reach, tip);
@@ -316,7 +323,7 @@ int stewart_exact_massless_static_forces(
     int i, j;
     shared_terms shared;
     leg_lanes legs;
-    stewart_real A[6][LANES];
+    stewart_real wrench[6];
     stewart_real x[6];
     stewart_real found[6];
     int close = 0;
@@ -339,21 +346,15 @@ int stewart_exact_massless_static_forces(
     for (j = 0; j < 3; ++j) {
         const stewart_real force = shared.c_force[j];
         const stewart_real turn = shared.c_tip[j];
-        for (i = 0; i < LANES; ++i) {
-            A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
-        }
-        A[j][6] = force;
-        A[j + 3][6] = turn;
-        A[j][7] = REAL(0);
-        A[j + 3][7] = REAL(0);
+        wrench[j] = force;
+        wrench[j + 3] = turn;
     }
     if (model->per_length != REAL(1)) {
-        scale_pose(A, model->per_length);
+        scale_pose(legs.A, wrench, model->per_length);
     }
-    const int suspect = solve_pose(A, x);
+    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs);
+        const int status = pose_status(&legs, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -398,19 +399,22 @@ static void shared_of_block(
         const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
         const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         /* (30) centre of mass from the reference point, base frame */
-        const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-        const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-        const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+        const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+        const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+        const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
         /* (33) M_P (g - a_C) */
         const stewart_real N_x = W_P_x;
         const stewart_real N_y = W_P_y;
         const stewart_real N_z = W_P_z;
-        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-        c[3][l] = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + N_z*R_C_y - N_y*R_C_z;
-        c[4][l] = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + N_x*R_C_z - N_z*R_C_x;
-        c[5][l] = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + N_y*R_C_x - N_x*R_C_y;
+        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
+        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
+        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
+        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_ext_z, R_xz,
+            STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx))));
+        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_ext_z, R_yz,
+            STEWART_FMA(M_ext_y, R_yy, M_ext_x*R_yx))));
+        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_ext_z, R_zz,
+            STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx))));
     }
 }
 
@@ -431,19 +435,19 @@ static void leg_of_block(
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
         const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (2) leg length */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
@@ -480,9 +484,9 @@ static void moments_of_first(
         const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
         const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
             c_moment_y = c[4][l], c_moment_z = c[5][l];
-        c[3][l] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-        c[4][l] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-        c[5][l] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
     }
 }
 
@@ -502,9 +506,9 @@ static void moments_of_block(
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        column[3][l] = H_force_z*arm_y - H_force_y*arm_z;
-        column[4][l] = H_force_x*arm_z - H_force_z*arm_x;
-        column[5][l] = H_force_y*arm_x - H_force_x*arm_y;
+        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
     }
 }
 
@@ -562,7 +566,7 @@ static void forces_of_block(
     if (model->per_length != REAL(1)) {
         scale_block(out, model->per_length);
     }
-    solve_block(out->column, NULL, out->F, out->bad);
+    solve_block(out->column, NULL, model->arm_cube, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

@@ -21,13 +21,6 @@
 #define STEWART_ALIGNED
 #endif
 
-/* GCC writes short loops out before it looks for vectors, and then finds few. */
-#if defined(__GNUC__) && !defined(__clang__) && __GNUC__ >= 8
-#define STEWART_LOOP _Pragma("GCC unroll 1")
-#else
-#define STEWART_LOOP
-#endif
-
 /* What serves one pose and eight has a loop of one turn in the first case: each place has its own copy. */
 #if defined(__GNUC__)
 #define STEWART_INLINE inline __attribute__((always_inline))
@@ -187,7 +180,7 @@ static void not_finite(
     }
     for (i = 0; i < count; ++i) {
         for (l = 0; l < LANES; ++l) {
-            none[l] = none[l] + REAL(0)*number[LANES*i + l];
+            none[l] = STEWART_FMA(REAL(0), number[LANES*i + l], none[l]);
         }
     }
 }
@@ -222,31 +215,35 @@ static STEWART_INLINE void forward_of_pose(
         const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
         const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         /* (30) first moment of the platform, base frame */
-        const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-        const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-        const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-        const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
-        const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
-        const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
-        const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
-        const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
-        const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+        const stewart_real h_base_x = STEWART_FMA(R_xz, h_P_z, STEWART_FMA(R_xy, h_P_y, R_xx*h_P_x));
+        const stewart_real h_base_y = STEWART_FMA(R_yz, h_P_z, STEWART_FMA(R_yy, h_P_y, R_yx*h_P_x));
+        const stewart_real h_base_z = STEWART_FMA(R_zz, h_P_z, STEWART_FMA(R_zy, h_P_y, R_zx*h_P_x));
+        const stewart_real c1 = STEWART_FMA(J_P_xz, R_xz, STEWART_FMA(J_P_xy, R_xy, J_P_xx*R_xx));
+        const stewart_real c2 = STEWART_FMA(J_P_yz, R_xz, STEWART_FMA(J_P_yy, R_xy, J_P_xy*R_xx));
+        const stewart_real c3 = STEWART_FMA(J_P_zz, R_xz, STEWART_FMA(J_P_yz, R_xy, J_P_xz*R_xx));
+        const stewart_real c4 = STEWART_FMA(J_P_xz, R_yz, STEWART_FMA(J_P_xy, R_yy, J_P_xx*R_yx));
+        const stewart_real c5 = STEWART_FMA(J_P_yz, R_yz, STEWART_FMA(J_P_yy, R_yy, J_P_xy*R_yx));
+        const stewart_real c6 = STEWART_FMA(J_P_zz, R_yz, STEWART_FMA(J_P_yz, R_yy, J_P_xz*R_yx));
         /* (32) inertia of the platform, base frame */
-        const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
-        const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
-        const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
-        const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
-        const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-        const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy
-            + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+        const stewart_real J_base_xx = STEWART_FMA(R_xz, c3, STEWART_FMA(R_xy, c2, R_xx*c1));
+        const stewart_real J_base_xy = STEWART_FMA(R_yz, c3, STEWART_FMA(R_yy, c2, R_yx*c1));
+        const stewart_real J_base_xz = STEWART_FMA(R_zz, c3, STEWART_FMA(R_zy, c2, R_zx*c1));
+        const stewart_real J_base_yy = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c4));
+        const stewart_real J_base_yz = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c4));
+        const stewart_real J_base_zz = STEWART_FMA(R_zz, STEWART_FMA(J_P_zz, R_zz, STEWART_FMA(J_P_yz, R_zy,
+            J_P_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_P_yz, R_zz, STEWART_FMA(J_P_yy, R_zy,
+            J_P_xy*R_zx)), R_zx*STEWART_FMA(J_P_xz, R_zz, STEWART_FMA(J_P_xy, R_zy, J_P_xx*R_zx))));
         /* (31) omega x h */
-        const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
-        const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
-        const stewart_real w_h_z = h_base_y*omega_x - h_base_x*omega_y;
+        const stewart_real w_h_x = STEWART_FMA(-h_base_y, omega_z, h_base_z*omega_y);
+        const stewart_real w_h_y = STEWART_FMA(-h_base_z, omega_x, h_base_x*omega_z);
+        const stewart_real w_h_z = STEWART_FMA(-h_base_x, omega_y, h_base_y*omega_x);
         /* (34) I omega */
-        const stewart_real J_w_x = J_base_xx*omega_x + J_base_xy*omega_y + J_base_xz*omega_z;
-        const stewart_real J_w_y = J_base_xy*omega_x + J_base_yy*omega_y + J_base_yz*omega_z;
-        const stewart_real J_w_z = J_base_xz*omega_x + J_base_yz*omega_y + J_base_zz*omega_z;
+        const stewart_real J_w_x = STEWART_FMA(J_base_xz, omega_z, STEWART_FMA(J_base_xy, omega_y,
+            J_base_xx*omega_x));
+        const stewart_real J_w_y = STEWART_FMA(J_base_yz, omega_z, STEWART_FMA(J_base_yy, omega_y,
+            J_base_xy*omega_x));
+        const stewart_real J_w_z = STEWART_FMA(J_base_zz, omega_z, STEWART_FMA(J_base_yz, omega_y,
+            J_base_xz*omega_x));
         /* products of omega */
         const stewart_real omega_xx = omega_x*omega_x;
         const stewart_real omega_xy = omega_x*omega_y;
@@ -288,15 +285,21 @@ static STEWART_INLINE void forward_of_pose(
         summed[18*lanes + l] = J_base_yy;
         summed[19*lanes + l] = J_base_yz;
         summed[20*lanes + l] = J_base_zz;
-        summed[21*lanes + l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M_P*g_x + omega_z*w_h_y - omega_y*w_h_z;
-        summed[22*lanes + l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M_P*g_y + omega_x*w_h_z - omega_z*w_h_x;
-        summed[23*lanes + l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M_P*g_z + omega_y*w_h_x - omega_x*w_h_y;
-        summed[24*lanes + l] = J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x
-            - J_w_z*omega_y - g_y*h_base_z;
-        summed[25*lanes + l] = J_w_z*omega_x + M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - C_P*omega_y
-            - J_w_x*omega_z - g_z*h_base_x;
-        summed[26*lanes + l] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z
-            - J_w_y*omega_x - g_x*h_base_y;
+        summed[21*lanes + l] = STEWART_FMA(-omega_y, w_h_z, STEWART_FMA(omega_z, w_h_y, STEWART_FMA(M_P,
+            g_x, STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx)))));
+        summed[22*lanes + l] = STEWART_FMA(-omega_z, w_h_x, STEWART_FMA(omega_x, w_h_z, STEWART_FMA(M_P,
+            g_y, STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)))));
+        summed[23*lanes + l] = STEWART_FMA(-omega_x, w_h_y, STEWART_FMA(omega_y, w_h_x, STEWART_FMA(M_P,
+            g_z, STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)))));
+        summed[24*lanes + l] = STEWART_FMA(-g_y, h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(-C_P,
+            omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
+            STEWART_FMA(M_ext_x, R_xx, J_w_y*omega_z)))))));
+        summed[25*lanes + l] = STEWART_FMA(-g_z, h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(-C_P,
+            omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
+            STEWART_FMA(M_ext_x, R_yx, J_w_z*omega_x)))))));
+        summed[26*lanes + l] = STEWART_FMA(-g_x, h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(-C_P,
+            omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
+            STEWART_FMA(M_ext_x, R_zx, J_w_x*omega_y)))))));
     }
 }
 
@@ -334,66 +337,70 @@ STEWART_APART static void forward_of_leg(
             B_0_zy = pose->B_0[7][l], B_0_zz = pose->B_0[8][l];
         const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) distance of the tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* share of the normal along s: rounding */
-        const stewart_real n_along_s = inv_rho*(k_cross_S_x*s_x + k_cross_S_y*s_y + k_cross_S_z*s_z);
+        const stewart_real n_along_s = inv_rho*STEWART_FMA(k_cross_S_z, s_z, STEWART_FMA(k_cross_S_y, s_y,
+            k_cross_S_x*s_x));
         /* one over |s x normal| */
-        const stewart_real inv_across = STEWART_HALF*inv_rho*n_along_s*n_along_s + inv_rho;
+        const stewart_real inv_across = STEWART_FMA(STEWART_HALF*inv_rho*n_along_s, n_along_s, inv_rho);
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_across*s_cross_normal_x;
         const stewart_real z_y = inv_across*s_cross_normal_y;
         const stewart_real z_z = inv_across*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real lean = kappa*theta_dot;
@@ -401,97 +408,105 @@ STEWART_APART static void forward_of_leg(
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real two_phi_dot = REAL(2)*phi_dot;
         /* (7) acceleration of the platform point, a = alpha = 0 */
-        const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
-        const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
-        const stewart_real S_ddot_z = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_0_xz, q_z, STEWART_FMA(B_0_xy, q_y, B_0_xx*q_x));
+        const stewart_real S_ddot_y = STEWART_FMA(B_0_yz, q_z, STEWART_FMA(B_0_yy, q_y, B_0_yx*q_x));
+        const stewart_real S_ddot_z = STEWART_FMA(B_0_zz, q_z, STEWART_FMA(B_0_zy, q_y, B_0_zx*q_x));
         const stewart_real k33 = k3*k3;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-            + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c1 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
-        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real theta_ddot = STEWART_FMA(c1, phi_dot2, own_theta_ddot);
+        const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
         const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real c2 = L*h2_z;
         const stewart_real c3 = J2_xz - c2;
         const stewart_real a2 = c3;
-        const stewart_real a3 = J_xy - L*h_y;
+        const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
         /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
         const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-        const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-        const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+        const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
+        const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real bend = L_dot*theta_dot;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = k1*w_x + k3*w_z;
-        const stewart_real w_n = k3*w_x - k1*w_z;
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
-            + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
-            + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
-            + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2)) - C_s*(k_x*omega_x
-            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
+            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
+            w_n, L_ddot*h_z))))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
+            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_y*y_x + Q_z*z_x;
-        const stewart_real K_y = Q_y*y_y + Q_z*z_y;
-        const stewart_real K_z = Q_y*y_z + Q_z*z_z;
+        const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
+        const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
         const stewart_real c4 = F - D;
         /* force on the platform at the tip */
-        const stewart_real push_x = c4*s_x - K_x;
-        const stewart_real push_y = c4*s_y - K_y;
-        const stewart_real push_z = c4*s_z - K_z;
+        const stewart_real push_x = STEWART_FMA(c4, s_x, -K_x);
+        const stewart_real push_y = STEWART_FMA(c4, s_y, -K_y);
+        const stewart_real push_z = STEWART_FMA(c4, s_z, -K_z);
         /* inertia at the tip, leg frame */
         const stewart_real m_leg_sy = -inv_rho*k3_h;
         const stewart_real m_leg_sz = -h_z*inv_L;
         const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
         const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
         const stewart_real m_leg_zz = M_theta*inv_L*inv_L;
-        const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
-        const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
-        const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
-        const stewart_real m_T_ys = m_leg_sy*y_y + m_leg_sz*z_y;
-        const stewart_real m_T_yy = m_leg_sy*s_y + m_leg_yy*y_y + m_leg_yz*z_y;
-        const stewart_real m_T_yz = m_leg_sz*s_y + m_leg_yz*y_y + m_leg_zz*z_y;
-        const stewart_real m_T_zs = m_leg_sy*y_z + m_leg_sz*z_z;
-        const stewart_real m_T_zy = m_leg_sy*s_z + m_leg_yy*y_z + m_leg_yz*z_z;
-        const stewart_real m_T_zz = m_leg_sz*s_z + m_leg_yz*y_z + m_leg_zz*z_z;
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yz, z_x, STEWART_FMA(m_leg_yy, y_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yz, z_y, STEWART_FMA(m_leg_yy, y_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yz, z_z, STEWART_FMA(m_leg_yy, y_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
-        const stewart_real m_xx = m_T_xs*s_x + m_T_xy*y_x + m_T_xz*z_x;
-        const stewart_real m_xy = m_T_xs*s_y + m_T_xy*y_y + m_T_xz*z_y;
-        const stewart_real m_xz = m_T_xs*s_z + m_T_xy*y_z + m_T_xz*z_z;
-        const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
-        const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
-        const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
+        const stewart_real m_xx = STEWART_FMA(m_T_xy, y_x, STEWART_FMA(m_T_xz, z_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xy, y_y, STEWART_FMA(m_T_xz, z_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xy, y_z, STEWART_FMA(m_T_xz, z_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yy, y_y, STEWART_FMA(m_T_yz, z_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
         const stewart_real c5 = m_xy*q_z;
         const stewart_real c6 = m_xz*q_y;
         const stewart_real c7 = -m_yz*q_x;
         /* m [q]x */
         const stewart_real m_q_xx = c5 - c6;
-        const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
-        const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
-        const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
+        const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
+        const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
+        const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
         const stewart_real m_q_yy = -c5 - c7;
-        const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
-        const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
-        const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
+        const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
+        const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
+        const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
         const stewart_real m_q_zz = c6 + c7;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
@@ -508,18 +523,21 @@ STEWART_APART static void forward_of_leg(
         out->sum[12][l] = -m_q_zx;
         out->sum[13][l] = -m_q_zy;
         out->sum[14][l] = -m_q_zz;
-        out->sum[15][l] = m_q_yx*q_z - m_q_zx*q_y;
-        out->sum[16][l] = m_q_yy*q_z - m_q_zy*q_y;
-        out->sum[17][l] = m_q_yz*q_z - m_q_zz*q_y;
-        out->sum[18][l] = m_q_zy*q_x - m_q_xy*q_z;
-        out->sum[19][l] = m_q_zz*q_x - m_q_xz*q_z;
-        out->sum[20][l] = m_q_xz*q_y - m_q_yz*q_x;
+        out->sum[15][l] = STEWART_FMA(-m_q_zx, q_y, m_q_yx*q_z);
+        out->sum[16][l] = STEWART_FMA(-m_q_zy, q_y, m_q_yy*q_z);
+        out->sum[17][l] = STEWART_FMA(-m_q_zz, q_y, m_q_yz*q_z);
+        out->sum[18][l] = STEWART_FMA(-m_q_xy, q_z, m_q_zy*q_x);
+        out->sum[19][l] = STEWART_FMA(-m_q_xz, q_z, m_q_zz*q_x);
+        out->sum[20][l] = STEWART_FMA(-m_q_yz, q_x, m_q_xz*q_y);
         out->sum[21][l] = push_x;
         out->sum[22][l] = push_y;
         out->sum[23][l] = push_z;
-        out->sum[24][l] = C_s*(k_x*phi_dot + theta_dot*y_x) + push_z*q_y - push_y*q_z;
-        out->sum[25][l] = C_s*(k_y*phi_dot + theta_dot*y_y) + push_x*q_z - push_z*q_x;
-        out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z) + push_y*q_x - push_x*q_y;
+        out->sum[24][l] = STEWART_FMA(C_s, STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-push_y,
+            q_z, push_z*q_y));
+        out->sum[25][l] = STEWART_FMA(C_s, STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-push_z,
+            q_x, push_x*q_z));
+        out->sum[26][l] = STEWART_FMA(C_s, STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-push_x,
+            q_y, push_y*q_x));
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -616,101 +634,101 @@ static STEWART_INLINE void solved(
         pivot[lanes*0 + l] = a_0_0;
         const stewart_real inverse_0 = REAL(1)/a_0_0;
         const stewart_real factor_0_1 = a_0_1*inverse_0;
-        a_1_1 = a_1_1 - factor_0_1*a_0_1;
-        a_1_2 = a_1_2 - factor_0_1*a_0_2;
-        a_1_3 = a_1_3 - factor_0_1*a_0_3;
-        a_1_4 = a_1_4 - factor_0_1*a_0_4;
-        a_1_5 = a_1_5 - factor_0_1*a_0_5;
-        y_1 = y_1 - factor_0_1*y_0;
+        a_1_1 = STEWART_FMA(-factor_0_1, a_0_1, a_1_1);
+        a_1_2 = STEWART_FMA(-factor_0_1, a_0_2, a_1_2);
+        a_1_3 = STEWART_FMA(-factor_0_1, a_0_3, a_1_3);
+        a_1_4 = STEWART_FMA(-factor_0_1, a_0_4, a_1_4);
+        a_1_5 = STEWART_FMA(-factor_0_1, a_0_5, a_1_5);
+        y_1 = STEWART_FMA(-factor_0_1, y_0, y_1);
         const stewart_real factor_0_2 = a_0_2*inverse_0;
-        a_2_2 = a_2_2 - factor_0_2*a_0_2;
-        a_2_3 = a_2_3 - factor_0_2*a_0_3;
-        a_2_4 = a_2_4 - factor_0_2*a_0_4;
-        a_2_5 = a_2_5 - factor_0_2*a_0_5;
-        y_2 = y_2 - factor_0_2*y_0;
+        a_2_2 = STEWART_FMA(-factor_0_2, a_0_2, a_2_2);
+        a_2_3 = STEWART_FMA(-factor_0_2, a_0_3, a_2_3);
+        a_2_4 = STEWART_FMA(-factor_0_2, a_0_4, a_2_4);
+        a_2_5 = STEWART_FMA(-factor_0_2, a_0_5, a_2_5);
+        y_2 = STEWART_FMA(-factor_0_2, y_0, y_2);
         const stewart_real factor_0_3 = a_0_3*inverse_0;
-        a_3_3 = a_3_3 - factor_0_3*a_0_3;
-        a_3_4 = a_3_4 - factor_0_3*a_0_4;
-        a_3_5 = a_3_5 - factor_0_3*a_0_5;
-        y_3 = y_3 - factor_0_3*y_0;
+        a_3_3 = STEWART_FMA(-factor_0_3, a_0_3, a_3_3);
+        a_3_4 = STEWART_FMA(-factor_0_3, a_0_4, a_3_4);
+        a_3_5 = STEWART_FMA(-factor_0_3, a_0_5, a_3_5);
+        y_3 = STEWART_FMA(-factor_0_3, y_0, y_3);
         const stewart_real factor_0_4 = a_0_4*inverse_0;
-        a_4_4 = a_4_4 - factor_0_4*a_0_4;
-        a_4_5 = a_4_5 - factor_0_4*a_0_5;
-        y_4 = y_4 - factor_0_4*y_0;
+        a_4_4 = STEWART_FMA(-factor_0_4, a_0_4, a_4_4);
+        a_4_5 = STEWART_FMA(-factor_0_4, a_0_5, a_4_5);
+        y_4 = STEWART_FMA(-factor_0_4, y_0, y_4);
         const stewart_real factor_0_5 = a_0_5*inverse_0;
-        a_5_5 = a_5_5 - factor_0_5*a_0_5;
-        y_5 = y_5 - factor_0_5*y_0;
+        a_5_5 = STEWART_FMA(-factor_0_5, a_0_5, a_5_5);
+        y_5 = STEWART_FMA(-factor_0_5, y_0, y_5);
         pivot[lanes*1 + l] = a_1_1;
         const stewart_real inverse_1 = REAL(1)/a_1_1;
         const stewart_real factor_1_2 = a_1_2*inverse_1;
-        a_2_2 = a_2_2 - factor_1_2*a_1_2;
-        a_2_3 = a_2_3 - factor_1_2*a_1_3;
-        a_2_4 = a_2_4 - factor_1_2*a_1_4;
-        a_2_5 = a_2_5 - factor_1_2*a_1_5;
-        y_2 = y_2 - factor_1_2*y_1;
+        a_2_2 = STEWART_FMA(-factor_1_2, a_1_2, a_2_2);
+        a_2_3 = STEWART_FMA(-factor_1_2, a_1_3, a_2_3);
+        a_2_4 = STEWART_FMA(-factor_1_2, a_1_4, a_2_4);
+        a_2_5 = STEWART_FMA(-factor_1_2, a_1_5, a_2_5);
+        y_2 = STEWART_FMA(-factor_1_2, y_1, y_2);
         const stewart_real factor_1_3 = a_1_3*inverse_1;
-        a_3_3 = a_3_3 - factor_1_3*a_1_3;
-        a_3_4 = a_3_4 - factor_1_3*a_1_4;
-        a_3_5 = a_3_5 - factor_1_3*a_1_5;
-        y_3 = y_3 - factor_1_3*y_1;
+        a_3_3 = STEWART_FMA(-factor_1_3, a_1_3, a_3_3);
+        a_3_4 = STEWART_FMA(-factor_1_3, a_1_4, a_3_4);
+        a_3_5 = STEWART_FMA(-factor_1_3, a_1_5, a_3_5);
+        y_3 = STEWART_FMA(-factor_1_3, y_1, y_3);
         const stewart_real factor_1_4 = a_1_4*inverse_1;
-        a_4_4 = a_4_4 - factor_1_4*a_1_4;
-        a_4_5 = a_4_5 - factor_1_4*a_1_5;
-        y_4 = y_4 - factor_1_4*y_1;
+        a_4_4 = STEWART_FMA(-factor_1_4, a_1_4, a_4_4);
+        a_4_5 = STEWART_FMA(-factor_1_4, a_1_5, a_4_5);
+        y_4 = STEWART_FMA(-factor_1_4, y_1, y_4);
         const stewart_real factor_1_5 = a_1_5*inverse_1;
-        a_5_5 = a_5_5 - factor_1_5*a_1_5;
-        y_5 = y_5 - factor_1_5*y_1;
+        a_5_5 = STEWART_FMA(-factor_1_5, a_1_5, a_5_5);
+        y_5 = STEWART_FMA(-factor_1_5, y_1, y_5);
         pivot[lanes*2 + l] = a_2_2;
         const stewart_real inverse_2 = REAL(1)/a_2_2;
         const stewart_real factor_2_3 = a_2_3*inverse_2;
-        a_3_3 = a_3_3 - factor_2_3*a_2_3;
-        a_3_4 = a_3_4 - factor_2_3*a_2_4;
-        a_3_5 = a_3_5 - factor_2_3*a_2_5;
-        y_3 = y_3 - factor_2_3*y_2;
+        a_3_3 = STEWART_FMA(-factor_2_3, a_2_3, a_3_3);
+        a_3_4 = STEWART_FMA(-factor_2_3, a_2_4, a_3_4);
+        a_3_5 = STEWART_FMA(-factor_2_3, a_2_5, a_3_5);
+        y_3 = STEWART_FMA(-factor_2_3, y_2, y_3);
         const stewart_real factor_2_4 = a_2_4*inverse_2;
-        a_4_4 = a_4_4 - factor_2_4*a_2_4;
-        a_4_5 = a_4_5 - factor_2_4*a_2_5;
-        y_4 = y_4 - factor_2_4*y_2;
+        a_4_4 = STEWART_FMA(-factor_2_4, a_2_4, a_4_4);
+        a_4_5 = STEWART_FMA(-factor_2_4, a_2_5, a_4_5);
+        y_4 = STEWART_FMA(-factor_2_4, y_2, y_4);
         const stewart_real factor_2_5 = a_2_5*inverse_2;
-        a_5_5 = a_5_5 - factor_2_5*a_2_5;
-        y_5 = y_5 - factor_2_5*y_2;
+        a_5_5 = STEWART_FMA(-factor_2_5, a_2_5, a_5_5);
+        y_5 = STEWART_FMA(-factor_2_5, y_2, y_5);
         pivot[lanes*3 + l] = a_3_3;
         const stewart_real inverse_3 = REAL(1)/a_3_3;
         const stewart_real factor_3_4 = a_3_4*inverse_3;
-        a_4_4 = a_4_4 - factor_3_4*a_3_4;
-        a_4_5 = a_4_5 - factor_3_4*a_3_5;
-        y_4 = y_4 - factor_3_4*y_3;
+        a_4_4 = STEWART_FMA(-factor_3_4, a_3_4, a_4_4);
+        a_4_5 = STEWART_FMA(-factor_3_4, a_3_5, a_4_5);
+        y_4 = STEWART_FMA(-factor_3_4, y_3, y_4);
         const stewart_real factor_3_5 = a_3_5*inverse_3;
-        a_5_5 = a_5_5 - factor_3_5*a_3_5;
-        y_5 = y_5 - factor_3_5*y_3;
+        a_5_5 = STEWART_FMA(-factor_3_5, a_3_5, a_5_5);
+        y_5 = STEWART_FMA(-factor_3_5, y_3, y_5);
         pivot[lanes*4 + l] = a_4_4;
         const stewart_real inverse_4 = REAL(1)/a_4_4;
         const stewart_real factor_4_5 = a_4_5*inverse_4;
-        a_5_5 = a_5_5 - factor_4_5*a_4_5;
-        y_5 = y_5 - factor_4_5*y_4;
+        a_5_5 = STEWART_FMA(-factor_4_5, a_4_5, a_5_5);
+        y_5 = STEWART_FMA(-factor_4_5, y_4, y_5);
         pivot[lanes*5 + l] = a_5_5;
         const stewart_real inverse_5 = REAL(1)/a_5_5;
         const stewart_real x_5 = y_5*inverse_5;
         stewart_real x_4 = y_4*inverse_4;
-        x_4 = x_4 - factor_4_5*x_5;
+        x_4 = STEWART_FMA(-factor_4_5, x_5, x_4);
         stewart_real x_3 = y_3*inverse_3;
-        x_3 = x_3 - factor_3_5*x_5;
-        x_3 = x_3 - factor_3_4*x_4;
+        x_3 = STEWART_FMA(-factor_3_5, x_5, x_3);
+        x_3 = STEWART_FMA(-factor_3_4, x_4, x_3);
         stewart_real x_2 = y_2*inverse_2;
-        x_2 = x_2 - factor_2_5*x_5;
-        x_2 = x_2 - factor_2_4*x_4;
-        x_2 = x_2 - factor_2_3*x_3;
+        x_2 = STEWART_FMA(-factor_2_5, x_5, x_2);
+        x_2 = STEWART_FMA(-factor_2_4, x_4, x_2);
+        x_2 = STEWART_FMA(-factor_2_3, x_3, x_2);
         stewart_real x_1 = y_1*inverse_1;
-        x_1 = x_1 - factor_1_5*x_5;
-        x_1 = x_1 - factor_1_4*x_4;
-        x_1 = x_1 - factor_1_3*x_3;
-        x_1 = x_1 - factor_1_2*x_2;
+        x_1 = STEWART_FMA(-factor_1_5, x_5, x_1);
+        x_1 = STEWART_FMA(-factor_1_4, x_4, x_1);
+        x_1 = STEWART_FMA(-factor_1_3, x_3, x_1);
+        x_1 = STEWART_FMA(-factor_1_2, x_2, x_1);
         stewart_real x_0 = y_0*inverse_0;
-        x_0 = x_0 - factor_0_5*x_5;
-        x_0 = x_0 - factor_0_4*x_4;
-        x_0 = x_0 - factor_0_3*x_3;
-        x_0 = x_0 - factor_0_2*x_2;
-        x_0 = x_0 - factor_0_1*x_1;
+        x_0 = STEWART_FMA(-factor_0_5, x_5, x_0);
+        x_0 = STEWART_FMA(-factor_0_4, x_4, x_0);
+        x_0 = STEWART_FMA(-factor_0_3, x_3, x_0);
+        x_0 = STEWART_FMA(-factor_0_2, x_2, x_0);
+        x_0 = STEWART_FMA(-factor_0_1, x_1, x_0);
         result[lanes*0 + l] = x_0;
         result[lanes*1 + l] = x_1;
         result[lanes*2 + l] = x_2;
@@ -799,42 +817,46 @@ static STEWART_INLINE void joint_rows_of_pose(
         const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         const stewart_real c1 = R_0_y*R_0_y;
         const stewart_real c2 = R_0_z*R_0_z;
-        const stewart_real J_0_xx = I_p_xx + M*(c1 + c2);
+        const stewart_real J_0_xx = STEWART_FMA(M, c1 + c2, I_p_xx);
         const stewart_real c3 = M*R_0_x;
-        const stewart_real J_0_xy = I_p_xy - R_0_y*c3;
-        const stewart_real J_0_xz = I_p_xz - R_0_z*c3;
+        const stewart_real J_0_xy = STEWART_FMA(-R_0_y, c3, I_p_xy);
+        const stewart_real J_0_xz = STEWART_FMA(-R_0_z, c3, I_p_xz);
         const stewart_real c4 = R_0_x*R_0_x;
-        const stewart_real J_0_yy = I_p_yy + M*(c2 + c4);
+        const stewart_real J_0_yy = STEWART_FMA(M, c2 + c4, I_p_yy);
         const stewart_real c5 = M*R_0_y;
-        const stewart_real J_0_yz = I_p_yz - R_0_z*c5;
-        const stewart_real J_0_zz = I_p_zz + M*(c1 + c4);
+        const stewart_real J_0_yz = STEWART_FMA(-R_0_z, c5, I_p_yz);
+        const stewart_real J_0_zz = STEWART_FMA(M, c1 + c4, I_p_zz);
         const stewart_real c6 = M*R_0_z;
         /* (30) first moment of the platform, base frame */
-        const stewart_real h_base_x = R_xx*c3 + R_xy*c5 + R_xz*c6;
-        const stewart_real h_base_y = R_yx*c3 + R_yy*c5 + R_yz*c6;
-        const stewart_real h_base_z = R_zx*c3 + R_zy*c5 + R_zz*c6;
-        const stewart_real c7 = J_0_xx*R_xx + J_0_xy*R_xy + J_0_xz*R_xz;
-        const stewart_real c8 = J_0_xy*R_xx + J_0_yy*R_xy + J_0_yz*R_xz;
-        const stewart_real c9 = J_0_xz*R_xx + J_0_yz*R_xy + J_0_zz*R_xz;
-        const stewart_real c10 = J_0_xx*R_yx + J_0_xy*R_yy + J_0_xz*R_yz;
-        const stewart_real c11 = J_0_xy*R_yx + J_0_yy*R_yy + J_0_yz*R_yz;
-        const stewart_real c12 = J_0_xz*R_yx + J_0_yz*R_yy + J_0_zz*R_yz;
+        const stewart_real h_base_x = STEWART_FMA(R_xz, c6, STEWART_FMA(R_xy, c5, R_xx*c3));
+        const stewart_real h_base_y = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c3));
+        const stewart_real h_base_z = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c3));
+        const stewart_real c7 = STEWART_FMA(J_0_xx, R_xx, STEWART_FMA(J_0_xz, R_xz, J_0_xy*R_xy));
+        const stewart_real c8 = STEWART_FMA(J_0_yy, R_xy, STEWART_FMA(J_0_yz, R_xz, J_0_xy*R_xx));
+        const stewart_real c9 = STEWART_FMA(J_0_zz, R_xz, STEWART_FMA(J_0_yz, R_xy, J_0_xz*R_xx));
+        const stewart_real c10 = STEWART_FMA(J_0_xx, R_yx, STEWART_FMA(J_0_xz, R_yz, J_0_xy*R_yy));
+        const stewart_real c11 = STEWART_FMA(J_0_yy, R_yy, STEWART_FMA(J_0_yz, R_yz, J_0_xy*R_yx));
+        const stewart_real c12 = STEWART_FMA(J_0_zz, R_yz, STEWART_FMA(J_0_yz, R_yy, J_0_xz*R_yx));
         /* (32) inertia of the platform, base frame */
-        const stewart_real J_base_xx = R_xx*c7 + R_xy*c8 + R_xz*c9;
-        const stewart_real J_base_xy = R_yx*c7 + R_yy*c8 + R_yz*c9;
-        const stewart_real J_base_xz = R_zx*c7 + R_zy*c8 + R_zz*c9;
-        const stewart_real J_base_yy = R_yx*c10 + R_yy*c11 + R_yz*c12;
-        const stewart_real J_base_yz = R_zx*c10 + R_zy*c11 + R_zz*c12;
-        const stewart_real J_base_zz = R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx + J_0_yy*R_zy
-            + J_0_yz*R_zz) + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz);
+        const stewart_real J_base_xx = STEWART_FMA(R_xz, c9, STEWART_FMA(R_xy, c8, R_xx*c7));
+        const stewart_real J_base_xy = STEWART_FMA(R_yz, c9, STEWART_FMA(R_yy, c8, R_yx*c7));
+        const stewart_real J_base_xz = STEWART_FMA(R_zz, c9, STEWART_FMA(R_zy, c8, R_zx*c7));
+        const stewart_real J_base_yy = STEWART_FMA(R_yz, c12, STEWART_FMA(R_yy, c11, R_yx*c10));
+        const stewart_real J_base_yz = STEWART_FMA(R_zz, c12, STEWART_FMA(R_zy, c11, R_zx*c10));
+        const stewart_real J_base_zz = STEWART_FMA(R_zz, STEWART_FMA(J_0_zz, R_zz, STEWART_FMA(J_0_yz, R_zy,
+            J_0_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_0_yy, R_zy, STEWART_FMA(J_0_yz, R_zz,
+            J_0_xy*R_zx)), R_zx*STEWART_FMA(J_0_xx, R_zx, STEWART_FMA(J_0_xz, R_zz, J_0_xy*R_zy))));
         /* (31) omega x h */
-        const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
-        const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
-        const stewart_real w_h_z = h_base_y*omega_x - h_base_x*omega_y;
+        const stewart_real w_h_x = STEWART_FMA(-h_base_y, omega_z, h_base_z*omega_y);
+        const stewart_real w_h_y = STEWART_FMA(-h_base_z, omega_x, h_base_x*omega_z);
+        const stewart_real w_h_z = STEWART_FMA(-h_base_x, omega_y, h_base_y*omega_x);
         /* (34) I omega */
-        const stewart_real J_w_x = J_base_xx*omega_x + J_base_xy*omega_y + J_base_xz*omega_z;
-        const stewart_real J_w_y = J_base_xy*omega_x + J_base_yy*omega_y + J_base_yz*omega_z;
-        const stewart_real J_w_z = J_base_xz*omega_x + J_base_yz*omega_y + J_base_zz*omega_z;
+        const stewart_real J_w_x = STEWART_FMA(J_base_xz, omega_z, STEWART_FMA(J_base_xy, omega_y,
+            J_base_xx*omega_x));
+        const stewart_real J_w_y = STEWART_FMA(J_base_yz, omega_z, STEWART_FMA(J_base_yy, omega_y,
+            J_base_xy*omega_x));
+        const stewart_real J_w_z = STEWART_FMA(J_base_zz, omega_z, STEWART_FMA(J_base_yz, omega_y,
+            J_base_xz*omega_x));
         /* products of omega */
         const stewart_real omega_xx = omega_x*omega_x;
         const stewart_real omega_xy = omega_x*omega_y;
@@ -876,15 +898,21 @@ static STEWART_INLINE void joint_rows_of_pose(
         summed[18*lanes + l] = J_base_yy;
         summed[19*lanes + l] = J_base_yz;
         summed[20*lanes + l] = J_base_zz;
-        summed[21*lanes + l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + M*g_x + omega_z*w_h_y - omega_y*w_h_z;
-        summed[22*lanes + l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + M*g_y + omega_x*w_h_z - omega_z*w_h_x;
-        summed[23*lanes + l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + M*g_z + omega_y*w_h_x - omega_x*w_h_y;
-        summed[24*lanes + l] = J_w_y*omega_z + M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz + g_z*h_base_y - C_P*omega_x
-            - J_w_z*omega_y - g_y*h_base_z;
-        summed[25*lanes + l] = J_w_z*omega_x + M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz + g_x*h_base_z - C_P*omega_y
-            - J_w_x*omega_z - g_z*h_base_x;
-        summed[26*lanes + l] = J_w_x*omega_y + M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz + g_y*h_base_x - C_P*omega_z
-            - J_w_y*omega_x - g_x*h_base_y;
+        summed[21*lanes + l] = STEWART_FMA(-omega_y, w_h_z, STEWART_FMA(omega_z, w_h_y, STEWART_FMA(M, g_x,
+            STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx)))));
+        summed[22*lanes + l] = STEWART_FMA(-omega_z, w_h_x, STEWART_FMA(omega_x, w_h_z, STEWART_FMA(M, g_y,
+            STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx)))));
+        summed[23*lanes + l] = STEWART_FMA(-omega_x, w_h_y, STEWART_FMA(omega_y, w_h_x, STEWART_FMA(M, g_z,
+            STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx)))));
+        summed[24*lanes + l] = STEWART_FMA(-g_y, h_base_z, STEWART_FMA(-J_w_z, omega_y, STEWART_FMA(-C_P,
+            omega_x, STEWART_FMA(g_z, h_base_y, STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy,
+            STEWART_FMA(M_ext_x, R_xx, J_w_y*omega_z)))))));
+        summed[25*lanes + l] = STEWART_FMA(-g_z, h_base_x, STEWART_FMA(-J_w_x, omega_z, STEWART_FMA(-C_P,
+            omega_y, STEWART_FMA(g_x, h_base_z, STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy,
+            STEWART_FMA(M_ext_x, R_yx, J_w_z*omega_x)))))));
+        summed[26*lanes + l] = STEWART_FMA(-g_x, h_base_y, STEWART_FMA(-J_w_y, omega_x, STEWART_FMA(-C_P,
+            omega_z, STEWART_FMA(g_y, h_base_x, STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy,
+            STEWART_FMA(M_ext_x, R_zx, J_w_x*omega_y)))))));
     }
 }
 
@@ -923,72 +951,74 @@ STEWART_APART static void joint_rows_of_leg(
             B_0_zy = pose->B_0[7][l], B_0_zz = pose->B_0[8][l];
         const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+            STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
         const stewart_real z_z = inv_rho*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real lean = kappa*theta_dot;
         const stewart_real theta_dot2 = theta_dot*theta_dot;
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real two_phi_dot = REAL(2)*phi_dot;
-        const stewart_real c1 = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
-        const stewart_real c2 = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
-        const stewart_real c3 = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
+        const stewart_real c1 = STEWART_FMA(B_0_xz, q_z, STEWART_FMA(B_0_xy, q_y, B_0_xx*q_x));
+        const stewart_real c2 = STEWART_FMA(B_0_yz, q_z, STEWART_FMA(B_0_yy, q_y, B_0_yx*q_x));
+        const stewart_real c3 = STEWART_FMA(B_0_zz, q_z, STEWART_FMA(B_0_zy, q_y, B_0_zx*q_x));
         /* (7) acceleration of the platform point, a = alpha = 0 */
         const stewart_real S_ddot_x = c1;
         const stewart_real S_ddot_y = c2;
@@ -996,51 +1026,58 @@ STEWART_APART static void joint_rows_of_leg(
         const stewart_real c4 = k3*k3;
         const stewart_real k33 = c4;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-            + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c5 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = c5*phi_dot2 + own_theta_ddot;
-        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real theta_ddot = STEWART_FMA(c5, phi_dot2, own_theta_ddot);
+        const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
         const stewart_real k13 = c5;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real c6 = L*h2_z;
         const stewart_real c7 = J2_xz - c6;
         const stewart_real a2 = c7;
-        const stewart_real a3 = J_xy - L*h_y;
+        const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
         /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
         const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-        const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-        const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+        const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
+        const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real bend = L_dot*theta_dot;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = k1*w_x + k3*w_z;
-        const stewart_real w_n = k3*w_x - k1*w_z;
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
-            + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c7*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
-            + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
-            + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c6)) - C_s*(k_x*omega_x
-            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
+            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(phi_dot2, STEWART_FMA(-c7, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
+            w_n, L_ddot*h_z))))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
+            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(-STEWART_HALF, c6, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
         /* of the platform point, from free fall */
         const stewart_real fall_x = c1 - g_x;
         const stewart_real fall_y = c2 - g_y;
         const stewart_real fall_z = c3 - g_z;
-        const stewart_real fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z;
-        const stewart_real fall_T_y = fall_x*y_x + fall_y*y_y + fall_z*y_z;
-        const stewart_real fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z;
+        const stewart_real fall_T_x = STEWART_FMA(fall_z, s_z, STEWART_FMA(fall_y, s_y, fall_x*s_x));
+        const stewart_real fall_T_y = STEWART_FMA(fall_z, y_z, STEWART_FMA(fall_y, y_y, fall_x*y_x));
+        const stewart_real fall_T_z = STEWART_FMA(fall_z, z_z, STEWART_FMA(fall_y, z_y, fall_x*z_x));
         const stewart_real row_v_yx = -inv_L*z_x;
         const stewart_real row_v_yy = -inv_L*z_y;
         const stewart_real row_v_yz = -inv_L*z_z;
@@ -1073,15 +1110,15 @@ STEWART_APART static void joint_rows_of_leg(
         out->sum[21][l] = REAL(0);
         out->sum[22][l] = REAL(0);
         out->sum[23][l] = REAL(0);
-        out->sum[24][l] = C_s*(k_x*phi_dot + theta_dot*y_x);
-        out->sum[25][l] = C_s*(k_y*phi_dot + theta_dot*y_y);
-        out->sum[26][l] = C_s*(k_z*phi_dot + theta_dot*y_z);
+        out->sum[24][l] = C_s*STEWART_FMA(theta_dot, y_x, k_x*phi_dot);
+        out->sum[25][l] = C_s*STEWART_FMA(theta_dot, y_y, k_y*phi_dot);
+        out->sum[26][l] = C_s*STEWART_FMA(theta_dot, y_z, k_z*phi_dot);
         out->M_xi[0][l] = m_u;
         out->M_xi[1][l] = h_z;
         out->M_xi[2][l] = -k3_h;
         out->M_xi[3][l] = M_theta + c8;
         out->M_xi[4][l] = M_mixed;
-        out->M_xi[5][l] = M_phi + c4*c8;
+        out->M_xi[5][l] = STEWART_FMA(c4, c8, M_phi);
         out->row_v[0][l] = s_x;
         out->row_v[1][l] = s_y;
         out->row_v[2][l] = s_z;
@@ -1091,18 +1128,19 @@ STEWART_APART static void joint_rows_of_leg(
         out->row_v[6][l] = row_v_zx;
         out->row_v[7][l] = row_v_zy;
         out->row_v[8][l] = row_v_zz;
-        out->row_w[0][l] = q_y*s_z - q_z*s_y;
-        out->row_w[1][l] = q_z*s_x - q_x*s_z;
-        out->row_w[2][l] = q_x*s_y - q_y*s_x;
-        out->row_w[3][l] = q_y*row_v_yz - q_z*row_v_yy;
-        out->row_w[4][l] = q_z*row_v_yx - q_x*row_v_yz;
-        out->row_w[5][l] = q_x*row_v_yy - q_y*row_v_yx;
-        out->row_w[6][l] = q_y*row_v_zz - q_z*row_v_zy;
-        out->row_w[7][l] = q_z*row_v_zx - q_x*row_v_zz;
-        out->row_w[8][l] = q_x*row_v_zy - q_y*row_v_zx;
-        out->tau[0][l] = C_p*L_dot + fall_T_x*m_u + h_z*theta_ddot - F - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
-        out->tau[1][l] = tau_y - c9*fall_T_z;
-        out->tau[2][l] = c9*fall_T_y*k3 + tau_k;
+        out->row_w[0][l] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+        out->row_w[1][l] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+        out->row_w[2][l] = STEWART_FMA(-q_y, s_x, q_x*s_y);
+        out->row_w[3][l] = STEWART_FMA(-q_z, row_v_yy, q_y*row_v_yz);
+        out->row_w[4][l] = STEWART_FMA(-q_x, row_v_yz, q_z*row_v_yx);
+        out->row_w[5][l] = STEWART_FMA(-q_y, row_v_yx, q_x*row_v_yy);
+        out->row_w[6][l] = STEWART_FMA(-q_z, row_v_zy, q_y*row_v_zz);
+        out->row_w[7][l] = STEWART_FMA(-q_x, row_v_zz, q_z*row_v_zx);
+        out->row_w[8][l] = STEWART_FMA(-q_y, row_v_zx, q_x*row_v_zy);
+        out->tau[0][l] = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(-h_x, theta_dot2, STEWART_FMA(-M_phi_L,
+            phi_dot2, STEWART_FMA(h_z, theta_ddot, STEWART_FMA(fall_T_x, m_u, C_p*L_dot)) - F)));
+        out->tau[1][l] = STEWART_FMA(-c9, fall_T_z, tau_y);
+        out->tau[2][l] = STEWART_FMA(c9*fall_T_y, k3, tau_k);
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -1249,13 +1287,13 @@ static void make_rows(const stewart_real summed[27], const joint_rows_legs *legs
     c[0] = summed[11]*per_mass;
     c[1] = (-summed[8])*per_mass;
     c[2] = summed[7]*per_mass;
-    const stewart_real square = c[0]*c[0] + c[1]*c[1] + c[2]*c[2];
-    about[0] = summed[15] - mass*(square - c[0]*c[0]);
-    about[1] = summed[16] + mass*(c[0]*c[1]);
-    about[2] = summed[17] + mass*(c[0]*c[2]);
-    about[3] = summed[18] - mass*(square - c[1]*c[1]);
-    about[4] = summed[19] + mass*(c[1]*c[2]);
-    about[5] = summed[20] - mass*(square - c[2]*c[2]);
+    const stewart_real square = STEWART_FMA(c[2], c[2], STEWART_FMA(c[1], c[1], c[0]*c[0]));
+    about[0] = STEWART_FMA(-mass, STEWART_FMA(-c[0], c[0], square), summed[15]);
+    about[1] = STEWART_FMA(mass, c[0]*c[1], summed[16]);
+    about[2] = STEWART_FMA(mass, c[0]*c[2], summed[17]);
+    about[3] = STEWART_FMA(-mass, STEWART_FMA(-c[1], c[1], square), summed[18]);
+    about[4] = STEWART_FMA(mass, c[1]*c[2], summed[19]);
+    about[5] = STEWART_FMA(-mass, STEWART_FMA(-c[2], c[2], square), summed[20]);
     whole[0] = mass;
     whole[3] = mass;
     whole[5] = mass;
@@ -1321,7 +1359,7 @@ static void pick_rows(rows *by)
         for (i = k + 1; i < 24; ++i) {
             by->row[6*i + k] = by->row[6*i + k]/by->row[6*k + k];
             for (j = k + 1; j < 6; ++j) {
-                by->row[6*i + j] = by->row[6*i + j] - by->row[6*i + k]*by->row[6*k + j];
+                by->row[6*i + j] = STEWART_FMA(-by->row[6*i + k], by->row[6*k + j], by->row[6*i + j]);
             }
         }
     }
@@ -1334,7 +1372,7 @@ static void pick_rows(rows *by)
         for (j = 5; j >= 0; --j) {
             share[j] = by->row[6*i + j];
             for (k = j + 1; k < 6; ++k) {
-                share[j] = share[j] - share[k]*by->row[6*k + j];
+                share[j] = STEWART_FMA(-share[k], by->row[6*k + j], share[j]);
             }
             by->share[6*by->order[i] + j] = share[j];
         }
@@ -1356,7 +1394,8 @@ static void weigh_rows(rows *by)
                 for (k = 0; k < 6; ++k) {
                     const stewart_real part = by->share[6*(3*b + i) + k]*by->weight[3*(3*b + i) + j];
                     for (n = 0; n < 6; ++n) {
-                        by->inertia[6*k + n] = by->inertia[6*k + n] + part*by->share[6*(3*b + j) + n];
+                        by->inertia[6*k + n] = STEWART_FMA(part, by->share[6*(3*b + j) + n], by->inertia[6*k
+                            + n]);
                     }
                 }
             }
@@ -1373,13 +1412,13 @@ static void by_rows(const rows *by, const stewart_real wrench[6], stewart_real h
     }
     for (k = 0; k < 6; ++k) {
         for (j = 0; j < k; ++j) {
-            held[k] = held[k] - by->row[6*j + k]*held[j];
+            held[k] = STEWART_FMA(-by->row[6*j + k], held[j], held[k]);
         }
         held[k] = held[k]/by->row[6*k + k];
     }
     for (k = 5; k >= 0; --k) {
         for (j = k + 1; j < 6; ++j) {
-            held[k] = held[k] - by->row[6*j + k]*held[j];
+            held[k] = STEWART_FMA(-by->row[6*j + k], held[j], held[k]);
         }
     }
 }
@@ -1412,16 +1451,16 @@ static void balance_rows(
             if (own > REAL(0)) {
                 for (i = k + 1; i < 3; ++i) {
                     const stewart_real factor = W[i][k]/W[k][k];
-                    moved[3*b + i] = moved[3*b + i] - factor*moved[3*b + k];
+                    moved[3*b + i] = STEWART_FMA(-factor, moved[3*b + k], moved[3*b + i]);
                     for (j = k + 1; j < 3; ++j) {
-                        W[i][j] = W[i][j] - factor*W[k][j];
+                        W[i][j] = STEWART_FMA(-factor, W[k][j], W[i][j]);
                     }
                 }
             }
         }
         for (k = 2; k >= 0; --k) {
             for (j = k + 1; j < 3; ++j) {
-                moved[3*b + k] = moved[3*b + k] - W[k][j]*moved[3*b + j];
+                moved[3*b + k] = STEWART_FMA(-W[k][j], moved[3*b + j], moved[3*b + k]);
             }
             moved[3*b + k] = balanced[3*b + k] > REAL(0) ? moved[3*b + k]/W[k][k] : REAL(0);
         }
@@ -1447,7 +1486,7 @@ static void row_right(
     for (i = 0; i < 24; ++i) {
         moved[i] = REAL(0);
         for (k = 0; k < 6; ++k) {
-            moved[i] = moved[i] + by->share[6*i + k]*start[k];
+            moved[i] = STEWART_FMA(by->share[6*i + k], start[k], moved[i]);
         }
     }
     for (b = 0; b < 8; ++b) {
@@ -1455,7 +1494,8 @@ static void row_right(
             rest[3*b + i] = balanced[3*b + i] > REAL(0) ? REAL(0) : force[3*b + i];
             for (j = 0; j < 3; ++j) {
                 const int own = balanced[3*b + i] > REAL(0) && balanced[3*b + j] > REAL(0);
-                const stewart_real less = rest[3*b + i] - by->weight[3*(3*b + i) + j]*moved[3*b + j];
+                const stewart_real less = STEWART_FMA(-by->weight[3*(3*b + i) + j], moved[3*b + j], rest[3*b
+                    + i]);
                 rest[3*b + i] = own ? rest[3*b + i] : less;
             }
         }
@@ -1463,7 +1503,7 @@ static void row_right(
     for (k = 0; k < 6; ++k) {
         right[k] = held[k];
         for (i = 0; i < 24; ++i) {
-            right[k] = right[k] - by->share[6*i + k]*rest[i];
+            right[k] = STEWART_FMA(-by->share[6*i + k], rest[i], right[k]);
         }
     }
 }
@@ -1481,7 +1521,7 @@ static void substitute_back_8(stewart_real A[48], const stewart_real inverse[6])
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[8*i + k];
             STEWART_LOOP for (j = 6; j < 8; ++j) {
-                A[8*i + j] = A[8*i + j] - factor*row[j];
+                A[8*i + j] = STEWART_FMA(-factor, row[j], A[8*i + j]);
             }
         }
     }
@@ -1500,7 +1540,7 @@ static void clear_below_8(stewart_real A[48], int k, stewart_real inverse)
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[8*i + k]*inverse;
         STEWART_LOOP for (j = 0; j < 8; ++j) {
-            A[8*i + j] = A[8*i + j] - factor*row[j];
+            A[8*i + j] = STEWART_FMA(-factor, row[j], A[8*i + j]);
         }
     }
 }
@@ -1537,12 +1577,12 @@ static void row_back(
     for (k = 0; k < 6; ++k) {
         x[k] = found[k] - start[k];
         for (j = 0; j < k; ++j) {
-            x[k] = x[k] - by->row[6*k + j]*x[j];
+            x[k] = STEWART_FMA(-by->row[6*k + j], x[j], x[k]);
         }
     }
     for (k = 5; k >= 0; --k) {
         for (j = k + 1; j < 6; ++j) {
-            x[k] = x[k] - by->row[6*k + j]*x[j];
+            x[k] = STEWART_FMA(-by->row[6*k + j], x[j], x[k]);
         }
         x[k] = x[k]/by->row[6*k + k];
         acceleration[by->column[k]] = x[k]/(by->column[k] < 3 ? REAL(1) : by->length);
@@ -1564,14 +1604,14 @@ static void rows_held(
     stewart_real force[24];
     for (i = 0; i < 24; ++i) {
         for (j = 0; j < 6; ++j) {
-            whole[i] = whole[i] + by->share[6*i + j]*found[j];
+            whole[i] = STEWART_FMA(by->share[6*i + j], found[j], whole[i]);
         }
     }
     for (b = 0; b < 8; ++b) {
         for (i = 0; i < 3; ++i) {
             force[3*b + i] = rest[3*b + i];
             for (j = 0; j < 3; ++j) {
-                force[3*b + i] = force[3*b + i] + by->weight[3*(3*b + i) + j]*whole[3*b + j];
+                force[3*b + i] = STEWART_FMA(by->weight[3*(3*b + i) + j], whole[3*b + j], force[3*b + i]);
             }
         }
     }
@@ -1580,7 +1620,7 @@ static void rows_held(
     }
     for (k = 0; k < 6; ++k) {
         for (i = 0; i < 24; ++i) {
-            held[k] = held[k] - by->share[6*i + k]*force[i];
+            held[k] = STEWART_FMA(-by->share[6*i + k], force[i], held[k]);
         }
     }
     for (k = 0; k < 6; ++k) {
@@ -1593,7 +1633,7 @@ static void rows_held(
         for (i = 0; i < 3; ++i) {
             stewart_real turned = REAL(0);
             for (j = 0; j < 6; ++j) {
-                turned = turned + by->share[6*(3*b + i) + j]*(found[j] - start[j]);
+                turned = STEWART_FMA(by->share[6*(3*b + i) + j], found[j] - start[j], turned);
             }
             by->given[b].net[i] = force[3*b + i]*by->extent[3*b + i];
             by->given[b].turned[i] = turned/by->extent[3*b + i];
@@ -1730,28 +1770,30 @@ static STEWART_INLINE void equations_of_pose(
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         /* (30) first moment of the platform, base frame */
-        const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-        const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-        const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-        const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
-        const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
-        const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
-        const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
-        const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
-        const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+        const stewart_real h_base_x = STEWART_FMA(R_xz, h_P_z, STEWART_FMA(R_xy, h_P_y, R_xx*h_P_x));
+        const stewart_real h_base_y = STEWART_FMA(R_yz, h_P_z, STEWART_FMA(R_yy, h_P_y, R_yx*h_P_x));
+        const stewart_real h_base_z = STEWART_FMA(R_zz, h_P_z, STEWART_FMA(R_zy, h_P_y, R_zx*h_P_x));
+        const stewart_real c1 = STEWART_FMA(J_P_xz, R_xz, STEWART_FMA(J_P_xy, R_xy, J_P_xx*R_xx));
+        const stewart_real c2 = STEWART_FMA(J_P_yz, R_xz, STEWART_FMA(J_P_yy, R_xy, J_P_xy*R_xx));
+        const stewart_real c3 = STEWART_FMA(J_P_zz, R_xz, STEWART_FMA(J_P_yz, R_xy, J_P_xz*R_xx));
+        const stewart_real c4 = STEWART_FMA(J_P_xz, R_yz, STEWART_FMA(J_P_xy, R_yy, J_P_xx*R_yx));
+        const stewart_real c5 = STEWART_FMA(J_P_yz, R_yz, STEWART_FMA(J_P_yy, R_yy, J_P_xy*R_yx));
+        const stewart_real c6 = STEWART_FMA(J_P_zz, R_yz, STEWART_FMA(J_P_yz, R_yy, J_P_xz*R_yx));
         /* (32) inertia of the platform, base frame */
-        const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
-        const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
-        const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
-        const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
-        const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-        const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy
-            + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+        const stewart_real J_base_xx = STEWART_FMA(R_xz, c3, STEWART_FMA(R_xy, c2, R_xx*c1));
+        const stewart_real J_base_xy = STEWART_FMA(R_yz, c3, STEWART_FMA(R_yy, c2, R_yx*c1));
+        const stewart_real J_base_xz = STEWART_FMA(R_zz, c3, STEWART_FMA(R_zy, c2, R_zx*c1));
+        const stewart_real J_base_yy = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c4));
+        const stewart_real J_base_yz = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c4));
+        const stewart_real J_base_zz = STEWART_FMA(R_zz, STEWART_FMA(J_P_zz, R_zz, STEWART_FMA(J_P_yz, R_zy,
+            J_P_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_P_yz, R_zz, STEWART_FMA(J_P_yy, R_zy,
+            J_P_xy*R_zx)), R_zx*STEWART_FMA(J_P_xz, R_zz, STEWART_FMA(J_P_xy, R_zy, J_P_xx*R_zx))));
         /* (31) omega x h */
-        const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
-        const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
-        const stewart_real w_h_z = h_base_y*omega_x - h_base_x*omega_y;
-        const stewart_real half_trace = STEWART_HALF*J_base_xx + STEWART_HALF*J_base_yy + STEWART_HALF*J_base_zz;
+        const stewart_real w_h_x = STEWART_FMA(-h_base_y, omega_z, h_base_z*omega_y);
+        const stewart_real w_h_y = STEWART_FMA(-h_base_z, omega_x, h_base_x*omega_z);
+        const stewart_real w_h_z = STEWART_FMA(-h_base_x, omega_y, h_base_y*omega_x);
+        const stewart_real half_trace = STEWART_FMA(STEWART_HALF, J_base_zz, STEWART_FMA(STEWART_HALF,
+            J_base_yy, STEWART_HALF*J_base_xx));
         const stewart_real c7 = J_base_xy*omega_z;
         const stewart_real c8 = J_base_xz*omega_y;
         const stewart_real c9 = half_trace*omega_z;
@@ -1801,26 +1843,26 @@ static STEWART_INLINE void equations_of_pose(
         summed[40*lanes + l] = REAL(0);
         summed[41*lanes + l] = REAL(0);
         summed[42*lanes + l] = c8 - c7;
-        summed[43*lanes + l] = J_base_yz*omega_y + c9 - J_base_yy*omega_z;
-        summed[44*lanes + l] = J_base_zz*omega_y - J_base_yz*omega_z - c10;
+        summed[43*lanes + l] = STEWART_FMA(-J_base_yy, omega_z, STEWART_FMA(J_base_yz, omega_y, c9));
+        summed[44*lanes + l] = STEWART_FMA(-J_base_yz, omega_z, STEWART_FMA(J_base_zz, omega_y, -c10));
         summed[45*lanes + l] = REAL(0);
         summed[46*lanes + l] = REAL(0);
         summed[47*lanes + l] = REAL(0);
-        summed[48*lanes + l] = J_base_xx*omega_z - J_base_xz*omega_x - c9;
+        summed[48*lanes + l] = STEWART_FMA(-J_base_xz, omega_x, STEWART_FMA(J_base_xx, omega_z, -c9));
         summed[49*lanes + l] = c11 + c7;
-        summed[50*lanes + l] = J_base_xz*omega_z + c12 - J_base_zz*omega_x;
+        summed[50*lanes + l] = STEWART_FMA(-J_base_zz, omega_x, STEWART_FMA(J_base_xz, omega_z, c12));
         summed[51*lanes + l] = REAL(0);
         summed[52*lanes + l] = REAL(0);
         summed[53*lanes + l] = REAL(0);
-        summed[54*lanes + l] = J_base_xy*omega_x + c10 - J_base_xx*omega_y;
-        summed[55*lanes + l] = J_base_yy*omega_x - J_base_xy*omega_y - c12;
+        summed[54*lanes + l] = STEWART_FMA(-J_base_xx, omega_y, STEWART_FMA(J_base_xy, omega_x, c10));
+        summed[55*lanes + l] = STEWART_FMA(-J_base_xy, omega_y, STEWART_FMA(J_base_yy, omega_x, -c12));
         summed[56*lanes + l] = -c11 - c8;
         summed[57*lanes + l] = -M_P*g_x;
         summed[58*lanes + l] = -M_P*g_y;
         summed[59*lanes + l] = -M_P*g_z;
-        summed[60*lanes + l] = g_y*h_base_z - g_z*h_base_y;
-        summed[61*lanes + l] = g_z*h_base_x - g_x*h_base_z;
-        summed[62*lanes + l] = g_x*h_base_y - g_y*h_base_x;
+        summed[60*lanes + l] = STEWART_FMA(-g_z, h_base_y, g_y*h_base_z);
+        summed[61*lanes + l] = STEWART_FMA(-g_x, h_base_z, g_z*h_base_x);
+        summed[62*lanes + l] = STEWART_FMA(-g_y, h_base_x, g_x*h_base_y);
         summed[63*lanes + l] = REAL(0);
         summed[64*lanes + l] = REAL(0);
         summed[65*lanes + l] = REAL(0);
@@ -1861,74 +1903,77 @@ STEWART_APART static void equations_of_leg(
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) distance of the tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
         const stewart_real z_z = inv_rho*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         const stewart_real c1 = k3*k3;
         const stewart_real k33 = c1;
         const stewart_real k13 = k1*k3;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real a2 = J2_xz - L*h2_z;
-        const stewart_real c2 = J_xy - L*h_y;
+        const stewart_real a1 = dJ_zx + L_h2;
+        const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
+        const stewart_real c2 = STEWART_FMA(-L, h_y, J_xy);
         const stewart_real a3 = c2;
         /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
         const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
         const stewart_real c3 = inv_L*inv_rho;
         const stewart_real c4 = inv_L*inv_L;
@@ -1938,36 +1983,38 @@ STEWART_APART static void equations_of_leg(
         const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
         const stewart_real m_leg_yz = -M_mixed*c3;
         const stewart_real m_leg_zz = M_theta*c4;
-        const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
-        const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
-        const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
-        const stewart_real m_T_ys = m_leg_sy*y_y + m_leg_sz*z_y;
-        const stewart_real m_T_yy = m_leg_sy*s_y + m_leg_yy*y_y + m_leg_yz*z_y;
-        const stewart_real m_T_yz = m_leg_sz*s_y + m_leg_yz*y_y + m_leg_zz*z_y;
-        const stewart_real m_T_zs = m_leg_sy*y_z + m_leg_sz*z_z;
-        const stewart_real m_T_zy = m_leg_sy*s_z + m_leg_yy*y_z + m_leg_yz*z_z;
-        const stewart_real m_T_zz = m_leg_sz*s_z + m_leg_yz*y_z + m_leg_zz*z_z;
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yy, y_x, STEWART_FMA(m_leg_yz, z_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yy, y_y, STEWART_FMA(m_leg_yz, z_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yy, y_z, STEWART_FMA(m_leg_yz, z_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
-        const stewart_real m_xx = m_T_xs*s_x + m_T_xy*y_x + m_T_xz*z_x;
-        const stewart_real m_xy = m_T_xs*s_y + m_T_xy*y_y + m_T_xz*z_y;
-        const stewart_real m_xz = m_T_xs*s_z + m_T_xy*y_z + m_T_xz*z_z;
-        const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
-        const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
-        const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
+        const stewart_real m_xx = STEWART_FMA(m_T_xz, z_x, STEWART_FMA(m_T_xy, y_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xz, z_y, STEWART_FMA(m_T_xy, y_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xz, z_z, STEWART_FMA(m_T_xy, y_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yz, z_y, STEWART_FMA(m_T_yy, y_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yz, z_z, STEWART_FMA(m_T_yy, y_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
         const stewart_real c5 = h_x*theta_dot;
         const stewart_real C_xi_12 = -c5;
-        const stewart_real c6 = c1*h_x - h_z*k1*k3;
+        const stewart_real c6 = STEWART_FMA((-h_z)*k1, k3, c1*h_x);
         const stewart_real C_xi_13 = -c6*phi_dot;
         const stewart_real C_xi_21 = c5;
         const stewart_real C_xi_22 = L_dot*h_x;
         const stewart_real c7 = REAL(2)*L;
-        const stewart_real c8 = REAL(2)*J_xz - c7*h_z;
-        const stewart_real c9 = STEWART_HALF*k1*(c8*k1 + REAL(2)*k3*(J_zz + c7*h_x - J_xx)) - STEWART_HALF*c1*c8;
+        const stewart_real c8 = STEWART_FMA(-c7, h_z, REAL(2)*J_xz);
+        const stewart_real c9 = STEWART_FMA((-STEWART_HALF)*c1, c8, STEWART_HALF*k1*STEWART_FMA(c8, k1,
+            REAL(2)*k3*STEWART_FMA(c7, h_x, J_zz - J_xx)));
         const stewart_real C_xi_23 = -c9*phi_dot;
         const stewart_real c10 = h_y*k1;
-        const stewart_real C_xi_31 = c6*phi_dot - c10*theta_dot;
-        const stewart_real C_xi_32 = c9*phi_dot + theta_dot*(J_yz*k1 - c2*k3) - L_dot*c10;
-        const stewart_real C_xi_33 = L_dot*c6 + c9*theta_dot;
+        const stewart_real C_xi_31 = STEWART_FMA(-c10, theta_dot, c6*phi_dot);
+        const stewart_real C_xi_32 = STEWART_FMA(c9, phi_dot, STEWART_FMA(-L_dot, c10,
+            theta_dot*STEWART_FMA(-c2, k3, J_yz*k1)));
+        const stewart_real C_xi_33 = STEWART_FMA(c9, theta_dot, L_dot*c6);
         const stewart_real c11 = k3*phi_dot;
         const stewart_real G_dot_12 = c11;
         const stewart_real G_dot_21 = -inv_L*theta_dot;
@@ -1975,81 +2022,109 @@ STEWART_APART static void equations_of_leg(
         const stewart_real G_dot_22 = c12*inv_L;
         const stewart_real G_dot_23 = L_dot*c4;
         const stewart_real G_dot_31 = -c11*inv_rho;
-        const stewart_real G_dot_32 = -L_dot*c3 - inv_rho*kappa*theta_dot;
+        const stewart_real G_dot_32 = STEWART_FMA((-inv_rho)*kappa, theta_dot, -L_dot*c3);
         const stewart_real G_dot_33 = c12*inv_rho;
-        const stewart_real C_leg_11 = G_dot_21*h_z - G_dot_31*k3_h;
-        const stewart_real C_leg_12 = C_xi_13*inv_rho + G_dot_22*h_z - G_dot_32*k3_h;
-        const stewart_real C_leg_13 = G_dot_23*h_z - C_xi_12*inv_L - G_dot_33*k3_h;
-        const stewart_real C_leg_21 = inv_rho*(C_xi_31 + G_dot_21*M_mixed + G_dot_31*M_phi);
-        const stewart_real C_leg_22 = inv_rho*(C_xi_33*inv_rho + G_dot_22*M_mixed + G_dot_32*M_phi - G_dot_12*k3_h);
-        const stewart_real C_leg_23 = inv_rho*(G_dot_23*M_mixed + G_dot_33*M_phi + k3_h*theta_dot - C_xi_32*inv_L);
-        const stewart_real C_leg_31 = -inv_L*(C_xi_21 + G_dot_21*M_theta + G_dot_31*M_mixed);
-        const stewart_real C_leg_32 = -inv_L*(C_xi_23*inv_rho + G_dot_12*h_z + G_dot_22*M_theta + G_dot_32*M_mixed);
-        const stewart_real C_leg_33 = -inv_L*(G_dot_23*M_theta + G_dot_33*M_mixed - C_xi_22*inv_L - h_z*theta_dot);
-        const stewart_real C_tip_T_xs = C_leg_11*s_x + C_leg_21*y_x + C_leg_31*z_x;
-        const stewart_real C_tip_T_xy = C_leg_12*s_x + C_leg_22*y_x + C_leg_32*z_x;
-        const stewart_real C_tip_T_xz = C_leg_13*s_x + C_leg_23*y_x + C_leg_33*z_x;
-        const stewart_real C_tip_T_ys = C_leg_11*s_y + C_leg_21*y_y + C_leg_31*z_y;
-        const stewart_real C_tip_T_yy = C_leg_12*s_y + C_leg_22*y_y + C_leg_32*z_y;
-        const stewart_real C_tip_T_yz = C_leg_13*s_y + C_leg_23*y_y + C_leg_33*z_y;
-        const stewart_real C_tip_T_zs = C_leg_11*s_z + C_leg_21*y_z + C_leg_31*z_z;
-        const stewart_real C_tip_T_zy = C_leg_12*s_z + C_leg_22*y_z + C_leg_32*z_z;
-        const stewart_real C_tip_T_zz = C_leg_13*s_z + C_leg_23*y_z + C_leg_33*z_z;
+        const stewart_real C_leg_11 = STEWART_FMA(-G_dot_31, k3_h, G_dot_21*h_z);
+        const stewart_real C_leg_12 = STEWART_FMA(-G_dot_32, k3_h, STEWART_FMA(G_dot_22, h_z,
+            C_xi_13*inv_rho));
+        const stewart_real C_leg_13 = STEWART_FMA(-G_dot_33, k3_h, STEWART_FMA(-C_xi_12, inv_L,
+            G_dot_23*h_z));
+        const stewart_real C_leg_21 = inv_rho*STEWART_FMA(G_dot_31, M_phi, STEWART_FMA(G_dot_21, M_mixed,
+            C_xi_31));
+        const stewart_real C_leg_22 = inv_rho*STEWART_FMA(-G_dot_12, k3_h, STEWART_FMA(G_dot_32, M_phi,
+            STEWART_FMA(G_dot_22, M_mixed, C_xi_33*inv_rho)));
+        const stewart_real C_leg_23 = inv_rho*STEWART_FMA(-C_xi_32, inv_L, STEWART_FMA(G_dot_33, M_phi,
+            STEWART_FMA(k3_h, theta_dot, G_dot_23*M_mixed)));
+        const stewart_real C_leg_31 = -inv_L*STEWART_FMA(G_dot_31, M_mixed, STEWART_FMA(G_dot_21, M_theta,
+            C_xi_21));
+        const stewart_real C_leg_32 = -inv_L*STEWART_FMA(G_dot_32, M_mixed, STEWART_FMA(G_dot_22, M_theta,
+            STEWART_FMA(C_xi_23, inv_rho, G_dot_12*h_z)));
+        const stewart_real C_leg_33 = -inv_L*STEWART_FMA(G_dot_33, M_mixed, STEWART_FMA(-h_z, theta_dot,
+            STEWART_FMA(-C_xi_22, inv_L, G_dot_23*M_theta)));
+        const stewart_real C_tip_T_xs = STEWART_FMA(C_leg_31, z_x, STEWART_FMA(C_leg_21, y_x,
+            C_leg_11*s_x));
+        const stewart_real C_tip_T_xy = STEWART_FMA(C_leg_32, z_x, STEWART_FMA(C_leg_22, y_x,
+            C_leg_12*s_x));
+        const stewart_real C_tip_T_xz = STEWART_FMA(C_leg_33, z_x, STEWART_FMA(C_leg_23, y_x,
+            C_leg_13*s_x));
+        const stewart_real C_tip_T_ys = STEWART_FMA(C_leg_31, z_y, STEWART_FMA(C_leg_21, y_y,
+            C_leg_11*s_y));
+        const stewart_real C_tip_T_yy = STEWART_FMA(C_leg_32, z_y, STEWART_FMA(C_leg_22, y_y,
+            C_leg_12*s_y));
+        const stewart_real C_tip_T_yz = STEWART_FMA(C_leg_33, z_y, STEWART_FMA(C_leg_23, y_y,
+            C_leg_13*s_y));
+        const stewart_real C_tip_T_zs = STEWART_FMA(C_leg_31, z_z, STEWART_FMA(C_leg_21, y_z,
+            C_leg_11*s_z));
+        const stewart_real C_tip_T_zy = STEWART_FMA(C_leg_32, z_z, STEWART_FMA(C_leg_22, y_z,
+            C_leg_12*s_z));
+        const stewart_real C_tip_T_zz = STEWART_FMA(C_leg_33, z_z, STEWART_FMA(C_leg_23, y_z,
+            C_leg_13*s_z));
         /* Coriolis matrix at the tip, base frame */
-        const stewart_real C_tip_xx = C_tip_T_xs*s_x + C_tip_T_xy*y_x + C_tip_T_xz*z_x;
-        const stewart_real C_tip_xy = C_tip_T_xs*s_y + C_tip_T_xy*y_y + C_tip_T_xz*z_y;
-        const stewart_real C_tip_xz = C_tip_T_xs*s_z + C_tip_T_xy*y_z + C_tip_T_xz*z_z;
-        const stewart_real C_tip_yx = C_tip_T_ys*s_x + C_tip_T_yy*y_x + C_tip_T_yz*z_x;
-        const stewart_real C_tip_yy = C_tip_T_ys*s_y + C_tip_T_yy*y_y + C_tip_T_yz*z_y;
-        const stewart_real C_tip_yz = C_tip_T_ys*s_z + C_tip_T_yy*y_z + C_tip_T_yz*z_z;
-        const stewart_real C_tip_zx = C_tip_T_zs*s_x + C_tip_T_zy*y_x + C_tip_T_zz*z_x;
-        const stewart_real C_tip_zy = C_tip_T_zs*s_y + C_tip_T_zy*y_y + C_tip_T_zz*z_y;
-        const stewart_real C_tip_zz = C_tip_T_zs*s_z + C_tip_T_zy*y_z + C_tip_T_zz*z_z;
+        const stewart_real C_tip_xx = STEWART_FMA(C_tip_T_xy, y_x, STEWART_FMA(C_tip_T_xs, s_x,
+            C_tip_T_xz*z_x));
+        const stewart_real C_tip_xy = STEWART_FMA(C_tip_T_xy, y_y, STEWART_FMA(C_tip_T_xs, s_y,
+            C_tip_T_xz*z_y));
+        const stewart_real C_tip_xz = STEWART_FMA(C_tip_T_xy, y_z, STEWART_FMA(C_tip_T_xs, s_z,
+            C_tip_T_xz*z_z));
+        const stewart_real C_tip_yx = STEWART_FMA(C_tip_T_yy, y_x, STEWART_FMA(C_tip_T_ys, s_x,
+            C_tip_T_yz*z_x));
+        const stewart_real C_tip_yy = STEWART_FMA(C_tip_T_yy, y_y, STEWART_FMA(C_tip_T_ys, s_y,
+            C_tip_T_yz*z_y));
+        const stewart_real C_tip_yz = STEWART_FMA(C_tip_T_yy, y_z, STEWART_FMA(C_tip_T_ys, s_z,
+            C_tip_T_yz*z_z));
+        const stewart_real C_tip_zx = STEWART_FMA(C_tip_T_zy, y_x, STEWART_FMA(C_tip_T_zs, s_x,
+            C_tip_T_zz*z_x));
+        const stewart_real C_tip_zy = STEWART_FMA(C_tip_T_zy, y_y, STEWART_FMA(C_tip_T_zs, s_y,
+            C_tip_T_zz*z_y));
+        const stewart_real C_tip_zz = STEWART_FMA(C_tip_T_zy, y_z, STEWART_FMA(C_tip_T_zs, s_z,
+            C_tip_T_zz*z_z));
         const stewart_real c13 = C_tip_xy*q_z;
         const stewart_real c14 = m_xy*w_q_z;
         const stewart_real c15 = C_tip_xz*q_y;
         const stewart_real c16 = m_xz*w_q_y;
-        const stewart_real C_q_xx = c15 + c16 - c13 - c14;
+        const stewart_real C_q_xx = c16 - c14 + c15 - c13;
         const stewart_real c17 = C_tip_xx*q_z;
-        const stewart_real C_q_xy = c17 + m_xx*w_q_z - C_tip_xz*q_x - m_xz*w_q_x;
+        const stewart_real C_q_xy = STEWART_FMA(-C_tip_xz, q_x, STEWART_FMA(-m_xz, w_q_x, m_xx*w_q_z) + c17);
         const stewart_real c18 = C_tip_xx*q_y;
-        const stewart_real C_q_xz = C_tip_xy*q_x + m_xy*w_q_x - c18 - m_xx*w_q_y;
+        const stewart_real C_q_xz = STEWART_FMA(C_tip_xy, q_x, STEWART_FMA(-m_xx, w_q_y, m_xy*w_q_x)) - c18;
         const stewart_real c19 = C_tip_yy*q_z;
-        const stewart_real C_q_yx = C_tip_yz*q_y + m_yz*w_q_y - c19 - m_yy*w_q_z;
+        const stewart_real C_q_yx = STEWART_FMA(C_tip_yz, q_y, STEWART_FMA(-m_yy, w_q_z, m_yz*w_q_y)) - c19;
         const stewart_real c20 = C_tip_yx*q_z;
         const stewart_real c21 = -C_tip_yz*q_x;
         const stewart_real c22 = -m_yz*w_q_x;
-        const stewart_real C_q_yy = c14 + c20 + c21 + c22;
+        const stewart_real C_q_yy = c14 + c22 + c20 + c21;
         const stewart_real c23 = -C_tip_yy*q_x;
-        const stewart_real C_q_yz = m_yy*w_q_x - C_tip_yx*q_y - c23 - m_xy*w_q_y;
+        const stewart_real C_q_yz = STEWART_FMA(-C_tip_yx, q_y, STEWART_FMA(-m_xy, w_q_y, m_yy*w_q_x)) - c23;
         const stewart_real c24 = -C_tip_zz*q_y;
-        const stewart_real C_q_zx = m_zz*w_q_y - C_tip_zy*q_z - c24 - m_yz*w_q_z;
+        const stewart_real C_q_zx = STEWART_FMA(-C_tip_zy, q_z, STEWART_FMA(-m_yz, w_q_z, m_zz*w_q_y)) - c24;
         const stewart_real c25 = -C_tip_zz*q_x;
-        const stewart_real C_q_zy = C_tip_zx*q_z + c25 + m_xz*w_q_z - m_zz*w_q_x;
+        const stewart_real C_q_zy = STEWART_FMA(C_tip_zx, q_z, STEWART_FMA(-m_zz, w_q_x, m_xz*w_q_z)) + c25;
         const stewart_real c26 = C_tip_zx*q_y;
         const stewart_real c27 = -C_tip_zy*q_x;
         const stewart_real C_q_zz = -c16 - c22 - c26 - c27;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = k1*w_x + k3*w_z;
-        const stewart_real w_n = k3*w_x - k1*w_z;
-        const stewart_real c28 = inv_L*(g_k*w_n + gamma_n*w_k);
-        const stewart_real c29 = -gamma_n*w_y - gamma_y*w_n;
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
+        const stewart_real c28 = inv_L*STEWART_FMA(gamma_n, w_k, g_k*w_n);
+        const stewart_real c29 = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
         /* against gravity */
-        const stewart_real held_x = c29*inv_rho*y_x - c28*z_x;
-        const stewart_real held_y = c29*inv_rho*y_y - c28*z_y;
-        const stewart_real held_z = c29*inv_rho*y_z - c28*z_z;
+        const stewart_real held_x = STEWART_FMA(-c28, z_x, c29*inv_rho*y_x);
+        const stewart_real held_y = STEWART_FMA(-c28, z_y, c29*inv_rho*y_y);
+        const stewart_real held_z = STEWART_FMA(-c28, z_z, c29*inv_rho*y_z);
         const stewart_real c30 = L_dot*s_x;
-        const stewart_real c31 = inv_rho*(C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z));
-        const stewart_real c32 = inv_L*(C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z));
+        const stewart_real c31 = inv_rho*STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y,
+            omega_y, k_x*omega_x)), C_us*phi_dot);
+        const stewart_real c32 = inv_L*STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
+            omega_x*y_x)), C_us*theta_dot);
         const stewart_real c33 = L_dot*s_y;
         const stewart_real c34 = L_dot*s_z;
         /* against friction */
-        const stewart_real resistance_x = C_p*c30 + c31*y_x - c32*z_x;
-        const stewart_real resistance_y = C_p*c33 + c31*y_y - c32*z_y;
-        const stewart_real resistance_z = C_p*c34 + c31*y_z - c32*z_z;
+        const stewart_real resistance_x = STEWART_FMA(-c32, z_x, STEWART_FMA(c31, y_x, C_p*c30));
+        const stewart_real resistance_y = STEWART_FMA(-c32, z_y, STEWART_FMA(c31, y_y, C_p*c33));
+        const stewart_real resistance_z = STEWART_FMA(-c32, z_z, STEWART_FMA(c31, y_z, C_p*c34));
         /* (3) rate of s */
         const stewart_real s_dot_x = inv_L*(S_dot_x - c30);
         const stewart_real s_dot_y = inv_L*(S_dot_y - c33);
@@ -2059,13 +2134,13 @@ STEWART_APART static void equations_of_leg(
         const stewart_real c37 = -m_yz*q_x;
         /* m [q]x */
         const stewart_real m_q_xx = c35 - c36;
-        const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
-        const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
-        const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
+        const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
+        const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
+        const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
         const stewart_real m_q_yy = -c35 - c37;
-        const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
-        const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
-        const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
+        const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
+        const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
+        const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
         const stewart_real m_q_zz = c36 + c37;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
@@ -2082,12 +2157,12 @@ STEWART_APART static void equations_of_leg(
         out->sum[12][l] = -m_q_zx;
         out->sum[13][l] = -m_q_zy;
         out->sum[14][l] = -m_q_zz;
-        out->sum[15][l] = m_q_yx*q_z - m_q_zx*q_y;
-        out->sum[16][l] = m_q_yy*q_z - m_q_zy*q_y;
-        out->sum[17][l] = m_q_yz*q_z - m_q_zz*q_y;
-        out->sum[18][l] = m_q_zy*q_x - m_q_xy*q_z;
-        out->sum[19][l] = m_q_zz*q_x - m_q_xz*q_z;
-        out->sum[20][l] = m_q_xz*q_y - m_q_yz*q_x;
+        out->sum[15][l] = STEWART_FMA(-m_q_zx, q_y, m_q_yx*q_z);
+        out->sum[16][l] = STEWART_FMA(-m_q_zy, q_y, m_q_yy*q_z);
+        out->sum[17][l] = STEWART_FMA(-m_q_zz, q_y, m_q_yz*q_z);
+        out->sum[18][l] = STEWART_FMA(-m_q_xy, q_z, m_q_zy*q_x);
+        out->sum[19][l] = STEWART_FMA(-m_q_xz, q_z, m_q_zz*q_x);
+        out->sum[20][l] = STEWART_FMA(-m_q_yz, q_x, m_q_xz*q_y);
         out->sum[21][l] = C_tip_xx;
         out->sum[22][l] = C_tip_xy;
         out->sum[23][l] = C_tip_xz;
@@ -2107,47 +2182,53 @@ STEWART_APART static void equations_of_leg(
         out->sum[37][l] = C_q_zy;
         out->sum[38][l] = C_q_zz;
         out->sum[39][l] = c26 - c20;
-        out->sum[40][l] = C_tip_zy*q_y - c19;
-        out->sum[41][l] = -C_tip_yz*q_z - c24;
-        out->sum[42][l] = C_q_zx*q_y - C_q_yx*q_z;
-        out->sum[43][l] = C_q_zy*q_y - C_q_yy*q_z;
-        out->sum[44][l] = C_q_zz*q_y - C_q_yz*q_z;
-        out->sum[45][l] = c17 - C_tip_zx*q_x;
+        out->sum[40][l] = STEWART_FMA(C_tip_zy, q_y, -c19);
+        out->sum[41][l] = STEWART_FMA(-C_tip_yz, q_z, -c24);
+        out->sum[42][l] = STEWART_FMA(-C_q_yx, q_z, C_q_zx*q_y);
+        out->sum[43][l] = STEWART_FMA(-C_q_yy, q_z, C_q_zy*q_y);
+        out->sum[44][l] = STEWART_FMA(-C_q_yz, q_z, C_q_zz*q_y);
+        out->sum[45][l] = STEWART_FMA(-C_tip_zx, q_x, c17);
         out->sum[46][l] = c13 + c27;
-        out->sum[47][l] = C_tip_xz*q_z + c25;
-        out->sum[48][l] = C_q_xx*q_z - C_q_zx*q_x;
-        out->sum[49][l] = C_q_xy*q_z - C_q_zy*q_x;
-        out->sum[50][l] = C_q_xz*q_z - C_q_zz*q_x;
-        out->sum[51][l] = C_tip_yx*q_x - c18;
-        out->sum[52][l] = -C_tip_xy*q_y - c23;
+        out->sum[47][l] = STEWART_FMA(C_tip_xz, q_z, c25);
+        out->sum[48][l] = STEWART_FMA(-C_q_zx, q_x, C_q_xx*q_z);
+        out->sum[49][l] = STEWART_FMA(-C_q_zy, q_x, C_q_xy*q_z);
+        out->sum[50][l] = STEWART_FMA(-C_q_zz, q_x, C_q_xz*q_z);
+        out->sum[51][l] = STEWART_FMA(C_tip_yx, q_x, -c18);
+        out->sum[52][l] = STEWART_FMA(-C_tip_xy, q_y, -c23);
         out->sum[53][l] = -c15 - c21;
-        out->sum[54][l] = C_q_yx*q_x - C_q_xx*q_y;
-        out->sum[55][l] = C_q_yy*q_x - C_q_xy*q_y;
-        out->sum[56][l] = C_q_yz*q_x - C_q_xz*q_y;
+        out->sum[54][l] = STEWART_FMA(-C_q_xx, q_y, C_q_yx*q_x);
+        out->sum[55][l] = STEWART_FMA(-C_q_xy, q_y, C_q_yy*q_x);
+        out->sum[56][l] = STEWART_FMA(-C_q_xz, q_y, C_q_yz*q_x);
         out->sum[57][l] = held_x;
         out->sum[58][l] = held_y;
         out->sum[59][l] = held_z;
-        out->sum[60][l] = held_z*q_y - held_y*q_z;
-        out->sum[61][l] = held_x*q_z - held_z*q_x;
-        out->sum[62][l] = held_y*q_x - held_x*q_y;
+        out->sum[60][l] = STEWART_FMA(-held_y, q_z, held_z*q_y);
+        out->sum[61][l] = STEWART_FMA(-held_z, q_x, held_x*q_z);
+        out->sum[62][l] = STEWART_FMA(-held_x, q_y, held_y*q_x);
         out->sum[63][l] = resistance_x;
         out->sum[64][l] = resistance_y;
         out->sum[65][l] = resistance_z;
-        out->sum[66][l] = q_y*resistance_z - C_s*(k_x*phi_dot + theta_dot*y_x) - q_z*resistance_y;
-        out->sum[67][l] = q_z*resistance_x - C_s*(k_y*phi_dot + theta_dot*y_y) - q_x*resistance_z;
-        out->sum[68][l] = q_x*resistance_y - C_s*(k_z*phi_dot + theta_dot*y_z) - q_y*resistance_x;
+        out->sum[66][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-q_z,
+            resistance_y, q_y*resistance_z));
+        out->sum[67][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-q_x,
+            resistance_z, q_z*resistance_x));
+        out->sum[68][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-q_y,
+            resistance_x, q_x*resistance_y));
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
-        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
-        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
-        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->H_moment[0][l] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+        out->H_moment[1][l] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+        out->H_moment[2][l] = STEWART_FMA(-q_y, s_x, q_x*s_y);
         out->H_dot_force[0][l] = s_dot_x;
         out->H_dot_force[1][l] = s_dot_y;
         out->H_dot_force[2][l] = s_dot_z;
-        out->H_dot_moment[0][l] = q_y*s_dot_z + s_z*w_q_y - q_z*s_dot_y - s_y*w_q_z;
-        out->H_dot_moment[1][l] = q_z*s_dot_x + s_x*w_q_z - q_x*s_dot_z - s_z*w_q_x;
-        out->H_dot_moment[2][l] = q_x*s_dot_y + s_y*w_q_x - q_y*s_dot_x - s_x*w_q_y;
+        out->H_dot_moment[0][l] = STEWART_FMA(-s_y, w_q_z, STEWART_FMA(-q_z, s_dot_y, STEWART_FMA(s_z,
+            w_q_y, q_y*s_dot_z)));
+        out->H_dot_moment[1][l] = STEWART_FMA(-s_z, w_q_x, STEWART_FMA(-q_x, s_dot_z, STEWART_FMA(s_x,
+            w_q_z, q_z*s_dot_x)));
+        out->H_dot_moment[2][l] = STEWART_FMA(-s_x, w_q_y, STEWART_FMA(-q_y, s_dot_x, STEWART_FMA(s_y,
+            w_q_x, q_x*s_dot_y)));
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -2199,72 +2280,73 @@ STEWART_APART static void equations_of_near(
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+            STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
         const stewart_real z_z = inv_rho*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-        const stewart_real c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        const stewart_real c1 = STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y, S_dot_x*y_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real phi_dot = c1*inv_rho;
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         const stewart_real k33 = k3*k3;
         const stewart_real k13 = k1*k3;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real a2 = J2_xz - L*h2_z;
-        const stewart_real a3 = J_xy - L*h_y;
+        const stewart_real a1 = dJ_zx + L_h2;
+        const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
+        const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
         /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
         const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
         const stewart_real c2 = h_z*inv_L;
         const stewart_real c3 = inv_L*inv_L;
@@ -2274,28 +2356,28 @@ STEWART_APART static void equations_of_near(
         const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
         const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
         const stewart_real m_leg_zz = M_theta*c3;
-        const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
-        const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
-        const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
-        const stewart_real m_T_ys = m_leg_sy*y_y + m_leg_sz*z_y;
-        const stewart_real m_T_yy = m_leg_sy*s_y + m_leg_yy*y_y + m_leg_yz*z_y;
-        const stewart_real m_T_yz = m_leg_sz*s_y + m_leg_yz*y_y + m_leg_zz*z_y;
-        const stewart_real m_T_zs = m_leg_sy*y_z + m_leg_sz*z_z;
-        const stewart_real m_T_zy = m_leg_sy*s_z + m_leg_yy*y_z + m_leg_yz*z_z;
-        const stewart_real m_T_zz = m_leg_sz*s_z + m_leg_yz*y_z + m_leg_zz*z_z;
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yz, z_x, STEWART_FMA(m_leg_yy, y_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yz, z_y, STEWART_FMA(m_leg_yy, y_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yz, z_z, STEWART_FMA(m_leg_yy, y_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
-        const stewart_real m_xx = m_T_xs*s_x + m_T_xy*y_x + m_T_xz*z_x;
-        const stewart_real m_xy = m_T_xs*s_y + m_T_xy*y_y + m_T_xz*z_y;
-        const stewart_real m_xz = m_T_xs*s_z + m_T_xy*y_z + m_T_xz*z_z;
-        const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
-        const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
-        const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
+        const stewart_real m_xx = STEWART_FMA(m_T_xy, y_x, STEWART_FMA(m_T_xz, z_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xy, y_y, STEWART_FMA(m_T_xz, z_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xy, y_z, STEWART_FMA(m_T_xz, z_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yy, y_y, STEWART_FMA(m_T_yz, z_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
         const stewart_real inv_k3 = L*inv_rho;
         /* (6) leg's turning about z */
         const stewart_real W_z = c1*inv_L;
         const stewart_real c4 = W_z*inv_L;
         const stewart_real c5 = c4*h_y;
-        const stewart_real c6 = c5 - c2*theta_dot;
+        const stewart_real c6 = STEWART_FMA(-c2, theta_dot, c5);
         const stewart_real C_leg_11 = c6;
         const stewart_real c7 = c4*h_x;
         const stewart_real c8 = L_dot*c3;
@@ -2304,9 +2386,9 @@ STEWART_APART static void equations_of_near(
         const stewart_real c11 = c10*h_y;
         const stewart_real c12 = inv_k3*k1;
         const stewart_real c13 = W_z*c2;
-        const stewart_real C_leg_12 = c11*c12 + REAL(2)*c12*c13 + c9 - c7;
-        const stewart_real c14 = c10*h_x - c12*c5;
-        const stewart_real C_leg_13 = c14 + c8*h_z;
+        const stewart_real C_leg_12 = STEWART_FMA(REAL(2)*c12, c13, STEWART_FMA(c11, c12, c9)) - c7;
+        const stewart_real c14 = STEWART_FMA(-c12, c5, c10*h_x);
+        const stewart_real C_leg_13 = STEWART_FMA(c8, h_z, c14);
         const stewart_real c15 = c3*theta_dot;
         const stewart_real c16 = J_yz*c15;
         const stewart_real c17 = J_xy*c15;
@@ -2316,8 +2398,8 @@ STEWART_APART static void equations_of_near(
         const stewart_real c21 = REAL(2)*J_xz;
         const stewart_real c22 = c18*c21;
         const stewart_real c23 = J_xx - J_zz;
-        const stewart_real C_leg_21 = W_z*c23*c3 + W_z*h_z*inv_L*inv_k3*k1 - c12*c17 - c12*c22 - c16 - c18*c20
-            - c7;
+        const stewart_real C_leg_21 = STEWART_FMA(-c12, c22, STEWART_FMA(W_z*h_z*inv_L*inv_k3, k1,
+            STEWART_FMA(-c18, c20, STEWART_FMA(-c12, c17, STEWART_FMA(W_z*c23, c3, -c16))) - c7));
         const stewart_real c24 = J_xy*c18;
         const stewart_real c25 = c8*h_x;
         const stewart_real c26 = c19*c5;
@@ -2329,79 +2411,101 @@ STEWART_APART static void equations_of_near(
         const stewart_real c32 = c12*c31;
         const stewart_real c33 = c19*c24;
         const stewart_real c34 = J_xx*k1*inv_k3*inv_k3*inv_k3;
-        const stewart_real C_leg_22 = L_dot*c23*c27 + L_dot*c3*h_z*inv_k3*k1 + c19*h_z*inv_L*theta_dot + c32
-            + c33 - c15*c29 - c15*c34 - c20*c28 - c21*c30 - c24 - c25 - c26;
+        const stewart_real C_leg_22 = STEWART_FMA(-c15, c34, STEWART_FMA(-c15, c29,
+            STEWART_FMA(c19*h_z*inv_L, theta_dot, STEWART_FMA(-c21, c30, STEWART_FMA(L_dot*c3*h_z*inv_k3,
+            k1, STEWART_FMA(-c20, c28, L_dot*c23*c27) - c25))))) + c32 + c33 - c24 - c26;
         const stewart_real c35 = c12*c16;
-        const stewart_real c36 = J_xy*c30 + J_yz*c28 + c18*c29 - c13*c19;
-        const stewart_real C_leg_23 = c17 + c18*c34 + c36 - c35;
-        const stewart_real C_leg_31 = J_yy*c15 + c12*c24 + c14 + c31;
-        const stewart_real C_leg_32 = c11 + c12*c18*(-J_yy - c23) + c13 + c17*c19 + c35 + c36 - c11*c19 - c12*c9
-            - c17 - c22;
-        const stewart_real C_leg_33 = c24 + c26 - J_yy*c28 - c25 - c32 - c33 - c6;
-        const stewart_real C_tip_T_xs = C_leg_11*s_x + C_leg_21*y_x + C_leg_31*z_x;
-        const stewart_real C_tip_T_xy = C_leg_12*s_x + C_leg_22*y_x + C_leg_32*z_x;
-        const stewart_real C_tip_T_xz = C_leg_13*s_x + C_leg_23*y_x + C_leg_33*z_x;
-        const stewart_real C_tip_T_ys = C_leg_11*s_y + C_leg_21*y_y + C_leg_31*z_y;
-        const stewart_real C_tip_T_yy = C_leg_12*s_y + C_leg_22*y_y + C_leg_32*z_y;
-        const stewart_real C_tip_T_yz = C_leg_13*s_y + C_leg_23*y_y + C_leg_33*z_y;
-        const stewart_real C_tip_T_zs = C_leg_11*s_z + C_leg_21*y_z + C_leg_31*z_z;
-        const stewart_real C_tip_T_zy = C_leg_12*s_z + C_leg_22*y_z + C_leg_32*z_z;
-        const stewart_real C_tip_T_zz = C_leg_13*s_z + C_leg_23*y_z + C_leg_33*z_z;
+        const stewart_real c36 = STEWART_FMA(-c13, c19, STEWART_FMA(c18, c29, STEWART_FMA(J_xy, c30,
+            J_yz*c28)));
+        const stewart_real C_leg_23 = STEWART_FMA(c18, c34, c17) - c35 + c36;
+        const stewart_real C_leg_31 = STEWART_FMA(c12, c24, STEWART_FMA(J_yy, c15, c31)) + c14;
+        const stewart_real C_leg_32 = STEWART_FMA(c12*c18, -J_yy - c23, STEWART_FMA(-c11, c19,
+            STEWART_FMA(c17, c19, STEWART_FMA(-c12, c9, c11) + c13) + c35 - c17)) - c22 + c36;
+        const stewart_real C_leg_33 = STEWART_FMA(-J_yy, c28, c24) - c25 + c26 - c32 - c33 - c6;
+        const stewart_real C_tip_T_xs = STEWART_FMA(C_leg_21, y_x, STEWART_FMA(C_leg_31, z_x,
+            C_leg_11*s_x));
+        const stewart_real C_tip_T_xy = STEWART_FMA(C_leg_32, z_x, STEWART_FMA(C_leg_22, y_x,
+            C_leg_12*s_x));
+        const stewart_real C_tip_T_xz = STEWART_FMA(C_leg_33, z_x, STEWART_FMA(C_leg_13, s_x,
+            C_leg_23*y_x));
+        const stewart_real C_tip_T_ys = STEWART_FMA(C_leg_21, y_y, STEWART_FMA(C_leg_31, z_y,
+            C_leg_11*s_y));
+        const stewart_real C_tip_T_yy = STEWART_FMA(C_leg_32, z_y, STEWART_FMA(C_leg_22, y_y,
+            C_leg_12*s_y));
+        const stewart_real C_tip_T_yz = STEWART_FMA(C_leg_33, z_y, STEWART_FMA(C_leg_13, s_y,
+            C_leg_23*y_y));
+        const stewart_real C_tip_T_zs = STEWART_FMA(C_leg_21, y_z, STEWART_FMA(C_leg_31, z_z,
+            C_leg_11*s_z));
+        const stewart_real C_tip_T_zy = STEWART_FMA(C_leg_32, z_z, STEWART_FMA(C_leg_22, y_z,
+            C_leg_12*s_z));
+        const stewart_real C_tip_T_zz = STEWART_FMA(C_leg_33, z_z, STEWART_FMA(C_leg_13, s_z,
+            C_leg_23*y_z));
         /* Coriolis matrix at the tip, base frame */
-        const stewart_real C_tip_xx = C_tip_T_xs*s_x + C_tip_T_xy*y_x + C_tip_T_xz*z_x;
-        const stewart_real C_tip_xy = C_tip_T_xs*s_y + C_tip_T_xy*y_y + C_tip_T_xz*z_y;
-        const stewart_real C_tip_xz = C_tip_T_xs*s_z + C_tip_T_xy*y_z + C_tip_T_xz*z_z;
-        const stewart_real C_tip_yx = C_tip_T_ys*s_x + C_tip_T_yy*y_x + C_tip_T_yz*z_x;
-        const stewart_real C_tip_yy = C_tip_T_ys*s_y + C_tip_T_yy*y_y + C_tip_T_yz*z_y;
-        const stewart_real C_tip_yz = C_tip_T_ys*s_z + C_tip_T_yy*y_z + C_tip_T_yz*z_z;
-        const stewart_real C_tip_zx = C_tip_T_zs*s_x + C_tip_T_zy*y_x + C_tip_T_zz*z_x;
-        const stewart_real C_tip_zy = C_tip_T_zs*s_y + C_tip_T_zy*y_y + C_tip_T_zz*z_y;
-        const stewart_real C_tip_zz = C_tip_T_zs*s_z + C_tip_T_zy*y_z + C_tip_T_zz*z_z;
+        const stewart_real C_tip_xx = STEWART_FMA(C_tip_T_xy, y_x, STEWART_FMA(C_tip_T_xs, s_x,
+            C_tip_T_xz*z_x));
+        const stewart_real C_tip_xy = STEWART_FMA(C_tip_T_xy, y_y, STEWART_FMA(C_tip_T_xs, s_y,
+            C_tip_T_xz*z_y));
+        const stewart_real C_tip_xz = STEWART_FMA(C_tip_T_xy, y_z, STEWART_FMA(C_tip_T_xs, s_z,
+            C_tip_T_xz*z_z));
+        const stewart_real C_tip_yx = STEWART_FMA(C_tip_T_yy, y_x, STEWART_FMA(C_tip_T_ys, s_x,
+            C_tip_T_yz*z_x));
+        const stewart_real C_tip_yy = STEWART_FMA(C_tip_T_yy, y_y, STEWART_FMA(C_tip_T_ys, s_y,
+            C_tip_T_yz*z_y));
+        const stewart_real C_tip_yz = STEWART_FMA(C_tip_T_yy, y_z, STEWART_FMA(C_tip_T_ys, s_z,
+            C_tip_T_yz*z_z));
+        const stewart_real C_tip_zx = STEWART_FMA(C_tip_T_zy, y_x, STEWART_FMA(C_tip_T_zs, s_x,
+            C_tip_T_zz*z_x));
+        const stewart_real C_tip_zy = STEWART_FMA(C_tip_T_zy, y_y, STEWART_FMA(C_tip_T_zs, s_y,
+            C_tip_T_zz*z_y));
+        const stewart_real C_tip_zz = STEWART_FMA(C_tip_T_zy, y_z, STEWART_FMA(C_tip_T_zs, s_z,
+            C_tip_T_zz*z_z));
         const stewart_real c37 = C_tip_xy*q_z;
         const stewart_real c38 = m_xy*w_q_z;
         const stewart_real c39 = C_tip_xz*q_y;
         const stewart_real c40 = m_xz*w_q_y;
-        const stewart_real C_q_xx = c39 + c40 - c37 - c38;
+        const stewart_real C_q_xx = c40 - c38 + c39 - c37;
         const stewart_real c41 = C_tip_xx*q_z;
-        const stewart_real C_q_xy = c41 + m_xx*w_q_z - C_tip_xz*q_x - m_xz*w_q_x;
+        const stewart_real C_q_xy = STEWART_FMA(-C_tip_xz, q_x, STEWART_FMA(-m_xz, w_q_x, m_xx*w_q_z) + c41);
         const stewart_real c42 = C_tip_xx*q_y;
-        const stewart_real C_q_xz = C_tip_xy*q_x + m_xy*w_q_x - c42 - m_xx*w_q_y;
+        const stewart_real C_q_xz = STEWART_FMA(C_tip_xy, q_x, STEWART_FMA(-m_xx, w_q_y, m_xy*w_q_x)) - c42;
         const stewart_real c43 = C_tip_yy*q_z;
-        const stewart_real C_q_yx = C_tip_yz*q_y + m_yz*w_q_y - c43 - m_yy*w_q_z;
+        const stewart_real C_q_yx = STEWART_FMA(C_tip_yz, q_y, STEWART_FMA(-m_yy, w_q_z, m_yz*w_q_y)) - c43;
         const stewart_real c44 = C_tip_yx*q_z;
         const stewart_real c45 = -C_tip_yz*q_x;
         const stewart_real c46 = -m_yz*w_q_x;
-        const stewart_real C_q_yy = c38 + c44 + c45 + c46;
+        const stewart_real C_q_yy = c38 + c46 + c44 + c45;
         const stewart_real c47 = -C_tip_yy*q_x;
-        const stewart_real C_q_yz = m_yy*w_q_x - C_tip_yx*q_y - c47 - m_xy*w_q_y;
+        const stewart_real C_q_yz = STEWART_FMA(-C_tip_yx, q_y, STEWART_FMA(-m_xy, w_q_y, m_yy*w_q_x)) - c47;
         const stewart_real c48 = -C_tip_zz*q_y;
-        const stewart_real C_q_zx = m_zz*w_q_y - C_tip_zy*q_z - c48 - m_yz*w_q_z;
+        const stewart_real C_q_zx = STEWART_FMA(-C_tip_zy, q_z, STEWART_FMA(-m_yz, w_q_z, m_zz*w_q_y)) - c48;
         const stewart_real c49 = -C_tip_zz*q_x;
-        const stewart_real C_q_zy = C_tip_zx*q_z + c49 + m_xz*w_q_z - m_zz*w_q_x;
+        const stewart_real C_q_zy = STEWART_FMA(C_tip_zx, q_z, STEWART_FMA(-m_zz, w_q_x, m_xz*w_q_z)) + c49;
         const stewart_real c50 = C_tip_zx*q_y;
         const stewart_real c51 = -C_tip_zy*q_x;
         const stewart_real C_q_zz = -c40 - c46 - c50 - c51;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = k1*w_x + k3*w_z;
-        const stewart_real w_n = k3*w_x - k1*w_z;
-        const stewart_real c52 = inv_L*(g_k*w_n + gamma_n*w_k);
-        const stewart_real c53 = -gamma_n*w_y - gamma_y*w_n;
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
+        const stewart_real c52 = inv_L*STEWART_FMA(gamma_n, w_k, g_k*w_n);
+        const stewart_real c53 = STEWART_FMA(-gamma_y, w_n, -gamma_n*w_y);
         /* against gravity */
-        const stewart_real held_x = c53*inv_rho*y_x - c52*z_x;
-        const stewart_real held_y = c53*inv_rho*y_y - c52*z_y;
-        const stewart_real held_z = c53*inv_rho*y_z - c52*z_z;
+        const stewart_real held_x = STEWART_FMA(-c52, z_x, c53*inv_rho*y_x);
+        const stewart_real held_y = STEWART_FMA(-c52, z_y, c53*inv_rho*y_y);
+        const stewart_real held_z = STEWART_FMA(-c52, z_z, c53*inv_rho*y_z);
         const stewart_real c54 = L_dot*s_x;
-        const stewart_real c55 = inv_rho*(C_us*phi_dot - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z));
-        const stewart_real c56 = inv_L*(C_us*theta_dot - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z));
+        const stewart_real c55 = inv_rho*STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y,
+            omega_y, k_x*omega_x)), C_us*phi_dot);
+        const stewart_real c56 = inv_L*STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
+            omega_x*y_x)), C_us*theta_dot);
         const stewart_real c57 = L_dot*s_y;
         const stewart_real c58 = L_dot*s_z;
         /* against friction */
-        const stewart_real resistance_x = C_p*c54 + c55*y_x - c56*z_x;
-        const stewart_real resistance_y = C_p*c57 + c55*y_y - c56*z_y;
-        const stewart_real resistance_z = C_p*c58 + c55*y_z - c56*z_z;
+        const stewart_real resistance_x = STEWART_FMA(-c56, z_x, STEWART_FMA(c55, y_x, C_p*c54));
+        const stewart_real resistance_y = STEWART_FMA(-c56, z_y, STEWART_FMA(c55, y_y, C_p*c57));
+        const stewart_real resistance_z = STEWART_FMA(-c56, z_z, STEWART_FMA(c55, y_z, C_p*c58));
         /* (3) rate of s */
         const stewart_real s_dot_x = inv_L*(S_dot_x - c54);
         const stewart_real s_dot_y = inv_L*(S_dot_y - c57);
@@ -2411,13 +2515,13 @@ STEWART_APART static void equations_of_near(
         const stewart_real c61 = -m_yz*q_x;
         /* m [q]x */
         const stewart_real m_q_xx = c59 - c60;
-        const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
-        const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
-        const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
+        const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
+        const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
+        const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
         const stewart_real m_q_yy = -c59 - c61;
-        const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
-        const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
-        const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
+        const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
+        const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
+        const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
         const stewart_real m_q_zz = c60 + c61;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
@@ -2434,12 +2538,12 @@ STEWART_APART static void equations_of_near(
         out->sum[12][l] = -m_q_zx;
         out->sum[13][l] = -m_q_zy;
         out->sum[14][l] = -m_q_zz;
-        out->sum[15][l] = m_q_yx*q_z - m_q_zx*q_y;
-        out->sum[16][l] = m_q_yy*q_z - m_q_zy*q_y;
-        out->sum[17][l] = m_q_yz*q_z - m_q_zz*q_y;
-        out->sum[18][l] = m_q_zy*q_x - m_q_xy*q_z;
-        out->sum[19][l] = m_q_zz*q_x - m_q_xz*q_z;
-        out->sum[20][l] = m_q_xz*q_y - m_q_yz*q_x;
+        out->sum[15][l] = STEWART_FMA(-m_q_zx, q_y, m_q_yx*q_z);
+        out->sum[16][l] = STEWART_FMA(-m_q_zy, q_y, m_q_yy*q_z);
+        out->sum[17][l] = STEWART_FMA(-m_q_zz, q_y, m_q_yz*q_z);
+        out->sum[18][l] = STEWART_FMA(-m_q_xy, q_z, m_q_zy*q_x);
+        out->sum[19][l] = STEWART_FMA(-m_q_xz, q_z, m_q_zz*q_x);
+        out->sum[20][l] = STEWART_FMA(-m_q_yz, q_x, m_q_xz*q_y);
         out->sum[21][l] = C_tip_xx;
         out->sum[22][l] = C_tip_xy;
         out->sum[23][l] = C_tip_xz;
@@ -2459,47 +2563,53 @@ STEWART_APART static void equations_of_near(
         out->sum[37][l] = C_q_zy;
         out->sum[38][l] = C_q_zz;
         out->sum[39][l] = c50 - c44;
-        out->sum[40][l] = C_tip_zy*q_y - c43;
-        out->sum[41][l] = -C_tip_yz*q_z - c48;
-        out->sum[42][l] = C_q_zx*q_y - C_q_yx*q_z;
-        out->sum[43][l] = C_q_zy*q_y - C_q_yy*q_z;
-        out->sum[44][l] = C_q_zz*q_y - C_q_yz*q_z;
-        out->sum[45][l] = c41 - C_tip_zx*q_x;
+        out->sum[40][l] = STEWART_FMA(C_tip_zy, q_y, -c43);
+        out->sum[41][l] = STEWART_FMA(-C_tip_yz, q_z, -c48);
+        out->sum[42][l] = STEWART_FMA(-C_q_yx, q_z, C_q_zx*q_y);
+        out->sum[43][l] = STEWART_FMA(-C_q_yy, q_z, C_q_zy*q_y);
+        out->sum[44][l] = STEWART_FMA(-C_q_yz, q_z, C_q_zz*q_y);
+        out->sum[45][l] = STEWART_FMA(-C_tip_zx, q_x, c41);
         out->sum[46][l] = c37 + c51;
-        out->sum[47][l] = C_tip_xz*q_z + c49;
-        out->sum[48][l] = C_q_xx*q_z - C_q_zx*q_x;
-        out->sum[49][l] = C_q_xy*q_z - C_q_zy*q_x;
-        out->sum[50][l] = C_q_xz*q_z - C_q_zz*q_x;
-        out->sum[51][l] = C_tip_yx*q_x - c42;
-        out->sum[52][l] = -C_tip_xy*q_y - c47;
+        out->sum[47][l] = STEWART_FMA(C_tip_xz, q_z, c49);
+        out->sum[48][l] = STEWART_FMA(-C_q_zx, q_x, C_q_xx*q_z);
+        out->sum[49][l] = STEWART_FMA(-C_q_zy, q_x, C_q_xy*q_z);
+        out->sum[50][l] = STEWART_FMA(-C_q_zz, q_x, C_q_xz*q_z);
+        out->sum[51][l] = STEWART_FMA(C_tip_yx, q_x, -c42);
+        out->sum[52][l] = STEWART_FMA(-C_tip_xy, q_y, -c47);
         out->sum[53][l] = -c39 - c45;
-        out->sum[54][l] = C_q_yx*q_x - C_q_xx*q_y;
-        out->sum[55][l] = C_q_yy*q_x - C_q_xy*q_y;
-        out->sum[56][l] = C_q_yz*q_x - C_q_xz*q_y;
+        out->sum[54][l] = STEWART_FMA(-C_q_xx, q_y, C_q_yx*q_x);
+        out->sum[55][l] = STEWART_FMA(-C_q_xy, q_y, C_q_yy*q_x);
+        out->sum[56][l] = STEWART_FMA(-C_q_xz, q_y, C_q_yz*q_x);
         out->sum[57][l] = held_x;
         out->sum[58][l] = held_y;
         out->sum[59][l] = held_z;
-        out->sum[60][l] = held_z*q_y - held_y*q_z;
-        out->sum[61][l] = held_x*q_z - held_z*q_x;
-        out->sum[62][l] = held_y*q_x - held_x*q_y;
+        out->sum[60][l] = STEWART_FMA(-held_y, q_z, held_z*q_y);
+        out->sum[61][l] = STEWART_FMA(-held_z, q_x, held_x*q_z);
+        out->sum[62][l] = STEWART_FMA(-held_x, q_y, held_y*q_x);
         out->sum[63][l] = resistance_x;
         out->sum[64][l] = resistance_y;
         out->sum[65][l] = resistance_z;
-        out->sum[66][l] = q_y*resistance_z - C_s*(k_x*phi_dot + theta_dot*y_x) - q_z*resistance_y;
-        out->sum[67][l] = q_z*resistance_x - C_s*(k_y*phi_dot + theta_dot*y_y) - q_x*resistance_z;
-        out->sum[68][l] = q_x*resistance_y - C_s*(k_z*phi_dot + theta_dot*y_z) - q_y*resistance_x;
+        out->sum[66][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-q_z,
+            resistance_y, q_y*resistance_z));
+        out->sum[67][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-q_x,
+            resistance_z, q_z*resistance_x));
+        out->sum[68][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-q_y,
+            resistance_x, q_x*resistance_y));
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
-        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
-        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
-        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->H_moment[0][l] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+        out->H_moment[1][l] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+        out->H_moment[2][l] = STEWART_FMA(-q_y, s_x, q_x*s_y);
         out->H_dot_force[0][l] = s_dot_x;
         out->H_dot_force[1][l] = s_dot_y;
         out->H_dot_force[2][l] = s_dot_z;
-        out->H_dot_moment[0][l] = q_y*s_dot_z + s_z*w_q_y - q_z*s_dot_y - s_y*w_q_z;
-        out->H_dot_moment[1][l] = q_z*s_dot_x + s_x*w_q_z - q_x*s_dot_z - s_z*w_q_x;
-        out->H_dot_moment[2][l] = q_x*s_dot_y + s_y*w_q_x - q_y*s_dot_x - s_x*w_q_y;
+        out->H_dot_moment[0][l] = STEWART_FMA(-s_y, w_q_z, STEWART_FMA(-q_z, s_dot_y, STEWART_FMA(s_z,
+            w_q_y, q_y*s_dot_z)));
+        out->H_dot_moment[1][l] = STEWART_FMA(-s_z, w_q_x, STEWART_FMA(-q_x, s_dot_z, STEWART_FMA(s_x,
+            w_q_z, q_z*s_dot_x)));
+        out->H_dot_moment[2][l] = STEWART_FMA(-s_x, w_q_y, STEWART_FMA(-q_y, s_dot_x, STEWART_FMA(s_y,
+            w_q_x, q_x*s_dot_y)));
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -2616,7 +2726,7 @@ static void substitute_back_12(stewart_real A[72], const stewart_real inverse[6]
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[12*i + k];
             STEWART_LOOP for (j = 6; j < 12; ++j) {
-                A[12*i + j] = A[12*i + j] - factor*row[j];
+                A[12*i + j] = STEWART_FMA(-factor, row[j], A[12*i + j]);
             }
         }
     }
@@ -2635,7 +2745,7 @@ static void clear_below_12(stewart_real A[72], int k, stewart_real inverse)
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[12*i + k]*inverse;
         STEWART_LOOP for (j = 0; j < 12; ++j) {
-            A[12*i + j] = A[12*i + j] - factor*row[j];
+            A[12*i + j] = STEWART_FMA(-factor, row[j], A[12*i + j]);
         }
     }
 }
@@ -2697,8 +2807,9 @@ static int columns_status(
         for (j = 0; j < 3; ++j) {
             H[j][i] = legs->H_force[j][i];
             H[j + 3][i] = legs->H_moment[j][i];
-            const stewart_real plane = motion->R[3*j]*model->p[0][i] + motion->R[3*j + 1]*model->p[1][i];
-            arm[i][j] = plane + motion->R[3*j + 2]*model->p[2][i];
+            const stewart_real plane = STEWART_FMA(motion->R[3*j + 1], model->p[1][i],
+                motion->R[3*j]*model->p[0][i]);
+            arm[i][j] = STEWART_FMA(motion->R[3*j + 2], model->p[2][i], plane);
         }
     }
     return singular_status(H, arm, L, legs->checked.reach, REAL(0));
@@ -2825,23 +2936,24 @@ static STEWART_INLINE void derivatives_of_pose(
         const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
         const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         /* (30) first moment of the platform, base frame */
-        const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-        const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-        const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-        const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
-        const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
-        const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
-        const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
-        const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
-        const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+        const stewart_real h_base_x = STEWART_FMA(R_xz, h_P_z, STEWART_FMA(R_xy, h_P_y, R_xx*h_P_x));
+        const stewart_real h_base_y = STEWART_FMA(R_yz, h_P_z, STEWART_FMA(R_yy, h_P_y, R_yx*h_P_x));
+        const stewart_real h_base_z = STEWART_FMA(R_zz, h_P_z, STEWART_FMA(R_zy, h_P_y, R_zx*h_P_x));
+        const stewart_real c1 = STEWART_FMA(J_P_xz, R_xz, STEWART_FMA(J_P_xy, R_xy, J_P_xx*R_xx));
+        const stewart_real c2 = STEWART_FMA(J_P_yz, R_xz, STEWART_FMA(J_P_yy, R_xy, J_P_xy*R_xx));
+        const stewart_real c3 = STEWART_FMA(J_P_zz, R_xz, STEWART_FMA(J_P_yz, R_xy, J_P_xz*R_xx));
+        const stewart_real c4 = STEWART_FMA(J_P_xz, R_yz, STEWART_FMA(J_P_xy, R_yy, J_P_xx*R_yx));
+        const stewart_real c5 = STEWART_FMA(J_P_yz, R_yz, STEWART_FMA(J_P_yy, R_yy, J_P_xy*R_yx));
+        const stewart_real c6 = STEWART_FMA(J_P_zz, R_yz, STEWART_FMA(J_P_yz, R_yy, J_P_xz*R_yx));
         /* (32) inertia of the platform, base frame */
-        const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
-        const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
-        const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
-        const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
-        const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-        const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy
-            + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+        const stewart_real J_base_xx = STEWART_FMA(R_xz, c3, STEWART_FMA(R_xy, c2, R_xx*c1));
+        const stewart_real J_base_xy = STEWART_FMA(R_yz, c3, STEWART_FMA(R_yy, c2, R_yx*c1));
+        const stewart_real J_base_xz = STEWART_FMA(R_zz, c3, STEWART_FMA(R_zy, c2, R_zx*c1));
+        const stewart_real J_base_yy = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c4));
+        const stewart_real J_base_yz = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c4));
+        const stewart_real J_base_zz = STEWART_FMA(R_zz, STEWART_FMA(J_P_zz, R_zz, STEWART_FMA(J_P_yz, R_zy,
+            J_P_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_P_yz, R_zz, STEWART_FMA(J_P_yy, R_zy,
+            J_P_xy*R_zx)), R_zx*STEWART_FMA(J_P_xz, R_zz, STEWART_FMA(J_P_xy, R_zy, J_P_xx*R_zx))));
         const stewart_real c7 = h_base_y*omega_z;
         const stewart_real c8 = h_base_z*omega_y;
         const stewart_real c9 = h_base_x*omega_z;
@@ -2859,9 +2971,9 @@ static STEWART_INLINE void derivatives_of_pose(
         const stewart_real c17 = J_base_xz*omega_x;
         const stewart_real c18 = J_base_yz*omega_y;
         /* (34) I omega */
-        const stewart_real J_w_x = J_base_xx*omega_x + c13 + c14;
-        const stewart_real J_w_y = J_base_yy*omega_y + c15 + c16;
-        const stewart_real J_w_z = J_base_zz*omega_z + c17 + c18;
+        const stewart_real J_w_x = STEWART_FMA(J_base_xx, omega_x, c13) + c14;
+        const stewart_real J_w_y = STEWART_FMA(J_base_yy, omega_y, c15) + c16;
+        const stewart_real J_w_z = STEWART_FMA(J_base_zz, omega_z, c17) + c18;
         /* products of omega */
         const stewart_real omega_xx = omega_x*omega_x;
         const stewart_real omega_xy = omega_x*omega_y;
@@ -2881,33 +2993,33 @@ static STEWART_INLINE void derivatives_of_pose(
         const stewart_real B_zz = -omega_xx - omega_yy;
         const stewart_real c19 = J_base_xy*alpha_y;
         const stewart_real c20 = J_base_xz*alpha_z;
-        const stewart_real J_alpha_x = J_base_xx*alpha_x + c19 + c20;
+        const stewart_real J_alpha_x = STEWART_FMA(J_base_xx, alpha_x, c19) + c20;
         const stewart_real c21 = J_base_xy*alpha_x;
         const stewart_real c22 = J_base_yz*alpha_z;
-        const stewart_real J_alpha_y = J_base_yy*alpha_y + c21 + c22;
+        const stewart_real J_alpha_y = STEWART_FMA(J_base_yy, alpha_y, c21) + c22;
         const stewart_real c23 = J_base_xz*alpha_x;
         const stewart_real c24 = J_base_yz*alpha_y;
-        const stewart_real J_alpha_z = J_base_zz*alpha_z + c23 + c24;
+        const stewart_real J_alpha_z = STEWART_FMA(J_base_zz, alpha_z, c23) + c24;
         /* (33) a - g */
         const stewart_real rise_x = a_x - g_x;
         const stewart_real rise_y = a_y - g_y;
         const stewart_real rise_z = a_z - g_z;
-        const stewart_real F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
-        const stewart_real F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
-        const stewart_real F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
-        const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
-        const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
-        const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
+        const stewart_real F_load_x = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx));
+        const stewart_real F_load_y = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx));
+        const stewart_real F_load_z = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx));
+        const stewart_real M_load_x = STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx));
+        const stewart_real M_load_y = STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy, M_ext_x*R_yx));
+        const stewart_real M_load_z = STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx));
         const stewart_real c25 = J_base_xy*omega_z;
         const stewart_real c26 = J_base_xz*omega_y;
-        const stewart_real c28 = J_w_z + c17 - J_base_xx*omega_z;
-        const stewart_real c29 = J_w_y + c15 - J_base_xx*omega_y;
-        const stewart_real c30 = J_w_z + c18 - J_base_yy*omega_z;
+        const stewart_real c28 = STEWART_FMA(-J_base_xx, omega_z, c17) + J_w_z;
+        const stewart_real c29 = STEWART_FMA(-J_base_xx, omega_y, c15) + J_w_y;
+        const stewart_real c30 = STEWART_FMA(-J_base_yy, omega_z, c18) + J_w_z;
         const stewart_real c31 = J_base_yz*omega_x;
         const stewart_real c33 = c25 - c31;
-        const stewart_real c34 = J_w_x + c13 - J_base_yy*omega_x;
-        const stewart_real c35 = J_w_y + c16 - J_base_zz*omega_y;
-        const stewart_real c36 = J_w_x + c14 - J_base_zz*omega_x;
+        const stewart_real c34 = STEWART_FMA(-J_base_yy, omega_x, c13) + J_w_x;
+        const stewart_real c35 = STEWART_FMA(-J_base_zz, omega_y, c16) + J_w_y;
+        const stewart_real c36 = STEWART_FMA(-J_base_zz, omega_x, c14) + J_w_x;
         /* derivative of I omega by dphi at fixed omega */
         const stewart_real spin_xx = c25 - c26;
         const stewart_real spin_xy = c28;
@@ -2960,45 +3072,48 @@ static STEWART_INLINE void derivatives_of_pose(
         summed[21*lanes + l] = REAL(0);
         summed[22*lanes + l] = REAL(0);
         summed[23*lanes + l] = REAL(0);
-        summed[24*lanes + l] = B_xz*h_base_y - B_xy*h_base_z;
-        summed[25*lanes + l] = B_xx*h_base_z - B_xz*h_base_x - F_load_z;
-        summed[26*lanes + l] = B_xy*h_base_x + F_load_y - B_xx*h_base_y;
+        summed[24*lanes + l] = STEWART_FMA(-B_xy, h_base_z, B_xz*h_base_y);
+        summed[25*lanes + l] = STEWART_FMA(-B_xz, h_base_x, STEWART_FMA(B_xx, h_base_z, -F_load_z));
+        summed[26*lanes + l] = STEWART_FMA(-B_xx, h_base_y, STEWART_FMA(B_xy, h_base_x, F_load_y));
         summed[27*lanes + l] = REAL(0);
         summed[28*lanes + l] = REAL(0);
         summed[29*lanes + l] = REAL(0);
-        summed[30*lanes + l] = B_yz*h_base_y + F_load_z - B_yy*h_base_z;
-        summed[31*lanes + l] = B_yx*h_base_z - B_yz*h_base_x;
-        summed[32*lanes + l] = B_yy*h_base_x - B_yx*h_base_y - F_load_x;
+        summed[30*lanes + l] = STEWART_FMA(-B_yy, h_base_z, STEWART_FMA(B_yz, h_base_y, F_load_z));
+        summed[31*lanes + l] = STEWART_FMA(-B_yz, h_base_x, B_yx*h_base_z);
+        summed[32*lanes + l] = STEWART_FMA(-B_yx, h_base_y, STEWART_FMA(B_yy, h_base_x, -F_load_x));
         summed[33*lanes + l] = REAL(0);
         summed[34*lanes + l] = REAL(0);
         summed[35*lanes + l] = REAL(0);
-        summed[36*lanes + l] = B_zz*h_base_y - B_zy*h_base_z - F_load_y;
-        summed[37*lanes + l] = B_zx*h_base_z + F_load_x - B_zz*h_base_x;
-        summed[38*lanes + l] = B_zy*h_base_x - B_zx*h_base_y;
+        summed[36*lanes + l] = STEWART_FMA(-B_zy, h_base_z, STEWART_FMA(B_zz, h_base_y, -F_load_y));
+        summed[37*lanes + l] = STEWART_FMA(-B_zz, h_base_x, STEWART_FMA(B_zx, h_base_z, F_load_x));
+        summed[38*lanes + l] = STEWART_FMA(-B_zx, h_base_y, B_zy*h_base_x);
         summed[39*lanes + l] = REAL(0);
         summed[40*lanes + l] = REAL(0);
         summed[41*lanes + l] = REAL(0);
-        summed[42*lanes + l] = c40 + omega_y*spin_zx - c37 - c38 - c39 - omega_z*spin_yx;
-        summed[43*lanes + l] = J_alpha_z + c23 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z
-            - omega_z*spin_yy;
-        summed[44*lanes + l] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y
-            - c21 - omega_z*spin_yz;
+        summed[42*lanes + l] = STEWART_FMA(-omega_z, spin_yx, STEWART_FMA(omega_y, spin_zx, c40) - c37 - c38
+            - c39);
+        summed[43*lanes + l] = STEWART_FMA(-omega_z, spin_yy, STEWART_FMA(-J_base_xx, alpha_z,
+            STEWART_FMA(omega_y, spin_zy, STEWART_FMA(h_base_x, rise_y, J_alpha_z + c23)) - M_load_z));
+        summed[44*lanes + l] = STEWART_FMA(-omega_z, spin_yz, STEWART_FMA(omega_y, spin_zz,
+            STEWART_FMA(h_base_x, rise_z, STEWART_FMA(J_base_xx, alpha_y, M_load_y))) - J_alpha_y - c21);
         summed[45*lanes + l] = REAL(0);
         summed[46*lanes + l] = REAL(0);
         summed[47*lanes + l] = REAL(0);
-        summed[48*lanes + l] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z
-            - c24 - omega_x*spin_zx;
-        summed[49*lanes + l] = c42 + omega_z*spin_xy - c39 - c40 - c41 - omega_x*spin_zy;
-        summed[50*lanes + l] = J_alpha_x + c19 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x
-            - omega_x*spin_zz;
+        summed[48*lanes + l] = STEWART_FMA(-omega_x, spin_zx, STEWART_FMA(omega_z, spin_xx,
+            STEWART_FMA(h_base_y, rise_x, STEWART_FMA(J_base_yy, alpha_z, M_load_z))) - J_alpha_z - c24);
+        summed[49*lanes + l] = STEWART_FMA(-omega_x, spin_zy, STEWART_FMA(omega_z, spin_xy, c42) - c39 - c40
+            - c41);
+        summed[50*lanes + l] = STEWART_FMA(-omega_x, spin_zz, STEWART_FMA(-J_base_yy, alpha_x,
+            STEWART_FMA(omega_z, spin_xz, STEWART_FMA(h_base_y, rise_z, J_alpha_x + c19)) - M_load_x));
         summed[51*lanes + l] = REAL(0);
         summed[52*lanes + l] = REAL(0);
         summed[53*lanes + l] = REAL(0);
-        summed[54*lanes + l] = J_alpha_y + c22 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y
-            - omega_y*spin_xx;
-        summed[55*lanes + l] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x
-            - c20 - omega_y*spin_xy;
-        summed[56*lanes + l] = c37 + omega_x*spin_yz - c38 - c41 - c42 - omega_y*spin_xz;
+        summed[54*lanes + l] = STEWART_FMA(-omega_y, spin_xx, STEWART_FMA(-J_base_zz, alpha_y,
+            STEWART_FMA(omega_x, spin_yx, STEWART_FMA(h_base_z, rise_x, J_alpha_y + c22)) - M_load_y));
+        summed[55*lanes + l] = STEWART_FMA(-omega_y, spin_xy, STEWART_FMA(omega_x, spin_yy,
+            STEWART_FMA(h_base_z, rise_y, STEWART_FMA(J_base_zz, alpha_x, M_load_x))) - J_alpha_x - c20);
+        summed[56*lanes + l] = STEWART_FMA(-omega_y, spin_xz, STEWART_FMA(omega_x, spin_yz, c37) - c38 - c41
+            - c42);
         summed[57*lanes + l] = REAL(0);
         summed[58*lanes + l] = REAL(0);
         summed[59*lanes + l] = REAL(0);
@@ -3072,62 +3187,65 @@ STEWART_APART static void derivatives_of_leg(
             B_yy = pose->B[4][l], B_yz = pose->B[5][l], B_zx = pose->B[6][l], B_zy = pose->B[7][l], B_zz = pose->B[8][l];
         const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) distance of the tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
         const stewart_real z_z = inv_rho*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         const stewart_real c1 = L_dot*inv_L;
         /* L_dot / L */
         const stewart_real L_share = c1;
@@ -3140,32 +3258,38 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c5 = REAL(2)*phi_dot;
         const stewart_real two_phi_dot = c5;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         const stewart_real c6 = k3*k3;
         const stewart_real k33 = c6;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         const stewart_real c7 = REAL(2)*theta_dot;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -L_share*c7 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+        const stewart_real own_theta_ddot = STEWART_FMA(-L_share, c7, -inv_L*STEWART_FMA(S_ddot_z, z_z,
+            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c8 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = c8*phi_dot2 + own_theta_ddot;
-        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real theta_ddot = STEWART_FMA(c8, phi_dot2, own_theta_ddot);
+        const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
         const stewart_real k13 = c8;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real a2 = J2_xz - L*h2_z;
-        const stewart_real c9 = J_xy - L*h_y;
+        const stewart_real a1 = dJ_zx + L_h2;
+        const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
+        const stewart_real c9 = STEWART_FMA(-L, h_y, J_xy);
         const stewart_real a3 = c9;
         const stewart_real c10 = J_yz*k3;
         /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
         const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = a3*k1 + c10;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, c10);
         const stewart_real c11 = h_y*k3;
         const stewart_real k3_h = c11;
         const stewart_real c12 = inv_rho*inv_rho;
@@ -3177,61 +3301,66 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real m_leg_yy = M_phi*c12;
         const stewart_real m_leg_yz = -M_mixed*c13;
         const stewart_real m_leg_zz = M_theta*c14;
-        const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
-        const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
-        const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
-        const stewart_real m_T_ys = m_leg_sy*y_y + m_leg_sz*z_y;
-        const stewart_real m_T_yy = m_leg_sy*s_y + m_leg_yy*y_y + m_leg_yz*z_y;
-        const stewart_real m_T_yz = m_leg_sz*s_y + m_leg_yz*y_y + m_leg_zz*z_y;
-        const stewart_real m_T_zs = m_leg_sy*y_z + m_leg_sz*z_z;
-        const stewart_real m_T_zy = m_leg_sy*s_z + m_leg_yy*y_z + m_leg_yz*z_z;
-        const stewart_real m_T_zz = m_leg_sz*s_z + m_leg_yz*y_z + m_leg_zz*z_z;
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yy, y_x, STEWART_FMA(m_leg_yz, z_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yy, y_y, STEWART_FMA(m_leg_yz, z_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yy, y_z, STEWART_FMA(m_leg_yz, z_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
-        const stewart_real m_xx = m_T_xs*s_x + m_T_xy*y_x + m_T_xz*z_x;
-        const stewart_real m_xy = m_T_xs*s_y + m_T_xy*y_y + m_T_xz*z_y;
-        const stewart_real m_xz = m_T_xs*s_z + m_T_xy*y_z + m_T_xz*z_z;
-        const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
-        const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
-        const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
+        const stewart_real m_xx = STEWART_FMA(m_T_xz, z_x, STEWART_FMA(m_T_xy, y_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xz, z_y, STEWART_FMA(m_T_xy, y_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xz, z_z, STEWART_FMA(m_T_xy, y_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yz, z_y, STEWART_FMA(m_T_yy, y_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yz, z_z, STEWART_FMA(m_T_yy, y_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zz, z_z, STEWART_FMA(m_T_zy, y_z, m_T_zs*s_z));
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* k x y */
-        const stewart_real normal_x = k_y*y_z - k_z*y_y;
-        const stewart_real normal_y = k_z*y_x - k_x*y_z;
-        const stewart_real normal_z = k_x*y_y - k_y*y_x;
+        const stewart_real normal_x = STEWART_FMA(-k_z, y_y, k_y*y_z);
+        const stewart_real normal_y = STEWART_FMA(-k_x, y_z, k_z*y_x);
+        const stewart_real normal_z = STEWART_FMA(-k_y, y_x, k_x*y_y);
         /* omega along k x y, y and k */
-        const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
-        const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
-        const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
+        const stewart_real w_n_omega = STEWART_FMA(normal_z, omega_z, STEWART_FMA(normal_y, omega_y,
+            normal_x*omega_x));
+        const stewart_real w_y_omega = STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x));
+        const stewart_real w_k_omega = STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x));
         const stewart_real c15 = c6*h_x;
-        const stewart_real c16 = c15 - h_z*k1*k3;
-        const stewart_real tau_L = C_p*L_dot + h_z*theta_ddot - c11*phi_ddot - c16*c4 - c3*h_x;
+        const stewart_real c16 = STEWART_FMA((-h_z)*k1, k3, c15);
+        const stewart_real tau_L = STEWART_FMA(-c11, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-c16, c4, STEWART_FMA(-c3, h_x, C_p*L_dot))));
         const stewart_real c18 = c7*h_x;
         const stewart_real c19 = REAL(2)*L;
         const stewart_real c20 = c19*h_x;
-        const stewart_real c21 = k1*w_x + k3*w_z;
-        const stewart_real c22 = k1*w_z - k3*w_x;
-        const stewart_real c24 = c10 + c9*k1;
-        const stewart_real c25 = REAL(2)*J_xz - c19*h_z;
+        const stewart_real c21 = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real c22 = STEWART_FMA(-k3, w_x, k1*w_z);
+        const stewart_real c24 = STEWART_FMA(c9, k1, c10);
+        const stewart_real c25 = STEWART_FMA(-c19, h_z, REAL(2)*J_xz);
         const stewart_real c26 = c25*k1;
-        const stewart_real c27 = J_zz + c20 - J_xx;
+        const stewart_real c27 = J_zz - J_xx + c20;
         const stewart_real c28 = c27*k3;
-        const stewart_real c29 = c26 + REAL(2)*c28;
+        const stewart_real c29 = STEWART_FMA(REAL(2), c28, c26);
         const stewart_real c30 = STEWART_HALF*k1;
-        const stewart_real c31 = c29*c30 - STEWART_HALF*c25*c6;
-        const stewart_real tau_theta = C_us*theta_dot + L_ddot*h_z + L_dot*c18 + c21*gamma_n + c24*phi_ddot
-            + theta_ddot*(J_yy + c20) - C_s*w_y_omega - c22*g_k - c31*c4;
+        const stewart_real c31 = STEWART_FMA((-STEWART_HALF)*c25, c6, c29*c30);
+        const stewart_real tau_theta = STEWART_FMA(c24, phi_ddot, STEWART_FMA(theta_ddot, J_yy + c20,
+            STEWART_FMA(-C_s, w_y_omega, STEWART_FMA(L_dot, c18, STEWART_FMA(c21, gamma_n, STEWART_FMA(C_us,
+            theta_dot, STEWART_FMA(-c31, c4, STEWART_FMA(-c22, g_k, L_ddot*h_z))))))));
         const stewart_real c33 = h_y*theta_dot;
         const stewart_real c34 = c33*k1;
         const stewart_real c35 = L_dot*c16;
         const stewart_real c36 = c31*theta_dot;
         const stewart_real c37 = L_dot*h_y;
         const stewart_real c38 = c37*k1;
-        const stewart_real c39 = theta_dot*(J_yz*k1 - c9*k3);
-        const stewart_real tau_phi = C_us*phi_dot + L_dot*(c16*phi_dot - c34) + c22*gamma_y + c24*theta_ddot
-            + phi_ddot*(J_xx + c25*c8 + c27*c6) + phi_dot*(c35 + c36) + theta_dot*(c31*phi_dot + c39 - c38)
-            - C_s*w_k_omega - L_ddot*c11 - gamma_n*w_y;
+        const stewart_real c39 = theta_dot*STEWART_FMA(-c9, k3, J_yz*k1);
+        const stewart_real tau_phi = STEWART_FMA(phi_ddot, STEWART_FMA(c25, c8, STEWART_FMA(c27, c6, J_xx)),
+            STEWART_FMA(c24, theta_ddot, STEWART_FMA(L_dot, STEWART_FMA(c16, phi_dot, -c34),
+            STEWART_FMA(theta_dot, STEWART_FMA(c31, phi_dot, c39 - c38), STEWART_FMA(-gamma_n, w_y,
+            STEWART_FMA(phi_dot, c35 + c36, STEWART_FMA(C_us, phi_dot, STEWART_FMA(-L_ddot, c11,
+            STEWART_FMA(-C_s, w_k_omega, c22*gamma_y)))))))));
         const stewart_real c40 = k3*phi_dot;
         const stewart_real G_dot_12 = c40;
         const stewart_real c41 = inv_L*theta_dot;
@@ -3243,7 +3372,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c44 = c40*inv_rho;
         const stewart_real G_dot_31 = -c44;
         const stewart_real c45 = c1*inv_rho;
-        const stewart_real c46 = -c2*inv_rho - c45;
+        const stewart_real c46 = STEWART_FMA(-c2, inv_rho, -c45);
         const stewart_real G_dot_32 = c46;
         const stewart_real c47 = c42*inv_rho;
         const stewart_real G_dot_33 = c47;
@@ -3251,58 +3380,70 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real G_ddot_11 = -c3 - c48;
         const stewart_real c49 = k3*phi_ddot;
         const stewart_real c50 = c5*k1;
-        const stewart_real G_ddot_12 = c49 + c50*theta_dot;
+        const stewart_real G_ddot_12 = STEWART_FMA(c50, theta_dot, c49);
         const stewart_real c51 = c4*c8;
         const stewart_real G_ddot_13 = c51 - theta_ddot;
-        const stewart_real G_ddot_21 = REAL(2)*L_dot*c14*theta_dot - c51*inv_L - inv_L*theta_ddot;
-        const stewart_real G_ddot_22 = inv_L*k1*phi_ddot - c41*c5*k3 - c43*c50;
+        const stewart_real G_ddot_21 = STEWART_FMA(-inv_L, theta_ddot, STEWART_FMA(-c51, inv_L,
+            REAL(2)*L_dot*c14*theta_dot));
+        const stewart_real G_ddot_22 = STEWART_FMA(-c43, c50, STEWART_FMA((-c41)*c5, k3,
+            inv_L*k1*phi_ddot));
         const stewart_real c52 = c4*k1*k1;
-        const stewart_real G_ddot_23 = L_ddot*c14 + c3*inv_L + c52*inv_L - REAL(2)*L_dot*L_dot*inv_L*inv_L*inv_L;
-        const stewart_real G_ddot_31 = c1*c44 + c47*theta_dot + theta_dot*(inv_rho*k3*kappa*phi_dot - c47) - c40*c46
-            - c49*inv_rho;
+        const stewart_real G_ddot_23 = STEWART_FMA(L_ddot, c14, STEWART_FMA(c52, inv_L,
+            STEWART_FMA((-REAL(2))*L_dot*L_dot*inv_L*inv_L, inv_L, c3*inv_L)));
+        const stewart_real G_ddot_31 = STEWART_FMA(-c49, inv_rho, STEWART_FMA(theta_dot,
+            STEWART_FMA(inv_rho*k3*kappa, phi_dot, -c47), STEWART_FMA(-c40, c46, STEWART_FMA(c47, theta_dot,
+            c1*c44))));
         const stewart_real c53 = inv_rho*kappa;
         const stewart_real c54 = -c1 - c2;
         const stewart_real c55 = inv_rho*theta_dot;
-        const stewart_real G_ddot_32 = L_dot*(c43*inv_rho - c13*c54) + theta_dot*(-c53*c54 - c55*(-kappa*kappa
-            - REAL(1))) - L_ddot*c13 - c48*inv_rho - c52*inv_rho - c53*theta_ddot;
-        const stewart_real G_ddot_33 = c42*c46 + c44*theta_dot + inv_rho*k1*phi_ddot + theta_dot*(-c44 - c47*kappa)
-            - c42*c45;
+        const stewart_real G_ddot_32 = STEWART_FMA(-c53, theta_ddot, STEWART_FMA(theta_dot,
+            STEWART_FMA(-c53, c54, -c55*STEWART_FMA(-kappa, kappa, -REAL(1))), STEWART_FMA(-L_ddot, c13,
+            STEWART_FMA(-c52, inv_rho, STEWART_FMA(-c48, inv_rho, L_dot*STEWART_FMA(-c13, c54,
+            c43*inv_rho))))));
+        const stewart_real G_ddot_33 = STEWART_FMA(inv_rho*k1, phi_ddot, STEWART_FMA(theta_dot,
+            STEWART_FMA(-c47, kappa, -c44), STEWART_FMA(-c42, c45, STEWART_FMA(c44, theta_dot, c42*c46))));
         const stewart_real tau_rate_12 = -c18;
         const stewart_real tau_rate_13 = -c16*c5;
         const stewart_real tau_rate_21 = c18;
         const stewart_real c56 = REAL(2)*h_x;
-        const stewart_real tau_rate_22 = C_us + L_dot*c56;
+        const stewart_real tau_rate_22 = STEWART_FMA(L_dot, c56, C_us);
         const stewart_real tau_rate_23 = -c31*c5;
-        const stewart_real tau_rate_31 = REAL(2)*c16*phi_dot - REAL(2)*c34;
-        const stewart_real tau_rate_32 = c31*c5 + REAL(2)*c39 - REAL(2)*c38;
-        const stewart_real tau_rate_33 = C_us + REAL(2)*c35 + REAL(2)*c36;
+        const stewart_real tau_rate_31 = STEWART_FMA(-REAL(2), c34, REAL(2)*c16*phi_dot);
+        const stewart_real tau_rate_32 = STEWART_FMA(c31, c5, STEWART_FMA(-REAL(2), c38, REAL(2)*c39));
+        const stewart_real tau_rate_33 = STEWART_FMA(REAL(2), c36, STEWART_FMA(REAL(2), c35, C_us));
         const stewart_real c57 = h_y*phi_ddot;
-        const stewart_real c58 = c56*k3 - h_z*k1;
-        const stewart_real tau_place_12 = k1*(-c4*c58 - c57) - c48*h_z;
+        const stewart_real c58 = STEWART_FMA(-h_z, k1, c56*k3);
+        const stewart_real tau_place_12 = STEWART_FMA(-c48, h_z, k1*(-c4*c58 - c57));
         const stewart_real c59 = REAL(4)*h_x;
-        const stewart_real c60 = c30*(c59*k3 - REAL(2)*h_z*k1) + c6*h_z;
-        const stewart_real tau_place_21 = c56*theta_ddot - c4*c60 - c57*k1;
-        const stewart_real c61 = c30*(REAL(2)*J_zz + L*c59 - REAL(2)*J_xx) - c25*k3;
-        const stewart_real c62 = c26 + c28;
-        const stewart_real tau_place_22 = k1*(J_yz*phi_ddot + g_k*w_x + gamma_n*w_z - c4*c61) - k3*(c9*phi_ddot
-            + gamma_n*w_x - c4*c62 - g_k*w_z);
-        const stewart_real tau_place_23 = -C_s*w_n_omega - c21*gamma_y;
+        const stewart_real c60 = STEWART_FMA(c30, STEWART_FMA((-REAL(2))*h_z, k1, c59*k3), c6*h_z);
+        const stewart_real tau_place_21 = STEWART_FMA(-c57, k1, STEWART_FMA(-c4, c60, c56*theta_ddot));
+        const stewart_real c61 = STEWART_FMA(-c25, k3, c30*STEWART_FMA(L, c59, STEWART_FMA(-REAL(2), J_xx,
+            REAL(2)*J_zz)));
+        const stewart_real c62 = c28 + c26;
+        const stewart_real tau_place_22 = STEWART_FMA(-k3, STEWART_FMA(c9, phi_ddot, STEWART_FMA(-c4, c62,
+            STEWART_FMA(-g_k, w_z, gamma_n*w_x))), k1*STEWART_FMA(J_yz, phi_ddot, STEWART_FMA(gamma_n, w_z,
+            STEWART_FMA(-c4, c61, g_k*w_x))));
+        const stewart_real tau_place_23 = STEWART_FMA(-C_s, w_n_omega, -c21*gamma_y);
         const stewart_real c63 = c60*phi_dot;
-        const stewart_real tau_place_31 = c63*theta_dot + phi_ddot*(REAL(2)*c15 - REAL(2)*c8*h_z) + theta_dot*(c11*theta_dot
-            + c63) - h_y*k1*theta_ddot;
+        const stewart_real tau_place_31 = STEWART_FMA((-h_y)*k1, theta_ddot, STEWART_FMA(phi_ddot,
+            STEWART_FMA((-REAL(2))*c8, h_z, REAL(2)*c15), STEWART_FMA(theta_dot, STEWART_FMA(c11, theta_dot,
+            c63), c63*theta_dot)));
         const stewart_real c64 = L_dot*c58;
-        const stewart_real tau_place_32 = k1*(J_yz*theta_ddot + c29*phi_ddot + c64*phi_dot + phi_dot*(c61*theta_dot
-            + c64) + theta_dot*(c61*phi_dot - c9*theta_dot) - L_ddot*h_y - gamma_y*w_x) - k3*(L_dot*(-c33 - c40*h_z)
-            + c25*c49 + c9*theta_ddot + gamma_y*w_z + phi_dot*(c62*theta_dot - L_dot*h_z*k3) + theta_dot*(J_yz*theta_dot
-            + c62*phi_dot - c37));
-        const stewart_real tau_place_33 = c22*gamma_n + gamma_y*w_y;
+        const stewart_real tau_place_32 = STEWART_FMA(-k3, STEWART_FMA(c25, c49, STEWART_FMA(L_dot,
+            STEWART_FMA(-c40, h_z, -c33), STEWART_FMA(c9, theta_ddot, STEWART_FMA(theta_dot,
+            STEWART_FMA(c62, phi_dot, STEWART_FMA(J_yz, theta_dot, -c37)), STEWART_FMA(phi_dot,
+            STEWART_FMA((-L_dot)*h_z, k3, c62*theta_dot), gamma_y*w_z))))), k1*STEWART_FMA(c29, phi_ddot,
+            STEWART_FMA(J_yz, theta_ddot, STEWART_FMA(theta_dot, STEWART_FMA(-c9, theta_dot, c61*phi_dot),
+            STEWART_FMA(-gamma_y, w_x, STEWART_FMA(phi_dot, STEWART_FMA(c61, theta_dot, c64),
+            STEWART_FMA(-L_ddot, h_y, c64*phi_dot)))))));
+        const stewart_real tau_place_33 = STEWART_FMA(gamma_y, w_y, c22*gamma_n);
         const stewart_real c65 = inv_rho*tau_phi;
         const stewart_real c66 = inv_L*tau_theta;
         const stewart_real c67 = tau_L - F;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = c65*y_x + c67*s_x - c66*z_x;
-        const stewart_real R_tip_y = c65*y_y + c67*s_y - c66*z_y;
-        const stewart_real R_tip_z = c65*y_z + c67*s_z - c66*z_z;
+        const stewart_real R_tip_x = STEWART_FMA(-c66, z_x, STEWART_FMA(c67, s_x, c65*y_x));
+        const stewart_real R_tip_y = STEWART_FMA(-c66, z_y, STEWART_FMA(c67, s_y, c65*y_y));
+        const stewart_real R_tip_z = STEWART_FMA(-c66, z_z, STEWART_FMA(c67, s_z, c65*y_z));
         const stewart_real c68 = C_s*inv_rho;
         const stewart_real c69 = c68*k1;
         const stewart_real A_3_leg_21 = -c69;
@@ -3320,203 +3461,266 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real A_3_T_zy = A_3_leg_32*z_z;
         const stewart_real A_3_T_zz = A_3_leg_23*y_z;
         /* force at the tip by omega */
-        const stewart_real A_3_xx = A_3_T_xs*s_x + A_3_T_xy*y_x + A_3_T_xz*z_x;
-        const stewart_real A_3_xy = A_3_T_xs*s_y + A_3_T_xy*y_y + A_3_T_xz*z_y;
-        const stewart_real A_3_xz = A_3_T_xs*s_z + A_3_T_xy*y_z + A_3_T_xz*z_z;
-        const stewart_real A_3_yx = A_3_T_ys*s_x + A_3_T_yy*y_x + A_3_T_yz*z_x;
-        const stewart_real A_3_yy = A_3_T_ys*s_y + A_3_T_yy*y_y + A_3_T_yz*z_y;
-        const stewart_real A_3_yz = A_3_T_ys*s_z + A_3_T_yy*y_z + A_3_T_yz*z_z;
-        const stewart_real A_3_zx = A_3_T_zs*s_x + A_3_T_zy*y_x + A_3_T_zz*z_x;
-        const stewart_real A_3_zy = A_3_T_zs*s_y + A_3_T_zy*y_y + A_3_T_zz*z_y;
-        const stewart_real A_3_zz = A_3_T_zs*s_z + A_3_T_zy*y_z + A_3_T_zz*z_z;
+        const stewart_real A_3_xx = STEWART_FMA(A_3_T_xz, z_x, STEWART_FMA(A_3_T_xs, s_x, A_3_T_xy*y_x));
+        const stewart_real A_3_xy = STEWART_FMA(A_3_T_xz, z_y, STEWART_FMA(A_3_T_xs, s_y, A_3_T_xy*y_y));
+        const stewart_real A_3_xz = STEWART_FMA(A_3_T_xz, z_z, STEWART_FMA(A_3_T_xs, s_z, A_3_T_xy*y_z));
+        const stewart_real A_3_yx = STEWART_FMA(A_3_T_yz, z_x, STEWART_FMA(A_3_T_ys, s_x, A_3_T_yy*y_x));
+        const stewart_real A_3_yy = STEWART_FMA(A_3_T_yz, z_y, STEWART_FMA(A_3_T_ys, s_y, A_3_T_yy*y_y));
+        const stewart_real A_3_yz = STEWART_FMA(A_3_T_yz, z_z, STEWART_FMA(A_3_T_ys, s_z, A_3_T_yy*y_z));
+        const stewart_real A_3_zx = STEWART_FMA(A_3_T_zz, z_x, STEWART_FMA(A_3_T_zs, s_x, A_3_T_zy*y_x));
+        const stewart_real A_3_zy = STEWART_FMA(A_3_T_zz, z_y, STEWART_FMA(A_3_T_zs, s_y, A_3_T_zy*y_y));
+        const stewart_real A_3_zz = STEWART_FMA(A_3_T_zz, z_z, STEWART_FMA(A_3_T_zs, s_z, A_3_T_zy*y_z));
         const stewart_real c72 = C_s*k1;
         const stewart_real f_S_leg_11 = G_dot_31*c72;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c55*k3);
+        const stewart_real f_S_leg_12 = C_s*STEWART_FMA(-c55, k3, G_dot_32*k1);
         const stewart_real f_S_leg_13 = G_dot_33*c72;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
         const stewart_real c73 = C_s*k3;
         const stewart_real f_S_leg_31 = G_dot_31*c73;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c55*k1);
+        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(G_dot_32, k3, c55*k1);
         const stewart_real f_S_leg_33 = G_dot_33*c73;
-        const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
-        const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
-        const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
-        const stewart_real f_S_T_ys = f_S_leg_11*s_y + f_S_leg_21*y_y + f_S_leg_31*z_y;
-        const stewart_real f_S_T_yy = f_S_leg_12*s_y + f_S_leg_22*y_y + f_S_leg_32*z_y;
-        const stewart_real f_S_T_yz = f_S_leg_13*s_y + f_S_leg_23*y_y + f_S_leg_33*z_y;
-        const stewart_real f_S_T_zs = f_S_leg_11*s_z + f_S_leg_21*y_z + f_S_leg_31*z_z;
-        const stewart_real f_S_T_zy = f_S_leg_12*s_z + f_S_leg_22*y_z + f_S_leg_32*z_z;
-        const stewart_real f_S_T_zz = f_S_leg_13*s_z + f_S_leg_23*y_z + f_S_leg_33*z_z;
+        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_11, s_x,
+            f_S_leg_21*y_x));
+        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_12, s_x,
+            f_S_leg_22*y_x));
+        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_13, s_x,
+            f_S_leg_23*y_x));
+        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_11, s_y,
+            f_S_leg_21*y_y));
+        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_12, s_y,
+            f_S_leg_22*y_y));
+        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_13, s_y,
+            f_S_leg_23*y_y));
+        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_11, s_z,
+            f_S_leg_21*y_z));
+        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_12, s_z,
+            f_S_leg_22*y_z));
+        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_13, s_z,
+            f_S_leg_23*y_z));
         /* friction moment by S */
-        const stewart_real f_S_xx = f_S_T_xs*s_x + f_S_T_xy*y_x + f_S_T_xz*z_x;
-        const stewart_real f_S_xy = f_S_T_xs*s_y + f_S_T_xy*y_y + f_S_T_xz*z_y;
-        const stewart_real f_S_xz = f_S_T_xs*s_z + f_S_T_xy*y_z + f_S_T_xz*z_z;
-        const stewart_real f_S_yx = f_S_T_ys*s_x + f_S_T_yy*y_x + f_S_T_yz*z_x;
-        const stewart_real f_S_yy = f_S_T_ys*s_y + f_S_T_yy*y_y + f_S_T_yz*z_y;
-        const stewart_real f_S_yz = f_S_T_ys*s_z + f_S_T_yy*y_z + f_S_T_yz*z_z;
-        const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
-        const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
-        const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
+        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xy, y_x, STEWART_FMA(f_S_T_xs, s_x, f_S_T_xz*z_x));
+        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xy, y_y, STEWART_FMA(f_S_T_xs, s_y, f_S_T_xz*z_y));
+        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xy, y_z, STEWART_FMA(f_S_T_xs, s_z, f_S_T_xz*z_z));
+        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yy, y_x, STEWART_FMA(f_S_T_ys, s_x, f_S_T_yz*z_x));
+        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yy, y_y, STEWART_FMA(f_S_T_ys, s_y, f_S_T_yz*z_y));
+        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yy, y_z, STEWART_FMA(f_S_T_ys, s_z, f_S_T_yz*z_z));
+        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zy, y_x, STEWART_FMA(f_S_T_zs, s_x, f_S_T_zz*z_x));
+        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zy, y_y, STEWART_FMA(f_S_T_zs, s_y, f_S_T_zz*z_y));
+        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zy, y_z, STEWART_FMA(f_S_T_zs, s_z, f_S_T_zz*z_z));
         const stewart_real f_S_dot_leg_12 = c69;
         const stewart_real f_S_dot_leg_23 = -c71;
         const stewart_real f_S_dot_leg_32 = c70;
-        const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
+        const stewart_real f_S_dot_T_xy = STEWART_FMA(f_S_dot_leg_32, z_x, f_S_dot_leg_12*s_x);
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
-        const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
+        const stewart_real f_S_dot_T_yy = STEWART_FMA(f_S_dot_leg_32, z_y, f_S_dot_leg_12*s_y);
         const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
-        const stewart_real f_S_dot_T_zy = f_S_dot_leg_12*s_z + f_S_dot_leg_32*z_z;
+        const stewart_real f_S_dot_T_zy = STEWART_FMA(f_S_dot_leg_32, z_z, f_S_dot_leg_12*s_z);
         const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
         /* friction moment by S_dot */
-        const stewart_real f_S_dot_xx = f_S_dot_T_xy*y_x + f_S_dot_T_xz*z_x;
-        const stewart_real f_S_dot_xy = f_S_dot_T_xy*y_y + f_S_dot_T_xz*z_y;
-        const stewart_real f_S_dot_xz = f_S_dot_T_xy*y_z + f_S_dot_T_xz*z_z;
-        const stewart_real f_S_dot_yx = f_S_dot_T_yy*y_x + f_S_dot_T_yz*z_x;
-        const stewart_real f_S_dot_yy = f_S_dot_T_yy*y_y + f_S_dot_T_yz*z_y;
-        const stewart_real f_S_dot_yz = f_S_dot_T_yy*y_z + f_S_dot_T_yz*z_z;
-        const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
-        const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
-        const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
-        const stewart_real A_0_leg_11 = G_ddot_21*h_z + G_dot_21*tau_rate_12 + G_dot_31*tau_rate_13 - G_ddot_31*k3_h;
-        const stewart_real A_0_leg_12 = C_p*G_dot_12 + G_ddot_22*h_z + G_dot_22*tau_rate_12 + G_dot_32*tau_rate_13
-            - G_ddot_32*k3_h - c12*k3*tau_phi;
+        const stewart_real f_S_dot_xx = STEWART_FMA(f_S_dot_T_xz, z_x, f_S_dot_T_xy*y_x);
+        const stewart_real f_S_dot_xy = STEWART_FMA(f_S_dot_T_xz, z_y, f_S_dot_T_xy*y_y);
+        const stewart_real f_S_dot_xz = STEWART_FMA(f_S_dot_T_xz, z_z, f_S_dot_T_xy*y_z);
+        const stewart_real f_S_dot_yx = STEWART_FMA(f_S_dot_T_yz, z_x, f_S_dot_T_yy*y_x);
+        const stewart_real f_S_dot_yy = STEWART_FMA(f_S_dot_T_yz, z_y, f_S_dot_T_yy*y_y);
+        const stewart_real f_S_dot_yz = STEWART_FMA(f_S_dot_T_yz, z_z, f_S_dot_T_yy*y_z);
+        const stewart_real f_S_dot_zx = STEWART_FMA(f_S_dot_T_zz, z_x, f_S_dot_T_zy*y_x);
+        const stewart_real f_S_dot_zy = STEWART_FMA(f_S_dot_T_zz, z_y, f_S_dot_T_zy*y_y);
+        const stewart_real f_S_dot_zz = STEWART_FMA(f_S_dot_T_zz, z_z, f_S_dot_T_zy*y_z);
+        const stewart_real A_0_leg_11 = STEWART_FMA(-G_ddot_31, k3_h, STEWART_FMA(G_ddot_21, h_z,
+            STEWART_FMA(G_dot_31, tau_rate_13, G_dot_21*tau_rate_12)));
+        const stewart_real A_0_leg_12 = STEWART_FMA((-c12)*k3, tau_phi, STEWART_FMA(-G_ddot_32, k3_h,
+            STEWART_FMA(G_ddot_22, h_z, STEWART_FMA(G_dot_32, tau_rate_13, STEWART_FMA(G_dot_22,
+            tau_rate_12, C_p*G_dot_12)))));
         const stewart_real c74 = c14*tau_theta;
-        const stewart_real A_0_leg_13 = G_ddot_23*h_z + G_dot_23*tau_rate_12 + G_dot_33*tau_rate_13 + c74 - C_p*theta_dot
-            - G_ddot_33*k3_h - inv_L*tau_place_12;
+        const stewart_real A_0_leg_13 = STEWART_FMA(-inv_L, tau_place_12, STEWART_FMA(-G_ddot_33, k3_h,
+            STEWART_FMA(G_dot_33, tau_rate_13, STEWART_FMA(G_dot_23, tau_rate_12, STEWART_FMA(-C_p,
+            theta_dot, G_ddot_23*h_z))) + c74));
         const stewart_real c75 = c13*tau_phi;
-        const stewart_real A_0_leg_21 = inv_rho*(G_ddot_21*M_mixed + G_ddot_31*M_phi + G_dot_21*tau_rate_32
-            + G_dot_31*tau_rate_33 + tau_place_31 - G_ddot_11*k3_h) - c75;
-        const stewart_real A_0_leg_22 = c13*k1*tau_theta + c67*inv_rho*k3 + inv_rho*(G_ddot_22*M_mixed + G_ddot_32*M_phi
-            + G_dot_12*tau_rate_31 + G_dot_22*tau_rate_32 + G_dot_32*tau_rate_33 + inv_rho*tau_place_33 - G_ddot_12*k3_h);
-        const stewart_real A_0_leg_23 = c75*kappa + inv_rho*(G_ddot_23*M_mixed + G_ddot_33*M_phi + G_dot_23*tau_rate_32
-            + G_dot_33*tau_rate_33 - G_ddot_13*k3_h - inv_L*tau_place_32 - tau_rate_31*theta_dot);
-        const stewart_real A_0_leg_31 = c74 - inv_L*(G_ddot_11*h_z + G_ddot_21*M_theta + G_ddot_31*M_mixed + G_dot_21*tau_rate_22
-            + G_dot_31*tau_rate_23 + tau_place_21);
-        const stewart_real A_0_leg_32 = c12*k1*tau_phi - inv_L*(G_ddot_12*h_z + G_ddot_22*M_theta + G_ddot_32*M_mixed
-            + G_dot_12*tau_rate_21 + G_dot_22*tau_rate_22 + G_dot_32*tau_rate_23 + inv_rho*tau_place_23);
-        const stewart_real A_0_leg_33 = c67*inv_L - inv_L*(G_ddot_13*h_z + G_ddot_23*M_theta + G_ddot_33*M_mixed
-            + G_dot_23*tau_rate_22 + G_dot_33*tau_rate_23 - inv_L*tau_place_22 - tau_rate_21*theta_dot);
-        const stewart_real A_0_T_xs = A_0_leg_11*s_x + A_0_leg_21*y_x + A_0_leg_31*z_x;
-        const stewart_real A_0_T_xy = A_0_leg_12*s_x + A_0_leg_22*y_x + A_0_leg_32*z_x;
-        const stewart_real A_0_T_xz = A_0_leg_13*s_x + A_0_leg_23*y_x + A_0_leg_33*z_x;
-        const stewart_real A_0_T_ys = A_0_leg_11*s_y + A_0_leg_21*y_y + A_0_leg_31*z_y;
-        const stewart_real A_0_T_yy = A_0_leg_12*s_y + A_0_leg_22*y_y + A_0_leg_32*z_y;
-        const stewart_real A_0_T_yz = A_0_leg_13*s_y + A_0_leg_23*y_y + A_0_leg_33*z_y;
-        const stewart_real A_0_T_zs = A_0_leg_11*s_z + A_0_leg_21*y_z + A_0_leg_31*z_z;
-        const stewart_real A_0_T_zy = A_0_leg_12*s_z + A_0_leg_22*y_z + A_0_leg_32*z_z;
-        const stewart_real A_0_T_zz = A_0_leg_13*s_z + A_0_leg_23*y_z + A_0_leg_33*z_z;
+        const stewart_real A_0_leg_21 = STEWART_FMA(inv_rho, STEWART_FMA(G_ddot_31, M_phi,
+            STEWART_FMA(G_ddot_21, M_mixed, STEWART_FMA(G_dot_31, tau_rate_33, STEWART_FMA(-G_ddot_11, k3_h,
+            G_dot_21*tau_rate_32))) + tau_place_31), -c75);
+        const stewart_real A_0_leg_22 = STEWART_FMA(inv_rho, STEWART_FMA(-G_ddot_12, k3_h,
+            STEWART_FMA(G_ddot_32, M_phi, STEWART_FMA(G_ddot_22, M_mixed, STEWART_FMA(G_dot_22, tau_rate_32,
+            STEWART_FMA(G_dot_12, tau_rate_31, STEWART_FMA(inv_rho, tau_place_33,
+            G_dot_32*tau_rate_33)))))), STEWART_FMA(c67*inv_rho, k3, c13*k1*tau_theta));
+        const stewart_real A_0_leg_23 = STEWART_FMA(inv_rho, STEWART_FMA(-inv_L, tau_place_32,
+            STEWART_FMA(G_ddot_33, M_phi, STEWART_FMA(-G_ddot_13, k3_h, STEWART_FMA(-tau_rate_31, theta_dot,
+            STEWART_FMA(G_dot_23, tau_rate_32, STEWART_FMA(G_dot_33, tau_rate_33, G_ddot_23*M_mixed)))))),
+            c75*kappa);
+        const stewart_real A_0_leg_31 = STEWART_FMA(-inv_L, STEWART_FMA(G_ddot_31, M_mixed,
+            STEWART_FMA(G_ddot_21, M_theta, STEWART_FMA(G_dot_31, tau_rate_23, STEWART_FMA(G_dot_21,
+            tau_rate_22, G_ddot_11*h_z))) + tau_place_21), c74);
+        const stewart_real A_0_leg_32 = STEWART_FMA(-inv_L, STEWART_FMA(G_ddot_32, M_mixed,
+            STEWART_FMA(G_ddot_22, M_theta, STEWART_FMA(G_ddot_12, h_z, STEWART_FMA(inv_rho, tau_place_23,
+            STEWART_FMA(G_dot_32, tau_rate_23, STEWART_FMA(G_dot_22, tau_rate_22,
+            G_dot_12*tau_rate_21)))))), c12*k1*tau_phi);
+        const stewart_real A_0_leg_33 = STEWART_FMA(-inv_L, STEWART_FMA(-inv_L, tau_place_22,
+            STEWART_FMA(G_ddot_33, M_mixed, STEWART_FMA(G_ddot_13, h_z, STEWART_FMA(G_dot_33, tau_rate_23,
+            STEWART_FMA(-tau_rate_21, theta_dot, STEWART_FMA(G_dot_23, tau_rate_22, G_ddot_23*M_theta)))))),
+            c67*inv_L);
+        const stewart_real A_0_T_xs = STEWART_FMA(A_0_leg_31, z_x, STEWART_FMA(A_0_leg_21, y_x,
+            A_0_leg_11*s_x));
+        const stewart_real A_0_T_xy = STEWART_FMA(A_0_leg_32, z_x, STEWART_FMA(A_0_leg_22, y_x,
+            A_0_leg_12*s_x));
+        const stewart_real A_0_T_xz = STEWART_FMA(A_0_leg_33, z_x, STEWART_FMA(A_0_leg_23, y_x,
+            A_0_leg_13*s_x));
+        const stewart_real A_0_T_ys = STEWART_FMA(A_0_leg_31, z_y, STEWART_FMA(A_0_leg_21, y_y,
+            A_0_leg_11*s_y));
+        const stewart_real A_0_T_yy = STEWART_FMA(A_0_leg_32, z_y, STEWART_FMA(A_0_leg_22, y_y,
+            A_0_leg_12*s_y));
+        const stewart_real A_0_T_yz = STEWART_FMA(A_0_leg_33, z_y, STEWART_FMA(A_0_leg_23, y_y,
+            A_0_leg_13*s_y));
+        const stewart_real A_0_T_zs = STEWART_FMA(A_0_leg_31, z_z, STEWART_FMA(A_0_leg_21, y_z,
+            A_0_leg_11*s_z));
+        const stewart_real A_0_T_zy = STEWART_FMA(A_0_leg_32, z_z, STEWART_FMA(A_0_leg_22, y_z,
+            A_0_leg_12*s_z));
+        const stewart_real A_0_T_zz = STEWART_FMA(A_0_leg_33, z_z, STEWART_FMA(A_0_leg_23, y_z,
+            A_0_leg_13*s_z));
         /* force at the tip by S */
-        const stewart_real A_0_xx = A_0_T_xs*s_x + A_0_T_xy*y_x + A_0_T_xz*z_x;
-        const stewart_real A_0_xy = A_0_T_xs*s_y + A_0_T_xy*y_y + A_0_T_xz*z_y;
-        const stewart_real A_0_xz = A_0_T_xs*s_z + A_0_T_xy*y_z + A_0_T_xz*z_z;
-        const stewart_real A_0_yx = A_0_T_ys*s_x + A_0_T_yy*y_x + A_0_T_yz*z_x;
-        const stewart_real A_0_yy = A_0_T_ys*s_y + A_0_T_yy*y_y + A_0_T_yz*z_y;
-        const stewart_real A_0_yz = A_0_T_ys*s_z + A_0_T_yy*y_z + A_0_T_yz*z_z;
-        const stewart_real A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x;
-        const stewart_real A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y;
-        const stewart_real A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z;
+        const stewart_real A_0_xx = STEWART_FMA(A_0_T_xz, z_x, STEWART_FMA(A_0_T_xy, y_x, A_0_T_xs*s_x));
+        const stewart_real A_0_xy = STEWART_FMA(A_0_T_xz, z_y, STEWART_FMA(A_0_T_xy, y_y, A_0_T_xs*s_y));
+        const stewart_real A_0_xz = STEWART_FMA(A_0_T_xz, z_z, STEWART_FMA(A_0_T_xy, y_z, A_0_T_xs*s_z));
+        const stewart_real A_0_yx = STEWART_FMA(A_0_T_yz, z_x, STEWART_FMA(A_0_T_yy, y_x, A_0_T_ys*s_x));
+        const stewart_real A_0_yy = STEWART_FMA(A_0_T_yz, z_y, STEWART_FMA(A_0_T_yy, y_y, A_0_T_ys*s_y));
+        const stewart_real A_0_yz = STEWART_FMA(A_0_T_yz, z_z, STEWART_FMA(A_0_T_yy, y_z, A_0_T_ys*s_z));
+        const stewart_real A_0_zx = STEWART_FMA(A_0_T_zz, z_x, STEWART_FMA(A_0_T_zy, y_x, A_0_T_zs*s_x));
+        const stewart_real A_0_zy = STEWART_FMA(A_0_T_zz, z_y, STEWART_FMA(A_0_T_zy, y_y, A_0_T_zs*s_y));
+        const stewart_real A_0_zz = STEWART_FMA(A_0_T_zz, z_z, STEWART_FMA(A_0_T_zy, y_z, A_0_T_zs*s_z));
         const stewart_real c76 = REAL(2)*h_z;
         const stewart_real c77 = REAL(2)*k3_h;
-        const stewart_real A_1_leg_11 = C_p + G_dot_21*c76 - G_dot_31*c77;
-        const stewart_real A_1_leg_12 = G_dot_22*c76 + inv_rho*tau_rate_13 - G_dot_32*c77;
-        const stewart_real A_1_leg_13 = REAL(2)*G_dot_23*h_z - G_dot_33*c77 - inv_L*tau_rate_12;
+        const stewart_real A_1_leg_11 = STEWART_FMA(-G_dot_31, c77, STEWART_FMA(G_dot_21, c76, C_p));
+        const stewart_real A_1_leg_12 = STEWART_FMA(-G_dot_32, c77, STEWART_FMA(inv_rho, tau_rate_13,
+            G_dot_22*c76));
+        const stewart_real A_1_leg_13 = STEWART_FMA(-G_dot_33, c77, STEWART_FMA(-inv_L, tau_rate_12,
+            REAL(2)*G_dot_23*h_z));
         const stewart_real c78 = REAL(2)*M_mixed;
         const stewart_real c79 = REAL(2)*M_phi;
-        const stewart_real A_1_leg_21 = inv_rho*(G_dot_21*c78 + G_dot_31*c79 + tau_rate_31);
-        const stewart_real A_1_leg_22 = inv_rho*(G_dot_22*c78 + G_dot_32*c79 + inv_rho*tau_rate_33 - G_dot_12*c77);
-        const stewart_real A_1_leg_23 = inv_rho*(G_dot_23*c78 + G_dot_33*c79 + c7*k3_h - inv_L*tau_rate_32);
+        const stewart_real A_1_leg_21 = inv_rho*STEWART_FMA(G_dot_31, c79, STEWART_FMA(G_dot_21, c78,
+            tau_rate_31));
+        const stewart_real A_1_leg_22 = inv_rho*STEWART_FMA(-G_dot_12, c77, STEWART_FMA(G_dot_32, c79,
+            STEWART_FMA(G_dot_22, c78, inv_rho*tau_rate_33)));
+        const stewart_real A_1_leg_23 = inv_rho*STEWART_FMA(-inv_L, tau_rate_32, STEWART_FMA(G_dot_33, c79,
+            STEWART_FMA(c7, k3_h, G_dot_23*c78)));
         const stewart_real c80 = REAL(2)*M_theta;
-        const stewart_real A_1_leg_31 = -inv_L*(G_dot_21*c80 + G_dot_31*c78 + tau_rate_21);
-        const stewart_real A_1_leg_32 = -inv_L*(G_dot_12*c76 + G_dot_22*c80 + G_dot_32*c78 + inv_rho*tau_rate_23);
-        const stewart_real A_1_leg_33 = -inv_L*(G_dot_23*c80 + G_dot_33*c78 - c7*h_z - inv_L*tau_rate_22);
-        const stewart_real A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x;
-        const stewart_real A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x;
-        const stewart_real A_1_T_xz = A_1_leg_13*s_x + A_1_leg_23*y_x + A_1_leg_33*z_x;
-        const stewart_real A_1_T_ys = A_1_leg_11*s_y + A_1_leg_21*y_y + A_1_leg_31*z_y;
-        const stewart_real A_1_T_yy = A_1_leg_12*s_y + A_1_leg_22*y_y + A_1_leg_32*z_y;
-        const stewart_real A_1_T_yz = A_1_leg_13*s_y + A_1_leg_23*y_y + A_1_leg_33*z_y;
-        const stewart_real A_1_T_zs = A_1_leg_11*s_z + A_1_leg_21*y_z + A_1_leg_31*z_z;
-        const stewart_real A_1_T_zy = A_1_leg_12*s_z + A_1_leg_22*y_z + A_1_leg_32*z_z;
-        const stewart_real A_1_T_zz = A_1_leg_13*s_z + A_1_leg_23*y_z + A_1_leg_33*z_z;
+        const stewart_real A_1_leg_31 = -inv_L*STEWART_FMA(G_dot_31, c78, STEWART_FMA(G_dot_21, c80,
+            tau_rate_21));
+        const stewart_real A_1_leg_32 = -inv_L*STEWART_FMA(inv_rho, tau_rate_23, STEWART_FMA(G_dot_32, c78,
+            STEWART_FMA(G_dot_22, c80, G_dot_12*c76)));
+        const stewart_real A_1_leg_33 = -inv_L*STEWART_FMA(G_dot_33, c78, STEWART_FMA(-c7, h_z,
+            STEWART_FMA(-inv_L, tau_rate_22, G_dot_23*c80)));
+        const stewart_real A_1_T_xs = STEWART_FMA(A_1_leg_31, z_x, STEWART_FMA(A_1_leg_21, y_x,
+            A_1_leg_11*s_x));
+        const stewart_real A_1_T_xy = STEWART_FMA(A_1_leg_32, z_x, STEWART_FMA(A_1_leg_22, y_x,
+            A_1_leg_12*s_x));
+        const stewart_real A_1_T_xz = STEWART_FMA(A_1_leg_23, y_x, STEWART_FMA(A_1_leg_33, z_x,
+            A_1_leg_13*s_x));
+        const stewart_real A_1_T_ys = STEWART_FMA(A_1_leg_31, z_y, STEWART_FMA(A_1_leg_21, y_y,
+            A_1_leg_11*s_y));
+        const stewart_real A_1_T_yy = STEWART_FMA(A_1_leg_32, z_y, STEWART_FMA(A_1_leg_22, y_y,
+            A_1_leg_12*s_y));
+        const stewart_real A_1_T_yz = STEWART_FMA(A_1_leg_23, y_y, STEWART_FMA(A_1_leg_33, z_y,
+            A_1_leg_13*s_y));
+        const stewart_real A_1_T_zs = STEWART_FMA(A_1_leg_31, z_z, STEWART_FMA(A_1_leg_21, y_z,
+            A_1_leg_11*s_z));
+        const stewart_real A_1_T_zy = STEWART_FMA(A_1_leg_32, z_z, STEWART_FMA(A_1_leg_22, y_z,
+            A_1_leg_12*s_z));
+        const stewart_real A_1_T_zz = STEWART_FMA(A_1_leg_23, y_z, STEWART_FMA(A_1_leg_33, z_z,
+            A_1_leg_13*s_z));
         /* force at the tip by S_dot */
-        const stewart_real A_1_xx = A_1_T_xs*s_x + A_1_T_xy*y_x + A_1_T_xz*z_x;
-        const stewart_real A_1_xy = A_1_T_xs*s_y + A_1_T_xy*y_y + A_1_T_xz*z_y;
-        const stewart_real A_1_xz = A_1_T_xs*s_z + A_1_T_xy*y_z + A_1_T_xz*z_z;
-        const stewart_real A_1_yx = A_1_T_ys*s_x + A_1_T_yy*y_x + A_1_T_yz*z_x;
-        const stewart_real A_1_yy = A_1_T_ys*s_y + A_1_T_yy*y_y + A_1_T_yz*z_y;
-        const stewart_real A_1_yz = A_1_T_ys*s_z + A_1_T_yy*y_z + A_1_T_yz*z_z;
-        const stewart_real A_1_zx = A_1_T_zs*s_x + A_1_T_zy*y_x + A_1_T_zz*z_x;
-        const stewart_real A_1_zy = A_1_T_zs*s_y + A_1_T_zy*y_y + A_1_T_zz*z_y;
-        const stewart_real A_1_zz = A_1_T_zs*s_z + A_1_T_zy*y_z + A_1_T_zz*z_z;
+        const stewart_real A_1_xx = STEWART_FMA(A_1_T_xy, y_x, STEWART_FMA(A_1_T_xs, s_x, A_1_T_xz*z_x));
+        const stewart_real A_1_xy = STEWART_FMA(A_1_T_xy, y_y, STEWART_FMA(A_1_T_xs, s_y, A_1_T_xz*z_y));
+        const stewart_real A_1_xz = STEWART_FMA(A_1_T_xy, y_z, STEWART_FMA(A_1_T_xs, s_z, A_1_T_xz*z_z));
+        const stewart_real A_1_yx = STEWART_FMA(A_1_T_yy, y_x, STEWART_FMA(A_1_T_ys, s_x, A_1_T_yz*z_x));
+        const stewart_real A_1_yy = STEWART_FMA(A_1_T_yy, y_y, STEWART_FMA(A_1_T_ys, s_y, A_1_T_yz*z_y));
+        const stewart_real A_1_yz = STEWART_FMA(A_1_T_yy, y_z, STEWART_FMA(A_1_T_ys, s_z, A_1_T_yz*z_z));
+        const stewart_real A_1_zx = STEWART_FMA(A_1_T_zy, y_x, STEWART_FMA(A_1_T_zs, s_x, A_1_T_zz*z_x));
+        const stewart_real A_1_zy = STEWART_FMA(A_1_T_zy, y_y, STEWART_FMA(A_1_T_zs, s_y, A_1_T_zz*z_y));
+        const stewart_real A_1_zz = STEWART_FMA(A_1_T_zy, y_z, STEWART_FMA(A_1_T_zs, s_z, A_1_T_zz*z_z));
         /* force by rotation about the tip */
-        const stewart_real X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz - A_1_xz*omega_y;
-        const stewart_real X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz - A_1_xx*omega_z;
-        const stewart_real X_xz = A_0_xz + A_1_xx*omega_y + B_xz*m_xx + B_yz*m_xy + B_zz*m_xz - A_1_xy*omega_x;
-        const stewart_real X_yx = A_0_yx + A_1_yy*omega_z + B_xx*m_xy + B_yx*m_yy + B_zx*m_yz - A_1_yz*omega_y;
-        const stewart_real X_yy = A_0_yy + A_1_yz*omega_x + B_xy*m_xy + B_yy*m_yy + B_zy*m_yz - A_1_yx*omega_z;
-        const stewart_real X_yz = A_0_yz + A_1_yx*omega_y + B_xz*m_xy + B_yz*m_yy + B_zz*m_yz - A_1_yy*omega_x;
-        const stewart_real X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz - A_1_zz*omega_y;
-        const stewart_real X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz - A_1_zx*omega_z;
-        const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz - A_1_zy*omega_x;
+        const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(A_1_xy, omega_z,
+            STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx, m_xy, B_xx*m_xx)))) + A_0_xx;
+        const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(A_1_xz, omega_x,
+            STEWART_FMA(B_zy, m_xz, STEWART_FMA(B_yy, m_xy, B_xy*m_xx)))) + A_0_xy;
+        const stewart_real X_xz = STEWART_FMA(-A_1_xy, omega_x, STEWART_FMA(A_1_xx, omega_y,
+            STEWART_FMA(B_zz, m_xz, STEWART_FMA(B_yz, m_xy, B_xz*m_xx)))) + A_0_xz;
+        const stewart_real X_yx = STEWART_FMA(-A_1_yz, omega_y, STEWART_FMA(A_1_yy, omega_z,
+            STEWART_FMA(B_zx, m_yz, STEWART_FMA(B_yx, m_yy, B_xx*m_xy)))) + A_0_yx;
+        const stewart_real X_yy = STEWART_FMA(-A_1_yx, omega_z, STEWART_FMA(A_1_yz, omega_x,
+            STEWART_FMA(B_zy, m_yz, STEWART_FMA(B_yy, m_yy, B_xy*m_xy)))) + A_0_yy;
+        const stewart_real X_yz = STEWART_FMA(-A_1_yy, omega_x, STEWART_FMA(A_1_yx, omega_y,
+            STEWART_FMA(B_zz, m_yz, STEWART_FMA(B_yz, m_yy, B_xz*m_xy)))) + A_0_yz;
+        const stewart_real X_zx = STEWART_FMA(-A_1_zz, omega_y, STEWART_FMA(A_1_zy, omega_z,
+            STEWART_FMA(B_zx, m_zz, STEWART_FMA(B_yx, m_yz, B_xx*m_xz)))) + A_0_zx;
+        const stewart_real X_zy = STEWART_FMA(-A_1_zx, omega_z, STEWART_FMA(A_1_zz, omega_x,
+            STEWART_FMA(B_zy, m_zz, STEWART_FMA(B_yy, m_yz, B_xy*m_xz)))) + A_0_zy;
+        const stewart_real X_zz = STEWART_FMA(-A_1_zy, omega_x, STEWART_FMA(A_1_zx, omega_y,
+            STEWART_FMA(B_zz, m_zz, STEWART_FMA(B_yz, m_yz, B_xz*m_xz)))) + A_0_zz;
         const stewart_real c81 = m_xy*omega_z;
         const stewart_real c82 = m_xz*omega_y;
-        const stewart_real Y_xx = A_1_xx + c81 - c82;
-        const stewart_real Y_xy = A_1_xy + m_xz*omega_x - m_xx*omega_z;
-        const stewart_real Y_xz = A_1_xz + m_xx*omega_y - m_xy*omega_x;
-        const stewart_real Y_yx = A_1_yx + m_yy*omega_z - m_yz*omega_y;
+        const stewart_real Y_xx = c81 - c82 + A_1_xx;
+        const stewart_real Y_xy = STEWART_FMA(-m_xx, omega_z, m_xz*omega_x) + A_1_xy;
+        const stewart_real Y_xz = STEWART_FMA(-m_xy, omega_x, m_xx*omega_y) + A_1_xz;
+        const stewart_real Y_yx = STEWART_FMA(-m_yz, omega_y, m_yy*omega_z) + A_1_yx;
         const stewart_real c83 = m_yz*omega_x;
-        const stewart_real Y_yy = A_1_yy + c83 - c81;
-        const stewart_real Y_yz = A_1_yz + m_xy*omega_y - m_yy*omega_x;
-        const stewart_real Y_zx = A_1_zx + m_yz*omega_z - m_zz*omega_y;
-        const stewart_real Y_zy = A_1_zy + m_zz*omega_x - m_xz*omega_z;
-        const stewart_real Y_zz = A_1_zz + c82 - c83;
-        const stewart_real Z_xx = X_xz*q_y - X_xy*q_z;
-        const stewart_real Z_xy = X_xx*q_z - X_xz*q_x;
-        const stewart_real Z_xz = X_xy*q_x - X_xx*q_y;
-        const stewart_real Z_yx = X_yz*q_y - X_yy*q_z;
-        const stewart_real Z_yy = X_yx*q_z - X_yz*q_x;
-        const stewart_real Z_yz = X_yy*q_x - X_yx*q_y;
-        const stewart_real Z_zx = X_zz*q_y - X_zy*q_z;
-        const stewart_real Z_zy = X_zx*q_z - X_zz*q_x;
-        const stewart_real Z_zz = X_zy*q_x - X_zx*q_y;
+        const stewart_real Y_yy = c83 - c81 + A_1_yy;
+        const stewart_real Y_yz = STEWART_FMA(-m_yy, omega_x, m_xy*omega_y) + A_1_yz;
+        const stewart_real Y_zx = STEWART_FMA(-m_zz, omega_y, m_yz*omega_z) + A_1_zx;
+        const stewart_real Y_zy = STEWART_FMA(-m_xz, omega_z, m_zz*omega_x) + A_1_zy;
+        const stewart_real Y_zz = c82 - c83 + A_1_zz;
+        const stewart_real Z_xx = STEWART_FMA(-X_xy, q_z, X_xz*q_y);
+        const stewart_real Z_xy = STEWART_FMA(-X_xz, q_x, X_xx*q_z);
+        const stewart_real Z_xz = STEWART_FMA(-X_xx, q_y, X_xy*q_x);
+        const stewart_real Z_yx = STEWART_FMA(-X_yy, q_z, X_yz*q_y);
+        const stewart_real Z_yy = STEWART_FMA(-X_yz, q_x, X_yx*q_z);
+        const stewart_real Z_yz = STEWART_FMA(-X_yx, q_y, X_yy*q_x);
+        const stewart_real Z_zx = STEWART_FMA(-X_zy, q_z, X_zz*q_y);
+        const stewart_real Z_zy = STEWART_FMA(-X_zz, q_x, X_zx*q_z);
+        const stewart_real Z_zz = STEWART_FMA(-X_zx, q_y, X_zy*q_x);
         const stewart_real c84 = m_xz*w_q_y;
         const stewart_real c85 = m_xy*w_q_z;
-        const stewart_real V_xx = A_3_xx + Y_xz*q_y + c84 - Y_xy*q_z - c85;
-        const stewart_real V_xy = A_3_xy + Y_xx*q_z + m_xx*w_q_z - Y_xz*q_x - m_xz*w_q_x;
-        const stewart_real V_xz = A_3_xz + Y_xy*q_x + m_xy*w_q_x - Y_xx*q_y - m_xx*w_q_y;
-        const stewart_real V_yx = A_3_yx + Y_yz*q_y + m_yz*w_q_y - Y_yy*q_z - m_yy*w_q_z;
+        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, A_3_xx + c84 - c85));
+        const stewart_real V_xy = STEWART_FMA(-Y_xz, q_x, STEWART_FMA(Y_xx, q_z, STEWART_FMA(-m_xz, w_q_x,
+            STEWART_FMA(m_xx, w_q_z, A_3_xy))));
+        const stewart_real V_xz = STEWART_FMA(-Y_xx, q_y, STEWART_FMA(Y_xy, q_x, STEWART_FMA(-m_xx, w_q_y,
+            STEWART_FMA(m_xy, w_q_x, A_3_xz))));
+        const stewart_real V_yx = STEWART_FMA(-Y_yy, q_z, STEWART_FMA(Y_yz, q_y, STEWART_FMA(-m_yy, w_q_z,
+            STEWART_FMA(m_yz, w_q_y, A_3_yx))));
         const stewart_real c86 = m_yz*w_q_x;
-        const stewart_real V_yy = A_3_yy + Y_yx*q_z + c85 - Y_yz*q_x - c86;
-        const stewart_real V_yz = A_3_yz + Y_yy*q_x + m_yy*w_q_x - Y_yx*q_y - m_xy*w_q_y;
-        const stewart_real V_zx = A_3_zx + Y_zz*q_y + m_zz*w_q_y - Y_zy*q_z - m_yz*w_q_z;
-        const stewart_real V_zy = A_3_zy + Y_zx*q_z + m_xz*w_q_z - Y_zz*q_x - m_zz*w_q_x;
-        const stewart_real V_zz = A_3_zz + Y_zy*q_x + c86 - Y_zx*q_y - c84;
+        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, A_3_yy + c85 - c86));
+        const stewart_real V_yz = STEWART_FMA(-Y_yx, q_y, STEWART_FMA(Y_yy, q_x, STEWART_FMA(-m_xy, w_q_y,
+            STEWART_FMA(m_yy, w_q_x, A_3_yz))));
+        const stewart_real V_zx = STEWART_FMA(-Y_zy, q_z, STEWART_FMA(Y_zz, q_y, STEWART_FMA(-m_yz, w_q_z,
+            STEWART_FMA(m_zz, w_q_y, A_3_zx))));
+        const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
+            STEWART_FMA(m_xz, w_q_z, A_3_zy))));
+        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, A_3_zz + c86 - c84));
         const stewart_real c87 = m_xy*q_z;
         const stewart_real c88 = m_xz*q_y;
         const stewart_real c89 = -m_yz*q_x;
         /* m [q]x */
         const stewart_real m_q_xx = c87 - c88;
-        const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
-        const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
-        const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
+        const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
+        const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
+        const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
         const stewart_real m_q_yy = -c87 - c89;
-        const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
-        const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
-        const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
+        const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
+        const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
+        const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
         const stewart_real m_q_zz = c88 + c89;
         const stewart_real c90 = R_tip_y*q_y;
         const stewart_real c91 = R_tip_z*q_z;
-        const stewart_real c92 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c93 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c94 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c95 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c96 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c92 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
+        const stewart_real c93 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
+        const stewart_real c94 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
+        const stewart_real c95 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
+        const stewart_real c96 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
         const stewart_real c97 = R_tip_x*q_x;
-        const stewart_real c98 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c99 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c100 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c101 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real c98 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
+        const stewart_real c99 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
+        const stewart_real c100 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
+        const stewart_real c101 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -3532,12 +3736,12 @@ STEWART_APART static void derivatives_of_leg(
         out->sum[12][l] = -m_q_zx;
         out->sum[13][l] = -m_q_zy;
         out->sum[14][l] = -m_q_zz;
-        out->sum[15][l] = m_q_yx*q_z - m_q_zx*q_y;
-        out->sum[16][l] = m_q_yy*q_z - m_q_zy*q_y;
-        out->sum[17][l] = m_q_yz*q_z - m_q_zz*q_y;
-        out->sum[18][l] = m_q_zy*q_x - m_q_xy*q_z;
-        out->sum[19][l] = m_q_zz*q_x - m_q_xz*q_z;
-        out->sum[20][l] = m_q_xz*q_y - m_q_yz*q_x;
+        out->sum[15][l] = STEWART_FMA(-m_q_zx, q_y, m_q_yx*q_z);
+        out->sum[16][l] = STEWART_FMA(-m_q_zy, q_y, m_q_yy*q_z);
+        out->sum[17][l] = STEWART_FMA(-m_q_zz, q_y, m_q_yz*q_z);
+        out->sum[18][l] = STEWART_FMA(-m_q_xy, q_z, m_q_zy*q_x);
+        out->sum[19][l] = STEWART_FMA(-m_q_xz, q_z, m_q_zz*q_x);
+        out->sum[20][l] = STEWART_FMA(-m_q_yz, q_x, m_q_xz*q_y);
         out->sum[21][l] = A_0_xx;
         out->sum[22][l] = A_0_xy;
         out->sum[23][l] = A_0_xz;
@@ -3556,24 +3760,33 @@ STEWART_APART static void derivatives_of_leg(
         out->sum[36][l] = Z_zx;
         out->sum[37][l] = Z_zy;
         out->sum[38][l] = Z_zz;
-        out->sum[39][l] = A_0_zx*q_y - A_0_yx*q_z - f_S_xx;
-        out->sum[40][l] = A_0_zy*q_y - A_0_yy*q_z - f_S_xy;
-        out->sum[41][l] = A_0_zz*q_y - A_0_yz*q_z - f_S_xz;
-        out->sum[42][l] = Z_zx*q_y + c93*q_z - Z_yx*q_z - c90 - c91 - c92*q_y;
-        out->sum[43][l] = R_tip_y*q_x + Z_zy*q_y + c92*q_x - Z_yy*q_z - c94*q_z;
-        out->sum[44][l] = R_tip_z*q_x + Z_zz*q_y + c94*q_y - Z_yz*q_z - c93*q_x;
-        out->sum[45][l] = A_0_xx*q_z - A_0_zx*q_x - f_S_yx;
-        out->sum[46][l] = A_0_xy*q_z - A_0_zy*q_x - f_S_yy;
-        out->sum[47][l] = A_0_xz*q_z - A_0_zz*q_x - f_S_yz;
-        out->sum[48][l] = R_tip_x*q_y + Z_xx*q_z + c95*q_z - Z_zx*q_x - c96*q_y;
-        out->sum[49][l] = Z_xy*q_z + c96*q_x - Z_zy*q_x - c91 - c97 - c98*q_z;
-        out->sum[50][l] = R_tip_z*q_y + Z_xz*q_z + c98*q_y - Z_zz*q_x - c95*q_x;
-        out->sum[51][l] = A_0_yx*q_x - A_0_xx*q_y - f_S_zx;
-        out->sum[52][l] = A_0_yy*q_x - A_0_xy*q_y - f_S_zy;
-        out->sum[53][l] = A_0_yz*q_x - A_0_xz*q_y - f_S_zz;
-        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c99*q_z - Z_xx*q_y - c100*q_y;
-        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c100*q_x - Z_xy*q_y - c101*q_z;
-        out->sum[56][l] = Z_yz*q_x + c101*q_y - Z_xz*q_y - c90 - c97 - c99*q_x;
+        out->sum[39][l] = STEWART_FMA(-A_0_yx, q_z, STEWART_FMA(A_0_zx, q_y, -f_S_xx));
+        out->sum[40][l] = STEWART_FMA(-A_0_yy, q_z, STEWART_FMA(A_0_zy, q_y, -f_S_xy));
+        out->sum[41][l] = STEWART_FMA(-A_0_yz, q_z, STEWART_FMA(A_0_zz, q_y, -f_S_xz));
+        out->sum[42][l] = STEWART_FMA(-c92, q_y, STEWART_FMA(-Z_yx, q_z, STEWART_FMA(c93, q_z, Z_zx*q_y) - c90
+            - c91));
+        out->sum[43][l] = STEWART_FMA(-c94, q_z, STEWART_FMA(-Z_yy, q_z, STEWART_FMA(c92, q_x,
+            STEWART_FMA(Z_zy, q_y, R_tip_y*q_x))));
+        out->sum[44][l] = STEWART_FMA(-c93, q_x, STEWART_FMA(-Z_yz, q_z, STEWART_FMA(c94, q_y,
+            STEWART_FMA(Z_zz, q_y, R_tip_z*q_x))));
+        out->sum[45][l] = STEWART_FMA(-A_0_zx, q_x, STEWART_FMA(A_0_xx, q_z, -f_S_yx));
+        out->sum[46][l] = STEWART_FMA(-A_0_zy, q_x, STEWART_FMA(A_0_xy, q_z, -f_S_yy));
+        out->sum[47][l] = STEWART_FMA(-A_0_zz, q_x, STEWART_FMA(A_0_xz, q_z, -f_S_yz));
+        out->sum[48][l] = STEWART_FMA(-c96, q_y, STEWART_FMA(-Z_zx, q_x, STEWART_FMA(c95, q_z,
+            STEWART_FMA(Z_xx, q_z, R_tip_x*q_y))));
+        out->sum[49][l] = STEWART_FMA(-c98, q_z, STEWART_FMA(-Z_zy, q_x, STEWART_FMA(c96, q_x, Z_xy*q_z) - c91
+            - c97));
+        out->sum[50][l] = STEWART_FMA(-c95, q_x, STEWART_FMA(-Z_zz, q_x, STEWART_FMA(c98, q_y,
+            STEWART_FMA(Z_xz, q_z, R_tip_z*q_y))));
+        out->sum[51][l] = STEWART_FMA(-A_0_xx, q_y, STEWART_FMA(A_0_yx, q_x, -f_S_zx));
+        out->sum[52][l] = STEWART_FMA(-A_0_xy, q_y, STEWART_FMA(A_0_yy, q_x, -f_S_zy));
+        out->sum[53][l] = STEWART_FMA(-A_0_xz, q_y, STEWART_FMA(A_0_yz, q_x, -f_S_zz));
+        out->sum[54][l] = STEWART_FMA(-c100, q_y, STEWART_FMA(-Z_xx, q_y, STEWART_FMA(c99, q_z,
+            STEWART_FMA(Z_yx, q_x, R_tip_x*q_z))));
+        out->sum[55][l] = STEWART_FMA(-c101, q_z, STEWART_FMA(-Z_xy, q_y, STEWART_FMA(c100, q_x,
+            STEWART_FMA(Z_yy, q_x, R_tip_y*q_z))));
+        out->sum[56][l] = STEWART_FMA(-c99, q_x, STEWART_FMA(-Z_xz, q_y, STEWART_FMA(c101, q_y, Z_yz*q_x) - c90
+            - c97));
         out->sum[57][l] = A_1_xx;
         out->sum[58][l] = A_1_xy;
         out->sum[59][l] = A_1_xz;
@@ -3592,30 +3805,39 @@ STEWART_APART static void derivatives_of_leg(
         out->sum[72][l] = V_zx;
         out->sum[73][l] = V_zy;
         out->sum[74][l] = V_zz;
-        out->sum[75][l] = A_1_zx*q_y - A_1_yx*q_z - f_S_dot_xx;
-        out->sum[76][l] = A_1_zy*q_y - A_1_yy*q_z - f_S_dot_xy;
-        out->sum[77][l] = A_1_zz*q_y - A_1_yz*q_z - f_S_dot_xz;
-        out->sum[78][l] = V_zx*q_y + f_S_dot_xy*q_z - V_yx*q_z - f_S_dot_xz*q_y;
-        out->sum[79][l] = V_zy*q_y + f_S_dot_xz*q_x - V_yy*q_z - f_S_dot_xx*q_z;
-        out->sum[80][l] = V_zz*q_y + f_S_dot_xx*q_y - V_yz*q_z - f_S_dot_xy*q_x;
-        out->sum[81][l] = A_1_xx*q_z - A_1_zx*q_x - f_S_dot_yx;
-        out->sum[82][l] = A_1_xy*q_z - A_1_zy*q_x - f_S_dot_yy;
-        out->sum[83][l] = A_1_xz*q_z - A_1_zz*q_x - f_S_dot_yz;
-        out->sum[84][l] = V_xx*q_z + f_S_dot_yy*q_z - V_zx*q_x - f_S_dot_yz*q_y;
-        out->sum[85][l] = V_xy*q_z + f_S_dot_yz*q_x - V_zy*q_x - f_S_dot_yx*q_z;
-        out->sum[86][l] = V_xz*q_z + f_S_dot_yx*q_y - V_zz*q_x - f_S_dot_yy*q_x;
-        out->sum[87][l] = A_1_yx*q_x - A_1_xx*q_y - f_S_dot_zx;
-        out->sum[88][l] = A_1_yy*q_x - A_1_xy*q_y - f_S_dot_zy;
-        out->sum[89][l] = A_1_yz*q_x - A_1_xz*q_y - f_S_dot_zz;
-        out->sum[90][l] = V_yx*q_x + f_S_dot_zy*q_z - V_xx*q_y - f_S_dot_zz*q_y;
-        out->sum[91][l] = V_yy*q_x + f_S_dot_zz*q_x - V_xy*q_y - f_S_dot_zx*q_z;
-        out->sum[92][l] = V_yz*q_x + f_S_dot_zx*q_y - V_xz*q_y - f_S_dot_zy*q_x;
+        out->sum[75][l] = STEWART_FMA(-A_1_yx, q_z, STEWART_FMA(A_1_zx, q_y, -f_S_dot_xx));
+        out->sum[76][l] = STEWART_FMA(-A_1_yy, q_z, STEWART_FMA(A_1_zy, q_y, -f_S_dot_xy));
+        out->sum[77][l] = STEWART_FMA(-A_1_yz, q_z, STEWART_FMA(A_1_zz, q_y, -f_S_dot_xz));
+        out->sum[78][l] = STEWART_FMA(-f_S_dot_xz, q_y, STEWART_FMA(-V_yx, q_z, STEWART_FMA(f_S_dot_xy, q_z,
+            V_zx*q_y)));
+        out->sum[79][l] = STEWART_FMA(-f_S_dot_xx, q_z, STEWART_FMA(-V_yy, q_z, STEWART_FMA(f_S_dot_xz, q_x,
+            V_zy*q_y)));
+        out->sum[80][l] = STEWART_FMA(-f_S_dot_xy, q_x, STEWART_FMA(-V_yz, q_z, STEWART_FMA(f_S_dot_xx, q_y,
+            V_zz*q_y)));
+        out->sum[81][l] = STEWART_FMA(-A_1_zx, q_x, STEWART_FMA(A_1_xx, q_z, -f_S_dot_yx));
+        out->sum[82][l] = STEWART_FMA(-A_1_zy, q_x, STEWART_FMA(A_1_xy, q_z, -f_S_dot_yy));
+        out->sum[83][l] = STEWART_FMA(-A_1_zz, q_x, STEWART_FMA(A_1_xz, q_z, -f_S_dot_yz));
+        out->sum[84][l] = STEWART_FMA(-f_S_dot_yz, q_y, STEWART_FMA(-V_zx, q_x, STEWART_FMA(f_S_dot_yy, q_z,
+            V_xx*q_z)));
+        out->sum[85][l] = STEWART_FMA(-f_S_dot_yx, q_z, STEWART_FMA(-V_zy, q_x, STEWART_FMA(f_S_dot_yz, q_x,
+            V_xy*q_z)));
+        out->sum[86][l] = STEWART_FMA(-f_S_dot_yy, q_x, STEWART_FMA(-V_zz, q_x, STEWART_FMA(f_S_dot_yx, q_y,
+            V_xz*q_z)));
+        out->sum[87][l] = STEWART_FMA(-A_1_xx, q_y, STEWART_FMA(A_1_yx, q_x, -f_S_dot_zx));
+        out->sum[88][l] = STEWART_FMA(-A_1_xy, q_y, STEWART_FMA(A_1_yy, q_x, -f_S_dot_zy));
+        out->sum[89][l] = STEWART_FMA(-A_1_xz, q_y, STEWART_FMA(A_1_yz, q_x, -f_S_dot_zz));
+        out->sum[90][l] = STEWART_FMA(-f_S_dot_zz, q_y, STEWART_FMA(-V_xx, q_y, STEWART_FMA(f_S_dot_zy, q_z,
+            V_yx*q_x)));
+        out->sum[91][l] = STEWART_FMA(-f_S_dot_zx, q_z, STEWART_FMA(-V_xy, q_y, STEWART_FMA(f_S_dot_zz, q_x,
+            V_yy*q_x)));
+        out->sum[92][l] = STEWART_FMA(-f_S_dot_zy, q_x, STEWART_FMA(-V_xz, q_y, STEWART_FMA(f_S_dot_zx, q_y,
+            V_yz*q_x)));
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
-        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
-        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
-        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->H_moment[0][l] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+        out->H_moment[1][l] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+        out->H_moment[2][l] = STEWART_FMA(-q_y, s_x, q_x*s_y);
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -3670,64 +3892,65 @@ STEWART_APART static void derivatives_of_near(
             B_yy = pose->B[4][l], B_yz = pose->B[5][l], B_zx = pose->B[6][l], B_zy = pose->B[7][l], B_zz = pose->B[8][l];
         const stewart_real F = out->F[l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+            STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
         const stewart_real z_z = inv_rho*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-        const stewart_real c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        const stewart_real c1 = STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y, S_dot_x*y_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real phi_dot = c1*inv_rho;
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         const stewart_real c2 = L_dot*inv_L;
         /* L_dot / L */
         const stewart_real L_share = c2;
@@ -3738,28 +3961,34 @@ STEWART_APART static void derivatives_of_near(
         /* (6) leg's turning about z */
         const stewart_real W_z = c1*inv_L;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         const stewart_real c4 = k3*k3;
         /* (8) acceleration of the length */
-        const stewart_real L_ddot = L*(c4*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(c4, phi_dot2, theta_dot2))));
         const stewart_real c5 = REAL(2)*L_share;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
-        const stewart_real own_y = -c5*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real own_z = inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c5;
+        const stewart_real own_y = STEWART_FMA(-c5, theta_dot, -inv_L*STEWART_FMA(S_ddot_z, z_z,
+            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_z = STEWART_FMA(-W_z, c5, inv_L*STEWART_FMA(S_ddot_z, y_z,
+            STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real k33 = c4;
         const stewart_real k13 = k1*k3;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
-        const stewart_real a2 = J2_xz - L*h2_z;
+        const stewart_real a1 = dJ_zx + L_h2;
+        const stewart_real a2 = STEWART_FMA(-L, h2_z, J2_xz);
         const stewart_real c6 = L*h_y;
         const stewart_real a3 = J_xy - c6;
         const stewart_real c7 = J_yz*k3;
         /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
         const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = a3*k1 + c7;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, c7);
         const stewart_real c8 = h_y*k3;
         const stewart_real k3_h = c8;
         const stewart_real c9 = h_z*inv_L;
@@ -3770,33 +3999,34 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real m_leg_yy = M_phi*inv_rho*inv_rho;
         const stewart_real m_leg_yz = -M_mixed*inv_L*inv_rho;
         const stewart_real m_leg_zz = M_theta*c10;
-        const stewart_real m_T_xs = m_leg_sy*y_x + m_leg_sz*z_x;
-        const stewart_real m_T_xy = m_leg_sy*s_x + m_leg_yy*y_x + m_leg_yz*z_x;
-        const stewart_real m_T_xz = m_leg_sz*s_x + m_leg_yz*y_x + m_leg_zz*z_x;
-        const stewart_real m_T_ys = m_leg_sy*y_y + m_leg_sz*z_y;
-        const stewart_real m_T_yy = m_leg_sy*s_y + m_leg_yy*y_y + m_leg_yz*z_y;
-        const stewart_real m_T_yz = m_leg_sz*s_y + m_leg_yz*y_y + m_leg_zz*z_y;
-        const stewart_real m_T_zs = m_leg_sy*y_z + m_leg_sz*z_z;
-        const stewart_real m_T_zy = m_leg_sy*s_z + m_leg_yy*y_z + m_leg_yz*z_z;
-        const stewart_real m_T_zz = m_leg_sz*s_z + m_leg_yz*y_z + m_leg_zz*z_z;
+        const stewart_real m_T_xs = STEWART_FMA(m_leg_sy, y_x, m_leg_sz*z_x);
+        const stewart_real m_T_xy = STEWART_FMA(m_leg_yz, z_x, STEWART_FMA(m_leg_yy, y_x, m_leg_sy*s_x));
+        const stewart_real m_T_xz = STEWART_FMA(m_leg_yz, y_x, STEWART_FMA(m_leg_zz, z_x, m_leg_sz*s_x));
+        const stewart_real m_T_ys = STEWART_FMA(m_leg_sy, y_y, m_leg_sz*z_y);
+        const stewart_real m_T_yy = STEWART_FMA(m_leg_yz, z_y, STEWART_FMA(m_leg_yy, y_y, m_leg_sy*s_y));
+        const stewart_real m_T_yz = STEWART_FMA(m_leg_yz, y_y, STEWART_FMA(m_leg_zz, z_y, m_leg_sz*s_y));
+        const stewart_real m_T_zs = STEWART_FMA(m_leg_sy, y_z, m_leg_sz*z_z);
+        const stewart_real m_T_zy = STEWART_FMA(m_leg_yz, z_z, STEWART_FMA(m_leg_yy, y_z, m_leg_sy*s_z));
+        const stewart_real m_T_zz = STEWART_FMA(m_leg_yz, y_z, STEWART_FMA(m_leg_zz, z_z, m_leg_sz*s_z));
         /* inertia at the tip, base frame */
-        const stewart_real m_xx = m_T_xs*s_x + m_T_xy*y_x + m_T_xz*z_x;
-        const stewart_real m_xy = m_T_xs*s_y + m_T_xy*y_y + m_T_xz*z_y;
-        const stewart_real m_xz = m_T_xs*s_z + m_T_xy*y_z + m_T_xz*z_z;
-        const stewart_real m_yy = m_T_ys*s_y + m_T_yy*y_y + m_T_yz*z_y;
-        const stewart_real m_yz = m_T_ys*s_z + m_T_yy*y_z + m_T_yz*z_z;
-        const stewart_real m_zz = m_T_zs*s_z + m_T_zy*y_z + m_T_zz*z_z;
+        const stewart_real m_xx = STEWART_FMA(m_T_xy, y_x, STEWART_FMA(m_T_xz, z_x, m_T_xs*s_x));
+        const stewart_real m_xy = STEWART_FMA(m_T_xy, y_y, STEWART_FMA(m_T_xz, z_y, m_T_xs*s_y));
+        const stewart_real m_xz = STEWART_FMA(m_T_xy, y_z, STEWART_FMA(m_T_xz, z_z, m_T_xs*s_z));
+        const stewart_real m_yy = STEWART_FMA(m_T_yy, y_y, STEWART_FMA(m_T_yz, z_y, m_T_ys*s_y));
+        const stewart_real m_yz = STEWART_FMA(m_T_yy, y_z, STEWART_FMA(m_T_yz, z_z, m_T_ys*s_z));
+        const stewart_real m_zz = STEWART_FMA(m_T_zy, y_z, STEWART_FMA(m_T_zz, z_z, m_T_zs*s_z));
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* k x y */
-        const stewart_real normal_x = k_y*y_z - k_z*y_y;
-        const stewart_real normal_y = k_z*y_x - k_x*y_z;
-        const stewart_real normal_z = k_x*y_y - k_y*y_x;
+        const stewart_real normal_x = STEWART_FMA(-k_z, y_y, k_y*y_z);
+        const stewart_real normal_y = STEWART_FMA(-k_x, y_z, k_z*y_x);
+        const stewart_real normal_z = STEWART_FMA(-k_y, y_x, k_x*y_y);
         /* omega along k x y, y and k */
-        const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
-        const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
-        const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
+        const stewart_real w_n_omega = STEWART_FMA(normal_z, omega_z, STEWART_FMA(normal_y, omega_y,
+            normal_x*omega_x));
+        const stewart_real w_y_omega = STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x));
+        const stewart_real w_k_omega = STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x));
         const stewart_real c11 = h_y*own_z;
         const stewart_real c12 = W_z*W_z;
         const stewart_real c13 = c12*h_x;
@@ -3808,7 +4038,8 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c19 = c12*h_z;
         const stewart_real c20 = inv_k3*k1;
         const stewart_real c21 = REAL(2)*c20;
-        const stewart_real tau_L = C_p*L_dot + c15*c18 + c19*c21 + h_z*own_y - c11 - c13 - c14;
+        const stewart_real tau_L = STEWART_FMA(c15, c18, STEWART_FMA(h_z, own_y, STEWART_FMA(c19, c21,
+            STEWART_FMA(C_p, L_dot, -c13) - c14))) - c11;
         const stewart_real c22 = C_us*theta_dot;
         const stewart_real c23 = J_yy*own_y;
         const stewart_real c24 = J_yz*own_z;
@@ -3842,8 +4073,10 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c53 = J_xx - J_zz;
         const stewart_real c54 = J_yy + c53;
         const stewart_real c55 = c54*k1;
-        const stewart_real tau_theta = L*c19*c49 + c22 + c23 + c24 + c25 + c28 + c30 + c32 + c34 + c35*c36 + c37*h_x
-            + c42 + c44 + c45*c49 + c51*c55 - c19*c35 - c26 - c34*c49 - c39 - c40*c48 - c45 - c47 - c50;
+        const stewart_real tau_theta = STEWART_FMA(-c40, c48, STEWART_FMA(-c34, c49, STEWART_FMA(c45, c49,
+            STEWART_FMA(c35, c36, STEWART_FMA(c37, h_x, STEWART_FMA(c51, c55, STEWART_FMA(-c19, c35,
+            STEWART_FMA(L*c19, c49, c44 - c50) + c28)) + c25 - c39 + c22 + c30 + c32 + c34) - c26 + c23))) - c45
+            + c24 - c47 + c42);
         const stewart_real c56 = C_s*w_k_omega;
         const stewart_real c57 = gamma_n*w_y;
         const stewart_real c58 = c41*own_y;
@@ -3865,17 +4098,20 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c75 = REAL(2)*J_xx;
         const stewart_real c76 = c49*c75;
         const stewart_real c77 = W_z*theta_dot;
-        const stewart_real tau_phi = C_us*c16 + J_xx*c40 + L_dot*W_z*c69*k3 + c12*c72 + c3*c72 + c35*c67*h_x
-            + c35*c73*h_z + c58 + c59 + c60*c61 + c63 + c64 + c65 + c7*own_y - L_ddot*c8 - L_dot*c68*c70 - c15*c37
-            - c16*c66 - c27*gamma_y - c35*c68*own_z - c48*own_y - c51*c6 - c53*c67 - c56 - c57 - c62*k3 - c71*k3
-            - c76*c77*k1;
+        const stewart_real tau_phi = STEWART_FMA(-c53, c67, STEWART_FMA((-c35)*c68, own_z,
+            STEWART_FMA(c35*c67, h_x, STEWART_FMA(c60, c61, STEWART_FMA(J_xx, c40, STEWART_FMA((-c76)*c77,
+            k1, STEWART_FMA((-L_dot)*c68, c70, STEWART_FMA(c35*c73, h_z, STEWART_FMA(-c48, own_y,
+            STEWART_FMA(-c16, c66, STEWART_FMA(L_dot*W_z*c69, k3, STEWART_FMA(-c15, c37, STEWART_FMA(c7,
+            own_y, STEWART_FMA(C_us, c16, STEWART_FMA(-c27, gamma_y, STEWART_FMA(-L_ddot, c8,
+            STEWART_FMA(-c51, c6, STEWART_FMA(-c71, k3, STEWART_FMA(-c62, k3, STEWART_FMA(c3, c72,
+            STEWART_FMA(c12, c72, c63 - c56))))) + c64 + c65) + c59) - c57) + c58)))))))))))));
         const stewart_real c78 = inv_rho*tau_phi;
         const stewart_real c79 = inv_L*tau_theta;
         const stewart_real c80 = tau_L - F;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = c78*y_x + c80*s_x - c79*z_x;
-        const stewart_real R_tip_y = c78*y_y + c80*s_y - c79*z_y;
-        const stewart_real R_tip_z = c78*y_z + c80*s_z - c79*z_z;
+        const stewart_real R_tip_x = STEWART_FMA(c78, y_x, STEWART_FMA(-c79, z_x, c80*s_x));
+        const stewart_real R_tip_y = STEWART_FMA(c78, y_y, STEWART_FMA(-c79, z_y, c80*s_y));
+        const stewart_real R_tip_z = STEWART_FMA(c78, y_z, STEWART_FMA(-c79, z_z, c80*s_z));
         const stewart_real c81 = C_s*inv_rho;
         const stewart_real c82 = c81*k1;
         const stewart_real A_3_leg_21 = -c82;
@@ -3893,15 +4129,15 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real A_3_T_zy = A_3_leg_32*z_z;
         const stewart_real A_3_T_zz = A_3_leg_23*y_z;
         /* force at the tip by omega */
-        const stewart_real A_3_xx = A_3_T_xs*s_x + A_3_T_xy*y_x + A_3_T_xz*z_x;
-        const stewart_real A_3_xy = A_3_T_xs*s_y + A_3_T_xy*y_y + A_3_T_xz*z_y;
-        const stewart_real A_3_xz = A_3_T_xs*s_z + A_3_T_xy*y_z + A_3_T_xz*z_z;
-        const stewart_real A_3_yx = A_3_T_ys*s_x + A_3_T_yy*y_x + A_3_T_yz*z_x;
-        const stewart_real A_3_yy = A_3_T_ys*s_y + A_3_T_yy*y_y + A_3_T_yz*z_y;
-        const stewart_real A_3_yz = A_3_T_ys*s_z + A_3_T_yy*y_z + A_3_T_yz*z_z;
-        const stewart_real A_3_zx = A_3_T_zs*s_x + A_3_T_zy*y_x + A_3_T_zz*z_x;
-        const stewart_real A_3_zy = A_3_T_zs*s_y + A_3_T_zy*y_y + A_3_T_zz*z_y;
-        const stewart_real A_3_zz = A_3_T_zs*s_z + A_3_T_zy*y_z + A_3_T_zz*z_z;
+        const stewart_real A_3_xx = STEWART_FMA(A_3_T_xz, z_x, STEWART_FMA(A_3_T_xs, s_x, A_3_T_xy*y_x));
+        const stewart_real A_3_xy = STEWART_FMA(A_3_T_xz, z_y, STEWART_FMA(A_3_T_xs, s_y, A_3_T_xy*y_y));
+        const stewart_real A_3_xz = STEWART_FMA(A_3_T_xz, z_z, STEWART_FMA(A_3_T_xs, s_z, A_3_T_xy*y_z));
+        const stewart_real A_3_yx = STEWART_FMA(A_3_T_yz, z_x, STEWART_FMA(A_3_T_ys, s_x, A_3_T_yy*y_x));
+        const stewart_real A_3_yy = STEWART_FMA(A_3_T_yz, z_y, STEWART_FMA(A_3_T_ys, s_y, A_3_T_yy*y_y));
+        const stewart_real A_3_yz = STEWART_FMA(A_3_T_yz, z_z, STEWART_FMA(A_3_T_ys, s_z, A_3_T_yy*y_z));
+        const stewart_real A_3_zx = STEWART_FMA(A_3_T_zz, z_x, STEWART_FMA(A_3_T_zs, s_x, A_3_T_zy*y_x));
+        const stewart_real A_3_zy = STEWART_FMA(A_3_T_zz, z_y, STEWART_FMA(A_3_T_zs, s_y, A_3_T_zy*y_y));
+        const stewart_real A_3_zz = STEWART_FMA(A_3_T_zz, z_z, STEWART_FMA(A_3_T_zs, s_z, A_3_T_zy*y_z));
         const stewart_real c85 = inv_L*theta_dot;
         const stewart_real G_dot_21 = -c85;
         const stewart_real c86 = k1*phi_dot;
@@ -3911,57 +4147,66 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c88 = inv_rho*k3;
         const stewart_real G_dot_31 = -c88*phi_dot;
         const stewart_real c89 = inv_rho*theta_dot;
-        const stewart_real G_dot_32 = -c2*inv_rho - c89*kappa;
+        const stewart_real G_dot_32 = STEWART_FMA(-c89, kappa, -c2*inv_rho);
         const stewart_real G_dot_33 = c86*inv_rho;
         const stewart_real c90 = C_s*k1;
         const stewart_real f_S_leg_11 = G_dot_31*c90;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c88*theta_dot);
+        const stewart_real f_S_leg_12 = C_s*STEWART_FMA(-c88, theta_dot, G_dot_32*k1);
         const stewart_real f_S_leg_13 = G_dot_33*c90;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
         const stewart_real c91 = C_s*k3;
         const stewart_real f_S_leg_31 = G_dot_31*c91;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c89*k1);
+        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(G_dot_32, k3, c89*k1);
         const stewart_real f_S_leg_33 = G_dot_33*c91;
-        const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
-        const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
-        const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
-        const stewart_real f_S_T_ys = f_S_leg_11*s_y + f_S_leg_21*y_y + f_S_leg_31*z_y;
-        const stewart_real f_S_T_yy = f_S_leg_12*s_y + f_S_leg_22*y_y + f_S_leg_32*z_y;
-        const stewart_real f_S_T_yz = f_S_leg_13*s_y + f_S_leg_23*y_y + f_S_leg_33*z_y;
-        const stewart_real f_S_T_zs = f_S_leg_11*s_z + f_S_leg_21*y_z + f_S_leg_31*z_z;
-        const stewart_real f_S_T_zy = f_S_leg_12*s_z + f_S_leg_22*y_z + f_S_leg_32*z_z;
-        const stewart_real f_S_T_zz = f_S_leg_13*s_z + f_S_leg_23*y_z + f_S_leg_33*z_z;
+        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_11, s_x,
+            f_S_leg_21*y_x));
+        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_12, s_x,
+            f_S_leg_22*y_x));
+        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_13, s_x,
+            f_S_leg_23*y_x));
+        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_11, s_y,
+            f_S_leg_21*y_y));
+        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_12, s_y,
+            f_S_leg_22*y_y));
+        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_13, s_y,
+            f_S_leg_23*y_y));
+        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_11, s_z,
+            f_S_leg_21*y_z));
+        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_12, s_z,
+            f_S_leg_22*y_z));
+        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_13, s_z,
+            f_S_leg_23*y_z));
         /* friction moment by S */
-        const stewart_real f_S_xx = f_S_T_xs*s_x + f_S_T_xy*y_x + f_S_T_xz*z_x;
-        const stewart_real f_S_xy = f_S_T_xs*s_y + f_S_T_xy*y_y + f_S_T_xz*z_y;
-        const stewart_real f_S_xz = f_S_T_xs*s_z + f_S_T_xy*y_z + f_S_T_xz*z_z;
-        const stewart_real f_S_yx = f_S_T_ys*s_x + f_S_T_yy*y_x + f_S_T_yz*z_x;
-        const stewart_real f_S_yy = f_S_T_ys*s_y + f_S_T_yy*y_y + f_S_T_yz*z_y;
-        const stewart_real f_S_yz = f_S_T_ys*s_z + f_S_T_yy*y_z + f_S_T_yz*z_z;
-        const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
-        const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
-        const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
+        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xy, y_x, STEWART_FMA(f_S_T_xz, z_x, f_S_T_xs*s_x));
+        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xy, y_y, STEWART_FMA(f_S_T_xz, z_y, f_S_T_xs*s_y));
+        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xy, y_z, STEWART_FMA(f_S_T_xz, z_z, f_S_T_xs*s_z));
+        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yy, y_x, STEWART_FMA(f_S_T_yz, z_x, f_S_T_ys*s_x));
+        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yy, y_y, STEWART_FMA(f_S_T_yz, z_y, f_S_T_ys*s_y));
+        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yy, y_z, STEWART_FMA(f_S_T_yz, z_z, f_S_T_ys*s_z));
+        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zy, y_x, STEWART_FMA(f_S_T_zz, z_x, f_S_T_zs*s_x));
+        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zy, y_y, STEWART_FMA(f_S_T_zz, z_y, f_S_T_zs*s_y));
+        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zy, y_z, STEWART_FMA(f_S_T_zz, z_z, f_S_T_zs*s_z));
         const stewart_real f_S_dot_leg_12 = c82;
         const stewart_real f_S_dot_leg_23 = -c84;
         const stewart_real f_S_dot_leg_32 = c83;
-        const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
+        const stewart_real f_S_dot_T_xy = STEWART_FMA(f_S_dot_leg_32, z_x, f_S_dot_leg_12*s_x);
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
-        const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
+        const stewart_real f_S_dot_T_yy = STEWART_FMA(f_S_dot_leg_32, z_y, f_S_dot_leg_12*s_y);
         const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
-        const stewart_real f_S_dot_T_zy = f_S_dot_leg_12*s_z + f_S_dot_leg_32*z_z;
+        const stewart_real f_S_dot_T_zy = STEWART_FMA(f_S_dot_leg_32, z_z, f_S_dot_leg_12*s_z);
         const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
         /* friction moment by S_dot */
-        const stewart_real f_S_dot_xx = f_S_dot_T_xy*y_x + f_S_dot_T_xz*z_x;
-        const stewart_real f_S_dot_xy = f_S_dot_T_xy*y_y + f_S_dot_T_xz*z_y;
-        const stewart_real f_S_dot_xz = f_S_dot_T_xy*y_z + f_S_dot_T_xz*z_z;
-        const stewart_real f_S_dot_yx = f_S_dot_T_yy*y_x + f_S_dot_T_yz*z_x;
-        const stewart_real f_S_dot_yy = f_S_dot_T_yy*y_y + f_S_dot_T_yz*z_y;
-        const stewart_real f_S_dot_yz = f_S_dot_T_yy*y_z + f_S_dot_T_yz*z_z;
-        const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
-        const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
-        const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
+        const stewart_real f_S_dot_xx = STEWART_FMA(f_S_dot_T_xz, z_x, f_S_dot_T_xy*y_x);
+        const stewart_real f_S_dot_xy = STEWART_FMA(f_S_dot_T_xz, z_y, f_S_dot_T_xy*y_y);
+        const stewart_real f_S_dot_xz = STEWART_FMA(f_S_dot_T_xz, z_z, f_S_dot_T_xy*y_z);
+        const stewart_real f_S_dot_yx = STEWART_FMA(f_S_dot_T_yz, z_x, f_S_dot_T_yy*y_x);
+        const stewart_real f_S_dot_yy = STEWART_FMA(f_S_dot_T_yz, z_y, f_S_dot_T_yy*y_y);
+        const stewart_real f_S_dot_yz = STEWART_FMA(f_S_dot_T_yz, z_z, f_S_dot_T_yy*y_z);
+        const stewart_real f_S_dot_zx = STEWART_FMA(f_S_dot_T_zz, z_x, f_S_dot_T_zy*y_x);
+        const stewart_real f_S_dot_zy = STEWART_FMA(f_S_dot_T_zz, z_y, f_S_dot_T_zy*y_y);
+        const stewart_real f_S_dot_zz = STEWART_FMA(f_S_dot_T_zz, z_z, f_S_dot_T_zy*y_z);
         const stewart_real c92 = c9*own_y;
         const stewart_real c93 = c87*h_z;
         const stewart_real c94 = -c17*c93;
@@ -3971,8 +4216,9 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c98 = REAL(2)*h_y;
         const stewart_real c99 = c87*c98;
         const stewart_real c100 = W_z*c99;
-        const stewart_real c101 = c100 + REAL(4)*c15*c16*c85 - c97;
-        const stewart_real A_0_leg_11 = REAL(2)*c12*h_x*inv_L + REAL(2)*c3*h_x*inv_L - c101 - c92 - c94 - REAL(4)*c96;
+        const stewart_real c101 = STEWART_FMA(REAL(4)*c15*c16, c85, c100) - c97;
+        const stewart_real A_0_leg_11 = STEWART_FMA(-REAL(4), c96, STEWART_FMA(REAL(2)*c3*h_x, inv_L,
+            REAL(2)*c12*h_x*inv_L)) - c94 - c92 - c101;
         const stewart_real c102 = h_x*inv_L;
         const stewart_real c103 = c102*c60;
         const stewart_real c104 = J_yz*c10;
@@ -4003,11 +4249,15 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c129 = c10*c62;
         const stewart_real c130 = c129*c49;
         const stewart_real c131 = inv_k3*inv_k3*inv_k3;
-        const stewart_real A_0_leg_12 = C_p*W_z + C_s*c10*inv_k3*w_k_omega + REAL(2)*J_xx*W_z*c10*c131*k1*theta_dot
-            + J_xy*c10*c12 + J_xy*c10*c3 + REAL(2)*J_xz*W_z*c10*c49*theta_dot + REAL(2)*L_ddot*c10*h_y + REAL(2)*W_z*h_z*inv_L*theta_dot
-            + c10*c53*own_z + c10*gamma_n*inv_k3*w_y + c10*gamma_y*w_x + REAL(3)*c12*c49*h_y*inv_L + REAL(2)*h_y*inv_L*inv_k3*k1*own_y
-            + REAL(3)*h_z*inv_L*inv_k3*k1*own_z - c103 - c105 - c108 - c110 - c111 - c115 - c117 - c118*c119
-            - c120*c121 - REAL(6)*c122*c77 - c123*c124 - c125 - c126 - c127*c128 - c130;
+        const stewart_real A_0_leg_12 = STEWART_FMA(REAL(3)*h_z*inv_L*inv_k3*k1, own_z, STEWART_FMA(-c120,
+            c121, STEWART_FMA(-c118, c119, STEWART_FMA(REAL(2)*h_y*inv_L*inv_k3*k1, own_y,
+            STEWART_FMA(REAL(2)*J_xx*W_z*c10*c131*k1, theta_dot, STEWART_FMA(c10*c53, own_z,
+            STEWART_FMA(REAL(2)*J_xz*W_z*c10*c49, theta_dot, STEWART_FMA(-c127, c128,
+            STEWART_FMA(REAL(2)*W_z*h_z*inv_L, theta_dot, STEWART_FMA((-REAL(6))*c122, c77,
+            STEWART_FMA(c10*gamma_n*inv_k3, w_y, STEWART_FMA(c10*gamma_y, w_x, STEWART_FMA(C_p, W_z,
+            STEWART_FMA(REAL(2)*L_ddot*c10, h_y, STEWART_FMA(C_s*c10*inv_k3, w_k_omega, STEWART_FMA(-c123,
+            c124, STEWART_FMA(REAL(3)*c12*c49*h_y, inv_L, STEWART_FMA(J_xy*c10, c3, J_xy*c10*c12) - c115 - c130)
+            - c108)) - c125 - c126)))) - c111 - c105 - c117)) - c110))))) - c103)));
         const stewart_real c132 = c10*c22;
         const stewart_real c133 = c10*c23;
         const stewart_real c134 = c10*c24;
@@ -4027,10 +4277,12 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c148 = REAL(4)*W_z;
         const stewart_real c149 = c148*c85;
         const stewart_real c150 = c149*h_y;
-        const stewart_real c151 = c10*c28 + c10*c30 + c10*c32 + c128*c99 + c146 + c150*c49 + REAL(2)*c36*inv_L
-            - c10*c39 - c143 - c147 - c150 - c20*c97;
-        const stewart_real A_0_leg_13 = c132 + c133 + c134 + c137 + REAL(2)*c138 + c141 + c143*c49 + c144 + c145*c55*inv_k3
-            + c151 - C_p*theta_dot - c10*c47 - c136 - c139 - c141*c49;
+        const stewart_real c151 = STEWART_FMA(-c20, c97, STEWART_FMA(REAL(2)*c36, inv_L, STEWART_FMA(c150,
+            c49, STEWART_FMA(c128, c99, STEWART_FMA(c10, c32, STEWART_FMA(c10, c30, STEWART_FMA(-c10, c39,
+            STEWART_FMA(c10, c28, c146 - c143)))) - c147))) - c150);
+        const stewart_real A_0_leg_13 = STEWART_FMA(-c10, c47, STEWART_FMA(-c141, c49, STEWART_FMA(-C_p,
+            theta_dot, STEWART_FMA(REAL(2), c138, STEWART_FMA(c145*c55, inv_k3, STEWART_FMA(c143, c49, c137
+            - c136 - c139))) + c132) + c141 + c133) + c134) + c144 + c151;
         const stewart_real c152 = L_ddot*c10;
         const stewart_real c153 = c152*h_y;
         const stewart_real c154 = c10*gamma_y;
@@ -4051,10 +4303,15 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c169 = c168 + c75;
         const stewart_real c170 = c131*k1;
         const stewart_real c171 = J_xx*c170;
-        const stewart_real A_0_leg_21 = J_xz*c167*c49 + J_yz*c157 + REAL(3)*c10*c71 + c108*c49 + c109*c56 + c109*c57
-            + c118*c169 + c120*c95 + c153 + c154*w_x + c155*c20 + c157*c161 + c158 + c162*c163 + c164*c20 + c165*c76
-            + c167*c171 - c103 - REAL(2)*c105 - c107 - REAL(2)*c110 - c111 - REAL(2)*c117 - c118*c76 - c122*c160
-            - c123 - REAL(3)*c125 - REAL(3)*c126 - REAL(3)*c130 - c159*c40 - c165*c169;
+        const stewart_real A_0_leg_21 = STEWART_FMA(-c159, c40, STEWART_FMA(-c118, c76, STEWART_FMA(c120,
+            c95, STEWART_FMA(c118, c169, STEWART_FMA(J_xz*c167, c49, STEWART_FMA(-c122, c160,
+            STEWART_FMA(-REAL(2), c110, STEWART_FMA(c167, c171, STEWART_FMA(-c165, c169,
+            STEWART_FMA(-REAL(2), c117, STEWART_FMA(-REAL(2), c105, STEWART_FMA(c162, c163,
+            STEWART_FMA(c155, c20, STEWART_FMA(c165, c76, STEWART_FMA(c164, c20, STEWART_FMA(c157, c161,
+            STEWART_FMA(c154, w_x, STEWART_FMA(c109, c57, STEWART_FMA(J_yz, c157, STEWART_FMA(-REAL(3),
+            c126, STEWART_FMA(-REAL(3), c125, STEWART_FMA(c109, c56, STEWART_FMA(c108, c49,
+            STEWART_FMA(-REAL(3), c130, STEWART_FMA(REAL(3)*c10, c71, c158)) - c107 - c123)) + c153))))))))
+            - c111))))))))))) - c103));
         const stewart_real c173 = L_ddot*c112;
         const stewart_real c174 = c14*inv_L;
         const stewart_real c175 = c113*inv_L*inv_L*inv_L*inv_L;
@@ -4097,13 +4354,19 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c212 = c211*theta_dot;
         const stewart_real c213 = c131*c149*c15;
         const stewart_real c214 = c10*g_k;
-        const stewart_real c215 = C_p*c2 + c135*h_x + c193 + c214*c29 + c214*c31 - F*inv_L - c152*c69 - c192*c27;
-        const stewart_real A_0_leg_22 = c132*c20 + REAL(3)*c138*c20 + c143*c170 + c156*c203 + c156*c212 + c173*c53
-            + c174 + c175*c206 + c175*c76 + c176*c188 + c176*c198 + c180*c49 + c183 + c184*w_y + c185*(J_yy
-            + c75 - J_zz) + c190 + c191*c49 + c193*c49 + c194*c55 + c197*c204 + c20*c205 + c213 + c215 + c94
-            - c109*g_k*w_z - c119*c173 - c119*c176 - c132*c170 - c136*c20 - c145*c188 - c146*c202 - c146*c21
-            - c147*c20 - c169*c175 - REAL(3)*c170*c195 - c171*c181 - c173*c198 - c176*c53 - c177 - c178 - c180
-            - c183*c49 - c186*c49 - REAL(2)*c189 - c196 - c201 - c208 - c210 - c92;
+        const stewart_real c215 = STEWART_FMA(-c192, c27, STEWART_FMA(-c152, c69, STEWART_FMA(C_p, c2,
+            STEWART_FMA(c214, c29, STEWART_FMA(c214, c31, STEWART_FMA(-F, inv_L, c135*h_x))))) + c193);
+        const stewart_real A_0_leg_22 = STEWART_FMA(-REAL(2), c189, STEWART_FMA(c20, c205, STEWART_FMA(c180,
+            c49, STEWART_FMA(-c183, c49, STEWART_FMA(-c171, c181, STEWART_FMA(c191, c49, STEWART_FMA(-c147,
+            c20, STEWART_FMA(c194, c55, STEWART_FMA(-c132, c170, STEWART_FMA(c193, c49, STEWART_FMA(c184,
+            w_y, STEWART_FMA(c156, c203, STEWART_FMA(c132, c20, STEWART_FMA(c156, c212, STEWART_FMA(-c186,
+            c49, STEWART_FMA(REAL(3)*c138, c20, STEWART_FMA(-c173, c198, STEWART_FMA(-c119, c173,
+            STEWART_FMA(-c146, c21, STEWART_FMA(-c146, c202, STEWART_FMA(c176, c198, STEWART_FMA(c175, c206,
+            STEWART_FMA(c173, c53, STEWART_FMA((-REAL(3))*c170, c195, STEWART_FMA(-c136, c20,
+            STEWART_FMA(c197, c204, STEWART_FMA(c143, c170, STEWART_FMA((-c109)*g_k, w_z, STEWART_FMA(-c169,
+            c175, STEWART_FMA(-c176, c53, STEWART_FMA(-c145, c188, STEWART_FMA(-c119, c176,
+            STEWART_FMA(c185, J_yy + c75 - J_zz, STEWART_FMA(c176, c188, c175*c76))))) - c177 + c174) - c178))))))))))))))))
+            + c94)) + c190)) + c183) + c215) - c201 - c92) + c213) - c196 - c210)) - c180 - c208));
         const stewart_real c216 = c104*c3;
         const stewart_real c217 = c104*c12;
         const stewart_real c218 = J_xy*c49;
@@ -4123,164 +4386,215 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real c232 = c223*c49;
         const stewart_real c233 = REAL(2)*c161;
         const stewart_real c234 = c182*c49;
-        const stewart_real c235 = J_yz*c173 + W_z*c231 + c159*c73 + c160*c170*c9 + c161*c173 + c184*w_z + c230*c49
-            - c124*c229 - c162*c207 - c165*c234 - c166*c169 - c175*c228 - c175*c233 - c232*c56 - c232*c57;
-        const stewart_real A_0_leg_23 = c107*c20 + c118*c211 + c119*c167 + c123*c20 + c129*c202 + c155 + c161*c176
-            + c164 + c181*c218 + c216 + c219 + c220 + c225*c70 + c227 + c235 - J_xx*c167*c187 - c108*c170 - c128*c226
-            - c153*c20 - c164*c49 - c165*c211 - c217 - c221 - c222 - c224;
+        const stewart_real c235 = STEWART_FMA(-c124, c229, STEWART_FMA(c230, c49, STEWART_FMA(-c162, c207,
+            STEWART_FMA(-c166, c169, STEWART_FMA(c160*c170, c9, STEWART_FMA(-c165, c234, STEWART_FMA(c159,
+            c73, STEWART_FMA(-c232, c57, STEWART_FMA(c184, w_z, STEWART_FMA(W_z, c231, STEWART_FMA(-c175,
+            c233, STEWART_FMA(-c232, c56, STEWART_FMA(c161, c173, STEWART_FMA(-c175, c228,
+            J_yz*c173))))))))))))));
+        const stewart_real A_0_leg_23 = STEWART_FMA((-J_xx)*c167, c187, STEWART_FMA(c118, c211,
+            STEWART_FMA(-c128, c226, STEWART_FMA(c119, c167, STEWART_FMA(-c165, c211, STEWART_FMA(-c164,
+            c49, STEWART_FMA(c181, c218, STEWART_FMA(c225, c70, STEWART_FMA(-c153, c20, STEWART_FMA(-c108,
+            c170, STEWART_FMA(c161, c176, STEWART_FMA(c129, c202, STEWART_FMA(c123, c20, STEWART_FMA(c107,
+            c20, c216 + c219 + c220 - c217))))) - c224) + c164 + c155) + c227 - c222))))) - c221)) + c235;
         const stewart_real c236 = REAL(2)*J_yy;
         const stewart_real c237 = c236*theta_dot;
         const stewart_real c238 = REAL(2)*c41;
-        const stewart_real A_0_leg_31 = J_xy*c167 + c124*c142 + REAL(2)*c132 + REAL(2)*c133 + c138 + REAL(2)*c144
-            + c145*c20*(REAL(3)*J_xx + REAL(3)*J_yy - REAL(3)*J_zz) + c151 + REAL(6)*c195 + c205 - REAL(6)*c10*c46*c73
-            - REAL(3)*c139 - c156*c237 - c163*c238 - c165*c228 - c167*c218;
+        const stewart_real A_0_leg_31 = STEWART_FMA(REAL(2), c144, STEWART_FMA(-c167, c218,
+            STEWART_FMA((-REAL(6))*c10*c46, c73, STEWART_FMA(-c163, c238, STEWART_FMA(REAL(2), c133,
+            STEWART_FMA(J_xy, c167, STEWART_FMA(-c165, c228, STEWART_FMA(-c156, c237, STEWART_FMA(REAL(2),
+            c132, STEWART_FMA(c145*c20, STEWART_FMA(-REAL(3), J_zz, STEWART_FMA(REAL(3), J_yy,
+            REAL(3)*J_xx)), STEWART_FMA(c124, c142, STEWART_FMA(-REAL(3), c139, REAL(6)*c195))) + c138))))))))
+            + c205) + c151;
         const stewart_real c239 = c179*c181;
         const stewart_real c240 = REAL(4)*J_xz;
-        const stewart_real c242 = c169 + c236;
+        const stewart_real c242 = c236 + c169;
         const stewart_real c243 = REAL(4)*c128*c9;
-        const stewart_real A_0_leg_32 = C_s*c109*w_n_omega + W_z*c225 + c108*c20 + c115*c20 + c118*c171 + c123*c202
-            + c128*c156*c242 + REAL(2)*c155 + c158*c170 + c165*c240 + c166*c49*(REAL(4)*J_xx + c168 + c236)
-            + c194*c209 + REAL(3)*c219 + c222 + c229 + c235 + c239*c49 - REAL(3)*c107*c170 - c116*c128 - REAL(2)*c153*c20
-            - c166*c188 - c204*c238 - REAL(2)*c217 - c220 - REAL(2)*c221 - c222*c49 - c223*c40*c54 - REAL(2)*c224
-            - c227 - c230 - c239 - c243*theta_dot - c70*c93;
-        const stewart_real A_0_leg_33 = c101 + c137*c170 + c175*c236 + c177 + c178 + c189 + c191 + c196 + c201
-            + c208 + c210 + c215 + REAL(2)*c96 - J_yy*c173 - J_yy*c176 - c10*c18*c41 - c100*c49 - c118*c218
-            - c142*c202 - c174 - c185*c54 - c186 - c190 - c200 - c213;
-        const stewart_real A_0_T_xs = A_0_leg_11*s_x + A_0_leg_21*y_x + A_0_leg_31*z_x;
-        const stewart_real A_0_T_xy = A_0_leg_12*s_x + A_0_leg_22*y_x + A_0_leg_32*z_x;
-        const stewart_real A_0_T_xz = A_0_leg_13*s_x + A_0_leg_23*y_x + A_0_leg_33*z_x;
-        const stewart_real A_0_T_ys = A_0_leg_11*s_y + A_0_leg_21*y_y + A_0_leg_31*z_y;
-        const stewart_real A_0_T_yy = A_0_leg_12*s_y + A_0_leg_22*y_y + A_0_leg_32*z_y;
-        const stewart_real A_0_T_yz = A_0_leg_13*s_y + A_0_leg_23*y_y + A_0_leg_33*z_y;
-        const stewart_real A_0_T_zs = A_0_leg_11*s_z + A_0_leg_21*y_z + A_0_leg_31*z_z;
-        const stewart_real A_0_T_zy = A_0_leg_12*s_z + A_0_leg_22*y_z + A_0_leg_32*z_z;
-        const stewart_real A_0_T_zz = A_0_leg_13*s_z + A_0_leg_23*y_z + A_0_leg_33*z_z;
+        const stewart_real A_0_leg_32 = STEWART_FMA((-c223)*c40, c54, STEWART_FMA(-c243, theta_dot,
+            STEWART_FMA(c118, c171, STEWART_FMA(-REAL(2), c221, STEWART_FMA(-c166, c188, STEWART_FMA(-c116,
+            c128, STEWART_FMA(c239, c49, STEWART_FMA(c166*c49, STEWART_FMA(REAL(4), J_xx, c168) + c236,
+            STEWART_FMA(c128*c156, c242, STEWART_FMA(C_s*c109, w_n_omega, STEWART_FMA(-c70, c93,
+            STEWART_FMA(-c222, c49, STEWART_FMA(c194, c209, STEWART_FMA(REAL(2), c155, STEWART_FMA(c165,
+            c240, STEWART_FMA(W_z, c225, STEWART_FMA((-REAL(2))*c153, c20, STEWART_FMA(-c204, c238,
+            STEWART_FMA(-REAL(2), c224, STEWART_FMA((-REAL(3))*c107, c170, STEWART_FMA(c123, c202,
+            STEWART_FMA(c158, c170, STEWART_FMA(c115, c20, STEWART_FMA(c108, c20, STEWART_FMA(-REAL(2),
+            c217, REAL(3)*c219) - c220))))))))) + c222)))) - c227)))) + c229)))) - c239) - c230)) + c235;
+        const stewart_real A_0_leg_33 = STEWART_FMA(-c118, c218, STEWART_FMA((-c10)*c18, c41,
+            STEWART_FMA(-c100, c49, STEWART_FMA(-J_yy, c173, STEWART_FMA(-c142, c202, STEWART_FMA(REAL(2),
+            c96, STEWART_FMA(c137, c170, STEWART_FMA(-c185, c54, STEWART_FMA(-J_yy, c176, STEWART_FMA(c175,
+            c236, c177)) + c178) - c174)))) - c186 + c201 - c200 + c191 + c196 + c210 + c215) - c190 + c208)
+            - c213 + c189) + c101;
+        const stewart_real A_0_T_xs = STEWART_FMA(A_0_leg_21, y_x, STEWART_FMA(A_0_leg_31, z_x,
+            A_0_leg_11*s_x));
+        const stewart_real A_0_T_xy = STEWART_FMA(A_0_leg_22, y_x, STEWART_FMA(A_0_leg_32, z_x,
+            A_0_leg_12*s_x));
+        const stewart_real A_0_T_xz = STEWART_FMA(A_0_leg_33, z_x, STEWART_FMA(A_0_leg_23, y_x,
+            A_0_leg_13*s_x));
+        const stewart_real A_0_T_ys = STEWART_FMA(A_0_leg_21, y_y, STEWART_FMA(A_0_leg_31, z_y,
+            A_0_leg_11*s_y));
+        const stewart_real A_0_T_yy = STEWART_FMA(A_0_leg_22, y_y, STEWART_FMA(A_0_leg_32, z_y,
+            A_0_leg_12*s_y));
+        const stewart_real A_0_T_yz = STEWART_FMA(A_0_leg_33, z_y, STEWART_FMA(A_0_leg_23, y_y,
+            A_0_leg_13*s_y));
+        const stewart_real A_0_T_zs = STEWART_FMA(A_0_leg_21, y_z, STEWART_FMA(A_0_leg_31, z_z,
+            A_0_leg_11*s_z));
+        const stewart_real A_0_T_zy = STEWART_FMA(A_0_leg_22, y_z, STEWART_FMA(A_0_leg_32, z_z,
+            A_0_leg_12*s_z));
+        const stewart_real A_0_T_zz = STEWART_FMA(A_0_leg_33, z_z, STEWART_FMA(A_0_leg_23, y_z,
+            A_0_leg_13*s_z));
         /* force at the tip by S */
-        const stewart_real A_0_xx = A_0_T_xs*s_x + A_0_T_xy*y_x + A_0_T_xz*z_x;
-        const stewart_real A_0_xy = A_0_T_xs*s_y + A_0_T_xy*y_y + A_0_T_xz*z_y;
-        const stewart_real A_0_xz = A_0_T_xs*s_z + A_0_T_xy*y_z + A_0_T_xz*z_z;
-        const stewart_real A_0_yx = A_0_T_ys*s_x + A_0_T_yy*y_x + A_0_T_yz*z_x;
-        const stewart_real A_0_yy = A_0_T_ys*s_y + A_0_T_yy*y_y + A_0_T_yz*z_y;
-        const stewart_real A_0_yz = A_0_T_ys*s_z + A_0_T_yy*y_z + A_0_T_yz*z_z;
-        const stewart_real A_0_zx = A_0_T_zs*s_x + A_0_T_zy*y_x + A_0_T_zz*z_x;
-        const stewart_real A_0_zy = A_0_T_zs*s_y + A_0_T_zy*y_y + A_0_T_zz*z_y;
-        const stewart_real A_0_zz = A_0_T_zs*s_z + A_0_T_zy*y_z + A_0_T_zz*z_z;
+        const stewart_real A_0_xx = STEWART_FMA(A_0_T_xy, y_x, STEWART_FMA(A_0_T_xs, s_x, A_0_T_xz*z_x));
+        const stewart_real A_0_xy = STEWART_FMA(A_0_T_xy, y_y, STEWART_FMA(A_0_T_xs, s_y, A_0_T_xz*z_y));
+        const stewart_real A_0_xz = STEWART_FMA(A_0_T_xy, y_z, STEWART_FMA(A_0_T_xs, s_z, A_0_T_xz*z_z));
+        const stewart_real A_0_yx = STEWART_FMA(A_0_T_yy, y_x, STEWART_FMA(A_0_T_ys, s_x, A_0_T_yz*z_x));
+        const stewart_real A_0_yy = STEWART_FMA(A_0_T_yy, y_y, STEWART_FMA(A_0_T_ys, s_y, A_0_T_yz*z_y));
+        const stewart_real A_0_yz = STEWART_FMA(A_0_T_yy, y_z, STEWART_FMA(A_0_T_ys, s_z, A_0_T_yz*z_z));
+        const stewart_real A_0_zx = STEWART_FMA(A_0_T_zy, y_x, STEWART_FMA(A_0_T_zs, s_x, A_0_T_zz*z_x));
+        const stewart_real A_0_zy = STEWART_FMA(A_0_T_zy, y_y, STEWART_FMA(A_0_T_zs, s_y, A_0_T_zz*z_y));
+        const stewart_real A_0_zz = STEWART_FMA(A_0_T_zy, y_z, STEWART_FMA(A_0_T_zs, s_z, A_0_T_zz*z_z));
         const stewart_real c244 = c106*c70;
         const stewart_real c245 = c244 - c226;
         const stewart_real A_1_leg_11 = C_p + c245;
         const stewart_real c246 = c102*c70;
         const stewart_real c247 = c85*c98;
-        const stewart_real A_1_leg_12 = c20*c247 + c243 + c99 - c246;
-        const stewart_real c248 = c231 - REAL(2)*c106*c128;
+        const stewart_real A_1_leg_12 = STEWART_FMA(c20, c247, c99) - c246 + c243;
+        const stewart_real c248 = STEWART_FMA((-REAL(2))*c106, c128, c231);
         const stewart_real A_1_leg_13 = c127 + c248;
         const stewart_real c249 = c109*c17;
-        const stewart_real A_1_leg_21 = W_z*c10*c169 + REAL(2)*W_z*h_z*inv_L*inv_k3*k1 - c140*c76 - c159*c16
-            - c199 - c246 - c249*c41;
+        const stewart_real A_1_leg_21 = STEWART_FMA(REAL(2)*W_z*h_z*inv_L*inv_k3, k1, STEWART_FMA(-c159,
+            c16, STEWART_FMA(-c140, c76, STEWART_FMA(-c249, c41, STEWART_FMA(W_z*c10, c169, -c199)))) - c246);
         const stewart_real c250 = c140*c179;
         const stewart_real c251 = c69*c87;
         const stewart_real c252 = c244*c49;
         const stewart_real c253 = c10*c16;
         const stewart_real c254 = c209*c253;
         const stewart_real c255 = c250*c49;
-        const stewart_real A_1_leg_22 = C_us*c10*c49 + REAL(2)*L_dot*c10*h_z*inv_k3*k1 + L_dot*c112*c169 + c254
-            + c255 + REAL(2)*c49*h_z*inv_L*theta_dot - c10*c203 - c10*c212 - c156*c206 - c156*c76 - c250 - c251
-            - c252;
+        const stewart_real A_1_leg_22 = STEWART_FMA(-c10, c203, STEWART_FMA(REAL(2)*c49*h_z*inv_L,
+            theta_dot, STEWART_FMA(-c10, c212, STEWART_FMA(REAL(2)*L_dot*c10*h_z*inv_k3, k1,
+            STEWART_FMA(-c156, c76, STEWART_FMA(-c156, c206, STEWART_FMA(L_dot*c112, c169, C_us*c10*c49))) - c251)))
+            + c254 + c255) - c250 - c252;
         const stewart_real c256 = c10*c33;
         const stewart_real c257 = c249*c46;
         const stewart_real c258 = c70*c9;
-        const stewart_real c259 = c140*c234 + c156*c228 + c156*c233 - c258*c49;
-        const stewart_real A_1_leg_23 = c140*c211 + c256 + c259 - c257;
-        const stewart_real A_1_leg_31 = c10*c237 + c104*c70 + c238*c253 + c248;
-        const stewart_real A_1_leg_32 = c247 + c256*c49 + c257 + c258 + c259 - c140*c240 - c16*c223*c242 - c20*c99
-            - c247*c49 - c256;
-        const stewart_real A_1_leg_33 = C_us*c10 + c250 + c252 - c156*c236 - c245 - c251 - c254 - c255;
-        const stewart_real A_1_T_xs = A_1_leg_11*s_x + A_1_leg_21*y_x + A_1_leg_31*z_x;
-        const stewart_real A_1_T_xy = A_1_leg_12*s_x + A_1_leg_22*y_x + A_1_leg_32*z_x;
-        const stewart_real A_1_T_xz = A_1_leg_13*s_x + A_1_leg_23*y_x + A_1_leg_33*z_x;
-        const stewart_real A_1_T_ys = A_1_leg_11*s_y + A_1_leg_21*y_y + A_1_leg_31*z_y;
-        const stewart_real A_1_T_yy = A_1_leg_12*s_y + A_1_leg_22*y_y + A_1_leg_32*z_y;
-        const stewart_real A_1_T_yz = A_1_leg_13*s_y + A_1_leg_23*y_y + A_1_leg_33*z_y;
-        const stewart_real A_1_T_zs = A_1_leg_11*s_z + A_1_leg_21*y_z + A_1_leg_31*z_z;
-        const stewart_real A_1_T_zy = A_1_leg_12*s_z + A_1_leg_22*y_z + A_1_leg_32*z_z;
-        const stewart_real A_1_T_zz = A_1_leg_13*s_z + A_1_leg_23*y_z + A_1_leg_33*z_z;
+        const stewart_real c259 = STEWART_FMA(-c258, c49, STEWART_FMA(c140, c234, STEWART_FMA(c156, c233,
+            c156*c228)));
+        const stewart_real A_1_leg_23 = STEWART_FMA(c140, c211, c256) - c257 + c259;
+        const stewart_real A_1_leg_31 = STEWART_FMA(c238, c253, STEWART_FMA(c104, c70, c10*c237)) + c248;
+        const stewart_real A_1_leg_32 = STEWART_FMA((-c16)*c223, c242, STEWART_FMA(-c140, c240,
+            STEWART_FMA(-c247, c49, STEWART_FMA(c256, c49, STEWART_FMA(-c20, c99, c247) + c257) + c258) - c256))
+            + c259;
+        const stewart_real A_1_leg_33 = STEWART_FMA(-c156, c236, C_us*c10) - c251 + c250 + c252 - c245 - c254
+            - c255;
+        const stewart_real A_1_T_xs = STEWART_FMA(A_1_leg_21, y_x, STEWART_FMA(A_1_leg_31, z_x,
+            A_1_leg_11*s_x));
+        const stewart_real A_1_T_xy = STEWART_FMA(A_1_leg_32, z_x, STEWART_FMA(A_1_leg_22, y_x,
+            A_1_leg_12*s_x));
+        const stewart_real A_1_T_xz = STEWART_FMA(A_1_leg_33, z_x, STEWART_FMA(A_1_leg_23, y_x,
+            A_1_leg_13*s_x));
+        const stewart_real A_1_T_ys = STEWART_FMA(A_1_leg_21, y_y, STEWART_FMA(A_1_leg_31, z_y,
+            A_1_leg_11*s_y));
+        const stewart_real A_1_T_yy = STEWART_FMA(A_1_leg_32, z_y, STEWART_FMA(A_1_leg_22, y_y,
+            A_1_leg_12*s_y));
+        const stewart_real A_1_T_yz = STEWART_FMA(A_1_leg_33, z_y, STEWART_FMA(A_1_leg_23, y_y,
+            A_1_leg_13*s_y));
+        const stewart_real A_1_T_zs = STEWART_FMA(A_1_leg_21, y_z, STEWART_FMA(A_1_leg_31, z_z,
+            A_1_leg_11*s_z));
+        const stewart_real A_1_T_zy = STEWART_FMA(A_1_leg_32, z_z, STEWART_FMA(A_1_leg_22, y_z,
+            A_1_leg_12*s_z));
+        const stewart_real A_1_T_zz = STEWART_FMA(A_1_leg_33, z_z, STEWART_FMA(A_1_leg_23, y_z,
+            A_1_leg_13*s_z));
         /* force at the tip by S_dot */
-        const stewart_real A_1_xx = A_1_T_xs*s_x + A_1_T_xy*y_x + A_1_T_xz*z_x;
-        const stewart_real A_1_xy = A_1_T_xs*s_y + A_1_T_xy*y_y + A_1_T_xz*z_y;
-        const stewart_real A_1_xz = A_1_T_xs*s_z + A_1_T_xy*y_z + A_1_T_xz*z_z;
-        const stewart_real A_1_yx = A_1_T_ys*s_x + A_1_T_yy*y_x + A_1_T_yz*z_x;
-        const stewart_real A_1_yy = A_1_T_ys*s_y + A_1_T_yy*y_y + A_1_T_yz*z_y;
-        const stewart_real A_1_yz = A_1_T_ys*s_z + A_1_T_yy*y_z + A_1_T_yz*z_z;
-        const stewart_real A_1_zx = A_1_T_zs*s_x + A_1_T_zy*y_x + A_1_T_zz*z_x;
-        const stewart_real A_1_zy = A_1_T_zs*s_y + A_1_T_zy*y_y + A_1_T_zz*z_y;
-        const stewart_real A_1_zz = A_1_T_zs*s_z + A_1_T_zy*y_z + A_1_T_zz*z_z;
+        const stewart_real A_1_xx = STEWART_FMA(A_1_T_xy, y_x, STEWART_FMA(A_1_T_xz, z_x, A_1_T_xs*s_x));
+        const stewart_real A_1_xy = STEWART_FMA(A_1_T_xy, y_y, STEWART_FMA(A_1_T_xz, z_y, A_1_T_xs*s_y));
+        const stewart_real A_1_xz = STEWART_FMA(A_1_T_xy, y_z, STEWART_FMA(A_1_T_xz, z_z, A_1_T_xs*s_z));
+        const stewart_real A_1_yx = STEWART_FMA(A_1_T_yy, y_x, STEWART_FMA(A_1_T_yz, z_x, A_1_T_ys*s_x));
+        const stewart_real A_1_yy = STEWART_FMA(A_1_T_yy, y_y, STEWART_FMA(A_1_T_yz, z_y, A_1_T_ys*s_y));
+        const stewart_real A_1_yz = STEWART_FMA(A_1_T_yy, y_z, STEWART_FMA(A_1_T_yz, z_z, A_1_T_ys*s_z));
+        const stewart_real A_1_zx = STEWART_FMA(A_1_T_zy, y_x, STEWART_FMA(A_1_T_zz, z_x, A_1_T_zs*s_x));
+        const stewart_real A_1_zy = STEWART_FMA(A_1_T_zy, y_y, STEWART_FMA(A_1_T_zz, z_y, A_1_T_zs*s_y));
+        const stewart_real A_1_zz = STEWART_FMA(A_1_T_zy, y_z, STEWART_FMA(A_1_T_zz, z_z, A_1_T_zs*s_z));
         /* force by rotation about the tip */
-        const stewart_real X_xx = A_0_xx + A_1_xy*omega_z + B_xx*m_xx + B_yx*m_xy + B_zx*m_xz - A_1_xz*omega_y;
-        const stewart_real X_xy = A_0_xy + A_1_xz*omega_x + B_xy*m_xx + B_yy*m_xy + B_zy*m_xz - A_1_xx*omega_z;
-        const stewart_real X_xz = A_0_xz + A_1_xx*omega_y + B_xz*m_xx + B_yz*m_xy + B_zz*m_xz - A_1_xy*omega_x;
-        const stewart_real X_yx = A_0_yx + A_1_yy*omega_z + B_xx*m_xy + B_yx*m_yy + B_zx*m_yz - A_1_yz*omega_y;
-        const stewart_real X_yy = A_0_yy + A_1_yz*omega_x + B_xy*m_xy + B_yy*m_yy + B_zy*m_yz - A_1_yx*omega_z;
-        const stewart_real X_yz = A_0_yz + A_1_yx*omega_y + B_xz*m_xy + B_yz*m_yy + B_zz*m_yz - A_1_yy*omega_x;
-        const stewart_real X_zx = A_0_zx + A_1_zy*omega_z + B_xx*m_xz + B_yx*m_yz + B_zx*m_zz - A_1_zz*omega_y;
-        const stewart_real X_zy = A_0_zy + A_1_zz*omega_x + B_xy*m_xz + B_yy*m_yz + B_zy*m_zz - A_1_zx*omega_z;
-        const stewart_real X_zz = A_0_zz + A_1_zx*omega_y + B_xz*m_xz + B_yz*m_yz + B_zz*m_zz - A_1_zy*omega_x;
+        const stewart_real X_xx = STEWART_FMA(-A_1_xz, omega_y, STEWART_FMA(A_1_xy, omega_z,
+            STEWART_FMA(B_zx, m_xz, STEWART_FMA(B_yx, m_xy, B_xx*m_xx)))) + A_0_xx;
+        const stewart_real X_xy = STEWART_FMA(-A_1_xx, omega_z, STEWART_FMA(A_1_xz, omega_x,
+            STEWART_FMA(B_zy, m_xz, STEWART_FMA(B_yy, m_xy, B_xy*m_xx)))) + A_0_xy;
+        const stewart_real X_xz = STEWART_FMA(-A_1_xy, omega_x, STEWART_FMA(A_1_xx, omega_y,
+            STEWART_FMA(B_zz, m_xz, STEWART_FMA(B_yz, m_xy, B_xz*m_xx)))) + A_0_xz;
+        const stewart_real X_yx = STEWART_FMA(-A_1_yz, omega_y, STEWART_FMA(A_1_yy, omega_z,
+            STEWART_FMA(B_zx, m_yz, STEWART_FMA(B_yx, m_yy, B_xx*m_xy)))) + A_0_yx;
+        const stewart_real X_yy = STEWART_FMA(-A_1_yx, omega_z, STEWART_FMA(A_1_yz, omega_x,
+            STEWART_FMA(B_zy, m_yz, STEWART_FMA(B_yy, m_yy, B_xy*m_xy)))) + A_0_yy;
+        const stewart_real X_yz = STEWART_FMA(-A_1_yy, omega_x, STEWART_FMA(A_1_yx, omega_y,
+            STEWART_FMA(B_zz, m_yz, STEWART_FMA(B_yz, m_yy, B_xz*m_xy)))) + A_0_yz;
+        const stewart_real X_zx = STEWART_FMA(-A_1_zz, omega_y, STEWART_FMA(A_1_zy, omega_z,
+            STEWART_FMA(B_zx, m_zz, STEWART_FMA(B_yx, m_yz, B_xx*m_xz)))) + A_0_zx;
+        const stewart_real X_zy = STEWART_FMA(-A_1_zx, omega_z, STEWART_FMA(A_1_zz, omega_x,
+            STEWART_FMA(B_zy, m_zz, STEWART_FMA(B_yy, m_yz, B_xy*m_xz)))) + A_0_zy;
+        const stewart_real X_zz = STEWART_FMA(-A_1_zy, omega_x, STEWART_FMA(A_1_zx, omega_y,
+            STEWART_FMA(B_zz, m_zz, STEWART_FMA(B_yz, m_yz, B_xz*m_xz)))) + A_0_zz;
         const stewart_real c260 = m_xy*omega_z;
         const stewart_real c261 = m_xz*omega_y;
-        const stewart_real Y_xx = A_1_xx + c260 - c261;
-        const stewart_real Y_xy = A_1_xy + m_xz*omega_x - m_xx*omega_z;
-        const stewart_real Y_xz = A_1_xz + m_xx*omega_y - m_xy*omega_x;
-        const stewart_real Y_yx = A_1_yx + m_yy*omega_z - m_yz*omega_y;
+        const stewart_real Y_xx = c260 - c261 + A_1_xx;
+        const stewart_real Y_xy = STEWART_FMA(-m_xx, omega_z, m_xz*omega_x) + A_1_xy;
+        const stewart_real Y_xz = STEWART_FMA(-m_xy, omega_x, m_xx*omega_y) + A_1_xz;
+        const stewart_real Y_yx = STEWART_FMA(-m_yz, omega_y, m_yy*omega_z) + A_1_yx;
         const stewart_real c262 = m_yz*omega_x;
-        const stewart_real Y_yy = A_1_yy + c262 - c260;
-        const stewart_real Y_yz = A_1_yz + m_xy*omega_y - m_yy*omega_x;
-        const stewart_real Y_zx = A_1_zx + m_yz*omega_z - m_zz*omega_y;
-        const stewart_real Y_zy = A_1_zy + m_zz*omega_x - m_xz*omega_z;
-        const stewart_real Y_zz = A_1_zz + c261 - c262;
-        const stewart_real Z_xx = X_xz*q_y - X_xy*q_z;
-        const stewart_real Z_xy = X_xx*q_z - X_xz*q_x;
-        const stewart_real Z_xz = X_xy*q_x - X_xx*q_y;
-        const stewart_real Z_yx = X_yz*q_y - X_yy*q_z;
-        const stewart_real Z_yy = X_yx*q_z - X_yz*q_x;
-        const stewart_real Z_yz = X_yy*q_x - X_yx*q_y;
-        const stewart_real Z_zx = X_zz*q_y - X_zy*q_z;
-        const stewart_real Z_zy = X_zx*q_z - X_zz*q_x;
-        const stewart_real Z_zz = X_zy*q_x - X_zx*q_y;
+        const stewart_real Y_yy = c262 - c260 + A_1_yy;
+        const stewart_real Y_yz = STEWART_FMA(-m_yy, omega_x, m_xy*omega_y) + A_1_yz;
+        const stewart_real Y_zx = STEWART_FMA(-m_zz, omega_y, m_yz*omega_z) + A_1_zx;
+        const stewart_real Y_zy = STEWART_FMA(-m_xz, omega_z, m_zz*omega_x) + A_1_zy;
+        const stewart_real Y_zz = c261 - c262 + A_1_zz;
+        const stewart_real Z_xx = STEWART_FMA(-X_xy, q_z, X_xz*q_y);
+        const stewart_real Z_xy = STEWART_FMA(-X_xz, q_x, X_xx*q_z);
+        const stewart_real Z_xz = STEWART_FMA(-X_xx, q_y, X_xy*q_x);
+        const stewart_real Z_yx = STEWART_FMA(-X_yy, q_z, X_yz*q_y);
+        const stewart_real Z_yy = STEWART_FMA(-X_yz, q_x, X_yx*q_z);
+        const stewart_real Z_yz = STEWART_FMA(-X_yx, q_y, X_yy*q_x);
+        const stewart_real Z_zx = STEWART_FMA(-X_zy, q_z, X_zz*q_y);
+        const stewart_real Z_zy = STEWART_FMA(-X_zz, q_x, X_zx*q_z);
+        const stewart_real Z_zz = STEWART_FMA(-X_zx, q_y, X_zy*q_x);
         const stewart_real c263 = m_xz*w_q_y;
         const stewart_real c264 = m_xy*w_q_z;
-        const stewart_real V_xx = A_3_xx + Y_xz*q_y + c263 - Y_xy*q_z - c264;
-        const stewart_real V_xy = A_3_xy + Y_xx*q_z + m_xx*w_q_z - Y_xz*q_x - m_xz*w_q_x;
-        const stewart_real V_xz = A_3_xz + Y_xy*q_x + m_xy*w_q_x - Y_xx*q_y - m_xx*w_q_y;
-        const stewart_real V_yx = A_3_yx + Y_yz*q_y + m_yz*w_q_y - Y_yy*q_z - m_yy*w_q_z;
+        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, A_3_xx + c263 - c264));
+        const stewart_real V_xy = STEWART_FMA(-Y_xz, q_x, STEWART_FMA(Y_xx, q_z, STEWART_FMA(-m_xz, w_q_x,
+            STEWART_FMA(m_xx, w_q_z, A_3_xy))));
+        const stewart_real V_xz = STEWART_FMA(-Y_xx, q_y, STEWART_FMA(Y_xy, q_x, STEWART_FMA(-m_xx, w_q_y,
+            STEWART_FMA(m_xy, w_q_x, A_3_xz))));
+        const stewart_real V_yx = STEWART_FMA(-Y_yy, q_z, STEWART_FMA(Y_yz, q_y, STEWART_FMA(-m_yy, w_q_z,
+            STEWART_FMA(m_yz, w_q_y, A_3_yx))));
         const stewart_real c265 = m_yz*w_q_x;
-        const stewart_real V_yy = A_3_yy + Y_yx*q_z + c264 - Y_yz*q_x - c265;
-        const stewart_real V_yz = A_3_yz + Y_yy*q_x + m_yy*w_q_x - Y_yx*q_y - m_xy*w_q_y;
-        const stewart_real V_zx = A_3_zx + Y_zz*q_y + m_zz*w_q_y - Y_zy*q_z - m_yz*w_q_z;
-        const stewart_real V_zy = A_3_zy + Y_zx*q_z + m_xz*w_q_z - Y_zz*q_x - m_zz*w_q_x;
-        const stewart_real V_zz = A_3_zz + Y_zy*q_x + c265 - Y_zx*q_y - c263;
+        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, A_3_yy + c264 - c265));
+        const stewart_real V_yz = STEWART_FMA(-Y_yx, q_y, STEWART_FMA(Y_yy, q_x, STEWART_FMA(-m_xy, w_q_y,
+            STEWART_FMA(m_yy, w_q_x, A_3_yz))));
+        const stewart_real V_zx = STEWART_FMA(-Y_zy, q_z, STEWART_FMA(Y_zz, q_y, STEWART_FMA(-m_yz, w_q_z,
+            STEWART_FMA(m_zz, w_q_y, A_3_zx))));
+        const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
+            STEWART_FMA(m_xz, w_q_z, A_3_zy))));
+        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, A_3_zz + c265 - c263));
         const stewart_real c266 = m_xy*q_z;
         const stewart_real c267 = m_xz*q_y;
         const stewart_real c268 = -m_yz*q_x;
         /* m [q]x */
         const stewart_real m_q_xx = c266 - c267;
-        const stewart_real m_q_xy = m_xz*q_x - m_xx*q_z;
-        const stewart_real m_q_xz = m_xx*q_y - m_xy*q_x;
-        const stewart_real m_q_yx = m_yy*q_z - m_yz*q_y;
+        const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
+        const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
+        const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
         const stewart_real m_q_yy = -c266 - c268;
-        const stewart_real m_q_yz = m_xy*q_y - m_yy*q_x;
-        const stewart_real m_q_zx = m_yz*q_z - m_zz*q_y;
-        const stewart_real m_q_zy = m_zz*q_x - m_xz*q_z;
+        const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
+        const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
+        const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
         const stewart_real m_q_zz = c267 + c268;
         const stewart_real c269 = R_tip_y*q_y;
         const stewart_real c270 = R_tip_z*q_z;
-        const stewart_real c271 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c272 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c273 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c274 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c275 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c271 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
+        const stewart_real c272 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
+        const stewart_real c273 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
+        const stewart_real c274 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
+        const stewart_real c275 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
         const stewart_real c276 = R_tip_x*q_x;
-        const stewart_real c277 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c278 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c279 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c280 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real c277 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
+        const stewart_real c278 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
+        const stewart_real c279 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
+        const stewart_real c280 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -4296,12 +4610,12 @@ STEWART_APART static void derivatives_of_near(
         out->sum[12][l] = -m_q_zx;
         out->sum[13][l] = -m_q_zy;
         out->sum[14][l] = -m_q_zz;
-        out->sum[15][l] = m_q_yx*q_z - m_q_zx*q_y;
-        out->sum[16][l] = m_q_yy*q_z - m_q_zy*q_y;
-        out->sum[17][l] = m_q_yz*q_z - m_q_zz*q_y;
-        out->sum[18][l] = m_q_zy*q_x - m_q_xy*q_z;
-        out->sum[19][l] = m_q_zz*q_x - m_q_xz*q_z;
-        out->sum[20][l] = m_q_xz*q_y - m_q_yz*q_x;
+        out->sum[15][l] = STEWART_FMA(-m_q_zx, q_y, m_q_yx*q_z);
+        out->sum[16][l] = STEWART_FMA(-m_q_zy, q_y, m_q_yy*q_z);
+        out->sum[17][l] = STEWART_FMA(-m_q_zz, q_y, m_q_yz*q_z);
+        out->sum[18][l] = STEWART_FMA(-m_q_xy, q_z, m_q_zy*q_x);
+        out->sum[19][l] = STEWART_FMA(-m_q_xz, q_z, m_q_zz*q_x);
+        out->sum[20][l] = STEWART_FMA(-m_q_yz, q_x, m_q_xz*q_y);
         out->sum[21][l] = A_0_xx;
         out->sum[22][l] = A_0_xy;
         out->sum[23][l] = A_0_xz;
@@ -4320,24 +4634,33 @@ STEWART_APART static void derivatives_of_near(
         out->sum[36][l] = Z_zx;
         out->sum[37][l] = Z_zy;
         out->sum[38][l] = Z_zz;
-        out->sum[39][l] = A_0_zx*q_y - A_0_yx*q_z - f_S_xx;
-        out->sum[40][l] = A_0_zy*q_y - A_0_yy*q_z - f_S_xy;
-        out->sum[41][l] = A_0_zz*q_y - A_0_yz*q_z - f_S_xz;
-        out->sum[42][l] = Z_zx*q_y + c272*q_z - Z_yx*q_z - c269 - c270 - c271*q_y;
-        out->sum[43][l] = R_tip_y*q_x + Z_zy*q_y + c271*q_x - Z_yy*q_z - c273*q_z;
-        out->sum[44][l] = R_tip_z*q_x + Z_zz*q_y + c273*q_y - Z_yz*q_z - c272*q_x;
-        out->sum[45][l] = A_0_xx*q_z - A_0_zx*q_x - f_S_yx;
-        out->sum[46][l] = A_0_xy*q_z - A_0_zy*q_x - f_S_yy;
-        out->sum[47][l] = A_0_xz*q_z - A_0_zz*q_x - f_S_yz;
-        out->sum[48][l] = R_tip_x*q_y + Z_xx*q_z + c274*q_z - Z_zx*q_x - c275*q_y;
-        out->sum[49][l] = Z_xy*q_z + c275*q_x - Z_zy*q_x - c270 - c276 - c277*q_z;
-        out->sum[50][l] = R_tip_z*q_y + Z_xz*q_z + c277*q_y - Z_zz*q_x - c274*q_x;
-        out->sum[51][l] = A_0_yx*q_x - A_0_xx*q_y - f_S_zx;
-        out->sum[52][l] = A_0_yy*q_x - A_0_xy*q_y - f_S_zy;
-        out->sum[53][l] = A_0_yz*q_x - A_0_xz*q_y - f_S_zz;
-        out->sum[54][l] = R_tip_x*q_z + Z_yx*q_x + c278*q_z - Z_xx*q_y - c279*q_y;
-        out->sum[55][l] = R_tip_y*q_z + Z_yy*q_x + c279*q_x - Z_xy*q_y - c280*q_z;
-        out->sum[56][l] = Z_yz*q_x + c280*q_y - Z_xz*q_y - c269 - c276 - c278*q_x;
+        out->sum[39][l] = STEWART_FMA(-A_0_yx, q_z, STEWART_FMA(A_0_zx, q_y, -f_S_xx));
+        out->sum[40][l] = STEWART_FMA(-A_0_yy, q_z, STEWART_FMA(A_0_zy, q_y, -f_S_xy));
+        out->sum[41][l] = STEWART_FMA(-A_0_yz, q_z, STEWART_FMA(A_0_zz, q_y, -f_S_xz));
+        out->sum[42][l] = STEWART_FMA(-c271, q_y, STEWART_FMA(-Z_yx, q_z, STEWART_FMA(c272, q_z, Z_zx*q_y) - c269
+            - c270));
+        out->sum[43][l] = STEWART_FMA(-c273, q_z, STEWART_FMA(-Z_yy, q_z, STEWART_FMA(c271, q_x,
+            STEWART_FMA(Z_zy, q_y, R_tip_y*q_x))));
+        out->sum[44][l] = STEWART_FMA(-c272, q_x, STEWART_FMA(-Z_yz, q_z, STEWART_FMA(c273, q_y,
+            STEWART_FMA(Z_zz, q_y, R_tip_z*q_x))));
+        out->sum[45][l] = STEWART_FMA(-A_0_zx, q_x, STEWART_FMA(A_0_xx, q_z, -f_S_yx));
+        out->sum[46][l] = STEWART_FMA(-A_0_zy, q_x, STEWART_FMA(A_0_xy, q_z, -f_S_yy));
+        out->sum[47][l] = STEWART_FMA(-A_0_zz, q_x, STEWART_FMA(A_0_xz, q_z, -f_S_yz));
+        out->sum[48][l] = STEWART_FMA(-c275, q_y, STEWART_FMA(-Z_zx, q_x, STEWART_FMA(c274, q_z,
+            STEWART_FMA(Z_xx, q_z, R_tip_x*q_y))));
+        out->sum[49][l] = STEWART_FMA(-c277, q_z, STEWART_FMA(-Z_zy, q_x, STEWART_FMA(c275, q_x, Z_xy*q_z) - c270
+            - c276));
+        out->sum[50][l] = STEWART_FMA(-c274, q_x, STEWART_FMA(-Z_zz, q_x, STEWART_FMA(c277, q_y,
+            STEWART_FMA(Z_xz, q_z, R_tip_z*q_y))));
+        out->sum[51][l] = STEWART_FMA(-A_0_xx, q_y, STEWART_FMA(A_0_yx, q_x, -f_S_zx));
+        out->sum[52][l] = STEWART_FMA(-A_0_xy, q_y, STEWART_FMA(A_0_yy, q_x, -f_S_zy));
+        out->sum[53][l] = STEWART_FMA(-A_0_xz, q_y, STEWART_FMA(A_0_yz, q_x, -f_S_zz));
+        out->sum[54][l] = STEWART_FMA(-c279, q_y, STEWART_FMA(-Z_xx, q_y, STEWART_FMA(c278, q_z,
+            STEWART_FMA(Z_yx, q_x, R_tip_x*q_z))));
+        out->sum[55][l] = STEWART_FMA(-c280, q_z, STEWART_FMA(-Z_xy, q_y, STEWART_FMA(c279, q_x,
+            STEWART_FMA(Z_yy, q_x, R_tip_y*q_z))));
+        out->sum[56][l] = STEWART_FMA(-c278, q_x, STEWART_FMA(-Z_xz, q_y, STEWART_FMA(c280, q_y, Z_yz*q_x) - c269
+            - c276));
         out->sum[57][l] = A_1_xx;
         out->sum[58][l] = A_1_xy;
         out->sum[59][l] = A_1_xz;
@@ -4356,30 +4679,39 @@ STEWART_APART static void derivatives_of_near(
         out->sum[72][l] = V_zx;
         out->sum[73][l] = V_zy;
         out->sum[74][l] = V_zz;
-        out->sum[75][l] = A_1_zx*q_y - A_1_yx*q_z - f_S_dot_xx;
-        out->sum[76][l] = A_1_zy*q_y - A_1_yy*q_z - f_S_dot_xy;
-        out->sum[77][l] = A_1_zz*q_y - A_1_yz*q_z - f_S_dot_xz;
-        out->sum[78][l] = V_zx*q_y + f_S_dot_xy*q_z - V_yx*q_z - f_S_dot_xz*q_y;
-        out->sum[79][l] = V_zy*q_y + f_S_dot_xz*q_x - V_yy*q_z - f_S_dot_xx*q_z;
-        out->sum[80][l] = V_zz*q_y + f_S_dot_xx*q_y - V_yz*q_z - f_S_dot_xy*q_x;
-        out->sum[81][l] = A_1_xx*q_z - A_1_zx*q_x - f_S_dot_yx;
-        out->sum[82][l] = A_1_xy*q_z - A_1_zy*q_x - f_S_dot_yy;
-        out->sum[83][l] = A_1_xz*q_z - A_1_zz*q_x - f_S_dot_yz;
-        out->sum[84][l] = V_xx*q_z + f_S_dot_yy*q_z - V_zx*q_x - f_S_dot_yz*q_y;
-        out->sum[85][l] = V_xy*q_z + f_S_dot_yz*q_x - V_zy*q_x - f_S_dot_yx*q_z;
-        out->sum[86][l] = V_xz*q_z + f_S_dot_yx*q_y - V_zz*q_x - f_S_dot_yy*q_x;
-        out->sum[87][l] = A_1_yx*q_x - A_1_xx*q_y - f_S_dot_zx;
-        out->sum[88][l] = A_1_yy*q_x - A_1_xy*q_y - f_S_dot_zy;
-        out->sum[89][l] = A_1_yz*q_x - A_1_xz*q_y - f_S_dot_zz;
-        out->sum[90][l] = V_yx*q_x + f_S_dot_zy*q_z - V_xx*q_y - f_S_dot_zz*q_y;
-        out->sum[91][l] = V_yy*q_x + f_S_dot_zz*q_x - V_xy*q_y - f_S_dot_zx*q_z;
-        out->sum[92][l] = V_yz*q_x + f_S_dot_zx*q_y - V_xz*q_y - f_S_dot_zy*q_x;
+        out->sum[75][l] = STEWART_FMA(-A_1_yx, q_z, STEWART_FMA(A_1_zx, q_y, -f_S_dot_xx));
+        out->sum[76][l] = STEWART_FMA(-A_1_yy, q_z, STEWART_FMA(A_1_zy, q_y, -f_S_dot_xy));
+        out->sum[77][l] = STEWART_FMA(-A_1_yz, q_z, STEWART_FMA(A_1_zz, q_y, -f_S_dot_xz));
+        out->sum[78][l] = STEWART_FMA(-f_S_dot_xz, q_y, STEWART_FMA(-V_yx, q_z, STEWART_FMA(f_S_dot_xy, q_z,
+            V_zx*q_y)));
+        out->sum[79][l] = STEWART_FMA(-f_S_dot_xx, q_z, STEWART_FMA(-V_yy, q_z, STEWART_FMA(f_S_dot_xz, q_x,
+            V_zy*q_y)));
+        out->sum[80][l] = STEWART_FMA(-f_S_dot_xy, q_x, STEWART_FMA(-V_yz, q_z, STEWART_FMA(f_S_dot_xx, q_y,
+            V_zz*q_y)));
+        out->sum[81][l] = STEWART_FMA(-A_1_zx, q_x, STEWART_FMA(A_1_xx, q_z, -f_S_dot_yx));
+        out->sum[82][l] = STEWART_FMA(-A_1_zy, q_x, STEWART_FMA(A_1_xy, q_z, -f_S_dot_yy));
+        out->sum[83][l] = STEWART_FMA(-A_1_zz, q_x, STEWART_FMA(A_1_xz, q_z, -f_S_dot_yz));
+        out->sum[84][l] = STEWART_FMA(-f_S_dot_yz, q_y, STEWART_FMA(-V_zx, q_x, STEWART_FMA(f_S_dot_yy, q_z,
+            V_xx*q_z)));
+        out->sum[85][l] = STEWART_FMA(-f_S_dot_yx, q_z, STEWART_FMA(-V_zy, q_x, STEWART_FMA(f_S_dot_yz, q_x,
+            V_xy*q_z)));
+        out->sum[86][l] = STEWART_FMA(-f_S_dot_yy, q_x, STEWART_FMA(-V_zz, q_x, STEWART_FMA(f_S_dot_yx, q_y,
+            V_xz*q_z)));
+        out->sum[87][l] = STEWART_FMA(-A_1_xx, q_y, STEWART_FMA(A_1_yx, q_x, -f_S_dot_zx));
+        out->sum[88][l] = STEWART_FMA(-A_1_xy, q_y, STEWART_FMA(A_1_yy, q_x, -f_S_dot_zy));
+        out->sum[89][l] = STEWART_FMA(-A_1_xz, q_y, STEWART_FMA(A_1_yz, q_x, -f_S_dot_zz));
+        out->sum[90][l] = STEWART_FMA(-f_S_dot_zz, q_y, STEWART_FMA(-V_xx, q_y, STEWART_FMA(f_S_dot_zy, q_z,
+            V_yx*q_x)));
+        out->sum[91][l] = STEWART_FMA(-f_S_dot_zx, q_z, STEWART_FMA(-V_xy, q_y, STEWART_FMA(f_S_dot_zz, q_x,
+            V_yy*q_x)));
+        out->sum[92][l] = STEWART_FMA(-f_S_dot_zy, q_x, STEWART_FMA(-V_xz, q_y, STEWART_FMA(f_S_dot_zx, q_y,
+            V_yz*q_x)));
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
-        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
-        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
-        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->H_moment[0][l] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+        out->H_moment[1][l] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+        out->H_moment[2][l] = STEWART_FMA(-q_y, s_x, q_x*s_y);
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -4525,7 +4857,7 @@ static void substitute_back_24(stewart_real A[144], const stewart_real inverse[6
         for (i = 0; i < k; ++i) {
             const stewart_real factor = A[24*i + k];
             for (j = 6; j < 24; ++j) {
-                A[24*i + j] = A[24*i + j] - factor*row[j];
+                A[24*i + j] = STEWART_FMA(-factor, row[j], A[24*i + j]);
             }
         }
     }
@@ -4544,7 +4876,7 @@ static void clear_below_24(stewart_real A[144], int k, stewart_real inverse)
     for (i = k + 1; i < 6; ++i) {
         const stewart_real factor = A[24*i + k]*inverse;
         for (j = 0; j < 24; ++j) {
-            A[24*i + j] = A[24*i + j] - factor*row[j];
+            A[24*i + j] = STEWART_FMA(-factor, row[j], A[24*i + j]);
         }
     }
 }
@@ -4636,34 +4968,35 @@ static STEWART_INLINE void joint_slopes_of_pose(
         const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
         const stewart_real c1 = R_0_y*R_0_y;
         const stewart_real c2 = R_0_z*R_0_z;
-        const stewart_real J_0_xx = I_p_xx + M*(c1 + c2);
+        const stewart_real J_0_xx = STEWART_FMA(M, c1 + c2, I_p_xx);
         const stewart_real c3 = M*R_0_x;
-        const stewart_real J_0_xy = I_p_xy - R_0_y*c3;
-        const stewart_real J_0_xz = I_p_xz - R_0_z*c3;
+        const stewart_real J_0_xy = STEWART_FMA(-R_0_y, c3, I_p_xy);
+        const stewart_real J_0_xz = STEWART_FMA(-R_0_z, c3, I_p_xz);
         const stewart_real c4 = R_0_x*R_0_x;
-        const stewart_real J_0_yy = I_p_yy + M*(c2 + c4);
+        const stewart_real J_0_yy = STEWART_FMA(M, c2 + c4, I_p_yy);
         const stewart_real c5 = M*R_0_y;
-        const stewart_real J_0_yz = I_p_yz - R_0_z*c5;
-        const stewart_real J_0_zz = I_p_zz + M*(c1 + c4);
+        const stewart_real J_0_yz = STEWART_FMA(-R_0_z, c5, I_p_yz);
+        const stewart_real J_0_zz = STEWART_FMA(M, c1 + c4, I_p_zz);
         const stewart_real c6 = M*R_0_z;
         /* (30) first moment of the platform, base frame */
-        const stewart_real h_base_x = R_xx*c3 + R_xy*c5 + R_xz*c6;
-        const stewart_real h_base_y = R_yx*c3 + R_yy*c5 + R_yz*c6;
-        const stewart_real h_base_z = R_zx*c3 + R_zy*c5 + R_zz*c6;
-        const stewart_real c7 = J_0_xx*R_xx + J_0_xy*R_xy + J_0_xz*R_xz;
-        const stewart_real c8 = J_0_xy*R_xx + J_0_yy*R_xy + J_0_yz*R_xz;
-        const stewart_real c9 = J_0_xz*R_xx + J_0_yz*R_xy + J_0_zz*R_xz;
-        const stewart_real c10 = J_0_xx*R_yx + J_0_xy*R_yy + J_0_xz*R_yz;
-        const stewart_real c11 = J_0_xy*R_yx + J_0_yy*R_yy + J_0_yz*R_yz;
-        const stewart_real c12 = J_0_xz*R_yx + J_0_yz*R_yy + J_0_zz*R_yz;
+        const stewart_real h_base_x = STEWART_FMA(R_xz, c6, STEWART_FMA(R_xy, c5, R_xx*c3));
+        const stewart_real h_base_y = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c3));
+        const stewart_real h_base_z = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c3));
+        const stewart_real c7 = STEWART_FMA(J_0_xx, R_xx, STEWART_FMA(J_0_xz, R_xz, J_0_xy*R_xy));
+        const stewart_real c8 = STEWART_FMA(J_0_yy, R_xy, STEWART_FMA(J_0_yz, R_xz, J_0_xy*R_xx));
+        const stewart_real c9 = STEWART_FMA(J_0_zz, R_xz, STEWART_FMA(J_0_yz, R_xy, J_0_xz*R_xx));
+        const stewart_real c10 = STEWART_FMA(J_0_xx, R_yx, STEWART_FMA(J_0_xz, R_yz, J_0_xy*R_yy));
+        const stewart_real c11 = STEWART_FMA(J_0_yy, R_yy, STEWART_FMA(J_0_yz, R_yz, J_0_xy*R_yx));
+        const stewart_real c12 = STEWART_FMA(J_0_zz, R_yz, STEWART_FMA(J_0_yz, R_yy, J_0_xz*R_yx));
         /* (32) inertia of the platform, base frame */
-        const stewart_real J_base_xx = R_xx*c7 + R_xy*c8 + R_xz*c9;
-        const stewart_real J_base_xy = R_yx*c7 + R_yy*c8 + R_yz*c9;
-        const stewart_real J_base_xz = R_zx*c7 + R_zy*c8 + R_zz*c9;
-        const stewart_real J_base_yy = R_yx*c10 + R_yy*c11 + R_yz*c12;
-        const stewart_real J_base_yz = R_zx*c10 + R_zy*c11 + R_zz*c12;
-        const stewart_real J_base_zz = R_zx*(J_0_xx*R_zx + J_0_xy*R_zy + J_0_xz*R_zz) + R_zy*(J_0_xy*R_zx + J_0_yy*R_zy
-            + J_0_yz*R_zz) + R_zz*(J_0_xz*R_zx + J_0_yz*R_zy + J_0_zz*R_zz);
+        const stewart_real J_base_xx = STEWART_FMA(R_xz, c9, STEWART_FMA(R_xy, c8, R_xx*c7));
+        const stewart_real J_base_xy = STEWART_FMA(R_yz, c9, STEWART_FMA(R_yy, c8, R_yx*c7));
+        const stewart_real J_base_xz = STEWART_FMA(R_zz, c9, STEWART_FMA(R_zy, c8, R_zx*c7));
+        const stewart_real J_base_yy = STEWART_FMA(R_yz, c12, STEWART_FMA(R_yy, c11, R_yx*c10));
+        const stewart_real J_base_yz = STEWART_FMA(R_zz, c12, STEWART_FMA(R_zy, c11, R_zx*c10));
+        const stewart_real J_base_zz = STEWART_FMA(R_zz, STEWART_FMA(J_0_zz, R_zz, STEWART_FMA(J_0_yz, R_zy,
+            J_0_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_0_yy, R_zy, STEWART_FMA(J_0_yz, R_zz,
+            J_0_xy*R_zx)), R_zx*STEWART_FMA(J_0_xx, R_zx, STEWART_FMA(J_0_xz, R_zz, J_0_xy*R_zy))));
         const stewart_real c13 = h_base_y*omega_z;
         const stewart_real c14 = h_base_z*omega_y;
         const stewart_real c15 = h_base_x*omega_z;
@@ -4681,9 +5014,9 @@ static STEWART_INLINE void joint_slopes_of_pose(
         const stewart_real c23 = J_base_xz*omega_x;
         const stewart_real c24 = J_base_yz*omega_y;
         /* (34) I omega */
-        const stewart_real J_w_x = J_base_xx*omega_x + c19 + c20;
-        const stewart_real J_w_y = J_base_yy*omega_y + c21 + c22;
-        const stewart_real J_w_z = J_base_zz*omega_z + c23 + c24;
+        const stewart_real J_w_x = STEWART_FMA(J_base_xx, omega_x, c19) + c20;
+        const stewart_real J_w_y = STEWART_FMA(J_base_yy, omega_y, c21) + c22;
+        const stewart_real J_w_z = STEWART_FMA(J_base_zz, omega_z, c23) + c24;
         /* products of omega */
         const stewart_real omega_xx = omega_x*omega_x;
         const stewart_real omega_xy = omega_x*omega_y;
@@ -4703,33 +5036,33 @@ static STEWART_INLINE void joint_slopes_of_pose(
         const stewart_real B_zz = -omega_xx - omega_yy;
         const stewart_real c25 = J_base_xy*alpha_y;
         const stewart_real c26 = J_base_xz*alpha_z;
-        const stewart_real J_alpha_x = J_base_xx*alpha_x + c25 + c26;
+        const stewart_real J_alpha_x = STEWART_FMA(J_base_xx, alpha_x, c25) + c26;
         const stewart_real c27 = J_base_xy*alpha_x;
         const stewart_real c28 = J_base_yz*alpha_z;
-        const stewart_real J_alpha_y = J_base_yy*alpha_y + c27 + c28;
+        const stewart_real J_alpha_y = STEWART_FMA(J_base_yy, alpha_y, c27) + c28;
         const stewart_real c29 = J_base_xz*alpha_x;
         const stewart_real c30 = J_base_yz*alpha_y;
-        const stewart_real J_alpha_z = J_base_zz*alpha_z + c29 + c30;
+        const stewart_real J_alpha_z = STEWART_FMA(J_base_zz, alpha_z, c29) + c30;
         /* (33) a - g */
         const stewart_real rise_x = a_x - g_x;
         const stewart_real rise_y = a_y - g_y;
         const stewart_real rise_z = a_z - g_z;
-        const stewart_real F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
-        const stewart_real F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
-        const stewart_real F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
-        const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
-        const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
-        const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
+        const stewart_real F_load_x = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx));
+        const stewart_real F_load_y = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx));
+        const stewart_real F_load_z = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx));
+        const stewart_real M_load_x = STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx));
+        const stewart_real M_load_y = STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy, M_ext_x*R_yx));
+        const stewart_real M_load_z = STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx));
         const stewart_real c31 = J_base_xy*omega_z;
         const stewart_real c32 = J_base_xz*omega_y;
-        const stewart_real c34 = J_w_z + c23 - J_base_xx*omega_z;
-        const stewart_real c35 = J_w_y + c21 - J_base_xx*omega_y;
-        const stewart_real c36 = J_w_z + c24 - J_base_yy*omega_z;
+        const stewart_real c34 = STEWART_FMA(-J_base_xx, omega_z, c23) + J_w_z;
+        const stewart_real c35 = STEWART_FMA(-J_base_xx, omega_y, c21) + J_w_y;
+        const stewart_real c36 = STEWART_FMA(-J_base_yy, omega_z, c24) + J_w_z;
         const stewart_real c37 = J_base_yz*omega_x;
         const stewart_real c39 = c31 - c37;
-        const stewart_real c40 = J_w_x + c19 - J_base_yy*omega_x;
-        const stewart_real c41 = J_w_y + c22 - J_base_zz*omega_y;
-        const stewart_real c42 = J_w_x + c20 - J_base_zz*omega_x;
+        const stewart_real c40 = STEWART_FMA(-J_base_yy, omega_x, c19) + J_w_x;
+        const stewart_real c41 = STEWART_FMA(-J_base_zz, omega_y, c22) + J_w_y;
+        const stewart_real c42 = STEWART_FMA(-J_base_zz, omega_x, c20) + J_w_x;
         /* derivative of I omega by dphi at fixed omega */
         const stewart_real spin_xx = c31 - c32;
         const stewart_real spin_xy = c34;
@@ -4782,45 +5115,48 @@ static STEWART_INLINE void joint_slopes_of_pose(
         summed[21*lanes + l] = REAL(0);
         summed[22*lanes + l] = REAL(0);
         summed[23*lanes + l] = REAL(0);
-        summed[24*lanes + l] = B_xz*h_base_y - B_xy*h_base_z;
-        summed[25*lanes + l] = B_xx*h_base_z - B_xz*h_base_x - F_load_z;
-        summed[26*lanes + l] = B_xy*h_base_x + F_load_y - B_xx*h_base_y;
+        summed[24*lanes + l] = STEWART_FMA(-B_xy, h_base_z, B_xz*h_base_y);
+        summed[25*lanes + l] = STEWART_FMA(-B_xz, h_base_x, STEWART_FMA(B_xx, h_base_z, -F_load_z));
+        summed[26*lanes + l] = STEWART_FMA(-B_xx, h_base_y, STEWART_FMA(B_xy, h_base_x, F_load_y));
         summed[27*lanes + l] = REAL(0);
         summed[28*lanes + l] = REAL(0);
         summed[29*lanes + l] = REAL(0);
-        summed[30*lanes + l] = B_yz*h_base_y + F_load_z - B_yy*h_base_z;
-        summed[31*lanes + l] = B_yx*h_base_z - B_yz*h_base_x;
-        summed[32*lanes + l] = B_yy*h_base_x - B_yx*h_base_y - F_load_x;
+        summed[30*lanes + l] = STEWART_FMA(-B_yy, h_base_z, STEWART_FMA(B_yz, h_base_y, F_load_z));
+        summed[31*lanes + l] = STEWART_FMA(-B_yz, h_base_x, B_yx*h_base_z);
+        summed[32*lanes + l] = STEWART_FMA(-B_yx, h_base_y, STEWART_FMA(B_yy, h_base_x, -F_load_x));
         summed[33*lanes + l] = REAL(0);
         summed[34*lanes + l] = REAL(0);
         summed[35*lanes + l] = REAL(0);
-        summed[36*lanes + l] = B_zz*h_base_y - B_zy*h_base_z - F_load_y;
-        summed[37*lanes + l] = B_zx*h_base_z + F_load_x - B_zz*h_base_x;
-        summed[38*lanes + l] = B_zy*h_base_x - B_zx*h_base_y;
+        summed[36*lanes + l] = STEWART_FMA(-B_zy, h_base_z, STEWART_FMA(B_zz, h_base_y, -F_load_y));
+        summed[37*lanes + l] = STEWART_FMA(-B_zz, h_base_x, STEWART_FMA(B_zx, h_base_z, F_load_x));
+        summed[38*lanes + l] = STEWART_FMA(-B_zx, h_base_y, B_zy*h_base_x);
         summed[39*lanes + l] = REAL(0);
         summed[40*lanes + l] = REAL(0);
         summed[41*lanes + l] = REAL(0);
-        summed[42*lanes + l] = c46 + omega_y*spin_zx - c43 - c44 - c45 - omega_z*spin_yx;
-        summed[43*lanes + l] = J_alpha_z + c29 + h_base_x*rise_y + omega_y*spin_zy - J_base_xx*alpha_z - M_load_z
-            - omega_z*spin_yy;
-        summed[44*lanes + l] = J_base_xx*alpha_y + M_load_y + h_base_x*rise_z + omega_y*spin_zz - J_alpha_y
-            - c27 - omega_z*spin_yz;
+        summed[42*lanes + l] = STEWART_FMA(-omega_z, spin_yx, STEWART_FMA(omega_y, spin_zx, c46) - c43 - c44
+            - c45);
+        summed[43*lanes + l] = STEWART_FMA(-omega_z, spin_yy, STEWART_FMA(-J_base_xx, alpha_z,
+            STEWART_FMA(omega_y, spin_zy, STEWART_FMA(h_base_x, rise_y, J_alpha_z + c29)) - M_load_z));
+        summed[44*lanes + l] = STEWART_FMA(-omega_z, spin_yz, STEWART_FMA(omega_y, spin_zz,
+            STEWART_FMA(h_base_x, rise_z, STEWART_FMA(J_base_xx, alpha_y, M_load_y))) - J_alpha_y - c27);
         summed[45*lanes + l] = REAL(0);
         summed[46*lanes + l] = REAL(0);
         summed[47*lanes + l] = REAL(0);
-        summed[48*lanes + l] = J_base_yy*alpha_z + M_load_z + h_base_y*rise_x + omega_z*spin_xx - J_alpha_z
-            - c30 - omega_x*spin_zx;
-        summed[49*lanes + l] = c48 + omega_z*spin_xy - c45 - c46 - c47 - omega_x*spin_zy;
-        summed[50*lanes + l] = J_alpha_x + c25 + h_base_y*rise_z + omega_z*spin_xz - J_base_yy*alpha_x - M_load_x
-            - omega_x*spin_zz;
+        summed[48*lanes + l] = STEWART_FMA(-omega_x, spin_zx, STEWART_FMA(omega_z, spin_xx,
+            STEWART_FMA(h_base_y, rise_x, STEWART_FMA(J_base_yy, alpha_z, M_load_z))) - J_alpha_z - c30);
+        summed[49*lanes + l] = STEWART_FMA(-omega_x, spin_zy, STEWART_FMA(omega_z, spin_xy, c48) - c45 - c46
+            - c47);
+        summed[50*lanes + l] = STEWART_FMA(-omega_x, spin_zz, STEWART_FMA(-J_base_yy, alpha_x,
+            STEWART_FMA(omega_z, spin_xz, STEWART_FMA(h_base_y, rise_z, J_alpha_x + c25)) - M_load_x));
         summed[51*lanes + l] = REAL(0);
         summed[52*lanes + l] = REAL(0);
         summed[53*lanes + l] = REAL(0);
-        summed[54*lanes + l] = J_alpha_y + c28 + h_base_z*rise_x + omega_x*spin_yx - J_base_zz*alpha_y - M_load_y
-            - omega_y*spin_xx;
-        summed[55*lanes + l] = J_base_zz*alpha_x + M_load_x + h_base_z*rise_y + omega_x*spin_yy - J_alpha_x
-            - c26 - omega_y*spin_xy;
-        summed[56*lanes + l] = c43 + omega_x*spin_yz - c44 - c47 - c48 - omega_y*spin_xz;
+        summed[54*lanes + l] = STEWART_FMA(-omega_y, spin_xx, STEWART_FMA(-J_base_zz, alpha_y,
+            STEWART_FMA(omega_x, spin_yx, STEWART_FMA(h_base_z, rise_x, J_alpha_y + c28)) - M_load_y));
+        summed[55*lanes + l] = STEWART_FMA(-omega_y, spin_xy, STEWART_FMA(omega_x, spin_yy,
+            STEWART_FMA(h_base_z, rise_y, STEWART_FMA(J_base_zz, alpha_x, M_load_x))) - J_alpha_x - c26);
+        summed[56*lanes + l] = STEWART_FMA(-omega_y, spin_xz, STEWART_FMA(omega_x, spin_yz, c43) - c44 - c47
+            - c48);
         summed[57*lanes + l] = REAL(0);
         summed[58*lanes + l] = REAL(0);
         summed[59*lanes + l] = REAL(0);
@@ -4892,64 +5228,65 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real turned_x = out->turned[0][l], turned_y = out->turned[1][l], turned_z = out->turned[2][l];
         const stewart_real axial = out->axial[l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+            STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
         const stewart_real z_z = inv_rho*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
-        const stewart_real c1 = S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        const stewart_real c1 = STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y, S_dot_x*y_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
         const stewart_real phi_dot = c1*inv_rho;
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         const stewart_real c2 = L_dot*inv_L;
         /* L_dot / L */
         const stewart_real L_share = c2;
@@ -4961,45 +5298,51 @@ STEWART_APART static void joint_slopes_of_leg(
         /* (6) leg's turning about z */
         const stewart_real W_z = c1*inv_L;
         const stewart_real c5 = omega_z*w_q_y;
-        const stewart_real c6 = omega_x*w_q_z - omega_z*w_q_x;
+        const stewart_real c6 = STEWART_FMA(-omega_z, w_q_x, omega_x*w_q_z);
         const stewart_real c7 = omega_y*w_q_x;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = omega_y*w_q_z - c5;
+        const stewart_real S_ddot_x = STEWART_FMA(omega_y, w_q_z, -c5);
         const stewart_real S_ddot_y = -c6;
-        const stewart_real S_ddot_z = omega_x*w_q_y - c7;
+        const stewart_real S_ddot_z = STEWART_FMA(omega_x, w_q_y, -c7);
         const stewart_real c8 = k3*k3;
         /* (8) acceleration of the length */
-        const stewart_real L_ddot = L*(c8*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z
-            + turned_x;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_y, s_y, STEWART_FMA(S_ddot_z, s_z,
+            STEWART_FMA(S_ddot_x, s_x, STEWART_FMA(L, STEWART_FMA(c8, phi_dot2, theta_dot2), turned_x))));
         const stewart_real c9 = REAL(2)*L_share;
         const stewart_real c10 = k3*turned_z;
         /* (9) turning accelerations of the leg about y and z but for the turning of the frame about s */
-        const stewart_real own_y = turned_y - c9*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real own_z = c10 + inv_L*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - W_z*c9;
+        const stewart_real own_y = STEWART_FMA(-c9, theta_dot, STEWART_FMA(-inv_L, STEWART_FMA(S_ddot_z,
+            z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)), turned_y));
+        const stewart_real own_z = STEWART_FMA(-W_z, c9, STEWART_FMA(inv_L, STEWART_FMA(S_ddot_z, y_z,
+            STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)), c10));
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* k x y */
-        const stewart_real normal_x = k_y*y_z - k_z*y_y;
-        const stewart_real normal_y = k_z*y_x - k_x*y_z;
-        const stewart_real normal_z = k_x*y_y - k_y*y_x;
+        const stewart_real normal_x = STEWART_FMA(-k_z, y_y, k_y*y_z);
+        const stewart_real normal_y = STEWART_FMA(-k_x, y_z, k_z*y_x);
+        const stewart_real normal_z = STEWART_FMA(-k_y, y_x, k_x*y_y);
         /* omega along k x y, y and k */
-        const stewart_real w_n_omega = normal_x*omega_x + normal_y*omega_y + normal_z*omega_z;
-        const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
-        const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
+        const stewart_real w_n_omega = STEWART_FMA(normal_z, omega_z, STEWART_FMA(normal_y, omega_y,
+            normal_x*omega_x));
+        const stewart_real w_y_omega = STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x));
+        const stewart_real w_k_omega = STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x));
         const stewart_real c11 = inv_rho*net_z;
         const stewart_real c12 = inv_L*net_y;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = c11*y_x + net_x*s_x - c12*z_x;
-        const stewart_real R_tip_y = c11*y_y + net_x*s_y - c12*z_y;
-        const stewart_real R_tip_z = c11*y_z + net_x*s_z - c12*z_z;
-        const stewart_real fall_x = omega_y*w_q_z - c5 - g_x;
-        const stewart_real fall_y = -c6 - g_y;
-        const stewart_real fall_z = omega_x*w_q_y - c7 - g_z;
+        const stewart_real R_tip_x = STEWART_FMA(c11, y_x, STEWART_FMA(-c12, z_x, net_x*s_x));
+        const stewart_real R_tip_y = STEWART_FMA(c11, y_y, STEWART_FMA(-c12, z_y, net_x*s_y));
+        const stewart_real R_tip_z = STEWART_FMA(c11, y_z, STEWART_FMA(-c12, z_z, net_x*s_z));
+        const stewart_real fall_x = STEWART_FMA(omega_y, w_q_z, -g_x) - c5;
+        const stewart_real fall_y = -g_y - c6;
+        const stewart_real fall_z = STEWART_FMA(omega_x, w_q_y, -g_z) - c7;
         /* acceleration of the platform point from free fall, leg frame */
-        const stewart_real fall_T_x = fall_x*s_x + fall_y*s_y + fall_z*s_z + turned_x;
-        const stewart_real fall_T_y = L*c10 + fall_x*y_x + fall_y*y_y + fall_z*y_z;
-        const stewart_real fall_T_z = fall_x*z_x + fall_y*z_y + fall_z*z_z - L*turned_y;
+        const stewart_real fall_T_x = STEWART_FMA(fall_y, s_y, STEWART_FMA(fall_z, s_z, STEWART_FMA(fall_x,
+            s_x, turned_x)));
+        const stewart_real fall_T_y = STEWART_FMA(fall_z, y_z, STEWART_FMA(fall_y, y_y, STEWART_FMA(fall_x,
+            y_x, L*c10)));
+        const stewart_real fall_T_z = STEWART_FMA(fall_z, z_z, STEWART_FMA(fall_y, z_y, STEWART_FMA(-L,
+            turned_y, fall_x*z_x)));
         const stewart_real c13 = h_z*own_y;
         const stewart_real c14 = W_z*W_z;
         const stewart_real c15 = inv_L*inv_L;
@@ -5014,8 +5357,10 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c24 = c14*h_z;
         const stewart_real c25 = c24*inv_L;
         const stewart_real c26 = inv_k3*k1;
-        const stewart_real tau_S_leg_11 = REAL(2)*L_dot*c15*h_z*theta_dot + REAL(2)*c14*h_x*inv_L + REAL(2)*c3*h_x*inv_L
-            + h_y*inv_L*own_z - c13*inv_L - c16*c18 - c19*c23 - REAL(4)*c25*c26;
+        const stewart_real tau_S_leg_11 = STEWART_FMA(-c19, c23, STEWART_FMA(h_y*inv_L, own_z,
+            STEWART_FMA(-c13, inv_L, STEWART_FMA(-c16, c18, STEWART_FMA(REAL(2)*L_dot*c15*h_z, theta_dot,
+            STEWART_FMA((-REAL(4))*c25, c26, STEWART_FMA(REAL(2)*c3*h_x, inv_L,
+            REAL(2)*c14*h_x*inv_L)))))));
         const stewart_real c27 = REAL(2)*h_x;
         const stewart_real c28 = c27*inv_L;
         const stewart_real c29 = c28*own_z;
@@ -5046,9 +5391,11 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c54 = h_y*k1;
         const stewart_real c55 = c54*inv_k3;
         const stewart_real c56 = c16*c37;
-        const stewart_real tau_S_leg_12 = C_p*W_z + W_z*c27*c49 + W_z*c38 + axial*c29 + axial*c44 + c31*inv_L
-            + c32*h_y + c34 + c35 + c39*c41 + c41*c42 + c45*c52 - axial*c34 - c17*c48 - c21*c53*h_z - c29 - c35*c52
-            - c36*c50*c51*theta_dot - c44 - c45 - c55*c56;
+        const stewart_real tau_S_leg_12 = STEWART_FMA(axial, c44, STEWART_FMA((-c36)*c50*c51, theta_dot,
+            STEWART_FMA((-c21)*c53, h_z, STEWART_FMA(c41, c42, STEWART_FMA(axial, c29, STEWART_FMA(c39, c41,
+            STEWART_FMA(-c55, c56, STEWART_FMA(-axial, c34, STEWART_FMA(W_z*c27, c49, STEWART_FMA(c31,
+            inv_L, STEWART_FMA(W_z, c38, STEWART_FMA(C_p, W_z, STEWART_FMA(c32, h_y, STEWART_FMA(-c35, c52,
+            STEWART_FMA(c45, c52, STEWART_FMA(-c17, c48, c35)) - c45)) + c34)))))))))) - c29)) - c44;
         const stewart_real c57 = c27*own_y;
         const stewart_real c58 = c57*inv_L;
         const stewart_real c59 = c30*fall_T_z;
@@ -5068,9 +5415,11 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c74 = c14*inv_k3;
         const stewart_real c75 = c74*k1;
         const stewart_real c76 = c15*c75;
-        const stewart_real tau_S_leg_13 = c15*c61 + c16*c71 + c25*c52 + c50*c64 + c58 + c59*inv_L + c60 + c62*inv_L
-            + c65 + c67 + c73*c76 - C_p*theta_dot - axial*c58 - axial*c60 - axial*c65 - axial*c67 - axial*c73*c76
-            - c25 - c48*c68 - c49*c69 - c64;
+        const stewart_real tau_S_leg_13 = STEWART_FMA(-axial, c60, STEWART_FMA(-axial, c58,
+            STEWART_FMA(-axial, c67, STEWART_FMA(c50, c64, STEWART_FMA(c16, c71, STEWART_FMA(-c49, c69,
+            STEWART_FMA(-C_p, theta_dot, STEWART_FMA(c59, inv_L, STEWART_FMA(c15, c61,
+            STEWART_FMA((-axial)*c73, c76, STEWART_FMA(c73, c76, STEWART_FMA(-axial, c65, STEWART_FMA(c25,
+            c52, STEWART_FMA(-c48, c68, c62*inv_L)) - c25 + c65)))))) + c67))) + c58 + c60) - c64));
         const stewart_real c78 = C_us*inv_L;
         const stewart_real c79 = c78*theta_dot;
         const stewart_real c80 = REAL(2)*J_yy;
@@ -5107,10 +5456,13 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c111 = c109*c110;
         const stewart_real c112 = c40*c74;
         const stewart_real c113 = REAL(2)*J_xx;
-        const stewart_real tau_S_leg_21 = W_z*c104 + axial*c112*c73 + axial*c93 + axial*c95 + c101*c69 + c102*theta_dot
-            + c107*c108 + c111*c20 + c112*(REAL(3)*J_zz - REAL(3)*J_yy - c113) + c23*c82 + c24 + c50*c90 + c84
-            + c85 + c87*own_y - c100*own_z - c105 - c106 - c2*c71 - c57 - c59 - c62 - c79 - c80*c81 - c82*own_z
-            - c90 - c93 - c95 - c96*c97;
+        const stewart_real tau_S_leg_21 = STEWART_FMA(-c82, own_z, STEWART_FMA(-c100, own_z,
+            STEWART_FMA(c23, c82, STEWART_FMA(-c80, c81, STEWART_FMA(-c2, c71, STEWART_FMA(c50, c90,
+            STEWART_FMA(c87, own_y, STEWART_FMA(c111, c20, STEWART_FMA(axial, c95, STEWART_FMA(W_z, c104,
+            STEWART_FMA(c101, c69, STEWART_FMA(c102, theta_dot, STEWART_FMA(axial*c112, c73,
+            STEWART_FMA(c112, STEWART_FMA(-REAL(3), J_yy, REAL(3)*J_zz) - c113, STEWART_FMA(axial, c93,
+            STEWART_FMA(-c96, c97, STEWART_FMA(c107, c108, c24 - c62 - c106))) - c93)) - c59)) - c79) + c84)))
+            - c95) + c85 - c105 - c57 - c90)))));
         const stewart_real c114 = c98*own_y;
         const stewart_real c115 = W_z*c69;
         const stewart_real c116 = gamma_y*inv_L*w_z;
@@ -5152,15 +5504,21 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c152 = REAL(2)*c99;
         const stewart_real c153 = J_xz*c70;
         const stewart_real c154 = c15*c46;
-        const stewart_real c155 = c150 + c80;
+        const stewart_real c155 = c80 + c150;
         const stewart_real c157 = W_z*c50;
-        const stewart_real tau_S_leg_22 = L_ddot*c19*c26 + W_z*c150*c88 + c103*c48 + c109*c138*c147 + c114 + c117
-            + c119*k1 + c120*inv_k3 + c122*c52 + c125*c127 + c128*c41 + c129*c50 + c142*c20 + c143*c144 + c145*c152
-            + c146*c73*inv_k3 + c148*c56*inv_k3 + c151*inv_k3 + c153*c16*c50 + c2*c51*h_z + c2*c83 + c23*h_z
-            + c3*c55 + c39*c50 + c42 + c74*c99 - c100*c3 - c114*c50 - c115 - c116 - c117*c52 - c118*inv_k3*w_n_omega
-            - c121 - c122 - c124*inv_k3 - c129 - c131 - REAL(4)*c132*c20*c88 - c133*gamma_y*inv_k3 - c135*inv_k3
-            - c137*c2 - c138*c140 - c143*c145 - c144*c152 - REAL(2)*c154*c55 - c155*c157*c88 - c155*c16*c21
-            - c2*c50*c83 - c39 - c54*c74;
+        const stewart_real tau_S_leg_22 = STEWART_FMA(c146*c73, inv_k3, STEWART_FMA(c128, c41,
+            STEWART_FMA((-c155)*c16, c21, STEWART_FMA(-c138, c140, STEWART_FMA(-c124, inv_k3,
+            STEWART_FMA((-c118)*inv_k3, w_n_omega, STEWART_FMA(c23, h_z, STEWART_FMA(c125, c127,
+            STEWART_FMA((-c155)*c157, c88, STEWART_FMA(-c137, c2, STEWART_FMA((-REAL(4))*c132*c20, c88,
+            STEWART_FMA(-c114, c50, STEWART_FMA(c153*c16, c50, STEWART_FMA(c109*c138, c147, STEWART_FMA(c39,
+            c50, STEWART_FMA(c2*c51, h_z, STEWART_FMA(c119, k1, STEWART_FMA((-c2)*c50, c83,
+            STEWART_FMA((-c133)*gamma_y, inv_k3, STEWART_FMA(c148*c56, inv_k3, STEWART_FMA(c142, c20,
+            STEWART_FMA(c120, inv_k3, STEWART_FMA(W_z*c150, c88, STEWART_FMA(c129, c50, STEWART_FMA(c2, c83,
+            STEWART_FMA(-c135, inv_k3, STEWART_FMA(L_ddot*c19, c26, STEWART_FMA((-REAL(2))*c154, c55,
+            STEWART_FMA(-c144, c152, STEWART_FMA(-c143, c145, STEWART_FMA(-c100, c3, STEWART_FMA(c151,
+            inv_k3, STEWART_FMA(-c54, c74, STEWART_FMA(c3, c55, STEWART_FMA(c145, c152, STEWART_FMA(c143,
+            c144, STEWART_FMA(c74, c99, STEWART_FMA(-c117, c52, STEWART_FMA(c122, c52, STEWART_FMA(c103,
+            c48, c117)) - c122)))))))))))) - c121))) - c129) + c114))) - c115 - c116))))) - c131 - c39)) + c42))))))))))));
         const stewart_real c158 = g_k*k1;
         const stewart_real c159 = gamma_n*w_z;
         const stewart_real c160 = h_y*own_z;
@@ -5169,12 +5527,18 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c163 = c16*c20;
         const stewart_real c164 = c107*c40;
         const stewart_real c165 = J_xx + c73;
-        const stewart_real tau_S_leg_23 = C_us*L_dot*c15 + REAL(2)*J_xy*L_dot*W_z*c15 + REAL(2)*J_xy*W_z*inv_L*inv_k3*k1*theta_dot
-            + J_xy*c50*inv_L*own_z + J_yy*L_ddot*c15 + J_yy*c3*inv_L + REAL(2)*J_yz*W_z*inv_L*theta_dot + REAL(2)*L_ddot*h_x*inv_L
-            + REAL(2)*L_dot*W_z*c50*h_y*inv_L + REAL(4)*W_z*c138*h_y*k1*theta_dot + REAL(2)*c138*c14*h_z*k1
-            + c14*c165*c50*inv_L + fall_T_x*m_u + gamma_n*inv_L*k3*w_x - c110*c50*c70 - c13 - c134*c162 - c138*c164
-            - c14*c27 - c14*c86 - REAL(2)*c148*c163 - c154*c27 - c158*c94 - c159*c40 - c160*c50 - c18*c2 - c48*c80
-            - c50*c63*c82 - c55*c63 - c91*g_k*w_z;
+        const stewart_real tau_S_leg_23 = STEWART_FMA(-c160, c50, STEWART_FMA(J_xy*c50*inv_L, own_z,
+            STEWART_FMA(REAL(2)*J_xy*W_z*inv_L*inv_k3*k1, theta_dot, STEWART_FMA(-c134, c162,
+            STEWART_FMA(REAL(4)*W_z*c138*h_y*k1, theta_dot, STEWART_FMA(REAL(2)*L_dot*W_z*c50*h_y, inv_L,
+            STEWART_FMA((-c50)*c63, c82, STEWART_FMA((-REAL(2))*c148, c163, STEWART_FMA((-c110)*c50, c70,
+            STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, theta_dot, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z, c15,
+            STEWART_FMA(-c55, c63, STEWART_FMA(-c18, c2, STEWART_FMA(-c159, c40,
+            STEWART_FMA(gamma_n*inv_L*k3, w_x, STEWART_FMA(REAL(2)*L_ddot*h_x, inv_L,
+            STEWART_FMA(J_yy*L_ddot, c15, STEWART_FMA(fall_T_x, m_u, STEWART_FMA(-c138, c164,
+            STEWART_FMA(REAL(2)*c138*c14*h_z, k1, STEWART_FMA(C_us*L_dot, c15, STEWART_FMA(-c158, c94,
+            STEWART_FMA((-c91)*g_k, w_z, STEWART_FMA(-c14, c86, STEWART_FMA(c14*c165*c50, inv_L,
+            STEWART_FMA(-c48, c80, STEWART_FMA(-c154, c27, STEWART_FMA(-c14, c27,
+            J_yy*c3*inv_L))))))))))))))) - c13)))))))))))));
         const stewart_real c166 = c27*k3;
         const stewart_real c167 = c166*own_z;
         const stewart_real c168 = c92*gamma_y;
@@ -5193,10 +5557,14 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c181 = J_yz*k3;
         const stewart_real c182 = c50*k1;
         const stewart_real c184 = -W_z*c150*k3;
-        const stewart_real tau_S_leg_31 = J_xx*c161*c182 + axial*c167 + c101*c179 + c111*theta_dot + c113*c163
-            + c128*c91 + c131*k1 + c14*c178 + c16*c184 + c168 + c169 + c175*c176 + c178*c3 + c180*(J_xx + c149)
-            + c181*c56 + c31*k3 - axial*c168 - c109*c117 - c109*c122 - c114*k1 - c119 - c139*c2 - c146*c172
-            - c167 - c171*own_z - c173*own_y - c174*theta_dot - REAL(2)*c74*c98;
+        const stewart_real tau_S_leg_31 = STEWART_FMA(-c146, c172, STEWART_FMA(c128, c91, STEWART_FMA(-c171,
+            own_z, STEWART_FMA(c180, J_xx + c149, STEWART_FMA(axial, c167, STEWART_FMA(-c174, theta_dot,
+            STEWART_FMA(-c139, c2, STEWART_FMA(-c114, k1, STEWART_FMA(c16, c184, STEWART_FMA(J_xx*c161,
+            c182, STEWART_FMA(-c173, own_y, STEWART_FMA(c175, c176, STEWART_FMA(c131, k1, STEWART_FMA(c113,
+            c163, STEWART_FMA(-axial, c168, STEWART_FMA(c101, c179, STEWART_FMA(c31, k3, STEWART_FMA(c181,
+            c56, STEWART_FMA(c111, theta_dot, STEWART_FMA(-c109, c122, STEWART_FMA(-c109, c117,
+            STEWART_FMA((-REAL(2))*c74, c98, STEWART_FMA(c178, c3, STEWART_FMA(c14, c178, c169)))))) + c168)))))))
+            - c119)))))))) - c167)));
         const stewart_real c185 = k3*own_z;
         const stewart_real c186 = c94*gamma_n;
         const stewart_real c187 = c172*inv_k3;
@@ -5207,18 +5575,31 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c192 = c113*inv_L;
         const stewart_real c193 = c68*k1;
         const stewart_real c194 = J_xx - J_zz;
-        const stewart_real tau_S_leg_32 = REAL(2)*J_xx*L_dot*c15*c50*k1*theta_dot + REAL(2)*J_xx*c138*c3*inv_L
-            + REAL(2)*J_xx*c46*c47*inv_k3 + REAL(2)*J_xy*L_dot*W_z*c15*k3 + J_xy*inv_L*inv_k3*own_z + REAL(2)*J_xz*L_dot*c15*inv_k3*theta_dot
-            + REAL(2)*J_xz*c3*c50*inv_L*k1 + REAL(2)*J_xz*c3*inv_L*k1 + REAL(4)*J_xz*c46*c47*k1 + REAL(2)*J_xz*inv_L*k3*own_y
-            + J_yz*inv_L*k1*own_z + L_ddot*c15*c194*k3 + REAL(2)*L_ddot*h_z*inv_L*k1 + REAL(2)*W_z*c50*h_y*k1*theta_dot
-            + axial*c14*c73*inv_L*k3 + axial*c8*gamma_n*inv_L*w_x + axial*fall_T_z*k1*m_u + c14*c165*inv_L*inv_k3
-            + REAL(2)*c14*c50*h_z*k1 + c14*inv_L*k3*(J_xx - J_yy) + REAL(2)*c15*c46*h_x*k3 + c165*inv_L*k1*own_y
-            + REAL(2)*c3*h_x*k3 + g_k*inv_L*k1*k3*w_x + gamma_n*inv_L*inv_k3*k1*w_z + gamma_y*inv_L*inv_k3*w_y
-            + REAL(2)*h_z*inv_k3*own_y - C_us*c16*inv_k3 - J_xx*c108*c123 - J_xz*c109*c32 - L_ddot*c166*inv_L
-            - W_z*c189 - axial*c14*c73*inv_L*inv_k3 - axial*c158*c92 - axial*c186 - REAL(2)*c110*c20 - c123*c87
-            - c126*c2*c69 - REAL(2)*c13*k3 - c144*c192 - c148*c16*c70 - c150*c46*c47*k3 - c154*c193 - c157*c189
-            - c160*inv_k3 - c164*c50 - c164 - c170*c32 - c171*c3 - c173*c63 - c182*c79 - c185*c98 - c186*c8
-            - c187*c81 - c188*c50 - c188 - c190*c191 - c194*c3*inv_L*k3 - c85*k1 - fall_T_x*k3*m_u;
+        const stewart_real tau_S_leg_32 = STEWART_FMA(-c185, c98, STEWART_FMA(-c160, inv_k3,
+            STEWART_FMA(J_yz*inv_L*k1, own_z, STEWART_FMA(J_xy*inv_L*inv_k3, own_z, STEWART_FMA(-c85, k1,
+            STEWART_FMA((-J_xx)*c108, c123, STEWART_FMA(REAL(2)*W_z*c50*h_y*k1, theta_dot,
+            STEWART_FMA(REAL(2)*J_xz*inv_L*k3, own_y, STEWART_FMA(REAL(2)*J_xy*L_dot*W_z*c15, k3,
+            STEWART_FMA(-c187, c81, STEWART_FMA((-c148)*c16, c70, STEWART_FMA((-REAL(2))*c13, k3,
+            STEWART_FMA(-c123, c87, STEWART_FMA(REAL(2)*h_z*inv_k3, own_y, STEWART_FMA(c165*inv_L*k1, own_y,
+            STEWART_FMA(REAL(2)*J_xx*L_dot*c15*c50*k1, theta_dot, STEWART_FMA(-c173, c63, STEWART_FMA(-c157,
+            c189, STEWART_FMA((-REAL(2))*c110, c20, STEWART_FMA(-W_z, c189,
+            STEWART_FMA(gamma_n*inv_L*inv_k3*k1, w_z, STEWART_FMA(axial*c8*gamma_n*inv_L, w_x,
+            STEWART_FMA(REAL(2)*J_xz*L_dot*c15*inv_k3, theta_dot, STEWART_FMA(-c186, c8,
+            STEWART_FMA((-c126)*c2, c69, STEWART_FMA(-axial, c186, STEWART_FMA(gamma_y*inv_L*inv_k3, w_y,
+            STEWART_FMA(-c190, c191, STEWART_FMA(-c182, c79, STEWART_FMA(axial*fall_T_z*k1, m_u,
+            STEWART_FMA((-J_xz)*c109, c32, STEWART_FMA(REAL(2)*L_ddot*h_z*inv_L, k1,
+            STEWART_FMA((-fall_T_x)*k3, m_u, STEWART_FMA(-c170, c32, STEWART_FMA((-L_ddot)*c166, inv_L,
+            STEWART_FMA(L_ddot*c15*c194, k3, STEWART_FMA((-C_us)*c16, inv_k3,
+            STEWART_FMA(REAL(2)*J_xz*c3*c50*inv_L, k1, STEWART_FMA(-c188, c50, STEWART_FMA(-c164, c50,
+            STEWART_FMA((-axial)*c158, c92, STEWART_FMA(g_k*inv_L*k1*k3, w_x,
+            STEWART_FMA(REAL(2)*c14*c50*h_z, k1, STEWART_FMA(REAL(4)*J_xz*c46*c47, k1,
+            STEWART_FMA(REAL(2)*J_xz*c3*inv_L, k1, STEWART_FMA(-c154, c193,
+            STEWART_FMA((-axial)*c14*c73*inv_L, inv_k3, STEWART_FMA((-c194)*c3*inv_L, k3, STEWART_FMA(-c171,
+            c3, STEWART_FMA((-c150)*c46*c47, k3, STEWART_FMA(REAL(2)*c15*c46*h_x, k3,
+            STEWART_FMA(axial*c14*c73*inv_L, k3, STEWART_FMA(REAL(2)*J_xx*c46*c47, inv_k3,
+            STEWART_FMA(REAL(2)*c3*h_x, k3, STEWART_FMA(c14*inv_L*k3, J_xx - J_yy,
+            STEWART_FMA(c14*c165*inv_L, inv_k3, STEWART_FMA(-c144, c192,
+            REAL(2)*J_xx*c138*c3*inv_L)))))))))))) - c164 - c188)))))))))))))))))))))))))))))))))))))))))))));
         const stewart_real c196 = J_xx*c146;
         const stewart_real c197 = c157*k1;
         const stewart_real c198 = J_xy*k3;
@@ -5226,82 +5607,127 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c200 = REAL(2)*c181;
         const stewart_real c201 = c14*c50;
         const stewart_real c202 = c113*c197;
-        const stewart_real tau_S_leg_33 = c114*k3 + c115*k3 + c116*k3 + c121*k3 + c122*c177 + c130*c176*k1 + c133*gamma_y
-            + c135 + c137*k1*theta_dot + c148*c56 + c152*c3 + c161*c170 + c172*c180 + c174*c2 + c184*c88 + c196*c50
-            + c196 + c197*c78 + c201*c99 - J_xx*c162 - W_z*c142 - c109*c147*c50 - c120 - c124 - c127*own_z - c128*c40
-            - c136*c191 - c140 - c151 - c16*c199 - c16*c202 - c177*c42 - c198*c56 - c200*c48 - c201*c54;
+        const stewart_real tau_S_leg_33 = STEWART_FMA(-c128, c40, STEWART_FMA(-c177, c42, STEWART_FMA(c196,
+            c50, STEWART_FMA(-c16, c202, STEWART_FMA(-c127, own_z, STEWART_FMA((-c109)*c147, c50,
+            STEWART_FMA(-J_xx, c162, STEWART_FMA(c172, c180, STEWART_FMA(-c16, c199, STEWART_FMA(c184, c88,
+            STEWART_FMA(c137*k1, theta_dot, STEWART_FMA(-c136, c191, STEWART_FMA(c197, c78,
+            STEWART_FMA(c174, c2, STEWART_FMA(c161, c170, STEWART_FMA(c130*c176, k1, STEWART_FMA(c114, k3,
+            STEWART_FMA(-c198, c56, STEWART_FMA(-W_z, c142, STEWART_FMA(c116, k3, STEWART_FMA(c115, k3,
+            STEWART_FMA(c148, c56, STEWART_FMA(c133, gamma_y, STEWART_FMA(c121, k3, STEWART_FMA(-c201, c54,
+            STEWART_FMA(c152, c3, STEWART_FMA(c201, c99, STEWART_FMA(-c200, c48, c122*c177)))) - c151 + c135))))))
+            - c120))))))))) - c124 - c140)) + c196)))))));
         /* generalised forces by the tip's motion */
-        const stewart_real tau_S_xx = s_x*tau_S_leg_11 + tau_S_leg_12*y_x + tau_S_leg_13*z_x;
-        const stewart_real tau_S_xy = s_y*tau_S_leg_11 + tau_S_leg_12*y_y + tau_S_leg_13*z_y;
-        const stewart_real tau_S_xz = s_z*tau_S_leg_11 + tau_S_leg_12*y_z + tau_S_leg_13*z_z;
-        const stewart_real tau_S_yx = s_x*tau_S_leg_21 + tau_S_leg_22*y_x + tau_S_leg_23*z_x;
-        const stewart_real tau_S_yy = s_y*tau_S_leg_21 + tau_S_leg_22*y_y + tau_S_leg_23*z_y;
-        const stewart_real tau_S_yz = s_z*tau_S_leg_21 + tau_S_leg_22*y_z + tau_S_leg_23*z_z;
-        const stewart_real tau_S_zx = s_x*tau_S_leg_31 + tau_S_leg_32*y_x + tau_S_leg_33*z_x;
-        const stewart_real tau_S_zy = s_y*tau_S_leg_31 + tau_S_leg_32*y_y + tau_S_leg_33*z_y;
-        const stewart_real tau_S_zz = s_z*tau_S_leg_31 + tau_S_leg_32*y_z + tau_S_leg_33*z_z;
-        const stewart_real tau_S_dot_leg_11 = C_p + c19*c70 - c38;
+        const stewart_real tau_S_xx = STEWART_FMA(tau_S_leg_12, y_x, STEWART_FMA(tau_S_leg_13, z_x,
+            s_x*tau_S_leg_11));
+        const stewart_real tau_S_xy = STEWART_FMA(tau_S_leg_12, y_y, STEWART_FMA(tau_S_leg_13, z_y,
+            s_y*tau_S_leg_11));
+        const stewart_real tau_S_xz = STEWART_FMA(tau_S_leg_12, y_z, STEWART_FMA(tau_S_leg_13, z_z,
+            s_z*tau_S_leg_11));
+        const stewart_real tau_S_yx = STEWART_FMA(tau_S_leg_22, y_x, STEWART_FMA(tau_S_leg_23, z_x,
+            s_x*tau_S_leg_21));
+        const stewart_real tau_S_yy = STEWART_FMA(tau_S_leg_22, y_y, STEWART_FMA(tau_S_leg_23, z_y,
+            s_y*tau_S_leg_21));
+        const stewart_real tau_S_yz = STEWART_FMA(tau_S_leg_22, y_z, STEWART_FMA(tau_S_leg_23, z_z,
+            s_z*tau_S_leg_21));
+        const stewart_real tau_S_zx = STEWART_FMA(tau_S_leg_32, y_x, STEWART_FMA(tau_S_leg_33, z_x,
+            s_x*tau_S_leg_31));
+        const stewart_real tau_S_zy = STEWART_FMA(tau_S_leg_32, y_y, STEWART_FMA(tau_S_leg_33, z_y,
+            s_y*tau_S_leg_31));
+        const stewart_real tau_S_zz = STEWART_FMA(tau_S_leg_32, y_z, STEWART_FMA(tau_S_leg_33, z_z,
+            s_z*tau_S_leg_31));
+        const stewart_real tau_S_dot_leg_11 = STEWART_FMA(c19, c70, C_p - c38);
         const stewart_real c203 = c109*c19;
-        const stewart_real tau_S_dot_leg_12 = c16*c17 + c203*inv_k3*theta_dot + c22*c36 - W_z*c28;
-        const stewart_real tau_S_dot_leg_13 = c16*c68 + c27*c88 - c20*c203;
-        const stewart_real tau_S_dot_leg_21 = REAL(2)*W_z*h_y*inv_k3*k1 - c152*c20 - c69 - c70*c82 - c80*c88;
+        const stewart_real tau_S_dot_leg_12 = STEWART_FMA(c22, c36, STEWART_FMA(-W_z, c28,
+            STEWART_FMA(c203*inv_k3, theta_dot, c16*c17)));
+        const stewart_real tau_S_dot_leg_13 = STEWART_FMA(-c20, c203, STEWART_FMA(c27, c88, c16*c68));
+        const stewart_real tau_S_dot_leg_21 = STEWART_FMA(-c70, c82, STEWART_FMA(-c152, c20,
+            STEWART_FMA(-c80, c88, STEWART_FMA(REAL(2)*W_z*h_y*inv_k3, k1, -c69))));
         const stewart_real c204 = c109*c82;
         const stewart_real c205 = c204*theta_dot;
-        const stewart_real tau_S_dot_leg_22 = REAL(2)*J_xy*inv_L*theta_dot + REAL(4)*J_xz*W_z*inv_L + REAL(2)*L_dot*h_y*inv_L*inv_k3*k1
-            + W_z*c155*inv_L*inv_k3*k1 + REAL(2)*W_z*c50*h_z + REAL(2)*c50*h_y*theta_dot - c104 - c108*c153
-            - c111*inv_k3 - c136 - c205*inv_k3 - REAL(2)*c50*c89 - c83;
+        const stewart_real tau_S_dot_leg_22 = STEWART_FMA(-c108, c153, STEWART_FMA(W_z*c155*inv_L*inv_k3,
+            k1, STEWART_FMA(REAL(2)*W_z*c50, h_z, STEWART_FMA(REAL(4)*J_xz*W_z, inv_L,
+            STEWART_FMA((-REAL(2))*c50, c89, STEWART_FMA(-c205, inv_k3, STEWART_FMA(REAL(2)*c50*h_y,
+            theta_dot, STEWART_FMA(REAL(2)*J_xy*inv_L, theta_dot, STEWART_FMA(-c111, inv_k3,
+            STEWART_FMA(REAL(2)*L_dot*h_y*inv_L*inv_k3, k1, -c104)) - c83))) - c136)))));
         const stewart_real c206 = c70*c98;
-        const stewart_real tau_S_dot_leg_23 = c102 + c141 + c18 + c20*c204 + c206*c50 - c18*c50 - c190 - c206
-            - c78;
-        const stewart_real tau_S_dot_leg_31 = W_z*c150*inv_L*k3 + REAL(2)*W_z*h_z*k1 - c130*c97*k1 - c173*c37
-            - c179 - c189 - c192*c20;
-        const stewart_real tau_S_dot_leg_32 = C_us*inv_L*inv_k3 + REAL(2)*J_xy*W_z*inv_L*inv_k3 + REAL(2)*J_yz*W_z*inv_L*k1
-            + L_dot*c15*c150*k3 + REAL(2)*L_dot*h_z*inv_L*k1 + REAL(2)*h_z*inv_k3*theta_dot - W_z*c178 - c113*c16*inv_k3
-            - c113*c182*c88 - c132*c53 - c166*c2 - c18*inv_k3 - c187*c88;
-        const stewart_real tau_S_dot_leg_33 = c111 + c113*c157*c40 + c16*c200 + REAL(2)*c198*c88 + c199*inv_L
-            - c174 - c205;
+        const stewart_real tau_S_dot_leg_23 = STEWART_FMA(-c18, c50, STEWART_FMA(c206, c50, STEWART_FMA(c20,
+            c204, c102 - c78 + c141 - c190 + c18))) - c206;
+        const stewart_real tau_S_dot_leg_31 = STEWART_FMA((-c130)*c97, k1, STEWART_FMA(-c192, c20,
+            STEWART_FMA(REAL(2)*W_z*h_z, k1, STEWART_FMA(-c173, c37, W_z*c150*inv_L*k3) - c179 - c189)));
+        const stewart_real tau_S_dot_leg_32 = STEWART_FMA(REAL(2)*J_yz*W_z*inv_L, k1,
+            STEWART_FMA(REAL(2)*J_xy*W_z*inv_L, inv_k3, STEWART_FMA(-c18, inv_k3, STEWART_FMA((-c113)*c182,
+            c88, STEWART_FMA(-W_z, c178, STEWART_FMA(-c187, c88, STEWART_FMA(REAL(2)*h_z*inv_k3, theta_dot,
+            STEWART_FMA(-c132, c53, STEWART_FMA((-c113)*c16, inv_k3, STEWART_FMA(REAL(2)*L_dot*h_z*inv_L,
+            k1, STEWART_FMA(-c166, c2, STEWART_FMA(L_dot*c15*c150, k3, C_us*inv_L*inv_k3))))))))))));
+        const stewart_real tau_S_dot_leg_33 = STEWART_FMA(c199, inv_L, STEWART_FMA(c113*c157, c40,
+            STEWART_FMA(REAL(2)*c198, c88, STEWART_FMA(c16, c200, c111) - c205))) - c174;
         /* generalised forces by the tip's motion */
-        const stewart_real tau_S_dot_xx = s_x*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_x + tau_S_dot_leg_13*z_x;
-        const stewart_real tau_S_dot_xy = s_y*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_y + tau_S_dot_leg_13*z_y;
-        const stewart_real tau_S_dot_xz = s_z*tau_S_dot_leg_11 + tau_S_dot_leg_12*y_z + tau_S_dot_leg_13*z_z;
-        const stewart_real tau_S_dot_yx = s_x*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_x + tau_S_dot_leg_23*z_x;
-        const stewart_real tau_S_dot_yy = s_y*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_y + tau_S_dot_leg_23*z_y;
-        const stewart_real tau_S_dot_yz = s_z*tau_S_dot_leg_21 + tau_S_dot_leg_22*y_z + tau_S_dot_leg_23*z_z;
-        const stewart_real tau_S_dot_zx = s_x*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_x + tau_S_dot_leg_33*z_x;
-        const stewart_real tau_S_dot_zy = s_y*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_y + tau_S_dot_leg_33*z_y;
-        const stewart_real tau_S_dot_zz = s_z*tau_S_dot_leg_31 + tau_S_dot_leg_32*y_z + tau_S_dot_leg_33*z_z;
+        const stewart_real tau_S_dot_xx = STEWART_FMA(tau_S_dot_leg_12, y_x, STEWART_FMA(tau_S_dot_leg_13,
+            z_x, s_x*tau_S_dot_leg_11));
+        const stewart_real tau_S_dot_xy = STEWART_FMA(tau_S_dot_leg_12, y_y, STEWART_FMA(tau_S_dot_leg_13,
+            z_y, s_y*tau_S_dot_leg_11));
+        const stewart_real tau_S_dot_xz = STEWART_FMA(tau_S_dot_leg_12, y_z, STEWART_FMA(tau_S_dot_leg_13,
+            z_z, s_z*tau_S_dot_leg_11));
+        const stewart_real tau_S_dot_yx = STEWART_FMA(tau_S_dot_leg_22, y_x, STEWART_FMA(tau_S_dot_leg_23,
+            z_x, s_x*tau_S_dot_leg_21));
+        const stewart_real tau_S_dot_yy = STEWART_FMA(tau_S_dot_leg_22, y_y, STEWART_FMA(tau_S_dot_leg_23,
+            z_y, s_y*tau_S_dot_leg_21));
+        const stewart_real tau_S_dot_yz = STEWART_FMA(tau_S_dot_leg_22, y_z, STEWART_FMA(tau_S_dot_leg_23,
+            z_z, s_z*tau_S_dot_leg_21));
+        const stewart_real tau_S_dot_zx = STEWART_FMA(tau_S_dot_leg_32, y_x, STEWART_FMA(s_x,
+            tau_S_dot_leg_31, tau_S_dot_leg_33*z_x));
+        const stewart_real tau_S_dot_zy = STEWART_FMA(tau_S_dot_leg_32, y_y, STEWART_FMA(s_y,
+            tau_S_dot_leg_31, tau_S_dot_leg_33*z_y));
+        const stewart_real tau_S_dot_zz = STEWART_FMA(tau_S_dot_leg_32, y_z, STEWART_FMA(s_z,
+            tau_S_dot_leg_31, tau_S_dot_leg_33*z_z));
         const stewart_real tau_S_ddot_leg_12 = -c19;
         const stewart_real tau_S_ddot_leg_13 = -c36;
-        const stewart_real tau_S_ddot_leg_22 = c100 + c82 - c55;
+        const stewart_real tau_S_ddot_leg_22 = c82 + c100 - c55;
         const stewart_real c207 = L*m_u;
-        const stewart_real tau_S_ddot_leg_23 = -c207 - c27 - c86;
+        const stewart_real tau_S_ddot_leg_23 = -c27 - c86 - c207;
         const stewart_real c208 = h_y*k3;
         const stewart_real tau_S_ddot_leg_31 = -c208;
-        const stewart_real tau_S_ddot_leg_32 = c166 + c171 + c172*c40 + c207*k3 - c193 - c194*c91;
-        const stewart_real tau_S_ddot_leg_33 = h_y*k1 - c173 - c99;
+        const stewart_real tau_S_ddot_leg_32 = STEWART_FMA(c172, c40, STEWART_FMA(-c194, c91,
+            STEWART_FMA(c207, k3, c166) + c171)) - c193;
+        const stewart_real tau_S_ddot_leg_33 = STEWART_FMA(h_y, k1, -c173) - c99;
         /* generalised forces by the tip's motion */
-        const stewart_real tau_S_ddot_xx = m_u*s_x + tau_S_ddot_leg_12*y_x + tau_S_ddot_leg_13*z_x;
-        const stewart_real tau_S_ddot_xy = m_u*s_y + tau_S_ddot_leg_12*y_y + tau_S_ddot_leg_13*z_y;
-        const stewart_real tau_S_ddot_xz = m_u*s_z + tau_S_ddot_leg_12*y_z + tau_S_ddot_leg_13*z_z;
-        const stewart_real tau_S_ddot_yx = h_z*s_x + tau_S_ddot_leg_22*y_x + tau_S_ddot_leg_23*z_x;
-        const stewart_real tau_S_ddot_yy = h_z*s_y + tau_S_ddot_leg_22*y_y + tau_S_ddot_leg_23*z_y;
-        const stewart_real tau_S_ddot_yz = h_z*s_z + tau_S_ddot_leg_22*y_z + tau_S_ddot_leg_23*z_z;
-        const stewart_real tau_S_ddot_zx = s_x*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_x + tau_S_ddot_leg_33*z_x;
-        const stewart_real tau_S_ddot_zy = s_y*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_y + tau_S_ddot_leg_33*z_y;
-        const stewart_real tau_S_ddot_zz = s_z*tau_S_ddot_leg_31 + tau_S_ddot_leg_32*y_z + tau_S_ddot_leg_33*z_z;
+        const stewart_real tau_S_ddot_xx = STEWART_FMA(tau_S_ddot_leg_12, y_x,
+            STEWART_FMA(tau_S_ddot_leg_13, z_x, m_u*s_x));
+        const stewart_real tau_S_ddot_xy = STEWART_FMA(tau_S_ddot_leg_12, y_y,
+            STEWART_FMA(tau_S_ddot_leg_13, z_y, m_u*s_y));
+        const stewart_real tau_S_ddot_xz = STEWART_FMA(tau_S_ddot_leg_12, y_z,
+            STEWART_FMA(tau_S_ddot_leg_13, z_z, m_u*s_z));
+        const stewart_real tau_S_ddot_yx = STEWART_FMA(tau_S_ddot_leg_22, y_x,
+            STEWART_FMA(tau_S_ddot_leg_23, z_x, h_z*s_x));
+        const stewart_real tau_S_ddot_yy = STEWART_FMA(tau_S_ddot_leg_22, y_y,
+            STEWART_FMA(tau_S_ddot_leg_23, z_y, h_z*s_y));
+        const stewart_real tau_S_ddot_yz = STEWART_FMA(tau_S_ddot_leg_22, y_z,
+            STEWART_FMA(tau_S_ddot_leg_23, z_z, h_z*s_z));
+        const stewart_real tau_S_ddot_zx = STEWART_FMA(tau_S_ddot_leg_32, y_x,
+            STEWART_FMA(tau_S_ddot_leg_33, z_x, s_x*tau_S_ddot_leg_31));
+        const stewart_real tau_S_ddot_zy = STEWART_FMA(tau_S_ddot_leg_32, y_y,
+            STEWART_FMA(tau_S_ddot_leg_33, z_y, s_y*tau_S_ddot_leg_31));
+        const stewart_real tau_S_ddot_zz = STEWART_FMA(tau_S_ddot_leg_32, y_z,
+            STEWART_FMA(tau_S_ddot_leg_33, z_z, s_z*tau_S_ddot_leg_31));
         const stewart_real c209 = REAL(1) - axial;
         const stewart_real c210 = L*k1;
-        const stewart_real c211 = axial*net_z + c209*(C_us*W_z*inv_k3 + J_xx*inv_k3*own_z + J_xy*c14*inv_k3
-            + J_xy*k1*own_y + REAL(2)*J_xz*k1*own_z + J_yz*c14*k1 + J_yz*c3*k1 + J_yz*k3*own_y + REAL(2)*L*W_z*h_z*inv_k3*theta_dot
-            + L*c14*h_y*k3 + L*c3*h_y*k3 + gamma_y*k1*w_z - C_s*w_k_omega - J_xx*c185 - L*c109*c42 - L*c169
-            - L_ddot*c208 - L_dot*c139 - L_dot*c37*c54 - c14*c198 - c175*c37 - c198*c3 - c202*theta_dot - c210*c39
-            - gamma_n*w_y);
+        const stewart_real c211 = STEWART_FMA(c209, STEWART_FMA((-L)*c109, c42, STEWART_FMA(-J_xx, c185,
+            STEWART_FMA(REAL(2)*J_xz*k1, own_z, STEWART_FMA(-c202, theta_dot,
+            STEWART_FMA(REAL(2)*L*W_z*h_z*inv_k3, theta_dot, STEWART_FMA(J_xx*inv_k3, own_z,
+            STEWART_FMA(-c210, c39, STEWART_FMA(-c175, c37, STEWART_FMA(-L_dot, c139, STEWART_FMA(J_yz*k3,
+            own_y, STEWART_FMA(J_xy*k1, own_y, STEWART_FMA((-L_dot)*c37, c54, STEWART_FMA(C_us*W_z, inv_k3,
+            STEWART_FMA(-gamma_n, w_y, STEWART_FMA(gamma_y*k1, w_z, STEWART_FMA(-L_ddot, c208,
+            STEWART_FMA(J_yz*c3, k1, STEWART_FMA(J_yz*c14, k1, STEWART_FMA(-L, c169, STEWART_FMA(-c198, c3,
+            STEWART_FMA(-c14, c198, STEWART_FMA(L*c3*h_y, k3, STEWART_FMA(L*c14*h_y, k3, STEWART_FMA(-C_s,
+            w_k_omega, J_xy*c14*inv_k3)))))))))))))))))))))))), axial*net_z);
         const stewart_real c212 = c211*inv_rho*inv_rho;
         const stewart_real bent_leg_12 = -c212*k3;
         const stewart_real c213 = J_xy*c63;
-        const stewart_real c214 = axial*net_y + c209*(C_us*theta_dot + J_xx*c75 + J_yz*own_z + L*c105 + L*c106
-            + c107 + c125*c134 + c159*k3 + c213 + c61 - C_s*w_y_omega - REAL(2)*L*c24 - L*c55*own_z - L*c84
-            - c148*c20*c37 - c158*w_z - c213*c50 - c50*c96);
+        const stewart_real c214 = STEWART_FMA(c209, STEWART_FMA((-L)*c55, own_z, STEWART_FMA(c125, c134,
+            STEWART_FMA(-c213, c50, STEWART_FMA((-c148)*c20, c37, STEWART_FMA(J_yz, own_z, STEWART_FMA(-L,
+            c84, STEWART_FMA(L, c105, STEWART_FMA(-C_s, w_y_omega, STEWART_FMA(c159, k3, STEWART_FMA(C_us,
+            theta_dot, STEWART_FMA(-c158, w_z, STEWART_FMA(J_xx, c75, STEWART_FMA((-REAL(2))*L, c24,
+            STEWART_FMA(L, c106, STEWART_FMA(-c50, c96, c107))))) + c61))) + c213))))))), axial*net_y);
         const stewart_real c215 = c15*c214;
         const stewart_real bent_leg_13 = c215;
         const stewart_real bent_leg_21 = -L*c215;
@@ -5310,114 +5736,132 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real c216 = c211*c4*c91;
         const stewart_real bent_leg_31 = -c216;
         const stewart_real c217 = inv_rho*k3;
-        const stewart_real bent_leg_32 = L*k3*(c214*c40*inv_rho + c217*net_x);
+        const stewart_real bent_leg_32 = L*k3*STEWART_FMA(c214*c40, inv_rho, c217*net_x);
         const stewart_real bent_leg_33 = c216*kappa;
         /* generalised forces by the tip's place, as the rows turn */
-        const stewart_real tau_place_xx = bent_leg_12*y_x + bent_leg_13*z_x + tau_S_xx;
-        const stewart_real tau_place_xy = bent_leg_12*y_y + bent_leg_13*z_y + tau_S_xy;
-        const stewart_real tau_place_xz = bent_leg_12*y_z + bent_leg_13*z_z + tau_S_xz;
-        const stewart_real tau_place_yx = bent_leg_21*s_x + bent_leg_22*y_x + bent_leg_23*z_x + tau_S_yx;
-        const stewart_real tau_place_yy = bent_leg_21*s_y + bent_leg_22*y_y + bent_leg_23*z_y + tau_S_yy;
-        const stewart_real tau_place_yz = bent_leg_21*s_z + bent_leg_22*y_z + bent_leg_23*z_z + tau_S_yz;
-        const stewart_real tau_place_zx = bent_leg_31*s_x + bent_leg_32*y_x + bent_leg_33*z_x + tau_S_zx;
-        const stewart_real tau_place_zy = bent_leg_31*s_y + bent_leg_32*y_y + bent_leg_33*z_y + tau_S_zy;
-        const stewart_real tau_place_zz = bent_leg_31*s_z + bent_leg_32*y_z + bent_leg_33*z_z + tau_S_zz;
-        const stewart_real X_xx = B_xx*tau_S_ddot_xx + B_yx*tau_S_ddot_xy + B_zx*tau_S_ddot_xz + omega_z*tau_S_dot_xy
-            + tau_place_xx - omega_y*tau_S_dot_xz;
-        const stewart_real X_xy = B_xy*tau_S_ddot_xx + B_yy*tau_S_ddot_xy + B_zy*tau_S_ddot_xz + omega_x*tau_S_dot_xz
-            + tau_place_xy - omega_z*tau_S_dot_xx;
-        const stewart_real X_xz = B_xz*tau_S_ddot_xx + B_yz*tau_S_ddot_xy + B_zz*tau_S_ddot_xz + omega_y*tau_S_dot_xx
-            + tau_place_xz - omega_x*tau_S_dot_xy;
-        const stewart_real X_yx = B_xx*tau_S_ddot_yx + B_yx*tau_S_ddot_yy + B_zx*tau_S_ddot_yz + omega_z*tau_S_dot_yy
-            + tau_place_yx - omega_y*tau_S_dot_yz;
-        const stewart_real X_yy = B_xy*tau_S_ddot_yx + B_yy*tau_S_ddot_yy + B_zy*tau_S_ddot_yz + omega_x*tau_S_dot_yz
-            + tau_place_yy - omega_z*tau_S_dot_yx;
-        const stewart_real X_yz = B_xz*tau_S_ddot_yx + B_yz*tau_S_ddot_yy + B_zz*tau_S_ddot_yz + omega_y*tau_S_dot_yx
-            + tau_place_yz - omega_x*tau_S_dot_yy;
-        const stewart_real X_zx = B_xx*tau_S_ddot_zx + B_yx*tau_S_ddot_zy + B_zx*tau_S_ddot_zz + omega_z*tau_S_dot_zy
-            + tau_place_zx - omega_y*tau_S_dot_zz;
-        const stewart_real X_zy = B_xy*tau_S_ddot_zx + B_yy*tau_S_ddot_zy + B_zy*tau_S_ddot_zz + omega_x*tau_S_dot_zz
-            + tau_place_zy - omega_z*tau_S_dot_zx;
-        const stewart_real X_zz = B_xz*tau_S_ddot_zx + B_yz*tau_S_ddot_zy + B_zz*tau_S_ddot_zz + omega_y*tau_S_dot_zx
-            + tau_place_zz - omega_x*tau_S_dot_zy;
-        const stewart_real Y_xx = omega_z*tau_S_ddot_xy + tau_S_dot_xx - omega_y*tau_S_ddot_xz;
-        const stewart_real Y_xy = omega_x*tau_S_ddot_xz + tau_S_dot_xy - omega_z*tau_S_ddot_xx;
-        const stewart_real Y_xz = omega_y*tau_S_ddot_xx + tau_S_dot_xz - omega_x*tau_S_ddot_xy;
-        const stewart_real Y_yx = omega_z*tau_S_ddot_yy + tau_S_dot_yx - omega_y*tau_S_ddot_yz;
-        const stewart_real Y_yy = omega_x*tau_S_ddot_yz + tau_S_dot_yy - omega_z*tau_S_ddot_yx;
-        const stewart_real Y_yz = omega_y*tau_S_ddot_yx + tau_S_dot_yz - omega_x*tau_S_ddot_yy;
-        const stewart_real Y_zx = omega_z*tau_S_ddot_zy + tau_S_dot_zx - omega_y*tau_S_ddot_zz;
-        const stewart_real Y_zy = omega_x*tau_S_ddot_zz + tau_S_dot_zy - omega_z*tau_S_ddot_zx;
-        const stewart_real Y_zz = omega_y*tau_S_ddot_zx + tau_S_dot_zz - omega_x*tau_S_ddot_zy;
+        const stewart_real tau_place_xx = STEWART_FMA(bent_leg_12, y_x, STEWART_FMA(bent_leg_13, z_x,
+            tau_S_xx));
+        const stewart_real tau_place_xy = STEWART_FMA(bent_leg_12, y_y, STEWART_FMA(bent_leg_13, z_y,
+            tau_S_xy));
+        const stewart_real tau_place_xz = STEWART_FMA(bent_leg_12, y_z, STEWART_FMA(bent_leg_13, z_z,
+            tau_S_xz));
+        const stewart_real tau_place_yx = STEWART_FMA(bent_leg_22, y_x, STEWART_FMA(bent_leg_21, s_x,
+            bent_leg_23*z_x)) + tau_S_yx;
+        const stewart_real tau_place_yy = STEWART_FMA(bent_leg_22, y_y, STEWART_FMA(bent_leg_21, s_y,
+            bent_leg_23*z_y)) + tau_S_yy;
+        const stewart_real tau_place_yz = STEWART_FMA(bent_leg_22, y_z, STEWART_FMA(bent_leg_21, s_z,
+            bent_leg_23*z_z)) + tau_S_yz;
+        const stewart_real tau_place_zx = STEWART_FMA(bent_leg_33, z_x, STEWART_FMA(bent_leg_31, s_x,
+            bent_leg_32*y_x)) + tau_S_zx;
+        const stewart_real tau_place_zy = STEWART_FMA(bent_leg_33, z_y, STEWART_FMA(bent_leg_31, s_y,
+            bent_leg_32*y_y)) + tau_S_zy;
+        const stewart_real tau_place_zz = STEWART_FMA(bent_leg_33, z_z, STEWART_FMA(bent_leg_31, s_z,
+            bent_leg_32*y_z)) + tau_S_zz;
+        const stewart_real X_xx = STEWART_FMA(-omega_y, tau_S_dot_xz, STEWART_FMA(omega_z, tau_S_dot_xy,
+            STEWART_FMA(B_zx, tau_S_ddot_xz, STEWART_FMA(B_yx, tau_S_ddot_xy, B_xx*tau_S_ddot_xx)))) + tau_place_xx;
+        const stewart_real X_xy = STEWART_FMA(-omega_z, tau_S_dot_xx, STEWART_FMA(omega_x, tau_S_dot_xz,
+            STEWART_FMA(B_zy, tau_S_ddot_xz, STEWART_FMA(B_yy, tau_S_ddot_xy, B_xy*tau_S_ddot_xx)))) + tau_place_xy;
+        const stewart_real X_xz = STEWART_FMA(-omega_x, tau_S_dot_xy, STEWART_FMA(omega_y, tau_S_dot_xx,
+            STEWART_FMA(B_zz, tau_S_ddot_xz, STEWART_FMA(B_yz, tau_S_ddot_xy, B_xz*tau_S_ddot_xx)))) + tau_place_xz;
+        const stewart_real X_yx = STEWART_FMA(-omega_y, tau_S_dot_yz, STEWART_FMA(omega_z, tau_S_dot_yy,
+            STEWART_FMA(B_zx, tau_S_ddot_yz, STEWART_FMA(B_yx, tau_S_ddot_yy, B_xx*tau_S_ddot_yx)))) + tau_place_yx;
+        const stewart_real X_yy = STEWART_FMA(-omega_z, tau_S_dot_yx, STEWART_FMA(omega_x, tau_S_dot_yz,
+            STEWART_FMA(B_zy, tau_S_ddot_yz, STEWART_FMA(B_yy, tau_S_ddot_yy, B_xy*tau_S_ddot_yx)))) + tau_place_yy;
+        const stewart_real X_yz = STEWART_FMA(-omega_x, tau_S_dot_yy, STEWART_FMA(omega_y, tau_S_dot_yx,
+            STEWART_FMA(B_zz, tau_S_ddot_yz, STEWART_FMA(B_yz, tau_S_ddot_yy, B_xz*tau_S_ddot_yx)))) + tau_place_yz;
+        const stewart_real X_zx = STEWART_FMA(-omega_y, tau_S_dot_zz, STEWART_FMA(omega_z, tau_S_dot_zy,
+            STEWART_FMA(B_zx, tau_S_ddot_zz, STEWART_FMA(B_yx, tau_S_ddot_zy, B_xx*tau_S_ddot_zx)))) + tau_place_zx;
+        const stewart_real X_zy = STEWART_FMA(-omega_z, tau_S_dot_zx, STEWART_FMA(omega_x, tau_S_dot_zz,
+            STEWART_FMA(B_zy, tau_S_ddot_zz, STEWART_FMA(B_yy, tau_S_ddot_zy, B_xy*tau_S_ddot_zx)))) + tau_place_zy;
+        const stewart_real X_zz = STEWART_FMA(-omega_x, tau_S_dot_zy, STEWART_FMA(omega_y, tau_S_dot_zx,
+            STEWART_FMA(B_zz, tau_S_ddot_zz, STEWART_FMA(B_yz, tau_S_ddot_zy, B_xz*tau_S_ddot_zx)))) + tau_place_zz;
+        const stewart_real Y_xx = STEWART_FMA(-omega_y, tau_S_ddot_xz, omega_z*tau_S_ddot_xy) + tau_S_dot_xx;
+        const stewart_real Y_xy = STEWART_FMA(-omega_z, tau_S_ddot_xx, omega_x*tau_S_ddot_xz) + tau_S_dot_xy;
+        const stewart_real Y_xz = STEWART_FMA(-omega_x, tau_S_ddot_xy, omega_y*tau_S_ddot_xx) + tau_S_dot_xz;
+        const stewart_real Y_yx = STEWART_FMA(-omega_y, tau_S_ddot_yz, omega_z*tau_S_ddot_yy) + tau_S_dot_yx;
+        const stewart_real Y_yy = STEWART_FMA(-omega_z, tau_S_ddot_yx, omega_x*tau_S_ddot_yz) + tau_S_dot_yy;
+        const stewart_real Y_yz = STEWART_FMA(-omega_x, tau_S_ddot_yy, omega_y*tau_S_ddot_yx) + tau_S_dot_yz;
+        const stewart_real Y_zx = STEWART_FMA(-omega_y, tau_S_ddot_zz, omega_z*tau_S_ddot_zy) + tau_S_dot_zx;
+        const stewart_real Y_zy = STEWART_FMA(-omega_z, tau_S_ddot_zx, omega_x*tau_S_ddot_zz) + tau_S_dot_zy;
+        const stewart_real Y_zz = STEWART_FMA(-omega_x, tau_S_ddot_zy, omega_y*tau_S_ddot_zx) + tau_S_dot_zz;
         const stewart_real G_dot_21 = -c88;
         const stewart_real c218 = k1*phi_dot;
         const stewart_real G_dot_22 = c218*inv_L;
         const stewart_real G_dot_23 = c16;
         const stewart_real G_dot_31 = -c217*phi_dot;
         const stewart_real c219 = inv_rho*theta_dot;
-        const stewart_real G_dot_32 = -c2*inv_rho - c219*kappa;
+        const stewart_real G_dot_32 = STEWART_FMA(-c219, kappa, -c2*inv_rho);
         const stewart_real G_dot_33 = c218*inv_rho;
         const stewart_real c220 = C_s*k1;
         const stewart_real f_S_leg_11 = G_dot_31*c220;
-        const stewart_real f_S_leg_12 = C_s*(G_dot_32*k1 - c217*theta_dot);
+        const stewart_real f_S_leg_12 = C_s*STEWART_FMA(-c217, theta_dot, G_dot_32*k1);
         const stewart_real f_S_leg_13 = G_dot_33*c220;
         const stewart_real f_S_leg_21 = C_s*G_dot_21;
         const stewart_real f_S_leg_22 = C_s*G_dot_22;
         const stewart_real f_S_leg_23 = C_s*G_dot_23;
         const stewart_real c221 = C_s*k3;
         const stewart_real f_S_leg_31 = G_dot_31*c221;
-        const stewart_real f_S_leg_32 = C_s*(G_dot_32*k3 + c219*k1);
+        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(G_dot_32, k3, c219*k1);
         const stewart_real f_S_leg_33 = G_dot_33*c221;
-        const stewart_real f_S_T_xs = f_S_leg_11*s_x + f_S_leg_21*y_x + f_S_leg_31*z_x;
-        const stewart_real f_S_T_xy = f_S_leg_12*s_x + f_S_leg_22*y_x + f_S_leg_32*z_x;
-        const stewart_real f_S_T_xz = f_S_leg_13*s_x + f_S_leg_23*y_x + f_S_leg_33*z_x;
-        const stewart_real f_S_T_ys = f_S_leg_11*s_y + f_S_leg_21*y_y + f_S_leg_31*z_y;
-        const stewart_real f_S_T_yy = f_S_leg_12*s_y + f_S_leg_22*y_y + f_S_leg_32*z_y;
-        const stewart_real f_S_T_yz = f_S_leg_13*s_y + f_S_leg_23*y_y + f_S_leg_33*z_y;
-        const stewart_real f_S_T_zs = f_S_leg_11*s_z + f_S_leg_21*y_z + f_S_leg_31*z_z;
-        const stewart_real f_S_T_zy = f_S_leg_12*s_z + f_S_leg_22*y_z + f_S_leg_32*z_z;
-        const stewart_real f_S_T_zz = f_S_leg_13*s_z + f_S_leg_23*y_z + f_S_leg_33*z_z;
+        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_11, s_x,
+            f_S_leg_21*y_x));
+        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_12, s_x,
+            f_S_leg_22*y_x));
+        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_13, s_x,
+            f_S_leg_23*y_x));
+        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_11, s_y,
+            f_S_leg_21*y_y));
+        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_12, s_y,
+            f_S_leg_22*y_y));
+        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_13, s_y,
+            f_S_leg_23*y_y));
+        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_11, s_z,
+            f_S_leg_21*y_z));
+        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_12, s_z,
+            f_S_leg_22*y_z));
+        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_13, s_z,
+            f_S_leg_23*y_z));
         /* friction moment by S */
-        const stewart_real f_S_xx = f_S_T_xs*s_x + f_S_T_xy*y_x + f_S_T_xz*z_x;
-        const stewart_real f_S_xy = f_S_T_xs*s_y + f_S_T_xy*y_y + f_S_T_xz*z_y;
-        const stewart_real f_S_xz = f_S_T_xs*s_z + f_S_T_xy*y_z + f_S_T_xz*z_z;
-        const stewart_real f_S_yx = f_S_T_ys*s_x + f_S_T_yy*y_x + f_S_T_yz*z_x;
-        const stewart_real f_S_yy = f_S_T_ys*s_y + f_S_T_yy*y_y + f_S_T_yz*z_y;
-        const stewart_real f_S_yz = f_S_T_ys*s_z + f_S_T_yy*y_z + f_S_T_yz*z_z;
-        const stewart_real f_S_zx = f_S_T_zs*s_x + f_S_T_zy*y_x + f_S_T_zz*z_x;
-        const stewart_real f_S_zy = f_S_T_zs*s_y + f_S_T_zy*y_y + f_S_T_zz*z_y;
-        const stewart_real f_S_zz = f_S_T_zs*s_z + f_S_T_zy*y_z + f_S_T_zz*z_z;
+        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xy, y_x, STEWART_FMA(f_S_T_xz, z_x, f_S_T_xs*s_x));
+        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xy, y_y, STEWART_FMA(f_S_T_xz, z_y, f_S_T_xs*s_y));
+        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xy, y_z, STEWART_FMA(f_S_T_xz, z_z, f_S_T_xs*s_z));
+        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yy, y_x, STEWART_FMA(f_S_T_yz, z_x, f_S_T_ys*s_x));
+        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yy, y_y, STEWART_FMA(f_S_T_yz, z_y, f_S_T_ys*s_y));
+        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yy, y_z, STEWART_FMA(f_S_T_yz, z_z, f_S_T_ys*s_z));
+        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zy, y_x, STEWART_FMA(f_S_T_zz, z_x, f_S_T_zs*s_x));
+        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zy, y_y, STEWART_FMA(f_S_T_zz, z_y, f_S_T_zs*s_y));
+        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zy, y_z, STEWART_FMA(f_S_T_zz, z_z, f_S_T_zs*s_z));
         const stewart_real f_S_dot_leg_12 = c220*inv_rho;
         const stewart_real f_S_dot_leg_23 = -c118;
         const stewart_real f_S_dot_leg_32 = C_s*c217;
-        const stewart_real f_S_dot_T_xy = f_S_dot_leg_12*s_x + f_S_dot_leg_32*z_x;
+        const stewart_real f_S_dot_T_xy = STEWART_FMA(f_S_dot_leg_32, z_x, f_S_dot_leg_12*s_x);
         const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
-        const stewart_real f_S_dot_T_yy = f_S_dot_leg_12*s_y + f_S_dot_leg_32*z_y;
+        const stewart_real f_S_dot_T_yy = STEWART_FMA(f_S_dot_leg_32, z_y, f_S_dot_leg_12*s_y);
         const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
-        const stewart_real f_S_dot_T_zy = f_S_dot_leg_12*s_z + f_S_dot_leg_32*z_z;
+        const stewart_real f_S_dot_T_zy = STEWART_FMA(f_S_dot_leg_32, z_z, f_S_dot_leg_12*s_z);
         const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
         /* friction moment by S_dot */
-        const stewart_real f_S_dot_xx = f_S_dot_T_xy*y_x + f_S_dot_T_xz*z_x;
-        const stewart_real f_S_dot_xy = f_S_dot_T_xy*y_y + f_S_dot_T_xz*z_y;
-        const stewart_real f_S_dot_xz = f_S_dot_T_xy*y_z + f_S_dot_T_xz*z_z;
-        const stewart_real f_S_dot_yx = f_S_dot_T_yy*y_x + f_S_dot_T_yz*z_x;
-        const stewart_real f_S_dot_yy = f_S_dot_T_yy*y_y + f_S_dot_T_yz*z_y;
-        const stewart_real f_S_dot_yz = f_S_dot_T_yy*y_z + f_S_dot_T_yz*z_z;
-        const stewart_real f_S_dot_zx = f_S_dot_T_zy*y_x + f_S_dot_T_zz*z_x;
-        const stewart_real f_S_dot_zy = f_S_dot_T_zy*y_y + f_S_dot_T_zz*z_y;
-        const stewart_real f_S_dot_zz = f_S_dot_T_zy*y_z + f_S_dot_T_zz*z_z;
+        const stewart_real f_S_dot_xx = STEWART_FMA(f_S_dot_T_xz, z_x, f_S_dot_T_xy*y_x);
+        const stewart_real f_S_dot_xy = STEWART_FMA(f_S_dot_T_xz, z_y, f_S_dot_T_xy*y_y);
+        const stewart_real f_S_dot_xz = STEWART_FMA(f_S_dot_T_xz, z_z, f_S_dot_T_xy*y_z);
+        const stewart_real f_S_dot_yx = STEWART_FMA(f_S_dot_T_yz, z_x, f_S_dot_T_yy*y_x);
+        const stewart_real f_S_dot_yy = STEWART_FMA(f_S_dot_T_yz, z_y, f_S_dot_T_yy*y_y);
+        const stewart_real f_S_dot_yz = STEWART_FMA(f_S_dot_T_yz, z_z, f_S_dot_T_yy*y_z);
+        const stewart_real f_S_dot_zx = STEWART_FMA(f_S_dot_T_zz, z_x, f_S_dot_T_zy*y_x);
+        const stewart_real f_S_dot_zy = STEWART_FMA(f_S_dot_T_zz, z_y, f_S_dot_T_zy*y_y);
+        const stewart_real f_S_dot_zz = STEWART_FMA(f_S_dot_T_zz, z_z, f_S_dot_T_zy*y_z);
         const stewart_real c222 = R_tip_y*q_y;
         const stewart_real c223 = R_tip_z*q_z;
-        const stewart_real c224 = f_S_dot_xx*omega_y + f_S_xz - f_S_dot_xy*omega_x;
-        const stewart_real c225 = f_S_dot_xz*omega_x + f_S_xy - f_S_dot_xx*omega_z;
-        const stewart_real c226 = f_S_dot_xy*omega_z + f_S_xx - f_S_dot_xz*omega_y;
-        const stewart_real c227 = f_S_dot_yz*omega_x + f_S_yy - f_S_dot_yx*omega_z;
-        const stewart_real c228 = f_S_dot_yx*omega_y + f_S_yz - f_S_dot_yy*omega_x;
+        const stewart_real c224 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
+        const stewart_real c225 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
+        const stewart_real c226 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
+        const stewart_real c227 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
+        const stewart_real c228 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
         const stewart_real c229 = R_tip_x*q_x;
-        const stewart_real c230 = f_S_dot_yy*omega_z + f_S_yx - f_S_dot_yz*omega_y;
-        const stewart_real c231 = f_S_dot_zz*omega_x + f_S_zy - f_S_dot_zx*omega_z;
-        const stewart_real c232 = f_S_dot_zx*omega_y + f_S_zz - f_S_dot_zy*omega_x;
-        const stewart_real c233 = f_S_dot_zy*omega_z + f_S_zx - f_S_dot_zz*omega_y;
+        const stewart_real c230 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
+        const stewart_real c231 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
+        const stewart_real c232 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
+        const stewart_real c233 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
         out->sum[0][l] = REAL(0);
         out->sum[1][l] = REAL(0);
         out->sum[2][l] = REAL(0);
@@ -5460,21 +5904,21 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[39][l] = -f_S_xx;
         out->sum[40][l] = -f_S_xy;
         out->sum[41][l] = -f_S_xz;
-        out->sum[42][l] = c225*q_z - c222 - c223 - c224*q_y;
-        out->sum[43][l] = R_tip_y*q_x + c224*q_x - c226*q_z;
-        out->sum[44][l] = R_tip_z*q_x + c226*q_y - c225*q_x;
+        out->sum[42][l] = STEWART_FMA(-c224, q_y, STEWART_FMA(c225, q_z, -c222) - c223);
+        out->sum[43][l] = STEWART_FMA(-c226, q_z, STEWART_FMA(c224, q_x, R_tip_y*q_x));
+        out->sum[44][l] = STEWART_FMA(-c225, q_x, STEWART_FMA(c226, q_y, R_tip_z*q_x));
         out->sum[45][l] = -f_S_yx;
         out->sum[46][l] = -f_S_yy;
         out->sum[47][l] = -f_S_yz;
-        out->sum[48][l] = R_tip_x*q_y + c227*q_z - c228*q_y;
-        out->sum[49][l] = c228*q_x - c223 - c229 - c230*q_z;
-        out->sum[50][l] = R_tip_z*q_y + c230*q_y - c227*q_x;
+        out->sum[48][l] = STEWART_FMA(-c228, q_y, STEWART_FMA(c227, q_z, R_tip_x*q_y));
+        out->sum[49][l] = STEWART_FMA(-c230, q_z, STEWART_FMA(c228, q_x, -c223) - c229);
+        out->sum[50][l] = STEWART_FMA(-c227, q_x, STEWART_FMA(c230, q_y, R_tip_z*q_y));
         out->sum[51][l] = -f_S_zx;
         out->sum[52][l] = -f_S_zy;
         out->sum[53][l] = -f_S_zz;
-        out->sum[54][l] = R_tip_x*q_z + c231*q_z - c232*q_y;
-        out->sum[55][l] = R_tip_y*q_z + c232*q_x - c233*q_z;
-        out->sum[56][l] = c233*q_y - c222 - c229 - c231*q_x;
+        out->sum[54][l] = STEWART_FMA(-c232, q_y, STEWART_FMA(c231, q_z, R_tip_x*q_z));
+        out->sum[55][l] = STEWART_FMA(-c233, q_z, STEWART_FMA(c232, q_x, R_tip_y*q_z));
+        out->sum[56][l] = STEWART_FMA(-c231, q_x, STEWART_FMA(c233, q_y, -c222) - c229);
         out->sum[57][l] = REAL(0);
         out->sum[58][l] = REAL(0);
         out->sum[59][l] = REAL(0);
@@ -5496,21 +5940,21 @@ STEWART_APART static void joint_slopes_of_leg(
         out->sum[75][l] = -f_S_dot_xx;
         out->sum[76][l] = -f_S_dot_xy;
         out->sum[77][l] = -f_S_dot_xz;
-        out->sum[78][l] = f_S_dot_xy*q_z - f_S_dot_xz*q_y;
-        out->sum[79][l] = f_S_dot_xz*q_x - f_S_dot_xx*q_z;
-        out->sum[80][l] = f_S_dot_xx*q_y - f_S_dot_xy*q_x;
+        out->sum[78][l] = STEWART_FMA(-f_S_dot_xz, q_y, f_S_dot_xy*q_z);
+        out->sum[79][l] = STEWART_FMA(-f_S_dot_xx, q_z, f_S_dot_xz*q_x);
+        out->sum[80][l] = STEWART_FMA(-f_S_dot_xy, q_x, f_S_dot_xx*q_y);
         out->sum[81][l] = -f_S_dot_yx;
         out->sum[82][l] = -f_S_dot_yy;
         out->sum[83][l] = -f_S_dot_yz;
-        out->sum[84][l] = f_S_dot_yy*q_z - f_S_dot_yz*q_y;
-        out->sum[85][l] = f_S_dot_yz*q_x - f_S_dot_yx*q_z;
-        out->sum[86][l] = f_S_dot_yx*q_y - f_S_dot_yy*q_x;
+        out->sum[84][l] = STEWART_FMA(-f_S_dot_yz, q_y, f_S_dot_yy*q_z);
+        out->sum[85][l] = STEWART_FMA(-f_S_dot_yx, q_z, f_S_dot_yz*q_x);
+        out->sum[86][l] = STEWART_FMA(-f_S_dot_yy, q_x, f_S_dot_yx*q_y);
         out->sum[87][l] = -f_S_dot_zx;
         out->sum[88][l] = -f_S_dot_zy;
         out->sum[89][l] = -f_S_dot_zz;
-        out->sum[90][l] = f_S_dot_zy*q_z - f_S_dot_zz*q_y;
-        out->sum[91][l] = f_S_dot_zz*q_x - f_S_dot_zx*q_z;
-        out->sum[92][l] = f_S_dot_zx*q_y - f_S_dot_zy*q_x;
+        out->sum[90][l] = STEWART_FMA(-f_S_dot_zz, q_y, f_S_dot_zy*q_z);
+        out->sum[91][l] = STEWART_FMA(-f_S_dot_zx, q_z, f_S_dot_zz*q_x);
+        out->sum[92][l] = STEWART_FMA(-f_S_dot_zy, q_x, f_S_dot_zx*q_y);
         out->tau_t[0][l] = tau_place_xx;
         out->tau_t[1][l] = tau_place_xy;
         out->tau_t[2][l] = tau_place_xz;
@@ -5520,15 +5964,15 @@ STEWART_APART static void joint_slopes_of_leg(
         out->tau_t[6][l] = tau_place_zx;
         out->tau_t[7][l] = tau_place_zy;
         out->tau_t[8][l] = tau_place_zz;
-        out->tau_r[0][l] = X_xz*q_y - X_xy*q_z;
-        out->tau_r[1][l] = X_xx*q_z - X_xz*q_x;
-        out->tau_r[2][l] = X_xy*q_x - X_xx*q_y;
-        out->tau_r[3][l] = X_yz*q_y - X_yy*q_z;
-        out->tau_r[4][l] = X_yx*q_z - X_yz*q_x;
-        out->tau_r[5][l] = X_yy*q_x - X_yx*q_y;
-        out->tau_r[6][l] = X_zz*q_y - X_zy*q_z;
-        out->tau_r[7][l] = X_zx*q_z - X_zz*q_x;
-        out->tau_r[8][l] = X_zy*q_x - X_zx*q_y;
+        out->tau_r[0][l] = STEWART_FMA(-X_xy, q_z, X_xz*q_y);
+        out->tau_r[1][l] = STEWART_FMA(-X_xz, q_x, X_xx*q_z);
+        out->tau_r[2][l] = STEWART_FMA(-X_xx, q_y, X_xy*q_x);
+        out->tau_r[3][l] = STEWART_FMA(-X_yy, q_z, X_yz*q_y);
+        out->tau_r[4][l] = STEWART_FMA(-X_yz, q_x, X_yx*q_z);
+        out->tau_r[5][l] = STEWART_FMA(-X_yx, q_y, X_yy*q_x);
+        out->tau_r[6][l] = STEWART_FMA(-X_zy, q_z, X_zz*q_y);
+        out->tau_r[7][l] = STEWART_FMA(-X_zz, q_x, X_zx*q_z);
+        out->tau_r[8][l] = STEWART_FMA(-X_zx, q_y, X_zy*q_x);
         out->tau_v[0][l] = tau_S_dot_xx;
         out->tau_v[1][l] = tau_S_dot_xy;
         out->tau_v[2][l] = tau_S_dot_xz;
@@ -5538,21 +5982,30 @@ STEWART_APART static void joint_slopes_of_leg(
         out->tau_v[6][l] = tau_S_dot_zx;
         out->tau_v[7][l] = tau_S_dot_zy;
         out->tau_v[8][l] = tau_S_dot_zz;
-        out->tau_w[0][l] = Y_xz*q_y + tau_S_ddot_xz*w_q_y - Y_xy*q_z - tau_S_ddot_xy*w_q_z;
-        out->tau_w[1][l] = Y_xx*q_z + tau_S_ddot_xx*w_q_z - Y_xz*q_x - tau_S_ddot_xz*w_q_x;
-        out->tau_w[2][l] = Y_xy*q_x + tau_S_ddot_xy*w_q_x - Y_xx*q_y - tau_S_ddot_xx*w_q_y;
-        out->tau_w[3][l] = Y_yz*q_y + tau_S_ddot_yz*w_q_y - C_s*y_x - Y_yy*q_z - tau_S_ddot_yy*w_q_z;
-        out->tau_w[4][l] = Y_yx*q_z + tau_S_ddot_yx*w_q_z - C_s*y_y - Y_yz*q_x - tau_S_ddot_yz*w_q_x;
-        out->tau_w[5][l] = Y_yy*q_x + tau_S_ddot_yy*w_q_x - C_s*y_z - Y_yx*q_y - tau_S_ddot_yx*w_q_y;
-        out->tau_w[6][l] = Y_zz*q_y + tau_S_ddot_zz*w_q_y - C_s*k_x - Y_zy*q_z - tau_S_ddot_zy*w_q_z;
-        out->tau_w[7][l] = Y_zx*q_z + tau_S_ddot_zx*w_q_z - C_s*k_y - Y_zz*q_x - tau_S_ddot_zz*w_q_x;
-        out->tau_w[8][l] = Y_zy*q_x + tau_S_ddot_zy*w_q_x - C_s*k_z - Y_zx*q_y - tau_S_ddot_zx*w_q_y;
+        out->tau_w[0][l] = STEWART_FMA(-tau_S_ddot_xy, w_q_z, STEWART_FMA(-Y_xy, q_z,
+            STEWART_FMA(tau_S_ddot_xz, w_q_y, Y_xz*q_y)));
+        out->tau_w[1][l] = STEWART_FMA(-tau_S_ddot_xz, w_q_x, STEWART_FMA(-Y_xz, q_x,
+            STEWART_FMA(tau_S_ddot_xx, w_q_z, Y_xx*q_z)));
+        out->tau_w[2][l] = STEWART_FMA(-tau_S_ddot_xx, w_q_y, STEWART_FMA(-Y_xx, q_y,
+            STEWART_FMA(tau_S_ddot_xy, w_q_x, Y_xy*q_x)));
+        out->tau_w[3][l] = STEWART_FMA(-tau_S_ddot_yy, w_q_z, STEWART_FMA(-Y_yy, q_z, STEWART_FMA(-C_s, y_x,
+            STEWART_FMA(tau_S_ddot_yz, w_q_y, Y_yz*q_y))));
+        out->tau_w[4][l] = STEWART_FMA(-tau_S_ddot_yz, w_q_x, STEWART_FMA(-Y_yz, q_x, STEWART_FMA(-C_s, y_y,
+            STEWART_FMA(tau_S_ddot_yx, w_q_z, Y_yx*q_z))));
+        out->tau_w[5][l] = STEWART_FMA(-tau_S_ddot_yx, w_q_y, STEWART_FMA(-Y_yx, q_y, STEWART_FMA(-C_s, y_z,
+            STEWART_FMA(tau_S_ddot_yy, w_q_x, Y_yy*q_x))));
+        out->tau_w[6][l] = STEWART_FMA(-tau_S_ddot_zy, w_q_z, STEWART_FMA(-Y_zy, q_z, STEWART_FMA(-C_s, k_x,
+            STEWART_FMA(tau_S_ddot_zz, w_q_y, Y_zz*q_y))));
+        out->tau_w[7][l] = STEWART_FMA(-tau_S_ddot_zz, w_q_x, STEWART_FMA(-Y_zz, q_x, STEWART_FMA(-C_s, k_y,
+            STEWART_FMA(tau_S_ddot_zx, w_q_z, Y_zx*q_z))));
+        out->tau_w[8][l] = STEWART_FMA(-tau_S_ddot_zx, w_q_y, STEWART_FMA(-Y_zx, q_y, STEWART_FMA(-C_s, k_z,
+            STEWART_FMA(tau_S_ddot_zy, w_q_x, Y_zy*q_x))));
         out->H_force[0][l] = s_x;
         out->H_force[1][l] = s_y;
         out->H_force[2][l] = s_z;
-        out->H_moment[0][l] = q_y*s_z - q_z*s_y;
-        out->H_moment[1][l] = q_z*s_x - q_x*s_z;
-        out->H_moment[2][l] = q_x*s_y - q_y*s_x;
+        out->H_moment[0][l] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+        out->H_moment[1][l] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+        out->H_moment[2][l] = STEWART_FMA(-q_y, s_x, q_x*s_y);
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -5842,31 +6295,35 @@ static STEWART_INLINE void bias_of_pose(
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
         const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
         /* (30) first moment of the platform, base frame */
-        const stewart_real h_base_x = R_xx*h_P_x + R_xy*h_P_y + R_xz*h_P_z;
-        const stewart_real h_base_y = R_yx*h_P_x + R_yy*h_P_y + R_yz*h_P_z;
-        const stewart_real h_base_z = R_zx*h_P_x + R_zy*h_P_y + R_zz*h_P_z;
-        const stewart_real c1 = J_P_xx*R_xx + J_P_xy*R_xy + J_P_xz*R_xz;
-        const stewart_real c2 = J_P_xy*R_xx + J_P_yy*R_xy + J_P_yz*R_xz;
-        const stewart_real c3 = J_P_xz*R_xx + J_P_yz*R_xy + J_P_zz*R_xz;
-        const stewart_real c4 = J_P_xx*R_yx + J_P_xy*R_yy + J_P_xz*R_yz;
-        const stewart_real c5 = J_P_xy*R_yx + J_P_yy*R_yy + J_P_yz*R_yz;
-        const stewart_real c6 = J_P_xz*R_yx + J_P_yz*R_yy + J_P_zz*R_yz;
+        const stewart_real h_base_x = STEWART_FMA(R_xz, h_P_z, STEWART_FMA(R_xy, h_P_y, R_xx*h_P_x));
+        const stewart_real h_base_y = STEWART_FMA(R_yz, h_P_z, STEWART_FMA(R_yy, h_P_y, R_yx*h_P_x));
+        const stewart_real h_base_z = STEWART_FMA(R_zz, h_P_z, STEWART_FMA(R_zy, h_P_y, R_zx*h_P_x));
+        const stewart_real c1 = STEWART_FMA(J_P_xz, R_xz, STEWART_FMA(J_P_xy, R_xy, J_P_xx*R_xx));
+        const stewart_real c2 = STEWART_FMA(J_P_yz, R_xz, STEWART_FMA(J_P_yy, R_xy, J_P_xy*R_xx));
+        const stewart_real c3 = STEWART_FMA(J_P_zz, R_xz, STEWART_FMA(J_P_yz, R_xy, J_P_xz*R_xx));
+        const stewart_real c4 = STEWART_FMA(J_P_xz, R_yz, STEWART_FMA(J_P_xy, R_yy, J_P_xx*R_yx));
+        const stewart_real c5 = STEWART_FMA(J_P_yz, R_yz, STEWART_FMA(J_P_yy, R_yy, J_P_xy*R_yx));
+        const stewart_real c6 = STEWART_FMA(J_P_zz, R_yz, STEWART_FMA(J_P_yz, R_yy, J_P_xz*R_yx));
         /* (32) inertia of the platform, base frame */
-        const stewart_real J_base_xx = R_xx*c1 + R_xy*c2 + R_xz*c3;
-        const stewart_real J_base_xy = R_yx*c1 + R_yy*c2 + R_yz*c3;
-        const stewart_real J_base_xz = R_zx*c1 + R_zy*c2 + R_zz*c3;
-        const stewart_real J_base_yy = R_yx*c4 + R_yy*c5 + R_yz*c6;
-        const stewart_real J_base_yz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-        const stewart_real J_base_zz = R_zx*(J_P_xx*R_zx + J_P_xy*R_zy + J_P_xz*R_zz) + R_zy*(J_P_xy*R_zx + J_P_yy*R_zy
-            + J_P_yz*R_zz) + R_zz*(J_P_xz*R_zx + J_P_yz*R_zy + J_P_zz*R_zz);
+        const stewart_real J_base_xx = STEWART_FMA(R_xz, c3, STEWART_FMA(R_xy, c2, R_xx*c1));
+        const stewart_real J_base_xy = STEWART_FMA(R_yz, c3, STEWART_FMA(R_yy, c2, R_yx*c1));
+        const stewart_real J_base_xz = STEWART_FMA(R_zz, c3, STEWART_FMA(R_zy, c2, R_zx*c1));
+        const stewart_real J_base_yy = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c4));
+        const stewart_real J_base_yz = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c4));
+        const stewart_real J_base_zz = STEWART_FMA(R_zz, STEWART_FMA(J_P_zz, R_zz, STEWART_FMA(J_P_yz, R_zy,
+            J_P_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(J_P_yz, R_zz, STEWART_FMA(J_P_yy, R_zy,
+            J_P_xy*R_zx)), R_zx*STEWART_FMA(J_P_xz, R_zz, STEWART_FMA(J_P_xy, R_zy, J_P_xx*R_zx))));
         /* (31) omega x h */
-        const stewart_real w_h_x = h_base_z*omega_y - h_base_y*omega_z;
-        const stewart_real w_h_y = h_base_x*omega_z - h_base_z*omega_x;
-        const stewart_real w_h_z = h_base_y*omega_x - h_base_x*omega_y;
+        const stewart_real w_h_x = STEWART_FMA(-h_base_y, omega_z, h_base_z*omega_y);
+        const stewart_real w_h_y = STEWART_FMA(-h_base_z, omega_x, h_base_x*omega_z);
+        const stewart_real w_h_z = STEWART_FMA(-h_base_x, omega_y, h_base_y*omega_x);
         /* (34) I omega */
-        const stewart_real J_w_x = J_base_xx*omega_x + J_base_xy*omega_y + J_base_xz*omega_z;
-        const stewart_real J_w_y = J_base_xy*omega_x + J_base_yy*omega_y + J_base_yz*omega_z;
-        const stewart_real J_w_z = J_base_xz*omega_x + J_base_yz*omega_y + J_base_zz*omega_z;
+        const stewart_real J_w_x = STEWART_FMA(J_base_xz, omega_z, STEWART_FMA(J_base_xy, omega_y,
+            J_base_xx*omega_x));
+        const stewart_real J_w_y = STEWART_FMA(J_base_yz, omega_z, STEWART_FMA(J_base_yy, omega_y,
+            J_base_xy*omega_x));
+        const stewart_real J_w_z = STEWART_FMA(J_base_zz, omega_z, STEWART_FMA(J_base_yz, omega_y,
+            J_base_xz*omega_x));
         /* products of omega */
         const stewart_real omega_xx = omega_x*omega_x;
         const stewart_real omega_xy = omega_x*omega_y;
@@ -5887,12 +6344,15 @@ static STEWART_INLINE void bias_of_pose(
         out->B_0[6][l] = omega_xz;
         out->B_0[7][l] = omega_yz;
         out->B_0[8][l] = B_zz;
-        summed[0*lanes + l] = omega_y*w_h_z - M_P*g_x - omega_z*w_h_y;
-        summed[1*lanes + l] = omega_z*w_h_x - M_P*g_y - omega_x*w_h_z;
-        summed[2*lanes + l] = omega_x*w_h_y - M_P*g_z - omega_y*w_h_x;
-        summed[3*lanes + l] = C_P*omega_x + J_w_z*omega_y + g_y*h_base_z - J_w_y*omega_z - g_z*h_base_y;
-        summed[4*lanes + l] = C_P*omega_y + J_w_x*omega_z + g_z*h_base_x - J_w_z*omega_x - g_x*h_base_z;
-        summed[5*lanes + l] = C_P*omega_z + J_w_y*omega_x + g_x*h_base_y - J_w_x*omega_y - g_y*h_base_x;
+        summed[0*lanes + l] = STEWART_FMA(-omega_z, w_h_y, STEWART_FMA(-M_P, g_x, omega_y*w_h_z));
+        summed[1*lanes + l] = STEWART_FMA(-omega_x, w_h_z, STEWART_FMA(-M_P, g_y, omega_z*w_h_x));
+        summed[2*lanes + l] = STEWART_FMA(-omega_y, w_h_x, STEWART_FMA(-M_P, g_z, omega_x*w_h_y));
+        summed[3*lanes + l] = STEWART_FMA(-g_z, h_base_y, STEWART_FMA(-J_w_y, omega_z, STEWART_FMA(g_y,
+            h_base_z, STEWART_FMA(J_w_z, omega_y, C_P*omega_x))));
+        summed[4*lanes + l] = STEWART_FMA(-g_x, h_base_z, STEWART_FMA(-J_w_z, omega_x, STEWART_FMA(g_z,
+            h_base_x, STEWART_FMA(J_w_x, omega_z, C_P*omega_y))));
+        summed[5*lanes + l] = STEWART_FMA(-g_y, h_base_x, STEWART_FMA(-J_w_x, omega_y, STEWART_FMA(g_x,
+            h_base_y, STEWART_FMA(J_w_y, omega_x, C_P*omega_z))));
     }
 }
 
@@ -5929,66 +6389,70 @@ STEWART_APART static void bias_of_leg(
             B_0_yx = pose->B_0[3][l], B_0_yy = pose->B_0[4][l], B_0_yz = pose->B_0[5][l], B_0_zx = pose->B_0[6][l],
             B_0_zy = pose->B_0[7][l], B_0_zz = pose->B_0[8][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) distance of the tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* share of the normal along s: rounding */
-        const stewart_real n_along_s = inv_rho*(k_cross_S_x*s_x + k_cross_S_y*s_y + k_cross_S_z*s_z);
+        const stewart_real n_along_s = inv_rho*STEWART_FMA(k_cross_S_z, s_z, STEWART_FMA(k_cross_S_y, s_y,
+            k_cross_S_x*s_x));
         /* one over |s x normal| */
-        const stewart_real inv_across = STEWART_HALF*inv_rho*n_along_s*n_along_s + inv_rho;
+        const stewart_real inv_across = STEWART_FMA(STEWART_HALF*inv_rho*n_along_s, n_along_s, inv_rho);
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_across*s_cross_normal_x;
         const stewart_real z_y = inv_across*s_cross_normal_y;
         const stewart_real z_z = inv_across*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real lean = kappa*theta_dot;
@@ -5996,68 +6460,79 @@ STEWART_APART static void bias_of_leg(
         const stewart_real phi_dot2 = phi_dot*phi_dot;
         const stewart_real two_phi_dot = REAL(2)*phi_dot;
         /* (7) acceleration of the platform point, a = alpha = 0 */
-        const stewart_real S_ddot_x = B_0_xx*q_x + B_0_xy*q_y + B_0_xz*q_z;
-        const stewart_real S_ddot_y = B_0_yx*q_x + B_0_yy*q_y + B_0_yz*q_z;
-        const stewart_real S_ddot_z = B_0_zx*q_x + B_0_zy*q_y + B_0_zz*q_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_0_xz, q_z, STEWART_FMA(B_0_xy, q_y, B_0_xx*q_x));
+        const stewart_real S_ddot_y = STEWART_FMA(B_0_yz, q_z, STEWART_FMA(B_0_yy, q_y, B_0_yx*q_x));
+        const stewart_real S_ddot_z = STEWART_FMA(B_0_zz, q_z, STEWART_FMA(B_0_zy, q_y, B_0_zx*q_x));
         const stewart_real k33 = k3*k3;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-            + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c1 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = c1*phi_dot2 + own_theta_ddot;
-        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real theta_ddot = STEWART_FMA(c1, phi_dot2, own_theta_ddot);
+        const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
         const stewart_real k13 = c1;
         const stewart_real L_h2 = L*h2_x;
-        const stewart_real a1 = L_h2 + dJ_zx;
+        const stewart_real a1 = dJ_zx + L_h2;
         const stewart_real c2 = L*h2_z;
         const stewart_real c3 = J2_xz - c2;
         const stewart_real a2 = c3;
-        const stewart_real a3 = J_xy - L*h_y;
+        const stewart_real a3 = STEWART_FMA(-L, h_y, J_xy);
         /* (19) inertia of the joint coordinates */
-        const stewart_real M_phi = J_xx + a1*k33 + a2*k13;
+        const stewart_real M_phi = STEWART_FMA(a2, k13, STEWART_FMA(a1, k33, J_xx));
         const stewart_real M_theta = J_yy + L_h2;
-        const stewart_real M_mixed = J_yz*k3 + a3*k1;
+        const stewart_real M_mixed = STEWART_FMA(a3, k1, J_yz*k3);
         const stewart_real k3_h = h_y*k3;
         /* (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta */
-        const stewart_real M_phi_L = h_x*k33 - h_z*k13;
-        const stewart_real M_mixed_theta = J_yz*k1 - a3*k3;
+        const stewart_real M_phi_L = STEWART_FMA(-h_z, k13, h_x*k33);
+        const stewart_real M_mixed_theta = STEWART_FMA(-a3, k3, J_yz*k1);
         const stewart_real bend = L_dot*theta_dot;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
-        const stewart_real w_k = k1*w_x + k3*w_z;
-        const stewart_real w_n = k3*w_x - k1*w_z;
+        const stewart_real w_k = STEWART_FMA(k1, w_x, k3*w_z);
+        const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + L_ddot*h_z + M_mixed*phi_ddot + M_theta*own_theta_ddot + bend*h2_x
-            + g_k*w_n + gamma_n*w_k + phi_dot2*(k13*(J_yy - dJ_zx) - c3*(STEWART_HALF - k33)) - C_s*(omega_x*y_x
-            + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + M_mixed*theta_ddot + M_mixed_theta*theta_dot2 + M_phi*own_phi_ddot
-            + two_phi_dot*(L_dot*M_phi_L - theta_dot*(STEWART_HALF*J2_xz + J_xx*kappa - STEWART_HALF*c2)) - C_s*(k_x*omega_x
-            + k_y*omega_y + k_z*omega_z) - L_ddot*k3_h - bend*h2_y*k1 - gamma_n*w_y - gamma_y*w_n;
+        const stewart_real tau_y = STEWART_FMA(M_mixed, phi_ddot, STEWART_FMA(M_theta, own_theta_ddot,
+            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
+            STEWART_FMA(gamma_n, w_k, STEWART_FMA(bend, h2_x, STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(phi_dot2, STEWART_FMA(-c3, STEWART_HALF - k33, k13*(J_yy - dJ_zx)), STEWART_FMA(g_k,
+            w_n, L_ddot*h_z))))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(M_mixed, theta_ddot,
+            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(-theta_dot, STEWART_FMA(J_xx,
+            kappa, STEWART_FMA(-STEWART_HALF, c2, STEWART_HALF*J2_xz)), L_dot*M_phi_L),
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), M_mixed_theta*theta_dot2)))))))));
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_y*y_x + Q_z*z_x;
-        const stewart_real K_y = Q_y*y_y + Q_z*z_y;
-        const stewart_real K_z = Q_y*y_z + Q_z*z_z;
+        const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot + h_z*theta_ddot - M_phi_L*phi_dot2 - h_x*theta_dot2 - k3_h*phi_ddot;
+        const stewart_real D = STEWART_FMA(-k3_h, phi_ddot, STEWART_FMA(h_z, theta_ddot,
+            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
         /* force at the tip */
-        const stewart_real R_tip_x = D*s_x + K_x;
-        const stewart_real R_tip_y = D*s_y + K_y;
-        const stewart_real R_tip_z = D*s_z + K_z;
+        const stewart_real R_tip_x = STEWART_FMA(D, s_x, K_x);
+        const stewart_real R_tip_y = STEWART_FMA(D, s_y, K_y);
+        const stewart_real R_tip_z = STEWART_FMA(D, s_z, K_z);
         out->sum[0][l] = R_tip_x;
         out->sum[1][l] = R_tip_y;
         out->sum[2][l] = R_tip_z;
-        out->sum[3][l] = R_tip_z*q_y - C_s*(k_x*phi_dot + theta_dot*y_x) - R_tip_y*q_z;
-        out->sum[4][l] = R_tip_x*q_z - C_s*(k_y*phi_dot + theta_dot*y_y) - R_tip_z*q_x;
-        out->sum[5][l] = R_tip_y*q_x - C_s*(k_z*phi_dot + theta_dot*y_z) - R_tip_x*q_y;
+        out->sum[3][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_x, k_x*phi_dot), STEWART_FMA(-R_tip_y,
+            q_z, R_tip_z*q_y));
+        out->sum[4][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_y, k_y*phi_dot), STEWART_FMA(-R_tip_z,
+            q_x, R_tip_x*q_z));
+        out->sum[5][l] = STEWART_FMA(-C_s, STEWART_FMA(theta_dot, y_z, k_z*phi_dot), STEWART_FMA(-R_tip_x,
+            q_y, R_tip_y*q_x));
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -6207,12 +6682,12 @@ static STEWART_INLINE void matrices(
     for (i = 0; i < 6; ++i) {
         for (l = 0; l < lanes; ++l) {
             stewart_real total = number[(72 + i)*lanes + l] + number[(78 + i)*lanes + l];
-            total = total + number[(36 + 6*i + 0)*lanes + l]*v[0*lanes + l];
-            total = total + number[(36 + 6*i + 0 + 3)*lanes + l]*omega[0*lanes + l];
-            total = total + number[(36 + 6*i + 1)*lanes + l]*v[1*lanes + l];
-            total = total + number[(36 + 6*i + 1 + 3)*lanes + l]*omega[1*lanes + l];
-            total = total + number[(36 + 6*i + 2)*lanes + l]*v[2*lanes + l];
-            total = total + number[(36 + 6*i + 2 + 3)*lanes + l]*omega[2*lanes + l];
+            total = STEWART_FMA(number[(36 + 6*i + 0)*lanes + l], v[0*lanes + l], total);
+            total = STEWART_FMA(number[(36 + 6*i + 0 + 3)*lanes + l], omega[0*lanes + l], total);
+            total = STEWART_FMA(number[(36 + 6*i + 1)*lanes + l], v[1*lanes + l], total);
+            total = STEWART_FMA(number[(36 + 6*i + 1 + 3)*lanes + l], omega[1*lanes + l], total);
+            total = STEWART_FMA(number[(36 + 6*i + 2)*lanes + l], v[2*lanes + l], total);
+            total = STEWART_FMA(number[(36 + 6*i + 2 + 3)*lanes + l], omega[2*lanes + l], total);
             number[(84 + i)*lanes + l] = total;
         }
     }
@@ -6292,7 +6767,7 @@ int stewart_exact_bias(const stewart_exact_model *model, const stewart_motion *m
         return legs.status;
     }
     for (i = 0; i < 6; ++i) {
-        none = none + REAL(0)*number[i];
+        none = STEWART_FMA(REAL(0), number[i], none);
     }
     if (none != REAL(0)) {
         return STEWART_NOT_FINITE;
@@ -6328,7 +6803,7 @@ STEWART_APART static void factored(stewart_real *row[6], stewart_real inverse[6]
             const stewart_real factor = row[i][k]*inverse[k];
             row[i][32 + k] = factor;
             for (j = 0; j < LANES; ++j) {
-                row[i][j] = row[i][j] - factor*upper[j];
+                row[i][j] = STEWART_FMA(-factor, upper[j], row[i][j]);
             }
         }
     }
@@ -6342,41 +6817,41 @@ STEWART_APART static void back(
     for (j = 0; j < 24; ++j) {
         stewart_real y_0 = row[0][j + 8], y_1 = row[1][j + 8], y_2 = row[2][j + 8], y_3 = row[3][j + 8], y_4 = row[4][j
             + 8], y_5 = row[5][j + 8];
-        y_1 = y_1 - row[1][32]*y_0;
-        y_2 = y_2 - row[2][32]*y_0;
-        y_3 = y_3 - row[3][32]*y_0;
-        y_4 = y_4 - row[4][32]*y_0;
-        y_5 = y_5 - row[5][32]*y_0;
-        y_2 = y_2 - row[2][33]*y_1;
-        y_3 = y_3 - row[3][33]*y_1;
-        y_4 = y_4 - row[4][33]*y_1;
-        y_5 = y_5 - row[5][33]*y_1;
-        y_3 = y_3 - row[3][34]*y_2;
-        y_4 = y_4 - row[4][34]*y_2;
-        y_5 = y_5 - row[5][34]*y_2;
-        y_4 = y_4 - row[4][35]*y_3;
-        y_5 = y_5 - row[5][35]*y_3;
-        y_5 = y_5 - row[5][36]*y_4;
+        y_1 = STEWART_FMA(-row[1][32], y_0, y_1);
+        y_2 = STEWART_FMA(-row[2][32], y_0, y_2);
+        y_3 = STEWART_FMA(-row[3][32], y_0, y_3);
+        y_4 = STEWART_FMA(-row[4][32], y_0, y_4);
+        y_5 = STEWART_FMA(-row[5][32], y_0, y_5);
+        y_2 = STEWART_FMA(-row[2][33], y_1, y_2);
+        y_3 = STEWART_FMA(-row[3][33], y_1, y_3);
+        y_4 = STEWART_FMA(-row[4][33], y_1, y_4);
+        y_5 = STEWART_FMA(-row[5][33], y_1, y_5);
+        y_3 = STEWART_FMA(-row[3][34], y_2, y_3);
+        y_4 = STEWART_FMA(-row[4][34], y_2, y_4);
+        y_5 = STEWART_FMA(-row[5][34], y_2, y_5);
+        y_4 = STEWART_FMA(-row[4][35], y_3, y_4);
+        y_5 = STEWART_FMA(-row[5][35], y_3, y_5);
+        y_5 = STEWART_FMA(-row[5][36], y_4, y_5);
         y_5 = y_5*inverse[5];
-        y_0 = y_0 - row[0][5]*y_5;
-        y_1 = y_1 - row[1][5]*y_5;
-        y_2 = y_2 - row[2][5]*y_5;
-        y_3 = y_3 - row[3][5]*y_5;
-        y_4 = y_4 - row[4][5]*y_5;
+        y_0 = STEWART_FMA(-row[0][5], y_5, y_0);
+        y_1 = STEWART_FMA(-row[1][5], y_5, y_1);
+        y_2 = STEWART_FMA(-row[2][5], y_5, y_2);
+        y_3 = STEWART_FMA(-row[3][5], y_5, y_3);
+        y_4 = STEWART_FMA(-row[4][5], y_5, y_4);
         y_4 = y_4*inverse[4];
-        y_0 = y_0 - row[0][4]*y_4;
-        y_1 = y_1 - row[1][4]*y_4;
-        y_2 = y_2 - row[2][4]*y_4;
-        y_3 = y_3 - row[3][4]*y_4;
+        y_0 = STEWART_FMA(-row[0][4], y_4, y_0);
+        y_1 = STEWART_FMA(-row[1][4], y_4, y_1);
+        y_2 = STEWART_FMA(-row[2][4], y_4, y_2);
+        y_3 = STEWART_FMA(-row[3][4], y_4, y_3);
         y_3 = y_3*inverse[3];
-        y_0 = y_0 - row[0][3]*y_3;
-        y_1 = y_1 - row[1][3]*y_3;
-        y_2 = y_2 - row[2][3]*y_3;
+        y_0 = STEWART_FMA(-row[0][3], y_3, y_0);
+        y_1 = STEWART_FMA(-row[1][3], y_3, y_1);
+        y_2 = STEWART_FMA(-row[2][3], y_3, y_2);
         y_2 = y_2*inverse[2];
-        y_0 = y_0 - row[0][2]*y_2;
-        y_1 = y_1 - row[1][2]*y_2;
+        y_0 = STEWART_FMA(-row[0][2], y_2, y_0);
+        y_1 = STEWART_FMA(-row[1][2], y_2, y_1);
         y_1 = y_1*inverse[1];
-        y_0 = y_0 - row[0][1]*y_1;
+        y_0 = STEWART_FMA(-row[0][1], y_1, y_0);
         y_0 = y_0*inverse[0];
         X[0][j] = y_0;
         X[1][j] = y_1;

@@ -77,63 +77,68 @@ STEWART_APART static void columns_of_legs(
         const stewart_real p_x = out->p[0][l], p_y = out->p[1][l], p_z = out->p[2][l];
         const stewart_real k_x = out->k[0][l], k_y = out->k[1][l], k_z = out->k[2][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_x - b_x;
-        const stewart_real S_y = q_y + t_y - b_y;
-        const stewart_real S_z = q_z + t_z - b_z;
+        const stewart_real S_x = t_x - b_x + q_x;
+        const stewart_real S_y = t_y - b_y + q_y;
+        const stewart_real S_z = t_z - b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+            STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
         const stewart_real z_z = inv_rho*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-        const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-        const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+        const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+            STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+        const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+            STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+        const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+            STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real lean = kappa*theta_dot;
@@ -146,35 +151,38 @@ STEWART_APART static void columns_of_legs(
         const stewart_real c4 = k3*k3;
         const stewart_real k33 = c4;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         const stewart_real c5 = REAL(2)*theta_dot;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -L_share*c5 - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+        const stewart_real own_theta_ddot = STEWART_FMA(-L_share, c5, -inv_L*STEWART_FMA(S_ddot_z, z_z,
+            STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c6 = k1*k3;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = c6*phi_dot2 + own_theta_ddot;
-        const stewart_real phi_ddot = own_phi_ddot - lean*two_phi_dot;
+        const stewart_real theta_ddot = STEWART_FMA(c6, phi_dot2, own_theta_ddot);
+        const stewart_real phi_ddot = STEWART_FMA(-lean, two_phi_dot, own_phi_ddot);
         /* gravity along the fixed axis */
-        const stewart_real g_k = g_x*k_x + g_y*k_y + g_z*k_z;
+        const stewart_real g_k = STEWART_FMA(g_z, k_z, STEWART_FMA(g_y, k_y, g_x*k_x));
         /* g x k, base frame */
-        const stewart_real g_x_k_x = g_y*k_z - g_z*k_y;
-        const stewart_real g_x_k_y = g_z*k_x - g_x*k_z;
-        const stewart_real g_x_k_z = g_x*k_y - g_y*k_x;
+        const stewart_real g_x_k_x = STEWART_FMA(-g_z, k_y, g_y*k_z);
+        const stewart_real g_x_k_y = STEWART_FMA(-g_x, k_z, g_z*k_x);
+        const stewart_real g_x_k_z = STEWART_FMA(-g_y, k_x, g_x*k_y);
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* omega along k x y, y and k */
-        const stewart_real w_y_omega = omega_x*y_x + omega_y*y_y + omega_z*y_z;
-        const stewart_real w_k_omega = k_x*omega_x + k_y*omega_y + k_z*omega_z;
-        const stewart_real c7 = g_k*k3 + gamma_n*k1;
+        const stewart_real w_y_omega = STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x));
+        const stewart_real w_k_omega = STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x));
+        const stewart_real c7 = STEWART_FMA(gamma_n, k1, g_k*k3);
         const stewart_real c8 = -gamma_y*k3;
         /* (20) torques by h_d_x */
         const stewart_real tau_theta_h_d_x = c7;
         const stewart_real tau_phi_h_d_x = c8;
         const stewart_real c9 = g_k*k1;
         /* (20) torques by h_d_z */
-        const stewart_real tau_theta_h_d_z = gamma_n*k3 - c9;
+        const stewart_real tau_theta_h_d_z = STEWART_FMA(gamma_n, k3, -c9);
         const stewart_real tau_phi_h_d_z = gamma_y*k1;
         const stewart_real c10 = c2*c4;
         const stewart_real c11 = REAL(2)*L;
@@ -183,15 +191,16 @@ STEWART_APART static void columns_of_legs(
         const stewart_real c14 = c3*c4;
         /* (20) torques by h_u_x */
         const stewart_real tau_L_h_u_x = -c1 - c10;
-        const stewart_real tau_theta_h_u_x = c11*own_theta_ddot + c12 + c7;
-        const stewart_real tau_phi_h_u_x = L_dot*c14 + c11*c13 + c8;
+        const stewart_real tau_theta_h_u_x = STEWART_FMA(c11, own_theta_ddot, c12 + c7);
+        const stewart_real tau_phi_h_u_x = STEWART_FMA(c11, c13, STEWART_FMA(L_dot, c14, c8));
         const stewart_real c15 = k3*phi_ddot;
         const stewart_real c16 = k1*phi_ddot;
         const stewart_real c17 = k1*theta_ddot;
         /* (20) torques by h_u_y */
         const stewart_real tau_L_h_u_y = -c15;
         const stewart_real tau_theta_h_u_y = -L*c16;
-        const stewart_real tau_phi_h_u_y = L*c1*k3 - L*c17 - L_ddot*k3 - c12*k1 - gamma_n;
+        const stewart_real tau_phi_h_u_y = STEWART_FMA(-L, c17, STEWART_FMA(-c12, k1, STEWART_FMA(-L_ddot,
+            k3, L*c1*k3) - gamma_n));
         const stewart_real c18 = c2*c6;
         const stewart_real c19 = k1*k1;
         const stewart_real c20 = c19*c2;
@@ -200,21 +209,21 @@ STEWART_APART static void columns_of_legs(
         const stewart_real c23 = c19*c22;
         /* (20) torques by h_u_z */
         const stewart_real tau_L_h_u_z = c18 + theta_ddot;
-        const stewart_real tau_theta_h_u_z = L*c20 + L_ddot + gamma_n*k3 - L*c10 - c9;
-        const stewart_real tau_phi_h_u_z = REAL(2)*L*c4*phi_dot*theta_dot + gamma_y*k1 - L*c23 - L_dot*c3*c6
-            - c11*c21;
+        const stewart_real tau_theta_h_u_z = STEWART_FMA(gamma_n, k3, STEWART_FMA(-L, c10, L*c20) - c9 + L_ddot);
+        const stewart_real tau_phi_h_u_z = STEWART_FMA(-c11, c21, STEWART_FMA(-L, c23,
+            STEWART_FMA((-L_dot)*c3, c6, STEWART_FMA(REAL(2)*L*c4*phi_dot, theta_dot, gamma_y*k1))));
         /* (20) torques by J_u_xx */
         const stewart_real tau_theta_J_u_xx = c18;
-        const stewart_real tau_phi_J_u_xx = phi_ddot - c22*c6 - c4*phi_ddot;
+        const stewart_real tau_phi_J_u_xx = STEWART_FMA(-c4, phi_ddot, STEWART_FMA(-c22, c6, phi_ddot));
         /* (20) torques by J_u_xy */
         const stewart_real tau_theta_J_u_xy = c16;
-        const stewart_real tau_phi_J_u_xy = c17 - c1*k3;
+        const stewart_real tau_phi_J_u_xy = STEWART_FMA(-c1, k3, c17);
         /* (20) torques by J_u_xz */
         const stewart_real tau_theta_J_u_xz = c10 - c20;
-        const stewart_real tau_phi_J_u_xz = REAL(2)*c21 + c23 - c14*theta_dot;
+        const stewart_real tau_phi_J_u_xz = STEWART_FMA(REAL(2), c21, STEWART_FMA(-c14, theta_dot, c23));
         /* (20) torques by J_u_yz */
         const stewart_real tau_theta_J_u_yz = c15;
-        const stewart_real tau_phi_J_u_yz = c1*k1 + k3*theta_ddot;
+        const stewart_real tau_phi_J_u_yz = STEWART_FMA(k3, theta_ddot, c1*k1);
         /* (20) torques by J_u_zz */
         const stewart_real tau_theta_J_u_zz = -c18;
         const stewart_real tau_phi_J_u_zz = c13;
@@ -222,14 +231,14 @@ STEWART_APART static void columns_of_legs(
         const stewart_real tau_theta_C_s = theta_dot - w_y_omega;
         const stewart_real tau_phi_C_s = phi_dot - w_k_omega;
         /* (6) angular velocity of the leg */
-        const stewart_real W_x = k_x*phi_dot + theta_dot*y_x;
-        const stewart_real W_y = k_y*phi_dot + theta_dot*y_y;
-        const stewart_real W_z = k_z*phi_dot + theta_dot*y_z;
+        const stewart_real W_x = STEWART_FMA(k_x, phi_dot, theta_dot*y_x);
+        const stewart_real W_y = STEWART_FMA(k_y, phi_dot, theta_dot*y_y);
+        const stewart_real W_z = STEWART_FMA(k_z, phi_dot, theta_dot*y_z);
         const stewart_real c24 = inv_L*tau_theta_h_d_x;
         /* force at the tip by h_d_x */
-        const stewart_real R_h_d_x_x = inv_rho*tau_phi_h_d_x*y_x - c24*z_x;
-        const stewart_real R_h_d_x_y = inv_rho*tau_phi_h_d_x*y_y - c24*z_y;
-        const stewart_real R_h_d_x_z = inv_rho*tau_phi_h_d_x*y_z - c24*z_z;
+        const stewart_real R_h_d_x_x = STEWART_FMA(-c24, z_x, inv_rho*tau_phi_h_d_x*y_x);
+        const stewart_real R_h_d_x_y = STEWART_FMA(-c24, z_y, inv_rho*tau_phi_h_d_x*y_y);
+        const stewart_real R_h_d_x_z = STEWART_FMA(-c24, z_z, inv_rho*tau_phi_h_d_x*y_z);
         const stewart_real c25 = gamma_n*inv_rho;
         /* force at the tip by h_d_y */
         const stewart_real R_h_d_y_x = -c25*y_x;
@@ -237,42 +246,42 @@ STEWART_APART static void columns_of_legs(
         const stewart_real R_h_d_y_z = -c25*y_z;
         const stewart_real c26 = inv_L*tau_theta_h_d_z;
         /* force at the tip by h_d_z */
-        const stewart_real R_h_d_z_x = inv_rho*tau_phi_h_d_z*y_x - c26*z_x;
-        const stewart_real R_h_d_z_y = inv_rho*tau_phi_h_d_z*y_y - c26*z_y;
-        const stewart_real R_h_d_z_z = inv_rho*tau_phi_h_d_z*y_z - c26*z_z;
+        const stewart_real R_h_d_z_x = STEWART_FMA(-c26, z_x, inv_rho*tau_phi_h_d_z*y_x);
+        const stewart_real R_h_d_z_y = STEWART_FMA(-c26, z_y, inv_rho*tau_phi_h_d_z*y_y);
+        const stewart_real R_h_d_z_z = STEWART_FMA(-c26, z_z, inv_rho*tau_phi_h_d_z*y_z);
         const stewart_real c27 = inv_rho*tau_phi_h_u_x;
         const stewart_real c28 = inv_L*tau_theta_h_u_x;
         /* force at the tip by h_u_x */
-        const stewart_real R_h_u_x_x = c27*y_x + s_x*tau_L_h_u_x - c28*z_x;
-        const stewart_real R_h_u_x_y = c27*y_y + s_y*tau_L_h_u_x - c28*z_y;
-        const stewart_real R_h_u_x_z = c27*y_z + s_z*tau_L_h_u_x - c28*z_z;
+        const stewart_real R_h_u_x_x = STEWART_FMA(c27, y_x, STEWART_FMA(-c28, z_x, s_x*tau_L_h_u_x));
+        const stewart_real R_h_u_x_y = STEWART_FMA(c27, y_y, STEWART_FMA(-c28, z_y, s_y*tau_L_h_u_x));
+        const stewart_real R_h_u_x_z = STEWART_FMA(c27, y_z, STEWART_FMA(-c28, z_z, s_z*tau_L_h_u_x));
         const stewart_real c29 = inv_rho*tau_phi_h_u_y;
         const stewart_real c30 = inv_L*tau_theta_h_u_y;
         /* force at the tip by h_u_y */
-        const stewart_real R_h_u_y_x = c29*y_x + s_x*tau_L_h_u_y - c30*z_x;
-        const stewart_real R_h_u_y_y = c29*y_y + s_y*tau_L_h_u_y - c30*z_y;
-        const stewart_real R_h_u_y_z = c29*y_z + s_z*tau_L_h_u_y - c30*z_z;
+        const stewart_real R_h_u_y_x = STEWART_FMA(-c30, z_x, STEWART_FMA(c29, y_x, s_x*tau_L_h_u_y));
+        const stewart_real R_h_u_y_y = STEWART_FMA(-c30, z_y, STEWART_FMA(c29, y_y, s_y*tau_L_h_u_y));
+        const stewart_real R_h_u_y_z = STEWART_FMA(-c30, z_z, STEWART_FMA(c29, y_z, s_z*tau_L_h_u_y));
         const stewart_real c31 = inv_rho*tau_phi_h_u_z;
         const stewart_real c32 = inv_L*tau_theta_h_u_z;
         /* force at the tip by h_u_z */
-        const stewart_real R_h_u_z_x = c31*y_x + s_x*tau_L_h_u_z - c32*z_x;
-        const stewart_real R_h_u_z_y = c31*y_y + s_y*tau_L_h_u_z - c32*z_y;
-        const stewart_real R_h_u_z_z = c31*y_z + s_z*tau_L_h_u_z - c32*z_z;
+        const stewart_real R_h_u_z_x = STEWART_FMA(c31, y_x, STEWART_FMA(-c32, z_x, s_x*tau_L_h_u_z));
+        const stewart_real R_h_u_z_y = STEWART_FMA(c31, y_y, STEWART_FMA(-c32, z_y, s_y*tau_L_h_u_z));
+        const stewart_real R_h_u_z_z = STEWART_FMA(c31, y_z, STEWART_FMA(-c32, z_z, s_z*tau_L_h_u_z));
         const stewart_real c33 = inv_L*tau_theta_J_u_xx;
         /* force at the tip by J_u_xx */
-        const stewart_real R_J_u_xx_x = inv_rho*tau_phi_J_u_xx*y_x - c33*z_x;
-        const stewart_real R_J_u_xx_y = inv_rho*tau_phi_J_u_xx*y_y - c33*z_y;
-        const stewart_real R_J_u_xx_z = inv_rho*tau_phi_J_u_xx*y_z - c33*z_z;
+        const stewart_real R_J_u_xx_x = STEWART_FMA(-c33, z_x, inv_rho*tau_phi_J_u_xx*y_x);
+        const stewart_real R_J_u_xx_y = STEWART_FMA(-c33, z_y, inv_rho*tau_phi_J_u_xx*y_y);
+        const stewart_real R_J_u_xx_z = STEWART_FMA(-c33, z_z, inv_rho*tau_phi_J_u_xx*y_z);
         const stewart_real c34 = inv_L*tau_theta_J_u_xy;
         /* force at the tip by J_u_xy */
-        const stewart_real R_J_u_xy_x = inv_rho*tau_phi_J_u_xy*y_x - c34*z_x;
-        const stewart_real R_J_u_xy_y = inv_rho*tau_phi_J_u_xy*y_y - c34*z_y;
-        const stewart_real R_J_u_xy_z = inv_rho*tau_phi_J_u_xy*y_z - c34*z_z;
+        const stewart_real R_J_u_xy_x = STEWART_FMA(-c34, z_x, inv_rho*tau_phi_J_u_xy*y_x);
+        const stewart_real R_J_u_xy_y = STEWART_FMA(-c34, z_y, inv_rho*tau_phi_J_u_xy*y_y);
+        const stewart_real R_J_u_xy_z = STEWART_FMA(-c34, z_z, inv_rho*tau_phi_J_u_xy*y_z);
         const stewart_real c35 = inv_L*tau_theta_J_u_xz;
         /* force at the tip by J_u_xz */
-        const stewart_real R_J_u_xz_x = inv_rho*tau_phi_J_u_xz*y_x - c35*z_x;
-        const stewart_real R_J_u_xz_y = inv_rho*tau_phi_J_u_xz*y_y - c35*z_y;
-        const stewart_real R_J_u_xz_z = inv_rho*tau_phi_J_u_xz*y_z - c35*z_z;
+        const stewart_real R_J_u_xz_x = STEWART_FMA(-c35, z_x, inv_rho*tau_phi_J_u_xz*y_x);
+        const stewart_real R_J_u_xz_y = STEWART_FMA(-c35, z_y, inv_rho*tau_phi_J_u_xz*y_y);
+        const stewart_real R_J_u_xz_z = STEWART_FMA(-c35, z_z, inv_rho*tau_phi_J_u_xz*y_z);
         const stewart_real c36 = inv_L*theta_ddot;
         /* force at the tip by J_u_yy */
         const stewart_real R_J_u_yy_x = -c36*z_x;
@@ -280,50 +289,50 @@ STEWART_APART static void columns_of_legs(
         const stewart_real R_J_u_yy_z = -c36*z_z;
         const stewart_real c37 = inv_L*tau_theta_J_u_yz;
         /* force at the tip by J_u_yz */
-        const stewart_real R_J_u_yz_x = inv_rho*tau_phi_J_u_yz*y_x - c37*z_x;
-        const stewart_real R_J_u_yz_y = inv_rho*tau_phi_J_u_yz*y_y - c37*z_y;
-        const stewart_real R_J_u_yz_z = inv_rho*tau_phi_J_u_yz*y_z - c37*z_z;
+        const stewart_real R_J_u_yz_x = STEWART_FMA(-c37, z_x, inv_rho*tau_phi_J_u_yz*y_x);
+        const stewart_real R_J_u_yz_y = STEWART_FMA(-c37, z_y, inv_rho*tau_phi_J_u_yz*y_y);
+        const stewart_real R_J_u_yz_z = STEWART_FMA(-c37, z_z, inv_rho*tau_phi_J_u_yz*y_z);
         const stewart_real c38 = inv_L*tau_theta_J_u_zz;
         /* force at the tip by J_u_zz */
-        const stewart_real R_J_u_zz_x = inv_rho*tau_phi_J_u_zz*y_x - c38*z_x;
-        const stewart_real R_J_u_zz_y = inv_rho*tau_phi_J_u_zz*y_y - c38*z_y;
-        const stewart_real R_J_u_zz_z = inv_rho*tau_phi_J_u_zz*y_z - c38*z_z;
+        const stewart_real R_J_u_zz_x = STEWART_FMA(-c38, z_x, inv_rho*tau_phi_J_u_zz*y_x);
+        const stewart_real R_J_u_zz_y = STEWART_FMA(-c38, z_y, inv_rho*tau_phi_J_u_zz*y_y);
+        const stewart_real R_J_u_zz_z = STEWART_FMA(-c38, z_z, inv_rho*tau_phi_J_u_zz*y_z);
         const stewart_real c39 = inv_L*theta_dot;
         /* force at the tip by C_u */
-        const stewart_real R_C_u_x = inv_rho*phi_dot*y_x - c39*z_x;
-        const stewart_real R_C_u_y = inv_rho*phi_dot*y_y - c39*z_y;
-        const stewart_real R_C_u_z = inv_rho*phi_dot*y_z - c39*z_z;
+        const stewart_real R_C_u_x = STEWART_FMA(-c39, z_x, inv_rho*phi_dot*y_x);
+        const stewart_real R_C_u_y = STEWART_FMA(-c39, z_y, inv_rho*phi_dot*y_y);
+        const stewart_real R_C_u_z = STEWART_FMA(-c39, z_z, inv_rho*phi_dot*y_z);
         /* force at the tip by C_p */
         const stewart_real R_C_p_x = L_dot*s_x;
         const stewart_real R_C_p_y = L_dot*s_y;
         const stewart_real R_C_p_z = L_dot*s_z;
         const stewart_real c40 = inv_L*tau_theta_C_s;
         /* force at the tip by C_s */
-        const stewart_real R_C_s_x = inv_rho*tau_phi_C_s*y_x - c40*z_x;
-        const stewart_real R_C_s_y = inv_rho*tau_phi_C_s*y_y - c40*z_y;
-        const stewart_real R_C_s_z = inv_rho*tau_phi_C_s*y_z - c40*z_z;
+        const stewart_real R_C_s_x = STEWART_FMA(-c40, z_x, inv_rho*tau_phi_C_s*y_x);
+        const stewart_real R_C_s_y = STEWART_FMA(-c40, z_y, inv_rho*tau_phi_C_s*y_y);
+        const stewart_real R_C_s_z = STEWART_FMA(-c40, z_z, inv_rho*tau_phi_C_s*y_z);
         /* (18) S_ddot - g */
         const stewart_real rise_x = S_ddot_x - g_x;
         const stewart_real rise_y = S_ddot_y - g_y;
         const stewart_real rise_z = S_ddot_z - g_z;
-        const stewart_real c41 = R_J_u_xx_z*q_y - R_J_u_xx_y*q_z;
-        const stewart_real c42 = R_J_u_xx_x*q_z - R_J_u_xx_z*q_x;
-        const stewart_real c43 = R_J_u_xx_y*q_x - R_J_u_xx_x*q_y;
-        const stewart_real c44 = R_J_u_xy_z*q_y - R_J_u_xy_y*q_z;
-        const stewart_real c45 = R_J_u_xy_x*q_z - R_J_u_xy_z*q_x;
-        const stewart_real c46 = R_J_u_xy_y*q_x - R_J_u_xy_x*q_y;
-        const stewart_real c47 = R_J_u_xz_z*q_y - R_J_u_xz_y*q_z;
-        const stewart_real c48 = R_J_u_xz_x*q_z - R_J_u_xz_z*q_x;
-        const stewart_real c49 = R_J_u_xz_y*q_x - R_J_u_xz_x*q_y;
-        const stewart_real c50 = R_J_u_yy_z*q_y - R_J_u_yy_y*q_z;
-        const stewart_real c51 = R_J_u_yy_x*q_z - R_J_u_yy_z*q_x;
-        const stewart_real c52 = R_J_u_yy_y*q_x - R_J_u_yy_x*q_y;
-        const stewart_real c53 = R_J_u_yz_z*q_y - R_J_u_yz_y*q_z;
-        const stewart_real c54 = R_J_u_yz_x*q_z - R_J_u_yz_z*q_x;
-        const stewart_real c55 = R_J_u_yz_y*q_x - R_J_u_yz_x*q_y;
-        const stewart_real c56 = R_J_u_zz_z*q_y - R_J_u_zz_y*q_z;
-        const stewart_real c57 = R_J_u_zz_x*q_z - R_J_u_zz_z*q_x;
-        const stewart_real c58 = R_J_u_zz_y*q_x - R_J_u_zz_x*q_y;
+        const stewart_real c41 = STEWART_FMA(-R_J_u_xx_y, q_z, R_J_u_xx_z*q_y);
+        const stewart_real c42 = STEWART_FMA(-R_J_u_xx_z, q_x, R_J_u_xx_x*q_z);
+        const stewart_real c43 = STEWART_FMA(-R_J_u_xx_x, q_y, R_J_u_xx_y*q_x);
+        const stewart_real c44 = STEWART_FMA(-R_J_u_xy_y, q_z, R_J_u_xy_z*q_y);
+        const stewart_real c45 = STEWART_FMA(-R_J_u_xy_z, q_x, R_J_u_xy_x*q_z);
+        const stewart_real c46 = STEWART_FMA(-R_J_u_xy_x, q_y, R_J_u_xy_y*q_x);
+        const stewart_real c47 = STEWART_FMA(-R_J_u_xz_y, q_z, R_J_u_xz_z*q_y);
+        const stewart_real c48 = STEWART_FMA(-R_J_u_xz_z, q_x, R_J_u_xz_x*q_z);
+        const stewart_real c49 = STEWART_FMA(-R_J_u_xz_x, q_y, R_J_u_xz_y*q_x);
+        const stewart_real c50 = STEWART_FMA(-R_J_u_yy_y, q_z, R_J_u_yy_z*q_y);
+        const stewart_real c51 = STEWART_FMA(-R_J_u_yy_z, q_x, R_J_u_yy_x*q_z);
+        const stewart_real c52 = STEWART_FMA(-R_J_u_yy_x, q_y, R_J_u_yy_y*q_x);
+        const stewart_real c53 = STEWART_FMA(-R_J_u_yz_y, q_z, R_J_u_yz_z*q_y);
+        const stewart_real c54 = STEWART_FMA(-R_J_u_yz_z, q_x, R_J_u_yz_x*q_z);
+        const stewart_real c55 = STEWART_FMA(-R_J_u_yz_x, q_y, R_J_u_yz_y*q_x);
+        const stewart_real c56 = STEWART_FMA(-R_J_u_zz_y, q_z, R_J_u_zz_z*q_y);
+        const stewart_real c57 = STEWART_FMA(-R_J_u_zz_z, q_x, R_J_u_zz_x*q_z);
+        const stewart_real c58 = STEWART_FMA(-R_J_u_zz_x, q_y, R_J_u_zz_y*q_x);
         out->of_legs[0][0][l] = REAL(0);
         out->of_legs[1][0][l] = REAL(0);
         out->of_legs[2][0][l] = REAL(0);
@@ -333,21 +342,21 @@ STEWART_APART static void columns_of_legs(
         out->of_legs[0][1][l] = R_h_d_x_x;
         out->of_legs[1][1][l] = R_h_d_x_y;
         out->of_legs[2][1][l] = R_h_d_x_z;
-        out->of_legs[3][1][l] = R_h_d_x_z*q_y - R_h_d_x_y*q_z;
-        out->of_legs[4][1][l] = R_h_d_x_x*q_z - R_h_d_x_z*q_x;
-        out->of_legs[5][1][l] = R_h_d_x_y*q_x - R_h_d_x_x*q_y;
+        out->of_legs[3][1][l] = STEWART_FMA(-R_h_d_x_y, q_z, R_h_d_x_z*q_y);
+        out->of_legs[4][1][l] = STEWART_FMA(-R_h_d_x_z, q_x, R_h_d_x_x*q_z);
+        out->of_legs[5][1][l] = STEWART_FMA(-R_h_d_x_x, q_y, R_h_d_x_y*q_x);
         out->of_legs[0][2][l] = R_h_d_y_x;
         out->of_legs[1][2][l] = R_h_d_y_y;
         out->of_legs[2][2][l] = R_h_d_y_z;
-        out->of_legs[3][2][l] = R_h_d_y_z*q_y - R_h_d_y_y*q_z;
-        out->of_legs[4][2][l] = R_h_d_y_x*q_z - R_h_d_y_z*q_x;
-        out->of_legs[5][2][l] = R_h_d_y_y*q_x - R_h_d_y_x*q_y;
+        out->of_legs[3][2][l] = STEWART_FMA(-R_h_d_y_y, q_z, R_h_d_y_z*q_y);
+        out->of_legs[4][2][l] = STEWART_FMA(-R_h_d_y_z, q_x, R_h_d_y_x*q_z);
+        out->of_legs[5][2][l] = STEWART_FMA(-R_h_d_y_x, q_y, R_h_d_y_y*q_x);
         out->of_legs[0][3][l] = R_h_d_z_x;
         out->of_legs[1][3][l] = R_h_d_z_y;
         out->of_legs[2][3][l] = R_h_d_z_z;
-        out->of_legs[3][3][l] = R_h_d_z_z*q_y - R_h_d_z_y*q_z;
-        out->of_legs[4][3][l] = R_h_d_z_x*q_z - R_h_d_z_z*q_x;
-        out->of_legs[5][3][l] = R_h_d_z_y*q_x - R_h_d_z_x*q_y;
+        out->of_legs[3][3][l] = STEWART_FMA(-R_h_d_z_y, q_z, R_h_d_z_z*q_y);
+        out->of_legs[4][3][l] = STEWART_FMA(-R_h_d_z_z, q_x, R_h_d_z_x*q_z);
+        out->of_legs[5][3][l] = STEWART_FMA(-R_h_d_z_x, q_y, R_h_d_z_y*q_x);
         out->of_legs[0][4][l] = R_J_u_xx_x;
         out->of_legs[1][4][l] = R_J_u_xx_y;
         out->of_legs[2][4][l] = R_J_u_xx_z;
@@ -387,27 +396,27 @@ STEWART_APART static void columns_of_legs(
         out->of_legs[0][10][l] = rise_x;
         out->of_legs[1][10][l] = rise_y;
         out->of_legs[2][10][l] = rise_z;
-        out->of_legs[3][10][l] = q_y*rise_z - q_z*rise_y;
-        out->of_legs[4][10][l] = q_z*rise_x - q_x*rise_z;
-        out->of_legs[5][10][l] = q_x*rise_y - q_y*rise_x;
+        out->of_legs[3][10][l] = STEWART_FMA(-q_z, rise_y, q_y*rise_z);
+        out->of_legs[4][10][l] = STEWART_FMA(-q_x, rise_z, q_z*rise_x);
+        out->of_legs[5][10][l] = STEWART_FMA(-q_y, rise_x, q_x*rise_y);
         out->of_legs[0][11][l] = R_h_u_x_x;
         out->of_legs[1][11][l] = R_h_u_x_y;
         out->of_legs[2][11][l] = R_h_u_x_z;
-        out->of_legs[3][11][l] = R_h_u_x_z*q_y - R_h_u_x_y*q_z;
-        out->of_legs[4][11][l] = R_h_u_x_x*q_z - R_h_u_x_z*q_x;
-        out->of_legs[5][11][l] = R_h_u_x_y*q_x - R_h_u_x_x*q_y;
+        out->of_legs[3][11][l] = STEWART_FMA(-R_h_u_x_y, q_z, R_h_u_x_z*q_y);
+        out->of_legs[4][11][l] = STEWART_FMA(-R_h_u_x_z, q_x, R_h_u_x_x*q_z);
+        out->of_legs[5][11][l] = STEWART_FMA(-R_h_u_x_x, q_y, R_h_u_x_y*q_x);
         out->of_legs[0][12][l] = R_h_u_y_x;
         out->of_legs[1][12][l] = R_h_u_y_y;
         out->of_legs[2][12][l] = R_h_u_y_z;
-        out->of_legs[3][12][l] = R_h_u_y_z*q_y - R_h_u_y_y*q_z;
-        out->of_legs[4][12][l] = R_h_u_y_x*q_z - R_h_u_y_z*q_x;
-        out->of_legs[5][12][l] = R_h_u_y_y*q_x - R_h_u_y_x*q_y;
+        out->of_legs[3][12][l] = STEWART_FMA(-R_h_u_y_y, q_z, R_h_u_y_z*q_y);
+        out->of_legs[4][12][l] = STEWART_FMA(-R_h_u_y_z, q_x, R_h_u_y_x*q_z);
+        out->of_legs[5][12][l] = STEWART_FMA(-R_h_u_y_x, q_y, R_h_u_y_y*q_x);
         out->of_legs[0][13][l] = R_h_u_z_x;
         out->of_legs[1][13][l] = R_h_u_z_y;
         out->of_legs[2][13][l] = R_h_u_z_z;
-        out->of_legs[3][13][l] = R_h_u_z_z*q_y - R_h_u_z_y*q_z;
-        out->of_legs[4][13][l] = R_h_u_z_x*q_z - R_h_u_z_z*q_x;
-        out->of_legs[5][13][l] = R_h_u_z_y*q_x - R_h_u_z_x*q_y;
+        out->of_legs[3][13][l] = STEWART_FMA(-R_h_u_z_y, q_z, R_h_u_z_z*q_y);
+        out->of_legs[4][13][l] = STEWART_FMA(-R_h_u_z_z, q_x, R_h_u_z_x*q_z);
+        out->of_legs[5][13][l] = STEWART_FMA(-R_h_u_z_x, q_y, R_h_u_z_y*q_x);
         out->of_legs[0][14][l] = R_J_u_xx_x;
         out->of_legs[1][14][l] = R_J_u_xx_y;
         out->of_legs[2][14][l] = R_J_u_xx_z;
@@ -447,21 +456,21 @@ STEWART_APART static void columns_of_legs(
         out->of_legs[0][20][l] = R_C_u_x;
         out->of_legs[1][20][l] = R_C_u_y;
         out->of_legs[2][20][l] = R_C_u_z;
-        out->of_legs[3][20][l] = R_C_u_z*q_y - R_C_u_y*q_z;
-        out->of_legs[4][20][l] = R_C_u_x*q_z - R_C_u_z*q_x;
-        out->of_legs[5][20][l] = R_C_u_y*q_x - R_C_u_x*q_y;
+        out->of_legs[3][20][l] = STEWART_FMA(-R_C_u_y, q_z, R_C_u_z*q_y);
+        out->of_legs[4][20][l] = STEWART_FMA(-R_C_u_z, q_x, R_C_u_x*q_z);
+        out->of_legs[5][20][l] = STEWART_FMA(-R_C_u_x, q_y, R_C_u_y*q_x);
         out->of_legs[0][21][l] = R_C_p_x;
         out->of_legs[1][21][l] = R_C_p_y;
         out->of_legs[2][21][l] = R_C_p_z;
-        out->of_legs[3][21][l] = R_C_p_z*q_y - R_C_p_y*q_z;
-        out->of_legs[4][21][l] = R_C_p_x*q_z - R_C_p_z*q_x;
-        out->of_legs[5][21][l] = R_C_p_y*q_x - R_C_p_x*q_y;
+        out->of_legs[3][21][l] = STEWART_FMA(-R_C_p_y, q_z, R_C_p_z*q_y);
+        out->of_legs[4][21][l] = STEWART_FMA(-R_C_p_z, q_x, R_C_p_x*q_z);
+        out->of_legs[5][21][l] = STEWART_FMA(-R_C_p_x, q_y, R_C_p_y*q_x);
         out->of_legs[0][22][l] = R_C_s_x;
         out->of_legs[1][22][l] = R_C_s_y;
         out->of_legs[2][22][l] = R_C_s_z;
-        out->of_legs[3][22][l] = R_C_s_z*q_y + omega_x - R_C_s_y*q_z - W_x;
-        out->of_legs[4][22][l] = R_C_s_x*q_z + omega_y - R_C_s_z*q_x - W_y;
-        out->of_legs[5][22][l] = R_C_s_y*q_x + omega_z - R_C_s_x*q_y - W_z;
+        out->of_legs[3][22][l] = STEWART_FMA(-R_C_s_y, q_z, STEWART_FMA(R_C_s_z, q_y, omega_x) - W_x);
+        out->of_legs[4][22][l] = STEWART_FMA(-R_C_s_z, q_x, STEWART_FMA(R_C_s_x, q_z, omega_y) - W_y);
+        out->of_legs[5][22][l] = STEWART_FMA(-R_C_s_x, q_y, STEWART_FMA(R_C_s_y, q_x, omega_z) - W_z);
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
@@ -547,23 +556,23 @@ STEWART_APART static void columns_of_platform(
     const stewart_real rise_y = a_y - g_y;
     const stewart_real rise_z = a_z - g_z;
     /* angular velocity, platform frame */
-    const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-    const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-    const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+    const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+    const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+    const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
     /* angular acceleration, platform frame */
-    const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-    const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-    const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+    const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+    const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+    const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
     /* (31) omega x an axis of the platform */
-    const stewart_real w_h_P_x_x = R_zx*omega_y - R_yx*omega_z;
-    const stewart_real w_h_P_x_y = R_xx*omega_z - R_zx*omega_x;
-    const stewart_real w_h_P_x_z = R_yx*omega_x - R_xx*omega_y;
-    const stewart_real w_h_P_y_x = R_zy*omega_y - R_yy*omega_z;
-    const stewart_real w_h_P_y_y = R_xy*omega_z - R_zy*omega_x;
-    const stewart_real w_h_P_y_z = R_yy*omega_x - R_xy*omega_y;
-    const stewart_real w_h_P_z_x = R_zz*omega_y - R_yz*omega_z;
-    const stewart_real w_h_P_z_y = R_xz*omega_z - R_zz*omega_x;
-    const stewart_real w_h_P_z_z = R_yz*omega_x - R_xz*omega_y;
+    const stewart_real w_h_P_x_x = STEWART_FMA(-R_yx, omega_z, R_zx*omega_y);
+    const stewart_real w_h_P_x_y = STEWART_FMA(-R_zx, omega_x, R_xx*omega_z);
+    const stewart_real w_h_P_x_z = STEWART_FMA(-R_xx, omega_y, R_yx*omega_x);
+    const stewart_real w_h_P_y_x = STEWART_FMA(-R_yy, omega_z, R_zy*omega_y);
+    const stewart_real w_h_P_y_y = STEWART_FMA(-R_zy, omega_x, R_xy*omega_z);
+    const stewart_real w_h_P_y_z = STEWART_FMA(-R_xy, omega_y, R_yy*omega_x);
+    const stewart_real w_h_P_z_x = STEWART_FMA(-R_yz, omega_z, R_zz*omega_y);
+    const stewart_real w_h_P_z_y = STEWART_FMA(-R_zz, omega_x, R_xz*omega_z);
+    const stewart_real w_h_P_z_z = STEWART_FMA(-R_xz, omega_y, R_yz*omega_x);
     const stewart_real c1 = omega_P_x*omega_P_z;
     const stewart_real c2 = omega_P_x*omega_P_y;
     /* (34) I alpha + omega x I omega by J_P_xx */
@@ -597,60 +606,69 @@ STEWART_APART static void columns_of_platform(
     out->of_platform[3][0] = REAL(0);
     out->of_platform[4][0] = REAL(0);
     out->of_platform[5][0] = REAL(0);
-    out->of_platform[0][1] = R_zx*alpha_y + omega_y*w_h_P_x_z - R_yx*alpha_z - omega_z*w_h_P_x_y;
-    out->of_platform[1][1] = R_xx*alpha_z + omega_z*w_h_P_x_x - R_zx*alpha_x - omega_x*w_h_P_x_z;
-    out->of_platform[2][1] = R_yx*alpha_x + omega_x*w_h_P_x_y - R_xx*alpha_y - omega_y*w_h_P_x_x;
-    out->of_platform[3][1] = R_yx*rise_z - R_zx*rise_y;
-    out->of_platform[4][1] = R_zx*rise_x - R_xx*rise_z;
-    out->of_platform[5][1] = R_xx*rise_y - R_yx*rise_x;
-    out->of_platform[0][2] = R_zy*alpha_y + omega_y*w_h_P_y_z - R_yy*alpha_z - omega_z*w_h_P_y_y;
-    out->of_platform[1][2] = R_xy*alpha_z + omega_z*w_h_P_y_x - R_zy*alpha_x - omega_x*w_h_P_y_z;
-    out->of_platform[2][2] = R_yy*alpha_x + omega_x*w_h_P_y_y - R_xy*alpha_y - omega_y*w_h_P_y_x;
-    out->of_platform[3][2] = R_yy*rise_z - R_zy*rise_y;
-    out->of_platform[4][2] = R_zy*rise_x - R_xy*rise_z;
-    out->of_platform[5][2] = R_xy*rise_y - R_yy*rise_x;
-    out->of_platform[0][3] = R_zz*alpha_y + omega_y*w_h_P_z_z - R_yz*alpha_z - omega_z*w_h_P_z_y;
-    out->of_platform[1][3] = R_xz*alpha_z + omega_z*w_h_P_z_x - R_zz*alpha_x - omega_x*w_h_P_z_z;
-    out->of_platform[2][3] = R_yz*alpha_x + omega_x*w_h_P_z_y - R_xz*alpha_y - omega_y*w_h_P_z_x;
-    out->of_platform[3][3] = R_yz*rise_z - R_zz*rise_y;
-    out->of_platform[4][3] = R_zz*rise_x - R_xz*rise_z;
-    out->of_platform[5][3] = R_xz*rise_y - R_yz*rise_x;
+    out->of_platform[0][1] = STEWART_FMA(-omega_z, w_h_P_x_y, STEWART_FMA(-R_yx, alpha_z,
+        STEWART_FMA(omega_y, w_h_P_x_z, R_zx*alpha_y)));
+    out->of_platform[1][1] = STEWART_FMA(-omega_x, w_h_P_x_z, STEWART_FMA(-R_zx, alpha_x,
+        STEWART_FMA(omega_z, w_h_P_x_x, R_xx*alpha_z)));
+    out->of_platform[2][1] = STEWART_FMA(-omega_y, w_h_P_x_x, STEWART_FMA(-R_xx, alpha_y,
+        STEWART_FMA(omega_x, w_h_P_x_y, R_yx*alpha_x)));
+    out->of_platform[3][1] = STEWART_FMA(-R_zx, rise_y, R_yx*rise_z);
+    out->of_platform[4][1] = STEWART_FMA(-R_xx, rise_z, R_zx*rise_x);
+    out->of_platform[5][1] = STEWART_FMA(-R_yx, rise_x, R_xx*rise_y);
+    out->of_platform[0][2] = STEWART_FMA(-omega_z, w_h_P_y_y, STEWART_FMA(-R_yy, alpha_z,
+        STEWART_FMA(omega_y, w_h_P_y_z, R_zy*alpha_y)));
+    out->of_platform[1][2] = STEWART_FMA(-omega_x, w_h_P_y_z, STEWART_FMA(-R_zy, alpha_x,
+        STEWART_FMA(omega_z, w_h_P_y_x, R_xy*alpha_z)));
+    out->of_platform[2][2] = STEWART_FMA(-omega_y, w_h_P_y_x, STEWART_FMA(-R_xy, alpha_y,
+        STEWART_FMA(omega_x, w_h_P_y_y, R_yy*alpha_x)));
+    out->of_platform[3][2] = STEWART_FMA(-R_zy, rise_y, R_yy*rise_z);
+    out->of_platform[4][2] = STEWART_FMA(-R_xy, rise_z, R_zy*rise_x);
+    out->of_platform[5][2] = STEWART_FMA(-R_yy, rise_x, R_xy*rise_y);
+    out->of_platform[0][3] = STEWART_FMA(-omega_z, w_h_P_z_y, STEWART_FMA(-R_yz, alpha_z,
+        STEWART_FMA(omega_y, w_h_P_z_z, R_zz*alpha_y)));
+    out->of_platform[1][3] = STEWART_FMA(-omega_x, w_h_P_z_z, STEWART_FMA(-R_zz, alpha_x,
+        STEWART_FMA(omega_z, w_h_P_z_x, R_xz*alpha_z)));
+    out->of_platform[2][3] = STEWART_FMA(-omega_y, w_h_P_z_x, STEWART_FMA(-R_xz, alpha_y,
+        STEWART_FMA(omega_x, w_h_P_z_y, R_yz*alpha_x)));
+    out->of_platform[3][3] = STEWART_FMA(-R_zz, rise_y, R_yz*rise_z);
+    out->of_platform[4][3] = STEWART_FMA(-R_xz, rise_z, R_zz*rise_x);
+    out->of_platform[5][3] = STEWART_FMA(-R_yz, rise_x, R_xz*rise_y);
     out->of_platform[0][4] = REAL(0);
     out->of_platform[1][4] = REAL(0);
     out->of_platform[2][4] = REAL(0);
-    out->of_platform[3][4] = E_J_P_xx_y*R_xy + E_J_P_xx_z*R_xz + R_xx*alpha_P_x;
-    out->of_platform[4][4] = E_J_P_xx_y*R_yy + E_J_P_xx_z*R_yz + R_yx*alpha_P_x;
-    out->of_platform[5][4] = E_J_P_xx_y*R_zy + E_J_P_xx_z*R_zz + R_zx*alpha_P_x;
+    out->of_platform[3][4] = STEWART_FMA(R_xx, alpha_P_x, STEWART_FMA(E_J_P_xx_z, R_xz, E_J_P_xx_y*R_xy));
+    out->of_platform[4][4] = STEWART_FMA(R_yx, alpha_P_x, STEWART_FMA(E_J_P_xx_z, R_yz, E_J_P_xx_y*R_yy));
+    out->of_platform[5][4] = STEWART_FMA(R_zx, alpha_P_x, STEWART_FMA(E_J_P_xx_z, R_zz, E_J_P_xx_y*R_zy));
     out->of_platform[0][5] = REAL(0);
     out->of_platform[1][5] = REAL(0);
     out->of_platform[2][5] = REAL(0);
-    out->of_platform[3][5] = E_J_P_xy_x*R_xx + E_J_P_xy_y*R_xy + E_J_P_xy_z*R_xz;
-    out->of_platform[4][5] = E_J_P_xy_x*R_yx + E_J_P_xy_y*R_yy + E_J_P_xy_z*R_yz;
-    out->of_platform[5][5] = E_J_P_xy_x*R_zx + E_J_P_xy_y*R_zy + E_J_P_xy_z*R_zz;
+    out->of_platform[3][5] = STEWART_FMA(E_J_P_xy_z, R_xz, STEWART_FMA(E_J_P_xy_y, R_xy, E_J_P_xy_x*R_xx));
+    out->of_platform[4][5] = STEWART_FMA(E_J_P_xy_z, R_yz, STEWART_FMA(E_J_P_xy_y, R_yy, E_J_P_xy_x*R_yx));
+    out->of_platform[5][5] = STEWART_FMA(E_J_P_xy_z, R_zz, STEWART_FMA(E_J_P_xy_y, R_zy, E_J_P_xy_x*R_zx));
     out->of_platform[0][6] = REAL(0);
     out->of_platform[1][6] = REAL(0);
     out->of_platform[2][6] = REAL(0);
-    out->of_platform[3][6] = E_J_P_xz_x*R_xx + E_J_P_xz_y*R_xy + E_J_P_xz_z*R_xz;
-    out->of_platform[4][6] = E_J_P_xz_x*R_yx + E_J_P_xz_y*R_yy + E_J_P_xz_z*R_yz;
-    out->of_platform[5][6] = E_J_P_xz_x*R_zx + E_J_P_xz_y*R_zy + E_J_P_xz_z*R_zz;
+    out->of_platform[3][6] = STEWART_FMA(E_J_P_xz_z, R_xz, STEWART_FMA(E_J_P_xz_y, R_xy, E_J_P_xz_x*R_xx));
+    out->of_platform[4][6] = STEWART_FMA(E_J_P_xz_z, R_yz, STEWART_FMA(E_J_P_xz_y, R_yy, E_J_P_xz_x*R_yx));
+    out->of_platform[5][6] = STEWART_FMA(E_J_P_xz_z, R_zz, STEWART_FMA(E_J_P_xz_y, R_zy, E_J_P_xz_x*R_zx));
     out->of_platform[0][7] = REAL(0);
     out->of_platform[1][7] = REAL(0);
     out->of_platform[2][7] = REAL(0);
-    out->of_platform[3][7] = E_J_P_yy_x*R_xx + E_J_P_yy_z*R_xz + R_xy*alpha_P_y;
-    out->of_platform[4][7] = E_J_P_yy_x*R_yx + E_J_P_yy_z*R_yz + R_yy*alpha_P_y;
-    out->of_platform[5][7] = E_J_P_yy_x*R_zx + E_J_P_yy_z*R_zz + R_zy*alpha_P_y;
+    out->of_platform[3][7] = STEWART_FMA(R_xy, alpha_P_y, STEWART_FMA(E_J_P_yy_z, R_xz, E_J_P_yy_x*R_xx));
+    out->of_platform[4][7] = STEWART_FMA(R_yy, alpha_P_y, STEWART_FMA(E_J_P_yy_z, R_yz, E_J_P_yy_x*R_yx));
+    out->of_platform[5][7] = STEWART_FMA(R_zy, alpha_P_y, STEWART_FMA(E_J_P_yy_z, R_zz, E_J_P_yy_x*R_zx));
     out->of_platform[0][8] = REAL(0);
     out->of_platform[1][8] = REAL(0);
     out->of_platform[2][8] = REAL(0);
-    out->of_platform[3][8] = E_J_P_yz_x*R_xx + E_J_P_yz_y*R_xy + E_J_P_yz_z*R_xz;
-    out->of_platform[4][8] = E_J_P_yz_x*R_yx + E_J_P_yz_y*R_yy + E_J_P_yz_z*R_yz;
-    out->of_platform[5][8] = E_J_P_yz_x*R_zx + E_J_P_yz_y*R_zy + E_J_P_yz_z*R_zz;
+    out->of_platform[3][8] = STEWART_FMA(E_J_P_yz_z, R_xz, STEWART_FMA(E_J_P_yz_y, R_xy, E_J_P_yz_x*R_xx));
+    out->of_platform[4][8] = STEWART_FMA(E_J_P_yz_z, R_yz, STEWART_FMA(E_J_P_yz_y, R_yy, E_J_P_yz_x*R_yx));
+    out->of_platform[5][8] = STEWART_FMA(E_J_P_yz_z, R_zz, STEWART_FMA(E_J_P_yz_y, R_zy, E_J_P_yz_x*R_zx));
     out->of_platform[0][9] = REAL(0);
     out->of_platform[1][9] = REAL(0);
     out->of_platform[2][9] = REAL(0);
-    out->of_platform[3][9] = E_J_P_zz_x*R_xx + E_J_P_zz_y*R_xy + R_xz*alpha_P_z;
-    out->of_platform[4][9] = E_J_P_zz_x*R_yx + E_J_P_zz_y*R_yy + R_yz*alpha_P_z;
-    out->of_platform[5][9] = E_J_P_zz_x*R_zx + E_J_P_zz_y*R_zy + R_zz*alpha_P_z;
+    out->of_platform[3][9] = STEWART_FMA(R_xz, alpha_P_z, STEWART_FMA(E_J_P_zz_y, R_xy, E_J_P_zz_x*R_xx));
+    out->of_platform[4][9] = STEWART_FMA(R_yz, alpha_P_z, STEWART_FMA(E_J_P_zz_y, R_yy, E_J_P_zz_x*R_yx));
+    out->of_platform[5][9] = STEWART_FMA(R_zz, alpha_P_z, STEWART_FMA(E_J_P_zz_y, R_zy, E_J_P_zz_x*R_zx));
 }
 
 /* What is wrong with a leg, or whether a number is not finite. */

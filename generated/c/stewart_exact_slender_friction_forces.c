@@ -33,12 +33,11 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
+    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
-    stewart_real H_force[3][LANES];
     stewart_real c_force[3][LANES];
     stewart_real c_moment[3][LANES];
-    stewart_real H_moment[3][LANES];
     stewart_real arm_c[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
@@ -169,9 +168,9 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
     /* first moment about the reference point */
-    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
-    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
-    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
     const stewart_real c1 = REAL(1)/M_P;
     const stewart_real r_C_x = c1*h_P_x;
     const stewart_real r_C_y = c1*h_P_y;
@@ -180,17 +179,17 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real r_y = c1*h_add_y;
     const stewart_real r_z = c1*h_add_z;
     const stewart_real c2 = STEWART_HALF*M*c1;
-    const stewart_real u_x = c2*(e_x + h_add_x);
-    const stewart_real u_y = c2*(e_y + h_add_y);
-    const stewart_real u_z = c2*(e_z + h_add_z);
-    const stewart_real c3 = REAL(2)*arm_z*u_z + h_add_z*r_z;
-    const stewart_real c4 = REAL(2)*arm_y*u_y + h_add_y*r_y;
+    const stewart_real u_x = c2*(h_add_x + e_x);
+    const stewart_real u_y = c2*(h_add_y + e_y);
+    const stewart_real u_z = c2*(h_add_z + e_z);
+    const stewart_real c3 = h_add_z*r_z + REAL(2)*arm_z*u_z;
+    const stewart_real c4 = h_add_y*r_y + REAL(2)*arm_y*u_y;
     const stewart_real J_C_xx = I_p_xx + J_add_xx - c3 - c4;
-    const stewart_real J_C_xy = I_p_xy + J_add_xy + arm_x*u_y + arm_y*u_x + h_add_x*r_y;
-    const stewart_real J_C_xz = I_p_xz + J_add_xz + arm_x*u_z + arm_z*u_x + h_add_x*r_z;
-    const stewart_real c5 = REAL(2)*arm_x*u_x + h_add_x*r_x;
+    const stewart_real J_C_xy = I_p_xy + J_add_xy + h_add_x*r_y + arm_x*u_y + arm_y*u_x;
+    const stewart_real J_C_xz = I_p_xz + J_add_xz + h_add_x*r_z + arm_x*u_z + arm_z*u_x;
+    const stewart_real c5 = h_add_x*r_x + REAL(2)*arm_x*u_x;
     const stewart_real J_C_yy = I_p_yy + J_add_yy - c3 - c5;
-    const stewart_real J_C_yz = I_p_yz + J_add_yz + arm_y*u_z + arm_z*u_y + h_add_y*r_z;
+    const stewart_real J_C_yz = I_p_yz + J_add_yz + h_add_y*r_z + arm_y*u_z + arm_z*u_y;
     const stewart_real J_C_zz = I_p_zz + J_add_zz - c4 - c5;
     out->M_P = M_P;
     out->r_C[0] = r_C_x;
@@ -299,9 +298,11 @@ int stewart_exact_slender_friction_prepare(
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
-    made.per_length = per_length_of(size_of(&made), REAL(0.125));
+    const stewart_real largest = size_of(&made);
+    made.per_length = per_length_of(largest, REAL(0.125));
+    made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 170; ++i) {
+    for (i = 0; i < 171; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -346,21 +347,24 @@ static void shared_of_pose(
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
     /* (30) centre of mass from the reference point, base frame */
-    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+    const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+    const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
     /* (33) M_P (g - a_C) */
-    const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
-    const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
-    const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
+    const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+        R_C_x, g_x - a_x)));
+    const stewart_real N_y = M_P*STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+        R_C_x, g_y - a_y)));
+    const stewart_real N_z = M_P*STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+        R_C_x, g_z - a_z)));
     /* angular velocity, platform frame */
-    const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-    const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-    const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+    const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+    const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+    const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
     /* angular acceleration, platform frame */
-    const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-    const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-    const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+    const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+    const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+    const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
     const stewart_real P_xy = omega_P_x*omega_P_y;
     const stewart_real P_xz = omega_P_x*omega_P_z;
     const stewart_real P_yz = omega_P_y*omega_P_z;
@@ -368,12 +372,15 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy + alpha_P_z)
-        - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
-    const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
-        - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
-    const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
-        + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
+    const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+        STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+        M_ext_x)))));
+    const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+        STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+        M_ext_y)))));
+    const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+        STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+        M_ext_z)))));
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -383,12 +390,18 @@ static void shared_of_pose(
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - C_P*omega_x - N_y*R_C_z;
-    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - C_P*omega_y - N_z*R_C_x;
-    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - C_P*omega_z - N_x*R_C_y;
+    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx,
+        N_x)));
+    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx,
+        N_y)));
+    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx,
+        N_z)));
+    out->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
+        STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
+    out->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
+        STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
+    out->c_moment[2] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y, R_C_x,
+        STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
 }
 
 /* The legs of one pose side by side: 223 (135 mul, 84 add, 2 div, 2 sqrt) operations each. */
@@ -420,25 +433,26 @@ static void legs_of_pose(
         const stewart_real w_s = model->w_s[l];
         const stewart_real J_t = model->J_t[l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x));
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -456,18 +470,23 @@ static void legs_of_pose(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = inv_rho*STEWART_FMA(-S_dot_z, k_z, STEWART_FMA(-S_dot_y, k_y,
+            STEWART_FMA(-S_dot_x, k_x, L_dot*k1)));
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real lean = kappa*theta_dot;
@@ -478,11 +497,14 @@ static void legs_of_pose(
         const stewart_real rho_share = L_share + lean;
         const stewart_real k33 = k3*k3;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share
-            + rho_share);
-        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot;
+        const stewart_real theta_ddot = STEWART_FMA(-theta_dot, L_share + rho_share,
+            inv_rho*STEWART_FMA(-S_ddot_z, k_z, STEWART_FMA(-S_ddot_y, k_y, STEWART_FMA(-S_ddot_x, k_x,
+            L_ddot*k1))));
+        const stewart_real phi_ddot = STEWART_FMA(-rho_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real k13 = k1*k3;
         const stewart_real c1 = REAL(2)*h_s;
         const stewart_real L_h2 = L*c1;
@@ -496,37 +518,40 @@ static void legs_of_pose(
         const stewart_real M_phi_L = h_s*k33;
         const stewart_real bend = L_dot*theta_dot;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x
-            + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot)
-            - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - gamma_y*w_n;
+        const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(bend, c1, STEWART_FMA(-C_s,
+            STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(gamma_n, w_k, g_k*w_n))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, phi_ddot, STEWART_FMA(two_phi_dot,
+            STEWART_FMA(M_phi_theta, theta_dot, L_dot*M_phi_L), STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-C_s,
+            STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), C_us*phi_dot))));
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_k*k_x + Q_y*y_x;
-        const stewart_real K_y = Q_k*k_y + Q_y*y_y;
-        const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+        const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot - M_phi_L*phi_dot2 - Q_k*k1 - h_s*theta_dot2;
+        const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_s,
+            theta_dot2, C_p*L_dot)));
         const stewart_real c3 = C_s*phi_dot;
         const stewart_real c4 = C_s*theta_dot;
         out->D[l] = D;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
-        out->c_moment[0][l] = c3*k_x + c4*y_x;
-        out->c_moment[1][l] = c3*k_y + c4*y_y;
-        out->c_moment[2][l] = c3*k_z + c4*y_z;
+        out->c_moment[0][l] = STEWART_FMA(c4, y_x, c3*k_x);
+        out->c_moment[1][l] = STEWART_FMA(c4, y_y, c3*k_y);
+        out->c_moment[2][l] = STEWART_FMA(c4, y_z, c3*k_z);
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
@@ -580,61 +605,66 @@ static void legs_near_singular(
         const stewart_real w_s = model->w_s[l];
         const stewart_real J_t = model->J_t[l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (10) along the third axis of the leg */
-        const stewart_real s_cross_normal_x = k_cross_S_z*s_y - k_cross_S_y*s_z;
-        const stewart_real s_cross_normal_y = k_cross_S_x*s_z - k_cross_S_z*s_x;
-        const stewart_real s_cross_normal_z = k_cross_S_y*s_x - k_cross_S_x*s_y;
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
         /* (10) leg length, and distance of its tip from the fixed axis */
-        const stewart_real rho = STEWART_SQRT(s_cross_normal_x*s_cross_normal_x + s_cross_normal_y*s_cross_normal_y
-            + s_cross_normal_z*s_cross_normal_z);
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+            STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
         const stewart_real inv_rho = REAL(1)/rho;
         /* (10) third axis of the leg frame */
         const stewart_real z_x = inv_rho*s_cross_normal_x;
         const stewart_real z_y = inv_rho*s_cross_normal_y;
         const stewart_real z_z = inv_rho*s_cross_normal_z;
         /* (10) rotating axis of the universal joint */
-        const stewart_real y_x = s_z*z_y - s_y*z_z;
-        const stewart_real y_y = s_x*z_z - s_z*z_x;
-        const stewart_real y_z = s_y*z_x - s_x*z_y;
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
         /* (10) k = (k1, 0, k3) in the leg frame */
         const stewart_real k1 = inv_L*zeta;
         const stewart_real k3 = inv_L*rho;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = -inv_L*(S_dot_x*z_x + S_dot_y*z_y + S_dot_z*z_z);
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real theta_dot2 = theta_dot*theta_dot;
@@ -642,9 +672,10 @@ static void legs_near_singular(
         const stewart_real two_phi_dot = REAL(2)*phi_dot;
         const stewart_real k33 = k3*k3;
         /* (9) accelerations of the joint coordinates but for the turning of the leg frame about s */
-        const stewart_real own_theta_ddot = -REAL(2)*L_share*theta_dot - inv_L*(S_ddot_x*z_x + S_ddot_y*z_y
-            + S_ddot_z*z_z);
-        const stewart_real own_phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - L_share*two_phi_dot;
+        const stewart_real own_theta_ddot = STEWART_FMA((-REAL(2))*L_share, theta_dot,
+            -inv_L*STEWART_FMA(S_ddot_z, z_z, STEWART_FMA(S_ddot_y, z_y, S_ddot_x*z_x)));
+        const stewart_real own_phi_ddot = STEWART_FMA(-L_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real c1 = REAL(2)*h_s;
         const stewart_real L_h2 = L*c1;
         const stewart_real c2 = J_t + L_h2;
@@ -656,37 +687,39 @@ static void legs_near_singular(
         const stewart_real M_phi_L = h_s*k33;
         const stewart_real bend = L_dot*theta_dot;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + M_theta*own_theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k
-            - C_s*(omega_x*y_x + omega_y*y_y + omega_z*y_z);
-        const stewart_real tau_k = C_us*phi_dot + L_dot*M_phi_L*two_phi_dot + M_phi*own_phi_ddot - C_s*(k_x*omega_x
-            + k_y*omega_y + k_z*omega_z) - gamma_y*w_n;
+        const stewart_real tau_y = STEWART_FMA(M_theta, own_theta_ddot, STEWART_FMA(-C_s,
+            STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(gamma_n, w_k,
+            STEWART_FMA(bend, c1, STEWART_FMA(C_us, theta_dot, g_k*w_n)))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, own_phi_ddot, STEWART_FMA(L_dot*M_phi_L, two_phi_dot,
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), C_us*phi_dot))));
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_y = inv_rho*tau_k;
         const stewart_real Q_z = -inv_L*tau_y;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_y*y_x + Q_z*z_x;
-        const stewart_real K_y = Q_y*y_y + Q_z*z_y;
-        const stewart_real K_z = Q_y*y_z + Q_z*z_z;
+        const stewart_real K_x = STEWART_FMA(Q_y, y_x, Q_z*z_x);
+        const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
+        const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot - M_phi_L*phi_dot2 - h_s*theta_dot2;
+        const stewart_real D = STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_s, theta_dot2, C_p*L_dot));
         const stewart_real c3 = C_s*phi_dot;
         const stewart_real c4 = C_s*theta_dot;
         out->D[l] = D;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
-        out->c_moment[0][l] = c3*k_x + c4*y_x;
-        out->c_moment[1][l] = c3*k_y + c4*y_y;
-        out->c_moment[2][l] = c3*k_z + c4*y_z;
+        out->c_moment[0][l] = STEWART_FMA(c4, y_x, c3*k_x);
+        out->c_moment[1][l] = STEWART_FMA(c4, y_y, c3*k_y);
+        out->c_moment[2][l] = STEWART_FMA(c4, y_z, c3*k_z);
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
@@ -716,9 +749,9 @@ static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
     const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
-    shared->c_tip[0] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-    shared->c_tip[1] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-    shared->c_tip[2] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    shared->c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    shared->c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    shared->c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
 }
 
 /* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the
@@ -729,23 +762,23 @@ static void moments_of_pose(leg_lanes *legs)
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
         const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        legs->H_moment[0][l] = H_force_z*arm_y - H_force_y*arm_z;
-        legs->H_moment[1][l] = H_force_x*arm_z - H_force_z*arm_x;
-        legs->H_moment[2][l] = H_force_y*arm_x - H_force_x*arm_y;
-        legs->arm_c[0][l] = arm_y*c_force_z - arm_z*c_force_y;
-        legs->arm_c[1][l] = arm_z*c_force_x - arm_x*c_force_z;
-        legs->arm_c[2][l] = arm_x*c_force_y - arm_y*c_force_x;
+        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        legs->arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        legs->arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        legs->arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     }
 }
 
 /* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs)
+STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
 {
     int i, j;
     stewart_real H[6][6];
@@ -757,8 +790,8 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->H_force[j][i];
-            H[j + 3][i] = legs->H_moment[j][i];
+            H[j][i] = legs->A[j][i];
+            H[j + 3][i] = legs->A[j + 3][i]/per_length;
         }
     }
     return singular_status(H, arm, legs->L, legs->reach, tip);
@@ -770,7 +803,7 @@ int stewart_exact_slender_friction_forces(
     int i, j;
     shared_terms shared;
     leg_lanes legs;
-    stewart_real A[6][LANES];
+    stewart_real wrench[6];
     stewart_real x[6];
     stewart_real found[6];
     int close = 0;
@@ -798,26 +831,20 @@ int stewart_exact_slender_friction_forces(
     for (j = 0; j < 3; ++j) {
         stewart_real force = shared.c_force[j];
         stewart_real turn = shared.c_tip[j];
-        for (i = 0; i < 6; ++i) {
+        STEWART_LOOP for (i = 0; i < 6; ++i) {
             force = force + legs.c_force[j][i];
             turn = turn + legs.c_moment[j][i];
             turn = turn + legs.arm_c[j][i];
         }
-        for (i = 0; i < LANES; ++i) {
-            A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
-        }
-        A[j][6] = force;
-        A[j + 3][6] = turn;
-        A[j][7] = REAL(0);
-        A[j + 3][7] = REAL(0);
+        wrench[j] = force;
+        wrench[j + 3] = turn;
     }
     if (model->per_length != REAL(1)) {
-        scale_pose(A, model->per_length);
+        scale_pose(legs.A, wrench, model->per_length);
     }
-    const int suspect = solve_pose(A, x);
+    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs);
+        const int status = pose_status(&legs, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -889,21 +916,24 @@ static void shared_of_block(
         const stewart_real B_zy = alpha_x + omega_yz;
         const stewart_real B_zz = -omega_xx - omega_yy;
         /* (30) centre of mass from the reference point, base frame */
-        const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-        const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-        const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+        const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+        const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+        const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
         /* (33) M_P (g - a_C) */
-        const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
-        const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
-        const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
+        const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+            R_C_x, g_x - a_x)));
+        const stewart_real N_y = M_P*STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+            R_C_x, g_y - a_y)));
+        const stewart_real N_z = M_P*STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+            R_C_x, g_z - a_z)));
         /* angular velocity, platform frame */
-        const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-        const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-        const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+        const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+        const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+        const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
         /* angular acceleration, platform frame */
-        const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-        const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-        const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+        const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+        const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+        const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
         const stewart_real P_xy = omega_P_x*omega_P_y;
         const stewart_real P_xz = omega_P_x*omega_P_z;
         const stewart_real P_yz = omega_P_y*omega_P_z;
@@ -911,12 +941,15 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy
-            + alpha_P_z) - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
-        const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
-            - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
-        const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
-            + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
+        const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+            M_ext_x)))));
+        const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+            M_ext_y)))));
+        const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+            M_ext_z)))));
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
         out->B[2][l] = B_xz;
@@ -926,12 +959,15 @@ static void shared_of_block(
         out->B[6][l] = B_zx;
         out->B[7][l] = B_zy;
         out->B[8][l] = B_zz;
-        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - C_P*omega_x - N_y*R_C_z;
-        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - C_P*omega_y - N_z*R_C_x;
-        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - C_P*omega_z - N_x*R_C_y;
+        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
+        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
+        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
+        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
+            STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
+        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
+            STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
+        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y, R_C_x,
+            STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
     }
 }
 
@@ -967,25 +1003,26 @@ static void leg_of_block(
             B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
             B_zz = shared->B[8][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (10) leg vector along the fixed axis, and normal to both */
-        const stewart_real zeta = S_x*k_x + S_y*k_y + S_z*k_z;
-        const stewart_real k_cross_S_x = S_z*k_y - S_y*k_z;
-        const stewart_real k_cross_S_y = S_x*k_z - S_z*k_x;
-        const stewart_real k_cross_S_z = S_y*k_x - S_x*k_y;
-        const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x));
         /* (2) leg length, and distance of its tip from the fixed axis */
-        const stewart_real L = STEWART_SQRT(rho2 + zeta*zeta);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
         const stewart_real rho = STEWART_SQRT(rho2);
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
@@ -1003,18 +1040,23 @@ static void leg_of_block(
         /* (10) k1 / k3 */
         const stewart_real kappa = inv_rho*zeta;
         /* (4) velocity of the platform point */
-        const stewart_real S_dot_x = omega_y*q_z + v_x - omega_z*q_y;
-        const stewart_real S_dot_y = omega_z*q_x + v_y - omega_x*q_z;
-        const stewart_real S_dot_z = omega_x*q_y + v_z - omega_y*q_x;
+        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         /* (5) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real L_dot = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* (6) rates of the joint coordinates: L, phi about k, theta about y */
-        const stewart_real phi_dot = inv_rho*(S_dot_x*y_x + S_dot_y*y_y + S_dot_z*y_z);
-        const stewart_real theta_dot = inv_rho*(L_dot*k1 - S_dot_x*k_x - S_dot_y*k_y - S_dot_z*k_z);
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = inv_rho*STEWART_FMA(-S_dot_z, k_z, STEWART_FMA(-S_dot_y, k_y,
+            STEWART_FMA(-S_dot_x, k_x, L_dot*k1)));
         /* L_dot / L */
         const stewart_real L_share = L_dot*inv_L;
         const stewart_real lean = kappa*theta_dot;
@@ -1025,11 +1067,14 @@ static void leg_of_block(
         const stewart_real rho_share = L_share + lean;
         const stewart_real k33 = k3*k3;
         /* (8) accelerations of the joint coordinates */
-        const stewart_real L_ddot = L*(k33*phi_dot2 + theta_dot2) + S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = inv_rho*(L_ddot*k1 - S_ddot_x*k_x - S_ddot_y*k_y - S_ddot_z*k_z) - theta_dot*(L_share
-            + rho_share);
-        const stewart_real phi_ddot = inv_rho*(S_ddot_x*y_x + S_ddot_y*y_y + S_ddot_z*y_z) - rho_share*two_phi_dot;
+        const stewart_real theta_ddot = STEWART_FMA(-theta_dot, L_share + rho_share,
+            inv_rho*STEWART_FMA(-S_ddot_z, k_z, STEWART_FMA(-S_ddot_y, k_y, STEWART_FMA(-S_ddot_x, k_x,
+            L_ddot*k1))));
+        const stewart_real phi_ddot = STEWART_FMA(-rho_share, two_phi_dot, inv_rho*STEWART_FMA(S_ddot_z,
+            y_z, STEWART_FMA(S_ddot_y, y_y, S_ddot_x*y_x)));
         const stewart_real k13 = k1*k3;
         const stewart_real c1 = REAL(2)*h_s;
         const stewart_real L_h2 = L*c1;
@@ -1043,25 +1088,28 @@ static void leg_of_block(
         const stewart_real M_phi_L = h_s*k33;
         const stewart_real bend = L_dot*theta_dot;
         /* gravity along k x y and along y */
-        const stewart_real gamma_n = g_x_k_x*y_x + g_x_k_y*y_y + g_x_k_z*y_z;
-        const stewart_real gamma_y = g_x*y_x + g_y*y_y + g_z*y_z;
+        const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
+        const stewart_real gamma_y = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* first moment along k and against k x y */
         const stewart_real w_k = k1*w_s;
         const stewart_real w_n = k3*w_s;
         /* (20) generalised forces about y and about k */
-        const stewart_real tau_y = C_us*theta_dot + M_theta*theta_ddot + bend*c1 + g_k*w_n + gamma_n*w_k - C_s*(omega_x*y_x
-            + omega_y*y_y + omega_z*y_z) - M_phi_theta*phi_dot2;
-        const stewart_real tau_k = C_us*phi_dot + M_phi*phi_ddot + two_phi_dot*(L_dot*M_phi_L + M_phi_theta*theta_dot)
-            - C_s*(k_x*omega_x + k_y*omega_y + k_z*omega_z) - gamma_y*w_n;
+        const stewart_real tau_y = STEWART_FMA(M_theta, theta_ddot, STEWART_FMA(bend, c1, STEWART_FMA(-C_s,
+            STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)), STEWART_FMA(C_us, theta_dot,
+            STEWART_FMA(-M_phi_theta, phi_dot2, STEWART_FMA(gamma_n, w_k, g_k*w_n))))));
+        const stewart_real tau_k = STEWART_FMA(M_phi, phi_ddot, STEWART_FMA(two_phi_dot,
+            STEWART_FMA(M_phi_theta, theta_dot, L_dot*M_phi_L), STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-C_s,
+            STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)), C_us*phi_dot))));
         /* (21) K = Q_k k + Q_y y, up to a part along s */
         const stewart_real Q_k = -inv_rho*tau_y;
         const stewart_real Q_y = inv_rho*tau_k;
         /* (21) force at the spherical joint, base frame */
-        const stewart_real K_x = Q_k*k_x + Q_y*y_x;
-        const stewart_real K_y = Q_k*k_y + Q_y*y_y;
-        const stewart_real K_z = Q_k*k_z + Q_y*y_z;
+        const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
         /* (24) known part of the actuator force, to match */
-        const stewart_real D = C_p*L_dot - M_phi_L*phi_dot2 - Q_k*k1 - h_s*theta_dot2;
+        const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_s,
+            theta_dot2, C_p*L_dot)));
         const stewart_real c3 = C_s*phi_dot;
         const stewart_real c4 = C_s*theta_dot;
         column[0][l] = s_x;
@@ -1073,9 +1121,9 @@ static void leg_of_block(
         own->c_force[0][l] = -K_x;
         own->c_force[1][l] = -K_y;
         own->c_force[2][l] = -K_z;
-        own->c_moment[0][l] = c3*k_x + c4*y_x;
-        own->c_moment[1][l] = c3*k_y + c4*y_y;
-        own->c_moment[2][l] = c3*k_z + c4*y_z;
+        own->c_moment[0][l] = STEWART_FMA(c4, y_x, c3*k_x);
+        own->c_moment[1][l] = STEWART_FMA(c4, y_y, c3*k_y);
+        own->c_moment[2][l] = STEWART_FMA(c4, y_z, c3*k_z);
         known[l] = D;
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
@@ -1103,9 +1151,9 @@ static void moments_of_first(
         const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
         const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
             c_moment_y = c[4][l], c_moment_z = c[5][l];
-        c[3][l] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-        c[4][l] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-        c[5][l] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
         c[0][l] = c[0][l] + own->c_force[0][l];
         c[1][l] = c[1][l] + own->c_force[1][l];
         c[2][l] = c[2][l] + own->c_force[2][l];
@@ -1131,18 +1179,18 @@ static void moments_of_block(
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        column[3][l] = H_force_z*arm_y - H_force_y*arm_z;
-        column[4][l] = H_force_x*arm_z - H_force_z*arm_x;
-        column[5][l] = H_force_y*arm_x - H_force_x*arm_y;
+        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
         c[0][l] = c[0][l] + own->c_force[0][l];
         c[1][l] = c[1][l] + own->c_force[1][l];
         c[2][l] = c[2][l] + own->c_force[2][l];
         c[3][l] = c[3][l] + own->c_moment[0][l];
         c[4][l] = c[4][l] + own->c_moment[1][l];
         c[5][l] = c[5][l] + own->c_moment[2][l];
-        c[3][l] = c[3][l] + (arm_y*c_force_z - arm_z*c_force_y);
-        c[4][l] = c[4][l] + (arm_z*c_force_x - arm_x*c_force_z);
-        c[5][l] = c[5][l] + (arm_x*c_force_y - arm_y*c_force_x);
+        c[3][l] = c[3][l] + STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        c[4][l] = c[4][l] + STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        c[5][l] = c[5][l] + STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     }
 }
 
@@ -1204,7 +1252,7 @@ static void forces_of_block(
     if (model->per_length != REAL(1)) {
         scale_block(out, model->per_length);
     }
-    solve_block(out->column, out->D, out->F, out->bad);
+    solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

@@ -33,12 +33,11 @@ typedef struct {
 
 /* The legs of one pose. */
 typedef struct {
+    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
     stewart_real q[3][LANES];
     stewart_real D[LANES];
-    stewart_real H_force[3][LANES];
     stewart_real c_force[3][LANES];
     stewart_real c_moment[3][LANES];
-    stewart_real H_moment[3][LANES];
     stewart_real arm_c[3][LANES];
     stewart_real L[LANES];
     stewart_real reach[LANES];
@@ -153,9 +152,9 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real e_y = h_add_y - M_add*arm_y;
     const stewart_real e_z = h_add_z - M_add*arm_z;
     /* first moment about the reference point */
-    const stewart_real h_P_x = M*R_0_x + M_add*p_1_x + h_add_x;
-    const stewart_real h_P_y = M*R_0_y + M_add*p_1_y + h_add_y;
-    const stewart_real h_P_z = M*R_0_z + M_add*p_1_z + h_add_z;
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
     const stewart_real c1 = REAL(1)/M_P;
     const stewart_real r_C_x = c1*h_P_x;
     const stewart_real r_C_y = c1*h_P_y;
@@ -164,17 +163,17 @@ static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum
     const stewart_real r_y = c1*h_add_y;
     const stewart_real r_z = c1*h_add_z;
     const stewart_real c2 = STEWART_HALF*M*c1;
-    const stewart_real u_x = c2*(e_x + h_add_x);
-    const stewart_real u_y = c2*(e_y + h_add_y);
-    const stewart_real u_z = c2*(e_z + h_add_z);
-    const stewart_real c3 = REAL(2)*arm_z*u_z + h_add_z*r_z;
-    const stewart_real c4 = REAL(2)*arm_y*u_y + h_add_y*r_y;
+    const stewart_real u_x = c2*(h_add_x + e_x);
+    const stewart_real u_y = c2*(h_add_y + e_y);
+    const stewart_real u_z = c2*(h_add_z + e_z);
+    const stewart_real c3 = h_add_z*r_z + REAL(2)*arm_z*u_z;
+    const stewart_real c4 = h_add_y*r_y + REAL(2)*arm_y*u_y;
     const stewart_real J_C_xx = I_p_xx + J_add_xx - c3 - c4;
-    const stewart_real J_C_xy = I_p_xy + J_add_xy + arm_x*u_y + arm_y*u_x + h_add_x*r_y;
-    const stewart_real J_C_xz = I_p_xz + J_add_xz + arm_x*u_z + arm_z*u_x + h_add_x*r_z;
-    const stewart_real c5 = REAL(2)*arm_x*u_x + h_add_x*r_x;
+    const stewart_real J_C_xy = I_p_xy + J_add_xy + h_add_x*r_y + arm_x*u_y + arm_y*u_x;
+    const stewart_real J_C_xz = I_p_xz + J_add_xz + h_add_x*r_z + arm_x*u_z + arm_z*u_x;
+    const stewart_real c5 = h_add_x*r_x + REAL(2)*arm_x*u_x;
     const stewart_real J_C_yy = I_p_yy + J_add_yy - c3 - c5;
-    const stewart_real J_C_yz = I_p_yz + J_add_yz + arm_y*u_z + arm_z*u_y + h_add_y*r_z;
+    const stewart_real J_C_yz = I_p_yz + J_add_yz + h_add_y*r_z + arm_y*u_z + arm_z*u_y;
     const stewart_real J_C_zz = I_p_zz + J_add_zz - c4 - c5;
     out->M_P = M_P;
     out->r_C[0] = r_C_x;
@@ -290,9 +289,11 @@ int stewart_exact_spherical_prepare(const stewart_robot *robot, stewart_exact_sp
     made.g[0] = platform.g[0];
     made.g[1] = platform.g[1];
     made.g[2] = platform.g[2];
-    made.per_length = per_length_of(size_of(&made), REAL(0.125));
+    const stewart_real largest = size_of(&made);
+    made.per_length = per_length_of(largest, REAL(0.125));
+    made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 249; ++i) {
+    for (i = 0; i < 250; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -336,21 +337,24 @@ static void shared_of_pose(
     const stewart_real B_zy = alpha_x + omega_yz;
     const stewart_real B_zz = -omega_xx - omega_yy;
     /* (30) centre of mass from the reference point, base frame */
-    const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-    const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-    const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+    const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+    const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+    const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
     /* (33) M_P (g - a_C) */
-    const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
-    const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
-    const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
+    const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+        R_C_x, g_x - a_x)));
+    const stewart_real N_y = M_P*STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+        R_C_x, g_y - a_y)));
+    const stewart_real N_z = M_P*STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+        R_C_x, g_z - a_z)));
     /* angular velocity, platform frame */
-    const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-    const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-    const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+    const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+    const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+    const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
     /* angular acceleration, platform frame */
-    const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-    const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-    const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+    const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+    const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+    const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
     const stewart_real P_xy = omega_P_x*omega_P_y;
     const stewart_real P_xz = omega_P_x*omega_P_z;
     const stewart_real P_yz = omega_P_y*omega_P_z;
@@ -358,12 +362,15 @@ static void shared_of_pose(
     const stewart_real P_yy = omega_P_y*omega_P_y;
     const stewart_real P_zz = omega_P_z*omega_P_z;
     /* (34) external moment less I alpha + omega x I omega, platform frame */
-    const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy + alpha_P_z)
-        - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
-    const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
-        - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
-    const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
-        + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
+    const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+        STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+        M_ext_x)))));
+    const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+        STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+        M_ext_y)))));
+    const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+        STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+        M_ext_z)))));
     out->B[0] = B_xx;
     out->B[1] = B_xy;
     out->B[2] = B_xz;
@@ -373,12 +380,18 @@ static void shared_of_pose(
     out->B[6] = B_zx;
     out->B[7] = B_zy;
     out->B[8] = B_zz;
-    out->c_force[0] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-    out->c_force[1] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-    out->c_force[2] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-    out->c_moment[0] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - N_y*R_C_z;
-    out->c_moment[1] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - N_z*R_C_x;
-    out->c_moment[2] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - N_x*R_C_y;
+    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx,
+        N_x)));
+    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx,
+        N_y)));
+    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx,
+        N_z)));
+    out->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_P_load_z, R_xz,
+        STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx))));
+    out->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_P_load_z, R_yz,
+        STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx))));
+    out->c_moment[2] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_P_load_z, R_zz,
+        STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx))));
 }
 
 /* The legs of one pose side by side: 221 (128 mul, 91 add, 1 div, 1 sqrt) operations each. */
@@ -409,56 +422,59 @@ static void legs_of_pose(
         const stewart_real C_p = model->C_p[l];
         const stewart_real C_s = model->C_s[l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (2) leg length */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         /* part of e along the leg */
-        const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
         /* part of u along the leg */
-        const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real u_x = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* part of gamma along the leg */
-        const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+        const stewart_real gamma_x = STEWART_FMA(g_z, s_z, STEWART_FMA(g_y, s_y, g_x*s_x));
         /* part of w along the leg */
-        const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
+        const stewart_real w_x = STEWART_FMA(omega_z, s_z, STEWART_FMA(omega_y, s_y, omega_x*s_x));
         /* part of e across the leg */
-        const stewart_real e_across_x = S_ddot_x - e_x*s_x;
-        const stewart_real e_across_y = S_ddot_y - e_x*s_y;
-        const stewart_real e_across_z = S_ddot_z - e_x*s_z;
+        const stewart_real e_across_x = STEWART_FMA(-e_x, s_x, S_ddot_x);
+        const stewart_real e_across_y = STEWART_FMA(-e_x, s_y, S_ddot_y);
+        const stewart_real e_across_z = STEWART_FMA(-e_x, s_z, S_ddot_z);
         /* part of u across the leg */
-        const stewart_real u_across_x = S_dot_x - s_x*u_x;
-        const stewart_real u_across_y = S_dot_y - s_y*u_x;
-        const stewart_real u_across_z = S_dot_z - s_z*u_x;
+        const stewart_real u_across_x = STEWART_FMA(-s_x, u_x, S_dot_x);
+        const stewart_real u_across_y = STEWART_FMA(-s_y, u_x, S_dot_y);
+        const stewart_real u_across_z = STEWART_FMA(-s_z, u_x, S_dot_z);
         /* part of gamma across the leg */
-        const stewart_real gamma_across_x = g_x - gamma_x*s_x;
-        const stewart_real gamma_across_y = g_y - gamma_x*s_y;
-        const stewart_real gamma_across_z = g_z - gamma_x*s_z;
+        const stewart_real gamma_across_x = STEWART_FMA(-gamma_x, s_x, g_x);
+        const stewart_real gamma_across_y = STEWART_FMA(-gamma_x, s_y, g_y);
+        const stewart_real gamma_across_z = STEWART_FMA(-gamma_x, s_z, g_z);
         const stewart_real c1 = s_x*w_x;
         const stewart_real c2 = s_y*w_x;
         const stewart_real c3 = s_z*w_x;
@@ -467,38 +483,44 @@ static void legs_of_pose(
         const stewart_real w_across_y = omega_y - c2;
         const stewart_real w_across_z = omega_z - c3;
         /* square of u across the leg */
-        const stewart_real u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z;
+        const stewart_real u_square = STEWART_FMA(u_across_z, u_across_z, STEWART_FMA(u_across_y,
+            u_across_y, u_across_x*u_across_x));
         const stewart_real c4 = inv_L*inv_L;
         const stewart_real c5 = m_u*r_u0_x;
         /* (24) known part of the actuator force */
-        const stewart_real D = C_p*u_x + e_x*m_u - c4*c5*u_square - gamma_x*m_u;
+        const stewart_real D = STEWART_FMA(e_x, m_u, STEWART_FMA(-gamma_x, m_u, STEWART_FMA((-c4)*c5,
+            u_square, C_p*u_x)));
         const stewart_real c6 = m_u*L*L;
         const stewart_real c7 = m_d*r_d0_x*r_d0_x;
         const stewart_real c8 = m_u*r_u0_x*r_u0_x;
         const stewart_real c9 = L*m_u;
-        const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + c8 + REAL(2)*c9*r_u0_x);
+        const stewart_real K_e = c4*STEWART_FMA(REAL(2)*c9, r_u0_x, I_d0_yy + I_u0_yy + c6 + c7 + c8);
         const stewart_real c10 = REAL(2)*inv_L*u_x;
-        const stewart_real K_u = c4*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10
-            - c10*c6 - c10*c7 - c10*c8 - REAL(4)*c9*inv_L*r_u0_x*u_x);
-        const stewart_real K_gamma = -inv_L*(c5 + c9 + m_d*r_d0_x);
+        const stewart_real K_u = c4*STEWART_FMA((-REAL(4))*c9*inv_L*r_u0_x, u_x, STEWART_FMA(-c10, c8,
+            STEWART_FMA(-c10, c7, STEWART_FMA(-c10, c6, STEWART_FMA(-I_u0_yy, c10, STEWART_FMA(-I_d0_yy,
+            c10, STEWART_FMA(REAL(2)*m_u*r_u0_x, u_x, STEWART_FMA(REAL(2)*L*m_u, u_x, C_s + C_u))))))));
+        const stewart_real K_gamma = -inv_L*(STEWART_FMA(m_d, r_d0_x, c5) + c9);
         const stewart_real c11 = C_s*inv_L;
         const stewart_real K_s_w = c11;
         /* K, base frame */
-        const stewart_real K_x = K_e*e_across_x + K_gamma*gamma_across_x + K_s_w*(s_y*w_across_z - s_z*w_across_y)
-            + K_u*u_across_x;
-        const stewart_real K_y = K_e*e_across_y + K_gamma*gamma_across_y + K_s_w*(s_z*w_across_x - s_x*w_across_z)
-            + K_u*u_across_y;
-        const stewart_real K_z = K_e*e_across_z + K_gamma*gamma_across_z + K_s_w*(s_x*w_across_y - s_y*w_across_x)
-            + K_u*u_across_z;
+        const stewart_real K_x = STEWART_FMA(K_u, u_across_x, STEWART_FMA(K_s_w, STEWART_FMA(-s_z,
+            w_across_y, s_y*w_across_z), STEWART_FMA(K_e, e_across_x, K_gamma*gamma_across_x)));
+        const stewart_real K_y = STEWART_FMA(K_u, u_across_y, STEWART_FMA(K_s_w, STEWART_FMA(-s_x,
+            w_across_z, s_z*w_across_x), STEWART_FMA(K_e, e_across_y, K_gamma*gamma_across_y)));
+        const stewart_real K_z = STEWART_FMA(K_u, u_across_z, STEWART_FMA(K_s_w, STEWART_FMA(-s_y,
+            w_across_x, s_x*w_across_y), STEWART_FMA(K_e, e_across_z, K_gamma*gamma_across_z)));
         const stewart_real f_s_u = c11;
         /* f, base frame */
-        const stewart_real f_x = f_s_u*(s_y*u_across_z - s_z*u_across_y) - C_s*c1 - C_s*w_across_x;
-        const stewart_real f_y = f_s_u*(s_z*u_across_x - s_x*u_across_z) - C_s*c2 - C_s*w_across_y;
-        const stewart_real f_z = f_s_u*(s_x*u_across_y - s_y*u_across_x) - C_s*c3 - C_s*w_across_z;
+        const stewart_real f_x = STEWART_FMA(-C_s, w_across_x, STEWART_FMA(-C_s, c1, f_s_u*STEWART_FMA(-s_z,
+            u_across_y, s_y*u_across_z)));
+        const stewart_real f_y = STEWART_FMA(-C_s, w_across_y, STEWART_FMA(-C_s, c2, f_s_u*STEWART_FMA(-s_x,
+            u_across_z, s_z*u_across_x)));
+        const stewart_real f_z = STEWART_FMA(-C_s, w_across_z, STEWART_FMA(-C_s, c3, f_s_u*STEWART_FMA(-s_y,
+            u_across_x, s_x*u_across_y)));
         out->D[l] = D;
-        out->H_force[0][l] = s_x;
-        out->H_force[1][l] = s_y;
-        out->H_force[2][l] = s_z;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
@@ -532,9 +554,9 @@ static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
     const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
-    shared->c_tip[0] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-    shared->c_tip[1] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-    shared->c_tip[2] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+    shared->c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    shared->c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    shared->c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
 }
 
 /* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the
@@ -545,23 +567,23 @@ static void moments_of_pose(leg_lanes *legs)
     const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
     for (l = 0; l < LANES; ++l) {
         const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
-        const stewart_real H_force_x = legs->H_force[0][l], H_force_y = legs->H_force[1][l], H_force_z = legs->H_force[2][l];
+        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
         const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
         /* platform point from platform point 1 */
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        legs->H_moment[0][l] = H_force_z*arm_y - H_force_y*arm_z;
-        legs->H_moment[1][l] = H_force_x*arm_z - H_force_z*arm_x;
-        legs->H_moment[2][l] = H_force_y*arm_x - H_force_x*arm_y;
-        legs->arm_c[0][l] = arm_y*c_force_z - arm_z*c_force_y;
-        legs->arm_c[1][l] = arm_z*c_force_x - arm_x*c_force_z;
-        legs->arm_c[2][l] = arm_x*c_force_y - arm_y*c_force_x;
+        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        legs->arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        legs->arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        legs->arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     }
 }
 
 /* Status of a pose whose H may be singular to rounding. */
-STEWART_APART static int pose_status(const leg_lanes *legs)
+STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
 {
     int i, j;
     stewart_real H[6][6];
@@ -573,8 +595,8 @@ STEWART_APART static int pose_status(const leg_lanes *legs)
     for (i = 0; i < 6; ++i) {
         for (j = 0; j < 3; ++j) {
             arm[i][j] = legs->q[j][i] - legs->q[j][0];
-            H[j][i] = legs->H_force[j][i];
-            H[j + 3][i] = legs->H_moment[j][i];
+            H[j][i] = legs->A[j][i];
+            H[j + 3][i] = legs->A[j + 3][i]/per_length;
         }
     }
     return singular_status(H, arm, legs->L, legs->reach, tip);
@@ -586,7 +608,7 @@ int stewart_exact_spherical_forces(
     int i, j;
     shared_terms shared;
     leg_lanes legs;
-    stewart_real A[6][LANES];
+    stewart_real wrench[6];
     stewart_real x[6];
     stewart_real found[6];
     int close = 0;
@@ -609,26 +631,20 @@ int stewart_exact_spherical_forces(
     for (j = 0; j < 3; ++j) {
         stewart_real force = shared.c_force[j];
         stewart_real turn = shared.c_tip[j];
-        for (i = 0; i < 6; ++i) {
+        STEWART_LOOP for (i = 0; i < 6; ++i) {
             force = force + legs.c_force[j][i];
             turn = turn + legs.c_moment[j][i];
             turn = turn + legs.arm_c[j][i];
         }
-        for (i = 0; i < LANES; ++i) {
-            A[j][i] = legs.H_force[j][i];
-            A[j + 3][i] = legs.H_moment[j][i];
-        }
-        A[j][6] = force;
-        A[j + 3][6] = turn;
-        A[j][7] = REAL(0);
-        A[j + 3][7] = REAL(0);
+        wrench[j] = force;
+        wrench[j + 3] = turn;
     }
     if (model->per_length != REAL(1)) {
-        scale_pose(A, model->per_length);
+        scale_pose(legs.A, wrench, model->per_length);
     }
-    const int suspect = solve_pose(A, x);
+    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
     if (close != 0 || suspect != 0) {
-        const int status = pose_status(&legs);
+        const int status = pose_status(&legs, model->per_length);
         if (status != STEWART_OK) {
             return status;
         }
@@ -698,21 +714,24 @@ static void shared_of_block(
         const stewart_real B_zy = alpha_x + omega_yz;
         const stewart_real B_zz = -omega_xx - omega_yy;
         /* (30) centre of mass from the reference point, base frame */
-        const stewart_real R_C_x = R_xx*r_C_x + R_xy*r_C_y + R_xz*r_C_z;
-        const stewart_real R_C_y = R_yx*r_C_x + R_yy*r_C_y + R_yz*r_C_z;
-        const stewart_real R_C_z = R_zx*r_C_x + R_zy*r_C_y + R_zz*r_C_z;
+        const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+        const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+        const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
         /* (33) M_P (g - a_C) */
-        const stewart_real N_x = M_P*(g_x - B_xx*R_C_x - B_xy*R_C_y - B_xz*R_C_z - a_x);
-        const stewart_real N_y = M_P*(g_y - B_yx*R_C_x - B_yy*R_C_y - B_yz*R_C_z - a_y);
-        const stewart_real N_z = M_P*(g_z - B_zx*R_C_x - B_zy*R_C_y - B_zz*R_C_z - a_z);
+        const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+            R_C_x, g_x - a_x)));
+        const stewart_real N_y = M_P*STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+            R_C_x, g_y - a_y)));
+        const stewart_real N_z = M_P*STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+            R_C_x, g_z - a_z)));
         /* angular velocity, platform frame */
-        const stewart_real omega_P_x = R_xx*omega_x + R_yx*omega_y + R_zx*omega_z;
-        const stewart_real omega_P_y = R_xy*omega_x + R_yy*omega_y + R_zy*omega_z;
-        const stewart_real omega_P_z = R_xz*omega_x + R_yz*omega_y + R_zz*omega_z;
+        const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+        const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+        const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
         /* angular acceleration, platform frame */
-        const stewart_real alpha_P_x = R_xx*alpha_x + R_yx*alpha_y + R_zx*alpha_z;
-        const stewart_real alpha_P_y = R_xy*alpha_x + R_yy*alpha_y + R_zy*alpha_z;
-        const stewart_real alpha_P_z = R_xz*alpha_x + R_yz*alpha_y + R_zz*alpha_z;
+        const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+        const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+        const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
         const stewart_real P_xy = omega_P_x*omega_P_y;
         const stewart_real P_xz = omega_P_x*omega_P_z;
         const stewart_real P_yz = omega_P_y*omega_P_z;
@@ -720,12 +739,15 @@ static void shared_of_block(
         const stewart_real P_yy = omega_P_y*omega_P_y;
         const stewart_real P_zz = omega_P_z*omega_P_z;
         /* (34) external moment less I alpha + omega x I omega, platform frame */
-        const stewart_real M_P_load_x = J_C_xy*(P_xz - alpha_P_y) + M_ext_x - J_C_xx*alpha_P_x - J_C_xz*(P_xy
-            + alpha_P_z) - J_C_yz*(P_yy - P_zz) - P_yz*dJ_C_x;
-        const stewart_real M_P_load_y = J_C_yz*(P_xy - alpha_P_z) + M_ext_y - J_C_xy*(P_yz + alpha_P_x) - J_C_xz*(P_zz
-            - P_xx) - J_C_yy*alpha_P_y - P_xz*dJ_C_y;
-        const stewart_real M_P_load_z = J_C_xz*(P_yz - alpha_P_x) + M_ext_z - J_C_xy*(P_xx - P_yy) - J_C_yz*(P_xz
-            + alpha_P_y) - J_C_zz*alpha_P_z - P_xy*dJ_C_z;
+        const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+            M_ext_x)))));
+        const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+            M_ext_y)))));
+        const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+            M_ext_z)))));
         out->B[0][l] = B_xx;
         out->B[1][l] = B_xy;
         out->B[2][l] = B_xz;
@@ -735,12 +757,15 @@ static void shared_of_block(
         out->B[6][l] = B_zx;
         out->B[7][l] = B_zy;
         out->B[8][l] = B_zz;
-        c[0][l] = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz + N_x;
-        c[1][l] = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz + N_y;
-        c[2][l] = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz + N_z;
-        c[3][l] = M_P_load_x*R_xx + M_P_load_y*R_xy + M_P_load_z*R_xz + N_z*R_C_y - N_y*R_C_z;
-        c[4][l] = M_P_load_x*R_yx + M_P_load_y*R_yy + M_P_load_z*R_yz + N_x*R_C_z - N_z*R_C_x;
-        c[5][l] = M_P_load_x*R_zx + M_P_load_y*R_zy + M_P_load_z*R_zz + N_y*R_C_x - N_x*R_C_y;
+        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
+        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
+        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
+        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(N_z, R_C_y, STEWART_FMA(M_P_load_z, R_xz,
+            STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx))));
+        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(N_x, R_C_z, STEWART_FMA(M_P_load_z, R_yz,
+            STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx))));
+        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_P_load_z, R_zz,
+            STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx))));
     }
 }
 
@@ -776,56 +801,59 @@ static void leg_of_block(
             B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
             B_zz = shared->B[8][l];
         /* (1) platform point from the reference point */
-        const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-        const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-        const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
         /* (1) reference point from base point, base frame */
         const stewart_real t_b_x = t_x - b_x;
         const stewart_real t_b_y = t_y - b_y;
         const stewart_real t_b_z = t_z - b_z;
         /* (1) leg vector */
-        const stewart_real S_x = q_x + t_b_x;
-        const stewart_real S_y = q_y + t_b_y;
-        const stewart_real S_z = q_z + t_b_z;
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
         /* (2) leg length */
-        const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
         const stewart_real inv_L = REAL(1)/L;
         /* (3) unit vector along the leg */
         const stewart_real s_x = S_x*inv_L;
         const stewart_real s_y = S_y*inv_L;
         const stewart_real s_z = S_z*inv_L;
         /* (4) omega x q */
-        const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-        const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-        const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+        const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+        const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+        const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = v_x + w_q_x;
         const stewart_real S_dot_y = v_y + w_q_y;
         const stewart_real S_dot_z = v_z + w_q_z;
         /* (7) acceleration of the platform point */
-        const stewart_real S_ddot_x = B_xx*q_x + B_xy*q_y + B_xz*q_z + a_x;
-        const stewart_real S_ddot_y = B_yx*q_x + B_yy*q_y + B_yz*q_z + a_y;
-        const stewart_real S_ddot_z = B_zx*q_x + B_zy*q_y + B_zz*q_z + a_z;
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
         /* part of e along the leg */
-        const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+        const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
         /* part of u along the leg */
-        const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+        const stewart_real u_x = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
         /* part of gamma along the leg */
-        const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+        const stewart_real gamma_x = STEWART_FMA(g_z, s_z, STEWART_FMA(g_y, s_y, g_x*s_x));
         /* part of w along the leg */
-        const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
+        const stewart_real w_x = STEWART_FMA(omega_z, s_z, STEWART_FMA(omega_y, s_y, omega_x*s_x));
         /* part of e across the leg */
-        const stewart_real e_across_x = S_ddot_x - e_x*s_x;
-        const stewart_real e_across_y = S_ddot_y - e_x*s_y;
-        const stewart_real e_across_z = S_ddot_z - e_x*s_z;
+        const stewart_real e_across_x = STEWART_FMA(-e_x, s_x, S_ddot_x);
+        const stewart_real e_across_y = STEWART_FMA(-e_x, s_y, S_ddot_y);
+        const stewart_real e_across_z = STEWART_FMA(-e_x, s_z, S_ddot_z);
         /* part of u across the leg */
-        const stewart_real u_across_x = S_dot_x - s_x*u_x;
-        const stewart_real u_across_y = S_dot_y - s_y*u_x;
-        const stewart_real u_across_z = S_dot_z - s_z*u_x;
+        const stewart_real u_across_x = STEWART_FMA(-s_x, u_x, S_dot_x);
+        const stewart_real u_across_y = STEWART_FMA(-s_y, u_x, S_dot_y);
+        const stewart_real u_across_z = STEWART_FMA(-s_z, u_x, S_dot_z);
         /* part of gamma across the leg */
-        const stewart_real gamma_across_x = g_x - gamma_x*s_x;
-        const stewart_real gamma_across_y = g_y - gamma_x*s_y;
-        const stewart_real gamma_across_z = g_z - gamma_x*s_z;
+        const stewart_real gamma_across_x = STEWART_FMA(-gamma_x, s_x, g_x);
+        const stewart_real gamma_across_y = STEWART_FMA(-gamma_x, s_y, g_y);
+        const stewart_real gamma_across_z = STEWART_FMA(-gamma_x, s_z, g_z);
         const stewart_real c1 = s_x*w_x;
         const stewart_real c2 = s_y*w_x;
         const stewart_real c3 = s_z*w_x;
@@ -834,34 +862,40 @@ static void leg_of_block(
         const stewart_real w_across_y = omega_y - c2;
         const stewart_real w_across_z = omega_z - c3;
         /* square of u across the leg */
-        const stewart_real u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z;
+        const stewart_real u_square = STEWART_FMA(u_across_z, u_across_z, STEWART_FMA(u_across_y,
+            u_across_y, u_across_x*u_across_x));
         const stewart_real c4 = inv_L*inv_L;
         const stewart_real c5 = m_u*r_u0_x;
         /* (24) known part of the actuator force */
-        const stewart_real D = C_p*u_x + e_x*m_u - c4*c5*u_square - gamma_x*m_u;
+        const stewart_real D = STEWART_FMA(e_x, m_u, STEWART_FMA(-gamma_x, m_u, STEWART_FMA((-c4)*c5,
+            u_square, C_p*u_x)));
         const stewart_real c6 = m_u*L*L;
         const stewart_real c7 = m_d*r_d0_x*r_d0_x;
         const stewart_real c8 = m_u*r_u0_x*r_u0_x;
         const stewart_real c9 = L*m_u;
-        const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + c8 + REAL(2)*c9*r_u0_x);
+        const stewart_real K_e = c4*STEWART_FMA(REAL(2)*c9, r_u0_x, I_d0_yy + I_u0_yy + c6 + c7 + c8);
         const stewart_real c10 = REAL(2)*inv_L*u_x;
-        const stewart_real K_u = c4*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10
-            - c10*c6 - c10*c7 - c10*c8 - REAL(4)*c9*inv_L*r_u0_x*u_x);
-        const stewart_real K_gamma = -inv_L*(c5 + c9 + m_d*r_d0_x);
+        const stewart_real K_u = c4*STEWART_FMA((-REAL(4))*c9*inv_L*r_u0_x, u_x, STEWART_FMA(-c10, c8,
+            STEWART_FMA(-c10, c7, STEWART_FMA(-c10, c6, STEWART_FMA(-I_u0_yy, c10, STEWART_FMA(-I_d0_yy,
+            c10, STEWART_FMA(REAL(2)*m_u*r_u0_x, u_x, STEWART_FMA(REAL(2)*L*m_u, u_x, C_s + C_u))))))));
+        const stewart_real K_gamma = -inv_L*(STEWART_FMA(m_d, r_d0_x, c5) + c9);
         const stewart_real c11 = C_s*inv_L;
         const stewart_real K_s_w = c11;
         /* K, base frame */
-        const stewart_real K_x = K_e*e_across_x + K_gamma*gamma_across_x + K_s_w*(s_y*w_across_z - s_z*w_across_y)
-            + K_u*u_across_x;
-        const stewart_real K_y = K_e*e_across_y + K_gamma*gamma_across_y + K_s_w*(s_z*w_across_x - s_x*w_across_z)
-            + K_u*u_across_y;
-        const stewart_real K_z = K_e*e_across_z + K_gamma*gamma_across_z + K_s_w*(s_x*w_across_y - s_y*w_across_x)
-            + K_u*u_across_z;
+        const stewart_real K_x = STEWART_FMA(K_u, u_across_x, STEWART_FMA(K_s_w, STEWART_FMA(-s_z,
+            w_across_y, s_y*w_across_z), STEWART_FMA(K_e, e_across_x, K_gamma*gamma_across_x)));
+        const stewart_real K_y = STEWART_FMA(K_u, u_across_y, STEWART_FMA(K_s_w, STEWART_FMA(-s_x,
+            w_across_z, s_z*w_across_x), STEWART_FMA(K_e, e_across_y, K_gamma*gamma_across_y)));
+        const stewart_real K_z = STEWART_FMA(K_u, u_across_z, STEWART_FMA(K_s_w, STEWART_FMA(-s_y,
+            w_across_x, s_x*w_across_y), STEWART_FMA(K_e, e_across_z, K_gamma*gamma_across_z)));
         const stewart_real f_s_u = c11;
         /* f, base frame */
-        const stewart_real f_x = f_s_u*(s_y*u_across_z - s_z*u_across_y) - C_s*c1 - C_s*w_across_x;
-        const stewart_real f_y = f_s_u*(s_z*u_across_x - s_x*u_across_z) - C_s*c2 - C_s*w_across_y;
-        const stewart_real f_z = f_s_u*(s_x*u_across_y - s_y*u_across_x) - C_s*c3 - C_s*w_across_z;
+        const stewart_real f_x = STEWART_FMA(-C_s, w_across_x, STEWART_FMA(-C_s, c1, f_s_u*STEWART_FMA(-s_z,
+            u_across_y, s_y*u_across_z)));
+        const stewart_real f_y = STEWART_FMA(-C_s, w_across_y, STEWART_FMA(-C_s, c2, f_s_u*STEWART_FMA(-s_x,
+            u_across_z, s_z*u_across_x)));
+        const stewart_real f_z = STEWART_FMA(-C_s, w_across_z, STEWART_FMA(-C_s, c3, f_s_u*STEWART_FMA(-s_y,
+            u_across_x, s_x*u_across_y)));
         column[0][l] = s_x;
         column[1][l] = s_y;
         column[2][l] = s_z;
@@ -900,9 +934,9 @@ static void moments_of_first(
         const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
         const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
             c_moment_y = c[4][l], c_moment_z = c[5][l];
-        c[3][l] = c_force_y*q_1_z + c_moment_x - c_force_z*q_1_y;
-        c[4][l] = c_force_z*q_1_x + c_moment_y - c_force_x*q_1_z;
-        c[5][l] = c_force_x*q_1_y + c_moment_z - c_force_y*q_1_x;
+        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
         c[0][l] = c[0][l] + own->c_force[0][l];
         c[1][l] = c[1][l] + own->c_force[1][l];
         c[2][l] = c[2][l] + own->c_force[2][l];
@@ -928,18 +962,18 @@ static void moments_of_block(
         const stewart_real arm_x = q_x - q_1_x;
         const stewart_real arm_y = q_y - q_1_y;
         const stewart_real arm_z = q_z - q_1_z;
-        column[3][l] = H_force_z*arm_y - H_force_y*arm_z;
-        column[4][l] = H_force_x*arm_z - H_force_z*arm_x;
-        column[5][l] = H_force_y*arm_x - H_force_x*arm_y;
+        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
         c[0][l] = c[0][l] + own->c_force[0][l];
         c[1][l] = c[1][l] + own->c_force[1][l];
         c[2][l] = c[2][l] + own->c_force[2][l];
         c[3][l] = c[3][l] + own->c_moment[0][l];
         c[4][l] = c[4][l] + own->c_moment[1][l];
         c[5][l] = c[5][l] + own->c_moment[2][l];
-        c[3][l] = c[3][l] + (arm_y*c_force_z - arm_z*c_force_y);
-        c[4][l] = c[4][l] + (arm_z*c_force_x - arm_x*c_force_z);
-        c[5][l] = c[5][l] + (arm_x*c_force_y - arm_y*c_force_x);
+        c[3][l] = c[3][l] + STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        c[4][l] = c[4][l] + STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        c[5][l] = c[5][l] + STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
     }
 }
 
@@ -1000,7 +1034,7 @@ static void forces_of_block(const stewart_exact_spherical_model *model, const mo
     if (model->per_length != REAL(1)) {
         scale_block(out, model->per_length);
     }
-    solve_block(out->column, out->D, out->F, out->bad);
+    solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
 }
 
 /* Forces and status of one pose of a batch. */

@@ -70,9 +70,9 @@ static leg_vectors vectors_of(const stewart_leg *leg, const stewart_pose *pose)
     const stewart_real q_y = (R_yx*p_x) + (R_yy*p_y) + (R_yz*p_z);
     const stewart_real q_z = (R_zx*p_x) + (R_zy*p_y) + (R_zz*p_z);
     /* (1) leg vector */
-    const stewart_real S_x = (q_x + t_x) - b_x;
-    const stewart_real S_y = (q_y + t_y) - b_y;
-    const stewart_real S_z = (q_z + t_z) - b_z;
+    const stewart_real S_x = (t_x - b_x) + q_x;
+    const stewart_real S_y = (t_y - b_y) + q_y;
+    const stewart_real S_z = (t_z - b_z) + q_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT((S_x*S_x) + (S_y*S_y) + (S_z*S_z));
     leg_vectors out;
@@ -144,7 +144,7 @@ static small_turn turned_by(const stewart_real turn[3])
     const stewart_real c1 = w_x*w_x;
     const stewart_real c2 = w_y*w_y;
     const stewart_real c3 = w_z*w_z;
-    const stewart_real share = REAL(2)/(c1 + c2 + c3 + REAL(1));
+    const stewart_real share = REAL(2)/(REAL(1) + c1 + c2 + c3);
     /* products of the half turn */
     const stewart_real W_xx = c1;
     const stewart_real W_xy = w_x*w_y;
@@ -153,15 +153,15 @@ static small_turn turned_by(const stewart_real turn[3])
     const stewart_real W_yz = w_y*w_z;
     const stewart_real W_zz = c3;
     small_turn out;
-    out.Q[0] = (share*(-W_yy - W_zz)) + REAL(1);
+    out.Q[0] = REAL(1) + (share*(-W_yy - W_zz));
     out.Q[1] = share*(W_xy - w_z);
     out.Q[2] = share*(W_xz + w_y);
     out.Q[3] = share*(W_xy + w_z);
-    out.Q[4] = (share*(-W_xx - W_zz)) + REAL(1);
+    out.Q[4] = REAL(1) + (share*(-W_xx - W_zz));
     out.Q[5] = share*(W_yz - w_x);
     out.Q[6] = share*(W_xz - w_y);
     out.Q[7] = share*(W_yz + w_x);
-    out.Q[8] = (share*(-W_xx - W_yy)) + REAL(1);
+    out.Q[8] = REAL(1) + (share*(-W_xx - W_yy));
     return out;
 }
 

@@ -38,16 +38,121 @@ STEWART_SHARED void subtract_row(
 {
     int j;
     for (j = 0; j < LANES; ++j) {
-        to[j] = to[j] - factor*row[j];
+        to[j] = STEWART_FMA(-factor, row[j], to[j]);
     }
+}
+
+/* Solves [H | c] for x as two blocks of three legs; the first six lanes of the rows A are H. Returns 1
+ * where the digits of another solve are wanted, else 0. */
+STEWART_SHARED stewart_real blocks_of_pose(
+    stewart_real A[6][LANES], const stewart_real wrench[6], stewart_real arm_cube, stewart_real x[6])
+{
+    int l;
+    const stewart_real r_0_0 = STEWART_FMA(-A[2][3], A[1][5], A[1][3]*A[2][5]);
+    const stewart_real r_0_1 = STEWART_FMA(-A[0][3], A[2][5], A[2][3]*A[0][5]);
+    const stewart_real r_0_2 = STEWART_FMA(-A[1][3], A[0][5], A[0][3]*A[1][5]);
+    const stewart_real r_1_0 = STEWART_FMA(-A[2][5], A[1][1], A[1][5]*A[2][1]);
+    const stewart_real r_1_1 = STEWART_FMA(-A[0][5], A[2][1], A[2][5]*A[0][1]);
+    const stewart_real r_1_2 = STEWART_FMA(-A[1][5], A[0][1], A[0][5]*A[1][1]);
+    const stewart_real r_2_0 = STEWART_FMA(-A[2][1], A[1][3], A[1][1]*A[2][3]);
+    const stewart_real r_2_1 = STEWART_FMA(-A[0][1], A[2][3], A[2][1]*A[0][3]);
+    const stewart_real r_2_2 = STEWART_FMA(-A[1][1], A[0][3], A[0][1]*A[1][3]);
+    const stewart_real det = STEWART_FMA(A[2][1], r_0_2, STEWART_FMA(A[1][1], r_0_1, A[0][1]*r_0_0));
+    stewart_real balanced[3][LANES];
+    stewart_real left[3][LANES];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real of_0 = STEWART_FMA(r_0_2, A[2][l], STEWART_FMA(r_0_1, A[1][l], r_0_0*A[0][l]));
+        balanced[0][l] = of_0;
+        const stewart_real of_1 = STEWART_FMA(r_1_2, A[2][l], STEWART_FMA(r_1_1, A[1][l], r_1_0*A[0][l]));
+        balanced[1][l] = of_1;
+        const stewart_real of_2 = STEWART_FMA(r_2_2, A[2][l], STEWART_FMA(r_2_1, A[1][l], r_2_0*A[0][l]));
+        balanced[2][l] = of_2;
+        left[0][l] = STEWART_FMA(-A[3][5], of_2, STEWART_FMA(-A[3][3], of_1, STEWART_FMA(-A[3][1], of_0,
+            det*A[3][l])));
+        left[1][l] = STEWART_FMA(-A[4][5], of_2, STEWART_FMA(-A[4][3], of_1, STEWART_FMA(-A[4][1], of_0,
+            det*A[4][l])));
+        left[2][l] = STEWART_FMA(-A[5][5], of_2, STEWART_FMA(-A[5][3], of_1, STEWART_FMA(-A[5][1], of_0,
+            det*A[5][l])));
+    }
+    const stewart_real e_0_0 = balanced[0][0];
+    const stewart_real w_0_0 = left[0][0];
+    const stewart_real e_0_2 = balanced[0][2];
+    const stewart_real w_0_2 = left[0][2];
+    const stewart_real e_0_4 = balanced[0][4];
+    const stewart_real w_0_4 = left[0][4];
+    const stewart_real e_1_0 = balanced[1][0];
+    const stewart_real w_1_0 = left[1][0];
+    const stewart_real e_1_2 = balanced[1][2];
+    const stewart_real w_1_2 = left[1][2];
+    const stewart_real e_1_4 = balanced[1][4];
+    const stewart_real w_1_4 = left[1][4];
+    const stewart_real e_2_0 = balanced[2][0];
+    const stewart_real w_2_0 = left[2][0];
+    const stewart_real e_2_2 = balanced[2][2];
+    const stewart_real w_2_2 = left[2][2];
+    const stewart_real e_2_4 = balanced[2][4];
+    const stewart_real w_2_4 = left[2][4];
+    const stewart_real e_0_6 = STEWART_FMA(r_0_2, wrench[2], STEWART_FMA(r_0_1, wrench[1],
+        r_0_0*wrench[0]));
+    const stewart_real e_1_6 = STEWART_FMA(r_1_2, wrench[2], STEWART_FMA(r_1_1, wrench[1],
+        r_1_0*wrench[0]));
+    const stewart_real e_2_6 = STEWART_FMA(r_2_2, wrench[2], STEWART_FMA(r_2_1, wrench[1],
+        r_2_0*wrench[0]));
+    const stewart_real w_0_6 = STEWART_FMA(-A[3][5], e_2_6, STEWART_FMA(-A[3][3], e_1_6,
+        STEWART_FMA(-A[3][1], e_0_6, det*wrench[3])));
+    const stewart_real w_1_6 = STEWART_FMA(-A[4][5], e_2_6, STEWART_FMA(-A[4][3], e_1_6,
+        STEWART_FMA(-A[4][1], e_0_6, det*wrench[4])));
+    const stewart_real w_2_6 = STEWART_FMA(-A[5][5], e_2_6, STEWART_FMA(-A[5][3], e_1_6,
+        STEWART_FMA(-A[5][1], e_0_6, det*wrench[5])));
+    const stewart_real u_0_0 = STEWART_FMA(-w_2_2, w_1_4, w_1_2*w_2_4);
+    const stewart_real u_0_1 = STEWART_FMA(-w_0_2, w_2_4, w_2_2*w_0_4);
+    const stewart_real u_0_2 = STEWART_FMA(-w_1_2, w_0_4, w_0_2*w_1_4);
+    const stewart_real u_1_0 = STEWART_FMA(-w_2_4, w_1_0, w_1_4*w_2_0);
+    const stewart_real u_1_1 = STEWART_FMA(-w_0_4, w_2_0, w_2_4*w_0_0);
+    const stewart_real u_1_2 = STEWART_FMA(-w_1_4, w_0_0, w_0_4*w_1_0);
+    const stewart_real u_2_0 = STEWART_FMA(-w_2_0, w_1_2, w_1_0*w_2_2);
+    const stewart_real u_2_1 = STEWART_FMA(-w_0_0, w_2_2, w_2_0*w_0_2);
+    const stewart_real u_2_2 = STEWART_FMA(-w_1_0, w_0_2, w_0_0*w_1_2);
+    const stewart_real rest = STEWART_FMA(w_2_0, u_0_2, STEWART_FMA(w_1_0, u_0_1, w_0_0*u_0_0));
+    const stewart_real square_0 = STEWART_FMA(e_0_4, e_0_4, STEWART_FMA(e_0_2, e_0_2, e_0_0*e_0_0));
+    const stewart_real square_1 = STEWART_FMA(e_1_4, e_1_4, STEWART_FMA(e_1_2, e_1_2, e_1_0*e_1_0));
+    const stewart_real square_2 = STEWART_FMA(e_2_4, e_2_4, STEWART_FMA(e_2_2, e_2_2, e_2_0*e_2_0));
+    const stewart_real det2 = det*det;
+    const stewart_real least = STEWART_LARGER(STEWART_FABS(det)*STEWART_BLOCK_LEAST,
+        STEWART_BLOCK_SINGULAR)*(det2*arm_cube);
+    const stewart_real spread = square_0 + square_1 + square_2;
+    stewart_real weak = spread > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
+    weak = STEWART_FABS(rest) <= least ? REAL(1) : weak;
+    const stewart_real inverse_det = REAL(1)/det;
+    const stewart_real inverse_rest = REAL(1)/rest;
+    x[0] = STEWART_FMA(u_0_2, w_2_6, STEWART_FMA(u_0_1, w_1_6, u_0_0*w_0_6))*inverse_rest;
+    x[2] = STEWART_FMA(u_1_2, w_2_6, STEWART_FMA(u_1_1, w_1_6, u_1_0*w_0_6))*inverse_rest;
+    x[4] = STEWART_FMA(u_2_2, w_2_6, STEWART_FMA(u_2_1, w_1_6, u_2_0*w_0_6))*inverse_rest;
+    x[1] = STEWART_FMA(-e_0_4, x[4], STEWART_FMA(-e_0_2, x[2], STEWART_FMA(-e_0_0, x[0],
+        e_0_6)))*inverse_det;
+    x[3] = STEWART_FMA(-e_1_4, x[4], STEWART_FMA(-e_1_2, x[2], STEWART_FMA(-e_1_0, x[0],
+        e_1_6)))*inverse_det;
+    x[5] = STEWART_FMA(-e_2_4, x[4], STEWART_FMA(-e_2_2, x[2], STEWART_FMA(-e_2_0, x[0],
+        e_2_6)))*inverse_det;
+    return weak;
 }
 
 /* Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
  * updated, so that a row is one vector, and the next column is known before the rows that hold it are
  * stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column
  * has no moment rows. */
-STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
+STEWART_APART STEWART_SHARED int pivots_of_pose(
+    stewart_real H[6][LANES], const stewart_real wrench[6], stewart_real x[6])
 {
+    int i, l;
+    stewart_real A[6][LANES];
+    for (i = 0; i < 6; ++i) {
+        for (l = 0; l < LANES; ++l) {
+            A[i][l] = H[i][l];
+        }
+        A[i][6] = wrench[i];
+        A[i][7] = REAL(0);
+    }
     stewart_real a_0 = A[0][0], a_1 = A[1][0], a_2 = A[2][0];
     if (STEWART_FABS(a_1) > STEWART_FABS(a_0)) {
         const stewart_real moved = a_0;
@@ -64,8 +169,8 @@ STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     const stewart_real inverse_0 = REAL(1)/a_0;
     const stewart_real factor_1_0 = a_1*inverse_0;
     const stewart_real factor_2_0 = a_2*inverse_0;
-    a_1 = A[1][1] - factor_1_0*A[0][1];
-    a_2 = A[2][1] - factor_2_0*A[0][1];
+    a_1 = STEWART_FMA(-factor_1_0, A[0][1], A[1][1]);
+    a_2 = STEWART_FMA(-factor_2_0, A[0][1], A[2][1]);
     stewart_real a_3 = A[3][1], a_4 = A[4][1], a_5 = A[5][1];
     subtract_row(A[1], factor_1_0, A[0]);
     subtract_row(A[2], factor_2_0, A[0]);
@@ -98,10 +203,10 @@ STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     const stewart_real factor_3_1 = a_3*inverse_1;
     const stewart_real factor_4_1 = a_4*inverse_1;
     const stewart_real factor_5_1 = a_5*inverse_1;
-    a_2 = A[2][2] - factor_2_1*A[1][2];
-    a_3 = A[3][2] - factor_3_1*A[1][2];
-    a_4 = A[4][2] - factor_4_1*A[1][2];
-    a_5 = A[5][2] - factor_5_1*A[1][2];
+    a_2 = STEWART_FMA(-factor_2_1, A[1][2], A[2][2]);
+    a_3 = STEWART_FMA(-factor_3_1, A[1][2], A[3][2]);
+    a_4 = STEWART_FMA(-factor_4_1, A[1][2], A[4][2]);
+    a_5 = STEWART_FMA(-factor_5_1, A[1][2], A[5][2]);
     subtract_row(A[2], factor_2_1, A[1]);
     subtract_row(A[3], factor_3_1, A[1]);
     subtract_row(A[4], factor_4_1, A[1]);
@@ -128,9 +233,9 @@ STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     const stewart_real factor_3_2 = a_3*inverse_2;
     const stewart_real factor_4_2 = a_4*inverse_2;
     const stewart_real factor_5_2 = a_5*inverse_2;
-    a_3 = A[3][3] - factor_3_2*A[2][3];
-    a_4 = A[4][3] - factor_4_2*A[2][3];
-    a_5 = A[5][3] - factor_5_2*A[2][3];
+    a_3 = STEWART_FMA(-factor_3_2, A[2][3], A[3][3]);
+    a_4 = STEWART_FMA(-factor_4_2, A[2][3], A[4][3]);
+    a_5 = STEWART_FMA(-factor_5_2, A[2][3], A[5][3]);
     subtract_row(A[3], factor_3_2, A[2]);
     subtract_row(A[4], factor_4_2, A[2]);
     subtract_row(A[5], factor_5_2, A[2]);
@@ -149,8 +254,8 @@ STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     const stewart_real inverse_3 = REAL(1)/a_3;
     const stewart_real factor_4_3 = a_4*inverse_3;
     const stewart_real factor_5_3 = a_5*inverse_3;
-    a_4 = A[4][4] - factor_4_3*A[3][4];
-    a_5 = A[5][4] - factor_5_3*A[3][4];
+    a_4 = STEWART_FMA(-factor_4_3, A[3][4], A[4][4]);
+    a_5 = STEWART_FMA(-factor_5_3, A[3][4], A[5][4]);
     subtract_row(A[4], factor_4_3, A[3]);
     subtract_row(A[5], factor_5_3, A[3]);
     if (STEWART_FABS(a_5) > STEWART_FABS(a_4)) {
@@ -161,57 +266,195 @@ STEWART_SHARED int solve_pose(stewart_real A[6][LANES], stewart_real x[6])
     }
     const stewart_real inverse_4 = REAL(1)/a_4;
     const stewart_real factor_5_4 = a_5*inverse_4;
-    a_5 = A[5][5] - factor_5_4*A[4][5];
+    a_5 = STEWART_FMA(-factor_5_4, A[4][5], A[5][5]);
     subtract_row(A[5], factor_5_4, A[4]);
     const stewart_real total_5 = A[5][6];
     x[5] = total_5/a_5;
     stewart_real total_4 = A[4][6];
-    total_4 = total_4 - A[4][5]*x[5];
+    total_4 = STEWART_FMA(-A[4][5], x[5], total_4);
     x[4] = total_4*inverse_4;
     stewart_real total_3 = A[3][6];
-    total_3 = total_3 - A[3][4]*x[4];
-    total_3 = total_3 - A[3][5]*x[5];
+    total_3 = STEWART_FMA(-A[3][4], x[4], total_3);
+    total_3 = STEWART_FMA(-A[3][5], x[5], total_3);
     x[3] = total_3*inverse_3;
     stewart_real total_2 = A[2][6];
-    total_2 = total_2 - A[2][3]*x[3];
-    total_2 = total_2 - A[2][4]*x[4];
-    total_2 = total_2 - A[2][5]*x[5];
+    total_2 = STEWART_FMA(-A[2][3], x[3], total_2);
+    total_2 = STEWART_FMA(-A[2][4], x[4], total_2);
+    total_2 = STEWART_FMA(-A[2][5], x[5], total_2);
     x[2] = total_2*inverse_2;
     stewart_real total_1 = A[1][6];
-    total_1 = total_1 - A[1][2]*x[2];
-    total_1 = total_1 - A[1][3]*x[3];
-    total_1 = total_1 - A[1][4]*x[4];
-    total_1 = total_1 - A[1][5]*x[5];
+    total_1 = STEWART_FMA(-A[1][2], x[2], total_1);
+    total_1 = STEWART_FMA(-A[1][3], x[3], total_1);
+    total_1 = STEWART_FMA(-A[1][4], x[4], total_1);
+    total_1 = STEWART_FMA(-A[1][5], x[5], total_1);
     x[1] = total_1*inverse_1;
     stewart_real total_0 = A[0][6];
-    total_0 = total_0 - A[0][1]*x[1];
-    total_0 = total_0 - A[0][2]*x[2];
-    total_0 = total_0 - A[0][3]*x[3];
-    total_0 = total_0 - A[0][4]*x[4];
-    total_0 = total_0 - A[0][5]*x[5];
+    total_0 = STEWART_FMA(-A[0][1], x[1], total_0);
+    total_0 = STEWART_FMA(-A[0][2], x[2], total_0);
+    total_0 = STEWART_FMA(-A[0][3], x[3], total_0);
+    total_0 = STEWART_FMA(-A[0][4], x[4], total_0);
+    total_0 = STEWART_FMA(-A[0][5], x[5], total_0);
     x[0] = total_0*inverse_0;
     return (STEWART_FABS(a_0) > STEWART_SUSPECT && STEWART_FABS(a_1) > STEWART_SUSPECT && STEWART_FABS(a_2) > STEWART_SUSPECT
         && STEWART_FABS(a_3) > STEWART_SUSPECT && STEWART_FABS(a_4) > STEWART_SUSPECT && STEWART_FABS(a_5) > STEWART_SUSPECT)
         ? 0 : 1;
 }
 
+/* Solves [H | c] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0. */
+STEWART_SHARED int solve_pose(
+    stewart_real A[6][LANES], const stewart_real wrench[6], stewart_real arm_cube, stewart_real x[6])
+{
+    int suspect = 0;
+    const stewart_real wanted = blocks_of_pose(A, wrench, arm_cube, x);
+    if (wanted > REAL(0)) {
+        suspect = pivots_of_pose(A, wrench, x);
+    }
+    return suspect;
+}
+
 /* Takes the moments of the rows [H | c] over a length. */
-STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real per_length)
+STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real wrench[6], stewart_real per_length)
 {
     int i, j;
     for (i = 3; i < 6; ++i) {
+        wrench[i] = wrench[i]*per_length;
         for (j = 0; j < LANES; ++j) {
             A[i][j] = A[i][j]*per_length;
         }
     }
 }
 
-/* Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and F = D
- * - x, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place by
- * exchanges that a lane makes or leaves. Marks as bad where a pivot is small or a force not finite. */
-STEWART_APART STEWART_SHARED STEWART_NO_COPY void solve_block(
+/* Solves eight systems [H | c] side by side for x as two blocks of three legs, (36), and F = D - x,
+ * (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where
+ * the digits of another solve are. */
+STEWART_APART STEWART_SHARED STEWART_NO_COPY void blocks_of_lanes(
     stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
-    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad)
+    stewart_real arm_cube, stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad,
+    stewart_real *STEWART_RESTRICT wanted)
+{
+    int l;
+    (void)D;
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real a_0_0 = column[0][0][l], a_0_1 = column[1][0][l], a_0_2 = column[2][0][l], a_0_3 = column[3][0][l],
+            a_0_4 = column[4][0][l], a_0_5 = column[5][0][l], a_0_6 = column[6][0][l], a_1_0 = column[0][1][l],
+            a_1_1 = column[1][1][l], a_1_2 = column[2][1][l], a_1_3 = column[3][1][l], a_1_4 = column[4][1][l],
+            a_1_5 = column[5][1][l], a_1_6 = column[6][1][l], a_2_0 = column[0][2][l], a_2_1 = column[1][2][l],
+            a_2_2 = column[2][2][l], a_2_3 = column[3][2][l], a_2_4 = column[4][2][l], a_2_5 = column[5][2][l],
+            a_2_6 = column[6][2][l], a_3_1 = column[1][3][l], a_3_2 = column[2][3][l], a_3_3 = column[3][3][l],
+            a_3_4 = column[4][3][l], a_3_5 = column[5][3][l], a_3_6 = column[6][3][l], a_4_1 = column[1][4][l],
+            a_4_2 = column[2][4][l], a_4_3 = column[3][4][l], a_4_4 = column[4][4][l], a_4_5 = column[5][4][l],
+            a_4_6 = column[6][4][l], a_5_1 = column[1][5][l], a_5_2 = column[2][5][l], a_5_3 = column[3][5][l],
+            a_5_4 = column[4][5][l], a_5_5 = column[5][5][l], a_5_6 = column[6][5][l];
+        stewart_real fault = bad[l];
+        const stewart_real r_0_0 = STEWART_FMA(-a_2_3, a_1_5, a_1_3*a_2_5);
+        const stewart_real r_0_1 = STEWART_FMA(-a_0_3, a_2_5, a_2_3*a_0_5);
+        const stewart_real r_0_2 = STEWART_FMA(-a_1_3, a_0_5, a_0_3*a_1_5);
+        const stewart_real r_1_0 = STEWART_FMA(-a_2_5, a_1_1, a_1_5*a_2_1);
+        const stewart_real r_1_1 = STEWART_FMA(-a_0_5, a_2_1, a_2_5*a_0_1);
+        const stewart_real r_1_2 = STEWART_FMA(-a_1_5, a_0_1, a_0_5*a_1_1);
+        const stewart_real r_2_0 = STEWART_FMA(-a_2_1, a_1_3, a_1_1*a_2_3);
+        const stewart_real r_2_1 = STEWART_FMA(-a_0_1, a_2_3, a_2_1*a_0_3);
+        const stewart_real r_2_2 = STEWART_FMA(-a_1_1, a_0_3, a_0_1*a_1_3);
+        const stewart_real det = STEWART_FMA(a_2_1, r_0_2, STEWART_FMA(a_1_1, r_0_1, a_0_1*r_0_0));
+        const stewart_real e_0_0 = STEWART_FMA(r_0_2, a_2_0, STEWART_FMA(r_0_1, a_1_0, r_0_0*a_0_0));
+        const stewart_real e_1_0 = STEWART_FMA(r_1_2, a_2_0, STEWART_FMA(r_1_1, a_1_0, r_1_0*a_0_0));
+        const stewart_real e_2_0 = STEWART_FMA(r_2_2, a_2_0, STEWART_FMA(r_2_1, a_1_0, r_2_0*a_0_0));
+        const stewart_real own_0_0 = (-a_3_1)*e_0_0;
+        const stewart_real w_0_0 = STEWART_FMA(-a_3_5, e_2_0, STEWART_FMA(-a_3_3, e_1_0, own_0_0));
+        const stewart_real own_1_0 = (-a_4_1)*e_0_0;
+        const stewart_real w_1_0 = STEWART_FMA(-a_4_5, e_2_0, STEWART_FMA(-a_4_3, e_1_0, own_1_0));
+        const stewart_real own_2_0 = (-a_5_1)*e_0_0;
+        const stewart_real w_2_0 = STEWART_FMA(-a_5_5, e_2_0, STEWART_FMA(-a_5_3, e_1_0, own_2_0));
+        const stewart_real e_0_2 = STEWART_FMA(r_0_2, a_2_2, STEWART_FMA(r_0_1, a_1_2, r_0_0*a_0_2));
+        const stewart_real e_1_2 = STEWART_FMA(r_1_2, a_2_2, STEWART_FMA(r_1_1, a_1_2, r_1_0*a_0_2));
+        const stewart_real e_2_2 = STEWART_FMA(r_2_2, a_2_2, STEWART_FMA(r_2_1, a_1_2, r_2_0*a_0_2));
+        const stewart_real own_0_2 = STEWART_FMA(-a_3_1, e_0_2, det*a_3_2);
+        const stewart_real w_0_2 = STEWART_FMA(-a_3_5, e_2_2, STEWART_FMA(-a_3_3, e_1_2, own_0_2));
+        const stewart_real own_1_2 = STEWART_FMA(-a_4_1, e_0_2, det*a_4_2);
+        const stewart_real w_1_2 = STEWART_FMA(-a_4_5, e_2_2, STEWART_FMA(-a_4_3, e_1_2, own_1_2));
+        const stewart_real own_2_2 = STEWART_FMA(-a_5_1, e_0_2, det*a_5_2);
+        const stewart_real w_2_2 = STEWART_FMA(-a_5_5, e_2_2, STEWART_FMA(-a_5_3, e_1_2, own_2_2));
+        const stewart_real e_0_4 = STEWART_FMA(r_0_2, a_2_4, STEWART_FMA(r_0_1, a_1_4, r_0_0*a_0_4));
+        const stewart_real e_1_4 = STEWART_FMA(r_1_2, a_2_4, STEWART_FMA(r_1_1, a_1_4, r_1_0*a_0_4));
+        const stewart_real e_2_4 = STEWART_FMA(r_2_2, a_2_4, STEWART_FMA(r_2_1, a_1_4, r_2_0*a_0_4));
+        const stewart_real own_0_4 = STEWART_FMA(-a_3_1, e_0_4, det*a_3_4);
+        const stewart_real w_0_4 = STEWART_FMA(-a_3_5, e_2_4, STEWART_FMA(-a_3_3, e_1_4, own_0_4));
+        const stewart_real own_1_4 = STEWART_FMA(-a_4_1, e_0_4, det*a_4_4);
+        const stewart_real w_1_4 = STEWART_FMA(-a_4_5, e_2_4, STEWART_FMA(-a_4_3, e_1_4, own_1_4));
+        const stewart_real own_2_4 = STEWART_FMA(-a_5_1, e_0_4, det*a_5_4);
+        const stewart_real w_2_4 = STEWART_FMA(-a_5_5, e_2_4, STEWART_FMA(-a_5_3, e_1_4, own_2_4));
+        const stewart_real e_0_6 = STEWART_FMA(r_0_2, a_2_6, STEWART_FMA(r_0_1, a_1_6, r_0_0*a_0_6));
+        const stewart_real e_1_6 = STEWART_FMA(r_1_2, a_2_6, STEWART_FMA(r_1_1, a_1_6, r_1_0*a_0_6));
+        const stewart_real e_2_6 = STEWART_FMA(r_2_2, a_2_6, STEWART_FMA(r_2_1, a_1_6, r_2_0*a_0_6));
+        const stewart_real own_0_6 = STEWART_FMA(-a_3_1, e_0_6, det*a_3_6);
+        const stewart_real w_0_6 = STEWART_FMA(-a_3_5, e_2_6, STEWART_FMA(-a_3_3, e_1_6, own_0_6));
+        const stewart_real own_1_6 = STEWART_FMA(-a_4_1, e_0_6, det*a_4_6);
+        const stewart_real w_1_6 = STEWART_FMA(-a_4_5, e_2_6, STEWART_FMA(-a_4_3, e_1_6, own_1_6));
+        const stewart_real own_2_6 = STEWART_FMA(-a_5_1, e_0_6, det*a_5_6);
+        const stewart_real w_2_6 = STEWART_FMA(-a_5_5, e_2_6, STEWART_FMA(-a_5_3, e_1_6, own_2_6));
+        const stewart_real u_0_0 = STEWART_FMA(-w_2_2, w_1_4, w_1_2*w_2_4);
+        const stewart_real u_0_1 = STEWART_FMA(-w_0_2, w_2_4, w_2_2*w_0_4);
+        const stewart_real u_0_2 = STEWART_FMA(-w_1_2, w_0_4, w_0_2*w_1_4);
+        const stewart_real u_1_0 = STEWART_FMA(-w_2_4, w_1_0, w_1_4*w_2_0);
+        const stewart_real u_1_1 = STEWART_FMA(-w_0_4, w_2_0, w_2_4*w_0_0);
+        const stewart_real u_1_2 = STEWART_FMA(-w_1_4, w_0_0, w_0_4*w_1_0);
+        const stewart_real u_2_0 = STEWART_FMA(-w_2_0, w_1_2, w_1_0*w_2_2);
+        const stewart_real u_2_1 = STEWART_FMA(-w_0_0, w_2_2, w_2_0*w_0_2);
+        const stewart_real u_2_2 = STEWART_FMA(-w_1_0, w_0_2, w_0_0*w_1_2);
+        const stewart_real rest = STEWART_FMA(w_2_0, u_0_2, STEWART_FMA(w_1_0, u_0_1, w_0_0*u_0_0));
+        const stewart_real square_0 = STEWART_FMA(e_0_4, e_0_4, STEWART_FMA(e_0_2, e_0_2, e_0_0*e_0_0));
+        const stewart_real square_1 = STEWART_FMA(e_1_4, e_1_4, STEWART_FMA(e_1_2, e_1_2, e_1_0*e_1_0));
+        const stewart_real square_2 = STEWART_FMA(e_2_4, e_2_4, STEWART_FMA(e_2_2, e_2_2, e_2_0*e_2_0));
+        const stewart_real det2 = det*det;
+        const stewart_real least = STEWART_LARGER(STEWART_FABS(det)*STEWART_BLOCK_LEAST,
+            STEWART_BLOCK_SINGULAR)*(det2*arm_cube);
+        const stewart_real spread = square_0 + square_1 + square_2;
+        stewart_real weak = spread > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
+        weak = STEWART_FABS(rest) <= least ? REAL(1) : weak;
+        const stewart_real inverse_det = REAL(1)/det;
+        const stewart_real inverse_rest = REAL(1)/rest;
+        const stewart_real x_0 = STEWART_FMA(u_0_2, w_2_6, STEWART_FMA(u_0_1, w_1_6,
+            u_0_0*w_0_6))*inverse_rest;
+        const stewart_real x_2 = STEWART_FMA(u_1_2, w_2_6, STEWART_FMA(u_1_1, w_1_6,
+            u_1_0*w_0_6))*inverse_rest;
+        const stewart_real x_4 = STEWART_FMA(u_2_2, w_2_6, STEWART_FMA(u_2_1, w_1_6,
+            u_2_0*w_0_6))*inverse_rest;
+        const stewart_real x_1 = STEWART_FMA(-e_0_4, x_4, STEWART_FMA(-e_0_2, x_2, STEWART_FMA(-e_0_0, x_0,
+            e_0_6)))*inverse_det;
+        const stewart_real x_3 = STEWART_FMA(-e_1_4, x_4, STEWART_FMA(-e_1_2, x_2, STEWART_FMA(-e_1_0, x_0,
+            e_1_6)))*inverse_det;
+        const stewart_real x_5 = STEWART_FMA(-e_2_4, x_4, STEWART_FMA(-e_2_2, x_2, STEWART_FMA(-e_2_0, x_0,
+            e_2_6)))*inverse_det;
+        const stewart_real force_0 = STEWART_FORCE(D[0][l], x_0);
+        fault = STEWART_FABS(force_0) <= STEWART_MAX ? fault : REAL(1);
+        F[0][l] = force_0;
+        const stewart_real force_1 = STEWART_FORCE(D[1][l], x_1);
+        fault = STEWART_FABS(force_1) <= STEWART_MAX ? fault : REAL(1);
+        F[1][l] = force_1;
+        const stewart_real force_2 = STEWART_FORCE(D[2][l], x_2);
+        fault = STEWART_FABS(force_2) <= STEWART_MAX ? fault : REAL(1);
+        F[2][l] = force_2;
+        const stewart_real force_3 = STEWART_FORCE(D[3][l], x_3);
+        fault = STEWART_FABS(force_3) <= STEWART_MAX ? fault : REAL(1);
+        F[3][l] = force_3;
+        const stewart_real force_4 = STEWART_FORCE(D[4][l], x_4);
+        fault = STEWART_FABS(force_4) <= STEWART_MAX ? fault : REAL(1);
+        F[4][l] = force_4;
+        const stewart_real force_5 = STEWART_FORCE(D[5][l], x_5);
+        fault = STEWART_FABS(force_5) <= STEWART_MAX ? fault : REAL(1);
+        F[5][l] = force_5;
+        bad[l] = weak > REAL(0) ? bad[l] : fault;
+        wanted[l] = weak;
+    }
+}
+
+/* The same by elimination with partial pivoting, where it is wanted. The row with the largest entry
+ * sinks to its place by exchanges that a lane makes or leaves. Marks as bad where a pivot is small as
+ * well. */
+STEWART_APART STEWART_SHARED STEWART_NO_COPY void pivots_of_lanes(
+    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
+    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad,
+    const stewart_real *STEWART_RESTRICT wanted)
 {
     int l;
     (void)D;
@@ -274,19 +517,19 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void solve_block(
         fault = STEWART_FABS(a_0_0) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse_0 = REAL(1)/a_0_0;
         const stewart_real factor_1_0 = a_1_0*inverse_0;
-        a_1_1 = a_1_1 - factor_1_0*a_0_1;
-        a_1_2 = a_1_2 - factor_1_0*a_0_2;
-        a_1_3 = a_1_3 - factor_1_0*a_0_3;
-        a_1_4 = a_1_4 - factor_1_0*a_0_4;
-        a_1_5 = a_1_5 - factor_1_0*a_0_5;
-        a_1_6 = a_1_6 - factor_1_0*a_0_6;
+        a_1_1 = STEWART_FMA(-factor_1_0, a_0_1, a_1_1);
+        a_1_2 = STEWART_FMA(-factor_1_0, a_0_2, a_1_2);
+        a_1_3 = STEWART_FMA(-factor_1_0, a_0_3, a_1_3);
+        a_1_4 = STEWART_FMA(-factor_1_0, a_0_4, a_1_4);
+        a_1_5 = STEWART_FMA(-factor_1_0, a_0_5, a_1_5);
+        a_1_6 = STEWART_FMA(-factor_1_0, a_0_6, a_1_6);
         const stewart_real factor_2_0 = a_2_0*inverse_0;
-        a_2_1 = a_2_1 - factor_2_0*a_0_1;
-        a_2_2 = a_2_2 - factor_2_0*a_0_2;
-        a_2_3 = a_2_3 - factor_2_0*a_0_3;
-        a_2_4 = a_2_4 - factor_2_0*a_0_4;
-        a_2_5 = a_2_5 - factor_2_0*a_0_5;
-        a_2_6 = a_2_6 - factor_2_0*a_0_6;
+        a_2_1 = STEWART_FMA(-factor_2_0, a_0_1, a_2_1);
+        a_2_2 = STEWART_FMA(-factor_2_0, a_0_2, a_2_2);
+        a_2_3 = STEWART_FMA(-factor_2_0, a_0_3, a_2_3);
+        a_2_4 = STEWART_FMA(-factor_2_0, a_0_4, a_2_4);
+        a_2_5 = STEWART_FMA(-factor_2_0, a_0_5, a_2_5);
+        a_2_6 = STEWART_FMA(-factor_2_0, a_0_6, a_2_6);
         const stewart_real below_2_1 = STEWART_FABS(a_2_1) > STEWART_FABS(a_1_1) ? REAL(1) : REAL(0);
         const stewart_real above_1_1_2 = below_2_1 > REAL(0) ? a_2_1 : a_1_1;
         a_2_1 = below_2_1 > REAL(0) ? a_1_1 : a_2_1;
@@ -366,29 +609,29 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void solve_block(
         fault = STEWART_FABS(a_1_1) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse_1 = REAL(1)/a_1_1;
         const stewart_real factor_2_1 = a_2_1*inverse_1;
-        a_2_2 = a_2_2 - factor_2_1*a_1_2;
-        a_2_3 = a_2_3 - factor_2_1*a_1_3;
-        a_2_4 = a_2_4 - factor_2_1*a_1_4;
-        a_2_5 = a_2_5 - factor_2_1*a_1_5;
-        a_2_6 = a_2_6 - factor_2_1*a_1_6;
+        a_2_2 = STEWART_FMA(-factor_2_1, a_1_2, a_2_2);
+        a_2_3 = STEWART_FMA(-factor_2_1, a_1_3, a_2_3);
+        a_2_4 = STEWART_FMA(-factor_2_1, a_1_4, a_2_4);
+        a_2_5 = STEWART_FMA(-factor_2_1, a_1_5, a_2_5);
+        a_2_6 = STEWART_FMA(-factor_2_1, a_1_6, a_2_6);
         const stewart_real factor_3_1 = a_3_1*inverse_1;
-        a_3_2 = a_3_2 - factor_3_1*a_1_2;
-        a_3_3 = a_3_3 - factor_3_1*a_1_3;
-        a_3_4 = a_3_4 - factor_3_1*a_1_4;
-        a_3_5 = a_3_5 - factor_3_1*a_1_5;
-        a_3_6 = a_3_6 - factor_3_1*a_1_6;
+        a_3_2 = STEWART_FMA(-factor_3_1, a_1_2, a_3_2);
+        a_3_3 = STEWART_FMA(-factor_3_1, a_1_3, a_3_3);
+        a_3_4 = STEWART_FMA(-factor_3_1, a_1_4, a_3_4);
+        a_3_5 = STEWART_FMA(-factor_3_1, a_1_5, a_3_5);
+        a_3_6 = STEWART_FMA(-factor_3_1, a_1_6, a_3_6);
         const stewart_real factor_4_1 = a_4_1*inverse_1;
-        a_4_2 = a_4_2 - factor_4_1*a_1_2;
-        a_4_3 = a_4_3 - factor_4_1*a_1_3;
-        a_4_4 = a_4_4 - factor_4_1*a_1_4;
-        a_4_5 = a_4_5 - factor_4_1*a_1_5;
-        a_4_6 = a_4_6 - factor_4_1*a_1_6;
+        a_4_2 = STEWART_FMA(-factor_4_1, a_1_2, a_4_2);
+        a_4_3 = STEWART_FMA(-factor_4_1, a_1_3, a_4_3);
+        a_4_4 = STEWART_FMA(-factor_4_1, a_1_4, a_4_4);
+        a_4_5 = STEWART_FMA(-factor_4_1, a_1_5, a_4_5);
+        a_4_6 = STEWART_FMA(-factor_4_1, a_1_6, a_4_6);
         const stewart_real factor_5_1 = a_5_1*inverse_1;
-        a_5_2 = a_5_2 - factor_5_1*a_1_2;
-        a_5_3 = a_5_3 - factor_5_1*a_1_3;
-        a_5_4 = a_5_4 - factor_5_1*a_1_4;
-        a_5_5 = a_5_5 - factor_5_1*a_1_5;
-        a_5_6 = a_5_6 - factor_5_1*a_1_6;
+        a_5_2 = STEWART_FMA(-factor_5_1, a_1_2, a_5_2);
+        a_5_3 = STEWART_FMA(-factor_5_1, a_1_3, a_5_3);
+        a_5_4 = STEWART_FMA(-factor_5_1, a_1_4, a_5_4);
+        a_5_5 = STEWART_FMA(-factor_5_1, a_1_5, a_5_5);
+        a_5_6 = STEWART_FMA(-factor_5_1, a_1_6, a_5_6);
         const stewart_real below_3_2 = STEWART_FABS(a_3_2) > STEWART_FABS(a_2_2) ? REAL(1) : REAL(0);
         const stewart_real above_2_2_3 = below_3_2 > REAL(0) ? a_3_2 : a_2_2;
         a_3_2 = below_3_2 > REAL(0) ? a_2_2 : a_3_2;
@@ -440,20 +683,20 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void solve_block(
         fault = STEWART_FABS(a_2_2) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse_2 = REAL(1)/a_2_2;
         const stewart_real factor_3_2 = a_3_2*inverse_2;
-        a_3_3 = a_3_3 - factor_3_2*a_2_3;
-        a_3_4 = a_3_4 - factor_3_2*a_2_4;
-        a_3_5 = a_3_5 - factor_3_2*a_2_5;
-        a_3_6 = a_3_6 - factor_3_2*a_2_6;
+        a_3_3 = STEWART_FMA(-factor_3_2, a_2_3, a_3_3);
+        a_3_4 = STEWART_FMA(-factor_3_2, a_2_4, a_3_4);
+        a_3_5 = STEWART_FMA(-factor_3_2, a_2_5, a_3_5);
+        a_3_6 = STEWART_FMA(-factor_3_2, a_2_6, a_3_6);
         const stewart_real factor_4_2 = a_4_2*inverse_2;
-        a_4_3 = a_4_3 - factor_4_2*a_2_3;
-        a_4_4 = a_4_4 - factor_4_2*a_2_4;
-        a_4_5 = a_4_5 - factor_4_2*a_2_5;
-        a_4_6 = a_4_6 - factor_4_2*a_2_6;
+        a_4_3 = STEWART_FMA(-factor_4_2, a_2_3, a_4_3);
+        a_4_4 = STEWART_FMA(-factor_4_2, a_2_4, a_4_4);
+        a_4_5 = STEWART_FMA(-factor_4_2, a_2_5, a_4_5);
+        a_4_6 = STEWART_FMA(-factor_4_2, a_2_6, a_4_6);
         const stewart_real factor_5_2 = a_5_2*inverse_2;
-        a_5_3 = a_5_3 - factor_5_2*a_2_3;
-        a_5_4 = a_5_4 - factor_5_2*a_2_4;
-        a_5_5 = a_5_5 - factor_5_2*a_2_5;
-        a_5_6 = a_5_6 - factor_5_2*a_2_6;
+        a_5_3 = STEWART_FMA(-factor_5_2, a_2_3, a_5_3);
+        a_5_4 = STEWART_FMA(-factor_5_2, a_2_4, a_5_4);
+        a_5_5 = STEWART_FMA(-factor_5_2, a_2_5, a_5_5);
+        a_5_6 = STEWART_FMA(-factor_5_2, a_2_6, a_5_6);
         const stewart_real below_4_3 = STEWART_FABS(a_4_3) > STEWART_FABS(a_3_3) ? REAL(1) : REAL(0);
         const stewart_real above_3_3_4 = below_4_3 > REAL(0) ? a_4_3 : a_3_3;
         a_4_3 = below_4_3 > REAL(0) ? a_3_3 : a_4_3;
@@ -483,13 +726,13 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void solve_block(
         fault = STEWART_FABS(a_3_3) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse_3 = REAL(1)/a_3_3;
         const stewart_real factor_4_3 = a_4_3*inverse_3;
-        a_4_4 = a_4_4 - factor_4_3*a_3_4;
-        a_4_5 = a_4_5 - factor_4_3*a_3_5;
-        a_4_6 = a_4_6 - factor_4_3*a_3_6;
+        a_4_4 = STEWART_FMA(-factor_4_3, a_3_4, a_4_4);
+        a_4_5 = STEWART_FMA(-factor_4_3, a_3_5, a_4_5);
+        a_4_6 = STEWART_FMA(-factor_4_3, a_3_6, a_4_6);
         const stewart_real factor_5_3 = a_5_3*inverse_3;
-        a_5_4 = a_5_4 - factor_5_3*a_3_4;
-        a_5_5 = a_5_5 - factor_5_3*a_3_5;
-        a_5_6 = a_5_6 - factor_5_3*a_3_6;
+        a_5_4 = STEWART_FMA(-factor_5_3, a_3_4, a_5_4);
+        a_5_5 = STEWART_FMA(-factor_5_3, a_3_5, a_5_5);
+        a_5_6 = STEWART_FMA(-factor_5_3, a_3_6, a_5_6);
         const stewart_real below_5_4 = STEWART_FABS(a_5_4) > STEWART_FABS(a_4_4) ? REAL(1) : REAL(0);
         const stewart_real above_4_4_5 = below_5_4 > REAL(0) ? a_5_4 : a_4_4;
         a_5_4 = below_5_4 > REAL(0) ? a_4_4 : a_5_4;
@@ -503,55 +746,73 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void solve_block(
         fault = STEWART_FABS(a_4_4) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real inverse_4 = REAL(1)/a_4_4;
         const stewart_real factor_5_4 = a_5_4*inverse_4;
-        a_5_5 = a_5_5 - factor_5_4*a_4_5;
-        a_5_6 = a_5_6 - factor_5_4*a_4_6;
+        a_5_5 = STEWART_FMA(-factor_5_4, a_4_5, a_5_5);
+        a_5_6 = STEWART_FMA(-factor_5_4, a_4_6, a_5_6);
         fault = STEWART_FABS(a_5_5) > STEWART_SUSPECT ? fault : REAL(1);
         const stewart_real total_5 = a_5_6;
         const stewart_real x_5 = total_5/a_5_5;
         stewart_real total_4 = a_4_6;
-        total_4 = total_4 - a_4_5*x_5;
+        total_4 = STEWART_FMA(-a_4_5, x_5, total_4);
         const stewart_real x_4 = total_4*inverse_4;
         stewart_real total_3 = a_3_6;
-        total_3 = total_3 - a_3_4*x_4;
-        total_3 = total_3 - a_3_5*x_5;
+        total_3 = STEWART_FMA(-a_3_4, x_4, total_3);
+        total_3 = STEWART_FMA(-a_3_5, x_5, total_3);
         const stewart_real x_3 = total_3*inverse_3;
         stewart_real total_2 = a_2_6;
-        total_2 = total_2 - a_2_3*x_3;
-        total_2 = total_2 - a_2_4*x_4;
-        total_2 = total_2 - a_2_5*x_5;
+        total_2 = STEWART_FMA(-a_2_3, x_3, total_2);
+        total_2 = STEWART_FMA(-a_2_4, x_4, total_2);
+        total_2 = STEWART_FMA(-a_2_5, x_5, total_2);
         const stewart_real x_2 = total_2*inverse_2;
         stewart_real total_1 = a_1_6;
-        total_1 = total_1 - a_1_2*x_2;
-        total_1 = total_1 - a_1_3*x_3;
-        total_1 = total_1 - a_1_4*x_4;
-        total_1 = total_1 - a_1_5*x_5;
+        total_1 = STEWART_FMA(-a_1_2, x_2, total_1);
+        total_1 = STEWART_FMA(-a_1_3, x_3, total_1);
+        total_1 = STEWART_FMA(-a_1_4, x_4, total_1);
+        total_1 = STEWART_FMA(-a_1_5, x_5, total_1);
         const stewart_real x_1 = total_1*inverse_1;
         stewart_real total_0 = a_0_6;
-        total_0 = total_0 - a_0_1*x_1;
-        total_0 = total_0 - a_0_2*x_2;
-        total_0 = total_0 - a_0_3*x_3;
-        total_0 = total_0 - a_0_4*x_4;
-        total_0 = total_0 - a_0_5*x_5;
+        total_0 = STEWART_FMA(-a_0_1, x_1, total_0);
+        total_0 = STEWART_FMA(-a_0_2, x_2, total_0);
+        total_0 = STEWART_FMA(-a_0_3, x_3, total_0);
+        total_0 = STEWART_FMA(-a_0_4, x_4, total_0);
+        total_0 = STEWART_FMA(-a_0_5, x_5, total_0);
         const stewart_real x_0 = total_0*inverse_0;
         const stewart_real force_0 = STEWART_FORCE(D[0][l], x_0);
         fault = STEWART_FABS(force_0) <= STEWART_MAX ? fault : REAL(1);
-        F[0][l] = force_0;
+        F[0][l] = wanted[l] > REAL(0) ? force_0 : F[0][l];
         const stewart_real force_1 = STEWART_FORCE(D[1][l], x_1);
         fault = STEWART_FABS(force_1) <= STEWART_MAX ? fault : REAL(1);
-        F[1][l] = force_1;
+        F[1][l] = wanted[l] > REAL(0) ? force_1 : F[1][l];
         const stewart_real force_2 = STEWART_FORCE(D[2][l], x_2);
         fault = STEWART_FABS(force_2) <= STEWART_MAX ? fault : REAL(1);
-        F[2][l] = force_2;
+        F[2][l] = wanted[l] > REAL(0) ? force_2 : F[2][l];
         const stewart_real force_3 = STEWART_FORCE(D[3][l], x_3);
         fault = STEWART_FABS(force_3) <= STEWART_MAX ? fault : REAL(1);
-        F[3][l] = force_3;
+        F[3][l] = wanted[l] > REAL(0) ? force_3 : F[3][l];
         const stewart_real force_4 = STEWART_FORCE(D[4][l], x_4);
         fault = STEWART_FABS(force_4) <= STEWART_MAX ? fault : REAL(1);
-        F[4][l] = force_4;
+        F[4][l] = wanted[l] > REAL(0) ? force_4 : F[4][l];
         const stewart_real force_5 = STEWART_FORCE(D[5][l], x_5);
         fault = STEWART_FABS(force_5) <= STEWART_MAX ? fault : REAL(1);
-        F[5][l] = force_5;
-        bad[l] = fault;
+        F[5][l] = wanted[l] > REAL(0) ? force_5 : F[5][l];
+        bad[l] = wanted[l] > REAL(0) ? fault : bad[l];
+    }
+}
+
+/* Forces of eight poses from [H | c] and D, (36) and (37), by two blocks, or by pivots. */
+STEWART_SHARED STEWART_NO_COPY void solve_block(
+    stewart_real column[7][6][LANES], stewart_real D[6][LANES], stewart_real arm_cube,
+    stewart_real F[6][LANES], stewart_real bad[LANES])
+{
+    int l;
+    (void)D;
+    stewart_real wanted[LANES];
+    stewart_real most = REAL(0);
+    blocks_of_lanes(column, D, arm_cube, F, bad, wanted);
+    for (l = 0; l < LANES; ++l) {
+        most = STEWART_LARGER(wanted[l], most);
+    }
+    if (most > REAL(0)) {
+        pivots_of_lanes(column, D, F, bad, wanted);
     }
 }
 

@@ -45,9 +45,9 @@ static leg_motion motion_of(const stewart_leg *leg, const stewart_motions *motio
     const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
     const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
     const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
     const stewart_real inv_L = REAL(1)/L;
@@ -64,9 +64,9 @@ static leg_motion motion_of(const stewart_leg *leg, const stewart_motions *motio
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    const stewart_real S_ddot_x = a_x + alpha_y*q_z - alpha_z*q_y + omega_y*w_q_z - omega_z*w_q_y;
+    const stewart_real S_ddot_y = a_y + alpha_z*q_x - alpha_x*q_z + omega_z*w_q_x - omega_x*w_q_z;
+    const stewart_real S_ddot_z = a_z + alpha_x*q_y - alpha_y*q_x + omega_x*w_q_y - omega_y*w_q_x;
     /* (5) sliding velocity */
     const stewart_real rate = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
     /* part of S_dot across the leg, of length L |W| */
@@ -74,8 +74,8 @@ static leg_motion motion_of(const stewart_leg *leg, const stewart_motions *motio
     const stewart_real across_y = S_dot_y - rate*s_y;
     const stewart_real across_z = S_dot_z - rate*s_z;
     /* (8) */
-    const stewart_real second = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z + inv_L*(across_x*across_x + across_y*across_y
-        + across_z*across_z);
+    const stewart_real second = inv_L*(across_x*across_x + across_y*across_y + across_z*across_z) + S_ddot_x*s_x
+        + S_ddot_y*s_y + S_ddot_z*s_z;
     leg_motion out;
     out.L = L;
     out.L_dot = rate;

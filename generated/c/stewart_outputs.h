@@ -35,14 +35,14 @@ STEWART_SHARED int eliminate(stewart_real A[6][7], stewart_real x[6])
         for (i = k + 1; i < 6; ++i) {
             const stewart_real factor = A[i][k]*inverse[k];
             for (j = k + 1; j < 7; ++j) {
-                A[i][j] = A[i][j] - factor*A[k][j];
+                A[i][j] = STEWART_FMA(-factor, A[k][j], A[i][j]);
             }
         }
     }
     for (i = 5; i >= 0; --i) {
         stewart_real total = A[i][6];
         for (j = i + 1; j < 6; ++j) {
-            total = total - A[i][j]*x[j];
+            total = STEWART_FMA(-A[i][j], x[j], total);
         }
         x[i] = total*inverse[i];
     }

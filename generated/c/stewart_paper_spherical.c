@@ -57,52 +57,55 @@ static void leg_dynamics(
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+    const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+    const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
-    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
     /* (4) omega x q */
-    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+    const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+    const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = v_x + w_q_x;
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* part of e along the leg */
-    const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
     /* part of u along the leg */
-    const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    const stewart_real u_x = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
     /* part of gamma along the leg */
-    const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+    const stewart_real gamma_x = STEWART_FMA(g_z, s_z, STEWART_FMA(g_y, s_y, g_x*s_x));
     /* part of w along the leg */
-    const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
+    const stewart_real w_x = STEWART_FMA(omega_z, s_z, STEWART_FMA(omega_y, s_y, omega_x*s_x));
     /* part of e across the leg */
-    const stewart_real e_across_x = S_ddot_x - e_x*s_x;
-    const stewart_real e_across_y = S_ddot_y - e_x*s_y;
-    const stewart_real e_across_z = S_ddot_z - e_x*s_z;
+    const stewart_real e_across_x = STEWART_FMA(-e_x, s_x, S_ddot_x);
+    const stewart_real e_across_y = STEWART_FMA(-e_x, s_y, S_ddot_y);
+    const stewart_real e_across_z = STEWART_FMA(-e_x, s_z, S_ddot_z);
     /* part of u across the leg */
-    const stewart_real u_across_x = S_dot_x - s_x*u_x;
-    const stewart_real u_across_y = S_dot_y - s_y*u_x;
-    const stewart_real u_across_z = S_dot_z - s_z*u_x;
+    const stewart_real u_across_x = STEWART_FMA(-s_x, u_x, S_dot_x);
+    const stewart_real u_across_y = STEWART_FMA(-s_y, u_x, S_dot_y);
+    const stewart_real u_across_z = STEWART_FMA(-s_z, u_x, S_dot_z);
     /* part of gamma across the leg */
-    const stewart_real gamma_across_x = g_x - gamma_x*s_x;
-    const stewart_real gamma_across_y = g_y - gamma_x*s_y;
-    const stewart_real gamma_across_z = g_z - gamma_x*s_z;
+    const stewart_real gamma_across_x = STEWART_FMA(-gamma_x, s_x, g_x);
+    const stewart_real gamma_across_y = STEWART_FMA(-gamma_x, s_y, g_y);
+    const stewart_real gamma_across_z = STEWART_FMA(-gamma_x, s_z, g_z);
     const stewart_real c1 = s_x*w_x;
     const stewart_real c2 = s_y*w_x;
     const stewart_real c3 = s_z*w_x;
@@ -111,35 +114,42 @@ static void leg_dynamics(
     const stewart_real w_across_y = omega_y - c2;
     const stewart_real w_across_z = omega_z - c3;
     /* square of u across the leg */
-    const stewart_real u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z;
+    const stewart_real u_square = STEWART_FMA(u_across_z, u_across_z, STEWART_FMA(u_across_y, u_across_y,
+        u_across_x*u_across_x));
     const stewart_real c4 = inv_L*inv_L;
     const stewart_real c5 = m_u*r_u0_x;
     /* (24) known part of the actuator force */
-    const stewart_real D = C_p*u_x + e_x*m_u - c4*c5*u_square - gamma_x*m_u;
+    const stewart_real D = STEWART_FMA(e_x, m_u, STEWART_FMA(-gamma_x, m_u, STEWART_FMA((-c4)*c5, u_square,
+        C_p*u_x)));
     const stewart_real c6 = m_d*r_d0_x*r_d0_x;
     const stewart_real c7 = m_u*r_u0_x*r_u0_x;
     const stewart_real c8 = L*m_u;
     const stewart_real c9 = m_u*L*L;
-    const stewart_real K_e = c4*(I_d0_yy + I_u0_yy + c6 + c7 + REAL(2)*c8*r_u0_x + REAL(2)*c9);
+    const stewart_real K_e = c4*STEWART_FMA(REAL(2)*c8, r_u0_x, STEWART_FMA(REAL(2), c9, I_d0_yy + I_u0_yy + c6
+        + c7));
     const stewart_real c10 = REAL(2)*inv_L*u_x;
     const stewart_real c11 = REAL(4)*inv_L*u_x;
-    const stewart_real K_u = c4*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - I_d0_yy*c10 - I_u0_yy*c10
-        - c10*c6 - c10*c7 - c11*c8*r_u0_x - c11*c9);
-    const stewart_real K_gamma = -inv_L*(c5 + c8 + m_d*r_d0_x);
+    const stewart_real K_u = c4*STEWART_FMA((-c11)*c8, r_u0_x, STEWART_FMA(-c11, c9, STEWART_FMA(-c10, c7,
+        STEWART_FMA(-c10, c6, STEWART_FMA(-I_u0_yy, c10, STEWART_FMA(-I_d0_yy, c10,
+        STEWART_FMA(REAL(2)*m_u*r_u0_x, u_x, STEWART_FMA(REAL(2)*L*m_u, u_x, C_s + C_u))))))));
+    const stewart_real K_gamma = -inv_L*(STEWART_FMA(m_d, r_d0_x, c5) + c8);
     const stewart_real c12 = C_s*inv_L;
     const stewart_real K_s_w = c12;
     /* K, base frame */
-    const stewart_real K_x = K_e*e_across_x + K_gamma*gamma_across_x + K_s_w*(s_y*w_across_z - s_z*w_across_y)
-        + K_u*u_across_x;
-    const stewart_real K_y = K_e*e_across_y + K_gamma*gamma_across_y + K_s_w*(s_z*w_across_x - s_x*w_across_z)
-        + K_u*u_across_y;
-    const stewart_real K_z = K_e*e_across_z + K_gamma*gamma_across_z + K_s_w*(s_x*w_across_y - s_y*w_across_x)
-        + K_u*u_across_z;
+    const stewart_real K_x = STEWART_FMA(K_u, u_across_x, STEWART_FMA(K_e, e_across_x, STEWART_FMA(K_s_w,
+        STEWART_FMA(-s_z, w_across_y, s_y*w_across_z), K_gamma*gamma_across_x)));
+    const stewart_real K_y = STEWART_FMA(K_u, u_across_y, STEWART_FMA(K_e, e_across_y, STEWART_FMA(K_s_w,
+        STEWART_FMA(-s_x, w_across_z, s_z*w_across_x), K_gamma*gamma_across_y)));
+    const stewart_real K_z = STEWART_FMA(K_u, u_across_z, STEWART_FMA(K_e, e_across_z, STEWART_FMA(K_s_w,
+        STEWART_FMA(-s_y, w_across_x, s_x*w_across_y), K_gamma*gamma_across_z)));
     const stewart_real f_s_u = c12;
     /* f, base frame */
-    const stewart_real f_x = f_s_u*(s_y*u_across_z - s_z*u_across_y) - C_s*c1 - C_s*w_across_x;
-    const stewart_real f_y = f_s_u*(s_z*u_across_x - s_x*u_across_z) - C_s*c2 - C_s*w_across_y;
-    const stewart_real f_z = f_s_u*(s_x*u_across_y - s_y*u_across_x) - C_s*c3 - C_s*w_across_z;
+    const stewart_real f_x = STEWART_FMA(-C_s, w_across_x, STEWART_FMA(-C_s, c1, f_s_u*STEWART_FMA(-s_z,
+        u_across_y, s_y*u_across_z)));
+    const stewart_real f_y = STEWART_FMA(-C_s, w_across_y, STEWART_FMA(-C_s, c2, f_s_u*STEWART_FMA(-s_x,
+        u_across_z, s_z*u_across_x)));
+    const stewart_real f_z = STEWART_FMA(-C_s, w_across_z, STEWART_FMA(-C_s, c3, f_s_u*STEWART_FMA(-s_y,
+        u_across_x, s_x*u_across_y)));
     out->q[0] = q_x;
     out->q[1] = q_y;
     out->q[2] = q_z;
@@ -151,15 +161,15 @@ static void leg_dynamics(
     out->H_force[0] = s_x;
     out->H_force[1] = s_y;
     out->H_force[2] = s_z;
-    out->H_moment[0] = q_y*s_z - q_z*s_y;
-    out->H_moment[1] = q_z*s_x - q_x*s_z;
-    out->H_moment[2] = q_x*s_y - q_y*s_x;
+    out->H_moment[0] = STEWART_FMA(-q_z, s_y, q_y*s_z);
+    out->H_moment[1] = STEWART_FMA(-q_x, s_z, q_z*s_x);
+    out->H_moment[2] = STEWART_FMA(-q_y, s_x, q_x*s_y);
     out->c_force[0] = -K_x;
     out->c_force[1] = -K_y;
     out->c_force[2] = -K_z;
-    out->c_moment[0] = K_y*q_z + f_x - K_z*q_y;
-    out->c_moment[1] = K_z*q_x + f_y - K_x*q_z;
-    out->c_moment[2] = K_x*q_y + f_z - K_y*q_x;
+    out->c_moment[0] = STEWART_FMA(-K_z, q_y, STEWART_FMA(K_y, q_z, f_x));
+    out->c_moment[1] = STEWART_FMA(-K_x, q_z, STEWART_FMA(K_z, q_x, f_y));
+    out->c_moment[2] = STEWART_FMA(-K_y, q_x, STEWART_FMA(K_x, q_y, f_z));
 }
 
 /* The platform's own part of c, (33)-(35). Operations: 219 (123 mul, 96 add, 0 div, 0 sqrt). */
@@ -178,55 +188,62 @@ static void platform_wrench(const stewart_robot *robot, const stewart_motions *a
         I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     /* (30) centre of mass from the reference point, base frame */
-    const stewart_real R_G_x = R_0_x*R_xx + R_0_y*R_xy + R_0_z*R_xz;
-    const stewart_real R_G_y = R_0_x*R_yx + R_0_y*R_yy + R_0_z*R_yz;
-    const stewart_real R_G_z = R_0_x*R_zx + R_0_y*R_zy + R_0_z*R_zz;
-    const stewart_real c1 = R_G_y*omega_x - R_G_x*omega_y;
-    const stewart_real c2 = R_G_x*omega_z - R_G_z*omega_x;
-    const stewart_real c3 = R_G_z*omega_y - R_G_y*omega_z;
+    const stewart_real R_G_x = STEWART_FMA(R_0_z, R_xz, STEWART_FMA(R_0_y, R_xy, R_0_x*R_xx));
+    const stewart_real R_G_y = STEWART_FMA(R_0_z, R_yz, STEWART_FMA(R_0_y, R_yy, R_0_x*R_yx));
+    const stewart_real R_G_z = STEWART_FMA(R_0_z, R_zz, STEWART_FMA(R_0_y, R_zy, R_0_x*R_zx));
+    const stewart_real c1 = STEWART_FMA(-R_G_x, omega_y, R_G_y*omega_x);
+    const stewart_real c2 = STEWART_FMA(-R_G_z, omega_x, R_G_x*omega_z);
+    const stewart_real c3 = STEWART_FMA(-R_G_y, omega_z, R_G_z*omega_y);
     /* (31) acceleration of the centre of mass */
-    const stewart_real a_G_x = R_G_z*alpha_y + a_x + c1*omega_y - R_G_y*alpha_z - c2*omega_z;
-    const stewart_real a_G_y = R_G_x*alpha_z + a_y + c3*omega_z - R_G_z*alpha_x - c1*omega_x;
-    const stewart_real a_G_z = R_G_y*alpha_x + a_z + c2*omega_x - R_G_x*alpha_y - c3*omega_y;
-    const stewart_real c4 = I_p_xx*R_xx + I_p_xy*R_xy + I_p_xz*R_xz;
-    const stewart_real c5 = I_p_xy*R_xx + I_p_yy*R_xy + I_p_yz*R_xz;
-    const stewart_real c6 = I_p_xz*R_xx + I_p_yz*R_xy + I_p_zz*R_xz;
-    const stewart_real c7 = I_p_xx*R_yx + I_p_xy*R_yy + I_p_xz*R_yz;
-    const stewart_real c8 = I_p_xy*R_yx + I_p_yy*R_yy + I_p_yz*R_yz;
-    const stewart_real c9 = I_p_xz*R_yx + I_p_yz*R_yy + I_p_zz*R_yz;
+    const stewart_real a_G_x = STEWART_FMA(-c2, omega_z, STEWART_FMA(c1, omega_y, STEWART_FMA(-R_G_y,
+        alpha_z, STEWART_FMA(R_G_z, alpha_y, a_x))));
+    const stewart_real a_G_y = STEWART_FMA(-c1, omega_x, STEWART_FMA(c3, omega_z, STEWART_FMA(-R_G_z,
+        alpha_x, STEWART_FMA(R_G_x, alpha_z, a_y))));
+    const stewart_real a_G_z = STEWART_FMA(-c3, omega_y, STEWART_FMA(c2, omega_x, STEWART_FMA(-R_G_x,
+        alpha_y, STEWART_FMA(R_G_y, alpha_x, a_z))));
+    const stewart_real c4 = STEWART_FMA(I_p_xz, R_xz, STEWART_FMA(I_p_xy, R_xy, I_p_xx*R_xx));
+    const stewart_real c5 = STEWART_FMA(I_p_yz, R_xz, STEWART_FMA(I_p_yy, R_xy, I_p_xy*R_xx));
+    const stewart_real c6 = STEWART_FMA(I_p_zz, R_xz, STEWART_FMA(I_p_yz, R_xy, I_p_xz*R_xx));
+    const stewart_real c7 = STEWART_FMA(I_p_xz, R_yz, STEWART_FMA(I_p_xy, R_yy, I_p_xx*R_yx));
+    const stewart_real c8 = STEWART_FMA(I_p_yz, R_yz, STEWART_FMA(I_p_yy, R_yy, I_p_xy*R_yx));
+    const stewart_real c9 = STEWART_FMA(I_p_zz, R_yz, STEWART_FMA(I_p_yz, R_yy, I_p_xz*R_yx));
     /* (32) inertia of the platform, base frame */
-    const stewart_real I_xx = R_xx*c4 + R_xy*c5 + R_xz*c6;
-    const stewart_real I_xy = R_yx*c4 + R_yy*c5 + R_yz*c6;
-    const stewart_real I_xz = R_zx*c4 + R_zy*c5 + R_zz*c6;
-    const stewart_real I_yy = R_yx*c7 + R_yy*c8 + R_yz*c9;
-    const stewart_real I_yz = R_zx*c7 + R_zy*c8 + R_zz*c9;
-    const stewart_real I_zz = R_zx*(I_p_xx*R_zx + I_p_xy*R_zy + I_p_xz*R_zz) + R_zy*(I_p_xy*R_zx + I_p_yy*R_zy
-        + I_p_yz*R_zz) + R_zz*(I_p_xz*R_zx + I_p_yz*R_zy + I_p_zz*R_zz);
+    const stewart_real I_xx = STEWART_FMA(R_xz, c6, STEWART_FMA(R_xy, c5, R_xx*c4));
+    const stewart_real I_xy = STEWART_FMA(R_yz, c6, STEWART_FMA(R_yy, c5, R_yx*c4));
+    const stewart_real I_xz = STEWART_FMA(R_zz, c6, STEWART_FMA(R_zy, c5, R_zx*c4));
+    const stewart_real I_yy = STEWART_FMA(R_yz, c9, STEWART_FMA(R_yy, c8, R_yx*c7));
+    const stewart_real I_yz = STEWART_FMA(R_zz, c9, STEWART_FMA(R_zy, c8, R_zx*c7));
+    const stewart_real I_zz = STEWART_FMA(R_zz, STEWART_FMA(I_p_zz, R_zz, STEWART_FMA(I_p_yz, R_zy,
+        I_p_xz*R_zx)), STEWART_FMA(R_zy, STEWART_FMA(I_p_yz, R_zz, STEWART_FMA(I_p_yy, R_zy, I_p_xy*R_zx)),
+        R_zx*STEWART_FMA(I_p_xz, R_zz, STEWART_FMA(I_p_xy, R_zy, I_p_xx*R_zx))));
     /* (33) M (g - a_G) */
     const stewart_real N_x = M*(g_x - a_G_x);
     const stewart_real N_y = M*(g_y - a_G_y);
     const stewart_real N_z = M*(g_z - a_G_z);
-    const stewart_real c10 = I_xz*omega_x + I_yz*omega_y + I_zz*omega_z;
-    const stewart_real c11 = I_xy*omega_x + I_yy*omega_y + I_yz*omega_z;
-    const stewart_real c12 = I_xx*omega_x + I_xy*omega_y + I_xz*omega_z;
+    const stewart_real c10 = STEWART_FMA(I_zz, omega_z, STEWART_FMA(I_yz, omega_y, I_xz*omega_x));
+    const stewart_real c11 = STEWART_FMA(I_yz, omega_z, STEWART_FMA(I_yy, omega_y, I_xy*omega_x));
+    const stewart_real c12 = STEWART_FMA(I_xz, omega_z, STEWART_FMA(I_xy, omega_y, I_xx*omega_x));
     /* (34) I alpha + omega x I omega */
-    const stewart_real E_x = I_xx*alpha_x + I_xy*alpha_y + I_xz*alpha_z + c10*omega_y - c11*omega_z;
-    const stewart_real E_y = I_xy*alpha_x + I_yy*alpha_y + I_yz*alpha_z + c12*omega_z - c10*omega_x;
-    const stewart_real E_z = I_xz*alpha_x + I_yz*alpha_y + I_zz*alpha_z + c11*omega_x - c12*omega_y;
+    const stewart_real E_x = STEWART_FMA(-c11, omega_z, STEWART_FMA(c10, omega_y, STEWART_FMA(I_xz, alpha_z,
+        STEWART_FMA(I_xy, alpha_y, I_xx*alpha_x))));
+    const stewart_real E_y = STEWART_FMA(-c10, omega_x, STEWART_FMA(c12, omega_z, STEWART_FMA(I_yz, alpha_z,
+        STEWART_FMA(I_yy, alpha_y, I_xy*alpha_x))));
+    const stewart_real E_z = STEWART_FMA(-c12, omega_y, STEWART_FMA(c11, omega_x, STEWART_FMA(I_zz, alpha_z,
+        STEWART_FMA(I_yz, alpha_y, I_xz*alpha_x))));
     /* (33) external force, base frame */
-    const stewart_real F_load_x = F_ext_x*R_xx + F_ext_y*R_xy + F_ext_z*R_xz;
-    const stewart_real F_load_y = F_ext_x*R_yx + F_ext_y*R_yy + F_ext_z*R_yz;
-    const stewart_real F_load_z = F_ext_x*R_zx + F_ext_y*R_zy + F_ext_z*R_zz;
+    const stewart_real F_load_x = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, F_ext_x*R_xx));
+    const stewart_real F_load_y = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, F_ext_x*R_yx));
+    const stewart_real F_load_z = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, F_ext_x*R_zx));
     /* (34) external moment, base frame */
-    const stewart_real M_load_x = M_ext_x*R_xx + M_ext_y*R_xy + M_ext_z*R_xz;
-    const stewart_real M_load_y = M_ext_x*R_yx + M_ext_y*R_yy + M_ext_z*R_yz;
-    const stewart_real M_load_z = M_ext_x*R_zx + M_ext_y*R_zy + M_ext_z*R_zz;
+    const stewart_real M_load_x = STEWART_FMA(M_ext_z, R_xz, STEWART_FMA(M_ext_y, R_xy, M_ext_x*R_xx));
+    const stewart_real M_load_y = STEWART_FMA(M_ext_z, R_yz, STEWART_FMA(M_ext_y, R_yy, M_ext_x*R_yx));
+    const stewart_real M_load_z = STEWART_FMA(M_ext_z, R_zz, STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx));
     out->c_force[0] = F_load_x + N_x;
     out->c_force[1] = F_load_y + N_y;
     out->c_force[2] = F_load_z + N_z;
-    out->c_moment[0] = M_load_x + N_z*R_G_y - E_x - N_y*R_G_z;
-    out->c_moment[1] = M_load_y + N_x*R_G_z - E_y - N_z*R_G_x;
-    out->c_moment[2] = M_load_z + N_y*R_G_x - E_z - N_x*R_G_y;
+    out->c_moment[0] = STEWART_FMA(-N_y, R_G_z, STEWART_FMA(N_z, R_G_y, M_load_x) - E_x);
+    out->c_moment[1] = STEWART_FMA(-N_z, R_G_x, STEWART_FMA(N_x, R_G_z, M_load_y) - E_y);
+    out->c_moment[2] = STEWART_FMA(-N_x, R_G_y, STEWART_FMA(N_y, R_G_x, M_load_z) - E_z);
 }
 
 /* One leg: joint reactions, (21), (26)-(29), (17). Operations: 462 (269 mul, 191 add, 1 div, 1 sqrt). */
@@ -254,58 +271,62 @@ static void leg_reactions(
     const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
     const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
     /* (1) platform point from the reference point */
-    const stewart_real q_x = R_xx*p_x + R_xy*p_y + R_xz*p_z;
-    const stewart_real q_y = R_yx*p_x + R_yy*p_y + R_yz*p_z;
-    const stewart_real q_z = R_zx*p_x + R_zy*p_y + R_zz*p_z;
+    const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+    const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+    const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
     /* (1) leg vector */
-    const stewart_real S_x = q_x + t_x - b_x;
-    const stewart_real S_y = q_y + t_y - b_y;
-    const stewart_real S_z = q_z + t_z - b_z;
+    const stewart_real S_x = t_x - b_x + q_x;
+    const stewart_real S_y = t_y - b_y + q_y;
+    const stewart_real S_z = t_z - b_z + q_z;
     /* (2) leg length */
-    const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
+    const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
     const stewart_real inv_L = REAL(1)/L;
     /* (3) unit vector along the leg */
     const stewart_real s_x = S_x*inv_L;
     const stewart_real s_y = S_y*inv_L;
     const stewart_real s_z = S_z*inv_L;
     /* (4) omega x q */
-    const stewart_real w_q_x = omega_y*q_z - omega_z*q_y;
-    const stewart_real w_q_y = omega_z*q_x - omega_x*q_z;
-    const stewart_real w_q_z = omega_x*q_y - omega_y*q_x;
+    const stewart_real w_q_x = STEWART_FMA(-omega_z, q_y, omega_y*q_z);
+    const stewart_real w_q_y = STEWART_FMA(-omega_x, q_z, omega_z*q_x);
+    const stewart_real w_q_z = STEWART_FMA(-omega_y, q_x, omega_x*q_y);
     /* (4) velocity of the platform point */
     const stewart_real S_dot_x = v_x + w_q_x;
     const stewart_real S_dot_y = v_y + w_q_y;
     const stewart_real S_dot_z = v_z + w_q_z;
     /* (7) acceleration of the platform point */
-    const stewart_real S_ddot_x = a_x + alpha_y*q_z + omega_y*w_q_z - alpha_z*q_y - omega_z*w_q_y;
-    const stewart_real S_ddot_y = a_y + alpha_z*q_x + omega_z*w_q_x - alpha_x*q_z - omega_x*w_q_z;
-    const stewart_real S_ddot_z = a_z + alpha_x*q_y + omega_x*w_q_y - alpha_y*q_x - omega_y*w_q_x;
+    const stewart_real S_ddot_x = STEWART_FMA(-omega_z, w_q_y, STEWART_FMA(omega_y, w_q_z,
+        STEWART_FMA(-alpha_z, q_y, STEWART_FMA(alpha_y, q_z, a_x))));
+    const stewart_real S_ddot_y = STEWART_FMA(-omega_x, w_q_z, STEWART_FMA(omega_z, w_q_x,
+        STEWART_FMA(-alpha_x, q_z, STEWART_FMA(alpha_z, q_x, a_y))));
+    const stewart_real S_ddot_z = STEWART_FMA(-omega_y, w_q_x, STEWART_FMA(omega_x, w_q_y,
+        STEWART_FMA(-alpha_y, q_x, STEWART_FMA(alpha_x, q_y, a_z))));
     /* part of e along the leg */
-    const stewart_real e_x = S_ddot_x*s_x + S_ddot_y*s_y + S_ddot_z*s_z;
+    const stewart_real e_x = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y, S_ddot_x*s_x));
     /* part of u along the leg */
-    const stewart_real u_x = S_dot_x*s_x + S_dot_y*s_y + S_dot_z*s_z;
+    const stewart_real u_x = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
     /* part of gamma along the leg */
-    const stewart_real gamma_x = g_x*s_x + g_y*s_y + g_z*s_z;
+    const stewart_real gamma_x = STEWART_FMA(g_z, s_z, STEWART_FMA(g_y, s_y, g_x*s_x));
     /* part of w along the leg */
-    const stewart_real w_x = omega_x*s_x + omega_y*s_y + omega_z*s_z;
+    const stewart_real w_x = STEWART_FMA(omega_z, s_z, STEWART_FMA(omega_y, s_y, omega_x*s_x));
     /* part of e across the leg */
-    const stewart_real e_across_x = S_ddot_x - e_x*s_x;
-    const stewart_real e_across_y = S_ddot_y - e_x*s_y;
-    const stewart_real e_across_z = S_ddot_z - e_x*s_z;
+    const stewart_real e_across_x = STEWART_FMA(-e_x, s_x, S_ddot_x);
+    const stewart_real e_across_y = STEWART_FMA(-e_x, s_y, S_ddot_y);
+    const stewart_real e_across_z = STEWART_FMA(-e_x, s_z, S_ddot_z);
     /* part of u across the leg */
-    const stewart_real u_across_x = S_dot_x - s_x*u_x;
-    const stewart_real u_across_y = S_dot_y - s_y*u_x;
-    const stewart_real u_across_z = S_dot_z - s_z*u_x;
+    const stewart_real u_across_x = STEWART_FMA(-s_x, u_x, S_dot_x);
+    const stewart_real u_across_y = STEWART_FMA(-s_y, u_x, S_dot_y);
+    const stewart_real u_across_z = STEWART_FMA(-s_z, u_x, S_dot_z);
     /* part of gamma across the leg */
-    const stewart_real gamma_across_x = g_x - gamma_x*s_x;
-    const stewart_real gamma_across_y = g_y - gamma_x*s_y;
-    const stewart_real gamma_across_z = g_z - gamma_x*s_z;
+    const stewart_real gamma_across_x = STEWART_FMA(-gamma_x, s_x, g_x);
+    const stewart_real gamma_across_y = STEWART_FMA(-gamma_x, s_y, g_y);
+    const stewart_real gamma_across_z = STEWART_FMA(-gamma_x, s_z, g_z);
     /* part of w across the leg */
-    const stewart_real w_across_x = omega_x - s_x*w_x;
-    const stewart_real w_across_y = omega_y - s_y*w_x;
-    const stewart_real w_across_z = omega_z - s_z*w_x;
+    const stewart_real w_across_x = STEWART_FMA(-s_x, w_x, omega_x);
+    const stewart_real w_across_y = STEWART_FMA(-s_y, w_x, omega_y);
+    const stewart_real w_across_z = STEWART_FMA(-s_z, w_x, omega_z);
     /* square of u across the leg */
-    const stewart_real u_square = u_across_x*u_across_x + u_across_y*u_across_y + u_across_z*u_across_z;
+    const stewart_real u_square = STEWART_FMA(u_across_z, u_across_z, STEWART_FMA(u_across_y, u_across_y,
+        u_across_x*u_across_x));
     const stewart_real c1 = inv_L*inv_L;
     const stewart_real c2 = m_d*r_d0_x*r_d0_x;
     const stewart_real c3 = m_u*r_u0_x*r_u0_x;
@@ -313,7 +334,7 @@ static void leg_reactions(
     const stewart_real c5 = L*L;
     const stewart_real c6 = REAL(2)*m_u;
     const stewart_real c7 = c5*c6;
-    const stewart_real F_s_e = c1*(I_d0_yy + I_u0_yy + c2 + c3 + REAL(2)*c4*r_u0_x + c7);
+    const stewart_real F_s_e = c1*STEWART_FMA(REAL(2)*c4, r_u0_x, I_d0_yy + I_u0_yy + c2 + c3 + c7);
     const stewart_real c9 = REAL(2)*u_x;
     const stewart_real c8 = I_d0_yy*inv_L;
     const stewart_real c10 = c8*c9;
@@ -326,24 +347,25 @@ static void leg_reactions(
     const stewart_real c17 = c2*inv_L;
     const stewart_real c18 = c17*c9;
     const stewart_real c19 = c3*inv_L;
-    const stewart_real F_s_u = c1*(C_s + C_u + REAL(2)*L*m_u*u_x + REAL(2)*m_u*r_u0_x*u_x - c10 - c11*c9 - c12*c14
-        - c15*c16 - c18 - c19*c9);
+    const stewart_real F_s_u = c1*STEWART_FMA(-c15, c16, STEWART_FMA(-c19, c9, STEWART_FMA(-c12, c14,
+        STEWART_FMA(-c11, c9, STEWART_FMA(REAL(2)*m_u*r_u0_x, u_x, STEWART_FMA(REAL(2)*L*m_u, u_x, C_s + C_u))
+        - c10)) - c18));
     const stewart_real c20 = m_d*r_d0_x;
     const stewart_real c21 = m_u*r_u0_x;
     const stewart_real F_s_gamma = -inv_L*(c20 + c21 + c4);
     const stewart_real c22 = C_s*inv_L;
     const stewart_real F_s_s_w = c22;
-    const stewart_real c23 = s_y*w_across_z - s_z*w_across_y;
-    const stewart_real c24 = s_z*w_across_x - s_x*w_across_z;
-    const stewart_real c25 = s_x*w_across_y - s_y*w_across_x;
+    const stewart_real c23 = STEWART_FMA(-s_z, w_across_y, s_y*w_across_z);
+    const stewart_real c24 = STEWART_FMA(-s_x, w_across_z, s_z*w_across_x);
+    const stewart_real c25 = STEWART_FMA(-s_y, w_across_x, s_x*w_across_y);
     /* F_s, base frame */
-    const stewart_real F_s_x = F_s_e*e_across_x + F_s_gamma*gamma_across_x + F_s_s_w*c23 + F_s_u*u_across_x
-        + s_x*x;
-    const stewart_real F_s_y = F_s_e*e_across_y + F_s_gamma*gamma_across_y + F_s_s_w*c24 + F_s_u*u_across_y
-        + s_y*x;
-    const stewart_real F_s_z = F_s_e*e_across_z + F_s_gamma*gamma_across_z + F_s_s_w*c25 + F_s_u*u_across_z
-        + s_z*x;
-    const stewart_real c27 = c11 + REAL(2)*c14 + c17 + c19 + c7*inv_L + c8 - c21 - c4;
+    const stewart_real F_s_x = STEWART_FMA(F_s_u, u_across_x, STEWART_FMA(F_s_e, e_across_x,
+        STEWART_FMA(F_s_s_w, c23, STEWART_FMA(F_s_gamma, gamma_across_x, s_x*x))));
+    const stewart_real F_s_y = STEWART_FMA(F_s_u, u_across_y, STEWART_FMA(F_s_e, e_across_y,
+        STEWART_FMA(F_s_s_w, c24, STEWART_FMA(F_s_gamma, gamma_across_y, s_y*x))));
+    const stewart_real F_s_z = STEWART_FMA(F_s_u, u_across_z, STEWART_FMA(F_s_e, e_across_z,
+        STEWART_FMA(F_s_s_w, c25, STEWART_FMA(F_s_gamma, gamma_across_z, s_z*x))));
+    const stewart_real c27 = STEWART_FMA(REAL(2), c14, STEWART_FMA(c7, inv_L, c11 - c21 + c17 + c19) + c8 - c4);
     const stewart_real F_u_e = -inv_L*(c27 - c20);
     const stewart_real c29 = c1*c9;
     const stewart_real c30 = I_d0_yy*c29;
@@ -352,64 +374,75 @@ static void leg_reactions(
     const stewart_real c33 = c1*c5;
     const stewart_real c34 = c2*c29;
     const stewart_real c35 = c29*c3;
-    const stewart_real c36 = c16*c33 + c30 + c31 + c32*c4 + c34 + c35 + c6*u_x - C_u*inv_L - REAL(4)*L*inv_L*m_u*u_x
-        - c22 - REAL(4)*inv_L*m_u*r_u0_x*u_x;
-    const stewart_real F_u_u = -inv_L*(REAL(2)*inv_L*m_d*r_d0_x*u_x - c36);
+    const stewart_real c36 = STEWART_FMA((-REAL(4))*inv_L*m_u*r_u0_x, u_x,
+        STEWART_FMA((-REAL(4))*L*inv_L*m_u, u_x, STEWART_FMA(c32, c4, STEWART_FMA(c16, c33,
+        STEWART_FMA(-C_u, inv_L, c6*u_x) - c22) + c30 + c31 + c34 + c35)));
+    const stewart_real F_u_u = -inv_L*STEWART_FMA(REAL(2)*inv_L*m_d*r_d0_x, u_x, -c36);
     const stewart_real c37 = c20*inv_L;
     const stewart_real c38 = c21*inv_L;
-    const stewart_real c39 = c13 + c37 + c38 - m_u;
+    const stewart_real c39 = c37 - m_u + c38 + c13;
     const stewart_real F_u_gamma = c39 - m_d;
     const stewart_real F_u_s_w = -c22;
     const stewart_real c40 = c1*u_square;
-    const stewart_real c41 = c21*c40 + gamma_x*m_u + x - e_x*m_u;
-    const stewart_real c42 = -c20*c40 - c41 - gamma_x*m_d;
+    const stewart_real c41 = STEWART_FMA(-e_x, m_u, STEWART_FMA(gamma_x, m_u, STEWART_FMA(c21, c40, x)));
+    const stewart_real c42 = STEWART_FMA(-gamma_x, m_d, -c20*c40) - c41;
     /* F_u, base frame */
-    const stewart_real F_u_x = F_u_e*e_across_x + F_u_gamma*gamma_across_x + F_u_s_w*c23 + F_u_u*u_across_x
-        + c42*s_x;
-    const stewart_real F_u_y = F_u_e*e_across_y + F_u_gamma*gamma_across_y + F_u_s_w*c24 + F_u_u*u_across_y
-        + c42*s_y;
-    const stewart_real F_u_z = F_u_e*e_across_z + F_u_gamma*gamma_across_z + F_u_s_w*c25 + F_u_u*u_across_z
-        + c42*s_z;
+    const stewart_real F_u_x = STEWART_FMA(F_u_u, u_across_x, STEWART_FMA(c42, s_x, STEWART_FMA(F_u_e,
+        e_across_x, STEWART_FMA(F_u_s_w, c23, F_u_gamma*gamma_across_x))));
+    const stewart_real F_u_y = STEWART_FMA(F_u_u, u_across_y, STEWART_FMA(c42, s_y, STEWART_FMA(F_u_e,
+        e_across_y, STEWART_FMA(F_u_s_w, c24, F_u_gamma*gamma_across_y))));
+    const stewart_real F_u_z = STEWART_FMA(F_u_u, u_across_z, STEWART_FMA(c42, s_z, STEWART_FMA(F_u_e,
+        e_across_z, STEWART_FMA(F_u_s_w, c25, F_u_gamma*gamma_across_z))));
     const stewart_real c43 = -c27*inv_L;
     const stewart_real F_p_e = c43;
     const stewart_real c44 = c36*inv_L;
     const stewart_real F_p_u = c44;
     const stewart_real F_p_gamma = c39;
     const stewart_real F_p_s_w = -c22;
-    const stewart_real c45 = C_p*u_x - c41;
+    const stewart_real c45 = STEWART_FMA(C_p, u_x, -c41);
     /* F_p, base frame */
-    const stewart_real F_p_x = F_p_e*e_across_x + F_p_gamma*gamma_across_x + F_p_s_w*c23 + F_p_u*u_across_x
-        + c45*s_x;
-    const stewart_real F_p_y = F_p_e*e_across_y + F_p_gamma*gamma_across_y + F_p_s_w*c24 + F_p_u*u_across_y
-        + c45*s_y;
-    const stewart_real F_p_z = F_p_e*e_across_z + F_p_gamma*gamma_across_z + F_p_s_w*c25 + F_p_u*u_across_z
-        + c45*s_z;
+    const stewart_real F_p_x = STEWART_FMA(F_p_u, u_across_x, STEWART_FMA(c45, s_x, STEWART_FMA(F_p_e,
+        e_across_x, STEWART_FMA(F_p_s_w, c23, F_p_gamma*gamma_across_x))));
+    const stewart_real F_p_y = STEWART_FMA(F_p_u, u_across_y, STEWART_FMA(c45, s_y, STEWART_FMA(F_p_e,
+        e_across_y, STEWART_FMA(F_p_s_w, c24, F_p_gamma*gamma_across_y))));
+    const stewart_real F_p_z = STEWART_FMA(F_p_u, u_across_z, STEWART_FMA(c45, s_z, STEWART_FMA(F_p_e,
+        e_across_z, STEWART_FMA(F_p_s_w, c25, F_p_gamma*gamma_across_z))));
     const stewart_real F_c_e = c43;
     const stewart_real F_c_u = c44;
     const stewart_real F_c_gamma = c39;
     const stewart_real F_c_s_w = -c22;
     /* F_c, base frame */
-    const stewart_real F_c_x = F_c_e*e_across_x + F_c_gamma*gamma_across_x + F_c_s_w*c23 + F_c_u*u_across_x;
-    const stewart_real F_c_y = F_c_e*e_across_y + F_c_gamma*gamma_across_y + F_c_s_w*c24 + F_c_u*u_across_y;
-    const stewart_real F_c_z = F_c_e*e_across_z + F_c_gamma*gamma_across_z + F_c_s_w*c25 + F_c_u*u_across_z;
+    const stewart_real F_c_x = STEWART_FMA(F_c_u, u_across_x, STEWART_FMA(F_c_e, e_across_x,
+        STEWART_FMA(F_c_s_w, c23, F_c_gamma*gamma_across_x)));
+    const stewart_real F_c_y = STEWART_FMA(F_c_u, u_across_y, STEWART_FMA(F_c_e, e_across_y,
+        STEWART_FMA(F_c_s_w, c24, F_c_gamma*gamma_across_y)));
+    const stewart_real F_c_z = STEWART_FMA(F_c_u, u_across_z, STEWART_FMA(F_c_e, e_across_z,
+        STEWART_FMA(F_c_s_w, c25, F_c_gamma*gamma_across_z)));
     const stewart_real c46 = bearing*c4;
     const stewart_real c47 = bearing*c13;
     const stewart_real c48 = bearing*m_u;
-    const stewart_real M_p_s_e = inv_L*(bearing*c11 + bearing*c17 + bearing*c19 + bearing*c8 + REAL(2)*c15*c48
-        + REAL(2)*c47*r_u0_x - I_d0_yy - bearing*c21 - c2 - c46);
+    const stewart_real M_p_s_e = inv_L*STEWART_FMA(REAL(2)*c47, r_u0_x, STEWART_FMA(REAL(2)*c15, c48,
+        STEWART_FMA(bearing, c8, STEWART_FMA(bearing, c19, STEWART_FMA(bearing, c17, STEWART_FMA(-bearing,
+        c21, STEWART_FMA(bearing, c11, -I_d0_yy)) - c2)))) - c46);
     const stewart_real c49 = -bearing*c22;
-    const stewart_real M_p_s_u = inv_L*(C_u*bearing*inv_L + REAL(4)*L*bearing*inv_L*m_u*u_x + REAL(4)*bearing*inv_L*m_u*r_u0_x*u_x
-        + c10 + c18 - C_u - bearing*c30 - bearing*c31 - bearing*c34 - bearing*c35 - c12*c33*c48 - c32*c46 - c48*c9
-        - c49);
-    const stewart_real M_p_s_gamma = bearing*m_u + c20 - bearing*c37 - bearing*c38 - c47;
+    const stewart_real M_p_s_u = inv_L*STEWART_FMA(-c32, c46, STEWART_FMA(-bearing, c35,
+        STEWART_FMA(-bearing, c34, STEWART_FMA(-bearing, c31, STEWART_FMA(-bearing, c30,
+        STEWART_FMA(REAL(4)*bearing*inv_L*m_u*r_u0_x, u_x, STEWART_FMA(REAL(4)*L*bearing*inv_L*m_u, u_x,
+        STEWART_FMA((-c12)*c33, c48, STEWART_FMA(-c48, c9, STEWART_FMA(C_u*bearing, inv_L, -C_u) - c49 + c10
+        + c18)))))))));
+    const stewart_real M_p_s_gamma = STEWART_FMA(-bearing, c38, STEWART_FMA(-bearing, c37,
+        STEWART_FMA(bearing, m_u, c20))) - c47;
     const stewart_real M_p_w = c49;
     /* M_p, base frame */
-    const stewart_real M_p_x = M_p_s_e*(e_across_z*s_y - e_across_y*s_z) + M_p_s_gamma*(gamma_across_z*s_y - gamma_across_y*s_z)
-        + M_p_s_u*(s_y*u_across_z - s_z*u_across_y) + M_p_w*w_across_x;
-    const stewart_real M_p_y = M_p_s_e*(e_across_x*s_z - e_across_z*s_x) + M_p_s_gamma*(gamma_across_x*s_z - gamma_across_z*s_x)
-        + M_p_s_u*(s_z*u_across_x - s_x*u_across_z) + M_p_w*w_across_y;
-    const stewart_real M_p_z = M_p_s_e*(e_across_y*s_x - e_across_x*s_y) + M_p_s_gamma*(gamma_across_y*s_x - gamma_across_x*s_y)
-        + M_p_s_u*(s_x*u_across_y - s_y*u_across_x) + M_p_w*w_across_z;
+    const stewart_real M_p_x = STEWART_FMA(M_p_s_u, STEWART_FMA(-s_z, u_across_y, s_y*u_across_z),
+        STEWART_FMA(M_p_s_e, STEWART_FMA(-e_across_y, s_z, e_across_z*s_y), STEWART_FMA(M_p_s_gamma,
+        STEWART_FMA(-gamma_across_y, s_z, gamma_across_z*s_y), M_p_w*w_across_x)));
+    const stewart_real M_p_y = STEWART_FMA(M_p_s_u, STEWART_FMA(-s_x, u_across_z, s_z*u_across_x),
+        STEWART_FMA(M_p_s_e, STEWART_FMA(-e_across_z, s_x, e_across_x*s_z), STEWART_FMA(M_p_s_gamma,
+        STEWART_FMA(-gamma_across_z, s_x, gamma_across_x*s_z), M_p_w*w_across_y)));
+    const stewart_real M_p_z = STEWART_FMA(M_p_s_u, STEWART_FMA(-s_y, u_across_x, s_x*u_across_y),
+        STEWART_FMA(M_p_s_e, STEWART_FMA(-e_across_x, s_y, e_across_y*s_x), STEWART_FMA(M_p_s_gamma,
+        STEWART_FMA(-gamma_across_x, s_y, gamma_across_y*s_x), M_p_w*w_across_z)));
     out->F_s[0] = F_s_x;
     out->F_s[1] = F_s_y;
     out->F_s[2] = F_s_z;

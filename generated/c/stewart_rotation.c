@@ -36,13 +36,13 @@ static orientation turned_by_angles(
     const stewart_real c4 = sine_x*sine_z;
     const stewart_real c5 = cosine_x*cosine_z;
     const stewart_real c6 = about_x_x + about_y_x;
-    const stewart_real c7 = about_x_y + about_y_y;
+    const stewart_real c7 = about_y_y + about_x_y;
     orientation out;
     out.R[0] = c1;
     out.R[1] = (cosine_z*sine_x*sine_y) - c3;
     out.R[2] = c4 + (c5*sine_y);
     out.R[3] = c2;
-    out.R[4] = (c4*sine_y) + c5;
+    out.R[4] = c5 + (c4*sine_y);
     out.R[5] = (c3*sine_y) - (cosine_z*sine_x);
     out.R[6] = -sine_y;
     out.R[7] = cosine_y*sine_x;
@@ -52,7 +52,7 @@ static orientation turned_by_angles(
     out.omega[2] = about_x_z + theta_dot_z;
     out.alpha[0] = ((about_x_z*about_y_y) + (c1*theta_ddot_x)) - (c7*theta_dot_z) - (sine_z*theta_ddot_y);
     out.alpha[1] = ((c2*theta_ddot_x) + (c6*theta_dot_z) + (cosine_z*theta_ddot_y)) - (about_x_z*about_y_x);
-    out.alpha[2] = ((about_x_y*about_y_x) + theta_ddot_z) - (about_x_x*about_y_y) - (sine_y*theta_ddot_x);
+    out.alpha[2] = (theta_ddot_z + (about_x_y*about_y_x)) - (about_x_x*about_y_y) - (sine_y*theta_ddot_x);
     return out;
 }
 
@@ -68,7 +68,7 @@ static orientation turned_by_quaternion(
     const stewart_real c3 = e_z*e_z;
     const stewart_real c4 = c2 + c3;
     /* one over the square of the length */
-    const stewart_real inv_square = REAL(1)/(c1 + c4 + (e_w*e_w));
+    const stewart_real inv_square = REAL(1)/(c1 + (e_w*e_w) + c4);
     const stewart_real growth = inv_square*((e_dot_w*e_w) + (e_dot_x*e_x) + (e_dot_y*e_y) + (e_dot_z*e_z));
     /* half the angular velocity */
     const stewart_real half_omega_x = inv_square*(((e_dot_x*e_w) + (e_dot_z*e_y)) - (e_dot_w*e_x) - (e_dot_y*e_z));
@@ -84,11 +84,11 @@ static orientation turned_by_quaternion(
     out.R[1] = c5*((e_x*e_y) - c6);
     out.R[2] = c5*(c7 + (e_x*e_z));
     out.R[3] = c5*(c6 + (e_x*e_y));
-    out.R[4] = (c5*(-c1 - c3)) + REAL(1);
+    out.R[4] = REAL(1) + (c5*(-c1 - c3));
     out.R[5] = c5*((e_y*e_z) - c8);
     out.R[6] = c5*((e_x*e_z) - c7);
     out.R[7] = c5*(c8 + (e_y*e_z));
-    out.R[8] = (c5*(-c1 - c2)) + REAL(1);
+    out.R[8] = REAL(1) + (c5*(-c1 - c2));
     out.omega[0] = REAL(2)*half_omega_x;
     out.omega[1] = REAL(2)*half_omega_y;
     out.omega[2] = REAL(2)*half_omega_z;

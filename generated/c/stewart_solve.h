@@ -9,6 +9,13 @@
 
 #include "stewart_arithmetic.h"
 
+/* The cube of a length, or of one that has a cube. */
+STEWART_SHARED stewart_real cube_of(stewart_real arm)
+{
+    const stewart_real length = arm <= REAL(1099511627776.0) ? arm : REAL(1099511627776.0);
+    return length*length*length;
+}
+
 /* What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m: 1
  * for arms of about a metre, `smallest` and more, else one over the least power of two, from 2^-100 to
  * 2^100, that is as large. */
@@ -145,8 +152,8 @@ STEWART_APART STEWART_SHARED int singular_status(
             if (i != k) {
                 const stewart_real factor = H[i][k]/H[k][k];
                 for (j = 0; j < 6; ++j) {
-                    H[i][j] = H[i][j] - factor*H[k][j];
-                    Y[i][j] = Y[i][j] - factor*Y[k][j];
+                    H[i][j] = STEWART_FMA(-factor, H[k][j], H[i][j]);
+                    Y[i][j] = STEWART_FMA(-factor, Y[k][j], Y[i][j]);
                 }
             }
         }
@@ -154,10 +161,13 @@ STEWART_APART STEWART_SHARED int singular_status(
     for (i = 0; i < 6; ++i) {
         const stewart_real by_moment = STEWART_FABS(Y[i][3]) + STEWART_FABS(Y[i][4]) + STEWART_FABS(Y[i][5]);
         for (k = 0; k < 6; ++k) {
-            const stewart_real x = STEWART_FABS(Y[i][0] + (Y[i][4]*arm[k][2] - Y[i][5]*arm[k][1])/extent);
-            const stewart_real y = STEWART_FABS(Y[i][1] + (Y[i][5]*arm[k][0] - Y[i][3]*arm[k][2])/extent);
-            const stewart_real z = STEWART_FABS(Y[i][2] + (Y[i][3]*arm[k][1] - Y[i][4]*arm[k][0])/extent);
-            const stewart_real turned = (x + y + z)*(reach[k]/L[k] + REAL(2)) + REAL(2)*by_moment;
+            const stewart_real x = STEWART_FABS(Y[i][0] + STEWART_FMA(-Y[i][5], arm[k][1],
+                Y[i][4]*arm[k][2])/extent);
+            const stewart_real y = STEWART_FABS(Y[i][1] + STEWART_FMA(-Y[i][3], arm[k][2],
+                Y[i][5]*arm[k][0])/extent);
+            const stewart_real z = STEWART_FABS(Y[i][2] + STEWART_FMA(-Y[i][4], arm[k][0],
+                Y[i][3]*arm[k][1])/extent);
+            const stewart_real turned = STEWART_FMA(REAL(2), by_moment, (x + y + z)*(reach[k]/L[k] + REAL(2)));
             G[i][k] = turned*(REAL(4)*STEWART_EPSILON)/STEWART_FABS(H[i][i]);
         }
     }
@@ -168,7 +178,7 @@ STEWART_APART STEWART_SHARED int singular_status(
             for (i = 0; i < 6; ++i) {
                 stewart_real total = REAL(0);
                 for (k = 0; k < 6; ++k) {
-                    total = total + G[i][k]*v[k];
+                    total = STEWART_FMA(G[i][k], v[k], total);
                 }
                 const stewart_real share = total/v[i];
                 worst = share <= worst ? worst : share;

@@ -224,7 +224,9 @@ def _program(name: str, function: str) -> Any:
     from ..derive.mechanics.formulation import FORMULATIONS
 
     form = next(form for form in FORMULATIONS if form.kernel_name == name)
-    return terms_program(reduced(form)) if function == "terms" else output_program(form, (function,))
+    if function == "terms":
+        return terms_program(reduced(form))
+    return output_program(form, (function,), by_pivots=True)
 
 
 def _numbers(robot: Robot) -> SimpleNamespace:

@@ -81,6 +81,7 @@ def doubtful(rng: np.random.Generator, robot: Robot) -> Motion:
 @pytest.mark.parametrize("base_joint", ["universal", "spherical"])
 @pytest.mark.parametrize("formulation", ["exact", "paper"])
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 100.0])
+@pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_every_bit_and_status_of_c_however_many_poses_it_takes_at_once(
     formulation, base_joint: str, scale: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:

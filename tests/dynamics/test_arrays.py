@@ -22,6 +22,7 @@ def fields(motion: ss.Motion, names: tuple[str, ...] = FIELDS) -> dict[str, Any]
 
 @pytest.mark.parametrize("machine", MACHINES)
 @pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])
+@pytest.mark.usefixtures("rounded_twice")
 def test_numbers_on_arrays_are_those_of_the_c(xp: Any, machine: str) -> None:
     robot = MACHINES[machine]()
     motion = random_motion(np.random.default_rng(32), robot, (3, 2))
@@ -40,6 +41,7 @@ def test_numbers_on_arrays_are_those_of_the_c(xp: Any, machine: str) -> None:
     np.testing.assert_allclose(np.asarray(moved.a), motion.a, rtol=0, atol=30 * EPSILON * by_force)
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_formulations_and_spherical_joints_have_their_forces_on_arrays() -> None:
     rng = np.random.default_rng(33)
     for joint in ("universal", "spherical"):
@@ -72,6 +74,7 @@ def test_statuses_on_arrays_are_those_of_the_c_and_numbers_are_nan_there() -> No
     np.testing.assert_array_equal(ss.array_kernel(flat, np).forces(**fields(motion)).status, 4)
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_leading_shapes_broadcast_and_what_is_not_given_is_zero() -> None:
     robot = dasgupta()
     kernel = ss.array_kernel(robot, np)

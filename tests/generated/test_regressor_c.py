@@ -57,6 +57,7 @@ def faulty(robot: Robot) -> tuple[Motion, list[int]]:
 
 
 @pytest.mark.parametrize("seed", range(8))
+@pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_the_same_bits_and_the_reference_the_same_numbers(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng)
@@ -199,6 +200,7 @@ def test_arguments_that_are_needed_and_columns_that_there_are_not_are_rejected()
     assert (Y == UNTOUCHED).all()
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_without_a_compiler_numpy_serves_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     def nothing(name: str) -> ctypes.CDLL:
         raise native.CompilerError("none")

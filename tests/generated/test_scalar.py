@@ -326,7 +326,11 @@ DRIVER = """#include "stewart_lanes.h"
 #include "stewart_outputs.h"
 #include "by_pointers.h"
 int of_pose(stewart_real A[6][8], stewart_real x[6]);
-int of_pose(stewart_real A[6][8], stewart_real x[6]) { return solve_pose(A, x); }
+int of_pose(stewart_real A[6][8], stewart_real x[6])
+{
+    stewart_real c[6] = {A[0][6], A[1][6], A[2][6], A[3][6], A[4][6], A[5][6]};
+    return solve_pose(A, c, REAL(1), x);
+}
 int of_outputs(stewart_real A[6][7], stewart_real x[6]);
 int of_outputs(stewart_real A[6][7], stewart_real x[6]) { return eliminate(A, x); }
 double of_pointers(stewart_real A[6][7], stewart_real x[6]);
@@ -334,7 +338,7 @@ double of_pointers(stewart_real A[6][7], stewart_real x[6]) { return by_pointers
 void of_block(stewart_real column[7][6][8], stewart_real D[6][8], stewart_real F[6][8], stewart_real bad[8]);
 void of_block(stewart_real column[7][6][8], stewart_real D[6][8], stewart_real F[6][8], stewart_real bad[8])
 {
-    solve_block(column, D, F, bad);
+    solve_block(column, D, REAL(1), F, bad);
 }
 """
 

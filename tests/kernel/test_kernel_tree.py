@@ -43,6 +43,7 @@ def forces_of(tree: Program, robot: ss.Robot, motion: ss.Motion) -> tuple[np.nda
 
 
 @pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
+@pytest.mark.usefixtures("rounded_twice")
 def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
     tree = program(reduced_forces(form))
     rng = np.random.default_rng(5)
@@ -56,6 +57,7 @@ def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
         np.testing.assert_array_equal(F, expected)
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_near_and_at_a_joint_singularity_forces_and_statuses_are_those_of_the_c() -> None:
     tree = program(reduced_forces(EXACT))
     rng = np.random.default_rng(6)
@@ -103,6 +105,7 @@ def test_a_machine_that_is_singular_everywhere_is_so_for_the_tree() -> None:
     assert set(codes) == {4}
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_fidelities_have_trees_as_well() -> None:
     rng = np.random.default_rng(8)
     robot = random_robot(rng)
@@ -116,6 +119,7 @@ def test_fidelities_have_trees_as_well() -> None:
         np.testing.assert_array_equal(F, expected, name)
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_equations_and_forward_dynamics_are_those_of_the_library(whole: Program) -> None:
     rng = np.random.default_rng(9)
     run = Interpreter(whole, ON_ARRAYS)
@@ -152,6 +156,7 @@ def printed_python(robot: ss.Robot, folder: Path) -> dict[str, Any]:
 
 
 @pytest.mark.parametrize("xp", [np, array_api_strict], ids=["numpy", "array_api_strict"])
+@pytest.mark.usefixtures("rounded_twice")
 def test_printed_python_runs_on_the_array_api_with_the_same_bits(xp: Any, tmp_path: Path) -> None:
     rng = np.random.default_rng(10)
     robot = random_robot(rng)

@@ -90,6 +90,7 @@ def check_bits(robot: Robot, motion: Motion) -> set[int]:
     return seen
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_the_bits_of_the_c_batch() -> None:
     rng = np.random.default_rng(7)
     for _ in range(6):
@@ -98,6 +99,7 @@ def test_numpy_has_the_bits_of_the_c_batch() -> None:
     assert check_bits(dasgupta(), batch(rng, dasgupta(), 4)) == {0}
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_the_bits_of_the_c_batch_near_joint_singularities() -> None:
     rng = np.random.default_rng(17)
     robot = random_robot(rng)
@@ -106,6 +108,7 @@ def test_numpy_has_the_bits_of_the_c_batch_near_joint_singularities() -> None:
     assert check_bits(robot, motion) == {0, JOINT_SINGULAR}
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_the_bits_of_the_c_batch_with_long_arms_and_unlike_inertias() -> None:
     rng = np.random.default_rng(18)
     seen = set()
@@ -116,6 +119,7 @@ def test_numpy_has_the_bits_of_the_c_batch_with_long_arms_and_unlike_inertias() 
     assert 0 in seen
 
 
+@pytest.mark.usefixtures("rounded_twice")
 def test_numpy_has_the_statuses_of_the_c_batch_where_h_is_singular() -> None:
     rng = np.random.default_rng(19)
     robot = random_robot(rng)

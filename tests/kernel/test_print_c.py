@@ -52,6 +52,7 @@ typedef double stewart_real;
 #define STEWART_SQRT(value) sqrt(value)
 #define STEWART_FABS(value) fabs(value)
 #define STEWART_LARGER(one, other) ((one) > (other) ? (one) : (other))
+#define STEWART_FMA(a, b, c) ((a) * (b) + (c))
 #define STEWART_MAX 1e300
 #define STEWART_RESTRICT restrict
 #define STEWART_APART __attribute__((noinline))

@@ -1,12 +1,13 @@
 """From the derivation to the tree: expressions and blocks as nodes, in the order in which they round."""
 
 import operator
-from collections.abc import Iterable
-from functools import reduce
+from collections.abc import Iterable, Sequence
+from functools import partial, reduce
 
 import sympy as sp
 
-from ...program.block import Block, Quantity, Step, terms_in_order
+from ...program.block import Block, Quantity, Step
+from ...program.order import NOTHING, Ready, ready_in, terms_in_order
 from . import nodes as t
 
 OUT = "out"
@@ -15,10 +16,10 @@ Arguments = dict[str, tuple[str, tuple[Quantity, ...]]]
 """Structure of each argument of a block, "" of a number or an array, and the quantities that it holds."""
 
 
-def expression(expr: sp.Expr) -> t.Expression:
+def expression(expr: sp.Expr, ready: Ready = NOTHING) -> t.Expression:
     """An expression of symbols, sums, products, whole powers, reciprocals and square roots as a tree.
 
-    Raises ValueError for anything else.
+    ready: when named steps are, which orders the terms of sums. Raises ValueError for anything else.
     """
     expr = sp.sympify(expr)
     if expr.is_Symbol:
@@ -28,36 +29,36 @@ def expression(expr: sp.Expr) -> t.Expression:
     if expr == sp.Rational(1, 2):
         return t.Number(0.5)
     if expr.is_Add:
-        first, *others = terms_in_order(expr)
-        return reduce(_plus, others, expression(first))
+        first, *others = terms_in_order(expr, ready)
+        return reduce(partial(_plus, ready=ready), others, expression(first, ready))
     if expr.is_Mul:
-        return _product(expr)
+        return _product(expr, ready)
     if expr.is_Pow:
-        return _power(expr)
+        return _power(expr, ready)
     raise ValueError(f"cannot lower {type(expr).__name__}: {expr}")
 
 
-def _plus(total: t.Expression, term: sp.Expr) -> t.Expression:
+def _plus(total: t.Expression, term: sp.Expr, ready: Ready) -> t.Expression:
     if term.could_extract_minus_sign():
-        return total - expression(-term)
-    return total + expression(term)
+        return total - expression(-term, ready)
+    return total + expression(term, ready)
 
 
-def _product(expr: sp.Mul) -> t.Expression:
+def _product(expr: sp.Mul, ready: Ready) -> t.Expression:
     coefficient, rest = expr.as_coeff_Mul()
     if coefficient.is_negative:
-        return t.Negative(expression(-expr))
+        return t.Negative(expression(-expr, ready))
     factors = ([coefficient] if coefficient != 1 else []) + list(sp.Mul.make_args(rest))
     over = [f.base for f in factors if f.is_Pow and f.exp == -1]
     upper = [f for f in factors if not (f.is_Pow and f.exp == -1)]
-    value = _multiplied(upper)
-    return value / _multiplied(over) if over else value
+    value = _multiplied(upper, ready)
+    return value / _multiplied(over, ready) if over else value
 
 
-def _multiplied(factors: Iterable[sp.Expr]) -> t.Expression:
+def _multiplied(factors: Iterable[sp.Expr], ready: Ready) -> t.Expression:
     # Whole powers are factors one by one: m L^2 is (m L) L, as the emitters of C and NumPy print it.
     apart = [part for factor in factors for part in _repeated(factor)]
-    found = [expression(factor) for factor in apart] or [t.Number(1.0)]
+    found = [expression(factor, ready) for factor in apart] or [t.Number(1.0)]
     return reduce(operator.mul, found)
 
 
@@ -67,13 +68,13 @@ def _repeated(factor: sp.Expr) -> list[sp.Expr]:
     return [factor]
 
 
-def _power(expr: sp.Pow) -> t.Expression:
+def _power(expr: sp.Pow, ready: Ready) -> t.Expression:
     if expr.exp == sp.Rational(1, 2):
-        return t.Call("sqrt", (expression(expr.base),))
+        return t.Call("sqrt", (expression(expr.base, ready),))
     if expr.exp == -1:
-        return t.Number(1.0) / expression(expr.base)
+        return t.Number(1.0) / expression(expr.base, ready)
     if expr.exp.is_Integer and expr.exp > 1 and expr.base.is_Symbol:
-        return _multiplied([expr.base] * int(expr.exp))
+        return _multiplied([expr.base] * int(expr.exp), ready)
     raise ValueError(f"cannot lower the power {expr}: its base needs a name")
 
 
@@ -146,8 +147,12 @@ def _argument_type(kind: str, held: tuple[Quantity, ...]) -> t.Type:
     return t.Array(t.Real(), (sum(len(q.keys) for q in held),)) if any(q.shape for q in held) else t.Real()
 
 
-def steps_of(steps: Iterable[Step]) -> list[t.Statement]:
-    """Each step, with its equation and meaning before the first of a run that shares them."""
+def steps_of(steps: Sequence[Step], ready: Ready | None = None) -> list[t.Statement]:
+    """Each step, with its equation and meaning before the first of a run that shares them.
+
+    ready: when they are; steps that are not in it are computed as where results are stored.
+    """
+    ready = ready_in(steps) if ready is None else ready
     found: list[t.Statement] = []
     before = None
     for step in steps:
@@ -155,5 +160,6 @@ def steps_of(steps: Iterable[Step]) -> list[t.Statement]:
         if any(said) and said != before:
             found.append(t.Comment(" ".join(part for part in said if part)))
         before = said
-        found.append(t.Let(step.name, expression(step.expr)))
+        order = ready if step.name in ready else NOTHING
+        found.append(t.Let(step.name, expression(step.expr, order)))
     return found

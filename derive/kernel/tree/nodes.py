@@ -190,9 +190,15 @@ def named(value: Expression | str) -> Expression:
     return Name(value) if isinstance(value, str) else value
 
 
-BUILT_IN: dict[str, Type] = {"sqrt": Real(), "size": Real(), "larger": Real(), "anywhere": Truth()}
-"""Functions that every language has: square root, absolute value, the larger of two, and whether a test
-holds for any of the poses side by side."""
+BUILT_IN: dict[str, Type] = {
+    "sqrt": Real(),
+    "size": Real(),
+    "larger": Real(),
+    "fma": Real(),
+    "anywhere": Truth(),
+}
+"""Functions that every language has: square root, absolute value, the larger of two, a product and a sum
+rounded once where that costs no more, and whether a test holds for any of the poses side by side."""
 
 
 # ---------------------------------------------------------------- statements

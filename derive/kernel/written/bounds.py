@@ -288,20 +288,22 @@ def pose_status(of: "Equations", shared: "Shared", suspect: "Integer") -> "Integ
     return singular_status(H, arm, of.L, of.reach, largest_component(shared.q_1, 0.0))
 
 
-def solution(of: "Equations", per_length: "Real", x: "array(6)", Y: "array(6, 6)") -> "Integer":
-    """x, and the inverse Y of H, by the elimination of the force kernel. Returns 1 for a small pivot, else
+def solution(of: "Equations", model: "Model", x: "array(6)", Y: "array(6, 6)") -> "Integer":
+    """x, and the inverse Y of H, by the solve of the force kernel. Returns 1 for a small pivot, else
     0."""
     A = blank(array(6, LANES))
+    wrench = blank(array(6))
     found = blank(array(6))
     suspect = 0
     for column in range(7):
         for i in range(6):
-            unit = where(i < 3, 1.0, per_length)
+            unit = where(i < 3, 1.0, model.per_length)
             for j in range(6):
                 A[i][j] = unit * of.H[i][j]
-            A[i][6] = where(column < 6, where(i == column, unit, 0.0), unit * of.c[i])
+            A[i][6] = 0.0
             A[i][7] = 0.0
-        suspect = solve_pose(A, found)
+            wrench[i] = where(column < 6, where(i == column, unit, 0.0), unit * of.c[i])
+        suspect = solve_pose(A, wrench, model.arm_cube, found)
         for i in range(6):
             if column < 6:
                 Y[i][column] = found[i]
@@ -380,7 +382,7 @@ def forces_of_pose(
     if status == OK and equations.near != 0:
         status = equations_of_pose(model, at, shared, 1, D, equations)
     if status == OK:
-        suspect = solution(equations, model.per_length, x, Y)
+        suspect = solution(equations, model, x, Y)
         status = pose_status(equations, shared, suspect)
     for i in range(6):
         if status == OK:

@@ -49,7 +49,7 @@ def forces(model: "Model", motion: "Motion") -> "Forces":
         for j in range(6):
             A[i][j] = sums.H[i][j]
             A[i + 3][j] = sums.H[i + 3][j] * model.per_length
-    small_pivot = eliminate(A, x)
+    small_pivot = solve_legs(A, model.arm_cube, x)
     suspect = where(small_pivot == 0, suspect, 1)
     if anywhere(suspect == 1):
         found = singular_status(sums.H, sums.arm, L, reach, largest_component(sums.q_1, 0.0))
@@ -72,7 +72,9 @@ def prepare(robot: "Robot") -> "Model":
         model.leg[i] = found
         total = add_up(total, found)
     model.platform = prepare_platform(robot, robot.leg[0].p, total)
-    model.per_length = per_length_of(size_of(model), SMALLEST)
+    largest = size_of(model)
+    model.per_length = per_length_of(largest, SMALLEST)
+    model.arm_cube = cube_of(largest * model.per_length)
     model.status = where(lost_digits(model) == 0.0, OK, NOT_FINITE)
     return model
 

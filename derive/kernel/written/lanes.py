@@ -58,9 +58,10 @@ def moments_of_pose(legs: "LegLanes") -> None:
         MOMENTS
 
 
-def scale_pose(A: "array(6, LANES)", per_length: "Real") -> None:
+def scale_pose(A: "array(6, LANES)", wrench: "array(6)", per_length: "Real") -> None:
     """Takes the moments of the rows [H | c] over a length."""
     for i in range(3, 6):
+        wrench[i] = wrench[i] * per_length
         for j in range(LANES):
             A[i][j] = A[i][j] * per_length
 
@@ -79,11 +80,33 @@ def subtract_row(to: "alone(array(LANES))", factor: "Real", row: "alone(array(LA
         to[j] = to[j] - factor * row[j]
 
 
-def solve_pose(A: "array(6, LANES)", x: "array(6)") -> "Integer":
+def blocks_of_pose(A: "array(6, LANES)", wrench: "array(6)", arm_cube: "Real", x: "array(6)") -> "Real":
+    """Solves [H | c] for x as two blocks of three legs; the first six lanes of the rows A are H. Returns 1
+    where the digits of another solve are wanted, else 0."""
+    two_blocks()
+    return weak
+
+
+def solve_pose(A: "array(6, LANES)", wrench: "array(6)", arm_cube: "Real", x: "array(6)") -> "Integer":
+    """Solves [H | c] for x, (36), by two blocks, or by pivots. Returns 1 where a pivot is small, else 0."""
+    suspect = 0
+    wanted = blocks_of_pose(A, wrench, arm_cube, x)
+    if wanted > 0.0:
+        suspect = pivots_of_pose(A, wrench, x)
+    return suspect
+
+
+def pivots_of_pose(H: "array(6, LANES)", wrench: "array(6)", x: "array(6)") -> "Integer":
     """Solves the augmented rows [H | c | 0] for x by elimination with partial pivoting, (36); whole rows are
     updated, so that a row is one vector, and the next column is known before the rows that hold it are
     stored. Returns 1 where a pivot is small, else 0. With moments about platform point 1 the first column has
     no moment rows."""
+    A = blank(array(6, LANES))
+    for i in range(6):
+        for l in range(LANES):
+            A[i][l] = H[i][l]
+        A[i][6] = wrench[i]
+        A[i][7] = 0.0
     for i in each(FIRST):
         a[i,] = A[i][0]
     elimination()
@@ -99,7 +122,7 @@ def solve_pose(A: "array(6, LANES)", x: "array(6)") -> "Integer":
     )
 
 
-def pose_status(legs: "LegLanes") -> "Integer":
+def pose_status(legs: "LegLanes", per_length: "Real") -> "Integer":
     """Status of a pose whose H may be singular to rounding."""
     H = blank(array(6, 6))
     arm = blank(array(6, 3))
@@ -110,8 +133,8 @@ def pose_status(legs: "LegLanes") -> "Integer":
     for i in range(6):
         for j in range(3):
             arm[i][j] = legs.q[j][i] - legs.q[j][0] if ABOUT_TIP else legs.q[j][i]
-            H[j][i] = legs.H_force[j][i]
-            H[j + 3][i] = legs.H_moment[j][i]
+            H[j][i] = legs.A[j][i]
+            H[j + 3][i] = legs.A[j + 3][i] / per_length
     return singular_status(H, arm, legs.L, legs.reach, tip)
 
 
@@ -121,7 +144,7 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
         model = address(numbers)
     shared = blank(SharedTerms)
     legs = blank(LegLanes)
-    A = blank(array(6, LANES))
+    wrench = blank(array(6))
     x = blank(array(6))
     found = blank(array(6))
     close = 0
@@ -149,22 +172,18 @@ def forces(model: "Model", motion: "Motion", F: "array(6)") -> "Integer":
         force = shared.c_force[j]
         turn = shared.c_tip[j] if ABOUT_TIP else shared.c_moment[j]
         if HAS_C:
-            for i in range(6):
+            for i in columns(6):
                 part_of_leg(i, j)
-        for i in range(LANES):
-            column_of_leg(i, j)
-        A[j][6] = force
-        A[j + 3][6] = turn
-        A[j][7] = 0.0
-        A[j + 3][7] = 0.0
+        wrench[j] = force
+        wrench[j + 3] = turn
     if SCALED == 1:
         if model.per_length != 1.0:
-            scale_pose(A, model.per_length)
+            scale_pose(legs.A, wrench, model.per_length)
     if SCALED == 2:
-        scale_pose(A, PER_LENGTH)
-    suspect = solve_pose(A, x)
+        scale_pose(legs.A, wrench, PER_LENGTH)
+    suspect = solve_pose(legs.A, wrench, ARM_CUBE, x)
     if close != 0 or suspect != 0:
-        status = pose_status(legs)
+        status = pose_status(legs, UNIT_OF_MOMENTS)
         if status != OK:
             return status
     for i in range(6):
@@ -233,15 +252,40 @@ def scale_block(out: "Block", per_length: "Real") -> None:
                 out.column[i][j][l] = out.column[i][j][l] * per_length
 
 
-def solve_block(
+def blocks_of_lanes(
+    column: "alone(array(7, 6, LANES))",
+    D: "alone(array(6, LANES))",
+    arm_cube: "Real",
+    F: "alone(array(6, LANES))",
+    bad: "alone(array(LANES))",
+    wanted: "alone(array(LANES))",
+) -> None:
+    """Solves eight systems [H | c] side by side for x as two blocks of three legs, (36), and F = D - x,
+    (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where the digits
+    of another solve are."""
+    for l in range(LANES):
+        for i in each(6):
+            for j in each(1 if i >= FIRST else 0, 7):
+                a[i, j] = column[j][i][l]
+        fault = bad[l]
+        two_blocks()
+        for i in each(6):
+            force[i,] = STEWART_FORCE(D[i][l], x[i,])
+            fault = where(size(force[i,]) <= MAX, fault, 1.0)
+            F[i][l] = force[i,]
+        bad[l] = where(weak > 0.0, bad[l], fault)
+        wanted[l] = weak
+
+
+def pivots_of_lanes(
     column: "alone(array(7, 6, LANES))",
     D: "alone(array(6, LANES))",
     F: "alone(array(6, LANES))",
     bad: "alone(array(LANES))",
+    wanted: "alone(array(LANES))",
 ) -> None:
-    """Solves eight systems [H | c] side by side for x by elimination with partial pivoting, (36), and
-    F = D - x, (37): a loop over lanes that never branches. The row with the largest entry sinks to its place
-    by exchanges that a lane makes or leaves. Marks as bad where a pivot is small or a force not finite."""
+    """The same by elimination with partial pivoting, where it is wanted. The row with the largest entry sinks
+    to its place by exchanges that a lane makes or leaves. Marks as bad where a pivot is small as well."""
     for l in range(LANES):
         for i in each(6):
             for j in each(1 if i >= FIRST else 0, 7):
@@ -251,8 +295,25 @@ def solve_block(
         for i in each(6):
             force[i,] = STEWART_FORCE(D[i][l], x[i,])
             fault = where(size(force[i,]) <= MAX, fault, 1.0)
-            F[i][l] = force[i,]
-        bad[l] = fault
+            F[i][l] = where(wanted[l] > 0.0, force[i,], F[i][l])
+        bad[l] = where(wanted[l] > 0.0, fault, bad[l])
+
+
+def solve_block(
+    column: "array(7, 6, LANES)",
+    D: "array(6, LANES)",
+    arm_cube: "Real",
+    F: "array(6, LANES)",
+    bad: "array(LANES)",
+) -> None:
+    """Forces of eight poses from [H | c] and D, (36) and (37), by two blocks, or by pivots."""
+    wanted = blank(array(LANES))
+    most = 0.0
+    blocks_of_lanes(column, D, arm_cube, F, bad, wanted)
+    for l in range(LANES):
+        most = larger(wanted[l], most)
+    if most > 0.0:
+        pivots_of_lanes(column, D, F, bad, wanted)
 
 
 def load_block(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
@@ -282,7 +343,7 @@ def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
             scale_block(out, model.per_length)
     if SCALED == 2:
         scale_block(out, PER_LENGTH)
-    solve_block(out.column, D, out.F, out.bad)
+    solve_block(out.column, D, ARM_CUBE, out.F, out.bad)
 
 
 def forces_of(model: "Model", motions: "Motions", pose: "Count", F: "Pointer(Real)") -> "Integer":

@@ -142,6 +142,32 @@ def per_length_of(size: "Real", smallest: "Real") -> "Real":
     return per_length
 
 
+def cube_of(arm: "Real") -> "Real":
+    """The cube of a length, or of one that has a cube."""
+    length = where(arm <= 1099511627776.0, arm, 1099511627776.0)
+    return length * length * length
+
+
+def solve_legs(A: "array(6, 7)", arm_cube: "Real", x: "array(6)") -> "Integer":
+    """Solves [H | c] for x, (36), as two blocks of three legs, where their determinants are small by pivots;
+    returns 1 where one of these is small."""
+    suspect = 0
+    two_blocks()
+    if anywhere(weak > 0.0):
+        other = array(6)
+        small = eliminate(A, other)
+        for number in range(6):
+            x[number] = where(weak > 0.0, other[number], x[number])
+        suspect = where(weak > 0.0, small, suspect)
+    return suspect
+
+
+def solve_by_pivots(A: "array(6, 7)", arm_cube: "Real", x: "array(6)") -> "Integer":
+    """Solves [H | c] for x, (36), by pivots alone, as formulas do, in which no determinant is known."""
+    suspect = eliminate(A, x)
+    return suspect
+
+
 def size_of(model: "Model") -> "Real":
     """Largest coordinate of the arms of moments about platform point 1, m."""
     largest = 0.0
@@ -172,7 +198,9 @@ def scaled_axis(k: "array(3)", out: "array(3)") -> None:
 
 def handed_over() -> None:
     """The end of a preparation: the model is written only if its numbers are finite."""
-    made.per_length = per_length_of(size_of(made), SMALLEST)
+    largest = size_of(made)
+    made.per_length = per_length_of(largest, SMALLEST)
+    made.arm_cube = cube_of(largest * made.per_length)
     numbers = numbers_of(made)
     for i in range(COUNT):
         if not size(numbers[i]) <= MAX:

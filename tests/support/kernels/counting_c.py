@@ -24,10 +24,14 @@ static bool operator!=(Real a, Real b) { return a.value != b.value; }
 static bool operator<=(Real a, Real b) { return a.value <= b.value; }
 static Real root(Real a) { ++counts.sqrt; return Real(std::sqrt(a.value)); }
 /* Thresholds are constants times a scale: their products are not arithmetic of the equations. */
-struct Threshold { operator Real() const { return Real(1.8e-15); } };
+struct Threshold { Threshold() {} operator Real() const { return Real(1.8e-15); } };
 static Real operator*(Threshold, Real b) { return Real(1.8e-15 * b.value); }
 static bool operator>(Real a, Threshold) { return a.value > 1.8e-15; }
 static Threshold operator*(Real, Threshold t) { return t; }
+static bool operator>(Threshold, Threshold) { return false; }
+static const Threshold threshold;
+struct Ceiling { };
+static Real operator*(Ceiling, Real b) { return Real(1e30 * b.value); }
 static Real operator/(Threshold, Threshold) { return Real(1e-130); }
 static Real operator*(Threshold, Threshold) { return Real(1e-130); }
 #define STEWART_REAL Real
@@ -37,7 +41,10 @@ static Real operator*(Threshold, Threshold) { return Real(1e-130); }
 #define STEWART_MAX Real(1e308)
 #define STEWART_SHORTEST Threshold()
 #define STEWART_SUSPECT Threshold()
-#define STEWART_SHORT_SHARE Threshold()
+#define STEWART_SHORT_SHARE threshold
+#define STEWART_BLOCK_GROWTH Ceiling()
+#define STEWART_BLOCK_LEAST Threshold()
+#define STEWART_BLOCK_SINGULAR Threshold()
 ${INCLUDES}
 int main() {
     static stewart_robot robot;
