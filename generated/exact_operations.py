@@ -8,7 +8,7 @@ OPERATIONS: dict[str, int] = {
     "equations": 4634,
     "bias": 2091,
     "forward_dynamics": 2973,
-    "derivatives": 11204,
+    "derivatives": 10544,
     "joint_rows": 2430,
-    "joint_slopes": 13433,
+    "joint_slopes": 13247,
 }

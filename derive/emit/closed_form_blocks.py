@@ -35,7 +35,7 @@ Parted = tuple[tuple[t.Statement, ...], tuple[t.Statement, ...]]
 """What all lanes share, and what is done in each."""
 
 MOTION_LANES = t.Structure(
-    "motion_lanes",
+    "motion_in_lanes",
     "A motion in every lane, or motions of eight poses, component by component.",
     tuple(lay.stored(q, LANES) for q in n.MOTION),
     aligned=True,
@@ -347,7 +347,7 @@ class Batches(ABC):
             structures=structures,
             given={"OF_LEG": lay.entries(self.model.leg_constants())},
         )
-        yield self.read(texts.load_block, structures=structures, given={"LOADS": LOADED})
+        yield self.read(texts.load_motions, structures=structures, given={"LOADS": LOADED})
         if {"forward_dynamics", "derivatives"} & set(self.asked):
             yield self.read(texts.load_forces)
         yield replace(self.read(texts.add_two), apart=True)

@@ -145,7 +145,7 @@ typedef struct {
     stewart_real a[3][LANES];
     stewart_real F_ext[3][LANES];
     stewart_real M_ext[3][LANES];
-} STEWART_ALIGNED motion_lanes;
+} STEWART_ALIGNED motion_in_lanes;
 
 /* What is wrong with the first leg that is not fit. */
 static int legs_status(const leg_checks *checked)
@@ -198,8 +198,8 @@ typedef struct {
 
 /* The platform's part, of one pose or of eight. */
 static STEWART_INLINE void forward_of_pose(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int lanes,
-    forward_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    int lanes, forward_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
     int l;
     const stewart_real M_P = model->M_P;
@@ -305,7 +305,7 @@ static STEWART_INLINE void forward_of_pose(
 
 /* The legs of a pose side by side, or one leg of eight poses. */
 STEWART_APART static void forward_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const forward_pose *STEWART_RESTRICT pose, forward_legs *STEWART_RESTRICT out)
 {
     int l;
@@ -564,7 +564,7 @@ static void forward_sums(
     stewart_real summed[27])
 {
     int l;
-    motion_lanes at;
+    motion_in_lanes at;
     forward_pose own;
     forward_pose pose;
     for (l = 0; l < LANES; ++l) {
@@ -799,8 +799,8 @@ typedef struct {
 
 /* The platform's part, of one pose or of eight. */
 static STEWART_INLINE void joint_rows_of_pose(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int lanes,
-    joint_rows_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    int lanes, joint_rows_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
     int l;
     const stewart_real C_P = model->C_P;
@@ -918,7 +918,7 @@ static STEWART_INLINE void joint_rows_of_pose(
 
 /* The legs of a pose side by side, or one leg of eight poses. */
 STEWART_APART static void joint_rows_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const joint_rows_pose *STEWART_RESTRICT pose, joint_rows_legs *STEWART_RESTRICT out)
 {
     int l;
@@ -1167,7 +1167,7 @@ static void joint_rows_sums(
     stewart_real summed[27])
 {
     int l;
-    motion_lanes at;
+    motion_in_lanes at;
     joint_rows_pose own;
     joint_rows_pose pose;
     for (l = 0; l < LANES; ++l) {
@@ -1754,8 +1754,8 @@ typedef struct {
 
 /* The platform's part, of one pose or of eight. */
 static STEWART_INLINE void equations_of_pose(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int lanes,
-    const equations_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    int lanes, const equations_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
     int l;
     (void)out;
@@ -1874,7 +1874,7 @@ static STEWART_INLINE void equations_of_pose(
 
 /* The legs of a pose side by side, or one leg of eight poses. */
 STEWART_APART static void equations_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
 {
     int l;
@@ -2251,7 +2251,7 @@ STEWART_APART static void equations_of_leg(
 
 /* The legs of a pose side by side, or one leg of eight poses. */
 STEWART_APART static void equations_of_near(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const equations_pose *STEWART_RESTRICT pose, equations_legs *STEWART_RESTRICT out)
 {
     int l;
@@ -2636,7 +2636,7 @@ static void equations_sums(
     stewart_real summed[69])
 {
     int l;
-    motion_lanes at;
+    motion_in_lanes at;
     equations_pose own = {0};
     equations_pose pose = {0};
     for (l = 0; l < LANES; ++l) {
@@ -2917,8 +2917,8 @@ typedef struct {
 
 /* The platform's part, of one pose or of eight. */
 static STEWART_INLINE void derivatives_of_pose(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int lanes,
-    derivatives_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    int lanes, derivatives_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
     int l;
     const stewart_real M_P = model->M_P;
@@ -3155,7 +3155,7 @@ static STEWART_INLINE void derivatives_of_pose(
 
 /* The legs of a pose side by side, or one leg of eight poses. */
 STEWART_APART static void derivatives_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const derivatives_pose *STEWART_RESTRICT pose, derivatives_legs *STEWART_RESTRICT out)
 {
     int l;
@@ -3395,163 +3395,133 @@ STEWART_APART static void derivatives_of_leg(
             c1*c44))));
         const stewart_real c53 = inv_rho*kappa;
         const stewart_real c54 = -c1 - c2;
-        const stewart_real c55 = inv_rho*theta_dot;
         const stewart_real G_ddot_32 = STEWART_FMA(-c53, theta_ddot, STEWART_FMA(theta_dot,
-            STEWART_FMA(-c53, c54, -c55*STEWART_FMA(-kappa, kappa, -REAL(1))), STEWART_FMA(-L_ddot, c13,
-            STEWART_FMA(-c52, inv_rho, STEWART_FMA(-c48, inv_rho, L_dot*STEWART_FMA(-c13, c54,
-            c43*inv_rho))))));
+            STEWART_FMA(-c53, c54, -inv_rho*theta_dot*STEWART_FMA(-kappa, kappa, -REAL(1))),
+            STEWART_FMA(-L_ddot, c13, STEWART_FMA(-c52, inv_rho, STEWART_FMA(-c48, inv_rho,
+            L_dot*STEWART_FMA(-c13, c54, c43*inv_rho))))));
         const stewart_real G_ddot_33 = STEWART_FMA(inv_rho*k1, phi_ddot, STEWART_FMA(theta_dot,
             STEWART_FMA(-c47, kappa, -c44), STEWART_FMA(-c42, c45, STEWART_FMA(c44, theta_dot, c42*c46))));
         const stewart_real tau_rate_12 = -c18;
         const stewart_real tau_rate_13 = -c16*c5;
         const stewart_real tau_rate_21 = c18;
-        const stewart_real c56 = REAL(2)*h_x;
-        const stewart_real tau_rate_22 = STEWART_FMA(L_dot, c56, C_us);
+        const stewart_real c55 = REAL(2)*h_x;
+        const stewart_real tau_rate_22 = STEWART_FMA(L_dot, c55, C_us);
         const stewart_real tau_rate_23 = -c31*c5;
         const stewart_real tau_rate_31 = STEWART_FMA(-REAL(2), c34, REAL(2)*c16*phi_dot);
         const stewart_real tau_rate_32 = STEWART_FMA(c31, c5, STEWART_FMA(-REAL(2), c38, REAL(2)*c39));
         const stewart_real tau_rate_33 = STEWART_FMA(REAL(2), c36, STEWART_FMA(REAL(2), c35, C_us));
-        const stewart_real c57 = h_y*phi_ddot;
-        const stewart_real c58 = STEWART_FMA(-h_z, k1, c56*k3);
-        const stewart_real tau_place_12 = STEWART_FMA(-c48, h_z, k1*(-c4*c58 - c57));
-        const stewart_real c59 = REAL(4)*h_x;
-        const stewart_real c60 = STEWART_FMA(c30, STEWART_FMA((-REAL(2))*h_z, k1, c59*k3), c6*h_z);
-        const stewart_real tau_place_21 = STEWART_FMA(-c57, k1, STEWART_FMA(-c4, c60, c56*theta_ddot));
-        const stewart_real c61 = STEWART_FMA(-c25, k3, c30*STEWART_FMA(L, c59, STEWART_FMA(-REAL(2), J_xx,
+        const stewart_real c56 = h_y*phi_ddot;
+        const stewart_real c57 = STEWART_FMA(-h_z, k1, c55*k3);
+        const stewart_real tau_place_12 = STEWART_FMA(-c48, h_z, k1*(-c4*c57 - c56));
+        const stewart_real c58 = REAL(4)*h_x;
+        const stewart_real c59 = STEWART_FMA(c30, STEWART_FMA((-REAL(2))*h_z, k1, c58*k3), c6*h_z);
+        const stewart_real tau_place_21 = STEWART_FMA(-c56, k1, STEWART_FMA(-c4, c59, c55*theta_ddot));
+        const stewart_real c60 = STEWART_FMA(-c25, k3, c30*STEWART_FMA(L, c58, STEWART_FMA(-REAL(2), J_xx,
             REAL(2)*J_zz)));
-        const stewart_real c62 = c28 + c26;
-        const stewart_real tau_place_22 = STEWART_FMA(-k3, STEWART_FMA(c9, phi_ddot, STEWART_FMA(-c4, c62,
+        const stewart_real c61 = c28 + c26;
+        const stewart_real tau_place_22 = STEWART_FMA(-k3, STEWART_FMA(c9, phi_ddot, STEWART_FMA(-c4, c61,
             STEWART_FMA(-g_k, w_z, gamma_n*w_x))), k1*STEWART_FMA(J_yz, phi_ddot, STEWART_FMA(gamma_n, w_z,
-            STEWART_FMA(-c4, c61, g_k*w_x))));
+            STEWART_FMA(-c4, c60, g_k*w_x))));
         const stewart_real tau_place_23 = STEWART_FMA(-C_s, w_n_omega, -c21*gamma_y);
-        const stewart_real c63 = c60*phi_dot;
+        const stewart_real c62 = c59*phi_dot;
         const stewart_real tau_place_31 = STEWART_FMA((-h_y)*k1, theta_ddot, STEWART_FMA(phi_ddot,
             STEWART_FMA((-REAL(2))*c8, h_z, REAL(2)*c15), STEWART_FMA(theta_dot, STEWART_FMA(c11, theta_dot,
-            c63), c63*theta_dot)));
-        const stewart_real c64 = L_dot*c58;
+            c62), c62*theta_dot)));
+        const stewart_real c63 = L_dot*c57;
         const stewart_real tau_place_32 = STEWART_FMA(-k3, STEWART_FMA(c25, c49, STEWART_FMA(L_dot,
             STEWART_FMA(-c40, h_z, -c33), STEWART_FMA(c9, theta_ddot, STEWART_FMA(theta_dot,
-            STEWART_FMA(c62, phi_dot, STEWART_FMA(J_yz, theta_dot, -c37)), STEWART_FMA(phi_dot,
-            STEWART_FMA((-L_dot)*h_z, k3, c62*theta_dot), gamma_y*w_z))))), k1*STEWART_FMA(c29, phi_ddot,
-            STEWART_FMA(J_yz, theta_ddot, STEWART_FMA(theta_dot, STEWART_FMA(-c9, theta_dot, c61*phi_dot),
-            STEWART_FMA(-gamma_y, w_x, STEWART_FMA(phi_dot, STEWART_FMA(c61, theta_dot, c64),
-            STEWART_FMA(-L_ddot, h_y, c64*phi_dot)))))));
+            STEWART_FMA(c61, phi_dot, STEWART_FMA(J_yz, theta_dot, -c37)), STEWART_FMA(phi_dot,
+            STEWART_FMA((-L_dot)*h_z, k3, c61*theta_dot), gamma_y*w_z))))), k1*STEWART_FMA(c29, phi_ddot,
+            STEWART_FMA(J_yz, theta_ddot, STEWART_FMA(theta_dot, STEWART_FMA(-c9, theta_dot, c60*phi_dot),
+            STEWART_FMA(-gamma_y, w_x, STEWART_FMA(phi_dot, STEWART_FMA(c60, theta_dot, c63),
+            STEWART_FMA(-L_ddot, h_y, c63*phi_dot)))))));
         const stewart_real tau_place_33 = STEWART_FMA(gamma_y, w_y, c22*gamma_n);
-        const stewart_real c65 = inv_rho*tau_phi;
-        const stewart_real c66 = inv_L*tau_theta;
-        const stewart_real c67 = tau_L - F;
+        const stewart_real c64 = inv_rho*tau_phi;
+        const stewart_real c65 = inv_L*tau_theta;
+        const stewart_real c66 = tau_L - F;
         /* force at the tip, less the actuator's */
-        const stewart_real R_tip_x = STEWART_FMA(-c66, z_x, STEWART_FMA(c67, s_x, c65*y_x));
-        const stewart_real R_tip_y = STEWART_FMA(-c66, z_y, STEWART_FMA(c67, s_y, c65*y_y));
-        const stewart_real R_tip_z = STEWART_FMA(-c66, z_z, STEWART_FMA(c67, s_z, c65*y_z));
+        const stewart_real R_tip_x = STEWART_FMA(-c65, z_x, STEWART_FMA(c66, s_x, c64*y_x));
+        const stewart_real R_tip_y = STEWART_FMA(-c65, z_y, STEWART_FMA(c66, s_y, c64*y_y));
+        const stewart_real R_tip_z = STEWART_FMA(-c65, z_z, STEWART_FMA(c66, s_z, c64*y_z));
+        /* slope of a rate, times C_s */
+        const stewart_real theta_dot_by_S_x = C_s*STEWART_FMA(G_dot_22, y_x, STEWART_FMA(G_dot_21, s_x,
+            G_dot_23*z_x));
+        const stewart_real theta_dot_by_S_y = C_s*STEWART_FMA(G_dot_22, y_y, STEWART_FMA(G_dot_21, s_y,
+            G_dot_23*z_y));
+        const stewart_real theta_dot_by_S_z = C_s*STEWART_FMA(G_dot_22, y_z, STEWART_FMA(G_dot_21, s_z,
+            G_dot_23*z_z));
+        const stewart_real phi_dot_by_S_x = C_s*STEWART_FMA(G_dot_31, s_x, STEWART_FMA(G_dot_33, z_x,
+            G_dot_32*y_x));
+        const stewart_real phi_dot_by_S_y = C_s*STEWART_FMA(G_dot_31, s_y, STEWART_FMA(G_dot_33, z_y,
+            G_dot_32*y_y));
+        const stewart_real phi_dot_by_S_z = C_s*STEWART_FMA(G_dot_31, s_z, STEWART_FMA(G_dot_33, z_z,
+            G_dot_32*y_z));
+        const stewart_real c67 = C_s*inv_L;
+        /* gradient of theta, times C_s */
+        const stewart_real C_s_theta_x = -c67*z_x;
+        const stewart_real C_s_theta_y = -c67*z_y;
+        const stewart_real C_s_theta_z = -c67*z_z;
         const stewart_real c68 = C_s*inv_rho;
-        const stewart_real c69 = c68*k1;
-        const stewart_real A_3_leg_21 = -c69;
-        const stewart_real c70 = c68*k3;
-        const stewart_real A_3_leg_23 = -c70;
-        const stewart_real c71 = C_s*inv_L;
-        const stewart_real A_3_leg_32 = c71;
-        const stewart_real A_3_T_xs = A_3_leg_21*y_x;
-        const stewart_real A_3_T_xy = A_3_leg_32*z_x;
-        const stewart_real A_3_T_xz = A_3_leg_23*y_x;
-        const stewart_real A_3_T_ys = A_3_leg_21*y_y;
-        const stewart_real A_3_T_yy = A_3_leg_32*z_y;
-        const stewart_real A_3_T_yz = A_3_leg_23*y_y;
-        const stewart_real A_3_T_zs = A_3_leg_21*y_z;
-        const stewart_real A_3_T_zy = A_3_leg_32*z_z;
-        const stewart_real A_3_T_zz = A_3_leg_23*y_z;
-        /* force at the tip by omega */
-        const stewart_real A_3_xx = STEWART_FMA(A_3_T_xz, z_x, STEWART_FMA(A_3_T_xs, s_x, A_3_T_xy*y_x));
-        const stewart_real A_3_xy = STEWART_FMA(A_3_T_xz, z_y, STEWART_FMA(A_3_T_xs, s_y, A_3_T_xy*y_y));
-        const stewart_real A_3_xz = STEWART_FMA(A_3_T_xz, z_z, STEWART_FMA(A_3_T_xs, s_z, A_3_T_xy*y_z));
-        const stewart_real A_3_yx = STEWART_FMA(A_3_T_yz, z_x, STEWART_FMA(A_3_T_ys, s_x, A_3_T_yy*y_x));
-        const stewart_real A_3_yy = STEWART_FMA(A_3_T_yz, z_y, STEWART_FMA(A_3_T_ys, s_y, A_3_T_yy*y_y));
-        const stewart_real A_3_yz = STEWART_FMA(A_3_T_yz, z_z, STEWART_FMA(A_3_T_ys, s_z, A_3_T_yy*y_z));
-        const stewart_real A_3_zx = STEWART_FMA(A_3_T_zz, z_x, STEWART_FMA(A_3_T_zs, s_x, A_3_T_zy*y_x));
-        const stewart_real A_3_zy = STEWART_FMA(A_3_T_zz, z_y, STEWART_FMA(A_3_T_zs, s_y, A_3_T_zy*y_y));
-        const stewart_real A_3_zz = STEWART_FMA(A_3_T_zz, z_z, STEWART_FMA(A_3_T_zs, s_z, A_3_T_zy*y_z));
-        const stewart_real c72 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c72;
-        const stewart_real f_S_leg_12 = C_s*STEWART_FMA(-c55, k3, G_dot_32*k1);
-        const stewart_real f_S_leg_13 = G_dot_33*c72;
-        const stewart_real f_S_leg_21 = C_s*G_dot_21;
-        const stewart_real f_S_leg_22 = C_s*G_dot_22;
-        const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c73 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c73;
-        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(G_dot_32, k3, c55*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c73;
-        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_11, s_x,
-            f_S_leg_21*y_x));
-        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_12, s_x,
-            f_S_leg_22*y_x));
-        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_13, s_x,
-            f_S_leg_23*y_x));
-        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_11, s_y,
-            f_S_leg_21*y_y));
-        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_12, s_y,
-            f_S_leg_22*y_y));
-        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_13, s_y,
-            f_S_leg_23*y_y));
-        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_11, s_z,
-            f_S_leg_21*y_z));
-        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_12, s_z,
-            f_S_leg_22*y_z));
-        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_13, s_z,
-            f_S_leg_23*y_z));
+        /* gradient of phi, times C_s */
+        const stewart_real C_s_phi_x = c68*y_x;
+        const stewart_real C_s_phi_y = c68*y_y;
+        const stewart_real C_s_phi_z = c68*y_z;
+        const stewart_real y_by_phi_x = normal_x*theta_dot;
+        const stewart_real y_by_phi_y = normal_y*theta_dot;
+        const stewart_real y_by_phi_z = normal_z*theta_dot;
         /* friction moment by S */
-        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xy, y_x, STEWART_FMA(f_S_T_xs, s_x, f_S_T_xz*z_x));
-        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xy, y_y, STEWART_FMA(f_S_T_xs, s_y, f_S_T_xz*z_y));
-        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xy, y_z, STEWART_FMA(f_S_T_xs, s_z, f_S_T_xz*z_z));
-        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yy, y_x, STEWART_FMA(f_S_T_ys, s_x, f_S_T_yz*z_x));
-        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yy, y_y, STEWART_FMA(f_S_T_ys, s_y, f_S_T_yz*z_y));
-        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yy, y_z, STEWART_FMA(f_S_T_ys, s_z, f_S_T_yz*z_z));
-        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zy, y_x, STEWART_FMA(f_S_T_zs, s_x, f_S_T_zz*z_x));
-        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zy, y_y, STEWART_FMA(f_S_T_zs, s_y, f_S_T_zz*z_y));
-        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zy, y_z, STEWART_FMA(f_S_T_zs, s_z, f_S_T_zz*z_z));
-        const stewart_real f_S_dot_leg_12 = c69;
-        const stewart_real f_S_dot_leg_23 = -c71;
-        const stewart_real f_S_dot_leg_32 = c70;
-        const stewart_real f_S_dot_T_xy = STEWART_FMA(f_S_dot_leg_32, z_x, f_S_dot_leg_12*s_x);
-        const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
-        const stewart_real f_S_dot_T_yy = STEWART_FMA(f_S_dot_leg_32, z_y, f_S_dot_leg_12*s_y);
-        const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
-        const stewart_real f_S_dot_T_zy = STEWART_FMA(f_S_dot_leg_32, z_z, f_S_dot_leg_12*s_z);
-        const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
+        const stewart_real f_S_xx = STEWART_FMA(k_x, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_x,
+            C_s_phi_x*y_by_phi_x));
+        const stewart_real f_S_xy = STEWART_FMA(k_x, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_x,
+            C_s_phi_y*y_by_phi_x));
+        const stewart_real f_S_xz = STEWART_FMA(k_x, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_x,
+            C_s_phi_z*y_by_phi_x));
+        const stewart_real f_S_yx = STEWART_FMA(k_y, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_y,
+            C_s_phi_x*y_by_phi_y));
+        const stewart_real f_S_yy = STEWART_FMA(k_y, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_y,
+            C_s_phi_y*y_by_phi_y));
+        const stewart_real f_S_yz = STEWART_FMA(k_y, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_y,
+            C_s_phi_z*y_by_phi_y));
+        const stewart_real f_S_zx = STEWART_FMA(k_z, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_z,
+            C_s_phi_x*y_by_phi_z));
+        const stewart_real f_S_zy = STEWART_FMA(k_z, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_z,
+            C_s_phi_y*y_by_phi_z));
+        const stewart_real f_S_zz = STEWART_FMA(k_z, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_z,
+            C_s_phi_z*y_by_phi_z));
         /* friction moment by S_dot */
-        const stewart_real f_S_dot_xx = STEWART_FMA(f_S_dot_T_xz, z_x, f_S_dot_T_xy*y_x);
-        const stewart_real f_S_dot_xy = STEWART_FMA(f_S_dot_T_xz, z_y, f_S_dot_T_xy*y_y);
-        const stewart_real f_S_dot_xz = STEWART_FMA(f_S_dot_T_xz, z_z, f_S_dot_T_xy*y_z);
-        const stewart_real f_S_dot_yx = STEWART_FMA(f_S_dot_T_yz, z_x, f_S_dot_T_yy*y_x);
-        const stewart_real f_S_dot_yy = STEWART_FMA(f_S_dot_T_yz, z_y, f_S_dot_T_yy*y_y);
-        const stewart_real f_S_dot_yz = STEWART_FMA(f_S_dot_T_yz, z_z, f_S_dot_T_yy*y_z);
-        const stewart_real f_S_dot_zx = STEWART_FMA(f_S_dot_T_zz, z_x, f_S_dot_T_zy*y_x);
-        const stewart_real f_S_dot_zy = STEWART_FMA(f_S_dot_T_zz, z_y, f_S_dot_T_zy*y_y);
-        const stewart_real f_S_dot_zz = STEWART_FMA(f_S_dot_T_zz, z_z, f_S_dot_T_zy*y_z);
+        const stewart_real f_S_dot_xx = STEWART_FMA(C_s_phi_x, k_x, C_s_theta_x*y_x);
+        const stewart_real f_S_dot_xy = STEWART_FMA(C_s_phi_y, k_x, C_s_theta_y*y_x);
+        const stewart_real f_S_dot_xz = STEWART_FMA(C_s_phi_z, k_x, C_s_theta_z*y_x);
+        const stewart_real f_S_dot_yx = STEWART_FMA(C_s_phi_x, k_y, C_s_theta_x*y_y);
+        const stewart_real f_S_dot_yy = STEWART_FMA(C_s_phi_y, k_y, C_s_theta_y*y_y);
+        const stewart_real f_S_dot_yz = STEWART_FMA(C_s_phi_z, k_y, C_s_theta_z*y_y);
+        const stewart_real f_S_dot_zx = STEWART_FMA(C_s_phi_x, k_z, C_s_theta_x*y_z);
+        const stewart_real f_S_dot_zy = STEWART_FMA(C_s_phi_y, k_z, C_s_theta_y*y_z);
+        const stewart_real f_S_dot_zz = STEWART_FMA(C_s_phi_z, k_z, C_s_theta_z*y_z);
         const stewart_real A_0_leg_11 = STEWART_FMA(-G_ddot_31, k3_h, STEWART_FMA(G_ddot_21, h_z,
             STEWART_FMA(G_dot_31, tau_rate_13, G_dot_21*tau_rate_12)));
         const stewart_real A_0_leg_12 = STEWART_FMA((-c12)*k3, tau_phi, STEWART_FMA(-G_ddot_32, k3_h,
             STEWART_FMA(G_ddot_22, h_z, STEWART_FMA(G_dot_32, tau_rate_13, STEWART_FMA(G_dot_22,
             tau_rate_12, C_p*G_dot_12)))));
-        const stewart_real c74 = c14*tau_theta;
+        const stewart_real c69 = c14*tau_theta;
         const stewart_real A_0_leg_13 = STEWART_FMA(-inv_L, tau_place_12, STEWART_FMA(-G_ddot_33, k3_h,
             STEWART_FMA(G_dot_33, tau_rate_13, STEWART_FMA(G_dot_23, tau_rate_12, STEWART_FMA(-C_p,
-            theta_dot, G_ddot_23*h_z))) + c74));
-        const stewart_real c75 = c13*tau_phi;
+            theta_dot, G_ddot_23*h_z))) + c69));
+        const stewart_real c70 = c13*tau_phi;
         const stewart_real A_0_leg_21 = STEWART_FMA(inv_rho, STEWART_FMA(G_ddot_31, M_phi,
             STEWART_FMA(G_ddot_21, M_mixed, STEWART_FMA(G_dot_31, tau_rate_33, STEWART_FMA(-G_ddot_11, k3_h,
-            G_dot_21*tau_rate_32))) + tau_place_31), -c75);
+            G_dot_21*tau_rate_32))) + tau_place_31), -c70);
         const stewart_real A_0_leg_22 = STEWART_FMA(inv_rho, STEWART_FMA(-G_ddot_12, k3_h,
             STEWART_FMA(G_ddot_32, M_phi, STEWART_FMA(G_ddot_22, M_mixed, STEWART_FMA(G_dot_22, tau_rate_32,
             STEWART_FMA(G_dot_12, tau_rate_31, STEWART_FMA(inv_rho, tau_place_33,
-            G_dot_32*tau_rate_33)))))), STEWART_FMA(c67*inv_rho, k3, c13*k1*tau_theta));
+            G_dot_32*tau_rate_33)))))), STEWART_FMA(c66*inv_rho, k3, c13*k1*tau_theta));
         const stewart_real A_0_leg_23 = STEWART_FMA(inv_rho, STEWART_FMA(-inv_L, tau_place_32,
             STEWART_FMA(G_ddot_33, M_phi, STEWART_FMA(-G_ddot_13, k3_h, STEWART_FMA(-tau_rate_31, theta_dot,
             STEWART_FMA(G_dot_23, tau_rate_32, STEWART_FMA(G_dot_33, tau_rate_33, G_ddot_23*M_mixed)))))),
-            c75*kappa);
+            c70*kappa);
         const stewart_real A_0_leg_31 = STEWART_FMA(-inv_L, STEWART_FMA(G_ddot_31, M_mixed,
             STEWART_FMA(G_ddot_21, M_theta, STEWART_FMA(G_dot_31, tau_rate_23, STEWART_FMA(G_dot_21,
-            tau_rate_22, G_ddot_11*h_z))) + tau_place_21), c74);
+            tau_rate_22, G_ddot_11*h_z))) + tau_place_21), c69);
         const stewart_real A_0_leg_32 = STEWART_FMA(-inv_L, STEWART_FMA(G_ddot_32, M_mixed,
             STEWART_FMA(G_ddot_22, M_theta, STEWART_FMA(G_ddot_12, h_z, STEWART_FMA(inv_rho, tau_place_23,
             STEWART_FMA(G_dot_32, tau_rate_23, STEWART_FMA(G_dot_22, tau_rate_22,
@@ -3559,7 +3529,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real A_0_leg_33 = STEWART_FMA(-inv_L, STEWART_FMA(-inv_L, tau_place_22,
             STEWART_FMA(G_ddot_33, M_mixed, STEWART_FMA(G_ddot_13, h_z, STEWART_FMA(G_dot_33, tau_rate_23,
             STEWART_FMA(-tau_rate_21, theta_dot, STEWART_FMA(G_dot_23, tau_rate_22, G_ddot_23*M_theta)))))),
-            c67*inv_L);
+            c66*inv_L);
         const stewart_real A_0_T_xs = STEWART_FMA(A_0_leg_31, z_x, STEWART_FMA(A_0_leg_21, y_x,
             A_0_leg_11*s_x));
         const stewart_real A_0_T_xy = STEWART_FMA(A_0_leg_32, z_x, STEWART_FMA(A_0_leg_22, y_x,
@@ -3588,28 +3558,28 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real A_0_zx = STEWART_FMA(A_0_T_zz, z_x, STEWART_FMA(A_0_T_zy, y_x, A_0_T_zs*s_x));
         const stewart_real A_0_zy = STEWART_FMA(A_0_T_zz, z_y, STEWART_FMA(A_0_T_zy, y_y, A_0_T_zs*s_y));
         const stewart_real A_0_zz = STEWART_FMA(A_0_T_zz, z_z, STEWART_FMA(A_0_T_zy, y_z, A_0_T_zs*s_z));
-        const stewart_real c76 = REAL(2)*h_z;
-        const stewart_real c77 = REAL(2)*k3_h;
-        const stewart_real A_1_leg_11 = STEWART_FMA(-G_dot_31, c77, STEWART_FMA(G_dot_21, c76, C_p));
-        const stewart_real A_1_leg_12 = STEWART_FMA(-G_dot_32, c77, STEWART_FMA(inv_rho, tau_rate_13,
-            G_dot_22*c76));
-        const stewart_real A_1_leg_13 = STEWART_FMA(-G_dot_33, c77, STEWART_FMA(-inv_L, tau_rate_12,
+        const stewart_real c71 = REAL(2)*h_z;
+        const stewart_real c72 = REAL(2)*k3_h;
+        const stewart_real A_1_leg_11 = STEWART_FMA(-G_dot_31, c72, STEWART_FMA(G_dot_21, c71, C_p));
+        const stewart_real A_1_leg_12 = STEWART_FMA(-G_dot_32, c72, STEWART_FMA(inv_rho, tau_rate_13,
+            G_dot_22*c71));
+        const stewart_real A_1_leg_13 = STEWART_FMA(-G_dot_33, c72, STEWART_FMA(-inv_L, tau_rate_12,
             REAL(2)*G_dot_23*h_z));
-        const stewart_real c78 = REAL(2)*M_mixed;
-        const stewart_real c79 = REAL(2)*M_phi;
-        const stewart_real A_1_leg_21 = inv_rho*STEWART_FMA(G_dot_31, c79, STEWART_FMA(G_dot_21, c78,
+        const stewart_real c73 = REAL(2)*M_mixed;
+        const stewart_real c74 = REAL(2)*M_phi;
+        const stewart_real A_1_leg_21 = inv_rho*STEWART_FMA(G_dot_31, c74, STEWART_FMA(G_dot_21, c73,
             tau_rate_31));
-        const stewart_real A_1_leg_22 = inv_rho*STEWART_FMA(-G_dot_12, c77, STEWART_FMA(G_dot_32, c79,
-            STEWART_FMA(G_dot_22, c78, inv_rho*tau_rate_33)));
-        const stewart_real A_1_leg_23 = inv_rho*STEWART_FMA(-inv_L, tau_rate_32, STEWART_FMA(G_dot_33, c79,
-            STEWART_FMA(c7, k3_h, G_dot_23*c78)));
-        const stewart_real c80 = REAL(2)*M_theta;
-        const stewart_real A_1_leg_31 = -inv_L*STEWART_FMA(G_dot_31, c78, STEWART_FMA(G_dot_21, c80,
+        const stewart_real A_1_leg_22 = inv_rho*STEWART_FMA(-G_dot_12, c72, STEWART_FMA(G_dot_32, c74,
+            STEWART_FMA(G_dot_22, c73, inv_rho*tau_rate_33)));
+        const stewart_real A_1_leg_23 = inv_rho*STEWART_FMA(-inv_L, tau_rate_32, STEWART_FMA(G_dot_33, c74,
+            STEWART_FMA(c7, k3_h, G_dot_23*c73)));
+        const stewart_real c75 = REAL(2)*M_theta;
+        const stewart_real A_1_leg_31 = -inv_L*STEWART_FMA(G_dot_31, c73, STEWART_FMA(G_dot_21, c75,
             tau_rate_21));
-        const stewart_real A_1_leg_32 = -inv_L*STEWART_FMA(inv_rho, tau_rate_23, STEWART_FMA(G_dot_32, c78,
-            STEWART_FMA(G_dot_22, c80, G_dot_12*c76)));
-        const stewart_real A_1_leg_33 = -inv_L*STEWART_FMA(G_dot_33, c78, STEWART_FMA(-c7, h_z,
-            STEWART_FMA(-inv_L, tau_rate_22, G_dot_23*c80)));
+        const stewart_real A_1_leg_32 = -inv_L*STEWART_FMA(inv_rho, tau_rate_23, STEWART_FMA(G_dot_32, c73,
+            STEWART_FMA(G_dot_22, c75, G_dot_12*c71)));
+        const stewart_real A_1_leg_33 = -inv_L*STEWART_FMA(G_dot_33, c73, STEWART_FMA(-c7, h_z,
+            STEWART_FMA(-inv_L, tau_rate_22, G_dot_23*c75)));
         const stewart_real A_1_T_xs = STEWART_FMA(A_1_leg_31, z_x, STEWART_FMA(A_1_leg_21, y_x,
             A_1_leg_11*s_x));
         const stewart_real A_1_T_xy = STEWART_FMA(A_1_leg_32, z_x, STEWART_FMA(A_1_leg_22, y_x,
@@ -3657,70 +3627,86 @@ STEWART_APART static void derivatives_of_leg(
             STEWART_FMA(B_zy, m_zz, STEWART_FMA(B_yy, m_yz, B_xy*m_xz)))) + A_0_zy;
         const stewart_real X_zz = STEWART_FMA(-A_1_zy, omega_x, STEWART_FMA(A_1_zx, omega_y,
             STEWART_FMA(B_zz, m_zz, STEWART_FMA(B_yz, m_yz, B_xz*m_xz)))) + A_0_zz;
-        const stewart_real c81 = m_xy*omega_z;
-        const stewart_real c82 = m_xz*omega_y;
-        const stewart_real Y_xx = c81 - c82 + A_1_xx;
+        const stewart_real c76 = m_xy*omega_z;
+        const stewart_real c77 = m_xz*omega_y;
+        const stewart_real Y_xx = c76 - c77 + A_1_xx;
         const stewart_real Y_xy = STEWART_FMA(-m_xx, omega_z, m_xz*omega_x) + A_1_xy;
         const stewart_real Y_xz = STEWART_FMA(-m_xy, omega_x, m_xx*omega_y) + A_1_xz;
         const stewart_real Y_yx = STEWART_FMA(-m_yz, omega_y, m_yy*omega_z) + A_1_yx;
-        const stewart_real c83 = m_yz*omega_x;
-        const stewart_real Y_yy = c83 - c81 + A_1_yy;
+        const stewart_real c78 = m_yz*omega_x;
+        const stewart_real Y_yy = c78 - c76 + A_1_yy;
         const stewart_real Y_yz = STEWART_FMA(-m_yy, omega_x, m_xy*omega_y) + A_1_yz;
         const stewart_real Y_zx = STEWART_FMA(-m_zz, omega_y, m_yz*omega_z) + A_1_zx;
         const stewart_real Y_zy = STEWART_FMA(-m_xz, omega_z, m_zz*omega_x) + A_1_zy;
-        const stewart_real Y_zz = c82 - c83 + A_1_zz;
-        const stewart_real Z_xx = STEWART_FMA(-X_xy, q_z, X_xz*q_y);
-        const stewart_real Z_xy = STEWART_FMA(-X_xz, q_x, X_xx*q_z);
-        const stewart_real Z_xz = STEWART_FMA(-X_xx, q_y, X_xy*q_x);
-        const stewart_real Z_yx = STEWART_FMA(-X_yy, q_z, X_yz*q_y);
-        const stewart_real Z_yy = STEWART_FMA(-X_yz, q_x, X_yx*q_z);
-        const stewart_real Z_yz = STEWART_FMA(-X_yx, q_y, X_yy*q_x);
-        const stewart_real Z_zx = STEWART_FMA(-X_zy, q_z, X_zz*q_y);
-        const stewart_real Z_zy = STEWART_FMA(-X_zz, q_x, X_zx*q_z);
-        const stewart_real Z_zz = STEWART_FMA(-X_zx, q_y, X_zy*q_x);
-        const stewart_real c84 = m_xz*w_q_y;
-        const stewart_real c85 = m_xy*w_q_z;
-        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, A_3_xx + c84 - c85));
+        const stewart_real Y_zz = c77 - c78 + A_1_zz;
+        const stewart_real c79 = X_xy*q_z;
+        const stewart_real Z_xx = STEWART_FMA(X_xz, q_y, -c79);
+        const stewart_real c80 = X_xx*q_z;
+        const stewart_real Z_xy = STEWART_FMA(-X_xz, q_x, c80);
+        const stewart_real c81 = X_xx*q_y;
+        const stewart_real Z_xz = STEWART_FMA(X_xy, q_x, -c81);
+        const stewart_real c82 = X_yy*q_z;
+        const stewart_real Z_yx = STEWART_FMA(X_yz, q_y, -c82);
+        const stewart_real c83 = X_yx*q_z;
+        const stewart_real c84 = -X_yz*q_x;
+        const stewart_real Z_yy = c83 + c84;
+        const stewart_real c85 = -X_yy*q_x;
+        const stewart_real Z_yz = -X_yx*q_y - c85;
+        const stewart_real c86 = -X_zz*q_y;
+        const stewart_real Z_zx = -X_zy*q_z - c86;
+        const stewart_real c87 = -X_zz*q_x;
+        const stewart_real Z_zy = STEWART_FMA(X_zx, q_z, c87);
+        const stewart_real c88 = X_zx*q_y;
+        const stewart_real Z_zz = STEWART_FMA(X_zy, q_x, -c88);
+        const stewart_real c89 = m_xy*w_q_z;
+        const stewart_real c90 = m_xz*w_q_y;
+        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, c90 - f_S_dot_xx - c89));
         const stewart_real V_xy = STEWART_FMA(-Y_xz, q_x, STEWART_FMA(Y_xx, q_z, STEWART_FMA(-m_xz, w_q_x,
-            STEWART_FMA(m_xx, w_q_z, A_3_xy))));
+            STEWART_FMA(m_xx, w_q_z, -f_S_dot_yx))));
         const stewart_real V_xz = STEWART_FMA(-Y_xx, q_y, STEWART_FMA(Y_xy, q_x, STEWART_FMA(-m_xx, w_q_y,
-            STEWART_FMA(m_xy, w_q_x, A_3_xz))));
+            STEWART_FMA(m_xy, w_q_x, -f_S_dot_zx))));
         const stewart_real V_yx = STEWART_FMA(-Y_yy, q_z, STEWART_FMA(Y_yz, q_y, STEWART_FMA(-m_yy, w_q_z,
-            STEWART_FMA(m_yz, w_q_y, A_3_yx))));
-        const stewart_real c86 = m_yz*w_q_x;
-        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, A_3_yy + c85 - c86));
+            STEWART_FMA(m_yz, w_q_y, -f_S_dot_xy))));
+        const stewart_real c91 = m_yz*w_q_x;
+        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, c89 - f_S_dot_yy - c91));
         const stewart_real V_yz = STEWART_FMA(-Y_yx, q_y, STEWART_FMA(Y_yy, q_x, STEWART_FMA(-m_xy, w_q_y,
-            STEWART_FMA(m_yy, w_q_x, A_3_yz))));
+            STEWART_FMA(m_yy, w_q_x, -f_S_dot_zy))));
         const stewart_real V_zx = STEWART_FMA(-Y_zy, q_z, STEWART_FMA(Y_zz, q_y, STEWART_FMA(-m_yz, w_q_z,
-            STEWART_FMA(m_zz, w_q_y, A_3_zx))));
+            STEWART_FMA(m_zz, w_q_y, -f_S_dot_xz))));
         const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
-            STEWART_FMA(m_xz, w_q_z, A_3_zy))));
-        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, A_3_zz + c86 - c84));
-        const stewart_real c87 = m_xy*q_z;
-        const stewart_real c88 = m_xz*q_y;
-        const stewart_real c89 = -m_yz*q_x;
+            STEWART_FMA(m_xz, w_q_z, -f_S_dot_yz))));
+        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, c91 - f_S_dot_zz - c90));
+        /* moment by rotation about the tip */
+        const stewart_real Q_xx = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx + c83 - c88;
+        const stewart_real Q_xy = STEWART_FMA(-X_zy, q_y, STEWART_FMA(-f_S_dot_xx, omega_z,
+            f_S_dot_xz*omega_x) + f_S_xy - R_tip_z + c82);
+        const stewart_real Q_xz = STEWART_FMA(X_yz, q_z, STEWART_FMA(-f_S_dot_xy, omega_x,
+            f_S_dot_xx*omega_y) + f_S_xz + R_tip_y) + c86;
+        const stewart_real Q_yx = STEWART_FMA(X_zx, q_x, STEWART_FMA(-f_S_dot_yz, omega_y,
+            f_S_dot_yy*omega_z) + f_S_yx + R_tip_z) - c80;
+        const stewart_real Q_yy = STEWART_FMA(X_zy, q_x, STEWART_FMA(-f_S_dot_yx, omega_z,
+            f_S_dot_yz*omega_x) + f_S_yy) - c79;
+        const stewart_real Q_yz = STEWART_FMA(-X_xz, q_z, STEWART_FMA(-f_S_dot_yy, omega_x,
+            f_S_dot_yx*omega_y) + f_S_yz - R_tip_x) - c87;
+        const stewart_real Q_zx = STEWART_FMA(-X_yx, q_x, STEWART_FMA(-f_S_dot_zz, omega_y,
+            f_S_dot_zy*omega_z) + f_S_zx - R_tip_y + c81);
+        const stewart_real Q_zy = STEWART_FMA(X_xy, q_y, STEWART_FMA(-f_S_dot_zx, omega_z,
+            f_S_dot_zz*omega_x) + f_S_zy + R_tip_x) + c85;
+        const stewart_real Q_zz = STEWART_FMA(X_xz, q_y, STEWART_FMA(-f_S_dot_zy, omega_x,
+            f_S_dot_zx*omega_y) + f_S_zz) + c84;
+        const stewart_real c92 = m_xy*q_z;
+        const stewart_real c93 = m_xz*q_y;
+        const stewart_real c94 = -m_yz*q_x;
         /* m [q]x */
-        const stewart_real m_q_xx = c87 - c88;
+        const stewart_real m_q_xx = c92 - c93;
         const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
         const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
         const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
-        const stewart_real m_q_yy = -c87 - c89;
+        const stewart_real m_q_yy = -c92 - c94;
         const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
         const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
         const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
-        const stewart_real m_q_zz = c88 + c89;
-        const stewart_real c90 = R_tip_y*q_y;
-        const stewart_real c91 = R_tip_z*q_z;
-        const stewart_real c92 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
-        const stewart_real c93 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
-        const stewart_real c94 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
-        const stewart_real c95 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
-        const stewart_real c96 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
-        const stewart_real c97 = R_tip_x*q_x;
-        const stewart_real c98 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
-        const stewart_real c99 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
-        const stewart_real c100 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
-        const stewart_real c101 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
+        const stewart_real m_q_zz = c93 + c94;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -3763,30 +3749,21 @@ STEWART_APART static void derivatives_of_leg(
         out->sum[39][l] = STEWART_FMA(-A_0_yx, q_z, STEWART_FMA(A_0_zx, q_y, -f_S_xx));
         out->sum[40][l] = STEWART_FMA(-A_0_yy, q_z, STEWART_FMA(A_0_zy, q_y, -f_S_xy));
         out->sum[41][l] = STEWART_FMA(-A_0_yz, q_z, STEWART_FMA(A_0_zz, q_y, -f_S_xz));
-        out->sum[42][l] = STEWART_FMA(-c92, q_y, STEWART_FMA(-Z_yx, q_z, STEWART_FMA(c93, q_z, Z_zx*q_y) - c90
-            - c91));
-        out->sum[43][l] = STEWART_FMA(-c94, q_z, STEWART_FMA(-Z_yy, q_z, STEWART_FMA(c92, q_x,
-            STEWART_FMA(Z_zy, q_y, R_tip_y*q_x))));
-        out->sum[44][l] = STEWART_FMA(-c93, q_x, STEWART_FMA(-Z_yz, q_z, STEWART_FMA(c94, q_y,
-            STEWART_FMA(Z_zz, q_y, R_tip_z*q_x))));
+        out->sum[42][l] = STEWART_FMA(-Q_xz, q_y, Q_xy*q_z);
+        out->sum[43][l] = STEWART_FMA(-Q_xx, q_z, Q_xz*q_x);
+        out->sum[44][l] = STEWART_FMA(-Q_xy, q_x, Q_xx*q_y);
         out->sum[45][l] = STEWART_FMA(-A_0_zx, q_x, STEWART_FMA(A_0_xx, q_z, -f_S_yx));
         out->sum[46][l] = STEWART_FMA(-A_0_zy, q_x, STEWART_FMA(A_0_xy, q_z, -f_S_yy));
         out->sum[47][l] = STEWART_FMA(-A_0_zz, q_x, STEWART_FMA(A_0_xz, q_z, -f_S_yz));
-        out->sum[48][l] = STEWART_FMA(-c96, q_y, STEWART_FMA(-Z_zx, q_x, STEWART_FMA(c95, q_z,
-            STEWART_FMA(Z_xx, q_z, R_tip_x*q_y))));
-        out->sum[49][l] = STEWART_FMA(-c98, q_z, STEWART_FMA(-Z_zy, q_x, STEWART_FMA(c96, q_x, Z_xy*q_z) - c91
-            - c97));
-        out->sum[50][l] = STEWART_FMA(-c95, q_x, STEWART_FMA(-Z_zz, q_x, STEWART_FMA(c98, q_y,
-            STEWART_FMA(Z_xz, q_z, R_tip_z*q_y))));
+        out->sum[48][l] = STEWART_FMA(-Q_yz, q_y, Q_yy*q_z);
+        out->sum[49][l] = STEWART_FMA(-Q_yx, q_z, Q_yz*q_x);
+        out->sum[50][l] = STEWART_FMA(-Q_yy, q_x, Q_yx*q_y);
         out->sum[51][l] = STEWART_FMA(-A_0_xx, q_y, STEWART_FMA(A_0_yx, q_x, -f_S_zx));
         out->sum[52][l] = STEWART_FMA(-A_0_xy, q_y, STEWART_FMA(A_0_yy, q_x, -f_S_zy));
         out->sum[53][l] = STEWART_FMA(-A_0_xz, q_y, STEWART_FMA(A_0_yz, q_x, -f_S_zz));
-        out->sum[54][l] = STEWART_FMA(-c100, q_y, STEWART_FMA(-Z_xx, q_y, STEWART_FMA(c99, q_z,
-            STEWART_FMA(Z_yx, q_x, R_tip_x*q_z))));
-        out->sum[55][l] = STEWART_FMA(-c101, q_z, STEWART_FMA(-Z_xy, q_y, STEWART_FMA(c100, q_x,
-            STEWART_FMA(Z_yy, q_x, R_tip_y*q_z))));
-        out->sum[56][l] = STEWART_FMA(-c99, q_x, STEWART_FMA(-Z_xz, q_y, STEWART_FMA(c101, q_y, Z_yz*q_x) - c90
-            - c97));
+        out->sum[54][l] = STEWART_FMA(-Q_zz, q_y, Q_zy*q_z);
+        out->sum[55][l] = STEWART_FMA(-Q_zx, q_z, Q_zz*q_x);
+        out->sum[56][l] = STEWART_FMA(-Q_zy, q_x, Q_zx*q_y);
         out->sum[57][l] = A_1_xx;
         out->sum[58][l] = A_1_xy;
         out->sum[59][l] = A_1_xz;
@@ -3860,7 +3837,7 @@ STEWART_APART static void derivatives_of_leg(
 
 /* The legs of a pose side by side, or one leg of eight poses. */
 STEWART_APART static void derivatives_of_near(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const derivatives_pose *STEWART_RESTRICT pose, derivatives_legs *STEWART_RESTRICT out)
 {
     int l;
@@ -4112,317 +4089,285 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real R_tip_x = STEWART_FMA(c78, y_x, STEWART_FMA(-c79, z_x, c80*s_x));
         const stewart_real R_tip_y = STEWART_FMA(c78, y_y, STEWART_FMA(-c79, z_y, c80*s_y));
         const stewart_real R_tip_z = STEWART_FMA(c78, y_z, STEWART_FMA(-c79, z_z, c80*s_z));
-        const stewart_real c81 = C_s*inv_rho;
-        const stewart_real c82 = c81*k1;
-        const stewart_real A_3_leg_21 = -c82;
-        const stewart_real c83 = c81*k3;
-        const stewart_real A_3_leg_23 = -c83;
+        const stewart_real c81 = inv_L*theta_dot;
+        const stewart_real G_dot_21 = -c81;
+        const stewart_real c82 = k1*phi_dot;
+        const stewart_real G_dot_22 = c82*inv_L;
+        const stewart_real c83 = L_dot*c10;
+        const stewart_real G_dot_23 = c83;
+        const stewart_real G_dot_31 = -inv_rho*k3*phi_dot;
+        const stewart_real G_dot_32 = STEWART_FMA((-inv_rho)*kappa, theta_dot, -c2*inv_rho);
+        const stewart_real G_dot_33 = c82*inv_rho;
+        /* slope of a rate, times C_s */
+        const stewart_real theta_dot_by_S_x = C_s*STEWART_FMA(G_dot_22, y_x, STEWART_FMA(G_dot_21, s_x,
+            G_dot_23*z_x));
+        const stewart_real theta_dot_by_S_y = C_s*STEWART_FMA(G_dot_22, y_y, STEWART_FMA(G_dot_21, s_y,
+            G_dot_23*z_y));
+        const stewart_real theta_dot_by_S_z = C_s*STEWART_FMA(G_dot_22, y_z, STEWART_FMA(G_dot_21, s_z,
+            G_dot_23*z_z));
+        const stewart_real phi_dot_by_S_x = C_s*STEWART_FMA(G_dot_31, s_x, STEWART_FMA(G_dot_33, z_x,
+            G_dot_32*y_x));
+        const stewart_real phi_dot_by_S_y = C_s*STEWART_FMA(G_dot_31, s_y, STEWART_FMA(G_dot_33, z_y,
+            G_dot_32*y_y));
+        const stewart_real phi_dot_by_S_z = C_s*STEWART_FMA(G_dot_31, s_z, STEWART_FMA(G_dot_33, z_z,
+            G_dot_32*y_z));
         const stewart_real c84 = C_s*inv_L;
-        const stewart_real A_3_leg_32 = c84;
-        const stewart_real A_3_T_xs = A_3_leg_21*y_x;
-        const stewart_real A_3_T_xy = A_3_leg_32*z_x;
-        const stewart_real A_3_T_xz = A_3_leg_23*y_x;
-        const stewart_real A_3_T_ys = A_3_leg_21*y_y;
-        const stewart_real A_3_T_yy = A_3_leg_32*z_y;
-        const stewart_real A_3_T_yz = A_3_leg_23*y_y;
-        const stewart_real A_3_T_zs = A_3_leg_21*y_z;
-        const stewart_real A_3_T_zy = A_3_leg_32*z_z;
-        const stewart_real A_3_T_zz = A_3_leg_23*y_z;
-        /* force at the tip by omega */
-        const stewart_real A_3_xx = STEWART_FMA(A_3_T_xz, z_x, STEWART_FMA(A_3_T_xs, s_x, A_3_T_xy*y_x));
-        const stewart_real A_3_xy = STEWART_FMA(A_3_T_xz, z_y, STEWART_FMA(A_3_T_xs, s_y, A_3_T_xy*y_y));
-        const stewart_real A_3_xz = STEWART_FMA(A_3_T_xz, z_z, STEWART_FMA(A_3_T_xs, s_z, A_3_T_xy*y_z));
-        const stewart_real A_3_yx = STEWART_FMA(A_3_T_yz, z_x, STEWART_FMA(A_3_T_ys, s_x, A_3_T_yy*y_x));
-        const stewart_real A_3_yy = STEWART_FMA(A_3_T_yz, z_y, STEWART_FMA(A_3_T_ys, s_y, A_3_T_yy*y_y));
-        const stewart_real A_3_yz = STEWART_FMA(A_3_T_yz, z_z, STEWART_FMA(A_3_T_ys, s_z, A_3_T_yy*y_z));
-        const stewart_real A_3_zx = STEWART_FMA(A_3_T_zz, z_x, STEWART_FMA(A_3_T_zs, s_x, A_3_T_zy*y_x));
-        const stewart_real A_3_zy = STEWART_FMA(A_3_T_zz, z_y, STEWART_FMA(A_3_T_zs, s_y, A_3_T_zy*y_y));
-        const stewart_real A_3_zz = STEWART_FMA(A_3_T_zz, z_z, STEWART_FMA(A_3_T_zs, s_z, A_3_T_zy*y_z));
-        const stewart_real c85 = inv_L*theta_dot;
-        const stewart_real G_dot_21 = -c85;
-        const stewart_real c86 = k1*phi_dot;
-        const stewart_real G_dot_22 = c86*inv_L;
-        const stewart_real c87 = L_dot*c10;
-        const stewart_real G_dot_23 = c87;
-        const stewart_real c88 = inv_rho*k3;
-        const stewart_real G_dot_31 = -c88*phi_dot;
-        const stewart_real c89 = inv_rho*theta_dot;
-        const stewart_real G_dot_32 = STEWART_FMA(-c89, kappa, -c2*inv_rho);
-        const stewart_real G_dot_33 = c86*inv_rho;
-        const stewart_real c90 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c90;
-        const stewart_real f_S_leg_12 = C_s*STEWART_FMA(-c88, theta_dot, G_dot_32*k1);
-        const stewart_real f_S_leg_13 = G_dot_33*c90;
-        const stewart_real f_S_leg_21 = C_s*G_dot_21;
-        const stewart_real f_S_leg_22 = C_s*G_dot_22;
-        const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c91 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c91;
-        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(G_dot_32, k3, c89*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c91;
-        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_11, s_x,
-            f_S_leg_21*y_x));
-        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_12, s_x,
-            f_S_leg_22*y_x));
-        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_13, s_x,
-            f_S_leg_23*y_x));
-        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_11, s_y,
-            f_S_leg_21*y_y));
-        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_12, s_y,
-            f_S_leg_22*y_y));
-        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_13, s_y,
-            f_S_leg_23*y_y));
-        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_11, s_z,
-            f_S_leg_21*y_z));
-        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_12, s_z,
-            f_S_leg_22*y_z));
-        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_13, s_z,
-            f_S_leg_23*y_z));
+        /* gradient of theta, times C_s */
+        const stewart_real C_s_theta_x = -c84*z_x;
+        const stewart_real C_s_theta_y = -c84*z_y;
+        const stewart_real C_s_theta_z = -c84*z_z;
+        const stewart_real c85 = C_s*inv_rho;
+        /* gradient of phi, times C_s */
+        const stewart_real C_s_phi_x = c85*y_x;
+        const stewart_real C_s_phi_y = c85*y_y;
+        const stewart_real C_s_phi_z = c85*y_z;
+        const stewart_real y_by_phi_x = normal_x*theta_dot;
+        const stewart_real y_by_phi_y = normal_y*theta_dot;
+        const stewart_real y_by_phi_z = normal_z*theta_dot;
         /* friction moment by S */
-        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xy, y_x, STEWART_FMA(f_S_T_xz, z_x, f_S_T_xs*s_x));
-        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xy, y_y, STEWART_FMA(f_S_T_xz, z_y, f_S_T_xs*s_y));
-        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xy, y_z, STEWART_FMA(f_S_T_xz, z_z, f_S_T_xs*s_z));
-        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yy, y_x, STEWART_FMA(f_S_T_yz, z_x, f_S_T_ys*s_x));
-        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yy, y_y, STEWART_FMA(f_S_T_yz, z_y, f_S_T_ys*s_y));
-        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yy, y_z, STEWART_FMA(f_S_T_yz, z_z, f_S_T_ys*s_z));
-        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zy, y_x, STEWART_FMA(f_S_T_zz, z_x, f_S_T_zs*s_x));
-        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zy, y_y, STEWART_FMA(f_S_T_zz, z_y, f_S_T_zs*s_y));
-        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zy, y_z, STEWART_FMA(f_S_T_zz, z_z, f_S_T_zs*s_z));
-        const stewart_real f_S_dot_leg_12 = c82;
-        const stewart_real f_S_dot_leg_23 = -c84;
-        const stewart_real f_S_dot_leg_32 = c83;
-        const stewart_real f_S_dot_T_xy = STEWART_FMA(f_S_dot_leg_32, z_x, f_S_dot_leg_12*s_x);
-        const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
-        const stewart_real f_S_dot_T_yy = STEWART_FMA(f_S_dot_leg_32, z_y, f_S_dot_leg_12*s_y);
-        const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
-        const stewart_real f_S_dot_T_zy = STEWART_FMA(f_S_dot_leg_32, z_z, f_S_dot_leg_12*s_z);
-        const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
+        const stewart_real f_S_xx = STEWART_FMA(k_x, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_x,
+            C_s_phi_x*y_by_phi_x));
+        const stewart_real f_S_xy = STEWART_FMA(k_x, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_x,
+            C_s_phi_y*y_by_phi_x));
+        const stewart_real f_S_xz = STEWART_FMA(k_x, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_x,
+            C_s_phi_z*y_by_phi_x));
+        const stewart_real f_S_yx = STEWART_FMA(k_y, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_y,
+            C_s_phi_x*y_by_phi_y));
+        const stewart_real f_S_yy = STEWART_FMA(k_y, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_y,
+            C_s_phi_y*y_by_phi_y));
+        const stewart_real f_S_yz = STEWART_FMA(k_y, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_y,
+            C_s_phi_z*y_by_phi_y));
+        const stewart_real f_S_zx = STEWART_FMA(k_z, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_z,
+            C_s_phi_x*y_by_phi_z));
+        const stewart_real f_S_zy = STEWART_FMA(k_z, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_z,
+            C_s_phi_y*y_by_phi_z));
+        const stewart_real f_S_zz = STEWART_FMA(k_z, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_z,
+            C_s_phi_z*y_by_phi_z));
         /* friction moment by S_dot */
-        const stewart_real f_S_dot_xx = STEWART_FMA(f_S_dot_T_xz, z_x, f_S_dot_T_xy*y_x);
-        const stewart_real f_S_dot_xy = STEWART_FMA(f_S_dot_T_xz, z_y, f_S_dot_T_xy*y_y);
-        const stewart_real f_S_dot_xz = STEWART_FMA(f_S_dot_T_xz, z_z, f_S_dot_T_xy*y_z);
-        const stewart_real f_S_dot_yx = STEWART_FMA(f_S_dot_T_yz, z_x, f_S_dot_T_yy*y_x);
-        const stewart_real f_S_dot_yy = STEWART_FMA(f_S_dot_T_yz, z_y, f_S_dot_T_yy*y_y);
-        const stewart_real f_S_dot_yz = STEWART_FMA(f_S_dot_T_yz, z_z, f_S_dot_T_yy*y_z);
-        const stewart_real f_S_dot_zx = STEWART_FMA(f_S_dot_T_zz, z_x, f_S_dot_T_zy*y_x);
-        const stewart_real f_S_dot_zy = STEWART_FMA(f_S_dot_T_zz, z_y, f_S_dot_T_zy*y_y);
-        const stewart_real f_S_dot_zz = STEWART_FMA(f_S_dot_T_zz, z_z, f_S_dot_T_zy*y_z);
-        const stewart_real c92 = c9*own_y;
-        const stewart_real c93 = c87*h_z;
-        const stewart_real c94 = -c17*c93;
-        const stewart_real c95 = c9*k1;
-        const stewart_real c96 = c51*c95;
-        const stewart_real c97 = c11*inv_L;
-        const stewart_real c98 = REAL(2)*h_y;
-        const stewart_real c99 = c87*c98;
-        const stewart_real c100 = W_z*c99;
-        const stewart_real c101 = STEWART_FMA(REAL(4)*c15*c16, c85, c100) - c97;
-        const stewart_real A_0_leg_11 = STEWART_FMA(-REAL(4), c96, STEWART_FMA(REAL(2)*c3*h_x, inv_L,
-            REAL(2)*c12*h_x*inv_L)) - c94 - c92 - c101;
-        const stewart_real c102 = h_x*inv_L;
-        const stewart_real c103 = c102*c60;
-        const stewart_real c104 = J_yz*c10;
-        const stewart_real c105 = c104*own_y;
-        const stewart_real c106 = h_y*inv_L;
-        const stewart_real c107 = c106*c12;
-        const stewart_real c108 = REAL(2)*c107;
-        const stewart_real c109 = c10*inv_k3;
-        const stewart_real c110 = c109*c58;
-        const stewart_real c111 = c109*c59;
-        const stewart_real c112 = inv_L*inv_L*inv_L;
-        const stewart_real c113 = L_dot*L_dot;
-        const stewart_real c114 = c112*c113;
-        const stewart_real c115 = c114*c98;
-        const stewart_real c116 = C_us*c10;
-        const stewart_real c117 = W_z*c116*c49;
-        const stewart_real c118 = c10*own_z;
-        const stewart_real c119 = J_xx*c49;
-        const stewart_real c120 = REAL(2)*c40;
-        const stewart_real c121 = c10*c61;
-        const stewart_real c122 = c49*c9;
-        const stewart_real c123 = c106*c3;
-        const stewart_real c124 = REAL(2)*c49;
-        const stewart_real c125 = c109*c64;
-        const stewart_real c126 = c109*c65;
-        const stewart_real c127 = REAL(2)*c93;
-        const stewart_real c128 = c16*k1;
-        const stewart_real c129 = c10*c62;
-        const stewart_real c130 = c129*c49;
-        const stewart_real c131 = inv_k3*inv_k3*inv_k3;
-        const stewart_real A_0_leg_12 = STEWART_FMA(REAL(3)*h_z*inv_L*inv_k3*k1, own_z, STEWART_FMA(-c120,
-            c121, STEWART_FMA(-c118, c119, STEWART_FMA(REAL(2)*h_y*inv_L*inv_k3*k1, own_y,
-            STEWART_FMA(REAL(2)*J_xx*W_z*c10*c131*k1, theta_dot, STEWART_FMA(c10*c53, own_z,
-            STEWART_FMA(REAL(2)*J_xz*W_z*c10*c49, theta_dot, STEWART_FMA(-c127, c128,
-            STEWART_FMA(REAL(2)*W_z*h_z*inv_L, theta_dot, STEWART_FMA((-REAL(6))*c122, c77,
+        const stewart_real f_S_dot_xx = STEWART_FMA(C_s_phi_x, k_x, C_s_theta_x*y_x);
+        const stewart_real f_S_dot_xy = STEWART_FMA(C_s_phi_y, k_x, C_s_theta_y*y_x);
+        const stewart_real f_S_dot_xz = STEWART_FMA(C_s_phi_z, k_x, C_s_theta_z*y_x);
+        const stewart_real f_S_dot_yx = STEWART_FMA(C_s_phi_x, k_y, C_s_theta_x*y_y);
+        const stewart_real f_S_dot_yy = STEWART_FMA(C_s_phi_y, k_y, C_s_theta_y*y_y);
+        const stewart_real f_S_dot_yz = STEWART_FMA(C_s_phi_z, k_y, C_s_theta_z*y_y);
+        const stewart_real f_S_dot_zx = STEWART_FMA(C_s_phi_x, k_z, C_s_theta_x*y_z);
+        const stewart_real f_S_dot_zy = STEWART_FMA(C_s_phi_y, k_z, C_s_theta_y*y_z);
+        const stewart_real f_S_dot_zz = STEWART_FMA(C_s_phi_z, k_z, C_s_theta_z*y_z);
+        const stewart_real c86 = c9*own_y;
+        const stewart_real c87 = c83*h_z;
+        const stewart_real c88 = -c17*c87;
+        const stewart_real c89 = c9*k1;
+        const stewart_real c90 = c51*c89;
+        const stewart_real c91 = c11*inv_L;
+        const stewart_real c92 = REAL(2)*h_y;
+        const stewart_real c93 = c83*c92;
+        const stewart_real c94 = W_z*c93;
+        const stewart_real c95 = STEWART_FMA(REAL(4)*c15*c16, c81, c94) - c91;
+        const stewart_real A_0_leg_11 = STEWART_FMA(-REAL(4), c90, STEWART_FMA(REAL(2)*c3*h_x, inv_L,
+            REAL(2)*c12*h_x*inv_L)) - c88 - c86 - c95;
+        const stewart_real c96 = h_x*inv_L;
+        const stewart_real c97 = c60*c96;
+        const stewart_real c98 = J_yz*c10;
+        const stewart_real c99 = c98*own_y;
+        const stewart_real c100 = h_y*inv_L;
+        const stewart_real c101 = c100*c12;
+        const stewart_real c102 = REAL(2)*c101;
+        const stewart_real c103 = c10*inv_k3;
+        const stewart_real c104 = c103*c58;
+        const stewart_real c105 = c103*c59;
+        const stewart_real c106 = inv_L*inv_L*inv_L;
+        const stewart_real c107 = L_dot*L_dot;
+        const stewart_real c108 = c106*c107;
+        const stewart_real c109 = c108*c92;
+        const stewart_real c110 = C_us*c10;
+        const stewart_real c111 = W_z*c110*c49;
+        const stewart_real c112 = c10*own_z;
+        const stewart_real c113 = J_xx*c49;
+        const stewart_real c114 = REAL(2)*c40;
+        const stewart_real c115 = c10*c61;
+        const stewart_real c116 = c49*c9;
+        const stewart_real c117 = c100*c3;
+        const stewart_real c118 = REAL(2)*c49;
+        const stewart_real c119 = c103*c64;
+        const stewart_real c120 = c103*c65;
+        const stewart_real c121 = REAL(2)*c87;
+        const stewart_real c122 = c16*k1;
+        const stewart_real c123 = c10*c62;
+        const stewart_real c124 = c123*c49;
+        const stewart_real c125 = inv_k3*inv_k3*inv_k3;
+        const stewart_real A_0_leg_12 = STEWART_FMA(REAL(3)*h_z*inv_L*inv_k3*k1, own_z, STEWART_FMA(-c114,
+            c115, STEWART_FMA(-c112, c113, STEWART_FMA(REAL(2)*h_y*inv_L*inv_k3*k1, own_y,
+            STEWART_FMA(REAL(2)*J_xx*W_z*c10*c125*k1, theta_dot, STEWART_FMA(c10*c53, own_z,
+            STEWART_FMA(REAL(2)*J_xz*W_z*c10*c49, theta_dot, STEWART_FMA(-c121, c122,
+            STEWART_FMA(REAL(2)*W_z*h_z*inv_L, theta_dot, STEWART_FMA((-REAL(6))*c116, c77,
             STEWART_FMA(c10*gamma_n*inv_k3, w_y, STEWART_FMA(c10*gamma_y, w_x, STEWART_FMA(C_p, W_z,
-            STEWART_FMA(REAL(2)*L_ddot*c10, h_y, STEWART_FMA(C_s*c10*inv_k3, w_k_omega, STEWART_FMA(-c123,
-            c124, STEWART_FMA(REAL(3)*c12*c49*h_y, inv_L, STEWART_FMA(J_xy*c10, c3, J_xy*c10*c12) - c115 - c130)
-            - c108)) - c125 - c126)))) - c111 - c105 - c117)) - c110))))) - c103)));
-        const stewart_real c132 = c10*c22;
-        const stewart_real c133 = c10*c23;
-        const stewart_real c134 = c10*c24;
-        const stewart_real c135 = REAL(2)*c114;
-        const stewart_real c136 = c135*h_z;
-        const stewart_real c137 = c10*c44;
-        const stewart_real c138 = c10*c25;
-        const stewart_real c139 = c10*c50;
-        const stewart_real c140 = W_z*c10;
-        const stewart_real c141 = c140*c33;
-        const stewart_real c142 = c12*c9;
-        const stewart_real c143 = REAL(3)*c142;
-        const stewart_real c144 = c10*c42;
-        const stewart_real c145 = c10*c12;
-        const stewart_real c146 = c3*c9;
-        const stewart_real c147 = c10*c26;
-        const stewart_real c148 = REAL(4)*W_z;
-        const stewart_real c149 = c148*c85;
-        const stewart_real c150 = c149*h_y;
-        const stewart_real c151 = STEWART_FMA(-c20, c97, STEWART_FMA(REAL(2)*c36, inv_L, STEWART_FMA(c150,
-            c49, STEWART_FMA(c128, c99, STEWART_FMA(c10, c32, STEWART_FMA(c10, c30, STEWART_FMA(-c10, c39,
-            STEWART_FMA(c10, c28, c146 - c143)))) - c147))) - c150);
-        const stewart_real A_0_leg_13 = STEWART_FMA(-c10, c47, STEWART_FMA(-c141, c49, STEWART_FMA(-C_p,
-            theta_dot, STEWART_FMA(REAL(2), c138, STEWART_FMA(c145*c55, inv_k3, STEWART_FMA(c143, c49, c137
-            - c136 - c139))) + c132) + c141 + c133) + c134) + c144 + c151;
-        const stewart_real c152 = L_ddot*c10;
-        const stewart_real c153 = c152*h_y;
-        const stewart_real c154 = c10*gamma_y;
-        const stewart_real c155 = c106*own_y;
-        const stewart_real c156 = L_dot*c112;
-        const stewart_real c157 = c156*c17;
-        const stewart_real c158 = REAL(3)*c129;
-        const stewart_real c159 = REAL(4)*c121;
-        const stewart_real c160 = c148*theta_dot;
-        const stewart_real c161 = c41*inv_k3;
-        const stewart_real c162 = REAL(4)*c61;
-        const stewart_real c163 = c156*c16;
-        const stewart_real c164 = c17*c87*h_y;
-        const stewart_real c165 = W_z*c156;
-        const stewart_real c166 = c140*theta_dot;
-        const stewart_real c167 = REAL(6)*c166;
-        const stewart_real c168 = -REAL(2)*J_zz;
-        const stewart_real c169 = c168 + c75;
-        const stewart_real c170 = c131*k1;
-        const stewart_real c171 = J_xx*c170;
-        const stewart_real A_0_leg_21 = STEWART_FMA(-c159, c40, STEWART_FMA(-c118, c76, STEWART_FMA(c120,
-            c95, STEWART_FMA(c118, c169, STEWART_FMA(J_xz*c167, c49, STEWART_FMA(-c122, c160,
-            STEWART_FMA(-REAL(2), c110, STEWART_FMA(c167, c171, STEWART_FMA(-c165, c169,
-            STEWART_FMA(-REAL(2), c117, STEWART_FMA(-REAL(2), c105, STEWART_FMA(c162, c163,
-            STEWART_FMA(c155, c20, STEWART_FMA(c165, c76, STEWART_FMA(c164, c20, STEWART_FMA(c157, c161,
-            STEWART_FMA(c154, w_x, STEWART_FMA(c109, c57, STEWART_FMA(J_yz, c157, STEWART_FMA(-REAL(3),
-            c126, STEWART_FMA(-REAL(3), c125, STEWART_FMA(c109, c56, STEWART_FMA(c108, c49,
-            STEWART_FMA(-REAL(3), c130, STEWART_FMA(REAL(3)*c10, c71, c158)) - c107 - c123)) + c153))))))))
-            - c111))))))))))) - c103));
-        const stewart_real c173 = L_ddot*c112;
-        const stewart_real c174 = c14*inv_L;
-        const stewart_real c175 = c113*inv_L*inv_L*inv_L*inv_L;
-        const stewart_real c176 = c10*c3;
-        const stewart_real c177 = J_yy*c145;
-        const stewart_real c178 = c13*inv_L;
-        const stewart_real c179 = REAL(2)*J_xy;
-        const stewart_real c180 = c118*c179;
-        const stewart_real c181 = c10*own_y;
-        const stewart_real c182 = REAL(2)*J_xz;
-        const stewart_real c183 = c181*c182;
-        const stewart_real c184 = c154*c49;
-        const stewart_real c185 = c145*c49;
-        const stewart_real c186 = C_us*c156;
-        const stewart_real c187 = inv_k3*inv_k3*inv_k3*inv_k3;
-        const stewart_real c188 = c187*c75;
-        const stewart_real c189 = c49*c97;
-        const stewart_real c190 = c165*c179;
-        const stewart_real c191 = REAL(2)*c92;
-        const stewart_real c192 = c10*gamma_n;
-        const stewart_real c193 = c192*c38;
-        const stewart_real c194 = c109*own_y;
-        const stewart_real c195 = c10*c43;
-        const stewart_real c196 = c190*c49;
-        const stewart_real c197 = REAL(2)*c61;
-        const stewart_real c198 = c197*inv_k3;
-        const stewart_real c199 = c104*c17;
-        const stewart_real c200 = W_z*c199;
-        const stewart_real c201 = c200*c49;
-        const stewart_real c202 = REAL(2)*c170;
-        const stewart_real c203 = c49*c66;
-        const stewart_real c204 = c131*c176;
-        const stewart_real c205 = REAL(2)*c134;
-        const stewart_real c206 = c162*inv_k3;
-        const stewart_real c207 = c131*c166;
-        const stewart_real c208 = REAL(4)*c207*c41;
-        const stewart_real c209 = REAL(2)*c46;
-        const stewart_real c210 = c163*c209;
-        const stewart_real c211 = c170*c75;
-        const stewart_real c212 = c211*theta_dot;
-        const stewart_real c213 = c131*c149*c15;
-        const stewart_real c214 = c10*g_k;
-        const stewart_real c215 = STEWART_FMA(-c192, c27, STEWART_FMA(-c152, c69, STEWART_FMA(C_p, c2,
-            STEWART_FMA(c214, c29, STEWART_FMA(c214, c31, STEWART_FMA(-F, inv_L, c135*h_x))))) + c193);
-        const stewart_real A_0_leg_22 = STEWART_FMA(-REAL(2), c189, STEWART_FMA(c20, c205, STEWART_FMA(c180,
-            c49, STEWART_FMA(-c183, c49, STEWART_FMA(-c171, c181, STEWART_FMA(c191, c49, STEWART_FMA(-c147,
-            c20, STEWART_FMA(c194, c55, STEWART_FMA(-c132, c170, STEWART_FMA(c193, c49, STEWART_FMA(c184,
-            w_y, STEWART_FMA(c156, c203, STEWART_FMA(c132, c20, STEWART_FMA(c156, c212, STEWART_FMA(-c186,
-            c49, STEWART_FMA(REAL(3)*c138, c20, STEWART_FMA(-c173, c198, STEWART_FMA(-c119, c173,
-            STEWART_FMA(-c146, c21, STEWART_FMA(-c146, c202, STEWART_FMA(c176, c198, STEWART_FMA(c175, c206,
-            STEWART_FMA(c173, c53, STEWART_FMA((-REAL(3))*c170, c195, STEWART_FMA(-c136, c20,
-            STEWART_FMA(c197, c204, STEWART_FMA(c143, c170, STEWART_FMA((-c109)*g_k, w_z, STEWART_FMA(-c169,
-            c175, STEWART_FMA(-c176, c53, STEWART_FMA(-c145, c188, STEWART_FMA(-c119, c176,
-            STEWART_FMA(c185, J_yy + c75 - J_zz, STEWART_FMA(c176, c188, c175*c76))))) - c177 + c174) - c178))))))))))))))))
-            + c94)) + c190)) + c183) + c215) - c201 - c92) + c213) - c196 - c210)) - c180 - c208));
-        const stewart_real c216 = c104*c3;
-        const stewart_real c217 = c104*c12;
-        const stewart_real c218 = J_xy*c49;
-        const stewart_real c219 = c217*c49;
-        const stewart_real c220 = c216*c49;
-        const stewart_real c221 = c155*c49;
-        const stewart_real c222 = c156*c33;
-        const stewart_real c223 = c10*k1;
-        const stewart_real c224 = c223*c63;
-        const stewart_real c225 = c116*c170;
-        const stewart_real c226 = c17*c9;
-        const stewart_real c227 = c157*c46*inv_k3;
-        const stewart_real c228 = REAL(2)*J_yz;
-        const stewart_real c229 = c9*own_z;
-        const stewart_real c230 = c118*c182;
-        const stewart_real c231 = c69*c85;
-        const stewart_real c232 = c223*c49;
-        const stewart_real c233 = REAL(2)*c161;
-        const stewart_real c234 = c182*c49;
-        const stewart_real c235 = STEWART_FMA(-c124, c229, STEWART_FMA(c230, c49, STEWART_FMA(-c162, c207,
-            STEWART_FMA(-c166, c169, STEWART_FMA(c160*c170, c9, STEWART_FMA(-c165, c234, STEWART_FMA(c159,
-            c73, STEWART_FMA(-c232, c57, STEWART_FMA(c184, w_z, STEWART_FMA(W_z, c231, STEWART_FMA(-c175,
-            c233, STEWART_FMA(-c232, c56, STEWART_FMA(c161, c173, STEWART_FMA(-c175, c228,
-            J_yz*c173))))))))))))));
-        const stewart_real A_0_leg_23 = STEWART_FMA((-J_xx)*c167, c187, STEWART_FMA(c118, c211,
-            STEWART_FMA(-c128, c226, STEWART_FMA(c119, c167, STEWART_FMA(-c165, c211, STEWART_FMA(-c164,
-            c49, STEWART_FMA(c181, c218, STEWART_FMA(c225, c70, STEWART_FMA(-c153, c20, STEWART_FMA(-c108,
-            c170, STEWART_FMA(c161, c176, STEWART_FMA(c129, c202, STEWART_FMA(c123, c20, STEWART_FMA(c107,
-            c20, c216 + c219 + c220 - c217))))) - c224) + c164 + c155) + c227 - c222))))) - c221)) + c235;
-        const stewart_real c236 = REAL(2)*J_yy;
-        const stewart_real c237 = c236*theta_dot;
-        const stewart_real c238 = REAL(2)*c41;
-        const stewart_real A_0_leg_31 = STEWART_FMA(REAL(2), c144, STEWART_FMA(-c167, c218,
-            STEWART_FMA((-REAL(6))*c10*c46, c73, STEWART_FMA(-c163, c238, STEWART_FMA(REAL(2), c133,
-            STEWART_FMA(J_xy, c167, STEWART_FMA(-c165, c228, STEWART_FMA(-c156, c237, STEWART_FMA(REAL(2),
-            c132, STEWART_FMA(c145*c20, STEWART_FMA(-REAL(3), J_zz, STEWART_FMA(REAL(3), J_yy,
-            REAL(3)*J_xx)), STEWART_FMA(c124, c142, STEWART_FMA(-REAL(3), c139, REAL(6)*c195))) + c138))))))))
-            + c205) + c151;
-        const stewart_real c239 = c179*c181;
-        const stewart_real c240 = REAL(4)*J_xz;
-        const stewart_real c242 = c236 + c169;
-        const stewart_real c243 = REAL(4)*c128*c9;
-        const stewart_real A_0_leg_32 = STEWART_FMA((-c223)*c40, c54, STEWART_FMA(-c243, theta_dot,
-            STEWART_FMA(c118, c171, STEWART_FMA(-REAL(2), c221, STEWART_FMA(-c166, c188, STEWART_FMA(-c116,
-            c128, STEWART_FMA(c239, c49, STEWART_FMA(c166*c49, STEWART_FMA(REAL(4), J_xx, c168) + c236,
-            STEWART_FMA(c128*c156, c242, STEWART_FMA(C_s*c109, w_n_omega, STEWART_FMA(-c70, c93,
-            STEWART_FMA(-c222, c49, STEWART_FMA(c194, c209, STEWART_FMA(REAL(2), c155, STEWART_FMA(c165,
-            c240, STEWART_FMA(W_z, c225, STEWART_FMA((-REAL(2))*c153, c20, STEWART_FMA(-c204, c238,
-            STEWART_FMA(-REAL(2), c224, STEWART_FMA((-REAL(3))*c107, c170, STEWART_FMA(c123, c202,
-            STEWART_FMA(c158, c170, STEWART_FMA(c115, c20, STEWART_FMA(c108, c20, STEWART_FMA(-REAL(2),
-            c217, REAL(3)*c219) - c220))))))))) + c222)))) - c227)))) + c229)))) - c239) - c230)) + c235;
-        const stewart_real A_0_leg_33 = STEWART_FMA(-c118, c218, STEWART_FMA((-c10)*c18, c41,
-            STEWART_FMA(-c100, c49, STEWART_FMA(-J_yy, c173, STEWART_FMA(-c142, c202, STEWART_FMA(REAL(2),
-            c96, STEWART_FMA(c137, c170, STEWART_FMA(-c185, c54, STEWART_FMA(-J_yy, c176, STEWART_FMA(c175,
-            c236, c177)) + c178) - c174)))) - c186 + c201 - c200 + c191 + c196 + c210 + c215) - c190 + c208)
-            - c213 + c189) + c101;
+            STEWART_FMA(REAL(2)*L_ddot*c10, h_y, STEWART_FMA(C_s*c10*inv_k3, w_k_omega, STEWART_FMA(-c117,
+            c118, STEWART_FMA(REAL(3)*c12*c49*h_y, inv_L, STEWART_FMA(J_xy*c10, c3, J_xy*c10*c12) - c109 - c124)
+            - c102)) - c119 - c120)))) - c105 - c111) - c99) - c104)))))) - c97));
+        const stewart_real c126 = c10*c22;
+        const stewart_real c127 = c10*c23;
+        const stewart_real c128 = c10*c24;
+        const stewart_real c129 = REAL(2)*c108;
+        const stewart_real c130 = c129*h_z;
+        const stewart_real c131 = c10*c44;
+        const stewart_real c132 = c10*c25;
+        const stewart_real c133 = c10*c50;
+        const stewart_real c134 = W_z*c10;
+        const stewart_real c135 = c134*c33;
+        const stewart_real c136 = c12*c9;
+        const stewart_real c137 = REAL(3)*c136;
+        const stewart_real c138 = c10*c42;
+        const stewart_real c139 = c10*c12;
+        const stewart_real c140 = c3*c9;
+        const stewart_real c141 = c10*c26;
+        const stewart_real c142 = REAL(4)*W_z;
+        const stewart_real c143 = c142*c81;
+        const stewart_real c144 = c143*h_y;
+        const stewart_real c145 = STEWART_FMA(-c20, c91, STEWART_FMA(REAL(2)*c36, inv_L, STEWART_FMA(c144,
+            c49, STEWART_FMA(c122, c93, STEWART_FMA(c10, c32, STEWART_FMA(c10, c30, STEWART_FMA(-c10, c39,
+            STEWART_FMA(c10, c28, c140 - c137)))) - c141))) - c144);
+        const stewart_real A_0_leg_13 = STEWART_FMA(-c10, c47, STEWART_FMA(-c135, c49, STEWART_FMA(-C_p,
+            theta_dot, STEWART_FMA(REAL(2), c132, STEWART_FMA(c139*c55, inv_k3, STEWART_FMA(c137, c49, c131
+            - c130 - c133))) + c126) + c135 + c127) + c128) + c138 + c145;
+        const stewart_real c146 = L_ddot*c10;
+        const stewart_real c147 = c146*h_y;
+        const stewart_real c148 = c10*gamma_y;
+        const stewart_real c149 = c100*own_y;
+        const stewart_real c150 = L_dot*c106;
+        const stewart_real c151 = c150*c17;
+        const stewart_real c152 = REAL(3)*c123;
+        const stewart_real c153 = REAL(4)*c115;
+        const stewart_real c154 = c142*theta_dot;
+        const stewart_real c155 = c41*inv_k3;
+        const stewart_real c156 = REAL(4)*c61;
+        const stewart_real c157 = c150*c16;
+        const stewart_real c158 = c17*c83*h_y;
+        const stewart_real c159 = W_z*c150;
+        const stewart_real c160 = c134*theta_dot;
+        const stewart_real c161 = REAL(6)*c160;
+        const stewart_real c162 = -REAL(2)*J_zz;
+        const stewart_real c163 = c162 + c75;
+        const stewart_real c164 = c125*k1;
+        const stewart_real c165 = J_xx*c164;
+        const stewart_real A_0_leg_21 = STEWART_FMA(-c153, c40, STEWART_FMA(-c112, c76, STEWART_FMA(c114,
+            c89, STEWART_FMA(c112, c163, STEWART_FMA(J_xz*c161, c49, STEWART_FMA(-c116, c154,
+            STEWART_FMA(-REAL(2), c104, STEWART_FMA(c161, c165, STEWART_FMA(-REAL(2), c99,
+            STEWART_FMA(-c159, c163, STEWART_FMA(-REAL(2), c111, STEWART_FMA(c156, c157, STEWART_FMA(c149,
+            c20, STEWART_FMA(c159, c76, STEWART_FMA(c158, c20, STEWART_FMA(c151, c155, STEWART_FMA(c148,
+            w_x, STEWART_FMA(c103, c57, STEWART_FMA(J_yz, c151, STEWART_FMA(-REAL(3), c120,
+            STEWART_FMA(-REAL(3), c119, STEWART_FMA(c103, c56, STEWART_FMA(c102, c49, STEWART_FMA(-REAL(3),
+            c124, STEWART_FMA(REAL(3)*c10, c71, c152)) - c101 - c117)) + c147)))))))) - c105))))))))))))) - c97;
+        const stewart_real c167 = L_ddot*c106;
+        const stewart_real c168 = c14*inv_L;
+        const stewart_real c169 = c107*inv_L*inv_L*inv_L*inv_L;
+        const stewart_real c170 = c10*c3;
+        const stewart_real c171 = J_yy*c139;
+        const stewart_real c172 = c13*inv_L;
+        const stewart_real c173 = REAL(2)*J_xy;
+        const stewart_real c174 = c112*c173;
+        const stewart_real c175 = c10*own_y;
+        const stewart_real c176 = REAL(2)*J_xz;
+        const stewart_real c177 = c175*c176;
+        const stewart_real c178 = c148*c49;
+        const stewart_real c179 = c139*c49;
+        const stewart_real c180 = C_us*c150;
+        const stewart_real c181 = inv_k3*inv_k3*inv_k3*inv_k3;
+        const stewart_real c182 = c181*c75;
+        const stewart_real c183 = c49*c91;
+        const stewart_real c184 = c159*c173;
+        const stewart_real c185 = REAL(2)*c86;
+        const stewart_real c186 = c10*gamma_n;
+        const stewart_real c187 = c186*c38;
+        const stewart_real c188 = c103*own_y;
+        const stewart_real c189 = c10*c43;
+        const stewart_real c190 = c184*c49;
+        const stewart_real c191 = REAL(2)*c61;
+        const stewart_real c192 = c191*inv_k3;
+        const stewart_real c193 = c17*c98;
+        const stewart_real c194 = W_z*c193;
+        const stewart_real c195 = c194*c49;
+        const stewart_real c196 = REAL(2)*c164;
+        const stewart_real c197 = c49*c66;
+        const stewart_real c198 = c125*c170;
+        const stewart_real c199 = REAL(2)*c128;
+        const stewart_real c200 = c156*inv_k3;
+        const stewart_real c201 = c125*c160;
+        const stewart_real c202 = REAL(4)*c201*c41;
+        const stewart_real c203 = REAL(2)*c46;
+        const stewart_real c204 = c157*c203;
+        const stewart_real c205 = c164*c75;
+        const stewart_real c206 = c205*theta_dot;
+        const stewart_real c207 = c125*c143*c15;
+        const stewart_real c208 = c10*g_k;
+        const stewart_real c209 = STEWART_FMA(-c186, c27, STEWART_FMA(-c146, c69, STEWART_FMA(C_p, c2,
+            STEWART_FMA(c208, c29, STEWART_FMA(c208, c31, STEWART_FMA(-F, inv_L, c129*h_x))))) + c187);
+        const stewart_real A_0_leg_22 = STEWART_FMA(-REAL(2), c183, STEWART_FMA(c199, c20, STEWART_FMA(c174,
+            c49, STEWART_FMA(-c177, c49, STEWART_FMA(-c165, c175, STEWART_FMA(c185, c49, STEWART_FMA(-c141,
+            c20, STEWART_FMA(c188, c55, STEWART_FMA(-c126, c164, STEWART_FMA(c187, c49, STEWART_FMA(c178,
+            w_y, STEWART_FMA(c150, c197, STEWART_FMA(c126, c20, STEWART_FMA(c150, c206, STEWART_FMA(-c180,
+            c49, STEWART_FMA(REAL(3)*c132, c20, STEWART_FMA(-c167, c192, STEWART_FMA(-c113, c167,
+            STEWART_FMA(-c140, c21, STEWART_FMA(-c140, c196, STEWART_FMA(c170, c192, STEWART_FMA(c169, c200,
+            STEWART_FMA(c167, c53, STEWART_FMA((-REAL(3))*c164, c189, STEWART_FMA(-c130, c20,
+            STEWART_FMA(c191, c198, STEWART_FMA(c137, c164, STEWART_FMA((-c103)*g_k, w_z, STEWART_FMA(-c163,
+            c169, STEWART_FMA(-c170, c53, STEWART_FMA(-c139, c182, STEWART_FMA(-c113, c170,
+            STEWART_FMA(c179, J_yy + c75 - J_zz, STEWART_FMA(c170, c182, c169*c76))))) - c171 + c168) - c172))))))))))))))))
+            + c88)) + c184)) + c177) + c209) - c195 - c86) + c207) - c190 - c204)) - c174 - c202));
+        const stewart_real c210 = c3*c98;
+        const stewart_real c211 = c12*c98;
+        const stewart_real c212 = J_xy*c49;
+        const stewart_real c213 = c211*c49;
+        const stewart_real c214 = c210*c49;
+        const stewart_real c215 = c149*c49;
+        const stewart_real c216 = c150*c33;
+        const stewart_real c217 = c10*k1;
+        const stewart_real c218 = c217*c63;
+        const stewart_real c219 = c110*c164;
+        const stewart_real c220 = c17*c9;
+        const stewart_real c221 = c151*c46*inv_k3;
+        const stewart_real c222 = REAL(2)*J_yz;
+        const stewart_real c223 = c9*own_z;
+        const stewart_real c224 = c112*c176;
+        const stewart_real c225 = c69*c81;
+        const stewart_real c226 = c217*c49;
+        const stewart_real c227 = REAL(2)*c155;
+        const stewart_real c228 = c176*c49;
+        const stewart_real c229 = STEWART_FMA(-c118, c223, STEWART_FMA(c224, c49, STEWART_FMA(-c156, c201,
+            STEWART_FMA(-c160, c163, STEWART_FMA(c154*c164, c9, STEWART_FMA(-c159, c228, STEWART_FMA(c153,
+            c73, STEWART_FMA(-c226, c57, STEWART_FMA(c178, w_z, STEWART_FMA(W_z, c225, STEWART_FMA(-c169,
+            c227, STEWART_FMA(-c226, c56, STEWART_FMA(c155, c167, STEWART_FMA(-c169, c222,
+            J_yz*c167))))))))))))));
+        const stewart_real A_0_leg_23 = STEWART_FMA((-J_xx)*c161, c181, STEWART_FMA(c112, c205,
+            STEWART_FMA(-c122, c220, STEWART_FMA(c113, c161, STEWART_FMA(-c159, c205, STEWART_FMA(-c158,
+            c49, STEWART_FMA(c175, c212, STEWART_FMA(c219, c70, STEWART_FMA(-c147, c20, STEWART_FMA(-c102,
+            c164, STEWART_FMA(c155, c170, STEWART_FMA(c123, c196, STEWART_FMA(c117, c20, STEWART_FMA(c101,
+            c20, c210 + c213 + c214 - c211))))) - c218) + c158 + c149) + c221 - c216))))) - c215)) + c229;
+        const stewart_real c230 = REAL(2)*J_yy;
+        const stewart_real c231 = c230*theta_dot;
+        const stewart_real c232 = REAL(2)*c41;
+        const stewart_real A_0_leg_31 = STEWART_FMA(REAL(2), c138, STEWART_FMA(-c161, c212,
+            STEWART_FMA((-REAL(6))*c10*c46, c73, STEWART_FMA(-c157, c232, STEWART_FMA(REAL(2), c127,
+            STEWART_FMA(J_xy, c161, STEWART_FMA(-c159, c222, STEWART_FMA(-c150, c231, STEWART_FMA(REAL(2),
+            c126, STEWART_FMA(c139*c20, STEWART_FMA(-REAL(3), J_zz, STEWART_FMA(REAL(3), J_yy,
+            REAL(3)*J_xx)), STEWART_FMA(c118, c136, STEWART_FMA(-REAL(3), c133, REAL(6)*c189))) + c132))))))))
+            + c199) + c145;
+        const stewart_real c233 = c173*c175;
+        const stewart_real c234 = REAL(4)*J_xz;
+        const stewart_real c236 = c230 + c163;
+        const stewart_real c237 = REAL(4)*c122*c9;
+        const stewart_real A_0_leg_32 = STEWART_FMA((-c217)*c40, c54, STEWART_FMA(-c237, theta_dot,
+            STEWART_FMA(c112, c165, STEWART_FMA(-REAL(2), c215, STEWART_FMA(-c160, c182, STEWART_FMA(-c110,
+            c122, STEWART_FMA(c233, c49, STEWART_FMA(c160*c49, STEWART_FMA(REAL(4), J_xx, c162) + c230,
+            STEWART_FMA(c122*c150, c236, STEWART_FMA(C_s*c103, w_n_omega, STEWART_FMA(-c70, c87,
+            STEWART_FMA(-c216, c49, STEWART_FMA(c188, c203, STEWART_FMA(REAL(2), c149, STEWART_FMA(c159,
+            c234, STEWART_FMA(W_z, c219, STEWART_FMA((-REAL(2))*c147, c20, STEWART_FMA(-c198, c232,
+            STEWART_FMA(-REAL(2), c218, STEWART_FMA((-REAL(3))*c101, c164, STEWART_FMA(c117, c196,
+            STEWART_FMA(c152, c164, STEWART_FMA(c109, c20, STEWART_FMA(c102, c20, STEWART_FMA(-REAL(2),
+            c211, REAL(3)*c213) - c214))))))))) + c216)))) - c221)))) + c223)))) - c233) - c224)) + c229;
+        const stewart_real A_0_leg_33 = STEWART_FMA(-c112, c212, STEWART_FMA((-c10)*c18, c41,
+            STEWART_FMA(-c49, c94, STEWART_FMA(-J_yy, c167, STEWART_FMA(-c136, c196, STEWART_FMA(REAL(2),
+            c90, STEWART_FMA(c131, c164, STEWART_FMA(-c179, c54, STEWART_FMA(-J_yy, c170, STEWART_FMA(c169,
+            c230, c171)) + c172) - c168)))) - c180 + c195 - c194 + c185 + c190 + c204 + c209 - c184) + c202)
+            - c207 + c183) + c95;
         const stewart_real A_0_T_xs = STEWART_FMA(A_0_leg_21, y_x, STEWART_FMA(A_0_leg_31, z_x,
             A_0_leg_11*s_x));
         const stewart_real A_0_T_xy = STEWART_FMA(A_0_leg_22, y_x, STEWART_FMA(A_0_leg_32, z_x,
@@ -4451,39 +4396,39 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real A_0_zx = STEWART_FMA(A_0_T_zy, y_x, STEWART_FMA(A_0_T_zs, s_x, A_0_T_zz*z_x));
         const stewart_real A_0_zy = STEWART_FMA(A_0_T_zy, y_y, STEWART_FMA(A_0_T_zs, s_y, A_0_T_zz*z_y));
         const stewart_real A_0_zz = STEWART_FMA(A_0_T_zy, y_z, STEWART_FMA(A_0_T_zs, s_z, A_0_T_zz*z_z));
-        const stewart_real c244 = c106*c70;
-        const stewart_real c245 = c244 - c226;
-        const stewart_real A_1_leg_11 = C_p + c245;
-        const stewart_real c246 = c102*c70;
-        const stewart_real c247 = c85*c98;
-        const stewart_real A_1_leg_12 = STEWART_FMA(c20, c247, c99) - c246 + c243;
-        const stewart_real c248 = STEWART_FMA((-REAL(2))*c106, c128, c231);
-        const stewart_real A_1_leg_13 = c127 + c248;
-        const stewart_real c249 = c109*c17;
-        const stewart_real A_1_leg_21 = STEWART_FMA(REAL(2)*W_z*h_z*inv_L*inv_k3, k1, STEWART_FMA(-c159,
-            c16, STEWART_FMA(-c140, c76, STEWART_FMA(-c249, c41, STEWART_FMA(W_z*c10, c169, -c199)))) - c246);
-        const stewart_real c250 = c140*c179;
-        const stewart_real c251 = c69*c87;
-        const stewart_real c252 = c244*c49;
-        const stewart_real c253 = c10*c16;
-        const stewart_real c254 = c209*c253;
-        const stewart_real c255 = c250*c49;
-        const stewart_real A_1_leg_22 = STEWART_FMA(-c10, c203, STEWART_FMA(REAL(2)*c49*h_z*inv_L,
-            theta_dot, STEWART_FMA(-c10, c212, STEWART_FMA(REAL(2)*L_dot*c10*h_z*inv_k3, k1,
-            STEWART_FMA(-c156, c76, STEWART_FMA(-c156, c206, STEWART_FMA(L_dot*c112, c169, C_us*c10*c49))) - c251)))
-            + c254 + c255) - c250 - c252;
-        const stewart_real c256 = c10*c33;
-        const stewart_real c257 = c249*c46;
-        const stewart_real c258 = c70*c9;
-        const stewart_real c259 = STEWART_FMA(-c258, c49, STEWART_FMA(c140, c234, STEWART_FMA(c156, c233,
-            c156*c228)));
-        const stewart_real A_1_leg_23 = STEWART_FMA(c140, c211, c256) - c257 + c259;
-        const stewart_real A_1_leg_31 = STEWART_FMA(c238, c253, STEWART_FMA(c104, c70, c10*c237)) + c248;
-        const stewart_real A_1_leg_32 = STEWART_FMA((-c16)*c223, c242, STEWART_FMA(-c140, c240,
-            STEWART_FMA(-c247, c49, STEWART_FMA(c256, c49, STEWART_FMA(-c20, c99, c247) + c257) + c258) - c256))
-            + c259;
-        const stewart_real A_1_leg_33 = STEWART_FMA(-c156, c236, C_us*c10) - c251 + c250 + c252 - c245 - c254
-            - c255;
+        const stewart_real c238 = c100*c70;
+        const stewart_real c239 = c238 - c220;
+        const stewart_real A_1_leg_11 = C_p + c239;
+        const stewart_real c240 = c70*c96;
+        const stewart_real c241 = c81*c92;
+        const stewart_real A_1_leg_12 = STEWART_FMA(c20, c241, c93) - c240 + c237;
+        const stewart_real c242 = STEWART_FMA((-REAL(2))*c100, c122, c225);
+        const stewart_real A_1_leg_13 = c121 + c242;
+        const stewart_real c243 = c103*c17;
+        const stewart_real A_1_leg_21 = STEWART_FMA(REAL(2)*W_z*h_z*inv_L*inv_k3, k1, STEWART_FMA(-c153,
+            c16, STEWART_FMA(-c134, c76, STEWART_FMA(-c243, c41, STEWART_FMA(W_z*c10, c163, -c193)))) - c240);
+        const stewart_real c244 = c134*c173;
+        const stewart_real c245 = c69*c83;
+        const stewart_real c246 = c238*c49;
+        const stewart_real c247 = c10*c16;
+        const stewart_real c248 = c203*c247;
+        const stewart_real c249 = c244*c49;
+        const stewart_real A_1_leg_22 = STEWART_FMA(-c10, c197, STEWART_FMA(REAL(2)*c49*h_z*inv_L,
+            theta_dot, STEWART_FMA(-c10, c206, STEWART_FMA(REAL(2)*L_dot*c10*h_z*inv_k3, k1,
+            STEWART_FMA(-c150, c76, STEWART_FMA(-c150, c200, STEWART_FMA(L_dot*c106, c163, C_us*c10*c49))) - c245)))
+            + c248 + c249) - c244 - c246;
+        const stewart_real c250 = c10*c33;
+        const stewart_real c251 = c243*c46;
+        const stewart_real c252 = c70*c9;
+        const stewart_real c253 = STEWART_FMA(-c252, c49, STEWART_FMA(c134, c228, STEWART_FMA(c150, c227,
+            c150*c222)));
+        const stewart_real A_1_leg_23 = STEWART_FMA(c134, c205, c250) - c251 + c253;
+        const stewart_real A_1_leg_31 = STEWART_FMA(c232, c247, STEWART_FMA(c70, c98, c10*c231)) + c242;
+        const stewart_real A_1_leg_32 = STEWART_FMA((-c16)*c217, c236, STEWART_FMA(-c134, c234,
+            STEWART_FMA(-c241, c49, STEWART_FMA(c250, c49, STEWART_FMA(-c20, c93, c241) + c251) + c252) - c250))
+            + c253;
+        const stewart_real A_1_leg_33 = STEWART_FMA(-c150, c230, C_us*c10) - c245 + c244 + c246 - c239 - c248
+            - c249;
         const stewart_real A_1_T_xs = STEWART_FMA(A_1_leg_21, y_x, STEWART_FMA(A_1_leg_31, z_x,
             A_1_leg_11*s_x));
         const stewart_real A_1_T_xy = STEWART_FMA(A_1_leg_32, z_x, STEWART_FMA(A_1_leg_22, y_x,
@@ -4531,70 +4476,86 @@ STEWART_APART static void derivatives_of_near(
             STEWART_FMA(B_zy, m_zz, STEWART_FMA(B_yy, m_yz, B_xy*m_xz)))) + A_0_zy;
         const stewart_real X_zz = STEWART_FMA(-A_1_zy, omega_x, STEWART_FMA(A_1_zx, omega_y,
             STEWART_FMA(B_zz, m_zz, STEWART_FMA(B_yz, m_yz, B_xz*m_xz)))) + A_0_zz;
-        const stewart_real c260 = m_xy*omega_z;
-        const stewart_real c261 = m_xz*omega_y;
-        const stewart_real Y_xx = c260 - c261 + A_1_xx;
+        const stewart_real c254 = m_xy*omega_z;
+        const stewart_real c255 = m_xz*omega_y;
+        const stewart_real Y_xx = c254 - c255 + A_1_xx;
         const stewart_real Y_xy = STEWART_FMA(-m_xx, omega_z, m_xz*omega_x) + A_1_xy;
         const stewart_real Y_xz = STEWART_FMA(-m_xy, omega_x, m_xx*omega_y) + A_1_xz;
         const stewart_real Y_yx = STEWART_FMA(-m_yz, omega_y, m_yy*omega_z) + A_1_yx;
-        const stewart_real c262 = m_yz*omega_x;
-        const stewart_real Y_yy = c262 - c260 + A_1_yy;
+        const stewart_real c256 = m_yz*omega_x;
+        const stewart_real Y_yy = c256 - c254 + A_1_yy;
         const stewart_real Y_yz = STEWART_FMA(-m_yy, omega_x, m_xy*omega_y) + A_1_yz;
         const stewart_real Y_zx = STEWART_FMA(-m_zz, omega_y, m_yz*omega_z) + A_1_zx;
         const stewart_real Y_zy = STEWART_FMA(-m_xz, omega_z, m_zz*omega_x) + A_1_zy;
-        const stewart_real Y_zz = c261 - c262 + A_1_zz;
-        const stewart_real Z_xx = STEWART_FMA(-X_xy, q_z, X_xz*q_y);
-        const stewart_real Z_xy = STEWART_FMA(-X_xz, q_x, X_xx*q_z);
-        const stewart_real Z_xz = STEWART_FMA(-X_xx, q_y, X_xy*q_x);
-        const stewart_real Z_yx = STEWART_FMA(-X_yy, q_z, X_yz*q_y);
-        const stewart_real Z_yy = STEWART_FMA(-X_yz, q_x, X_yx*q_z);
-        const stewart_real Z_yz = STEWART_FMA(-X_yx, q_y, X_yy*q_x);
-        const stewart_real Z_zx = STEWART_FMA(-X_zy, q_z, X_zz*q_y);
-        const stewart_real Z_zy = STEWART_FMA(-X_zz, q_x, X_zx*q_z);
-        const stewart_real Z_zz = STEWART_FMA(-X_zx, q_y, X_zy*q_x);
-        const stewart_real c263 = m_xz*w_q_y;
-        const stewart_real c264 = m_xy*w_q_z;
-        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, A_3_xx + c263 - c264));
+        const stewart_real Y_zz = c255 - c256 + A_1_zz;
+        const stewart_real c257 = X_xy*q_z;
+        const stewart_real Z_xx = STEWART_FMA(X_xz, q_y, -c257);
+        const stewart_real c258 = X_xx*q_z;
+        const stewart_real Z_xy = STEWART_FMA(-X_xz, q_x, c258);
+        const stewart_real c259 = X_xx*q_y;
+        const stewart_real Z_xz = STEWART_FMA(X_xy, q_x, -c259);
+        const stewart_real c260 = X_yy*q_z;
+        const stewart_real Z_yx = STEWART_FMA(X_yz, q_y, -c260);
+        const stewart_real c261 = X_yx*q_z;
+        const stewart_real c262 = -X_yz*q_x;
+        const stewart_real Z_yy = c261 + c262;
+        const stewart_real c263 = -X_yy*q_x;
+        const stewart_real Z_yz = -X_yx*q_y - c263;
+        const stewart_real c264 = -X_zz*q_y;
+        const stewart_real Z_zx = -X_zy*q_z - c264;
+        const stewart_real c265 = -X_zz*q_x;
+        const stewart_real Z_zy = STEWART_FMA(X_zx, q_z, c265);
+        const stewart_real c266 = X_zx*q_y;
+        const stewart_real Z_zz = STEWART_FMA(X_zy, q_x, -c266);
+        const stewart_real c267 = m_xy*w_q_z;
+        const stewart_real c268 = m_xz*w_q_y;
+        const stewart_real V_xx = STEWART_FMA(-Y_xy, q_z, STEWART_FMA(Y_xz, q_y, c268 - f_S_dot_xx - c267));
         const stewart_real V_xy = STEWART_FMA(-Y_xz, q_x, STEWART_FMA(Y_xx, q_z, STEWART_FMA(-m_xz, w_q_x,
-            STEWART_FMA(m_xx, w_q_z, A_3_xy))));
+            STEWART_FMA(m_xx, w_q_z, -f_S_dot_yx))));
         const stewart_real V_xz = STEWART_FMA(-Y_xx, q_y, STEWART_FMA(Y_xy, q_x, STEWART_FMA(-m_xx, w_q_y,
-            STEWART_FMA(m_xy, w_q_x, A_3_xz))));
+            STEWART_FMA(m_xy, w_q_x, -f_S_dot_zx))));
         const stewart_real V_yx = STEWART_FMA(-Y_yy, q_z, STEWART_FMA(Y_yz, q_y, STEWART_FMA(-m_yy, w_q_z,
-            STEWART_FMA(m_yz, w_q_y, A_3_yx))));
-        const stewart_real c265 = m_yz*w_q_x;
-        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, A_3_yy + c264 - c265));
+            STEWART_FMA(m_yz, w_q_y, -f_S_dot_xy))));
+        const stewart_real c269 = m_yz*w_q_x;
+        const stewart_real V_yy = STEWART_FMA(-Y_yz, q_x, STEWART_FMA(Y_yx, q_z, c267 - f_S_dot_yy - c269));
         const stewart_real V_yz = STEWART_FMA(-Y_yx, q_y, STEWART_FMA(Y_yy, q_x, STEWART_FMA(-m_xy, w_q_y,
-            STEWART_FMA(m_yy, w_q_x, A_3_yz))));
+            STEWART_FMA(m_yy, w_q_x, -f_S_dot_zy))));
         const stewart_real V_zx = STEWART_FMA(-Y_zy, q_z, STEWART_FMA(Y_zz, q_y, STEWART_FMA(-m_yz, w_q_z,
-            STEWART_FMA(m_zz, w_q_y, A_3_zx))));
+            STEWART_FMA(m_zz, w_q_y, -f_S_dot_xz))));
         const stewart_real V_zy = STEWART_FMA(-Y_zz, q_x, STEWART_FMA(Y_zx, q_z, STEWART_FMA(-m_zz, w_q_x,
-            STEWART_FMA(m_xz, w_q_z, A_3_zy))));
-        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, A_3_zz + c265 - c263));
-        const stewart_real c266 = m_xy*q_z;
-        const stewart_real c267 = m_xz*q_y;
-        const stewart_real c268 = -m_yz*q_x;
+            STEWART_FMA(m_xz, w_q_z, -f_S_dot_yz))));
+        const stewart_real V_zz = STEWART_FMA(-Y_zx, q_y, STEWART_FMA(Y_zy, q_x, c269 - f_S_dot_zz - c268));
+        /* moment by rotation about the tip */
+        const stewart_real Q_xx = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx + c261 - c266;
+        const stewart_real Q_xy = STEWART_FMA(-X_zy, q_y, STEWART_FMA(-f_S_dot_xx, omega_z,
+            f_S_dot_xz*omega_x) + f_S_xy - R_tip_z + c260);
+        const stewart_real Q_xz = STEWART_FMA(X_yz, q_z, STEWART_FMA(-f_S_dot_xy, omega_x,
+            f_S_dot_xx*omega_y) + f_S_xz + R_tip_y) + c264;
+        const stewart_real Q_yx = STEWART_FMA(X_zx, q_x, STEWART_FMA(-f_S_dot_yz, omega_y,
+            f_S_dot_yy*omega_z) + f_S_yx + R_tip_z) - c258;
+        const stewart_real Q_yy = STEWART_FMA(X_zy, q_x, STEWART_FMA(-f_S_dot_yx, omega_z,
+            f_S_dot_yz*omega_x) + f_S_yy) - c257;
+        const stewart_real Q_yz = STEWART_FMA(-X_xz, q_z, STEWART_FMA(-f_S_dot_yy, omega_x,
+            f_S_dot_yx*omega_y) + f_S_yz - R_tip_x) - c265;
+        const stewart_real Q_zx = STEWART_FMA(-X_yx, q_x, STEWART_FMA(-f_S_dot_zz, omega_y,
+            f_S_dot_zy*omega_z) + f_S_zx - R_tip_y + c259);
+        const stewart_real Q_zy = STEWART_FMA(X_xy, q_y, STEWART_FMA(-f_S_dot_zx, omega_z,
+            f_S_dot_zz*omega_x) + f_S_zy + R_tip_x) + c263;
+        const stewart_real Q_zz = STEWART_FMA(X_xz, q_y, STEWART_FMA(-f_S_dot_zy, omega_x,
+            f_S_dot_zx*omega_y) + f_S_zz) + c262;
+        const stewart_real c270 = m_xy*q_z;
+        const stewart_real c271 = m_xz*q_y;
+        const stewart_real c272 = -m_yz*q_x;
         /* m [q]x */
-        const stewart_real m_q_xx = c266 - c267;
+        const stewart_real m_q_xx = c270 - c271;
         const stewart_real m_q_xy = STEWART_FMA(-m_xx, q_z, m_xz*q_x);
         const stewart_real m_q_xz = STEWART_FMA(-m_xy, q_x, m_xx*q_y);
         const stewart_real m_q_yx = STEWART_FMA(-m_yz, q_y, m_yy*q_z);
-        const stewart_real m_q_yy = -c266 - c268;
+        const stewart_real m_q_yy = -c270 - c272;
         const stewart_real m_q_yz = STEWART_FMA(-m_yy, q_x, m_xy*q_y);
         const stewart_real m_q_zx = STEWART_FMA(-m_zz, q_y, m_yz*q_z);
         const stewart_real m_q_zy = STEWART_FMA(-m_xz, q_z, m_zz*q_x);
-        const stewart_real m_q_zz = c267 + c268;
-        const stewart_real c269 = R_tip_y*q_y;
-        const stewart_real c270 = R_tip_z*q_z;
-        const stewart_real c271 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
-        const stewart_real c272 = STEWART_FMA(-f_S_dot_xx, omega_z, f_S_dot_xz*omega_x) + f_S_xy;
-        const stewart_real c273 = STEWART_FMA(-f_S_dot_xz, omega_y, f_S_dot_xy*omega_z) + f_S_xx;
-        const stewart_real c274 = STEWART_FMA(-f_S_dot_yx, omega_z, f_S_dot_yz*omega_x) + f_S_yy;
-        const stewart_real c275 = STEWART_FMA(-f_S_dot_yy, omega_x, f_S_dot_yx*omega_y) + f_S_yz;
-        const stewart_real c276 = R_tip_x*q_x;
-        const stewart_real c277 = STEWART_FMA(-f_S_dot_yz, omega_y, f_S_dot_yy*omega_z) + f_S_yx;
-        const stewart_real c278 = STEWART_FMA(-f_S_dot_zx, omega_z, f_S_dot_zz*omega_x) + f_S_zy;
-        const stewart_real c279 = STEWART_FMA(-f_S_dot_zy, omega_x, f_S_dot_zx*omega_y) + f_S_zz;
-        const stewart_real c280 = STEWART_FMA(-f_S_dot_zz, omega_y, f_S_dot_zy*omega_z) + f_S_zx;
+        const stewart_real m_q_zz = c271 + c272;
         out->sum[0][l] = m_xx;
         out->sum[1][l] = m_xy;
         out->sum[2][l] = m_xz;
@@ -4637,30 +4598,21 @@ STEWART_APART static void derivatives_of_near(
         out->sum[39][l] = STEWART_FMA(-A_0_yx, q_z, STEWART_FMA(A_0_zx, q_y, -f_S_xx));
         out->sum[40][l] = STEWART_FMA(-A_0_yy, q_z, STEWART_FMA(A_0_zy, q_y, -f_S_xy));
         out->sum[41][l] = STEWART_FMA(-A_0_yz, q_z, STEWART_FMA(A_0_zz, q_y, -f_S_xz));
-        out->sum[42][l] = STEWART_FMA(-c271, q_y, STEWART_FMA(-Z_yx, q_z, STEWART_FMA(c272, q_z, Z_zx*q_y) - c269
-            - c270));
-        out->sum[43][l] = STEWART_FMA(-c273, q_z, STEWART_FMA(-Z_yy, q_z, STEWART_FMA(c271, q_x,
-            STEWART_FMA(Z_zy, q_y, R_tip_y*q_x))));
-        out->sum[44][l] = STEWART_FMA(-c272, q_x, STEWART_FMA(-Z_yz, q_z, STEWART_FMA(c273, q_y,
-            STEWART_FMA(Z_zz, q_y, R_tip_z*q_x))));
+        out->sum[42][l] = STEWART_FMA(-Q_xz, q_y, Q_xy*q_z);
+        out->sum[43][l] = STEWART_FMA(-Q_xx, q_z, Q_xz*q_x);
+        out->sum[44][l] = STEWART_FMA(-Q_xy, q_x, Q_xx*q_y);
         out->sum[45][l] = STEWART_FMA(-A_0_zx, q_x, STEWART_FMA(A_0_xx, q_z, -f_S_yx));
         out->sum[46][l] = STEWART_FMA(-A_0_zy, q_x, STEWART_FMA(A_0_xy, q_z, -f_S_yy));
         out->sum[47][l] = STEWART_FMA(-A_0_zz, q_x, STEWART_FMA(A_0_xz, q_z, -f_S_yz));
-        out->sum[48][l] = STEWART_FMA(-c275, q_y, STEWART_FMA(-Z_zx, q_x, STEWART_FMA(c274, q_z,
-            STEWART_FMA(Z_xx, q_z, R_tip_x*q_y))));
-        out->sum[49][l] = STEWART_FMA(-c277, q_z, STEWART_FMA(-Z_zy, q_x, STEWART_FMA(c275, q_x, Z_xy*q_z) - c270
-            - c276));
-        out->sum[50][l] = STEWART_FMA(-c274, q_x, STEWART_FMA(-Z_zz, q_x, STEWART_FMA(c277, q_y,
-            STEWART_FMA(Z_xz, q_z, R_tip_z*q_y))));
+        out->sum[48][l] = STEWART_FMA(-Q_yz, q_y, Q_yy*q_z);
+        out->sum[49][l] = STEWART_FMA(-Q_yx, q_z, Q_yz*q_x);
+        out->sum[50][l] = STEWART_FMA(-Q_yy, q_x, Q_yx*q_y);
         out->sum[51][l] = STEWART_FMA(-A_0_xx, q_y, STEWART_FMA(A_0_yx, q_x, -f_S_zx));
         out->sum[52][l] = STEWART_FMA(-A_0_xy, q_y, STEWART_FMA(A_0_yy, q_x, -f_S_zy));
         out->sum[53][l] = STEWART_FMA(-A_0_xz, q_y, STEWART_FMA(A_0_yz, q_x, -f_S_zz));
-        out->sum[54][l] = STEWART_FMA(-c279, q_y, STEWART_FMA(-Z_xx, q_y, STEWART_FMA(c278, q_z,
-            STEWART_FMA(Z_yx, q_x, R_tip_x*q_z))));
-        out->sum[55][l] = STEWART_FMA(-c280, q_z, STEWART_FMA(-Z_xy, q_y, STEWART_FMA(c279, q_x,
-            STEWART_FMA(Z_yy, q_x, R_tip_y*q_z))));
-        out->sum[56][l] = STEWART_FMA(-c278, q_x, STEWART_FMA(-Z_xz, q_y, STEWART_FMA(c280, q_y, Z_yz*q_x) - c269
-            - c276));
+        out->sum[54][l] = STEWART_FMA(-Q_zz, q_y, Q_zy*q_z);
+        out->sum[55][l] = STEWART_FMA(-Q_zx, q_z, Q_zz*q_x);
+        out->sum[56][l] = STEWART_FMA(-Q_zy, q_x, Q_zx*q_y);
         out->sum[57][l] = A_1_xx;
         out->sum[58][l] = A_1_xy;
         out->sum[59][l] = A_1_xz;
@@ -4738,7 +4690,7 @@ static void derivatives_sums(
     stewart_real summed[93])
 {
     int l;
-    motion_lanes at;
+    motion_in_lanes at;
     derivatives_pose own;
     derivatives_pose pose;
     for (l = 0; l < LANES; ++l) {
@@ -4948,8 +4900,8 @@ typedef struct {
 
 /* The platform's part, of one pose or of eight. */
 static STEWART_INLINE void joint_slopes_of_pose(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int lanes,
-    joint_slopes_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    int lanes, joint_slopes_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
     int l;
     const stewart_real C_P = model->C_P;
@@ -5198,7 +5150,7 @@ static STEWART_INLINE void joint_slopes_of_pose(
 
 /* The legs of a pose side by side, or one leg of eight poses. */
 STEWART_APART static void joint_slopes_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const joint_slopes_pose *STEWART_RESTRICT pose, joint_slopes_legs *STEWART_RESTRICT out)
 {
     int l;
@@ -5789,67 +5741,64 @@ STEWART_APART static void joint_slopes_of_leg(
         const stewart_real G_dot_22 = c218*inv_L;
         const stewart_real G_dot_23 = c16;
         const stewart_real G_dot_31 = -c217*phi_dot;
-        const stewart_real c219 = inv_rho*theta_dot;
-        const stewart_real G_dot_32 = STEWART_FMA(-c219, kappa, -c2*inv_rho);
+        const stewart_real G_dot_32 = STEWART_FMA((-inv_rho)*kappa, theta_dot, -c2*inv_rho);
         const stewart_real G_dot_33 = c218*inv_rho;
-        const stewart_real c220 = C_s*k1;
-        const stewart_real f_S_leg_11 = G_dot_31*c220;
-        const stewart_real f_S_leg_12 = C_s*STEWART_FMA(-c217, theta_dot, G_dot_32*k1);
-        const stewart_real f_S_leg_13 = G_dot_33*c220;
-        const stewart_real f_S_leg_21 = C_s*G_dot_21;
-        const stewart_real f_S_leg_22 = C_s*G_dot_22;
-        const stewart_real f_S_leg_23 = C_s*G_dot_23;
-        const stewart_real c221 = C_s*k3;
-        const stewart_real f_S_leg_31 = G_dot_31*c221;
-        const stewart_real f_S_leg_32 = C_s*STEWART_FMA(G_dot_32, k3, c219*k1);
-        const stewart_real f_S_leg_33 = G_dot_33*c221;
-        const stewart_real f_S_T_xs = STEWART_FMA(f_S_leg_31, z_x, STEWART_FMA(f_S_leg_11, s_x,
-            f_S_leg_21*y_x));
-        const stewart_real f_S_T_xy = STEWART_FMA(f_S_leg_32, z_x, STEWART_FMA(f_S_leg_12, s_x,
-            f_S_leg_22*y_x));
-        const stewart_real f_S_T_xz = STEWART_FMA(f_S_leg_33, z_x, STEWART_FMA(f_S_leg_13, s_x,
-            f_S_leg_23*y_x));
-        const stewart_real f_S_T_ys = STEWART_FMA(f_S_leg_31, z_y, STEWART_FMA(f_S_leg_11, s_y,
-            f_S_leg_21*y_y));
-        const stewart_real f_S_T_yy = STEWART_FMA(f_S_leg_32, z_y, STEWART_FMA(f_S_leg_12, s_y,
-            f_S_leg_22*y_y));
-        const stewart_real f_S_T_yz = STEWART_FMA(f_S_leg_33, z_y, STEWART_FMA(f_S_leg_13, s_y,
-            f_S_leg_23*y_y));
-        const stewart_real f_S_T_zs = STEWART_FMA(f_S_leg_31, z_z, STEWART_FMA(f_S_leg_11, s_z,
-            f_S_leg_21*y_z));
-        const stewart_real f_S_T_zy = STEWART_FMA(f_S_leg_32, z_z, STEWART_FMA(f_S_leg_12, s_z,
-            f_S_leg_22*y_z));
-        const stewart_real f_S_T_zz = STEWART_FMA(f_S_leg_33, z_z, STEWART_FMA(f_S_leg_13, s_z,
-            f_S_leg_23*y_z));
+        /* slope of a rate, times C_s */
+        const stewart_real theta_dot_by_S_x = C_s*STEWART_FMA(G_dot_22, y_x, STEWART_FMA(G_dot_21, s_x,
+            G_dot_23*z_x));
+        const stewart_real theta_dot_by_S_y = C_s*STEWART_FMA(G_dot_22, y_y, STEWART_FMA(G_dot_21, s_y,
+            G_dot_23*z_y));
+        const stewart_real theta_dot_by_S_z = C_s*STEWART_FMA(G_dot_22, y_z, STEWART_FMA(G_dot_21, s_z,
+            G_dot_23*z_z));
+        const stewart_real phi_dot_by_S_x = C_s*STEWART_FMA(G_dot_33, z_x, STEWART_FMA(G_dot_32, y_x,
+            G_dot_31*s_x));
+        const stewart_real phi_dot_by_S_y = C_s*STEWART_FMA(G_dot_33, z_y, STEWART_FMA(G_dot_32, y_y,
+            G_dot_31*s_y));
+        const stewart_real phi_dot_by_S_z = C_s*STEWART_FMA(G_dot_33, z_z, STEWART_FMA(G_dot_32, y_z,
+            G_dot_31*s_z));
+        /* gradient of theta, times C_s */
+        const stewart_real C_s_theta_x = -c118*z_x;
+        const stewart_real C_s_theta_y = -c118*z_y;
+        const stewart_real C_s_theta_z = -c118*z_z;
+        const stewart_real c219 = C_s*y_x;
+        const stewart_real c220 = C_s*y_y;
+        const stewart_real c221 = C_s*y_z;
+        /* gradient of phi, times C_s */
+        const stewart_real C_s_phi_x = c219*inv_rho;
+        const stewart_real C_s_phi_y = c220*inv_rho;
+        const stewart_real C_s_phi_z = c221*inv_rho;
+        const stewart_real y_by_phi_x = normal_x*theta_dot;
+        const stewart_real y_by_phi_y = normal_y*theta_dot;
+        const stewart_real y_by_phi_z = normal_z*theta_dot;
         /* friction moment by S */
-        const stewart_real f_S_xx = STEWART_FMA(f_S_T_xy, y_x, STEWART_FMA(f_S_T_xz, z_x, f_S_T_xs*s_x));
-        const stewart_real f_S_xy = STEWART_FMA(f_S_T_xy, y_y, STEWART_FMA(f_S_T_xz, z_y, f_S_T_xs*s_y));
-        const stewart_real f_S_xz = STEWART_FMA(f_S_T_xy, y_z, STEWART_FMA(f_S_T_xz, z_z, f_S_T_xs*s_z));
-        const stewart_real f_S_yx = STEWART_FMA(f_S_T_yy, y_x, STEWART_FMA(f_S_T_yz, z_x, f_S_T_ys*s_x));
-        const stewart_real f_S_yy = STEWART_FMA(f_S_T_yy, y_y, STEWART_FMA(f_S_T_yz, z_y, f_S_T_ys*s_y));
-        const stewart_real f_S_yz = STEWART_FMA(f_S_T_yy, y_z, STEWART_FMA(f_S_T_yz, z_z, f_S_T_ys*s_z));
-        const stewart_real f_S_zx = STEWART_FMA(f_S_T_zy, y_x, STEWART_FMA(f_S_T_zz, z_x, f_S_T_zs*s_x));
-        const stewart_real f_S_zy = STEWART_FMA(f_S_T_zy, y_y, STEWART_FMA(f_S_T_zz, z_y, f_S_T_zs*s_y));
-        const stewart_real f_S_zz = STEWART_FMA(f_S_T_zy, y_z, STEWART_FMA(f_S_T_zz, z_z, f_S_T_zs*s_z));
-        const stewart_real f_S_dot_leg_12 = c220*inv_rho;
-        const stewart_real f_S_dot_leg_23 = -c118;
-        const stewart_real f_S_dot_leg_32 = C_s*c217;
-        const stewart_real f_S_dot_T_xy = STEWART_FMA(f_S_dot_leg_32, z_x, f_S_dot_leg_12*s_x);
-        const stewart_real f_S_dot_T_xz = f_S_dot_leg_23*y_x;
-        const stewart_real f_S_dot_T_yy = STEWART_FMA(f_S_dot_leg_32, z_y, f_S_dot_leg_12*s_y);
-        const stewart_real f_S_dot_T_yz = f_S_dot_leg_23*y_y;
-        const stewart_real f_S_dot_T_zy = STEWART_FMA(f_S_dot_leg_32, z_z, f_S_dot_leg_12*s_z);
-        const stewart_real f_S_dot_T_zz = f_S_dot_leg_23*y_z;
+        const stewart_real f_S_xx = STEWART_FMA(k_x, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_x,
+            C_s_phi_x*y_by_phi_x));
+        const stewart_real f_S_xy = STEWART_FMA(k_x, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_x,
+            C_s_phi_y*y_by_phi_x));
+        const stewart_real f_S_xz = STEWART_FMA(k_x, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_x,
+            C_s_phi_z*y_by_phi_x));
+        const stewart_real f_S_yx = STEWART_FMA(k_y, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_y,
+            C_s_phi_x*y_by_phi_y));
+        const stewart_real f_S_yy = STEWART_FMA(k_y, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_y,
+            C_s_phi_y*y_by_phi_y));
+        const stewart_real f_S_yz = STEWART_FMA(k_y, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_y,
+            C_s_phi_z*y_by_phi_y));
+        const stewart_real f_S_zx = STEWART_FMA(k_z, phi_dot_by_S_x, STEWART_FMA(theta_dot_by_S_x, y_z,
+            C_s_phi_x*y_by_phi_z));
+        const stewart_real f_S_zy = STEWART_FMA(k_z, phi_dot_by_S_y, STEWART_FMA(theta_dot_by_S_y, y_z,
+            C_s_phi_y*y_by_phi_z));
+        const stewart_real f_S_zz = STEWART_FMA(k_z, phi_dot_by_S_z, STEWART_FMA(theta_dot_by_S_z, y_z,
+            C_s_phi_z*y_by_phi_z));
         /* friction moment by S_dot */
-        const stewart_real f_S_dot_xx = STEWART_FMA(f_S_dot_T_xz, z_x, f_S_dot_T_xy*y_x);
-        const stewart_real f_S_dot_xy = STEWART_FMA(f_S_dot_T_xz, z_y, f_S_dot_T_xy*y_y);
-        const stewart_real f_S_dot_xz = STEWART_FMA(f_S_dot_T_xz, z_z, f_S_dot_T_xy*y_z);
-        const stewart_real f_S_dot_yx = STEWART_FMA(f_S_dot_T_yz, z_x, f_S_dot_T_yy*y_x);
-        const stewart_real f_S_dot_yy = STEWART_FMA(f_S_dot_T_yz, z_y, f_S_dot_T_yy*y_y);
-        const stewart_real f_S_dot_yz = STEWART_FMA(f_S_dot_T_yz, z_z, f_S_dot_T_yy*y_z);
-        const stewart_real f_S_dot_zx = STEWART_FMA(f_S_dot_T_zz, z_x, f_S_dot_T_zy*y_x);
-        const stewart_real f_S_dot_zy = STEWART_FMA(f_S_dot_T_zz, z_y, f_S_dot_T_zy*y_y);
-        const stewart_real f_S_dot_zz = STEWART_FMA(f_S_dot_T_zz, z_z, f_S_dot_T_zy*y_z);
+        const stewart_real f_S_dot_xx = STEWART_FMA(C_s_phi_x, k_x, C_s_theta_x*y_x);
+        const stewart_real f_S_dot_xy = STEWART_FMA(C_s_phi_y, k_x, C_s_theta_y*y_x);
+        const stewart_real f_S_dot_xz = STEWART_FMA(C_s_phi_z, k_x, C_s_theta_z*y_x);
+        const stewart_real f_S_dot_yx = STEWART_FMA(C_s_phi_x, k_y, C_s_theta_x*y_y);
+        const stewart_real f_S_dot_yy = STEWART_FMA(C_s_phi_y, k_y, C_s_theta_y*y_y);
+        const stewart_real f_S_dot_yz = STEWART_FMA(C_s_phi_z, k_y, C_s_theta_z*y_y);
+        const stewart_real f_S_dot_zx = STEWART_FMA(C_s_phi_x, k_z, C_s_theta_x*y_z);
+        const stewart_real f_S_dot_zy = STEWART_FMA(C_s_phi_y, k_z, C_s_theta_y*y_z);
+        const stewart_real f_S_dot_zz = STEWART_FMA(C_s_phi_z, k_z, C_s_theta_z*y_z);
         const stewart_real c222 = R_tip_y*q_y;
         const stewart_real c223 = R_tip_z*q_z;
         const stewart_real c224 = STEWART_FMA(-f_S_dot_xy, omega_x, f_S_dot_xx*omega_y) + f_S_xz;
@@ -5988,12 +5937,12 @@ STEWART_APART static void joint_slopes_of_leg(
             STEWART_FMA(tau_S_ddot_xx, w_q_z, Y_xx*q_z)));
         out->tau_w[2][l] = STEWART_FMA(-tau_S_ddot_xx, w_q_y, STEWART_FMA(-Y_xx, q_y,
             STEWART_FMA(tau_S_ddot_xy, w_q_x, Y_xy*q_x)));
-        out->tau_w[3][l] = STEWART_FMA(-tau_S_ddot_yy, w_q_z, STEWART_FMA(-Y_yy, q_z, STEWART_FMA(-C_s, y_x,
-            STEWART_FMA(tau_S_ddot_yz, w_q_y, Y_yz*q_y))));
-        out->tau_w[4][l] = STEWART_FMA(-tau_S_ddot_yz, w_q_x, STEWART_FMA(-Y_yz, q_x, STEWART_FMA(-C_s, y_y,
-            STEWART_FMA(tau_S_ddot_yx, w_q_z, Y_yx*q_z))));
-        out->tau_w[5][l] = STEWART_FMA(-tau_S_ddot_yx, w_q_y, STEWART_FMA(-Y_yx, q_y, STEWART_FMA(-C_s, y_z,
-            STEWART_FMA(tau_S_ddot_yy, w_q_x, Y_yy*q_x))));
+        out->tau_w[3][l] = STEWART_FMA(-tau_S_ddot_yy, w_q_z, STEWART_FMA(-Y_yy, q_z,
+            STEWART_FMA(tau_S_ddot_yz, w_q_y, Y_yz*q_y) - c219));
+        out->tau_w[4][l] = STEWART_FMA(-tau_S_ddot_yz, w_q_x, STEWART_FMA(-Y_yz, q_x,
+            STEWART_FMA(tau_S_ddot_yx, w_q_z, Y_yx*q_z) - c220));
+        out->tau_w[5][l] = STEWART_FMA(-tau_S_ddot_yx, w_q_y, STEWART_FMA(-Y_yx, q_y,
+            STEWART_FMA(tau_S_ddot_yy, w_q_x, Y_yy*q_x) - c221));
         out->tau_w[6][l] = STEWART_FMA(-tau_S_ddot_zy, w_q_z, STEWART_FMA(-Y_zy, q_z, STEWART_FMA(-C_s, k_x,
             STEWART_FMA(tau_S_ddot_zz, w_q_y, Y_zz*q_y))));
         out->tau_w[7][l] = STEWART_FMA(-tau_S_ddot_zz, w_q_x, STEWART_FMA(-Y_zz, q_x, STEWART_FMA(-C_s, k_y,
@@ -6032,7 +5981,7 @@ static void joint_slopes_sums(
     stewart_real summed[93])
 {
     int l;
-    motion_lanes at;
+    motion_in_lanes at;
     joint_slopes_pose own;
     joint_slopes_pose pose;
     for (l = 0; l < LANES; ++l) {
@@ -6280,8 +6229,8 @@ typedef struct {
 
 /* The platform's part, of one pose or of eight. */
 static STEWART_INLINE void bias_of_pose(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at, int lanes,
-    bias_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
+    int lanes, bias_pose *STEWART_RESTRICT out, stewart_real *STEWART_RESTRICT summed)
 {
     int l;
     const stewart_real M_P = model->M_P;
@@ -6358,7 +6307,7 @@ static STEWART_INLINE void bias_of_pose(
 
 /* The legs of a pose side by side, or one leg of eight poses. */
 STEWART_APART static void bias_of_leg(
-    const stewart_exact_model *STEWART_RESTRICT model, const motion_lanes *STEWART_RESTRICT at,
+    const stewart_exact_model *STEWART_RESTRICT model, const motion_in_lanes *STEWART_RESTRICT at,
     const bias_pose *STEWART_RESTRICT pose, bias_legs *STEWART_RESTRICT out)
 {
     int l;
@@ -6558,7 +6507,7 @@ static void bias_sums(
     const stewart_exact_model *model, const stewart_motion *motion, bias_legs *legs, stewart_real summed[6])
 {
     int l;
-    motion_lanes at;
+    motion_in_lanes at;
     bias_pose own;
     bias_pose pose;
     for (l = 0; l < LANES; ++l) {
@@ -6989,7 +6938,7 @@ static void spread_leg(
 }
 
 /* Motions of eight poses, component by component. */
-static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *at)
+static void load_motions(const stewart_motions *motions, size_t first, size_t count, motion_in_lanes *at)
 {
     stewart_real padded[72];
     spread_matrix(whole(motions->R, 9U, first, count, padded), at->R);
@@ -7087,7 +7036,7 @@ typedef struct {
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
 static void equations_leg_of_block(
-    const stewart_exact_model *model, int leg, const motion_lanes *at, const equations_pose *pose,
+    const stewart_exact_model *model, int leg, const motion_in_lanes *at, const equations_pose *pose,
     stewart_exact_model *one, equations_legs *STEWART_RESTRICT legs, equations_block *STEWART_RESTRICT out)
 {
     int l;
@@ -7114,7 +7063,7 @@ static void equations_leg_of_block(
 
 /* Sums over platform and legs of eight poses. */
 static void equations_of_block(
-    const stewart_exact_model *model, const motion_lanes *at, stewart_exact_model *one,
+    const stewart_exact_model *model, const motion_in_lanes *at, stewart_exact_model *one,
     equations_block *out)
 {
     int i, l;
@@ -7142,7 +7091,7 @@ int stewart_exact_equations_batch(
 {
     size_t first;
     int l;
-    motion_lanes at;
+    motion_in_lanes at;
     leg_in_lanes of_leg;
     equations_block block;
     STEWART_ALIGNED stewart_real row[1296];
@@ -7155,7 +7104,7 @@ int stewart_exact_equations_batch(
     of_leg.model = *model;
     int result = STEWART_OK;
     for (first = 0; first < count; first += (size_t)LANES) {
-        load_block(motions, first, count, &at);
+        load_motions(motions, first, count, &at);
         equations_of_block(model, &at, &of_leg.model, &block);
         matrices(at.v[0], at.omega[0], LANES, block.number);
         stewart_real none[LANES];
@@ -7237,9 +7186,9 @@ typedef struct {
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
 static void derivatives_leg_of_block(
-    const stewart_exact_model *model, int leg, const motion_lanes *at, stewart_real acting[6][LANES],
-    const derivatives_pose *pose, stewart_exact_model *one, derivatives_legs *STEWART_RESTRICT legs,
-    derivatives_block *STEWART_RESTRICT out)
+    const stewart_exact_model *model, int leg, const motion_in_lanes *at,
+    stewart_real (*STEWART_RESTRICT acting)[LANES], const derivatives_pose *pose, stewart_exact_model *one,
+    derivatives_legs *STEWART_RESTRICT legs, derivatives_block *STEWART_RESTRICT out)
 {
     int l;
     spread_leg(model, leg, one);
@@ -7262,7 +7211,7 @@ static void derivatives_leg_of_block(
 
 /* Sums over platform and legs of eight poses. */
 static void derivatives_of_block(
-    const stewart_exact_model *model, const motion_lanes *at, stewart_real acting[6][LANES],
+    const stewart_exact_model *model, const motion_in_lanes *at, stewart_real acting[6][LANES],
     stewart_exact_model *one, derivatives_block *out)
 {
     int i, l;
@@ -7290,7 +7239,7 @@ int stewart_exact_derivatives_batch(
 {
     size_t first;
     int l;
-    motion_lanes at;
+    motion_in_lanes at;
     leg_in_lanes of_leg;
     derivatives_block block;
     STEWART_ALIGNED stewart_real row[1034];
@@ -7306,7 +7255,7 @@ int stewart_exact_derivatives_batch(
     of_leg.model = *model;
     int result = STEWART_OK;
     for (first = 0; first < count; first += (size_t)LANES) {
-        load_block(motions, first, count, &at);
+        load_motions(motions, first, count, &at);
         stewart_motions part;
         const size_t size_of_block = count - first < LANES ? count - first : LANES;
         part.R = &motions->R[9U*first];
@@ -7395,7 +7344,7 @@ typedef struct {
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
 static void bias_leg_of_block(
-    const stewart_exact_model *model, int leg, const motion_lanes *at, const bias_pose *pose,
+    const stewart_exact_model *model, int leg, const motion_in_lanes *at, const bias_pose *pose,
     stewart_exact_model *one, bias_legs *STEWART_RESTRICT legs, bias_block *STEWART_RESTRICT out)
 {
     int l;
@@ -7409,7 +7358,7 @@ static void bias_leg_of_block(
 
 /* Sums over platform and legs of eight poses. */
 static void bias_of_block(
-    const stewart_exact_model *model, const motion_lanes *at, stewart_exact_model *one, bias_block *out)
+    const stewart_exact_model *model, const motion_in_lanes *at, stewart_exact_model *one, bias_block *out)
 {
     int i, l;
     bias_pose pose;
@@ -7436,7 +7385,7 @@ int stewart_exact_bias_batch(
 {
     size_t first;
     int l;
-    motion_lanes at;
+    motion_in_lanes at;
     leg_in_lanes of_leg;
     bias_block block;
     STEWART_ALIGNED stewart_real row[48];
@@ -7449,7 +7398,7 @@ int stewart_exact_bias_batch(
     of_leg.model = *model;
     int result = STEWART_OK;
     for (first = 0; first < count; first += (size_t)LANES) {
-        load_block(motions, first, count, &at);
+        load_motions(motions, first, count, &at);
         bias_of_block(model, &at, &of_leg.model, &block);
         stewart_real none[LANES];
         not_finite(block.number, 6, none);
@@ -7498,9 +7447,9 @@ typedef struct {
 
 /* One leg of eight poses; ``bad``: 1 where a pose is left to the function of one. */
 static void forward_leg_of_block(
-    const stewart_exact_model *model, int leg, const motion_lanes *at, stewart_real acting[6][LANES],
-    const forward_pose *pose, stewart_exact_model *one, forward_legs *STEWART_RESTRICT legs,
-    forward_block *STEWART_RESTRICT out)
+    const stewart_exact_model *model, int leg, const motion_in_lanes *at,
+    stewart_real (*STEWART_RESTRICT acting)[LANES], const forward_pose *pose, stewart_exact_model *one,
+    forward_legs *STEWART_RESTRICT legs, forward_block *STEWART_RESTRICT out)
 {
     int l;
     spread_leg(model, leg, one);
@@ -7516,7 +7465,7 @@ static void forward_leg_of_block(
 
 /* Sums over platform and legs of eight poses. */
 static void forward_of_block(
-    const stewart_exact_model *model, const motion_lanes *at, stewart_real acting[6][LANES],
+    const stewart_exact_model *model, const motion_in_lanes *at, stewart_real acting[6][LANES],
     stewart_exact_model *one, forward_block *out)
 {
     int i, l;
@@ -7544,7 +7493,7 @@ int stewart_exact_forward_dynamics_batch(
 {
     size_t first;
     int i, l;
-    motion_lanes at;
+    motion_in_lanes at;
     leg_in_lanes of_leg;
     forward_block block;
     STEWART_ALIGNED stewart_real row[48];
@@ -7558,7 +7507,7 @@ int stewart_exact_forward_dynamics_batch(
     of_leg.model = *model;
     int result = STEWART_OK;
     for (first = 0; first < count; first += (size_t)LANES) {
-        load_block(motions, first, count, &at);
+        load_motions(motions, first, count, &at);
         load_forces(F, first, count, acting);
         forward_of_block(model, &at, acting, &of_leg.model, &block);
         stewart_real pivot[48];

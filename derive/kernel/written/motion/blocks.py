@@ -12,7 +12,7 @@ def spread_leg(model: "alone(Model)", leg: "Integer", to: "alone(Model)") -> Non
             to[number, l] = model[number, leg]
 
 
-def load_block(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
+def load_motions(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
     """Motions of eight poses, component by component."""
     padded = blank(array(72))
     LOADS
@@ -55,7 +55,7 @@ def leg_of_block(
     model: "Model",
     leg: "Integer",
     at: "MotionLanes",
-    acting: "array(6, LANES)",
+    acting: "alone(array(6, LANES))",
     pose: "Pose",
     one: "Model",
     legs: "alone(Legs)",
@@ -118,7 +118,7 @@ def batch_of_blocks(
     of_leg.model = model
     result = OK
     for first in range(0, count, LANES):
-        load_block(motions, first, count, at)
+        load_motions(motions, first, count, at)
         load_acting()
         sums_of_block(model, at, acting, of_leg.model, block)
         finish_block()
