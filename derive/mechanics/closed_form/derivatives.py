@@ -207,8 +207,10 @@ def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
 
 
 def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix | None) -> tuple[sp.Matrix, sp.Matrix]:
-    """Derivatives of f = C_s (phi_dot k + theta_dot y - omega) by S and S_dot, base frame, by what each turns;
-    normal: k x y, by which y moves with phi; None without friction."""
+    """Derivatives of f = C_s (phi_dot k + theta_dot y - omega) by S and S_dot, base frame.
+
+    normal: k x y, by which y moves with phi; None without friction.
+    """
     if normal is None:
         return sp.zeros(3, 3), sp.zeros(3, 3)
     at, k, C_s = leg.at, n.k.value, n.C_s.value
