@@ -241,7 +241,7 @@ class Results:
 
 
 def solve_in_lanes() -> dict[str, read.Given]:
-    """Of ``written.motion.results.solved``."""
+    """Of ``written.motion.results.solve_inertia``."""
 
     def number(i: int) -> t.Expression:
         return t.Element(t.Name("number"), (t.Number(i) * t.Name("lanes") + lay.LANE,))
@@ -420,7 +420,7 @@ class Batches(ABC):
         """The solve of forward dynamics."""
         made, structures = self._results("forward_dynamics")
         found = t.Structure("forward_dynamics_found", "", (t.numbers("acceleration", 6), STATUS_FIELD))
-        yield replace(self.read(results.solved, given=solve_in_lanes()), inlined=True)
+        yield replace(self.read(results.solve_inertia, given=solve_in_lanes()), inlined=True)
         yield self.read(
             results.accelerations_of,
             structures=structures | {"Found": found},

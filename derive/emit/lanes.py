@@ -134,7 +134,10 @@ class _Source(Source):
             "SharedLanes": t.Structure(
                 "shared_lanes",
                 "",
-                tuple(lay.stored(q, LANES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
+                (
+                    *(lay.stored(q, LANES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
+                    t.numbers("t_size", LANES, meaning="m: largest coordinate of t"),
+                ),
             ),
             "LegLanes": t.Structure(
                 "leg_lanes",
@@ -287,7 +290,7 @@ class _Source(Source):
         """The leg's block as the body of a loop over the poses of a block."""
         kernel, exprs = self.kernel, self.given
         leg, about_tip = kernel.leg, kernel.about_tip
-        terms, more = reach_terms(kernel)
+        more = reach_terms(kernel)[1][1:]
         outside, inside = lay.parted(lay.loaded(leg, self._place("at", lay.LANE, leg=t.Name("leg")), *more))
         own = [out for out in leg.outputs if about_tip and out.quantity in (n.q, *lay.RIGHT_SIDE)]
         kept = {out.quantity for out in own}
@@ -300,7 +303,8 @@ class _Source(Source):
         )
         least = "JOINT_SINGULAR_SINE" if kernel.leg_near_singular is None else "NEAR_JOINT_SINGULAR"
         given: dict[str, Given] = {"OUTSIDE": outside, "BLOCK": body, "c" if about_tip else "own": False}
-        given |= lay.checks(leg, terms, "SHORT_SHARE", least)
+        given |= lay.checks(leg, (symbol for q in more for symbol in q.symbols), "SHORT_SHARE", least)
+        given["LEAST_SHARE"] = t.Number(2.25) * t.Constant("SHORT_SHARE")
         given |= {} if n.D in exprs else {"known": False}
         return self.texts.function(written.leg_of_block, given=given, count=leg.operations())
 

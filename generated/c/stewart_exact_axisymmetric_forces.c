@@ -29,6 +29,7 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][LANES];
+    stewart_real t_size[LANES]; /* m: largest coordinate of t */
 } shared_lanes;
 
 /* The legs of one pose. */
@@ -551,8 +552,7 @@ static void legs_of_pose(
         out->reach[l] = reach;
         out->L[l] = L;
         out->k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
         out->bad[l] = fault;
     }
@@ -713,8 +713,7 @@ static void legs_near_singular(
         out->reach[l] = reach;
         out->L[l] = L;
         out->k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->bad[l] = fault;
     }
@@ -941,11 +940,14 @@ static void shared_of_block(
             STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx))));
         c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_P_load_z, R_zz,
             STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx))));
+        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
+        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
     }
 }
 
 /* One leg of eight poses side by side, 194 (116 mul, 74 add, 2 div, 2 sqrt) operations each: its column
- * of H, its D and its part of c. */
+ * of H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
+ * well, if less. */
 static void leg_of_block(
     const stewart_exact_axisymmetric_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
@@ -1089,17 +1091,11 @@ static void leg_of_block(
         own->c_force[2][l] = -K_z;
         known[l] = D;
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        stewart_real fault = L <= STEWART_MAX ? bad[l] : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        reach = STEWART_LARGER(shared->t_size[l], reach);
+        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
         fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
         bad[l] = fault;
     }

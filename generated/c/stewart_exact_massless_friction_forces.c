@@ -27,7 +27,7 @@ typedef struct {
 } shared_terms;
 
 typedef struct {
-    int none; /* C has no structure without members */
+    stewart_real t_size[LANES]; /* m: largest coordinate of t */
 } shared_lanes;
 
 /* The legs of one pose. */
@@ -472,8 +472,7 @@ static void legs_of_pose(
         out->reach[l] = reach;
         out->L[l] = L;
         out->k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
         out->bad[l] = fault;
     }
@@ -594,8 +593,7 @@ static void legs_near_singular(
         out->reach[l] = reach;
         out->L[l] = L;
         out->k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->bad[l] = fault;
     }
@@ -737,11 +735,10 @@ typedef struct {
 /* What each of eight poses has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_exact_massless_friction_model *STEWART_RESTRICT model,
-    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT out,
+    const motion_lanes *STEWART_RESTRICT at, shared_lanes *STEWART_RESTRICT out,
     stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
-    (void)out;
     const stewart_real M_P = model->M_P;
     const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
     const stewart_real J_C_xx = model->J_C[0], J_C_xy = model->J_C[1], J_C_xz = model->J_C[2], J_C_yy = model->J_C[3],
@@ -832,11 +829,14 @@ static void shared_of_block(
             M_P_load_x*R_yx)));
         c[5][l] = STEWART_FMA(-C_P, omega_z, STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy,
             M_P_load_x*R_zx)));
+        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
+        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
     }
 }
 
 /* One leg of eight poses side by side, 126 (76 mul, 46 add, 2 div, 2 sqrt) operations each: its column
- * of H, its D and its part of c. */
+ * of H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
+ * well, if less. */
 static void leg_of_block(
     const stewart_exact_massless_friction_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
@@ -844,7 +844,6 @@ static void leg_of_block(
     stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
-    (void)shared;
     const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
     const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
     const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
@@ -933,17 +932,11 @@ static void leg_of_block(
         own->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
         known[l] = D;
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        stewart_real fault = L <= STEWART_MAX ? bad[l] : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        reach = STEWART_LARGER(shared->t_size[l], reach);
+        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
         fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
         bad[l] = fault;
     }
@@ -1041,7 +1034,7 @@ static void forces_of_block(
     const stewart_exact_massless_friction_model *model, const motion_lanes *at, block *out)
 {
     int i, l;
-    shared_lanes shared = {0};
+    shared_lanes shared;
     leg_block first;
     leg_block other;
     for (l = 0; l < LANES; ++l) {

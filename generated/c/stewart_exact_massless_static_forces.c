@@ -24,7 +24,7 @@ typedef struct {
 } shared_terms;
 
 typedef struct {
-    int none; /* C has no structure without members */
+    stewart_real t_size[LANES]; /* m: largest coordinate of t */
 } shared_lanes;
 
 /* The legs of one pose. */
@@ -261,8 +261,8 @@ static void legs_of_pose(
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
         out->reach[l] = reach;
         out->L[l] = L;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
+        fault = L <= STEWART_MAX ? fault : REAL(1);
         out->bad[l] = fault;
     }
 }
@@ -386,11 +386,10 @@ typedef struct {
 /* What each of eight poses has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_exact_massless_static_model *STEWART_RESTRICT model,
-    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT out,
+    const motion_lanes *STEWART_RESTRICT at, shared_lanes *STEWART_RESTRICT out,
     stewart_real (*STEWART_RESTRICT c)[LANES])
 {
     int l;
-    (void)out;
     const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
     const stewart_real W_P_x = model->W_P[0], W_P_y = model->W_P[1], W_P_z = model->W_P[2];
     for (l = 0; l < LANES; ++l) {
@@ -415,11 +414,14 @@ static void shared_of_block(
             STEWART_FMA(M_ext_y, R_yy, M_ext_x*R_yx))));
         c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_ext_z, R_zz,
             STEWART_FMA(M_ext_y, R_zy, M_ext_x*R_zx))));
+        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
+        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
     }
 }
 
 /* One leg of eight poses side by side, 31 (15 mul, 14 add, 1 div, 1 sqrt) operations each: its column of
- * H, its D and its part of c. */
+ * H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
+ * well, if less. */
 static void leg_of_block(
     const stewart_exact_massless_static_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
@@ -427,7 +429,6 @@ static void leg_of_block(
     stewart_real *STEWART_RESTRICT bad)
 {
     int l;
-    (void)shared;
     const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
     const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
     for (l = 0; l < LANES; ++l) {
@@ -460,17 +461,12 @@ static void leg_of_block(
         own->q[1][l] = q_y;
         own->q[2][l] = q_z;
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        stewart_real fault = L <= STEWART_MAX ? bad[l] : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        reach = STEWART_LARGER(shared->t_size[l], reach);
+        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
+        fault = L <= STEWART_MAX ? fault : REAL(1);
         bad[l] = fault;
     }
 }
@@ -548,7 +544,7 @@ static void forces_of_block(
     const stewart_exact_massless_static_model *model, const motion_lanes *at, block *out)
 {
     int i, l;
-    shared_lanes shared = {0};
+    shared_lanes shared;
     leg_block first;
     leg_block other;
     for (l = 0; l < LANES; ++l) {

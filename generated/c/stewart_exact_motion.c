@@ -551,8 +551,7 @@ STEWART_APART static void forward_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -616,7 +615,7 @@ static void forward_sums(
 }
 
 /* Accelerations from M and the right side, by L D L^T, and the pivots. */
-static STEWART_INLINE void solved(
+static STEWART_INLINE void solve_inertia(
     const stewart_real *STEWART_RESTRICT number, int lanes, stewart_real *STEWART_RESTRICT result,
     stewart_real *STEWART_RESTRICT pivot)
 {
@@ -745,7 +744,7 @@ static void accelerations_of(
     stewart_real pivot[6];
     out->status = legs->status;
     if (legs->status == STEWART_OK) {
-        solved(summed, 1, out->acceleration, pivot);
+        solve_inertia(summed, 1, out->acceleration, pivot);
         if (out->status == STEWART_OK && !(pivot[0] > STEWART_KEPT*summed[0])) {
             out->status = STEWART_FABS(pivot[0]) <= STEWART_MAX ? STEWART_INDEFINITE : STEWART_NOT_FINITE;
         }
@@ -1154,8 +1153,7 @@ STEWART_APART static void joint_rows_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -2242,8 +2240,7 @@ STEWART_APART static void equations_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -2623,8 +2620,7 @@ STEWART_APART static void equations_of_near(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -3828,8 +3824,7 @@ STEWART_APART static void derivatives_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -4677,8 +4672,7 @@ STEWART_APART static void derivatives_of_near(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -5968,8 +5962,7 @@ STEWART_APART static void joint_slopes_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -6495,8 +6488,7 @@ STEWART_APART static void bias_of_leg(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
     }
@@ -7512,7 +7504,7 @@ int stewart_exact_forward_dynamics_batch(
         forward_of_block(model, &at, acting, &of_leg.model, &block);
         stewart_real pivot[48];
         stewart_real solution[48];
-        solved(block.number, LANES, solution, pivot);
+        solve_inertia(block.number, LANES, solution, pivot);
         for (l = 0; l < LANES; ++l) {
             block.bad[l] = pivot[LANES*0 + l] > STEWART_KEPT*block.number[0 + l] ? block.bad[l] : REAL(1);
             block.bad[l] = pivot[LANES*1 + l] > STEWART_KEPT*block.number[24 + l] ? block.bad[l] : REAL(1);

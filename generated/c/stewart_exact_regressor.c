@@ -484,8 +484,7 @@ STEWART_APART static void columns_of_legs(
         out->checked.reach[l] = reach;
         out->checked.L[l] = L;
         out->checked.k3[l] = k3;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_ROUNDING*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_ROUNDING*reach ? REAL(0) : REAL(1);
         fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
         out->checked.bad[l] = fault;
         fault = STEWART_FABS(out->of_legs[3][1][l]) <= STEWART_MAX ? fault : REAL(1);

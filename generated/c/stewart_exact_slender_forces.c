@@ -29,6 +29,7 @@ typedef struct {
 
 typedef struct {
     stewart_real B[9][LANES];
+    stewart_real t_size[LANES]; /* m: largest coordinate of t */
 } shared_lanes;
 
 /* The legs of one pose. */
@@ -450,8 +451,8 @@ static void legs_of_pose(
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
         out->reach[l] = reach;
         out->L[l] = L;
-        stewart_real fault = L <= STEWART_MAX ? REAL(0) : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
+        fault = L <= STEWART_MAX ? fault : REAL(1);
         out->bad[l] = fault;
     }
 }
@@ -672,11 +673,14 @@ static void shared_of_block(
             STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx))));
         c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(N_y, R_C_x, STEWART_FMA(M_P_load_z, R_zz,
             STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx))));
+        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
+        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
     }
 }
 
 /* One leg of eight poses side by side, 107 (60 mul, 45 add, 1 div, 1 sqrt) operations each: its column
- * of H, its D and its part of c. */
+ * of H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
+ * well, if less. */
 static void leg_of_block(
     const stewart_exact_slender_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
@@ -761,17 +765,12 @@ static void leg_of_block(
         own->c_force[2][l] = -K_z;
         known[l] = D;
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
-        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
-        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
         reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
-        stewart_real fault = L <= STEWART_MAX ? bad[l] : REAL(1);
-        fault = L > STEWART_SHORT_SHARE*reach ? fault : REAL(1);
+        reach = STEWART_LARGER(shared->t_size[l], reach);
+        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
+        fault = L <= STEWART_MAX ? fault : REAL(1);
         bad[l] = fault;
     }
 }

@@ -31,12 +31,12 @@ def c_sources(name: str) -> dict[str, str]:
 
 
 @functools.cache
-def library(name: str, defines: tuple[str, ...] = ()) -> ctypes.CDLL:
-    """The compiled C of one kernel, with macros defined.
+def library(name: str, defines: tuple[str, ...] = (), flags: tuple[str, ...] = ()) -> ctypes.CDLL:
+    """The compiled C of one kernel, with macros defined; flags: after those of every library.
 
     Raises native.CompilerError where there is no working compiler.
     """
-    return native.load(f"stewart_{name}", c_sources(name), defines=dict.fromkeys(defines, 1))
+    return native.load(f"stewart_{name}", c_sources(name), flags, dict.fromkeys(defines, 1))
 
 
 @dataclass(frozen=True, eq=False)

@@ -20,6 +20,7 @@ EXTRAS = {
     "mpl_toolkits": ("Matplotlib", "plot"),
     "mujoco": ("MuJoCo", "bench"),
     "pinocchio": ("Pinocchio", "bench"),
+    "pydrake": ("Drake", "bench"),
     "scipy": ("SciPy", "sim"),
     "textalloc": ("textalloc", "plot"),
 }

@@ -21,7 +21,8 @@ from stewart_sym.simulation.scene import Scene, read_scene
 from stewart_sym.studies import published
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.benchmark import published as published_bench
-from stewart_sym.studies.benchmark.figures import Figure, MotionFigures
+from stewart_sym.studies.benchmark.figures import MotionFigures
+from stewart_sym.studies.benchmark.samples import CLOSED, Figure
 from stewart_sym.studies.common.host import DISTURBED
 from stewart_sym.studies.control import control
 from stewart_sym.studies.control import published as published_control
@@ -141,10 +142,13 @@ def test_a_page_without_marks_is_named() -> None:
 
 def test_times_on_the_page_are_those_of_the_benchmark() -> None:
     found = figures()
+    closed = next(each["median"] for each in found["baselines"] if each["name"] == CLOSED)
     for figure in (*found["ours"], *found["baselines"]):
         assert table_row(BENCHMARKS, figure["name"]) == [
             f"{figure['median']:.0f}",
+            f"{figure['median'] / closed:.2f}",
             f"{figure['ratio_to_casadi']:.2f}",
+            figure.get("vectors", ""),
         ]
     prose = prose_of(BENCHMARKS)
     for source in found["compiling"]:
@@ -195,12 +199,27 @@ def test_motion_has_every_figure_with_its_target() -> None:
         assert line in prose
 
 
+def made_up_builds() -> dict[str, Any]:
+    """Shares, compiled C and the processor as ``Benchmark.as_json`` writes them."""
+    ratios = {"ratio_to_closed_form": 0.5, "ratio_to_casadi": 0.25}
+    build = {"name": "one pose", "vectors": "AVX2, 256 bit", "flags": ["-mno-avx512f"], "median": 9.0}
+    peak = {"instructions": "AVX2", "numbers_in_a_vector": 4, "vectors_in_a_cycle": 2.0}
+    share = {"name": "a share", "unit": "ratio", "values": {"AVX-512": 0.5, "AVX2": 0.75}}
+    return {
+        "shares": [{**share, "at_most": 0.2, "goal": 0.1}, {**share, "at_least": 0.6}],
+        "builds": [{**build, "cycles": 31.0, **ratios}],
+        "cycle": {"clock_GHz": 3.5},
+        "peaks": [{**peak, "limits": {"lane": 20.0}}],
+    }
+
+
 def test_every_figure_that_changes_changes_a_table() -> None:
     found = figures()
     each = {"name": "pass", "operations": {"without_friction": 1, "with_friction": 2}}
     times = {"one_pose": {"median": 3.0}, "batch": {"median": 4.0, "poses": 10_000}}
     found["passes"] = [{**each, **times}]
     found["motion"] = motion_figures()
+    found |= made_up_builds()
     texts = {written_tables("bench", found)}
     places: list[tuple[Any, ...]] = [
         ("machine", "vectors"),
@@ -208,7 +227,14 @@ def test_every_figure_that_changes_changes_a_table() -> None:
         ("flatness", next(iter(found["flatness"]))),
         ("text", "total"),
         ("passes", 0, "operations", "with_friction"),
-        *((group, -1, "median") for group in ("ours", "baselines", "sweep", "calls", "compiling")),
+        *((group, -1, "median") for group in ("ours", "baselines", "sweep", "calls", "compiling", "builds")),
+        *(("builds", 0, name) for name in ("cycles", "vectors", "ratio_to_closed_form", "ratio_to_casadi")),
+        ("builds", 0, "flags", 0),
+        *(("shares", 0, "values", kind) for kind in ("AVX-512", "AVX2")),
+        *(("shares", number, name) for number, name in ((0, "at_most"), (0, "goal"), (1, "at_least"))),
+        ("cycle", "clock_GHz"),
+        *(("peaks", 0, name) for name in ("numbers_in_a_vector", "vectors_in_a_cycle")),
+        ("peaks", 0, "limits", "lane"),
         *(("motion", name) for name in ("times_faster", "loops_open_m")),
         ("motion", "largest_difference", "MuJoCo"),
         *(("motion", kind, -1, "median") for kind in ("ours", "baselines")),

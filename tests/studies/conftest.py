@@ -12,7 +12,7 @@ from small_bench import poses_of, shorten
 
 from stewart_sym.studies.accuracy.budget import papers_motions
 from stewart_sym.studies.accuracy.cost import CostAccuracy, cost
-from stewart_sym.studies.benchmark.baselines import Poses
+from stewart_sym.studies.benchmark.poses import Poses
 
 
 @pytest.fixture

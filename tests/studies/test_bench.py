@@ -1,6 +1,7 @@
 """`bench`: everybody takes part and computes the same forces, and figures are what they say. No timing."""
 
 import dataclasses
+import gc
 import re
 from typing import Any
 
@@ -13,10 +14,14 @@ import stewart_sym as ss
 from stewart_sym.io.extras import EXTRAS
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark import bench, equation_kernels, reductions
-from stewart_sym.studies.benchmark.baselines import JAX, Candidate, Poses, Runner
-from stewart_sym.studies.benchmark.baselines_constraints import engines
-from stewart_sym.studies.benchmark.baselines_pinocchio import PinocchioMachine
-from stewart_sym.studies.benchmark.baselines_tree import tensors_of_bodies, tree
+from stewart_sym.studies.benchmark.baselines import JAX, Candidate, Runner, jax_one_pose
+from stewart_sym.studies.benchmark.called import Called
+from stewart_sym.studies.benchmark.engines.constraints import engines
+from stewart_sym.studies.benchmark.engines.pinocchio_rnea import pinocchio_rnea
+from stewart_sym.studies.benchmark.engines.tree import tensors_of_bodies, tree
+from stewart_sym.studies.benchmark.poses import Poses, bench_poses
+from stewart_sym.studies.benchmark.processor import FUSED, Flags, targets
+from stewart_sym.studies.benchmark.samples import batched
 
 TENSORS = ("I_p", "I_d0", "I_u0")
 
@@ -24,8 +29,8 @@ TENSORS = ("I_p", "I_d0", "I_u0")
 def off(candidate: Candidate, share: float) -> Candidate:
     """The candidate with forces wrong by a share of the largest."""
 
-    def make(poses: Poses) -> Runner:
-        runner = candidate.make(poses)
+    def make(poses: Poses, flags: Flags) -> Runner:
+        runner = candidate.make(poses, flags)
         return Runner(runner.run, lambda: runner.F() + share * np.abs(runner.F()).max(), runner)
 
     return dataclasses.replace(candidate, make=make)
@@ -36,15 +41,27 @@ def off(candidate: Candidate, share: float) -> Candidate:
 
 @pytest.mark.parametrize("candidate", CONTESTANTS, ids=lambda candidate: candidate.name)
 def test_a_candidate_computes_the_forces_of_any_machine(candidate: Candidate, stranger: Poses) -> None:
-    runner = candidate.make(stranger)
+    runner = candidate.runner(stranger)
     runner.run(1)
     F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
     assert np.abs(runner.F() - F).max() <= candidate.tolerance * np.abs(F).max()
 
 
+@pytest.mark.parametrize(
+    "candidate", [each for each in CONTESTANTS if each.function], ids=lambda candidate: candidate.name
+)
+def test_c_with_other_flags_computes_the_same_forces(candidate: Candidate, stranger: Poses) -> None:
+    for flags in (FUSED, *(kind.flags for kind in targets()[1:])):
+        other = dataclasses.replace(candidate, flags=flags)
+        assert other.label != candidate.label
+        assert other.runner(stranger).library is not candidate.runner(stranger).library
+        test_a_candidate_computes_the_forces_of_any_machine(other, stranger)
+
+
 @pytest.mark.slow
 def test_jax_computes_the_forces_of_any_machine(stranger: Poses) -> None:
     test_a_candidate_computes_the_forces_of_any_machine(JAX, stranger)
+    called_computes_the_forces_of(jax_one_pose(stranger), stranger)
 
 
 def test_a_full_run_without_jax_says_so_and_a_quick_one_needs_none(
@@ -65,8 +82,23 @@ def test_a_full_run_without_jax_says_so_and_a_quick_one_needs_none(
 
 
 def test_pinocchio_computes_the_same_forces_with_friction_and_load(stranger: Poses) -> None:
-    F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
-    assert np.abs(PinocchioMachine(stranger.robot, stranger.motion).F() - F).max() <= 1e-10 * np.abs(F).max()
+    called_computes_the_forces_of(pinocchio_rnea(stranger.robot, stranger.motion), stranger)
+
+
+def test_drake_computes_the_same_forces_with_friction_and_load(stranger: Poses) -> None:
+    pytest.importorskip("pydrake")
+    from stewart_sym.studies.benchmark.engines.drake_inverse import drake_inverse
+
+    called_computes_the_forces_of(drake_inverse(stranger.robot, stranger.motion), stranger)
+    printed = bench_poses(None, 4)
+    called_computes_the_forces_of(drake_inverse(printed.robot, printed.motion), printed)
+
+
+def called_computes_the_forces_of(called: Called, poses: Poses) -> None:
+    F = ss.inverse_dynamics(poses.robot, poses.motion, backend="reference").F
+    assert np.abs(called.F() - F).max() <= 1e-10 * np.abs(F).max()
+    for part in (*called.parts, called.empty):
+        part.run(1)
 
 
 @pytest.mark.usefixtures("small")
@@ -82,7 +114,7 @@ def test_wrong_forces_stop_the_run_before_anything_is_timed(
 
 
 def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
-    rows, again = (bench.bench_poses(None, 500).rows for _ in range(2))
+    rows, again = (bench_poses(None, 500).rows for _ in range(2))
     np.testing.assert_array_equal(rows, again)
     assert all(len(np.unique(column)) == 500 for column in rows.T)
 
@@ -90,18 +122,18 @@ def test_poses_all_differ_and_are_the_same_in_every_run() -> None:
 def test_a_machine_without_universal_joints_is_rejected() -> None:
     robot = random_robot(np.random.default_rng(3), "spherical")
     with pytest.raises(ValueError, match="expected universal base joints"):
-        bench.bench_poses(robot, 10)
+        bench_poses(robot, 10)
 
 
 def test_a_machine_that_is_singular_everywhere_is_rejected() -> None:
     robot = dasgupta()
     none = dataclasses.replace(robot, p=np.tile(robot.p[:1], (6, 1)))
     with pytest.raises(ValueError, match="no regular poses"):
-        bench.bench_poses(none, 10)
+        bench_poses(none, 10)
 
 
 def test_fewer_poses_are_the_first_without_a_copy_and_more_come_round_again() -> None:
-    poses = bench.bench_poses(None, 10)
+    poses = bench_poses(None, 10)
     fewer, more = poses.resized(4), poses.resized(25)
     assert all(map(np.shares_memory, fewer.arrays, poses.arrays))
     np.testing.assert_array_equal(fewer.rows, poses.rows[:4])
@@ -122,7 +154,7 @@ def stages_compute_the_forces_of(stranger: Poses) -> None:
     F = ss.inverse_dynamics(stranger.robot, stranger.motion, backend="reference").F
     for stage in reductions.stages():
         for candidate in stage.candidates:
-            runner = candidate.make(stranger)
+            runner = candidate.runner(stranger)
             runner.run(1)
             assert np.abs(runner.F() - F).max() <= candidate.tolerance * np.abs(F).max()
 
@@ -146,12 +178,16 @@ def test_a_pass_with_wrong_forces_stops_the_run(number: int, monkeypatch: pytest
 def test_all_of_the_second_group_agree_on_any_machine(seed: int) -> None:
     rng = np.random.default_rng(seed)
     robot = random_robot(rng, friction=seed % 2 == 0)
-    group = equation_kernels.motion_group(poses_of(robot, random_motion(rng, robot, (20,))))
+    group = equation_kernels.motion_group(poses_of(robot, random_motion(rng, robot, (20,))), targets())
     assert all(np.array_equal(getattr(group.robot, name), getattr(robot, name)) for name in TENSORS)
     baselines = [engine.name for engine in group.engines]
-    assert [*group.differences] == [*(each.name for each in equation_kernels.FUNCTIONS), *baselines]
-    assert len(group.tasks) == len(equation_kernels.FUNCTIONS) + 2 * len(baselines)
+    ours = [name for each in equation_kernels.FUNCTIONS for name in (each.name, batched(each.name))]
+    assert [*group.differences] == [*ours, *baselines]
+    assert len(group.tasks) == len(targets()) * len(ours) + 2 * len(baselines)
     assert all(group.differences[name] < 1e-6 for name in baselines)
+    gc.collect()
+    for task in group.tasks.values():
+        task.run(1)
 
 
 @pytest.mark.parametrize("number", [0, 1], ids=["Pinocchio", "MuJoCo"])
@@ -198,9 +234,9 @@ def test_a_wrong_answer_of_the_second_group_stops_the_run(
         return [*others, last * (1 + 2 * function.tolerance)]
 
     monkeypatch.setattr(equation_kernels, "FUNCTIONS", (dataclasses.replace(function, expected=wrong),))
-    monkeypatch.setattr(equation_kernels, "library", lambda: drives)
+    monkeypatch.setattr(equation_kernels, "library", lambda _: drives)
     with pytest.raises(ValueError, match=f"^{re.escape(function.name)}: numbers differ"):
-        equation_kernels.motion_group(stranger)
+        equation_kernels.motion_group(stranger, targets()[:1])
 
 
 def test_a_wrong_baseline_stops_the_run(monkeypatch: pytest.MonkeyPatch, stranger: Poses) -> None:
@@ -209,4 +245,4 @@ def test_a_wrong_baseline_stops_the_run(monkeypatch: pytest.MonkeyPatch, strange
 
     monkeypatch.setattr(equation_kernels, "engines", heavier)
     with pytest.raises(ValueError, match=r"^Pinocchio: numbers differ"):
-        equation_kernels.motion_group(stranger)
+        equation_kernels.motion_group(stranger, targets()[:1])

@@ -25,9 +25,11 @@ from stewart_sym.dynamics import forces
 from stewart_sym.io.extras import install
 from stewart_sym.io.progress import silent
 from stewart_sym.studies.benchmark import bench, compile_times, equation_kernels, reductions
-from stewart_sym.studies.benchmark.baselines import CASADI, PEERS, multiply_add
-from stewart_sym.studies.benchmark.figures import FORWARD, MOST
+from stewart_sym.studies.benchmark.baselines import PEERS
+from stewart_sym.studies.benchmark.figures import MOST
 from stewart_sym.studies.benchmark.plot import motion_picture, picture, report
+from stewart_sym.studies.benchmark.processor import targets
+from stewart_sym.studies.benchmark.samples import CLOSED, FORWARD, PLAIN, batched
 from stewart_sym.studies.common import host, timing
 
 
@@ -109,9 +111,10 @@ def test_json_has_every_candidate_with_positive_figures(figures: dict[str, Any])
         assert [entry["name"] for entry in figures[group]] == [each.name for each in expected]
     assert [entry["name"] for entry in figures["baselines"]] == [
         *(each.name for each in PEERS),
-        bench.PINOCCHIO,
+        "Pinocchio",
     ]
-    for entry in (*figures["ours"], *figures["calls"], *figures["baselines"], figures["multiply_add"]):
+    groups = (figures[name] for name in ("ours", "calls", "baselines", "builds", "peaks"))
+    for entry in (*itertools.chain(*groups), figures["cycle"]):
         low, high = entry["quartiles"]
         assert len(entry["raw"]) == figures["rounds"] == 3
         assert 0 < low <= entry["median"] <= high
@@ -131,9 +134,12 @@ def test_json_says_where_and_with_what_it_ran(figures: dict[str, Any]) -> None:
 
 
 def test_ratios_are_of_the_medians_of_the_same_run(figures: dict[str, Any]) -> None:
-    casadi = next(entry for entry in figures["baselines"] if entry["name"] == CASADI.name)
-    for entry in (*figures["ours"], *figures["baselines"]):
-        assert entry["ratio_to_casadi"] == pytest.approx(np.median(entry["raw"]) / np.median(casadi["raw"]))
+    for name, key in ((CLOSED, "ratio_to_closed_form"), (PLAIN, "ratio_to_casadi")):
+        casadi = next(entry for entry in figures["baselines"] if entry["name"] == name)
+        for entry in (*figures["ours"], *figures["baselines"]):
+            assert entry[key] == pytest.approx(np.median(entry["raw"]) / np.median(casadi["raw"]))
+    for entry in (*figures["ours"], *figures["baselines"], *figures["builds"]):
+        assert entry["cycles"] == pytest.approx(np.median(entry["raw"]) * figures["cycle"]["clock_GHz"])
     (call, *_), one_pose = figures["calls"], figures["ours"][0]
     assert call["overhead_over_c_ns"] == pytest.approx(call["median"] - one_pose["median"])
 
@@ -227,16 +233,47 @@ def test_own_work_is_not_that_of_others() -> None:
 
 
 def test_pinocchio_is_newton_euler_less_the_call_and_a_solve(figures: dict[str, Any]) -> None:
-    rnea, empty, solve = (np.array(part["raw"]) for part in figures["pinocchio_parts"])
+    rnea, solve, empty = (np.array(part["raw"]) for part in figures["parts"]["Pinocchio"])
     assert figures["baselines"][-1]["raw"] == pytest.approx(rnea - empty + solve)
 
 
 def test_the_limit_is_the_emitted_operations_at_the_measured_rate(figures: dict[str, Any]) -> None:
     operations = sum(module("exact").FORCE_OPERATIONS["friction"]["total"])
-    one_pose, (each, paired) = figures["ours"][0], figures["limits"].values()
-    assert one_pose["operations"] == operations
-    assert each == pytest.approx(1e9 * operations / figures["multiply_add"]["rate_per_s"])
-    assert paired == pytest.approx(each / 2)
+    assert figures["ours"][0]["operations"] == operations
+    for peak in figures["peaks"]:
+        each, paired = peak["limits"].values()
+        assert each == pytest.approx(1e9 * operations / peak["rate_per_s"])
+        assert paired == pytest.approx(each / 2)
+        cycles = operations / peak["numbers_in_a_vector"] / peak["vectors_in_a_cycle"]
+        assert cycles == pytest.approx(each * figures["cycle"]["clock_GHz"])
+
+
+def test_all_c_is_compiled_for_every_target_and_of_casadi_the_fastest_counts(figures: dict[str, Any]) -> None:
+    kinds = [kind.name for kind in targets()]
+    assert [peak["instructions"] for peak in figures["peaks"]] == kinds
+    ours = [each.name for each in bench.OURS if each.function]
+    motion = [name for each in equation_kernels.FUNCTIONS for name in (each.name, batched(each.name))]
+    for kind in kinds:
+        built = [entry for entry in figures["builds"] if entry["instructions"] == kind]
+        assert sorted(entry["name"] for entry in built) == sorted([*ours, *motion, *(2 * [CLOSED, PLAIN])])
+        for name in (CLOSED, PLAIN):
+            both = [entry for entry in built if entry["name"] == name]
+            assert ["-ffp-contract=fast" in entry["flags"] for entry in both] == [False, True]
+            best = min(both, key=lambda entry: float(entry["median"]))
+            key = {CLOSED: "ratio_to_closed_form", PLAIN: "ratio_to_casadi"}[name]
+            assert best[key] == pytest.approx(1)
+            if kind == kinds[0]:
+                assert best in figures["baselines"]
+
+
+def test_shares_are_the_same_in_text_and_json(figures: dict[str, Any], written: Path) -> None:
+    text = (written / "bench.txt").read_text()
+    kinds = [peak["instructions"] for peak in figures["peaks"]]
+    assert len(figures["shares"]) == 13
+    for each in figures["shares"]:
+        shown = [f"{each['values'][kind]:#.3g}" for kind in kinds]
+        line = next(line for line in text.splitlines() if line.startswith(each["name"] + "  "))
+        assert line.removeprefix(each["name"]).split()[1 : 1 + len(kinds)] == shown
 
 
 def test_the_table_has_every_candidate(written: Path) -> None:
@@ -304,7 +341,8 @@ def test_the_extra_names_what_the_bench_imports() -> None:
 
     drawing = {"matplotlib", "textalloc"}
     assert {need.split(">")[0] for need in named("bench")} == {*bench.COMPARED.values(), *drawing}
-    assert named("bench") <= named("test")
+    (drake,) = named("bench") - named("test")
+    assert drake.startswith("drake>")
 
 
 # how it is measured
@@ -384,10 +422,3 @@ def test_a_coarse_clock_is_rejected(monkeypatch: pytest.MonkeyPatch) -> None:
 
 def test_batches_that_do_not_fit_into_memory_are_left_out(reduced: bench.Benchmark) -> None:
     assert {figure.poses for figure in reduced.sweep} == {8}
-
-
-def test_multiply_adds_are_what_their_count_says() -> None:
-    loop = multiply_add()
-    assert loop.lanes in (2, 4, 8)
-    assert loop.count % (12 * loop.lanes) == 0
-    loop.run(1)

@@ -1,4 +1,4 @@
-"""`bench` without CasADi, Pinocchio or MuJoCo leaves out their rows, says so in a line, keeps the rest."""
+"""`bench` without CasADi, Pinocchio, Drake or MuJoCo leaves them out, says so in a line, keeps the rest."""
 
 import itertools
 import json
@@ -29,11 +29,15 @@ bench_compile.text_size = lambda: None
 code = main(["bench", "--quick", "-o", folder])
 sys.exit(code or any(sys.modules.get(name) for name in hidden))
 """
-NAMES = {"casadi": "CasADi", "pinocchio": "Pinocchio", "mujoco": "MuJoCo"}
+NAMES = {"casadi": "CasADi", "pinocchio": "Pinocchio", "pydrake": "Drake", "mujoco": "MuJoCo"}
 PEERS = {"casadi": ["CasADi", "CasADi, closed form"], "pinocchio": ["Pinocchio"], "mujoco": []}
 VERSIONS = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco"}
-SUBSETS = [("casadi", "pinocchio"), ("mujoco",), pytest.param(tuple(NAMES), marks=pytest.mark.slow)]
-"""Each package is there in one run and missing in the others."""
+SUBSETS = [
+    ("casadi", "pinocchio", "pydrake"),
+    ("pydrake", "mujoco"),
+    pytest.param(tuple(NAMES), marks=pytest.mark.slow),
+]
+"""Each package is there in one run and missing in the others; Drake, which is not everywhere, in none."""
 
 
 @pytest.fixture(scope="module", params=SUBSETS, ids="-".join)
@@ -74,10 +78,10 @@ def test_the_json_holds_what_was_measured(hidden: tuple[str, ...], figures: dict
     assert {name for name in VERSIONS.values() if name in figures["software"]} == {
         VERSIONS[name] for name in there
     }
-    assert bool(figures["pinocchio_parts"]) == ("pinocchio" in there)
+    assert ("Pinocchio" in figures["parts"]) == ("pinocchio" in there)
     assert ("ratio_to" in figures) == ("casadi" in there)
     for entry in (*figures["ours"], *figures["baselines"]):
-        assert ("ratio_to_casadi" in entry) == ("casadi" in there)
+        assert ("ratio_to_closed_form" in entry) == ("ratio_to_casadi" in entry) == ("casadi" in there)
         assert len(entry["raw"]) == 3
 
     motion, engines = figures["motion"], [NAMES[name] for name in there if name != "casadi"]
@@ -86,6 +90,7 @@ def test_the_json_holds_what_was_measured(hidden: tuple[str, ...], figures: dict
     assert motion.get("better_baseline") in (engines or [None])
     assert ("times_faster" in motion) == bool(engines)
     assert ("loops_open_m" in motion) == ("mujoco" in there)
+    assert any("CasADi" in each["name"] for each in figures["shares"]) == ("casadi" in there)
     compared = {*figures["largest_difference"], *motion["largest_difference"]}
     assert not {NAMES[name] for name in hidden} & compared
 

@@ -205,6 +205,8 @@ def shared_of_block(
     OUTSIDE
     for l in range(LANES):
         INSIDE
+        far = larger(size(at.t[0][l]), size(at.t[1][l]))
+        out.t_size[l] = larger(size(at.t[2][l]), far)
 
 
 def leg_of_block(
@@ -218,12 +220,13 @@ def leg_of_block(
     known: "alone(array(LANES))",
     bad: "alone(array(LANES))",
 ) -> None:
-    """One leg of eight poses side by side, $count operations each: its column of H, its D and its part of
-    c."""
+    """One leg of eight poses side by side, $count operations each: its column of H, its D and its part of c.
+    A leg is q + t - b: one that is short beside q is so beside t or b as well, if less."""
     OUTSIDE
     for l in range(LANES):
         BLOCK
         largest_term()
+        reach = larger(shared.t_size[l], reach)
         mark(bad[l], bad[l])
 
 
@@ -261,8 +264,8 @@ def blocks_of_lanes(
     wanted: "alone(array(LANES))",
 ) -> None:
     """Solves eight systems [H | c] side by side for x as two blocks of three legs, (36), and F = D - x,
-    (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where the digits
-    of another solve are."""
+    (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where
+    the digits of another solve are."""
     for l in range(LANES):
         for i in each(6):
             for j in each(1 if i >= FIRST else 0, 7):

@@ -45,11 +45,12 @@ def checked(out) -> None:
 
 
 def mark(before, after) -> None:
-    """1 in ``after`` where a leg is not finite, short, or too near its joint singularity, else ``before``."""
-    fault = where(LENGTH <= MAX, before, 1.0)
-    fault = where(LENGTH > LEAST_SHARE * reach, fault, 1.0)
-    if HAS_SINE:
-        fault = where(SINE > LEAST_SINE, fault, 1.0)
+    """1 in ``after`` where a leg is not finite, short, or too near its joint singularity, else ``before``.
+
+    The sine of a leg without finite length is zero or no number.
+    """
+    fault = where(LENGTH > LEAST_SHARE * reach, before, 1.0)
+    fault = where(SINE > LEAST_SINE if HAS_SINE else LENGTH <= MAX, fault, 1.0)
     after = fault
 
 

@@ -8,11 +8,11 @@ from ..options import json_file, other_robot, output
 from ..results import results
 from ..terminal import progress_line
 
-HELP = "time the kernels beside CasADi, Pinocchio, MuJoCo and the processor's limit: tables, JSON, pictures"
+HELP = "time the kernels beside CasADi, Drake, Pinocchio, MuJoCo, JAX and the processor's limit"
 EXAMPLE = "stewart-sym bench -o bench"
 MORE = (
-    "Results are compared before anything is timed. Whichever of CasADi, Pinocchio and MuJoCo (extra bench) "
-    "is not installed is left out. Takes a minute or two on an otherwise idle machine."
+    "Results are compared before anything is timed. Whichever of CasADi, Drake, Pinocchio, MuJoCo and JAX "
+    "(extra bench) is not installed is left out. Takes three minutes or four on an otherwise idle machine."
 )
 
 

@@ -1,4 +1,4 @@
-"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, the processor."""
+"""What a candidate of ``bench`` is, and those that are not ours: a reference, CasADi, JAX."""
 
 import ctypes
 import functools
@@ -12,20 +12,18 @@ from numpy.typing import NDArray
 from ...backend import kernel, native
 from ...backend.c_kernel import address
 from ...dynamics.arrays import array_kernel
-from ...dynamics.inverse import Formulation
-from ...motion.motion import Motion
 from ...reference import newton_euler
-from ...robot.robot import Robot
 from ..common import timing
-from ..common.loops import loop_source, own_source
+from ..common.loops import loop_source
+from .called import Called, Part
+from .poses import Poses
+from .processor import Flags
+from .samples import CLOSED, NAME, PLAIN
 
 if TYPE_CHECKING:
     from .baselines_casadi import Program
 
 Array = NDArray[np.float64]
-
-NAME: Formulation = "exact"
-"""The kernel that is measured."""
 
 FEW, SLOW, MANY = 64, 1_000, 10_000
 """Poses of a loop over one-pose calls (their numbers stay in the first cache), of NumPy's, of a C batch."""
@@ -38,43 +36,16 @@ AGREEMENT = 1e-10
 
 
 @dataclass(frozen=True, eq=False)
-class Poses:
-    """Motions of one robot: ``arrays`` in the order of ``struct stewart_motions``, (n, ...), contiguous."""
-
-    robot: Robot
-    arrays: tuple[Array, ...]
-
-    def __len__(self) -> int:
-        """Return the number of poses."""
-        return len(self.arrays[0])
-
-    def resized(self, count: int) -> "Poses":
-        """Return the first ``count`` without a copy, or all of them over and over."""
-        if count <= len(self):
-            return Poses(self.robot, tuple(array[:count] for array in self.arrays))
-        return Poses(self.robot, tuple(np.resize(array, (count, *array.shape[1:])) for array in self.arrays))
-
-    @functools.cached_property
-    def motion(self) -> Motion:
-        """The same as a Motion."""
-        return Motion(*self.arrays)
-
-    @functools.cached_property
-    def rows(self) -> Array:
-        """Each pose as one ``struct stewart_motion``, (n, 30)."""
-        return np.concatenate([array.reshape(len(self), -1) for array in self.arrays], axis=1)
-
-
-@dataclass(frozen=True, eq=False)
 class Runner:
     """A candidate ready to run: ``run(n)`` computes all of its poses n times; ``F()`` tells what it found.
 
-    ``kept`` holds on to arrays of which C code has the addresses only.
+    ``kept`` holds on to arrays of which C code has the addresses only. library: where the code is, if in C.
     """
 
     run: Callable[[int], object]
     F: Callable[[], Array]
     kept: object = None
+    library: ctypes.CDLL | None = None
 
 
 @dataclass(frozen=True)
@@ -84,22 +55,40 @@ class Candidate:
     kind: "one pose" (a C loop calls a function for one pose), "batch" (one call for ``poses`` of them) or
     "call" (one call from Python for one pose). operations: of a pose, where they are counted. sweep: measured
     over batch sizes too. tolerance: as AGREEMENT. package: an optional one that it needs, as it is imported.
+    function: what is called of its C, for code that is compiled for other instructions too; flags: of the
+    compiler, after those of every library.
     """
 
     name: str
     what: str
     kind: str
     poses: int
-    make: Callable[[Poses], Runner]
+    make: Callable[[Poses, Flags], Runner]
     operations: Callable[[], int] | None = None
     sweep: bool = False
     tolerance: float = AGREEMENT
     package: str | None = None
+    function: str | None = None
+    flags: Flags = ()
+
+    @property
+    def label(self) -> str:
+        """The name, with the flags: no other candidate has it."""
+        return ", ".join((self.name, *self.flags))
+
+    def runner(self, poses: Poses) -> Runner:
+        """Build it for these poses."""
+        return self.make(poses, self.flags)
 
 
-def repeated(call: Callable[[], object], F: Callable[[], Array], kept: object = None) -> Runner:
+def repeated(
+    call: Callable[[], object],
+    F: Callable[[], Array],
+    kept: object = None,
+    library: ctypes.CDLL | None = None,
+) -> Runner:
     """Return a runner of one call for all poses."""
-    return Runner(timing.repeated(call), F, kept)
+    return Runner(timing.repeated(call), F, kept, library)
 
 
 def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
@@ -114,7 +103,7 @@ def c_loop(library: ctypes.CDLL, machine: NDArray[Any], poses: Poses) -> Runner:
     def run(repeats: int) -> None:
         succeed(library.drive(numbers, count, ctypes.c_size_t(repeats), motions, out))
 
-    return Runner(run, lambda: F, (machine, rows))
+    return Runner(run, lambda: F, (machine, rows), library)
 
 
 def forces_loop() -> dict[str, str]:
@@ -131,7 +120,7 @@ def succeed(status: int) -> None:
 # --- the reference and CasADi -----------------------------------------------------------------
 
 
-def _reference(poses: Poses) -> Runner:
+def _reference(poses: Poses, _: Flags) -> Runner:
     robot, motion = poses.robot, poses.motion
     return repeated(
         lambda: newton_euler.inverse_dynamics(robot, motion),
@@ -148,8 +137,8 @@ def _casadi(name: str, what: str, equations: str) -> Candidate:
 
         return baselines_casadi.program(getattr(baselines_casadi, equations))
 
-    def make(poses: Poses) -> Runner:
-        library = native.load("bench_casadi", program().sources)
+    def make(poses: Poses, flags: Flags) -> Runner:
+        library = native.load("bench_casadi", program().sources, flags)
         return c_loop(library, kernel.robot_numbers(poses.robot), poses)
 
     return Candidate(
@@ -160,62 +149,76 @@ def _casadi(name: str, what: str, equations: str) -> Candidate:
         make,
         operations=lambda: program().operations,
         package="casadi",
+        function="drive",
     )
 
 
-CASADI = _casadi("CasADi", "C, base frame", "base_frame")
-"""What every other figure is divided by, where CasADi is installed."""
+CASADI = _casadi(PLAIN, "C, base frame", "base_frame")
+CASADI_CLOSED = _casadi(CLOSED, "C, leg frame", "leg_frame")
+"""What every other figure is divided by, where CasADi is installed; of each the faster of its builds."""
 
+PEERS = (
+    CASADI_CLOSED,
+    CASADI,
+    Candidate("vector reference", "NumPy, base frame", "batch", SLOW, _reference),
+)
 
-def _jax(poses: Poses) -> Runner:
-    """The kernel on arrays, one pose of it, mapped over all of them and compiled; in double."""
-    import jax
-    import jax.numpy as jnp
-
-    jax.config.update("jax_enable_x64", True)  # type: ignore[no-untyped-call]
-    kernel = array_kernel(poses.robot, jnp, formulation=NAME)
-    given = tuple(jnp.asarray(array) for array in poses.arrays)
-    mapped = jax.jit(jax.vmap(lambda pose: kernel.forces(*pose).F))
-    compiled = mapped.lower(given).compile(compiler_options=_UNFUSED)
-    return repeated(lambda: compiled(given).block_until_ready(), lambda: np.asarray(compiled(given)))
-
+# --- JAX --------------------------------------------------------------------------------------
 
 _UNFUSED: dict[str, str | bool] = {
     "xla_disable_hlo_passes": "fusion,cpu-instruction-fusion,instruction-fusion,cpu_instruction_fusion"
 }
-"""Fused, XLA computes shared terms again for each use: seven times as long to compile, twice to run."""
+"""Of a batch: fused, XLA computes shared terms again for each use, and takes twice as long to run.
 
-JAX = Candidate("JAX, jit and vmap", "XLA, F alone", "batch", 100_000, _jax, package="jax")
+One pose alone takes half the time fused.
+"""
+
+
+def _jax_forces(poses: Poses) -> Callable[[Any], Any]:
+    """The kernel on arrays, one pose of it, in double."""
+    import jax
+    import jax.numpy as jnp
+
+    jax.config.update("jax_enable_x64", True)  # type: ignore[no-untyped-call]
+    prepared = array_kernel(poses.robot, jnp, formulation=NAME)
+    return lambda pose: prepared.forces(*pose).F
+
+
+def _jax_batch(poses: Poses, _: Flags) -> Runner:
+    """The kernel mapped over all poses and compiled."""
+    import jax
+    import jax.numpy as jnp
+
+    forces = _jax_forces(poses)
+    given = tuple(jnp.asarray(array) for array in poses.arrays)
+    compiled = jax.jit(jax.vmap(forces)).lower(given).compile(compiler_options=_UNFUSED)
+    return repeated(lambda: compiled(given).block_until_ready(), lambda: np.asarray(compiled(given)))
+
+
+JAX = Candidate("JAX, jit and vmap", "XLA, F alone", "batch", 100_000, _jax_batch, package="jax")
 """The same kernel by JAX on this processor; apart from the others, as it is slow to compile."""
 
-PEERS = (
-    CASADI,
-    _casadi("CasADi, closed form", "C, leg frame", "leg_frame"),
-    Candidate("vector reference", "NumPy, base frame", "batch", SLOW, _reference),
-)
 
+def jax_one_pose(poses: Poses) -> Called:
+    """The kernel compiled for one pose, called for each, less a call of a function that returns zeros."""
+    import jax
+    import jax.numpy as jnp
 
-# --- the processor ----------------------------------------------------------------------------
+    forces = _jax_forces(poses)
+    given = [tuple(jnp.asarray(array[i]) for array in poses.arrays) for i in range(len(poses))]
+    compiled, nothing = (
+        jax.jit(function).lower(given[0]).compile() for function in (forces, lambda pose: jnp.zeros(6))
+    )
 
+    def loop(function: Any) -> Callable[[int], None]:
+        def run(repeats: int) -> None:
+            for _ in range(repeats):
+                for pose in given:
+                    function(pose).block_until_ready()
 
-@dataclass(frozen=True)
-class MultiplyAdd:
-    """Independent fused multiply-adds at full width on one core; ``run(n)`` does ``count`` n times."""
+        return run
 
-    run: Callable[[int], object]
-    count: int
-    lanes: int
-
-
-def multiply_add() -> MultiplyAdd:
-    """Compile the loop; without the instruction it is a product and a sum. Raises CompilerError."""
-    sources = {"multiply_add.c": own_source("multiply_add.c")}
-    library = native.load("bench_multiply_add", sources, flags=("-ffp-contract=fast",))
-    library.multiply_add.restype = ctypes.c_double
-    steps, lanes = 1_000, int(library.multiply_add_lanes())
-    by, plus = ctypes.c_double(0.999), ctypes.c_double(1e-3)
-
-    def run(repeats: int) -> None:
-        library.multiply_add(ctypes.c_size_t(repeats * steps), by, plus)
-
-    return MultiplyAdd(run, steps * lanes * int(library.multiply_add_chains()), lanes)
+    part = Part("kernel", "the compiled kernel", loop(compiled), len(given))
+    empty = Part("empty call", "a compiled function that returns zeros", loop(nothing), len(given))
+    found = np.array([compiled(pose) for pose in given])
+    return Called("JAX, jit", "XLA, F alone - call", (part,), empty, lambda: found)

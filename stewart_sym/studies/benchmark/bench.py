@@ -1,18 +1,20 @@
 """Nanoseconds a pose: the generated kernels beside their baselines and the processor's limit, in one process.
 
 Every candidate computes the actuator forces of `exact`, friction, load and solve included, for the same
-poses; those of the second group the equations of motion and what follows from them. Their answers are
-compared before any is timed. What the extra ``bench`` would bring is left out where it is missing.
+poses; those of the second group the equations of motion and what follows from them. C is compiled for all
+instructions of the processor and, where it has AVX-512, without. Their answers are compared before any is
+timed. What the extra ``bench`` would bring is left out where it is missing.
 """
 
 import contextlib
+import dataclasses
 import functools
 import os
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,11 +24,8 @@ from ...dynamics import forces
 from ...dynamics.inverse import inverse_dynamics
 from ...io.extras import EXTRAS, absent
 from ...io.progress import Progress, silent
-from ...motion.rotation import rotation_from_rpy
-from ...motion.straight_line import PATHS
 from ...reference import newton_euler as reference
 from ...robot.robot import Robot
-from ...robots import dasgupta1998
 from ..common import host, timing
 from ..common.loops import loop_source
 from ..common.timing import Task, measured, time_source
@@ -38,22 +37,21 @@ from .baselines import (
     JAX,
     LARGE,
     MANY,
-    NAME,
     PEERS,
     SLOW,
     Candidate,
-    Poses,
     Runner,
     c_loop,
     forces_loop,
-    multiply_add,
+    jax_one_pose,
     repeated,
     succeed,
 )
-from .figures import Benchmark, Figure, PassFigures, Speedup
-
-if TYPE_CHECKING:
-    from .baselines_pinocchio import PinocchioMachine
+from .called import Called
+from .figures import Benchmark, PassFigures
+from .poses import Poses, bench_poses
+from .processor import FUSED, Flags, Target, additions, multiply_add, targets, widest
+from .samples import BATCH, FLOAT, NAME, ONE_POSE, Figure, Peak, Speedup
 
 Array = NDArray[np.float64]
 
@@ -67,29 +65,38 @@ _SWEEP_ROUNDS = {10**6: 15, 10**7: 7}
 # --- the candidates --------------------------------------------------------------------------
 
 
-def _one_pose(poses: Poses) -> Runner:
+def _one_pose(poses: Poses, flags: Flags) -> Runner:
     """``stewart_exact_inverse_dynamics`` called from a C loop."""
     body = (
         f"stewart_forces out; const int status = stewart_{NAME}_inverse_dynamics(machine, motion, &out); "
         "memcpy(F, out.F, sizeof out.F); return status;"
     )
     loop = loop_source(f"stewart_{NAME}.h", body)
-    library = native.load("bench_one_pose", c_kernel.c_sources(NAME) | loop)
+    library = native.load("bench_one_pose", c_kernel.c_sources(NAME) | loop, flags)
     return c_loop(library, kernel.robot_numbers(poses.robot), poses)
 
 
-def _fast_pose(poses: Poses) -> Runner:
+def _fast_pose(poses: Poses, flags: Flags) -> Runner:
     """``stewart_exact_forces`` with prepared constants, called from a C loop."""
     sources = c_kernel.c_sources(f"{NAME}_forces") | forces_loop()
-    library = native.load("bench_fast_pose", sources)
+    library = native.load("bench_fast_pose", sources, flags)
     return c_loop(library, forces.prepare(poses.robot, NAME).model, poses)
 
 
-def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses], Runner]:
+def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses, Flags], Runner]:
     """``stewart_exact_forces_batch``, called from Python with given arrays."""
 
-    def make(poses: Poses) -> Runner:
-        prepared = forces.prepare(poses.robot, NAME, precision)
+    def make(poses: Poses, flags: Flags) -> Runner:
+        defines = ("STEWART_FLOAT",) if precision == "float" else ()
+        library = c_kernel.library(f"{NAME}_forces", defines, flags)
+
+        class Compiled(forces.ForceKernel):
+            """The kernel with these flags."""
+
+            def function(self, what: str) -> Any:
+                return getattr(library, f"stewart_{self.name}_{what}")
+
+        prepared = Compiled(poses.robot, NAME, precision)
         arrays = [np.asarray(array, dtype=prepared.dtype) for array in poses.arrays]
         F = np.zeros((len(poses), 6), dtype=prepared.dtype)
         status = np.zeros(len(poses), dtype=np.int32)
@@ -98,12 +105,12 @@ def _batch(precision: forces.Precision, threads: int) -> Callable[[Poses], Runne
             succeed(int(status.max()))
             return F
 
-        return repeated(lambda: prepared.forces_into(arrays, F, status, threads), found)
+        return repeated(lambda: prepared.forces_into(arrays, F, status, threads), found, library=library)
 
     return make
 
 
-def _prepared_call(poses: Poses) -> Runner:
+def _prepared_call(poses: Poses, _: Flags) -> Runner:
     """``OnePose.solve``, one pose a call, numbers and forces in place."""
     slot = forces.prepare(poses.robot, NAME).one_pose()
     slot.numbers[...] = poses.rows[0]
@@ -123,7 +130,7 @@ def _prepared_call(poses: Poses) -> Runner:
     return Runner(run, found)
 
 
-def _python_call(poses: Poses) -> Runner:
+def _python_call(poses: Poses, _: Flags) -> Runner:
     """``inverse_dynamics`` as users call it, one pose a call."""
     robot, motions = poses.robot, [poses.motion[i] for i in range(len(poses))]
 
@@ -135,7 +142,7 @@ def _python_call(poses: Poses) -> Runner:
     return Runner(run, lambda: np.array([inverse_dynamics(robot, motion).F for motion in motions]))
 
 
-def _numpy(poses: Poses) -> Runner:
+def _numpy(poses: Poses, _: Flags) -> Runner:
     prepared, motion = numpy_kernel.NumpyKernel.prepare(poses.robot, NAME), poses.motion
     return repeated(lambda: prepared.forces(motion), lambda: prepared.forces(motion).F)
 
@@ -150,23 +157,44 @@ def _force_operations() -> int:
 
 CORES = os.cpu_count() or 1
 FLOAT_AGREEMENT = 1e-3
-BATCH, ALL_CORES = "batch, one core", f"batch, {CORES} cores"
+ALL_CORES = f"batch, {CORES} cores"
+_BATCH = f"stewart_{NAME}_forces_batch"
 OURS = (
-    Candidate("one pose", "C, F alone", "one pose", FEW, _fast_pose, operations=_force_operations),
     Candidate(
-        BATCH, "C, F alone", "batch", LARGE, _batch("double", 1), sweep=True, operations=_force_operations
+        ONE_POSE, "C, F alone", "one pose", FEW, _fast_pose, operations=_force_operations, function="drive"
     ),
-    Candidate(ALL_CORES, "C, F alone", "batch", LARGE, _batch("double", CORES), operations=_force_operations),
     Candidate(
-        "batch, float",
+        BATCH,
+        "C, F alone",
+        "batch",
+        LARGE,
+        _batch("double", 1),
+        sweep=True,
+        operations=_force_operations,
+        function=_BATCH,
+    ),
+    Candidate(
+        ALL_CORES,
+        "C, F alone",
+        "batch",
+        LARGE,
+        _batch("double", CORES),
+        operations=_force_operations,
+        function=_BATCH,
+    ),
+    Candidate(
+        FLOAT,
         "C, F alone",
         "batch",
         LARGE,
         _batch("float", 1),
         operations=_force_operations,
         tolerance=FLOAT_AGREEMENT,
+        function=_BATCH,
     ),
-    Candidate("every output", "C, D K H c x F", "one pose", FEW, _one_pose, operations=_operations),
+    Candidate(
+        "every output", "C, D K H c x F", "one pose", FEW, _one_pose, operations=_operations, function="drive"
+    ),
     Candidate("NumPy kernel", "vectorised", "batch", SLOW, _numpy, operations=_operations),
 )
 CALLS = (
@@ -175,14 +203,20 @@ CALLS = (
 )
 """Calls for one pose; what they take over the first of ``OURS`` is the price of the call."""
 
-PINOCCHIO = "Pinocchio"
-COMPARED = {"casadi": "casadi", "pinocchio": "pin", "mujoco": "mujoco", "jax": "jax"}
+COMPARED = {
+    "casadi": "casadi",
+    "pinocchio": "pin",
+    "pydrake": "drake",
+    "mujoco": "mujoco",
+    "jax": "jax",
+}
 """Distribution of each optional package that is compared, by the name it is imported by."""
 
 SLOW_TO_COMPILE = ("jax",)
 """Those that a quick run leaves alone."""
 
 ARITHMETIC = f"multiply-add, {CORES} cores"
+_ADDITION = "addition in a chain"
 
 
 # --- the run ----------------------------------------------------------------------------------
@@ -204,56 +238,108 @@ def bench(robot: Robot | None = None, quick: bool = False, progress: Progress = 
     progress("compiling the baselines")
     compared = [each for each in COMPARED if not (quick and each in SLOW_TO_COMPILE)]
     missing = absent(*compared)
-    pinocchio = None if "pinocchio" in missing else _pinocchio(few)
     present = {None, *compared} - {*missing}
     baselines = tuple(each for each in (*PEERS, JAX) if each.package in present)
     stages = reductions.stages(progress)
-    candidates = (*OURS, *CALLS, *baselines, *(each for stage in stages for each in stage.candidates))
+    kinds = targets()
+    variants = _variants((*OURS, *baselines), kinds)
+    candidates = (*OURS, *CALLS, *baselines, *variants)
+    candidates += tuple(each for stage in stages for each in stage.candidates)
     sized = functools.cache(poses.resized)
-    runners = {each.name: each.make(sized(each.poses)) for each in candidates}
+    runners = {each.label: each.runner(sized(each.poses)) for each in candidates}
+    called = _called(few, present)
     progress("comparing their forces")
-    differences = _differences(poses, candidates, runners, pinocchio)
-    motion = equation_kernels.motion_group(few)
+    differences = _differences(poses, candidates, runners, called)
+    motion = equation_kernels.motion_group(few, kinds)
 
-    processor = multiply_add()
-    tasks = {each.name: Task(runners[each.name].run, each.poses) for each in candidates}
-    tasks |= {
-        "multiply-add": Task(processor.run, processor.count),
-        ARITHMETIC: Task(_on_all_cores(processor.run), CORES * processor.count),
-    }
-    if pinocchio is not None:
-        tasks |= _pinocchio_tasks(pinocchio)
-    tasks |= {name: Task(*each) for name, each in motion.tasks.items()}
+    loops = {kind: multiply_add(kind.flags) for kind in kinds}
+    first = loops[kinds[0]]
+    tasks = {each.label: Task(runners[each.label].run, each.poses) for each in candidates}
+    tasks |= {_multiply_add(kind): Task(loop.run, loop.count) for kind, loop in loops.items()}
+    tasks |= {ARITHMETIC: Task(_on_all_cores(first.run), CORES * first.count), _ADDITION: additions()}
+    tasks |= {name: task for each in called for name, task in each.tasks().items()}
+    tasks |= motion.tasks
     rounds = QUICK_ROUNDS if quick else ROUNDS
     others = host.Others()
     raw = measured(tasks, dict.fromkeys(tasks, rounds), progress)
     sweep = _swept(poses, QUICK_SIZES if quick else SIZES, rounds, progress)
     machine["taken_by_others"] = others.share()
     compiling = bench_compile.compile_times(QUICK_COMPILATIONS if quick else COMPILATIONS, progress)
-    parts = () if pinocchio is None else _pinocchio_parts(pinocchio, raw)
+    built = {
+        each.label: _built(_figure(each, raw), each, runners[each.label], kinds)
+        for each in (*OURS, *baselines, *variants)
+    }
+    summed = {each.name: each.figures(raw) for each in called}
+    figures = (*built.values(), *(each.figure(raw) for each in motion.built))
+    names = [*dict.fromkeys(figure.name for figure in figures)]
     return Benchmark(
         robot=poses.robot.name,
         rounds=rounds,
         shortest_sample=timing.SHORTEST,
-        ours=tuple(_figure(each, raw) for each in OURS),
-        baselines=(*(_figure(each, raw) for each in baselines), *_pinocchio_figure(parts)),
+        ours=tuple(built[each.label] for each in OURS),
+        baselines=(
+            *(_fastest(built.values(), each, kinds[0]) for each in baselines),
+            *(figure for figure, _ in summed.values()),
+        ),
+        builds=tuple(
+            sorted((each for each in figures if each.target), key=lambda each: names.index(each.name))
+        ),
         cores=Speedup(CORES, LARGE, _times(raw[BATCH], raw[ALL_CORES])),
-        arithmetic=Speedup(CORES, 0, _times(raw["multiply-add"], raw[ARITHMETIC])),
+        arithmetic=Speedup(CORES, 0, _times(raw[_multiply_add(kinds[0])], raw[ARITHMETIC])),
         calls=tuple(_figure(each, raw) for each in CALLS),
-        parts=parts,
+        parts={name: parts for name, (_, parts) in summed.items()},
         sweep=sweep,
         motion=motion.figures(raw),
         passes=tuple(_pass_figures(stage, raw) for stage in stages),
         compiling=compiling,
         text=bench_compile.text_size(),
-        multiply_add=Figure("multiply-add", "fused", "loop", 1, raw["multiply-add"]),
-        lanes=processor.lanes,
+        cycle=Figure(_ADDITION, "whole numbers", "loop", 1, raw[_ADDITION]),
+        peaks=tuple(
+            Peak(
+                kind.name,
+                kind.flags,
+                Figure("multiply-add", "fused", "loop", 1, raw[_multiply_add(kind)]),
+                loop.lanes,
+            )
+            for kind, loop in loops.items()
+        ),
         differences=differences,
         machine=machine,
         software=host.software(*(COMPARED[name] for name in compared if name not in missing)),
         clock=clock,
         left_out=tuple(EXTRAS[name][0] for name in missing),
     )
+
+
+def _variants(candidates: Sequence[Candidate], kinds: Sequence[Target]) -> tuple[Candidate, ...]:
+    """The C once more for the other targets, and others' C with products and sums fused as well."""
+    return tuple(
+        dataclasses.replace(each, flags=(*kind.flags, *fused))
+        for each in candidates
+        if each.function
+        for kind in kinds
+        for fused in ((), FUSED)
+        if (kind.flags or fused) and (each.package or not fused)
+    )
+
+
+def _multiply_add(kind: Target) -> str:
+    return ", ".join(("multiply-add", *kind.flags))
+
+
+def _built(figure: Figure, each: Candidate, runner: Runner, kinds: Sequence[Target]) -> Figure:
+    """The figure with what its C was compiled for; as it is where it is no C."""
+    if each.function is None or runner.library is None:
+        return figure
+    kind = next(kind for kind in reversed(kinds) if kind.flags == each.flags[: len(kind.flags)])
+    bits = widest(runner.library, each.function)
+    return dataclasses.replace(figure, target=kind.name, flags=each.flags, bits=bits)
+
+
+def _fastest(built: Iterable[Figure], each: Candidate, kind: Target) -> Figure:
+    """The fastest of a candidate's builds for a target; the only one of what is no C."""
+    mine = [figure for figure in built if figure.name == each.name and figure.target in ("", kind.name)]
+    return min(mine, key=lambda figure: figure.median)
 
 
 def _on_all_cores(run: Callable[[int], object]) -> Callable[[int], None]:
@@ -276,7 +362,7 @@ def _times(one: Sequence[float], many: Sequence[float]) -> tuple[float, ...]:
 
 def _figure(each: Candidate, raw: Mapping[str, tuple[float, ...]]) -> Figure:
     count = None if each.operations is None else each.operations()
-    return Figure(each.name, each.what, each.kind, each.poses, raw[each.name], count)
+    return Figure(each.name, each.what, each.kind, each.poses, raw[each.label], count)
 
 
 def _pass_figures(stage: reductions.Stage, raw: Mapping[str, tuple[float, ...]]) -> PassFigures:
@@ -284,55 +370,38 @@ def _pass_figures(stage: reductions.Stage, raw: Mapping[str, tuple[float, ...]])
     return PassFigures(stage.name, stage.meaning, stage.operations, one_pose, batch)
 
 
-def _pinocchio(poses: Poses) -> "PinocchioMachine":
-    from .baselines_pinocchio import PinocchioMachine
+def _called(poses: Poses, present: Collection[str | None]) -> tuple[Called, ...]:
+    """The baselines that Python calls pose by pose, of the packages present."""
+    found = []
+    if "pinocchio" in present:
+        from .engines.pinocchio_rnea import pinocchio_rnea
 
-    return PinocchioMachine(poses.robot, poses.motion)
+        found.append(pinocchio_rnea(poses.robot, poses.motion))
+    if "pydrake" in present:
+        from .engines.drake_inverse import drake_inverse
 
-
-def _pinocchio_tasks(machine: "PinocchioMachine") -> dict[str, Task]:
-    return {
-        "rnea": Task(machine.newton_euler, FEW),
-        "empty call": Task(machine.empty_calls, FEW),
-        "solve": Task(machine.solve, machine.solves),
-    }
-
-
-def _pinocchio_parts(
-    machine: "PinocchioMachine", raw: Mapping[str, tuple[float, ...]]
-) -> tuple[Figure, Figure, Figure]:
-    return (
-        Figure("rnea", "pin.rnea, 24 joint coordinates", "call", 1, raw["rnea"]),
-        Figure("empty call", "pin.rnea over a model without joints", "call", 1, raw["empty call"]),
-        Figure("solve", "numpy.linalg.solve, 6x6", "batch", machine.solves, raw["solve"]),
-    )
-
-
-def _pinocchio_figure(parts: Sequence[Figure]) -> tuple[Figure, ...]:
-    """The figure that the parts make; none without them."""
-    if not parts:
-        return ()
-    rounds = zip(*(part.raw for part in parts), strict=True)
-    times = tuple(rnea - empty + solve for rnea, empty, solve in rounds)
-    return (Figure(PINOCCHIO, "rnea + solve - call", "call", 1, times),)
+        found.append(drake_inverse(poses.robot, poses.motion))
+    if "jax" in present:
+        found.append(jax_one_pose(poses))
+    return tuple(found)
 
 
 def _differences(
     poses: Poses,
     candidates: Sequence[Candidate],
     runners: Mapping[str, Runner],
-    pinocchio: "PinocchioMachine | None",
+    called: Sequence[Called],
 ) -> dict[str, float]:
     """Compare everybody's forces with the reference's."""
     truth = reference.inverse_dynamics(poses.robot, poses.motion).F
     largest = np.abs(truth).max(axis=-1, keepdims=True)
     found: dict[str, float] = {}
-    answers = [(each.name, each.tolerance, runners[each.name]) for each in candidates]
-    if pinocchio is not None:
-        answers.append((PINOCCHIO, AGREEMENT, Runner(pinocchio.newton_euler, pinocchio.F)))
-    for name, tolerance, runner in answers:
-        runner.run(1)
-        F = runner.F()[: len(truth)]
+    for each in candidates:
+        runners[each.label].run(1)
+    answers = [(each.label, each.tolerance, runners[each.label].F()) for each in candidates]
+    answers += [(each.name, AGREEMENT, each.F()) for each in called]
+    for name, tolerance, forces_found in answers:
+        F = forces_found[: len(truth)]
         found[name] = float(np.max(np.abs(F - truth[: len(F)]) / largest[: len(F)]))
         if not found[name] <= tolerance:
             raise ValueError(
@@ -349,7 +418,7 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
     sizes = [size for size in sizes if 2 * size * (240 + 52 * len(swept)) < room or size == min(sizes)]
     progress("preparing the batches")
     largest = poses.resized(max(sizes))
-    runners = {(each.name, size): each.make(largest.resized(size)) for size in sizes for each in swept}
+    runners = {(each.name, size): each.runner(largest.resized(size)) for size in sizes for each in swept}
     tasks = {key: Task(runner.run, key[1]) for key, runner in runners.items()}
     raw = measured(tasks, {key: min(rounds, _SWEEP_ROUNDS.get(key[1], rounds)) for key in tasks}, progress)
     return tuple(
@@ -357,64 +426,6 @@ def _swept(poses: Poses, sizes: Sequence[int], rounds: int, progress: Progress) 
         for each in swept
         for size in sizes
     )
-
-
-# --- poses ------------------------------------------------------------------------------------
-
-
-def bench_poses(robot: Robot | None, count: int) -> Poses:
-    """Poses that all differ, moving, loaded and regular, the same in every run.
-
-    robot: None for the paper's machine. Raises ValueError if its base joints are not universal or it has no
-    regular poses about its middle.
-    """
-    rng = np.random.default_rng(1998)
-    if robot is None:
-        robot = dasgupta1998()
-        R, t, omega, v, alpha, a = _near_the_paths(rng, count)
-    elif robot.base_joint != "universal":
-        raise ValueError(f"{robot.name}: expected universal base joints, the baselines have no others")
-    else:
-        R, t, omega, v, alpha, a = _near_the_middle(rng, count, robot)
-    weight = robot.M * 9.81
-    F_ext = 0.5 * weight * rng.normal(size=(count, 3))
-    M_ext = 0.5 * weight * float(np.ptp(robot.p)) * rng.normal(size=(count, 3))
-    arrays = (R, t, omega, v, alpha, a, F_ext, M_ext)
-    poses = Poses(robot, tuple(np.ascontiguousarray(array, dtype=np.float64) for array in arrays))
-    if reference.inverse_dynamics(robot, poses.motion).status.any():
-        raise ValueError(f"{robot.name}: no regular poses about the middle of its workspace")
-    return poses
-
-
-def _near_the_paths(rng: np.random.Generator, count: int) -> tuple[Array, ...]:
-    """Instants of Paths I and II by turns, each moved a little."""
-    paths = [PATHS[name].path for name in ("I", "II")]
-    at = [path.sample(path.tau_f * rng.uniform(size=count)) for path in paths]
-    turn = np.arange(count) % len(paths)
-
-    def taken(name: str) -> Array:
-        both = np.stack([getattr(motion, name) for motion in at])
-        return np.asarray(both[turn, np.arange(count)])
-
-    R = taken("R") @ rotation_from_rpy(0.01 * rng.normal(size=(count, 3)))
-    t = taken("t") + 0.003 * rng.normal(size=(count, 3))
-    rates = (taken(name) + 0.02 * rng.normal(size=(count, 3)) for name in ("omega", "v", "alpha", "a"))
-    return R, t, *rates
-
-
-def _near_the_middle(rng: np.random.Generator, count: int, robot: Robot) -> tuple[Array, ...]:
-    """Poses about the one where the platform is above the base by as much as the base is wide."""
-    centre = robot.b.mean(axis=0)
-    size = float(np.linalg.norm(robot.b - centre, axis=-1).mean())
-    up = -robot.g / np.linalg.norm(robot.g) if robot.g.any() else np.array([0.0, 0.0, 1.0])
-    home = centre + size * up - robot.p.mean(axis=0)
-    rate = np.sqrt(9.81 / size)
-
-    def some(scale: float) -> Array:
-        return scale * rng.normal(size=(count, 3))
-
-    R, t = rotation_from_rpy(some(0.1)), home + some(0.05 * size)
-    return R, t, some(0.2 * rate), some(0.2 * rate * size), some(0.2 * rate**2), some(0.2 * rate**2 * size)
 
 
 # --- memory ---------------------------------------------------------------------------------------

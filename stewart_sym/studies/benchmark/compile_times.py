@@ -10,8 +10,7 @@ from tempfile import TemporaryDirectory
 
 from ...backend import c_kernel, native
 from ...io.progress import Progress, silent
-from .baselines import NAME
-from .figures import CompileTime, TextSize
+from .samples import NAME, CompileTime, TextSize
 
 COMPILED = (NAME, f"{NAME}_forces")
 """Kernels whose compilation is timed: every output, and the forces alone."""

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...backend import c_kernel, native
-from ...backend.c_kernel import address
+from ...backend.c_kernel import address, pointers
 from ...backend.kernel import robot_numbers
 from ...dynamics import forces
 from ...dynamics.equations import joint_space_inertia
@@ -25,10 +25,14 @@ from ...reference.equations_of_motion import equations_of_motion
 from ...reference.regressor import regressor
 from ...robot.robot import Robot
 from ..common.loops import own_source
-from .baselines import AGREEMENT, NAME, Poses, Runner, succeed
-from .baselines_constraints import engines
-from .baselines_tree import Engine, tensors_of_bodies, tree
-from .figures import DERIVATIVES, FORWARD, Figure, MotionFigures
+from ..common.timing import Task
+from .baselines import AGREEMENT, SLOW, Runner, repeated, succeed
+from .engines.constraints import engines
+from .engines.tree import Engine, tensors_of_bodies, tree
+from .figures import MotionFigures
+from .poses import Poses
+from .processor import Flags, Target, widest
+from .samples import DERIVATIVES, EQUATIONS, FORWARD, INVERSE, NAME, REGRESSOR, Figure, batched
 
 Array = NDArray[np.float64]
 Run = Callable[[int], object]
@@ -49,19 +53,25 @@ def _model(robot: Robot) -> Array:
 
 @dataclass(frozen=True, eq=False)
 class Function:
-    """One function of the generated C.
+    """One function of the generated C, of one pose and, with ``_batch`` to its name, of many.
 
-    arguments: after the machine and the motion, where ``F`` holds six forces and ``out`` takes the numbers.
-    expected: the parts of those numbers in their order, (n, ...) each, from robot, motion, actuator forces.
-    machine: its numbers as the function takes them.
+    expected: the parts of its numbers in their order, (n, ...) each, from robot, motion, actuator forces.
+    before: its arguments between motion and output, ``F`` the six forces; struct: type of its output, where
+    that isn't an array. machine: its numbers as the function takes them.
     """
 
     name: str
     function: str
-    arguments: str
     expected: Callable[[Robot, Motion, Array], Sequence[Array]]
     tolerance: float = AGREEMENT
+    before: tuple[str, ...] = ()
+    struct: str | None = None
     machine: Callable[[Robot], Array] = _model
+
+    @property
+    def arguments(self) -> str:
+        """Its arguments after machine and motion for one pose, in C; ``out`` takes the numbers."""
+        return ", ".join((*self.before, "out" if self.struct is None else f"({self.struct} *)out"))
 
 
 # --- what the reference says ------------------------------------------------------------------
@@ -69,8 +79,8 @@ class Function:
 
 def _expected_equations(robot: Robot, motion: Motion, F: Array) -> Sequence[Array]:
     found = equations_of_motion(robot, motion)
-    wrenches = np.concatenate([found.g, found.friction, found.bias], axis=-1)
-    return found.M, found.C, wrenches, wrench_matrix(robot, motion), wrench_matrix_rate(robot, motion)
+    H, H_dot = wrench_matrix(robot, motion), wrench_matrix_rate(robot, motion)
+    return found.M, found.C, found.g, found.friction, found.bias, H, H_dot
 
 
 def _expected_derivatives(robot: Robot, motion: Motion, F: Array) -> tuple[Array, ...]:
@@ -125,31 +135,31 @@ def acceleration(motion: Motion) -> Array:
 
 
 FUNCTIONS = (
-    Function("inverse dynamics", "forces", "out", lambda robot, motion, F: (F,)),
+    Function(INVERSE, "forces", lambda robot, motion, F: (F,)),
+    Function("bias", "bias", lambda robot, motion, F: (equations_of_motion(robot, motion).bias,)),
+    Function(EQUATIONS, "equations", _expected_equations, struct="stewart_equations"),
     Function(
-        "bias", "bias", "out", lambda robot, motion, F: (_expected_equations(robot, motion, F)[2][..., 12:],)
+        FORWARD, "forward_dynamics", lambda robot, motion, F: (acceleration(motion),), SOLVED, before=("F",)
     ),
-    Function("equations", "equations", "(stewart_equations *)out", _expected_equations),
-    Function(FORWARD, "forward_dynamics", "F, out", lambda robot, motion, F: (acceleration(motion),), SOLVED),
     Function(
         "joint-space inertia",
         "joint_inertia",
-        "out",
         lambda robot, motion, F: (joint_space_inertia(robot, motion, backend="reference"),),
     ),
-    Function(DERIVATIVES, "derivatives", "(stewart_derivatives *)out", _expected_derivatives, DIFFERENCES),
+    Function(DERIVATIVES, "derivatives", _expected_derivatives, DIFFERENCES, struct="stewart_derivatives"),
     Function(
         "linearisation",
         "linearisation",
-        "F, (stewart_linearisation *)out",
         _expected_linearisation,
         DIFFERENCES,
+        before=("F",),
+        struct="stewart_linearisation",
     ),
     Function(
+        REGRESSOR,
         "regressor",
-        "regressor",
-        "0, 0, out",
         lambda robot, motion, F: (regressor(robot, motion)[0],),
+        before=("0", "0"),
         machine=robot_numbers,
     ),
 )
@@ -159,8 +169,11 @@ FUNCTIONS = (
 # --- the C ------------------------------------------------------------------------------------
 
 
-def library() -> ctypes.CDLL:
-    """The functions, and ``drive_<function>`` for each: the loop over poses. Raises CompilerError."""
+def library(flags: Flags = ()) -> ctypes.CDLL:
+    """The functions, and ``drive_<function>`` for each: the loop over poses. Raises CompilerError.
+
+    flags: after those of every library.
+    """
     loops = "".join(
         f"#define DRIVE drive_{each.function}\n#define CALL(motion, F, out) "
         f'stewart_{NAME}_{each.function}(machine, motion, {each.arguments})\n#include "loop_of_outputs.h"\n'
@@ -173,40 +186,80 @@ def library() -> ctypes.CDLL:
         "loop_of_outputs.h": own_source("loop_of_outputs.h"),
         "drive.c": f'#include "stewart_{NAME}_motion.h"\n#include "stewart_{NAME}_regressor.h"\n{loops}',
     }
-    return native.load("bench_motion", sources)
+    return native.load("bench_motion", sources, flags)
 
 
 # --- the group --------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True, eq=False)
+class Built:
+    """A function compiled for a target and compared; run: over its ``poses``; bits: of its widest vectors."""
+
+    name: str
+    function: str
+    kind: str
+    target: Target
+    run: Run
+    poses: int
+    bits: int | None
+
+    @property
+    def task(self) -> str:
+        """Name of its task, different from all of the first group."""
+        return _task(self.name, "".join(f", {flag}" for flag in self.target.flags))
+
+    def figure(self, raw: Mapping[str, tuple[float, ...]]) -> Figure:
+        """Its figure from ns per pose of every task."""
+        what, target = f"stewart_{NAME}_{self.function}", self.target
+        return Figure(
+            self.name,
+            what,
+            self.kind,
+            self.poses,
+            raw[self.task],
+            target=target.name,
+            flags=target.flags,
+            bits=self.bits,
+        )
+
+
+@dataclass(frozen=True, eq=False)
 class MotionGroup:
     """Everybody of the group, built and compared.
 
-    tasks: what is to be timed, a run and its poses, by the names that ``figures`` reads. differences: by
-    candidate, share of a pose's largest.
+    built: ours, for all targets. differences: by candidate, share of a pose's largest.
     """
 
     robot: Robot
-    tasks: Mapping[str, tuple[Run, int]]
+    built: tuple[Built, ...]
     engines: tuple[Engine, ...]
     differences: Mapping[str, float]
 
+    @property
+    def tasks(self) -> Mapping[str, Task]:
+        """What is to be timed by the names that ``figures`` reads."""
+        tasks = {each.task: Task(each.run, each.poses) for each in self.built}
+        for engine in self.engines:
+            tasks[_task(engine.name)] = Task(engine.run, POSES)
+            tasks[_task(engine.name, _EMPTY)] = Task(engine.empty, POSES)
+        return tasks
+
     def figures(self, raw: Mapping[str, tuple[float, ...]]) -> MotionFigures:
-        """The group's figures from ns per pose of every task."""
-        ours, calls, empty, baselines = [], [], [], []
-        for each in FUNCTIONS:
-            what = f"stewart_{NAME}_{each.function}"
-            ours.append(Figure(each.name, what, "one pose", POSES, raw[_task(each.name)]))
+        """The group's figures, one pose, for the first target from ns per pose of every task."""
+        calls, empty, baselines = [], [], []
         for engine in self.engines:
             call, nothing = raw[_task(engine.name)], raw[_task(engine.name, _EMPTY)]
             net = tuple(one - none for one, none in zip(call, nothing, strict=True))
             calls.append(Figure(engine.name, engine.what, "call", 1, call))
             empty.append(Figure(engine.name, "call over a model without bodies", "call", 1, nothing))
             baselines.append(Figure(engine.name, f"{engine.what} - call", "call", 1, net))
+        first = self.built[0].target
         return MotionFigures(
             robot=self.robot.name,
-            ours=tuple(ours),
+            ours=tuple(
+                each.figure(raw) for each in self.built if (each.target, each.kind) == (first, "one pose")
+            ),
             baselines=tuple(baselines),
             calls=tuple(calls),
             empty=tuple(empty),
@@ -215,7 +268,7 @@ class MotionGroup:
         )
 
 
-def motion_group(poses: Poses) -> MotionGroup:
+def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
     """Build the group, with the engines installed, for the first poses; their machine has tensors of bodies.
 
     Base joints must be universal. Raises ValueError if somebody's answer is wrong, CompilerError without a C
@@ -224,25 +277,29 @@ def motion_group(poses: Poses) -> MotionGroup:
     robot = robot_of_bodies(poses.robot)
     few = Poses(robot, poses.resized(POSES).arrays)
     motion, F = few.motion, np.ascontiguousarray(newton_euler.inverse_dynamics(robot, few.motion).F)
-    drives, tasks, differences = library(), {}, {}
-    for each in FUNCTIONS:
-        parts = each.expected(robot, motion, F)
-        drive = getattr(drives, f"drive_{each.function}")
-        runner = _loop(drive, each.machine(robot), few, F, sum(map(_numbers, parts)))
-        runner.run(1)
-        differences[each.name] = _difference(each.name, runner.F(), parts, each.tolerance)
-        tasks[_task(each.name)] = (runner.run, POSES)
+    expected = {each.name: each.expected(robot, motion, F) for each in FUNCTIONS}
+    built: list[Built] = []
+    differences: dict[str, float] = {}
+    for target in targets:
+        drives = library(target.flags)
+        for each in FUNCTIONS:
+            drive, batch, parts = f"drive_{each.function}", f"{each.function}_batch", expected[each.name]
+            one = _loop(getattr(drives, drive), each.machine(robot), few, F, sum(map(_numbers, parts)))
+            _compare(each.name, one, parts, each.tolerance, differences)
+            built.append(
+                Built(each.name, each.function, "one pose", target, one.run, POSES, widest(drives, drive))
+            )
+            many = _batch(each, drives, few.resized(SLOW), np.resize(F, (SLOW, 6)), parts)
+            name, bits = batched(each.name), widest(drives, f"stewart_{NAME}_{batch}")
+            _compare(name, many, parts, each.tolerance, differences)
+            built.append(Built(name, batch, "batch", target, many.run, SLOW, bits))
     baselines = engines(robot, tree(robot, motion, F))
     for baseline in baselines:
         found = baseline.accelerations()
         differences[baseline.name] = _difference(
             baseline.name, found, [acceleration(motion)], baseline.tolerance
         )
-        tasks[_task(baseline.name)], tasks[_task(baseline.name, _EMPTY)] = (
-            (baseline.run, POSES),
-            (baseline.empty, POSES),
-        )
-    return MotionGroup(robot, tasks, baselines, differences)
+    return MotionGroup(robot, tuple(built), baselines, differences)
 
 
 def robot_of_bodies(robot: Robot) -> Robot:
@@ -256,7 +313,6 @@ _EMPTY = ", nothing"
 
 
 def _task(name: str, kind: str = "") -> str:
-    """Name of a task, different from all of the first group."""
     return f"motion, {name}{kind}"
 
 
@@ -272,8 +328,32 @@ def _loop(drive: Any, machine: Array, poses: Poses, F: Array, numbers: int) -> R
     return Runner(run, lambda: out)
 
 
+def _batch(each: Function, drives: ctypes.CDLL, poses: Poses, F: Array, parts: Sequence[Array]) -> Runner:
+    """All poses in one call; ``parts`` tell how many numbers come out of each."""
+    function, machine = getattr(drives, f"stewart_{NAME}_{each.function}_batch"), each.machine(poses.robot)
+    found = [np.zeros((len(poses), _numbers(part))) for part in parts]
+    status, count = np.zeros(len(poses), dtype=np.int32), ctypes.c_size_t(len(poses))
+
+    def call() -> None:
+        motions = pointers(poses.arrays)
+        before = [address(F if word == "F" else None) for word in each.before]
+        out = address(found[0]) if each.struct is None else pointers(found)
+        succeed(function(address(machine), count, motions, *before, out, address(status)))
+
+    return repeated(call, lambda: np.hstack(found))
+
+
 def _numbers(part: Array) -> int:
     return int(part[0].size)
+
+
+def _compare(
+    name: str, runner: Runner, parts: Sequence[Array], tolerance: float, differences: dict[str, float]
+) -> None:
+    """Run it once and note how far it is from the parts, as far as they go; ValueError if too far."""
+    runner.run(1)
+    found = _difference(name, runner.F()[: len(parts[0])], parts, tolerance)
+    differences[name] = max(found, differences.get(name, 0.0))
 
 
 def _difference(name: str, found: Array, parts: Sequence[Array], tolerance: float) -> float:

@@ -1,95 +1,28 @@
-"""What ``bench`` measured: figures with all their samples, and the ratios that are made of them."""
+"""What ``bench`` measured, and the ratios that are made of it."""
 
-import dataclasses
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
-from .baselines import CASADI, NAME
-
-FORWARD, DERIVATIVES = "forward dynamics", "derivatives"
+from .samples import (
+    CLOSED,
+    DERIVATIVES,
+    FORWARD,
+    NAME,
+    PLAIN,
+    CompileTime,
+    Figure,
+    Peak,
+    Speedup,
+    TextSize,
+)
+from .shares import Measured, shares
 
 MOST = {FORWARD: (2.0,), DERIVATIVES: (8.0, 5.0)}
 """Targets: the most that a function may take, in times of inverse dynamics; and the goal beyond."""
 
 TIMES_FASTER = 20.0
 """Target: how many times as fast as the better baseline forward dynamics is to be."""
-
-
-class Samples:
-    """Medians and quartiles of ``raw``."""
-
-    raw: tuple[float, ...]
-
-    @property
-    def median(self) -> float:
-        """Median of the samples."""
-        return float(np.median(self.raw))
-
-    @property
-    def quartiles(self) -> tuple[float, float]:
-        """First and third quartile of the samples."""
-        low, high = np.percentile(self.raw, (25, 75))
-        return float(low), float(high)
-
-    def as_json(self) -> dict[str, Any]:
-        """Every field, the median and the quartiles, ready for ``json``."""
-        assert dataclasses.is_dataclass(self)
-        fields = {field.name: getattr(self, field.name) for field in dataclasses.fields(self)}
-        return {**fields, "median": self.median, "quartiles": self.quartiles}
-
-
-@dataclass(frozen=True)
-class Figure(Samples):
-    """Nanoseconds a pose, one sample of each round in ``raw``; ``operations`` of a pose where counted."""
-
-    name: str
-    what: str
-    kind: str
-    poses: int
-    raw: tuple[float, ...]
-    operations: int | None = None
-
-
-@dataclass(frozen=True)
-class Speedup(Samples):
-    """How many times as fast ``cores`` cores are as one over ``poses`` poses, round by round.
-
-    poses: 0 for arithmetic that needs no memory, which shows what the machine had to give.
-    """
-
-    cores: int
-    poses: int
-    raw: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class CompileTime(Samples):
-    """Seconds to compile one kernel's source into a library, one compilation each in ``raw``."""
-
-    source: str
-    raw: tuple[float, ...]
-
-
-@dataclass(frozen=True)
-class TextSize:
-    """Bytes of machine code of each function that a program of one-pose calls is left with."""
-
-    source: str
-    flags: tuple[str, ...]
-    functions: Mapping[str, int]
-
-    @property
-    def total(self) -> int:
-        """Bytes of all of them."""
-        return sum(self.functions.values())
-
-    def as_json(self) -> dict[str, Any]:
-        """Every field and the sum, ready for ``json``."""
-        fields = {"source": self.source, "flags": self.flags, "functions": dict(self.functions)}
-        return {**fields, "unit": "bytes", "total": self.total}
 
 
 @dataclass(frozen=True)
@@ -186,14 +119,16 @@ def _measured(**entries: Any) -> dict[str, Any]:
 class Benchmark:
     """Everything that ``bench`` measured.
 
-    shortest_sample: seconds that a sample lasted at least. ours, baselines: time per pose. cores, arithmetic:
-    all cores over one. calls: time of a Python call for one pose. parts: what Pinocchio's figure is made
-    of. sweep: batches of all sizes. motion: the second group. passes: the kernel after each reduction.
-    compiling: time of the compiler. text: None where the system's linker or ``nm`` can't tell.
-    multiply_add: ns for one fused multiply-add of one number, on one core; lanes: numbers in one
-    instruction. differences: by candidate, from the reference's forces, share of a pose's largest.
-    machine, software, clock: as JSON takes them. left_out: software that is not installed and not compared;
-    ours, baselines and all that follows from them are without it.
+    shortest_sample: seconds that a sample lasted at least. ours, baselines: time per pose; of a baseline
+    built in several ways the fastest. builds: all C, for all instructions and with all flags. cores,
+    arithmetic: all cores over one. calls: time of a Python call for one pose. parts: what the figures of
+    baselines that Python calls are made of, the last subtracted. sweep: batches of all sizes. motion: the
+    second group. passes: the kernel after each reduction. compiling: time of the compiler. text: None where
+    the system's linker or ``nm`` can't tell. cycle: ns of one addition in a chain, a cycle of the clock.
+    peaks: of each target, all of the processor's instructions first. differences: by candidate, from the
+    reference's forces, share of a pose's largest. machine, software, clock: as JSON takes them. left_out:
+    software that is not installed and not compared; ours, baselines and all that follows from them are
+    without it.
     """
 
     robot: str
@@ -201,17 +136,18 @@ class Benchmark:
     shortest_sample: float
     ours: tuple[Figure, ...]
     baselines: tuple[Figure, ...]
+    builds: tuple[Figure, ...]
     cores: Speedup
     arithmetic: Speedup
     calls: tuple[Figure, ...]
-    parts: tuple[Figure, ...]
+    parts: Mapping[str, tuple[Figure, ...]]
     sweep: tuple[Figure, ...]
     motion: MotionFigures
     passes: tuple[PassFigures, ...]
     compiling: tuple[CompileTime, ...]
     text: TextSize | None
-    multiply_add: Figure
-    lanes: int
+    cycle: Figure
+    peaks: tuple[Peak, ...]
     differences: Mapping[str, float]
     machine: Mapping[str, Any]
     software: Mapping[str, Any]
@@ -219,20 +155,38 @@ class Benchmark:
     left_out: tuple[str, ...] = ()
 
     @property
-    def casadi(self) -> Figure | None:
-        """What ratios refer to; None where CasADi is left out."""
-        return next((figure for figure in self.baselines if figure.name == CASADI.name), None)
+    def plain(self) -> Figure | None:
+        """CasADi's C of the equations as stated; None where CasADi is left out."""
+        return next((figure for figure in self.baselines if figure.name == PLAIN), None)
+
+    @property
+    def closed(self) -> Figure | None:
+        """CasADi's C of the closed form; None where CasADi is left out."""
+        return next((figure for figure in self.baselines if figure.name == CLOSED), None)
 
     @property
     def limits(self) -> Mapping[str, float]:
         """Least ns per pose for the operations of the first of ``OURS`` on one core, by what fills a lane."""
-        operations = self.ours[0].operations or 0
-        each = operations * self.multiply_add.median
-        return {"limit, an operation a lane": each, "limit, all fused in pairs": each / 2}
+        return self.peaks[0].limits(self.ours[0].operations or 0)
 
-    def ratio(self, time: float) -> float | None:
-        """A time, ns, over CasADi's median; None without CasADi."""
-        return None if self.casadi is None else time / self.casadi.median
+    def cycles(self, time: float) -> float:
+        """A time, ns, in cycles of the clock."""
+        return time / self.cycle.median
+
+    @property
+    def compiled(self) -> Measured:
+        """All compiled C, as ``shares`` takes it."""
+        return Measured(self.builds, self.peaks, self.ours[0].operations or 0)
+
+    def ratios(self, time: float, target: str = "") -> tuple[float | None, float | None]:
+        """A time, ns, over the medians of CasADi's closed form and of its plain C; None without CasADi.
+
+        target: whose builds of them; empty for the fastest, which ``baselines`` has.
+        """
+        built = [self.compiled.fastest(name, target) for name in (CLOSED, PLAIN)]
+        both = built if target else [self.closed, self.plain]
+        closed, plain = (None if each is None else time / each.median for each in both)
+        return closed, plain
 
     def overhead(self, call: Figure) -> float:
         """Ns that a Python call takes over the same pose in C."""
@@ -246,7 +200,7 @@ class Benchmark:
     def as_json(self) -> dict[str, Any]:
         """Return every figure with its unit, raw and condensed, ready for ``json``."""
         return {
-            "schema": 3,
+            "schema": 4,
             "unit": "ns/pose",
             "robot": self.robot,
             "formulation": NAME,
@@ -256,12 +210,14 @@ class Benchmark:
             "software": dict(self.software),
             "clock": dict(self.clock),
             "left_out": list(self.left_out),
-            **_measured(ratio_to=None if self.casadi is None else CASADI.name),
+            **_measured(ratio_to=None if self.closed is None else [CLOSED, PLAIN]),
             "ours": [self._entry(figure) for figure in self.ours],
             "baselines": [self._entry(figure) for figure in self.baselines],
+            "builds": [self._entry(figure, figure.target) for figure in self.builds],
+            "shares": [each.as_json() for each in shares(self.compiled)],
             "cores": {**self.cores.as_json(), "unit": "times as fast as one core"},
             "cores_arithmetic": {**self.arithmetic.as_json(), "unit": "times as fast as one core"},
-            "pinocchio_parts": [figure.as_json() for figure in self.parts],
+            "parts": {name: [part.as_json() for part in parts] for name, parts in self.parts.items()},
             "calls": [
                 {**figure.as_json(), "overhead_over_c_ns": self.overhead(figure)} for figure in self.calls
             ],
@@ -271,15 +227,28 @@ class Benchmark:
             "passes": [each.as_json() for each in self.passes],
             "compiling": [{**each.as_json(), "unit": "s"} for each in self.compiling],
             "text": None if self.text is None else self.text.as_json(),
-            "multiply_add": {
-                **self.multiply_add.as_json(),
-                "unit": "ns per fused multiply-add of one number, one core",
-                "rate_per_s": 1e9 / self.multiply_add.median,
-                "numbers_in_a_vector": self.lanes,
-            },
-            "limits": dict(self.limits),
+            "cycle": {**self.cycle.as_json(), "unit": "ns", "clock_GHz": 1 / self.cycle.median},
+            "peaks": [self._peak(each) for each in self.peaks],
             "largest_difference": dict(self.differences),
         }
 
-    def _entry(self, figure: Figure) -> dict[str, Any]:
-        return {**figure.as_json(), **_measured(ratio_to_casadi=self.ratio(figure.median))}
+    def _peak(self, peak: Peak) -> dict[str, Any]:
+        each = peak.multiply_add.median
+        return {
+            **peak.multiply_add.as_json(),
+            "unit": "ns per fused multiply-add of one number, one core",
+            "instructions": peak.target,
+            "flags": peak.flags,
+            "rate_per_s": 1e9 / each,
+            "numbers_in_a_vector": peak.lanes,
+            "vectors_in_a_cycle": self.cycle.median / (each * peak.lanes),
+            "limits": peak.limits(self.ours[0].operations or 0),
+        }
+
+    def _entry(self, figure: Figure, target: str = "") -> dict[str, Any]:
+        closed, plain = self.ratios(figure.median, target)
+        return {
+            **figure.as_json(),
+            "cycles": self.cycles(figure.median),
+            **_measured(ratio_to_closed_form=closed, ratio_to_casadi=plain),
+        }

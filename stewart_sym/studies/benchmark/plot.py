@@ -1,6 +1,7 @@
 """What ``bench`` measured, as tables for the terminal and as a picture."""
 
 import functools
+import math
 import textwrap
 from collections.abc import Sequence
 
@@ -8,7 +9,9 @@ from ...io.extras import install, needed_for
 from ..common.host import DISTURBED
 from ..common.report import SMALL, Picture, Report
 from ..common.table import aligned
-from .figures import MOST, TIMES_FASTER, Benchmark, Figure, MotionFigures, Samples
+from .figures import MOST, TIMES_FASTER, Benchmark, MotionFigures
+from .samples import Figure, Samples
+from .shares import Share, shares
 
 with needed_for("drawing"):
     from matplotlib.axes import Axes
@@ -20,7 +23,9 @@ _OURS, _PEER, _LIMIT = "#1f4e9c", "#5a5a5a", "#c1440e"
 _SOFTWARE = {
     "casadi": "CasADi",
     "pin": "Pinocchio",
+    "drake": "Drake",
     "mujoco": "MuJoCo",
+    "jax": "JAX",
     "numpy": "NumPy",
     "python": "Python",
 }
@@ -45,8 +50,8 @@ def report(found: Benchmark) -> str:
     if found.left_out:
         missing = ", ".join(found.left_out)
         head.append(f"not installed and left out: {missing}; {install('bench')}")
-    parts = ["\n".join(head), _candidates(found), _cores(found), _notes(found), _calls(found)]
-    parts += [_sizes(found), _motion(found.motion)]
+    parts = ["\n".join(head), _shares(found), _candidates(found), _cores(found), _notes(found)]
+    parts += [_builds(found), _calls(found), _sizes(found), _motion(found.motion)]
     if found.passes:
         parts.append(_passes(found))
     parts.append(_compiling(found))
@@ -61,28 +66,85 @@ def _others(share: float | None) -> list[str]:
     return [f"other processes took {100 * share:.0f} % of the cores' time{verdict}"]
 
 
+def _shares(found: Benchmark) -> str:
+    """The figures with targets, a column for each kind of instructions."""
+    kinds = [peak.target for peak in found.peaks]
+    rows = [
+        (each.name, each.unit, *(_three_digits(each.values.get(kind)) for kind in kinds), *_targets(each))
+        for each in shares(found.compiled)
+    ]
+    return aligned(("shares", "", *kinds, "at most", "goal"), rows, left=2)
+
+
+def _three_digits(value: float | None) -> str:
+    return "" if value is None else f"{value:#.3g}"
+
+
+def _targets(share: Share) -> tuple[str, str]:
+    """The bound, with words where it is the least, and the goal."""
+    least = "at least " if share.least else ""
+    return (
+        "" if share.bound is None else f"{least}{share.bound:g}",
+        "" if share.goal is None else f"{share.goal:g}",
+    )
+
+
 def _candidates(found: Benchmark) -> str:
-    ratio = "" if found.casadi is None else "x CasADi"
-    header = ("code", "what", "poses", "operations", "ns per pose", "quartiles", ratio)
+    named = () if found.closed is None else ("x closed", "x CasADi")
+    header = ("code", "poses", "ns", "cycles", "quartiles, ns", *named, "vectors")
     rows = [_row(found, figure, f"ours: {figure.name}") for figure in found.ours]
     rows += [_row(found, figure, figure.name) for figure in found.baselines]
     rows += [
-        (name, "one core", "", _count(found.ours[0]), _number(value), "", _ratio(found, value))
+        (name, "", *_times_of(found, value), "", *_ratios(found, value), found.peaks[0].target)
         for name, value in found.limits.items()
     ]
-    return aligned(header, rows, left=2)
+    return aligned(header, rows)
 
 
 def _row(found: Benchmark, figure: Figure, name: str) -> tuple[str, ...]:
     loop = {"one pose": "1, C loop", "call": "1"}.get(figure.kind, str(figure.poses))
-    ratio = _ratio(found, figure.median)
-    return name, figure.what, loop, _count(figure), _number(figure.median), _spread(figure), ratio
+    time = figure.median
+    ratios = _ratios(found, time)
+    return name, loop, *_times_of(found, time), _spread(figure), *ratios, figure.vectors
 
 
-def _ratio(found: Benchmark, time: float) -> str:
-    """Share of CasADi's time; empty where CasADi is left out."""
-    ratio = found.ratio(time)
-    return "" if ratio is None else f"{ratio:.3f}"
+def _times_of(found: Benchmark, time: float) -> tuple[str, str]:
+    return _number(time), f"{found.cycles(time):.0f}"
+
+
+def _ratios(found: Benchmark, time: float, target: str = "") -> tuple[str, ...]:
+    """Shares of the times of CasADi's closed form and plain C; none where CasADi is left out."""
+    return tuple(f"{ratio:.3f}" for ratio in found.ratios(time, target) if ratio is not None)
+
+
+def _builds(found: Benchmark) -> str:
+    """All C with its instructions and flags; ratios are to CasADi's C for the same instructions."""
+    named = () if found.closed is None else ("x closed", "x CasADi")
+    header = ("C by instructions and flags", "vectors", "operations", "ns", "cycles", *named)
+    own = {peak.target: peak.flags for peak in found.peaks}
+    rows = [
+        (
+            " ".join((each.name, *each.flags[len(own[each.target]) :])),
+            each.vectors,
+            _count(each),
+            *_times_of(found, each.median),
+            *_ratios(found, each.median, each.target),
+        )
+        for each in found.builds
+    ]
+    operations = found.compiled.operations
+    for peak in found.peaks:
+        for name, value in peak.limits(operations).items():
+            ratios = _ratios(found, value, peak.target)
+            rows.append((name, peak.target, str(operations), *_times_of(found, value), *ratios))
+    without = [f"{target} with {' '.join(flags)}. " for target, flags in own.items() if flags]
+    notes = (
+        f"{''.join(without)}Flags come after those above. Vectors: the widest that the machine code computes "
+        "with, where objdump tells."
+    )
+    if named:
+        notes += " Ratios are to the faster of CasADi's builds for the same instructions."
+    return f"{aligned(header, rows, left=2)}\n\n{textwrap.fill(notes, WIDTH, break_on_hyphens=False)}"
 
 
 def _cores(found: Benchmark) -> str:
@@ -96,37 +158,59 @@ def _cores(found: Benchmark) -> str:
 
 
 def _notes(found: Benchmark) -> str:
-    rate = 1 / found.multiply_add.median
     worst = max(found.differences.values())
     return textwrap.fill(
         f"Medians and quartiles of {found.rounds} rounds; in each round every code takes its turn, for "
         f"{1e3 * found.shortest_sample:g} ms or more, after a run of its own that isn't timed. Ratios are of "
         f"medians. All found the same forces first, to {worst:.0e} of a pose's largest. "
-        f"{_casadi_note(found)}{_pinocchio_note(found)}Limit: our operations "
-        f"at the rate of fused multiply-adds measured in the same rounds, {rate:.3g} 10^9 numbers a second "
-        f"in vectors of {found.lanes}: each operation filling the place of one, or two of them in each.",
+        f"{_casadi_note(found)}{_called_note(found)}{_limit_note(found)}",
         WIDTH,
+        break_on_hyphens=False,
     )
 
 
 def _casadi_note(found: Benchmark) -> str:
-    if found.casadi is None:
+    if found.closed is None or found.plain is None:
         return ""
     return (
         "CasADi: the same equations written plainly, in vectors, or as the closed form in the leg frame, its "
         "cse() and its solve(), same compiler and flags, called from the same kind of C loop; it gives F "
-        "alone and checks nothing. "
+        "alone and checks nothing. Each is compiled with products and sums fused by the compiler as well, "
+        f"and the faster counts: {_flags(found.closed)} for the closed form, {_flags(found.plain)} for the "
+        "plain one. "
     )
 
 
-def _pinocchio_note(found: Benchmark) -> str:
-    if not found.parts:
+def _flags(figure: Figure) -> str:
+    return " ".join(figure.flags) or "the common flags"
+
+
+def _called_note(found: Benchmark) -> str:
+    """What the figures of the baselines that Python calls are made of."""
+    made = [
+        f"{name} {' + '.join(f'{part.name} {_number(part.median)}' for part in parts[:-1])} - "
+        f"{_number(parts[-1].median)}"
+        for name, parts in found.parts.items()
+    ]
+    if not made:
         return ""
-    rnea, empty, solve = (_number(figure.median) for figure in found.parts)
+    gravity = ", gravity to Drake too" if "Drake" in found.parts else ""
     return (
-        f"Pinocchio: rnea over the tree of all 13 bodies, called from Python ({rnea} ns), less a call for a "
-        f"model without joints ({empty} ns), and LAPACK's solve ({solve} ns); joint angles, rates, "
-        "accelerations and Jacobians are given to it. "
+        "Called from Python, less a call over nothing, ns: " + "; ".join(made) + ". Engines of rigid bodies "
+        "compute over the tree of all 13 bodies, then LAPACK solves; joint angles, rates, accelerations, "
+        f"friction, load and Jacobians are given to them{gravity}. "
+    )
+
+
+def _limit_note(found: Benchmark) -> str:
+    peak = found.peaks[0]
+    each = found.cycle.median / (peak.multiply_add.median * peak.lanes)
+    return (
+        f"Cycles: of a clock of {1 / found.cycle.median:.2f} GHz, one for each addition of a dependent chain "
+        f"timed in the same rounds. Limit: {_count(found.ours[0])} operations / {peak.lanes} numbers in a "
+        f"vector / {each:.2f} vectors in a cycle, the rate of fused multiply-adds in the same rounds; "
+        "divisions and roots count as any other; each operation fills the place of one multiply-add, or "
+        "two of them one."
     )
 
 
@@ -309,21 +393,26 @@ def picture(found: Benchmark) -> Canvas:
 
 
 def _draw_candidates(axes: Axes, found: Benchmark) -> None:
-    rows = [(figure, f"ours: {figure.name} ({figure.what})", _OURS) for figure in found.ours]
-    rows += [(figure, f"{figure.name} ({figure.what})", _PEER) for figure in found.baselines]
+    rows = [(figure, f"ours: {_named(figure)}", _OURS) for figure in found.ours]
+    rows += [(figure, _named(figure), _PEER) for figure in found.baselines]
     rows.sort(key=lambda row: row[0].median)
     limits = found.limits
     low = 0.6 * min(*limits.values(), rows[0][0].median)
     for place, (figure, _, color) in enumerate(rows):
-        ratio = found.ratio(figure.median)
-        _draw_row(axes, low, place, figure, color, "" if ratio is None else _times(ratio))
+        shares_of = (_times(ratio) for ratio in found.ratios(figure.median) if ratio is not None)
+        _draw_row(axes, low, place, figure, color, "   ".join(shares_of))
     for (name, value), dash in zip(limits.items(), ("--", ":"), strict=True):
         label = f"{name}: {_number(value)} ns"
         axes.axvline(value, color=_LIMIT, linestyle=dash, linewidth=1.2, label=label, zorder=1.5)
     _name_rows(axes, low, rows)
-    share = "" if found.casadi is None else r"; $\times$: share of CasADi's time"
+    share = "" if found.closed is None else r"; $\times$: of CasADi's closed form, of its plain C"
     axes.set_xlabel(f"ns per pose, median (thick: quartiles){share}")
     axes.legend(loc="lower right", bbox_to_anchor=(1.0, 1.0), borderaxespad=0.2, ncols=2)
+
+
+def _named(figure: Figure) -> str:
+    """The name, with the vectors of compiled C."""
+    return f"{figure.name} ({figure.vectors or figure.what})"
 
 
 def _draw_row(axes: Axes, low: float, place: int, figure: Figure, color: str, share: str) -> None:
@@ -346,14 +435,16 @@ def _name_rows(axes: Axes, low: float, rows: Sequence[tuple[Figure, str, str]]) 
     """Labels of the rows, and a log axis with room for their numbers."""
     axes.set_yticks(range(len(rows)), [label for _, label, _ in rows])
     axes.set_xscale("log")
-    axes.set_xlim(low, 10 * max(max(figure.median, figure.quartiles[1]) for figure, _, _ in rows))
+    high = max(max(figure.median, figure.quartiles[1]) for figure, _, _ in rows)
+    axes.set_xlim(low, high * (high / low) ** 0.5)
     axes.set_ylim(len(rows) - 0.4, -0.6)
     axes.grid(visible=False, axis="y")
     axes.tick_params(axis="y", length=0)
 
 
 def _times(ratio: float) -> str:
-    return rf"$\times${ratio:.2f}" if ratio < 10 else rf"$\times${ratio:.1f}"
+    """Three digits or more."""
+    return rf"$\times${ratio:.{max(0, 2 - math.floor(math.log10(max(ratio, 1))))}f}"
 
 
 def _draw_sizes(axes: Axes, found: Benchmark) -> None:

@@ -1,7 +1,8 @@
-"""Tables of the documentation from ``bench.json``: times per pose, passes, equations of motion, compiling."""
+"""Tables of the documentation from ``bench.json``: shares, times, builds, passes, motion, compiling."""
 
 from ...io.extras import install
 from ..common.markdown import Figures, paragraph, table
+from .samples import CLOSED, FORWARD, PLAIN
 
 README_ROWS = (
     "one pose",
@@ -9,7 +10,8 @@ README_ROWS = (
     "batch, float",
     "every output",
     "NumPy kernel",
-    "CasADi",
+    CLOSED,
+    PLAIN,
     "Pinocchio",
 )
 
@@ -23,6 +25,8 @@ def tables(found: Figures) -> dict[str, str]:
             f"{install('bench')} and run `stewart-sym bench` again"
         )
     return {
+        "bench_shares": shares(found),
+        "bench_builds": builds(found),
         "bench_times": times(found) + cores(found) + sizes(found) + calls(found),
         "bench_passes": passes(found),
         "bench_motion": motion(found["motion"], found["rounds"]),
@@ -32,31 +36,89 @@ def tables(found: Figures) -> dict[str, str]:
 
 
 def readme(found: Figures) -> str:
-    """A few of the times, of the forces and of forward dynamics."""
+    """A few of the times, of the forces with their ratio to CasADi's closed form and of forward dynamics."""
     forces = {each["name"]: each["median"] for each in (*found["ours"], *found["baselines"])}
-    rows = [(name, f"{forces[name]:.0f}") for name in README_ROWS]
-    dynamics = [each for each in found["motion"]["ours"] if each["name"] == "forward dynamics"]
-    rows += [(each["name"], f"{each['median']:.0f}") for each in dynamics]
-    rows += [
-        (f"forward dynamics, {each['name']}", f"{each['median']:.0f}")
-        for each in found["motion"]["baselines"]
+    rows = [(name, f"{forces[name]:.0f}", f"{forces[name] / forces[CLOSED]:.2f}") for name in README_ROWS]
+    ours = [each for each in found["motion"]["ours"] if each["name"] == FORWARD]
+    rows += [(FORWARD, f"{each['median']:.0f}", "") for each in ours]
+    baselines = found["motion"]["baselines"]
+    rows += [(f"{FORWARD}, {each['name']}", f"{each['median']:.0f}", "") for each in baselines]
+    return table(("forces with friction and load", "ns per pose", "of CasADi's closed form"), rows)
+
+
+def shares(found: Figures) -> str:
+    """The figures with targets, a column for each kind of instructions."""
+    made = found.get("shares", [])
+    kinds = [*dict.fromkeys(kind for each in made for kind in each["values"])]
+    rows = [
+        (
+            each["name"] + (", us" if each["unit"] == "us" else ""),
+            *(f"{each['values'][kind]:#.3g}" for kind in kinds),
+            f"at least {each['at_least']}" if "at_least" in each else f"{each.get('at_most', '')}",
+            f"{each.get('goal', '')}",
+        )
+        for each in made
     ]
-    return table(("forces with friction and load", "ns per pose"), rows)
+    return table(("", *kinds, "at most", "goal"), rows) if rows else ""
+
+
+def builds(found: Figures) -> str:
+    """Time of all C by instructions and flags, with cycles; the clock and the limits that follow from it."""
+    made = found.get("builds", [])
+    rows = [
+        (
+            each["name"],
+            each["vectors"],
+            " ".join(f"`{flag}`" for flag in each["flags"]),
+            f"{each['median']:.0f}",
+            f"{each['cycles']:.0f}",
+            f"{each['ratio_to_closed_form']:.2f}",
+            f"{each['ratio_to_casadi']:.2f}",
+        )
+        for each in made
+    ]
+    header = ("", "vectors", "flags", "ns per pose", "cycles", "of the closed form", "of the plain C")
+    return table(header, rows) + _limits(found) if rows else ""
+
+
+def _limits(found: Figures) -> str:
+    """How the limits of a batch are reckoned."""
+    operations = found["ours"][0]["operations"]
+    each = "; ".join(
+        f"{peak['instructions']} {operations:,} operations / {peak['numbers_in_a_vector']} numbers in a "
+        "vector / "
+        f"{peak['vectors_in_a_cycle']:.2f} vectors in a cycle = {next(iter(peak['limits'].values())):.1f} ns"
+        for peak in found["peaks"]
+    )
+    return paragraph(
+        f"The clock runs at {found['cycle']['clock_GHz']:.2f} GHz, by a dependent chain of additions in the "
+        "same rounds. The limit, an operation a lane, at the rate of fused multiply-adds in the same rounds, "
+        f"divisions and roots counted as any other: {each}."
+    )
 
 
 def times(found: Figures) -> str:
-    """Times of the forces and their ratio to CasADi."""
+    """Times of the forces and their ratios to CasADi's closed form and plain C."""
     machine, compiler = found["machine"], found["software"]["compiler"]
     vectors = f" with {machine['vectors']}" if machine["vectors"] else ""
+    every = (*found["ours"], *found["baselines"])
+    closed = next(each["median"] for each in every if each["name"] == CLOSED)
     rows = [
-        (each["name"], f"{each['median']:.0f}", f"{each['ratio_to_casadi']:.2f}")
-        for each in (*found["ours"], *found["baselines"])
+        (
+            each["name"],
+            f"{each['median']:.0f}",
+            f"{each['median'] / closed:.2f}",
+            f"{each['ratio_to_casadi']:.2f}",
+            each.get("vectors", ""),
+        )
+        for each in every
     ]
     return paragraph(
         f"Nanoseconds per pose, `{found['formulation']}` with friction and load, printed by `stewart-sym "
         f"bench` on {machine['cores']} cores of an {machine['processor']}{vectors}, {compiler}, medians of "
-        f"{found['rounds']} rounds; ratio to CasADi's C of the same equations, built with the same flags:"
-    ) + table(("", "ns per pose", "ratio"), rows)
+        f"{found['rounds']} rounds; ratios to CasADi's C of the closed form in the leg frame, and of the "
+        "equations as stated:"
+    ) + table(("", "ns per pose", "of the closed form", "of the plain C", "vectors"), rows)
 
 
 def cores(found: Figures) -> str:

@@ -11,7 +11,10 @@ from ...backend import kernel, native
 from ...backend.c_kernel import address
 from ...io.progress import Progress, silent
 from ...robot.robot import Robot
-from .baselines import FEW, MANY, NAME, Candidate, Poses, Runner, c_loop, forces_loop, repeated, succeed
+from .baselines import FEW, MANY, Candidate, Runner, c_loop, forces_loop, repeated, succeed
+from .poses import Poses
+from .processor import Flags
+from .samples import NAME
 
 if TYPE_CHECKING:
     from ...derive.passes import Pass
@@ -62,14 +65,15 @@ class _Build:
     sources: dict[str, str]
     model_numbers: int
 
-    def one_pose(self, poses: Poses) -> Runner:
+    def one_pose(self, poses: Poses, flags: Flags) -> Runner:
         """``stewart_exact_forces`` called from a C loop."""
-        return c_loop(self._library(), self._model(poses.robot), poses)
+        return c_loop(self._library(flags), self._model(poses.robot, flags), poses)
 
-    def batch(self, poses: Poses) -> Runner:
+    def batch(self, poses: Poses, flags: Flags) -> Runner:
         """``stewart_exact_forces_batch`` on one core, called from Python with given arrays."""
         F, status = np.zeros((len(poses), 6)), np.zeros(len(poses), dtype=np.int32)
-        model, function = self._model(poses.robot), getattr(self._library(), f"stewart_{NAME}_forces_batch")
+        library, model = self._library(flags), self._model(poses.robot, flags)
+        function = getattr(library, f"stewart_{NAME}_forces_batch")
         motions = (ctypes.c_void_p * len(poses.arrays))(*(array.ctypes.data for array in poses.arrays))
         arguments = (address(model), ctypes.c_size_t(len(poses)), motions, address(F), address(status))
 
@@ -77,12 +81,12 @@ class _Build:
             succeed(int(status.max()))
             return F
 
-        return repeated(lambda: function(*arguments), found, (model, poses, status))
+        return repeated(lambda: function(*arguments), found, (model, poses, status), library)
 
-    def _model(self, robot: Robot) -> NDArray[np.float64]:
+    def _model(self, robot: Robot, flags: Flags) -> NDArray[np.float64]:
         numbers, model = kernel.robot_numbers(robot), np.zeros(self.model_numbers)
-        succeed(getattr(self._library(), f"stewart_{NAME}_prepare")(address(numbers), address(model)))
+        succeed(getattr(self._library(flags), f"stewart_{NAME}_prepare")(address(numbers), address(model)))
         return model
 
-    def _library(self) -> ctypes.CDLL:
-        return native.load(self.name, self.sources)
+    def _library(self, flags: Flags) -> ctypes.CDLL:
+        return native.load(self.name, self.sources, flags)

@@ -8,6 +8,22 @@
 #else
 #define LANES 2
 #endif
+
+/* What the compiler was allowed, widest first. */
+#if defined(__AVX512F__)
+#define SET "AVX-512"
+#elif defined(__AVX2__)
+#define SET "AVX2"
+#elif defined(__AVX__)
+#define SET "AVX"
+#elif defined(__aarch64__)
+#define SET "NEON"
+#elif defined(__SSE2__)
+#define SET "SSE2"
+#else
+#define SET ""
+#endif
+
 typedef double lanes __attribute__((vector_size(8 * LANES)));
 
 /* Chains enough that none waits for another, few enough for the registers. */
@@ -18,6 +34,11 @@ typedef double lanes __attribute__((vector_size(8 * LANES)));
 #else
 #define CHAINS(X) FEW(X)
 #endif
+
+const char *multiply_add_set(void)
+{
+    return SET;
+}
 
 int multiply_add_lanes(void)
 {

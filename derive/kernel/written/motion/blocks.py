@@ -207,7 +207,7 @@ def finished_accelerations() -> None:
     """Accelerations of eight poses."""
     pivot = blank(array(48))
     solution = blank(array(48))
-    solved(block.number, LANES, solution, pivot)
+    solve_inertia(block.number, LANES, solution, pivot)
     for l in range(LANES):
         for k in each(6):
             block.bad[l] = where(pivot[LANES * k + l] > KEPT * inertia[k, k], block.bad[l], 1.0)

@@ -73,7 +73,7 @@ def bias(model: "Model", motion: "Motion", out: "array(6)") -> "Integer":
 # ---------------------------------------------------------------- forward dynamics
 
 
-def solved(
+def solve_inertia(
     number: "alone(Pointer(Real))",
     lanes: "Integer",
     result: "alone(Pointer(Real))",
@@ -91,7 +91,7 @@ def accelerations_of(legs: "Legs", summed: "array(COUNT)", out: "Found") -> None
     pivot = blank(array(6))
     out.status = legs.status
     if legs.status == OK:
-        solved(summed, 1, out.acceleration, pivot)
+        solve_inertia(summed, 1, out.acceleration, pivot)
         for k in each(6):
             if out.status == OK and not pivot[k] > KEPT * inertia[k, k]:
                 out.status = where(size(pivot[k]) <= MAX, INDEFINITE, NOT_FINITE)

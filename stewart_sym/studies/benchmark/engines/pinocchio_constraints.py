@@ -1,4 +1,4 @@
-"""Forward dynamics by Pinocchio's ``constraintDynamics``, for ``baselines_constraints``."""
+"""Forward dynamics by Pinocchio's ``constraintDynamics``, for ``constraints``."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -6,11 +6,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...io.extras import needed_for
-from ...motion.rotation import quaternion_from_rotation
-from ...robot.robot import Robot
-from .baselines_pinocchio import QUATERNION_W_LAST, model_of_legs
-from .baselines_tree import CARRIER, Engine, Tree
+from ....io.extras import needed_for
+from ....motion.rotation import quaternion_from_rotation
+from ....robot.robot import Robot
+from .pinocchio_rnea import QUATERNION_W_LAST, model_of_legs
+from .tree import CARRIER, Engine, Tree
 
 with needed_for("the comparison with Pinocchio"):
     import pinocchio as pin

@@ -1,4 +1,4 @@
-"""Forward dynamics by MuJoCo's ``mj_forward``, for ``baselines_constraints``."""
+"""Forward dynamics by MuJoCo's ``mj_forward``, for ``constraints``."""
 
 from collections.abc import Sequence
 from typing import Any
@@ -6,10 +6,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...io.extras import needed_for
-from ...motion.rotation import quaternion_from_rotation
-from ...robot.robot import Robot
-from .baselines_tree import CARRIER, Engine, Tree, base_frames
+from ....io.extras import needed_for
+from ....motion.rotation import quaternion_from_rotation
+from ....robot.robot import Robot
+from .tree import CARRIER, Engine, Tree, base_frames
 
 with needed_for("the comparison with MuJoCo"):
     import mujoco

@@ -1,0 +1,114 @@
+"""Drake as a candidate of ``bench``: ``CalcInverseDynamics`` over the machine's tree, then a 6x6 solve.
+
+Gravity, load and friction are prepared as forces on the bodies, which is how the call takes them.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....io.extras import needed_for
+from ....motion.motion import Motion
+from ....motion.rotation import quaternion_from_rotation
+from ....robot.robot import Robot
+from ..called import Called
+from .free_platform import States, newton_euler, states
+from .tree import base_frames, turned
+
+with needed_for("the comparison with Drake"):
+    from pydrake.math import RigidTransform, RotationMatrix
+    from pydrake.multibody import tree
+    from pydrake.multibody.math import SpatialForce
+    from pydrake.multibody.plant import MultibodyPlant
+
+Array = NDArray[np.float64]
+
+
+def drake_inverse(robot: Robot, motion: Motion) -> Called:
+    """``CalcInverseDynamics`` at poses (n,); base joints must be universal."""
+    plant, nothing = _plant(robot), _finished(MultibodyPlant(0.0))
+    context, no_context = plant.CreateDefaultContext(), nothing.CreateDefaultContext()
+    at = states(robot, motion)
+    prepared = _prepared(plant, at)
+    none = [(np.zeros(0), np.zeros(0), tree.MultibodyForces(nothing))] * len(prepared)
+    tau = np.array([_tau(plant, context, *state) for state in prepared])
+    rates = np.broadcast_to(np.roll(np.eye(6), 3, axis=0), (len(prepared), 6, 6))
+
+    def run(repeats: int) -> None:
+        for _ in range(repeats):
+            for state in prepared:
+                _tau(plant, context, *state)
+
+    def empty(repeats: int) -> None:
+        for _ in range(repeats):
+            for state in none:
+                _tau(nothing, no_context, *state)
+
+    return newton_euler("Drake", "CalcInverseDynamics", robot, at, tau, rates, run, empty)
+
+
+def _tau(plant: Any, context: Any, state: Array, second: Array, forces: Any) -> Any:
+    """One pose; the state is set in it, since Drake keeps what it computed of the last one."""
+    plant.SetPositionsAndVelocities(context, state)
+    return plant.CalcInverseDynamics(context, second, forces)
+
+
+def _plant(robot: Robot) -> Any:
+    """Six chains, universal about k and y, prismatic along s, and the platform.
+
+    A universal joint is quicker here than two revolute ones with a body between them.
+    """
+    plant = MultibodyPlant(0.0)
+    plant.mutable_gravity_field().set_gravity_vector(robot.g)
+    for i, frame in enumerate(base_frames(robot)):
+        name, place = str(i + 1), RigidTransform(RotationMatrix(frame), robot.b[i])
+        lower = plant.AddRigidBody(f"lower {name}", _inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]))
+        upper = plant.AddRigidBody(f"upper {name}", _inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]))
+        base = plant.AddFrame(tree.FixedOffsetFrame(f"base {name}", plant.world_frame(), place))
+        plant.AddJoint(tree.UniversalJoint(f"axes {name}", base, lower.body_frame()))
+        slide = tree.PrismaticJoint(
+            f"actuator {name}", lower.body_frame(), upper.body_frame(), [1.0, 0.0, 0.0]
+        )
+        plant.AddJoint(slide)
+    plant.AddRigidBody("platform", _inertia(robot.M, robot.R_0, robot.I_p))
+    return _finished(plant)
+
+
+def _finished(plant: Any) -> Any:
+    plant.Finalize()
+    return plant
+
+
+def _inertia(mass: float, center: Array, inertia: Array) -> Any:
+    """Of a body, unchecked: the paper's tensors are of no body."""
+    if mass == 0:
+        return tree.SpatialInertia.Zero()
+    unit = inertia / mass + center @ center * np.eye(3) - np.outer(center, center)
+    (xx, xy, xz), (_, yy, yz), (_, _, zz) = unit
+    about_origin = tree.UnitInertia(xx, yy, zz, xy, xz, yz)
+    return tree.SpatialInertia(mass, center, about_origin, skip_validity_check=True)
+
+
+def _prepared(plant: Any, at: States) -> list[tuple[Any, ...]]:
+    """Every pose as the call takes it: positions with rates, accelerations, and forces on the bodies."""
+    motion, legs = at.motion, at.legs
+    count = len(motion.R)
+    q = [legs.coordinates.reshape(count, -1), quaternion_from_rotation(motion.R), motion.t]
+    v = [legs.rates.reshape(count, -1), motion.omega, motion.v]
+    second = np.hstack([at.accelerations.reshape(count, -1), motion.alpha, motion.a])
+    force = turned(motion.R, motion.F_ext)
+    moment = turned(motion.R, motion.M_ext) + at.platform
+    names = [f"{part} {leg + 1}" for part in ("lower", "upper") for leg in range(6)]
+    bodies = [plant.GetBodyByName(name) for name in (*names, "platform")]
+    moments = np.concatenate([at.lower, at.upper, moment[:, None]], axis=1)
+    forces = np.concatenate([np.zeros((count, 12, 3)), force[:, None]], axis=1)
+    context, found = plant.CreateDefaultContext(), []
+    for i, state in enumerate(np.hstack([*q, *v])):
+        plant.SetPositionsAndVelocities(context, state)
+        given = tree.MultibodyForces(plant)
+        plant.CalcForceElementsContribution(context, given)
+        for body, turning, pushing in zip(bodies, moments[i], forces[i], strict=True):
+            body.AddInForceInWorld(context, SpatialForce(turning, pushing), given)
+        found.append((state, second[i], given))
+    return found

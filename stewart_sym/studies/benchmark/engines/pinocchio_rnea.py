@@ -1,0 +1,96 @@
+"""Pinocchio as a candidate of ``bench``: recursive Newton-Euler over the machine's tree, then a 6x6 solve."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ....io.extras import needed_for
+from ....motion.motion import Motion
+from ....motion.rotation import quaternion_from_rotation
+from ....robot.robot import Robot
+from ..called import Called
+from .free_platform import States, newton_euler, states, turned_back
+from .tree import base_frames
+
+with needed_for("the comparison with Pinocchio"):
+    import pinocchio as pin
+
+Array = NDArray[np.float64]
+
+QUATERNION_W_LAST = [1, 2, 3, 0]
+
+
+def pinocchio_rnea(robot: Robot, motion: Motion) -> Called:
+    """``rnea`` at poses (n,); base joints must be universal."""
+    model, upper = model_of_legs(robot)
+    platform = model.addJoint(0, pin.JointModelFreeFlyer(), pin.SE3.Identity(), "platform")
+    model.appendBodyToJoint(platform, pin.Inertia(robot.M, robot.R_0, robot.I_p), pin.SE3.Identity())
+    data, nothing = model.createData(), pin.Model()
+    no_data, none = nothing.createData(), (*3 * (np.zeros(0),), _forces(1))
+    at = states(robot, motion)
+    prepared = _prepared(at, model.njoints, upper)
+
+    def run(repeats: int) -> None:
+        rnea = pin.rnea
+        for _ in range(repeats):
+            for q, v, a, outside in prepared:
+                rnea(model, data, q, v, a, outside)
+
+    def empty(repeats: int) -> None:
+        rnea, (q, v, a, outside) = pin.rnea, none
+        for _ in range(repeats):
+            for _ in prepared:
+                rnea(nothing, no_data, q, v, a, outside)
+
+    tau = np.array([pin.rnea(model, data, *state) for state in prepared])
+    rates = np.array([np.kron(np.eye(2), R.T) for R in motion.R])
+    return newton_euler("Pinocchio", "rnea", robot, at, tau, rates, run, empty)
+
+
+def model_of_legs(robot: Robot) -> tuple[Any, list[int]]:
+    """Six chains, revolute about k, revolute about y, prismatic along s, and the joints of the upper parts.
+
+    The joint of a lower part is the one before that of its upper part.
+    """
+    model, here = pin.Model(), pin.SE3.Identity()
+    model.gravity = pin.Motion(robot.g, np.zeros(3))
+    uppers = []
+    for i, frame in enumerate(base_frames(robot)):
+        first = model.addJoint(0, pin.JointModelRX(), pin.SE3(frame, robot.b[i]), f"fixed axis {i + 1}")
+        lower = model.addJoint(first, pin.JointModelRY(), here, f"moving axis {i + 1}")
+        upper = model.addJoint(lower, pin.JointModelPX(), here, f"actuator {i + 1}")
+        model.appendBodyToJoint(lower, pin.Inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]), here)
+        model.appendBodyToJoint(upper, pin.Inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]), here)
+        uppers.append(upper)
+    return model, uppers
+
+
+def _prepared(at: States, joints: int, upper: list[int]) -> list[tuple[Any, ...]]:
+    """Every pose as ``rnea`` takes it: q, v, a and the forces from outside, in the frames of the bodies."""
+    motion, legs = at.motion, at.legs
+    R, omega, count = motion.R, motion.omega, len(motion.R)
+    quaternions = quaternion_from_rotation(R)[:, QUATERNION_W_LAST]
+    q = np.hstack([legs.coordinates.reshape(count, -1), motion.t, quaternions])
+    v = np.hstack([legs.rates.reshape(count, -1), turned_back(R, motion.v), turned_back(R, omega)])
+    # Pinocchio's spatial acceleration differs from that of the reference point by omega x v.
+    platform = [turned_back(R, motion.a - np.cross(omega, motion.v)), turned_back(R, motion.alpha)]
+    a = np.hstack([at.accelerations.reshape(count, -1), *platform])
+    below, above = turned_back(legs.upper, at.lower), turned_back(legs.upper, at.upper)
+    moment = motion.M_ext + turned_back(R, at.platform)
+    found = []
+    for i, state in enumerate(zip(q, v, a, strict=True)):
+        forces = _forces(joints)
+        for leg, joint in enumerate(upper):
+            forces[joint - 1] = pin.Force(np.zeros(3), below[i, leg])
+            forces[joint] = pin.Force(np.zeros(3), above[i, leg])
+        forces[joints - 1] = pin.Force(motion.F_ext[i], moment[i])
+        found.append((*state, forces))
+    return found
+
+
+def _forces(count: int) -> Any:
+    forces = pin.StdVec_Force()
+    for _ in range(count):
+        forces.append(pin.Force.Zero())
+    return forces

@@ -1,0 +1,119 @@
+"""What the processor has to give: its clock, its vectors, and the width that compiled code uses of them."""
+
+import ctypes
+import re
+import shutil
+import subprocess
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from ...backend import native
+from ..common.loops import own_source
+from ..common.timing import Task
+
+Flags = tuple[str, ...]
+
+FUSED: Flags = ("-ffp-contract=fast",)
+"""Lets the compiler fuse products and sums wherever it can."""
+
+_NO_AVX_512: Flags = ("-mno-avx512f",)
+
+
+@dataclass(frozen=True)
+class Target:
+    """Instructions that C is compiled for: their name, and flags after those of every library."""
+
+    name: str
+    flags: Flags = ()
+
+
+@dataclass(frozen=True)
+class MultiplyAdd:
+    """Independent fused multiply-adds at full width on one core; ``run(n)`` does ``count`` n times.
+
+    set: name of the vector instructions; lanes: numbers in a vector.
+    """
+
+    run: Callable[[int], object]
+    count: int
+    lanes: int
+    set: str
+
+
+def targets() -> tuple[Target, ...]:
+    """All instructions of this processor, and without AVX-512 where it has that. Raises CompilerError."""
+    first = Target(multiply_add().set)
+    if first.name != "AVX-512":
+        return (first,)
+    return first, Target(multiply_add(_NO_AVX_512).set, _NO_AVX_512)
+
+
+def multiply_add(flags: Flags = ()) -> MultiplyAdd:
+    """Compile the loop; without the instruction it is a product and a sum. Raises CompilerError."""
+    sources = {"multiply_add.c": own_source("multiply_add.c")}
+    library = native.load("bench_multiply_add", sources, flags=(*FUSED, *flags))
+    library.multiply_add.restype = ctypes.c_double
+    library.multiply_add_set.restype = ctypes.c_char_p
+    steps, lanes = 1_000, int(library.multiply_add_lanes())
+    by, plus = ctypes.c_double(0.999), ctypes.c_double(1e-3)
+
+    def run(repeats: int) -> None:
+        library.multiply_add(ctypes.c_size_t(repeats * steps), by, plus)
+
+    count = steps * lanes * int(library.multiply_add_chains())
+    return MultiplyAdd(run, count, lanes, library.multiply_add_set().decode())
+
+
+def additions() -> Task:
+    """Additions that wait for each other, one a cycle. Raises CompilerError."""
+    library = native.load("bench_additions", {"additions.c": own_source("additions.c")})
+    steps, by = 1_000, ctypes.c_size_t(3)
+
+    def run(repeats: int) -> None:
+        library.additions(ctypes.c_size_t(repeats * steps), by)
+
+    return Task(run, steps * int(library.additions_chain()))
+
+
+# --- the width of compiled code ---------------------------------------------------------------
+
+_FUNCTION = re.compile(r"^[0-9a-f]+ <([^>]+)>:$")
+_CALL = re.compile(r"\t(?:call|jmp)q?\s.*<([^>+]+?)(?:@plt)?>$")
+_PACKED = re.compile(r"\tv?(?:fn?m)?(?:add|sub|mul|div|sqrt)\w*p[sd]\s.*%([xyz])mm")
+_BITS = {"x": 128, "y": 256, "z": 512}
+
+
+def widest(library: ctypes.CDLL, function: str) -> int | None:
+    """Bits of the widest vectors that a function and those it calls compute with; 64 if with none.
+
+    None where ``objdump`` is missing or doesn't show the function, or the processor is no x86.
+    """
+    tool = shutil.which("objdump")
+    if tool is None:
+        return None
+    command = [tool, "-d", "--no-show-raw-insn", library._name]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    if done.returncode or "x86-64" not in done.stdout:
+        return None
+    return _widest(done.stdout.splitlines(), function)
+
+
+def _widest(lines: Sequence[str], function: str) -> int | None:
+    bodies: dict[str, list[str]] = {}
+    for line in lines:
+        if begin := _FUNCTION.match(line):
+            body = bodies.setdefault(begin[1], [])
+        elif bodies:
+            body.append(line)
+    if function not in bodies:
+        return None
+    waiting, seen = [function], {function}
+    width = 64
+    while waiting:
+        for line in bodies.get(waiting.pop(), ()):
+            if packed := _PACKED.search(line):
+                width = max(width, _BITS[packed[1]])
+            elif (call := _CALL.search(line)) and call[1] not in seen:
+                seen.add(call[1])
+                waiting.append(call[1])
+    return width
