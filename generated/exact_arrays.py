@@ -4152,7 +4152,7 @@ def derivatives_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench: 1608 (945 mul, 659 add, 2 div, 2 sqrt)."""
+    """One leg's part of the derivatives of the wrench: 1606 (943 mul, 659 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -4372,7 +4372,7 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     c55 = 2.0 * h_x
     tau_rate_22 = C_us + L_dot * c55
     tau_rate_23 = -c31 * c5
-    tau_rate_31 = 2.0 * c16 * phi_dot - 2.0 * c34
+    tau_rate_31 = 2.0 * (c16 * phi_dot - c34)
     tau_rate_32 = 2.0 * c39 - 2.0 * c38 + c31 * c5
     tau_rate_33 = C_us + 2.0 * c35 + 2.0 * c36
     c56 = h_y * phi_ddot
@@ -4387,8 +4387,8 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
         * w_z - c4 * c61 + c9 * phi_ddot))
     tau_place_23 = -c21 * gamma_y - C_s * w_n_omega
     c62 = c59 * phi_dot
-    tau_place_31 = (c62 * theta_dot + theta_dot * (c11 * theta_dot + c62) + phi_ddot * (2.0 * c15 - 2.0 * c8
-        * h_z) - h_y * k1 * theta_ddot)
+    tau_place_31 = (c62 * theta_dot + theta_dot * (c11 * theta_dot + c62) + phi_ddot * (2.0 * (c15 - c8 * h_z))
+        - h_y * k1 * theta_ddot)
     c63 = L_dot * c57
     tau_place_32 = (k1 * (c63 * phi_dot - L_ddot * h_y + phi_dot * (c63 + c60 * theta_dot) - gamma_y * w_x + theta_dot
         * (c60 * phi_dot - c9 * theta_dot) + J_yz * theta_ddot + c29 * phi_ddot) - k3 * (gamma_y * w_z + phi_dot
@@ -4709,7 +4709,7 @@ def derivatives_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
 
 
 def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench: 2045 (1208 mul, 833 add, 2 div, 2 sqrt)."""
+    """One leg's part of the derivatives of the wrench: 2043 (1206 mul, 833 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -5156,9 +5156,9 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     c230 = 2.0 * J_yy
     c231 = c230 * theta_dot
     c232 = 2.0 * c41
-    A_0_leg_31 = (6.0 * c189 - 3.0 * c133 + c118 * c136 + c139 * c20 * (3.0 * J_xx + 3.0 * J_yy - 3.0 * J_zz)
-        + c132 + 2.0 * c126 - c150 * c231 - c159 * c222 + J_xy * c161 + 2.0 * c127 - c157 * c232 - 6.0 * c10
-        * c46 * c73 - c161 * c212 + c199 + 2.0 * c138 + c145)
+    A_0_leg_31 = (6.0 * c189 - 3.0 * c133 + c118 * c136 + c139 * c20 * (3.0 * (J_xx + J_yy - J_zz)) + c132 + 2.0
+        * c126 - c150 * c231 - c159 * c222 + J_xy * c161 + 2.0 * c127 - c157 * c232 - 6.0 * c10 * c46 * c73
+        - c161 * c212 + c199 + 2.0 * c138 + c145)
     c233 = c173 * c175
     c234 = 4.0 * J_xz
     c236 = c230 + c163

@@ -8,7 +8,7 @@ OPERATIONS: dict[str, int] = {
     "equations": 4634,
     "bias": 2091,
     "forward_dynamics": 2973,
-    "derivatives": 10544,
+    "derivatives": 10532,
     "joint_rows": 2430,
     "joint_slopes": 13247,
 }

@@ -22,6 +22,7 @@ from ..mechanics.actuator_forces import ForceKernel, joined
 from ..mechanics.lumped_constants import q_1
 from ..print.template import filled
 from ..program.block import Block, Quantity, Step, rebuilt
+from ..program.order import NOTHING
 from .c import operations_table
 from .shared import SOLVE, Part, Source, header, top
 
@@ -49,7 +50,7 @@ def files(kernel: ForceKernel, before: ForceKernel | None, version: str) -> dict
         declarations=made.declared(*(made.structures[name] for name in ("Leg", "Model") if before is None)),
     )
     before_it = top(file, version, SOLVE) + filled("least_product.c")
-    return texts | {f"{file}.c": made.printed(before_it)}
+    return texts | {f"{file}.c": made.printed(before_it, fused=False)}
 
 
 class _Source(Source):
@@ -163,7 +164,7 @@ class _Source(Source):
         zeros = (sp.Integer(0),) * 3
         sides = [expr for q in lay.RIGHT_SIDE for expr in right.get(q, zeros)]
         return (
-            *lay.lines(block, self._layout),
+            *lay.lines(block, self._layout, ready=NOTHING),
             *lay.stores(self.of_pose, lambda q: lay.member("out", q)),
             *(t.Assign(_at(i, 6), expression(expr)) for i, expr in enumerate(sides)),
         )
@@ -185,7 +186,7 @@ class _Source(Source):
                 *lay.loaded(
                     block, lambda q: lay.Place(t.Name("q_1")) if q == q_1 else self._layout(q), *around
                 ),
-                *steps_of(block.steps),
+                *steps_of(block.steps, NOTHING),
             ),
             **lay.largest([*exprs[n.q], *(symbol for q in around for symbol in q.symbols)]),
             "SIZES": (
@@ -224,13 +225,13 @@ class _Source(Source):
             "LEAST_SINE": t.Name("STEWART_JOINT_SINGULAR_SINE" if alone else "STEWART_NEAR_JOINT_SINGULAR"),
             "BEFORE": (
                 *lay.loads((q for q in block.inputs if q != q_1), used, self._layout),
-                *steps_of(before),
+                *steps_of(before, NOTHING),
             ),
-            "AFTER": tuple(steps_of(after)),
+            "AFTER": tuple(steps_of(after, NOTHING)),
             "FIRST": lay.set_in_order(t.Member(t.Name("pose"), "q_1"), exprs[n.q]),
             "MOMENTS": (
                 *lay.loads([q_1], used, self._layout),
-                *steps_of(block.steps[len(own.steps) :]),
+                *steps_of(block.steps[len(own.steps) :], NOTHING),
                 *lay.assembled(exprs, lambda i: _at(i, t.Name("column")), lambda i: _at(i, 6)),
                 *(t.Assign(t.Name("known"), expression(e)) for e in exprs.get(n.D, ())),
             ),

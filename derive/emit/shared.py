@@ -83,6 +83,6 @@ class Source(ABC):
         """Structures and public functions as a header has them."""
         return C(self.functions).interface(*structures, *self.functions)
 
-    def printed(self, before: str) -> str:
-        """The source; before: how it begins."""
-        return C(self.texts.functions.values(), SIZES).source(before, *self.parts)
+    def printed(self, before: str, fused: bool = True) -> str:
+        """The source; before: how it begins; fused: products and sums as one."""
+        return C(self.texts.functions.values(), SIZES, fused=fused).source(before, *self.parts)

@@ -308,9 +308,18 @@ def count(exprs: Iterable[sp.Expr]) -> Operations:
     return total
 
 
+def common_factor(expr: sp.Add) -> sp.Integer:
+    """The whole number by which all terms of a sum are multiplied, and programs the sum: J_xx + J_yy - J_zz of
+    a rod is zero to the last digit, and three times that as well, which the sum of three products need not be."""
+    found = expr.as_content_primitive()[0]
+    return found if found.is_Integer else sp.S.One
+
+
 def _count(expr: sp.Expr) -> Operations:
     if expr.is_Atom:
         return Operations()
+    if expr.is_Add and (common := common_factor(expr)) != 1:
+        return Operations(mul=1) + _count(expr / common)
     inner = sum((_count(arg) for arg in expr.args), Operations())
     if expr.is_Add:
         return inner + Operations(add=len(expr.args) - 1)

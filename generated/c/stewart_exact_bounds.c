@@ -1917,7 +1917,7 @@ static void shared_errors(
             const stewart_real omega_P_z_bar = P_xz_bar*omega_P_x + P_yz_bar*omega_P_y + REAL(2)*P_zz_bar*omega_P_z;
             const stewart_real omega_P_z_bar_err = P_xz_bar_err*omega_P_x_max + P_xz_bar_max*omega_P_x_err + P_yz_bar_err*omega_P_y_max
                 + P_yz_bar_max*omega_P_y_err + REAL(2)*P_zz_bar_err*omega_P_z_max + REAL(2)*P_zz_bar_max*omega_P_z_err
-                + STEWART_UNIT*(REAL(2)*P_xz_bar_max*omega_P_x_max + REAL(2)*P_yz_bar_max*omega_P_y_max + REAL(2)*P_zz_bar_max*omega_P_z_max
+                + STEWART_UNIT*(REAL(2)*(P_xz_bar_max*omega_P_x_max + P_yz_bar_max*omega_P_y_max + P_zz_bar_max*omega_P_z_max)
                 + STEWART_FABS(omega_P_z_bar));
             const stewart_real omega_P_z_bar_max = STEWART_FABS(omega_P_z_bar) + omega_P_z_bar_err;
             const stewart_real omega_P_y_bar = P_xy_bar*omega_P_x + REAL(2)*P_yy_bar*omega_P_y + P_yz_bar*omega_P_z;
@@ -1934,15 +1934,15 @@ static void shared_errors(
             const stewart_real omega_P_x_bar_max = STEWART_FABS(omega_P_x_bar) + omega_P_x_bar_err;
             const stewart_real N_z_bar = R_C_x*Y_moment_y - R_C_y*Y_moment_x + c_force_z_bar;
             const stewart_real N_z_bar_err = c_force_z_bar_err + R_C_x_err*Y_moment_y_max + R_C_y_err*Y_moment_x_max
-                + STEWART_UNIT*(REAL(2)*R_C_x_max*Y_moment_y_max + REAL(2)*R_C_y_max*Y_moment_x_max + STEWART_FABS(N_z_bar));
+                + STEWART_UNIT*(REAL(2)*(R_C_x_max*Y_moment_y_max + R_C_y_max*Y_moment_x_max) + STEWART_FABS(N_z_bar));
             const stewart_real N_z_bar_max = STEWART_FABS(N_z_bar) + N_z_bar_err;
             const stewart_real N_y_bar = R_C_z*Y_moment_x - R_C_x*Y_moment_z + c_force_y_bar;
             const stewart_real N_y_bar_err = c_force_y_bar_err + R_C_x_err*Y_moment_z_max + R_C_z_err*Y_moment_x_max
-                + STEWART_UNIT*(REAL(2)*R_C_x_max*Y_moment_z_max + REAL(2)*R_C_z_max*Y_moment_x_max + STEWART_FABS(N_y_bar));
+                + STEWART_UNIT*(REAL(2)*(R_C_x_max*Y_moment_z_max + R_C_z_max*Y_moment_x_max) + STEWART_FABS(N_y_bar));
             const stewart_real N_y_bar_max = STEWART_FABS(N_y_bar) + N_y_bar_err;
             const stewart_real N_x_bar = R_C_y*Y_moment_z - R_C_z*Y_moment_y + c_force_x_bar;
             const stewart_real N_x_bar_err = c_force_x_bar_err + R_C_y_err*Y_moment_z_max + R_C_z_err*Y_moment_y_max
-                + STEWART_UNIT*(REAL(2)*R_C_y_max*Y_moment_z_max + REAL(2)*R_C_z_max*Y_moment_y_max + STEWART_FABS(N_x_bar));
+                + STEWART_UNIT*(REAL(2)*(R_C_y_max*Y_moment_z_max + R_C_z_max*Y_moment_y_max) + STEWART_FABS(N_x_bar));
             const stewart_real N_x_bar_max = STEWART_FABS(N_x_bar) + N_x_bar_err;
             const stewart_real c10 = M_P*N_x_bar;
             const stewart_real c10_err = M_P_err*N_x_bar_max + M_P_max*N_x_bar_err + STEWART_UNIT*STEWART_FABS(c10);
@@ -2381,8 +2381,8 @@ static void leg_errors(
     const stewart_real rho2 = k_cross_S_x*k_cross_S_x + k_cross_S_y*k_cross_S_y + k_cross_S_z*k_cross_S_z;
     const stewart_real rho2_own = STEWART_UNIT*(k_cross_S_z_max*k_cross_S_z_max + REAL(2)*k_cross_S_x_max*k_cross_S_x_max
         + REAL(2)*k_cross_S_y_max*k_cross_S_y_max + STEWART_FABS(rho2));
-    const stewart_real rho2_err = REAL(2)*k_cross_S_x_err*k_cross_S_x_max + REAL(2)*k_cross_S_y_err*k_cross_S_y_max
-        + REAL(2)*k_cross_S_z_err*k_cross_S_z_max + rho2_own;
+    const stewart_real rho2_err = REAL(2)*(k_cross_S_x_err*k_cross_S_x_max + k_cross_S_y_err*k_cross_S_y_max
+        + k_cross_S_z_err*k_cross_S_z_max) + rho2_own;
     const stewart_real rho2_max = STEWART_FABS(rho2) + rho2_err;
     /* (2) leg length, and distance of its tip from the fixed axis */
     const stewart_real L = STEWART_SQRT(zeta*zeta + rho2);
@@ -2655,7 +2655,7 @@ static void leg_errors(
     const stewart_real tau_k_own = STEWART_UNIT*(M_mixed_max*theta_ddot_max + REAL(7)*C_us_max*phi_dot_max + REAL(8)*L_ddot_max*k3_h_max
         + REAL(9)*M_mixed_theta_max*theta_dot2_max + REAL(2)*M_phi_max*phi_ddot_max + REAL(6)*gamma_n_max*w_y_max
         + REAL(5)*gamma_y_max*w_n_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(4)*two_phi_dot_max*(L_dot_max*M_phi_L_max
-        + M_phi_theta_max*theta_dot_max) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*M_phi_theta_max*theta_dot_max)
+        + M_phi_theta_max*theta_dot_max) + two_phi_dot_max*(REAL(2)*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max))
         + REAL(9)*C_s_max*(k_x_max*omega_x_max + k_y_max*omega_y_max + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max
         + REAL(3)*k_y_max*omega_y_max + REAL(2)*k_z_max*omega_z_max) + STEWART_FABS(tau_k));
     const stewart_real tau_k_err = C_us_err*phi_dot_max + C_us_max*phi_dot_err + L_ddot_err*k3_h_max + L_ddot_max*k3_h_err
@@ -3014,7 +3014,7 @@ static void leg_errors(
             + L_dot_err*M_phi_L_max*tau_k_bar_max + L_dot_max*M_phi_L_err*tau_k_bar_max + M_phi_theta_err*tau_k_bar_max*theta_dot_max
             + M_phi_theta_max*tau_k_bar_max*theta_dot_err + tau_k_bar_err*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
             + STEWART_UNIT*(phi_ddot_bar_max*rho_share_max + tau_k_bar_max*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)
-            + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max + REAL(2)*M_phi_theta_max*theta_dot_max) + STEWART_FABS(two_phi_dot_bar));
+            + tau_k_bar_max*(REAL(2)*(L_dot_max*M_phi_L_max + M_phi_theta_max*theta_dot_max)) + STEWART_FABS(two_phi_dot_bar));
         const stewart_real two_phi_dot_bar_max = STEWART_FABS(two_phi_dot_bar) + two_phi_dot_bar_err;
         const stewart_real phi_dot2_bar = L*L_ddot_bar*k33 - D_weight*M_phi_L - M_phi_theta*tau_y_bar;
         const stewart_real phi_dot2_bar_err = D_weight_max*M_phi_L_err + M_phi_theta_err*tau_y_bar_max + M_phi_theta_max*tau_y_bar_err
@@ -3023,7 +3023,7 @@ static void leg_errors(
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
         const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar - D_weight*h_x + c5;
         const stewart_real theta_dot2_bar_err = c5_err + D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
-            + M_mixed_theta_max*tau_k_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_x_max + REAL(2)*M_mixed_theta_max*tau_k_bar_max
+            + M_mixed_theta_max*tau_k_bar_err + STEWART_UNIT*(REAL(2)*(D_weight_max*h_x_max + M_mixed_theta_max*tau_k_bar_max)
             + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
         const stewart_real L_share_bar = rho_share_bar - c6;
@@ -3637,8 +3637,8 @@ static void leg_errors_near_singularity(
     const stewart_real L = STEWART_SQRT(S_x*S_x + S_y*S_y + S_z*S_z);
     const stewart_real L_own = root_error(L, STEWART_UNIT*(REAL(3)*S_x_max*S_x_max + REAL(3)*S_y_max*S_y_max
         + REAL(2)*S_z_max*S_z_max));
-    const stewart_real L_err = root_error(L, REAL(2)*S_x_err*S_x_max + REAL(2)*S_y_err*S_y_max + REAL(2)*S_z_err*S_z_max
-        + STEWART_UNIT*(REAL(3)*S_x_max*S_x_max + REAL(3)*S_y_max*S_y_max + REAL(2)*S_z_max*S_z_max));
+    const stewart_real L_err = root_error(L, REAL(2)*(S_x_err*S_x_max + S_y_err*S_y_max + S_z_err*S_z_max) + STEWART_UNIT*(REAL(3)*S_x_max*S_x_max
+        + REAL(3)*S_y_max*S_y_max + REAL(2)*S_z_max*S_z_max));
     const stewart_real L_max = STEWART_FABS(L) + L_err;
     const stewart_real inv_L = REAL(1)/L;
     const stewart_real inv_L_own = STEWART_UNIT*STEWART_FABS(inv_L);
@@ -3682,8 +3682,8 @@ static void leg_errors_near_singularity(
     const stewart_real rho_own = root_error(rho,
         STEWART_UNIT*(REAL(3)*s_cross_normal_x_max*s_cross_normal_x_max + REAL(3)*s_cross_normal_y_max*s_cross_normal_y_max
         + REAL(2)*s_cross_normal_z_max*s_cross_normal_z_max));
-    const stewart_real rho_err = root_error(rho, REAL(2)*s_cross_normal_x_err*s_cross_normal_x_max + REAL(2)*s_cross_normal_y_err*s_cross_normal_y_max
-        + REAL(2)*s_cross_normal_z_err*s_cross_normal_z_max + STEWART_UNIT*(REAL(3)*s_cross_normal_x_max*s_cross_normal_x_max
+    const stewart_real rho_err = root_error(rho, REAL(2)*(s_cross_normal_x_err*s_cross_normal_x_max + s_cross_normal_y_err*s_cross_normal_y_max
+        + s_cross_normal_z_err*s_cross_normal_z_max) + STEWART_UNIT*(REAL(3)*s_cross_normal_x_max*s_cross_normal_x_max
         + REAL(3)*s_cross_normal_y_max*s_cross_normal_y_max + REAL(2)*s_cross_normal_z_max*s_cross_normal_z_max));
     const stewart_real rho_max = STEWART_FABS(rho) + rho_err;
     const stewart_real inv_rho = REAL(1)/rho;
@@ -3957,9 +3957,9 @@ static void leg_errors_near_singularity(
         + REAL(5)*gamma_y_max*w_n_max + REAL(4)*bend_max*h2_y_max*k1_max + REAL(9)*C_s_max*(k_x_max*omega_x_max
         + k_y_max*omega_y_max + k_z_max*omega_z_max) + C_s_max*(REAL(3)*k_x_max*omega_x_max + REAL(3)*k_y_max*omega_y_max
         + REAL(2)*k_z_max*omega_z_max) + REAL(4)*two_phi_dot_max*(L_dot_max*M_phi_L_max + theta_dot_max*(STEWART_HALF*J2_xz_max
-        + J_xx_max*kappa_max + STEWART_HALF*c2_max)) + two_phi_dot_max*(REAL(2)*L_dot_max*M_phi_L_max + theta_dot_max*(J2_xz_max
-        + c2_max + REAL(2)*J_xx_max*kappa_max) + REAL(2)*theta_dot_max*(STEWART_HALF*J2_xz_max + J_xx_max*kappa_max
-        + STEWART_HALF*c2_max)) + STEWART_FABS(tau_k));
+        + J_xx_max*kappa_max + STEWART_HALF*c2_max)) + two_phi_dot_max*(REAL(2)*(L_dot_max*M_phi_L_max + theta_dot_max*(STEWART_HALF*J2_xz_max
+        + J_xx_max*kappa_max + STEWART_HALF*c2_max) + STEWART_HALF*theta_dot_max*(J2_xz_max + c2_max + REAL(2)*J_xx_max*kappa_max)))
+        + STEWART_FABS(tau_k));
     const stewart_real tau_k_err = C_us_err*phi_dot_max + C_us_max*phi_dot_err + L_ddot_err*k3_h_max + L_ddot_max*k3_h_err
         + M_mixed_err*theta_ddot_max + M_mixed_max*theta_ddot_err + M_mixed_theta_err*theta_dot2_max + M_mixed_theta_max*theta_dot2_err
         + M_phi_err*own_phi_ddot_max + M_phi_max*own_phi_ddot_err + gamma_n_err*w_y_max + gamma_n_max*w_y_err
@@ -4331,8 +4331,8 @@ static void leg_errors_near_singularity(
             + lean_err*phi_ddot_bar_max + lean_max*phi_ddot_bar_err + L_dot_err*M_phi_L_max*tau_k_bar_max + L_dot_max*M_phi_L_err*tau_k_bar_max
             + c12_err*tau_k_bar_max*theta_dot_max + c12_max*tau_k_bar_max*theta_dot_err + tau_k_bar_err*(L_dot_max*M_phi_L_max
             + c12_max*theta_dot_max) + STEWART_UNIT*(L_share_max*own_phi_ddot_bar_max + REAL(2)*lean_max*phi_ddot_bar_max
-            + REAL(2)*tau_k_bar_max*(L_dot_max*M_phi_L_max + c12_max*theta_dot_max) + tau_k_bar_max*(REAL(2)*L_dot_max*M_phi_L_max
-            + REAL(2)*c12_max*theta_dot_max) + STEWART_FABS(two_phi_dot_bar));
+            + REAL(2)*tau_k_bar_max*(L_dot_max*M_phi_L_max + c12_max*theta_dot_max) + tau_k_bar_max*(REAL(2)*(L_dot_max*M_phi_L_max
+            + c12_max*theta_dot_max)) + STEWART_FABS(two_phi_dot_bar));
         const stewart_real two_phi_dot_bar_max = STEWART_FABS(two_phi_dot_bar) + two_phi_dot_bar_err;
         const stewart_real phi_dot2_bar = tau_y_bar*(c10*k13 + c3*c7) - D_weight*M_phi_L + c1*theta_ddot_bar
             + c11*k33;
@@ -4340,11 +4340,11 @@ static void leg_errors_near_singularity(
             + c1_max*theta_ddot_bar_err + c10_err*k13_max*tau_y_bar_max + c10_max*k13_err*tau_y_bar_max + c3_err*c7_max*tau_y_bar_max
             + c3_max*c7_err*tau_y_bar_max + tau_y_bar_err*(c10_max*k13_max + c3_max*c7_max) + STEWART_UNIT*(c11_max*k33_max
             + REAL(3)*D_weight_max*M_phi_L_max + REAL(2)*c1_max*theta_ddot_bar_max + REAL(3)*tau_y_bar_max*(c10_max*k13_max
-            + c3_max*c7_max) + tau_y_bar_max*(REAL(2)*c10_max*k13_max + REAL(2)*c3_max*c7_max) + STEWART_FABS(phi_dot2_bar));
+            + c3_max*c7_max) + tau_y_bar_max*(REAL(2)*(c10_max*k13_max + c3_max*c7_max)) + STEWART_FABS(phi_dot2_bar));
         const stewart_real phi_dot2_bar_max = STEWART_FABS(phi_dot2_bar) + phi_dot2_bar_err;
         const stewart_real theta_dot2_bar = M_mixed_theta*tau_k_bar - D_weight*h_x + c11;
         const stewart_real theta_dot2_bar_err = c11_err + D_weight_max*h_x_err + M_mixed_theta_err*tau_k_bar_max
-            + M_mixed_theta_max*tau_k_bar_err + STEWART_UNIT*(REAL(2)*D_weight_max*h_x_max + REAL(2)*M_mixed_theta_max*tau_k_bar_max
+            + M_mixed_theta_max*tau_k_bar_err + STEWART_UNIT*(REAL(2)*(D_weight_max*h_x_max + M_mixed_theta_max*tau_k_bar_max)
             + STEWART_FABS(theta_dot2_bar));
         const stewart_real theta_dot2_bar_max = STEWART_FABS(theta_dot2_bar) + theta_dot2_bar_err;
         const stewart_real lean_bar = -phi_ddot_bar*two_phi_dot;

@@ -3403,7 +3403,7 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real c55 = REAL(2)*h_x;
         const stewart_real tau_rate_22 = STEWART_FMA(L_dot, c55, C_us);
         const stewart_real tau_rate_23 = -c31*c5;
-        const stewart_real tau_rate_31 = STEWART_FMA(-REAL(2), c34, REAL(2)*c16*phi_dot);
+        const stewart_real tau_rate_31 = REAL(2)*STEWART_FMA(c16, phi_dot, -c34);
         const stewart_real tau_rate_32 = STEWART_FMA(c31, c5, STEWART_FMA(-REAL(2), c38, REAL(2)*c39));
         const stewart_real tau_rate_33 = STEWART_FMA(REAL(2), c36, STEWART_FMA(REAL(2), c35, C_us));
         const stewart_real c56 = h_y*phi_ddot;
@@ -3421,8 +3421,8 @@ STEWART_APART static void derivatives_of_leg(
         const stewart_real tau_place_23 = STEWART_FMA(-C_s, w_n_omega, -c21*gamma_y);
         const stewart_real c62 = c59*phi_dot;
         const stewart_real tau_place_31 = STEWART_FMA((-h_y)*k1, theta_ddot, STEWART_FMA(phi_ddot,
-            STEWART_FMA((-REAL(2))*c8, h_z, REAL(2)*c15), STEWART_FMA(theta_dot, STEWART_FMA(c11, theta_dot,
-            c62), c62*theta_dot)));
+            REAL(2)*STEWART_FMA(-c8, h_z, c15), STEWART_FMA(theta_dot, STEWART_FMA(c11, theta_dot, c62),
+            c62*theta_dot)));
         const stewart_real c63 = L_dot*c57;
         const stewart_real tau_place_32 = STEWART_FMA(-k3, STEWART_FMA(c25, c49, STEWART_FMA(L_dot,
             STEWART_FMA(-c40, h_z, -c33), STEWART_FMA(c9, theta_ddot, STEWART_FMA(theta_dot,
@@ -4342,9 +4342,8 @@ STEWART_APART static void derivatives_of_near(
         const stewart_real A_0_leg_31 = STEWART_FMA(REAL(2), c138, STEWART_FMA(-c161, c212,
             STEWART_FMA((-REAL(6))*c10*c46, c73, STEWART_FMA(-c157, c232, STEWART_FMA(REAL(2), c127,
             STEWART_FMA(J_xy, c161, STEWART_FMA(-c159, c222, STEWART_FMA(-c150, c231, STEWART_FMA(REAL(2),
-            c126, STEWART_FMA(c139*c20, STEWART_FMA(-REAL(3), J_zz, STEWART_FMA(REAL(3), J_yy,
-            REAL(3)*J_xx)), STEWART_FMA(c118, c136, STEWART_FMA(-REAL(3), c133, REAL(6)*c189))) + c132))))))))
-            + c199) + c145;
+            c126, STEWART_FMA(c139*c20, REAL(3)*(J_xx + J_yy - J_zz), STEWART_FMA(c118, c136,
+            STEWART_FMA(-REAL(3), c133, REAL(6)*c189))) + c132)))))))) + c199) + c145;
         const stewart_real c233 = c173*c175;
         const stewart_real c234 = REAL(4)*J_xz;
         const stewart_real c236 = c230 + c163;

@@ -15,7 +15,7 @@
  * equations         4634 (2625 mul, 1985 add, 12 div, 12 sqrt)   4289
  * bias              2091 (1239 mul, 828 add, 12 div, 12 sqrt)    1875
  * forward_dynamics  2973 (1719 mul, 1230 add, 12 div, 12 sqrt)   2757
- * derivatives       10544 (5838 mul, 4682 add, 12 div, 12 sqrt)  8907
+ * derivatives       10532 (5826 mul, 4682 add, 12 div, 12 sqrt)  8889
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H

@@ -39,8 +39,8 @@ def trajectory_of(
     robot: "Robot", source: Path, arguments: argparse.Namespace, progress: Progress
 ) -> "Trajectory | PoseLog":
     """Poses over time from a CSV file of poses or of leg lengths, read as the options say."""
+    from ..kinematics.robot_logs import read_log_of
     from ..motion.interpolation import resampled
-    from ..motion.log_reader import read_log
     from ..motion.trajectory import Smoothing
 
     if not arguments.smoothing:
@@ -49,9 +49,8 @@ def trajectory_of(
                 option = name.replace("_", "-")
                 raise ValueError(f"--{option}: is for smoothing, expected no --no-smoothing beside it")
     smoothing = Smoothing(*stated_noise(arguments), arguments.cutoff, arguments.smoothing)
-    trajectory = poses_of(
-        robot, read_log(source, log_format(arguments), smoothing, progress), arguments.start, progress
-    )
+    log = read_log_of(robot, source, log_format(arguments, robot), smoothing, progress)
+    trajectory = poses_of(robot, log, arguments.start, progress)
     return trajectory if arguments.rate is None else resampled(trajectory, arguments.rate)
 
 
@@ -66,12 +65,16 @@ def stated_noise(arguments: argparse.Namespace) -> "tuple[float | None, float | 
     )
 
 
-def log_format(arguments: argparse.Namespace) -> "LogFormat":
-    """How the options say that a trajectory's file is read."""
+def log_format(arguments: argparse.Namespace, robot: "Robot | None" = None) -> "LogFormat":
+    """How the options say that a trajectory's file is read, and where they don't, the robot file."""
     from ..motion.logs import LogFormat
 
-    names = ("columns", "length_unit", "angle_unit", "time_unit", "delimiter", "decimal", "euler_order")
-    return LogFormat(**{name: getattr(arguments, name) for name in names})
+    names = ("columns", "length_unit", "angle_unit", "time_unit", "delimiter", "decimal")
+    form = {name: getattr(arguments, name) for name in names}
+    for name in ("euler_order", "lengths"):
+        stated = getattr(arguments, name) or getattr(robot, name, None)
+        form |= {name: stated} if stated else {}
+    return LogFormat(**form)
 
 
 def poses_of(

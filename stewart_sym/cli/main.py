@@ -24,6 +24,8 @@ from .terminal import PROGRAM, give_up_stdout, one_line, warnings_in_lines
 
 SUBCOMMANDS = {
     "reproduce": "studies.reproduce",
+    "new": "machine.new",
+    "robots": "machine.robots",
     "check": "machine.check",
     "forces": "machine.forces",
     "singularities": "machine.singularities",

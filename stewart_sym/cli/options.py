@@ -8,12 +8,12 @@ from pathlib import Path
 
 def robot_file(parser: argparse.ArgumentParser) -> None:
     """Name of the robot file."""
-    parser.add_argument("robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1")
+    parser.add_argument("robot", metavar="ROBOT.toml", type=Path, help="robot file, schema 1 or 2")
 
 
 def other_robot(parser: argparse.ArgumentParser) -> None:
     """``--robot``."""
-    text = "robot file, schema 1; default: the paper's machine"
+    text = "robot file, schema 1 or 2; default: the paper's machine"
     parser.add_argument("--robot", metavar="ROBOT.toml", type=Path, help=text)
 
 
@@ -139,8 +139,12 @@ def log_form(parser: argparse.ArgumentParser) -> argparse._ArgumentGroup:
     group.add_argument(
         "--euler-order",
         choices=("xyz", "xzy", "yxz", "yzx", "zxy", "zyx"),
-        default="zyx",
-        help="order in which the rotations are multiplied; default: zyx, R = Rz Ry Rx",
+        help="order in which the rotations are multiplied; default: the robot file's, else zyx, R = Rz Ry Rx",
+    )
+    group.add_argument(
+        "--lengths",
+        choices=("absolute", "relative"),
+        help="whether leg lengths are less those of the home pose; default: the robot file's, else absolute",
     )
     return group
 

@@ -114,9 +114,10 @@ def _quotient(x: Array, y: Array) -> Array:
 def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: Array) -> Iterator[Motion]:
     """Motions displaced by each column of the factors that is not 0 throughout."""
     assert trajectory.noise is not None
-    motion = trajectory.at(part)
+    motion, tool = trajectory.at(part), trajectory.noise.tool
     coordinates = trajectory.noise.coordinates[:, part]
     J = jacobian(robot, motion.R, motion.t) if trajectory.noise.in_joints else None
+    motion = motion if tool is None else motion.about_point(tool)
     for i in range(6):
         for k in range(3):
             if not L[:, i, :, k].any():
@@ -125,11 +126,13 @@ def _displaced(robot: Robot, trajectory: Trajectory | PoseLog, part: slice, L: A
             moved[:, :, i] += L[:, i, :, k].T
             if J is not None:
                 yield _on_legs(robot, motion, J, moved - coordinates, moved)
-            elif i < 3:
-                yield _moved(motion, t=moved[0, :, :3], v=moved[1, :, :3], a=moved[2, :, :3])
+                continue
+            if i < 3:
+                other = _moved(motion, t=moved[0, :, :3], v=moved[1, :, :3], a=moved[2, :, :3])
             else:
                 R, omega, alpha = rpy_motion(*moved[..., 3:])
-                yield _moved(motion, R=R, omega=omega, alpha=np.asarray(alpha))
+                other = _moved(motion, R=R, omega=omega, alpha=np.asarray(alpha))
+            yield other if tool is None else other.about_point(-tool)
 
 
 def _on_legs(robot: Robot, motion: Motion, J: Array, shift: Array, legs: Array) -> Motion:

@@ -1,4 +1,4 @@
-"""A home pose: the level platform above the base, where studies and excitations start from."""
+"""A home pose: as the robot states, or the level platform above the base, where studies start from."""
 
 from dataclasses import dataclass
 
@@ -16,9 +16,9 @@ __all__ = ["HomePose", "home_pose", "platform_side", "radius", "up_direction", "
 
 @dataclass(frozen=True, eq=False)
 class HomePose:
-    """The level platform at rest, its points centred above the base points.
+    """The level platform at rest: where the robot states it, else its points centred above the base points.
 
-    side: which side of the base that is. rule: how the height was chosen. t: position of the reference
+    side: which side of the base that is. rule: how the position was chosen. t: position of the reference
     point, m, (3,). L: leg lengths, m, (6,). F: forces that hold it there, N, (6,), NaN if none can.
     condition, scaled_condition: of H. status: a code of ``STATUS_TEXT``.
     """
@@ -34,12 +34,14 @@ class HomePose:
 
 
 def home_pose(robot: Robot) -> HomePose:
-    """Choose a height: legs in the middle of their length limits, or where there are none H at its best."""
-    t = level_positions(robot, up_direction(robot))
+    """Take the stated one, or choose a height: legs amid their limits, or without any H at its best."""
+    t = level_positions(robot, up_direction(robot)) if robot.home is None else robot.home[None]
     L = level_lengths(robot, t)
     forces = inverse_dynamics(robot, at_rest(np.eye(3), t), backend="numpy", on_singular="nan")
     scaled = scaled_condition_number(forces.H, characteristic_length(robot))
-    if np.all(np.isfinite(robot.length_limits)):
+    if robot.home is not None:
+        rule, best = "as the robot file states", 0
+    elif np.all(np.isfinite(robot.length_limits)):
         rule = "the height that puts the legs, on average, in the middle of their length limits"
         best = int(np.argmin(np.abs(L.mean(axis=-1) - robot.length_limits.mean())))
     else:

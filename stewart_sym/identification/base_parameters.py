@@ -5,11 +5,11 @@ mass of an upper part acts as a point fixed to the platform at p: 100 of the 148
 independent (``MERGED`` holds the formulas). All six components of a leg's inertia count, since the
 universal joint spins the leg. On a special machine fewer parameters are identifiable, such as no h_d_y
 where the axes point along gravity, and along a given motion fewer still; the rank of Y over a stack of
-poses decides.
+poses decides. Legs that are built alike share their parameters: 25 are left then.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from types import MappingProxyType
 
@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from ..dynamics.home_pose import home_pose, radius, upright
 from ..dynamics.inverse import need_universal
 from ..generated import exact_regressor
-from ..io.arguments import instance, truth
+from ..io.arguments import instance, option, truth
 from ..io.array_types import Array, Flags
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import inverse_kinematics, joint_sines
@@ -44,18 +44,26 @@ _MOST_DRAWS = 20
 _REGULAR = 0.1
 
 
+SHARED = ("legs",)
+"""What parameters may be shared by."""
+
+
 @dataclass(frozen=True, eq=False)
 class BaseParameters:
-    """The combinations of pi that a machine's wrench depends on: Y pi = Y[..., kept] (matrix pi).
+    """The combinations of pi that a machine's wrench depends on: Y pi = Y lift (matrix pi).
 
     Attributes
     ----------
     rank : int
         How many there are.
     kept : ndarray of int
-        Columns of Y that stay, int, (rank,).
+        Columns of Y that stay, int, (rank,): Y lift = Y[..., kept]. Where legs share their parameters, those
+        of leg 1, to which the others' are added.
     matrix : ndarray
-        From pi to the base parameters, (rank, 148); 1 at the kept ones.
+        From pi to the base parameters, (rank, 148); 1 at the kept ones. Where legs share their parameters,
+        these are the means of the legs'.
+    lift : ndarray
+        From base parameters to one of the pi that have them, (148, rank).
     names : tuple
         Of the kept parameters.
     formulas : tuple
@@ -63,10 +71,12 @@ class BaseParameters:
     units : tuple
         Of each.
     singular_values : ndarray
-        Of the stack with columns of length 1, falling, (148,).
+        Of the stack with columns of length 1, falling, (148,), or (33,) where legs share their parameters.
     gap : float
         Ratio of the last that counts to the first that is rounding error; below about 1e3 the rank is not to
         be trusted.
+    shared : str, optional
+        ``"legs"`` where all legs share their parameters, whose names have no number then.
     """
 
     rank: int
@@ -77,9 +87,21 @@ class BaseParameters:
     units: tuple[str, ...]
     singular_values: Array
     gap: float
+    lift: Array
+    shared: str | None = None
+
+    def columns(self) -> NDArray[np.intp]:
+        """Columns of Y that count, (n,)."""
+        return self.kept if self.shared is None else np.flatnonzero(self.lift.any(axis=1))
+
+    def reduced(self, Y: Array) -> Array:
+        """Columns of the base parameters, (..., 6, rank), from those of Y that count, (..., 6, n)."""
+        return Y if self.shared is None else np.asarray(Y @ self.lift[self.columns()])
 
 
-def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool = True) -> BaseParameters:
+def base_parameters(
+    robot: Robot, motion: Motion | None = None, friction: bool = True, shared: str | None = None
+) -> BaseParameters:
     """Find the base parameters by the singular values of Y, stacked over many poses.
 
     Parameters that merge on every machine are given up first (m_d, J_d, m_u of each leg), so that the names
@@ -94,6 +116,9 @@ def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool =
         home pose with random rates and accelerations, fixed seed: what any motion can excite.
     friction : bool, optional
         False for a model whose joints have none.
+    shared : {"legs"}, optional
+        For legs that are built alike, with the same parameters in the leg frame: these are sought once, not
+        leg by leg.
 
     Returns
     -------
@@ -110,15 +135,20 @@ def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool =
     truth(friction, "friction")
     if motion is not None:
         instance(motion, Motion, "motion")
+    if shared is not None:
+        option(shared, SHARED, "shared")
     stack = _stacked(robot, _random_motion(robot) if motion is None else motion)
     names, units = parameter_names()
+    spread, dependent = np.eye(len(names)), _of_all_legs(exact_regressor.DEPENDENT)
+    if shared is not None:
+        spread, names, units = _shared_by_legs()
+        stack, dependent = stack @ spread, set(exact_regressor.DEPENDENT)
     if not friction:
         stack[:, is_friction(names)] = 0.0
     lengths = _lengths(stack, units)
     values, directions = _singular(stack / np.where(lengths > 0.0, lengths, np.inf))
     rank = int(np.count_nonzero(values > _ROUNDING * values[0])) if values[0] > 0.0 else 0
     unfelt = directions[rank:].T
-    dependent = {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
     lost = _given_up(unfelt, np.flatnonzero([name in dependent for name in names]))
     kept = np.setdiff1d(np.arange(len(names)), lost)
     shares = np.linalg.solve(unfelt[lost].T, -unfelt[kept].T).T
@@ -128,14 +158,37 @@ def base_parameters(robot: Robot, motion: Motion | None = None, friction: bool =
     matrix[:, lost] = shares * lengths[lost] / lengths[kept, None]
     return BaseParameters(
         rank=rank,
-        kept=kept,
-        matrix=matrix,
+        kept=np.argmax(spread[:, kept], axis=0),
+        matrix=matrix if shared is None else matrix @ (spread / spread.sum(axis=0)).T,
         names=tuple(names[i] for i in kept),
         formulas=tuple(_formula(i, row, names) for i, row in zip(kept.tolist(), matrix, strict=True)),
         units=tuple(units[i] for i in kept),
         singular_values=values,
         gap=_gap(values, rank),
+        lift=spread[:, kept],
+        shared=shared,
     )
+
+
+def alike(pi: Array) -> Array:
+    """Parameters in which every leg has the mean of all legs', (148,)."""
+    spread, _, _ = _shared_by_legs()
+    return np.asarray(spread @ (spread.T @ pi / spread.sum(axis=0)))
+
+
+def _of_all_legs(names: Iterable[str]) -> set[str]:
+    return {leg_name(name, leg) for name in names for leg in range(1, LEGS + 1)}
+
+
+def _shared_by_legs() -> tuple[Array, tuple[str, ...], tuple[str, ...]]:
+    """From parameters that all legs share, and the platform's, to pi, (148, 33); their names and units."""
+    of_leg, of_platform = exact_regressor.LEG_PARAMETERS, exact_regressor.PLATFORM_PARAMETERS
+    legs = np.tile(np.eye(len(of_leg)), (LEGS, 1))
+    spread = np.zeros((len(legs) + len(of_platform), len(of_leg) + len(of_platform)))
+    spread[: len(legs), : len(of_leg)] = legs
+    spread[len(legs) :, len(of_leg) :] = np.eye(len(of_platform))
+    rows = (*of_leg, *of_platform)
+    return spread, tuple(name for name, _ in rows), tuple(unit for _, unit in rows)
 
 
 def _stacked(robot: Robot, motion: Motion) -> Array:

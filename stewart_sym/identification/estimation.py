@@ -82,6 +82,7 @@ def identify(
     base: BaseParameters | None = None,
     noise: PoseNoise | None = None,
     physical: bool = False,
+    shared: str | None = None,
 ) -> Estimate:
     """Estimate the base parameters by weighted least squares, and test the residual.
 
@@ -106,6 +107,8 @@ def identify(
     physical : bool, optional
         Keep to bodies that can exist; what the forces do not decide is then as near as can be to the robot's
         own bodies, all 148 parameters are given, and the deviations take that into account. Needs SciPy.
+    shared : {"legs"}, optional
+        As for ``base_parameters``, without ``base``.
 
     Returns
     -------
@@ -126,8 +129,10 @@ def identify(
         need("scipy", WITHOUT_PERIOD)
     if noise is None:
         need_motion(robot, motion)
+    if base is not None and shared is not None:
+        raise ValueError(f'shared: expected None beside base, got "{shared}"')
     if base is None:
-        base = base_parameters(robot)
+        base = base_parameters(robot, shared=shared)
     instance(motion, Motion, "motion")
     instance(base, BaseParameters, "base")
     forces = finite_array(F, (LEGS,), "F")

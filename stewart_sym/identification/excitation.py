@@ -129,6 +129,7 @@ def choose_excitation(
     candidates: int = 50,
     seed: int = 0,
     progress: Progress = silent,
+    shared: str | None = None,
 ) -> Excitation:
     """Draw Fourier series about the home pose and keep the one whose regressor is best conditioned.
 
@@ -153,6 +154,8 @@ def choose_excitation(
         Of the draws.
     progress : Progress, optional
         Called with what is being done and the share of the candidates that is done, 0 to 1.
+    shared : {"legs"}, optional
+        As for ``base_parameters``.
 
     Returns
     -------
@@ -169,7 +172,7 @@ def choose_excitation(
         _count(value, name)
     need_seed(seed)
     period = _own_period(robot) if period is None else number_in(period, "period", "a duration > 0 s")
-    base, home, size = base_parameters(robot), home_pose(robot), radius(robot.b)
+    base, home, size = base_parameters(robot, shared=shared), home_pose(robot), radius(robot.b)
     width = _WIDTH * np.array([size, size, size, 1.0, 1.0, 1.0]) / np.arange(1, harmonics + 1)[:, None]
     rng, turn = np.random.default_rng(seed), upright(robot)
     best: Excitation | None = None
@@ -195,7 +198,8 @@ def force_regressor(robot: Robot, motion: Motion, base: BaseParameters) -> Array
     Raises ValueError for poses in which H is singular.
     """
     H = inverse_dynamics(robot, motion).H
-    return np.asarray(np.linalg.solve(H, regressor(robot, motion, columns=base.kept)))
+    Y = base.reduced(regressor(robot, motion, columns=base.columns()))
+    return np.asarray(np.linalg.solve(H, Y))
 
 
 def _within_limits(

@@ -138,8 +138,7 @@ def _force_derivatives(data: Data, motion: Motion, values: Array) -> tuple[Array
     Identified parameters may belong to no machine (masses or friction below zero). Forces are linear in them,
     so they are the difference of two machines that exist.
     """
-    lifted = np.zeros(data.base.matrix.shape[1])
-    lifted[data.base.kept] = values
+    lifted = data.base.lift @ values
     own = inertial_parameters(data.robot)
     mass = own.names.index("M")
     lesser = np.where(is_friction(own.names), np.abs(lifted), own.values)

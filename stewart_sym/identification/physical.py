@@ -7,17 +7,20 @@ in L are (Rucker and Wensing 2022).
 """
 
 import math
+import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..generated import exact_regressor
 from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..robot.robot import LEGS, Robot
-from .base_parameters import BaseParameters
+from .base_parameters import BaseParameters, alike
 from .parameters import (
     Parameters,
     body_parameters,
@@ -46,6 +49,7 @@ _STEP = 1e-6
 # Deviations below zero from which on noise does not explain a negative value: of some thirty values that are
 # looked at, noise takes one so far in one estimate of a thousand.
 _SURE = 4.0
+_OTHERS = re.compile(rf"(?:leg |C_[ups])[2-{LEGS}]\b")
 # Of one fit: steps, and the relative decrease of its sum of squares that counts as none.
 _MOST_STEPS, _NO_DECREASE = 150, 1e-6
 
@@ -82,6 +86,8 @@ def negative(robot: Robot, base: BaseParameters, values: Array, covariance: Arra
     not positive definite. If every base parameter is the one of ``MERGED``, these conditions are sufficient
     too.
     """
+    if base.shared is not None:
+        return _negative_alike(robot, base, values, covariance)
     impossible, near_zero = [], []
     for text, unit, condition in _conditions(robot, base, values):
         value = condition(values)
@@ -102,6 +108,34 @@ def negative(robot: Robot, base: BaseParameters, values: Array, covariance: Arra
     return Negative(*(tuple(line for _, line in sorted(found)) for found in (impossible, near_zero)))
 
 
+def _negative_alike(robot: Robot, base: BaseParameters, values: Array, covariance: Array) -> Negative:
+    """``negative`` of legs that share their parameters: lines about leg 1 are about all."""
+    of_any = (*exact_regressor.LEG_PARAMETERS, *exact_regressor.PLATFORM_PARAMETERS)
+    general = {name for name, _ in of_any} - set(exact_regressor.DEPENDENT)
+    # Where all of these are identified, they are the combinations of every machine.
+    if any(name not in base.names and not is_friction([name])[0] for name in general):
+        return Negative((), ())
+    rows, unit_of = _general_rows(robot), dict(zip(*parameter_names(), strict=True))
+    merged = {leg_name(name, leg) for name in exact_regressor.DEPENDENT for leg in range(1, LEGS + 1)}
+    kept = [name for name in rows if name not in merged]
+    full = replace(
+        base,
+        names=tuple(kept),
+        units=tuple(unit_of[name] for name in kept),
+        matrix=np.array([rows[name] for name in kept]),
+        shared=None,
+    )
+    apart = full.matrix @ base.lift
+    found = negative(robot, full, apart @ values, apart @ covariance @ apart.T)
+    own = ([line for line in lines if not _OTHERS.match(line)] for lines in found)
+    return Negative(*(tuple(map(_of_all_legs, lines)) for lines in own))
+
+
+def _of_all_legs(line: str) -> str:
+    """A line about leg 1 as one about all."""
+    return re.sub(r"^(C_[ups])1\b", r"\1", re.sub(r"^leg 1\b", "all legs", line))
+
+
 def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: Array) -> PossibleFit:
     """Fit bodies that are possible to an estimate.
 
@@ -115,8 +149,7 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
     bodies, friction = _split(own.values)
     roots = np.array([_root(body) for body in bodies])
     sigma = np.sqrt(np.diagonal(covariance))
-    measured = np.zeros(len(own.values))
-    measured[base.kept] = np.abs(values) + sigma
+    measured = base.lift @ (np.abs(values) + sigma)
     _, unit = _split(measured)
     unit = np.where(np.maximum(unit, friction) > 0.0, np.maximum(unit, friction), 1.0)
     share, vectors = np.linalg.eigh(covariance / np.outer(sigma, sigma))
@@ -159,6 +192,8 @@ def possible_fit(robot: Robot, base: BaseParameters, values: Array, covariance: 
         )
         x = found.x
     pi = all_parameters(found.x)
+    # Of legs that share their parameters the mean is as possible as they are, and explains as much.
+    pi = pi if base.shared is None else alike(pi)
     spread = base.matrix @ jacobian(found.x) @ np.linalg.inv(np.linalg.qr(found.jac, mode="r"))
     squares = float(np.sum(found.fun[: base.rank] ** 2))
     return PossibleFit(Parameters(pi, own.names, own.units), base.matrix @ pi, spread @ spread.T, squares)
@@ -228,6 +263,19 @@ def _platform_condition(
 
 def _usual(robot: Robot, base: BaseParameters) -> Callable[[Sequence[str]], list[int] | None]:
     """A function: places of base parameters if all of them are the combinations that ``MERGED`` names."""
+    rows = _general_rows(robot)
+    place = {name: i for i, name in enumerate(base.names)}
+
+    def usual(wanted: Sequence[str]) -> list[int] | None:
+        found = [place[name] for name in wanted if name in place]
+        same = [np.allclose(base.matrix[i], rows[base.names[i]], rtol=1e-6, atol=1e-8) for i in found]
+        return found if len(found) == len(wanted) and all(same) else None
+
+    return usual
+
+
+def _general_rows(robot: Robot) -> dict[str, Array]:
+    """By name, of which parameters each base parameter of every machine is the sum, (148,)."""
     names, _ = parameter_names()
     column = {name: i for i, name in enumerate(names)}
     rows = dict(zip(names, np.eye(len(names)), strict=True))
@@ -237,14 +285,7 @@ def _usual(robot: Robot, base: BaseParameters) -> Callable[[Sequence[str]], list
         point = body_parameters(np.ones(1), robot.p[leg - 1][None], np.zeros((1, 3, 3)))[0]
         for name, share in zip(_PLATFORM, point, strict=True):
             rows[name][column[f"m_u{leg}"]] = share
-    place = {name: i for i, name in enumerate(base.names)}
-
-    def usual(wanted: Sequence[str]) -> list[int] | None:
-        found = [place[name] for name in wanted if name in place]
-        same = [np.allclose(base.matrix[i], rows[base.names[i]], rtol=1e-6, atol=1e-8) for i in found]
-        return found if len(found) == len(wanted) and all(same) else None
-
-    return usual
+    return rows
 
 
 def _direction(v: Array) -> str:

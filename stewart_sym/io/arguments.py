@@ -96,5 +96,5 @@ def option(value: object, options: Sequence[str], name: str) -> None:
 
 def no_option(value: object, options: Sequence[str]) -> str:
     """What an error says of a value that is none of the options."""
-    quoted = [f'"{text}"' for text in options]
-    return f"expected {', '.join(quoted[:-1])} or {quoted[-1]}, got {shown(value)}"
+    *others, last = (f'"{text}"' for text in options)
+    return f"expected {', '.join(others)}{' or ' if others else ''}{last}, got {shown(value)}"

@@ -19,6 +19,7 @@ import numpy as np
 
 from .arguments import option, shown
 from .array_types import Array
+from .key_lines import key_text, line_of
 
 MOST_BYTES = 1 << 18
 """Of a TOML file: thirty times what a robot takes with every number of every leg."""
@@ -102,16 +103,32 @@ def as_utf8(stream: BinaryIO, source: str) -> Iterator[None]:
 
 
 _KINDS = {
-    "robot file": {"platform", "leg"},
-    "scene of simulate": {"duration", "legs"},
-    "scene of advise": {"motions", "tolerance"},
+    "robot file": ({"platform", "leg"}, {"platform", "base"}),
+    "scene of simulate": ({"duration", "legs"},),
+    "scene of advise": ({"motions", "tolerance"},),
 }
-"""Files that this program reads, by keys that each must have and no other has."""
+"""Files that this program reads, by keys that each must have, in one way or another, and no other has."""
 
 
-def read_toml(source: str, what: str) -> dict[str, Any]:
-    """Tables of a TOML file; ``what``: of ``_KINDS``. Raises ValueError for a file of another kind too."""
+@contextlib.contextmanager
+def toml_tables(source: str, what: str) -> Iterator[dict[str, Any]]:
+    """Tables of a TOML file; ``what``: of ``_KINDS``. Raises ValueError for a file of another kind too.
+
+    To what the block raises about a key of the file, ``source: key: what was expected``, its line is added.
+    """
     text = read_text(source, what, MOST_BYTES)
+    top = _parsed(text, source, what)
+    try:
+        yield top
+    except ValueError as error:
+        message, file = str(error), f"{source}: "
+        if not message.startswith(file):
+            raise
+        line = line_of(message.removeprefix(file), text)
+        raise ValueError(f"{message} (at line {line})") from None
+
+
+def _parsed(text: str, source: str, what: str) -> dict[str, Any]:
     if not text.strip():
         raise ValueError(f"{source}: cannot read the {what}: the file is empty")
     if any(token["long_key"] for token in _TOKEN.finditer(text)):
@@ -122,7 +139,7 @@ def read_toml(source: str, what: str) -> dict[str, Any]:
         raise ValueError(f"{source}: not valid TOML: nested too deeply") from None
     except ValueError as error:
         raise ValueError(f"{source}: not valid TOML: {' '.join(str(error).split())}") from None
-    found = [kind for kind, keys in _KINDS.items() if keys <= top.keys()]
+    found = [kind for kind, ways in _KINDS.items() if any(keys <= top.keys() for keys in ways)]
     if found and what not in found:
         raise ValueError(f"{source}: expected a {what}, got a {found[0]}")
     return top
@@ -138,9 +155,7 @@ def checked_table(
         if key not in known:
             near = difflib.get_close_matches(str(key), known, n=1, cutoff=0.5)
             hint = f'did you mean "{near[0]}"?' if near else f"expected one of {', '.join(known)}"
-            plain = isinstance(key, str) and key.isprintable() and len(key) <= 60
-            text = key if plain else shown(key)
-            raise ValueError(f"{prefix}{text}: unknown key, {hint}")
+            raise ValueError(f"{prefix}{key_text(key)}: unknown key, {hint}")
     require(value, required, prefix, "missing")
     return dict(value)
 
@@ -162,10 +177,11 @@ def one_line(value: object, where: str) -> str:
     return value
 
 
-def need_schema(value: object, known: int, where: str) -> None:
-    """Reject the number of a schema that is not the known one."""
-    if isinstance(value, bool) or not isinstance(value, int | float | np.integer) or value != known:
-        raise ValueError(f"{where}: expected {known}, got {shown(value)}")
+def need_schema(value: object, known: Sequence[int], where: str) -> int:
+    """Number of a schema, one of those known."""
+    if isinstance(value, bool) or not isinstance(value, int | float | np.integer) or value not in known:
+        raise ValueError(f"{where}: expected {' or '.join(map(str, known))}, got {shown(value)}")
+    return int(value)
 
 
 def number(value: object, where: str, expected: str = "a finite number") -> float:

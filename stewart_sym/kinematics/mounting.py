@@ -19,7 +19,7 @@ _DECISIVE = 0.1
 _LEVEL = np.radians(15.0)
 # Shares by which the two sides differ clearly, and by more than rounding.
 _CLEARLY, _EQUAL = 0.01, 1e-6
-_AGAINST_GRAVITY = "against gravity"
+_AGAINST_GRAVITY, _AT_HOME = "against gravity", "where the robot file states the home pose"
 # A direction whose x is smaller than this is far enough from the x axis.
 _ACROSS = 0.9
 _HEIGHTS = 400
@@ -47,6 +47,11 @@ class Side(NamedTuple):
         """Whether gravity settled it."""
         return self.rule == _AGAINST_GRAVITY
 
+    @property
+    def certain(self) -> bool:
+        """Whether gravity or a stated home pose settled it."""
+        return self.rule in (_AGAINST_GRAVITY, _AT_HOME)
+
 
 def up_direction(robot: Robot) -> Array:
     """Return the unit vector from the base to the side on which the platform is looked for, (3,), base frame.
@@ -73,11 +78,16 @@ def platform_side(robot: Robot) -> Side:
     """Return the side of the base points' plane that the platform is on.
 
     The direction is the normal of that plane, or an axis of the base frame within 15 degrees of it. Its sign
-    is against gravity; where gravity is 0 or pulls along the plane, it is that of the side on which the level
-    platform's legs are nearer to their length limits, else on which the condition number of H is smaller.
+    is that of the home pose, if the robot states one, else against gravity; where gravity is 0 or pulls along
+    the plane, it is that of the side on which the level platform's legs are nearer to their length limits,
+    else on which the condition number of H is smaller.
     """
     instance(robot, Robot, "robot")
     axis = _axis(robot.b)
+    if robot.home is not None:
+        along = float((robot.home + robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ axis)
+        if abs(along) > _EQUAL * (radius(robot.b) + radius(robot.p)):
+            return Side(-axis if along < 0.0 else axis, _AT_HOME, True)
     pull = float(_normal(robot.b, axis) @ robot.g)
     if abs(pull) > _DECISIVE * np.linalg.norm(robot.g):
         return Side(-axis if pull > 0.0 else axis, _AGAINST_GRAVITY, True)

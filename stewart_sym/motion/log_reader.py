@@ -77,7 +77,7 @@ def read_any_csv(
     else those of a spline as for poses; optionally loads.  Raises as ``read_csv``.
     """
     found = read_log(path, form, smoothing)
-    return found if isinstance(found, JointTrajectory) else _trajectory(found)
+    return found if isinstance(found, JointTrajectory) else trajectory_from(found)
 
 
 def read_log(
@@ -98,7 +98,8 @@ def read_log(
     return _joint_trajectory(log) if "L" in names else _pose_log(log)
 
 
-def _trajectory(log: PoseLog) -> Trajectory:
+def trajectory_from(log: PoseLog) -> Trajectory:
+    """A log of poses as a motion."""
     return Trajectory(log.time, log.motion, log.source, log.rows, log.noise)
 
 
@@ -205,7 +206,8 @@ def _warn_of_rates(log: Log, coordinates: Array) -> None:
 
 def _joint_trajectory(log: Log) -> JointTrajectory:
     L = log.vector("L")
-    if np.any(L <= 0.0):
+    relative = log.form.lengths == "relative"
+    if np.any(L <= 0.0) and not relative:
         i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
         raise ValueError(
             f"{log.source}: row {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g}"
@@ -223,7 +225,7 @@ def _joint_trajectory(log: Log) -> JointTrajectory:
     _warn_of_units(log, found)
     F_ext, M_ext = (log.load(name) for name in LOADS)
     L, L_dot, L_ddot = found
-    return JointTrajectory(log.time, L, L_dot, L_ddot, F_ext, M_ext, log.source, log.rows, noise)
+    return JointTrajectory(log.time, L, L_dot, L_ddot, F_ext, M_ext, log.source, log.rows, noise, relative)
 
 
 def _pose_log(log: Log) -> PoseLog:

@@ -33,6 +33,8 @@ ANGLE_UNITS = {"rad": 1.0, "deg": math.pi / 180.0}
 TIME_UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6}
 DELIMITERS = {"comma": ",", "semicolon": ";", "tab": "\t"}
 DECIMALS = {"point": ".", "comma": ","}
+LENGTHS = ("absolute", "relative")
+"""Leg lengths by themselves, and less those at the home pose."""
 EULER_ORDERS = tuple("".join(order) for order in itertools.permutations("xyz"))
 
 # Rows and bytes that are read at a time.
@@ -64,6 +66,8 @@ class LogFormat:
         Of ``DELIMITERS``, ``DECIMALS``; None: detected.
     euler_order : str, optional
         Of the rotations multiplied, "zyx" for R = Rz Ry Rx, (38).
+    lengths : str, optional
+        Leg lengths: of ``LENGTHS``; relative ones are less those of the robot's home pose.
 
     Raises
     ------
@@ -78,6 +82,7 @@ class LogFormat:
     delimiter: str | None = None
     decimal: str | None = None
     euler_order: str = "zyx"
+    lengths: str = "absolute"
 
     def __post_init__(self) -> None:
         """Check every option."""
@@ -87,6 +92,7 @@ class LogFormat:
         option(self.angle_unit, tuple(ANGLE_UNITS), "angle_unit")
         option(self.time_unit, tuple(TIME_UNITS), "time_unit")
         option(self.euler_order, EULER_ORDERS, "euler_order")
+        option(self.lengths, LENGTHS, "lengths")
         if self.delimiter is not None:
             option(self.delimiter, tuple(DELIMITERS), "delimiter")
         if self.decimal is not None:

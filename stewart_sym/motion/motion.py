@@ -18,6 +18,7 @@ from .rotation import (
     angular_motion_from_vector,
     angular_velocity_from_quaternion,
     angular_velocity_from_rpy,
+    cross,
     orthonormal,
     rotation_from_quaternion,
     rotation_from_rpy,
@@ -144,6 +145,35 @@ class Motion(Frozen):
             if field.name != "R" and (value := getattr(self, field.name)) is not None
         }
         return Motion(R=Q @ self.R @ Q.T, **vectors)
+
+    def about_point(self, point: ArrayLike) -> Motion:
+        """Return the motion of another point of the platform in place of the reference point.
+
+        ``motion.about_point(robot.tool)`` is the tool's, ``.about_point(-robot.tool)`` undoes it. Of a load
+        the moment becomes that about the new point.
+
+        Parameters
+        ----------
+        point : array_like
+            Where the point is, from the reference point, m, platform frame, (3,).
+
+        Returns
+        -------
+        Motion
+            Of the same shape.
+        """
+        p = finite_array(point, (3,), "point")
+        arm = self.R @ p
+        turned = cross(self.omega, arm)
+        moved = {"R": self.R, "t": self.t + arm, "omega": self.omega, "v": self.v + turned}
+        if self.a is not None and self.alpha is not None:
+            a = self.a + cross(self.alpha, arm) + cross(self.omega, turned)
+            moved |= {"alpha": self.alpha, "a": a}
+        if self.F_ext is not None:
+            moved |= {"F_ext": self.F_ext, "M_ext": cross(self.F_ext, p)}
+        if self.M_ext is not None:
+            moved["M_ext"] = self.M_ext + moved.get("M_ext", 0.0)
+        return Motion._sound(moved)
 
     def __iter__(self) -> Iterator[Motion]:
         """Go along the first axis of ``shape``."""

@@ -78,7 +78,8 @@ class Uncertainty(NamedTuple):
     coordinates: values, rates and second rates, (3, n, 6). grid: times, s, (g,), at which covariance,
     (g, 6, 6), is given: of value, rate and second rate, the lower triangle row by row. sigma: standard
     deviation of the log's numbers, (6,). in_joints: whether these are leg lengths. replaced: rows that are
-    not as the log has them; covariance holds by how much.
+    not as the log has them; covariance holds by how much. tool: point whose pose t and theta are, m, platform
+    frame; None for the reference point.
     """
 
     coordinates: Array
@@ -87,6 +88,7 @@ class Uncertainty(NamedTuple):
     sigma: Array
     in_joints: bool = False
     replaced: tuple[Replaced, ...] = ()
+    tool: Array | None = None
 
     def variances(self, time: Array) -> Array:
         """Of each coordinate's value at times, (n, 6)."""
@@ -119,8 +121,9 @@ class PoseLog(NamedTuple):
     """A trajectory as coordinates, whose motion is made where it is needed: a third of the room.
 
     coordinates: t and theta, (38), with rates and second rates, (3, n, 6). F_ext, M_ext: external load, N and
-    N m, platform frame, (n, 3), or None. in_radians: whether theta are the log's own numbers. The rest as in
-    ``Trajectory``.
+    N m, platform frame, (n, 3), or None. in_radians: whether theta are the log's own numbers. tool: point of
+    t and of the load, m, platform frame, (3,); None for the reference point, whose motion ``at`` returns in
+    any case. The rest as in ``Trajectory``.
     """
 
     time: Array
@@ -131,6 +134,7 @@ class PoseLog(NamedTuple):
     rows: Sequence[int]
     noise: Uncertainty | None = None
     in_radians: bool = False
+    tool: Array | None = None
 
     def at(self, index: slice | NDArray[np.int64]) -> Motion:
         """The motion at some of the instants; ValueError of one line that names file and row."""
@@ -140,10 +144,18 @@ class PoseLog(NamedTuple):
             if load is not None
         }
         try:
-            return Motion.from_rpy(**numbers)
+            motion = Motion.from_rpy(**numbers)
         except ValueError as error:
             row = _first_bad_row(numbers, np.asarray(self.rows)[index])
             raise ValueError(f"{self.source}: {row}{error}") from None
+        return motion if self.tool is None else motion.about_point(-self.tool)
+
+    def of_tool(self, tool: Array) -> PoseLog:
+        """The same log, its rows being poses of a point, m, platform frame, (3,)."""
+        if not tool.any():
+            return self
+        noise = None if self.noise is None else self.noise._replace(tool=tool)
+        return self._replace(tool=tool, noise=noise)
 
     @property
     def motion(self) -> Motion:
@@ -161,7 +173,8 @@ class JointTrajectory(NamedTuple):
     """A trajectory in joint space of n instants: time, s, (n,), and the legs' motion, (n, 6) each.
 
     L, L_dot, L_ddot: lengths, m, rates, m/s, and accelerations, m/s^2. F_ext, M_ext: external load, N and
-    N m, platform frame, (n, 3), or None. source, rows, noise: as in ``Trajectory``.
+    N m, platform frame, (n, 3), or None. source, rows, noise: as in ``Trajectory``. relative: whether L are
+    less those of the robot's home pose.
     """
 
     time: Array
@@ -173,6 +186,7 @@ class JointTrajectory(NamedTuple):
     source: str
     rows: Sequence[int]
     noise: Uncertainty | None = None
+    relative: bool = False
 
 
 @dataclass(frozen=True, eq=False)

@@ -49,12 +49,14 @@ def centred_H(b: Array, p: Array, R: Array, t: Array) -> tuple[Array, Array]:
 
 
 def level_home(robot: Robot) -> Array:
-    """Position of the home pose, or of a better one of the level poses beside it.
+    """Position of the home pose if the robot states it, else of it or of a better one of those beside it.
 
     Along the base's normal where ``home_pose`` does not suit the machine, as one on a wall; and where there
     are no length limits, whose home pose is a guess, at the best height at which the legs' parts do not
     overlap.
     """
+    if robot.home is not None:
+        return robot.home
     t = home_pose(robot).t
     condition = float(level_conditions(robot.b, robot.p, t[None])[0])
     limited = np.all(np.isfinite(robot.length_limits))

@@ -11,7 +11,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..dynamics.home_pose import radius
+from ..dynamics.home_pose import level_lengths, radius
 from ..io.array_types import Array
 from ..kinematics.mounting import AssemblyModeWarning
 from ..motion.rotation import rotation_from_quaternion
@@ -85,7 +85,8 @@ def _found(robot: Robot) -> list[Doubt]:
         found = left(_of_geometry(robot))
     if not found:
         t = level_home(robot)
-        found = left(of_order(robot, t)) or left(_of_home(robot, home_of(robot, t)))
+        found = left(of_order(robot, t)) or left(_of_stated_home(robot))
+        found = found or left(_of_home(robot, home_of(robot, t)))
     return found
 
 
@@ -305,6 +306,22 @@ def _near(points: Array, i: int) -> list[int]:
 
 
 # The home pose
+
+
+def _of_stated_home(robot: Robot) -> Iterator[Doubt]:
+    """A home pose of the robot file beyond the length limits of it."""
+    if robot.home is None:
+        return
+    L, (low, high) = level_lengths(robot, robot.home), robot.length_limits.T
+    legs = np.flatnonzero((low > L) | (high < L)).tolist()
+    if legs:
+        i = max(legs, key=lambda leg: float(max(low[leg] - L[leg], L[leg] - high[leg]) / L[leg]))
+        yield Doubt(
+            "home",
+            f"{legs_text(legs)} beyond length_limits at the home pose: {L[i]:.4g} m, limits {low[i]:.4g} to "
+            f"{high[i]:.4g} m; likely cause: home of another point than the platform frame's origin, or "
+            "limits between other points than the joints",
+        )
 
 
 def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:

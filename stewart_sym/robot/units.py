@@ -21,7 +21,7 @@ from .robot import Robot
 Array = NDArray[Any]
 
 ROBOT: Mapping[str, tuple[int, int, int]] = {
-    **dict.fromkeys(("b", "p", "r_d0", "r_u0", "R_0", "length_limits"), (1, 0, 0)),
+    **dict.fromkeys(("b", "p", "r_d0", "r_u0", "R_0", "length_limits", "home", "tool"), (1, 0, 0)),
     **dict.fromkeys(("M", "m_d", "m_u"), (0, 1, 0)),
     **dict.fromkeys(("I_p", "I_d0", "I_u0"), (2, 1, 0)),
     "g": (1, 0, -2),
@@ -126,7 +126,9 @@ def rescaled(robot: Robot, length: float, mass: float, time: float = 1.0) -> Rob
     Any factors > 0; powers of two are exact. Raises ValueError as ``Robot``.
     """
     changed = {
-        name: getattr(robot, name) * _product((length, mass, time), powers) for name, powers in ROBOT.items()
+        name: value * _product((length, mass, time), powers)
+        for name, powers in ROBOT.items()
+        if (value := getattr(robot, name)) is not None
     }
     return dataclasses.replace(robot, **changed)
 

@@ -14,10 +14,11 @@ from ..io import tables
 from ..io.arguments import shown
 from ..io.array_types import Array
 from ..kinematics.paths import PATHS, path_for
+from ..kinematics.robot_logs import trajectory_for
 from ..motion.log_rates import interpolated
-from ..motion.log_reader import read_csv
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_rpy
+from ..motion.trajectory import JointTrajectory
 from ..robot.robot import Robot
 from .actuator_models import ComputedTorque, ForceLaw, LegSprings, Wanted, along
 from .limits import Thresholds
@@ -104,18 +105,20 @@ class Scene:
 def read_scene(path: str | os.PathLike[str]) -> Scene:
     """Read a scene file (TOML, schema 1); the files that it names are looked for beside it.
 
-    Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read and for
-    every break of the schema, of this file or of one it names; ImportError where a spline needs SciPy.
+    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
+    read and for every break of the schema, of this file or of one it names; ImportError where a spline needs
+    SciPy.
     """
     source = tables.file_name(path)
+    with tables.toml_tables(source, "scene of simulate") as d:
+        return _scene(d, source)
+
+
+def _scene(d: Mapping[str, Any], source: str) -> Scene:
+    """The scene of a file's tables."""
     file = f"{source}: "
-    top = tables.checked_table(
-        tables.read_toml(source, "scene of simulate"),
-        file,
-        _TOP_KEYS,
-        ("schema", "robot", "duration", "legs"),
-    )
-    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot", "duration", "legs"))
+    tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     folder = Path(source).parent
     # What is wrong in this file comes before what is wrong in another.
     legs = _legs(top["legs"], f"{file}legs.")
@@ -218,7 +221,12 @@ def _vectors(value: object, keys: tuple[str, ...], needed: tuple[str, ...], pref
 
 
 def _wanted(robot: Robot, path: str, folder: Path) -> Wanted:
-    return along(path_for(robot, path).path) if path in PATHS else interpolated(read_csv(folder / path))
+    if path in PATHS:
+        return along(path_for(robot, path).path)
+    found = trajectory_for(robot, folder / path)
+    if isinstance(found, JointTrajectory):
+        raise ValueError(f"{found.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
+    return interpolated(found)
 
 
 def _state(given: Mapping[str, Array] | None, wanted: Wanted | None, load: Mapping[str, Array]) -> Motion:

@@ -26,6 +26,8 @@ from pages import (
 
 import stewart_sym as ss
 from stewart_sym.cli import main
+from stewart_sym.motion.logs import LENGTH_UNITS, LENGTHS
+from stewart_sym.robot import bodies, points, schema_2
 from stewart_sym.simulation.scene import read_scene
 from stewart_sym.studies.accuracy.budget import read_budget
 from stewart_sym.studies.published import PICTURES
@@ -115,7 +117,7 @@ def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> N
 
 
 def test_pictures_are_those_of_a_page_of_a_study_or_of_the_drawing(tmp_path: Path) -> None:
-    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "conventions.png"}
+    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "conventions.png", "machine.png"}
     assert {path.name for page in PAGES for path in pictures(page)} == {*made, *PICTURES}
     conventions_drawing.save(tmp_path / "conventions.png")
     assert same_picture(tmp_path / "conventions.png", DOCS / "conventions.png")
@@ -180,6 +182,16 @@ def test_the_page_about_files_names_every_key_of_a_robot_file() -> None:
     robot = ss.Robot.from_toml(DOCS / "examples" / "hexapod.toml")
     named = re.findall(r"`\[*(\w+)\]*`", text_of(".docs/reference/files.md"))
     assert keys(robot.to_dict()) - {"schema"} <= set(named)
+
+
+def test_the_page_about_files_names_every_key_of_schema_2() -> None:
+    named = set(re.findall(r"`\[?(\w+)\]?`", text_of(".docs/reference/files.md")))
+    known = {*schema_2._TOP_KEYS, *schema_2._POINT_KEYS, *schema_2._LEG_KEYS, *schema_2._TRAJECTORY_KEYS}
+    known |= {*schema_2._FRICTION_KEYS, *bodies.INERTIA_KEYS, *bodies._MATTER, "shape", "body"}
+    known |= {key for keys in (*bodies.SHAPES.values(), *bodies._PLACES.values()) for key in keys}
+    assert known - named == {"leg"}
+    quoted = set(re.findall(r'`"([\w-]+)"`', text_of(".docs/reference/files.md")))
+    assert {*bodies.SHAPES, *points.AXES, *LENGTH_UNITS, *LENGTHS} <= quoted
 
 
 def test_scene_examples_are_valid() -> None:

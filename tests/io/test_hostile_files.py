@@ -12,7 +12,7 @@ import resource
 import socket
 import subprocess
 import sys
-import warnings
+import tomllib
 from collections.abc import Callable
 from importlib.resources import files
 from pathlib import Path
@@ -53,8 +53,9 @@ READERS: dict[str, tuple[Callable[[Any], Any], bytes]] = {
     "poses": (read_csv, POSES),
     "motion": (read_any_csv, POSES),
     "forces": (read_forces_csv, FORCES),
+    "robot of schema 2": (Robot.from_toml, ss.robots.text("rubin_camera").encode()),
 }
-TOML = ("robot", "scene")
+TOML = ("robot", "scene", "robot of schema 2")
 NAME = b'name = "x"\n'
 MASS = b"mass = 40.0"
 MILLIONS = 5_000_000
@@ -324,15 +325,27 @@ ODD = st.one_of(
 
 
 @functools.cache
-def sound_tables() -> dict[str, Any]:
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")
+def sound_tables(schema: int) -> dict[str, Any]:
+    if schema == 1:
         return ss.robots.dasgupta1998().to_dict()
+    camera = tomllib.loads(ss.robots.text("rubin_camera"))
+    piece = {"shape": "box", "size": [100.0, 100.0, 50.0], "density": 2700.0, "center": [0.0, 0.0, 30.0]}
+    camera["platform"]["body"] = [
+        camera["platform"]["body"],
+        piece,
+        {**camera["legs"]["lower"], "axis": [1, 0, 0]},
+    ]
+    del camera["platform"]["body"][2]["length"]
+    camera["platform"]["body"][2] |= {"shape": "plate", "thickness": 5.0, "inner_radius": 1.0}
+    camera["base"] = {"radius": 700.0, "angles": [0.1, 1.0, 2.2, 3.1, 4.3, 5.2], "z": -100.0}
+    camera["leg"] = {"3": {"lower": {"mass": 2.0, "center_of_mass": [300, 0, 0], "inertia": [0.1, 0.2, 0.2]}}}
+    camera["legs"]["friction"] = {"prismatic": 3.0}
+    return camera
 
 
 @st.composite
 def spoilt_tables(draw: st.DrawFn) -> dict[str, Any]:
-    top = copy.deepcopy(sound_tables())
+    top = copy.deepcopy(sound_tables(draw(st.sampled_from([1, 2]))))
     for _ in range(draw(st.integers(1, 3))):
         place: Any = top
         while True:
@@ -353,7 +366,7 @@ def spoilt_tables(draw: st.DrawFn) -> dict[str, Any]:
     return top
 
 
-@settings(derandomize=True, deadline=None, max_examples=120)
+@settings(derandomize=True, deadline=None, max_examples=240)
 @given(spoilt_tables())
 def test_spoilt_tables_are_rejected_in_one_line_or_make_a_sound_robot(tables: dict[str, Any]) -> None:
     told = "robot: "
@@ -365,8 +378,9 @@ def test_spoilt_tables_are_rejected_in_one_line_or_make_a_sound_robot(tables: di
     assert told.isprintable()
     if robot is None:
         return
-    numbers = [value for value in vars(robot).values() if isinstance(value, np.ndarray)]
-    assert all(np.isfinite(value).all() for value in numbers[:-3])
+    limits = ("length_limits", "force_limit", "speed_limit")
+    numbers = [value for name, value in vars(robot).items() if name not in limits]
+    assert all(np.isfinite(value).all() for value in numbers if isinstance(value, np.ndarray))
     assert Robot.from_dict(robot.to_dict()).to_dict() == robot.to_dict()
 
 
@@ -398,6 +412,20 @@ KINDS = {
     ),
     "scene of advise": ('schema = 1\nrobot = "robot.toml"\nmotions = ["I"]\ntolerance = 0.01\n', ["advise"]),
 }
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_mistake_is_placed_at_its_line(
+    kind: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "robot.toml").write_bytes(ROBOT)
+    text, (command, *options) = KINDS[kind]
+    (tmp_path / "file.toml").write_text(text.replace("schema = 1\n", "schema = 1\n\nmistake = 1\n", 1))
+    assert main([command, str(tmp_path / "file.toml"), *options]) == 2
+    line = text.splitlines().index("schema = 1") + 3
+    told = capsys.readouterr().err
+    assert "file.toml: mistake: unknown key, " in told
+    assert told.endswith(f" (at line {line})\n")
 
 
 @pytest.mark.parametrize(("expected", "got"), list(itertools.permutations(KINDS, 2)))

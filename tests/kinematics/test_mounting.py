@@ -308,3 +308,21 @@ def test_the_poses_of_a_kit_are_on_the_side_of_the_platform() -> None:
     side = ss.up_direction(robot)
     assert (above.t + above.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ side > 0.0
     assert (below.t + below.R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ side < 0.0
+
+
+def test_a_stated_home_pose_settles_the_side_and_is_the_home_pose() -> None:
+    """Gravity pulls the same way: the machine stands, and hangs."""
+    robot = standing(0)
+    middle = robot.b.mean(axis=0) - robot.p.mean(axis=0)
+    for sign in (1.0, -1.0):
+        place = middle + sign * np.array([0.0, 0.0, 1.2 * machine_size(robot)])
+        stated = dataclasses.replace(robot, home=place)
+        side = platform_side(stated)
+        assert side.direction.tolist() == [0.0, 0.0, sign]
+        assert (side.settled, side.by_gravity, side.certain) == (True, False, True)
+        home = home_pose(stated)
+        np.testing.assert_array_equal(home.t, place)
+        found = ss.forward_kinematics(stated, home.L)
+        np.testing.assert_allclose(found.t, place, atol=1e-9 * machine_size(robot))
+        path = path_for(stated, "I").path.sample([0.0]).t[0]
+        assert np.sign(path[2]) == sign

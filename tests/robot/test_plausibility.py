@@ -109,7 +109,7 @@ def test_a_machine_of_that_size_is_not_doubted(size: float, limited: bool) -> No
 
 
 # Without limits nothing says where the machine stands and what it carries.
-BY_LIMITS = {"parts that overlap", "universal axis along the leg"}
+BY_LIMITS = {"parts that overlap", "universal axis along the leg", "home of another point"}
 BY_LIMITS |= {wrong for wrong, (_, name, _) in ABSURD.items() if name.endswith("-limit") or "limits" in name}
 
 

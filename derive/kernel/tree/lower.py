@@ -6,7 +6,7 @@ from functools import partial, reduce
 
 import sympy as sp
 
-from ...program.block import Block, Quantity, Step
+from ...program.block import Block, Quantity, Step, common_factor
 from ...program.order import NOTHING, Ready, ready_in, terms_in_order
 from . import nodes as t
 
@@ -28,6 +28,8 @@ def expression(expr: sp.Expr, ready: Ready = NOTHING) -> t.Expression:
         return t.Negative(t.Number(float(-expr))) if expr < 0 else t.Number(float(expr))
     if expr == sp.Rational(1, 2):
         return t.Number(0.5)
+    if expr.is_Add and (common := common_factor(expr)) != 1:
+        return expression(common, ready) * expression(expr / common, ready)
     if expr.is_Add:
         first, *others = terms_in_order(expr, ready)
         return reduce(partial(_plus, ready=ready), others, expression(first, ready))

@@ -84,6 +84,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         action="store_true",
         help="fit measured forces by physically possible bodies, and write their parameters to bodies.csv",
     )
+    parser.add_argument(
+        "--shared", choices=("legs",), help="legs: all legs are built alike, their parameters are sought once"
+    )
     parser.add_argument("--samples", type=whole, default=200, help="instants of one period; default: 200")
     parser.add_argument("--candidates", type=whole, default=50, help="random series to try; default: 50")
     start_pose(parser)
@@ -107,7 +110,8 @@ def run(arguments: argparse.Namespace) -> int:
 def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
     """The report on measured forces, and the estimate."""
     from ...identification.physical import POSSIBLE
-    from ...motion.log_reader import FORCES, read_any_csv, read_forces_csv
+    from ...kinematics.robot_logs import trajectory_for
+    from ...motion.log_reader import FORCES, read_forces_csv
     from ...motion.logs import HeaderError
     from ...motion.smooth_motion import WITHOUT_PERIOD, PoseNoise
     from ...motion.trajectory import Smoothing
@@ -120,10 +124,14 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         need("scipy", WITHOUT_PERIOD)
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
-    form = log_format(arguments)
+    form = log_format(arguments, robot)
+    if noisy and robot.tool.any():
+        raise ValueError(
+            "--noise-position: is that of the reference point, expected a robot file without a tool point"
+        )
     try:
         # The fit has its own noise: what is stated is compared with the log alone.
-        log = read_any_csv(poses, form, Smoothing(*stated_noise(arguments), on=False))
+        log = trajectory_for(robot, poses, form, Smoothing(*stated_noise(arguments), on=False))
     except HeaderError as error:
         if not set(FORCES) <= set(error.header):
             raise
@@ -138,7 +146,9 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         series = (arguments.period, arguments.harmonics if arguments.period is not None else None)
         noise = PoseNoise(trajectory.time, *cast("tuple[float, float]", stated_noise(arguments)), *series)
     model = (not arguments.no_friction, arguments.physical)
-    found = from_measurement(robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model, form)
+    found = from_measurement(
+        robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model, form, arguments.shared
+    )
     return measured_report(robot, found, arguments.sigma, noise), found
 
 
@@ -155,7 +165,7 @@ def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repo
             "--start and options of the trajectory's file: are for measured forces, expected --measured"
         )
     robot = robot_of(arguments.robot)
-    names = ("sigma", "seed", "period", "harmonics", "samples", "candidates")
+    names = ("sigma", "seed", "period", "harmonics", "samples", "candidates", "shared")
     options = {name: getattr(arguments, name) for name in names}
     if options["harmonics"] is None:
         options["harmonics"] = 5

@@ -27,7 +27,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         metavar="ROBOT.toml",
         type=Path,
         nargs="?",
-        help="robot file, schema 1; default: the paper's machine",
+        help="robot file, schema 1 or 2; default: the paper's machine",
     )
     output(parser, "DIR", "folder for the table and controller.json", "none written")
     parser.add_argument(

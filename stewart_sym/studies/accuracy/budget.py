@@ -4,6 +4,7 @@ import os
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from ...dynamics.inverse import first_fault
 from ...io import tables
 from ...io.arguments import shown
 from ...kinematics.paths import PATHS, path_for
-from ...motion.log_reader import read_any_csv
+from ...kinematics.robot_logs import trajectory_for
 from ...motion.motion import Motion
 from ...motion.trajectory import JointTrajectory, Trajectory
 from ...reference.newton_euler import inverse_dynamics
@@ -48,18 +49,24 @@ class Budget:
 def read_budget(path: str | os.PathLike[str]) -> Budget:
     """Read a scene file of ``advise`` (TOML, schema 1); the files that it names are looked for beside it.
 
-    Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``read_any_csv``),
+    Keys: ``robot`` (file), ``motions`` (names of the paper's paths or CSV files, as ``trajectory_for``),
     ``tolerance``, and optionally ``margin`` (>= 1) and ``rate`` (Hz).
 
-    Raises ValueError of one line, ``file: key: what was expected``, for a file that cannot be read, for every
-    break of the schema, of this file or of one it names, and for an unsolvable pose; ImportError where
-    a spline needs SciPy.
+    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
+    read, for every break of the schema, of this file or of one it names, and for an unsolvable pose;
+    ImportError where a spline needs SciPy.
     """
     source = os.fspath(path)
+    with tables.toml_tables(source, "scene of advise") as d:
+        return _budget(d, source)
+
+
+def _budget(d: Mapping[str, Any], source: str) -> Budget:
+    """The budget of a file's tables."""
     file = f"{source}: "
     needed = ("schema", "robot", "motions", "tolerance")
-    top = tables.checked_table(tables.read_toml(source, "scene of advise"), file, _KEYS, needed)
-    tables.need_schema(top["schema"], SCHEMA, f"{file}schema")
+    top = tables.checked_table(d, file, _KEYS, needed)
+    tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
     names = _names(top["motions"], f"{file}motions")
     tolerance = tables.positive(top["tolerance"], f"{file}tolerance")
     margin = tables.number(top.get("margin", MARGIN), f"{file}margin")
@@ -98,7 +105,7 @@ def _motion(robot: Robot, name: str, folder: Path, prefix: str) -> Motion:
         if found is not None:
             raise ValueError(f"{prefix}path {name}: instant {found[0]}: {found[1]}")
         return motion
-    trajectory = read_any_csv(folder / name)
+    trajectory = trajectory_for(robot, folder / name)
     if isinstance(trajectory, JointTrajectory):
         trajectory = on_platform(robot, trajectory, None)
     _reject_faults(robot, trajectory)

@@ -19,13 +19,19 @@ Array = NDArray[np.float64]
 _ALONG = 0.9
 
 
-def report(robot: Robot) -> Report:
-    """Everything about the robot, SI units."""
+def report(robot: Robot, pictures: bool = False) -> Report:
+    """Everything about the robot, SI units; ``pictures``: drawn as well, by the extra ``plot``."""
     with warnings.catch_warnings():
         # The row "above" names both sides where they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
         home = home_pose(robot)
-    return Report(_description(robot, home), data={**_data(robot), "home_pose": _home_data(robot, home)})
+    figures = {}
+    if pictures:
+        from .machine_plot import picture
+
+        figures["machine"] = picture(robot, home)
+    data = {**_data(robot), "home_pose": _home_data(robot, home)}
+    return Report(_description(robot, home), data=data, figures=figures)
 
 
 def _data(robot: Robot) -> dict[str, Any]:
@@ -44,6 +50,9 @@ def _data(robot: Robot) -> dict[str, Any]:
         "friction_universal_N_m_s": robot.C_u,
         "friction_prismatic_N_s_per_m": robot.C_p,
         "friction_spherical_N_m_s": robot.C_s,
+        "tool_m": robot.tool,
+        "euler_order": robot.euler_order,
+        "trajectory_lengths": robot.lengths,
         "length_limits_m": robot.length_limits,
         "force_limit_N": robot.force_limit,
         "speed_limit_m_per_s": robot.speed_limit,
@@ -83,6 +92,7 @@ def _description(robot: Robot, home: HomePose) -> str:
             "size",
             f"base points {radius(robot.b):.4g} m, platform points {radius(robot.p):.4g} m (RMS radius)",
         ),
+        *_conventions(robot),
         ("friction", _friction(robot)),
         ("limits", _limits(robot)),
         ("inertias", _inertias(robot)),
@@ -105,6 +115,16 @@ def _sides(robot: Robot) -> list[tuple[str, str]]:
     return [("sides", text)]
 
 
+def _conventions(robot: Robot) -> list[tuple[str, str]]:
+    """A row on how trajectories of the robot are read, where that is not the usual way."""
+    parts = [f"poses of the point {_vector(robot.tool)} m of the platform"] if robot.tool.any() else []
+    if robot.euler_order != "zyx":
+        parts.append(f"R = {' '.join(f'R{axis}' for axis in robot.euler_order)}")
+    if robot.lengths == "relative":
+        parts.append("leg lengths less those of the home pose")
+    return [("trajectories", ", ".join(parts))] if parts else []
+
+
 def _home_lines(robot: Robot, home: HomePose) -> list[str]:
     shortest, longest = robot.length_limits.T
     outside = (home.L < shortest) | (home.L > longest)
@@ -114,6 +134,9 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
         ("position", f"{_vector(home.t)} m, level, at rest"),
         ("leg lengths", f"{_vector(home.L)} m" + (f"; outside their limits: leg {legs}" if legs else "")),
     ]
+    if np.isfinite(longest).all() and not legs:
+        back, forth = np.min(home.L - shortest), np.min(longest - home.L)
+        rows.append(("stroke left", f"{-back:.4g} to {forth:+.4g} m"))
     parts = robot.r_d0[:, 0] - robot.r_u0[:, 0]
     short = np.flatnonzero(home.L < parts).tolist()
     if short:
@@ -126,7 +149,8 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
         scaled = f"{home.scaled_condition:.4g} with moments divided by {length:.4g} m"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
         rows.append(("holding", f"{_vector(home.F)} N"))
-    return [f"home pose: platform centred above the base; {home.rule}", *_rows(rows)]
+    what = "platform centred above the base; " if robot.home is None else ""
+    return [f"home pose: {what}{home.rule}", *_rows(rows)]
 
 
 def _above(home: HomePose) -> str:

@@ -40,12 +40,13 @@ def length_doubt(robot: Robot, lengths: Array) -> str | None:
 def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | None:
     """One line about angles that the legs allow in degrees alone, at some instants; None else."""
     theta, t = log.coordinates[0, :, 3:], log.coordinates[0, some, :3]
+    tool = np.zeros(3) if log.tool is None else log.tool
     spans = np.ptp(theta, axis=0)
     axis = int(np.argmax(spans))
     if not log.in_radians or not _LEAST_TURN < spans[axis] or np.any(spans > MOST_TURNS):
         return None
-    how = _impossible(robot, t, theta[some])
-    if how is None or _impossible(robot, t, np.radians(theta[some])) is not None:
+    how = _impossible(robot, t, theta[some], tool)
+    if how is None or _impossible(robot, t, np.radians(theta[some]), tool) is not None:
         return None
     return (
         f"theta_{'xyz'[axis]} over {spans[axis]:.4g} rad leads {how}, in degrees it does not: "
@@ -53,9 +54,10 @@ def angle_doubt(robot: Robot, log: PoseLog, some: NDArray[np.int64]) -> str | No
     )
 
 
-def _impossible(robot: Robot, t: Array, theta: Array) -> str | None:
-    """Where poses lead that a machine does not reach: beyond limits, or through singular poses."""
+def _impossible(robot: Robot, t: Array, theta: Array, tool: Array) -> str | None:
+    """Where poses of the tool lead that a machine does not reach: beyond limits, through singular poses."""
     R = rotation_from_rpy(theta)
+    t = t - R @ tool
     L = np.linalg.norm(t[:, None] + robot.p @ np.swapaxes(R, -1, -2) - robot.b, axis=-1)
     if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):
         return "legs beyond length_limits"

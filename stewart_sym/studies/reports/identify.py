@@ -15,7 +15,7 @@ from ...identification.parameters import inertial_parameters
 from ...io.instants import time_text
 from ...io.progress import Progress, silent
 from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
-from ...motion.rotation import rpy_from_rotation
+from ...motion.rotation import quaternion_from_rotation, rpy_from_rotation
 from ...motion.smooth_motion import PoseNoise, estimated_noise, smoothed
 from ...motion.trajectory import Trajectory
 from ...robot.robot import Robot
@@ -46,12 +46,13 @@ def identification(
     noise_position: float = 0.0,
     noise_angle: float = 0.0,
     progress: Progress = silent,
+    shared: str | None = None,
 ) -> Experiment:
     """Choose the motion, measure along it and identify.
 
     Arguments as for ``choose_excitation`` and ``simulated_experiment``; seed: of both.
     """
-    excited = choose_excitation(robot, period, harmonics, samples, candidates, seed, progress)
+    excited = choose_excitation(robot, period, harmonics, samples, candidates, seed, progress, shared)
     progress("identifying")
     return simulated_experiment(robot, excited, sigma, seed, noise_position, noise_angle)
 
@@ -67,11 +68,12 @@ def from_measurement(
     friction: bool = True,
     physical: bool = False,
     form: LogFormat = SI,
+    shared: str | None = None,
 ) -> Estimate:
     """Identify what the motion of a trajectory excites from forces measured at the same times.
 
     time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. noise, physical: as for
-    ``identify``. friction: as for ``base_parameters``. form: of the
+    ``identify``. friction, shared: as for ``base_parameters``. form: of the
     trajectory's file, whose units doubts name. Raises ValueError naming the source for other times than those
     of the trajectory.
     """
@@ -86,7 +88,7 @@ def from_measurement(
         expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
         raise ValueError(f"{source}: instant {i + 1}: expected {expected}, got {time_text(time[i])}")
     motion = trajectory.motion
-    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise), friction)
+    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise), friction, shared)
     found = identify(robot, motion, F, sigma, base, noise, physical)
     if noise is None and found.verdict in ("misfit", "rejected"):
         found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
@@ -211,6 +213,7 @@ def _data(robot: Robot, found: Estimate, sigma: float, noise: PoseNoise | None) 
         "base_parameters": found.base.rank,
         "of_parameters": found.base.matrix.shape[1],
         "gap": found.base.gap,
+        "shared": found.base.shared,
         "force_noise_N": sigma,
         "position_noise_m": 0.0 if noise is None else noise.position,
         "angle_noise_rad": 0.0 if noise is None else noise.angle,
@@ -261,7 +264,7 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
             "sigma": estimate.sigma,
             "deviation": found.deviation,
         },
-        {"trajectory": trajectory_columns(found), "forces": force_columns(found)},
+        {"trajectory": trajectory_columns(robot, found), "forces": force_columns(found)},
         {
             **_data(robot, estimate, found.sigma, found.noise),
             "period_s": period,
@@ -273,12 +276,20 @@ def simulated_report(robot: Robot, found: Experiment) -> Report:
 
 
 def _count(robot: Robot, base: BaseParameters) -> str:
-    return f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.gap:.2g}"
+    text = f"{robot.name}: {base.rank} base parameters of {base.matrix.shape[1]}, gap {base.gap:.2g}"
+    return text if base.shared is None else f"{text}; all legs have the same"
 
 
-def trajectory_columns(found: Experiment) -> dict[str, Array]:
-    """The motion as the command ``forces`` reads it; poses alone where they are measured with noise."""
+def trajectory_columns(robot: Robot, found: Experiment) -> dict[str, Array]:
+    """The motion as the command ``forces`` reads it for this robot.
+
+    Poses alone where they are measured with noise, or are read as others than (38) of the reference point.
+    """
     columns = {"time": found.excitation.time}
+    if robot.tool.any() or robot.euler_order != "zyx":
+        motion = found.measured.about_point(robot.tool)
+        quaternion = zip("wxyz", quaternion_from_rotation(motion.R).T, strict=True)
+        return columns | of_axes("t", motion.t) | {f"q_{name}": column for name, column in quaternion}
     coordinates: tuple[Array, ...] = found.excitation.path.coordinates(columns["time"])
     if found.noise is not None:
         coordinates = (np.hstack([found.measured.t, rpy_from_rotation(found.measured.R)]),)

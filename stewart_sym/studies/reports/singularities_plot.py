@@ -14,6 +14,7 @@ from ...singularities.singular_poses import Singularity
 from ..common.drawing import log_numbers
 from ..common.output import Columns
 from ..common.report import Picture
+from .machine_plot import draw_legs, frame
 from .singularities import Examination, curves
 
 with needed_for("drawing"):
@@ -26,7 +27,7 @@ Array = NDArray[np.float64]
 MOST = 6
 """Crossings drawn; a path that goes to and fro may have many."""
 
-_DARK, _RED, _BLUE, _GREY = "#3a3a3a", "#c1440e", "#1f4e9c", "#8a8a8a"
+_DARK, _RED, _BLUE = "#3a3a3a", "#c1440e", "#1f4e9c"
 _LEGS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
 # Length of the longest arrow beside the machine's size.
 _ARROW = 0.3
@@ -117,14 +118,7 @@ def draw_machine(axes: Axes3D, robot: Robot, pose: Motion, at: Singularity) -> N
     points = pose.t + robot.p @ pose.R.T
     both = np.concatenate([robot.b, points])
     size = float(np.max(np.ptp(both, axis=0)))
-    for corners, color in ((robot.b, _DARK), (points, _BLUE)):
-        ring = corners[_around(corners)]
-        axes.plot(*np.concatenate([ring, ring[:1]]).T, color=color, linewidth=1.6)
-    for leg in range(LEGS):
-        axes.plot(*np.stack([robot.b[leg], points[leg]]).T, color=_GREY, linewidth=1.4)
-        axes.text(
-            *(robot.b[leg] - [0.0, 0.0, 0.05 * size]), str(leg + 1), fontsize=8.0, ha="center", va="top"
-        )
+    draw_legs(axes, robot.b, points)
     v, omega = at.twist[:3], at.twist[3:]
     velocities = v + np.cross(omega, points - pose.t)
     arrows = velocities * _ARROW * size / np.max(np.linalg.norm(velocities, axis=-1))
@@ -134,7 +128,7 @@ def draw_machine(axes: Axes3D, robot: Robot, pose: Motion, at: Singularity) -> N
         line = at.point + np.outer([-0.45 * size, 0.45 * size], at.axis)
         axes.plot(*line.T, color=_RED, linewidth=1.0, linestyle=(0, (4, 2)))
         extent.append(line)
-    _frame(axes, np.concatenate(extent))
+    frame(axes, np.concatenate(extent))
     screw = "a translation"
     if np.isfinite(at.pitch):
         screw = f"screw axis dashed, pitch {float(at.pitch):.4g} m/rad"
@@ -154,25 +148,6 @@ def _poses(found: Examination) -> Iterator[tuple[str, float, Singularity, str]]:
     if not along.crossings:
         title = f"path {found.name}: nearest to a singular pose at {along.nearest.time:.6f} s"
         yield "nearest", along.nearest.time, along.nearest.at, title
-
-
-def _frame(axes: Axes3D, extent: Array) -> None:
-    low, high = extent.min(axis=0), extent.max(axis=0)
-    pad = 0.04 * float(np.max(high - low))
-    for name, a, b in zip("xyz", low - pad, high + pad, strict=True):
-        getattr(axes, f"set_{name}lim")(a, b)
-        getattr(axes, f"set_{name}label")(f"{name}, m", fontsize=8.0)
-    axes.set_box_aspect(high - low + 2.0 * pad)
-    axes.locator_params(nbins=4)
-    axes.tick_params(labelsize=7.0, pad=0.0)
-    axes.view_init(elev=18.0, azim=-60.0)
-
-
-def _around(corners: Array) -> NDArray[np.int64]:
-    """Order of points by their angle about their middle, in the plane that fits them best."""
-    from_middle = corners - corners.mean(axis=0)
-    across = from_middle @ np.linalg.svd(from_middle)[2][:2].T
-    return np.argsort(np.arctan2(across[:, 1], across[:, 0]))
 
 
 def _forces(columns: Columns) -> Array:

@@ -7,7 +7,7 @@ from machines import GRAVITY, home_position, machine_size, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.motion.log_reader import AS_SHOWN, _pose_log, _trajectory
+from stewart_sym.motion.log_reader import AS_SHOWN, _pose_log, trajectory_from
 from stewart_sym.motion.trajectory import Log, Trajectory
 
 Array = NDArray[np.float64]
@@ -64,4 +64,4 @@ def from_poses(time: Array, t: Array, theta: Array, smoothing: ss.Smoothing = AS
     """The trajectory of poses over time, differentiated as those of a file."""
     written = {"t": [*t.T], "theta": [*theta.T]}
     log = Log("poses", range(len(time)), time, written, smoothing=smoothing)
-    return _trajectory(_pose_log(log))
+    return trajectory_from(_pose_log(log))

@@ -325,6 +325,11 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "length-limits",
         "the stroke given",
     ),
+    "home of another point": (
+        lambda robot: dataclasses.replace(robot, home=np.array([0.0, 0.0, 1.7])),
+        "home",
+        "home of another point",
+    ),
     "force limit in kN": (of(force_limit=lambda F: 1e-3 * F), "force-limit", "force_limit in kN"),
     "speed limit in mm/s": (of(speed_limit=lambda v: 1e3 * v), "speed-limit", "given in mm/s"),
     "parts that overlap": (

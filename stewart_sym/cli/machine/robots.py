@@ -1,0 +1,47 @@
+"""``stewart-sym robots``: machines that come with the package."""
+
+import argparse
+
+from ..options import json_file, output
+from ..results import results
+
+HELP = "list, show or copy the machines that come with the package"
+EXAMPLE = "stewart-sym robots --show tsai2000 -o tsai2000.toml"
+MORE = "Each file cites its source and says what is assumed. In Python: ss.robots.NAME()."
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``robots``."""
+    parser.add_argument("--show", metavar="NAME", help="print the robot file of this machine")
+    output(parser, "ROBOT.toml", "with --show: file to write a copy to", "standard output")
+    json_file(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``robots``; returns the exit code."""
+    from ...io.arguments import option
+    from ...io.writing import result_file
+    from ...robots import NAMES, load, text
+    from ...studies.common.report import Report
+    from ...studies.common.table import aligned
+
+    if arguments.show is None:
+        if arguments.output is not None:
+            raise ValueError("-o: is for a copy of one machine, expected --show NAME")
+        robots = {name: load(name) for name in NAMES}
+        rows = [[name, robot.name, f"{robot.M:.4g}"] for name, robot in robots.items()]
+        data = {name: {"name": robot.name, "platform_mass_kg": robot.M} for name, robot in robots.items()}
+        with results(arguments) as take:
+            take(Report(aligned(["name", "machine", "platform, kg"], rows, left=2), data={"robots": data}))
+        return 0
+    option(arguments.show, NAMES, "--show")
+    copy = text(arguments.show)
+    shown = {"name": arguments.show, "text": copy}
+    with results(arguments) as take:
+        if arguments.output is None:
+            take(Report(copy, data=shown))
+        else:
+            with result_file(arguments.output, [copy], arguments.force) as stream:
+                stream.write(copy)
+            take(Report(f"Written to {arguments.output}", data=shown))
+    return 0

@@ -1,0 +1,56 @@
+"""Logs of a robot, read as its file says that they are written: tool point, order of rotations, lengths."""
+
+import os
+
+import numpy as np
+
+from ..io.progress import Progress, silent
+from ..motion.log_reader import AS_SHOWN, read_log, trajectory_from
+from ..motion.logs import LogFormat
+from ..motion.trajectory import JointTrajectory, PoseLog, Smoothing, Trajectory
+from ..robot.robot import Robot
+
+
+def form_of(robot: Robot) -> LogFormat:
+    """How the robot's logs are written, in SI units."""
+    return LogFormat(euler_order=robot.euler_order, lengths=robot.lengths)
+
+
+def read_log_of(
+    robot: Robot,
+    path: str | os.PathLike[str],
+    form: LogFormat | None = None,
+    smoothing: Smoothing = AS_SHOWN,
+    progress: Progress = silent,
+) -> PoseLog | JointTrajectory:
+    """Read a log whose poses are those of the robot's tool; relative lengths become absolute.
+
+    form: None for the robot's. Motions made of the result are those of the reference point. Raises as
+    ``read_log``, and ValueError for relative lengths without a home pose, or of legs that have none left.
+    """
+    log = read_log(path, form_of(robot) if form is None else form, smoothing, progress)
+    if isinstance(log, PoseLog):
+        return log.of_tool(robot.tool)
+    return _absolute(robot, log) if log.relative else log
+
+
+def trajectory_for(
+    robot: Robot, path: str | os.PathLike[str], form: LogFormat | None = None, smoothing: Smoothing = AS_SHOWN
+) -> Trajectory | JointTrajectory:
+    """Read a log as ``read_log_of``, of poses as a motion of the reference point."""
+    log = read_log_of(robot, path, form, smoothing)
+    return trajectory_from(log) if isinstance(log, PoseLog) else log
+
+
+def _absolute(robot: Robot, log: JointTrajectory) -> JointTrajectory:
+    """The log with the lengths at the home pose added."""
+    if robot.home is None:
+        raise ValueError(f"{log.source}: relative lengths: expected a robot file with a key home")
+    L = log.L + np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    if np.any(L <= 0.0):
+        i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
+        raise ValueError(
+            f"{log.source}: row {log.rows[i]}: L_{leg + 1}: expected a length > 0 m, got {L[i, leg]:g} with "
+            "that of the home pose"
+        )
+    return log._replace(L=L, relative=False)

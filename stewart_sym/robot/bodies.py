@@ -1,0 +1,147 @@
+"""Bodies by their inertia or as parts of plain shapes: mass, centre of mass and inertia about it."""
+
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..io import tables
+from ..io.arguments import shown
+from ..io.array_types import Array
+from .fields import direction, inertia
+
+INERTIA_KEYS = ("mass", "center_of_mass", "inertia")
+SHAPES = {
+    "rod": ("radius", "length"),
+    "tube": ("radius", "inner_radius", "length"),
+    "plate": ("radius", "thickness"),
+    "box": ("size",),
+}
+"""Sizes of each shape; a plate is round, and may have a hole of ``inner_radius``."""
+_MATTER = ("mass", "density")
+_PLACES = {"leg": ("start",), "platform": ("center", "axis")}
+
+Metres = Callable[[Any], Any]
+"""From a length or an array of lengths in the file's unit to m."""
+
+
+class Body(NamedTuple):
+    """Mass, kg, centre of mass, m, and inertia about it, kg m^2, (3, 3), in axes of the body's frame."""
+
+    mass: float
+    center_of_mass: Array
+    inertia: Array
+
+
+def body(value: object, where: str, metres: Metres, along: float | None) -> dict[str, Any]:
+    """Mass, centre of mass and inertia, as far as given: by themselves, as a shape or as a list of parts.
+
+    metres: of lengths of the file. along: 1 or -1 for a leg's part, which lies along its x from the joint on
+    that side; None for the platform, whose shapes are placed.
+    """
+    if isinstance(value, list | tuple):
+        if not value:
+            raise ValueError(f"{where}: expected a body or a list of parts, got []")
+        parts = [Body(**_one(part, f"{where} {i}: ", metres, along, True)) for i, part in enumerate(value, 1)]
+        return joined(parts)._asdict()
+    return _one(value, f"{where}.", metres, along, False)
+
+
+def joined(parts: list[Body]) -> Body:
+    """One body of several parts."""
+    mass = float(np.sum([part.mass for part in parts]))
+    center = sum(part.mass * part.center_of_mass for part in parts) / mass
+    total = np.zeros((3, 3))
+    for part in parts:
+        r = part.center_of_mass - center
+        total += part.inertia + part.mass * (r @ r * np.eye(3) - np.outer(r, r))
+    return Body(mass, np.asarray(center), total)
+
+
+def _one(value: object, prefix: str, metres: Metres, along: float | None, whole: bool) -> dict[str, Any]:
+    """A body given by itself; ``whole``: with nothing missing."""
+    place = _PLACES["platform" if along is None else "leg"]
+    of_shapes = (*dict.fromkeys(key for sizes in SHAPES.values() for key in sizes), "density", *place)
+    table = tables.checked_table(value, prefix, (*INERTIA_KEYS, "shape", *of_shapes))
+    if "shape" in table or any(key in table for key in of_shapes):
+        return _by_shape(table, prefix, metres, along, place)._asdict()
+    return _by_inertia(table, prefix, metres, whole)
+
+
+def _by_shape(
+    table: dict[str, Any], prefix: str, metres: Metres, along: float | None, place: tuple[str, ...]
+) -> Body:
+    tables.require(table, ("shape",), prefix, "missing")
+    shape = tables.choice(table["shape"], tuple(SHAPES), f"{prefix}shape")
+    known = ("shape", *SHAPES[shape], *_MATTER, *place)
+    known += ("inner_radius",) if shape == "plate" else ()
+    known = tuple(key for key in known if (shape, key) != ("box", "axis"))
+    tables.checked_table(table, prefix, known, SHAPES[shape])
+    if shape == "box":
+        size = metres(tables.vector(table["size"], f"{prefix}size"))
+        if np.any(size <= 0.0):
+            raise ValueError(f"{prefix}size: expected three numbers > 0, got {shown(table['size'])}")
+        length, volume = float(size[0]), float(size[0] * size[1] * size[2])
+        tensor = np.diag(size @ size - size**2) / 12.0
+    else:
+        length, volume, tensor = _cylinder(table, prefix, metres, _axis(table, prefix, along))
+    mass = _mass(table, prefix, volume)
+    return Body(mass, _center(table, prefix, metres, along, length), mass * tensor)
+
+
+def _center(table: dict[str, Any], prefix: str, metres: Metres, along: float | None, length: float) -> Array:
+    """Middle of a shape."""
+    if along is None:
+        return np.asarray(metres(tables.vector(table.get("center", (0.0, 0.0, 0.0)), f"{prefix}center")))
+    start = metres(tables.number(table.get("start", 0.0), f"{prefix}start"))
+    return np.array([along * (start + 0.5 * length), 0.0, 0.0])
+
+
+def _by_inertia(table: dict[str, Any], prefix: str, metres: Metres, whole: bool) -> dict[str, Any]:
+    if whole:
+        tables.require(table, INERTIA_KEYS, prefix, "missing")
+    found: dict[str, Any] = {}
+    if "mass" in table:
+        found["mass"] = tables.positive(table["mass"], f"{prefix}mass")
+    if "center_of_mass" in table:
+        found["center_of_mass"] = metres(tables.vector(table["center_of_mass"], f"{prefix}center_of_mass"))
+    if "inertia" in table:
+        given, where = table["inertia"], f"{prefix}inertia"
+        plain = isinstance(given, list | tuple) and not any(isinstance(row, list | tuple) for row in given)
+        found["inertia"] = np.diag(tables.vector(given, where)) if plain else inertia(given, where)
+    return found
+
+
+def _axis(table: dict[str, Any], prefix: str, along: float | None) -> Array:
+    """Axis of a cylinder: x in a leg, z in the platform unless it is given."""
+    if along is not None:
+        return np.array([1.0, 0.0, 0.0])
+    return direction(table.get("axis", (0.0, 0.0, 1.0)), f"{prefix}axis")
+
+
+def _cylinder(table: dict[str, Any], prefix: str, metres: Metres, axis: Array) -> tuple[float, float, Array]:
+    """Length, m, volume, m^3, and inertia over mass, m^2, of a cylinder with or without a bore."""
+    key = "thickness" if "thickness" in table else "length"
+    length, outer = (metres(tables.positive(table[name], prefix + name)) for name in (key, "radius"))
+    inner = metres(tables.not_negative(table.get("inner_radius", 0.0), f"{prefix}inner_radius"))
+    if inner >= outer:
+        got = f"{table['inner_radius']:g} in {table['radius']:g}"
+        raise ValueError(f"{prefix}inner_radius: expected a radius below that of the outside, got {got}")
+    squares = outer**2 + inner**2
+    about, across = squares / 2.0, squares / 4.0 + length**2 / 12.0
+    tensor = across * np.eye(3) + (about - across) * np.outer(axis, axis)
+    return length, math.pi * (outer**2 - inner**2) * length, tensor
+
+
+def _mass(table: dict[str, Any], prefix: str, volume: float) -> float:
+    given = [key for key in _MATTER if key in table]
+    if not given:
+        raise ValueError(f"{prefix}mass: missing, expected mass or density")
+    if len(given) > 1:
+        raise ValueError(f"{prefix}density: expected mass or density, got both")
+    amount = tables.positive(table[given[0]], prefix + given[0])
+    mass = float(amount if given[0] == "mass" else amount * volume)
+    if not 0.0 < mass < math.inf:
+        raise ValueError(f"{prefix}{given[0]}: expected a body with a mass, got {mass:g} kg")
+    return mass

@@ -1,0 +1,161 @@
+"""A first robot file from a few numbers of a machine: symmetric, with what is assumed said in comments."""
+
+import math
+from dataclasses import dataclass, fields
+from string import Template
+
+from ..io.arguments import number_in, option
+from ..io.tables import one_line
+from ..motion.logs import LENGTH_UNITS
+
+# Shares of a leg: of its mass in the lower part, and of its greatest length that each part is long.
+_LOWER_MASS, _PART = 0.7, 0.6
+# Radii over the leg's length at home, and of the platform's plate over that of its joints.
+_LOWER_RADIUS, _UPPER_RADIUS, _WALL, _RIM = 0.03, 0.02, 0.8, 1.15
+_THICKNESS = 0.1
+_WIDEST = 120.0
+
+
+@dataclass(frozen=True)
+class Draft:
+    """Numbers of a machine whose joints are in pairs round three axes 120 degrees apart.
+
+    Attributes
+    ----------
+    name : str
+        Of the machine.
+    length_unit : str
+        Of all lengths here and in the file: ``"m"``, ``"cm"``, ``"mm"`` or ``"in"``.
+    base_radius, platform_radius : float
+        Radii of the circles of joints.
+    base_angle, platform_angle : float
+        Angles between the joints of a pair, degrees, 0 to 120.
+    height : float
+        Of the platform's joints above the base's at home.
+    platform_mass, leg_mass : float
+        Masses, payload included, kg.
+    stroke : float
+        From the shortest leg to the longest; half of it on either side of home.
+
+    Raises
+    ------
+    ValueError
+        Naming the number.
+    """
+
+    name: str
+    length_unit: str
+    base_radius: float
+    platform_radius: float
+    base_angle: float
+    platform_angle: float
+    height: float
+    platform_mass: float
+    leg_mass: float
+    stroke: float
+
+    def __post_init__(self) -> None:
+        """Check every number."""
+        one_line(self.name, "name")
+        option(self.length_unit, tuple(LENGTH_UNITS), "length_unit")
+        for each in fields(self):
+            value = getattr(self, each.name)
+            if each.name.endswith("_angle"):
+                number_in(value, each.name, f"0 to {_WIDEST:g} degrees", 0.0, _WIDEST, closed=True)
+            elif each.name not in ("name", "length_unit"):
+                number_in(value, each.name, "a number > 0")
+        longest = self.leg_length + 0.5 * self.stroke
+        if self.stroke >= 0.5 * longest:
+            most = f"below {2.0 / 3.0 * self.leg_length:.4g}, since a leg is longer than its stroke"
+            raise ValueError(f"stroke: expected a number {most}, got {self.stroke:g}")
+
+    @property
+    def leg_length(self) -> float:
+        """Of every leg at home."""
+        turn = math.radians(60.0 - 0.5 * (self.base_angle + self.platform_angle))
+        b, p = self.base_radius, self.platform_radius
+        return math.sqrt(b * b + p * p - 2.0 * b * p * math.cos(turn) + self.height**2)
+
+    def text(self) -> str:
+        """The robot file."""
+        L = self.leg_length
+        lower, upper = _LOWER_RADIUS * L, _UPPER_RADIUS * L
+        return _TEXT.substitute(
+            name=_quoted(self.name),
+            unit=self.length_unit,
+            height=_number(self.height),
+            base_radius=_number(self.base_radius),
+            # Neighbours of different pairs of the base meet in a pair of the platform.
+            base_angles=_angles((0.0, 120.0, 240.0), self.base_angle, 0),
+            platform_radius=_number(self.platform_radius),
+            platform_angles=_angles((-60.0, 60.0, 180.0), self.platform_angle, 1),
+            plate_radius=_short(_RIM * self.platform_radius),
+            thickness=_short(_THICKNESS * self.platform_radius),
+            platform_mass=_number(self.platform_mass),
+            lower_radius=_short(lower),
+            bore=_short(_WALL * lower),
+            upper_radius=_short(upper),
+            part=_short(_PART * (L + 0.5 * self.stroke)),
+            lower_mass=_short(_LOWER_MASS * self.leg_mass),
+            upper_mass=_short((1.0 - _LOWER_MASS) * self.leg_mass),
+            back=_number(-0.5 * self.stroke),
+            forth=_number(0.5 * self.stroke),
+            length=_short(L),
+        )
+
+
+_TEXT = Template("""\
+# A robot file by `stewart-sym new`; what is assumed is marked. The documentation's page "Files" has all keys.
+schema = 2
+name = $name
+length_unit = "$unit"               # of every length here; else SI: kg, kg m^2, N, m/s^2
+angle_unit = "deg"
+gravity = [0.0, 0.0, -9.81]      # base frame: z is up
+home = [0.0, 0.0, $height]         # platform frame's origin in the base frame, both parallel
+
+[base]                           # joints of legs 1 to 6, base frame
+radius = $base_radius
+angles = $base_angles
+z = 0.0
+
+[platform]                       # joints, platform frame: its origin is their middle
+radius = $platform_radius
+angles = $platform_angles
+z = 0.0
+# Assumed: a round plate about the origin. Or a list of parts, or mass, center_of_mass and inertia about it.
+body = { shape = "plate", radius = $plate_radius, thickness = $thickness, mass = $platform_mass }
+
+[legs]                           # what all legs share; [leg.1] to [leg.6] for what one has of its own
+# Assumed: fixed axes of the universal joints along the circle of the base joints; or "radial", or a vector.
+universal_axis = "tangential"
+# Assumed: a tube from the base joint on, with 70 % of the leg's mass, and a rod from the platform joint on.
+lower = { shape = "tube", radius = $lower_radius, inner_radius = $bore, length = $part, mass = $lower_mass }
+upper = { shape = "rod", radius = $upper_radius, length = $part, mass = $upper_mass }
+stroke = [$back, $forth]         # about the length at home, $length $unit from joint to joint
+# Assumed: no friction and no limits of the actuators. Viscous friction in N m s, N s/m and N m s; N; $unit/s:
+# friction = { universal = 0.0, prismatic = 0.0, spherical = 0.0 }
+# force_limit = 1000.0
+# speed_limit = 1.0
+""")
+
+
+def _angles(pairs: tuple[float, float, float], apart: float, shift: int) -> str:
+    """Angles of the joints of six legs: pairs round three axes, ``shift`` 1: begun with a pair's second."""
+    found = [axis + side * 0.5 * apart for axis in pairs for side in (-1.0, 1.0)][shift:]
+    found += [pairs[0] + 360.0 - 0.5 * apart] * shift
+    return "[" + ", ".join(map(_number, found)) + "]"
+
+
+def _number(value: float) -> str:
+    """With all its digits."""
+    return repr(float(value) + 0.0)
+
+
+def _short(value: float) -> str:
+    """With four digits: assumed, or for people."""
+    return repr(float(f"{value:.4g}"))
+
+
+def _quoted(text: str) -> str:
+    escaped = text.replace("\\", "\\\\").replace('"', '\\"')
+    return f'"{escaped}"'

@@ -1,0 +1,192 @@
+"""What each field of a robot must be, and its place in a robot file."""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from ..io import tables
+from ..io.arguments import shown
+from ..io.array_types import Array
+from ..motion.logs import EULER_ORDERS, LENGTHS
+
+LEGS = 6
+DEFAULT_GRAVITY = (0.0, 0.0, -9.81)
+BASE_JOINTS = ("universal", "spherical")
+SYMMETRY_TOLERANCE = 1e-9
+
+Check = Callable[[object, str], Any]
+"""From a value and where it stands, for messages, to the value as it is kept."""
+
+DOUBTS = (
+    *("platform-inertia", "lower-inertia", "upper-inertia"),
+    *(
+        "gravity",
+        "length-unit",
+        "stray-point",
+        "proportion",
+        "mass",
+        "inertia-size",
+        "center-of-mass",
+        "friction",
+    ),
+    *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity", "overlap"),
+    *("home", "length-limits", "force-limit", "speed-limit"),
+)
+"""Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
+loading, the others by ``plausibility.doubts``."""
+
+NO_LIMITS = {"length_limits": (0.0, math.inf), "force_limit": math.inf, "speed_limit": math.inf}
+
+
+def legs_text(legs: Sequence[int]) -> str:
+    """Legs, counted from 0, as a message names them."""
+    if len(legs) == LEGS:
+        return "all legs"
+    return ("leg " if len(legs) == 1 else "legs ") + ", ".join(str(i + 1) for i in legs)
+
+
+def vector_text(vector: Array) -> str:
+    """A vector in a message."""
+    return "(" + ", ".join(f"{x:g}" for x in vector) + ")"
+
+
+def base_joint(value: object, where: str) -> str:
+    """Kind of the joints at the base."""
+    if not isinstance(value, str) or value not in BASE_JOINTS:
+        raise ValueError(f'{where}: expected "universal" or "spherical", got {shown(value)}')
+    return value
+
+
+def accepted(value: object, where: str) -> tuple[str, ...]:
+    """Names of warnings."""
+    if not isinstance(value, list | tuple):
+        raise ValueError(f"{where}: expected a list of names of warnings, got {shown(value)}")
+    return tuple(tables.choice(name, DOUBTS, where) for name in value)
+
+
+def limits(value: object, where: str) -> Array:
+    """Shortest and longest leg, (2,)."""
+    found = tables.numbers(value, (2,), where)
+    if not 0.0 <= found[0] < found[1]:
+        raise ValueError(f"{where}: expected [min, max] with 0 <= min < max, got {shown(found.tolist())}")
+    return found
+
+
+# A robot file says "no limit" by leaving the key out, so infinity is for robots in memory only.
+
+
+def _limits_or_none(value: object, where: str) -> Array:
+    row = value.tolist() if isinstance(value, np.ndarray) else value
+    if isinstance(row, list | tuple) and tuple(row) == NO_LIMITS["length_limits"]:
+        return np.array(row)
+    return limits(row, where)
+
+
+def _limit_or_none(value: object, where: str) -> float:
+    return math.inf if isinstance(value, float) and value == math.inf else tables.positive(value, where)
+
+
+def direction(value: object, where: str) -> Array:
+    """Unit vector of a direction, (3,)."""
+    vector = tables.vector(value, where)
+    largest = float(np.max(np.abs(vector)))
+    if largest == 0.0:
+        raise ValueError(f"{where}: expected a non-zero direction, got {vector_text(vector)}")
+    norm = math.sqrt(float(vector @ vector)) if 1e-100 < largest < 1e100 else 0.0
+    # A vector that is unit to rounding is left alone: reading what to_dict wrote must change no bit.
+    if abs(norm - 1.0) <= 4.0 * np.finfo(np.float64).eps:
+        return vector
+    scaled = vector / largest
+    return np.asarray(scaled / math.sqrt(float(scaled @ scaled)))
+
+
+def no_direction(value: object, where: str) -> Array:
+    """Three zeros, (3,)."""
+    vector = tables.vector(value, where)
+    if np.any(vector != 0.0):
+        raise ValueError(
+            f'{where}: expected (0, 0, 0) when base_joint is "spherical", got {vector_text(vector)}'
+        )
+    return vector
+
+
+def inertia(value: object, where: str) -> Array:
+    """A symmetric tensor, (3, 3)."""
+    tensor = tables.numbers(value, (3, 3), where)
+    skew = np.abs(tensor - tensor.T)
+    if np.max(skew) > SYMMETRY_TOLERANCE * np.max(np.abs(tensor)):
+        i, j = divmod(int(np.argmax(skew)), 3)
+        raise ValueError(
+            f"{where}: expected a symmetric tensor, got {tensor[i, j]:g} at ({i + 1}, {j + 1}) "
+            f"and {tensor[j, i]:g} at ({j + 1}, {i + 1})"
+        )
+    return np.asarray(0.5 * tensor + 0.5 * tensor.T)
+
+
+def home(value: object, where: str) -> Array | None:
+    """A position, (3,), or None."""
+    return None if value is None else tables.vector(value, where)
+
+
+def need_axisymmetric(legs: Mapping[str, Array], name: Callable[[int, str], str]) -> None:
+    """Reject legs that are no bodies of revolution, where spherical joints leave their spin free.
+
+    legs: fields of a robot by name. name: of a field of a leg, counted from 0, in messages.
+    """
+    for i in range(LEGS):
+        for center, tensor in (("r_d0", "I_d0"), ("r_u0", "I_u0")):
+            _axisymmetric(legs[center][i], legs[tensor][i], name(i, center), name(i, tensor))
+
+
+def _axisymmetric(center: Array, tensor: Array, where_center: str, where_tensor: str) -> None:
+    if np.any(np.abs(center[1:]) > SYMMETRY_TOLERANCE * np.max(np.abs(center))):
+        got = vector_text(center)
+        raise ValueError(f'{where_center}: expected (x, 0, 0) when base_joint is "spherical", got {got}')
+    wanted = np.diag([tensor[0, 0], tensor[1, 1], tensor[1, 1]])
+    if np.any(np.abs(tensor - wanted) > SYMMETRY_TOLERANCE * np.max(np.abs(tensor))):
+        raise ValueError(f'{where_tensor}: expected diag(Ia, It, It) when base_joint is "spherical"')
+
+
+FIELDS: dict[str, tuple[str, Check]] = {
+    "g": ("gravity", tables.vector),
+    "M": ("platform.mass", tables.positive),
+    "R_0": ("platform.center_of_mass", tables.vector),
+    "I_p": ("platform.inertia", inertia),
+}
+"""Path in a robot file of schema 1 and check of each field."""
+
+LEG_FIELDS: dict[str, tuple[str, Check]] = {
+    "b": ("base_point", tables.vector),
+    "p": ("platform_point", tables.vector),
+    "k": ("universal_axis", direction),
+    "m_d": ("lower.mass", tables.positive),
+    "r_d0": ("lower.center_of_mass", tables.vector),
+    "I_d0": ("lower.inertia", inertia),
+    "m_u": ("upper.mass", tables.positive),
+    "r_u0": ("upper.center_of_mass", tables.vector),
+    "I_u0": ("upper.inertia", inertia),
+    "C_u": ("friction.universal", tables.not_negative),
+    "C_p": ("friction.prismatic", tables.not_negative),
+    "C_s": ("friction.spherical", tables.not_negative),
+    "length_limits": ("length_limits", _limits_or_none),
+    "force_limit": ("force_limit", _limit_or_none),
+    "speed_limit": ("speed_limit", _limit_or_none),
+}
+"""The same of the fields with an entry for each leg, path in a leg's table."""
+
+POSE_FIELDS: dict[str, Check] = {
+    "home": home,
+    "tool": tables.vector,
+    "euler_order": lambda value, where: tables.choice(value, EULER_ORDERS, where),
+    "lengths": lambda value, where: tables.choice(value, LENGTHS, where),
+}
+"""Check of the fields that say how poses of the machine are given; schema 1 has none of them."""
+
+POSE_DEFAULTS: dict[str, Any] = {
+    "home": None,
+    "tool": np.zeros(3),
+    "euler_order": "zyx",
+    "lengths": LENGTHS[0],
+}

@@ -1,0 +1,247 @@
+"""Tables of a robot file of schema 2, as people write it, as fields of a robot.
+
+Points by radius and angles, bodies by shape and density, millimetres and degrees, what legs share once.
+"""
+
+from collections.abc import Mapping
+from decimal import Decimal
+from typing import Any
+
+import numpy as np
+
+from ..io import tables
+from ..io.arguments import shown
+from ..io.array_types import Array
+from ..motion.logs import LENGTH_UNITS
+from . import schema_1
+from .bodies import INERTIA_KEYS, Metres, body
+from .fields import (
+    DEFAULT_GRAVITY,
+    LEG_FIELDS,
+    LEGS,
+    NO_LIMITS,
+    POSE_FIELDS,
+    accepted,
+    base_joint,
+    limits,
+    need_axisymmetric,
+)
+from .points import RING_KEYS, axis, points
+
+SCHEMA = 2
+
+_TOP_KEYS = (
+    *("schema", "name", "length_unit", "angle_unit", "base_joint", "gravity", "accept"),
+    *("base", "platform", "legs", "leg", "home", "trajectory"),
+)
+_NEEDED = ("schema", "name", "base", "platform", "legs")
+_POINT_KEYS = ("points", *RING_KEYS)
+_PARTS = {"lower": 1.0, "upper": -1.0}
+"""Parts of a leg, and to which side along x they lie from their joint."""
+_FRICTION_KEYS = ("universal", "prismatic", "spherical")
+_LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit")
+_SHARED_KEYS = ("universal_axis", *_PARTS, "friction", *_LIMIT_KEYS)
+_LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
+_NUMBERS = tuple(str(i + 1) for i in range(LEGS))
+_TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
+
+
+def values(d: object, file: str) -> dict[str, Any]:
+    """Fields of a robot by name, checked; ``file`` begins every message."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        found = _values(d, file)
+    _need_finite(found, file)
+    return found
+
+
+def _values(d: object, file: str) -> dict[str, Any]:
+    top = tables.checked_table(d, file, _TOP_KEYS, _NEEDED)
+    metres = _metres(tables.choice(top.get("length_unit", "m"), tuple(LENGTH_UNITS), f"{file}length_unit"))
+    degrees = tables.choice(top.get("angle_unit", "rad"), ("rad", "deg"), f"{file}angle_unit") == "deg"
+    joint = base_joint(top.get("base_joint", "universal"), f"{file}base_joint")
+    home = metres(tables.vector(top["home"], f"{file}home")) if "home" in top else None
+    own = {
+        "name": tables.one_line(top["name"], f"{file}name"),
+        "base_joint": joint,
+        "g": tables.vector(top.get("gravity", DEFAULT_GRAVITY), f"{file}gravity"),
+        "accept": accepted(top.get("accept", ()), f"{file}accept"),
+        "home": home,
+        **_trajectory(top.get("trajectory", {}), f"{file}trajectory.", metres, home),
+    }
+    platform = tables.checked_table(top["platform"], f"{file}platform.", (*_POINT_KEYS, "body"), ("body",))
+    base = tables.checked_table(top["base"], f"{file}base.", _POINT_KEYS)
+    rings = [
+        points(table, f"{file}{name}.", metres, degrees)
+        for name, table in (("base", base), ("platform", platform))
+    ]
+    on_top = body(platform["body"], f"{file}platform.body", metres, None)
+    tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
+    own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
+    return own | _Legs(top, file, metres, joint, home).values(*rings)
+
+
+def _metres(unit: str) -> Metres:
+    """From lengths in a unit to m: the doubles next to the decimals that are written, as NumPy's numbers."""
+    factor = Decimal(repr(LENGTH_UNITS[unit]))
+    exact = np.vectorize(lambda x: float(Decimal(repr(float(x))) * factor), otypes=[np.float64])
+    return lambda length: np.asarray(length if unit == "m" else exact(length))[()]
+
+
+def _trajectory(value: object, prefix: str, metres: Metres, home: Array | None) -> dict[str, Any]:
+    """How poses of the machine are given."""
+    table = tables.checked_table(value, prefix, _TRAJECTORY_KEYS)
+    found = {key: POSE_FIELDS[key](given, prefix + key) for key, given in table.items()}
+    if found.get("lengths") == "relative" and home is None:
+        raise ValueError(f'{prefix}lengths: "relative" is to the home pose, expected a key home')
+    return found | ({"tool": metres(found["tool"])} if "tool" in found else {})
+
+
+_SECTIONS = {"b": "base", "p": "platform", "M": "platform", "R_0": "platform", "I_p": "platform"}
+_SECTIONS |= {"home": "home", "tool": "trajectory", "g": "gravity"}
+
+
+def _need_finite(found: Mapping[str, Any], file: str) -> None:
+    """Reject what is not finite any more after conversions and sums."""
+    for name, value in found.items():
+        if name not in NO_LIMITS and isinstance(value, float | np.ndarray) and not np.all(np.isfinite(value)):
+            where = f"{file}{_SECTIONS.get(name, 'legs')}"
+            raise ValueError(f"{where}: expected numbers whose sums and squares are finite")
+
+
+class _Legs:
+    """What the legs share, and what one of them has of its own."""
+
+    def __init__(
+        self, top: Mapping[str, Any], file: str, metres: Metres, joint: str, home: Array | None
+    ) -> None:
+        self.file, self.metres, self.joint, self.home = file, metres, joint, home
+        self.shared = tables.checked_table(top["legs"], f"{file}legs.", _SHARED_KEYS)
+        given = top.get("leg", {})
+        if not isinstance(given, Mapping):
+            raise ValueError(f"{file}leg: expected tables [leg.1] to [leg.6], got {shown(given)}")
+        some = tables.checked_table(given, f"{file}leg.", _NUMBERS)
+        self.own = [tables.checked_table(some.get(n, {}), f"{file}leg.{n}.", _LEG_KEYS) for n in _NUMBERS]
+
+    def values(self, base: Array | None, platform: Array | None) -> dict[str, Any]:
+        """Fields with an entry for each leg, from the points of both rings, None for those not given."""
+        ends = [
+            np.array([self._point(i, key, ring) for i in range(LEGS)])
+            for key, ring in (("base_point", base), ("platform_point", platform))
+        ]
+        at_home = None if self.home is None else self.home + ends[1] - ends[0]
+        legs = [self._leg(i, None if at_home is None else at_home[i]) for i in range(LEGS)]
+        paths = {name: path for name, (path, _) in LEG_FIELDS.items() if name not in "bpk"}
+        found = {name: np.array([leg[path] for leg in legs]) for name, path in paths.items()}
+        if self.joint == "spherical":
+            need_axisymmetric(found, lambda i, name: self._where(i, paths[name].partition(".")[0]))
+        return {"b": ends[0], "p": ends[1], "k": self._axes(ends[0], at_home), **found}
+
+    def _where(self, i: int, key: str) -> str:
+        """Place of a key that a leg, counted from 0, has of its own or shares."""
+        return f"{self.file}leg.{i + 1}.{key}" if key in self.own[i] else f"{self.file}legs.{key}"
+
+    def _point(self, i: int, key: str, ring: Array | None) -> Array:
+        if key in self.own[i]:
+            return np.asarray(self.metres(tables.vector(self.own[i][key], self._where(i, key))))
+        if ring is None:
+            section = key.partition("_")[0]
+            raise ValueError(f"{self.file}{section}.points: missing, and leg.{i + 1}.{key} as well")
+        return np.asarray(ring[i])
+
+    def _axes(self, b: Array, at_home: Array | None) -> Array:
+        if self.joint == "spherical":
+            for i in range(LEGS):
+                if "universal_axis" in {**self.shared, **self.own[i]}:
+                    where = self._where(i, "universal_axis")
+                    raise ValueError(f'{where}: expected none when base_joint is "spherical"')
+            return np.zeros((LEGS, 3))
+        found = []
+        for i in range(LEGS):
+            given, where = {**self.shared, **self.own[i]}, self._where(i, "universal_axis")
+            if "universal_axis" not in given:
+                raise ValueError(f"{where}: missing")
+            leg = None if at_home is None else at_home[i]
+            found.append(axis(given["universal_axis"], where, b[i], b.mean(axis=0), leg))
+        return np.array(found)
+
+    def _leg(self, i: int, at_home: Array | None) -> dict[str, Any]:
+        """Values of a leg by path but its points and axis."""
+        found: dict[str, Any] = {}
+        for part in _PARTS:
+            found |= {f"{part}.{key}": value for key, value in self._part(i, part).items()}
+        for name in _FRICTION_KEYS:
+            found[f"friction.{name}"] = self._friction(i, name)
+        for name in ("force_limit", "speed_limit"):
+            given = {**self.shared, **self.own[i]}
+            value = tables.positive(given[name], self._where(i, name)) if name in given else NO_LIMITS[name]
+            found[name] = self.metres(value) if name == "speed_limit" else value
+        return found | {"length_limits": self._length_limits(i, at_home)}
+
+    def _part(self, i: int, part: str) -> dict[str, Any]:
+        """Mass, centre of mass and inertia of the lower or upper part."""
+        side, shared, found, reason = _PARTS[part], self.shared.get(part), {}, "missing"
+        if shared is not None:
+            found = body(shared, f"{self.file}legs.{part}", self.metres, side)
+        if part in self.own[i]:
+            own = body(self.own[i][part], self._where(i, part), self.metres, side)
+            # A mass that is not that of the shapes would leave their inertia wrong.
+            if isinstance(shared, list | tuple) or (isinstance(shared, Mapping) and "shape" in shared):
+                found, reason = own, f"missing, since legs.{part} is by shape"
+            else:
+                found = found | own
+        elif shared is None:
+            raise ValueError(f"{self.file}legs.{part}: missing")
+        tables.require(found, INERTIA_KEYS, f"{self._where(i, part)}.", reason)
+        return found
+
+    def _friction(self, i: int, name: str) -> float:
+        for table, prefix in ((self.own[i], f"{self.file}leg.{i + 1}."), (self.shared, f"{self.file}legs.")):
+            given = tables.checked_table(table.get("friction", {}), f"{prefix}friction.", _FRICTION_KEYS)
+            if name in given:
+                return tables.not_negative(given[name], f"{prefix}friction.{name}")
+        return 0.0
+
+    def _length_limits(self, i: int, at_home: Array | None) -> Array:
+        """Shortest and longest leg, m, (2,), by themselves or about the length at the home pose."""
+        for table, prefix in ((self.own[i], f"{self.file}leg.{i + 1}."), (self.shared, f"{self.file}legs.")):
+            if "length_limits" in table and "stroke" in table:
+                raise ValueError(f"{prefix}stroke: expected stroke or length_limits, got both")
+            if "length_limits" in table:
+                return np.asarray(self.metres(limits(table["length_limits"], f"{prefix}length_limits")))
+            if "stroke" in table:
+                return self._about_home(table["stroke"], f"{prefix}stroke", at_home)
+        return np.array(NO_LIMITS["length_limits"])
+
+    def _about_home(self, value: object, where: str, at_home: Array | None) -> Array:
+        stroke = self.metres(tables.numbers(value, (2,), where))
+        if stroke[0] >= stroke[1]:
+            raise ValueError(f"{where}: expected [least, most] with least < most, got {shown(value)}")
+        if at_home is None:
+            raise ValueError(f"{where}: is about the length at the home pose, expected a key home")
+        length = float(np.linalg.norm(at_home))
+        if length + stroke[0] < 0.0:
+            raise ValueError(f"{where}: expected at most the leg at home, {length:g} m, got {shown(value)}")
+        return length + np.asarray(stroke)
+
+
+def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
+    """The tables of a robot file, plain values alone and SI units; ``values`` undoes it to the bit."""
+    plain = schema_1.tables_of(fields)
+    legs = plain.pop("leg")
+    platform = {"points": np.asarray(fields["p"]).tolist(), "body": plain.pop("platform")}
+    ends = ("base_point", "platform_point")
+    home = fields["home"]
+    trajectory = {key: np.asarray(fields[key]).tolist() for key in _TRAJECTORY_KEYS}
+    return {
+        **plain,
+        "schema": SCHEMA,
+        **({} if home is None else {"home": home.tolist()}),
+        "base": {"points": np.asarray(fields["b"]).tolist()},
+        "platform": platform,
+        "legs": {},
+        "leg": {
+            n: {key: value for key, value in leg.items() if key not in ends}
+            for n, leg in zip(_NUMBERS, legs, strict=True)
+        },
+        "trajectory": trajectory,
+    }

@@ -1,0 +1,136 @@
+"""Picture of a machine at its home pose: in perspective and from above, legs numbered."""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.home_pose import HomePose, radius
+from ...io.extras import needed_for
+from ...robot.robot import LEGS, Robot
+from ..common.drawing import name_points
+from ..common.report import SMALL, Picture
+
+with needed_for("drawing"):
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.layout_engine import ConstrainedLayoutEngine
+    from mpl_toolkits.mplot3d.axes3d import Axes3D
+
+Array = NDArray[np.float64]
+
+BASE, PLATFORM, LEG, MARK = "#3a3a3a", "#1f4e9c", "#8a8a8a", "#c1440e"
+
+# Length of axes and arrows beside the machine's size, and distance within which points are one.
+_AXIS, _SAME = 0.12, 1e-3
+
+
+def picture(robot: Robot, home: HomePose) -> Picture:
+    """The machine at its home pose."""
+    return Picture(lambda: figure(robot, home), SMALL)
+
+
+def figure(robot: Robot, home: HomePose) -> Figure:
+    """Both views, side by side."""
+    drawn = Figure(figsize=(12.0, 5.6), layout=ConstrainedLayoutEngine(w_pad=0.2, h_pad=0.1, wspace=0.08))
+    tips = home.t + robot.p
+    in_space: Any = drawn.add_subplot(1, 2, 1, projection="3d")
+    extent = draw_legs(in_space, robot.b, tips) + _marks_in_space(in_space, robot, home, tips)
+    frame(in_space, np.concatenate(extent))
+    above = drawn.add_subplot(1, 2, 2)
+    above.set_title(f"{robot.name}: home pose, seen along -z\nbase black, platform blue", fontsize=9.0)
+    _from_above(above, robot, tips)
+    return drawn
+
+
+def draw_legs(axes: Axes3D, base: Array, tips: Array) -> list[Array]:
+    """Draw both rings of points (6, 3) and the legs between them, numbered; returns what was drawn."""
+    size = float(np.max(np.ptp(np.concatenate([base, tips]), axis=0)))
+    for corners, color in ((base, BASE), (tips, PLATFORM)):
+        ring = corners[_around(corners)]
+        axes.plot(*np.concatenate([ring, ring[:1]]).T, color=color, linewidth=1.6)
+    for leg in range(LEGS):
+        axes.plot(*np.stack([base[leg], tips[leg]]).T, color=LEG, linewidth=1.4)
+        axes.text(*(base[leg] - [0.0, 0.0, 0.05 * size]), str(leg + 1), fontsize=8.0, ha="center", va="top")
+    return [base, tips]
+
+
+def frame(axes: Axes3D, extent: Array) -> None:
+    """Limits and names of the axes for what is drawn, (n, 3)."""
+    low, high = extent.min(axis=0), extent.max(axis=0)
+    pad = 0.04 * float(np.max(high - low))
+    for name, a, b in zip("xyz", low - pad, high + pad, strict=True):
+        getattr(axes, f"set_{name}lim")(a, b)
+        getattr(axes, f"set_{name}label")(f"{name}, m", fontsize=8.0)
+    axes.set_box_aspect(high - low + 2.0 * pad)
+    axes.locator_params(nbins=4)
+    axes.tick_params(labelsize=7.0, pad=0.0)
+    axes.view_init(elev=18.0, azim=-60.0)
+
+
+def _marks_in_space(axes: Axes3D, robot: Robot, home: HomePose, tips: Array) -> list[Array]:
+    """Draw fixed axes of the universal joints, centre of mass with gravity and the tool point."""
+    size = radius(robot.b) + radius(robot.p)
+    bars = np.stack([robot.b - _AXIS * size * robot.k, robot.b + _AXIS * size * robot.k], axis=1)
+    for bar in bars if robot.base_joint == "universal" else ():
+        axes.plot(*bar.T, color=MARK, linewidth=1.2)
+    center = home.t + robot.R_0
+    axes.plot(*center[:, None], marker="o", color=PLATFORM, markersize=5.0, linestyle="")
+    drawn = [bars.reshape(-1, 3), center[None]]
+    text = "red: fixed axes of the universal joints\n" if robot.base_joint == "universal" else ""
+    text += "dot: centre of mass of the platform"
+    if np.any(robot.g):
+        arrow = 3.0 * _AXIS * size * robot.g / np.linalg.norm(robot.g)
+        axes.quiver(*center, *arrow, color=BASE, linewidth=1.2, arrow_length_ratio=0.25)
+        drawn.append((center + arrow)[None])
+        text += ", with gravity"
+    if robot.tool.any():
+        tool = home.t + robot.tool
+        axes.plot(
+            *np.stack([tips.mean(axis=0), tool]).T, color=PLATFORM, linewidth=0.8, linestyle=(0, (4, 2))
+        )
+        axes.plot(*tool[:, None], marker="x", color=PLATFORM, markersize=6.0, linestyle="")
+        drawn.append(tool[None])
+        text += "\ncross: point of the trajectories' poses"
+    axes.set_title(text, fontsize=8.0)
+    return drawn
+
+
+def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:
+    """Project along z: rings, legs and the numbers of both ends of each."""
+    places, names = [], []
+    bars = [(_place(one), _place(other)) for one, other in zip(robot.b, tips, strict=True)]
+    for corners, color in ((robot.b, BASE), (tips, PLATFORM)):
+        ring = corners[_around(corners)]
+        axes.plot(*np.concatenate([ring, ring[:1]]).T[:2], color=color, linewidth=1.2)
+        axes.plot(*corners.T[:2], marker="o", color=color, markersize=4.0, linestyle="")
+        places += [_place(corner) for corner in corners]
+        names += [(text, at, color) for text, at in _numbers(corners)]
+    for one, other in bars:
+        axes.plot(*zip(one, other, strict=True), color=LEG, linewidth=1.2)
+    axes.set_aspect("equal")
+    axes.margins(0.12)
+    axes.set(xlabel="x, m", ylabel="y, m")
+    name_points(axes, names, places, bars, size=9.0)
+
+
+def _place(point: Array) -> tuple[float, float]:
+    return float(point[0]), float(point[1])
+
+
+def _numbers(points: Array) -> list[tuple[str, tuple[float, float]]]:
+    """Numbers of the legs at points seen along z, those of points in one place together."""
+    left, found = list(range(LEGS)), []
+    size = radius(points) or 1.0
+    while left:
+        same = [i for i in left if np.linalg.norm((points[i] - points[left[0]])[:2]) < _SAME * size]
+        found.append((", ".join(str(i + 1) for i in same), _place(points[left[0]])))
+        left = [i for i in left if i not in same]
+    return found
+
+
+def _around(corners: Array) -> NDArray[np.int64]:
+    """Order of points by their angle about their middle, in the plane that fits them best."""
+    from_middle = corners - corners.mean(axis=0)
+    across = from_middle @ np.linalg.svd(from_middle)[2][:2].T
+    return np.argsort(np.arctan2(across[:, 1], across[:, 0]))

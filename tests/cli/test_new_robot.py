@@ -1,0 +1,192 @@
+"""``new``, ``robots`` and the picture of ``check``: files that people begin with."""
+
+import io
+import itertools
+import json
+import math
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command_line import fails_in_one_line
+
+import stewart_sym as ss
+from stewart_sym import robots
+from stewart_sym.cli.main import main
+
+NUMBERS = {
+    "--base-radius": 0.6,
+    "--platform-radius": 0.3,
+    "--height": 0.7,
+    "--platform-mass": 40.0,
+    "--leg-mass": 4.0,
+    "--stroke": 0.3,
+}
+
+
+def options(numbers: dict[str, float]) -> list[str]:
+    return [text for name, value in numbers.items() for text in (name, repr(value))]
+
+
+def test_a_new_file_has_the_numbers_given_and_no_doubt(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.toml"
+    assert main(["new", "-o", str(path), "--name", 'a "quoted\\" name', *options(NUMBERS)]) == 0
+    assert capsys.readouterr().out == f"Written to {path}\n"
+    robot = ss.Robot.from_toml(path)
+    assert robot.name == 'a "quoted\\" name'
+    assert np.linalg.norm(robot.b, axis=-1) == pytest.approx(0.6, rel=1e-15)
+    assert np.linalg.norm(robot.p, axis=-1) == pytest.approx(0.3, rel=1e-15)
+    assert (robot.M, robot.home.tolist()) == (40.0, [0.0, 0.0, 0.7])
+    assert robot.m_d + robot.m_u == pytest.approx(4.0)
+    assert np.ptp(robot.length_limits, axis=-1) == pytest.approx(0.3)
+    L = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    assert robot.length_limits.mean(axis=-1) == pytest.approx(L)
+    assert np.ptp(L) < 1e-15
+    assert f"{float(f'{L[0]:.4g}')!r} m from joint to joint" in path.read_text()
+    assert main(["check", str(path)]) == 0
+    assert capsys.readouterr().err == ""
+
+
+def test_new_files_of_many_machines_pass_check(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "robot.toml"
+    for unit, platform, angle, height in itertools.product((1.0, 1000.0), (0.15, 0.5), (5, 30), (0.5, 0.9)):
+        lengths = {"--base-radius": 0.6, "--platform-radius": platform, "--height": height, "--stroke": 0.2}
+        numbers = {name: unit * value for name, value in lengths.items()}
+        numbers |= {"--platform-mass": 25.0, "--leg-mass": 3.0, "--platform-angle": angle}
+        chosen = ["--length-unit", "mm"] if unit > 1.0 else []
+        assert main(["new", "-o", str(path), "--force", *chosen, *options(numbers)]) == 0
+        assert main(["check", str(path)]) == 0
+        assert capsys.readouterr().err == "", numbers
+
+
+def test_millimetres_and_metres_make_the_same_machine(tmp_path: Path) -> None:
+    made = []
+    for unit, factor in (("m", 1.0), ("mm", 1000.0)):
+        numbers = {name: value * (1.0 if "mass" in name else factor) for name, value in NUMBERS.items()}
+        path = tmp_path / f"{unit}.toml"
+        assert main(["new", "-o", str(path), "--length-unit", unit, *options(numbers)]) == 0
+        made.append(ss.Robot.from_toml(path))
+    for name in ("b", "p", "M", "I_p", "m_d", "I_d0", "r_u0", "I_u0", "length_limits", "home"):
+        np.testing.assert_allclose(getattr(made[0], name), getattr(made[1], name), rtol=1e-14, atol=1e-16)
+
+
+def test_a_file_is_replaced_by_force_alone(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "robot.toml"
+    path.write_text("mine = 1\n")
+    command = ["new", "-o", str(path), *options(NUMBERS)]
+    assert "use --force to overwrite" in fails_in_one_line(capsys, *command)
+    assert path.read_text() == "mine = 1\n"
+    assert main([*command, "--force"]) == 0
+    edited = path.read_text().replace("mass = 40.0", "mass = 41.0")
+    path.write_text(edited)
+    assert main([*command]) == 2
+    assert path.read_text() == edited
+
+
+@pytest.mark.parametrize(
+    ("changed", "told"),
+    [
+        (
+            {"--stroke": 1.0},
+            "--stroke: expected a number below 0.5433, since a leg is longer than its stroke",
+        ),
+        ({"--base-angle": 130.0}, "--base-angle: expected 0 to 120 degrees, got 130.0"),
+        ({"--height": -1.0}, "argument --height: expected a number > 0, got '-1.0'"),
+    ],
+)
+def test_numbers_that_no_machine_has_are_named_by_their_option(
+    changed: dict[str, float], told: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.toml"
+    assert told in fails_in_one_line(capsys, "new", "-o", str(path), *options({**NUMBERS, **changed}))
+    assert not path.exists()
+
+
+def test_a_doubtful_machine_is_written_with_a_warning(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "robot.toml"
+    large = {name: value * (1.0 if "mass" in name else 1000.0) for name, value in NUMBERS.items()}
+    assert main(["new", "-o", str(path), *options(large)]) == 0
+    told = capsys.readouterr().err
+    assert f"{path}: base points 600 m" in told
+    assert "[length-unit]" in told
+
+
+class Terminal(io.StringIO):
+    def isatty(self) -> bool:
+        return True
+
+
+def test_what_is_not_given_is_asked_for_on_a_terminal(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "robot.toml"
+    given = {"--base-radius": 600.0, "--leg-mass": 4.0}
+    monkeypatch.setattr(sys, "stdin", Terminal("300\n700 mm\n700\n40\n300\n"))
+    assert main(["new", "-o", str(path), "--length-unit", "mm", *options(given)]) == 0
+    asked = capsys.readouterr().err
+    assert asked.count("radius of the platform joints' circle, mm: ") == 1
+    assert asked.count("at home, mm: ") == 2
+    assert "expected a finite number, got '700 mm'" in asked
+    assert ss.Robot.from_toml(path).home[2] == 0.7
+    monkeypatch.setattr(sys, "stdin", Terminal("300\n"))
+    assert main(["new", "-o", str(tmp_path / "other.toml"), *options(given)]) == 2
+    assert capsys.readouterr().err.endswith("--height: missing, the answers ended\n")
+    monkeypatch.setattr(sys, "stdin", io.StringIO())
+    assert "standard input is no terminal" in fails_in_one_line(capsys, "new", "-o", str(path))
+
+
+def test_robots_are_listed_shown_and_copied(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["robots"]) == 0
+    listed = capsys.readouterr().out
+    assert [line.split()[0] for line in listed.splitlines()[2:]] == list(robots.NAMES)
+    assert main(["robots", "--show", "unal"]) == 0
+    assert capsys.readouterr().out == robots.text("unal")
+    path = tmp_path / "mine.toml"
+    for _ in range(2):
+        assert main(["robots", "--show", "tsai2000", "-o", str(path)]) == 0
+    assert path.read_text() == robots.text("tsai2000")
+    capsys.readouterr()
+    assert "use --force" in fails_in_one_line(capsys, "robots", "--show", "unal", "-o", str(path))
+    assert "expected --show NAME" in fails_in_one_line(capsys, "robots", "-o", str(path))
+    assert '--show: expected "dasgupta1998"' in fails_in_one_line(capsys, "robots", "--show", "tsai")
+    assert main(["robots", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["robots"]["unal"]["platform_mass_kg"] == 2.146
+
+
+@pytest.mark.parametrize("name", ["rubin_m2", "tsai2000"])
+def test_check_draws_the_machine_into_a_folder(
+    name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = Path(robots.__file__).parent / f"{name}.toml"
+    assert main(["check", str(file), "-o", str(tmp_path / "out")]) == 0
+    text = capsys.readouterr().out
+    assert {path.name for path in (tmp_path / "out").glob("[!.]*")} == {
+        "machine.png",
+        "report.json",
+        "report.txt",
+    }
+    assert (tmp_path / "out" / "machine.png").read_bytes().startswith(b"\x89PNG")
+    assert (tmp_path / "out" / "report.txt").read_text() in text
+    assert main(["check", str(file), "-o", str(tmp_path / "bare"), "--no-pictures"]) == 0
+    assert not (tmp_path / "bare" / "machine.png").exists()
+
+
+def test_points_in_one_place_are_named_together() -> None:
+    from stewart_sym.studies.reports.machine_plot import _numbers
+
+    ring = [[math.cos(a), math.sin(a), 0.0] for a in np.radians([0, 0, 120, 120, 240, 240])]
+    assert [text for text, _ in _numbers(np.array(ring))] == ["1, 2", "3, 4", "5, 6"]
+
+
+def test_check_says_how_trajectories_are_read_and_what_stroke_is_left(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    assert main(["check", str(Path(robots.__file__).parent / "rubin_camera.toml")]) == 0
+    told = capsys.readouterr().out
+    assert "poses of the point (0, 0, -2.7584) m of the platform, R = Rx Ry Rz" in told
+    assert "stroke left  -0.0141 to +0.0141 m" in told

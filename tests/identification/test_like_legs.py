@@ -1,0 +1,157 @@
+"""Legs that are built alike: their parameters are sought once, and found so."""
+
+import dataclasses
+import json
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+from machines import random_motion, random_robot
+from noisy_experiments import change
+from robot_files import written
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.identification.base_parameters import alike
+from stewart_sym.identification.parameters import leg_name, with_parameters
+from stewart_sym.robot.robot import Robot
+
+SIGMA = 0.5
+OF_LEGS = ("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
+
+
+@cache
+def robot(seed: int) -> Robot:
+    """A random machine all whose legs are as its first."""
+    machine = random_robot(np.random.default_rng(seed))
+    same = {name: np.repeat(getattr(machine, name)[:1], 6, axis=0) for name in OF_LEGS}
+    return dataclasses.replace(machine, **same)
+
+
+@cache
+def excited(seed: int) -> ss.Excitation:
+    return ss.choose_excitation(robot(seed), samples=60, candidates=3, shared="legs")
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_legs_alike_have_22_combinations_and_three_of_friction(seed: int) -> None:
+    base = ss.base_parameters(robot(seed), shared="legs")
+    assert base.rank == 25
+    assert base.gap > 1e9
+    assert [name for name in base.names if name.startswith("C_")] == ["C_u", "C_p", "C_s"]
+    assert ss.base_parameters(robot(seed), friction=False, shared="legs").rank == 22
+    assert not any(character.isdigit() for name in base.names for character in name)
+    assert "M + 6*m_u" in base.formulas
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_they_give_the_wrench_of_any_motion(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    base, pi = ss.base_parameters(robot(seed), shared="legs"), ss.inertial_parameters(robot(seed))
+    motion = random_motion(rng, robot(seed), (20,))
+    Y = ss.regressor(robot(seed), motion)
+    values = base.matrix @ pi.values
+    wrench = Y @ pi.values
+    within = 1e-11 * np.max(np.abs(Y) @ np.abs(pi.values))
+    np.testing.assert_allclose(Y @ base.lift @ values, wrench, rtol=0, atol=within)
+    reduced = base.reduced(ss.regressor(robot(seed), motion, columns=base.columns()))
+    np.testing.assert_allclose(reduced @ values, wrench, rtol=0, atol=within)
+    np.testing.assert_allclose(base.matrix @ base.lift, np.eye(25), atol=1e-15)
+
+
+def test_what_every_leg_has_of_its_own_is_as_before() -> None:
+    base = ss.base_parameters(robot(0))
+    assert base.shared is None
+    np.testing.assert_array_equal(base.columns(), base.kept)
+    np.testing.assert_array_equal(base.lift, np.eye(148)[:, base.kept])
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_without_noise_to_speak_of_they_come_back(seed: int) -> None:
+    found = ss.simulated_experiment(robot(seed), excited(seed), 1e-9)
+    assert np.max(np.abs(found.deviation)) < 1e4
+    Y = ss.regressor(robot(seed), excited(seed).motion)
+    lengths = np.linalg.norm(Y @ found.estimate.base.lift, axis=(0, 1))
+    error = np.abs(found.estimate.values - found.truth) * lengths
+    assert np.max(error) <= 1e-8 * np.max(np.abs(found.truth) * lengths)
+
+
+def test_noisy_forces_give_them_within_what_the_covariance_says() -> None:
+    runs = [ss.simulated_experiment(robot(1), excited(1), SIGMA, noise) for noise in range(40)]
+    off = [run.estimate.values - run.truth for run in runs]
+    weighed = [x @ np.linalg.solve(run.estimate.covariance, x) for x, run in zip(off, runs, strict=True)]
+    assert np.mean(weighed) == pytest.approx(25, abs=4.0 * np.sqrt(2.0 * 25 / len(runs)))
+    assert np.mean([np.max(np.abs(run.deviation)) < 4.0 for run in runs]) >= 0.95
+    assert np.mean([run.estimate.verdict == "consistent" for run in runs]) >= 0.95
+
+
+def test_sharing_makes_deviations_smaller() -> None:
+    machine, way = robot(2), excited(2)
+    F = ss.inverse_dynamics(machine, way.motion).F
+    once, apart = (ss.identify(machine, way.motion, F, SIGMA, shared=how) for how in ("legs", None))
+    place = {name: i for i, name in enumerate(apart.base.names)}
+    for name, sigma in zip(once.base.names, once.sigma, strict=True):
+        if name.startswith(("h_d", "h_u", "J_u", "C_")):
+            assert all(sigma < apart.sigma[place[leg_name(name, leg)]] for leg in range(1, 7)), name
+
+
+def test_noisy_poses_are_taken_into_account() -> None:
+    found = ss.simulated_experiment(robot(0), excited(0), 1.0, 3, 1e-4, 1e-4)
+    assert found.estimate.verdict == "consistent"
+    assert np.max(np.abs(found.deviation)) < 4.0
+
+
+def test_a_leg_that_differs_is_seen_in_the_residual() -> None:
+    machine, way = robot(0), excited(0)
+    odd = dataclasses.replace(machine, m_u=machine.m_u * [1, 1, 1.5, 1, 1, 1])
+    assert np.abs(change(machine, odd, way.motion)).max() > 10.0 * SIGMA
+    F = ss.inverse_dynamics(odd, way.motion).F + SIGMA * np.random.default_rng(4).normal(size=(60, 6))
+    assert ss.identify(odd, way.motion, F, SIGMA, shared="legs").verdict in ("misfit", "rejected")
+
+
+def test_possible_bodies_are_the_same_in_every_leg() -> None:
+    machine, way = robot(0), excited(0)
+    F = ss.inverse_dynamics(machine, way.motion).F + SIGMA * np.random.default_rng(5).normal(size=(60, 6))
+    # The robot file's legs differ: they are where the fit begins.
+    other = dataclasses.replace(machine, m_u=machine.m_u * np.linspace(0.8, 1.2, 6))
+    found = ss.identify(other, way.motion, F, SIGMA, physical=True, shared="legs")
+    assert found.parameters is not None
+    np.testing.assert_allclose(alike(found.parameters.values), found.parameters.values, rtol=1e-12)
+    np.testing.assert_allclose(found.base.matrix @ found.parameters.values, found.values, rtol=1e-9)
+    assert with_parameters(other, found.parameters.values).physicality() == []
+
+
+def test_values_below_zero_are_named_once_for_all_legs() -> None:
+    machine, way = robot(0), excited(0)
+    F = ss.inverse_dynamics(machine, way.motion).F
+    friction = ss.regressor(machine, way.motion) @ ss.base_parameters(machine, shared="legs").lift
+    place = ss.base_parameters(machine, shared="legs").names.index("C_p")
+    H = ss.inverse_dynamics(machine, way.motion).H
+    F = F - 2.0 * machine.C_p[0] * np.linalg.solve(H, friction[..., place, None])[..., 0]
+    found = ss.identify(machine, way.motion, F, 1e-3, shared="legs")
+    assert [line.partition(":")[0] for line in found.impossible] == ["C_p"]
+
+
+def test_the_flag_reports_shared_parameters(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = written(robot(1), tmp_path / "robot.toml")
+    out = ["-o", str(tmp_path / "out"), "--samples", "60", "--candidates", "2", "--sigma", "0.5"]
+    assert main(["identify", str(file), "--shared", "legs", *out]) == 0
+    told = capsys.readouterr().out
+    assert "25 base parameters of 148" in told
+    assert "all legs have the same" in told
+    data = json.loads((tmp_path / "out" / "report.json").read_text())
+    assert (data["shared"], len(data["parameters"])) == ("legs", 25)
+    measured = ["--measured", *(str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv"))]
+    again = ["-o", str(tmp_path / "again"), "--sigma", "0.5", "--shared", "legs", *measured]
+    assert main(["identify", str(file), *again]) == 0
+    assert "verdict: consistent" in capsys.readouterr().out
+
+
+def test_wrong_ways_of_sharing_are_named() -> None:
+    base = ss.base_parameters(robot(0))
+    with pytest.raises(ValueError, match="shared: expected \"legs\", got 'arms'"):
+        ss.base_parameters(robot(0), shared="arms")
+    motion = excited(0).motion
+    with pytest.raises(ValueError, match="shared: expected None beside base"):
+        ss.identify(robot(0), motion, np.zeros((60, 6)), 1.0, base, shared="legs")

@@ -1,0 +1,219 @@
+"""Trajectories of a robot whose file states a tool point, an order of rotations or relative lengths."""
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+from machines import random_motion, random_robot
+from motion_fields import FIELDS
+from robot_files import written
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.dynamics.force_noise import force_deviations
+from stewart_sym.kinematics.robot_logs import read_log_of, trajectory_for
+from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.motion.motion import Motion
+from stewart_sym.motion.rotation import rotation_about_axes
+from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.accuracy.budget import read_budget
+
+TOOL = np.array([0.1, -0.2, 0.4])
+NAMES = ("t_x", "t_y", "t_z", "theta_x", "theta_y", "theta_z")
+
+
+@pytest.fixture
+def robot() -> Robot:
+    plain = ss.Robot.from_toml(Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml")
+    return dataclasses.replace(plain, tool=TOOL, home=np.array([0.0, 0.0, 0.65]))
+
+
+def saved(path: Path, columns: dict[str, np.ndarray]) -> Path:
+    rows = np.stack([*columns.values()], axis=-1)
+    np.savetxt(path, rows, delimiter=",", header=",".join(columns), comments="", fmt="%.17g")
+    return path
+
+
+RATES, TURNS = np.array([3.0, 2.0, 1.5]), np.array([0.1, 0.08, 0.12])
+
+
+def waving(time: np.ndarray) -> Motion:
+    """A motion of the reference point."""
+    middle, size = np.array([0.0, 0.0, 0.65]), np.array([0.05, 0.04, 0.03])
+    s, c = np.sin(np.outer(time, RATES)), np.cos(np.outer(time, RATES))
+    rates = (size * RATES * c, -TURNS * RATES * s, -size * RATES**2 * s, -TURNS * RATES**2 * c)
+    return Motion.from_rpy(middle + size * s, TURNS * c, *rates)
+
+
+def tool_poses(time: np.ndarray) -> np.ndarray:
+    """The same motion as rows of a log of the tool, (n, 6)."""
+    return np.hstack([waving(time).about_point(TOOL).t, TURNS * np.cos(np.outer(time, RATES))])
+
+
+def saved_poses(path: Path, time: np.ndarray, poses: np.ndarray) -> Path:
+    return saved(path, {"time": time} | dict(zip(NAMES, poses.T, strict=True)))
+
+
+def test_the_motion_of_another_point_has_the_rates_of_its_place() -> None:
+    step = 1e-5
+    at = waving(np.array([0.4 - step, 0.4, 0.4 + step])).about_point(TOOL)
+    np.testing.assert_allclose((at.t[2] - at.t[0]) / (2 * step), at.v[1], atol=1e-9)
+    np.testing.assert_allclose((at.v[2] - at.v[0]) / (2 * step), at.a[1], atol=1e-8)
+
+
+def test_about_a_point_and_back_is_the_motion() -> None:
+    rng = np.random.default_rng(30)
+    motion = random_motion(rng, random_robot(rng), (4,))
+    back = motion.about_point(TOOL).about_point(-TOOL)
+    for name in FIELDS:
+        np.testing.assert_allclose(getattr(back, name), getattr(motion, name), rtol=1e-12, atol=1e-12)
+    bare = Motion(motion.R, motion.t, motion.omega, motion.v).about_point(TOOL)
+    assert bare.a is bare.alpha is bare.F_ext is bare.M_ext is None
+    with pytest.raises(ValueError, match="read-only"):
+        bare.t[...] = 0.0
+
+
+def test_a_machine_named_by_another_reference_point_needs_the_same_forces() -> None:
+    """Loads included: the wrench is that about the new point."""
+    rng = np.random.default_rng(31)
+    for _ in range(5):
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot, (3,))
+        other = dataclasses.replace(robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL)
+        expected = ss.inverse_dynamics(robot, motion).F
+        found = ss.inverse_dynamics(other, motion.about_point(TOOL)).F
+        np.testing.assert_allclose(found, expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
+
+
+def test_rows_are_poses_of_the_tool(robot: Robot, tmp_path: Path) -> None:
+    time = np.linspace(0.0, 1.0, 201)
+    motion = waving(time)
+    path = saved_poses(tmp_path / "log.csv", time, tool_poses(time))
+    for found in (read_log_of(robot, path), trajectory_for(robot, path)):
+        np.testing.assert_allclose(found.motion.t, motion.t, atol=1e-15)
+        np.testing.assert_allclose(found.motion.a, motion.a, atol=1e-5)
+        np.testing.assert_allclose(ss.between(found)(0.5025).t, waving(np.array([0.5025])).t[0], atol=1e-9)
+    plain = dataclasses.replace(robot, tool=np.zeros(3))
+    np.testing.assert_array_equal(trajectory_for(plain, path).motion.t, read_csv(path).motion.t)
+
+
+def test_deviations_of_forces_are_those_of_noise_at_the_tool(robot: Robot, tmp_path: Path) -> None:
+    """The same machine, its reference point at the tool, has them without a tool point."""
+    rng = np.random.default_rng(32)
+    time = np.linspace(0.0, 2.0, 201)
+    noisy = tool_poses(time) + 1e-4 * rng.normal(size=(201, 6))
+    path = saved_poses(tmp_path / "log.csv", time, noisy)
+    there = dataclasses.replace(robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL, tool=np.zeros(3))
+    with pytest.warns(ss.LogWarning):
+        expected = force_deviations(there, trajectory_for(there, path))
+    with pytest.warns(ss.LogWarning):
+        found = force_deviations(robot, read_log_of(robot, path))
+    assert expected.min() > 0.0
+    np.testing.assert_allclose(found, expected, rtol=1e-6)
+
+
+def test_the_robot_file_says_in_which_order_rotations_are_multiplied(robot: Robot, tmp_path: Path) -> None:
+    theta = np.linspace([0.1, 0.2, -0.1], [0.2, -0.1, 0.3], 20)
+    poses = np.hstack([np.tile([0.0, 0.0, 0.6], (20, 1)), theta])
+    path = saved_poses(tmp_path / "log.csv", np.linspace(0.0, 1.0, 20), poses)
+    own = dataclasses.replace(robot, euler_order="xyz")
+    np.testing.assert_allclose(
+        trajectory_for(own, path).motion.R, rotation_about_axes(theta, "xyz"), atol=1e-14
+    )
+    stated = trajectory_for(own, path, ss.LogFormat(euler_order="zyx"))
+    np.testing.assert_allclose(stated.motion.R, rotation_about_axes(theta, "zyx"), atol=1e-14)
+
+
+def test_relative_lengths_are_less_those_of_the_home_pose(
+    robot: Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    time = np.linspace(0.0, 1.0, 101)
+    motion = waving(time)
+    L = ss.inverse_kinematics(robot, motion).L
+    home = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    columns = {f"L_{i + 1}": (L - home)[:, i] for i in range(6)}
+    path = saved(tmp_path / "log.csv", {"time": time} | columns)
+    own = dataclasses.replace(robot, lengths="relative")
+    found = read_log_of(own, path)
+    np.testing.assert_allclose(found.L, L, rtol=1e-14)
+    file, out = written(own, tmp_path / "robot.toml"), tmp_path / "forces.csv"
+    assert main(["forces", str(file), str(path), "-o", str(out)]) == 0
+    capsys.readouterr()
+    forces = np.genfromtxt(out, delimiter=",", names=True)
+    expected = ss.inverse_dynamics(robot, motion).F
+    np.testing.assert_allclose(forces["F1"][10:-10], expected[10:-10, 0], rtol=1e-3)
+    assert main(["forces", str(file), str(path), "-o", str(out), "--lengths", "absolute"]) == 2
+    assert "expected a length > 0 m" in capsys.readouterr().err
+    bare = dataclasses.replace(robot, home=None)
+    with pytest.raises(ValueError, match=r"log\.csv: relative lengths: expected a robot file with a key"):
+        read_log_of(bare, path, ss.LogFormat(lengths="relative"))
+
+
+def test_the_motions_of_a_budget_are_those_of_the_reference_point(robot: Robot, tmp_path: Path) -> None:
+    time = np.linspace(0.0, 1.0, 101)
+    saved_poses(tmp_path / "log.csv", time, tool_poses(time))
+    written(robot, tmp_path / "robot.toml")
+    scene = tmp_path / "scene.toml"
+    scene.write_text('schema = 1\nrobot = "robot.toml"\nmotions = ["log.csv"]\ntolerance = 0.01\n')
+    np.testing.assert_allclose(read_budget(scene).motions["log.csv"].t, waving(time).t, atol=1e-15)
+
+
+@pytest.mark.parametrize("order", ["zyx", "xyz"])
+def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
+    order: str, robot: Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = str(written(dataclasses.replace(robot, euler_order=order), tmp_path / "robot.toml"))
+    out = [str(tmp_path / "out" / name) for name in ("trajectory.csv", "forces.csv")]
+    options = ["--sigma", "1", "--samples", "80", "--candidates", "2", "-o", str(tmp_path / "out")]
+    assert main(["identify", file, *options]) == 0
+    capsys.readouterr()
+    poses = trajectory_for(Robot.from_toml(file), out[0])
+    assert isinstance(poses, Trajectory)
+    L = ss.inverse_kinematics(robot, poses.motion).L
+    assert np.all((L >= robot.length_limits[:, 0]) & (L <= robot.length_limits[:, 1]))
+    assert main(["identify", file, "--sigma", "1", "-o", str(tmp_path / "again"), "--measured", *out]) == 0
+    assert "verdict: consistent" in capsys.readouterr().out
+    stated = ["--noise-position", "1e-4", "--noise-angle", "1e-4", "--measured", *out]
+    assert main(["identify", file, "-o", str(tmp_path / "third"), *stated]) == 2
+    assert "expected a robot file without a tool point" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["forces", "singularities", "simulate", "identify"])
+def test_subcommands_read_rows_as_poses_of_the_tool(
+    command: str, robot: Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """As they read the same rows for the machine whose reference point is the tool."""
+    there = dataclasses.replace(
+        robot, p=robot.p - TOOL, R_0=robot.R_0 - TOOL, tool=np.zeros(3), home=robot.home + TOOL
+    )
+    time = np.linspace(0.0, 1.0, 101)
+    log = str(saved_poses(tmp_path / "log.csv", time, tool_poses(time)))
+    F = ss.inverse_dynamics(robot, waving(time)).F
+    forces = saved(tmp_path / "F.csv", {"time": time} | {f"F{i + 1}": F[:, i] for i in range(6)})
+    legs = '[legs]\nlaw = "tracking"\npath = "log.csv"\nk_p = 100.0\nk_d = 20.0\n'
+    written(robot, tmp_path / "tool.toml")
+    written(there, tmp_path / "there.toml")
+    results = []
+    for name in ("tool", "there"):
+        file, scene, out = str(tmp_path / f"{name}.toml"), tmp_path / f"{name}_scene.toml", tmp_path / name
+        scene.write_text(f'schema = 1\nrobot = "{name}.toml"\nduration = 0.05\noutput_step = 0.01\n{legs}')
+        call, table = {
+            "forces": ([file, log], ""),
+            "singularities": ([file, log, "--no-pictures"], "path.csv"),
+            "simulate": ([str(scene), "--no-pictures"], "run.csv"),
+            "identify": ([file, "--measured", log, str(forces), "--sigma", "0.1"], "report.txt"),
+        }[command]
+        assert main([command, *call, "-o", str(out)]) == 0
+        capsys.readouterr()
+        if command == "identify":
+            results.append((out / table).read_text().splitlines()[1])
+        else:
+            read = np.genfromtxt(out / table, delimiter=",", names=True)
+            # Instants between the ends of a path are where it bends, as seen from its point.
+            results.append([read[f"{'F' if command == 'forces' else 'L'}{i + 1}"][[0, -1]] for i in range(6)])
+    if command == "identify":
+        assert results[0] == results[1]
+    else:
+        np.testing.assert_allclose(results[0], results[1], rtol=1e-8)

@@ -1,0 +1,355 @@
+"""Robot files of schema 2: what people write is what is held, and every mistake is named with its line."""
+
+import dataclasses
+import json
+import math
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+from robot_files import written
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.robot.robot import PhysicalityWarning, Robot
+
+TEXT = """\
+schema = 2
+name = "press"
+length_unit = "mm"
+angle_unit = "deg"
+home = [0, 0, 700]
+
+[base]
+radius = 600
+angles = [10, 110, 130, 230, 250, 350]
+
+[platform]
+radius = 300
+angles = [50, 70, 170, 190, 290, 310]
+z = -50
+body = [
+    { shape = "plate", radius = 320, thickness = 20, density = 2700 },
+    { shape = "box", size = [100, 100, 80], mass = 20.0, center = [0, 0, 50] },
+]
+
+[legs]
+universal_axis = "tangential"
+lower = { shape = "tube", radius = 30, inner_radius = 25, length = 500, density = 7800 }
+upper = { shape = "rod", radius = 20, length = 450, mass = 3.5 }
+friction = { prismatic = 20.0 }
+stroke = [-150, 150]
+force_limit = 500.0
+speed_limit = 600
+
+[leg.3]
+lower = { mass = 9.0, center_of_mass = [250, 0, 0], inertia = [0.005, 0.2, 0.2] }
+friction.universal = 0.1
+
+[trajectory]
+tool = [0, 0, 300]
+euler_order = "xyz"
+lengths = "relative"
+"""
+
+
+def robot_of(text: str, folder: Path) -> Robot:
+    path = folder / "robot.toml"
+    path.write_text(text, encoding="utf-8")
+    return Robot.from_toml(path)
+
+
+def same(first: Robot, second: Robot) -> bool:
+    return all(
+        np.array_equal(getattr(first, f.name), getattr(second, f.name)) for f in dataclasses.fields(Robot)
+    )
+
+
+@pytest.fixture
+def robot(tmp_path: Path) -> Robot:
+    return robot_of(TEXT, tmp_path)
+
+
+def test_home_and_tool_are_lengths_in_other_units(robot: Robot) -> None:
+    units = ss.Units.of(robot)
+    small = units.robot(robot)
+    np.testing.assert_array_equal(small.home, robot.home / units.length)
+    np.testing.assert_array_equal(small.tool, robot.tool / units.length)
+    assert same(units.inverse.robot(small), robot)
+
+
+def test_points_stand_on_their_circle_in_metres(robot: Robot) -> None:
+    turn = np.radians([10, 110, 130, 230, 250, 350])
+    expected = np.stack([0.6 * np.cos(turn), 0.6 * np.sin(turn), 0 * turn], axis=-1)
+    np.testing.assert_allclose(robot.b, expected, atol=1e-15)
+    assert robot.p[:, 2] == pytest.approx(-0.05, abs=0.0)
+    np.testing.assert_array_equal(robot.b[0] * [1, -1, 1], robot.b[5])
+    np.testing.assert_array_equal(robot.home, [0.0, 0.0, 0.7])
+    np.testing.assert_array_equal(robot.tool, [0.0, 0.0, 0.3])
+
+
+def test_quarters_of_a_turn_in_degrees_are_exact(tmp_path: Path) -> None:
+    found = robot_of(TEXT.replace("[10, 110, 130, 230, 250, 350]", "[0, 90, 180, 270, 360, -90]"), tmp_path)
+    expected = 0.6 * np.array([[1, 0], [0, 1], [-1, 0], [0, -1], [1, 0], [0, -1]])
+    np.testing.assert_array_equal(found.b[:, :2], expected)
+
+
+def test_lengths_are_the_doubles_next_to_what_is_written(tmp_path: Path) -> None:
+    for unit, shift in (("mm", -3), ("cm", -2)):
+        text = TEXT.replace('"mm"', f'"{unit}"').replace("tool = [0, 0, 300]", "tool = [512.2, 0.1, 1e-7]")
+        expected = [float(f"512.2e{shift}"), float(f"0.1e{shift}"), float(f"1e{shift - 7}")]
+        assert robot_of(text, tmp_path).tool.tolist() == expected
+    inches = TEXT.replace('"mm"', '"in"').replace("tool = [0, 0, 300]", "tool = [1, 0.1, 10]")
+    assert robot_of(inches, tmp_path).tool.tolist() == [0.0254, 0.00254, 0.254]
+
+
+def test_bodies_are_those_of_their_shapes(robot: Robot) -> None:
+    plate = 2700 * math.pi * 0.32**2 * 0.02
+    assert robot.M == pytest.approx(plate + 20.0, rel=1e-15)
+    np.testing.assert_allclose(robot.R_0, [0, 0, 20.0 * 0.05 / robot.M], rtol=1e-14)
+    np.testing.assert_allclose(robot.r_d0[0], [0.25, 0.0, 0.0])
+    np.testing.assert_allclose(robot.r_u0[0], [-0.225, 0.0, 0.0])
+    assert robot.m_d[0] == pytest.approx(7800 * math.pi * (0.03**2 - 0.025**2) * 0.5)
+    across = 3.5 * (0.02**2 / 4 + 0.45**2 / 12)
+    np.testing.assert_allclose(robot.I_u0[0], np.diag([3.5 * 0.02**2 / 2, across, across]), rtol=1e-14)
+
+
+def test_a_leg_of_its_own_keeps_what_the_others_share(robot: Robot) -> None:
+    assert robot.m_d[2] == 9.0
+    np.testing.assert_array_equal(robot.I_d0[2], np.diag([0.005, 0.2, 0.2]))
+    np.testing.assert_array_equal(robot.C_u, [0, 0, 0.1, 0, 0, 0])
+    np.testing.assert_array_equal(robot.C_p, np.full(6, 20.0))
+    np.testing.assert_array_equal(robot.C_s, np.zeros(6))
+    np.testing.assert_array_equal(robot.speed_limit, np.full(6, 0.6))
+
+
+def test_the_stroke_is_about_the_length_at_home(robot: Robot) -> None:
+    L = np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    np.testing.assert_allclose(robot.length_limits, np.stack([L - 0.15, L + 0.15], axis=-1), rtol=1e-15)
+
+
+def test_metres_and_radians_say_the_same(robot: Robot, tmp_path: Path) -> None:
+    turns = {"[10, 110, 130, 230, 250, 350]": np.radians([10, 110, 130, 230, 250, 350])}
+    turns["[50, 70, 170, 190, 290, 310]"] = np.radians([50, 70, 170, 190, 290, 310])
+    text = TEXT.replace('"mm"', '"m"').replace('"deg"', '"rad"')
+    for old, new in turns.items():
+        text = text.replace(old, str(new.tolist()))
+    for old, new in (
+        ("700]", "0.7]"), ("= 600", "= 0.6"), ("radius = 300", "radius = 0.3"), ("z = -50", "z = -0.05"),
+        ("= 320", "= 0.32"), ("= 20,", "= 0.02,"), ("0, 50]", "0, 0.05]"),
+        ("= 30,", "= 0.03,"), ("= 25,", "= 0.025,"), ("= 500,", "= 0.5,"), ("= 450,", "= 0.45,"),
+        ("[-150, 150]", "[-0.15, 0.15]"), ("100, 100, 80", "0.1, 0.1, 0.08"),
+            ("[250,", "[0.25,"), ("300]", "0.3]"),
+    ):  # fmt: skip
+        assert old in text, old
+        text = text.replace(old, new)
+    other = robot_of(text, tmp_path)
+    for field in dataclasses.fields(Robot):
+        mine, others = getattr(robot, field.name), getattr(other, field.name)
+        if isinstance(mine, np.ndarray):
+            np.testing.assert_allclose(others, mine, rtol=4e-15, atol=1e-16, err_msg=field.name)
+
+
+@pytest.mark.parametrize("joint", ["universal", "spherical"])
+def test_a_robot_goes_through_tables_and_files_to_the_bit(joint: str, tmp_path: Path) -> None:
+    text = TEXT.replace("home = ", f'base_joint = "{joint}"\nhome = ')
+    if joint == "spherical":
+        text = text.replace('universal_axis = "tangential"\n', "")
+    found = robot_of(text, tmp_path)
+    assert same(Robot.from_dict(json.loads(json.dumps(found.to_dict()))), found)
+    assert found.to_dict()["schema"] == 2
+    assert same(Robot.from_toml(written(found, tmp_path / "again.toml")), found)
+    plain = dataclasses.replace(found, home=None, tool=np.zeros(3), euler_order="zyx", lengths="absolute")
+    assert plain.to_dict()["schema"] == 1
+    assert same(Robot.from_dict(plain.to_dict()), plain)
+
+
+def test_axes_by_name_are_what_the_name_says(tmp_path: Path) -> None:
+    for name in ("tangential", "radial", "horizontal"):
+        found = robot_of(TEXT.replace('"tangential"', f'"{name}"'), tmp_path)
+        legs = found.home + found.p - found.b
+        across = {"tangential": found.b, "radial": np.cross([0, 0, 1], found.b), "horizontal": legs}[name]
+        np.testing.assert_allclose(np.sum(found.k * across, axis=-1), 0.0, atol=1e-15)
+        np.testing.assert_array_equal(found.k[:, 2], np.zeros(6))
+        np.testing.assert_allclose(np.linalg.norm(found.k, axis=-1), 1.0, rtol=1e-15)
+
+
+def test_points_one_by_one_and_of_one_leg_stand_in_for_the_circle(robot: Robot, tmp_path: Path) -> None:
+    points = "points = " + str((1e3 * robot.b).tolist())
+    listed = TEXT.replace("radius = 600\nangles = [10, 110, 130, 230, 250, 350]", points)
+    np.testing.assert_allclose(robot_of(listed, tmp_path).b, robot.b, rtol=1e-15)
+    moved = robot_of(TEXT.replace("[leg.3]", "[leg.3]\nbase_point = [-400, 450, 10]"), tmp_path)
+    np.testing.assert_array_equal(moved.b[2], [-0.4, 0.45, 0.01])
+    np.testing.assert_array_equal(np.delete(moved.b, 2, axis=0), np.delete(robot.b, 2, axis=0))
+
+
+USED = {
+    "a 6-3 machine": ("[50, 70, 170, 190, 290, 310]", "[60, 60, 180, 180, 300, 300]"),
+    "z down": ("home = [0, 0, 700]", "gravity = [0, 0, 9.81]\nhome = [0, 0, -700]"),
+    "hanging": ("home = [0, 0, 700]", "home = [0, 0, -700]"),
+    "spherical": ('universal_axis = "tangential"\n', ""),
+}
+
+
+@pytest.mark.parametrize("use", USED)
+def test_check_has_no_doubt_about_what_people_build(
+    use: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = TEXT.replace(*USED[use])
+    text = text.replace("schema = 2", 'schema = 2\nbase_joint = "spherical"') if use == "spherical" else text
+    path = tmp_path / "robot.toml"
+    path.write_text(text)
+    assert main(["check", str(path)]) == 0
+    assert capsys.readouterr().err == ""
+
+
+DOUBTFUL = {
+    # what is wrong: what is replaced by what, name of the doubt, words of it
+    "millimetres": ('length_unit = "mm"\n', "", "length-unit", "points in millimetres, expected metres"),
+    "counted the other way": ("[50, 70, 170, 190, 290, 310]", "[310, 290, 190, 170, 70, 50]", "", "mirrored"),
+    "shifted": ("[50, 70, 170, 190, 290, 310]", "[170, 190, 290, 310, 50, 70]", "leg-order", "shifted by 2"),
+    "two legs exchanged": ("[50, 70, 170,", "[70, 50, 170,", "crossing", "legs 1, 2 cross"),
+    "exchanged": ("radius = 600", "radius = 100", "proportion", "base_point and platform_point exchanged"),
+    "home beyond the stroke": ("[-150, 150]", "[20, 150]", "home", "beyond length_limits at the home pose"),
+    "axes along the legs": (
+        "[leg.3]",
+        "[leg.3]\nuniversal_axis = [90, -407, 650]",
+        "joint-singularity",
+        "leg",
+    ),
+    "too weak": ("force_limit = 500.0", "force_limit = 0.5", "force-limit", "force_limit in kN"),
+    "speed in mm/s": ("speed_limit = 600", "speed_limit = 6e5", "speed-limit", "given in mm/s"),
+}
+
+
+@pytest.mark.parametrize("wrong", DOUBTFUL)
+def test_check_warns_of_what_is_likely_wrong(
+    wrong: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    old, new, name, words = DOUBTFUL[wrong]
+    path = tmp_path / "robot.toml"
+    path.write_text(TEXT.replace(old, new, 1))
+    assert main(["check", str(path)]) == 0
+    # In metres 600 mm/s is too fast as well.
+    line, *more = capsys.readouterr().err.splitlines()
+    assert words in line
+    assert line.endswith(f"{name}]")
+    assert len(more) == (wrong == "millimetres")
+
+
+def test_every_point_may_have_a_radius_and_a_height_of_its_own(tmp_path: Path) -> None:
+    sizes = "radius = [600, 610, 620, 630, 640, 650]\nz = [0, 1, 2, 3, 4, 5]"
+    found = robot_of(TEXT.replace("radius = 600", sizes, 1), tmp_path)
+    assert np.linalg.norm(found.b[:, :2], axis=-1) == pytest.approx(np.arange(0.6, 0.655, 0.01))
+    assert found.b[:, 2] == pytest.approx(np.arange(6) / 1000, abs=0)
+
+
+def test_a_body_that_cannot_be_is_warned_of_and_may_be_accepted(tmp_path: Path) -> None:
+    wrong = TEXT.replace("[0.005, 0.2, 0.2]", "[0.5, 0.2, 0.2]")
+    with pytest.warns(PhysicalityWarning, match=r"lower part of leg 3: inertia.* \[lower-inertia\]"):
+        robot_of(wrong, tmp_path)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        robot_of(wrong.replace("home =", 'accept = ["lower-inertia"]\nhome ='), tmp_path)
+
+
+# Every mistake: what is replaced by what, the message, and words of the line that it names.
+MISTAKES: list[tuple[str, str, str, str]] = [
+    ("schema = 2", "schema = 3", "schema: expected 1 or 2, got 3", "schema = 3"),
+    ('name = "press"\n', "", "name: missing", "schema"),
+    ('"mm"', '"ft"', 'length_unit: expected "m", "cm", "mm" or "in", got ', "length_unit"),
+    ('"deg"', '"grad"', 'angle_unit: expected "rad" or "deg", got ', "angle_unit"),
+    ('angle_unit = "deg"\n', "", "base.angles: expected at most 2 turns, got 350 rad: is angle_unit", "350]"),
+    ("[0, 0, 700]", "[0, 700]", "home: expected 3 finite numbers, got [0, 700]", "home"),
+    ("[base]", "[bas]", 'bas: unknown key, did you mean "base"?', "[bas]"),
+    ("radius = 600", "radius = 0", "base.radius: expected a number > 0, got 0", "radius = 0"),
+    ("radius = 600\n", "", "base.radius: missing", "[base]"),
+    ("radius = 600", "points = []\nradius = 600", "base.radius: expected points or radius and angles", "600"),
+    ("250, 350]", "250]", "base.angles: expected 6 finite numbers, got [10, 110", "250]"),
+    ("z = -50", "height = -50", "platform.height: unknown key, expected one of points, radius,", "height"),
+    ("body = [", "bodies = [", 'platform.bodies: unknown key, did you mean "body"?', "bodies"),
+    ("density = 2700", "mass = -1", "platform.body 1: mass: expected a number > 0, got -1", "mass = -1"),
+    ("mass = 20.0", "mas = 20.0", 'platform.body 2: mas: unknown key, did you mean "mass"?', "mas = 20.0"),
+    ("mass = 20.0, ", "", "platform.body 2: mass: missing, expected mass or density", "[100, 100, 80]"),
+    ("[100, 100, 80]", "[100, 100]", "platform.body 2: size: expected 3 finite numbers", "[100, 100]"),
+    ('"plate"', '"disc"', 'platform.body 1: shape: expected "rod", "tube", "plate" or "box"', '"disc"'),
+    ("thickness = 20, ", "", "platform.body 1: thickness: missing", '"plate"'),
+    ('"tangential"', '"radiall"', "legs.universal_axis: expected ", "universal_axis"),
+    ('universal_axis = "tangential"\n', "", "legs.universal_axis: missing", "[legs]"),
+    ("inner_radius = 25", "inner_radius = 30", "legs.lower.inner_radius: expected a radius below", "tube"),
+    (
+        "density = 7800",
+        "density = 7800, mass = 1",
+        "legs.lower.density: expected mass or density, got",
+        "tube",
+    ),
+    ('shape = "rod", ', "", "legs.upper.shape: missing", "upper ="),
+    ("prismatic = 20.0", "prismatic = -20.0", "legs.friction.prismatic: expected a number >= 0", "-20.0"),
+    ("[-150, 150]", "[150, -150]", "legs.stroke: expected [least, most] with least < most", "stroke"),
+    ("[-150, 150]", "[-1500, 150]", "legs.stroke: expected at most the leg at home, ", "stroke"),
+    ("home = [0, 0, 700]\n", "", 'trajectory.lengths: "relative" is to the home pose', "lengths"),
+    (
+        "stroke = [",
+        "length_limits = [500, 900]\nstroke = [",
+        "legs.stroke: expected stroke or length",
+        "stroke",
+    ),
+    (
+        "[10, 110, 130, 230, 250, 350]",
+        "[0.2, 1.9, 2.3, 4, 4.4, 6.1]",
+        "base.angles: expected degrees all",
+        "6.1",
+    ),
+    ("[leg.3]", "[leg.7]", "leg.7: unknown key, expected one of 1, 2, 3, 4, 5, 6", "[leg.7]"),
+    ("[leg.3]", "[[leg]]", "leg: expected tables [leg.1] to [leg.6], got ", "[[leg]]"),
+    ("mass = 9.0, ", "", "leg.3.lower.mass: missing, since legs.lower is by shape", "= [250"),
+    ("schema = 2", "schema = 1", "base: expected schema = 2 beside it, got schema = 1", "[base]"),
+    ("[250, 0, 0]", "[250, 0]", "leg.3.lower.center_of_mass: expected 3 finite numbers", "[250, 0]"),
+    ("[0.005, 0.2, 0.2]", "[[1, 2, 0], [0, 1, 0], [0, 0, 1]]", "leg.3.lower.inertia: expected a sym", "9.0"),
+    ("friction.universal = 0.1", "friction.universal = true", "leg.3.friction.universal: expected a", "true"),
+    ('"xyz"', '"zz"', "trajectory.euler_order: expected ", "euler_order"),
+    (
+        "tool =",
+        "pivot =",
+        "trajectory.pivot: unknown key, expected one of tool, euler_order, lengths",
+        "pivot",
+    ),
+    (
+        "schema = 2",
+        'schema = 2\nbase_joint = "spherical"',
+        "legs.universal_axis: expected none",
+        "tangential",
+    ),
+    (
+        "radius = 320",
+        "radius = 1e200",
+        "platform.body 1: density: expected a body with a mass, got inf",
+        "1e200",
+    ),
+    ("[0, 0, 50] }", "[0, 0, 1e200] }", "platform: expected numbers whose sums and squares", "[platform]"),
+]
+
+
+@pytest.mark.parametrize(("old", "new", "told", "words"), MISTAKES)
+def test_a_mistake_is_one_line_with_key_and_line(
+    old: str, new: str, told: str, words: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = TEXT.replace(old, new, 1)
+    assert text != TEXT
+    path = tmp_path / "robot.toml"
+    path.write_text(text, encoding="utf-8")
+    assert main(["check", str(path)]) == 2
+    lines = capsys.readouterr().err.splitlines()
+    (line,) = lines
+    message = line.removeprefix(f"stewart-sym: error: {path}: ")
+    assert message.startswith(told)
+    number = int(message.removesuffix(")").rpartition("(at line ")[2])
+    assert words in text.splitlines()[number - 1]
+
+
+def test_tables_without_a_file_name_the_key_alone() -> None:
+    with pytest.raises(ValueError, match=r"\Arobot: base: missing\Z"):
+        Robot.from_dict({"schema": 2, "name": "x"})
+    with pytest.raises(ValueError, match=r"\Arobot: lengths: \"relative\" is to the home pose"):
+        dataclasses.replace(ss.robots.dasgupta1998(), lengths="relative")
