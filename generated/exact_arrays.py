@@ -1699,14 +1699,13 @@ def equations_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: An
     s_x = S_x * inv_L
     s_y = S_y * inv_L
     s_z = S_z * inv_L
+    # (10) distance of the tip from the fixed axis
+    rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
+    inv_rho = 1.0 / rho
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
-    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
-        * s_cross_normal_z))
-    inv_rho = 1.0 / rho
     # (10) third axis of the leg frame
     z_x = inv_rho * s_cross_normal_x
     z_y = inv_rho * s_cross_normal_y
@@ -1957,40 +1956,40 @@ def equations_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any
 def equations_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(9):
-        out.C_vv[i] = (pose.C_vv[i] + (legs.leg[0].C_vv[i] + legs.leg[1].C_vv[i] + legs.leg[2].C_vv[i] + legs.leg[3].C_vv[i]
-            + legs.leg[4].C_vv[i] + legs.leg[5].C_vv[i]))
+        out.C_vv[i] = (pose.C_vv[i] + (legs.leg[0].C_vv[i] + legs.leg[1].C_vv[i] + (legs.leg[2].C_vv[i] + legs.leg[3].C_vv[i])
+            + (legs.leg[4].C_vv[i] + legs.leg[5].C_vv[i])))
     for i in range(9):
-        out.C_vw[i] = (pose.C_vw[i] + (legs.leg[0].C_vw[i] + legs.leg[1].C_vw[i] + legs.leg[2].C_vw[i] + legs.leg[3].C_vw[i]
-            + legs.leg[4].C_vw[i] + legs.leg[5].C_vw[i]))
+        out.C_vw[i] = (pose.C_vw[i] + (legs.leg[0].C_vw[i] + legs.leg[1].C_vw[i] + (legs.leg[2].C_vw[i] + legs.leg[3].C_vw[i])
+            + (legs.leg[4].C_vw[i] + legs.leg[5].C_vw[i])))
     for i in range(9):
-        out.C_wv[i] = (pose.C_wv[i] + (legs.leg[0].C_wv[i] + legs.leg[1].C_wv[i] + legs.leg[2].C_wv[i] + legs.leg[3].C_wv[i]
-            + legs.leg[4].C_wv[i] + legs.leg[5].C_wv[i]))
+        out.C_wv[i] = (pose.C_wv[i] + (legs.leg[0].C_wv[i] + legs.leg[1].C_wv[i] + (legs.leg[2].C_wv[i] + legs.leg[3].C_wv[i])
+            + (legs.leg[4].C_wv[i] + legs.leg[5].C_wv[i])))
     for i in range(9):
-        out.C_ww[i] = (pose.C_ww[i] + (legs.leg[0].C_ww[i] + legs.leg[1].C_ww[i] + legs.leg[2].C_ww[i] + legs.leg[3].C_ww[i]
-            + legs.leg[4].C_ww[i] + legs.leg[5].C_ww[i]))
+        out.C_ww[i] = (pose.C_ww[i] + (legs.leg[0].C_ww[i] + legs.leg[1].C_ww[i] + (legs.leg[2].C_ww[i] + legs.leg[3].C_ww[i])
+            + (legs.leg[4].C_ww[i] + legs.leg[5].C_ww[i])))
     for i in range(3):
-        out.g_force[i] = (pose.g_force[i] + (legs.leg[0].g_force[i] + legs.leg[1].g_force[i] + legs.leg[2].g_force[i]
-            + legs.leg[3].g_force[i] + legs.leg[4].g_force[i] + legs.leg[5].g_force[i]))
+        out.g_force[i] = (pose.g_force[i] + (legs.leg[0].g_force[i] + legs.leg[1].g_force[i] + (legs.leg[2].g_force[i]
+            + legs.leg[3].g_force[i]) + (legs.leg[4].g_force[i] + legs.leg[5].g_force[i])))
     for i in range(3):
-        out.g_moment[i] = (pose.g_moment[i] + (legs.leg[0].g_moment[i] + legs.leg[1].g_moment[i] + legs.leg[2].g_moment[i]
-            + legs.leg[3].g_moment[i] + legs.leg[4].g_moment[i] + legs.leg[5].g_moment[i]))
+        out.g_moment[i] = (pose.g_moment[i] + (legs.leg[0].g_moment[i] + legs.leg[1].g_moment[i] + (legs.leg[2].g_moment[i]
+            + legs.leg[3].g_moment[i]) + (legs.leg[4].g_moment[i] + legs.leg[5].g_moment[i])))
     for i in range(3):
         out.friction_force[i] = (pose.friction_force[i] + (legs.leg[0].friction_force[i] + legs.leg[1].friction_force[i]
-            + legs.leg[2].friction_force[i] + legs.leg[3].friction_force[i] + legs.leg[4].friction_force[i]
-            + legs.leg[5].friction_force[i]))
+            + (legs.leg[2].friction_force[i] + legs.leg[3].friction_force[i]) + (legs.leg[4].friction_force[i]
+            + legs.leg[5].friction_force[i])))
     for i in range(3):
         out.friction_moment[i] = (pose.friction_moment[i] + (legs.leg[0].friction_moment[i] + legs.leg[1].friction_moment[i]
-            + legs.leg[2].friction_moment[i] + legs.leg[3].friction_moment[i] + legs.leg[4].friction_moment[i]
-            + legs.leg[5].friction_moment[i]))
+            + (legs.leg[2].friction_moment[i] + legs.leg[3].friction_moment[i]) + (legs.leg[4].friction_moment[i]
+            + legs.leg[5].friction_moment[i])))
 
 
 def equations_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
@@ -2324,7 +2323,7 @@ def place_inertia_6(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: An
 
 
 def place_blocks_6(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: Any, A: Any) -> None:
-    """Four 3 x 3 blocks into six columns from ``first`` on."""
+    """Four 3 x 3 blocks, whose rows are ``ROW`` numbers apart, into six columns from ``first`` on."""
     for i in range(3):
         for j in range(3):
             A[i][first + j] = vv[3 * i + j]
@@ -2470,7 +2469,7 @@ def bias_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of C twist + g + friction: 305 (183 mul, 118 add, 2 div, 2 sqrt)."""
+    """One leg's part of C twist + g + friction: 315 (190 mul, 121 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -2512,18 +2511,21 @@ def bias_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, gi
     s_x = S_x * inv_L
     s_y = S_y * inv_L
     s_z = S_z * inv_L
+    # (10) distance of the tip from the fixed axis
+    rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
+    inv_rho = 1.0 / rho
+    # share of the normal along s: rounding
+    n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
+    # one over |s x normal|
+    inv_across = inv_rho + 0.5 * inv_rho * n_along_s * n_along_s
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
-    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
-        * s_cross_normal_z))
-    inv_rho = 1.0 / rho
     # (10) third axis of the leg frame
-    z_x = inv_rho * s_cross_normal_x
-    z_y = inv_rho * s_cross_normal_y
-    z_z = inv_rho * s_cross_normal_z
+    z_x = inv_across * s_cross_normal_x
+    z_y = inv_across * s_cross_normal_y
+    z_z = inv_across * s_cross_normal_z
     # (10) rotating axis of the universal joint
     y_x = s_z * z_y - s_y * z_z
     y_y = s_x * z_z - s_z * z_x
@@ -2638,11 +2640,11 @@ def bias_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) -> 
 def bias_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(3):
-        out.bias_force[i] = (pose.bias_force[i] + (legs.leg[0].bias_force[i] + legs.leg[1].bias_force[i] + legs.leg[2].bias_force[i]
-            + legs.leg[3].bias_force[i] + legs.leg[4].bias_force[i] + legs.leg[5].bias_force[i]))
+        out.bias_force[i] = (pose.bias_force[i] + (legs.leg[0].bias_force[i] + legs.leg[1].bias_force[i] + (legs.leg[2].bias_force[i]
+            + legs.leg[3].bias_force[i]) + (legs.leg[4].bias_force[i] + legs.leg[5].bias_force[i])))
     for i in range(3):
         out.bias_moment[i] = (pose.bias_moment[i] + (legs.leg[0].bias_moment[i] + legs.leg[1].bias_moment[i]
-            + legs.leg[2].bias_moment[i] + legs.leg[3].bias_moment[i] + legs.leg[4].bias_moment[i] + legs.leg[5].bias_moment[i]))
+            + (legs.leg[2].bias_moment[i] + legs.leg[3].bias_moment[i]) + (legs.leg[4].bias_moment[i] + legs.leg[5].bias_moment[i])))
 
 
 def bias_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
@@ -2749,7 +2751,7 @@ def forward_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of M and of the right side: 425 (260 mul, 161 add, 2 div, 2 sqrt)."""
+    """One leg's part of M and of the right side: 435 (267 mul, 164 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -2792,18 +2794,21 @@ def forward_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any,
     s_x = S_x * inv_L
     s_y = S_y * inv_L
     s_z = S_z * inv_L
+    # (10) distance of the tip from the fixed axis
+    rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
+    inv_rho = 1.0 / rho
+    # share of the normal along s: rounding
+    n_along_s = inv_rho * (k_cross_S_x * s_x + k_cross_S_y * s_y + k_cross_S_z * s_z)
+    # one over |s x normal|
+    inv_across = inv_rho + 0.5 * inv_rho * n_along_s * n_along_s
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
-    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
-        * s_cross_normal_z))
-    inv_rho = 1.0 / rho
     # (10) third axis of the leg frame
-    z_x = inv_rho * s_cross_normal_x
-    z_y = inv_rho * s_cross_normal_y
-    z_z = inv_rho * s_cross_normal_z
+    z_x = inv_across * s_cross_normal_x
+    z_y = inv_across * s_cross_normal_y
+    z_z = inv_across * s_cross_normal_z
     # (10) rotating axis of the universal joint
     y_x = s_z * z_y - s_y * z_z
     y_y = s_x * z_z - s_z * z_x
@@ -2964,20 +2969,20 @@ def forward_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: Any) 
 def forward_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(3):
         out.right_force[i] = (pose.right_force[i] + (legs.leg[0].right_force[i] + legs.leg[1].right_force[i]
-            + legs.leg[2].right_force[i] + legs.leg[3].right_force[i] + legs.leg[4].right_force[i] + legs.leg[5].right_force[i]))
+            + (legs.leg[2].right_force[i] + legs.leg[3].right_force[i]) + (legs.leg[4].right_force[i] + legs.leg[5].right_force[i])))
     for i in range(3):
         out.right_moment[i] = (pose.right_moment[i] + (legs.leg[0].right_moment[i] + legs.leg[1].right_moment[i]
-            + legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i] + legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i]))
+            + (legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i]) + (legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i])))
 
 
 def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
@@ -2987,74 +2992,149 @@ def forward_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any
     forward_total(on, pose, legs, summed)
 
 
-def place_symmetric_8(on: Arithmetic, parts: Any, row: Any, column: Any, A: Any) -> None:
-    """A symmetric 3 x 3 block from xx xy xz yy yz zz."""
-    for i in range(3):
-        A[row][column + i] = parts[i]
-        A[row + i][column] = parts[i]
-    A[row + 1][column + 1] = parts[3]
-    A[row + 1][column + 2] = parts[4]
-    A[row + 2][column + 1] = parts[4]
-    A[row + 2][column + 2] = parts[5]
-
-
-def place_inertia_8(on: Arithmetic, vv: Any, vw: Any, ww: Any, first: Any, A: Any) -> None:
-    """M into six columns from ``first`` on, from its parts, of which symmetric ones are xx xy xz yy yz
-    zz.
-    """
-    for i in range(3):
-        for j in range(3):
-            A[i][first + j + 3] = vw[3 * i + j]
-            A[j + 3][first + i] = vw[3 * i + j]
-    place_symmetric_8(on, vv, 0, first, A)
-    place_symmetric_8(on, ww, 3, first + 3, A)
-
-
-def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
-    """Back substitution; inverse: of the pivots."""
-    row = [0.0] * 8
-    for k in range(5, -1, -1):
-        for j in range(6, 8):
-            row[j] = A[k][j] * inverse[k]
-            A[k][j] = row[j]
-        for i in range(k):
-            factor = A[i][k]
-            for j in range(6, 8):
-                A[i][j] = A[i][j] - factor * row[j]
-
-
-def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
-    """Takes row k from those below it so that column k is zero there, which is not stored.
-
-    ``row``: a copy, which no compiler takes for one of those that change.
-    """
-    row = [0.0] * 8
-    for j in range(8):
-        row[j] = A[k][j]
-    for i in range(k + 1, 6):
-        factor = A[i][k] * inverse
-        for j in range(8):
-            A[i][j] = A[i][j] - factor * row[j]
-
-
-def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
-    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
-
-    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
-    """
-    scale = [0.0] * 6
-    inverse = [0.0] * 6
+def accelerations_of(on: Arithmetic, legs: Any, summed: Any, out: Any) -> None:
+    """The accelerations of a pose; INDEFINITE where elimination leaves too little of M."""
     status = OK
-    for k in range(6):
-        scale[k] = A[k][k]
-    for k in range(6):
-        fault = on.where(on.size(A[k][k]) <= on.MAX, INDEFINITE, NOT_FINITE)
-        fault = on.where(A[k][k] > kept * scale[k], OK, fault)
-        status = on.where(status == OK, fault, status)
-        inverse[k] = 1.0 / A[k][k]
-        clear_below_8(on, A, k, inverse[k])
-    substitute_back_8(on, A, inverse)
-    return status
+    y_0 = summed.right_force[0]
+    a_0_0, a_0_1, a_0_2 = summed.M_vv[0], summed.M_vv[1], summed.M_vv[2]
+    a_0_3, a_0_4, a_0_5 = summed.M_vw[0], summed.M_vw[1], summed.M_vw[2]
+    y_1 = summed.right_force[1]
+    a_1_1 = summed.M_vv[3]
+    a_1_2 = summed.M_vv[4]
+    a_1_3 = summed.M_vw[3]
+    a_1_4 = summed.M_vw[4]
+    a_1_5 = summed.M_vw[5]
+    y_2 = summed.right_force[2]
+    a_2_2 = summed.M_vv[5]
+    a_2_3 = summed.M_vw[6]
+    a_2_4 = summed.M_vw[7]
+    a_2_5 = summed.M_vw[8]
+    y_3 = summed.right_moment[0]
+    a_3_3 = summed.M_ww[0]
+    a_3_4 = summed.M_ww[1]
+    a_3_5 = summed.M_ww[2]
+    y_4 = summed.right_moment[1]
+    a_4_4 = summed.M_ww[3]
+    a_4_5 = summed.M_ww[4]
+    y_5 = summed.right_moment[2]
+    a_5_5 = summed.M_ww[5]
+    fault = on.where(on.size(a_0_0) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_0_0 > on.KEPT * summed.M_vv[0], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_0 = 1.0 / a_0_0
+    factor_0_1 = a_0_1 * inverse_0
+    a_1_1 = a_1_1 - factor_0_1 * a_0_1
+    a_1_2 = a_1_2 - factor_0_1 * a_0_2
+    a_1_3 = a_1_3 - factor_0_1 * a_0_3
+    a_1_4 = a_1_4 - factor_0_1 * a_0_4
+    a_1_5 = a_1_5 - factor_0_1 * a_0_5
+    y_1 = y_1 - factor_0_1 * y_0
+    factor_0_2 = a_0_2 * inverse_0
+    a_2_2 = a_2_2 - factor_0_2 * a_0_2
+    a_2_3 = a_2_3 - factor_0_2 * a_0_3
+    a_2_4 = a_2_4 - factor_0_2 * a_0_4
+    a_2_5 = a_2_5 - factor_0_2 * a_0_5
+    y_2 = y_2 - factor_0_2 * y_0
+    factor_0_3 = a_0_3 * inverse_0
+    a_3_3 = a_3_3 - factor_0_3 * a_0_3
+    a_3_4 = a_3_4 - factor_0_3 * a_0_4
+    a_3_5 = a_3_5 - factor_0_3 * a_0_5
+    y_3 = y_3 - factor_0_3 * y_0
+    factor_0_4 = a_0_4 * inverse_0
+    a_4_4 = a_4_4 - factor_0_4 * a_0_4
+    a_4_5 = a_4_5 - factor_0_4 * a_0_5
+    y_4 = y_4 - factor_0_4 * y_0
+    factor_0_5 = a_0_5 * inverse_0
+    a_5_5 = a_5_5 - factor_0_5 * a_0_5
+    y_5 = y_5 - factor_0_5 * y_0
+    fault = on.where(on.size(a_1_1) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_1_1 > on.KEPT * summed.M_vv[3], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_1 = 1.0 / a_1_1
+    factor_1_2 = a_1_2 * inverse_1
+    a_2_2 = a_2_2 - factor_1_2 * a_1_2
+    a_2_3 = a_2_3 - factor_1_2 * a_1_3
+    a_2_4 = a_2_4 - factor_1_2 * a_1_4
+    a_2_5 = a_2_5 - factor_1_2 * a_1_5
+    y_2 = y_2 - factor_1_2 * y_1
+    factor_1_3 = a_1_3 * inverse_1
+    a_3_3 = a_3_3 - factor_1_3 * a_1_3
+    a_3_4 = a_3_4 - factor_1_3 * a_1_4
+    a_3_5 = a_3_5 - factor_1_3 * a_1_5
+    y_3 = y_3 - factor_1_3 * y_1
+    factor_1_4 = a_1_4 * inverse_1
+    a_4_4 = a_4_4 - factor_1_4 * a_1_4
+    a_4_5 = a_4_5 - factor_1_4 * a_1_5
+    y_4 = y_4 - factor_1_4 * y_1
+    factor_1_5 = a_1_5 * inverse_1
+    a_5_5 = a_5_5 - factor_1_5 * a_1_5
+    y_5 = y_5 - factor_1_5 * y_1
+    fault = on.where(on.size(a_2_2) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_2_2 > on.KEPT * summed.M_vv[5], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_2 = 1.0 / a_2_2
+    factor_2_3 = a_2_3 * inverse_2
+    a_3_3 = a_3_3 - factor_2_3 * a_2_3
+    a_3_4 = a_3_4 - factor_2_3 * a_2_4
+    a_3_5 = a_3_5 - factor_2_3 * a_2_5
+    y_3 = y_3 - factor_2_3 * y_2
+    factor_2_4 = a_2_4 * inverse_2
+    a_4_4 = a_4_4 - factor_2_4 * a_2_4
+    a_4_5 = a_4_5 - factor_2_4 * a_2_5
+    y_4 = y_4 - factor_2_4 * y_2
+    factor_2_5 = a_2_5 * inverse_2
+    a_5_5 = a_5_5 - factor_2_5 * a_2_5
+    y_5 = y_5 - factor_2_5 * y_2
+    fault = on.where(on.size(a_3_3) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_3_3 > on.KEPT * summed.M_ww[0], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_3 = 1.0 / a_3_3
+    factor_3_4 = a_3_4 * inverse_3
+    a_4_4 = a_4_4 - factor_3_4 * a_3_4
+    a_4_5 = a_4_5 - factor_3_4 * a_3_5
+    y_4 = y_4 - factor_3_4 * y_3
+    factor_3_5 = a_3_5 * inverse_3
+    a_5_5 = a_5_5 - factor_3_5 * a_3_5
+    y_5 = y_5 - factor_3_5 * y_3
+    fault = on.where(on.size(a_4_4) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_4_4 > on.KEPT * summed.M_ww[3], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_4 = 1.0 / a_4_4
+    factor_4_5 = a_4_5 * inverse_4
+    a_5_5 = a_5_5 - factor_4_5 * a_4_5
+    y_5 = y_5 - factor_4_5 * y_4
+    fault = on.where(on.size(a_5_5) <= on.MAX, INDEFINITE, NOT_FINITE)
+    fault = on.where(a_5_5 > on.KEPT * summed.M_ww[5], OK, fault)
+    status = on.where(status == OK, fault, status)
+    inverse_5 = 1.0 / a_5_5
+    x_5 = y_5 * inverse_5
+    x_4 = y_4 * inverse_4
+    x_4 = x_4 - factor_4_5 * x_5
+    x_3 = y_3 * inverse_3
+    x_3 = x_3 - factor_3_5 * x_5
+    x_3 = x_3 - factor_3_4 * x_4
+    x_2 = y_2 * inverse_2
+    x_2 = x_2 - factor_2_5 * x_5
+    x_2 = x_2 - factor_2_4 * x_4
+    x_2 = x_2 - factor_2_3 * x_3
+    x_1 = y_1 * inverse_1
+    x_1 = x_1 - factor_1_5 * x_5
+    x_1 = x_1 - factor_1_4 * x_4
+    x_1 = x_1 - factor_1_3 * x_3
+    x_1 = x_1 - factor_1_2 * x_2
+    x_0 = y_0 * inverse_0
+    x_0 = x_0 - factor_0_5 * x_5
+    x_0 = x_0 - factor_0_4 * x_4
+    x_0 = x_0 - factor_0_3 * x_3
+    x_0 = x_0 - factor_0_2 * x_2
+    x_0 = x_0 - factor_0_1 * x_1
+    out.a[0] = x_0
+    out.alpha[0] = x_3
+    out.a[1] = x_1
+    out.alpha[1] = x_4
+    out.a[2] = x_2
+    out.alpha[2] = x_5
+    out.status = on.where(legs.status == OK, status, legs.status)
 
 
 def check_forward_dynamics(on: Arithmetic, out: Any) -> None:
@@ -3351,20 +3431,20 @@ def joint_rows_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: An
 def joint_rows_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(3):
         out.right_force[i] = (pose.right_force[i] + (legs.leg[0].right_force[i] + legs.leg[1].right_force[i]
-            + legs.leg[2].right_force[i] + legs.leg[3].right_force[i] + legs.leg[4].right_force[i] + legs.leg[5].right_force[i]))
+            + (legs.leg[2].right_force[i] + legs.leg[3].right_force[i]) + (legs.leg[4].right_force[i] + legs.leg[5].right_force[i])))
     for i in range(3):
         out.right_moment[i] = (pose.right_moment[i] + (legs.leg[0].right_moment[i] + legs.leg[1].right_moment[i]
-            + legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i] + legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i]))
+            + (legs.leg[2].right_moment[i] + legs.leg[3].right_moment[i]) + (legs.leg[4].right_moment[i] + legs.leg[5].right_moment[i])))
 
 
 def joint_rows_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:
@@ -3591,6 +3671,53 @@ def row_right(on: Arithmetic, by: Any, force: Any, held: Any, start: Any, rest: 
             right[k] = right[k] - by.share[i][k] * rest[i]
 
 
+def substitute_back_8(on: Arithmetic, A: Any, inverse: Any) -> None:
+    """Back substitution; inverse: of the pivots."""
+    row = [0.0] * 8
+    for k in range(5, -1, -1):
+        for j in range(6, 8):
+            row[j] = A[k][j] * inverse[k]
+            A[k][j] = row[j]
+        for i in range(k):
+            factor = A[i][k]
+            for j in range(6, 8):
+                A[i][j] = A[i][j] - factor * row[j]
+
+
+def clear_below_8(on: Arithmetic, A: Any, k: Any, inverse: Any) -> None:
+    """Takes row k from those below it so that column k is zero there, which is not stored.
+
+    ``row``: a copy, which no compiler takes for one of those that change.
+    """
+    row = [0.0] * 8
+    for j in range(8):
+        row[j] = A[k][j]
+    for i in range(k + 1, 6):
+        factor = A[i][k] * inverse
+        for j in range(8):
+            A[i][j] = A[i][j] - factor * row[j]
+
+
+def solve_definite_8(on: Arithmetic, A: Any, kept: Any) -> Any:
+    """Solves the rows [M | Y] for X, left in place of Y, by L D L^T.
+
+    INDEFINITE where a pivot is not more than ``kept`` of its diagonal number.
+    """
+    scale = [0.0] * 6
+    inverse = [0.0] * 6
+    status = OK
+    for k in range(6):
+        scale[k] = A[k][k]
+    for k in range(6):
+        fault = on.where(on.size(A[k][k]) <= on.MAX, INDEFINITE, NOT_FINITE)
+        fault = on.where(A[k][k] > kept * scale[k], OK, fault)
+        status = on.where(status == OK, fault, status)
+        inverse[k] = 1.0 / A[k][k]
+        clear_below_8(on, A, k, inverse[k])
+    substitute_back_8(on, A, inverse)
+    return status
+
+
 def row_back(on: Arithmetic, by: Any, found: Any, start: Any, acceleration: Any) -> None:
     """[a; alpha] from the coordinates' accelerations."""
     x = [0.0] * 6
@@ -3694,26 +3821,18 @@ def forward_dynamics(on: Arithmetic, model: Any, motion: Any, F: Any) -> Any:
     out = Accelerations()
     legs = ForwardLegs()
     summed = ForwardSums()
-    A = [[0.0] * 8 for _ in range(6)]
     for i in range(6):
         legs.given[i].F = F[i]
     forward_sums(on, model, motion, legs, summed)
-    status = legs.status
-    place_inertia_8(on, summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
-    for i in range(3):
-        A[i][6] = summed.right_force[i]
-        A[i + 3][6] = summed.right_moment[i]
-    fault = solve_definite_8(on, A, on.KEPT)
-    if on.anywhere((status == OK) & (fault == INDEFINITE)):
+    accelerations_of(on, legs, summed, out)
+    if on.anywhere(out.status == INDEFINITE):
         by = Rows()
         apart = forward_apart(on, model, motion, F, by)
-        for i in range(6):
-            A[i][6] = on.where(fault == INDEFINITE, apart.x[i], A[i][6])
-        fault = on.where(fault == INDEFINITE, apart.status, fault)
-    for i in range(3):
-        out.a[i] = A[i][6]
-        out.alpha[i] = A[i + 3][6]
-    out.status = on.where(status == OK, fault, status)
+        lost = on.where(out.status == INDEFINITE, 1, 0)
+        for i in range(3):
+            out.a[i] = on.where(lost == 1, apart.x[i], out.a[i])
+            out.alpha[i] = on.where(lost == 1, apart.x[i + 3], out.alpha[i])
+        out.status = on.where(lost == 1, apart.status, out.status)
     check_forward_dynamics(on, out)
     return out
 
@@ -4033,7 +4152,7 @@ def derivatives_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench: 1716 (1018 mul, 694 add, 2 div, 2 sqrt)."""
+    """One leg's part of the derivatives of the wrench: 1606 (943 mul, 659 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -4077,14 +4196,13 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     s_x = S_x * inv_L
     s_y = S_y * inv_L
     s_z = S_z * inv_L
+    # (10) distance of the tip from the fixed axis
+    rho = on.sqrt(k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z)
+    inv_rho = 1.0 / rho
     # (10) along the third axis of the leg
     s_cross_normal_x = k_cross_S_z * s_y - k_cross_S_y * s_z
     s_cross_normal_y = k_cross_S_x * s_z - k_cross_S_z * s_x
     s_cross_normal_z = k_cross_S_y * s_x - k_cross_S_x * s_y
-    # (10) leg length, and distance of its tip from the fixed axis
-    rho = (on.sqrt(s_cross_normal_x * s_cross_normal_x + s_cross_normal_y * s_cross_normal_y + s_cross_normal_z
-        * s_cross_normal_z))
-    inv_rho = 1.0 / rho
     # (10) third axis of the leg frame
     z_x = inv_rho * s_cross_normal_x
     z_y = inv_rho * s_cross_normal_y
@@ -4245,140 +4363,104 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
         - c49 * inv_rho)
     c53 = inv_rho * kappa
     c54 = -c1 - c2
-    c55 = inv_rho * theta_dot
     G_ddot_32 = (L_dot * (c43 * inv_rho - c13 * c54) - c48 * inv_rho - c52 * inv_rho - L_ddot * c13 + theta_dot
-        * (-c55 * (-1.0 - kappa * kappa) - c53 * c54) - c53 * theta_ddot)
+        * (-inv_rho * theta_dot * (-1.0 - kappa * kappa) - c53 * c54) - c53 * theta_ddot)
     G_ddot_33 = (c42 * c46 + c44 * theta_dot - c42 * c45 + theta_dot * (-c44 - c47 * kappa) + inv_rho * k1 * phi_ddot)
     tau_rate_12 = -c18
     tau_rate_13 = -c16 * c5
     tau_rate_21 = c18
-    c56 = 2.0 * h_x
-    tau_rate_22 = C_us + L_dot * c56
+    c55 = 2.0 * h_x
+    tau_rate_22 = C_us + L_dot * c55
     tau_rate_23 = -c31 * c5
     tau_rate_31 = 2.0 * (c16 * phi_dot - c34)
     tau_rate_32 = 2.0 * c39 - 2.0 * c38 + c31 * c5
     tau_rate_33 = C_us + 2.0 * c35 + 2.0 * c36
-    c57 = h_y * phi_ddot
-    c58 = c56 * k3 - h_z * k1
-    tau_place_12 = k1 * (-c4 * c58 - c57) - c48 * h_z
-    c59 = 4.0 * h_x
-    c60 = c6 * h_z + c30 * (c59 * k3 - 2.0 * h_z * k1)
-    tau_place_21 = c56 * theta_ddot - c4 * c60 - c57 * k1
-    c61 = c30 * (2.0 * J_zz - 2.0 * J_xx + L * c59) - c25 * k3
-    c62 = c28 + c26
-    tau_place_22 = (k1 * (g_k * w_x - c4 * c61 + gamma_n * w_z + J_yz * phi_ddot) - k3 * (gamma_n * w_x - g_k
-        * w_z - c4 * c62 + c9 * phi_ddot))
+    c56 = h_y * phi_ddot
+    c57 = c55 * k3 - h_z * k1
+    tau_place_12 = k1 * (-c4 * c57 - c56) - c48 * h_z
+    c58 = 4.0 * h_x
+    c59 = c6 * h_z + c30 * (c58 * k3 - 2.0 * h_z * k1)
+    tau_place_21 = c55 * theta_ddot - c4 * c59 - c56 * k1
+    c60 = c30 * (2.0 * J_zz - 2.0 * J_xx + L * c58) - c25 * k3
+    c61 = c28 + c26
+    tau_place_22 = (k1 * (g_k * w_x - c4 * c60 + gamma_n * w_z + J_yz * phi_ddot) - k3 * (gamma_n * w_x - g_k
+        * w_z - c4 * c61 + c9 * phi_ddot))
     tau_place_23 = -c21 * gamma_y - C_s * w_n_omega
-    c63 = c60 * phi_dot
-    tau_place_31 = (c63 * theta_dot + theta_dot * (c11 * theta_dot + c63) + phi_ddot * (2.0 * (c15 - c8 * h_z))
+    c62 = c59 * phi_dot
+    tau_place_31 = (c62 * theta_dot + theta_dot * (c11 * theta_dot + c62) + phi_ddot * (2.0 * (c15 - c8 * h_z))
         - h_y * k1 * theta_ddot)
-    c64 = L_dot * c58
-    tau_place_32 = (k1 * (c64 * phi_dot - L_ddot * h_y + phi_dot * (c64 + c61 * theta_dot) - gamma_y * w_x + theta_dot
-        * (c61 * phi_dot - c9 * theta_dot) + J_yz * theta_ddot + c29 * phi_ddot) - k3 * (gamma_y * w_z + phi_dot
-        * (c62 * theta_dot - L_dot * h_z * k3) + theta_dot * (J_yz * theta_dot - c37 + c62 * phi_dot) + c9 * theta_ddot
+    c63 = L_dot * c57
+    tau_place_32 = (k1 * (c63 * phi_dot - L_ddot * h_y + phi_dot * (c63 + c60 * theta_dot) - gamma_y * w_x + theta_dot
+        * (c60 * phi_dot - c9 * theta_dot) + J_yz * theta_ddot + c29 * phi_ddot) - k3 * (gamma_y * w_z + phi_dot
+        * (c61 * theta_dot - L_dot * h_z * k3) + theta_dot * (J_yz * theta_dot - c37 + c61 * phi_dot) + c9 * theta_ddot
         + L_dot * (-c33 - c40 * h_z) + c25 * c49))
     tau_place_33 = c22 * gamma_n + gamma_y * w_y
-    c65 = inv_rho * tau_phi
-    c66 = inv_L * tau_theta
-    c67 = tau_L - F
+    c64 = inv_rho * tau_phi
+    c65 = inv_L * tau_theta
+    c66 = tau_L - F
     # force at the tip, less the actuator's
-    R_tip_x = c65 * y_x + c67 * s_x - c66 * z_x
-    R_tip_y = c65 * y_y + c67 * s_y - c66 * z_y
-    R_tip_z = c65 * y_z + c67 * s_z - c66 * z_z
+    R_tip_x = c64 * y_x + c66 * s_x - c65 * z_x
+    R_tip_y = c64 * y_y + c66 * s_y - c65 * z_y
+    R_tip_z = c64 * y_z + c66 * s_z - c65 * z_z
+    # slope of a rate, times C_s
+    theta_dot_by_S_x = C_s * (G_dot_23 * z_x + G_dot_21 * s_x + G_dot_22 * y_x)
+    theta_dot_by_S_y = C_s * (G_dot_23 * z_y + G_dot_21 * s_y + G_dot_22 * y_y)
+    theta_dot_by_S_z = C_s * (G_dot_23 * z_z + G_dot_21 * s_z + G_dot_22 * y_z)
+    phi_dot_by_S_x = C_s * (G_dot_32 * y_x + G_dot_33 * z_x + G_dot_31 * s_x)
+    phi_dot_by_S_y = C_s * (G_dot_32 * y_y + G_dot_33 * z_y + G_dot_31 * s_y)
+    phi_dot_by_S_z = C_s * (G_dot_32 * y_z + G_dot_33 * z_z + G_dot_31 * s_z)
+    c67 = C_s * inv_L
+    # gradient of theta, times C_s
+    C_s_theta_x = -c67 * z_x
+    C_s_theta_y = -c67 * z_y
+    C_s_theta_z = -c67 * z_z
     c68 = C_s * inv_rho
-    c69 = c68 * k1
-    A_3_leg_21 = -c69
-    c70 = c68 * k3
-    A_3_leg_23 = -c70
-    c71 = C_s * inv_L
-    A_3_leg_32 = c71
-    A_3_T_xs = A_3_leg_21 * y_x
-    A_3_T_xy = A_3_leg_32 * z_x
-    A_3_T_xz = A_3_leg_23 * y_x
-    A_3_T_ys = A_3_leg_21 * y_y
-    A_3_T_yy = A_3_leg_32 * z_y
-    A_3_T_yz = A_3_leg_23 * y_y
-    A_3_T_zs = A_3_leg_21 * y_z
-    A_3_T_zy = A_3_leg_32 * z_z
-    A_3_T_zz = A_3_leg_23 * y_z
-    # force at the tip by omega
-    A_3_xx = A_3_T_xy * y_x + A_3_T_xs * s_x + A_3_T_xz * z_x
-    A_3_xy = A_3_T_xy * y_y + A_3_T_xs * s_y + A_3_T_xz * z_y
-    A_3_xz = A_3_T_xy * y_z + A_3_T_xs * s_z + A_3_T_xz * z_z
-    A_3_yx = A_3_T_yy * y_x + A_3_T_ys * s_x + A_3_T_yz * z_x
-    A_3_yy = A_3_T_yy * y_y + A_3_T_ys * s_y + A_3_T_yz * z_y
-    A_3_yz = A_3_T_yy * y_z + A_3_T_ys * s_z + A_3_T_yz * z_z
-    A_3_zx = A_3_T_zy * y_x + A_3_T_zs * s_x + A_3_T_zz * z_x
-    A_3_zy = A_3_T_zy * y_y + A_3_T_zs * s_y + A_3_T_zz * z_y
-    A_3_zz = A_3_T_zy * y_z + A_3_T_zs * s_z + A_3_T_zz * z_z
-    c72 = C_s * k1
-    f_S_leg_11 = G_dot_31 * c72
-    f_S_leg_12 = C_s * (G_dot_32 * k1 - c55 * k3)
-    f_S_leg_13 = G_dot_33 * c72
-    f_S_leg_21 = C_s * G_dot_21
-    f_S_leg_22 = C_s * G_dot_22
-    f_S_leg_23 = C_s * G_dot_23
-    c73 = C_s * k3
-    f_S_leg_31 = G_dot_31 * c73
-    f_S_leg_32 = C_s * (c55 * k1 + G_dot_32 * k3)
-    f_S_leg_33 = G_dot_33 * c73
-    f_S_T_xs = f_S_leg_21 * y_x + f_S_leg_11 * s_x + f_S_leg_31 * z_x
-    f_S_T_xy = f_S_leg_22 * y_x + f_S_leg_12 * s_x + f_S_leg_32 * z_x
-    f_S_T_xz = f_S_leg_23 * y_x + f_S_leg_13 * s_x + f_S_leg_33 * z_x
-    f_S_T_ys = f_S_leg_21 * y_y + f_S_leg_11 * s_y + f_S_leg_31 * z_y
-    f_S_T_yy = f_S_leg_22 * y_y + f_S_leg_12 * s_y + f_S_leg_32 * z_y
-    f_S_T_yz = f_S_leg_23 * y_y + f_S_leg_13 * s_y + f_S_leg_33 * z_y
-    f_S_T_zs = f_S_leg_21 * y_z + f_S_leg_11 * s_z + f_S_leg_31 * z_z
-    f_S_T_zy = f_S_leg_22 * y_z + f_S_leg_12 * s_z + f_S_leg_32 * z_z
-    f_S_T_zz = f_S_leg_23 * y_z + f_S_leg_13 * s_z + f_S_leg_33 * z_z
+    # gradient of phi, times C_s
+    C_s_phi_x = c68 * y_x
+    C_s_phi_y = c68 * y_y
+    C_s_phi_z = c68 * y_z
+    y_by_phi_x = normal_x * theta_dot
+    y_by_phi_y = normal_y * theta_dot
+    y_by_phi_z = normal_z * theta_dot
     # friction moment by S
-    f_S_xx = f_S_T_xz * z_x + f_S_T_xs * s_x + f_S_T_xy * y_x
-    f_S_xy = f_S_T_xz * z_y + f_S_T_xs * s_y + f_S_T_xy * y_y
-    f_S_xz = f_S_T_xz * z_z + f_S_T_xs * s_z + f_S_T_xy * y_z
-    f_S_yx = f_S_T_yz * z_x + f_S_T_ys * s_x + f_S_T_yy * y_x
-    f_S_yy = f_S_T_yz * z_y + f_S_T_ys * s_y + f_S_T_yy * y_y
-    f_S_yz = f_S_T_yz * z_z + f_S_T_ys * s_z + f_S_T_yy * y_z
-    f_S_zx = f_S_T_zz * z_x + f_S_T_zs * s_x + f_S_T_zy * y_x
-    f_S_zy = f_S_T_zz * z_y + f_S_T_zs * s_y + f_S_T_zy * y_y
-    f_S_zz = f_S_T_zz * z_z + f_S_T_zs * s_z + f_S_T_zy * y_z
-    f_S_dot_leg_12 = c69
-    f_S_dot_leg_23 = -c71
-    f_S_dot_leg_32 = c70
-    f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
-    f_S_dot_T_xz = f_S_dot_leg_23 * y_x
-    f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
-    f_S_dot_T_yz = f_S_dot_leg_23 * y_y
-    f_S_dot_T_zy = f_S_dot_leg_12 * s_z + f_S_dot_leg_32 * z_z
-    f_S_dot_T_zz = f_S_dot_leg_23 * y_z
+    f_S_xx = C_s_phi_x * y_by_phi_x + theta_dot_by_S_x * y_x + k_x * phi_dot_by_S_x
+    f_S_xy = C_s_phi_y * y_by_phi_x + theta_dot_by_S_y * y_x + k_x * phi_dot_by_S_y
+    f_S_xz = C_s_phi_z * y_by_phi_x + theta_dot_by_S_z * y_x + k_x * phi_dot_by_S_z
+    f_S_yx = C_s_phi_x * y_by_phi_y + theta_dot_by_S_x * y_y + k_y * phi_dot_by_S_x
+    f_S_yy = C_s_phi_y * y_by_phi_y + theta_dot_by_S_y * y_y + k_y * phi_dot_by_S_y
+    f_S_yz = C_s_phi_z * y_by_phi_y + theta_dot_by_S_z * y_y + k_y * phi_dot_by_S_z
+    f_S_zx = C_s_phi_x * y_by_phi_z + theta_dot_by_S_x * y_z + k_z * phi_dot_by_S_x
+    f_S_zy = C_s_phi_y * y_by_phi_z + theta_dot_by_S_y * y_z + k_z * phi_dot_by_S_y
+    f_S_zz = C_s_phi_z * y_by_phi_z + theta_dot_by_S_z * y_z + k_z * phi_dot_by_S_z
     # friction moment by S_dot
-    f_S_dot_xx = f_S_dot_T_xy * y_x + f_S_dot_T_xz * z_x
-    f_S_dot_xy = f_S_dot_T_xy * y_y + f_S_dot_T_xz * z_y
-    f_S_dot_xz = f_S_dot_T_xy * y_z + f_S_dot_T_xz * z_z
-    f_S_dot_yx = f_S_dot_T_yy * y_x + f_S_dot_T_yz * z_x
-    f_S_dot_yy = f_S_dot_T_yy * y_y + f_S_dot_T_yz * z_y
-    f_S_dot_yz = f_S_dot_T_yy * y_z + f_S_dot_T_yz * z_z
-    f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
-    f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
-    f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
+    f_S_dot_xx = C_s_theta_x * y_x + C_s_phi_x * k_x
+    f_S_dot_xy = C_s_theta_y * y_x + C_s_phi_y * k_x
+    f_S_dot_xz = C_s_theta_z * y_x + C_s_phi_z * k_x
+    f_S_dot_yx = C_s_theta_x * y_y + C_s_phi_x * k_y
+    f_S_dot_yy = C_s_theta_y * y_y + C_s_phi_y * k_y
+    f_S_dot_yz = C_s_theta_z * y_y + C_s_phi_z * k_y
+    f_S_dot_zx = C_s_theta_x * y_z + C_s_phi_x * k_z
+    f_S_dot_zy = C_s_theta_y * y_z + C_s_phi_y * k_z
+    f_S_dot_zz = C_s_theta_z * y_z + C_s_phi_z * k_z
     A_0_leg_11 = G_dot_21 * tau_rate_12 + G_dot_31 * tau_rate_13 + G_ddot_21 * h_z - G_ddot_31 * k3_h
     A_0_leg_12 = (C_p * G_dot_12 + G_dot_22 * tau_rate_12 + G_dot_32 * tau_rate_13 + G_ddot_22 * h_z - G_ddot_32
         * k3_h - c12 * k3 * tau_phi)
-    c74 = c14 * tau_theta
-    A_0_leg_13 = (G_ddot_23 * h_z - C_p * theta_dot + G_dot_23 * tau_rate_12 + G_dot_33 * tau_rate_13 + c74
+    c69 = c14 * tau_theta
+    A_0_leg_13 = (G_ddot_23 * h_z - C_p * theta_dot + G_dot_23 * tau_rate_12 + G_dot_33 * tau_rate_13 + c69
         - G_ddot_33 * k3_h - inv_L * tau_place_12)
-    c75 = c13 * tau_phi
+    c70 = c13 * tau_phi
     A_0_leg_21 = (inv_rho * (G_dot_21 * tau_rate_32 - G_ddot_11 * k3_h + G_dot_31 * tau_rate_33 + G_ddot_21
-        * M_mixed + tau_place_31 + G_ddot_31 * M_phi) - c75)
-    A_0_leg_22 = (c13 * k1 * tau_theta + c67 * inv_rho * k3 + inv_rho * (G_dot_32 * tau_rate_33 + inv_rho * tau_place_33
+        * M_mixed + tau_place_31 + G_ddot_31 * M_phi) - c70)
+    A_0_leg_22 = (c13 * k1 * tau_theta + c66 * inv_rho * k3 + inv_rho * (G_dot_32 * tau_rate_33 + inv_rho * tau_place_33
         + G_dot_12 * tau_rate_31 + G_dot_22 * tau_rate_32 + G_ddot_22 * M_mixed + G_ddot_32 * M_phi - G_ddot_12
         * k3_h))
-    A_0_leg_23 = (c75 * kappa + inv_rho * (G_ddot_23 * M_mixed + G_dot_33 * tau_rate_33 + G_dot_23 * tau_rate_32
+    A_0_leg_23 = (c70 * kappa + inv_rho * (G_ddot_23 * M_mixed + G_dot_33 * tau_rate_33 + G_dot_23 * tau_rate_32
         - tau_rate_31 * theta_dot - G_ddot_13 * k3_h + G_ddot_33 * M_phi - inv_L * tau_place_32))
-    A_0_leg_31 = (c74 - inv_L * (G_ddot_11 * h_z + G_dot_21 * tau_rate_22 + G_dot_31 * tau_rate_23 + G_ddot_21
+    A_0_leg_31 = (c69 - inv_L * (G_ddot_11 * h_z + G_dot_21 * tau_rate_22 + G_dot_31 * tau_rate_23 + G_ddot_21
         * M_theta + tau_place_21 + G_ddot_31 * M_mixed))
     A_0_leg_32 = (c12 * k1 * tau_phi - inv_L * (G_dot_12 * tau_rate_21 + G_dot_22 * tau_rate_22 + G_dot_32 * tau_rate_23
         + inv_rho * tau_place_23 + G_ddot_12 * h_z + G_ddot_22 * M_theta + G_ddot_32 * M_mixed))
-    A_0_leg_33 = (c67 * inv_L - inv_L * (G_ddot_23 * M_theta + G_dot_23 * tau_rate_22 - tau_rate_21 * theta_dot
+    A_0_leg_33 = (c66 * inv_L - inv_L * (G_ddot_23 * M_theta + G_dot_23 * tau_rate_22 - tau_rate_21 * theta_dot
         + G_dot_33 * tau_rate_23 + G_ddot_13 * h_z + G_ddot_33 * M_mixed - inv_L * tau_place_22))
     A_0_T_xs = A_0_leg_11 * s_x + A_0_leg_21 * y_x + A_0_leg_31 * z_x
     A_0_T_xy = A_0_leg_12 * s_x + A_0_leg_22 * y_x + A_0_leg_32 * z_x
@@ -4399,20 +4481,20 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     A_0_zx = A_0_T_zs * s_x + A_0_T_zy * y_x + A_0_T_zz * z_x
     A_0_zy = A_0_T_zs * s_y + A_0_T_zy * y_y + A_0_T_zz * z_y
     A_0_zz = A_0_T_zs * s_z + A_0_T_zy * y_z + A_0_T_zz * z_z
-    c76 = 2.0 * h_z
-    c77 = 2.0 * k3_h
-    A_1_leg_11 = C_p + G_dot_21 * c76 - G_dot_31 * c77
-    A_1_leg_12 = G_dot_22 * c76 + inv_rho * tau_rate_13 - G_dot_32 * c77
-    A_1_leg_13 = 2.0 * G_dot_23 * h_z - inv_L * tau_rate_12 - G_dot_33 * c77
-    c78 = 2.0 * M_mixed
-    c79 = 2.0 * M_phi
-    A_1_leg_21 = inv_rho * (G_dot_21 * c78 + tau_rate_31 + G_dot_31 * c79)
-    A_1_leg_22 = inv_rho * (inv_rho * tau_rate_33 + G_dot_22 * c78 + G_dot_32 * c79 - G_dot_12 * c77)
-    A_1_leg_23 = inv_rho * (G_dot_23 * c78 + c7 * k3_h + G_dot_33 * c79 - inv_L * tau_rate_32)
-    c80 = 2.0 * M_theta
-    A_1_leg_31 = -inv_L * (tau_rate_21 + G_dot_21 * c80 + G_dot_31 * c78)
-    A_1_leg_32 = -inv_L * (G_dot_12 * c76 + G_dot_22 * c80 + G_dot_32 * c78 + inv_rho * tau_rate_23)
-    A_1_leg_33 = -inv_L * (G_dot_23 * c80 - inv_L * tau_rate_22 - c7 * h_z + G_dot_33 * c78)
+    c71 = 2.0 * h_z
+    c72 = 2.0 * k3_h
+    A_1_leg_11 = C_p + G_dot_21 * c71 - G_dot_31 * c72
+    A_1_leg_12 = G_dot_22 * c71 + inv_rho * tau_rate_13 - G_dot_32 * c72
+    A_1_leg_13 = 2.0 * G_dot_23 * h_z - inv_L * tau_rate_12 - G_dot_33 * c72
+    c73 = 2.0 * M_mixed
+    c74 = 2.0 * M_phi
+    A_1_leg_21 = inv_rho * (G_dot_21 * c73 + tau_rate_31 + G_dot_31 * c74)
+    A_1_leg_22 = inv_rho * (inv_rho * tau_rate_33 + G_dot_22 * c73 + G_dot_32 * c74 - G_dot_12 * c72)
+    A_1_leg_23 = inv_rho * (G_dot_23 * c73 + c7 * k3_h + G_dot_33 * c74 - inv_L * tau_rate_32)
+    c75 = 2.0 * M_theta
+    A_1_leg_31 = -inv_L * (tau_rate_21 + G_dot_21 * c75 + G_dot_31 * c73)
+    A_1_leg_32 = -inv_L * (G_dot_12 * c71 + G_dot_22 * c75 + G_dot_32 * c73 + inv_rho * tau_rate_23)
+    A_1_leg_33 = -inv_L * (G_dot_23 * c75 - inv_L * tau_rate_22 - c7 * h_z + G_dot_33 * c73)
     A_1_T_xs = A_1_leg_11 * s_x + A_1_leg_21 * y_x + A_1_leg_31 * z_x
     A_1_T_xy = A_1_leg_12 * s_x + A_1_leg_22 * y_x + A_1_leg_32 * z_x
     A_1_T_xz = A_1_leg_13 * s_x + A_1_leg_33 * z_x + A_1_leg_23 * y_x
@@ -4442,64 +4524,72 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
     X_zx = B_xx * m_xz + B_yx * m_yz + B_zx * m_zz + A_1_zy * omega_z - A_1_zz * omega_y + A_0_zx
     X_zy = B_xy * m_xz + B_yy * m_yz + B_zy * m_zz + A_1_zz * omega_x - A_1_zx * omega_z + A_0_zy
     X_zz = B_xz * m_xz + B_yz * m_yz + B_zz * m_zz + A_1_zx * omega_y - A_1_zy * omega_x + A_0_zz
-    c81 = m_xy * omega_z
-    c82 = m_xz * omega_y
-    Y_xx = c81 - c82 + A_1_xx
+    c76 = m_xy * omega_z
+    c77 = m_xz * omega_y
+    Y_xx = c76 - c77 + A_1_xx
     Y_xy = m_xz * omega_x - m_xx * omega_z + A_1_xy
     Y_xz = m_xx * omega_y - m_xy * omega_x + A_1_xz
     Y_yx = m_yy * omega_z - m_yz * omega_y + A_1_yx
-    c83 = m_yz * omega_x
-    Y_yy = c83 - c81 + A_1_yy
+    c78 = m_yz * omega_x
+    Y_yy = c78 - c76 + A_1_yy
     Y_yz = m_xy * omega_y - m_yy * omega_x + A_1_yz
     Y_zx = m_yz * omega_z - m_zz * omega_y + A_1_zx
     Y_zy = m_zz * omega_x - m_xz * omega_z + A_1_zy
-    Y_zz = c82 - c83 + A_1_zz
-    Z_xx = X_xz * q_y - X_xy * q_z
-    Z_xy = X_xx * q_z - X_xz * q_x
-    Z_xz = X_xy * q_x - X_xx * q_y
-    Z_yx = X_yz * q_y - X_yy * q_z
-    Z_yy = X_yx * q_z - X_yz * q_x
-    Z_yz = X_yy * q_x - X_yx * q_y
-    Z_zx = X_zz * q_y - X_zy * q_z
-    Z_zy = X_zx * q_z - X_zz * q_x
-    Z_zz = X_zy * q_x - X_zx * q_y
-    c84 = m_xz * w_q_y
-    c85 = m_xy * w_q_z
-    V_xx = A_3_xx + c84 - c85 + Y_xz * q_y - Y_xy * q_z
-    V_xy = A_3_xy + m_xx * w_q_z - m_xz * w_q_x + Y_xx * q_z - Y_xz * q_x
-    V_xz = A_3_xz + m_xy * w_q_x - m_xx * w_q_y + Y_xy * q_x - Y_xx * q_y
-    V_yx = A_3_yx + m_yz * w_q_y - m_yy * w_q_z + Y_yz * q_y - Y_yy * q_z
-    c86 = m_yz * w_q_x
-    V_yy = A_3_yy + c85 - c86 + Y_yx * q_z - Y_yz * q_x
-    V_yz = A_3_yz + m_yy * w_q_x - m_xy * w_q_y + Y_yy * q_x - Y_yx * q_y
-    V_zx = A_3_zx + m_zz * w_q_y - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
-    V_zy = A_3_zy + m_xz * w_q_z - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
-    V_zz = A_3_zz + c86 - c84 + Y_zy * q_x - Y_zx * q_y
-    c87 = m_xy * q_z
-    c88 = m_xz * q_y
-    c89 = -m_yz * q_x
+    Y_zz = c77 - c78 + A_1_zz
+    c79 = X_xy * q_z
+    Z_xx = X_xz * q_y - c79
+    c80 = X_xx * q_z
+    Z_xy = c80 - X_xz * q_x
+    c81 = X_xx * q_y
+    Z_xz = X_xy * q_x - c81
+    c82 = X_yy * q_z
+    Z_yx = X_yz * q_y - c82
+    c83 = X_yx * q_z
+    c84 = -X_yz * q_x
+    Z_yy = c83 + c84
+    c85 = -X_yy * q_x
+    Z_yz = -X_yx * q_y - c85
+    c86 = -X_zz * q_y
+    Z_zx = -X_zy * q_z - c86
+    c87 = -X_zz * q_x
+    Z_zy = X_zx * q_z + c87
+    c88 = X_zx * q_y
+    Z_zz = X_zy * q_x - c88
+    c89 = m_xy * w_q_z
+    c90 = m_xz * w_q_y
+    V_xx = c90 - f_S_dot_xx - c89 + Y_xz * q_y - Y_xy * q_z
+    V_xy = m_xx * w_q_z - f_S_dot_yx - m_xz * w_q_x + Y_xx * q_z - Y_xz * q_x
+    V_xz = m_xy * w_q_x - f_S_dot_zx - m_xx * w_q_y + Y_xy * q_x - Y_xx * q_y
+    V_yx = m_yz * w_q_y - f_S_dot_xy - m_yy * w_q_z + Y_yz * q_y - Y_yy * q_z
+    c91 = m_yz * w_q_x
+    V_yy = c89 - f_S_dot_yy - c91 + Y_yx * q_z - Y_yz * q_x
+    V_yz = m_yy * w_q_x - f_S_dot_zy - m_xy * w_q_y + Y_yy * q_x - Y_yx * q_y
+    V_zx = m_zz * w_q_y - f_S_dot_xz - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
+    V_zy = m_xz * w_q_z - f_S_dot_yz - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
+    V_zz = c91 - f_S_dot_zz - c90 + Y_zy * q_x - Y_zx * q_y
+    # moment by rotation about the tip
+    Q_xx = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx + c83 - c88
+    Q_xy = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy - R_tip_z + c82 - X_zy * q_y
+    Q_xz = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz + R_tip_y + X_yz * q_z + c86
+    Q_yx = f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx + R_tip_z + X_zx * q_x - c80
+    Q_yy = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy + X_zy * q_x - c79
+    Q_yz = f_S_dot_yx * omega_y - f_S_dot_yy * omega_x + f_S_yz - R_tip_x - X_xz * q_z - c87
+    Q_zx = f_S_dot_zy * omega_z - f_S_dot_zz * omega_y + f_S_zx - R_tip_y + c81 - X_yx * q_x
+    Q_zy = f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy + R_tip_x + X_xy * q_y + c85
+    Q_zz = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz + X_xz * q_y + c84
+    c92 = m_xy * q_z
+    c93 = m_xz * q_y
+    c94 = -m_yz * q_x
     # m [q]x
-    m_q_xx = c87 - c88
+    m_q_xx = c92 - c93
     m_q_xy = m_xz * q_x - m_xx * q_z
     m_q_xz = m_xx * q_y - m_xy * q_x
     m_q_yx = m_yy * q_z - m_yz * q_y
-    m_q_yy = -c87 - c89
+    m_q_yy = -c92 - c94
     m_q_yz = m_xy * q_y - m_yy * q_x
     m_q_zx = m_yz * q_z - m_zz * q_y
     m_q_zy = m_zz * q_x - m_xz * q_z
-    m_q_zz = c88 + c89
-    c90 = R_tip_y * q_y
-    c91 = R_tip_z * q_z
-    c92 = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
-    c93 = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy
-    c94 = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx
-    c95 = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy
-    c96 = f_S_dot_yx * omega_y - f_S_dot_yy * omega_x + f_S_yz
-    c97 = R_tip_x * q_x
-    c98 = f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx
-    c99 = f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy
-    c100 = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz
-    c101 = f_S_dot_zy * omega_z - f_S_dot_zz * omega_y + f_S_zx
+    m_q_zz = c93 + c94
     out = DerivativesLeg()
     out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
     out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
@@ -4525,15 +4615,15 @@ def derivatives_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: 
         A_0_yz * q_x - f_S_zz - A_0_xz * q_y,
     ]
     out.W_mr = [
-        Z_zx * q_y + c93 * q_z - c90 - c91 - Z_yx * q_z - c92 * q_y,
-        R_tip_y * q_x + Z_zy * q_y + c92 * q_x - Z_yy * q_z - c94 * q_z,
-        R_tip_z * q_x + Z_zz * q_y + c94 * q_y - Z_yz * q_z - c93 * q_x,
-        R_tip_x * q_y + Z_xx * q_z + c95 * q_z - Z_zx * q_x - c96 * q_y,
-        Z_xy * q_z + c96 * q_x - c91 - c97 - Z_zy * q_x - c98 * q_z,
-        R_tip_z * q_y + Z_xz * q_z + c98 * q_y - Z_zz * q_x - c95 * q_x,
-        R_tip_x * q_z + Z_yx * q_x + c99 * q_z - Z_xx * q_y - c100 * q_y,
-        R_tip_y * q_z + Z_yy * q_x + c100 * q_x - Z_xy * q_y - c101 * q_z,
-        Z_yz * q_x + c101 * q_y - c90 - c97 - Z_xz * q_y - c99 * q_x,
+        Q_xy * q_z - Q_xz * q_y,
+        Q_xz * q_x - Q_xx * q_z,
+        Q_xx * q_y - Q_xy * q_x,
+        Q_yy * q_z - Q_yz * q_y,
+        Q_yz * q_x - Q_yx * q_z,
+        Q_yx * q_y - Q_yy * q_x,
+        Q_zy * q_z - Q_zz * q_y,
+        Q_zz * q_x - Q_zx * q_z,
+        Q_zx * q_y - Q_zy * q_x,
     ]
     out.W_fv = [A_1_xx, A_1_xy, A_1_xz, A_1_yx, A_1_yy, A_1_yz, A_1_zx, A_1_zy, A_1_zz]
     out.W_fw = [V_xx, V_xy, V_xz, V_yx, V_yy, V_yz, V_zx, V_zy, V_zz]
@@ -4584,42 +4674,42 @@ def derivatives_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: A
 def derivatives_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(9):
-        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i]
-            + legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i]))
+        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + (legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i])
+            + (legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i])))
     for i in range(9):
-        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i]
-            + legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i]))
+        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + (legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i])
+            + (legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i])))
     for i in range(9):
-        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i]
-            + legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i]))
+        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + (legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i])
+            + (legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i])))
     for i in range(9):
-        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i]
-            + legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i]))
+        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + (legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i])
+            + (legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i])))
     for i in range(9):
-        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i]
-            + legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i]))
+        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + (legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i])
+            + (legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i])))
     for i in range(9):
-        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i]
-            + legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i]))
+        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + (legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i])
+            + (legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i])))
     for i in range(9):
-        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i]
-            + legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i]))
+        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + (legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i])
+            + (legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i])))
     for i in range(9):
-        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i]
-            + legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i]))
+        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + (legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i])
+            + (legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i])))
 
 
 def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench: 2153 (1281 mul, 868 add, 2 div, 2 sqrt)."""
+    """One leg's part of the derivatives of the wrench: 2043 (1206 mul, 833 add, 2 div, 2 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
@@ -4846,278 +4936,241 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     R_tip_x = c80 * s_x - c79 * z_x + c78 * y_x
     R_tip_y = c80 * s_y - c79 * z_y + c78 * y_y
     R_tip_z = c80 * s_z - c79 * z_z + c78 * y_z
-    c81 = C_s * inv_rho
-    c82 = c81 * k1
-    A_3_leg_21 = -c82
-    c83 = c81 * k3
-    A_3_leg_23 = -c83
+    c81 = inv_L * theta_dot
+    G_dot_21 = -c81
+    c82 = k1 * phi_dot
+    G_dot_22 = c82 * inv_L
+    c83 = L_dot * c10
+    G_dot_23 = c83
+    G_dot_31 = -inv_rho * k3 * phi_dot
+    G_dot_32 = -c2 * inv_rho - inv_rho * kappa * theta_dot
+    G_dot_33 = c82 * inv_rho
+    # slope of a rate, times C_s
+    theta_dot_by_S_x = C_s * (G_dot_23 * z_x + G_dot_21 * s_x + G_dot_22 * y_x)
+    theta_dot_by_S_y = C_s * (G_dot_23 * z_y + G_dot_21 * s_y + G_dot_22 * y_y)
+    theta_dot_by_S_z = C_s * (G_dot_23 * z_z + G_dot_21 * s_z + G_dot_22 * y_z)
+    phi_dot_by_S_x = C_s * (G_dot_32 * y_x + G_dot_33 * z_x + G_dot_31 * s_x)
+    phi_dot_by_S_y = C_s * (G_dot_32 * y_y + G_dot_33 * z_y + G_dot_31 * s_y)
+    phi_dot_by_S_z = C_s * (G_dot_32 * y_z + G_dot_33 * z_z + G_dot_31 * s_z)
     c84 = C_s * inv_L
-    A_3_leg_32 = c84
-    A_3_T_xs = A_3_leg_21 * y_x
-    A_3_T_xy = A_3_leg_32 * z_x
-    A_3_T_xz = A_3_leg_23 * y_x
-    A_3_T_ys = A_3_leg_21 * y_y
-    A_3_T_yy = A_3_leg_32 * z_y
-    A_3_T_yz = A_3_leg_23 * y_y
-    A_3_T_zs = A_3_leg_21 * y_z
-    A_3_T_zy = A_3_leg_32 * z_z
-    A_3_T_zz = A_3_leg_23 * y_z
-    # force at the tip by omega
-    A_3_xx = A_3_T_xy * y_x + A_3_T_xs * s_x + A_3_T_xz * z_x
-    A_3_xy = A_3_T_xy * y_y + A_3_T_xs * s_y + A_3_T_xz * z_y
-    A_3_xz = A_3_T_xy * y_z + A_3_T_xs * s_z + A_3_T_xz * z_z
-    A_3_yx = A_3_T_yy * y_x + A_3_T_ys * s_x + A_3_T_yz * z_x
-    A_3_yy = A_3_T_yy * y_y + A_3_T_ys * s_y + A_3_T_yz * z_y
-    A_3_yz = A_3_T_yy * y_z + A_3_T_ys * s_z + A_3_T_yz * z_z
-    A_3_zx = A_3_T_zy * y_x + A_3_T_zs * s_x + A_3_T_zz * z_x
-    A_3_zy = A_3_T_zy * y_y + A_3_T_zs * s_y + A_3_T_zz * z_y
-    A_3_zz = A_3_T_zy * y_z + A_3_T_zs * s_z + A_3_T_zz * z_z
-    c85 = inv_L * theta_dot
-    G_dot_21 = -c85
-    c86 = k1 * phi_dot
-    G_dot_22 = c86 * inv_L
-    c87 = L_dot * c10
-    G_dot_23 = c87
-    c88 = inv_rho * k3
-    G_dot_31 = -c88 * phi_dot
-    c89 = inv_rho * theta_dot
-    G_dot_32 = -c2 * inv_rho - c89 * kappa
-    G_dot_33 = c86 * inv_rho
-    c90 = C_s * k1
-    f_S_leg_11 = G_dot_31 * c90
-    f_S_leg_12 = C_s * (G_dot_32 * k1 - c88 * theta_dot)
-    f_S_leg_13 = G_dot_33 * c90
-    f_S_leg_21 = C_s * G_dot_21
-    f_S_leg_22 = C_s * G_dot_22
-    f_S_leg_23 = C_s * G_dot_23
-    c91 = C_s * k3
-    f_S_leg_31 = G_dot_31 * c91
-    f_S_leg_32 = C_s * (c89 * k1 + G_dot_32 * k3)
-    f_S_leg_33 = G_dot_33 * c91
-    f_S_T_xs = f_S_leg_21 * y_x + f_S_leg_11 * s_x + f_S_leg_31 * z_x
-    f_S_T_xy = f_S_leg_22 * y_x + f_S_leg_12 * s_x + f_S_leg_32 * z_x
-    f_S_T_xz = f_S_leg_23 * y_x + f_S_leg_13 * s_x + f_S_leg_33 * z_x
-    f_S_T_ys = f_S_leg_21 * y_y + f_S_leg_11 * s_y + f_S_leg_31 * z_y
-    f_S_T_yy = f_S_leg_22 * y_y + f_S_leg_12 * s_y + f_S_leg_32 * z_y
-    f_S_T_yz = f_S_leg_23 * y_y + f_S_leg_13 * s_y + f_S_leg_33 * z_y
-    f_S_T_zs = f_S_leg_21 * y_z + f_S_leg_11 * s_z + f_S_leg_31 * z_z
-    f_S_T_zy = f_S_leg_22 * y_z + f_S_leg_12 * s_z + f_S_leg_32 * z_z
-    f_S_T_zz = f_S_leg_23 * y_z + f_S_leg_13 * s_z + f_S_leg_33 * z_z
+    # gradient of theta, times C_s
+    C_s_theta_x = -c84 * z_x
+    C_s_theta_y = -c84 * z_y
+    C_s_theta_z = -c84 * z_z
+    c85 = C_s * inv_rho
+    # gradient of phi, times C_s
+    C_s_phi_x = c85 * y_x
+    C_s_phi_y = c85 * y_y
+    C_s_phi_z = c85 * y_z
+    y_by_phi_x = normal_x * theta_dot
+    y_by_phi_y = normal_y * theta_dot
+    y_by_phi_z = normal_z * theta_dot
     # friction moment by S
-    f_S_xx = f_S_T_xs * s_x + f_S_T_xz * z_x + f_S_T_xy * y_x
-    f_S_xy = f_S_T_xs * s_y + f_S_T_xz * z_y + f_S_T_xy * y_y
-    f_S_xz = f_S_T_xs * s_z + f_S_T_xz * z_z + f_S_T_xy * y_z
-    f_S_yx = f_S_T_ys * s_x + f_S_T_yz * z_x + f_S_T_yy * y_x
-    f_S_yy = f_S_T_ys * s_y + f_S_T_yz * z_y + f_S_T_yy * y_y
-    f_S_yz = f_S_T_ys * s_z + f_S_T_yz * z_z + f_S_T_yy * y_z
-    f_S_zx = f_S_T_zs * s_x + f_S_T_zz * z_x + f_S_T_zy * y_x
-    f_S_zy = f_S_T_zs * s_y + f_S_T_zz * z_y + f_S_T_zy * y_y
-    f_S_zz = f_S_T_zs * s_z + f_S_T_zz * z_z + f_S_T_zy * y_z
-    f_S_dot_leg_12 = c82
-    f_S_dot_leg_23 = -c84
-    f_S_dot_leg_32 = c83
-    f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
-    f_S_dot_T_xz = f_S_dot_leg_23 * y_x
-    f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
-    f_S_dot_T_yz = f_S_dot_leg_23 * y_y
-    f_S_dot_T_zy = f_S_dot_leg_12 * s_z + f_S_dot_leg_32 * z_z
-    f_S_dot_T_zz = f_S_dot_leg_23 * y_z
+    f_S_xx = C_s_phi_x * y_by_phi_x + theta_dot_by_S_x * y_x + k_x * phi_dot_by_S_x
+    f_S_xy = C_s_phi_y * y_by_phi_x + theta_dot_by_S_y * y_x + k_x * phi_dot_by_S_y
+    f_S_xz = C_s_phi_z * y_by_phi_x + theta_dot_by_S_z * y_x + k_x * phi_dot_by_S_z
+    f_S_yx = C_s_phi_x * y_by_phi_y + theta_dot_by_S_x * y_y + k_y * phi_dot_by_S_x
+    f_S_yy = C_s_phi_y * y_by_phi_y + theta_dot_by_S_y * y_y + k_y * phi_dot_by_S_y
+    f_S_yz = C_s_phi_z * y_by_phi_y + theta_dot_by_S_z * y_y + k_y * phi_dot_by_S_z
+    f_S_zx = C_s_phi_x * y_by_phi_z + theta_dot_by_S_x * y_z + k_z * phi_dot_by_S_x
+    f_S_zy = C_s_phi_y * y_by_phi_z + theta_dot_by_S_y * y_z + k_z * phi_dot_by_S_y
+    f_S_zz = C_s_phi_z * y_by_phi_z + theta_dot_by_S_z * y_z + k_z * phi_dot_by_S_z
     # friction moment by S_dot
-    f_S_dot_xx = f_S_dot_T_xy * y_x + f_S_dot_T_xz * z_x
-    f_S_dot_xy = f_S_dot_T_xy * y_y + f_S_dot_T_xz * z_y
-    f_S_dot_xz = f_S_dot_T_xy * y_z + f_S_dot_T_xz * z_z
-    f_S_dot_yx = f_S_dot_T_yy * y_x + f_S_dot_T_yz * z_x
-    f_S_dot_yy = f_S_dot_T_yy * y_y + f_S_dot_T_yz * z_y
-    f_S_dot_yz = f_S_dot_T_yy * y_z + f_S_dot_T_yz * z_z
-    f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
-    f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
-    f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
-    c92 = c9 * own_y
-    c93 = c87 * h_z
-    c94 = -c17 * c93
-    c95 = c9 * k1
-    c96 = c51 * c95
-    c97 = c11 * inv_L
-    c98 = 2.0 * h_y
-    c99 = c87 * c98
-    c100 = W_z * c99
-    c101 = c100 + 4.0 * c15 * c16 * c85 - c97
-    A_0_leg_11 = 2.0 * c12 * h_x * inv_L + 2.0 * c3 * h_x * inv_L - 4.0 * c96 - c94 - c92 - c101
-    c102 = h_x * inv_L
-    c103 = c102 * c60
-    c104 = J_yz * c10
-    c105 = c104 * own_y
-    c106 = h_y * inv_L
-    c107 = c106 * c12
-    c108 = 2.0 * c107
-    c109 = c10 * inv_k3
-    c110 = c109 * c58
-    c111 = c109 * c59
-    c112 = inv_L * inv_L * inv_L
-    c113 = L_dot * L_dot
-    c114 = c112 * c113
-    c115 = c114 * c98
-    c116 = C_us * c10
-    c117 = W_z * c116 * c49
-    c118 = c10 * own_z
-    c119 = J_xx * c49
-    c120 = 2.0 * c40
-    c121 = c10 * c61
-    c122 = c49 * c9
-    c123 = c106 * c3
-    c124 = 2.0 * c49
-    c125 = c109 * c64
-    c126 = c109 * c65
-    c127 = 2.0 * c93
-    c128 = c16 * k1
-    c129 = c10 * c62
-    c130 = c129 * c49
-    c131 = inv_k3 * inv_k3 * inv_k3
-    A_0_leg_12 = (J_xy * c10 * c12 + J_xy * c10 * c3 - c115 - c130 + 3.0 * c12 * c49 * h_y * inv_L - c108 - c123
-        * c124 + C_s * c10 * inv_k3 * w_k_omega - c125 - c126 + 2.0 * L_ddot * c10 * h_y + C_p * W_z + c10 * gamma_y
-        * w_x + c10 * gamma_n * inv_k3 * w_y - c111 - c105 - c117 - 6.0 * c122 * c77 + 2.0 * W_z * h_z * inv_L
-        * theta_dot - c110 - c127 * c128 + 2.0 * J_xz * W_z * c10 * c49 * theta_dot + c10 * c53 * own_z + 2.0
-        * J_xx * W_z * c10 * c131 * k1 * theta_dot + 2.0 * h_y * inv_L * inv_k3 * k1 * own_y - c103 - c118 * c119
-        - c120 * c121 + 3.0 * h_z * inv_L * inv_k3 * k1 * own_z)
-    c132 = c10 * c22
-    c133 = c10 * c23
-    c134 = c10 * c24
-    c135 = 2.0 * c114
-    c136 = c135 * h_z
-    c137 = c10 * c44
-    c138 = c10 * c25
-    c139 = c10 * c50
-    c140 = W_z * c10
-    c141 = c140 * c33
-    c142 = c12 * c9
-    c143 = 3.0 * c142
-    c144 = c10 * c42
-    c145 = c10 * c12
-    c146 = c3 * c9
-    c147 = c10 * c26
-    c148 = 4.0 * W_z
-    c149 = c148 * c85
-    c150 = c149 * h_y
-    c151 = (c146 - c143 + c10 * c28 - c10 * c39 + c10 * c30 + c10 * c32 - c147 + c128 * c99 + c150 * c49 + 2.0
-        * c36 * inv_L - c150 - c20 * c97)
-    A_0_leg_13 = (c137 - c136 - c139 + c143 * c49 + c145 * c55 * inv_k3 + 2.0 * c138 + c132 - C_p * theta_dot
-        + c141 + c133 - c141 * c49 + c134 - c10 * c47 + c144 + c151)
-    c152 = L_ddot * c10
-    c153 = c152 * h_y
-    c154 = c10 * gamma_y
-    c155 = c106 * own_y
-    c156 = L_dot * c112
-    c157 = c156 * c17
-    c158 = 3.0 * c129
-    c159 = 4.0 * c121
-    c160 = c148 * theta_dot
-    c161 = c41 * inv_k3
-    c162 = 4.0 * c61
-    c163 = c156 * c16
-    c164 = c17 * c87 * h_y
-    c165 = W_z * c156
-    c166 = c140 * theta_dot
-    c167 = 6.0 * c166
-    c168 = -2.0 * J_zz
-    c169 = c168 + c75
-    c170 = c131 * k1
-    c171 = J_xx * c170
-    A_0_leg_21 = (3.0 * c10 * c71 + c158 - 3.0 * c130 - c107 - c123 + c108 * c49 + c109 * c56 + c153 - 3.0 * c125
-        - 3.0 * c126 + J_yz * c157 + c109 * c57 + c154 * w_x + c157 * c161 + c164 * c20 + c165 * c76 - c111
-        + c155 * c20 + c162 * c163 - 2.0 * c105 - 2.0 * c117 - c165 * c169 + c167 * c171 - 2.0 * c110 - c122
-        * c160 + J_xz * c167 * c49 + c118 * c169 + c120 * c95 - c103 - c118 * c76 - c159 * c40)
-    c173 = L_ddot * c112
-    c174 = c14 * inv_L
-    c175 = c113 * inv_L * inv_L * inv_L * inv_L
-    c176 = c10 * c3
-    c177 = J_yy * c145
-    c178 = c13 * inv_L
-    c179 = 2.0 * J_xy
-    c180 = c118 * c179
-    c181 = c10 * own_y
-    c182 = 2.0 * J_xz
-    c183 = c181 * c182
-    c184 = c154 * c49
-    c185 = c145 * c49
-    c186 = C_us * c156
-    c187 = inv_k3 * inv_k3 * inv_k3 * inv_k3
-    c188 = c187 * c75
-    c189 = c49 * c97
-    c190 = c165 * c179
-    c191 = 2.0 * c92
-    c192 = c10 * gamma_n
-    c193 = c192 * c38
-    c194 = c109 * own_y
-    c195 = c10 * c43
-    c196 = c190 * c49
-    c197 = 2.0 * c61
-    c198 = c197 * inv_k3
-    c199 = c104 * c17
-    c200 = W_z * c199
-    c201 = c200 * c49
-    c202 = 2.0 * c170
-    c203 = c49 * c66
-    c204 = c131 * c176
-    c205 = 2.0 * c134
-    c206 = c162 * inv_k3
-    c207 = c131 * c166
-    c208 = 4.0 * c207 * c41
-    c209 = 2.0 * c46
-    c210 = c163 * c209
-    c211 = c170 * c75
-    c212 = c211 * theta_dot
-    c213 = c131 * c149 * c15
-    c214 = c10 * g_k
-    c215 = c135 * h_x - F * inv_L + c214 * c31 + c214 * c29 + C_p * c2 - c152 * c69 + c193 - c192 * c27
-    A_0_leg_22 = (c175 * c76 + c176 * c188 + c185 * (J_yy + c75 - J_zz) - c119 * c176 - c145 * c188 - c176 * c53
-        - c177 + c174 - c169 * c175 - c178 - c109 * g_k * w_z + c143 * c170 + c197 * c204 - c136 * c20 - 3.0
-        * c170 * c195 + c173 * c53 + c175 * c206 + c176 * c198 - c146 * c202 - c146 * c21 - c119 * c173 - c173
-        * c198 + 3.0 * c138 * c20 - c186 * c49 + c156 * c212 + c132 * c20 + c94 + c156 * c203 + c184 * w_y + c190
-        + c193 * c49 - c132 * c170 + c183 + c194 * c55 + c215 - c147 * c20 - c201 - c92 + c191 * c49 + c213
-        - c171 * c181 - c196 - c210 - c183 * c49 + c180 * c49 - c180 - c208 + c20 * c205 - 2.0 * c189)
-    c216 = c104 * c3
-    c217 = c104 * c12
-    c218 = J_xy * c49
-    c219 = c217 * c49
-    c220 = c216 * c49
-    c221 = c155 * c49
-    c222 = c156 * c33
-    c223 = c10 * k1
-    c224 = c223 * c63
-    c225 = c116 * c170
-    c226 = c17 * c9
-    c227 = c157 * c46 * inv_k3
-    c228 = 2.0 * J_yz
-    c229 = c9 * own_z
-    c230 = c118 * c182
-    c231 = c69 * c85
-    c232 = c223 * c49
-    c233 = 2.0 * c161
-    c234 = c182 * c49
-    c235 = (J_yz * c173 - c175 * c228 + c161 * c173 - c232 * c56 - c175 * c233 + W_z * c231 + c184 * w_z - c232
-        * c57 + c159 * c73 - c165 * c234 + c160 * c170 * c9 - c166 * c169 - c162 * c207 + c230 * c49 - c124
-        * c229)
-    A_0_leg_23 = (c216 + c219 + c220 - c217 + c107 * c20 + c123 * c20 + c129 * c202 + c161 * c176 - c108 * c170
-        - c224 - c153 * c20 + c164 + c155 + c225 * c70 + c227 - c222 + c181 * c218 - c164 * c49 - c165 * c211
-        + c119 * c167 - c128 * c226 - c221 + c118 * c211 - J_xx * c167 * c187 + c235)
-    c236 = 2.0 * J_yy
-    c237 = c236 * theta_dot
-    c238 = 2.0 * c41
-    A_0_leg_31 = (6.0 * c195 - 3.0 * c139 + c124 * c142 + c145 * c20 * (3.0 * (J_xx + J_yy - J_zz)) + c138 + 2.0
-        * c132 - c156 * c237 - c165 * c228 + J_xy * c167 + 2.0 * c133 - c163 * c238 - 6.0 * c10 * c46 * c73
-        - c167 * c218 + c205 + 2.0 * c144 + c151)
-    c239 = c179 * c181
-    c240 = 4.0 * J_xz
-    c242 = c236 + c169
-    c243 = 4.0 * c128 * c9
-    A_0_leg_32 = (3.0 * c219 - 2.0 * c217 - c220 + c108 * c20 + c115 * c20 + c158 * c170 + c123 * c202 - 3.0
-        * c107 * c170 - 2.0 * c224 - c204 * c238 - 2.0 * c153 * c20 + W_z * c225 + c222 + c165 * c240 + 2.0
-        * c155 + c194 * c209 - c222 * c49 - c227 - c70 * c93 + C_s * c109 * w_n_omega + c128 * c156 * c242 + c166
-        * c49 * (4.0 * J_xx + c168 + c236) + c229 + c239 * c49 - c116 * c128 - c166 * c188 - 2.0 * c221 - c239
-        + c118 * c171 - c230 - c243 * theta_dot - c223 * c40 * c54 + c235)
-    A_0_leg_33 = (c175 * c236 + c177 - J_yy * c176 + c178 - c185 * c54 - c174 + c137 * c170 + 2.0 * c96 - c142
-        * c202 - J_yy * c173 - c186 + c201 - c200 + c191 + c196 + c210 + c215 - c100 * c49 - c190 + c208 - c10
-        * c18 * c41 - c213 + c189 - c118 * c218 + c101)
+    f_S_dot_xx = C_s_theta_x * y_x + C_s_phi_x * k_x
+    f_S_dot_xy = C_s_theta_y * y_x + C_s_phi_y * k_x
+    f_S_dot_xz = C_s_theta_z * y_x + C_s_phi_z * k_x
+    f_S_dot_yx = C_s_theta_x * y_y + C_s_phi_x * k_y
+    f_S_dot_yy = C_s_theta_y * y_y + C_s_phi_y * k_y
+    f_S_dot_yz = C_s_theta_z * y_y + C_s_phi_z * k_y
+    f_S_dot_zx = C_s_theta_x * y_z + C_s_phi_x * k_z
+    f_S_dot_zy = C_s_theta_y * y_z + C_s_phi_y * k_z
+    f_S_dot_zz = C_s_theta_z * y_z + C_s_phi_z * k_z
+    c86 = c9 * own_y
+    c87 = c83 * h_z
+    c88 = -c17 * c87
+    c89 = c9 * k1
+    c90 = c51 * c89
+    c91 = c11 * inv_L
+    c92 = 2.0 * h_y
+    c93 = c83 * c92
+    c94 = W_z * c93
+    c95 = c94 + 4.0 * c15 * c16 * c81 - c91
+    A_0_leg_11 = 2.0 * c12 * h_x * inv_L + 2.0 * c3 * h_x * inv_L - 4.0 * c90 - c88 - c86 - c95
+    c96 = h_x * inv_L
+    c97 = c60 * c96
+    c98 = J_yz * c10
+    c99 = c98 * own_y
+    c100 = h_y * inv_L
+    c101 = c100 * c12
+    c102 = 2.0 * c101
+    c103 = c10 * inv_k3
+    c104 = c103 * c58
+    c105 = c103 * c59
+    c106 = inv_L * inv_L * inv_L
+    c107 = L_dot * L_dot
+    c108 = c106 * c107
+    c109 = c108 * c92
+    c110 = C_us * c10
+    c111 = W_z * c110 * c49
+    c112 = c10 * own_z
+    c113 = J_xx * c49
+    c114 = 2.0 * c40
+    c115 = c10 * c61
+    c116 = c49 * c9
+    c117 = c100 * c3
+    c118 = 2.0 * c49
+    c119 = c103 * c64
+    c120 = c103 * c65
+    c121 = 2.0 * c87
+    c122 = c16 * k1
+    c123 = c10 * c62
+    c124 = c123 * c49
+    c125 = inv_k3 * inv_k3 * inv_k3
+    A_0_leg_12 = (J_xy * c10 * c12 + J_xy * c10 * c3 - c109 - c124 + 3.0 * c12 * c49 * h_y * inv_L - c102 - c117
+        * c118 + C_s * c10 * inv_k3 * w_k_omega - c119 - c120 + 2.0 * L_ddot * c10 * h_y + C_p * W_z + c10 * gamma_y
+        * w_x + c10 * gamma_n * inv_k3 * w_y - c105 - c111 - 6.0 * c116 * c77 - c99 + 2.0 * W_z * h_z * inv_L
+        * theta_dot - c104 - c121 * c122 + 2.0 * J_xz * W_z * c10 * c49 * theta_dot + c10 * c53 * own_z + 2.0
+        * J_xx * W_z * c10 * c125 * k1 * theta_dot + 2.0 * h_y * inv_L * inv_k3 * k1 * own_y - c112 * c113 - c97
+        - c114 * c115 + 3.0 * h_z * inv_L * inv_k3 * k1 * own_z)
+    c126 = c10 * c22
+    c127 = c10 * c23
+    c128 = c10 * c24
+    c129 = 2.0 * c108
+    c130 = c129 * h_z
+    c131 = c10 * c44
+    c132 = c10 * c25
+    c133 = c10 * c50
+    c134 = W_z * c10
+    c135 = c134 * c33
+    c136 = c12 * c9
+    c137 = 3.0 * c136
+    c138 = c10 * c42
+    c139 = c10 * c12
+    c140 = c3 * c9
+    c141 = c10 * c26
+    c142 = 4.0 * W_z
+    c143 = c142 * c81
+    c144 = c143 * h_y
+    c145 = (c140 - c137 + c10 * c28 - c10 * c39 + c10 * c30 + c10 * c32 - c141 + c122 * c93 + c144 * c49 + 2.0
+        * c36 * inv_L - c144 - c20 * c91)
+    A_0_leg_13 = (c131 - c130 - c133 + c137 * c49 + c139 * c55 * inv_k3 + 2.0 * c132 + c126 - C_p * theta_dot
+        + c135 + c127 - c135 * c49 + c128 - c10 * c47 + c138 + c145)
+    c146 = L_ddot * c10
+    c147 = c146 * h_y
+    c148 = c10 * gamma_y
+    c149 = c100 * own_y
+    c150 = L_dot * c106
+    c151 = c150 * c17
+    c152 = 3.0 * c123
+    c153 = 4.0 * c115
+    c154 = c142 * theta_dot
+    c155 = c41 * inv_k3
+    c156 = 4.0 * c61
+    c157 = c150 * c16
+    c158 = c17 * c83 * h_y
+    c159 = W_z * c150
+    c160 = c134 * theta_dot
+    c161 = 6.0 * c160
+    c162 = -2.0 * J_zz
+    c163 = c162 + c75
+    c164 = c125 * k1
+    c165 = J_xx * c164
+    A_0_leg_21 = (3.0 * c10 * c71 + c152 - 3.0 * c124 - c101 - c117 + c102 * c49 + c103 * c56 + c147 - 3.0 * c119
+        - 3.0 * c120 + J_yz * c151 + c103 * c57 + c148 * w_x + c151 * c155 + c158 * c20 + c159 * c76 - c105
+        + c149 * c20 + c156 * c157 - 2.0 * c111 - c159 * c163 - 2.0 * c99 + c161 * c165 - 2.0 * c104 - c116
+        * c154 + J_xz * c161 * c49 + c112 * c163 + c114 * c89 - c112 * c76 - c153 * c40 - c97)
+    c167 = L_ddot * c106
+    c168 = c14 * inv_L
+    c169 = c107 * inv_L * inv_L * inv_L * inv_L
+    c170 = c10 * c3
+    c171 = J_yy * c139
+    c172 = c13 * inv_L
+    c173 = 2.0 * J_xy
+    c174 = c112 * c173
+    c175 = c10 * own_y
+    c176 = 2.0 * J_xz
+    c177 = c175 * c176
+    c178 = c148 * c49
+    c179 = c139 * c49
+    c180 = C_us * c150
+    c181 = inv_k3 * inv_k3 * inv_k3 * inv_k3
+    c182 = c181 * c75
+    c183 = c49 * c91
+    c184 = c159 * c173
+    c185 = 2.0 * c86
+    c186 = c10 * gamma_n
+    c187 = c186 * c38
+    c188 = c103 * own_y
+    c189 = c10 * c43
+    c190 = c184 * c49
+    c191 = 2.0 * c61
+    c192 = c191 * inv_k3
+    c193 = c17 * c98
+    c194 = W_z * c193
+    c195 = c194 * c49
+    c196 = 2.0 * c164
+    c197 = c49 * c66
+    c198 = c125 * c170
+    c199 = 2.0 * c128
+    c200 = c156 * inv_k3
+    c201 = c125 * c160
+    c202 = 4.0 * c201 * c41
+    c203 = 2.0 * c46
+    c204 = c157 * c203
+    c205 = c164 * c75
+    c206 = c205 * theta_dot
+    c207 = c125 * c143 * c15
+    c208 = c10 * g_k
+    c209 = c129 * h_x - F * inv_L + c208 * c31 + c208 * c29 + C_p * c2 - c146 * c69 + c187 - c186 * c27
+    A_0_leg_22 = (c169 * c76 + c170 * c182 + c179 * (J_yy + c75 - J_zz) - c113 * c170 - c139 * c182 - c170 * c53
+        - c171 + c168 - c163 * c169 - c172 - c103 * g_k * w_z + c137 * c164 + c191 * c198 - c130 * c20 - 3.0
+        * c164 * c189 + c167 * c53 + c169 * c200 + c170 * c192 - c140 * c196 - c140 * c21 - c113 * c167 - c167
+        * c192 + 3.0 * c132 * c20 - c180 * c49 + c150 * c206 + c126 * c20 + c88 + c150 * c197 + c178 * w_y + c184
+        + c187 * c49 - c126 * c164 + c177 + c188 * c55 + c209 - c141 * c20 - c195 - c86 + c185 * c49 + c207
+        - c165 * c175 - c190 - c204 - c177 * c49 + c174 * c49 - c174 - c202 + c199 * c20 - 2.0 * c183)
+    c210 = c3 * c98
+    c211 = c12 * c98
+    c212 = J_xy * c49
+    c213 = c211 * c49
+    c214 = c210 * c49
+    c215 = c149 * c49
+    c216 = c150 * c33
+    c217 = c10 * k1
+    c218 = c217 * c63
+    c219 = c110 * c164
+    c220 = c17 * c9
+    c221 = c151 * c46 * inv_k3
+    c222 = 2.0 * J_yz
+    c223 = c9 * own_z
+    c224 = c112 * c176
+    c225 = c69 * c81
+    c226 = c217 * c49
+    c227 = 2.0 * c155
+    c228 = c176 * c49
+    c229 = (J_yz * c167 - c169 * c222 + c155 * c167 - c226 * c56 - c169 * c227 + W_z * c225 + c178 * w_z - c226
+        * c57 + c153 * c73 - c159 * c228 + c154 * c164 * c9 - c160 * c163 - c156 * c201 + c224 * c49 - c118
+        * c223)
+    A_0_leg_23 = (c210 + c213 + c214 - c211 + c101 * c20 + c117 * c20 + c123 * c196 + c155 * c170 - c102 * c164
+        - c218 - c147 * c20 + c158 + c149 + c219 * c70 + c221 - c216 + c175 * c212 - c158 * c49 - c159 * c205
+        + c113 * c161 - c122 * c220 - c215 + c112 * c205 - J_xx * c161 * c181 + c229)
+    c230 = 2.0 * J_yy
+    c231 = c230 * theta_dot
+    c232 = 2.0 * c41
+    A_0_leg_31 = (6.0 * c189 - 3.0 * c133 + c118 * c136 + c139 * c20 * (3.0 * (J_xx + J_yy - J_zz)) + c132 + 2.0
+        * c126 - c150 * c231 - c159 * c222 + J_xy * c161 + 2.0 * c127 - c157 * c232 - 6.0 * c10 * c46 * c73
+        - c161 * c212 + c199 + 2.0 * c138 + c145)
+    c233 = c173 * c175
+    c234 = 4.0 * J_xz
+    c236 = c230 + c163
+    c237 = 4.0 * c122 * c9
+    A_0_leg_32 = (3.0 * c213 - 2.0 * c211 - c214 + c102 * c20 + c109 * c20 + c152 * c164 + c117 * c196 - 3.0
+        * c101 * c164 - 2.0 * c218 - c198 * c232 - 2.0 * c147 * c20 + W_z * c219 + c216 + c159 * c234 + 2.0
+        * c149 + c188 * c203 - c216 * c49 - c221 - c70 * c87 + C_s * c103 * w_n_omega + c122 * c150 * c236 + c160
+        * c49 * (4.0 * J_xx + c162 + c230) + c223 + c233 * c49 - c110 * c122 - c160 * c182 - 2.0 * c215 - c233
+        + c112 * c165 - c224 - c237 * theta_dot - c217 * c40 * c54 + c229)
+    A_0_leg_33 = (c169 * c230 + c171 - J_yy * c170 + c172 - c179 * c54 - c168 + c131 * c164 + 2.0 * c90 - c136
+        * c196 - J_yy * c167 - c180 + c195 - c194 + c185 + c190 + c204 + c209 - c184 - c49 * c94 + c202 - c10
+        * c18 * c41 - c207 + c183 - c112 * c212 + c95)
     A_0_T_xs = A_0_leg_11 * s_x + A_0_leg_31 * z_x + A_0_leg_21 * y_x
     A_0_T_xy = A_0_leg_12 * s_x + A_0_leg_32 * z_x + A_0_leg_22 * y_x
     A_0_T_xz = A_0_leg_13 * s_x + A_0_leg_23 * y_x + A_0_leg_33 * z_x
@@ -5137,35 +5190,35 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     A_0_zx = A_0_T_zz * z_x + A_0_T_zs * s_x + A_0_T_zy * y_x
     A_0_zy = A_0_T_zz * z_y + A_0_T_zs * s_y + A_0_T_zy * y_y
     A_0_zz = A_0_T_zz * z_z + A_0_T_zs * s_z + A_0_T_zy * y_z
-    c244 = c106 * c70
-    c245 = c244 - c226
-    A_1_leg_11 = C_p + c245
-    c246 = c102 * c70
-    c247 = c85 * c98
-    A_1_leg_12 = c99 + c20 * c247 - c246 + c243
-    c248 = c231 - 2.0 * c106 * c128
-    A_1_leg_13 = c127 + c248
-    c249 = c109 * c17
-    A_1_leg_21 = (W_z * c10 * c169 - c199 - c249 * c41 - c140 * c76 - c159 * c16 - c246 + 2.0 * W_z * h_z * inv_L
+    c238 = c100 * c70
+    c239 = c238 - c220
+    A_1_leg_11 = C_p + c239
+    c240 = c70 * c96
+    c241 = c81 * c92
+    A_1_leg_12 = c93 + c20 * c241 - c240 + c237
+    c242 = c225 - 2.0 * c100 * c122
+    A_1_leg_13 = c121 + c242
+    c243 = c103 * c17
+    A_1_leg_21 = (W_z * c10 * c163 - c193 - c243 * c41 - c134 * c76 - c153 * c16 - c240 + 2.0 * W_z * h_z * inv_L
         * inv_k3 * k1)
-    c250 = c140 * c179
-    c251 = c69 * c87
-    c252 = c244 * c49
-    c253 = c10 * c16
-    c254 = c209 * c253
-    c255 = c250 * c49
-    A_1_leg_22 = (C_us * c10 * c49 + L_dot * c112 * c169 - c156 * c206 - c156 * c76 - c251 + 2.0 * L_dot * c10
-        * h_z * inv_k3 * k1 - c10 * c212 + 2.0 * c49 * h_z * inv_L * theta_dot + c254 + c255 - c10 * c203 - c250
-        - c252)
-    c256 = c10 * c33
-    c257 = c249 * c46
-    c258 = c70 * c9
-    c259 = c156 * c228 + c156 * c233 + c140 * c234 - c258 * c49
-    A_1_leg_23 = c256 + c140 * c211 - c257 + c259
-    A_1_leg_31 = c10 * c237 + c104 * c70 + c238 * c253 + c248
-    A_1_leg_32 = (c247 - c20 * c99 + c257 + c256 * c49 + c258 - c247 * c49 - c256 - c140 * c240 - c16 * c223
-        * c242 + c259)
-    A_1_leg_33 = C_us * c10 - c156 * c236 - c251 + c250 + c252 - c245 - c254 - c255
+    c244 = c134 * c173
+    c245 = c69 * c83
+    c246 = c238 * c49
+    c247 = c10 * c16
+    c248 = c203 * c247
+    c249 = c244 * c49
+    A_1_leg_22 = (C_us * c10 * c49 + L_dot * c106 * c163 - c150 * c200 - c150 * c76 - c245 + 2.0 * L_dot * c10
+        * h_z * inv_k3 * k1 - c10 * c206 + 2.0 * c49 * h_z * inv_L * theta_dot + c248 + c249 - c10 * c197 - c244
+        - c246)
+    c250 = c10 * c33
+    c251 = c243 * c46
+    c252 = c70 * c9
+    c253 = c150 * c222 + c150 * c227 + c134 * c228 - c252 * c49
+    A_1_leg_23 = c250 + c134 * c205 - c251 + c253
+    A_1_leg_31 = c10 * c231 + c70 * c98 + c232 * c247 + c242
+    A_1_leg_32 = (c241 - c20 * c93 + c251 + c250 * c49 + c252 - c241 * c49 - c250 - c134 * c234 - c16 * c217
+        * c236 + c253)
+    A_1_leg_33 = C_us * c10 - c150 * c230 - c245 + c244 + c246 - c239 - c248 - c249
     A_1_T_xs = A_1_leg_11 * s_x + A_1_leg_31 * z_x + A_1_leg_21 * y_x
     A_1_T_xy = A_1_leg_12 * s_x + A_1_leg_22 * y_x + A_1_leg_32 * z_x
     A_1_T_xz = A_1_leg_13 * s_x + A_1_leg_23 * y_x + A_1_leg_33 * z_x
@@ -5195,64 +5248,72 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     X_zx = B_xx * m_xz + B_yx * m_yz + B_zx * m_zz + A_1_zy * omega_z - A_1_zz * omega_y + A_0_zx
     X_zy = B_xy * m_xz + B_yy * m_yz + B_zy * m_zz + A_1_zz * omega_x - A_1_zx * omega_z + A_0_zy
     X_zz = B_xz * m_xz + B_yz * m_yz + B_zz * m_zz + A_1_zx * omega_y - A_1_zy * omega_x + A_0_zz
-    c260 = m_xy * omega_z
-    c261 = m_xz * omega_y
-    Y_xx = c260 - c261 + A_1_xx
+    c254 = m_xy * omega_z
+    c255 = m_xz * omega_y
+    Y_xx = c254 - c255 + A_1_xx
     Y_xy = m_xz * omega_x - m_xx * omega_z + A_1_xy
     Y_xz = m_xx * omega_y - m_xy * omega_x + A_1_xz
     Y_yx = m_yy * omega_z - m_yz * omega_y + A_1_yx
-    c262 = m_yz * omega_x
-    Y_yy = c262 - c260 + A_1_yy
+    c256 = m_yz * omega_x
+    Y_yy = c256 - c254 + A_1_yy
     Y_yz = m_xy * omega_y - m_yy * omega_x + A_1_yz
     Y_zx = m_yz * omega_z - m_zz * omega_y + A_1_zx
     Y_zy = m_zz * omega_x - m_xz * omega_z + A_1_zy
-    Y_zz = c261 - c262 + A_1_zz
-    Z_xx = X_xz * q_y - X_xy * q_z
-    Z_xy = X_xx * q_z - X_xz * q_x
-    Z_xz = X_xy * q_x - X_xx * q_y
-    Z_yx = X_yz * q_y - X_yy * q_z
-    Z_yy = X_yx * q_z - X_yz * q_x
-    Z_yz = X_yy * q_x - X_yx * q_y
-    Z_zx = X_zz * q_y - X_zy * q_z
-    Z_zy = X_zx * q_z - X_zz * q_x
-    Z_zz = X_zy * q_x - X_zx * q_y
-    c263 = m_xz * w_q_y
-    c264 = m_xy * w_q_z
-    V_xx = A_3_xx + c263 - c264 + Y_xz * q_y - Y_xy * q_z
-    V_xy = A_3_xy + m_xx * w_q_z - m_xz * w_q_x + Y_xx * q_z - Y_xz * q_x
-    V_xz = A_3_xz + m_xy * w_q_x - m_xx * w_q_y + Y_xy * q_x - Y_xx * q_y
-    V_yx = A_3_yx + m_yz * w_q_y - m_yy * w_q_z + Y_yz * q_y - Y_yy * q_z
-    c265 = m_yz * w_q_x
-    V_yy = A_3_yy + c264 - c265 + Y_yx * q_z - Y_yz * q_x
-    V_yz = A_3_yz + m_yy * w_q_x - m_xy * w_q_y + Y_yy * q_x - Y_yx * q_y
-    V_zx = A_3_zx + m_zz * w_q_y - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
-    V_zy = A_3_zy + m_xz * w_q_z - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
-    V_zz = A_3_zz + c265 - c263 + Y_zy * q_x - Y_zx * q_y
-    c266 = m_xy * q_z
-    c267 = m_xz * q_y
-    c268 = -m_yz * q_x
+    Y_zz = c255 - c256 + A_1_zz
+    c257 = X_xy * q_z
+    Z_xx = X_xz * q_y - c257
+    c258 = X_xx * q_z
+    Z_xy = c258 - X_xz * q_x
+    c259 = X_xx * q_y
+    Z_xz = X_xy * q_x - c259
+    c260 = X_yy * q_z
+    Z_yx = X_yz * q_y - c260
+    c261 = X_yx * q_z
+    c262 = -X_yz * q_x
+    Z_yy = c261 + c262
+    c263 = -X_yy * q_x
+    Z_yz = -X_yx * q_y - c263
+    c264 = -X_zz * q_y
+    Z_zx = -X_zy * q_z - c264
+    c265 = -X_zz * q_x
+    Z_zy = X_zx * q_z + c265
+    c266 = X_zx * q_y
+    Z_zz = X_zy * q_x - c266
+    c267 = m_xy * w_q_z
+    c268 = m_xz * w_q_y
+    V_xx = c268 - f_S_dot_xx - c267 + Y_xz * q_y - Y_xy * q_z
+    V_xy = m_xx * w_q_z - f_S_dot_yx - m_xz * w_q_x + Y_xx * q_z - Y_xz * q_x
+    V_xz = m_xy * w_q_x - f_S_dot_zx - m_xx * w_q_y + Y_xy * q_x - Y_xx * q_y
+    V_yx = m_yz * w_q_y - f_S_dot_xy - m_yy * w_q_z + Y_yz * q_y - Y_yy * q_z
+    c269 = m_yz * w_q_x
+    V_yy = c267 - f_S_dot_yy - c269 + Y_yx * q_z - Y_yz * q_x
+    V_yz = m_yy * w_q_x - f_S_dot_zy - m_xy * w_q_y + Y_yy * q_x - Y_yx * q_y
+    V_zx = m_zz * w_q_y - f_S_dot_xz - m_yz * w_q_z + Y_zz * q_y - Y_zy * q_z
+    V_zy = m_xz * w_q_z - f_S_dot_yz - m_zz * w_q_x + Y_zx * q_z - Y_zz * q_x
+    V_zz = c269 - f_S_dot_zz - c268 + Y_zy * q_x - Y_zx * q_y
+    # moment by rotation about the tip
+    Q_xx = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx + c261 - c266
+    Q_xy = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy - R_tip_z + c260 - X_zy * q_y
+    Q_xz = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz + R_tip_y + X_yz * q_z + c264
+    Q_yx = f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx + R_tip_z + X_zx * q_x - c258
+    Q_yy = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy + X_zy * q_x - c257
+    Q_yz = f_S_dot_yx * omega_y - f_S_dot_yy * omega_x + f_S_yz - R_tip_x - X_xz * q_z - c265
+    Q_zx = f_S_dot_zy * omega_z - f_S_dot_zz * omega_y + f_S_zx - R_tip_y + c259 - X_yx * q_x
+    Q_zy = f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy + R_tip_x + X_xy * q_y + c263
+    Q_zz = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz + X_xz * q_y + c262
+    c270 = m_xy * q_z
+    c271 = m_xz * q_y
+    c272 = -m_yz * q_x
     # m [q]x
-    m_q_xx = c266 - c267
+    m_q_xx = c270 - c271
     m_q_xy = m_xz * q_x - m_xx * q_z
     m_q_xz = m_xx * q_y - m_xy * q_x
     m_q_yx = m_yy * q_z - m_yz * q_y
-    m_q_yy = -c266 - c268
+    m_q_yy = -c270 - c272
     m_q_yz = m_xy * q_y - m_yy * q_x
     m_q_zx = m_yz * q_z - m_zz * q_y
     m_q_zy = m_zz * q_x - m_xz * q_z
-    m_q_zz = c267 + c268
-    c269 = R_tip_y * q_y
-    c270 = R_tip_z * q_z
-    c271 = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
-    c272 = f_S_dot_xz * omega_x - f_S_dot_xx * omega_z + f_S_xy
-    c273 = f_S_dot_xy * omega_z - f_S_dot_xz * omega_y + f_S_xx
-    c274 = f_S_dot_yz * omega_x - f_S_dot_yx * omega_z + f_S_yy
-    c275 = f_S_dot_yx * omega_y - f_S_dot_yy * omega_x + f_S_yz
-    c276 = R_tip_x * q_x
-    c277 = f_S_dot_yy * omega_z - f_S_dot_yz * omega_y + f_S_yx
-    c278 = f_S_dot_zz * omega_x - f_S_dot_zx * omega_z + f_S_zy
-    c279 = f_S_dot_zx * omega_y - f_S_dot_zy * omega_x + f_S_zz
-    c280 = f_S_dot_zy * omega_z - f_S_dot_zz * omega_y + f_S_zx
+    m_q_zz = c271 + c272
     out = DerivativesLeg()
     out.M_vv = [m_xx, m_xy, m_xz, m_yy, m_yz, m_zz]
     out.M_vw = [-m_q_xx, -m_q_xy, -m_q_xz, -m_q_yx, -m_q_yy, -m_q_yz, -m_q_zx, -m_q_zy, -m_q_zz]
@@ -5278,15 +5339,15 @@ def derivatives_near(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         A_0_yz * q_x - f_S_zz - A_0_xz * q_y,
     ]
     out.W_mr = [
-        Z_zx * q_y + c272 * q_z - c269 - c270 - Z_yx * q_z - c271 * q_y,
-        R_tip_y * q_x + Z_zy * q_y + c271 * q_x - Z_yy * q_z - c273 * q_z,
-        R_tip_z * q_x + Z_zz * q_y + c273 * q_y - Z_yz * q_z - c272 * q_x,
-        R_tip_x * q_y + Z_xx * q_z + c274 * q_z - Z_zx * q_x - c275 * q_y,
-        Z_xy * q_z + c275 * q_x - c270 - c276 - Z_zy * q_x - c277 * q_z,
-        R_tip_z * q_y + Z_xz * q_z + c277 * q_y - Z_zz * q_x - c274 * q_x,
-        R_tip_x * q_z + Z_yx * q_x + c278 * q_z - Z_xx * q_y - c279 * q_y,
-        R_tip_y * q_z + Z_yy * q_x + c279 * q_x - Z_xy * q_y - c280 * q_z,
-        Z_yz * q_x + c280 * q_y - c269 - c276 - Z_xz * q_y - c278 * q_x,
+        Q_xy * q_z - Q_xz * q_y,
+        Q_xz * q_x - Q_xx * q_z,
+        Q_xx * q_y - Q_xy * q_x,
+        Q_yy * q_z - Q_yz * q_y,
+        Q_yz * q_x - Q_yx * q_z,
+        Q_yx * q_y - Q_yy * q_x,
+        Q_zy * q_z - Q_zz * q_y,
+        Q_zz * q_x - Q_zx * q_z,
+        Q_zx * q_y - Q_zy * q_x,
     ]
     out.W_fv = [A_1_xx, A_1_xy, A_1_xz, A_1_yx, A_1_yy, A_1_yz, A_1_zx, A_1_zy, A_1_zz]
     out.W_fw = [V_xx, V_xy, V_xz, V_yx, V_yy, V_yz, V_zx, V_zy, V_zz]
@@ -5332,7 +5393,7 @@ def derivatives_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed:
 
 
 def place_blocks_24(on: Arithmetic, vv: Any, vw: Any, wv: Any, ww: Any, first: Any, A: Any) -> None:
-    """Four 3 x 3 blocks into six columns from ``first`` on."""
+    """Four 3 x 3 blocks, whose rows are ``ROW`` numbers apart, into six columns from ``first`` on."""
     for i in range(3):
         for j in range(3):
             A[i][first + j] = vv[3 * i + j]
@@ -5722,8 +5783,8 @@ def joint_slopes_pose(on: Arithmetic, platform: Any, motion: Any) -> Any:
 
 
 def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose: Any, given: Any) -> Any:
-    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2086
-    (1316 mul, 766 add, 2 div, 2 sqrt).
+    """One leg's part of the derivatives of the wrench, and its generalised forces' derivatives: 2055
+    (1296 mul, 755 add, 2 div, 2 sqrt).
     """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
@@ -6209,58 +6270,49 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
     G_dot_22 = c218 * inv_L
     G_dot_23 = c16
     G_dot_31 = -c217 * phi_dot
-    c219 = inv_rho * theta_dot
-    G_dot_32 = -c2 * inv_rho - c219 * kappa
+    G_dot_32 = -c2 * inv_rho - inv_rho * kappa * theta_dot
     G_dot_33 = c218 * inv_rho
-    c220 = C_s * k1
-    f_S_leg_11 = G_dot_31 * c220
-    f_S_leg_12 = C_s * (G_dot_32 * k1 - c217 * theta_dot)
-    f_S_leg_13 = G_dot_33 * c220
-    f_S_leg_21 = C_s * G_dot_21
-    f_S_leg_22 = C_s * G_dot_22
-    f_S_leg_23 = C_s * G_dot_23
-    c221 = C_s * k3
-    f_S_leg_31 = G_dot_31 * c221
-    f_S_leg_32 = C_s * (c219 * k1 + G_dot_32 * k3)
-    f_S_leg_33 = G_dot_33 * c221
-    f_S_T_xs = f_S_leg_21 * y_x + f_S_leg_11 * s_x + f_S_leg_31 * z_x
-    f_S_T_xy = f_S_leg_22 * y_x + f_S_leg_12 * s_x + f_S_leg_32 * z_x
-    f_S_T_xz = f_S_leg_23 * y_x + f_S_leg_13 * s_x + f_S_leg_33 * z_x
-    f_S_T_ys = f_S_leg_21 * y_y + f_S_leg_11 * s_y + f_S_leg_31 * z_y
-    f_S_T_yy = f_S_leg_22 * y_y + f_S_leg_12 * s_y + f_S_leg_32 * z_y
-    f_S_T_yz = f_S_leg_23 * y_y + f_S_leg_13 * s_y + f_S_leg_33 * z_y
-    f_S_T_zs = f_S_leg_21 * y_z + f_S_leg_11 * s_z + f_S_leg_31 * z_z
-    f_S_T_zy = f_S_leg_22 * y_z + f_S_leg_12 * s_z + f_S_leg_32 * z_z
-    f_S_T_zz = f_S_leg_23 * y_z + f_S_leg_13 * s_z + f_S_leg_33 * z_z
+    # slope of a rate, times C_s
+    theta_dot_by_S_x = C_s * (G_dot_23 * z_x + G_dot_21 * s_x + G_dot_22 * y_x)
+    theta_dot_by_S_y = C_s * (G_dot_23 * z_y + G_dot_21 * s_y + G_dot_22 * y_y)
+    theta_dot_by_S_z = C_s * (G_dot_23 * z_z + G_dot_21 * s_z + G_dot_22 * y_z)
+    phi_dot_by_S_x = C_s * (G_dot_31 * s_x + G_dot_32 * y_x + G_dot_33 * z_x)
+    phi_dot_by_S_y = C_s * (G_dot_31 * s_y + G_dot_32 * y_y + G_dot_33 * z_y)
+    phi_dot_by_S_z = C_s * (G_dot_31 * s_z + G_dot_32 * y_z + G_dot_33 * z_z)
+    # gradient of theta, times C_s
+    C_s_theta_x = -c118 * z_x
+    C_s_theta_y = -c118 * z_y
+    C_s_theta_z = -c118 * z_z
+    c219 = C_s * y_x
+    c220 = C_s * y_y
+    c221 = C_s * y_z
+    # gradient of phi, times C_s
+    C_s_phi_x = c219 * inv_rho
+    C_s_phi_y = c220 * inv_rho
+    C_s_phi_z = c221 * inv_rho
+    y_by_phi_x = normal_x * theta_dot
+    y_by_phi_y = normal_y * theta_dot
+    y_by_phi_z = normal_z * theta_dot
     # friction moment by S
-    f_S_xx = f_S_T_xs * s_x + f_S_T_xz * z_x + f_S_T_xy * y_x
-    f_S_xy = f_S_T_xs * s_y + f_S_T_xz * z_y + f_S_T_xy * y_y
-    f_S_xz = f_S_T_xs * s_z + f_S_T_xz * z_z + f_S_T_xy * y_z
-    f_S_yx = f_S_T_ys * s_x + f_S_T_yz * z_x + f_S_T_yy * y_x
-    f_S_yy = f_S_T_ys * s_y + f_S_T_yz * z_y + f_S_T_yy * y_y
-    f_S_yz = f_S_T_ys * s_z + f_S_T_yz * z_z + f_S_T_yy * y_z
-    f_S_zx = f_S_T_zs * s_x + f_S_T_zz * z_x + f_S_T_zy * y_x
-    f_S_zy = f_S_T_zs * s_y + f_S_T_zz * z_y + f_S_T_zy * y_y
-    f_S_zz = f_S_T_zs * s_z + f_S_T_zz * z_z + f_S_T_zy * y_z
-    f_S_dot_leg_12 = c220 * inv_rho
-    f_S_dot_leg_23 = -c118
-    f_S_dot_leg_32 = C_s * c217
-    f_S_dot_T_xy = f_S_dot_leg_12 * s_x + f_S_dot_leg_32 * z_x
-    f_S_dot_T_xz = f_S_dot_leg_23 * y_x
-    f_S_dot_T_yy = f_S_dot_leg_12 * s_y + f_S_dot_leg_32 * z_y
-    f_S_dot_T_yz = f_S_dot_leg_23 * y_y
-    f_S_dot_T_zy = f_S_dot_leg_12 * s_z + f_S_dot_leg_32 * z_z
-    f_S_dot_T_zz = f_S_dot_leg_23 * y_z
+    f_S_xx = C_s_phi_x * y_by_phi_x + theta_dot_by_S_x * y_x + k_x * phi_dot_by_S_x
+    f_S_xy = C_s_phi_y * y_by_phi_x + theta_dot_by_S_y * y_x + k_x * phi_dot_by_S_y
+    f_S_xz = C_s_phi_z * y_by_phi_x + theta_dot_by_S_z * y_x + k_x * phi_dot_by_S_z
+    f_S_yx = C_s_phi_x * y_by_phi_y + theta_dot_by_S_x * y_y + k_y * phi_dot_by_S_x
+    f_S_yy = C_s_phi_y * y_by_phi_y + theta_dot_by_S_y * y_y + k_y * phi_dot_by_S_y
+    f_S_yz = C_s_phi_z * y_by_phi_y + theta_dot_by_S_z * y_y + k_y * phi_dot_by_S_z
+    f_S_zx = C_s_phi_x * y_by_phi_z + theta_dot_by_S_x * y_z + k_z * phi_dot_by_S_x
+    f_S_zy = C_s_phi_y * y_by_phi_z + theta_dot_by_S_y * y_z + k_z * phi_dot_by_S_y
+    f_S_zz = C_s_phi_z * y_by_phi_z + theta_dot_by_S_z * y_z + k_z * phi_dot_by_S_z
     # friction moment by S_dot
-    f_S_dot_xx = f_S_dot_T_xy * y_x + f_S_dot_T_xz * z_x
-    f_S_dot_xy = f_S_dot_T_xy * y_y + f_S_dot_T_xz * z_y
-    f_S_dot_xz = f_S_dot_T_xy * y_z + f_S_dot_T_xz * z_z
-    f_S_dot_yx = f_S_dot_T_yy * y_x + f_S_dot_T_yz * z_x
-    f_S_dot_yy = f_S_dot_T_yy * y_y + f_S_dot_T_yz * z_y
-    f_S_dot_yz = f_S_dot_T_yy * y_z + f_S_dot_T_yz * z_z
-    f_S_dot_zx = f_S_dot_T_zy * y_x + f_S_dot_T_zz * z_x
-    f_S_dot_zy = f_S_dot_T_zy * y_y + f_S_dot_T_zz * z_y
-    f_S_dot_zz = f_S_dot_T_zy * y_z + f_S_dot_T_zz * z_z
+    f_S_dot_xx = C_s_theta_x * y_x + C_s_phi_x * k_x
+    f_S_dot_xy = C_s_theta_y * y_x + C_s_phi_y * k_x
+    f_S_dot_xz = C_s_theta_z * y_x + C_s_phi_z * k_x
+    f_S_dot_yx = C_s_theta_x * y_y + C_s_phi_x * k_y
+    f_S_dot_yy = C_s_theta_y * y_y + C_s_phi_y * k_y
+    f_S_dot_yz = C_s_theta_z * y_y + C_s_phi_z * k_y
+    f_S_dot_zx = C_s_theta_x * y_z + C_s_phi_x * k_z
+    f_S_dot_zy = C_s_theta_y * y_z + C_s_phi_y * k_z
+    f_S_dot_zz = C_s_theta_z * y_z + C_s_phi_z * k_z
     c222 = R_tip_y * q_y
     c223 = R_tip_z * q_z
     c224 = f_S_dot_xx * omega_y - f_S_dot_xy * omega_x + f_S_xz
@@ -6352,9 +6404,9 @@ def joint_slopes_leg(on: Arithmetic, leg: Any, platform: Any, motion: Any, pose:
         Y_xz * q_y + tau_S_ddot_xz * w_q_y - Y_xy * q_z - tau_S_ddot_xy * w_q_z,
         Y_xx * q_z + tau_S_ddot_xx * w_q_z - Y_xz * q_x - tau_S_ddot_xz * w_q_x,
         Y_xy * q_x + tau_S_ddot_xy * w_q_x - Y_xx * q_y - tau_S_ddot_xx * w_q_y,
-        Y_yz * q_y + tau_S_ddot_yz * w_q_y - C_s * y_x - Y_yy * q_z - tau_S_ddot_yy * w_q_z,
-        Y_yx * q_z + tau_S_ddot_yx * w_q_z - C_s * y_y - Y_yz * q_x - tau_S_ddot_yz * w_q_x,
-        Y_yy * q_x + tau_S_ddot_yy * w_q_x - C_s * y_z - Y_yx * q_y - tau_S_ddot_yx * w_q_y,
+        Y_yz * q_y + tau_S_ddot_yz * w_q_y - c219 - Y_yy * q_z - tau_S_ddot_yy * w_q_z,
+        Y_yx * q_z + tau_S_ddot_yx * w_q_z - c220 - Y_yz * q_x - tau_S_ddot_yz * w_q_x,
+        Y_yy * q_x + tau_S_ddot_yy * w_q_x - c221 - Y_yx * q_y - tau_S_ddot_yx * w_q_y,
         Y_zz * q_y + tau_S_ddot_zz * w_q_y - C_s * k_x - Y_zy * q_z - tau_S_ddot_zy * w_q_z,
         Y_zx * q_z + tau_S_ddot_zx * w_q_z - C_s * k_y - Y_zz * q_x - tau_S_ddot_zz * w_q_x,
         Y_zy * q_x + tau_S_ddot_zy * w_q_x - C_s * k_z - Y_zx * q_y - tau_S_ddot_zx * w_q_y,
@@ -6384,38 +6436,38 @@ def joint_slopes_legs(on: Arithmetic, model: Any, motion: Any, pose: Any, legs: 
 def joint_slopes_total(on: Arithmetic, pose: Any, legs: Any, out: Any) -> None:
     """The sums over platform and legs."""
     for i in range(6):
-        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i]
-            + legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i]))
+        out.M_vv[i] = (pose.M_vv[i] + (legs.leg[0].M_vv[i] + legs.leg[1].M_vv[i] + (legs.leg[2].M_vv[i] + legs.leg[3].M_vv[i])
+            + (legs.leg[4].M_vv[i] + legs.leg[5].M_vv[i])))
     for i in range(9):
-        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i]
-            + legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i]))
+        out.M_vw[i] = (pose.M_vw[i] + (legs.leg[0].M_vw[i] + legs.leg[1].M_vw[i] + (legs.leg[2].M_vw[i] + legs.leg[3].M_vw[i])
+            + (legs.leg[4].M_vw[i] + legs.leg[5].M_vw[i])))
     for i in range(6):
-        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i]
-            + legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i]))
+        out.M_ww[i] = (pose.M_ww[i] + (legs.leg[0].M_ww[i] + legs.leg[1].M_ww[i] + (legs.leg[2].M_ww[i] + legs.leg[3].M_ww[i])
+            + (legs.leg[4].M_ww[i] + legs.leg[5].M_ww[i])))
     for i in range(9):
-        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i]
-            + legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i]))
+        out.W_ft[i] = (pose.W_ft[i] + (legs.leg[0].W_ft[i] + legs.leg[1].W_ft[i] + (legs.leg[2].W_ft[i] + legs.leg[3].W_ft[i])
+            + (legs.leg[4].W_ft[i] + legs.leg[5].W_ft[i])))
     for i in range(9):
-        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i]
-            + legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i]))
+        out.W_fr[i] = (pose.W_fr[i] + (legs.leg[0].W_fr[i] + legs.leg[1].W_fr[i] + (legs.leg[2].W_fr[i] + legs.leg[3].W_fr[i])
+            + (legs.leg[4].W_fr[i] + legs.leg[5].W_fr[i])))
     for i in range(9):
-        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i]
-            + legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i]))
+        out.W_mt[i] = (pose.W_mt[i] + (legs.leg[0].W_mt[i] + legs.leg[1].W_mt[i] + (legs.leg[2].W_mt[i] + legs.leg[3].W_mt[i])
+            + (legs.leg[4].W_mt[i] + legs.leg[5].W_mt[i])))
     for i in range(9):
-        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i]
-            + legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i]))
+        out.W_mr[i] = (pose.W_mr[i] + (legs.leg[0].W_mr[i] + legs.leg[1].W_mr[i] + (legs.leg[2].W_mr[i] + legs.leg[3].W_mr[i])
+            + (legs.leg[4].W_mr[i] + legs.leg[5].W_mr[i])))
     for i in range(9):
-        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i]
-            + legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i]))
+        out.W_fv[i] = (pose.W_fv[i] + (legs.leg[0].W_fv[i] + legs.leg[1].W_fv[i] + (legs.leg[2].W_fv[i] + legs.leg[3].W_fv[i])
+            + (legs.leg[4].W_fv[i] + legs.leg[5].W_fv[i])))
     for i in range(9):
-        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i]
-            + legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i]))
+        out.W_fw[i] = (pose.W_fw[i] + (legs.leg[0].W_fw[i] + legs.leg[1].W_fw[i] + (legs.leg[2].W_fw[i] + legs.leg[3].W_fw[i])
+            + (legs.leg[4].W_fw[i] + legs.leg[5].W_fw[i])))
     for i in range(9):
-        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i]
-            + legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i]))
+        out.W_mv[i] = (pose.W_mv[i] + (legs.leg[0].W_mv[i] + legs.leg[1].W_mv[i] + (legs.leg[2].W_mv[i] + legs.leg[3].W_mv[i])
+            + (legs.leg[4].W_mv[i] + legs.leg[5].W_mv[i])))
     for i in range(9):
-        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i]
-            + legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i]))
+        out.W_mw[i] = (pose.W_mw[i] + (legs.leg[0].W_mw[i] + legs.leg[1].W_mw[i] + (legs.leg[2].W_mw[i] + legs.leg[3].W_mw[i])
+            + (legs.leg[4].W_mw[i] + legs.leg[5].W_mw[i])))
 
 
 def joint_slopes_sums(on: Arithmetic, model: Any, motion: Any, legs: Any, summed: Any) -> None:

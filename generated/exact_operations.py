@@ -6,9 +6,9 @@ SPDX-License-Identifier: 0BSD
 
 OPERATIONS: dict[str, int] = {
     "equations": 4634,
-    "bias": 2031,
-    "forward_dynamics": 2913,
-    "derivatives": 11192,
+    "bias": 2091,
+    "forward_dynamics": 2973,
+    "derivatives": 10532,
     "joint_rows": 2430,
-    "joint_slopes": 13433,
+    "joint_slopes": 13247,
 }

@@ -11,8 +11,8 @@ from ..kernel.shared import shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import steps_of
 from ..kernel.tree.read import LANES, Entries, Given
-from ..kernel.written import motion_lanes as written
 from ..kernel.written.batch import load_pose
+from ..kernel.written.motion import lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, column, names_of
 from ..print.c import C

@@ -108,7 +108,7 @@ def assembled(
     H, c: places of a row.
     """
     column = [(i, e) for i, q in ((0, n.H_force), (3, n.H_moment)) for i, e in enumerate(exprs.get(q, ()), i)]
-    parts = []
+    parts: list[t.Statement] = []
     for i, q in ((0, n.c_force), (3, n.c_moment), (3, arm_c)):
         for row, term, name in zip(range(i, i + 3), exprs.get(q, ()), q.names, strict=False):
             # A product is rounded before it is added, as where it is stored.

@@ -15,11 +15,26 @@ from ..program.block import Block, Output, Quantity
 from .elimination import BLOCKS_IN_ARRAYS, CARRIED, DEFINITE, IN_ARRAYS, INVERSE, LONG_ROWS
 from .model import STATUS_FIELD, block_arguments, model_functions, model_structures
 from .shared import legs_in_turn, shared
+from .tree import nodes as t
 from .tree import read
 from .tree.lower import Arguments, block_function, stored_type, structure
-from .tree.nodes import Array, Field, Function, Integer, Program, Real, Record, Structure, Type, signature
+from .tree.nodes import (
+    Array,
+    Expression,
+    Field,
+    Function,
+    Integer,
+    Number,
+    Program,
+    Real,
+    Record,
+    Structure,
+    Type,
+    signature,
+)
 from .tree.written_text import Names
 from .written import closed_form, forces, joint_rows, legs, solve
+from .written.motion import definite
 
 FORCES, EQUATIONS, FORWARD = "forces", "equations", "forward_dynamics"
 
@@ -82,6 +97,11 @@ def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs
     for of, result in RESULTS.items():
         known[f"check_{of}"] = partial(signature, f"check_{of}", changed=("out",), out=Record(result.name))
     known["forces"] = partial(signature, "forces", Record("Forces"), **of_pose)
+    known["place_blocks"] = Text(closed_form.place_blocks, given={"ROW": 6, "PART": 15})
+    made = {"legs": "ForwardLegs", "summed": "ForwardSums", "out": "Accelerations"}
+    known["accelerations_of"] = partial(
+        signature, "accelerations_of", changed=("out",), **{each: Record(of) for each, of in made.items()}
+    )
     known["singular_status"] = lambda: shared().by_name["singular_status"]
     needed = _Needed(known, tuple(outputs), of_model, {})
     for name in outputs:
@@ -92,7 +112,7 @@ def program_in_lanes(kernel: ForceKernel, sums: Collection[m.SumKernel], outputs
 def sums_used(outputs: Collection[str], deep: bool = True) -> set[str]:
     """Names of the kernels whose sums outputs need; deep: those where digits are lost as well."""
     texts = {name: each for module in _MODULES for name, each in vars(module).items() if callable(each)}
-    names = {f"{_PREFIX.get(each, each)}_sums": each for each in m.NAMES}
+    names = {f"{PREFIX.get(each, each)}_sums": each for each in m.NAMES}
     found: set[str] = set()
     waiting, seen = list(outputs), set()
     while waiting:
@@ -165,10 +185,40 @@ def _texts(kernel: ForceKernel) -> dict[str, Definition]:
     found["solve_pivoted"] = Text(solve.solve_pivoted, given=LONG_ROWS)
     found["solve_definite"] = Text(solve.solve_definite, given=DEFINITE)
     found["singular_status"] = Text(solve.singular_status, given={**INVERSE, **CARRIED})
+    at = inertia_at(lambda part, i, _: t.at(t.of("summed", part.name), i))
+    six: dict[str, read.Given] = {"weigh_pivot": definite.remains, "inertia": at, "right": _right}
+    found["accelerations_of"] = Text(closed_form.accelerations_of, given={**SIX, **six})
+    found["place_blocks"] = Text(closed_form.place_blocks, given={"ROW": 3, "PART": 9})
     found["size_of"] = Text(solve.size_of, given={"BY_LEGS": 1})
     has_near = {"HAS_NEAR": int(kernel.leg_near_singular is not None)}
     found["forces"] = Text(forces.forces, given=legs_in_turn("sums", "leg", "turned") | has_near)
     return found
+
+
+SIX: Mapping[str, read.Given] = {"definite_six": definite.definite_six}
+"""How six equations with M are solved."""
+
+
+def inertia_at(place: Callable[[Quantity, int, int], Expression]) -> Callable[..., Expression]:
+    """A number of M, in its upper triangle, from its parts.
+
+    place: takes the part, the number's index in it, and its index in all three, one after the other.
+    """
+    vv, vw, ww = m.INERTIA
+
+    def found(row: Number, column: Number) -> Expression:
+        i, j = int(row.value), int(column.value)
+        part, key = (vv, (i, j)) if j < 3 else (vw, (i, j - 3)) if i < 3 else (ww, (i - 3, j - 3))
+        index = part.keys.index(key)
+        return place(part, index, {vv: 0, vw: 6, ww: 15}[part] + index)
+
+    return found
+
+
+def _right(row: Number) -> Expression:
+    """A number of the right side."""
+    force, moment = m.RIGHT
+    return t.at(t.of("summed", (force if row.value < 3 else moment).name), int(row.value) % 3)
 
 
 _LEG_OUTPUTS = (n.q, n.L, n.k3, n.D, n.H_force, n.c_force, n.c_moment)
@@ -232,12 +282,13 @@ def _complete(block: Block, quantities: tuple[Quantity, ...]) -> Block:
 # ---------------------------------------------------------------- closed form
 
 
-_PREFIX = {"forward_dynamics": "forward"}
+PREFIX = {"forward_dynamics": "forward"}
+"""With what names of functions begin, where it is not the name of the kernel."""
 
 
 def prefix_of(sums: m.SumKernel) -> str:
     """With what the names of a kernel's functions begin."""
-    return _PREFIX.get(sums.name, sums.name)
+    return PREFIX.get(sums.name, sums.name)
 
 
 def camel(name: str) -> str:

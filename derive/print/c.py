@@ -299,7 +299,8 @@ class C(Printer):
         if self.fused and function.name not in self.apart:
             function = fused(function)
         apart = "STEWART_APART " if function.apart else ""
-        static = "" if function.public else f"{apart}{self.static}"
+        inlined = "STEWART_INLINE " if function.inlined else ""
+        static = "" if function.public else f"{apart}{self.static}{inlined}"
         used = {each.name for each in t.names_in(function.body)}.difference(self.unread)
         return [
             *([] if function.public else self.remark(function.meaning)),
@@ -355,8 +356,9 @@ class C(Printer):
                 pointer = f"*{alone}{name}"
                 text = self.declared(item, f"({pointer}){self._dims(tuple(others))}" if others else pointer)
                 return text if others else const + text
-            case t.Array(_, dims):
-                return (const if len(dims) == 1 else "") + self.declared(kind, name)
+            case t.Array(item, dims):
+                plain = len(dims) == 1 and not isinstance(item, t.Pointer)
+                return (const if plain else "") + self.declared(kind, name)
             case t.Pointer() | t.Record():
                 item = kind.item if isinstance(kind, t.Pointer) else kind
                 return const + self.declared(item, f"*{alone}{name}")

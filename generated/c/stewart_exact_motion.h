@@ -13,9 +13,9 @@
  *
  * Operations per pose before any solve       with friction                                without
  * equations         4634 (2625 mul, 1985 add, 12 div, 12 sqrt)   4289
- * bias              2031 (1197 mul, 810 add, 12 div, 12 sqrt)    1815
- * forward_dynamics  2913 (1677 mul, 1212 add, 12 div, 12 sqrt)   2697
- * derivatives       11192 (6276 mul, 4892 add, 12 div, 12 sqrt)  8889
+ * bias              2091 (1239 mul, 828 add, 12 div, 12 sqrt)    1875
+ * forward_dynamics  2973 (1719 mul, 1230 add, 12 div, 12 sqrt)   2757
+ * derivatives       10532 (5826 mul, 4682 add, 12 div, 12 sqrt)  8889
  */
 #ifndef STEWART_EXACT_MOTION_H
 #define STEWART_EXACT_MOTION_H

@@ -321,7 +321,7 @@ class Argument(Node):
 class Function(Node):
     """A function; ``public``: part of the program's interface. result: None where it changes an argument.
 
-    apart: never merged into the functions that call it.
+    apart: never merged into the functions that call it; inlined: always.
     """
 
     name: str
@@ -331,6 +331,7 @@ class Function(Node):
     body: tuple[Statement, ...]
     public: bool = False
     apart: bool = False
+    inlined: bool = False
 
 
 def numbers(name: str, *dims: int, meaning: str = "") -> Field:

@@ -458,6 +458,7 @@ class _Reader:
 
     def is_address(self, node: t.Expression) -> bool:
         """Whether a member of an argument is an address: what is there is no part of the argument."""
+        node = node.array if isinstance(node, t.From) else node
         if not isinstance(node, t.Member) or not isinstance(node.owner, t.Name):
             return False
         owner = self.types.get(node.owner.name)

@@ -41,12 +41,9 @@ def total(pose: "Pose", legs: "Legs", out: "Sums") -> None:
     """The sums over platform and legs."""
     for number in numbers(out):
         out[number] = pose[number] + (
-            legs.leg[0][number]
-            + legs.leg[1][number]
-            + legs.leg[2][number]
-            + legs.leg[3][number]
-            + legs.leg[4][number]
-            + legs.leg[5][number]
+            (legs.leg[0][number] + legs.leg[1][number])
+            + (legs.leg[2][number] + legs.leg[3][number])
+            + (legs.leg[4][number] + legs.leg[5][number])
         )
 
 
@@ -97,28 +94,30 @@ def forward_dynamics(model: "Model", motion: "Motion", F: "array(6)") -> "Accele
     out = blank(Accelerations)
     legs = blank(ForwardLegs)
     summed = blank(ForwardSums)
-    A = array(6, 8)
     for i in range(6):
         legs.given[i].F = F[i]
     forward_sums(model, motion, legs, summed)
-    status = legs.status
-    place_inertia_8(summed.M_vv, summed.M_vw, summed.M_ww, 0, A)
-    for i in range(3):
-        A[i][6] = summed.right_force[i]
-        A[i + 3][6] = summed.right_moment[i]
-    fault = solve_definite_8(A, KEPT)
-    if anywhere((status == OK) & (fault == INDEFINITE)):
+    accelerations_of(legs, summed, out)
+    if anywhere(out.status == INDEFINITE):
         by = blank(Rows)
         apart = forward_apart(model, motion, F, by)
-        for i in range(6):
-            A[i][6] = where(fault == INDEFINITE, apart.x[i], A[i][6])
-        fault = where(fault == INDEFINITE, apart.status, fault)
-    for i in range(3):
-        out.a[i] = A[i][6]
-        out.alpha[i] = A[i + 3][6]
-    out.status = where(status == OK, fault, status)
+        lost = where(out.status == INDEFINITE, 1, 0)
+        for i in range(3):
+            out.a[i] = where(lost == 1, apart.x[i], out.a[i])
+            out.alpha[i] = where(lost == 1, apart.x[i + 3], out.alpha[i])
+        out.status = where(lost == 1, apart.status, out.status)
     check_forward_dynamics(out)
     return out
+
+
+def accelerations_of(legs: "ForwardLegs", summed: "ForwardSums", out: "Accelerations") -> None:
+    """The accelerations of a pose; INDEFINITE where elimination leaves too little of M."""
+    status = OK
+    definite_six()
+    for i in each(3):
+        out.a[i] = x[i,]
+        out.alpha[i] = x[i + 3,]
+    out.status = where(legs.status == OK, status, legs.status)
 
 
 def joint_inertia(model: "Model", motion: "Motion") -> "JointInertia":
@@ -296,15 +295,20 @@ def place_symmetric(parts: "array(6)", row: "Integer", column: "Integer", A: "ar
 
 
 def place_blocks(
-    vv: "array(9)", vw: "array(9)", wv: "array(9)", ww: "array(9)", first: "Integer", A: "array(6, WIDTH)"
+    vv: "array(PART)",
+    vw: "array(PART)",
+    wv: "array(PART)",
+    ww: "array(PART)",
+    first: "Integer",
+    A: "array(6, WIDTH)",
 ) -> None:
-    """Four 3 x 3 blocks into six columns from ``first`` on."""
+    """Four 3 x 3 blocks, whose rows are ``ROW`` numbers apart, into six columns from ``first`` on."""
     for i in range(3):
         for j in range(3):
-            A[i][first + j] = vv[3 * i + j]
-            A[i][first + j + 3] = vw[3 * i + j]
-            A[i + 3][first + j] = wv[3 * i + j]
-            A[i + 3][first + j + 3] = ww[3 * i + j]
+            A[i][first + j] = vv[ROW * i + j]
+            A[i][first + j + 3] = vw[ROW * i + j]
+            A[i + 3][first + j] = wv[ROW * i + j]
+            A[i + 3][first + j + 3] = ww[ROW * i + j]
 
 
 def scale_moments(per_length: "Real", A: "array(6, WIDTH)") -> None:

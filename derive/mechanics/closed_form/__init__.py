@@ -14,9 +14,20 @@ from ..actuator_forces import from_difference
 from .derivatives import derivatives_kernel, derivatives_of_leg, joint_slopes_kernel
 from .equations import bias_kernel, equations_kernel, equations_of_leg, forward_kernel, joint_rows_kernel
 from .parts import PREPARED
-from .terms import AXIAL, F_LEG, NET, TURNED, SumKernel
+from .terms import AXIAL, F_LEG, INERTIA, NET, RIGHT, TURNED, SumKernel
 
-__all__ = ["F_LEG", "GIVEN", "NAMES", "OF_TWO_FORMS", "PREPARED", "SumKernel", "kernel", "kernels"]
+__all__ = [
+    "F_LEG",
+    "GIVEN",
+    "INERTIA",
+    "NAMES",
+    "OF_TWO_FORMS",
+    "PREPARED",
+    "RIGHT",
+    "SumKernel",
+    "kernel",
+    "kernels",
+]
 
 GIVEN = (F_LEG, NET, TURNED, AXIAL)
 """What the legs' blocks are given beside the pose."""

@@ -81,7 +81,7 @@ class _Slopes:
 def derivatives_of_leg(friction: bool, near: bool) -> Block:
     """One leg's part; near: written for legs near their joint singularity."""
     build = Builder()
-    leg = parts.leg_of(build)
+    leg = parts.leg_of(build, early=not near, leaning=False)
     q, turn = leg.at.q, tip.skew(leg.at.q)
     by = _tip_slopes(build, leg, friction, near)
     W = tip.skew(n.omega.value)
@@ -95,7 +95,8 @@ def derivatives_of_leg(friction: bool, near: bool) -> Block:
     mr, mw = turn * fr + tip.skew(by.force) * turn, turn * fw
     mt, mv = turn * by.S, turn * by.S_dot
     if friction:
-        mt, mr = mt - by.f_S, mr + (by.f_S + by.f_S_dot * W) * turn
+        moment = tip.skew(by.force) + by.f_S + by.f_S_dot * W - turn * reach
+        mt, mr = mt - by.f_S, parts.base_matrix(build, "Q", moment, "moment by rotation about the tip") * turn
         mv, mw = mv - by.f_S_dot, mw + by.f_S_dot * turn
     return build.block(
         "derivatives_of_leg_near" if near else "derivatives_of_leg",
@@ -116,7 +117,7 @@ class _TorqueSlopes:
     """Derivatives of the leg's generalised forces, 3x3, leg frame: by S, S_dot and S_ddot.
 
     inertia: M of the joint coordinates; bend: sum of the net forces times the Hessians of L, theta, phi;
-    force: Gamma^T net, base frame.
+    force: Gamma^T net, base frame; normal: k x y where there is friction.
     """
 
     S: sp.Matrix
@@ -124,6 +125,7 @@ class _TorqueSlopes:
     bend: sp.Matrix
     inertia: sp.Matrix
     force: sp.Matrix
+    normal: sp.Matrix | None
 
 
 def _torque_slopes(
@@ -135,8 +137,7 @@ def _torque_slopes(
     """
     inner, raw, M = tip.gradients(), tip.torques(friction), tip.inertia()
     gravity_torques(build, leg.at)
-    if friction:
-        parts.name_omega(build, leg.at)
+    normal = parts.name_omega(build, leg.at) if friction else None
     named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
     if net is None:
         tau = [build.scalar(name, value) for name, value in named]
@@ -163,6 +164,7 @@ def _torque_slopes(
             "",
             "force at the tip, less the actuator's",
         ),
+        normal=normal,
     )
 
 
@@ -204,24 +206,27 @@ def _name_finite_motion(build: Builder, leg: parts.Leg, turned: bool) -> None:
     build.scalar(tip.OWN_Z.name, about_z, "(9)", meaning)
 
 
-def _friction_slopes(build: Builder, leg: parts.Leg, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
-    """Derivatives of f by S and S_dot, base frame."""
-    if not friction:
+def _friction_slopes(build: Builder, leg: parts.Leg, normal: sp.Matrix | None) -> tuple[sp.Matrix, sp.Matrix]:
+    """Derivatives of f = C_s (phi_dot k + theta_dot y - omega) by S and S_dot, base frame.
+
+    normal: k x y, by which y moves with phi; None without friction.
+    """
+    if normal is None:
         return sp.zeros(3, 3), sp.zeros(3, 3)
-    inner = tip.gradients()
-    rate = parts.local_matrix(build, "G_dot", inner.rate)
-    k, y, normal = sp.Matrix([tip.k1, 0, tip.k3]), sp.Matrix([0, 1, 0]), sp.Matrix([-tip.k3, 0, tip.k1])
-    C_s = n.C_s.value
-    by_S = C_s * (k * rate[2, :] + y * rate[1, :] + tip.rates[1] * normal * inner.value[2, :])
-    by_S_dot = C_s * (k * inner.value[2, :] + y * inner.value[1, :])
-    f_S, f_S_dot = (
-        parts.rotated(build, name, leg.T, parts.local_matrix(build, f"{name}_leg", local), meaning)
-        for name, local, meaning in (
-            ("f_S", by_S, "friction moment by S"),
-            ("f_S_dot", by_S_dot, "friction moment by S_dot"),
-        )
+    at, k, C_s = leg.at, n.k.value, n.C_s.value
+    rate = parts.local_matrix(build, "G_dot", tip.gradients().rate)
+    by_theta, by_phi = (
+        build.vector(f"{name}_by_S", C_s * (leg.T * rate[i, :].T), "", "slope of a rate, times C_s")
+        for i, name in ((1, "theta_dot"), (2, "phi_dot"))
     )
-    return f_S, f_S_dot
+    theta = build.vector("C_s_theta", -C_s * at.inv_L * leg.z, "", "gradient of theta, times C_s")
+    phi = build.vector("C_s_phi", C_s * at.inv_rho * at.y, "", "gradient of phi, times C_s")
+    turned = build.vector("y_by_phi", tip.rates[1] * normal)
+    f_S = k * by_phi.T + at.y * by_theta.T + turned * phi.T
+    return (
+        parts.base_matrix(build, "f_S", f_S, "friction moment by S"),
+        parts.base_matrix(build, "f_S_dot", k * phi.T + at.y * theta.T, "friction moment by S_dot"),
+    )
 
 
 def _tip_slopes(build: Builder, leg: parts.Leg, friction: bool, near: bool) -> _Slopes:
@@ -233,14 +238,7 @@ def _tip_slopes(build: Builder, leg: parts.Leg, friction: bool, near: bool) -> _
     m, _ = parts.tip_inertia(build, leg)
     by = _torque_slopes(build, leg, friction, near)
     T, value = leg.T, tip.gradients().value
-    by_omega = sp.zeros(3, 3)
-    if friction:
-        y, k = sp.Matrix([0, 1, 0]), sp.Matrix([tip.k1, 0, tip.k3])
-        by_omega = n.C_s.value * value.T * sp.Matrix.vstack(sp.zeros(1, 3), -y.T, -k.T)
-        by_omega = parts.rotated(
-            build, "A_3", T, parts.local_matrix(build, "A_3_leg", by_omega), "force at the tip by omega"
-        )
-    f_S, f_S_dot = _friction_slopes(build, leg, friction)
+    f_S, f_S_dot = _friction_slopes(build, leg, by.normal)
     A_0, A_1 = value.T * by.S + by.bend, value.T * by.S_dot
     if near:
         A_0, A_1 = tip.gathered(A_0), tip.gathered(A_1)
@@ -250,7 +248,8 @@ def _tip_slopes(build: Builder, leg: parts.Leg, friction: bool, near: bool) -> _
             build, "A_1", T, parts.local_matrix(build, "A_1_leg", A_1), "force at the tip by S_dot"
         ),
         S_ddot=m,
-        omega=by_omega,
+        # The force that turns against f does so by omega as f by S_dot.
+        omega=-f_S_dot.T,
         f_S=f_S,
         f_S_dot=f_S_dot,
         force=by.force,
@@ -300,7 +299,7 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     mt, mr = zero, tip.skew(by.force) * turn
     mv = mw = by_omega = zero
     if friction:
-        C_s, f_S, f_S_dot = n.C_s.value, *_friction_slopes(build, leg, friction)
+        C_s, f_S, f_S_dot = n.C_s.value, *_friction_slopes(build, leg, by.normal)
         by_omega = -C_s * sp.Matrix.vstack(sp.zeros(1, 3), leg.at.y.T, n.k.value.T)
         mt, mr = -f_S, mr + (f_S + f_S_dot * W) * turn
         mv, mw = -f_S_dot, f_S_dot * turn

@@ -22,7 +22,7 @@ def bias_kernel(friction: bool) -> terms.SumKernel:
         [(terms.B_0, parts.centripetal(build)), *zip(terms.BIAS, (force, moment), strict=True)],
     )
     build = Builder()
-    leg = parts.leg_of(build)
+    leg = parts.leg_of(build, early=True)
     tau, f = parts.tip_bias(build, leg, friction)
     D, K = tip_force(build, leg.at, tau)
     R = build.vector("R_tip", K + D * leg.at.s, "", "force at the tip")
@@ -39,7 +39,7 @@ def forward_kernel(friction: bool) -> terms.SumKernel:
     """M, and the right side H F + external wrench - bias."""
     pose = _forward_of_platform("forward_of_platform", friction)
     build = Builder()
-    leg = parts.leg_of(build)
+    leg = parts.leg_of(build, early=True)
     tau, f = parts.tip_bias(build, leg, friction)
     D, K = tip_force(build, leg.at, tau)
     push = build.vector(
@@ -143,7 +143,7 @@ def _equations_of_platform(friction: bool) -> Block:
 def equations_of_leg(friction: bool, near: bool) -> Block:
     """One leg's part; near: written for legs near their joint singularity."""
     build = Builder()
-    leg = parts.leg_of(build)
+    leg = parts.leg_of(build, early=not near, leaning=False)
     at, q = leg.at, leg.at.q
     rates = joint_rates(build, at, leg.S_dot)
     m, M = parts.tip_inertia(build, leg)

@@ -101,9 +101,9 @@ class Leg:
         return sp.Matrix.hstack(self.at.s, self.at.y, self.z)
 
 
-def leg_of(build: Builder) -> Leg:
-    """The leg's frame and its tip's velocity, named."""
-    at = joint_frame(build, with_z=True)
+def leg_of(build: Builder, early: bool = False, leaning: bool = True) -> Leg:
+    """The leg's frame and its tip's velocity, named; early, leaning: as ``joint_frame`` has it."""
+    at = joint_frame(build, with_z=True, early=early, leaning=leaning)
     w_q = build.vector("w_q", cross(n.omega.value, at.q), "(4)", "omega x q")
     S_dot = build.vector("S_dot", w_q + n.v.value, "(4)", "velocity of the platform point")
     return Leg(at, w_q, S_dot)
@@ -211,10 +211,11 @@ def centripetal_acceleration(build: Builder, at: JointFrame) -> sp.Matrix:
     return cross(omega, build.vector("w_q", cross(omega, at.q), "(4)", "omega x q"))
 
 
-def name_omega(build: Builder, at: JointFrame) -> None:
-    """Names what ``tip`` takes as given of omega: its parts along k x y, y and k."""
+def name_omega(build: Builder, at: JointFrame) -> sp.Matrix:
+    """Names what ``tip`` takes as given of omega: its parts along k x y, y and k; returns k x y."""
     k, omega, meaning = n.k.value, n.omega.value, "omega along k x y, y and k"
     normal = build.vector("normal", cross(k, at.y), "", "k x y")
     build.scalar(tip.OMEGA_N.name, normal.dot(omega), "", meaning)
     build.scalar(tip.OMEGA_Y.name, at.y.dot(omega), "", meaning)
     build.scalar(tip.OMEGA_K.name, k.dot(omega), "", meaning)
+    return normal

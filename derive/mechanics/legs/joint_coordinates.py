@@ -105,11 +105,14 @@ class JointForces:
     about_k: sp.Expr
 
 
-def joint_frame(build: Builder, with_z: bool = False) -> JointFrame:
+def joint_frame(
+    build: Builder, with_z: bool = False, early: bool = False, leaning: bool = True
+) -> JointFrame:
     """(1)-(3) and (10), with the fixed axis as the measure of everything.
 
     with_z: with the leg's third axis. What is measured along the fixed axis loses digits like k1 / k3 near
-    the joint singularity; what is measured along z does not.
+    the joint singularity; what is measured along z does not. early: the distance of the tip from the fixed
+    axis does not wait for s; leaning: legs may be near their joint singularity all the same.
     """
     k = n.k.value
     q = build.vector("q", n.R.value * n.p.value, "(1)", "platform point from the reference point")
@@ -126,7 +129,9 @@ def joint_frame(build: Builder, with_z: bool = False) -> JointFrame:
         rho = build.scalar("rho", sp.sqrt(rho2), "(2)", meaning)
     inv_L = build.scalar("inv_L", 1 / L)
     s = build.vector("s", S * inv_L, "(3)", "unit vector along the leg")
-    if with_z:
+    if with_z and early:
+        y, z, rho, inv_rho = _early_axes(build, s, normal, leaning)
+    elif with_z:
         y, z, rho, inv_rho = axes(build, s, normal, "rho", meaning)
     else:
         inv_rho, z = build.scalar("inv_rho", 1 / rho), None
@@ -144,6 +149,27 @@ def joint_frame(build: Builder, with_z: bool = False) -> JointFrame:
         kappa=build.scalar("kappa", zeta * inv_rho, "(10)", "k1 / k3"),
         z=z,
     )
+
+
+def _early_axes(
+    build: Builder, s: sp.Matrix, normal: sp.Matrix, leaning: bool
+) -> tuple[sp.Matrix, sp.Matrix, sp.Expr, sp.Expr]:
+    """``leg.axes`` with the length of the normal itself, whose root and reciprocal run beside those of S.
+
+    leaning: what rounding leaves of the normal along s makes it longer than s x normal, by half the square of
+    its share of the length.
+    """
+    rho = build.scalar("rho", sp.sqrt(normal.dot(normal)), "(10)", "distance of the tip from the fixed axis")
+    inv_rho = build.scalar("inv_rho", 1 / rho)
+    unit = inv_rho
+    if leaning:
+        share = build.scalar(
+            "n_along_s", normal.dot(s) * inv_rho, "", "share of the normal along s: rounding"
+        )
+        unit = build.scalar("inv_across", inv_rho + inv_rho * share**2 / 2, "", "one over |s x normal|")
+    across = build.vector("s_cross_normal", cross(s, normal), "(10)", "along the third axis of the leg")
+    z = build.vector("z", across * unit, "(10)", "third axis of the leg frame")
+    return build.vector("y", cross(z, s), "(10)", "rotating axis of the universal joint"), z, rho, inv_rho
 
 
 def joint_rates(build: Builder, at: JointFrame, S_dot: sp.Matrix) -> JointRates:

@@ -2,14 +2,22 @@
 
 
 def pose_terms(
-    model: "alone(Model)", at: "alone(Motion)", out: "alone(Pose)", summed: "alone(array(COUNT))"
+    model: "alone(Model)",
+    at: "alone(MotionLanes)",
+    lanes: "Integer",
+    out: "alone(Pose)",
+    summed: "alone(Pointer(Real))",
 ) -> None:
-    """The platform's part."""
-    POSE
+    """The platform's part, of one pose or of eight."""
+    OUTSIDE
+    for l in range(lanes):
+        BLOCK
 
 
-def leg_terms(model: "alone(Model)", at: "alone(Motion)", pose: "alone(Pose)", out: "alone(Legs)") -> None:
-    """The legs side by side."""
+def leg_terms(
+    model: "alone(Model)", at: "alone(MotionLanes)", pose: "alone(Pose)", out: "alone(Legs)"
+) -> None:
+    """The legs of a pose side by side, or one leg of eight poses."""
     OUTSIDE
     for l in range(LANES):
         BLOCK
@@ -34,15 +42,23 @@ def is_near(checked: "Checked") -> "Integer":
 
 def sums(model: "Model", motion: "Motion", legs: "Legs", summed: "array(COUNT)") -> None:
     """Platform and legs together; ``status``: of the legs."""
+    at = blank(MotionLanes)
+    own = blank(Pose)
     pose = blank(Pose)
-    pose_terms(model, motion, pose, summed)
+    for l in range(LANES):
+        for number in entries(MOVED):
+            at[number, l] = motion[number]
+    pose_terms(model, at, 1, own, summed)
+    for l in range(LANES):
+        for number in entries(OF_POSE):
+            pose[number, l] = own[number, 0]
     for l in range(6, 8):
         for number in entries(GIVEN):
             legs[number, l] = legs[number, 5]
-    leg_terms(model, motion, pose, legs)
+    leg_terms(model, at, pose, legs)
     if HAS_NEAR:
         if is_near(legs.checked) != 0:
-            near_terms(model, motion, pose, legs)
+            near_terms(model, at, pose, legs)
     legs.status = legs_status(legs.checked)
     if legs.status == OK:
         add_legs(legs.sum, COUNT, summed)

@@ -1,0 +1,244 @@
+"""Closed form of eight poses side by side, and batches of them, in the part of Python that ``read`` reads.
+
+The blocks are those of one pose, in the same functions: lanes are legs there, and poses here. So are the
+functions that make a result of the sums: each pose takes its own from the lanes.
+"""
+
+
+def spread_leg(model: "alone(Model)", leg: "Integer", to: "alone(Model)") -> None:
+    """The constants of one leg in every lane."""
+    for l in range(LANES):
+        for number in entries(OF_LEG):
+            to[number, l] = model[number, leg]
+
+
+def load_motions(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
+    """Motions of eight poses, component by component."""
+    padded = blank(array(72))
+    LOADS
+
+
+def load_forces(F: "Pointer(Real)", first: "Count", count: "Count", acting: "array(6, LANES)") -> None:
+    """Actuator forces of eight poses, leg by leg; past the end those of the last pose again."""
+    for l in range(LANES):
+        pose = where(first + l < count, first + l, count - 1)
+        for i in range(6):
+            acting[i][l] = F[pose * 6 + i]
+
+
+def add_two(
+    one: "alone(array(1, LANES))",
+    other: "alone(array(1, LANES))",
+    count: "Integer",
+    more: "Integer",
+    sum: "alone(Pointer(Real))",
+) -> None:
+    """Adds two legs to others, in the order in which ``add_legs`` does."""
+    if more > 0:
+        for i in range(count):
+            for l in range(LANES):
+                sum[LANES * i + l] = sum[LANES * i + l] + (one[i][l] + other[i][l])
+    else:
+        for i in range(count):
+            for l in range(LANES):
+                sum[LANES * i + l] = one[i][l] + other[i][l]
+
+
+def in_rows(number: "alone(Pointer(Real))", count: "Integer", row: "alone(Pointer(Real))") -> None:
+    """The numbers of each pose side by side."""
+    for i in range(count):
+        for l in each(LANES):
+            row[l * count + i] = number[LANES * i + l]
+
+
+def leg_of_block(
+    model: "Model",
+    leg: "Integer",
+    at: "MotionLanes",
+    acting: "alone(array(6, LANES))",
+    pose: "Pose",
+    one: "Model",
+    legs: "alone(Legs)",
+    out: "alone(Block)",
+) -> None:
+    """One leg of eight poses; ``bad``: 1 where a pose is left to the function of one."""
+    spread_leg(model, leg, one)
+    if HAS_F:
+        for l in range(LANES):
+            legs.F[l] = acting[leg][l]
+    leg_terms(one, at, pose, legs)
+    for l in range(LANES):
+        KEPT_OF_LEG
+        fault = larger(legs.checked.bad[l], out.bad[l])
+        if HAS_NEAR:
+            fault = where(legs.checked.k3[l] > LEANING, fault, 1.0)
+        out.bad[l] = fault
+
+
+def sums_of_block(
+    model: "Model", at: "MotionLanes", acting: "array(6, LANES)", one: "Model", out: "Block"
+) -> None:
+    """Sums over platform and legs of eight poses."""
+    pose = blank(Pose)
+    even = blank(Legs)
+    odd = blank(Legs)
+    own = blank(array(OF_LANES))
+    pose_terms(model, at, LANES, pose, own)
+    for l in range(LANES):
+        out.bad[l] = 0.0
+    for i in range(3):
+        leg_of_block(model, 2 * i, at, acting, pose, one, even, out)
+        leg_of_block(model, 2 * i + 1, at, acting, pose, one, odd, out)
+        add_two(even.sum, odd.sum, COUNT, i, out.number[FIRST * LANES :])
+    for i in range(OF_LANES):
+        out.number[FIRST * LANES + i] = own[i] + out.number[FIRST * LANES + i]
+
+
+def batch_of_blocks(
+    model: "Model",
+    count: "Count",
+    motions: "Motions",
+    F: "Pointer(Real)",
+    out: "ResultArrays",
+    status: "Pointer(Integer)",
+) -> "Integer":
+    """Poses eight by eight; those that need a closer look one by one."""
+    at = blank(MotionLanes)
+    of_leg = blank(OfLeg)
+    block = blank(Block)
+    row = blank(array(ROWS))
+    one = blank(Motion)
+    if HAS_F:
+        acting = blank(array(6, LANES))
+    if FORCES_FIRST:
+        F = array(48)
+    if MISSING:
+        return BAD_ARGUMENT
+    begin()
+    of_leg.model = model
+    result = OK
+    for first in range(0, count, LANES):
+        load_motions(motions, first, count, at)
+        load_acting()
+        sums_of_block(model, at, acting, of_leg.model, block)
+        finish_block()
+        if IN_LANES:
+            if count - first >= LANES and any_of(block.bad) == 0:
+                IN_PLACE
+                if status is not None:
+                    for l in range(LANES):
+                        status[first + l] = OK
+            else:
+                one_by_one()
+        else:
+            one_by_one()
+    return result
+
+
+def any_of(bad: "array(LANES)") -> "Integer":
+    """Whether a lane is marked."""
+    found = 0.0
+    for l in range(LANES):
+        found = larger(bad[l], found)
+    return where(found > 0.0, 1, 0)
+
+
+def one_by_one() -> None:
+    """The poses of a block, of which some may be left to the function of one."""
+    in_rows(block.number, WIDTH, row)
+    for l in range(LANES):
+        if not first + l < count:
+            break
+        pose = first + l
+        code = where(block.bad[l] > 0.0, INDEFINITE, OK)
+        finish()
+        if code == OK:
+            COPIED
+        else:
+            load_pose(motions, pose, one)
+            find()
+            if code == OK:
+                COPIED_ALONE
+        note_status()
+
+
+def acting_of_block() -> None:
+    """Forces that act in eight poses."""
+    load_forces(F, first, count, acting)
+
+
+def forces_of_block() -> None:
+    """Forces of inverse dynamics of eight poses."""
+    part = blank(Motions)
+    size_of_block = where(count - first < LANES, count - first, LANES)
+    PARTS
+    held = kernel_forces_batch(model, size_of_block, part, F, None)
+    load_forces(F, 0, size_of_block, acting)
+
+
+# ---------------------------------------------------------------- the results of each output
+
+
+def begun_structure() -> None:
+    """What the function of one pose fills."""
+    found = blank(Found)
+
+
+def begun_array() -> None:
+    """And where that is an array."""
+    found = blank(array(6))
+
+
+def finished_in_lanes() -> None:
+    """Marks poses with a number that is not finite."""
+    none = blank(array(LANES))
+    not_finite(block.number, WIDTH, none)
+    for l in range(LANES):
+        block.bad[l] = where(none[l] == 0.0, block.bad[l], 1.0)
+
+
+def finished_equations() -> None:
+    """Matrices of eight poses."""
+    matrices(at.v[0], at.omega[0], LANES, block.number)
+    finished_in_lanes()
+
+
+def finished_accelerations() -> None:
+    """Accelerations of eight poses."""
+    pivot = blank(array(48))
+    solution = blank(array(48))
+    solve_inertia(block.number, LANES, solution, pivot)
+    for l in range(LANES):
+        for k in each(6):
+            block.bad[l] = where(pivot[LANES * k + l] > KEPT * inertia[k, k], block.bad[l], 1.0)
+    for i in range(48):
+        block.number[i] = solution[i]
+    finished_in_lanes()
+
+
+def finished_forces() -> None:
+    """Without forces there are no derivatives."""
+    if held != OK:
+        for l in range(LANES):
+            block.bad[l] = 1.0
+
+
+def finished_slopes() -> None:
+    """Derivatives of one pose."""
+    if code == OK:
+        code = slopes(model.per_length, row[l * WIDTH :], F[l * 6 :], found)
+
+
+def found_alone() -> None:
+    """A pose by itself."""
+    code = of_pose(model, one, found)
+
+
+def found_under_forces() -> None:
+    """And with forces that act."""
+    code = of_pose(model, one, F[pose * 6 :], found)
+
+
+def stored_pivot(k) -> None:
+    """What remains of a diagonal number, one pose or eight."""
+    pivot[lanes * k + l] = a[k, k]
