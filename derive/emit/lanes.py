@@ -22,6 +22,7 @@ from ..kernel.written import lanes as written
 from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import arm_c, q_1
+from ..print.template import filled
 from ..program.block import Block, Quantity
 from .c import operations_table
 from .shared import LANES as HEADER
@@ -61,7 +62,7 @@ def files(
         operations=operations_table(force_operations(kernel), plain, " * "),
         declarations=made.declared(*([] if made.baked else [made.structures["Model"]])),
     )
-    defined = "" if n.D in made.given else _WITHOUT_D
+    defined = filled("scheduled.c") + ("" if n.D in made.given else _WITHOUT_D)
     return texts | {f"{file}.c": made.printed(top(file, version, HEADER, defined))}
 
 

@@ -5,6 +5,13 @@
  */
 #include "stewart_exact_slender_forces.h"
 
+/* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
+ * which is slower with few of them. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
+#pragma GCC target("prefer-vector-width=512")
+#pragma GCC optimize("schedule-insns")
+#endif
+
 #include "stewart_lanes.h"
 
 /* Motions of eight poses, component by component. */

@@ -37,10 +37,6 @@ _POSITION = () if sys.platform == "win32" else ("-fPIC",)
 FLAGS = ("-O3", "-std=c99", *_POSITION, "-shared", "-fno-math-errno", "-ffp-contract=off", _NATIVE)
 """Of the compiler, for every library of this machine."""
 
-WIDE_FLAGS = ("-mprefer-vector-width=512", "-fschedule-insns")
-"""Of gcc besides, on a processor with AVX-512: by itself it takes half the width, and puts instructions in no
-order before it hands out registers. Where there are sixteen of these, such an order is slower."""
-
 PORTABLE_FLAGS = (
     *("-O2", "-std=c99", *_POSITION, "-shared", "-fvisibility=hidden"),
     *("-fno-math-errno", "-ffp-contract=off"),
@@ -138,20 +134,13 @@ def compiled(
     name: str,
     sources: Mapping[str, str],
     flags: Sequence[str] = (),
-    base: Sequence[str] | None = None,
+    base: Sequence[str] = FLAGS,
 ) -> Path:
     """Compile as ``load`` does, but anew, into ``folder``, past the cache; returns the library, not loaded.
 
-    base: the flags before ``flags``, those of this machine or PORTABLE_FLAGS. Raises as ``load`` does.
+    base: the flags before ``flags``, FLAGS or PORTABLE_FLAGS. Raises as ``load`` does.
     """
     return _compile(folder, _recipe(name, sources, flags, None, base))
-
-
-def machine_flags() -> tuple[str, ...]:
-    """The flags with which ``load`` compiles here, but for those of a library's own."""
-    compiler = find_compiler()
-    wide = compiler is not None and "clang" not in compiler.version and " avx512f" in _processor()
-    return (*FLAGS, *WIDE_FLAGS) if wide else FLAGS
 
 
 def ran(command: Sequence[str], folder: Path) -> str:
@@ -173,13 +162,13 @@ def _recipe(
     sources: Mapping[str, str],
     flags: Sequence[str],
     defines: Mapping[str, str | int] | None,
-    base: Sequence[str] | None = None,
+    base: Sequence[str] = FLAGS,
 ) -> "_Recipe":
     compiler = find_compiler()
     if compiler is None:
         raise CompilerError("no C compiler found: install gcc or clang, set CC, or `pip install ziglang`")
     macros = tuple(f"-D{macro}={value}" for macro, value in sorted((defines or {}).items()))
-    return _Recipe(name, dict(sources), compiler, (*(base or machine_flags()), *macros, *flags))
+    return _Recipe(name, dict(sources), compiler, (*base, *macros, *flags))
 
 
 @dataclass(frozen=True)

@@ -48,7 +48,7 @@ def software(*packages: str) -> dict[str, Any]:
     return {
         "compiler": compiler.version,
         "command": list(compiler.command),
-        "flags": list(native.machine_flags()),
+        "flags": list(native.FLAGS),
         "python": platform.python_version(),
         **{name: version(name) for name in ("stewart-sym", "numpy", *packages)},
     }
