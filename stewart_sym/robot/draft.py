@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, fields
+from importlib.resources import files
 from string import Template
 
 from ..io.arguments import number_in, option
@@ -80,7 +81,7 @@ class Draft:
         """The robot file."""
         L = self.leg_length
         lower, upper = _LOWER_RADIUS * L, _UPPER_RADIUS * L
-        return _TEXT.substitute(
+        return _text().substitute(
             name=_quoted(self.name),
             unit=self.length_unit,
             height=_number(self.height),
@@ -104,39 +105,9 @@ class Draft:
         )
 
 
-_TEXT = Template("""\
-# A robot file by `stewart-sym new`; what is assumed is marked. The documentation's page "Files" has all keys.
-schema = 2
-name = $name
-length_unit = "$unit"               # of every length here; else SI: kg, kg m^2, N, m/s^2
-angle_unit = "deg"
-gravity = [0.0, 0.0, -9.81]      # base frame: z is up
-home = [0.0, 0.0, $height]         # platform frame's origin in the base frame, both parallel
-
-[base]                           # joints of legs 1 to 6, base frame
-radius = $base_radius
-angles = $base_angles
-z = 0.0
-
-[platform]                       # joints, platform frame: its origin is their middle
-radius = $platform_radius
-angles = $platform_angles
-z = 0.0
-# Assumed: a round plate about the origin. Or a list of parts, or mass, center_of_mass and inertia about it.
-body = { shape = "plate", radius = $plate_radius, thickness = $thickness, mass = $platform_mass }
-
-[legs]                           # what all legs share; [leg.1] to [leg.6] for what one has of its own
-# Assumed: fixed axes of the universal joints along the circle of the base joints; or "radial", or a vector.
-universal_axis = "tangential"
-# Assumed: a tube from the base joint on, with 70 % of the leg's mass, and a rod from the platform joint on.
-lower = { shape = "tube", radius = $lower_radius, inner_radius = $bore, length = $part, mass = $lower_mass }
-upper = { shape = "rod", radius = $upper_radius, length = $part, mass = $upper_mass }
-stroke = [$back, $forth]         # about the length at home, $length $unit from joint to joint
-# Assumed: no friction and no limits of the actuators. Viscous friction in N m s, N s/m and N m s; N; $unit/s:
-# friction = { universal = 0.0, prismatic = 0.0, spherical = 0.0 }
-# force_limit = 1000.0
-# speed_limit = 1.0
-""")
+def _text() -> Template:
+    """The file with its comments."""
+    return Template((files(__package__) / "draft.toml.in").read_text(encoding="utf-8"))
 
 
 def _angles(pairs: tuple[float, float, float], apart: float, shift: int) -> str:
