@@ -48,7 +48,7 @@ def readme(found: Figures) -> str:
 
 def shares(found: Figures) -> str:
     """The figures with targets, a column for each kind of instructions."""
-    made = found.get("shares", [])
+    made = found["shares"]
     kinds = [*dict.fromkeys(kind for each in made for kind in each["values"])]
     rows = [
         (
@@ -59,12 +59,12 @@ def shares(found: Figures) -> str:
         )
         for each in made
     ]
-    return table(("", *kinds, "at most", "goal"), rows) if rows else ""
+    return table(("", *kinds, "at most", "goal"), rows)
 
 
 def builds(found: Figures) -> str:
     """Time of all C by instructions and flags, with cycles; the clock and the limits that follow from it."""
-    made = found.get("builds", [])
+    made = found["builds"]
     rows = [
         (
             each["name"],
@@ -78,7 +78,7 @@ def builds(found: Figures) -> str:
         for each in made
     ]
     header = ("", "vectors", "flags", "ns per pose", "cycles", "of the closed form", "of the plain C")
-    return table(header, rows) + _limits(found) if rows else ""
+    return table(header, rows) + _limits(found)
 
 
 def _limits(found: Figures) -> str:
