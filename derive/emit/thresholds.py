@@ -32,15 +32,15 @@ THRESHOLDS = (
         "zero-length leg",
         "within 16 rounding units of the vectors it is the sum of",
         7,
-        "1.2e-02",
+        "2.2e-01",
     ),
-    Threshold("JOINT_SINGULAR", "joint singularity", "sine below 4096 rounding units", 9, "6.4e-02"),
+    Threshold("JOINT_SINGULAR", "joint singularity", "sine below 4096 rounding units", 10, "5.9e-02"),
     Threshold(
         "SINGULAR",
         "singular",
         "spectral radius of |1/H| times the bounds of its errors above 1/2",
         10,
-        "5.0e-04",
+        "1.6e-10",
     ),
 )
 

@@ -59,9 +59,9 @@ typedef double stewart_real;
 /* Where a status begins, and the worst error seen on this side of it among 10^6
  * random poses near failure, in rounding units times the condition number of the problem itself, at
  * which distance from the failure (`stewart-sym stability`):
- * STEWART_ZERO_LENGTH: within 16 rounding units of the vectors it is the sum of; 7, at 1.2e-02
- * STEWART_JOINT_SINGULAR: sine below 4096 rounding units; 9, at 6.4e-02
- * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; 10, at 5.0e-04 */
+ * STEWART_ZERO_LENGTH: within 16 rounding units of the vectors it is the sum of; 7, at 2.2e-01
+ * STEWART_JOINT_SINGULAR: sine below 4096 rounding units; 10, at 5.9e-02
+ * STEWART_SINGULAR: spectral radius of |1/H| times the bounds of its errors above 1/2; 10, at 1.6e-10 */
 
 /* One leg. Frame D has its origin at the base point, frame U at the platform point; both have x along the
  * leg and y along the rotating axis of the universal joint. */

@@ -244,7 +244,11 @@ def _rotated(function: str, at: Numbers) -> Found:
 
 def _solvers(names: Iterable[str]) -> dict[str, Callable[..., Any]]:
     """What takes the place of functions that solve; near its joint singularity no leg is short."""
-    known: dict[str, Callable[..., Any]] = {"eliminate": _eliminate, "singular_status": lambda *_: OK}
+    known: dict[str, Callable[..., Any]] = {
+        "eliminate": _eliminate,
+        "accelerations_of": _accelerations,
+        "singular_status": lambda *_: OK,
+    }
     for name in names:
         if name.startswith("solve_pivoted"):
             known[name] = lambda A: _solve_rows(A, solve)
@@ -257,6 +261,23 @@ def _eliminate(A: list[list[Running]], x: list[Running]) -> int:
     rows = array(A)
     x[:] = solve(rows[:, :6], rows[:, 6:])[:, 0]
     return 0
+
+
+def _accelerations(legs: Any, summed: Any, out: Any) -> None:
+    """Of M and the right side, whose parts are sums over the legs."""
+    turning = [summed.M_vw[3 * i : 3 * i + 3] for i in range(3)]
+    rows = [[*row, *more] for row, more in zip(_symmetric(summed.M_vv), turning, strict=True)]
+    columns = zip(zip(*turning, strict=True), _symmetric(summed.M_ww), strict=True)
+    rows += [[*more, *row] for more, row in columns]
+    right = [[each] for each in (*summed.right_force, *summed.right_moment)]
+    found = solve_definite(array(rows), array(right))[:, 0]
+    out.a, out.alpha, out.status = list(found[:3]), list(found[3:]), legs.status
+
+
+def _symmetric(parts: list[Running]) -> list[list[Running]]:
+    """A matrix of its parts xx xy xz yy yz zz."""
+    xx, xy, xz, yy, yz, zz = parts
+    return [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
 
 
 def _solve_rows(A: list[list[Running]], how: Callable[[Objects, Objects], Objects]) -> int:
