@@ -47,7 +47,8 @@ def of_order(robot: Robot, t: Array) -> Iterator[Doubt]:
     turned = np.sum(around_p * np.conj(around_b))
     clear = abs(turned) > 0.5 * np.sum(np.abs(around_p) * np.abs(around_b))
     twisted = clear and abs(np.angle(turned)) > TWISTED and ratio > 2.0
-    if (given > GOOD_CONDITION and ratio > MISPAIRED) or twisted:
+    mispaired = given > GOOD_CONDITION and ratio > MISPAIRED and (turn, k) != (1, 0)
+    if mispaired or twisted:
         shift = min(k, LEGS - k)
         cause = "in the opposite sense (mirrored)" if turn < 0 else f"shifted by {shift} of six places"
         yield Doubt(

@@ -102,6 +102,7 @@ class Draft:
             back=_number(-0.5 * self.stroke),
             forth=_number(0.5 * self.stroke),
             length=_short(L),
+            speed=_short(1.0 / LENGTH_UNITS[self.length_unit]),
         )
 
 

@@ -220,7 +220,10 @@ class _Legs:
             raise ValueError(f"{where}: is about the length at the home pose, expected a key home")
         length = float(np.linalg.norm(at_home))
         if length + stroke[0] < 0.0:
-            raise ValueError(f"{where}: expected at most the leg at home, {length:g} m, got {shown(value)}")
+            raise ValueError(
+                f"{where}: expected a leg that is longer at home than it can retract, {length:g} m, "
+                f"got {-stroke[0]:g} m"
+            )
         return length + np.asarray(stroke)
 
 

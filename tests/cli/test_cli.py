@@ -88,7 +88,7 @@ def test_check_describes_the_papers_machine_and_warns_in_one_line_each(
     assert main(["check", str(robot)]) == 0
     captured = capsys.readouterr()
     for words in (
-        "universal below, spherical above",
+        "universal at the base, spherical at the platform",
         "4 kg each",
         "friction     on",
         "length none",

@@ -79,7 +79,7 @@ def _description(robot: Robot, home: HomePose) -> str:
     """Everything about the robot in lines of text, SI units."""
     rows = [
         ("name", robot.name),
-        ("joints", f"{robot.base_joint} below, spherical above"),
+        ("joints", f"{robot.base_joint} at the base, spherical at the platform"),
         ("gravity", f"{_vector(robot.g)} m/s^2"),
         *_sides(robot),
         ("platform", f"{robot.M:g} kg, centre of mass {_vector(robot.R_0)} m"),
