@@ -287,7 +287,12 @@ MISTAKES: list[tuple[str, str, str, str]] = [
     ('shape = "rod", ', "", "legs.upper.shape: missing", "upper ="),
     ("prismatic = 20.0", "prismatic = -20.0", "legs.friction.prismatic: expected a number >= 0", "-20.0"),
     ("[-150, 150]", "[150, -150]", "legs.stroke: expected [least, most] with least < most", "stroke"),
-    ("[-150, 150]", "[-1500, 150]", "legs.stroke: expected a leg that is longer at home than it can retract, ", "stroke"),
+    (
+        "[-150, 150]",
+        "[-1500, 150]",
+        "legs.stroke: expected a leg that is longer at home than it can retract, ",
+        "stroke",
+    ),
     ("home = [0, 0, 700]\n", "", 'trajectory.lengths: "relative" is to the home pose', "lengths"),
     (
         "stroke = [",

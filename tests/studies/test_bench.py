@@ -17,6 +17,7 @@ from stewart_sym.studies.benchmark import bench, equation_kernels, reductions
 from stewart_sym.studies.benchmark.baselines import JAX, Candidate, Runner, jax_one_pose
 from stewart_sym.studies.benchmark.called import Called
 from stewart_sym.studies.benchmark.engines.constraints import engines
+from stewart_sym.studies.benchmark.engines.drake_inverse import drake_inverse
 from stewart_sym.studies.benchmark.engines.pinocchio_rnea import pinocchio_rnea
 from stewart_sym.studies.benchmark.engines.tree import tensors_of_bodies, tree
 from stewart_sym.studies.benchmark.poses import Poses, bench_poses
@@ -86,9 +87,6 @@ def test_pinocchio_computes_the_same_forces_with_friction_and_load(stranger: Pos
 
 
 def test_drake_computes_the_same_forces_with_friction_and_load(stranger: Poses) -> None:
-    pytest.importorskip("pydrake")
-    from stewart_sym.studies.benchmark.engines.drake_inverse import drake_inverse
-
     called_computes_the_forces_of(drake_inverse(stranger.robot, stranger.motion), stranger)
     printed = bench_poses(None, 4)
     called_computes_the_forces_of(drake_inverse(printed.robot, printed.motion), printed)
