@@ -81,6 +81,12 @@ DEVIATIONS = (
         CLOSED_FORM,
     ),
     Deviation(
+        "10.4",
+        "operands of an operator of different types",
+        "whether two conditions hold is compared as 1 or 0",
+        CLOSED_FORM,
+    ),
+    Deviation(
         "10.6",
         "an expression assigned to a wider type",
         "a status is chosen of two constants",

@@ -201,7 +201,7 @@ def test_build_follows_its_robot_file_and_stops_with_the_words_of_the_generator(
 
     before = made.stamps()
     made.change("mass = 80.0", "mass = -80.0")
-    said = f"  stewart-sym: error: {made.robot}: platform.mass: expected a number > 0, got -80\n"
+    said = f"  stewart-sym: error: {made.robot}: platform.mass: expected a number > 0, got -80 (at line "
     assert said in made.make(code=fails)
     assert made.stamps() == before
 
