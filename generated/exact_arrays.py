@@ -1089,7 +1089,7 @@ def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
     u_2_0 = w_1_0 * w_2_2 - w_2_0 * w_1_2
     u_2_1 = w_2_0 * w_0_2 - w_0_0 * w_2_2
     u_2_2 = w_0_0 * w_1_2 - w_1_0 * w_0_2
-    rest = w_0_0 * u_0_0 + w_1_0 * u_0_1 + w_2_0 * u_0_2
+    complement = w_0_0 * u_0_0 + w_1_0 * u_0_1 + w_2_0 * u_0_2
     square_0 = e_0_0 * e_0_0 + e_0_2 * e_0_2 + e_0_4 * e_0_4
     square_1 = e_1_0 * e_1_0 + e_1_2 * e_1_2 + e_1_4 * e_1_4
     square_2 = e_2_0 * e_2_0 + e_2_2 * e_2_2 + e_2_4 * e_2_4
@@ -1097,12 +1097,12 @@ def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
     least = on.larger(on.size(det) * on.BLOCK_LEAST, on.BLOCK_SINGULAR) * (det2 * arm_cube)
     spread = square_0 + square_1 + square_2
     weak = on.where(spread > on.BLOCK_GROWTH * det2, 1.0, 0.0)
-    weak = on.where(on.size(rest) <= least, 1.0, weak)
+    weak = on.where(on.size(complement) <= least, 1.0, weak)
     inverse_det = 1.0 / (on.where(weak > 0.0, 1.0, det))
-    inverse_rest = 1.0 / (on.where(weak > 0.0, 1.0, rest))
-    x[0] = (u_0_0 * w_0_6 + u_0_1 * w_1_6 + u_0_2 * w_2_6) * inverse_rest
-    x[2] = (u_1_0 * w_0_6 + u_1_1 * w_1_6 + u_1_2 * w_2_6) * inverse_rest
-    x[4] = (u_2_0 * w_0_6 + u_2_1 * w_1_6 + u_2_2 * w_2_6) * inverse_rest
+    inverse_complement = 1.0 / (on.where(weak > 0.0, 1.0, complement))
+    x[0] = (u_0_0 * w_0_6 + u_0_1 * w_1_6 + u_0_2 * w_2_6) * inverse_complement
+    x[2] = (u_1_0 * w_0_6 + u_1_1 * w_1_6 + u_1_2 * w_2_6) * inverse_complement
+    x[4] = (u_2_0 * w_0_6 + u_2_1 * w_1_6 + u_2_2 * w_2_6) * inverse_complement
     x[1] = (e_0_6 - e_0_0 * x[0] - e_0_2 * x[2] - e_0_4 * x[4]) * inverse_det
     x[3] = (e_1_6 - e_1_0 * x[0] - e_1_2 * x[2] - e_1_4 * x[4]) * inverse_det
     x[5] = (e_2_6 - e_2_0 * x[0] - e_2_2 * x[2] - e_2_4 * x[4]) * inverse_det

@@ -82,8 +82,8 @@
 #endif
 
 /* Where two blocks of three legs are not solved one after the other, but by pivots: where the squares of what
- * legs 2, 4 and 6 take from unit forces along the others add up to more than this, or the moments that are left
- * to legs 1, 3 and 5 have a determinant below the second share of the cube of the largest arm, or that
+ * legs 2, 4 and 6 take from unit forces along the others add up to more than this, or the Schur complement, the
+ * moments of legs 1, 3 and 5, has a determinant below the second share of the cube of the largest arm, or that
  * times the determinant of the directions is below the third. Between them neither the median nor the
  * largest of the errors is above twice that of pivots. */
 #if !defined(STEWART_BLOCK_GROWTH)

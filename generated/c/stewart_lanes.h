@@ -113,7 +113,7 @@ STEWART_SHARED stewart_real blocks_of_pose(
     const stewart_real u_2_0 = STEWART_FMA(-w_2_0, w_1_2, w_1_0*w_2_2);
     const stewart_real u_2_1 = STEWART_FMA(-w_0_0, w_2_2, w_2_0*w_0_2);
     const stewart_real u_2_2 = STEWART_FMA(-w_1_0, w_0_2, w_0_0*w_1_2);
-    const stewart_real rest = STEWART_FMA(w_2_0, u_0_2, STEWART_FMA(w_1_0, u_0_1, w_0_0*u_0_0));
+    const stewart_real complement = STEWART_FMA(w_2_0, u_0_2, STEWART_FMA(w_1_0, u_0_1, w_0_0*u_0_0));
     const stewart_real square_0 = STEWART_FMA(e_0_4, e_0_4, STEWART_FMA(e_0_2, e_0_2, e_0_0*e_0_0));
     const stewart_real square_1 = STEWART_FMA(e_1_4, e_1_4, STEWART_FMA(e_1_2, e_1_2, e_1_0*e_1_0));
     const stewart_real square_2 = STEWART_FMA(e_2_4, e_2_4, STEWART_FMA(e_2_2, e_2_2, e_2_0*e_2_0));
@@ -122,12 +122,12 @@ STEWART_SHARED stewart_real blocks_of_pose(
         STEWART_BLOCK_SINGULAR)*(det2*arm_cube);
     const stewart_real spread = square_0 + square_1 + square_2;
     stewart_real weak = spread > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
-    weak = STEWART_FABS(rest) <= least ? REAL(1) : weak;
+    weak = STEWART_FABS(complement) <= least ? REAL(1) : weak;
     const stewart_real inverse_det = REAL(1)/det;
-    const stewart_real inverse_rest = REAL(1)/rest;
-    x[0] = STEWART_FMA(u_0_2, w_2_6, STEWART_FMA(u_0_1, w_1_6, u_0_0*w_0_6))*inverse_rest;
-    x[2] = STEWART_FMA(u_1_2, w_2_6, STEWART_FMA(u_1_1, w_1_6, u_1_0*w_0_6))*inverse_rest;
-    x[4] = STEWART_FMA(u_2_2, w_2_6, STEWART_FMA(u_2_1, w_1_6, u_2_0*w_0_6))*inverse_rest;
+    const stewart_real inverse_complement = REAL(1)/complement;
+    x[0] = STEWART_FMA(u_0_2, w_2_6, STEWART_FMA(u_0_1, w_1_6, u_0_0*w_0_6))*inverse_complement;
+    x[2] = STEWART_FMA(u_1_2, w_2_6, STEWART_FMA(u_1_1, w_1_6, u_1_0*w_0_6))*inverse_complement;
+    x[4] = STEWART_FMA(u_2_2, w_2_6, STEWART_FMA(u_2_1, w_1_6, u_2_0*w_0_6))*inverse_complement;
     x[1] = STEWART_FMA(-e_0_4, x[4], STEWART_FMA(-e_0_2, x[2], STEWART_FMA(-e_0_0, x[0],
         e_0_6)))*inverse_det;
     x[3] = STEWART_FMA(-e_1_4, x[4], STEWART_FMA(-e_1_2, x[2], STEWART_FMA(-e_1_0, x[0],
@@ -401,7 +401,7 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void blocks_of_lanes(
         const stewart_real u_2_0 = STEWART_FMA(-w_2_0, w_1_2, w_1_0*w_2_2);
         const stewart_real u_2_1 = STEWART_FMA(-w_0_0, w_2_2, w_2_0*w_0_2);
         const stewart_real u_2_2 = STEWART_FMA(-w_1_0, w_0_2, w_0_0*w_1_2);
-        const stewart_real rest = STEWART_FMA(w_2_0, u_0_2, STEWART_FMA(w_1_0, u_0_1, w_0_0*u_0_0));
+        const stewart_real complement = STEWART_FMA(w_2_0, u_0_2, STEWART_FMA(w_1_0, u_0_1, w_0_0*u_0_0));
         const stewart_real square_0 = STEWART_FMA(e_0_4, e_0_4, STEWART_FMA(e_0_2, e_0_2, e_0_0*e_0_0));
         const stewart_real square_1 = STEWART_FMA(e_1_4, e_1_4, STEWART_FMA(e_1_2, e_1_2, e_1_0*e_1_0));
         const stewart_real square_2 = STEWART_FMA(e_2_4, e_2_4, STEWART_FMA(e_2_2, e_2_2, e_2_0*e_2_0));
@@ -410,15 +410,15 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void blocks_of_lanes(
             STEWART_BLOCK_SINGULAR)*(det2*arm_cube);
         const stewart_real spread = square_0 + square_1 + square_2;
         stewart_real weak = spread > STEWART_BLOCK_GROWTH*det2 ? REAL(1) : REAL(0);
-        weak = STEWART_FABS(rest) <= least ? REAL(1) : weak;
+        weak = STEWART_FABS(complement) <= least ? REAL(1) : weak;
         const stewart_real inverse_det = REAL(1)/det;
-        const stewart_real inverse_rest = REAL(1)/rest;
+        const stewart_real inverse_complement = REAL(1)/complement;
         const stewart_real x_0 = STEWART_FMA(u_0_2, w_2_6, STEWART_FMA(u_0_1, w_1_6,
-            u_0_0*w_0_6))*inverse_rest;
+            u_0_0*w_0_6))*inverse_complement;
         const stewart_real x_2 = STEWART_FMA(u_1_2, w_2_6, STEWART_FMA(u_1_1, w_1_6,
-            u_1_0*w_0_6))*inverse_rest;
+            u_1_0*w_0_6))*inverse_complement;
         const stewart_real x_4 = STEWART_FMA(u_2_2, w_2_6, STEWART_FMA(u_2_1, w_1_6,
-            u_2_0*w_0_6))*inverse_rest;
+            u_2_0*w_0_6))*inverse_complement;
         const stewart_real x_1 = STEWART_FMA(-e_0_4, x_4, STEWART_FMA(-e_0_2, x_2, STEWART_FMA(-e_0_0, x_0,
             e_0_6)))*inverse_det;
         const stewart_real x_3 = STEWART_FMA(-e_1_4, x_4, STEWART_FMA(-e_1_2, x_2, STEWART_FMA(-e_1_0, x_0,

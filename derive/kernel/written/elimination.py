@@ -206,12 +206,12 @@ def carried(holds, code) -> None:
 
 
 def two_blocks() -> None:
-    """The unknowns x, and ``weak``, 1 where another solve is wanted: where the first block is nearly singular
-    or what is left of the second is, pivots lose fewer digits.
+    """The unknowns x, and ``weak``, 1 where another solve is wanted: where the first block or its Schur
+    complement is nearly singular, pivots lose fewer digits.
 
     Without exchanges and with two divisions, which wait for nothing: about half the time of pivots one after
     the other. Legs 2, 4 and 6 balance the force, by the adjugate of their directions; legs 1, 3 and 5 the
-    moment that is left, by that of what they add to it.
+    moment, by that of the Schur complement.
     """
     adjugate_of_directions()
     det = a[0, 1] * r[0, 0] + a[1, 1] * r[0, 1] + a[2, 1] * r[0, 2]
@@ -222,18 +222,18 @@ def two_blocks() -> None:
                 w[(j + 1) % 3, 2 * ((i + 1) % 3)] * w[(j + 2) % 3, 2 * ((i + 2) % 3)]
                 - w[(j + 2) % 3, 2 * ((i + 1) % 3)] * w[(j + 1) % 3, 2 * ((i + 2) % 3)]
             )
-    rest = w[0, 0] * u[0, 0] + w[1, 0] * u[0, 1] + w[2, 0] * u[0, 2]
+    complement = w[0, 0] * u[0, 0] + w[1, 0] * u[0, 1] + w[2, 0] * u[0, 2]
     for i in each(3):
         square[i,] = e[i, 0] * e[i, 0] + e[i, 2] * e[i, 2] + e[i, 4] * e[i, 4]
     det2 = det * det
     least = larger(size(det) * BLOCK_LEAST, BLOCK_SINGULAR) * (det2 * arm_cube)
     spread = (square[0,] + square[1,]) + square[2,]
     weak = where(spread > BLOCK_GROWTH * det2, 1.0, 0.0)
-    weak = where(size(rest) <= least, 1.0, weak)
+    weak = where(size(complement) <= least, 1.0, weak)
     inverse_det = 1.0 / (where(weak > 0.0, 1.0, det) if GUARDED else det)
-    inverse_rest = 1.0 / (where(weak > 0.0, 1.0, rest) if GUARDED else rest)
+    inverse_complement = 1.0 / (where(weak > 0.0, 1.0, complement) if GUARDED else complement)
     for i in each(3):
-        x[2 * i,] = (u[i, 0] * w[0, 6] + u[i, 1] * w[1, 6] + u[i, 2] * w[2, 6]) * inverse_rest
+        x[2 * i,] = (u[i, 0] * w[0, 6] + u[i, 1] * w[1, 6] + u[i, 2] * w[2, 6]) * inverse_complement
     for i in each(3):
         x[2 * i + 1,] = (e[i, 6] - e[i, 0] * x[0,] - e[i, 2] * x[2,] - e[i, 4] * x[4,]) * inverse_det
 
@@ -249,7 +249,7 @@ def adjugate_of_directions() -> None:
 
 
 def entry_by_entry() -> None:
-    """The forces that legs 2, 4 and 6 take from the other columns, and the moments that are left; both times
+    """The forces that legs 2, 4 and 6 take from the other columns, and the Schur complement; both times
     the determinant of their directions."""
     for c in each(0, 7, 2):
         for i in each(3):
