@@ -2,6 +2,9 @@
 
 from . import results as results
 from . import robots as robots
+from .drives.effort import DriveEffort as DriveEffort
+from .drives.effort import DriveLimitWarning as DriveLimitWarning
+from .drives.effort import drive_effort as drive_effort
 from .dynamics.arrays import ArrayKernel as ArrayKernel
 from .dynamics.arrays import array_kernel as array_kernel
 from .dynamics.bounds import ForceBounds as ForceBounds
