@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..dynamics.inverse import Backend, Formulation, inverse_dynamics
-from ..io.arguments import instance, real_array
+from ..io.arguments import finite_array, instance, real_array
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..io.instants import least_step, time_text
@@ -130,6 +130,33 @@ def drive_effort(
         energy=None if when is None else summary.energy,
         exceeded=lines,
     )
+
+
+def motor_forces(robot: Robot, current: ArrayLike) -> Array:
+    """Forces of the motors along the legs from their measured currents: N times torque.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine, with a drive whose torque_constant is given.
+    current : array_like
+        A, (..., 6), signed as the torque is.
+
+    Returns
+    -------
+    ndarray
+        Forces, N, (..., 6), positive when they extend the leg.
+
+    Raises
+    ------
+    ValueError
+        For a robot without such a drive, and for currents of another shape.
+    """
+    instance(robot, Robot, "robot")
+    if robot.drive is None or not np.all(robot.drive.torque_constant > 0.0):
+        raise ValueError("robot: expected a drive with a torque_constant of every leg")
+    given = finite_array(current, (LEGS,), "current")
+    return np.asarray(robot.drive.turns * robot.drive.torque_constant * given)
 
 
 class Instants(NamedTuple):
