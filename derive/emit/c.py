@@ -31,6 +31,7 @@ def files(
         "every_output.h",
         made.name,
         version,
+        rotors=kernel.formulation.drive,
         name=kernel.formulation.kernel_name,
         about=_about(kernel),
         interface=_interface(kernel),
