@@ -205,6 +205,11 @@ MODELS: dict[str, int] = {
     "exact_general_static": 139,
     "exact_slender_static": 67,
     "exact_massless_static": 56,
+    "exact_drive_reflected": 291,
+    "exact_drive_reflected_slender_friction": 179,
+    "exact_drive_reflected_slender": 98,
+    "exact_drive_reflected_massless_friction": 123,
+    "exact_drive_reflected_massless": 74,
 }
 
 # Headers that the sources share: to compile one takes these, and its own.

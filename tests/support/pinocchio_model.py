@@ -210,14 +210,16 @@ class GearedChain(UniversalChain):
     projection: joint torques and forces are those of the coordinates that are left.
     """
 
-    _MASS, _PLACE, _ACROSS = 0.2, 0.07, 0.8
+    MASS, ACROSS = 0.02, 0.8
+    """Mass of a rotor, of its lower part's, and its inertia across its axis, of that about it."""
 
     def _append_lower(self, body: pin.Inertia) -> None:
         assert self.robot.drive is not None
         self.turns = 2 * np.pi / self.robot.drive.lead[self.i]
         axial = self.robot.drive.rotor_inertia[self.i]
-        place = np.array([self._PLACE, 0.0, 0.0])
-        rotor = pin.Inertia(self._MASS, np.zeros(3), axial * np.diag([1.0, self._ACROSS, self._ACROSS]))
+        place = np.array([body.lever[0], 0.0, 0.0])
+        inertia = axial * np.diag([1.0, self.ACROSS, self.ACROSS])
+        rotor = pin.Inertia(self.MASS * body.mass, np.zeros(3), inertia)
         at = pin.SE3(np.eye(3), place)
         joint = self.model.addJoint(self.lower, pin.JointModelRX(), at, "rotor")
         self.model.appendBodyToJoint(joint, rotor, pin.SE3.Identity())
