@@ -7,18 +7,21 @@ from typing import Any, Literal
 
 import numpy as np
 import pytest
-from machines import random_motion, random_robot, with_random_rotors
+from machines import random_motion, random_robot, rotation, with_random_rotors
 from motion_fields import acceleration
 from numpy.typing import NDArray
 from pinocchio_model import Answer, pinocchio_inverse_dynamics
+from reduced_machines import as_simple_as
 
 import stewart_sym as ss
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES
+from stewart_sym.derive.mechanics.reduced_models import DRIVE_FIDELITIES as DERIVED
 from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import equations_of_motion as oracle
 from stewart_sym.reference import newton_euler
 from stewart_sym.robot.drive import Drive
 from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.benchmark.equation_kernels import robot_of_bodies
 
 Array = NDArray[np.float64]
 
@@ -107,3 +110,123 @@ def _without_momentum(robot: Robot) -> Robot:
     share = 1e-9
     drive = Drive(lead=share * robot.drive.lead, rotor_inertia=share**2 * robot.drive.rotor_inertia)
     return dataclasses.replace(robot, drive=drive)
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_derivatives_are_those_of_the_reference(backend: Any) -> None:
+    for seed in range(4):
+        robot, motion, _ = _case(seed)
+        motion = motion[0]
+        found = ss.force_derivatives(robot, motion, backend=backend)
+
+        def F(robot: Robot, motion: Motion) -> Array:
+            return newton_euler.inverse_dynamics(robot, motion).F
+
+        for name, fields in (
+            ("pose", ("t", "R")),
+            ("twist", ("v", "omega")),
+            ("acceleration", ("a", "alpha")),
+        ):
+            slopes = getattr(found, f"by_{name}")
+            expected = np.column_stack(
+                [_slope(F, robot, motion, field, axis) for field in fields for axis in range(3)]
+            )
+            assert np.abs(slopes - expected).max() < 1e-7 * np.abs(expected).max(), (seed, name)
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_linearised_motion_is_that_of_forward_dynamics(backend: Any) -> None:
+    for seed in range(3):
+        robot, motion, truth = _case(seed)
+        motion, forces = motion[0], truth[0].F
+
+        def solved(robot: Robot, motion: Motion) -> Array:
+            a, alpha = ss.forward_dynamics(robot, motion, forces, backend="reference")[:2]
+            return np.concatenate([a, alpha])
+
+        found = ss.linearise(robot, motion, forces, backend=backend)
+        expected = np.column_stack(
+            [
+                _slope(solved, robot, motion, field, axis)
+                for field in ("t", "R", "v", "omega")
+                for axis in range(3)
+            ]
+        )
+        assert np.abs(found.A[6:] - expected).max() < 1e-6 * np.abs(expected).max(), seed
+
+
+def _slope(function: Any, robot: Robot, motion: Motion, field: str, axis: int) -> Array:
+    """Derivative by one component, by differences of the fourth order."""
+    step = 1e-3 * (1.0 if field == "R" else max(float(np.abs(getattr(motion, field)).max()), 1e-2))
+
+    def at(times: int) -> Array:
+        by = times * step
+        if field == "R":
+            turn = rotation(by * np.eye(3)[axis])
+            return np.asarray(function(robot, dataclasses.replace(motion, R=turn @ motion.R)))
+        value = getattr(motion, field) + by * np.eye(3)[axis]
+        return np.asarray(function(robot, dataclasses.replace(motion, **{field: value})))
+
+    return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step)
+
+
+def test_reflected_masses_are_armature_to_mujoco() -> None:
+    tree, constraints = (
+        pytest.importorskip(f"stewart_sym.studies.benchmark.engines.{name}")
+        for name in ("tree", "mujoco_constraints")
+    )
+    for seed in range(5):
+        robot, motion, _ = _case(seed)
+        robot = _without_momentum(robot_of_bodies(robot))
+        F = ss.inverse_dynamics(robot, motion).F
+        engine = constraints.mujoco_engine(robot, tree.tree(robot, motion, F))
+        found, expected = engine.accelerations(), acceleration(motion)
+        shares = np.abs(found - expected).max(axis=-1) / np.abs(expected).max(axis=-1)
+        assert shares.max() < 4e-6, seed
+        plain = dataclasses.replace(robot, drive=None)
+        others = constraints.mujoco_engine(plain, tree.tree(plain, motion, F)).accelerations()
+        assert np.abs(others - expected).max() > 1e-2 * np.abs(expected).max()
+
+
+def test_a_drive_without_rotor_inertia_changes_no_bit() -> None:
+    robot, motion, _ = _case(0)
+    plain = dataclasses.replace(robot, drive=None)
+    driven = dataclasses.replace(robot, drive=Drive(lead=0.01))
+    assert ss.prepare(driven).name == ss.prepare(plain).name == "exact"
+    for found in (ss.inverse_dynamics, ss.equations_of_motion, ss.force_derivatives):
+        one, other = found(plain, motion), found(driven, motion)
+        for name, values in vars(one).items():
+            if values is not None:
+                np.testing.assert_array_equal(values, getattr(other, name))
+
+
+def test_where_nothing_says_how_the_rotor_turns_it_is_rejected() -> None:
+    robot, motion, _ = _case(0)
+    with pytest.raises(ValueError, match='formulation: expected "exact" .* rotor_inertia, got "paper"'):
+        ss.inverse_dynamics(robot, motion, formulation="paper")
+    with pytest.raises(ValueError, match="robot: drive: rotor_inertia: expected 0 with spherical"):
+        spherical = random_robot(np.random.default_rng(0), "spherical")
+        ss.prepare(dataclasses.replace(spherical, drive=robot.drive))
+
+
+@pytest.mark.parametrize("name", [each for each in DRIVE_FIDELITIES if each.startswith("reflected")])
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+def test_reflected_levels_equal_the_general_one_where_the_machine_is_that_simple(name: str) -> None:
+    level = DERIVED[name]
+    for seed in range(10):
+        robot, _, _ = _case(seed)
+        robot = _without_momentum(as_simple_as(robot, level))
+        motion = random_motion(np.random.default_rng(seed), robot)
+        found, expected = ss.prepare(robot, fidelity=name).forces(motion), ss.inverse_dynamics(robot, motion)
+        size = max(np.abs(values).max() for values in (expected.F, expected.D, expected.x))
+        assert np.abs(found - expected.F).max() <= 1e-8 * size
+
+
+def test_levels_without_rotors_are_those_of_the_robot_without_a_drive() -> None:
+    robot, motion, _ = _case(1)
+    plain = dataclasses.replace(robot, drive=None)
+    for name in DRIVE_FIDELITIES:
+        if name != "general" and not name.startswith("reflected"):
+            other = "general" if name == "no_rotor" else name
+            found, expected = ss.prepare(robot, fidelity=name), ss.prepare(plain, fidelity=other)
+            np.testing.assert_array_equal(found.forces(motion), expected.forces(motion))
