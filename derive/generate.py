@@ -35,7 +35,6 @@ from .print.template import filled
 from .program.block import Block
 from .program.cse import share
 
-
 WHOLE = (EXACT, EXACT_DRIVE)
 """Formulations with a closed form and bounds."""
 

@@ -149,7 +149,9 @@ def _rows(name: str, rows: list[str]) -> str:
 def fidelities(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
     """``fidelities.py``: what there is of reduced force kernels, for the runtime to choose from."""
     plain, drive = (
-        "\n".join(_fidelity(level, kernel) for level, kernel in kernels.items() if (level.rotor != NONE) == rotors)
+        "\n".join(
+            _fidelity(level, kernel) for level, kernel in kernels.items() if (level.rotor != NONE) == rotors
+        )
         for rotors in (False, True)
     )
     return filled("fidelities.py", version=version, entries=plain, drive=drive)

@@ -93,5 +93,10 @@ def meaning(fidelity: str, rotors: bool = False) -> str:
     return str((_DRIVE_TABLE if rotors else _TABLE)[_SAME.get(fidelity, fidelity)]["meaning"])
 
 
+def knows_axes(robot: Robot, fidelity: str) -> bool:
+    """Whether a level's kernel has the axes of universal joints."""
+    return bool(_table(robot)[fidelity]["universal"])
+
+
 def _table(robot: Robot) -> dict[str, dict[str, Any]]:
     return _DRIVE_TABLE if robot.has_rotors else _TABLE

@@ -15,8 +15,7 @@ from numpy.typing import NDArray
 
 from ..backend.c_kernel import address, function, prepared_model
 from ..backend.fidelity import force_kernel_name, model_numbers
-from ..backend.kernel import takes_rotors
-from ..backend.kernel import FORMULATIONS, MOTION
+from ..backend.kernel import FORMULATIONS, MOTION, takes_rotors
 from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen

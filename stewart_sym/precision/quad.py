@@ -74,4 +74,6 @@ def sources(name: str) -> dict[str, str]:
 
 @functools.cache
 def _library(name: str) -> ctypes.CDLL:
-    return native.load(f"stewart_{name}_quad", sources(name), _FLAGS, {**_MACROS, **dict.fromkeys(defines_of(name), 1)})
+    return native.load(
+        f"stewart_{name}_quad", sources(name), _FLAGS, {**_MACROS, **dict.fromkeys(defines_of(name), 1)}
+    )

@@ -92,9 +92,7 @@ class Truth:
 
 
 @cache
-def derived_kernel(
-    base_joint: str, formulation: str, fidelity: str, rotors: bool = False
-) -> ForceKernel:
+def derived_kernel(base_joint: str, formulation: str, fidelity: str, rotors: bool = False) -> ForceKernel:
     """The blocks of the forces alone, before sharing; rotors: whether the legs of the robot have them."""
     level = level_of(fidelity, rotors)
     if level.rotor != NONE:

@@ -225,6 +225,10 @@ def test_reflected_levels_equal_the_general_one_where_the_machine_is_that_simple
 def test_levels_without_rotors_are_those_of_the_robot_without_a_drive() -> None:
     robot, motion, _ = _case(1)
     plain = dataclasses.replace(robot, drive=None)
-    for name, other in (("no_rotor", "general"), ("slender", "slender"), ("general_static", "general_static")):
+    for name, other in (
+        ("no_rotor", "general"),
+        ("slender", "slender"),
+        ("general_static", "general_static"),
+    ):
         found, expected = ss.prepare(robot, fidelity=name), ss.prepare(plain, fidelity=other)
         np.testing.assert_array_equal(found.forces(motion), expected.forces(motion))

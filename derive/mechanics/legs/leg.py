@@ -365,9 +365,7 @@ def eliminate(form: Formulation, equations: LegEquations, C: sp.Matrix) -> dict[
     return dict(zip(equations.unknowns, matrix.LUsolve(right), strict=True))
 
 
-def rotor_moment(
-    build: Builder, rotor: Rotor, L_dot: sp.Expr, L_ddot: sp.Expr, W: sp.Matrix
-) -> sp.Matrix:
+def rotor_moment(build: Builder, rotor: Rotor, L_dot: sp.Expr, L_ddot: sp.Expr, W: sp.Matrix) -> sp.Matrix:
     """Rate of the angular momentum j_r L_dot s, leg frame; zero without a rotor."""
     if rotor == NONE:
         return sp.zeros(3, 1)
