@@ -26,8 +26,8 @@ _DRIVE_TABLE = {
     **{name: level for name, level in _TABLE.items() if name != "general"},
 }
 DRIVE_FIDELITIES: tuple[str, ...] = tuple(_DRIVE_TABLE)
-"""Names of a robot whose legs have rotors: ``general`` has all of them, ``reflected`` their masses alone, also
-with ``slender`` and ``massless`` legs; the others have no rotors."""
+"""Names of a robot whose legs have rotors: ``general`` has all of them, ``reflected`` their masses alone,
+also with ``slender`` and ``massless`` legs; the others have no rotors."""
 
 _SAME = {"axisymmetric_static": "slender_static", "point_masses_static": "slender_static"}
 _GENERAL = "general"

@@ -37,7 +37,7 @@ def robot_kernel(robot: Robot, formulation: str) -> str:
         )
     if robot.base_joint != "universal":
         raise ValueError(
-            "robot: drive: rotor_inertia: expected 0 with spherical base joints, which let the leg spin, got more"
+            "robot: drive: rotor_inertia: expected 0 with spherical base joints, which let the legs spin"
         )
     return f"{name}_drive"
 

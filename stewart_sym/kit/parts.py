@@ -140,7 +140,8 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
         *(["one pose, legs one after the other"] if choice.scalar else []),
     ]
     form = plain.formulation.name
-    says = f"Actuator forces, {form}, fidelity {level}: {fidelity.meaning(level, robot.has_rotors)}; {', '.join(ways)}."
+    meaning = fidelity.meaning(level, robot.has_rotors)
+    says = f"Actuator forces, {form}, fidelity {level}: {meaning}; {', '.join(ways)}."
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
     sources = _printed(made, plain, choice)

@@ -67,8 +67,11 @@ def random_robot(
 
 
 def with_random_rotors(rng: np.random.Generator, robot: Robot) -> Robot:
-    """The machine with a rotor in each leg: a share of the lower part's inertia about its axis, which turns so
-    fast that it resists like a tenth to ten times the upper part; half of the screws are left-handed."""
+    """The machine with a rotor in each leg, whose inertia is a share of the lower part's.
+
+    It turns so fast that it resists like a tenth to ten times the upper part; half of the screws are
+    left-handed.
+    """
     axial = np.array([np.linalg.eigvalsh(inertia)[0] for inertia in robot.I_d0])
     inertia = axial * rng.uniform(0.1, 0.5, 6)
     mass = robot.m_u * np.exp(rng.uniform(-2.3, 2.3, 6))
