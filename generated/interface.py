@@ -191,6 +191,7 @@ MODELS: dict[str, int] = {
     "exact_spherical": 250,
     "paper_spherical": 250,
     "exact_drive": 326,
+    "exact_spherical_drive": 258,
     "exact_bounds": 385,
     "exact_drive_bounds": 397,
     "exact_frictionless": 258,

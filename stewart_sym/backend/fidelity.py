@@ -40,13 +40,13 @@ def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     legs with rotors. Raises ValueError for an unknown formulation.
     """
     kernel_name(formulation, robot.base_joint)
-    if robot.has_rotors:
-        return DRIVE_FIDELITIES if formulation == "exact" and robot.base_joint == "universal" else ()
+    if robot.has_rotors and formulation == "paper":
+        return ()
     if formulation != "exact":
         return (_GENERAL,)
     return tuple(
         name
-        for name, level in _TABLE.items()
+        for name, level in _table(robot).items()
         if name == _GENERAL or robot.base_joint == "universal" or not level["universal"]
     )
 

@@ -200,14 +200,30 @@ def test_a_drive_without_rotor_inertia_changes_no_bit() -> None:
                 np.testing.assert_array_equal(values, getattr(other, name))
 
 
-def test_where_nothing_says_how_the_rotor_turns_it_is_rejected() -> None:
+def test_the_printed_equations_reject_rotors() -> None:
     robot, motion, _ = _case(0)
     with pytest.raises(ValueError, match='expected "exact" for a robot whose drive'):
         ss.inverse_dynamics(robot, motion, formulation="paper")
-    spherical = random_robot(np.random.default_rng(0), "spherical")
-    spherical = dataclasses.replace(spherical, drive=robot.drive)
-    with pytest.raises(ValueError, match="robot: drive: rotor_inertia: expected 0 with spherical"):
-        ss.prepare(spherical)
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
+    for seed in range(6):
+        rng = np.random.default_rng(seed)
+        plain = random_robot(rng, "spherical")
+        robot, motion = with_random_rotors(rng, plain), random_motion(rng, plain, (POSES,))
+        assert not np.any(robot.j_r)
+        found = ss.inverse_dynamics(robot, motion, backend=backend)
+        bare = ss.inverse_dynamics(plain, motion, backend=backend)
+        needed = robot.m_r * ss.inverse_kinematics(robot, motion).L_ddot
+        np.testing.assert_allclose(found.F, bare.F + needed, rtol=0, atol=1e-12 * np.abs(found.F).max())
+        np.testing.assert_allclose(found.K, bare.K, rtol=0, atol=1e-12 * np.abs(found.F).max())
+        assert np.abs(ss.prepare(robot).forces(motion) - found.F).max() < 1e-12 * np.abs(found.F).max()
+        F_p = ss.joint_reactions(robot, motion, backend=backend).F_p
+        assert (
+            np.abs(F_p - ss.joint_reactions(plain, motion, backend=backend).F_p).max()
+            < 1e-11 * np.abs(F_p).max()
+        )
 
 
 @pytest.mark.parametrize("name", [each for each in DRIVE_FIDELITIES if each.startswith("reflected")])

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import sympy as sp
 
 from .. import quantities as n
-from ..formulation import Formulation
+from ..formulation import SPHERICAL, Formulation
 
 
 @dataclass(frozen=True)
@@ -28,5 +28,11 @@ FULL = Rotor(n.m_r.value, n.j_r.value)
 
 
 def rotor_of(form: Formulation) -> Rotor:
-    """What the legs of a formulation have."""
-    return FULL if form.drive else NONE
+    """What the legs of a formulation have.
+
+    Nothing fixes the spin of a leg between two spherical joints, and with it the rotor's angular momentum: of
+    such a leg the mass alone is defined.
+    """
+    if not form.drive:
+        return NONE
+    return REFLECTED if form.base_joint == SPHERICAL else FULL
