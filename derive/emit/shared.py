@@ -7,6 +7,7 @@ from ..kernel.layouts import Written
 from ..kernel.shared import Shared, shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree.read import LANES as COUNT
+from ..kernel.tree.read import POSES
 from ..print.c import C
 from ..print.template import filled
 
@@ -20,6 +21,8 @@ INCLUDED = {
 }
 """What a source needs beside its own header and ``stewart.h``, by the header that it includes."""
 SIZES = {COUNT: "LANES"}
+_OF_BLOCKS = {**SIZES, POSES: "POSES", 9 * POSES: "9 * POSES"}
+"""Names of dimensions; the forces' sources have blocks of their own size."""
 
 
 def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
@@ -40,19 +43,21 @@ def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
 
 
 def _printed(found: Shared, functions: tuple[t.Function, ...], more: str = "") -> str:
-    printer = C(found.by_name.values(), SIZES, static=f"STEWART_SHARED {more}", unread=("D",))
+    printer = C(found.by_name.values(), _OF_BLOCKS, static=f"STEWART_SHARED {more}", unread=("D",))
     return printer.source(*functions)
 
 
 def header(template: str, file: str, version: str, /, **words: object) -> dict[str, str]:
     """``<file>.h`` of a template, framed as the headers of all kernels are.
 
-    words: of the template; ``included``: the header that it includes, ``stewart.h`` unless given.
+    words: of the template; ``included``: the header that it includes, ``stewart.h`` unless given; ``rotors``:
+    whether the legs have them.
     """
-    included = words.pop("included", "stewart.h")
+    included, rotors = words.pop("included", "stewart.h"), words.pop("rotors", False)
+    needed = filled("rotors.h").rstrip() if rotors else ""
     frame = {
         "written": filled("header_written", version=version).rstrip(),
-        "begin": filled("header_begin", guard=f"{file.upper()}_H", included=included).rstrip(),
+        "begin": filled("header_begin", guard=f"{file.upper()}_H", included=included, needed=needed).rstrip(),
         "end": filled("header_end").rstrip(),
     }
     return {f"{file}.h": filled(template, **frame, **words)}
@@ -85,4 +90,4 @@ class Source(ABC):
 
     def printed(self, before: str, fused: bool = True) -> str:
         """The source; before: how it begins; fused: products and sums as one."""
-        return C(self.texts.functions.values(), SIZES, fused=fused).source(before, *self.parts)
+        return C(self.texts.functions.values(), _OF_BLOCKS, fused=fused).source(before, *self.parts)

@@ -84,7 +84,8 @@ def drive_effort(
 ) -> DriveEffort:
     """Torque, speed, current, power and energy of the motors along a motion; warns of limits exceeded.
 
-    With N = 2 pi / lead the motor's torque is (F + friction) / N and what turns the rotor.
+    With N = 2 pi / lead the motor's torque is (F + friction) / N. F turns the rotor too; what is left of it
+    passes through the screw, where efficiency and friction act.
 
     Parameters
     ----------
@@ -177,9 +178,9 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
 
     NaN where these are.
     """
-    rotor = rotor_force(drive, robot, motion)
-    friction = friction_force(drive, F, L_dot)
-    force = F + friction + rotor
+    rotor = newton_euler.rotor_force(robot, motion)
+    friction = friction_force(drive, F - rotor, L_dot)
+    force = F + friction
     torque = force / drive.turns
     speed = drive.turns * L_dot
     power = electrical = torque * speed
@@ -189,17 +190,6 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
         current = torque / np.where(known, drive.torque_constant, np.nan)
         electrical = power + np.where(known, np.asarray(drive.resistance) * current**2, 0.0)
     return Instants(force, friction, rotor, torque, speed, current, power, electrical)
-
-
-def rotor_force(drive: Drive, robot: Robot, motion: Motion) -> Array:
-    """What turns the rotors, as forces along the legs, N, (..., 6): m_r L_ddot + j_r A.s.
-
-    A.s: rate of the leg's spin about itself, which turns the rotor against it.
-    """
-    with np.errstate(all="ignore"):
-        legs = newton_euler.legs(robot, motion)
-    spin = np.sum(legs.A * legs.s, axis=-1)
-    return np.asarray(drive.reflected_mass * legs.Lddot[..., 0] + drive.momentum * spin)
 
 
 def trapezoids(time: Array) -> Array:
