@@ -178,7 +178,8 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
 
     NaN where these are.
     """
-    rotor = newton_euler.rotor_force(robot, motion)
+    with np.errstate(all="ignore"):
+        rotor = newton_euler.rotor_force(robot, motion)
     friction = friction_force(drive, F - rotor, L_dot)
     force = F + friction
     torque = force / drive.turns

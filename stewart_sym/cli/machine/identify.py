@@ -135,10 +135,6 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
     form = log_format(arguments, robot)
-    if noisy and robot.tool.any():
-        raise ValueError(
-            "--noise-position: is that of the reference point, expected a robot file without a tool point"
-        )
     try:
         # The fit has its own noise: what is stated is compared with the log alone.
         log = trajectory_for(robot, poses, form, Smoothing(*stated_noise(arguments), on=False))

@@ -13,6 +13,7 @@ from ...identification.estimates import Estimate
 from ...identification.estimation import Experiment, identify, simulated_experiment
 from ...identification.excitation import choose_excitation
 from ...identification.parameters import inertial_parameters
+from ...identification.tool_point import about_point, about_reference
 from ...io.instants import time_text
 from ...io.progress import Progress, silent
 from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
@@ -90,7 +91,17 @@ def from_measurement(
         expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
         raise ValueError(f"{source}: instant {i + 1}: expected {expected}, got {time_text(time[i])}")
     motion = trajectory.motion
-    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise), friction, shared)
+    options = (friction, shared)
+    if noise is not None and robot.tool.any():
+        # Noise is that of the poses as they were measured: of the tool.
+        moved, motion = about_point(robot, robot.tool), motion.about_point(robot.tool)
+        smooth = smoothed(motion, noise)
+        found = identify(
+            moved, motion, F, sigma, base_parameters(moved, smooth, *options), noise, physical, drive=drive
+        )
+        base = base_parameters(robot, smooth.about_point(-robot.tool), *options)
+        return about_reference(robot, base, found, robot.tool)
+    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise), *options)
     found = identify(robot, motion, F, sigma, base, noise, physical, drive=drive)
     if noise is None and found.verdict in ("misfit", "rejected"):
         found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
