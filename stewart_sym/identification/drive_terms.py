@@ -9,12 +9,15 @@ from typing import NamedTuple
 import numpy as np
 
 from ..drives.friction import smooth_sign
+from ..dynamics.inverse import inverse_dynamics
 from ..io.arguments import shown
 from ..io.array_types import Array, Flags
 from ..io.frozen import Frozen
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
+from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
+from .rotor_columns import rotor_regressor
 
 DRIVE_TERMS = {"reflected_mass": "kg", "coulomb": "N", "offset": "N", "viscous": "N s/m"}
 """Terms that can be sought, in this order, and their units."""
@@ -30,7 +33,7 @@ class DriveEstimate(Frozen):
     """Terms of the drives identified from forces of the motors.
 
     The motor's force is that of the bodies and reflected_mass L_ddot + coulomb sgn(L_dot) + offset +
-    viscous L_dot for each leg.
+    viscous L_dot for each leg. Where the robot has a drive, its lead gives what else a rotor does.
 
     Attributes
     ----------
@@ -106,12 +109,22 @@ def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool
     }
     names, units, columns = [], [], []
     for name in need_terms(drive):
-        of_leg = np.asarray(factors[name])[..., None] * (np.ones((LEGS, 1)) if shared else np.eye(LEGS))
+        each = np.asarray(factors[name])[..., None] * np.eye(LEGS)
+        if name == "reflected_mass" and robot.drive is not None:
+            each = _rotors(robot, motion, robot.drive)
+        of_leg = each.sum(axis=-1, keepdims=True) if shared else each
         columns.append(of_leg)
         names += [name] if shared else [f"{name}{leg}" for leg in range(1, LEGS + 1)]
         units += [DRIVE_TERMS[name]] * of_leg.shape[-1]
     stacked = np.concatenate(columns, axis=-1)
     return Terms(tuple(names), tuple(units), stacked, np.ones(len(names), dtype=np.bool_))
+
+
+def _rotors(robot: Robot, motion: Motion, drive: Drive) -> Array:
+    """Forces of rotors of 1 kg of reflected mass each, moments on the legs included, (..., 6, 6)."""
+    Y = rotor_regressor(robot, motion)
+    H = inverse_dynamics(robot, motion).H
+    return np.asarray(np.linalg.solve(H, Y[..., :LEGS] + Y[..., LEGS:] / drive.turns))
 
 
 def told_apart(terms: Terms, A: Array, names: Sequence[str]) -> Terms:

@@ -24,6 +24,7 @@ def test_a_line_gives_a_kernel_in_c_with_the_forces_of_such_a_machine(
 ) -> None:
     assert LEVEL.name not in FIDELITIES
     monkeypatch.setattr(generate, "FIDELITIES", {LEVEL.name: LEVEL})
+    monkeypatch.setattr(generate, "DRIVE_FIDELITIES", {})
     sizes: dict[str, int] = {}
     files = generate._fidelities("test", sizes)
     ((name, size),) = sizes.items()

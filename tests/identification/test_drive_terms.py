@@ -136,6 +136,15 @@ def test_currents_become_forces_of_the_motors(robot: ss.Robot, excited: ss.Excit
         ss.motor_forces(robot, effort.current)
 
 
+def test_rotors_are_found_with_all_that_they_do(robot: ss.Robot, excited: ss.Excitation) -> None:
+    drive = ss.Drive(lead=[5e-3, -5e-3, 4e-3, 2e-2, 1e-2, 1e-2], rotor_inertia=5e-5, motor_coulomb=0.02)
+    machine = dataclasses.replace(robot, drive=drive)
+    F = ss.drive_effort(machine, excited.motion).force
+    found = ss.identify(machine, excited.motion, F, 1e-6, excited.base, drive=("reflected_mass", "coulomb"))
+    np.testing.assert_allclose(found.drive.values[:6], drive.reflected_mass, rtol=1e-6)
+    np.testing.assert_allclose(found.drive.values[6:], 0.02 * np.abs(drive.turns), rtol=1e-5)
+
+
 def test_wrong_terms_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:
     F = np.zeros((120, 6))
     for wrong in ("coulomb", ("friction",), (), 3):
