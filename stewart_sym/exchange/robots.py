@@ -1,0 +1,320 @@
+"""The robot that a model is, and what had to be assumed."""
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+
+from ..io.array_types import Array
+from ..io.json_text import json_text
+from ..robot.fields import DEFAULT_GRAVITY, LEGS, SYMMETRY_TOLERANCE, legs_text
+from ..robot.robot import Robot
+from .chain import WORLD, Body, Joint, Model, same_frame
+from .topology import Leg, Machine, Step, machine_of
+
+_OPEN = 1e-6
+"""How far joints may be from where they belong, over the leg's length, and directions, rad."""
+_ROUNDING = 1e-9
+_DEFAULTS = {field.name: field for field in fields(Robot)}
+
+
+def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
+    """The robot and what was assumed, a line each; ValueError says what is no Stewart platform and where."""
+    machine = machine_of(model)
+    said: list[str] = []
+    legs = [_Leg(machine, leg, i, said) for i, leg in enumerate(machine.legs, 1)]
+    kinds = [leg.base_joint for leg in legs]
+    if len(set(kinds)) != 1:
+        odd = [i for i, kind in enumerate(kinds) if kind != kinds[0]]
+        raise ValueError(f"{legs_text(odd)}: expected a {kinds[0]} joint at the base as leg 1 has")
+    platform = machine.bodies[machine.platform]
+    _need_mass(platform, "the platform")
+    level = same_frame(platform.R, np.eye(3))
+    lines = [_who(machine), f"base frame: the world's; platform frame: that of {machine.platform!r}"]
+    if model.gravity is None:
+        lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
+    lines.append("home: the pose in the file" if level else "home: none, the platform is not level in the file")
+    name = "".join(each if each.isprintable() else f"\\u{ord(each):04x}" for each in model.name).strip()
+    found = {
+        "name": name or "imported",
+        "base_joint": kinds[0],
+        "g": np.array(DEFAULT_GRAVITY) if model.gravity is None else model.gravity,
+        "M": platform.mass,
+        "R_0": platform.center,
+        "I_p": platform.inertia,
+        "home": platform.t if level else None,
+        **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
+    }
+    robot = Robot(**found)
+    robot, kept = _with_notes(robot, model)
+    left_out = [f"left out: {text}" for text in model.left_out]
+    return robot, tuple(lines + said + left_out + kept)
+
+
+def differences(robot: Robot, other: Robot) -> dict[str, Any]:
+    """Fields of a robot that are not those of another."""
+    found = {}
+    for name in _DEFAULTS:
+        one, two = getattr(robot, name), getattr(other, name)
+        same = np.array_equal(one, two) if _arrays(one, two) else type(one) is type(two) and one == two
+        if not same:
+            found[name] = one
+    return found
+
+
+def noted(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Fields as plain values, null for a limit that is missing."""
+    plain: dict[str, Any] = json.loads(json_text(found))
+    return plain
+
+
+def _arrays(one: object, two: object) -> bool:
+    return isinstance(one, np.ndarray) and isinstance(two, np.ndarray)
+
+
+def _with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
+    """The robot with the fields that the file notes, where the model itself does not say otherwise."""
+    taken, said = {}, []
+    for name, noted in model.notes.items():
+        if name not in _DEFAULTS:
+            raise ValueError(f"notes: {name!r}: expected a field of a robot")
+        taken[name] = noted = _restored(name, noted)
+        found = getattr(robot, name)
+        if name not in _SILENT and not _near(found, noted) and not _unstated(name, found):
+            del taken[name]
+            said.append(f"{name}: the model says otherwise than the note, the model is taken")
+    try:
+        return replace(robot, **taken), said
+    except ValueError as error:
+        raise ValueError(f"notes: {error}") from None
+
+
+_SILENT = ("name", "accept", "home", "tool", "euler_order", "lengths")
+"""Fields that no body or joint of a model says otherwise than a note."""
+_LIMITS = ("length_limits", "force_limit", "speed_limit")
+
+
+def _restored(name: str, noted: Any) -> Any:
+    """A note's value as a field has it: a limit that is missing is infinite."""
+    if name in _LIMITS:
+        given = np.array(noted, dtype=np.float64)
+        return np.where(np.isnan(given), np.inf, given)
+    return tuple(noted) if name == "accept" and isinstance(noted, list) else noted
+
+
+def _near(found: Any, noted: Any) -> bool:
+    try:
+        given = np.asarray(noted, dtype=np.float64)
+    except (TypeError, ValueError):
+        return False
+    if np.shape(found) != given.shape:
+        return False
+    found = np.asarray(found)
+    finite = np.isfinite(found)
+    largest = np.abs(found[finite]).max(initial=0.0)
+    return bool(np.allclose(found, given, rtol=0.0, atol=_ROUNDING * largest, equal_nan=True))
+
+
+def _unstated(name: str, found: Any) -> bool:
+    """Whether a field is as it is where a format has no place for it."""
+    default = {"C_u": 0.0, "C_p": 0.0, "C_s": 0.0, "force_limit": np.inf, "speed_limit": np.inf}
+    if name == "length_limits":
+        return bool(np.all(found == np.array([0.0, np.inf])))
+    return name in default and bool(np.all(found == default[name]))
+
+
+def _who(machine: Machine) -> str:
+    legs = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
+    return f"legs in the order of the file: {legs}"
+
+
+def _need_mass(body: Body, what: str) -> None:
+    if not body.mass > 0.0:
+        raise ValueError(f"{what}: body {body.name!r}: expected a mass > 0, got {body.mass:g}")
+
+
+class _Leg:
+    """Fields of one leg of a robot, numbers from 1; lines of what was assumed are appended to ``said``."""
+
+    def __init__(self, machine: Machine, leg: Leg, number: int, said: list[str]) -> None:
+        self.machine, self.leg, self.number, self.said = machine, leg, number, said
+        self.lower, self.upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
+        platform = machine.bodies[machine.platform]
+        for body in (self.lower, self.upper):
+            _need_mass(body, f"leg {number}")
+        first = leg.tip[-1]
+        self.p = machine.point(first, machine.platform)
+        self.b, tip = self._common(leg.base), self._common(leg.tip)
+        S = tip - self.b
+        self.L = float(np.linalg.norm(S))
+        if not self.L > 0.0:
+            raise ValueError(f"leg {number}: expected a leg with a length, got 0 m")
+        self.s = S / self.L
+        self._need_closed(first, platform)
+        k = self._axis()
+        self.base_joint = "spherical" if k is None else "universal"
+        self.sign = self._sign(leg.slide)
+        self.frame = self._frame(k)
+        self.values = {
+            "b": self.b,
+            "p": self.p,
+            "k": np.zeros(3) if k is None else k,
+            **self._part(self.lower, leg.base, "d", leg.crosses[0]),
+            **self._part(self.upper, leg.tip, "u", leg.crosses[1]),
+            "C_u": self._damping(leg.base),
+            "C_p": leg.slide.joint.damping,
+            "C_s": self._damping(leg.tip),
+            "length_limits": self._limits(leg.slide.joint),
+            "force_limit": leg.slide.joint.effort,
+            "speed_limit": leg.slide.joint.speed,
+        }
+        self._say(leg)
+
+    def _error(self, text: str) -> ValueError:
+        return ValueError(f"leg {self.number}: {text}")
+
+    def _common(self, steps: Sequence[Step]) -> Array:
+        """The point where the axes of joints meet, (3,), world frame."""
+        if len(steps) == 1:
+            return self.machine.place(steps[0])
+        points = np.array([self.machine.place(step) for step in steps for _ in step.axes])
+        axes = np.array([axis for step in steps for axis in step.axes])
+        across = np.eye(3) - axes[:, :, None] * axes[:, None, :]
+
+        def off(point: Array) -> float:
+            return float(np.linalg.norm(np.einsum("nij,nj->ni", across, point - points), axis=-1).max())
+
+        meeting = points[0] if off(points[0]) < _ROUNDING * np.abs(points).max(initial=1e-3) else None
+        if meeting is None:
+            right = np.einsum("nij,nj->i", across, points)
+            meeting = np.linalg.lstsq(across.sum(axis=0), right, rcond=None)[0]
+        if off(meeting) > _OPEN * max(1e-3, float(np.abs(points - points.mean(axis=0)).max())) + 1e-9:
+            names = " and ".join(repr(step.joint.name) for step in steps)
+            raise self._error(f"joints {names}: expected axes that meet, got {off(meeting):.3g} m off")
+        return np.asarray(meeting)
+
+    def _need_closed(self, step: Step, platform: Body) -> None:
+        """Reject a loop that is open in the file's pose."""
+        for each in (*self.leg.base, self.leg.slide, *self.leg.tip):
+            joint = each.joint
+            if joint.cut:
+                here = self.machine.placed[joint.parent].placed(joint.parent_point)
+                gap = float(np.linalg.norm(here - self.machine.place(each)))
+                if gap > _OPEN * self.L:
+                    raise self._error(
+                        f"joint {joint.name!r}: expected a loop that is closed in the file's pose, "
+                        f"got one open by {gap:.3g} m"
+                    )
+
+    def _axis(self) -> Array | None:
+        """The fixed axis of a universal joint, (3,), None of a spherical one."""
+        axes = [axis for step in self.leg.base for axis in step.axes]
+        if len(axes) != 2:
+            return None
+        for cosine, what in (
+            (axes[0] @ axes[1], "axes at right angles"),
+            (axes[1] @ self.s, "a second axis at right angles to the leg"),
+        ):
+            if abs(cosine) > _OPEN:
+                got = np.degrees(np.arccos(min(1.0, abs(cosine))))
+                name = self.leg.base[0].joint.name
+                raise self._error(f"joint {name!r}: expected {what}, got {got:.4g} deg")
+        return np.asarray(axes[0])
+
+    def _sign(self, slide: Step) -> float:
+        """1 where the coordinate grows with the leg, else -1."""
+        (axis,) = slide.axes
+        along = float(axis @ self.s)
+        if np.linalg.norm(axis - along * self.s) > _OPEN:
+            got = np.degrees(np.arccos(min(1.0, abs(along))))
+            raise self._error(
+                f"joint {slide.joint.name!r}: expected sliding along the line between the ends, got {got:.3g} deg off"
+            )
+        return 1.0 if along > 0.0 else -1.0
+
+    def _frame(self, k: Array | None) -> Array:
+        """Frame D, (3, 3), axes in columns; of legs with spherical joints any with x along the leg."""
+        if k is None:
+            own = self.lower.R
+            if np.abs(own[:, 0] - self.s).max() < _ROUNDING:
+                return own
+            k = np.eye(3)[np.argmin(np.abs(self.s))]
+        y = np.cross(k, self.s)
+        sine = float(np.linalg.norm(y))
+        if sine < _OPEN:
+            raise self._error("expected a fixed axis across the leg in the file's pose, got one along it")
+        y = y / sine
+        return np.stack([self.s, y, np.cross(self.s, y)], axis=-1)
+
+    def _part(self, body: Body, ends: Sequence[Step], part: str, crosses: Sequence[str]) -> dict[str, Any]:
+        """Mass, centre of mass and inertia of the lower part, "d", or the upper one, "u", in its frame."""
+        step = ends[-1] if part == "d" else ends[0]
+        origin = self.machine.point(step, body.name) if len(ends) == 1 else None
+        if origin is None:
+            origin = body.local(self.b if part == "d" else self.b + self.L * self.s)
+            origin = np.where(np.abs(origin) < _ROUNDING * self.L, 0.0, origin)
+        Q = body.R.T @ self.frame
+        center, inertia = body.center - origin, body.inertia
+        if not same_frame(Q, np.eye(3)):
+            center, inertia = Q.T @ center, Q.T @ inertia @ Q
+            inertia = 0.5 * (inertia + inertia.T)
+        if part == "d" and self.base_joint == "universal":
+            inertia = inertia + self._crosses(crosses)
+        elif any(self.machine.bodies[name].mass > 0.0 for name in crosses):
+            self.said.append(f"leg {self.number}: bodies between the axes of a spherical joint are left out")
+        if self.base_joint == "spherical":
+            center, inertia = _round(center, inertia)
+        return {f"m_{part}": body.mass, f"r_{part}0": center, f"I_{part}0": inertia}
+
+    def _crosses(self, crosses: Sequence[str]) -> Array | float:
+        """What a cross, which turns about the fixed axis alone, adds to the inertia of the lower part."""
+        added: Array | float = 0.0
+        k = np.asarray(self._axis())
+        for body in (self.machine.bodies[name] for name in crosses):
+            if not body.mass and not body.inertia.any():
+                continue
+            arm = body.placed(body.center) - self.b
+            if np.linalg.norm(arm) > _OPEN * self.L:
+                raise self._error(f"body {body.name!r}: expected its centre of mass where the axes meet")
+            about = k @ body.R @ body.inertia @ body.R.T @ k
+            added = added + about * np.diag([1.0, 0.0, 1.0])
+            self.said.append(f"leg {self.number}: inertia of {body.name!r} counts as the lower part's")
+        return added
+
+    def _damping(self, steps: Sequence[Step]) -> float:
+        """Of joints at one end, whose axes have the same."""
+        found = [step.joint.damping for step in steps]
+        if max(found) - min(found) > _ROUNDING * max(found):
+            names = ", ".join(repr(step.joint.name) for step in steps)
+            self.said.append(f"leg {self.number}: joints {names}: the mean of their damping is taken")
+            return float(np.mean(found))
+        return found[0]
+
+    def _limits(self, joint: Joint) -> tuple[float, float]:
+        if not joint.limited:
+            return 0.0, np.inf
+        zero = self.L - self.sign * joint.position
+        if abs(zero) < _ROUNDING * self.L:
+            zero = 0.0
+        low, high = sorted(zero + self.sign * limit for limit in joint.limits)
+        return max(0.0, low), high
+
+    def _say(self, leg: Leg) -> None:
+        joint = leg.slide.joint
+        if joint.armature:
+            self.said.append(f"leg {self.number}: armature {joint.armature:g} kg of {joint.name!r} is left out")
+
+
+def _round(center: Array, inertia: Array) -> tuple[Array, Array]:
+    """A body of revolution without the rounding of what is zero or equal."""
+    across = 0.5 * (inertia[1, 1] + inertia[2, 2])
+    whole = np.diag([inertia[0, 0], across, across])
+    size = SYMMETRY_TOLERANCE
+    if np.abs(inertia - whole).max() > size * np.abs(inertia).max():
+        return center, inertia
+    if inertia[1, 1] == inertia[2, 2] and not np.any(inertia - np.diag(np.diag(inertia))):
+        whole = inertia
+    line = np.array([center[0], 0.0, 0.0])
+    return (line if np.abs(center - line).max() <= size * np.abs(center).max() else center), whole

@@ -1,0 +1,100 @@
+"""XML as elements: read without entities, external files or endless depth, and written with one header."""
+
+import math
+import xml.etree.ElementTree as ET
+from typing import Any
+from xml.parsers import expat
+
+import numpy as np
+
+from ..io.arguments import shown
+from ..io.array_types import Array
+
+HEADER = "<?xml version='1.0' encoding='utf-8'?>\n<!-- Written by stewart-sym export -->\n"
+"""First lines of every XML file that is written."""
+
+_DEEPEST = 100
+
+
+def parsed(text: str) -> ET.Element:
+    """The root of a document.
+
+    Raises ValueError for what is no XML, is nested too deeply or declares a document type: entities, which
+    can grow without bound or name other files, come from there alone.
+    """
+    builder, parser, depth = ET.TreeBuilder(), expat.ParserCreate("utf-8"), 0
+
+    def start(tag: str, attributes: dict[str, str]) -> None:
+        nonlocal depth
+        depth += 1
+        if depth > _DEEPEST:
+            raise ValueError(f"line {parser.CurrentLineNumber}: nested too deeply")
+        builder.start(tag, attributes)
+
+    def end(tag: str) -> None:
+        nonlocal depth
+        depth -= 1
+        builder.end(tag)
+
+    def doctype(*_: object) -> None:
+        where = f"line {parser.CurrentLineNumber}"
+        raise ValueError(f"{where}: expected XML without a document type declaration, got one")
+
+    parser.StartElementHandler, parser.EndElementHandler = start, end
+    parser.CharacterDataHandler, parser.StartDoctypeDeclHandler = builder.data, doctype
+    try:
+        parser.Parse(text.encode("utf-8", "surrogatepass"), True)
+    except expat.ExpatError as error:
+        raise ValueError(f"not valid XML: {error}") from None
+    return builder.close()
+
+
+def document(root: ET.Element) -> str:
+    """Indented text of a document with a newline at its end."""
+    ET.indent(root, " ")
+    return HEADER + ET.tostring(root, encoding="unicode") + "\n"
+
+
+def added(parent: ET.Element, tag: str, text: object = None, /, **attributes: object) -> ET.Element:
+    """A new last element with a text and attributes; those that are None are left out."""
+    given = {name: spelled(each) for name, each in attributes.items() if each is not None}
+    element = ET.SubElement(parent, tag, given)
+    if text is not None:
+        element.text = spelled(text)
+    return element
+
+
+def spelled(value: Any) -> str:
+    """A text, a number or numbers with all their digits."""
+    if isinstance(value, str):
+        return value
+    return " ".join(repr(float(number) + 0.0) for number in np.ravel(value))
+
+
+def numbers(text: str | None, count: int, where: str, default: Any = None) -> Array:
+    """Numbers of a text, (count,); ``default`` where there is none, ValueError without one."""
+    if text is None and default is not None:
+        return np.array(default, dtype=np.float64)
+    expected = "a number" if count == 1 else f"{count} numbers"
+    words = (text or "").split()
+    try:
+        found = np.array([float(word) for word in words])
+    except ValueError:
+        found = np.full(1, math.nan)
+    if len(found) != count or np.any(np.isnan(found)):
+        got = "nothing" if text is None else shown(text.strip())
+        raise ValueError(f"{where}: expected {expected}, got {got}")
+    return found
+
+
+def number(text: str | None, where: str, default: float | None = None) -> float:
+    """One number, as ``numbers``."""
+    return float(numbers(text, 1, where, None if default is None else [default])[0])
+
+
+def name_of(element: ET.Element, where: str) -> str:
+    """Attribute ``name``; ValueError without one."""
+    found = element.get("name")
+    if not found:
+        raise ValueError(f"{where}: {element.tag}: expected a name, got none")
+    return found
