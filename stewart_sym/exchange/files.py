@@ -16,7 +16,7 @@ from . import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
 from .chain import Model
 from .machine import model_of, possible
 from .robots import differences, noted, robot_of
-from .xml_text import parsed
+from .xml_text import HEADER, parsed
 
 PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "urdf": "Pinocchio", "usd": "Isaac Sim"}
 """Formats, and a program that reads each."""
@@ -28,6 +28,8 @@ _WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
 }
 _READERS = {"mujoco": mjcf_in.model, "sdf": sdf_in.model, "robot": urdf_in.model}
 """By the name of the root."""
+BEGINNINGS = (HEADER, usd_out.HEADER, f'{{\n "generator": "{urdf_out.GENERATOR}"')
+"""Of what this program writes."""
 LOOPS = ".loops.json"
 """End of the name of the file beside a URDF, in place of the URDF's suffix."""
 _MOST_BYTES = 1 << 24

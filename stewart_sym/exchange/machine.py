@@ -15,7 +15,7 @@ from .chain import WORLD, Body, Joint, Model, Shape, frame_along
 
 _LEAST_SINE = 1e-6
 _ROUNDING = 1e-9
-_LOWER, _UPPER, _POINT, _PLATE, _RIM = 0.03, 0.02, 0.035, 0.05, 1.1
+_LOWER, _UPPER, _POINT, _PLATE, _RIM = 0.03, 0.02, 0.035, 0.03, 1.1
 """Radii of parts and points, and the plates' thickness, over a leg; the plates' radius over the joints'."""
 _PART = 0.55
 """Length of both parts over the longest leg, or over 1.4 times the leg at home where no limit is stated."""

@@ -28,8 +28,9 @@ def written(model: Model) -> tuple[str, None]:
         custom = added(root, "custom")
         added(custom, "text", name="stewart_sym", data=json.dumps(model.notes))
     _defaults(root)
+    _scenery(root)
     world = added(root, "worldbody")
-    added(world, "light", directional="true", pos="0 0 10", dir="0.2 0.3 -1")
+    added(world, "light", directional="true", castshadow="false", dir="0.4 0.6 -1")
     _inside(world, model, model.body(WORLD))
     equality = added(root, "equality")
     for joint in model.joints:
@@ -41,6 +42,14 @@ def written(model: Model) -> tuple[str, None]:
             force = np.array([-joint.effort, joint.effort]) if np.isfinite(joint.effort) else None
             added(actuators, "motor", name=joint.name, joint=joint.name, ctrlrange=force, forcerange=force)
     return document(root), None
+
+
+def _scenery(root: ET.Element) -> None:
+    """A light sky, and light from where one looks."""
+    visual = added(root, "visual")
+    added(visual, "headlight", ambient="0.3 0.3 0.3", diffuse="0.5 0.5 0.5")
+    sky = {"type": "skybox", "builtin": "gradient", "rgb1": "0.9 0.93 0.96", "rgb2": "0.6 0.67 0.75"}
+    added(added(root, "asset"), "texture", **sky, width="64", height="384")
 
 
 def _defaults(root: ET.Element) -> None:

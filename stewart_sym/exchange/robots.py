@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ..io.arguments import printable
 from ..io.array_types import Array
 from ..io.json_text import json_text
 from ..robot.fields import DEFAULT_GRAVITY, LEGS, SYMMETRY_TOLERANCE, legs_text
@@ -35,10 +36,8 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     lines = [_who(machine), f"base frame: the world's; platform frame: that of {machine.platform!r}"]
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
-    lines.append("home: the pose in the file" if level else "home: none, the platform is not level in the file")
-    name = "".join(each if each.isprintable() else f"\\u{ord(each):04x}" for each in model.name).strip()
     found = {
-        "name": name or "imported",
+        "name": printable(model.name).strip() or "imported",
         "base_joint": kinds[0],
         "g": np.array(DEFAULT_GRAVITY) if model.gravity is None else model.gravity,
         "M": platform.mass,
@@ -49,6 +48,10 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     }
     robot = Robot(**found)
     robot, kept = _with_notes(robot, model)
+    if robot.home is not None:
+        lines.append("home: the pose in the file")
+    elif not level:
+        lines.append("home: none, as the platform is not level in the file")
     left_out = [f"left out: {text}" for text in model.left_out]
     return robot, tuple(lines + said + left_out + kept)
 

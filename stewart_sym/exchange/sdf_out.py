@@ -21,7 +21,7 @@ _PLUGIN = {
 def written(model: Model) -> tuple[str, None]:
     """The file."""
     root = ET.Element("sdf", {"version": "1.9", "xmlns:stewart_sym": "urn:stewart-sym"})
-    world = added(root, "world", name="world")
+    world = added(root, "world", name="scene")
     added(world, "gravity", model.gravity)
     light = added(world, "light", name="light", type="directional")
     added(light, "direction", "0.2 0.3 -1")

@@ -35,7 +35,7 @@ def accelerations(robot: ss.Robot, motion: ss.Motion, F: Array) -> Array:
     datas = pin.StdVec_RigidConstraintData()
     for each in closures:
         datas.append(each.createData())
-    pin.initConstraintDynamics(model, data, closures)
+    pin.initConstraintDynamics(model, data, closures, datas)
     settings = pin.ProximalSettings(1e-14, 1e-14, 20)
     found = pin.constraintDynamics(model, data, q, v, tau, closures, datas, settings)
     spatial = found[_rate(model, "free") : _rate(model, "free") + 6]
