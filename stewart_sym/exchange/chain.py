@@ -15,8 +15,10 @@ WORLD = "world"
 """Name of what does not move."""
 
 SCREWS = ("revolute", "prismatic")
-"""Kinds of joints with one axis; a universal joint has two, ``spherical``, ``fixed`` and ``free`` have none."""
+"""Kinds of joints with one axis; ``universal`` has two, ``spherical``, ``fixed`` and ``free`` have none."""
 
+_COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (0.2, 0.45, 0.7)}
+_GRAY = (0.5, 0.5, 0.5)
 _ROUNDING = 4e-16
 _SAME = 1e-9
 
@@ -47,7 +49,11 @@ class Shape:
 
 @dataclass(frozen=True, eq=False)
 class Body:
-    """A rigid body: axes in columns (3, 3) and origin (3,); centre of mass and inertia about it, body frame."""
+    """A rigid body.
+
+    R, t: axes in columns, (3, 3), and origin, (3,). mass: kg, 0 of what only joins others. center, inertia:
+    centre of mass, m, and inertia about it, kg m^2, body frame.
+    """
 
     name: str
     R: Array = field(default_factory=lambda: np.eye(3))
@@ -56,6 +62,11 @@ class Body:
     center: Array = field(default_factory=lambda: np.zeros(3))
     inertia: Array = field(default_factory=lambda: np.zeros((3, 3)))
     shapes: tuple[Shape, ...] = ()
+
+    @property
+    def color(self) -> tuple[float, float, float]:
+        """Red, green and blue of its shapes, 0 to 1."""
+        return _COLORS.get(self.name.partition("_")[0], _GRAY)
 
     def placed(self, point: Array) -> Array:
         """A point of the body frame in the world frame, (3,)."""
@@ -156,9 +167,7 @@ def _split(joint: Joint, body: Body, cross: Callable[[Joint, Body], Body]) -> li
     found, parent = [], joint.parent
     for number, axis in enumerate(axes, 1):
         last = number == len(axes)
-        small = replace(
-            cross(joint, body), name=f"{joint.name}_cross_{number}", t=body.placed(joint.point)
-        )
+        small = replace(cross(joint, body), name=f"{joint.name}_cross_{number}", t=body.placed(joint.point))
         child = body if last else small
         point = joint.point if last else np.zeros(3)
         single = replace(

@@ -12,11 +12,12 @@ from ..io.arguments import instance, option, shown
 from ..io.tables import file_name, read_text
 from ..robot.fields import legs_text
 from ..robot.robot import Robot
-from . import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
 from .chain import Model
+from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
+from .formats.xml_text import HEADER, parsed
 from .machine import model_of, possible
-from .robots import differences, noted, robot_of
-from .xml_text import HEADER, parsed
+from .notes import differences, noted
+from .robots import robot_of
 
 PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "urdf": "Pinocchio", "usd": "Isaac Sim"}
 """Formats, and a program that reads each."""
@@ -146,6 +147,8 @@ def loops_path(path: str | os.PathLike[str]) -> Path:
 def _parsed(text: str, loops: str | None) -> Model:
     root = parsed(text)
     if root.tag not in _READERS:
-        raise ValueError(f"expected MJCF, SDF or URDF with a root mujoco, sdf or robot, got {shown(root.tag)}")
+        raise ValueError(
+            f"expected MJCF, SDF or URDF with a root mujoco, sdf or robot, got {shown(root.tag)}"
+        )
     with np.errstate(over="ignore", invalid="ignore"):
         return _READERS[root.tag](root, loops)

@@ -166,7 +166,9 @@ def _plate(points: Array, length: float) -> tuple[Shape, ...]:
     rim = _RIM * float(np.linalg.norm(points - middle, axis=-1).max())
     balls = tuple(Shape(_short(_POINT * length), point, point) for point in points)
     # Coordinates that are rounding compared with the plate are zero.
-    ends = (np.where(np.abs(end) < _ROUNDING * rim, 0.0, _short(end)) for end in (middle - half, middle + half))
+    ends = (
+        np.where(np.abs(end) < _ROUNDING * rim, 0.0, _short(end)) for end in (middle - half, middle + half)
+    )
     return (Shape(_short(rim), *ends), *balls)
 
 

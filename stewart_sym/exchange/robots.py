@@ -1,24 +1,23 @@
 """The robot that a model is, and what had to be assumed."""
 
-import json
-from collections.abc import Mapping, Sequence
-from dataclasses import fields, replace
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 
 from ..io.arguments import printable
 from ..io.array_types import Array
-from ..io.json_text import json_text
-from ..robot.fields import DEFAULT_GRAVITY, LEGS, SYMMETRY_TOLERANCE, legs_text
+from ..robot.fields import DEFAULT_GRAVITY, legs_text
 from ..robot.robot import Robot
-from .chain import WORLD, Body, Joint, Model, same_frame
+from .chain import Body, Joint, Model, same_frame
+from .notes import with_notes
 from .topology import Leg, Machine, Step, machine_of
 
-_OPEN = 1e-6
+_OPEN = 1e-3
 """How far joints may be from where they belong, over the leg's length, and directions, rad."""
+_SAID = 1e-9
+"""From where on that is said."""
 _ROUNDING = 1e-9
-_DEFAULTS = {field.name: field for field in fields(Robot)}
 
 
 def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
@@ -30,6 +29,9 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     if len(set(kinds)) != 1:
         odd = [i for i, kind in enumerate(kinds) if kind != kinds[0]]
         raise ValueError(f"{legs_text(odd)}: expected a {kinds[0]} joint at the base as leg 1 has")
+    off = max(leg.off for leg in legs)
+    if off > _SAID:
+        said.insert(0, f"axes and loops are off by up to {off:.2g} rad or of a leg, taken as exact")
     platform = machine.bodies[machine.platform]
     _need_mass(platform, "the platform")
     level = same_frame(platform.R, np.eye(3))
@@ -47,85 +49,13 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
     }
     robot = Robot(**found)
-    robot, kept = _with_notes(robot, model)
+    robot, kept = with_notes(robot, model)
     if robot.home is not None:
         lines.append("home: the pose in the file")
     elif not level:
         lines.append("home: none, as the platform is not level in the file")
     left_out = [f"left out: {text}" for text in model.left_out]
     return robot, tuple(lines + said + left_out + kept)
-
-
-def differences(robot: Robot, other: Robot) -> dict[str, Any]:
-    """Fields of a robot that are not those of another."""
-    found = {}
-    for name in _DEFAULTS:
-        one, two = getattr(robot, name), getattr(other, name)
-        same = np.array_equal(one, two) if _arrays(one, two) else type(one) is type(two) and one == two
-        if not same:
-            found[name] = one
-    return found
-
-
-def noted(found: Mapping[str, Any]) -> dict[str, Any]:
-    """Fields as plain values, null for a limit that is missing."""
-    plain: dict[str, Any] = json.loads(json_text(found))
-    return plain
-
-
-def _arrays(one: object, two: object) -> bool:
-    return isinstance(one, np.ndarray) and isinstance(two, np.ndarray)
-
-
-def _with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
-    """The robot with the fields that the file notes, where the model itself does not say otherwise."""
-    taken, said = {}, []
-    for name, noted in model.notes.items():
-        if name not in _DEFAULTS:
-            raise ValueError(f"notes: {name!r}: expected a field of a robot")
-        taken[name] = noted = _restored(name, noted)
-        found = getattr(robot, name)
-        if name not in _SILENT and not _near(found, noted) and not _unstated(name, found):
-            del taken[name]
-            said.append(f"{name}: the model says otherwise than the note, the model is taken")
-    try:
-        return replace(robot, **taken), said
-    except ValueError as error:
-        raise ValueError(f"notes: {error}") from None
-
-
-_SILENT = ("name", "accept", "home", "tool", "euler_order", "lengths")
-"""Fields that no body or joint of a model says otherwise than a note."""
-_LIMITS = ("length_limits", "force_limit", "speed_limit")
-
-
-def _restored(name: str, noted: Any) -> Any:
-    """A note's value as a field has it: a limit that is missing is infinite."""
-    if name in _LIMITS:
-        given = np.array(noted, dtype=np.float64)
-        return np.where(np.isnan(given), np.inf, given)
-    return tuple(noted) if name == "accept" and isinstance(noted, list) else noted
-
-
-def _near(found: Any, noted: Any) -> bool:
-    try:
-        given = np.asarray(noted, dtype=np.float64)
-    except (TypeError, ValueError):
-        return False
-    if np.shape(found) != given.shape:
-        return False
-    found = np.asarray(found)
-    finite = np.isfinite(found)
-    largest = np.abs(found[finite]).max(initial=0.0)
-    return bool(np.allclose(found, given, rtol=0.0, atol=_ROUNDING * largest, equal_nan=True))
-
-
-def _unstated(name: str, found: Any) -> bool:
-    """Whether a field is as it is where a format has no place for it."""
-    default = {"C_u": 0.0, "C_p": 0.0, "C_s": 0.0, "force_limit": np.inf, "speed_limit": np.inf}
-    if name == "length_limits":
-        return bool(np.all(found == np.array([0.0, np.inf])))
-    return name in default and bool(np.all(found == default[name]))
 
 
 def _who(machine: Machine) -> str:
@@ -144,18 +74,18 @@ class _Leg:
     def __init__(self, machine: Machine, leg: Leg, number: int, said: list[str]) -> None:
         self.machine, self.leg, self.number, self.said = machine, leg, number, said
         self.lower, self.upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
-        platform = machine.bodies[machine.platform]
         for body in (self.lower, self.upper):
             _need_mass(body, f"leg {number}")
-        first = leg.tip[-1]
-        self.p = machine.point(first, machine.platform)
+        self.p = machine.point(leg.tip[-1], machine.platform)
+        self.off = 0.0
+        self.apart: list[tuple[float, Sequence[Step]]] = []
         self.b, tip = self._common(leg.base), self._common(leg.tip)
         S = tip - self.b
         self.L = float(np.linalg.norm(S))
         if not self.L > 0.0:
             raise ValueError(f"leg {number}: expected a leg with a length, got 0 m")
         self.s = S / self.L
-        self._need_closed(first, platform)
+        self._need_closed()
         k = self._axis()
         self.base_joint = "spherical" if k is None else "universal"
         self.sign = self._sign(leg.slide)
@@ -193,48 +123,50 @@ class _Leg:
         if meeting is None:
             right = np.einsum("nij,nj->i", across, points)
             meeting = np.linalg.lstsq(across.sum(axis=0), right, rcond=None)[0]
-        if off(meeting) > _OPEN * max(1e-3, float(np.abs(points - points.mean(axis=0)).max())) + 1e-9:
-            names = " and ".join(repr(step.joint.name) for step in steps)
-            raise self._error(f"joints {names}: expected axes that meet, got {off(meeting):.3g} m off")
+        self.apart.append((off(meeting), steps))
         return np.asarray(meeting)
 
-    def _need_closed(self, step: Step, platform: Body) -> None:
-        """Reject a loop that is open in the file's pose."""
+    def _near(self, off: float, limit: float, where: str, expected: str, got: str) -> None:
+        """Reject what is far off, and note by how much what is not is so."""
+        if off > limit * _OPEN:
+            raise self._error(f"{where}: expected {expected}, got {got}")
+        self.off = max(self.off, off / limit)
+
+    def _need_closed(self) -> None:
+        """Reject axes that do not meet and loops that are open in the file's pose."""
+        for off, steps in self.apart:
+            where = f"joints {' and '.join(repr(step.joint.name) for step in steps)}"
+            self._near(off, self.L, where, "axes that meet", f"{off:.3g} m between them")
         for each in (*self.leg.base, self.leg.slide, *self.leg.tip):
             joint = each.joint
             if joint.cut:
                 here = self.machine.placed[joint.parent].placed(joint.parent_point)
                 gap = float(np.linalg.norm(here - self.machine.place(each)))
-                if gap > _OPEN * self.L:
-                    raise self._error(
-                        f"joint {joint.name!r}: expected a loop that is closed in the file's pose, "
-                        f"got one open by {gap:.3g} m"
-                    )
+                where, expected = f"joint {joint.name!r}", "a loop that is closed in the pose of the file"
+                self._near(gap, self.L, where, expected, f"one open by {gap:.3g} m")
 
     def _axis(self) -> Array | None:
         """The fixed axis of a universal joint, (3,), None of a spherical one."""
         axes = [axis for step in self.leg.base for axis in step.axes]
         if len(axes) != 2:
             return None
+        where = f"joint {self.leg.base[0].joint.name!r}"
         for cosine, what in (
             (axes[0] @ axes[1], "axes at right angles"),
             (axes[1] @ self.s, "a second axis at right angles to the leg"),
         ):
-            if abs(cosine) > _OPEN:
-                got = np.degrees(np.arccos(min(1.0, abs(cosine))))
-                name = self.leg.base[0].joint.name
-                raise self._error(f"joint {name!r}: expected {what}, got {got:.4g} deg")
+            got = f"{np.degrees(np.arccos(min(1.0, abs(cosine)))):.7g} deg"
+            self._near(abs(float(cosine)), 1.0, where, what, got)
         return np.asarray(axes[0])
 
     def _sign(self, slide: Step) -> float:
         """1 where the coordinate grows with the leg, else -1."""
         (axis,) = slide.axes
         along = float(axis @ self.s)
-        if np.linalg.norm(axis - along * self.s) > _OPEN:
-            got = np.degrees(np.arccos(min(1.0, abs(along))))
-            raise self._error(
-                f"joint {slide.joint.name!r}: expected sliding along the line between the ends, got {got:.3g} deg off"
-            )
+        off = float(np.linalg.norm(axis - along * self.s))
+        expected = "sliding along the line between the ends"
+        got = f"{np.degrees(np.arcsin(min(1.0, off))):.3g} deg off"
+        self._near(off, 1.0, f"joint {slide.joint.name!r}", expected, got)
         return 1.0 if along > 0.0 else -1.0
 
     def _frame(self, k: Array | None) -> Array:
@@ -268,13 +200,27 @@ class _Leg:
         elif any(self.machine.bodies[name].mass > 0.0 for name in crosses):
             self.said.append(f"leg {self.number}: bodies between the axes of a spherical joint are left out")
         if self.base_joint == "spherical":
-            center, inertia = _round(center, inertia)
+            center, inertia = self._round(center, inertia)
         return {f"m_{part}": body.mass, f"r_{part}0": center, f"I_{part}0": inertia}
+
+    def _round(self, center: Array, inertia: Array) -> tuple[Array, Array]:
+        """A body that is one of revolution but for less than ``_OPEN`` as just that; others as they are."""
+        moments = np.diag(inertia)
+        if moments[1] != moments[2]:
+            moments = np.array([moments[0], *(2 * [0.5 * (moments[1] + moments[2])])])
+        line, whole = np.array([center[0], 0.0, 0.0]), np.diag(moments)
+        off = max(
+            float(np.abs(center - line).max()) / self.L, float(np.abs(inertia - whole).max() / moments.max())
+        )
+        if off > _OPEN:
+            return center, inertia
+        self.off = max(self.off, off)
+        return line, whole
 
     def _crosses(self, crosses: Sequence[str]) -> Array | float:
         """What a cross, which turns about the fixed axis alone, adds to the inertia of the lower part."""
         added: Array | float = 0.0
-        k = np.asarray(self._axis())
+        k = np.array(next(axis for step in self.leg.base for axis in step.axes))
         for body in (self.machine.bodies[name] for name in crosses):
             if not body.mass and not body.inertia.any():
                 continue
@@ -305,19 +251,8 @@ class _Leg:
         return max(0.0, low), high
 
     def _say(self, leg: Leg) -> None:
-        joint = leg.slide.joint
-        if joint.armature:
-            self.said.append(f"leg {self.number}: armature {joint.armature:g} kg of {joint.name!r} is left out")
-
-
-def _round(center: Array, inertia: Array) -> tuple[Array, Array]:
-    """A body of revolution without the rounding of what is zero or equal."""
-    across = 0.5 * (inertia[1, 1] + inertia[2, 2])
-    whole = np.diag([inertia[0, 0], across, across])
-    size = SYMMETRY_TOLERANCE
-    if np.abs(inertia - whole).max() > size * np.abs(inertia).max():
-        return center, inertia
-    if inertia[1, 1] == inertia[2, 2] and not np.any(inertia - np.diag(np.diag(inertia))):
-        whole = inertia
-    line = np.array([center[0], 0.0, 0.0])
-    return (line if np.abs(center - line).max() <= size * np.abs(center).max() else center), whole
+        for step in (*leg.base, leg.slide, *leg.tip):
+            joint = step.joint
+            if joint.armature:
+                what = f"armature {joint.armature:g} of {joint.name!r}"
+                self.said.append(f"leg {self.number}: {what} is left out")

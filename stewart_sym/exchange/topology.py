@@ -3,8 +3,6 @@
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from ..io.array_types import Array
 from ..robot import bodies
 from ..robot.fields import LEGS
@@ -96,7 +94,9 @@ def machine_of(model: Model) -> Machine:
         )
     (platform,) = ends
     if len(around[platform]) != LEGS:
-        names = sorted({joint.name for joint in around[platform]} - {chain[-1].joint.name for chain in chains})
+        names = sorted(
+            {joint.name for joint in around[platform]} - {chain[-1].joint.name for chain in chains}
+        )
         raise ValueError(f"joint {names[0]!r}: expected nothing but six legs at the platform {platform!r}")
     reached = {WORLD, *(step.reached for chain in chains for step in chain)}
     loose = sorted(set(members.values()) - reached)

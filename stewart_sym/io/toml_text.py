@@ -18,7 +18,11 @@ def _lines(table: Mapping[str, Any], path: str) -> Iterator[str]:
     for key, value in sections.items():
         for each in value if isinstance(value, list) else [value]:
             name = f"{path}{key}"
-            if isinstance(value, list) or not each or not all(_is_section(one, name) for one in each.values()):
+            if (
+                isinstance(value, list)
+                or not each
+                or not all(_is_section(one, name) for one in each.values())
+            ):
                 yield ""
                 yield f"[[{name}]]" if isinstance(value, list) else f"[{name}]"
             yield from _lines(each, f"{name}.")
@@ -27,7 +31,9 @@ def _lines(table: Mapping[str, Any], path: str) -> Iterator[str]:
 def _is_section(value: object, path: str) -> bool:
     if isinstance(value, list):
         return bool(value) and isinstance(value[0], Mapping)
-    return isinstance(value, Mapping) and (not path or any(isinstance(each, Mapping) for each in value.values()))
+    return isinstance(value, Mapping) and (
+        not path or any(isinstance(each, Mapping) for each in value.values())
+    )
 
 
 def _value(value: Any) -> str:

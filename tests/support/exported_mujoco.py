@@ -73,7 +73,9 @@ class Exported:
         second = np.arctan2(y @ np.cross(middle, s), middle @ s)
         self.jacobian = np.stack([np.cross(k, S), np.cross(y, S), s], axis=-1)
         rates = np.linalg.solve(self.jacobian, Sdot)
-        for joint, value, rate in zip((f"{name}_1", f"{name}_2", f"leg_{i + 1}"), (first, second, L), rates, strict=True):
+        for joint, value, rate in zip(
+            (f"{name}_1", f"{name}_2", f"leg_{i + 1}"), (first, second, L), rates, strict=True
+        ):
             self._set(joint, value, rate)
 
     def _set(self, joint: str, value: float, rate: float) -> None:
@@ -109,7 +111,10 @@ class Exported:
             site = self.model.site(f"tip_{i + 1}_a").id
             J = np.zeros((3, self.model.nv))
             mujoco.mj_jacSite(self.model, self.data, J, None, site)
-            legs = slice(self._dof(f"base_{i + 1}{'' if self.robot.base_joint == 'spherical' else '_1'}"), self._dof(f"leg_{i + 1}") + 1)
+            legs = slice(
+                self._dof(f"base_{i + 1}{'' if self.robot.base_joint == 'spherical' else '_1'}"),
+                self._dof(f"leg_{i + 1}") + 1,
+            )
             step[legs] = np.linalg.lstsq(J[:, legs], move, rcond=None)[0]
         mujoco.mj_integratePos(self.model, self.data.qpos, step, 1.0)
 

@@ -69,7 +69,9 @@ def _state(robot: ss.Robot, motion: ss.Motion, model: pin.Model) -> tuple[Array,
             q[joint.idx_q : joint.idx_q + joint.nq] = [np.cos(angle), np.sin(angle)]
         W = np.cross(s, Sdot[i]) / L[i]
         if robot.base_joint == "universal":
-            rates = np.linalg.solve(np.stack([np.cross(axes[0], S[i]), np.cross(axes[1], S[i]), s], -1), Sdot[i])[:2]
+            rates = np.linalg.solve(
+                np.stack([np.cross(axes[0], S[i]), np.cross(axes[1], S[i]), s], -1), Sdot[i]
+            )[:2]
         else:
             rates = np.linalg.solve(np.stack(axes, axis=-1), W)
         for number, rate in enumerate(rates, 1):

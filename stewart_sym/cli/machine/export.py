@@ -11,9 +11,10 @@ from ..results import reject_inputs, results
 HELP = "write the machine for MuJoCo, Gazebo, ROS, Pinocchio or Isaac Sim"
 EXAMPLE = "stewart-sym export hexapod.toml --format mjcf -o hexapod.xml"
 MORE = (
-    "The machine stands at its home pose, the platform free, closed by six spherical joints; friction, limits, "
-    "actuators, shapes and gravity are in the file as far as the format has a place for them, and what it has "
-    "none for is noted there for import. A URDF gets a second file, NAME.loops.json, with its loops."
+    "The machine stands at its home pose, the platform free, closed by six spherical joints; friction, "
+    "limits, actuators, shapes and gravity are in the file as far as the format has a place for them, and "
+    "what it has none for is noted there for import. A URDF gets a second file with its loops, "
+    "NAME.loops.json."
 )
 
 
@@ -46,7 +47,9 @@ def run(arguments: argparse.Namespace) -> int:
         file = export_model(robot_of(arguments.robot), arguments.format)
     except ValueError as error:
         text = str(error)
-        raise ValueError(text if text.startswith(str(arguments.robot)) else f"{arguments.robot}: {text}") from None
+        raise ValueError(
+            text if text.startswith(str(arguments.robot)) else f"{arguments.robot}: {text}"
+        ) from None
     texts = {path: file.text} | ({} if file.loops is None else {loops_path(path): file.loops})
     if len(texts) > 1:
         reject_inputs("-o", loops_path(path), arguments.robot)

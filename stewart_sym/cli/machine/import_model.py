@@ -10,8 +10,8 @@ from ..results import reject_inputs, results
 HELP = "make a robot file of a model in MJCF, SDF or URDF"
 EXAMPLE = "stewart-sym import hexapod.xml -o imported.toml"
 MORE = (
-    "Base, platform and legs are found by how bodies are joined; what was found and what had to be assumed is "
-    "printed and stands in the robot file as comments. Of a URDF, the loops are read from NAME.loops.json."
+    "Base, platform and legs are found by how bodies are joined; what was found and what had to be assumed "
+    "is printed and stands in the robot file as comments. Of a URDF, the loops are read from NAME.loops.json."
 )
 
 _BEGINNING = "# Imported by stewart-sym"

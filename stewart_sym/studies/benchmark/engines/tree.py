@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 CARRIER = 5
 """The leg that carries the platform."""
 
+
 def base_frames(robot: Robot) -> Array:
     """Frames of the first joints, (6, 3, 3): x axis along k; columns are the axes in the base frame."""
     k = robot.k

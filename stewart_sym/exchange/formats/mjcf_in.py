@@ -8,9 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from ..io.array_types import Array
-from ..motion.rotation import rotation_about_axes, rotation_from_quaternion, rotation_from_vector
-from .chain import WORLD, Body, Joint, Model, frame_along
+from ...io.array_types import Array
+from ...motion.rotation import rotation_from_quaternion, rotation_from_vector
+from ...robot.bodies import joined
+from ...robot.fields import direction
+from ..chain import WORLD, Body, Joint, Model, frame_along
+from .mjcf_geoms import solid
 from .xml_text import number, numbers
 
 _KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free": "free"}
@@ -41,6 +44,7 @@ class _Reader:
         self.unit = 1.0 if compiler.get("angle", "degree") == "radian" else np.pi / 180.0
         self.order = compiler.get("eulerseq", "xyz")
         self.autolimits = compiler.get("autolimits", "true") == "true"
+        self.from_geoms = compiler.get("inertiafromgeom", "auto") == "true"
         if compiler.get("coordinate", "local") != "local":
             raise ValueError("compiler: coordinate: expected local")
         self.classes: dict[str, dict[str, dict[str, str]]] = {}
@@ -111,7 +115,8 @@ class _Reader:
                 turn, place = self._pose(each.attrib, "frame")
                 self._inside(each, name, R @ turn, t + R @ place, each.get("childclass") or inherited)
             elif each.tag == "site" and "name" in each.attrib:
-                place = numbers(self._of(each, inherited).get("pos"), 3, f"site {each.get('name')!r}: pos", _ZERO)
+                where = f"site {each.attrib['name']!r}: pos"
+                place = numbers(self._of(each, inherited).get("pos"), 3, where, _ZERO)
                 body = next(body for body in self.bodies if body.name == name)
                 inside = place if same(R, t, body) else body.local(t + R @ place)
                 self.sites[each.attrib["name"]] = name, inside
@@ -157,9 +162,7 @@ class _Reader:
         axes = np.zeros((0, 3))
         if kind in ("revolute", "prismatic"):
             axis = numbers(given.get("axis"), 3, f"{where}: axis", (0.0, 0.0, 1.0))
-            if not np.linalg.norm(axis) > 0.0:
-                raise ValueError(f"{where}: axis: expected a non-zero direction")
-            axes = (R @ (axis / np.linalg.norm(axis)))[None]
+            axes = (R @ direction(axis, f"{where}: axis"))[None]
         for key in ("stiffness", "frictionloss"):
             if number(given.get(key), f"{where}: {key}", 0.0):
                 self.left_out.append(f"{key} of joint {name!r}")
@@ -183,10 +186,8 @@ class _Reader:
 
     def _with_inertia(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
         given = element.find("inertial")
-        if given is None:
-            if any(each.tag == "geom" and self._heavy(each, inherited) for each in element):
-                raise ValueError(f"{where}: expected an inertial, its mass is not taken from geoms")
-            return body
+        if given is None or self.from_geoms:
+            return self._of_geoms(body, element, inherited, where)
         where = f"{where}: inertial"
         mass = number(given.get("mass"), f"{where}: mass")
         R, center = self._pose(given.attrib, where)
@@ -197,10 +198,17 @@ class _Reader:
             inertia = R @ np.diag(numbers(given.get("diaginertia"), 3, f"{where}: diaginertia")) @ R.T
         return Body(body.name, body.R, body.t, mass, center, 0.5 * (inertia + inertia.T))
 
-    def _heavy(self, geom: ET.Element, inherited: str | None) -> bool:
-        given = self._of(geom, inherited)
-        mass = number(given.get("mass"), "geom: mass", number(given.get("density"), "geom: density", 1000.0))
-        return mass > 0.0
+    def _of_geoms(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
+        """A body that is as heavy as its geoms."""
+        parts = []
+        for geom in element.findall("geom"):
+            given, named = self._of(geom, inherited), f"{where}: geom {geom.get('name', '')!r}"
+            part = solid(given, *self._pose(given, named), named)
+            parts += [] if part is None else [part]
+        if not parts:
+            return body
+        whole = joined(parts)
+        return Body(body.name, body.R, body.t, whole.mass, whole.center_of_mass, whole.inertia)
 
     def _pose(self, given: Attributes, where: str) -> tuple[Array, Array]:
         """Orientation (3, 3) and position (3,)."""
@@ -252,7 +260,8 @@ class _Reader:
             for body in (one, other):
                 if body not in placed:
                     raise ValueError(f"{where}: body {body!r}: missing")
-            here = numbers(element.get("anchor"), 3, f"{where}: anchor", None if kind == "spherical" else _ZERO)
+            least = None if kind == "spherical" else _ZERO
+            here = numbers(element.get("anchor"), 3, f"{where}: anchor", least)
             there = placed[other].local(placed[one].placed(here))
         self.joints.append(Joint(name, kind, one, other, there, cut=True, parent_point=here))
 

@@ -7,12 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from ..io import tables
-from ..io.array_types import Array
-from ..motion.rotation import rotation_from_rpy
-from .chain import WORLD, Body, Joint, Model
+from ...io import tables
+from ...io.array_types import Array
+from ...motion.rotation import rotation_from_rpy
+from ...robot.fields import direction
+from ..chain import WORLD, Body, Joint, Model
 from .urdf_out import NO_LIMIT
-from .xml_text import name_of, number, numbers
+from .xml_text import name_of, number, numbers, tensor
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -94,7 +95,8 @@ def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
         carried[child] = each
     roots = [name for name in links if name not in carried]
     if len(roots) != 1:
-        raise ValueError(f"expected one link that no joint carries, got {', '.join(map(repr, roots)) or 'none'}")
+        got = ", ".join(map(repr, roots)) or "none"
+        raise ValueError(f"expected one link that no joint carries, got {got}")
     bodies, joints = [Body(WORLD), _body(links[roots[0]], np.eye(3), np.zeros(3))], []
     joints.append(Joint(f"{roots[0]}, fixed", "fixed", WORLD, roots[0]))
     placed = {roots[0]: bodies[1]}
@@ -131,13 +133,9 @@ def _carried(element: ET.Element, links: dict[str, ET.Element], parent: Body) ->
         return body, joint
     axis = element.find("axis")
     local = numbers(None if axis is None else axis.get("xyz"), 3, f"{where}: axis", (1.0, 0.0, 0.0))
-    norm = float(np.linalg.norm(local))
-    if not norm > 0.0:
-        raise ValueError(f"{where}: axis: expected a non-zero direction")
     limit, dynamics = element.find("limit"), element.find("dynamics")
     damping = 0.0 if dynamics is None else number(dynamics.get("damping"), f"{where}: damping", 0.0)
-    local = local if abs(norm - 1.0) < 1e-15 else local / norm
-    joint = replace(joint, axes=(R @ local)[None], damping=damping)
+    joint = replace(joint, axes=(R @ direction(local, f"{where}: axis"))[None], damping=damping)
     if limit is None or kind != "prismatic":
         return body, joint
     low, high = (
@@ -161,14 +159,11 @@ def _body(link: ET.Element, R: Array, t: Array) -> Body:
     where = f"link {name!r}: inertial"
     turn, center = _origin(given, where)
     mass, inertia = given.find("mass"), given.find("inertia")
-    tensor = np.zeros((3, 3))
-    for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
-        key = f"i{'xyz'[i]}{'xyz'[j]}"
-        value = number(None if inertia is None else inertia.get(key), f"{where}: {key}", 0.0 if i != j else None)
-        tensor[i, j] = tensor[j, i] = value
+    found = tensor(ET.Element("none").get if inertia is None else inertia.get, where)
     if not np.array_equal(turn, np.eye(3)):
-        tensor = turn @ tensor @ turn.T
-    return Body(name, R, t, number(None if mass is None else mass.get("value"), f"{where}: mass"), center, tensor)
+        found = turn @ found @ turn.T
+    heavy = number(None if mass is None else mass.get("value"), f"{where}: mass")
+    return Body(name, R, t, heavy, center, found)
 
 
 def _origin(element: ET.Element, where: str) -> tuple[Array, Array]:

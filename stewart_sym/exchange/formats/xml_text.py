@@ -2,16 +2,20 @@
 
 import math
 import xml.etree.ElementTree as ET
+from collections.abc import Callable
 from typing import Any
 from xml.parsers import expat
 
 import numpy as np
 
-from ..io.arguments import shown
-from ..io.array_types import Array
+from ...io.arguments import shown
+from ...io.array_types import Array
 
 HEADER = "<?xml version='1.0' encoding='utf-8'?>\n<!-- Written by stewart-sym export -->\n"
 """First lines of every XML file that is written."""
+
+TENSOR = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
+"""Places of a symmetric tensor's numbers, by their names in SDF and URDF."""
 
 _DEEPEST = 100
 
@@ -84,6 +88,17 @@ def numbers(text: str | None, count: int, where: str, default: Any = None) -> Ar
     if len(found) != count or np.any(np.isnan(found)):
         got = "nothing" if text is None else shown(text.strip())
         raise ValueError(f"{where}: expected {expected}, got {got}")
+    return found
+
+
+def tensor(
+    given: Callable[[str], str | None], where: str, default: tuple[float, float] | None = None
+) -> Array:
+    """A symmetric tensor, (3, 3), of its numbers by name; ``default``: on the diagonal and beside it."""
+    found = np.zeros((3, 3))
+    for key, (i, j) in TENSOR.items():
+        missing = None if default is None else default[i != j]
+        found[i, j] = found[j, i] = number(given(key), f"{where}: {key}", missing)
     return found
 
 

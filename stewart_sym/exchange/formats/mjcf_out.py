@@ -5,8 +5,8 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
-from ..motion.rotation import quaternion_from_rotation
-from .chain import WORLD, Body, Joint, Model, Shape
+from ...motion.rotation import quaternion_from_rotation
+from ..chain import WORLD, Body, Joint, Model, Shape
 from .xml_text import added, document
 
 TIMESTEP = 0.0005
@@ -16,7 +16,6 @@ _STIFFEST = 0.9999
 """The largest impedance of a constraint that MuJoCo takes."""
 _KINDS = {"prismatic": "slide", "revolute": "hinge", "universal": "hinge", "spherical": "ball"}
 _TENSOR = ([0, 1, 2, 0, 0, 1], [0, 1, 2, 1, 2, 2])
-_COLORS = {"lower": "0.35 0.4 0.47 1", "upper": "0.75 0.78 0.8 1", "platform": "0.2 0.45 0.7 1"}
 
 
 def written(model: Model) -> tuple[str, None]:
@@ -63,12 +62,12 @@ def _defaults(root: ET.Element) -> None:
 
 def _inside(parent: ET.Element, model: Model, body: Body) -> None:
     """What a body holds: shapes, sites of closures, and the bodies that it carries."""
-    color = _COLORS.get(body.name.partition("_")[0], "0.5 0.5 0.5 1")
     for shape in body.shapes:
-        _shape(parent, shape, color)
+        _shape(parent, shape, [*body.color, 1.0])
     for joint in model.joints:
         if joint.cut:
-            for end, point, mark in ((joint.parent, joint.parent_point, "a"), (joint.child, joint.point, "b")):
+            ends = ((joint.parent, joint.parent_point, "a"), (joint.child, joint.point, "b"))
+            for end, point, mark in ends:
                 if end == body.name:
                     added(parent, "site", name=f"{joint.name}_{mark}", pos=point)
     for each in model.bodies:
@@ -116,7 +115,7 @@ def _joint(element: ET.Element, model: Model, joint: Joint) -> None:
         )
 
 
-def _shape(parent: ET.Element, shape: Shape, color: str) -> None:
+def _shape(parent: ET.Element, shape: Shape, color: list[float]) -> None:
     if shape.length:
         ends = np.concatenate([shape.start, shape.end])
         added(parent, "geom", type="cylinder", size=shape.radius, fromto=ends, rgba=color)

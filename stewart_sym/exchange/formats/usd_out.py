@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 
-from ..io.array_types import Array
-from ..motion.rotation import quaternion_from_rotation
-from .chain import WORLD, Body, Joint, Model, Shape, frame_along, in_single_axes
+from ...io.array_types import Array
+from ...motion.rotation import quaternion_from_rotation
+from ..chain import WORLD, Body, Joint, Model, Shape, frame_along, in_single_axes
 from .xml_text import spelled
 
 _ROOT, _BASE = "machine", "base"
@@ -36,8 +36,6 @@ _KINDS = {
     "spherical": "PhysicsSphericalJoint",
 }
 _PER_DEGREE = np.pi / 180.0
-_COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (0.2, 0.45, 0.7)}
-_GRAY = (0.5, 0.5, 0.5)
 
 
 @dataclass(frozen=True)
@@ -82,7 +80,8 @@ def written(model: Model) -> tuple[str, None]:
     for joint in tree.joints:
         if joint.kind != "free":
             root.inside.append(_joint(tree, joint, loop=joint.cut and joint is not first))
-    root.inside.append(_Prim("PhysicsFixedJoint", "fixed_base", lines=[f"rel physics:body1 = </{_ROOT}/{_BASE}>"]))
+    held = [f"rel physics:body1 = </{_ROOT}/{_BASE}>"]
+    root.inside.append(_Prim("PhysicsFixedJoint", "fixed_base", lines=held))
     return HEADER + "\n".join(root.text()) + "\n", None
 
 
@@ -111,8 +110,7 @@ def _parts() -> _Prim:
 
 
 def _body(body: Body) -> _Prim:
-    color = _COLORS.get(body.name.partition("_")[0], _GRAY)
-    shapes = [_shape(shape, number, color) for number, shape in enumerate(body.shapes, 1)]
+    shapes = [_shape(shape, number, body.color) for number, shape in enumerate(body.shapes, 1)]
     if body.name == WORLD:
         # Held by a joint, so that its mass is of no account; without one it would be found from the shapes.
         schemas, lines = ("PhysicsRigidBodyAPI", "PhysicsMassAPI"), ["float physics:mass = 1.0"]

@@ -5,12 +5,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from ..io.array_types import Array
-from ..motion.rotation import rotation_from_quaternion, rotation_from_rpy
-from .chain import WORLD, Body, Joint, Model
-from .notes import parsed_notes
+from ...io.array_types import Array
+from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
+from ...robot.fields import direction
+from ..chain import WORLD, Body, Joint, Model
+from ..notes import parsed_notes
 from .sdf_out import NOTES
-from .xml_text import name_of, number, numbers
+from .xml_text import name_of, number, numbers, tensor
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -53,9 +54,14 @@ class _Reader:
                 raise ValueError(f"{tag}: expected a model without models in it")
         self.element = element
         self.named = {
-            name_of(each, "model"): each for tag in ("link", "frame", "joint") for each in element.findall(tag)
+            name_of(each, "model"): each
+            for tag in ("link", "frame", "joint")
+            for each in element.findall(tag)
         }
-        self.found: dict[str, tuple[Array, Array]] = {"__model__": self._own(element, "model"), WORLD: _still()}
+        self.found: dict[str, tuple[Array, Array]] = {
+            "__model__": self._own(element, "model"),
+            WORLD: _still(),
+        }
         self.left_out: list[str] = []
         self.bodies = [Body(WORLD), *(self._body(each) for each in element.findall("link"))]
         self.placed = {body.name: body for body in self.bodies}
@@ -109,14 +115,10 @@ class _Reader:
         where = f"{where}: inertial"
         turn, center = self._own(given, where)
         mass = number(given.findtext("mass"), f"{where}: mass", 1.0)
-        tensor = np.zeros((3, 3))
-        for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
-            key = f"i{'xyz'[i]}{'xyz'[j]}"
-            value = number(given.findtext(f"inertia/{key}"), f"{where}: {key}", float(i == j))
-            tensor[i, j] = tensor[j, i] = value
+        inertia = tensor(lambda key: given.findtext(f"inertia/{key}"), where, (1.0, 0.0))
         if not np.array_equal(turn, np.eye(3)):
-            tensor = turn @ tensor @ turn.T
-        return Body(name, R, t, mass, center, tensor)
+            inertia = turn @ inertia @ turn.T
+        return Body(name, R, t, mass, center, inertia)
 
     def _joint(self, element: ET.Element) -> Joint:
         name, kind = element.attrib["name"], element.get("type", "")
@@ -147,11 +149,8 @@ class _Reader:
             xyz = axis.find("xyz")
             frame = "" if xyz is None else xyz.get("expressed_in", "")
             local = numbers(None if xyz is None else xyz.text, 3, f"{where}: xyz", (0.0, 0.0, 1.0))
-            if not np.linalg.norm(local) > 0.0:
-                raise ValueError(f"{where}: xyz: expected a non-zero direction")
             R, _ = self._pose(frame or joint.name)
-            direction = R @ local
-            directions.append(direction / np.linalg.norm(direction) if abs(direction @ direction - 1.0) > 1e-15 else direction)
+            directions.append(R @ direction(local, f"{where}: xyz"))
             damping.append(number(axis.findtext("dynamics/damping"), f"{where}: damping", 0.0))
             if number(axis.findtext("dynamics/friction"), f"{where}: friction", 0.0):
                 self.left_out.append(f"friction of joint {joint.name!r}")

@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from ..io.array_types import Array
-from ..io.json_text import json_text
-from ..motion.rotation import rpy_from_rotation
-from .chain import WORLD, Body, Joint, Model, Shape, in_single_axes
-from .xml_text import added, document
+from ...io.array_types import Array
+from ...io.json_text import json_text
+from ...motion.rotation import rpy_from_rotation
+from ..chain import WORLD, Body, Joint, Model, Shape, in_single_axes
+from .xml_text import TENSOR, added, document
 
 ROOT = "base"
 """Link that does not move."""
@@ -20,7 +20,6 @@ NO_LIMIT = 1e16
 """A limit of this size is none: the format needs some."""
 GENERATOR = "stewart-sym export"
 _KINDS = {"prismatic": "prismatic", "revolute": "continuous", "free": "floating"}
-_COLORS = {"lower": "0.35 0.4 0.47 1", "upper": "0.75 0.78 0.8 1", "platform": "0.2 0.45 0.7 1"}
 
 
 def written(model: Model) -> tuple[str, str]:
@@ -68,16 +67,18 @@ def _link(root: ET.Element, body: Body) -> None:
         inertial = added(link, "inertial")
         added(inertial, "origin", xyz=body.center, rpy=np.zeros(3))
         added(inertial, "mass", value=body.mass)
-        places = ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2))
-        added(inertial, "inertia", **{f"i{'xyz'[i]}{'xyz'[j]}": body.inertia[i, j] for i, j in places})
-    color = _COLORS.get(body.name.partition("_")[0], "0.5 0.5 0.5 1")
+        added(inertial, "inertia", **{key: body.inertia[place] for key, place in TENSOR.items()})
     for shape in body.shapes:
         for tag in ("visual", "collision"):
             element = added(link, tag)
             added(element, "origin", xyz=shape.middle, rpy=rpy_from_rotation(shape.frame))
             _geometry(element, shape)
             if tag == "visual":
-                added(added(element, "material", name=body.name.partition("_")[0]), "color", rgba=color)
+                added(
+                    added(element, "material", name=body.name.partition("_")[0]),
+                    "color",
+                    rgba=[*body.color, 1.0],
+                )
 
 
 def _geometry(element: ET.Element, shape: Shape) -> None:

@@ -1,17 +1,16 @@
-"""A model as SDF, the format of Gazebo, which Drake reads as well: a world with a model of links and joints."""
+"""A model as SDF, the format of Gazebo, which Drake reads too: a world with a model of links and joints."""
 
 import json
 import xml.etree.ElementTree as ET
 
 import numpy as np
 
-from ..motion.rotation import rpy_from_rotation
-from .chain import WORLD, Body, Joint, Model, Shape
-from .xml_text import added, document
+from ...motion.rotation import rpy_from_rotation
+from ..chain import WORLD, Body, Joint, Model, Shape
+from .xml_text import TENSOR, added, document
 
 NOTES = "stewart_sym:notes"
 _KINDS = {"prismatic": "prismatic", "revolute": "revolute", "universal": "universal", "spherical": "ball"}
-_COLORS = {"lower": "0.35 0.4 0.47 1", "upper": "0.75 0.78 0.8 1", "platform": "0.2 0.45 0.7 1"}
 _PLUGIN = {
     "filename": "gz-sim-apply-joint-force-system",
     "name": "gz::sim::systems::ApplyJointForce",
@@ -59,8 +58,8 @@ def _link(parent: ET.Element, body: Body) -> None:
     added(inertial, "pose", _pose(body.center, np.eye(3)))
     added(inertial, "mass", body.mass)
     inertia = added(inertial, "inertia")
-    for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
-        added(inertia, f"i{'xyz'[i]}{'xyz'[j]}", body.inertia[i, j])
+    for key, place in TENSOR.items():
+        added(inertia, key, body.inertia[place])
     _shapes(link, body)
 
 
@@ -101,7 +100,7 @@ def _limits(axis: ET.Element, joint: Joint) -> None:
 
 
 def _shapes(link: ET.Element, body: Body) -> None:
-    color = _COLORS.get(body.name.partition("_")[0], "0.5 0.5 0.5 1")
+    color = [*body.color, 1.0]
     for number, shape in enumerate(body.shapes, 1):
         for tag in ("visual", "collision"):
             element = added(link, tag, name=f"{tag}_{number}")
