@@ -10,7 +10,6 @@ import numpy as np
 
 from ..io.arguments import instance, option, shown
 from ..io.tables import file_name, read_text
-from ..robot.fields import legs_text
 from ..robot.robot import Robot
 from .chain import Model
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
@@ -98,9 +97,7 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     option(format, tuple(PROGRAMS), "format")
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
     model = model_of(written)
-    if format in ("mjcf", "sdf") and np.any(robot.C_s):
-        legs = legs_text([i for i, C_s in enumerate(robot.C_s) if C_s])
-        warnings.warn(f"{format}: closures have no friction there, C_s of {legs} is noted only", stacklevel=2)
+    _warn_of_friction(robot, format)
     if format == "usd":
         return ModelFile(*_WRITERS[format](model))
     # What is read back differently, by rounding or for want of a place, stands in the notes.
@@ -137,6 +134,17 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
         return ImportedModel(*robot_of(_parsed(text, loops)))
     except ValueError as error:
         raise ValueError(f"{source}: {error}") from None
+
+
+def _warn_of_friction(robot: Robot, form: str) -> None:
+    """Spherical joints have no damping but MuJoCo's at the base; a URDF's loops state it."""
+    lost = [] if form == "urdf" else ["C_s"]
+    lost += ["C_u"] if form in ("sdf", "usd") and robot.base_joint == "spherical" else []
+    names = " and ".join(name for name in lost if np.any(getattr(robot, name)))
+    if names:
+        where = "left out" if form == "usd" else "noted only"
+        text = f"{form}: expected no friction in these spherical joints, {names} is {where}"
+        warnings.warn(text, stacklevel=3)
 
 
 def loops_path(path: str | os.PathLike[str]) -> Path:

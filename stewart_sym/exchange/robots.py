@@ -244,6 +244,9 @@ class _Leg:
     def _limits(self, joint: Joint) -> tuple[float, float]:
         if not joint.limited:
             return 0.0, np.inf
+        if not joint.limits[0] < joint.limits[1]:
+            got = f"{joint.limits[0]:g} to {joint.limits[1]:g}"
+            raise self._error(f"joint {joint.name!r}: expected limits from low to high, got {got}")
         zero = self.L - self.sign * joint.position
         if abs(zero) < _ROUNDING * self.L:
             zero = 0.0

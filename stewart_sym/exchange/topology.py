@@ -143,13 +143,13 @@ def _chain(first: Joint, members: Mapping[str, str], around: Mapping[str, Sequen
 
 def _chains_text(chains: Sequence[Sequence[Step]], around: Mapping[str, Sequence[Joint]]) -> str:
     """What the chains are, shortly: how many reach which body."""
-    ends = [chain[-1].reached for chain in chains]
-    counts = []
-    for name in dict.fromkeys(ends):
-        what = "back to the base" if name == WORLD else f"to {name!r}"
-        what += " where it ends" if len(around[name]) == 1 else ""
-        counts.append(f"{ends.count(name)} {what}")
-    return ", ".join(counts)
+    found: dict[str, int] = {}
+    for chain in chains:
+        end = chain[-1].reached
+        what = "back to the base" if end == WORLD else f"to {end!r}"
+        what = "that ends without one" if len(around[end]) == 1 else what
+        found[what] = found.get(what, 0) + 1
+    return ", ".join(f"{count} {what}" for what, count in found.items())
 
 
 def _leg(chain: Sequence[Step], number: int) -> Leg:

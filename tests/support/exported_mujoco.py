@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 
 import stewart_sym as ss
 from stewart_sym.exchange.machine import model_of
-from stewart_sym.motion.rotation import quaternion_from_rotation
+from stewart_sym.motion.rotation import quaternion_from_rotation, rotation_from_vector
 
 Array = NDArray[np.float64]
 
@@ -55,27 +55,18 @@ class Exported:
 
     def _leg(self, i: int, S: Array, Sdot: Array) -> None:
         L = float(np.linalg.norm(S))
-        s, k, name = S / L, self.robot.k[i], f"base_{i + 1}"
+        s, name, frame = S / L, f"base_{i + 1}", self.frames[i]
         if self.robot.base_joint == "spherical":
-            s_0 = self.frames[i][:, 0]
-            turn = ss.motion.rotation if False else _between(s_0, s) @ self.frames[i]
-            W = np.cross(s, Sdot) / L
+            turn = _between(frame[:, 0], s) @ frame
             where, rate = self._position(name), self._dof(name)
-            self.data.qpos[where : where + 4] = quaternion_from_rotation(self.frames[i].T @ turn)
-            self.data.qvel[rate : rate + 3] = turn.T @ W
+            self.data.qpos[where : where + 4] = quaternion_from_rotation(frame.T @ turn)
+            self.data.qvel[rate : rate + 3] = turn.T @ np.cross(s, Sdot) / L
             self._set(f"leg_{i + 1}", L, float(s @ Sdot))
             return
-        s_0, y_0 = self.frames[i][:, 0], self.frames[i][:, 1]
-        y = np.cross(k, s)
-        y /= np.linalg.norm(y)
-        first = np.arctan2(k @ np.cross(y_0, y), y_0 @ y)
-        middle = _about(k, first) @ s_0
-        second = np.arctan2(y @ np.cross(middle, s), middle @ s)
-        self.jacobian = np.stack([np.cross(k, S), np.cross(y, S), s], axis=-1)
-        rates = np.linalg.solve(self.jacobian, Sdot)
-        for joint, value, rate in zip(
-            (f"{name}_1", f"{name}_2", f"leg_{i + 1}"), (first, second, L), rates, strict=True
-        ):
+        angles, axes = universal_angles(self.robot.k[i], frame, s)
+        rates = np.linalg.solve(np.stack([*np.cross(axes, S), s], axis=-1), Sdot)
+        joints = f"{name}_1", f"{name}_2", f"leg_{i + 1}"
+        for joint, value, rate in zip(joints, (*angles, L), rates, strict=True):
             self._set(joint, value, rate)
 
     def _set(self, joint: str, value: float, rate: float) -> None:
@@ -125,14 +116,16 @@ class Exported:
         return self.model.jnt_dofadr[self.model.joint(joint).id]
 
 
-def _about(axis: Array, angle: float) -> Array:
-    from stewart_sym.motion.rotation import rotation_from_vector
-
-    return rotation_from_vector(axis * angle)
+def universal_angles(k: Array, frame: Array, s: Array) -> tuple[tuple[float, float], Array]:
+    """Angles about both axes from the home pose, where the leg's frame is ``frame``, and the axes, (2, 3)."""
+    y = np.cross(k, s) / np.linalg.norm(np.cross(k, s))
+    first = float(np.arctan2(k @ np.cross(frame[:, 1], y), frame[:, 1] @ y))
+    along = rotation_from_vector(first * k) @ frame[:, 0]
+    return (first, float(np.arctan2(y @ np.cross(along, s), along @ s))), np.array([k, y])
 
 
 def _between(one: Array, other: Array) -> Array:
     """The least turn from a direction to another."""
     axis = np.cross(one, other)
-    sine = np.linalg.norm(axis)
-    return _about(axis / sine, np.arctan2(sine, one @ other)) if sine > 0 else np.eye(3)
+    sine = float(np.linalg.norm(axis))
+    return rotation_from_vector(axis / sine * np.arctan2(sine, one @ other)) if sine else np.eye(3)

@@ -1,9 +1,11 @@
 """An exported URDF and its loops in Pinocchio: accelerations under rigid closures."""
 
 import json
+from typing import Any
 
 import numpy as np
 import pinocchio as pin
+from exported_mujoco import universal_angles
 from numpy.typing import NDArray
 
 import stewart_sym as ss
@@ -31,7 +33,7 @@ def accelerations(robot: ss.Robot, motion: ss.Motion, F: Array) -> Array:
         first, second = (frame.placement * place for frame, place in zip(ends, places, strict=True))
         kind, world = pin.ContactType.CONTACT_3D, pin.ReferenceFrame.LOCAL
         closures.append(pin.RigidConstraintModel(kind, model, upper, first, platform, second, world))
-    tau += _moments(robot, motion, loops, model, data, q, v)
+    tau += _moments(motion, loops, model, data, q, v)
     datas = pin.StdVec_RigidConstraintData()
     for each in closures:
         datas.append(each.createData())
@@ -53,29 +55,18 @@ def _state(robot: ss.Robot, motion: ss.Motion, model: pin.Model) -> tuple[Array,
         frame, length = home.body(f"lower_{i + 1}").R, home.body(f"upper_{i + 1}").t - robot.b[i]
         s = S[i] / L[i]
         if robot.base_joint == "universal":
-            k, y_0 = robot.k[i], frame[:, 1]
-            y = np.cross(k, s) / np.linalg.norm(np.cross(k, s))
-            first = np.arctan2(k @ np.cross(y_0, y), y_0 @ y)
-            middle = rotation_from_vector(first * k) @ frame[:, 0]
-            angles = [first, np.arctan2(y @ np.cross(middle, s), middle @ s)]
-            axes = [k, y]
+            angles, axes = universal_angles(robot.k[i], frame, s)
+            rates = np.linalg.solve(np.stack([*np.cross(axes, S[i]), s], axis=-1), Sdot[i])[:2]
         else:
-            # Turns about y, z and x of the leg's frame at home; the third one is no rate of the pose.
-            x_0, y_0, z_0 = (frame[:, j] @ s for j in range(3))
-            angles = [np.arctan2(-z_0, x_0), np.arcsin(y_0), 0.0]
-            axes = [frame[:, 1], rotation_from_vector(angles[0] * frame[:, 1]) @ frame[:, 2], s]
-        for number, angle in enumerate(angles, 1):
+            # Turns about y, z and x of the leg's frame at home, without a spin.
+            x, y, z = frame.T @ s
+            angles = (np.arctan2(-z, x), np.arcsin(y), 0.0)
+            middle = rotation_from_vector(angles[0] * frame[:, 1]) @ frame[:, 2]
+            rates = np.linalg.solve(np.stack([frame[:, 1], middle, s], axis=-1), np.cross(s, Sdot[i]) / L[i])
+        for number, (angle, rate) in enumerate(zip(angles, rates, strict=True), 1):
             joint = model.joints[model.getJointId(f"base_{i + 1}_{number}")]
-            q[joint.idx_q : joint.idx_q + joint.nq] = [np.cos(angle), np.sin(angle)]
-        W = np.cross(s, Sdot[i]) / L[i]
-        if robot.base_joint == "universal":
-            rates = np.linalg.solve(
-                np.stack([np.cross(axes[0], S[i]), np.cross(axes[1], S[i]), s], -1), Sdot[i]
-            )[:2]
-        else:
-            rates = np.linalg.solve(np.stack(axes, axis=-1), W)
-        for number, rate in enumerate(rates, 1):
-            v[_rate(model, f"base_{i + 1}_{number}")] = rate
+            q[joint.idx_q : joint.idx_q + joint.nq] = np.cos(angle), np.sin(angle)
+            v[joint.idx_v] = rate
         slide = model.joints[model.getJointId(f"leg_{i + 1}")]
         q[slide.idx_q] = L[i] - np.linalg.norm(length)
         v[slide.idx_v] = s @ Sdot[i]
@@ -88,7 +79,7 @@ def _state(robot: ss.Robot, motion: ss.Motion, model: pin.Model) -> tuple[Array,
     return q, v
 
 
-def _moments(robot, motion, loops, model, data, q, v) -> Array:
+def _moments(motion: ss.Motion, loops: Any, model: pin.Model, data: pin.Data, q: Array, v: Array) -> Array:
     """Generalised forces of the closures' friction and of the load."""
     pin.computeJointJacobians(model, data, q)
     frame, tau = pin.ReferenceFrame.LOCAL_WORLD_ALIGNED, np.zeros(model.nv)

@@ -30,6 +30,8 @@ _CLOSURE_KEYS = ("name", "type", "link_1", "point_1_m", "link_2", "point_2_m", "
 def model(root: ET.Element, loops: str | None) -> Model:
     """The model; ValueError of one line says what of the files can't be read, and where."""
     bodies, joints = _tree(root)
+    if loops is None:
+        raise ValueError("expected its loops in a second file beside it, NAME.loops.json, got none")
     given = _loops(loops)
     names = {body.name for body in bodies}
     closures = [_closure(each, i, names) for i, each in enumerate(given.get("closures", ()), 1)]
@@ -45,9 +47,7 @@ def model(root: ET.Element, loops: str | None) -> Model:
     return Model(root.get("name", ""), gravity, tuple(bodies), (*joints, *closures), notes)
 
 
-def _loops(text: str | None) -> dict[str, Any]:
-    if text is None:
-        return {}
+def _loops(text: str) -> dict[str, Any]:
     try:
         given = json.loads(text)
     except (ValueError, RecursionError):
@@ -97,9 +97,12 @@ def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
     if len(roots) != 1:
         got = ", ".join(map(repr, roots)) or "none"
         raise ValueError(f"expected one link that no joint carries, got {got}")
-    bodies, joints = [Body(WORLD), _body(links[roots[0]], np.eye(3), np.zeros(3))], []
-    joints.append(Joint(f"{roots[0]}, fixed", "fixed", WORLD, roots[0]))
-    placed = {roots[0]: bodies[1]}
+    (root_name,) = roots
+    placed = {root_name: _body(links[root_name], np.eye(3), np.zeros(3))}
+    bodies, joints = list(placed.values()), []
+    if root_name != WORLD:
+        bodies.insert(0, Body(WORLD))
+        joints.append(Joint(f"{root_name}, fixed", "fixed", WORLD, root_name))
     waiting = list(carried.values())
     while waiting:
         ready = [each for each in waiting if _end(each, "parent") in placed]

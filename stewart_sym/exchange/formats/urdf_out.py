@@ -15,7 +15,7 @@ from ..chain import WORLD, Body, Joint, Model, Shape, in_single_axes
 from .xml_text import TENSOR, added, document
 
 ROOT = "base"
-"""Link that does not move."""
+"""Link that is fixed to the world."""
 NO_LIMIT = 1e16
 """A limit of this size is none: the format needs some."""
 GENERATOR = "stewart-sym export"
@@ -26,6 +26,11 @@ def written(model: Model) -> tuple[str, str]:
     """The file and that of its loops."""
     tree = in_single_axes(model, ("universal", "spherical"), lambda joint, body: Body(""))
     root = ET.Element("robot", name=model.name)
+    # By this name, simulators find that the base does not move.
+    added(root, "link", name=WORLD)
+    held = added(root, "joint", name="fixed_base", type="fixed")
+    added(held, "parent", link=WORLD)
+    added(held, "child", link=ROOT)
     for body in tree.bodies:
         _link(root, body)
     for joint in tree.joints:
