@@ -97,7 +97,7 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     option(format, tuple(PROGRAMS), "format")
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
     model = model_of(written)
-    _warn_of_friction(robot, format)
+    _warn_of_losses(robot, format)
     if format == "usd":
         return ModelFile(*_WRITERS[format](model))
     # What is read back differently, by rounding or for want of a place, stands in the notes.
@@ -136,15 +136,17 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
         raise ValueError(f"{source}: {error}") from None
 
 
-def _warn_of_friction(robot: Robot, form: str) -> None:
-    """Spherical joints have no damping but MuJoCo's at the base; a URDF's loops state it."""
+def _warn_of_losses(robot: Robot, form: str) -> None:
+    """Spherical joints have no damping but MuJoCo's at the base; a URDF's loops state what that has not."""
     lost = [] if form == "urdf" else ["C_s"]
     lost += ["C_u"] if form in ("sdf", "usd") and robot.base_joint == "spherical" else []
     names = " and ".join(name for name in lost if np.any(getattr(robot, name)))
+    where = "left out" if form == "usd" else "noted only"
     if names:
-        where = "left out" if form == "usd" else "noted only"
         text = f"{form}: expected no friction in these spherical joints, {names} is {where}"
         warnings.warn(text, stacklevel=3)
+    if form == "sdf" and robot.drive is not None and np.any(robot.drive.rotor_inertia):
+        warnings.warn(f"{form}: expected drives without rotors, their inertia is {where}", stacklevel=3)
 
 
 def loops_path(path: str | os.PathLike[str]) -> Path:

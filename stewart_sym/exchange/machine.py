@@ -148,7 +148,7 @@ def _leg_joints(robot: Robot, i: int, frame: Array, length: float) -> tuple[Join
         f"upper_{i + 1}",
         axes=frame[:, :1].T,
         damping=float(robot.C_p[i]),
-        armature=0.0,
+        armature=0.0 if robot.drive is None else float(robot.drive.reflected_mass[i]),
         position=length,
         limits=(low, high),
         effort=float(robot.force_limit[i]),

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from ..io.json_text import json_text
+from ..robot.drive import Drive, drive_of_tables, drive_tables
 from ..robot.robot import Robot
 from .chain import Model
 
@@ -49,7 +50,10 @@ def differences(robot: Robot, other: Robot) -> dict[str, Any]:
 
 def noted(found: Mapping[str, Any]) -> dict[str, Any]:
     """Fields as plain values, null for a limit that is missing."""
-    plain: dict[str, Any] = json.loads(json_text(found))
+    given = {
+        name: drive_tables(value) if isinstance(value, Drive) else value for name, value in found.items()
+    }
+    plain: dict[str, Any] = json.loads(json_text(given))
     return plain
 
 
@@ -79,10 +83,16 @@ def _restored(name: str, noted: Any) -> Any:
     if name in _LIMITS:
         given = np.array(noted, dtype=np.float64)
         return np.where(np.isnan(given), np.inf, given)
+    if name == "drive":
+        if not isinstance(noted, list):
+            raise ValueError("notes: drive: expected a list")
+        return drive_of_tables({}, [{"drive": table} for table in noted], "notes: ", float, False)
     return tuple(noted) if name == "accept" and isinstance(noted, list) else noted
 
 
 def _near(found: Any, noted: Any) -> bool:
+    if isinstance(found, Drive) and isinstance(noted, Drive):
+        found, noted = found.reflected_mass, noted.reflected_mass
     try:
         given = np.asarray(noted, dtype=np.float64)
     except (TypeError, ValueError):
@@ -97,6 +107,8 @@ def _near(found: Any, noted: Any) -> bool:
 
 def _unstated(name: str, found: Any) -> bool:
     """Whether a field is as it is where a format has no place for it."""
+    if name == "drive":
+        return found is None
     if name == "length_limits":
         return bool(np.all(found == np.array([0.0, np.inf])))
     return name in _UNSTATED and bool(np.all(found == _UNSTATED[name]))

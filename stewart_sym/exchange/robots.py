@@ -7,6 +7,7 @@ import numpy as np
 
 from ..io.arguments import printable
 from ..io.array_types import Array
+from ..robot.drive import Drive
 from ..robot.fields import DEFAULT_GRAVITY, legs_text
 from ..robot.robot import Robot
 from .chain import Body, Joint, Model, same_frame
@@ -18,6 +19,8 @@ _OPEN = 1e-3
 _SAID = 1e-9
 """From where on that is said."""
 _ROUNDING = 1e-9
+_LEAD = 0.005
+"""Of a screw where a model has an armature alone, m."""
 
 
 def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
@@ -48,7 +51,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
         "home": platform.t if level else None,
         **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
     }
-    robot = Robot(**found)
+    robot = Robot(**found, drive=_drive(legs, said))
     robot, kept = with_notes(robot, model)
     if robot.home is not None:
         lines.append("home: the pose in the file")
@@ -61,6 +64,15 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
 def _who(machine: Machine) -> str:
     legs = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
     return f"legs in the order of the file: {legs}"
+
+
+def _drive(legs: Sequence["_Leg"], said: list[str]) -> Drive | None:
+    """Drives whose rotors resist as the armatures of the slides do; None where there are none."""
+    armature = np.array([leg.leg.slide.joint.armature for leg in legs])
+    if not armature.any():
+        return None
+    said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
+    return Drive(lead=np.full(len(legs), _LEAD), rotor_inertia=armature * (_LEAD / (2.0 * np.pi)) ** 2)
 
 
 def _need_mass(body: Body, what: str) -> None:
@@ -254,7 +266,7 @@ class _Leg:
         return max(0.0, low), high
 
     def _say(self, leg: Leg) -> None:
-        for step in (*leg.base, leg.slide, *leg.tip):
+        for step in (*leg.base, *leg.tip):
             joint = step.joint
             if joint.armature:
                 what = f"armature {joint.armature:g} of {joint.name!r}"

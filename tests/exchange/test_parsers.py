@@ -1,4 +1,4 @@
-"""Exported files are read by others' parsers: SDF and URDF by Drake's, which is SDF's own, USD by OpenUSD's."""
+"""Exported files are read by others: SDF and URDF by Drake, whose parser is SDF's own, USD by OpenUSD."""
 
 from pathlib import Path
 

@@ -1,4 +1,4 @@
-"""What is exported comes back: the same robot, and from that the same bytes; other programs' habits are read."""
+"""What is exported comes back: the same robot, and from that the same bytes; what others write is read."""
 
 import dataclasses
 import json
@@ -13,13 +13,14 @@ from machines import random_robot
 import stewart_sym as ss
 from stewart_sym.exchange.files import loops_path
 from stewart_sym.exchange.notes import differences
+from stewart_sym.robot.drive import Drive
 
 HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 FORMATS = ("mjcf", "sdf", "urdf")
 NAMED = ("mathworks2002", "tsai2000", "dehaeze_nano", "rubin_camera", "rubin_m2")
 NOT_POSSIBLE = ("I_p", "I_d0", "I_u0")
 pytestmark = [
-    pytest.mark.filterwarnings("ignore:.*noted only"),
+    pytest.mark.filterwarnings("ignore:.*(noted only|left out)"),
     pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning"),
 ]
 
@@ -35,10 +36,11 @@ def robots() -> dict[str, ss.Robot]:
     }
     poses = {"home": np.array([0.01, 0.02, 0.7]), "tool": np.array([0.0, 0.0, 0.3]), "lengths": "relative"}
     kept = {"euler_order": "xyz", "accept": ("mass", "friction")}
-    turned = {"g": np.array([1.0, -2.0, 9.0])}
+    drive = Drive(lead=np.linspace(0.004, 0.01, 6), rotor_inertia=2e-5, efficiency=0.9, torque_limit=3.0)
+    rest = {"g": np.array([1.0, -2.0, 9.0]), "drive": drive}
     return found | {
         "hexapod": hexapod,
-        "all": dataclasses.replace(hexapod, **limits, **poses, **kept, **turned),
+        "all": dataclasses.replace(hexapod, **limits, **poses, **kept, **rest),
     }
 
 
@@ -138,7 +140,7 @@ def test_marks_that_turn_text_round_in_a_models_name_are_shown_as_escapes(tmp_pa
 def test_an_inertia_of_no_body_is_rejected_in_one_line_that_says_what_to_do() -> None:
     robot = dataclasses.replace(ROBOTS["dasgupta1998"], accept=())
     for form in ("mjcf", "sdf", "usd"):
-        with pytest.raises(ValueError, match='platform: .* break A .* accept "platform-inertia"') as caught:
+        with pytest.raises(ValueError, match=r'platform: .* break A .* accept "platform-inertia"') as caught:
             ss.export_model(robot, form)
         assert "\n" not in str(caught.value)
     assert ss.export_model(robot, "urdf").text == ss.export_model(ROBOTS["dasgupta1998"], "urdf").text
@@ -151,6 +153,13 @@ def test_an_inertia_of_no_body_that_is_accepted_is_written_as_the_nearest_possib
     model = mujoco.MjModel.from_xml_string(file.text)
     least, middle, most = np.sort(model.body("platform").inertia)
     assert least + middle > most
+
+
+def test_armatures_alone_become_rotors_that_resist_as_much(tmp_path: Path) -> None:
+    robot = ROBOTS["all"]
+    found = ss.import_model(written(without_notes(ss.export_model(robot, "mjcf")), tmp_path / "model"))
+    np.testing.assert_allclose(found.robot.drive.reflected_mass, robot.drive.reflected_mass, rtol=1e-12)
+    assert any("lead of 0.005 m" in line for line in found.assumptions)
 
 
 def test_a_leg_along_its_fixed_axis_is_rejected() -> None:
