@@ -107,7 +107,6 @@ def _parts(robot: Robot, i: int, frame: Array, length: float) -> tuple[Body, Bod
     longest = robot.length_limits[i, 1]
     part = _short(_PART * (longest if np.isfinite(longest) else _REACH * length))
     end, start = np.array([part, 0.0, 0.0]), np.zeros(3)
-    ball = Shape(_short(_POINT * length), start, start)
     lower = Body(
         f"lower_{i + 1}",
         frame,
@@ -124,7 +123,7 @@ def _parts(robot: Robot, i: int, frame: Array, length: float) -> tuple[Body, Bod
         float(robot.m_u[i]),
         robot.r_u0[i],
         robot.I_u0[i],
-        (Shape(_short(_UPPER * length), -end, start), ball),
+        (Shape(_short(_UPPER * length), -end, start),),
     )
     return lower, upper
 

@@ -12,7 +12,6 @@ from machines import random_motion, random_robot
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.robot.drive import Drive
 
 HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 SEEDS = range(60)
@@ -61,7 +60,7 @@ def test_pinocchio_accelerates_the_exported_machine_as_we_do() -> None:
 @pytest.mark.parametrize("seed", [1, 2])
 def test_rotors_resist_in_mujoco_as_their_reflected_mass(seed: int) -> None:
     robot, motion, F, truth = case(seed, C_s=NONE)
-    robot = dataclasses.replace(robot, drive=Drive(lead=0.01, rotor_inertia=1e-5 * robot.M))
+    robot = dataclasses.replace(robot, drive=ss.Drive(lead=0.01, rotor_inertia=1e-5 * robot.M))
     motion = dataclasses.replace(motion, a=truth[:3], alpha=truth[3:])
     L_ddot = ss.inverse_kinematics(robot, motion).L_ddot
     found = Exported(robot).accelerations(motion, F + robot.drive.reflected_mass * L_ddot)

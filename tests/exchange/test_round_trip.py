@@ -13,7 +13,6 @@ from machines import random_robot
 import stewart_sym as ss
 from stewart_sym.exchange.files import loops_path
 from stewart_sym.exchange.notes import differences
-from stewart_sym.robot.drive import Drive
 
 HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 FORMATS = ("mjcf", "sdf", "urdf")
@@ -36,7 +35,7 @@ def robots() -> dict[str, ss.Robot]:
     }
     poses = {"home": np.array([0.01, 0.02, 0.7]), "tool": np.array([0.0, 0.0, 0.3]), "lengths": "relative"}
     kept = {"euler_order": "xyz", "accept": ("mass", "friction")}
-    drive = Drive(lead=np.linspace(0.004, 0.01, 6), rotor_inertia=2e-5, efficiency=0.9, torque_limit=3.0)
+    drive = ss.Drive(lead=np.linspace(0.004, 0.01, 6), rotor_inertia=2e-5, efficiency=0.9, torque_limit=3.0)
     rest = {"g": np.array([1.0, -2.0, 9.0]), "drive": drive}
     return found | {
         "hexapod": hexapod,
