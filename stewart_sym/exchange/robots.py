@@ -41,7 +41,7 @@ def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
     lines = [_who(machine), f"base frame: the world's; platform frame: that of {machine.platform!r}"]
     if model.gravity is None:
         lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
-    found = {
+    found: dict[str, Any] = {
         "name": printable(model.name).strip() or "imported",
         "base_joint": kinds[0],
         "g": np.array(DEFAULT_GRAVITY) if model.gravity is None else model.gravity,
@@ -126,6 +126,8 @@ class _Leg:
             return self.machine.place(steps[0])
         points = np.array([self.machine.place(step) for step in steps for _ in step.axes])
         axes = np.array([axis for step in steps for axis in step.axes])
+        if not np.all(np.isfinite(points @ points.T)):
+            raise self._error("expected points whose squares are finite")
         across = np.eye(3) - axes[:, :, None] * axes[:, None, :]
 
         def off(point: Array) -> float:

@@ -87,12 +87,12 @@ def machine_of(model: Model) -> Machine:
     if not first:
         raise ValueError("no joint at the base: expected legs on a base that is fixed to the world")
     chains = [_chain(joint, members, around) for joint in first]
-    ends = {chain[-1].reached for chain in chains}
-    if len(chains) != LEGS or len(ends) != 1:
+    reached_by_all = {chain[-1].reached for chain in chains}
+    if len(chains) != LEGS or len(reached_by_all) != 1:
         raise ValueError(
             f"expected six legs from the base to one platform, got {_chains_text(chains, around)}"
         )
-    (platform,) = ends
+    (platform,) = reached_by_all
     if len(around[platform]) != LEGS:
         names = sorted(
             {joint.name for joint in around[platform]} - {chain[-1].joint.name for chain in chains}

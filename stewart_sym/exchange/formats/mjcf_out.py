@@ -5,6 +5,7 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
+from ...io.array_types import Array
 from ...motion.rotation import quaternion_from_rotation
 from ..chain import WORLD, Body, Joint, Model, Shape
 from .xml_text import added, document
@@ -71,9 +72,9 @@ def _inside(parent: ET.Element, model: Model, body: Body) -> None:
                 if end == body.name:
                     added(parent, "site", name=f"{joint.name}_{mark}", pos=point)
     for each in model.bodies:
-        joint = model.carrier(each)
-        if joint is not None and joint.parent == body.name:
-            _body(parent, model, body, each, joint)
+        carrier = model.carrier(each)
+        if carrier is not None and carrier.parent == body.name:
+            _body(parent, model, body, each, carrier)
 
 
 def _body(parent: ET.Element, model: Model, carrier: Body, body: Body, joint: Joint) -> None:
@@ -86,7 +87,7 @@ def _body(parent: ET.Element, model: Model, carrier: Body, body: Body, joint: Jo
     _inside(element, model, body)
 
 
-def _placed(model: Model, carrier: Body, body: Body, joint: Joint) -> object:
+def _placed(model: Model, carrier: Body, body: Body, joint: Joint) -> Array:
     """Origin of a body in its carrier's frame; along the axis where that is how they are."""
     place = carrier.local(body.t)
     axes = model.local_axes(joint)

@@ -11,7 +11,7 @@ from ...robot.fields import direction
 from ..chain import WORLD, Body, Joint, Model
 from ..notes import parsed_notes
 from .sdf_out import NOTES
-from .xml_text import name_of, number, numbers, tensor
+from .xml_text import interval, largest, name_of, number, numbers, tensor
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -21,8 +21,6 @@ _KINDS = {
     "ball": "spherical",
     "fixed": "fixed",
 }
-_NONE = 1e16
-"""A limit of this size or more is none."""
 
 
 def model(root: ET.Element, loops: str | None = None) -> Model:
@@ -154,9 +152,9 @@ class _Reader:
             damping.append(number(axis.findtext("dynamics/damping"), f"{where}: damping", 0.0))
             if number(axis.findtext("dynamics/friction"), f"{where}: friction", 0.0):
                 self.left_out.append(f"friction of joint {joint.name!r}")
-            limits = _limits(axis, where)
-            effort = _positive(axis.findtext("limit/effort"), f"{where}: effort")
-            speed = _positive(axis.findtext("limit/velocity"), f"{where}: velocity")
+            limits = interval(axis.findtext("limit/lower"), axis.findtext("limit/upper"), where)
+            effort = largest(axis.findtext("limit/effort"), f"{where}: effort")
+            speed = largest(axis.findtext("limit/velocity"), f"{where}: velocity")
         if max(damping) != min(damping):
             raise ValueError(f"{where}: expected the same damping about both axes")
         return replace(
@@ -180,15 +178,3 @@ def _text(element: ET.Element, tag: str) -> str:
     if not found:
         raise ValueError(f"joint {element.get('name')!r}: {tag}: missing")
     return found
-
-
-def _limits(axis: ET.Element, where: str) -> tuple[float, float]:
-    low = number(axis.findtext("limit/lower"), f"{where}: lower", -_NONE)
-    high = number(axis.findtext("limit/upper"), f"{where}: upper", _NONE)
-    return (low if low > -_NONE else -np.inf), (high if high < _NONE else np.inf)
-
-
-def _positive(text: str | None, where: str) -> float:
-    """A limit, infinite where it is none: negative, as the format's own, or not stated."""
-    found = number(text, where, np.inf)
-    return found if 0.0 < found < _NONE else np.inf

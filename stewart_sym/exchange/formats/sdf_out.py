@@ -5,9 +5,10 @@ import xml.etree.ElementTree as ET
 
 import numpy as np
 
+from ...io.array_types import Array
 from ...motion.rotation import rpy_from_rotation
 from ..chain import WORLD, Body, Joint, Model, Shape
-from .xml_text import TENSOR, added, document
+from .xml_text import NO_LIMIT, TENSOR, added, document
 
 NOTES = "stewart_sym:notes"
 _KINDS = {"prismatic": "prismatic", "revolute": "revolute", "universal": "universal", "spherical": "ball"}
@@ -63,8 +64,8 @@ def _link(parent: ET.Element, body: Body) -> None:
     _shapes(link, body)
 
 
-def _pose(place: object, R: object) -> object:
-    return np.concatenate([np.asarray(place), rpy_from_rotation(R)])
+def _pose(place: Array, R: Array) -> Array:
+    return np.concatenate([place, rpy_from_rotation(R)])
 
 
 def _joint(parent: ET.Element, model: Model, joint: Joint) -> None:
@@ -90,9 +91,9 @@ def _limits(axis: ET.Element, joint: Joint) -> None:
         added(limit, "lower", joint.limits[0] - joint.position)
         added(limit, "upper", joint.limits[1] - joint.position)
     else:
-        # Both elements are required; these are the format's own for none.
-        added(limit, "lower", -1e16)
-        added(limit, "upper", 1e16)
+        # Both elements are required.
+        added(limit, "lower", -NO_LIMIT)
+        added(limit, "upper", NO_LIMIT)
     if np.isfinite(joint.effort):
         added(limit, "effort", joint.effort)
     if np.isfinite(joint.speed):

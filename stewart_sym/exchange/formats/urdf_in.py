@@ -12,8 +12,7 @@ from ...io.array_types import Array
 from ...motion.rotation import rotation_from_rpy
 from ...robot.fields import direction
 from ..chain import WORLD, Body, Joint, Model
-from .urdf_out import NO_LIMIT
-from .xml_text import name_of, number, numbers, tensor
+from .xml_text import interval, largest, name_of, number, numbers, tensor
 
 _KINDS = {
     "prismatic": "prismatic",
@@ -141,16 +140,11 @@ def _carried(element: ET.Element, links: dict[str, ET.Element], parent: Body) ->
     joint = replace(joint, axes=(R @ direction(local, f"{where}: axis"))[None], damping=damping)
     if limit is None or kind != "prismatic":
         return body, joint
-    low, high = (
-        number(limit.get(key), f"{where}: {key}", default)
-        for key, default in (("lower", -NO_LIMIT), ("upper", NO_LIMIT))
-    )
-    effort, speed = (number(limit.get(key), f"{where}: {key}", NO_LIMIT) for key in ("effort", "velocity"))
     return body, replace(
         joint,
-        limits=(low if low > -NO_LIMIT else -np.inf, high if high < NO_LIMIT else np.inf),
-        effort=effort if 0.0 < effort < NO_LIMIT else np.inf,
-        speed=speed if 0.0 < speed < NO_LIMIT else np.inf,
+        limits=interval(limit.get("lower"), limit.get("upper"), where),
+        effort=largest(limit.get("effort"), f"{where}: effort"),
+        speed=largest(limit.get("velocity"), f"{where}: velocity"),
     )
 
 

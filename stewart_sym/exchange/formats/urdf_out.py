@@ -12,12 +12,10 @@ from ...io.array_types import Array
 from ...io.json_text import json_text
 from ...motion.rotation import rpy_from_rotation
 from ..chain import WORLD, Body, Joint, Model, Shape, in_single_axes
-from .xml_text import TENSOR, added, document
+from .xml_text import NO_LIMIT, TENSOR, added, document
 
 ROOT = "base"
 """Link that is fixed to the world."""
-NO_LIMIT = 1e16
-"""A limit of this size is none: the format needs some."""
 GENERATOR = "stewart-sym export"
 _KINDS = {"prismatic": "prismatic", "revolute": "continuous", "free": "floating"}
 

@@ -91,8 +91,9 @@ def _cross(joint: Joint, body: Body) -> Body:
 
 
 def _scene(model: Model) -> _Prim:
-    size = float(np.linalg.norm(model.gravity))
-    direction = model.gravity / size if size else np.zeros(3)
+    gravity = np.zeros(3) if model.gravity is None else model.gravity
+    size = float(np.linalg.norm(gravity))
+    direction = gravity / size if size else gravity
     lines = [
         f"vector3f physics:gravityDirection = {_tuple(direction)}",
         f"float physics:gravityMagnitude = {spelled(size)}",

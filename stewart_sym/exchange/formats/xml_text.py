@@ -17,6 +17,8 @@ HEADER = "<?xml version='1.0' encoding='utf-8'?>\n<!-- Written by stewart-sym ex
 TENSOR = {"ixx": (0, 0), "ixy": (0, 1), "ixz": (0, 2), "iyy": (1, 1), "iyz": (1, 2), "izz": (2, 2)}
 """Places of a symmetric tensor's numbers, by their names in SDF and URDF."""
 
+NO_LIMIT = 1e16
+"""A limit of this size in SDF and URDF, which need some, is none."""
 _DEEPEST = 100
 
 
@@ -75,7 +77,7 @@ def spelled(value: Any) -> str:
     return " ".join(repr(float(number) + 0.0) for number in np.ravel(value))
 
 
-def numbers(text: str | None, count: int, where: str, default: Any = None) -> Array:
+def numbers(text: str | None, count: int, where: str, default: Any = None, finite: bool = True) -> Array:
     """Numbers of a text, (count,); ``default`` where there is none, ValueError without one."""
     if text is None and default is not None:
         return np.array(default, dtype=np.float64)
@@ -85,7 +87,8 @@ def numbers(text: str | None, count: int, where: str, default: Any = None) -> Ar
         found = np.array([float(word) for word in words])
     except ValueError:
         found = np.full(1, math.nan)
-    if len(found) != count or np.any(np.isnan(found)):
+    bad = ~np.isfinite(found) if finite else np.isnan(found)
+    if len(found) != count or np.any(bad):
         got = "nothing" if text is None else shown(text.strip())
         raise ValueError(f"{where}: expected {expected}, got {got}")
     return found
@@ -105,6 +108,22 @@ def tensor(
 def number(text: str | None, where: str, default: float | None = None) -> float:
     """One number, as ``numbers``."""
     return float(numbers(text, 1, where, None if default is None else [default])[0])
+
+
+def interval(low: str | None, high: str | None, where: str) -> tuple[float, float]:
+    """Limits on both sides; infinite where there is none, as one of ``NO_LIMIT`` says."""
+    found = [
+        float(numbers(text, 1, f"{where}: {name}", default, finite=False)[0])
+        for text, name, default in ((low, "lower", [-NO_LIMIT]), (high, "upper", [NO_LIMIT]))
+    ]
+    least, most = (each if abs(each) < NO_LIMIT else math.copysign(math.inf, each) for each in found)
+    return least, most
+
+
+def largest(text: str | None, where: str) -> float:
+    """A limit of a size; infinite where there is none: not stated, of ``NO_LIMIT``, 0 or negative."""
+    found = float(numbers(text, 1, where, [NO_LIMIT], finite=False)[0])
+    return found if 0.0 < found < NO_LIMIT else math.inf
 
 
 def name_of(element: ET.Element, where: str) -> str:
