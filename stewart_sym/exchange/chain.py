@@ -14,9 +14,6 @@ from ..io.array_types import Array
 WORLD = "world"
 """Name of what does not move."""
 
-SCREWS = ("revolute", "prismatic")
-"""Kinds of joints with one axis; ``universal`` has two, ``spherical``, ``fixed`` and ``free`` have none."""
-
 _COLORS = {"lower": (0.35, 0.4, 0.47), "upper": (0.75, 0.78, 0.8), "platform": (0.2, 0.45, 0.7)}
 _GRAY = (0.5, 0.5, 0.5)
 _ROUNDING = 4e-16
@@ -81,6 +78,8 @@ class Body:
 class Joint:
     """A joint, or a closure of a loop if ``cut``.
 
+    kind: ``revolute`` or ``prismatic`` with one axis, ``universal`` with two, ``spherical``, ``fixed``,
+    ``free``.
     point: in the child's frame, (3,), m. parent_point: of a cut, in the parent's. axes: directions, world
     frame, (n, 3), those nearer the parent first. damping: N m s or N s/m. armature: kg or kg m^2, inertia of
     the drive as seen by the joint. position: coordinate in which the model stands. limits: of it.

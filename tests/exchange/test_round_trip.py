@@ -8,7 +8,7 @@ from pathlib import Path
 import mujoco
 import numpy as np
 import pytest
-from machines import random_robot
+from machines import random_robot, upside_down_in_millimetres
 
 import stewart_sym as ss
 from stewart_sym.exchange.files import loops_path
@@ -28,6 +28,7 @@ def robots() -> dict[str, ss.Robot]:
     """Machines of all kinds, one with every field that no format has a place for."""
     found = {name: ss.robots.load(name) for name in ss.robots.NAMES}
     found |= {f"random {i}": random_robot(np.random.default_rng(i), kind) for i, kind in enumerate(KINDS)}
+    found["upside down, mm"] = upside_down_in_millimetres()
     hexapod = ss.Robot.from_toml(HEXAPOD)
     limits = {
         "speed_limit": np.linspace(0.1, 0.6, 6),

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...io.array_types import Array
 from ...motion.rotation import rotation_from_quaternion, rotation_from_vector
+from ...robot.bodies import Body as Solid
 from ...robot.bodies import joined
 from ...robot.fields import direction
 from ..chain import WORLD, Body, Joint, Model, frame_along
@@ -200,15 +201,25 @@ class _Reader:
 
     def _of_geoms(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
         """A body that is as heavy as its geoms."""
-        parts = []
-        for geom in element.findall("geom"):
-            given, named = self._of(geom, inherited), f"{where}: geom {geom.get('name', '')!r}"
-            part = solid(given, *self._pose(given, named), named)
-            parts += [] if part is None else [part]
+        parts = self._solids(element, inherited, where)
         if not parts:
             return body
         whole = joined(parts)
         return Body(body.name, body.R, body.t, whole.mass, whole.center_of_mass, whole.inertia)
+
+    def _solids(self, element: ET.Element, inherited: str | None, where: str) -> list[Solid]:
+        """What has a mass of its own among the geoms of a body, and of frames in it."""
+        found = []
+        for each in element:
+            if each.tag == "geom":
+                given, named = self._of(each, inherited), f"{where}: geom {each.get('name', '')!r}"
+                part = solid(given, *self._pose(given, named), named)
+                found += [] if part is None else [part]
+            elif each.tag == "frame":
+                R, t = self._pose(each.attrib, where)
+                parts = self._solids(each, each.get("childclass") or inherited, where)
+                found += [Solid(mass, t + R @ center, R @ inertia @ R.T) for mass, center, inertia in parts]
+        return found
 
     def _pose(self, given: Attributes, where: str) -> tuple[Array, Array]:
         """Orientation (3, 3) and position (3,)."""
