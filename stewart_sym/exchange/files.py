@@ -90,11 +90,13 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     Raises
     ------
     ValueError
-        In one line: an inertia that no body can have, which all but URDF reject, unless the robot accepts it;
+        In one line: legs whose axes do not meet, or along their fixed axis at home; an inertia that no body can have, which all but URDF reject, unless the robot accepts it;
         then a warning says that the nearest possible one is written.
     """
     instance(robot, Robot, "robot")
     option(format, tuple(PROGRAMS), "format")
+    if getattr(robot, "offsets", None) is not None:
+        raise ValueError("robot: offsets: expected none, what is written is legs whose axes meet")
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
     model = model_of(written)
     _warn_of_losses(robot, format)

@@ -162,6 +162,12 @@ def test_armatures_alone_become_rotors_that_resist_as_much(tmp_path: Path) -> No
     assert any("lead of 0.005 m" in line for line in found.assumptions)
 
 
+def test_legs_whose_axes_do_not_meet_are_rejected() -> None:
+    offsets = pytest.importorskip("stewart_sym.robot.offsets").Offsets(cross=np.full(6, 0.01))
+    with pytest.raises(ValueError, match="offsets: expected none"):
+        ss.export_model(dataclasses.replace(ROBOTS["mathworks2002"], offsets=offsets), "mjcf")
+
+
 def test_a_leg_along_its_fixed_axis_is_rejected() -> None:
     robot = ROBOTS["mathworks2002"]
     leg = robot.home + robot.p - robot.b
