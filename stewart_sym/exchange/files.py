@@ -90,8 +90,9 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     Raises
     ------
     ValueError
-        In one line: legs whose axes do not meet, or along their fixed axis at home; an inertia that no body can have, which all but URDF reject, unless the robot accepts it;
-        then a warning says that the nearest possible one is written.
+        In one line: legs whose axes do not meet or that lie along a fixed axis at home; an inertia that no
+        body can have, which all but URDF reject, unless the robot accepts it: then a warning says that the
+        nearest possible one is written.
     """
     instance(robot, Robot, "robot")
     option(format, tuple(PROGRAMS), "format")
