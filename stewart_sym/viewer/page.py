@@ -14,6 +14,10 @@ _IMPORT = re.compile(r'^import \{([^}]*)\} from "\./(\w+)\.js";\n', re.MULTILINE
 _EXPORT = re.compile(r"^export (?:const|function|class) (\w+)", re.MULTILINE)
 
 
+BEGINNING = "<!DOCTYPE html>\n<!-- A page of stewart-sym:"
+"""How every page begins, by which this program's own are found."""
+
+
 @cache
 def text_of(name: str) -> str:
     """A file of the page."""

@@ -11,7 +11,8 @@ const BOTTOM = 26;
 const SUPERSCRIPTS = "\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
 
 export class Panel {
-  // figure: an element with a canvas; series: { name, values(i), colour, dashed, leg }; limits: numbers.
+  // figure: an element with a canvas; series: { name, column, factor, colour, dashed, leg }, whose values are those of
+  // the column, of the leg where there is one, times the factor; limits: numbers.
   constructor(figure, motion, clock, { series, limits = [], logarithmic = false, unit, digits = 5 }) {
     Object.assign(this, { figure, motion, clock, series, limits, logarithmic, unit, digits });
     this.canvas = figure.querySelector("canvas");
@@ -61,7 +62,7 @@ export class Panel {
   point(event) {
     const box = this.plot.getBoundingClientRect();
     const i = this.motion.nearest(this.timeAt(event.clientX - box.left));
-    const lines = this.visible().map(({ name, values }) => `${name}\u2002${shown(values(i), this.digits)} ${this.unit}`);
+    const lines = this.visible().map((each) => `${each.name}\u2002${shown(valueOf(each, i), this.digits)} ${this.unit}`);
     this.tip.textContent = [this.clock.text(this.motion.time[i]), ...lines].join("\n");
     this.tip.hidden = false;
     const x = this.place(this.motion.time[i]);
@@ -85,7 +86,7 @@ export class Panel {
     canvas.height = Math.round(canvas.clientHeight * ratio);
     const pen = canvas.getContext("2d");
     pen.setTransform(ratio, 0, 0, ratio, 0, 0);
-    const drawn = this.visible().map((each) => ({ ...each, columns: this.columns(each.values) }));
+    const drawn = this.visible().map((each) => ({ ...each, columns: this.columns(each) }));
     this.choose(drawn);
     this.axes(pen);
     pen.save();
@@ -103,28 +104,40 @@ export class Panel {
   }
 
   scaled(value) {
-    return this.logarithmic ? Math.log10(value) : value;
+    return this.logarithmic ? Math.log10(Math.min(value, 1e16)) : value;
   }
 
-  // Least and largest value in each column of pixels, with the instants between which they lie: [x, low, high].
-  columns(values) {
-    const { motion } = this;
+  // Column of pixels of each instant, found once for a width.
+  places() {
+    if (this.placed?.width === this.width) return this.placed.at;
+    const { time, count } = this.motion;
+    const at = new Float32Array(count);
+    for (let i = 0; i < count; i++) at[i] = this.place(time[i]);
+    this.placed = { width: this.width, at };
+    return at;
+  }
+
+  // What is seen of a series in each column of pixels: its least and largest value, the first and the last, and
+  // whether the curve begins there.
+  columns(series) {
+    const at = this.places();
     const found = [];
     let last = null;
-    for (let i = 0; i < motion.count; i++) {
-      const value = this.scaled(values(i));
+    let pixel = -1;
+    for (let i = 0; i < at.length; i++) {
+      const value = this.scaled(valueOf(series, i));
       if (!Number.isFinite(value)) {
         last = null;
         continue;
       }
-      const x = this.place(motion.time[i]);
-      if (last && Math.round(x) === Math.round(last[0])) {
-        last[1] = Math.min(last[1], value);
-        last[2] = Math.max(last[2], value);
-        last[4] = value;
+      const here = Math.round(at[i]);
+      if (last !== null && here === pixel) {
+        if (value < last.low) last.low = value;
+        if (value > last.high) last.high = value;
+        last.end = value;
       } else {
-        const begins = last === null;
-        last = [x, value, value, value, value, begins];
+        last = { x: at[i], low: value, high: value, first: value, end: value, begins: last === null };
+        pixel = here;
         found.push(last);
       }
     }
@@ -135,9 +148,9 @@ export class Panel {
   choose(drawn) {
     let [low, high] = [Infinity, -Infinity];
     for (const { columns } of drawn)
-      for (const [, least, most] of columns) {
-        low = Math.min(low, least);
-        high = Math.max(high, most);
+      for (const each of columns) {
+        low = Math.min(low, each.low);
+        high = Math.max(high, each.high);
       }
     if (low > high) [low, high] = [0, 1];
     if (this.cut !== undefined) [low, high] = [Math.max(low, -this.cut), Math.min(high, this.cut)];
@@ -212,19 +225,23 @@ export class Panel {
     pen.lineWidth = 1.6;
     pen.setLineDash(dashed ? [5, 3] : []);
     pen.beginPath();
-    for (const [x, low, high, first, last, begins] of columns) {
+    for (const { x, low, high, first, end, begins } of columns) {
       if (begins) pen.moveTo(x, this.y(first));
       else pen.lineTo(x, this.y(first));
       if (low !== high) {
         pen.lineTo(x, this.y(low));
         pen.lineTo(x, this.y(high));
-        pen.lineTo(x, this.y(last));
+        pen.lineTo(x, this.y(end));
       }
     }
-    if (columns.length === 1) pen.arc(columns[0][0], this.y(columns[0][3]), 2, 0, 7);
+    if (columns.length === 1) pen.arc(columns[0].x, this.y(columns[0].first), 2, 0, 7);
     pen.stroke();
     pen.setLineDash([]);
   }
+}
+
+function valueOf({ column, factor, leg }, i) {
+  return leg === undefined ? column[i] : column[6 * i + leg] * factor;
 }
 
 // A step times a power of ten, large ones with the power written above.

@@ -30,6 +30,28 @@ const forceOf = (set, i, leg) => motion.ofLeg(`F_${set}`, i, leg);
 const limitText = (value, limit) =>
   Number.isFinite(limit) && limit > 0 ? `${shown((100 * Math.abs(value)) / limit, 3)} %` : "none";
 
+// Pace: where frames come slowly, as without a graphics processor, edges are smooth only at rest.
+
+const pace = {
+  moved: -Infinity,
+  gaps: [],
+  slow: false,
+  drawnRough: false,
+  moving: () => clock.playing || state.twist !== null || performance.now() - pace.moved < 150,
+  rough: () => pace.slow && pace.moving(),
+  count(gap) {
+    if (!pace.moving() || pace.slow) return;
+    pace.gaps.push(gap);
+    if (pace.gaps.length < 12) return;
+    pace.slow = pace.gaps.sort((a, b) => a - b)[6] > 22;
+    pace.gaps = [];
+  },
+};
+const byHand = () => {
+  pace.moved = performance.now();
+  repaint();
+};
+
 // Machine
 
 let pen = null;
@@ -73,7 +95,9 @@ function paint() {
   camera.fit(parts[0].width / parts[0].height);
   const { right, upward, back } = camera.axes();
   const sun = unit(add(add(times(back, 1), times(upward, 0.7)), times(right, -0.35)));
-  pen.begin(style.colours.paper);
+  const smooth = !pace.rough();
+  pace.drawnRough = !smooth;
+  pen.begin(style.colours.paper, smooth);
   parts.forEach((picture, k) => {
     const set = state.shown[k];
     const force = Array.from({ length: 6 }, (_, leg) => {
@@ -84,6 +108,7 @@ function paint() {
     if (state.ribbon && motion.count > 1) ribbon.add(scene, clock.index, style.colours.ribbon);
     pen.draw(scene, picture, camera.matrix(picture.width / picture.height), { ...style, sun });
   });
+  pen.end();
   label(pose, parts);
 }
 
@@ -173,7 +198,8 @@ const perLeg = (name, factor = 1, dashed = false, ending = "") =>
     leg,
     colour: LEG_COLOURS[leg],
     dashed,
-    values: (i) => motion.ofLeg(name, i, leg) * factor,
+    column: motion.columns[name],
+    factor,
   }));
 const number = (value) => (value === null ? Infinity : value);
 const forceLimits = machine.forceLimit.map(number);
@@ -193,7 +219,7 @@ const lengthLimit = distinct(lengthLimits.flat()).map((each) => each * units.len
 addPanel("lengths", { series: perLeg("L", units.length), limits: lengthLimit, unit: units.lengthName, digits: 6 });
 const speeds = distinct(speedLimits.flatMap((each) => [each, -each])).map((each) => each * units.length);
 addPanel("speeds", { series: perLeg("L_dot", units.length), limits: speeds, unit: `${units.lengthName}/s` });
-const conditions = [{ name: "condition number", colour: "--text", values: (i) => Math.min(motion.condition(i), 1e16) }];
+const conditions = [{ name: "condition number", colour: "--text", column: motion.columns.condition, factor: 1 }];
 addPanel("conditions", { series: conditions, logarithmic: true, unit: "" });
 
 for (const leg of legs) {
@@ -248,8 +274,8 @@ columns.push(
   },
 );
 const fillNow = legTable(find("now"), columns);
-const tops = Object.fromEntries(sets.map((set) => [set, peaks(motion, `F_${set}`)]));
-const fastest = peaks(motion, "L_dot");
+const tops = Object.fromEntries(sets.map((set) => [set, peaks(motion.columns[`F_${set}`])]));
+const fastest = peaks(motion.columns.L_dot);
 const peakColumns = sets.map((set) => ({
   head: `peak force${sets.length > 1 ? `, ${set}` : ""}`,
   text: (_, leg) => ({ words: `${words(forceOf(set, tops[set][leg], leg), "N", 4)} at ${clock.text(motion.time[tops[set][leg]])}` }),
@@ -448,7 +474,7 @@ addEventListener("beforeprint", () => {
 });
 addEventListener("afterprint", () => setTheme(paperTheme.before ?? "light"));
 
-handle(camera, canvas, repaint);
+handle(camera, canvas, byHand);
 canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
 canvas.addEventListener("webglcontextrestored", () => {
   pen.prepare();
@@ -460,6 +486,8 @@ const seen = { frames: 0, last: null };
 function frame(now) {
   const seconds = seen.last === null ? 0 : Math.min(0.25, (now - seen.last) / 1000);
   seen.last = now;
+  pace.count(1000 * seconds);
+  if (pace.drawnRough && !pace.moving()) repaint();
   if (clock.playing) clock.pass(seconds);
   if (state.twist) {
     if (!still.matches) state.wave += 2.4 * seconds;
@@ -474,7 +502,9 @@ function frame(now) {
   requestAnimationFrame(frame);
 }
 
-setTheme(dark.matches ? "dark" : "light");
+document.documentElement.dataset.theme = dark.matches ? "dark" : "light";
+find("theme").textContent = dark.matches ? "Light" : "Dark";
+readStyle();
 clock.seek(motion.start);
 if (motion.duration > 0 && !still.matches) clock.play();
 requestAnimationFrame(frame);

@@ -32,13 +32,13 @@ export function legTable(table, columns) {
   };
 }
 
-// Largest magnitude of a column of each leg, with its instant.
-export function peaks(motion, name) {
+// Instant of the largest magnitude of each leg in a column of six values an instant.
+export function peaks(column) {
   return Array.from({ length: 6 }, (_, leg) => {
-    let best = 0;
-    for (let i = 1; i < motion.count; i++) {
-      const value = Math.abs(motion.ofLeg(name, i, leg));
-      if (value > Math.abs(motion.ofLeg(name, best, leg)) || Number.isNaN(motion.ofLeg(name, best, leg))) best = i;
+    let [best, most] = [0, -1];
+    for (let i = leg; i < column.length; i += 6) {
+      const value = Math.abs(column[i]);
+      if (value > most) [best, most] = [(i - leg) / 6, value];
     }
     return best;
   });
