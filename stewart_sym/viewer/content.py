@@ -21,6 +21,8 @@ from .instants import Event, Instants
 
 # Of the machine's size: radius of a lower part, length of drawn axes, and how far a twist swings the platform.
 _THICK, _AXIS, _SWING = 0.028, 0.22, 0.25
+# Of the shortest leg, that the radius of a lower part is at most.
+_THICK_OF_LEG = 0.06
 # Share of the shortest leg that a lower part takes at most, and of the longest where that is less.
 _LOWER, _LOWER_OF_LONGEST = 0.9, 0.62
 # Of the shortest leg, that the upper part stays within the lower, and that it takes at most.
@@ -88,6 +90,8 @@ def _machine(robot: Robot, shown: Instants) -> dict[str, Any]:
     size = _size(robot)
     lower, upper = _parts(robot, shown.L)
     extent = _extent(robot, shown)
+    with np.errstate(all="ignore"):
+        thick = min(_THICK * size, _THICK_OF_LEG * float(np.nanmin(shown.L, initial=np.inf)))
     middle = 0.5 * (extent.min(axis=0) + extent.max(axis=0))
     return {
         "b": robot.b,
@@ -106,7 +110,7 @@ def _machine(robot: Robot, shown: Instants) -> dict[str, Any]:
         "extent": extent,
         "middle": middle,
         "reach": float(np.linalg.norm(extent - middle, axis=-1).max()),
-        "thick": _THICK * size,
+        "thick": thick or _THICK * size,
         "axis": _AXIS * size,
         "swing": _SWING * (characteristic_length(robot) or 1.0),
     }
@@ -136,10 +140,10 @@ def _parts(robot: Robot, L: Array) -> tuple[Array, Array]:
 
 
 def _extent(robot: Robot, shown: Instants) -> Array:
-    """Points that must be seen, m, (n, 3): the joints in some of the poses, and the tool."""
+    """Points that must be seen, m, (n, 3): joints, tool and axes in some of the poses."""
     some = np.linspace(0, len(shown.time) - 1, min(len(shown.time), 16)).astype(np.int64)
     R, t = shown.motion.R[some], shown.motion.t[some]
-    points = np.concatenate([robot.p, robot.tool[None]])
+    points = np.concatenate([robot.p, robot.tool[None], _AXIS * _size(robot) * np.eye(3)])
     tips = np.einsum("njk,ik->nij", R, points) + t[:, None]
     return np.concatenate([robot.b, tips.reshape(-1, 3)])
 

@@ -196,7 +196,12 @@ export class Panel {
       const texts = tickTexts(values);
       return values.map((value, i) => [value, texts[i]]);
     }
-    const steps = this.high - this.low < 1 ? [1, 2, 3, 4, 5, 6, 7, 8, 9] : this.high - this.low < 2.5 ? [1, 2, 5] : [1];
+    if (this.high - this.low < 1) {
+      const values = ticks(10 ** this.low, 10 ** this.high, this.height / 34);
+      const texts = tickTexts(values);
+      return values.map((value, i) => [Math.log10(value), texts[i]]).filter(([value]) => value >= this.low);
+    }
+    const steps = this.high - this.low < 2.5 ? [1, 2, 5] : [1];
     const found = [];
     const every = Math.max(1, Math.ceil((this.high - this.low) / 6));
     for (let power = Math.floor(this.low); power <= this.high; power++)

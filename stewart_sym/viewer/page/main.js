@@ -2,7 +2,7 @@
 
 import { Camera, handle } from "./camera.js";
 import { Clock } from "./clock.js";
-import { forceColour, gradient, themeColour } from "./colours.js";
+import { forceColour, gradient, themeColour, themeText } from "./colours.js";
 import { drawStrip, Panel } from "./curves.js";
 import { Motion, readPage } from "./data.js";
 import { Pen } from "./draw.js";
@@ -117,15 +117,18 @@ const labels = find("labels");
 const spare = [];
 function label(pose, parts) {
   let used = 0;
-  const write = (text, point, picture, kind) => {
-    const at = camera.pixel(point, picture);
-    if (!at || at[0] < picture.x + 4 || at[0] > picture.x + picture.width - 4) return;
+  const put = (text, at, kind) => {
     if (!spare[used]) labels.append((spare[used] = document.createElement("span")));
     const span = spare[used++];
     span.textContent = text;
     span.className = kind;
+    span.at = at;
     span.style.transform = `translate(${at[0].toFixed(1)}px, ${at[1].toFixed(1)}px) translate(-50%, -50%)`;
     span.hidden = false;
+  };
+  const write = (text, point, picture, kind) => {
+    const at = camera.pixel(point, picture);
+    if (at && at[0] > picture.x + 4 && at[0] < picture.x + picture.width - 4) put(text, at, kind);
   };
   const middle = times(machine.b.reduce(add), 1 / 6);
   parts.forEach((picture, k) => {
@@ -139,14 +142,7 @@ function label(pose, parts) {
         write("xyz"[i], times(axis, 1.15 * machine.axis), picture, "axis");
         write("xyz"[i] + "\u2032", along(pose.t, column(pose.R, i), 1.15 * machine.axis), picture, "axis");
       }
-    if (parts.length > 1) {
-      if (!spare[used]) labels.append((spare[used] = document.createElement("span")));
-      const span = spare[used++];
-      span.textContent = state.shown[k];
-      span.className = "set";
-      span.style.transform = `translate(${picture.x + 12}px, ${picture.y + 10}px)`;
-      span.hidden = false;
-    }
+    if (parts.length > 1) put(state.shown[k], [picture.x + 40, picture.y + 18], "set");
   });
   for (let i = used; i < spare.length; i++) spare[i].hidden = true;
 }
@@ -294,9 +290,10 @@ const slider = find("time");
 slider.max = String(motion.duration || 1);
 slider.disabled = !(motion.duration > 0);
 const seekBySlider = () => {
-  clock.pause();
+  const since = Number(slider.value);
   endTwist();
-  clock.seek(motion.start + Number(slider.value));
+  clock.pause();
+  clock.seek(motion.start + since);
 };
 slider.addEventListener("input", seekBySlider);
 const STEPS = { ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageUp: 10, PageDown: -10, Home: -Infinity, End: Infinity };
@@ -390,7 +387,7 @@ motion.events.forEach((event, number) => {
   const button = document.createElement("button");
   button.type = "button";
   button.setAttribute("aria-pressed", "false");
-  button.textContent = `${event.singular ? "singular" : "least conditioned"} at ${event.text} s`;
+  button.textContent = `${event.singular ? "singular" : "largest condition number"} at ${event.text} s`;
   button.addEventListener("click", () => (state.twist?.number === number ? endTwist() : showTwist(number)));
   const text = document.createElement("span");
   text.textContent = event.words;
@@ -467,12 +464,24 @@ function resize() {
   repaint();
 }
 new ResizeObserver(resize).observe(document.body);
-const paperTheme = { before: null };
+// On paper the page is light, and the machine a plain picture with its labels: what WebGL drew last would come too late.
+let before = null;
 addEventListener("beforeprint", () => {
-  paperTheme.before = document.documentElement.dataset.theme;
+  before = document.documentElement.dataset.theme;
   setTheme("light");
+  const copy = find("printed");
+  [copy.width, copy.height] = [canvas.width, canvas.height];
+  const brush = copy.getContext("2d");
+  brush.drawImage(canvas, 0, 0);
+  const ratio = canvas.width / canvas.clientWidth;
+  brush.scale(ratio, ratio);
+  brush.font = `600 14px ${themeText("--font")}`;
+  brush.textAlign = "center";
+  brush.textBaseline = "middle";
+  brush.fillStyle = themeText("--text");
+  for (const { textContent, at } of spare.filter(({ hidden }) => !hidden)) brush.fillText(textContent, ...at);
 });
-addEventListener("afterprint", () => setTheme(paperTheme.before ?? "light"));
+addEventListener("afterprint", () => setTheme(before ?? "light"));
 
 handle(camera, canvas, byHand);
 canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
