@@ -19,7 +19,7 @@ from ..motion.rotation import quaternion_from_rotation
 from ..robot.robot import Robot
 from .instants import Event, Instants
 
-# Of the machine's size: radius of a lower part, length of drawn axes, and how far a twist swings the platform.
+# Of the machine's size: radius of a lower part and length of drawn axes; how far a twist swings the platform.
 _THICK, _AXIS, _SWING = 0.028, 0.22, 0.25
 # Of the shortest leg, that the radius of a lower part is at most.
 _THICK_OF_LEG = 0.06
@@ -198,5 +198,3 @@ def _event(event: Event, step: float) -> dict[str, Any]:
 
 def _triple(values: Array) -> str:
     return "(" + ", ".join(f"{round(float(value), 4) + 0.0:.4g}" for value in values) + ")"
-
-

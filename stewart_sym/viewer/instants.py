@@ -156,7 +156,7 @@ def _instants(
     breaks: Array | None,
     forces: Mapping[str, Array] | None = None,
 ) -> Instants:
-    """All of it; ``forces``: None for those of both formulations. path, breaks: as ``crossings`` takes them."""
+    """All of it; forces: None for those of both formulations. path, breaks: as ``crossings`` takes them."""
     with np.errstate(all="ignore"):
         legs = leg_states(robot, motion)
         length = characteristic_length(robot) or 1.0

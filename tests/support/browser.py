@@ -1,4 +1,4 @@
-"""Pages in a browser: Debian's Chromium without a screen, its pixels as arrays, and the eye's projection in NumPy."""
+"""Pages in Debian's Chromium, without a screen: pixels as arrays, and the eye's projection in NumPy."""
 
 import io
 import shutil
@@ -32,8 +32,8 @@ DOTS = 2
 FIELD = np.radians(32.0)
 """Angle of view, of the smaller side of a picture."""
 COLOURS = np.array(
-    [[33, 102, 172], [103, 169, 207], [209, 229, 240], [247, 247, 247], [253, 219, 199], [239, 138, 98], [178, 24, 43]]
-)  # fmt: skip
+    [[*bytes.fromhex(each)] for each in ["2166ac", "67a9cf", "d1e5f0", "f7f7f7", "fddbc7", "ef8a62", "b2182b"]]
+)
 """Colours of forces from -scale to scale, at even steps."""
 
 
@@ -51,7 +51,9 @@ def chromium() -> Iterator[Browser]:
 class Opened:
     """A page that was opened from a file, with all that it said and asked for."""
 
-    def __init__(self, browser: Browser, path: Path, size: tuple[int, int] = (560, 520), **options: Any) -> None:
+    def __init__(
+        self, browser: Browser, path: Path, size: tuple[int, int] = (560, 520), **options: Any
+    ) -> None:
         """Open it at rest: nothing moves before the test moves it."""
         window = {"width": size[0], "height": size[1]}
         options = {"reduced_motion": "reduce", "viewport": window, "device_scale_factor": DOTS} | options
@@ -72,8 +74,10 @@ class Opened:
     def drawn(self) -> NDArray[np.int64]:
         """Dots of the machine's picture, (height, width, 3), 0 to 255, once what changed is drawn."""
         self.do("return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
-        # The browser puts a canvas on whole dots, where a picture of the canvas alone would be cut on whole pixels.
-        box = self.do("const { x, y, width, height } = scene.getBoundingClientRect(); return [x, y, width, height]")
+        # The browser puts a canvas on whole dots; a picture of the canvas alone would be cut on whole pixels.
+        box = self.do(
+            "const { x, y, width, height } = scene.getBoundingClientRect(); return [x, y, width, height]"
+        )
         x, y, width, height = np.rint(DOTS * np.array(box)).astype(int)
         found: Array = matplotlib.image.imread(io.BytesIO(self.page.screenshot()))
         return np.rint(255.0 * found[y : y + height, x : x + width, :3]).astype(np.int64)

@@ -98,7 +98,9 @@ def test_the_clock_runs_at_its_speed_and_begins_again(opened: Opened) -> None:
     assert opened.do(passed) == pytest.approx(1.5)
     opened.page.select_option("#speed", "5")
     assert opened.do(passed) == pytest.approx(3.5)
-    assert opened.do("viewer.clock.seek(5); viewer.clock.pass(0.4); return viewer.clock.time") == pytest.approx(1.0)
+    assert opened.do(
+        "viewer.clock.seek(5); viewer.clock.pass(0.4); return viewer.clock.time"
+    ) == pytest.approx(1.0)
     opened.page.select_option("#speed", "1")
 
 
@@ -153,8 +155,9 @@ def test_the_mouse_and_two_fingers_move_the_eye(opened: Opened) -> None:
     pinch = """
         const scene = document.getElementById("scene");
         scene.setPointerCapture = () => {};
+        const made = { clientY: 200, pointerType: "touch" };
         const finger = (kind, pointerId, clientX) =>
-          scene.dispatchEvent(new PointerEvent(kind, { pointerId, clientX, clientY: 200, pointerType: "touch" }));
+          scene.dispatchEvent(new PointerEvent(kind, { pointerId, clientX, ...made }));
         finger("pointerdown", 11, 100); finger("pointerdown", 12, 200);
         finger("pointermove", 12, 300);
         finger("pointerup", 11, 100); finger("pointerup", 12, 300);
@@ -188,7 +191,9 @@ def test_the_table_has_the_numbers_of_the_instant(opened: Opened) -> None:
     for leg, row in enumerate(rows):
         numbers = [float(text) for text in re.findall(r"-?[\d.]+(?:e[+-]\d+)?", row.replace("\u2212", "-"))]
         expected = [leg + 1, found.forces["exact"][200, leg], found.forces["paper"][200, leg]]
-        assert np.allclose(numbers, [*expected, 1e3 * found.L[200, leg], 1e3 * found.L_dot[200, leg]], rtol=1e-4)
+        assert np.allclose(
+            numbers, [*expected, 1e3 * found.L[200, leg], 1e3 * found.L_dot[200, leg]], rtol=1e-4
+        )
 
 
 def test_singular_instants_are_marked_and_their_twist_moves_no_leg(opened: Opened) -> None:
@@ -196,10 +201,14 @@ def test_singular_instants_are_marked_and_their_twist_moves_no_leg(opened: Opene
     assert event["singular"]
     assert event["time"] == pytest.approx(3.67050411, abs=1e-8)
     mark = opened.page.locator("#marks .singular")
-    assert float((mark.get_attribute("style") or "").split(":")[1].strip(" %;")) == pytest.approx(100 * event["time"] / 6.0, abs=1e-3)
+    assert float((mark.get_attribute("style") or "").split(":")[1].strip(" %;")) == pytest.approx(
+        100 * event["time"] / 6.0, abs=1e-3
+    )
     opened.page.click("#events button")
     opened.drawn()
-    assert opened.do("return viewer.state.twist.share") == pytest.approx(opened.do("return viewer.page.machine.swing"))
+    assert opened.do("return viewer.state.twist.share") == pytest.approx(
+        opened.do("return viewer.page.machine.swing")
+    )
     assert index(opened) == 367
     opened.page.keyboard.press("Escape")
     opened.page.click("#events button")

@@ -1,4 +1,4 @@
-"""What is drawn is what was computed: colours of the legs are those of their forces, ends are where they project."""
+"""What is drawn is what was computed: legs have the colours of their forces and end where they project."""
 
 from collections.abc import Iterator
 from pathlib import Path
@@ -104,7 +104,7 @@ def of_colour(picture: NDArray[np.int64], wanted: Array) -> Array:
 
 
 def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) -> float:
-    """How far from a leg's projected ends its colour ends, pixels; ends at which other legs are don't count."""
+    """How far from a leg's projected ends its colour ends, pixels; ends beside other legs don't count."""
     line = lines[leg]
     way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
     middles = of_colour(picture, wanted)
@@ -113,7 +113,9 @@ def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) 
     # Half a dot from the middle of the last one to its far side.
     half = 0.5 / DOTS * np.abs(way).max()
     found = [at.min() - half, at.max() + half - np.linalg.norm(line[1] - line[0])]
-    crowded = [any(off(end[None], lines[other])[0] < NEAR for other in range(6) if other != leg) for end in line]
+    crowded = [
+        any(off(end[None], lines[other])[0] < NEAR for other in range(6) if other != leg) for end in line
+    ]
     return max(abs(float(each)) for each, skip in zip(found, crowded, strict=True) if not skip)
 
 

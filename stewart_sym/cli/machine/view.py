@@ -32,9 +32,7 @@ _DEFAULT = Path("machine.html")
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``view``."""
-    parser.add_argument(
-        "robot", metavar="ROBOT.toml", type=Path, nargs="?", help="robot file, schema 1 or 2"
-    )
+    parser.add_argument("robot", metavar="ROBOT.toml", type=Path, nargs="?", help="robot file, schema 1 or 2")
     parser.add_argument(
         "motion", metavar="MOTION", nargs="?", help="I, II, III, a CSV file, or what simulate wrote"
     )
@@ -102,7 +100,9 @@ def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -
     if path.is_dir():
         path = path / _RUN
     if not path.exists():
-        raise ValueError(f"{path}: expected I, II, III, a CSV file or a folder with {_RUN}, there is no such file")
+        raise ValueError(
+            f"{path}: expected I, II, III, a CSV file or a folder with {_RUN}, there is no such file"
+        )
     if _is_run(path):
         progress("reading the run")
         return instants.of_run_file(robot, path)
@@ -133,7 +133,8 @@ def _data(shown: "Instants") -> dict[str, object]:
         "scaled_condition_number_peak": shown.condition.max(),
         "peak_force_N": peaks,
         "marked": [
-            {"time_s": event.time, "singular": event.singular, "twist": event.at.twist} for event in shown.events
+            {"time_s": event.time, "singular": event.singular, "twist": event.at.twist}
+            for event in shown.events
         ],
         "units": {"twist": "m/s and rad/s"},
     }
