@@ -32,7 +32,10 @@ DOTS = 2
 FIELD = np.radians(32.0)
 """Angle of view, of the smaller side of a picture."""
 COLOURS = np.array(
-    [[*bytes.fromhex(each)] for each in ["2166ac", "67a9cf", "d1e5f0", "f7f7f7", "fddbc7", "ef8a62", "b2182b"]]
+    [
+        [*bytes.fromhex(each)]
+        for each in ("2166ac", "67a9cf", "d1e5f0", "f7f7f7", "fddbc7", "ef8a62", "b2182b")
+    ]
 )
 """Colours of forces from -scale to scale, at even steps."""
 
