@@ -116,7 +116,7 @@ def of_motion(robot: Robot, motion: Motion, times: object) -> Instants:
         raise ValueError(f"times: expected shape {motion.shape}, (n,), as the motion's, got {time.shape}")
     if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
         raise ValueError("times: expected finite, increasing times")
-    forces = {} if motion.a is None else None
+    forces: Mapping[str, Array] | None = {} if motion.a is None else None
     return _instants(robot, "motion", time, motion, _path_of(time, motion), time, forces)
 
 

@@ -1,4 +1,4 @@
-"""Joins the files of the folder ``page`` and data to one HTML file that asks nothing of a network."""
+"""Joins the files of the folder ``page`` and data to one HTML file that makes no request."""
 
 import base64
 import hashlib

@@ -6,7 +6,7 @@ import html
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from ..dynamics.home_pose import home_pose
 from ..io.arguments import instance
@@ -135,5 +135,4 @@ def _instants(robot: Robot, motion: object, times: object) -> Instants:
     if isinstance(motion, Trace):
         return of_run(robot, motion)
     instance(motion, Motion, "motion")
-    assert isinstance(motion, Motion)
-    return of_motion(robot, motion, times)
+    return of_motion(robot, cast(Motion, motion), times)

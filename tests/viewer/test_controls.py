@@ -52,7 +52,7 @@ def index(opened: Opened) -> int:
     return int(opened.do("return viewer.clock.index"))
 
 
-def test_the_page_asks_for_nothing_and_says_nothing(opened: Opened, path: Path) -> None:
+def test_the_page_makes_no_request_and_says_nothing(opened: Opened, path: Path) -> None:
     opened.drawn()
     assert opened.requests == [path.as_uri()]
     assert opened.said == []
@@ -255,4 +255,22 @@ def test_print_is_light_and_shows_machine_and_curves(browser: Browser, path: Pat
     found.do("dispatchEvent(new Event('afterprint'))")
     assert found.do("return document.documentElement.dataset.theme") == "dark"
     assert "@media print" in text_of("style.css")
+    found.close()
+
+
+def test_a_leg_beyond_its_limit_is_marked(browser: Browser, tmp_path: Path) -> None:
+    robot = dasgupta()
+    path, _ = ss.PATHS["I"]
+    F = ss.inverse_dynamics(robot, path.sample(0.0)).F
+    order = np.argsort(np.abs(F))
+    robot = dataclasses.replace(robot, force_limit=np.full(6, np.abs(F[order[-2:]]).mean()))
+    ss.view(robot, "I").save(tmp_path / "limit.html")
+    found = Opened(browser, tmp_path / "limit.html")
+    found.drawn()
+    marked = found.do(
+        "return [...document.querySelectorAll('#now tbody tr')].map((row) => !!row.querySelector('.beyond'))"
+    )
+    assert np.flatnonzero(marked).tolist() == [order[-1]]
+    assert found.page.locator("#bar i").count() == 2
+    assert found.said == []
     found.close()

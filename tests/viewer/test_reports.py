@@ -1,4 +1,4 @@
-"""``--html``: one file with text, tables that sort, figures and the motion, that asks for nothing."""
+"""``--html``: one file with text, tables that sort, figures and the motion, that makes no request."""
 
 import dataclasses
 import shutil
@@ -38,7 +38,7 @@ def test_forces_have_their_motion_and_a_table_that_sorts(browser: Browser, folde
     rows = "[...document.querySelectorAll('table.sorts tbody tr')]"
     column = f"() => {rows}.map((row) => row.cells[1].dataset.value)"
     for order, name in ((1, "ascending"), (-1, "descending")):
-        page.page.click("table.sorts th:nth-child(2) button")
+        page.page.locator("table.sorts th:nth-child(2) button").press("Enter")
         page.page.locator(f"th[aria-sort={name}]").wait_for()
         numbers = np.array([float(text) for text in page.page.evaluate(column)])
         assert np.all(order * np.diff(numbers) >= 0.0)

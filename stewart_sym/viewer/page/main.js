@@ -24,9 +24,26 @@ const still = matchMedia("(prefers-reduced-motion: reduce)");
 const state = { shown: sets.slice(0, 1), skeleton: false, frames: true, ribbon: true, twist: null, wave: 0, dirty: true };
 const repaint = () => (state.dirty = true);
 
-// Forces
+// Forces and limits, infinite where the robot file states none
 
+const number = (value) => (value === null ? Infinity : value);
+const forceLimits = machine.forceLimit.map(number);
+const speedLimits = machine.speedLimit.map(number);
+const lengthLimits = machine.lengthLimits.map(([low, high]) => [number(low), number(high)]);
 const forceOf = (set, i, leg) => motion.ofLeg(`F_${set}`, i, leg);
+// Which legs are beyond a limit of force, length or speed at the clock's instant.
+function beyond(set) {
+  const i = clock.index;
+  return [0, 1, 2, 3, 4, 5].map((leg) => {
+    const [low, high] = lengthLimits[leg];
+    const length = motion.ofLeg("L", i, leg);
+    const pushed = set ? Math.abs(forceOf(set, i, leg)) : 0;
+    return (
+      pushed > forceLimits[leg] || length < low || length > high || Math.abs(motion.ofLeg("L_dot", i, leg)) > speedLimits[leg]
+    );
+  });
+}
+
 const limitText = (value, limit) =>
   Number.isFinite(limit) && limit > 0 ? `${shown((100 * Math.abs(value)) / limit, 3)} %` : "none";
 
@@ -67,7 +84,7 @@ try {
 let style = null;
 function readStyle() {
   const colours = {};
-  for (const name of ["paper", "ink", "base", "platform", "joint", "fixed", "ghost", "ribbon"])
+  for (const name of ["paper", "ink", "base", "platform", "joint", "fixed", "ghost", "ribbon", "warn"])
     colours[name] = themeColour(`--${name}`);
   colours.axes = ["--axis-x", "--axis-y", "--axis-z"].map((name) => themeColour(name));
   style = { colours, ink: colours.ink };
@@ -104,7 +121,7 @@ function paint() {
       const rgb = set ? forceColour(forceOf(set, clock.index, leg), page.scale) : [150, 150, 150];
       return [...rgb.map((each) => each / 255), 1];
     });
-    const scene = sceneAt(machine, pose, { ...state, colours: style.colours, force });
+    const scene = sceneAt(machine, pose, { ...state, colours: style.colours, force, beyond: beyond(set) });
     if (state.ribbon && motion.count > 1) ribbon.add(scene, clock.index, style.colours.ribbon);
     pen.draw(scene, picture, camera.matrix(picture.width / picture.height), { ...style, sun });
   });
@@ -197,11 +214,6 @@ const perLeg = (name, factor = 1, dashed = false, ending = "") =>
     column: motion.columns[name],
     factor,
   }));
-const number = (value) => (value === null ? Infinity : value);
-const forceLimits = machine.forceLimit.map(number);
-const speedLimits = machine.speedLimit.map(number);
-const lengthLimits = machine.lengthLimits.map(([low, high]) => [number(low), number(high)]);
-
 const panels = [];
 function addPanel(name, options) {
   panels.push(new Panel(find(name), motion, clock, options));

@@ -6,7 +6,7 @@ import { placed } from "./shapes.js";
 
 const RIBBON_STEPS = 400;
 
-// look: colours by name, force colours of the six legs, and which of the options are on.
+// look: colours by name, force colours of the six legs, which of them are beyond a limit, and the options.
 export function sceneAt(machine, pose, look) {
   const scene = { solids: { tube: [], ball: [], bar: [] }, lines: [], sheets: [], overlaid: look.skeleton };
   const draw = look.skeleton ? skeleton : bodies;
@@ -47,13 +47,14 @@ function key(scene, from, frame, length, out, wide, colour) {
   scene.solids.bar.push([...placed(origin, ...axes), ...colour, 1]);
 }
 
-// The lower part: a tube from the base point, with a collar where the rod comes out.
+// The lower part: a tube from the base point, with a collar where the rod comes out, which warns of a limit.
 function lowerPart(scene, machine, frame, leg, look) {
   const { thick } = machine;
   const length = machine.lower[leg];
   const from = along(frame.base, frame.x, 1.6 * thick);
   tube(scene, from, frame, length - 1.6 * thick, thick, look.force[leg], 0);
-  tube(scene, along(frame.base, frame.x, length - 0.7 * thick), frame, 0.7 * thick, 1.22 * thick, look.colours.joint, 1);
+  const collar = look.beyond[leg] ? look.colours.warn : look.colours.joint;
+  tube(scene, along(frame.base, frame.x, length - 0.7 * thick), frame, 0.7 * thick, 1.22 * thick, collar, 1);
   if (machine.universal)
     key(scene, along(frame.base, frame.x, 2 * thick), frame, length - 3 * thick, thick, 0.22 * thick, look.colours.joint);
 }
