@@ -531,4 +531,4 @@ if (motion.duration > 0 && !still.matches) clock.play();
 requestAnimationFrame(frame);
 
 // For tests and for whoever looks from the console.
-window.viewer = { page, motion, clock, camera, state, seen, pictures, showTwist, endTwist };
+window.viewer = { page, motion, clock, camera, state, seen, panels, pictures, showTwist, endTwist };
