@@ -75,7 +75,7 @@ export class Pen {
   // Raises an error where there is no WebGL 2.
   constructor(canvas) {
     this.canvas = canvas;
-    this.gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
+    this.gl = canvas.getContext("webgl2", { antialias: false, alpha: false, preserveDrawingBuffer: true });
     if (!this.gl) throw new Error("this browser has no WebGL 2");
     this.prepare();
   }
@@ -146,7 +146,7 @@ export class Pen {
     if (size === this.smoothSize) return;
     this.smoothSize = size;
     for (const [buffer, format, place] of [
-      [smooth.colour, gl.RGBA8, gl.COLOR_ATTACHMENT0],
+      [smooth.colour, gl.RGB8, gl.COLOR_ATTACHMENT0],
       [smooth.depth, gl.DEPTH_COMPONENT24, gl.DEPTH_ATTACHMENT],
     ]) {
       gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);

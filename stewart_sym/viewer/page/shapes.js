@@ -1,7 +1,7 @@
 // Triangles of the few shapes that the machine is made of, each of size one: position, normal, and the direction in
 // which an outline lies. A tube and a bar reach from 0 to 1 along x.
 
-const AROUND = 24;
+const AROUND = 18;
 
 function shape() {
   return { numbers: [], corners: [] };
