@@ -223,6 +223,7 @@ def test_every_instant_is_kept_whatever_is_drawn(opened: Opened) -> None:
     assert len(data["columns"]["time"]["data"]) >= 5000 * 8
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("scheme", ["light", "dark"])
 def test_axe_finds_no_violation(browser: Browser, path: Path, scheme: str) -> None:
     found = Opened(browser, path, color_scheme=scheme, bypass_csp=True)
@@ -231,6 +232,7 @@ def test_axe_finds_no_violation(browser: Browser, path: Path, scheme: str) -> No
     found.close()
 
 
+@pytest.mark.slow
 def test_a_notebook_s_frame_runs_closed_off(browser: Browser, tmp_path: Path) -> None:
     html = frame(ss.view(dasgupta(), "I"))
     (tmp_path / "notebook.html").write_text(f"<!DOCTYPE html><title>notebook</title>{html}", encoding="utf-8")
@@ -248,6 +250,7 @@ def test_the_page_without_its_data_is_small() -> None:
     assert "http" not in re.sub(r"http-equiv", "", html)
 
 
+@pytest.mark.slow
 def test_print_is_light_and_shows_machine_and_curves(browser: Browser, path: Path) -> None:
     found = Opened(browser, path, color_scheme="dark")
     found.do("dispatchEvent(new Event('beforeprint'))")

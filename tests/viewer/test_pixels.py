@@ -18,6 +18,8 @@ from stewart_sym.viewer.view import view
 
 Array = NDArray[np.float64]
 
+pytestmark = pytest.mark.slow
+
 INSTANTS = 12
 NEAR = 6.0
 """Pixels from another leg within which a pixel may be its."""
@@ -76,7 +78,6 @@ def seek(opened: Opened, time: float) -> NDArray[np.int64]:
     return opened.drawn()
 
 
-@pytest.mark.slow
 def test_pixels_of_lines_have_the_colours_of_the_forces_and_end_at_the_joints(
     opened: Opened, shown: tuple[Robot, Instants, str]
 ) -> None:
@@ -119,7 +120,6 @@ def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) 
     return max(abs(float(each)) for each, skip in zip(found, crowded, strict=True) if not skip)
 
 
-@pytest.mark.slow
 def test_bodies_of_legs_have_the_colours_of_the_forces(
     opened: Opened, shown: tuple[Robot, Instants, str]
 ) -> None:

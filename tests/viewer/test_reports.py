@@ -29,6 +29,7 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 def test_forces_have_their_motion_and_a_table_that_sorts(browser: Browser, folder: Path) -> None:
     assert (
         main(["forces", "hexapod.toml", "trajectory.csv", "-o", "forces.csv", "--html", "forces.html"]) == 0
@@ -50,6 +51,7 @@ def test_forces_have_their_motion_and_a_table_that_sorts(browser: Browser, folde
     page.close()
 
 
+@pytest.mark.slow
 def test_axe_finds_nothing_in_a_report(browser: Browser, tmp_path: Path) -> None:
     figure = Picture(lambda: Figure(figsize=(5.0, 2.0)))
     lists = {"legs": [{"leg": leg, "peak_force_N": 7.0 * leg, "known": leg > 1} for leg in range(3)]}
@@ -66,6 +68,7 @@ def test_axe_finds_nothing_in_a_report(browser: Browser, tmp_path: Path) -> None
     page.close()
 
 
+@pytest.mark.slow
 def test_the_run_that_simulate_wrote_is_shown_with_its_own_forces(folder: Path) -> None:
     simulate = ["simulate", "swing.toml", "-o", "swing", "--no-pictures"]
     assert main([*simulate, "--html", "report.html"]) == 0
