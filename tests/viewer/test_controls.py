@@ -118,6 +118,7 @@ def test_the_slider_moves_by_instants_and_is_read_out(opened: Opened) -> None:
 
 def test_keys_of_the_page_and_of_the_picture(opened: Opened) -> None:
     opened.page.locator("#scene").focus()
+    opened.drawn()
     before = opened.do("return viewer.camera.eye")
     opened.page.keyboard.press("ArrowRight")
     opened.page.keyboard.press("ArrowUp")
@@ -141,6 +142,7 @@ def test_the_mouse_and_two_fingers_move_the_eye(opened: Opened) -> None:
     box = opened.page.locator("#scene").bounding_box()
     assert box is not None
     x, y = box["x"] + 100, box["y"] + 100
+    opened.drawn()
     eye, distance = opened.do("return [viewer.camera.azimuth, viewer.camera.distance]")
     opened.page.mouse.move(x, y)
     opened.page.mouse.down()
