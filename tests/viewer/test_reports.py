@@ -91,6 +91,14 @@ def test_long_tables_are_thinned_and_say_so() -> None:
     assert "<i>" not in text
 
 
+def test_lists_within_rows_are_tables_of_their_own() -> None:
+    data = {"families": [{"name": "scale", "methods": [{"method": "no pivoting", "worst": [1.0] * 9}]}]}
+    text = html_page("t", Report("", data=data))
+    assert text.count('<table class="sorts">') == 2
+    assert "<h2>families scale methods</h2>" in text
+    assert "9 numbers, 1 to 1" in text
+
+
 def test_figures_are_drawn_as_svg() -> None:
     text = html_page("t", Report("", figures={"one": Picture(lambda: Figure(figsize=(2.0, 1.0)))}))
     assert 'src="data:image/svg+xml;base64,' in text

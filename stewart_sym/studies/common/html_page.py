@@ -5,7 +5,7 @@ import html
 import io
 import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, TypeGuard
 
 import numpy as np
 
@@ -18,6 +18,9 @@ from .report import Picture, Report, svg
 
 MOST_ROWS = 500
 """Of a table over time; of a longer one some rows, as even as can be, stand in the page."""
+
+# Numbers of a list that one cell has room for.
+_MOST_NUMBERS = 6
 
 
 def html_page(title: str, report: Report, progress: Progress = silent) -> str:
@@ -60,12 +63,22 @@ def _figure(name: str, picture: Picture, progress: Progress) -> str:
 
 
 def _lists(where: str, data: object) -> Iterator[tuple[str, Sequence[Mapping[str, Any]]]]:
-    """Lists of alike tables in data, with the names of the keys that lead there."""
+    """Lists of alike tables in data and the names that lead there; lists within rows come after them."""
     if isinstance(data, Mapping):
         for key, value in data.items():
             yield from _lists(f"{where} {key}".strip(), value)
-    elif isinstance(data, list) and data and all(isinstance(row, Mapping) for row in data):
-        yield where, data
+    elif _is_list_of_tables(data):
+        yield (
+            where,
+            [{key: value for key, value in row.items() if not _is_list_of_tables(value)} for row in data],
+        )
+        for number, row in enumerate(data, 1):
+            inner = {key: value for key, value in row.items() if _is_list_of_tables(value)}
+            yield from _lists(f"{where} {row.get('name', number)}", inner)
+
+
+def _is_list_of_tables(data: Any) -> TypeGuard[list[Mapping[str, Any]]]:
+    return isinstance(data, list) and bool(data) and all(isinstance(row, Mapping) for row in data)
 
 
 def _table(caption: str, rows: Sequence[Mapping[str, Any]]) -> str:
@@ -97,7 +110,11 @@ def _cell(value: object) -> str:
     if isinstance(value, int | float):
         return f'<td data-value="{value!r}">{value:.6g}</td>'
     if isinstance(value, list) and all(isinstance(each, int | float) for each in value):
+        if len(value) > _MOST_NUMBERS:
+            return f"<td>{len(value)} numbers, {min(value):.4g} to {max(value):.4g}</td>"
         return f"<td>{', '.join(f'{each:.4g}' for each in value)}</td>"
+    if isinstance(value, Mapping):
+        value = ", ".join(f"{_words(str(key))} {each}" for key, each in value.items())
     return f'<td class="words">{_text(str(value))}</td>'
 
 
