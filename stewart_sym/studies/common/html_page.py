@@ -113,6 +113,8 @@ def _cell(value: object) -> str:
         if len(value) > _MOST_NUMBERS:
             return f"<td>{len(value)} numbers, {min(value):.4g} to {max(value):.4g}</td>"
         return f"<td>{', '.join(f'{each:.4g}' for each in value)}</td>"
+    if isinstance(value, list):
+        value = "; ".join(map(str, value))
     if isinstance(value, Mapping):
         value = ", ".join(f"{_words(str(key))} {each}" for key, each in value.items())
     return f'<td class="words">{_text(str(value))}</td>'

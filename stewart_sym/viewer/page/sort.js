@@ -17,7 +17,10 @@ function compare(a, b) {
 }
 
 for (const table of document.querySelectorAll("table.sorts"))
-  for (const head of table.tHead.rows[0].cells)
+  for (const head of table.tHead.rows[0].cells) {
+    // Words begin under their heading, numbers end under it.
+    const first = table.tBodies[0].rows[0]?.cells[head.cellIndex];
+    head.classList.toggle("words", Boolean(first?.classList.contains("words")));
     head.querySelector("button").addEventListener("click", () => {
       const down = head.getAttribute("aria-sort") === "ascending";
       for (const each of table.tHead.rows[0].cells) each.removeAttribute("aria-sort");
@@ -26,3 +29,4 @@ for (const table of document.querySelectorAll("table.sorts"))
       rows.sort((a, b) => (down ? -1 : 1) * compare(valueOf(a, head.cellIndex), valueOf(b, head.cellIndex)));
       table.tBodies[0].append(...rows);
     });
+  }
