@@ -94,5 +94,7 @@ from .singularities.along_path import singularities_along as singularities_along
 from .singularities.joint_space import motion_from_lengths as motion_from_lengths
 from .singularities.singular_poses import Singularity as Singularity
 from .singularities.singular_poses import singularity as singularity
+from .viewer.view import View as View
+from .viewer.view import view as view
 
 __version__: str

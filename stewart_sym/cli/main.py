@@ -32,6 +32,7 @@ SUBCOMMANDS = {
     "forces": "machine.forces",
     "singularities": "machine.singularities",
     "simulate": "machine.simulate",
+    "view": "machine.view",
     "control": "studies.control",
     "controller": "studies.controller",
     "advise": "studies.advise",
