@@ -2,6 +2,10 @@
 
 from . import results as results
 from . import robots as robots
+from .drives.effort import DriveEffort as DriveEffort
+from .drives.effort import DriveLimitWarning as DriveLimitWarning
+from .drives.effort import drive_effort as drive_effort
+from .drives.effort import motor_forces as motor_forces
 from .dynamics.arrays import ArrayKernel as ArrayKernel
 from .dynamics.arrays import array_kernel as array_kernel
 from .dynamics.bounds import ForceBounds as ForceBounds
@@ -28,6 +32,7 @@ from .formulas.symbols import Symbolic as Symbolic
 from .formulas.symbols import symbolic as symbolic
 from .identification.base_parameters import BaseParameters as BaseParameters
 from .identification.base_parameters import base_parameters as base_parameters
+from .identification.drive_terms import DriveEstimate as DriveEstimate
 from .identification.equations import EquationsByParameter as EquationsByParameter
 from .identification.equations import equations_by_parameter as equations_by_parameter
 from .identification.estimates import Estimate as Estimate
@@ -40,6 +45,7 @@ from .identification.excitation import choose_excitation as choose_excitation
 from .identification.parameters import Parameters as Parameters
 from .identification.parameters import inertial_parameters as inertial_parameters
 from .identification.parameters import regressor as regressor
+from .identification.rotor_columns import rotor_regressor as rotor_regressor
 from .io.error_policy import SingularPoseWarning as SingularPoseWarning
 from .kinematics.certificate import Certificate as Certificate
 from .kinematics.certificate import certify_pose as certify_pose

@@ -5,19 +5,21 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..kernel.inverse_dynamics import arrays_program, regressor_program, shared_program
+from ..kernel.inverse_dynamics import arrays_program, regressor_program, rotor_program, shared_program
 from ..kernel.operations import KernelOperations, force_operations
 from ..kernel.tree.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.tree.lower import expression
 from ..kernel.tree.nodes import Constant, Program, calls_in, parts_of
+from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
+from ..mechanics.legs.rotor import NONE
 from ..mechanics.reduced_models import Fidelity
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, dependencies, names_of
 from ..print.c import C
 from ..print.python import Python
 from ..print.template import filled
-from ..program.block import Quantity, component_name
+from ..program.block import Block, Quantity, component_name
 from .c import operations_table, wrap_list
 
 Counts = tuple[KernelOperations, KernelOperations]
@@ -78,6 +80,13 @@ def regressor(blocks: Regressor, version: str) -> str:
         formulas=_rows("MERGED", [f'("{base}", "{text}")' for base, text in merged()]),
         program=_own(program),
     )
+
+
+def rotor_regressor(columns: Block, version: str) -> str:
+    """``rotor_regressor.py``."""
+    program = rotor_program(columns)
+    parameters = _literal("PARAMETERS", n.ROTOR)
+    return filled("rotor_regressor.py", version=version, parameters=parameters, program=_own(program))
 
 
 def arithmetic(numbers: Mapping[str, tuple[int, str]] = STATUS) -> str:
@@ -147,8 +156,13 @@ def _rows(name: str, rows: list[str]) -> str:
 
 def fidelities(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
     """``fidelities.py``: what there is of reduced force kernels, for the runtime to choose from."""
-    entries = "\n".join(_fidelity(level, kernel) for level, kernel in kernels.items())
-    return filled("fidelities.py", version=version, entries=entries)
+    plain, drive = (
+        "\n".join(
+            _fidelity(level, kernel) for level, kernel in kernels.items() if (level.rotor != NONE) == rotors
+        )
+        for rotors in (False, True)
+    )
+    return filled("fidelities.py", version=version, entries=plain, drive=drive)
 
 
 def _fidelity(level: Fidelity, kernel: ForceKernel) -> str:

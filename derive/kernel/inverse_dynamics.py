@@ -26,7 +26,7 @@ from .written import legs, solve
 
 TERMS, REACTIONS = "terms", "leg_reactions"
 
-_OF_LEG: Arguments = {"leg": ("Leg", n.LEG)}
+_OF_LEG: Arguments = {"leg": ("Leg", n.OF_LEG)}
 _OF_POSE: Arguments = {"robot": ("Robot", n.PLATFORM), "motion": ("Motion", n.MOTION)}
 _AXIAL: Arguments = {"x": ("", (n.x,)), "bearing": ("", (n.bearing,))}
 _TERMS = t.Structure(
@@ -75,7 +75,7 @@ def terms_program(kernel: Kernel) -> t.Program:
     of_leg = _outputs("LegDynamics", "What a leg has.", kernel.leg)
     held = t.Field("leg", t.Array(t.Record(of_leg.name), (6,)), "each of them")
     of_legs = t.Structure("Legs", "What the legs have.", (held,))
-    structures = [*machine_structures(), of_leg, of_legs, *_results(kernel), _TERMS]
+    structures = [*machine_structures(kernel.formulation.drive), of_leg, of_legs, *_results(kernel), _TERMS]
     texts = _texts(structures, _blocks(kernel, kernel.leg, of_leg.name))
     texts.function(written.legs_in_turn, "legs_of")
     texts.function(written.leg_of_array, "leg_of")
@@ -138,6 +138,14 @@ def regressor_program(blocks: Regressor) -> t.Program:
     )
     texts.add(written.regressor)
     return t.Program("regressor", tuple(structures), tuple(texts.functions.values()))
+
+
+def rotor_program(columns: Block) -> t.Program:
+    """Columns of the legs' rotors with legs side by side."""
+    of_legs = _outputs("RotorColumns", "Columns of the legs' rotors.", columns)
+    structures = [*_machine(), of_legs]
+    found = _texts(structures, [block_function(columns, "rotor_columns", of_legs.name, _OF_LEG | _OF_POSE)])
+    return t.Program("rotor", tuple(structures), tuple(found.functions.values()))
 
 
 def _machine() -> list[t.Structure]:
