@@ -196,7 +196,7 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
 def trapezoids(time: Array) -> Array:
     """How long each instant, s, (n,), stands for under the trapezoidal rule, s, (n,)."""
     half = 0.5 * np.diff(time)
-    return np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half])
+    return np.asarray(np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half]))
 
 
 def _times(time: ArrayLike, motion: Motion) -> Array:

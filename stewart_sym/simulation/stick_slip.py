@@ -1,9 +1,9 @@
 """Dry friction of the drives in a simulation: each leg sticks or slips, and changes where it must.
 
 A leg sticks while the motor's force, less that with which the leg holds still, is within what friction can
-be; its rate of length is zero then, and its acceleration too, whatever rounding does. Else it slips against
-the friction of ``drives.friction``. Between two changes the machine is smooth, so that any method
-integrates it; the changes are roots of the interpolated motion.
+be; its rate of length is zero then, and stays so exactly. Else it slips against the friction of
+``drives.friction``. Between two changes the machine is smooth, so that any method integrates it; the changes
+are roots of the interpolated motion.
 """
 
 from __future__ import annotations
@@ -211,7 +211,7 @@ class StickSlip:
             before, within = within, own + by @ F
             if np.array_equal(np.sign(before), np.sign(within)):
                 break
-        return F, within
+        return np.asarray(F), within
 
     @property
     def _rotors_count(self) -> bool:

@@ -1,5 +1,6 @@
 """Every public function of the package with arguments that it accepts, by name, to start attacks from."""
 
+import dataclasses
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -49,6 +50,7 @@ def calls() -> dict[str, Call]:
     motion = random_motion(rng, robot)
     parts = {name: getattr(motion, name) for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")}
     F = ss.inverse_dynamics(robot, motion).F
+    driven = dataclasses.replace(robot, drive=ss.Drive(lead=5e-3, torque_constant=0.5))
     legs = ss.inverse_kinematics(robot, motion)
     H = ss.wrench_matrix(robot, motion)
     pose = {"robot": robot, "R": motion.R, "t": motion.t}
@@ -181,6 +183,11 @@ def calls() -> dict[str, Call]:
         "force_residue": Call(ss.force_residue, {**both, "formulation": "exact"}),
         "damped_solution": Call(ss.damped_solution, {"H": H, "c": np.ones(6), "length": 1.0, "share": 1e-4}),
         "certify_pose": Call(ss.certify_pose, {"robot": robot, "L": legs.L, "pose": (motion.R, motion.t)}),
+        "drive_effort": Call(
+            ss.drive_effort,
+            {"robot": driven, "motion": motion, "time": None, "formulation": "exact", "backend": "c"},
+        ),
+        "motor_forces": Call(ss.motor_forces, {"robot": driven, "current": F}),
         "Drive": Call(ss.Drive, dict.fromkeys(NUMBERS, 1.0)),
         "Units": Call(ss.Units, {"length": 1.0, "mass": 2.0, "time": 0.5}),
         "between": Call(ss.between, {"trajectory": trajectory}),

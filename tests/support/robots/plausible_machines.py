@@ -239,7 +239,7 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
             robot, b=robot.p, p=1.3 * robot.b, k=np.cross([0.0, 0.0, 1.0], robot.b - robot.b.mean(axis=0))
         ),
         "proportion",
-        "ring of the platform points; likely cause: base_point and platform_point exchanged",
+        "fixed axes along or across the ring of the platform points",
     ),
     "a base point copied": (
         lambda robot: dataclasses.replace(robot, b=robot.b[[0, 1, 1, 3, 4, 5]]),
