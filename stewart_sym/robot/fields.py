@@ -189,4 +189,5 @@ POSE_DEFAULTS: dict[str, Any] = {
     "tool": np.zeros(3),
     "euler_order": "zyx",
     "lengths": LENGTHS[0],
+    "offsets": None,
 }

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from ..io import tables
-from ..io.arguments import shown
+from ..io.arguments import instance, shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from . import schema_1, schema_2
@@ -31,6 +31,7 @@ from .fields import (
 )
 from .fields import LEGS as LEGS
 from .fields import legs_text as legs_text
+from .offsets import Offsets
 
 _SCHEMAS = {1: schema_1, 2: schema_2}
 
@@ -88,6 +89,8 @@ class Robot(Frozen):
         Order in which these files multiply rotations, ``"zyx"`` for R = Rz Ry Rx.
     lengths : str, optional
         Leg lengths in these files: ``"absolute"``, or ``"relative"`` to those of the home pose.
+    offsets : Offsets, optional
+        Offset joints; None for legs whose axes meet.
 
     Raises
     ------
@@ -122,6 +125,7 @@ class Robot(Frozen):
     tool: Array = field(default_factory=lambda: np.zeros(3))
     euler_order: str = "zyx"
     lengths: str = "absolute"
+    offsets: Offsets | None = None
 
     def __post_init__(self) -> None:
         """Check every field and freeze private float64 copies of the arrays."""
@@ -136,6 +140,10 @@ class Robot(Frozen):
         if self.lengths == "relative" and checked["home"] is None:
             raise ValueError('robot: lengths: "relative" is to the home pose, expected home')
         self._set(checked)
+        if self.offsets is not None:
+            instance(self.offsets, Offsets, "robot: offsets")
+            if spherical:
+                raise ValueError('robot: offsets: expected none when base_joint is "spherical"')
         if spherical:
             need_axisymmetric(checked, lambda i, name: f"robot: leg {i + 1}: {name}")
 
