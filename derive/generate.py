@@ -27,6 +27,7 @@ from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.formulation import EXACT, FORMULATIONS, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
+from .mechanics.offset_forces import offset_kernel
 from .mechanics.orientation import quaternion, rpy
 from .mechanics.reduced_models import FIDELITIES, Fidelity, fidelity_kernel
 from .mechanics.regressor import Regressor, regressor
@@ -117,6 +118,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     models[f"{EXACT.kernel_name}_bounds"] = bounded.model_numbers()
     progress("deriving the fidelities")
     files |= _fidelities(version, models)
+    progress("deriving exact_offset")
+    files |= _offset_joints(version, models)
     progress("deriving exact_regressor")
     columns = reduced_regressor()
     files["exact_regressor.py"] = arrays.regressor(columns, version)
@@ -130,6 +133,22 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files |= _of_c(made)
     files["interface.py"] = layout(models, headers, version)
     return files
+
+
+@cache
+def reduced_offset(friction: bool = True) -> ForceKernel:
+    """The force kernel of legs with offset joints as it is emitted: derived, then shared."""
+    return shared_blocks(offset_kernel(friction))
+
+
+def _offset_joints(version: str, models: dict[str, int]) -> dict[str, str]:
+    """Files of ``exact_offset``; what its model holds is added to ``models``."""
+    built = reduced_offset()
+    models[built.name] = lanes.model_numbers(built)
+    found = program(built)
+    on_arrays = arrays.module(found, arrays.imported(found), version)
+    of_c = lanes.files(built, version, reduced_offset(friction=False))
+    return _of_c(of_c) | {f"{built.name}_arrays.py": on_arrays}
 
 
 def _of_c(files: dict[str, str]) -> dict[str, str]:

@@ -118,6 +118,11 @@ class ForceKernel:
             return tuple(q for q, values in self.constants.items() if len(values) > 1)
         return tuple(o.quantity for o in self.prepare_leg.outputs if o.quantity not in p.ADDED)
 
+    def raw_leg(self) -> tuple[Quantity, ...]:
+        """What is prepared of each leg from the robot's numbers: ``quantities.LEG``, and more of some kernels."""
+        known = (*n.LEG, *n.PLATFORM, n.p_1)
+        return (*n.LEG, *(q for q in self.prepare_leg.inputs if q not in known))
+
     def platform_constants(self) -> tuple[Quantity, ...]:
         """Constants of the platform in the prepared model."""
         if self.constants is not None:
@@ -410,13 +415,17 @@ def closed_leg(
     D: sp.Expr,
     K: sp.Matrix,
     f: sp.Matrix,
+    more: Iterable[Quantity] = (),
 ) -> Block:
-    """The leg's block, moments about the reference point; k3 None where there is no universal joint."""
+    """The leg's block, moments about the reference point; k3 None where there is no universal joint.
+
+    more: constants of the leg beside ``quantities.LEG`` and ``lumped_constants.LEG``.
+    """
     joint = [] if k3 is None else [(n.k3, k3)]
     return build.block(
         "leg_terms_of",
         meaning,
-        (*n.LEG, *p.LEG, *FROM_POSE, n.g),
+        (*n.LEG, *p.LEG, *more, *FROM_POSE, n.g),
         [
             (n.q, q),
             (n.L, L),

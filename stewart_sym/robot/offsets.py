@@ -90,7 +90,7 @@ class Offsets(Frozen):
 
     def scaled(self, length: float, mass: float) -> Offsets:
         """The same of a machine whose lengths and masses are multiplied by factors."""
-        powers = {name: (1, 0) for name in ("cross", "along", "across", "wrist", "cross_center")}
+        powers = dict.fromkeys(("cross", "along", "across", "wrist", "cross_center"), (1, 0))
         powers |= {"cross_mass": (0, 1), "cross_inertia": (2, 1), "platform_axis": (0, 0)}
         changed = {
             name: getattr(self, name) * (length ** powers[name][0] * mass ** powers[name][1])

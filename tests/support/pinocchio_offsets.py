@@ -9,8 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
-
 from pinocchio_model import _accelerations, _platform_wrench
+
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.robot import Robot
 

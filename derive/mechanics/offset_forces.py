@@ -1,0 +1,90 @@
+"""The actuator forces of legs with offset joints: kernel ``exact_offset``, of its own beside ``exact``."""
+
+from collections.abc import Iterable
+from dataclasses import replace
+from functools import cache
+
+import sympy as sp
+
+from ..program.block import Block, Builder, Output, Quantity, Step, rebuilt
+from . import actuator_forces
+from . import lumped_constants as p
+from . import quantities as n
+from .actuator_forces import ForceKernel
+from .formulation import EXACT
+from .legs import offset_joints as o
+from .legs.joint_coordinates import friction_moment
+
+LEVEL = "offset"
+
+
+@cache
+def offset_kernel(friction: bool = True) -> ForceKernel:
+    """The blocks of the forces, platform joints spherical."""
+    lumped = p.Lumped(mass=True, friction=friction)
+    shared = actuator_forces.shared(friction)
+    kernel = actuator_forces.with_constants(EXACT, friction, shared, offset_leg(friction), lumped)
+    kernel = actuator_forces.about_tip(kernel)
+    prepared = prepare_leg(kernel.leg.inputs, lumped)
+    return replace(kernel, prepare_leg=prepared, fidelity=LEVEL, meaning="offset joints")
+
+
+def offset_leg(friction: bool) -> Block:
+    """The leg with offsets."""
+    build = Builder()
+    leg = o.offset_frame(build)
+    at = leg.at
+    S_dot, S_ddot = actuator_forces.tip_motion(build, at.q)
+    rates, r_dot = o.offset_rates(build, leg, S_dot)
+    accelerations = o.offset_accelerations(build, leg, rates, r_dot, S_ddot)
+    forces = o.offset_forces(build, at, rates, accelerations, friction)
+    D, K = o.offset_tip_force(build, at, forces)
+    moment = friction_moment(at, rates, friction)
+    meaning = "one leg with offset joints: D, its column of H and its part of c"
+    found = actuator_forces.closed_leg(
+        build, meaning, at.q, leg.column, at.L, leg.sine, D, K, moment, o.PREPARED
+    )
+    return found
+
+
+def prepare_leg(needed: Iterable[Quantity], lumped: p.Lumped) -> Block:
+    """The constants in ``needed`` with what offsets and the joint's cross add to them."""
+    needed = tuple(needed)
+    plain = p.prepare_leg(dict.fromkeys((*needed, p.h, p.w, p.J)), lumped)
+    moved = {q: f"{q.name}_own" for q in (p.w, p.J)}
+    names = {own: f"{name}_{own.rpartition('_')[2]}" for q, name in moved.items() for own in q.names}
+    renamed = {sp.Symbol(old, real=True): sp.Symbol(new, real=True) for old, new in names.items()}
+    steps = [
+        Step(names.get(step.name, step.name), step.expr.xreplace(renamed), step.equation, step.meaning)
+        for step in plain.steps
+    ]
+    build = Builder(steps)
+    w = p.w.value.xreplace(renamed)
+    J = p.J.value.xreplace(renamed)
+    h, r_c, m_c = p.h.value, o.r_c.value, o.m_c.value
+    d, a, e = o.d.value, o.a.value, o.e.value
+    z = sp.Matrix([0, 0, 1])
+    # What the arm d z of the upper part's centre adds, and what turns about k alone.
+    J = J + d * (2 * h[2] * sp.eye(3) - z * h.T - h * z.T)
+    about_k = build.scalar(
+        "I_k",
+        n.m_d.value * a**2 + o.I_c.value + m_c * (r_c[0] ** 2 + r_c[1] ** 2) + 2 * e * h[1],
+        "",
+        "inertia about k of what turns about it alone",
+    )
+    build.tensor("J", J + about_k * sp.diag(1, 0, 1), "", "with what offsets and cross add")
+    build.vector("w", w + sp.Matrix([0, m_c * r_c[1], 0]), "", "with the cross")
+    values: dict[Quantity, sp.Expr] = {
+        o.a: a,
+        o.e: e,
+        o.d: d,
+        o.d2: d**2,
+        o.e2: e**2,
+        o.a2: 2 * a,
+        o.w_o: n.m_d.value * a + m_c * r_c[0],
+    }
+    outputs = [out for out in plain.outputs if out.quantity in needed or out.quantity in p.ADDED]
+    more = [Output(q, (value,)) for q, value in values.items() if q in needed]
+    own = [out for out in outputs if out.quantity not in p.ADDED]
+    added = [out for out in outputs if out.quantity in p.ADDED]
+    return rebuilt(plain, build.steps, [*own, *more, *added], (*plain.inputs, *o.RAW, *n.LEG, n.p_1, n.g))
