@@ -184,10 +184,12 @@ POSE_FIELDS: dict[str, Check] = {
 }
 """Check of the fields that say how poses of the machine are given; schema 1 has none of them."""
 
-POSE_DEFAULTS: dict[str, Any] = {
+DEFAULTS: dict[str, Any] = {
     "home": None,
     "tool": np.zeros(3),
     "euler_order": "zyx",
     "lengths": LENGTHS[0],
+    "drive": None,
     "offsets": None,
 }
+"""Fields that schema 1 does not have."""

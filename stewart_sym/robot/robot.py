@@ -12,15 +12,15 @@ from typing import Any
 import numpy as np
 
 from ..io import tables
-from ..io.arguments import instance, shown
+from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from . import schema_1, schema_2
-from .fields import DOUBTS as DOUBTS
+from .drive import Drive
 from .fields import (
+    DEFAULTS,
     FIELDS,
     LEG_FIELDS,
-    POSE_DEFAULTS,
     POSE_FIELDS,
     SYMMETRY_TOLERANCE,
     Check,
@@ -29,6 +29,7 @@ from .fields import (
     need_axisymmetric,
     no_direction,
 )
+from .fields import DOUBTS as DOUBTS
 from .fields import LEGS as LEGS
 from .fields import legs_text as legs_text
 from .offsets import Offsets
@@ -89,6 +90,8 @@ class Robot(Frozen):
         Order in which these files multiply rotations, ``"zyx"`` for R = Rz Ry Rx.
     lengths : str, optional
         Leg lengths in these files: ``"absolute"``, or ``"relative"`` to those of the home pose.
+    drive : Drive, optional
+        What moves the legs; None where nothing is stated of it.
     offsets : Offsets, optional
         Offset joints; None for legs whose axes meet.
 
@@ -125,6 +128,7 @@ class Robot(Frozen):
     tool: Array = field(default_factory=lambda: np.zeros(3))
     euler_order: str = "zyx"
     lengths: str = "absolute"
+    drive: Drive | None = None
     offsets: Offsets | None = None
 
     def __post_init__(self) -> None:
@@ -139,11 +143,13 @@ class Robot(Frozen):
             checked[name] = self._per_leg(name, no_direction if spherical and name == "k" else check)
         if self.lengths == "relative" and checked["home"] is None:
             raise ValueError('robot: lengths: "relative" is to the home pose, expected home')
+        if not isinstance(self.drive, Drive | None):
+            raise ValueError(f"robot: drive: expected a Drive or None, got {shown(self.drive)}")
         self._set(checked)
-        if self.offsets is not None:
-            instance(self.offsets, Offsets, "robot: offsets")
-            if spherical:
-                raise ValueError('robot: offsets: expected none when base_joint is "spherical"')
+        if not isinstance(self.offsets, Offsets | None):
+            raise ValueError(f"robot: offsets: expected Offsets or None, got {shown(self.offsets)}")
+        if self.offsets is not None and spherical:
+            raise ValueError('robot: offsets: expected none when base_joint is "spherical"')
         if spherical:
             need_axisymmetric(checked, lambda i, name: f"robot: leg {i + 1}: {name}")
 
@@ -188,7 +194,7 @@ class Robot(Frozen):
         schema = _SCHEMAS[tables.need_schema(d["schema"], tuple(_SCHEMAS), f"{file}schema")]
         # Checked where a message can name the key, and so not again as fields.
         robot = object.__new__(cls)
-        robot._set(POSE_DEFAULTS | schema.values(d, file))
+        robot._set(DEFAULTS | schema.values(d, file))
         return robot
 
     def to_dict(self) -> dict[str, Any]:
@@ -197,6 +203,7 @@ class Robot(Frozen):
         Of schema 1 where that has all that the robot is, else of schema 2; SI units.
         """
         plain = self.home is None and self.lengths == "absolute" and self.euler_order == "zyx"
+        plain = plain and self.drive is None
         tables_of = schema_1.tables_of if plain and not self.tool.any() else schema_2.tables_of
         return tables_of(vars(self))
 

@@ -15,6 +15,7 @@ from ..io.array_types import Array
 from ..motion.logs import LENGTH_UNITS
 from . import schema_1
 from .bodies import INERTIA_KEYS, Metres, body
+from .drive import drive_of_tables, drive_tables
 from .fields import (
     DEFAULT_GRAVITY,
     LEG_FIELDS,
@@ -40,7 +41,7 @@ _PARTS = {"lower": 1.0, "upper": -1.0}
 """Parts of a leg, and to which side along x they lie from their joint."""
 _FRICTION_KEYS = ("universal", "prismatic", "spherical")
 _LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit")
-_SHARED_KEYS = ("universal_axis", *_PARTS, "friction", *_LIMIT_KEYS)
+_SHARED_KEYS = ("universal_axis", *_PARTS, "friction", "drive", *_LIMIT_KEYS)
 _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(LEGS))
 _TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
@@ -77,7 +78,10 @@ def _values(d: object, file: str) -> dict[str, Any]:
     on_top = body(platform["body"], f"{file}platform.body", metres, None)
     tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
-    return own | _Legs(top, file, metres, joint, home).values(*rings)
+    legs = _Legs(top, file, metres, joint, home)
+    return (
+        own | legs.values(*rings) | {"drive": drive_of_tables(legs.shared, legs.own, file, metres, degrees)}
+    )
 
 
 def _metres(unit: str) -> Metres:
@@ -235,6 +239,8 @@ def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
     ends = ("base_point", "platform_point")
     home = fields["home"]
     trajectory = {key: np.asarray(fields[key]).tolist() for key in _TRAJECTORY_KEYS}
+    drive = fields["drive"]
+    drives = [{}] * LEGS if drive is None else [{"drive": table} for table in drive_tables(drive)]
     return {
         **plain,
         "schema": SCHEMA,
@@ -243,8 +249,8 @@ def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
         "platform": platform,
         "legs": {},
         "leg": {
-            n: {key: value for key, value in leg.items() if key not in ends}
-            for n, leg in zip(_NUMBERS, legs, strict=True)
+            n: {key: value for key, value in leg.items() if key not in ends} | own
+            for n, leg, own in zip(_NUMBERS, legs, drives, strict=True)
         },
         "trajectory": trajectory,
     }
