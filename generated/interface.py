@@ -35,6 +35,10 @@ STRUCTS: dict[str, dict[str, Shape]] = {
         "C_p": (),
         "C_s": (),
     },
+    "rotor": {
+        "m_r": (),
+        "j_r": (),
+    },
     "platform": {
         "M": (),
         "R_0": (3,),
@@ -186,7 +190,9 @@ MODELS: dict[str, int] = {
     "paper": 219,
     "exact_spherical": 250,
     "paper_spherical": 250,
+    "exact_drive": 326,
     "exact_bounds": 385,
+    "exact_drive_bounds": 397,
     "exact_frictionless": 258,
     "exact_axisymmetric_friction": 187,
     "exact_axisymmetric": 162,

@@ -87,6 +87,7 @@ def _header(
         "motion.h",
         f"stewart_{made.name}_motion",
         version,
+        rotors=made.model.formulation.drive,
         included=f"stewart_{made.name}_forces.h",
         name=made.name,
         read="are read by\n * `derivatives` alone." if "derivatives" in asked else "are not read.",

@@ -47,17 +47,17 @@ ROBOT = t.Structure(
     "",
     (t.Field("leg", t.Array(t.Record("stewart_leg"), (6,))), *(stored(q, always=False) for q in n.PLATFORM)),
 )
-LEG = t.Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.LEG))
+LEG = t.Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.OF_LEG))
 MOTION = t.Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
 
 
 def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
     """The robot and its leg that a kernel is prepared from: those of ``stewart.h``, or its own."""
-    numbers = kernel.raw_leg()
-    if numbers == n.LEG:
+    more = kernel.more_of_legs()
+    if not more:
         return ROBOT, LEG
     name = f"stewart_{kernel.fidelity}"
-    leg = t.Structure(f"{name}_leg", "One leg.", tuple(map(described, numbers)))
+    leg = t.Structure(f"{name}_leg", "One leg.", tuple(map(described, (*n.LEG, *more))))
     legs = t.Field("leg", t.Array(t.Record(leg.name), (6,)))
     robot = t.Structure(f"{name}_robot", "The machine.", (legs, *map(described, n.PLATFORM)))
     return robot, leg

@@ -87,4 +87,4 @@ def prepare_leg(needed: Iterable[Quantity], lumped: p.Lumped) -> Block:
     more = [Output(q, (value,)) for q, value in values.items() if q in needed]
     own = [out for out in outputs if out.quantity not in p.ADDED]
     added = [out for out in outputs if out.quantity in p.ADDED]
-    return rebuilt(plain, build.steps, [*own, *more, *added], (*plain.inputs, *o.RAW, *n.LEG, n.p_1, n.g))
+    return rebuilt(plain, build.steps, [*own, *more, *added], (*plain.inputs, *o.RAW, *n.OF_LEG, n.p_1, n.g))
