@@ -36,7 +36,6 @@ from .print.template import filled
 from .program.block import Block
 from .program.cse import share
 
-
 WHOLE = (EXACT, EXACT_DRIVE)
 """Formulations with a closed form and bounds."""
 
@@ -150,12 +149,16 @@ def reduced_offset(friction: bool = True) -> ForceKernel:
 
 def _offset_joints(version: str, models: dict[str, int]) -> dict[str, str]:
     """Files of ``exact_offset``; what its model holds is added to ``models``."""
-    built = reduced_offset()
+    built, smooth = reduced_offset(), reduced_offset(friction=False)
     models[built.name] = lanes.model_numbers(built)
     found = program(built)
     on_arrays = arrays.module(found, arrays.imported(found), version)
-    of_c = lanes.files(built, version, reduced_offset(friction=False))
-    return _of_c(of_c) | {f"{built.name}_arrays.py": on_arrays}
+    counts = {"friction": built, "frictionless": smooth}
+    rows = [f'    "{name}": {force_operations(each).total.total},' for name, each in counts.items()]
+    return _of_c(lanes.files(built, version, smooth)) | {
+        f"{built.name}_arrays.py": on_arrays,
+        f"{built.name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
+    }
 
 
 def _of_c(files: dict[str, str]) -> dict[str, str]:

@@ -29,6 +29,8 @@ class Leg:
         self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
+        self.m_r: Any = 0.0  # kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead
+        self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
         self.cross: Any = 0.0  # m: from the fixed to the moving axis, along o = y x k
         self.along: Any = 0.0  # m: from where o meets the moving axis to the line of sliding, along y
         self.across: Any = 0.0  # m: the same along z = s x y
@@ -72,6 +74,8 @@ class LegConstants:
         self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
         self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
         self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
+        self.m_r: Any = 0.0  # kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead
+        self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
         self.h: Any = [0.0] * 3  # kg m: first moment of the upper part about the platform point, leg frame
         self.h2_x: Any = 0.0  # kg m: 2 h_x
         self.h2_y: Any = 0.0  # kg m: 2 h_y
@@ -188,25 +192,17 @@ class MomentTerms:
 
 
 def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
-    """Constants of one leg, and what it adds to the platform: 118 (67 mul, 49 add, 1 div, 1 sqrt)."""
+    """Constants of one leg, and what it adds to the platform: 126 (70 mul, 54 add, 1 div, 1 sqrt)."""
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
     m_d = leg.m_d
     r_d0_x, r_d0_y, r_d0_z = leg.r_d0
-    I_d0_xx = leg.I_d0[0]
-    I_d0_xz = leg.I_d0[2]
-    I_d0_yy = leg.I_d0[3]
-    I_d0_yz = leg.I_d0[4]
-    I_d0_zz = leg.I_d0[5]
+    I_d0_xx, I_d0_xy, I_d0_xz, I_d0_yy, I_d0_yz, I_d0_zz = leg.I_d0
     m_u = leg.m_u
     r_u0_x, r_u0_y, r_u0_z = leg.r_u0
-    I_u0_xx = leg.I_u0[0]
-    I_u0_xz = leg.I_u0[2]
-    I_u0_yy = leg.I_u0[3]
-    I_u0_yz = leg.I_u0[4]
-    I_u0_zz = leg.I_u0[5]
-    C_u, C_p, C_s = leg.C_u, leg.C_p, leg.C_s
+    I_u0_xx, I_u0_xy, I_u0_xz, I_u0_yy, I_u0_yz, I_u0_zz = leg.I_u0
+    C_u, C_p, C_s, m_r, j_r = leg.C_u, leg.C_p, leg.C_s, leg.m_r, leg.j_r
     g_x, g_y, g_z = robot.g
     cross, along, across, cross_mass = leg.cross, leg.along, leg.across, leg.cross_mass
     cross_center_x, cross_center_y = leg.cross_center[0], leg.cross_center[1]
@@ -223,52 +219,57 @@ def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
     c2 = m_u * r_u0_y
     h_y = c2
     h_z = m_u * r_u0_z
-    c3 = m_d * r_d0_y
-    w_own_y = c3 + h_y
-    c4 = r_d0_y * r_d0_y
-    c5 = r_d0_z * r_d0_z
-    c6 = r_u0_y * r_u0_y
-    c7 = r_u0_z * r_u0_z
-    J_own_xx = I_d0_xx + I_u0_xx + m_d * (c4 + c5) + m_u * (c6 + c7)
-    J_own_xz = I_d0_xz + I_u0_xz - c1 * r_u0_z - m_d * r_d0_x * r_d0_z
-    c8 = r_d0_x * r_d0_x
-    c9 = r_u0_x * r_u0_x
-    J_own_yy = I_d0_yy + I_u0_yy + m_d * (c5 + c8) + m_u * (c7 + c9)
-    J_own_yz = I_d0_yz + I_u0_yz - c2 * r_u0_z - c3 * r_d0_z
-    J_own_zz = I_d0_zz + I_u0_zz + m_d * (c4 + c8) + m_u * (c6 + c9)
+    c3 = m_d * r_d0_x
+    w_x = c3 + h_x
+    c4 = m_d * r_d0_y
+    own_w_y = c4 + h_y
+    w_z = h_z + m_d * r_d0_z
+    c5 = r_d0_y * r_d0_y
+    c6 = r_d0_z * r_d0_z
+    c7 = r_u0_y * r_u0_y
+    c8 = r_u0_z * r_u0_z
+    own_J_xx = I_d0_xx + I_u0_xx + m_d * (c5 + c6) + m_u * (c7 + c8)
+    J_xy = I_d0_xy + I_u0_xy - c1 * r_u0_y - c3 * r_d0_y
+    own_J_xz = I_d0_xz + I_u0_xz - c1 * r_u0_z - c3 * r_d0_z
+    c9 = r_d0_x * r_d0_x
+    c10 = r_u0_x * r_u0_x
+    own_J_yy = I_d0_yy + I_u0_yy + m_d * (c6 + c9) + m_u * (c10 + c8)
+    own_J_yz = I_d0_yz + I_u0_yz - c2 * r_u0_z - c4 * r_d0_z
+    own_J_zz = I_d0_zz + I_u0_zz + m_d * (c5 + c9) + m_u * (c10 + c7)
     # platform point from platform point 1
     arm_x = p_x - p_1_x
     arm_y = p_y - p_1_y
     arm_z = p_z - p_1_z
-    c10 = 2.0 * h_y
+    c11 = 2.0 * h_y
     # inertia about k of what turns about it alone
-    I_k = (cross_inertia + m_d * cross * cross + along * c10 + cross_mass * (cross_center_x * cross_center_x
+    I_k = (cross_inertia + m_d * cross * cross + along * c11 + cross_mass * (cross_center_x * cross_center_x
         + cross_center_y * cross_center_y))
-    c11 = 2.0 * h_z
-    c12 = across * c11
+    c12 = 2.0 * h_z
+    c13 = across * c12
     # with what offsets and cross add
-    J_xx = c12 + I_k + J_own_xx
-    J_xz = J_own_xz - across * h_x
-    J_yy = c12 + J_own_yy
-    J_yz = J_own_yz - across * h_y
-    J_zz = I_k + J_own_zz
-    # with the cross
-    w_y = cross_center_y * cross_mass + w_own_y
-    c13 = arm_x * m_u
-    c14 = arm_y * m_u
-    c15 = arm_y * arm_y
-    c16 = arm_z * arm_z
-    c17 = arm_x * arm_x
+    J_xx = c13 + I_k + own_J_xx
+    J_xz = own_J_xz - across * h_x
+    J_yy = c13 + own_J_yy
+    J_yz = own_J_yz - across * h_y
+    J_zz = I_k + own_J_zz
+    w_y = cross_center_y * cross_mass + own_w_y
+    c14 = arm_x * m_u
+    c15 = arm_y * m_u
+    c16 = arm_y * arm_y
+    c17 = arm_z * arm_z
+    c18 = arm_x * arm_x
     out = LegConstants()
     out.b = [b_x, b_y, b_z]
     out.p = [p_x, p_y, p_z]
     out.k = [k_unit_x, k_unit_y, k_unit_z]
     out.C_p = C_p
     out.C_s = C_s
+    out.m_r = m_r
+    out.j_r = j_r
     out.h = [h_x, h_y, h_z]
     out.h2_x = 2.0 * h_x
-    out.h2_y = c10
-    out.h2_z = c11
+    out.h2_y = c11
+    out.h2_z = c12
     out.w = [w_x, w_y, w_z]
     out.J = [J_xx, J_xy, J_xz, J_yy, J_yz, J_zz]
     out.J2_xz = 2.0 * J_xz
@@ -288,14 +289,14 @@ def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
     out.cross2 = 2.0 * cross
     out.w_o = cross * m_d + cross_center_x * cross_mass
     out.M_add = m_u
-    out.h_add = [c13, c14, arm_z * m_u]
+    out.h_add = [c14, c15, arm_z * m_u]
     out.J_add = [
-        m_u * (c15 + c16),
-        -arm_y * c13,
-        -arm_z * c13,
         m_u * (c16 + c17),
+        -arm_y * c14,
         -arm_z * c14,
-        m_u * (c15 + c17),
+        m_u * (c17 + c18),
+        -arm_z * c15,
+        m_u * (c16 + c18),
     ]
     out.C_add = C_s
     return out
@@ -379,6 +380,8 @@ def lost_digits(on: Arithmetic, model: Any) -> Any:
             lost = lost + 0.0 * model.leg[leg].k[i]
         lost = lost + 0.0 * model.leg[leg].C_p
         lost = lost + 0.0 * model.leg[leg].C_s
+        lost = lost + 0.0 * model.leg[leg].m_r
+        lost = lost + 0.0 * model.leg[leg].j_r
         for i in range(3):
             lost = lost + 0.0 * model.leg[leg].h[i]
         lost = lost + 0.0 * model.leg[leg].h2_x
@@ -674,13 +677,13 @@ def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
 
 
 def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
-    """One leg with offset joints: D, its column of H and its part of c: 364 (212 mul, 146 add, 4 div, 2
+    """One leg with offset joints: D, its column of H and its part of c: 377 (220 mul, 151 add, 4 div, 2
     sqrt).
     """
     b_x, b_y, b_z = leg.b
     p_x, p_y, p_z = leg.p
     k_x, k_y, k_z = leg.k
-    C_p, C_s = leg.C_p, leg.C_s
+    C_p, C_s, m_r, j_r = leg.C_p, leg.C_s, leg.m_r, leg.j_r
     h_x, h_y, h_z = leg.h
     h2_x, h2_y, h2_z = leg.h2_x, leg.h2_y, leg.h2_z
     w_x, w_y, w_z = leg.w
@@ -755,13 +758,12 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     z_x = k3 * k_x - k1 * o_x
     z_y = k3 * k_y - k1 * o_y
     z_z = k3 * k_z - k1 * o_z
-    h_z = across * inv_L
-    c1 = h_z * k1
-    h_y = along * inv_r * (k3 - c1)
+    column_of_z = across * inv_L
+    column_of_y = along * inv_r * (k3 - column_of_z * k1)
     # (22) direction in which the tip moves as L alone grows least: the leg's column of H
-    column_x = h_y * y_x + s_x + h_z * z_x
-    column_y = h_y * y_y + s_y + h_z * z_y
-    column_z = h_y * y_z + s_z + h_z * z_z
+    column_x = column_of_y * y_x + s_x + column_of_z * z_x
+    column_y = column_of_y * y_y + s_y + column_of_z * z_y
+    column_z = column_of_y * y_z + s_z + column_of_z * z_z
     # (10) share of the tip's distance from the fixed axis in L
     sine = inv_L * r
     # (4) velocity of the platform point
@@ -788,10 +790,10 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     phi_ddot = (inv_r * (along * phi_dot2 + S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z - r_dot * two_phi_dot))
     # r_ddot by phi alone
     turning = phi_dot2 * r + along * phi_ddot
-    c2 = L_dot * theta_dot
+    c1 = L_dot * theta_dot
     # (9) accelerations of the joint coordinates
     theta_ddot = (inv_L * (k1 * turning - across * theta_dot2 - S_ddot_x * z_x - S_ddot_y * z_y - S_ddot_z * z_z
-        - 2.0 * c2))
+        - 2.0 * c1))
     # (8) accelerations of the joint coordinates
     L_ddot = (L * theta_dot2 + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + k3 * turning - across * theta_ddot)
     k33 = k3 * k3
@@ -812,25 +814,28 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     w_k = k1 * w_x + k3 * w_z
     w_n = k3 * w_x - k1 * w_z
     h_k = h_x * k1 + h_z * k3
-    h_n = h_x * k3 - c1
+    h_n = h_x * k3 - h_z * k1
     M_phi_offset = M_phi + cross2 * w_n
     M_phi_theta_offset = M_phi_theta + cross * w_k
     M_mixed_offset = M_mixed - along * h_k
-    M_mixed_theta_offset = along * h_n + M_mixed_theta
-    bend = c2
-    c3 = g_x * y_x + g_y * y_y + g_z * y_z
+    M_mixed_theta_offset = M_mixed_theta + along * h_n
+    bend = c1
+    c2 = g_x * y_x + g_y * y_y + g_z * y_z
     # gravity along k x y and along y
     gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
-    gamma_y = c3
+    gamma_y = c2
+    c3 = j_r * k3
+    c4 = c3 * phi_dot
+    c5 = j_r * k1 - k3_h
     # (20) generalised forces about y and about k
     tau_y = (g_k * w_n + gamma_n * w_k - M_phi_theta_offset * phi_dot2 - C_s * (omega_x * y_x + omega_y * y_y
-        + omega_z * y_z) + C_us * theta_dot + M_mixed_offset * phi_ddot + bend * h2_x + M_theta * theta_ddot
-        + L_ddot * h_z)
-    tau_k = (C_us * phi_dot - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) - gamma_n * w_y - gamma_y
-        * w_n + M_mixed_theta_offset * theta_dot2 + M_phi_offset * phi_ddot + two_phi_dot * (M_phi_theta_offset
-        * theta_dot + L_dot * M_phi_L) - bend * h2_y * k1 + M_mixed_offset * theta_ddot - L_ddot * k3_h)
+        + omega_z * y_z) + C_us * theta_dot + M_mixed_offset * phi_ddot + L_dot * c4 + bend * h2_x + M_theta
+        * theta_ddot + L_ddot * h_z)
+    tau_k = (M_mixed_theta_offset * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) + C_us
+        * phi_dot - gamma_n * w_y - gamma_y * w_n + M_phi_offset * phi_ddot + two_phi_dot * (M_phi_theta_offset
+        * theta_dot + L_dot * M_phi_L) - c1 * c3 - bend * h2_y * k1 + M_mixed_offset * theta_ddot + L_ddot * c5)
     # (20)
-    tau_k_offset = tau_k - c3 * w_o
+    tau_k_offset = tau_k - c2 * w_o
     # (21) K = Q_y y + Q_z z
     Q_z = -inv_L * tau_y
     Q_y = inv_r * (tau_k_offset - Q_z * along * k1)
@@ -839,9 +844,10 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     K_y = Q_z * z_y + Q_y * y_y
     K_z = Q_z * z_z + Q_y * y_z
     # (24) known part of the actuator force
-    D = C_p * L_dot - h_x * theta_dot2 - M_phi_L * phi_dot2 - k3_h * phi_ddot + h_z * theta_ddot
-    c4 = C_s * phi_dot
-    c5 = C_s * theta_dot
+    D = (c5 * phi_ddot - h_x * theta_dot2 - M_phi_L * phi_dot2 - c4 * theta_dot + C_p * L_dot + h_z * theta_ddot
+        + L_ddot * m_r)
+    c6 = C_s * phi_dot
+    c7 = C_s * theta_dot
     out = LegTerms()
     out.q = [q_x, q_y, q_z]
     out.L = L
@@ -849,7 +855,7 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     out.D = D
     out.H_force = [column_x, column_y, column_z]
     out.c_force = [-K_x, -K_y, -K_z]
-    out.c_moment = [c4 * k_x + c5 * y_x, c4 * k_y + c5 * y_y, c4 * k_z + c5 * y_z]
+    out.c_moment = [c6 * k_x + c7 * y_x, c6 * k_y + c7 * y_y, c6 * k_z + c7 * y_z]
     return out
 
 

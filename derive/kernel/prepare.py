@@ -57,7 +57,7 @@ def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
     if not more:
         return ROBOT, LEG
     name = f"stewart_{kernel.fidelity}"
-    leg = t.Structure(f"{name}_leg", "One leg.", tuple(map(described, (*n.LEG, *more))))
+    leg = t.Structure(f"{name}_leg", "One leg.", tuple(map(described, (*n.OF_LEG, *more))))
     legs = t.Field("leg", t.Array(t.Record(leg.name), (6,)))
     robot = t.Structure(f"{name}_robot", "The machine.", (legs, *map(described, n.PLATFORM)))
     return robot, leg

@@ -6,7 +6,7 @@ from functools import cache
 
 import sympy as sp
 
-from ..program.block import Block, Builder, Output, Quantity, Step, rebuilt
+from ..program.block import Block, Builder, Output, Quantity, rebuilt
 from . import actuator_forces
 from . import lumped_constants as p
 from . import quantities as n
@@ -51,29 +51,35 @@ def prepare_leg(needed: Iterable[Quantity], lumped: p.Lumped) -> Block:
     """The constants in ``needed`` with what offsets and the joint's cross add to them."""
     needed = tuple(needed)
     plain = p.prepare_leg(dict.fromkeys((*needed, p.h, p.w, p.J)), lumped)
-    moved = {q: f"{q.name}_own" for q in (p.w, p.J)}
-    names = {own: f"{name}_{own.rpartition('_')[2]}" for q, name in moved.items() for own in q.names}
-    renamed = {sp.Symbol(old, real=True): sp.Symbol(new, real=True) for old, new in names.items()}
-    steps = [
-        Step(names.get(step.name, step.name), step.expr.xreplace(renamed), step.equation, step.meaning)
-        for step in plain.steps
-    ]
-    build = Builder(steps)
-    w = p.w.value.xreplace(renamed)
-    J = p.J.value.xreplace(renamed)
     h, r_c, m_c = p.h.value, o.r_c.value, o.m_c.value
     d, a, e = o.d.value, o.a.value, o.e.value
     z = sp.Matrix([0, 0, 1])
+    about_k = sp.Symbol("I_k", real=True)
     # What the arm d z of the upper part's centre adds, and what turns about k alone.
-    J = J + d * (2 * h[2] * sp.eye(3) - z * h.T - h * z.T)
-    about_k = build.scalar(
+    added_J = d * (2 * h[2] * sp.eye(3) - z * h.T - h * z.T) + about_k * sp.diag(1, 0, 1)
+    added_w = sp.Matrix([0, m_c * r_c[1], 0])
+    more_of = dict(zip(p.J.names, (added_J[key] for key in p.J.keys), strict=True))
+    more_of |= dict(zip(p.w.names, added_w, strict=True))
+    more_of = {name: sp.expand(expr) for name, expr in more_of.items() if sp.expand(expr) != 0}
+    own = {name: sp.Symbol(f"own_{name}", real=True) for name in more_of}
+    renamed = {sp.Symbol(name, real=True): symbol for name, symbol in own.items()}
+    steps = [
+        replace(
+            step,
+            name=own[step.name].name if step.name in own else step.name,
+            expr=step.expr.xreplace(renamed),
+        )
+        for step in plain.steps
+    ]
+    build = Builder(steps)
+    build.scalar(
         "I_k",
         n.m_d.value * a**2 + o.I_c.value + m_c * (r_c[0] ** 2 + r_c[1] ** 2) + 2 * e * h[1],
         "",
         "inertia about k of what turns about it alone",
     )
-    build.tensor("J", J + about_k * sp.diag(1, 0, 1), "", "with what offsets and cross add")
-    build.vector("w", w + sp.Matrix([0, m_c * r_c[1], 0]), "", "with the cross")
+    for name, expr in more_of.items():
+        build.scalar(name, own[name] + expr, "", "with what offsets and cross add")
     values: dict[Quantity, sp.Expr] = {
         o.a: a,
         o.e: e,
@@ -85,6 +91,8 @@ def prepare_leg(needed: Iterable[Quantity], lumped: p.Lumped) -> Block:
     }
     outputs = [out for out in plain.outputs if out.quantity in needed or out.quantity in p.ADDED]
     more = [Output(q, (value,)) for q, value in values.items() if q in needed]
-    own = [out for out in outputs if out.quantity not in p.ADDED]
+    of_leg = [out for out in outputs if out.quantity not in p.ADDED]
     added = [out for out in outputs if out.quantity in p.ADDED]
-    return rebuilt(plain, build.steps, [*own, *more, *added], (*plain.inputs, *o.RAW, *n.OF_LEG, n.p_1, n.g))
+    return rebuilt(
+        plain, build.steps, [*of_leg, *more, *added], (*plain.inputs, *o.RAW, *n.OF_LEG, n.p_1, n.g)
+    )

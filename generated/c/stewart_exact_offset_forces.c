@@ -59,6 +59,8 @@ typedef struct {
     stewart_real k[3];
     stewart_real C_p;
     stewart_real C_s;
+    stewart_real m_r;
+    stewart_real j_r;
     stewart_real h[3];
     stewart_real h2_x;
     stewart_real h2_y;
@@ -93,15 +95,17 @@ static void prepare_leg(const stewart_offset_robot *robot, const stewart_offset_
     const stewart_real k_x = axis[0], k_y = axis[1], k_z = axis[2];
     const stewart_real m_d = leg->m_d;
     const stewart_real r_d0_x = leg->r_d0[0], r_d0_y = leg->r_d0[1], r_d0_z = leg->r_d0[2];
-    const stewart_real I_d0_xx = leg->I_d0[0], I_d0_xz = leg->I_d0[2], I_d0_yy = leg->I_d0[3], I_d0_yz = leg->I_d0[4],
-        I_d0_zz = leg->I_d0[5];
+    const stewart_real I_d0_xx = leg->I_d0[0], I_d0_xy = leg->I_d0[1], I_d0_xz = leg->I_d0[2], I_d0_yy = leg->I_d0[3],
+        I_d0_yz = leg->I_d0[4], I_d0_zz = leg->I_d0[5];
     const stewart_real m_u = leg->m_u;
     const stewart_real r_u0_x = leg->r_u0[0], r_u0_y = leg->r_u0[1], r_u0_z = leg->r_u0[2];
-    const stewart_real I_u0_xx = leg->I_u0[0], I_u0_xz = leg->I_u0[2], I_u0_yy = leg->I_u0[3], I_u0_yz = leg->I_u0[4],
-        I_u0_zz = leg->I_u0[5];
+    const stewart_real I_u0_xx = leg->I_u0[0], I_u0_xy = leg->I_u0[1], I_u0_xz = leg->I_u0[2], I_u0_yy = leg->I_u0[3],
+        I_u0_yz = leg->I_u0[4], I_u0_zz = leg->I_u0[5];
     const stewart_real C_u = leg->C_u;
     const stewart_real C_p = leg->C_p;
     const stewart_real C_s = leg->C_s;
+    const stewart_real m_r = leg->m_r;
+    const stewart_real j_r = leg->j_r;
     const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1], p_1_z = robot->leg[0].p[2];
     const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
     const stewart_real cross = leg->cross;
@@ -121,42 +125,45 @@ static void prepare_leg(const stewart_offset_robot *robot, const stewart_offset_
     const stewart_real c2 = m_u*r_u0_y;
     const stewart_real h_y = c2;
     const stewart_real h_z = m_u*r_u0_z;
-    const stewart_real c3 = m_d*r_d0_y;
-    const stewart_real w_own_y = c3 + h_y;
-    const stewart_real c4 = r_d0_y*r_d0_y;
-    const stewart_real c5 = r_d0_z*r_d0_z;
-    const stewart_real c6 = r_u0_y*r_u0_y;
-    const stewart_real c7 = r_u0_z*r_u0_z;
-    const stewart_real J_own_xx = I_d0_xx + I_u0_xx + m_d*(c4 + c5) + m_u*(c6 + c7);
-    const stewart_real J_own_xz = I_d0_xz + I_u0_xz - c1*r_u0_z - m_d*r_d0_x*r_d0_z;
-    const stewart_real c8 = r_d0_x*r_d0_x;
-    const stewart_real c9 = r_u0_x*r_u0_x;
-    const stewart_real J_own_yy = I_d0_yy + I_u0_yy + m_d*(c5 + c8) + m_u*(c7 + c9);
-    const stewart_real J_own_yz = I_d0_yz + I_u0_yz - c2*r_u0_z - c3*r_d0_z;
-    const stewart_real J_own_zz = I_d0_zz + I_u0_zz + m_d*(c4 + c8) + m_u*(c6 + c9);
+    const stewart_real c3 = m_d*r_d0_x;
+    const stewart_real w_x = c3 + h_x;
+    const stewart_real c4 = m_d*r_d0_y;
+    const stewart_real own_w_y = c4 + h_y;
+    const stewart_real w_z = h_z + m_d*r_d0_z;
+    const stewart_real c5 = r_d0_y*r_d0_y;
+    const stewart_real c6 = r_d0_z*r_d0_z;
+    const stewart_real c7 = r_u0_y*r_u0_y;
+    const stewart_real c8 = r_u0_z*r_u0_z;
+    const stewart_real own_J_xx = I_d0_xx + I_u0_xx + m_d*(c5 + c6) + m_u*(c7 + c8);
+    const stewart_real J_xy = I_d0_xy + I_u0_xy - c1*r_u0_y - c3*r_d0_y;
+    const stewart_real own_J_xz = I_d0_xz + I_u0_xz - c1*r_u0_z - c3*r_d0_z;
+    const stewart_real c9 = r_d0_x*r_d0_x;
+    const stewart_real c10 = r_u0_x*r_u0_x;
+    const stewart_real own_J_yy = I_d0_yy + I_u0_yy + m_d*(c6 + c9) + m_u*(c10 + c8);
+    const stewart_real own_J_yz = I_d0_yz + I_u0_yz - c2*r_u0_z - c4*r_d0_z;
+    const stewart_real own_J_zz = I_d0_zz + I_u0_zz + m_d*(c5 + c9) + m_u*(c10 + c7);
     /* platform point from platform point 1 */
     const stewart_real arm_x = p_x - p_1_x;
     const stewart_real arm_y = p_y - p_1_y;
     const stewart_real arm_z = p_z - p_1_z;
-    const stewart_real c10 = REAL(2)*h_y;
+    const stewart_real c11 = REAL(2)*h_y;
     /* inertia about k of what turns about it alone */
-    const stewart_real I_k = cross_inertia + m_d*cross*cross + along*c10 + cross_mass*(cross_center_x*cross_center_x
+    const stewart_real I_k = cross_inertia + m_d*cross*cross + along*c11 + cross_mass*(cross_center_x*cross_center_x
         + cross_center_y*cross_center_y);
-    const stewart_real c11 = REAL(2)*h_z;
-    const stewart_real c12 = across*c11;
+    const stewart_real c12 = REAL(2)*h_z;
+    const stewart_real c13 = across*c12;
     /* with what offsets and cross add */
-    const stewart_real J_xx = c12 + I_k + J_own_xx;
-    const stewart_real J_xz = J_own_xz - across*h_x;
-    const stewart_real J_yy = c12 + J_own_yy;
-    const stewart_real J_yz = J_own_yz - across*h_y;
-    const stewart_real J_zz = I_k + J_own_zz;
-    /* with the cross */
-    const stewart_real w_y = cross_center_y*cross_mass + w_own_y;
-    const stewart_real c13 = arm_x*m_u;
-    const stewart_real c14 = arm_y*m_u;
-    const stewart_real c15 = arm_y*arm_y;
-    const stewart_real c16 = arm_z*arm_z;
-    const stewart_real c17 = arm_x*arm_x;
+    const stewart_real J_xx = c13 + I_k + own_J_xx;
+    const stewart_real J_xz = own_J_xz - across*h_x;
+    const stewart_real J_yy = c13 + own_J_yy;
+    const stewart_real J_yz = own_J_yz - across*h_y;
+    const stewart_real J_zz = I_k + own_J_zz;
+    const stewart_real w_y = cross_center_y*cross_mass + own_w_y;
+    const stewart_real c14 = arm_x*m_u;
+    const stewart_real c15 = arm_y*m_u;
+    const stewart_real c16 = arm_y*arm_y;
+    const stewart_real c17 = arm_z*arm_z;
+    const stewart_real c18 = arm_x*arm_x;
     out->b[0] = b_x;
     out->b[1] = b_y;
     out->b[2] = b_z;
@@ -168,12 +175,14 @@ static void prepare_leg(const stewart_offset_robot *robot, const stewart_offset_
     out->k[2] = k_unit_z;
     out->C_p = C_p;
     out->C_s = C_s;
+    out->m_r = m_r;
+    out->j_r = j_r;
     out->h[0] = h_x;
     out->h[1] = h_y;
     out->h[2] = h_z;
     out->h2_x = REAL(2)*h_x;
-    out->h2_y = c10;
-    out->h2_z = c11;
+    out->h2_y = c11;
+    out->h2_z = c12;
     out->w[0] = w_x;
     out->w[1] = w_y;
     out->w[2] = w_z;
@@ -198,15 +207,15 @@ static void prepare_leg(const stewart_offset_robot *robot, const stewart_offset_
     out->cross2 = REAL(2)*cross;
     out->w_o = cross*m_d + cross_center_x*cross_mass;
     out->M_add = m_u;
-    out->h_add[0] = c13;
-    out->h_add[1] = c14;
+    out->h_add[0] = c14;
+    out->h_add[1] = c15;
     out->h_add[2] = arm_z*m_u;
-    out->J_add[0] = m_u*(c15 + c16);
-    out->J_add[1] = -arm_y*c13;
-    out->J_add[2] = -arm_z*c13;
-    out->J_add[3] = m_u*(c16 + c17);
-    out->J_add[4] = -arm_z*c14;
-    out->J_add[5] = m_u*(c15 + c17);
+    out->J_add[0] = m_u*(c16 + c17);
+    out->J_add[1] = -arm_y*c14;
+    out->J_add[2] = -arm_z*c14;
+    out->J_add[3] = m_u*(c17 + c18);
+    out->J_add[4] = -arm_z*c15;
+    out->J_add[5] = m_u*(c16 + c18);
     out->C_add = C_s;
 }
 
@@ -333,6 +342,8 @@ int stewart_exact_offset_prepare(const stewart_offset_robot *robot, stewart_exac
         made.k[2][i] = found.k[2];
         made.C_p[i] = found.C_p;
         made.C_s[i] = found.C_s;
+        made.m_r[i] = found.m_r;
+        made.j_r[i] = found.j_r;
         made.h[0][i] = found.h[0];
         made.h[1][i] = found.h[1];
         made.h[2][i] = found.h[2];
@@ -398,7 +409,7 @@ int stewart_exact_offset_prepare(const stewart_offset_robot *robot, stewart_exac
     made.per_length = per_length_of(largest, REAL(0.125));
     made.arm_cube = cube_of(largest*made.per_length);
     const stewart_real *const numbers = (const stewart_real *)&made;
-    for (i = 0; i < 339; ++i) {
+    for (i = 0; i < 355; ++i) {
         if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
             return STEWART_NOT_FINITE;
         }
@@ -500,7 +511,7 @@ static void shared_of_pose(
         STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
 }
 
-/* The legs of one pose side by side: 364 (212 mul, 146 add, 4 div, 2 sqrt) operations each. */
+/* The legs of one pose side by side: 377 (220 mul, 151 add, 4 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_offset_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -521,6 +532,8 @@ static void legs_of_pose(
         const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
         const stewart_real C_p = model->C_p[l];
         const stewart_real C_s = model->C_s[l];
+        const stewart_real m_r = model->m_r[l];
+        const stewart_real j_r = model->j_r[l];
         const stewart_real h_x = model->h[0][l], h_y = model->h[1][l], h_z = model->h[2][l];
         const stewart_real h2_x = model->h2_x[l];
         const stewart_real h2_y = model->h2_y[l];
@@ -593,13 +606,12 @@ static void legs_of_pose(
         const stewart_real z_x = STEWART_FMA(-k1, o_x, k3*k_x);
         const stewart_real z_y = STEWART_FMA(-k1, o_y, k3*k_y);
         const stewart_real z_z = STEWART_FMA(-k1, o_z, k3*k_z);
-        const stewart_real h_z = across*inv_L;
-        const stewart_real c1 = h_z*k1;
-        const stewart_real h_y = along*inv_r*(k3 - c1);
+        const stewart_real column_of_z = across*inv_L;
+        const stewart_real column_of_y = along*inv_r*STEWART_FMA(-column_of_z, k1, k3);
         /* (22) direction in which the tip moves as L alone grows least: the leg's column of H */
-        const stewart_real column_x = STEWART_FMA(h_z, z_x, STEWART_FMA(h_y, y_x, s_x));
-        const stewart_real column_y = STEWART_FMA(h_z, z_y, STEWART_FMA(h_y, y_y, s_y));
-        const stewart_real column_z = STEWART_FMA(h_z, z_z, STEWART_FMA(h_y, y_z, s_z));
+        const stewart_real column_x = STEWART_FMA(column_of_z, z_x, STEWART_FMA(column_of_y, y_x, s_x));
+        const stewart_real column_y = STEWART_FMA(column_of_z, z_y, STEWART_FMA(column_of_y, y_y, s_y));
+        const stewart_real column_z = STEWART_FMA(column_of_z, z_z, STEWART_FMA(column_of_y, y_z, s_z));
         /* (10) share of the tip's distance from the fixed axis in L */
         const stewart_real sine = inv_L*r;
         /* (4) velocity of the platform point */
@@ -633,9 +645,9 @@ static void legs_of_pose(
             STEWART_FMA(S_ddot_y, y_y, STEWART_FMA(S_ddot_x, y_x, along*phi_dot2))));
         /* r_ddot by phi alone */
         const stewart_real turning = STEWART_FMA(along, phi_ddot, phi_dot2*r);
-        const stewart_real c2 = L_dot*theta_dot;
+        const stewart_real c1 = L_dot*theta_dot;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = inv_L*STEWART_FMA(-REAL(2), c2, STEWART_FMA(-S_ddot_z, z_z,
+        const stewart_real theta_ddot = inv_L*STEWART_FMA(-REAL(2), c1, STEWART_FMA(-S_ddot_z, z_z,
             STEWART_FMA(-S_ddot_y, z_y, STEWART_FMA(-S_ddot_x, z_x, STEWART_FMA(-across, theta_dot2,
             k1*turning)))));
         /* (8) accelerations of the joint coordinates */
@@ -660,29 +672,33 @@ static void legs_of_pose(
         const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real h_k = STEWART_FMA(h_z, k3, h_x*k1);
-        const stewart_real h_n = STEWART_FMA(h_x, k3, -c1);
+        const stewart_real h_n = STEWART_FMA(-h_z, k1, h_x*k3);
         const stewart_real M_phi_offset = STEWART_FMA(cross2, w_n, M_phi);
         const stewart_real M_phi_theta_offset = STEWART_FMA(cross, w_k, M_phi_theta);
         const stewart_real M_mixed_offset = STEWART_FMA(-along, h_k, M_mixed);
         const stewart_real M_mixed_theta_offset = STEWART_FMA(along, h_n, M_mixed_theta);
-        const stewart_real bend = c2;
-        const stewart_real c3 = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+        const stewart_real bend = c1;
+        const stewart_real c2 = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
-        const stewart_real gamma_y = c3;
+        const stewart_real gamma_y = c2;
+        const stewart_real c3 = j_r*k3;
+        const stewart_real c4 = c3*phi_dot;
+        const stewart_real c5 = STEWART_FMA(j_r, k1, -k3_h);
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(L_ddot, h_z, STEWART_FMA(M_theta, theta_ddot,
-            STEWART_FMA(bend, h2_x, STEWART_FMA(M_mixed_offset, phi_ddot, STEWART_FMA(C_us, theta_dot,
-            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
-            STEWART_FMA(-M_phi_theta_offset, phi_dot2, STEWART_FMA(gamma_n, w_k, g_k*w_n))))))));
-        const stewart_real tau_k = STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(M_mixed_offset, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(L_dot, M_phi_L,
-            M_phi_theta_offset*theta_dot), STEWART_FMA(M_phi_offset, phi_ddot,
-            STEWART_FMA(M_mixed_theta_offset, theta_dot2, STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n,
-            w_y, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
-            C_us*phi_dot)))))))));
+            STEWART_FMA(bend, h2_x, STEWART_FMA(L_dot, c4, STEWART_FMA(M_mixed_offset, phi_ddot,
+            STEWART_FMA(C_us, theta_dot, STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y,
+            y_y, omega_x*y_x)), STEWART_FMA(-M_phi_theta_offset, phi_dot2, STEWART_FMA(gamma_n, w_k,
+            g_k*w_n)))))))));
+        const stewart_real tau_k = STEWART_FMA(L_ddot, c5, STEWART_FMA(M_mixed_offset, theta_ddot,
+            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(-c1, c3, STEWART_FMA(two_phi_dot, STEWART_FMA(L_dot,
+            M_phi_L, M_phi_theta_offset*theta_dot), STEWART_FMA(M_phi_offset, phi_ddot,
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
+            M_mixed_theta_offset*theta_dot2))))))))));
         /* (20) */
-        const stewart_real tau_k_offset = STEWART_FMA(-c3, w_o, tau_k);
+        const stewart_real tau_k_offset = STEWART_FMA(-c2, w_o, tau_k);
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_z = -inv_L*tau_y;
         const stewart_real Q_y = inv_r*STEWART_FMA((-Q_z)*along, k1, tau_k_offset);
@@ -691,10 +707,11 @@ static void legs_of_pose(
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
         const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
         /* (24) known part of the actuator force */
-        const stewart_real D = STEWART_FMA(h_z, theta_ddot, STEWART_FMA(-k3_h, phi_ddot,
-            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
-        const stewart_real c4 = C_s*phi_dot;
-        const stewart_real c5 = C_s*theta_dot;
+        const stewart_real D = STEWART_FMA(L_ddot, m_r, STEWART_FMA(h_z, theta_ddot, STEWART_FMA(C_p, L_dot,
+            STEWART_FMA(-c4, theta_dot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2,
+            c5*phi_ddot))))));
+        const stewart_real c6 = C_s*phi_dot;
+        const stewart_real c7 = C_s*theta_dot;
         out->D[l] = D;
         out->A[0][l] = column_x;
         out->A[1][l] = column_y;
@@ -702,9 +719,9 @@ static void legs_of_pose(
         out->c_force[0][l] = -K_x;
         out->c_force[1][l] = -K_y;
         out->c_force[2][l] = -K_z;
-        out->c_moment[0][l] = STEWART_FMA(c5, y_x, c4*k_x);
-        out->c_moment[1][l] = STEWART_FMA(c5, y_y, c4*k_y);
-        out->c_moment[2][l] = STEWART_FMA(c5, y_z, c4*k_z);
+        out->c_moment[0][l] = STEWART_FMA(c7, y_x, c6*k_x);
+        out->c_moment[1][l] = STEWART_FMA(c7, y_y, c6*k_y);
+        out->c_moment[2][l] = STEWART_FMA(c7, y_z, c6*k_z);
         out->q[0][l] = q_x;
         out->q[1][l] = q_y;
         out->q[2][l] = q_z;
@@ -951,7 +968,7 @@ static void shared_of_block(
     }
 }
 
-/* One leg of eight poses side by side, 364 (212 mul, 146 add, 4 div, 2 sqrt) operations each: its column
+/* One leg of eight poses side by side, 377 (220 mul, 151 add, 4 div, 2 sqrt) operations each: its column
  * of H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
  * well, if less. */
 static void leg_of_block(
@@ -966,6 +983,8 @@ static void leg_of_block(
     const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
     const stewart_real C_p = model->C_p[leg];
     const stewart_real C_s = model->C_s[leg];
+    const stewart_real m_r = model->m_r[leg];
+    const stewart_real j_r = model->j_r[leg];
     const stewart_real h_x = model->h[0][leg], h_y = model->h[1][leg], h_z = model->h[2][leg];
     const stewart_real h2_x = model->h2_x[leg];
     const stewart_real h2_y = model->h2_y[leg];
@@ -1049,13 +1068,12 @@ static void leg_of_block(
         const stewart_real z_x = STEWART_FMA(-k1, o_x, k3*k_x);
         const stewart_real z_y = STEWART_FMA(-k1, o_y, k3*k_y);
         const stewart_real z_z = STEWART_FMA(-k1, o_z, k3*k_z);
-        const stewart_real h_z = across*inv_L;
-        const stewart_real c1 = h_z*k1;
-        const stewart_real h_y = along*inv_r*(k3 - c1);
+        const stewart_real column_of_z = across*inv_L;
+        const stewart_real column_of_y = along*inv_r*STEWART_FMA(-column_of_z, k1, k3);
         /* (22) direction in which the tip moves as L alone grows least: the leg's column of H */
-        const stewart_real column_x = STEWART_FMA(h_z, z_x, STEWART_FMA(h_y, y_x, s_x));
-        const stewart_real column_y = STEWART_FMA(h_z, z_y, STEWART_FMA(h_y, y_y, s_y));
-        const stewart_real column_z = STEWART_FMA(h_z, z_z, STEWART_FMA(h_y, y_z, s_z));
+        const stewart_real column_x = STEWART_FMA(column_of_z, z_x, STEWART_FMA(column_of_y, y_x, s_x));
+        const stewart_real column_y = STEWART_FMA(column_of_z, z_y, STEWART_FMA(column_of_y, y_y, s_y));
+        const stewart_real column_z = STEWART_FMA(column_of_z, z_z, STEWART_FMA(column_of_y, y_z, s_z));
         /* (10) share of the tip's distance from the fixed axis in L */
         const stewart_real sine = inv_L*r;
         /* (4) velocity of the platform point */
@@ -1089,9 +1107,9 @@ static void leg_of_block(
             STEWART_FMA(S_ddot_y, y_y, STEWART_FMA(S_ddot_x, y_x, along*phi_dot2))));
         /* r_ddot by phi alone */
         const stewart_real turning = STEWART_FMA(along, phi_ddot, phi_dot2*r);
-        const stewart_real c2 = L_dot*theta_dot;
+        const stewart_real c1 = L_dot*theta_dot;
         /* (9) accelerations of the joint coordinates */
-        const stewart_real theta_ddot = inv_L*STEWART_FMA(-REAL(2), c2, STEWART_FMA(-S_ddot_z, z_z,
+        const stewart_real theta_ddot = inv_L*STEWART_FMA(-REAL(2), c1, STEWART_FMA(-S_ddot_z, z_z,
             STEWART_FMA(-S_ddot_y, z_y, STEWART_FMA(-S_ddot_x, z_x, STEWART_FMA(-across, theta_dot2,
             k1*turning)))));
         /* (8) accelerations of the joint coordinates */
@@ -1116,29 +1134,33 @@ static void leg_of_block(
         const stewart_real w_k = STEWART_FMA(k3, w_z, k1*w_x);
         const stewart_real w_n = STEWART_FMA(-k1, w_z, k3*w_x);
         const stewart_real h_k = STEWART_FMA(h_z, k3, h_x*k1);
-        const stewart_real h_n = STEWART_FMA(h_x, k3, -c1);
+        const stewart_real h_n = STEWART_FMA(-h_z, k1, h_x*k3);
         const stewart_real M_phi_offset = STEWART_FMA(cross2, w_n, M_phi);
         const stewart_real M_phi_theta_offset = STEWART_FMA(cross, w_k, M_phi_theta);
         const stewart_real M_mixed_offset = STEWART_FMA(-along, h_k, M_mixed);
         const stewart_real M_mixed_theta_offset = STEWART_FMA(along, h_n, M_mixed_theta);
-        const stewart_real bend = c2;
-        const stewart_real c3 = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
+        const stewart_real bend = c1;
+        const stewart_real c2 = STEWART_FMA(g_z, y_z, STEWART_FMA(g_y, y_y, g_x*y_x));
         /* gravity along k x y and along y */
         const stewart_real gamma_n = STEWART_FMA(g_x_k_z, y_z, STEWART_FMA(g_x_k_y, y_y, g_x_k_x*y_x));
-        const stewart_real gamma_y = c3;
+        const stewart_real gamma_y = c2;
+        const stewart_real c3 = j_r*k3;
+        const stewart_real c4 = c3*phi_dot;
+        const stewart_real c5 = STEWART_FMA(j_r, k1, -k3_h);
         /* (20) generalised forces about y and about k */
         const stewart_real tau_y = STEWART_FMA(L_ddot, h_z, STEWART_FMA(M_theta, theta_ddot,
-            STEWART_FMA(bend, h2_x, STEWART_FMA(M_mixed_offset, phi_ddot, STEWART_FMA(C_us, theta_dot,
-            STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y, omega_x*y_x)),
-            STEWART_FMA(-M_phi_theta_offset, phi_dot2, STEWART_FMA(gamma_n, w_k, g_k*w_n))))))));
-        const stewart_real tau_k = STEWART_FMA(-L_ddot, k3_h, STEWART_FMA(M_mixed_offset, theta_ddot,
-            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(two_phi_dot, STEWART_FMA(L_dot, M_phi_L,
-            M_phi_theta_offset*theta_dot), STEWART_FMA(M_phi_offset, phi_ddot,
-            STEWART_FMA(M_mixed_theta_offset, theta_dot2, STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n,
-            w_y, STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
-            C_us*phi_dot)))))))));
+            STEWART_FMA(bend, h2_x, STEWART_FMA(L_dot, c4, STEWART_FMA(M_mixed_offset, phi_ddot,
+            STEWART_FMA(C_us, theta_dot, STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y,
+            y_y, omega_x*y_x)), STEWART_FMA(-M_phi_theta_offset, phi_dot2, STEWART_FMA(gamma_n, w_k,
+            g_k*w_n)))))))));
+        const stewart_real tau_k = STEWART_FMA(L_ddot, c5, STEWART_FMA(M_mixed_offset, theta_ddot,
+            STEWART_FMA((-bend)*h2_y, k1, STEWART_FMA(-c1, c3, STEWART_FMA(two_phi_dot, STEWART_FMA(L_dot,
+            M_phi_L, M_phi_theta_offset*theta_dot), STEWART_FMA(M_phi_offset, phi_ddot,
+            STEWART_FMA(-gamma_y, w_n, STEWART_FMA(-gamma_n, w_y, STEWART_FMA(C_us, phi_dot,
+            STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y, k_x*omega_x)),
+            M_mixed_theta_offset*theta_dot2))))))))));
         /* (20) */
-        const stewart_real tau_k_offset = STEWART_FMA(-c3, w_o, tau_k);
+        const stewart_real tau_k_offset = STEWART_FMA(-c2, w_o, tau_k);
         /* (21) K = Q_y y + Q_z z */
         const stewart_real Q_z = -inv_L*tau_y;
         const stewart_real Q_y = inv_r*STEWART_FMA((-Q_z)*along, k1, tau_k_offset);
@@ -1147,10 +1169,11 @@ static void leg_of_block(
         const stewart_real K_y = STEWART_FMA(Q_y, y_y, Q_z*z_y);
         const stewart_real K_z = STEWART_FMA(Q_y, y_z, Q_z*z_z);
         /* (24) known part of the actuator force */
-        const stewart_real D = STEWART_FMA(h_z, theta_ddot, STEWART_FMA(-k3_h, phi_ddot,
-            STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2, C_p*L_dot))));
-        const stewart_real c4 = C_s*phi_dot;
-        const stewart_real c5 = C_s*theta_dot;
+        const stewart_real D = STEWART_FMA(L_ddot, m_r, STEWART_FMA(h_z, theta_ddot, STEWART_FMA(C_p, L_dot,
+            STEWART_FMA(-c4, theta_dot, STEWART_FMA(-M_phi_L, phi_dot2, STEWART_FMA(-h_x, theta_dot2,
+            c5*phi_ddot))))));
+        const stewart_real c6 = C_s*phi_dot;
+        const stewart_real c7 = C_s*theta_dot;
         column[0][l] = column_x;
         column[1][l] = column_y;
         column[2][l] = column_z;
@@ -1160,9 +1183,9 @@ static void leg_of_block(
         own->c_force[0][l] = -K_x;
         own->c_force[1][l] = -K_y;
         own->c_force[2][l] = -K_z;
-        own->c_moment[0][l] = STEWART_FMA(c5, y_x, c4*k_x);
-        own->c_moment[1][l] = STEWART_FMA(c5, y_y, c4*k_y);
-        own->c_moment[2][l] = STEWART_FMA(c5, y_z, c4*k_z);
+        own->c_moment[0][l] = STEWART_FMA(c7, y_x, c6*k_x);
+        own->c_moment[1][l] = STEWART_FMA(c7, y_y, c6*k_y);
+        own->c_moment[2][l] = STEWART_FMA(c7, y_z, c6*k_z);
         known[l] = D;
         stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
         reach = STEWART_LARGER(STEWART_FABS(b_x), reach);

@@ -11,14 +11,14 @@
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction
- * leg      364 (212 mul, 146 add, 4 div, 2 sqrt)     333 (193 mul, 134 add, 4 div, 2 sqrt)
+ * leg      377 (220 mul, 151 add, 4 div, 2 sqrt)     346 (201 mul, 139 add, 4 div, 2 sqrt)
  * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)       186 (96 mul, 90 add, 0 div, 0 sqrt)
  * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)         21 (12 mul, 9 add, 0 div, 0 sqrt)
  * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)         33 (0 mul, 33 add, 0 div, 0 sqrt)
  * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)     262 (158 mul, 102 add, 2 div, 0 sqrt)
  * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
- * total    2800 (1589 mul, 1173 add, 26 div, 12 sqrt) 2590 (1472 mul, 1080 add, 26 div, 12 sqrt)
- * With products and the sums that they feed in one instruction 1806 and 1671.
+ * total    2878 (1637 mul, 1203 add, 26 div, 12 sqrt) 2668 (1520 mul, 1110 add, 26 div, 12 sqrt)
+ * With products and the sums that they feed in one instruction 1848 and 1713.
  */
 #ifndef STEWART_EXACT_OFFSET_FORCES_H
 #define STEWART_EXACT_OFFSET_FORCES_H
@@ -43,6 +43,8 @@ typedef struct {
     stewart_real C_u; /* N m s: viscous friction of the universal joint */
     stewart_real C_p; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s; /* N m s: viscous friction of the spherical joint */
+    stewart_real m_r; /* kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead */
+    stewart_real j_r; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
     stewart_real cross; /* m: from the fixed to the moving axis, along o = y x k */
     stewart_real along; /* m: from where o meets the moving axis to the line of sliding, along y */
     stewart_real across; /* m: the same along z = s x y */
@@ -67,6 +69,8 @@ typedef struct {
     stewart_real k[3][8]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
     stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
     stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
+    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead */
+    stewart_real j_r[8]; /* kg m: angular momentum of the leg's rotor per rate of length, J_r N */
     stewart_real h[3][8]; /* kg m: first moment of the upper part about the platform point, leg frame */
     stewart_real h2_x[8]; /* kg m: 2 h_x */
     stewart_real h2_y[8]; /* kg m: 2 h_y */

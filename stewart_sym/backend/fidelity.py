@@ -7,7 +7,7 @@ from ..generated.fidelities import FIDELITIES as _TABLE
 from ..generated.interface import MODELS
 from ..io.arguments import shown
 from ..robot.robot import Robot
-from .kernel import kernel_name, module
+from .kernel import OFFSET_KERNEL, kernel_name, module, offset_kernel
 
 FIDELITIES: tuple[str, ...] = tuple(_TABLE)
 """Names, from everything to nothing but the platform: legs ``general`` (with friction), ``frictionless``,
@@ -25,7 +25,7 @@ def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     ValueError for an unknown formulation.
     """
     kernel_name(formulation, robot.base_joint)
-    if formulation != "exact":
+    if formulation != "exact" or robot.offsets is not None:
         return (_GENERAL,)
     return tuple(
         name
@@ -43,6 +43,7 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
     names = available(robot, formulation)
     if not isinstance(name, str) or name not in names:
         joints = f" with {robot.base_joint} base joints" if formulation == "exact" else ""
+        joints = joints if robot.offsets is None else " with offset joints"
         raise ValueError(
             f"fidelity: expected one of {', '.join(names)} for {formulation}{joints}, got {shown(fidelity)}"
         )
@@ -52,6 +53,8 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
 def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
     """Name of the generated force kernel, as in ``stewart_<name>_forces.c``; raises as ``resolved``."""
     level = resolved(robot, formulation, fidelity)
+    if robot.offsets is not None:
+        return offset_kernel(robot, formulation)
     own = kernel_name(formulation, robot.base_joint)
     return own if level == _GENERAL else str(_TABLE[level]["kernel"])
 
@@ -64,6 +67,8 @@ def model_numbers(robot: Robot, formulation: str, fidelity: str) -> int:
 def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERAL) -> int:
     """Operations per pose: +, -, *, / and sqrt one each, solve included."""
     level = resolved(robot, formulation, fidelity)
+    if robot.offsets is not None:
+        return int(module(f"{OFFSET_KERNEL}_operations").OPERATIONS["friction"])
     if level == _GENERAL:
         counts = module(kernel_name(formulation, robot.base_joint)).FORCE_OPERATIONS["friction"]
         return sum(counts["total"])

@@ -20,7 +20,8 @@ from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen
 from ..motion.motion import Motion
-from ..results import OK, SINGULAR
+from ..reference import offset_joints
+from ..results import NOT_FINITE, OK, SINGULAR, UNREACHABLE
 from ..robot.robot import Robot
 from .inverse import Formulation, damped_terms, need_motion, report_faults
 
@@ -77,7 +78,8 @@ class ForceKernel(Frozen):
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
         count = model_numbers(self.robot, self.formulation, self.fidelity)
-        model = prepared_model(self.function("prepare"), self.robot, count, self.precision)
+        prepare, offsets = self.function("prepare"), self.robot.offsets is not None
+        model = prepared_model(prepare, self.robot, count, self.precision, offsets=offsets)
         self._set({"model": model})
 
     @property
@@ -165,6 +167,10 @@ class ForceKernel(Frozen):
         for part in self._parts_to_convert(motion):
             arrays = [self._laid_out(getattr(motion, name), part) for name in MOTION]
             self.forces_into(arrays, F[part], status[part], threads)
+        if self.robot.offsets is not None and (lost := status == NOT_FINITE).any():
+            # Where no leg reaches, the kernel takes the root of a negative number.
+            of_legs = offset_joints.codes(self.robot, motion[lost])
+            status[lost] = np.where((of_legs == UNREACHABLE).any(axis=-1), UNREACHABLE, NOT_FINITE)
         return F, status
 
     def _parts_to_convert(self, motion: Motion) -> list[Any]:

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..derive.mechanics import quantities as n
 from ..derive.program.block import Quantity
+from ..robot.offsets import need_no_offsets
 
 Number = Callable[[str, Any], Any]
 """From a quantity's name and one of its components to a number of the arithmetic."""
@@ -15,6 +16,7 @@ Number = Callable[[str, Any], Any]
 
 def robot_structure(robot: Any, number: Number) -> SimpleNamespace:
     """The robot; robot: what has the fields of ``Robot``."""
+    need_no_offsets(robot)
     numbers = {q.name: np.asarray(getattr(robot, q.name)) for q in (*n.LEG, *n.PLATFORM)}
     legs = [structure(n.LEG, {q.name: numbers[q.name][i] for q in n.LEG}, number) for i in range(6)]
     return SimpleNamespace(leg=legs, **vars(structure(n.PLATFORM, numbers, number)))

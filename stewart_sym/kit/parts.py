@@ -30,6 +30,7 @@ from ..derive.mechanics.formulation import EXACT
 from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.words import Numbers, robot_symbol
 from ..precision.truth import derived_kernel
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .choice import STEMS, Choice
 
@@ -69,6 +70,7 @@ class Parts:
 
 def robot_numbers(robot: Robot) -> Numbers:
     """Fields of ``stewart_robot`` as nested lists."""
+    need_no_offsets(robot)
     names = [quantity.name for quantity in quantities.LEG + quantities.PLATFORM]
     return {name: np.asarray(getattr(robot, name)).tolist() for name in names}
 

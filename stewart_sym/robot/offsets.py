@@ -110,6 +110,4 @@ SHAPES: dict[str, tuple[int, ...]] = {
 def need_no_offsets(robot: Any) -> None:
     """Reject, by ValueError, a robot with offset joints: what is computed is of legs whose axes meet."""
     if getattr(robot, "offsets", None) is not None:
-        raise ValueError(
-            "robot: offsets: expected none, this is for legs whose axes meet; see howto/offset-joints"
-        )
+        raise ValueError("robot: offsets: expected none, since this is for legs whose axes meet alone")

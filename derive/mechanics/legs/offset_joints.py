@@ -23,6 +23,7 @@ from .joint_coordinates import (
     joint_inertia,
 )
 from .leg import cross
+from .rotor import FULL
 
 # Constants of one leg beside those of ``quantities.LEG``.
 a = Quantity("cross", (), "m", "from the fixed to the moving axis, along o = y x k")
@@ -45,7 +46,7 @@ PREPARED = (a, e, d, d2, e2, a2, w_o)
 class OffsetFrame:
     """Where the leg is: ``JointFrame`` with z; r, distance of the tip along o; column, of H, the direction of L.
 
-    at.inv_rho is 1 / r; h_y, h_z: components of the column along y and z.
+    at.inv_rho is 1 / r.
     """
 
     at: JointFrame
@@ -85,10 +86,10 @@ def offset_frame(build: Builder) -> OffsetFrame:
     s = build.vector("s", k1 * k + k3 * o, "(3)", "unit vector along the line of sliding")
     z = build.vector("z", k3 * k - k1 * o, "(10)", "third axis of the leg frame")
     meaning = "direction in which the tip moves as L alone grows least: the leg's column of H"
-    h_z = build.scalar("h_z", d.value * inv_L)
-    h_y = build.scalar("h_y", e.value * (k3 - k1 * h_z) * inv_r)
+    h_z = build.scalar("column_of_z", d.value * inv_L)
+    h_y = build.scalar("column_of_y", e.value * (k3 - k1 * h_z) * inv_r)
     column = build.vector("column", s + h_y * y + h_z * z, "(22)", meaning)
-    at = JointFrame(q, s, y, L, inv_L, inv_rho=inv_r, k1=k1, k3=k3, kappa=sp.S.Zero, z=z)
+    at = JointFrame(q, s, y, L, inv_L, inv_rho=inv_r, k1=k1, k3=k3, kappa=sp.S.Zero, z=z, rotor=FULL)
     sine = build.scalar("sine", r * inv_L, "(10)", "share of the tip's distance from the fixed axis in L")
     return OffsetFrame(at, S, o, r, sine, column)
 
