@@ -18,6 +18,7 @@ from ..robot.offset_chains import (
     SLIDING,
     JointMotion,
     actuated,
+    chains,
     codes_of,
     joint_motion,
     lead_share,
@@ -142,6 +143,15 @@ def checked_motion(robot: Robot, motion: Motion) -> JointMotion:
         where = f"motion[{', '.join(map(str, pose))}]" if pose else "motion"
         raise ValueError(f"{where}: leg {leg + 1}: {STATUS_TEXT[int(codes[(*pose, leg)])]}")
     return moving
+
+
+def leg_lengths(robot: Robot, R: Array, t: Array) -> Array:
+    """Lengths of the legs, m, (..., 6), with offset joints or without; NaN where a leg has no solution."""
+    if robot.offsets is None:
+        S = np.einsum("...jk,ik->...ij", R, robot.p) + t[..., None, :] - robot.b
+        return np.asarray(np.linalg.norm(S, axis=-1))
+    with np.errstate(all="ignore"):
+        return np.asarray(chains(robot, _still(R, t)).L[..., 0])
 
 
 def length_jacobian(robot: Robot, R: Array, t: Array) -> Array:

@@ -203,7 +203,7 @@ class Robot(Frozen):
         Of schema 1 where that has all that the robot is, else of schema 2; SI units.
         """
         plain = self.home is None and self.lengths == "absolute" and self.euler_order == "zyx"
-        plain = plain and self.drive is None
+        plain = plain and self.drive is None and self.offsets is None
         tables_of = schema_1.tables_of if plain and not self.tool.any() else schema_2.tables_of
         return tables_of(vars(self))
 
