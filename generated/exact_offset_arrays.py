@@ -677,7 +677,7 @@ def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
 
 
 def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
-    """One leg with offset joints: D, its column of H and its part of c: 377 (220 mul, 151 add, 4 div, 2
+    """One leg with offset joints: D, its column of H and its part of c: 379 (222 mul, 151 add, 4 div, 2
     sqrt).
     """
     b_x, b_y, b_z = leg.b
@@ -764,8 +764,8 @@ def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any)
     column_x = column_of_y * y_x + s_x + column_of_z * z_x
     column_y = column_of_y * y_y + s_y + column_of_z * z_y
     column_z = column_of_y * y_z + s_z + column_of_z * z_z
-    # (10) share of the tip's distance from the fixed axis in L
-    sine = inv_L * r
+    # (10) share of r in L; near the least distance the square of r is known to rounding, not r itself
+    sine = inv_L * r_share * r * r
     # (4) velocity of the platform point
     S_dot_x = v_x + omega_y * q_z - omega_z * q_y
     S_dot_y = v_y + omega_z * q_x - omega_x * q_z

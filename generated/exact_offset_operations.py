@@ -5,6 +5,6 @@ SPDX-License-Identifier: 0BSD
 """
 
 OPERATIONS: dict[str, int] = {
-    "friction": 2878,
-    "frictionless": 2668,
+    "friction": 2890,
+    "frictionless": 2680,
 }

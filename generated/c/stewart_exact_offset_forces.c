@@ -511,7 +511,7 @@ static void shared_of_pose(
         STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
 }
 
-/* The legs of one pose side by side: 377 (220 mul, 151 add, 4 div, 2 sqrt) operations each. */
+/* The legs of one pose side by side: 379 (222 mul, 151 add, 4 div, 2 sqrt) operations each. */
 static void legs_of_pose(
     const stewart_exact_offset_model *STEWART_RESTRICT model, const stewart_motion *STEWART_RESTRICT at,
     const shared_terms *STEWART_RESTRICT shared, leg_lanes *STEWART_RESTRICT out)
@@ -612,8 +612,8 @@ static void legs_of_pose(
         const stewart_real column_x = STEWART_FMA(column_of_z, z_x, STEWART_FMA(column_of_y, y_x, s_x));
         const stewart_real column_y = STEWART_FMA(column_of_z, z_y, STEWART_FMA(column_of_y, y_y, s_y));
         const stewart_real column_z = STEWART_FMA(column_of_z, z_z, STEWART_FMA(column_of_y, y_z, s_z));
-        /* (10) share of the tip's distance from the fixed axis in L */
-        const stewart_real sine = inv_L*r;
+        /* (10) share of r in L; near the least distance the square of r is known to rounding, not r itself */
+        const stewart_real sine = inv_L*r_share*r*r;
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
@@ -968,7 +968,7 @@ static void shared_of_block(
     }
 }
 
-/* One leg of eight poses side by side, 377 (220 mul, 151 add, 4 div, 2 sqrt) operations each: its column
+/* One leg of eight poses side by side, 379 (222 mul, 151 add, 4 div, 2 sqrt) operations each: its column
  * of H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
  * well, if less. */
 static void leg_of_block(
@@ -1074,8 +1074,8 @@ static void leg_of_block(
         const stewart_real column_x = STEWART_FMA(column_of_z, z_x, STEWART_FMA(column_of_y, y_x, s_x));
         const stewart_real column_y = STEWART_FMA(column_of_z, z_y, STEWART_FMA(column_of_y, y_y, s_y));
         const stewart_real column_z = STEWART_FMA(column_of_z, z_z, STEWART_FMA(column_of_y, y_z, s_z));
-        /* (10) share of the tip's distance from the fixed axis in L */
-        const stewart_real sine = inv_L*r;
+        /* (10) share of r in L; near the least distance the square of r is known to rounding, not r itself */
+        const stewart_real sine = inv_L*r_share*r*r;
         /* (4) velocity of the platform point */
         const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
         const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));

@@ -183,7 +183,10 @@ def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
     )[..., None]
     known = np.isfinite(at.P).all(axis=-1, keepdims=True)
     code = np.where(ROUNDING * reach >= at.L, ZERO_LENGTH, OK)
-    code = np.where((code == OK) & (at.of_tip <= ROUNDING * at.L), JOINT_SINGULAR, code)
+    # Near the least distance from the fixed axis the square of of_tip is known to rounding, not of_tip itself.
+    beside = offsets_of(robot).along[:, None] ** 2
+    share = at.of_tip / at.L * (at.of_tip**2 / (at.of_tip**2 + beside))
+    code = np.where((code == OK) & ~(share > ROUNDING), JOINT_SINGULAR, code)
     lost = ~np.isfinite(at.L) | ~np.isfinite(at.U).all(axis=(-2, -1))[..., None]
     meets = np.sqrt(_dot(_cross(robot.k, at.P), _cross(robot.k, at.P))) <= ROUNDING * reach
     # Without a distance from the fixed axis there is no direction: the same as in legs without offsets.

@@ -227,7 +227,9 @@ class GearedChain(UniversalChain):
         def steiner(mass: float, arm: Array) -> Array:
             return np.asarray(mass * (arm @ arm * np.eye(3) - np.outer(arm, arm)))
 
-        about_base = body.inertia + steiner(body.mass, body.lever) - rotor.inertia - steiner(rotor.mass, place)
+        about_base = (
+            body.inertia + steiner(body.mass, body.lever) - rotor.inertia - steiner(rotor.mass, place)
+        )
         rest = pin.Inertia(mass, center, about_base - steiner(mass, center))
         self.model.appendBodyToJoint(self.lower, rest, pin.SE3.Identity())
 

@@ -21,7 +21,7 @@ SPRUNG = "spin"
 
 @dataclass(frozen=True)
 class Answer:
-    """What Pinocchio says of one pose: F, M_u, L, L_dot, L_ddot, spin, spin_dot, spin_ddot (6,); forces (6, 3).
+    """What Pinocchio says of one pose: forces (6, 3), all else (6,).
 
     F_s: on the leg by the platform; F_u: on the leg at its fixed axis; M_u: at the moving axis, along k x y.
     """
@@ -55,17 +55,17 @@ def pinocchio_offsets(robot: Robot, motion: Motion, lead: Array | None = None) -
         own, free = slice(n * i, n * i + n), slice(n * i, n * i + n)
         rows[free, own] = leg.tip.T
         rows[free, 6 * n + i] = leg.actuated(share[i])
-        right[free] = leg.torques(np.zeros(6))
+        right[free] = leg.torques(np.zeros(6)) + leg.sliding_friction()
         rows[balance, own] = leg.on_platform
         right[balance] += np.concatenate([np.zeros(3), leg.f])
     found = np.linalg.solve(rows, right)
     wrenches, F = found[: 6 * n].reshape(6, n), found[6 * n :]
     for i, leg in enumerate(legs):
         tau = leg.torques(leg.as_wrench(wrenches[i])) - leg.actuated(share[i]) * F[i]
+        tau += leg.sliding_friction()
         np.testing.assert_allclose(tau, 0, atol=1e-8 * (np.abs(F).max() + 1))
-    # Against what friction takes along the line of sliding.
     return Answer(
-        F=F + np.array([robot.C_p[i] * leg.v[2] for i, leg in enumerate(legs)]),
+        F=F,
         F_s=wrenches[:, :3],
         F_u=np.array([leg.reaction(1)[0] for leg in legs]),
         F_p=np.array([leg.sliding() for leg in legs]),
@@ -207,6 +207,12 @@ class OffsetChain:
         e[2] = 1.0
         if self.spins:
             e[3] = share
+        return e
+
+    def sliding_friction(self) -> Array:
+        """Generalised force against the friction of sliding."""
+        e = np.zeros(self.model.nv)
+        e[2] = self.robot.C_p[self.i] * self.v[2]
         return e
 
     def as_wrench(self, wrench: Array) -> Array:

@@ -90,7 +90,8 @@ def offset_frame(build: Builder) -> OffsetFrame:
     h_y = build.scalar("column_of_y", e.value * (k3 - k1 * h_z) * inv_r)
     column = build.vector("column", s + h_y * y + h_z * z, "(22)", meaning)
     at = JointFrame(q, s, y, L, inv_L, inv_rho=inv_r, k1=k1, k3=k3, kappa=sp.S.Zero, z=z, rotor=FULL)
-    sine = build.scalar("sine", r * inv_L, "(10)", "share of the tip's distance from the fixed axis in L")
+    meaning = "share of r in L; near the least distance the square of r is known to rounding, not r itself"
+    sine = build.scalar("sine", r * inv_L * (r * share), "(10)", meaning)
     return OffsetFrame(at, S, o, r, sine, column)
 
 
