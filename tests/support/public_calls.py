@@ -1,5 +1,6 @@
 """Every public function of the package with arguments that it accepts, by name, to start attacks from."""
 
+import dataclasses
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -12,6 +13,7 @@ from machines import random_motion, random_robot
 import stewart_sym as ss
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.robot.drive import NUMBERS
+from stewart_sym.robot.offsets import SHAPES
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
 RECORDS = {
@@ -26,7 +28,7 @@ RECORDS = {
     ),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
-    *("LogWarning", "Saturation", "Smooth"),
+    *("LogWarning", "MotorMotion", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -46,6 +48,7 @@ def calls() -> dict[str, Call]:
     rng = np.random.default_rng(60)
     robot = random_robot(rng, scale=1.0)
     motion = random_motion(rng, robot)
+    driven = dataclasses.replace(robot, drive=ss.Drive(lead=0.01))
     parts = {name: getattr(motion, name) for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")}
     F = ss.inverse_dynamics(robot, motion).F
     legs = ss.inverse_kinematics(robot, motion)
@@ -178,6 +181,20 @@ def calls() -> dict[str, Call]:
         "force_residue": Call(ss.force_residue, {**both, "formulation": "exact"}),
         "damped_solution": Call(ss.damped_solution, {"H": H, "c": np.ones(6), "length": 1.0, "share": 1e-4}),
         "certify_pose": Call(ss.certify_pose, {"robot": robot, "L": legs.L, "pose": (motion.R, motion.t)}),
+        "motor_angles": Call(ss.motor_angles, {"robot": driven, "motion": motion, "L_0": legs.L}),
+        "pose_of_motors": Call(
+            ss.pose_of_motors,
+            {"robot": driven, "angle": np.zeros(6), "guess": (motion.R, motion.t), "L_0": legs.L},
+        ),
+        "Offsets": Call(
+            ss.Offsets,
+            {**dict.fromkeys(set(SHAPES) - {"platform_axis", "cross_center"}, np.zeros(6))}
+            | {
+                "platform_joint": "universal",
+                "platform_axis": np.ones((6, 3)),
+                "cross_center": np.zeros((6, 3)),
+            },
+        ),
         "Drive": Call(ss.Drive, dict.fromkeys(NUMBERS, 1.0)),
         "Units": Call(ss.Units, {"length": 1.0, "mass": 2.0, "time": 0.5}),
         "between": Call(ss.between, {"trajectory": trajectory}),
