@@ -6,8 +6,8 @@ import numpy as np
 
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
-from ..kinematics.offset_legs import leg_lengths
 from ..kinematics.mounting import Side, level_positions, platform_side, radius, up_direction, upright
+from ..kinematics.offset_legs import leg_lengths
 from ..motion.motion import at_rest
 from ..robot.robot import Robot
 from .inverse import inverse_dynamics

@@ -58,13 +58,16 @@ class OffsetKernel:
     """Every output of machines with offset joints: the vector implementation, whatever the backend."""
 
     def __init__(self, robot: Robot, formulation: str) -> None:
+        """Reject, by ValueError, another formulation than "exact"."""
         need_offset_formulation(formulation)
         self.robot = robot
 
     def forces(self, motion: Motion) -> Forces:
+        """See ``DynamicsKernel``."""
         return offset_joints.inverse_dynamics(self.robot, motion)
 
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """See ``DynamicsKernel``."""
         return offset_joints.joint_reactions(self.robot, motion, bearing)
 
 

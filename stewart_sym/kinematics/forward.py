@@ -157,7 +157,7 @@ def forward_kinematics(
 
 
 def _with_offsets(robot: Robot, L: Array, *guess: Array) -> Found | None:
-    """Poses of a machine with offset joints, from a guess or from those of legs without; None without offsets."""
+    """Poses of a machine with offset joints, from a guess or from those of legs without; None for others."""
     if robot.offsets is None:
         return None
     R, t = guess or searched(without_offsets(robot), L)[:2]

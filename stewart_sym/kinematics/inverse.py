@@ -56,8 +56,8 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
     """Return lengths, rates and directions of the legs.
 
     The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
-    for either base joint. With offset joints L is the length along the line of sliding, s its direction, and S
-    goes from the base point to the platform point all the same.
+    for either base joint. With offset joints L is the length along the line of sliding and s its direction;
+    S goes from the base point to the platform point all the same.
 
     Parameters
     ----------

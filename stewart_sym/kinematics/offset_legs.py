@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import finite_array, instance
+from ..io.arguments import finite_array, instance, leading_shape
 from ..io.array_types import Array, Flags
-from ..motion.motion import Motion
+from ..motion.motion import Motion, pose_of
 from ..motion.rotation import orthonormal, rotation_from_vector
 from ..results import OK, STATUS_TEXT
 from ..robot.offset_chains import (
@@ -117,8 +117,10 @@ def pose_of_motors(
     assert robot.drive is not None
     turned = finite_array(angle, (6,), "angle")
     shape = turned.shape[:-1]
-    start = Motion(guess[0], guess[1], *np.zeros((2, 3)))
-    R, t = (np.broadcast_to(x, (*shape, *x.shape[start.t.ndim - 1 :])) for x in (start.R, start.t))
+    start = pose_of(guess, "guess", "a pose (R, t)")
+    shape = leading_shape({"angle": shape, "guess": start.shape})
+    R, t = np.broadcast_to(start.R, (*shape, 3, 3)), np.broadcast_to(start.t, (*shape, 3))
+    turned = np.broadcast_to(turned, (*shape, 6))
     wanted = (zero + turned / robot.drive.turns).reshape(-1, 6)
     R, t, found, _, _ = search(robot, wanted, R.reshape(-1, 3, 3), t.reshape(-1, 3), screws=True)
     if not found.all():

@@ -58,8 +58,8 @@ class Legs:
     """Motion of the chains and the forces that it needs.
 
     tau: generalised forces of the joints that inertia, weight and friction need, (..., 6, n). column: those
-    of a unit force of the actuator. f: friction moment at the platform joint. W: angular velocity of the lower
-    part. bodies: cross, lower and upper part. F_rotor: force that turns the motor, N, (..., 6).
+    of a unit force of the actuator. f: friction moment at the platform joint. W: angular velocity of the
+    lower part. bodies: cross, lower and upper part. F_rotor: force that turns the motor, N, (..., 6).
     """
 
     moving: JointMotion
@@ -84,8 +84,8 @@ class Legs:
 def inverse_dynamics(robot: Robot, motion: Motion) -> Forces:
     """Actuator forces of a machine with offset joints.
 
-    H has the columns that the rates of the legs' lengths are made with; F = D - x as ever, and K is what of the
-    force at the platform joint is not x times the column's force.
+    H has the columns that the rates of the legs' lengths are made with; F = D - x as ever, and K is what of
+    the force at the platform joint is not x times the column's force.
     """
     with np.errstate(all="ignore"):
         return _solved(robot, motion)[1]
@@ -121,7 +121,7 @@ def terms(robot: Robot, motion: Motion) -> dict[str, Array]:
 
 
 def massless_forces(robot: Robot, motion: Motion) -> Array:
-    """Actuator forces with legs without mass and joints without friction, N, (..., 6); NaN as without offsets."""
+    """Actuator forces with legs without mass and joints without friction, N, (..., 6)."""
     with np.errstate(all="ignore"):
         _, H, _, _, _, status = _equations(robot, motion)
         return -solve_linear(robot, H, platform_wrench(robot, motion), status)[0]

@@ -28,9 +28,9 @@ class Chains:
     """Where the joints of the legs are, base frame, from the base points, (..., 6, 3); lengths (..., 6, 1).
 
     y, s, z, o: axes of the lower part and outward normal; A: where o meets the moving axis; T: end of the
-    sliding line; P: platform point; q: P from the reference point. spin: from y to the axis on the upper part.
-    of_tip: distance of T along o. U: frame of the upper part. y_w, k_w, o_w: both axes of a universal platform
-    joint and their normal, None with spherical ones.
+    sliding line; P: platform point; q: P from the reference point. spin: from y to the axis on the upper
+    part. of_tip: distance of T along o. U: frame of the upper part. y_w, k_w, o_w: both axes of a universal
+    platform joint and their normal, None with spherical ones.
     """
 
     q: Array
@@ -114,7 +114,7 @@ def motor_motion(robot: Robot, joints: Array) -> Array:
 
 
 def actuated(robot: Robot, joints: int) -> Array:
-    """Power of a unit force of the actuators by the rates of the joints, (6, n): along s, and by the screw."""
+    """Power of a unit force of the actuators by the rates of the joints, (6, n): along s, and about it."""
     column = np.zeros((6, joints))
     column[:, SLIDING] = 1.0
     if joints > SPIN:
@@ -183,7 +183,7 @@ def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
     )[..., None]
     known = np.isfinite(at.P).all(axis=-1, keepdims=True)
     code = np.where(ROUNDING * reach >= at.L, ZERO_LENGTH, OK)
-    # Near the least distance from the fixed axis the square of of_tip is known to rounding, not of_tip itself.
+    # Near the least distance from the fixed axis the square of of_tip is known to rounding, not itself.
     beside = offsets_of(robot).along[:, None] ** 2
     share = at.of_tip / at.L * (at.of_tip**2 / (at.of_tip**2 + beside))
     code = np.where((code == OK) & ~(share > ROUNDING), JOINT_SINGULAR, code)

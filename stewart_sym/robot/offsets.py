@@ -64,18 +64,18 @@ class Offsets(Frozen):
 
     def __post_init__(self) -> None:
         """Check every field."""
-        tables.choice(self.platform_joint, PLATFORM_JOINTS, "offsets: platform_joint")
+        tables.choice(self.platform_joint, PLATFORM_JOINTS, "platform_joint")
         found = {
-            name: tables.numbers(getattr(self, name), shape, f"offsets: {name}")
+            name: tables.numbers(getattr(self, name), shape, name)
             for name, shape in SHAPES.items()
         }
         for name in ("cross_mass", "cross_inertia"):
             for i in range(LEGS):
-                tables.not_negative(found[name][i], f"offsets: leg {i + 1}: {name}")
+                tables.not_negative(found[name][i], f"{name}: leg {i + 1}")
         if self.platform_joint == "universal":
             axes = found["platform_axis"]
             found["platform_axis"] = np.array(
-                [direction(axes[i], f"offsets: leg {i + 1}: platform_axis") for i in range(LEGS)]
+                [direction(axes[i], f"platform_axis: leg {i + 1}") for i in range(LEGS)]
             )
         elif found["platform_axis"].any() or found["wrist"].any():
             raise ValueError(

@@ -196,7 +196,7 @@ def motion_of(y: Array, center: Array, F_ext: Array | None = None, M_ext: Array 
 
 
 class LegStates(NamedTuple):
-    """Points, lengths, rates and directions of the legs; with offset joints H and the joints' sines as well."""
+    """Points, lengths, rates and directions of the legs; with offset joints H and the joints' sines too."""
 
     q: Array
     L: Array

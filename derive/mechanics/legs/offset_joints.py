@@ -44,7 +44,7 @@ PREPARED = (a, e, d, d2, e2, a2, w_o)
 
 @dataclass(frozen=True)
 class OffsetFrame:
-    """Where the leg is: ``JointFrame`` with z; r, distance of the tip along o; column, of H, the direction of L.
+    """Where the leg is: ``JointFrame`` with z; r, distance of the tip along o; column: the leg's of H.
 
     at.inv_rho is 1 / r.
     """

@@ -4,12 +4,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kinematics.mounting import platform_side
+from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.pose_search import jacobian
 from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
 from ...motion.rotation import rotation_from_rpy
 from ...motion.trajectory import MOST_TURNS, PoseLog
-from ...kinematics.offset_legs import leg_lengths
 from ...robot.robot import Robot
 
 Array = NDArray[np.float64]
