@@ -27,10 +27,10 @@ from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
 from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
-from .mechanics.legs.rotor import rotor_of
+from .mechanics.legs.rotor import NONE, rotor_of
 from .mechanics.offset_forces import offset_kernel
 from .mechanics.orientation import quaternion, rpy
-from .mechanics.reduced_models import FIDELITIES, Fidelity, fidelity_kernel
+from .mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, fidelity_kernel, level_of
 from .mechanics.regressor import Regressor, regressor
 from .print.template import filled
 from .program.block import Block
@@ -169,16 +169,16 @@ def _of_c(files: dict[str, str]) -> dict[str, str]:
 @cache
 def reduced_fidelity(level: Fidelity) -> ForceKernel:
     """The force kernel of one level of ``exact`` as it is emitted: derived, reduced, then shared."""
-    return shared_blocks(fidelity_kernel(EXACT, level))
+    return shared_blocks(fidelity_kernel(EXACT if level.rotor == NONE else EXACT_DRIVE, level))
 
 
 def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
     """Files of the levels; what their models hold is added to ``models``."""
     files: dict[str, str] = {}
     kernels = {}
-    for level in FIDELITIES.values():
+    for level in (*FIDELITIES.values(), *DRIVE_FIDELITIES.values()):
         built = reduced_fidelity(level)
-        kernels[level] = built if built.fidelity != "general" else prepared_model(EXACT)
+        kernels[level] = built if built.fidelity != "general" else prepared_model(built.formulation)
         if built.fidelity != "general":
             models[built.name] = lanes.model_numbers(built)
             files |= _of_c(lanes.files(built, version))
@@ -209,7 +209,9 @@ def output_program(
     of_model = tuple(each for each in outputs if each not in search.PUBLIC)
     parts = []
     if of_model:
-        built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
+        built = prepared_model(form)
+        if level != "general":
+            built = reduced_fidelity(level_of(level, form.drive))
         sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model), form)
         parts.append(program(built, sums, of_model, by_pivots))
     if of_robot := [each for each in outputs if each in search.PUBLIC]:

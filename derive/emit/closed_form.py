@@ -196,7 +196,7 @@ class _Source(blocks.Batches):
             if what in self.asked:
                 yield from self.own(what)
         if set(blocks.OUTPUTS) & set(self.asked):
-            yield blocks.OF_LEG
+            yield blocks.of_leg(self.name)
             yield from self.shared_by_blocks()
         for what in ORDER:
             if what in self.asked and what in blocks.OUTPUTS:

@@ -11,8 +11,8 @@ _MATRICES = {q.name: q for q in (*OF_LEG, *PLATFORM, *MOTION) if len(q.shape) ==
 
 
 def common_header(version: str, precision: str = "double", rotors: bool = False) -> str:
-    """``stewart.h``; precision: "float" where it defines float by itself, as that of a float kit does; rotors:
-    where it defines by itself that legs have them."""
+    """``stewart.h``; precision: "float" where it defines float by itself, as that of a float kit does;
+    rotors: where it defines by itself that legs have them."""
     structs = {name: "\n".join(map(_member, members)) for name, members in STRUCTS.items()}
     arrays = {f"{name}_arrays": _pointers(name) for name in ("forces", "reactions")}
     return filled(

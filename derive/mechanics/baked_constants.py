@@ -110,7 +110,8 @@ def _run(kernel: ForceKernel, robot: Numbers, digits: int) -> _Constants:
     with mp.workdps(digits):
         of_all = _components((*n.PLATFORM, n.p_1), {**robot, n.p_1.name: robot[n.p.name][0]})
         given = [
-            of_all | _components(_given(robot), {q.name: robot[q.name][leg] for q in _given(robot)}) for leg in range(LEGS)
+            of_all | _components(n.of_leg(robot), {q.name: robot[q.name][leg] for q in n.of_leg(robot)})
+            for leg in range(LEGS)
         ]
         found = [_by_name(kernel.prepare_leg, values) for values in given]
         added = {name: sum(leg[name] for leg in found) for q in ADDED for name in q.names}
@@ -122,11 +123,6 @@ def _run(kernel: ForceKernel, robot: Numbers, digits: int) -> _Constants:
                 of_legs = [leg[name] if name in leg else of_platform[name] for leg in found]
                 constants.add(part, tuple(of_legs))
         return constants
-
-
-def _given(robot: Numbers) -> list[Quantity]:
-    """Numbers of a leg: those of a rotor where the robot has them."""
-    return [q for q in n.OF_LEG if q in n.LEG or q.name in robot]
 
 
 def _components(quantities: Iterable[Quantity], numbers: Numbers) -> dict[str, mpf]:

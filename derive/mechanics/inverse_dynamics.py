@@ -190,7 +190,8 @@ def _spherical_leg(build: Builder, form: Formulation, friction: bool, with_react
         **{name: sp.Matrix([axial[name], *_PAIRS[name]]) for name in base},
     )
     inner = Builder()
-    leg = leg_dynamics(inner, form, constants(friction, axisymmetric=True), motion, with_reactions)
+    of_leg = constants(friction, axisymmetric=True, rotor=rotor_of(form))
+    leg = leg_dynamics(inner, form, of_leg, motion, with_reactions)
     back = inner.substitution()
 
     def base_vector(name: str, local: sp.Matrix) -> sp.Matrix:

@@ -7018,7 +7018,7 @@ int stewart_exact_drive_derivatives(
 
 /* The constants of one leg in every lane. */
 typedef struct {
-    stewart_exact_model model;
+    stewart_exact_drive_model model;
 } STEWART_ALIGNED leg_in_lanes;
 
 /* The constants of one leg in every lane. */

@@ -44,10 +44,6 @@ def robot_kernel(robot: Robot, formulation: str) -> str:
         raise ValueError(
             'formulation: expected "exact" for a robot whose drive has rotor_inertia, got "paper"'
         )
-    if robot.base_joint != "universal":
-        raise ValueError(
-            "robot: drive: rotor_inertia: expected 0 with spherical base joints, which let the leg spin, got more"
-        )
     return f"{name}_drive"
 
 

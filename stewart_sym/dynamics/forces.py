@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..backend.c_kernel import address, function, prepared_model
 from ..backend.fidelity import force_kernel_name, model_numbers
-from ..backend.kernel import FORMULATIONS, MOTION
+from ..backend.kernel import FORMULATIONS, MOTION, takes_rotors
 from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen
@@ -78,8 +78,9 @@ class ForceKernel(Frozen):
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
         count = model_numbers(self.robot, self.formulation, self.fidelity)
-        prepare, offsets = self.function("prepare"), self.robot.offsets is not None
-        model = prepared_model(prepare, self.robot, count, self.precision, offsets=offsets)
+        rotors, offsets = takes_rotors(self.name), self.robot.offsets is not None
+        prepare = self.function("prepare")
+        model = prepared_model(prepare, self.robot, count, self.precision, rotors, offsets)
         self._set({"model": model})
 
     @property

@@ -73,8 +73,8 @@ class Legs(_Velocities):
     """Everything known of the legs before x: adds (7)-(9), (13), (14), (20), (21), (24) and (29).
 
     Base frame, vectors (..., 6, 3), scalars (..., 6, 1), inertias (..., 6, 3, 3); names are the paper's.
-    F_rotor: what it takes to turn the motor, as a force along the leg, N; h_rotor: rate of the rotor's angular
-    momentum relative to the leg, N m. Both are zero without a drive.
+    F_rotor: what it takes to turn the motor, as a force along the leg, N; h_rotor: rate of the rotor's
+    angular momentum relative to the leg, N m. Both are zero without a drive.
     """
 
     Lddot: Array

@@ -54,8 +54,8 @@ class Chains:
 class JointMotion:
     """How the joints move.
 
-    rates, accelerations: of the joints, (..., 6, n), n 3 or 6; None without the platform's. J: velocity of the
-    end by the joints, (..., 6, n, n). G: rates by the platform's twist [v; omega], (..., 6, n, 6).
+    rates, accelerations: of the joints, (..., 6, n), n 3 or 6; None without the platform's. J: velocity of
+    the end by the joints, (..., 6, n, n). G: rates by the platform's twist [v; omega], (..., 6, n, 6).
     """
 
     at: Chains

@@ -25,8 +25,8 @@ def offsets_of_tables(
 ) -> Offsets | None:
     """The offsets of a robot file; None where no leg states any.
 
-    shared: the table ``legs``. own: those of each leg. file: begins every message. metres: from lengths of the
-    file. A key of a leg stands in for that of all.
+    shared: the table ``legs``. own: those of each leg. file: begins every message. metres: from lengths of
+    the file. A key of a leg stands in for that of all.
     """
     if not any(name in table for name in TABLES for table in (shared, *own)):
         return None

@@ -214,8 +214,13 @@ class Robot(Frozen):
 
     @property
     def j_r(self) -> Array:
-        """Angular momenta of the rotors per rate of length, J_r N, kg m, (6,); zero without a drive."""
-        return np.zeros(LEGS) if self.drive is None else self.drive.momentum
+        """Angular momenta of the rotors per rate of length, J_r N, kg m, (6,); zero without a drive.
+
+        Zero as well with spherical base joints: nothing fixes the spin of the legs, on which they act.
+        """
+        if self.drive is None or self.base_joint != "universal":
+            return np.zeros(LEGS)
+        return self.drive.momentum
 
     @property
     def has_rotors(self) -> bool:

@@ -144,7 +144,7 @@ BAD = {
         "legs.drive.torque_limit: expected a number > 0, got 0 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\ncurrent_limit = inf\n": (
-        "legs.drive.current_limit: expected a finite number, got inf (at line 20)"
+        "legs.drive.current_limit: expected a finite number, got inf (no limit is a key left out, "
     ),
     "[legs.drive]\nlead = 5\nsmoothing = [1, 2]\n": (
         "legs.drive.smoothing: expected a finite number, got [1, 2] (at line 20)"

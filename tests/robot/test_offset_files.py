@@ -165,7 +165,7 @@ def test_paper_and_levels_are_rejected() -> None:
 def test_subcommands_say_so_in_one_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", str(EXAMPLE)]) == 0
     out = capsys.readouterr().out
-    assert "offsets      0.01 m from the fixed to the moving axis, 0.004 m across it" in out
+    assert "offsets      10 mm from the fixed to the moving axis, 4 mm across it" in out
     assert "crosses      0.15 kg" in out
     for words in (["generate"], ["controller"]):
         assert main([*words, str(EXAMPLE), "-o", str(tmp_path / words[0])]) == 2

@@ -54,7 +54,7 @@ def pinocchio_inverse_dynamics(robot: Robot, motion: Motion) -> Answer:
     F_u, F_p, M_p = np.zeros((6, 3)), np.zeros((6, 3)), np.zeros((6, 3))
     for i, leg in enumerate(legs):
         tau = leg.torques(F_s[i])
-        np.testing.assert_allclose(tau[:-1], 0, atol=1e-9 * leg.moment_scale)
+        np.testing.assert_allclose(tau[:-1], 0, atol=1e-9 * leg.moment_scale(F_s[i]))
         F[i] = tau[-1] + robot.C_p[i] * leg.v[leg.slide]
         F_u[i], M_u[i] = leg.base_reaction()
         F_p[i], M_p[i] = leg.prismatic_reaction()
@@ -121,7 +121,7 @@ class _Chain(ABC):
         self.base_friction = -robot.C_u[i] * W
         self.f = robot.C_s[i] * (W - omega)
         pin.forwardKinematics(model, data, self.q, self.v, self.a)
-        self.moment_scale = float(np.linalg.norm(S)) * self._force_scale()
+        self.length = float(np.linalg.norm(S))
 
     @property
     def slide(self) -> int:
@@ -170,9 +170,11 @@ class _Chain(ABC):
         friction = -self.robot.C_p[self.i] * self.v[self.slide] * placement.rotation[:, 0]
         return force - friction, moment + np.cross(lever, force)
 
-    def _force_scale(self) -> float:
+    def moment_scale(self, F_s: Array) -> float:
+        """Of the moments that balance each other in the joints."""
         mass = self.robot.m_d[self.i] + self.robot.m_u[self.i] + self.robot.M
-        return float(mass * (np.linalg.norm(self.robot.g) + np.abs(self.a).max()))
+        force = mass * (np.linalg.norm(self.robot.g) + np.abs(self.a).max()) + np.linalg.norm(F_s)
+        return float(self.length * force)
 
 
 class UniversalChain(_Chain):
@@ -210,14 +212,16 @@ class GearedChain(UniversalChain):
     projection: joint torques and forces are those of the coordinates that are left.
     """
 
-    _MASS, _PLACE, _ACROSS = 0.2, 0.07, 0.8
+    MASS, ACROSS = 0.02, 0.8
+    """Mass of a rotor, of its lower part's, and its inertia across its axis, of that about it."""
 
     def _append_lower(self, body: pin.Inertia) -> None:
         assert self.robot.drive is not None
         self.turns = 2 * np.pi / self.robot.drive.lead[self.i]
         axial = self.robot.drive.rotor_inertia[self.i]
-        place = np.array([self._PLACE, 0.0, 0.0])
-        rotor = pin.Inertia(self._MASS, np.zeros(3), axial * np.diag([1.0, self._ACROSS, self._ACROSS]))
+        place = np.array([body.lever[0], 0.0, 0.0])
+        inertia = axial * np.diag([1.0, self.ACROSS, self.ACROSS])
+        rotor = pin.Inertia(self.MASS * body.mass, np.zeros(3), inertia)
         at = pin.SE3(np.eye(3), place)
         joint = self.model.addJoint(self.lower, pin.JointModelRX(), at, "rotor")
         self.model.appendBodyToJoint(joint, rotor, pin.SE3.Identity())

@@ -326,9 +326,7 @@ def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
     return SumKernel("joint_slopes", (*INERTIA, *BY_POSE, *BY_TWIST), pose, block)
 
 
-def _turning_with_leg(
-    fall: sp.Matrix, net: sp.Matrix, forces: sp.Matrix
-) -> tuple[sp.Matrix, sp.Matrix]:
+def _turning_with_leg(fall: sp.Matrix, net: sp.Matrix, forces: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
     """What turning adds to the derivatives by S: of the generalised forces by a mass at the tip, of the rows.
 
     Near the joint singularity the leg frame turns fast about the leg. Both parts are then large, and what

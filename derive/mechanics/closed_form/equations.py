@@ -115,7 +115,10 @@ def equations_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     """M, C, g and friction apart, H and its rate."""
     summed = (*terms.INERTIA, *terms.CORIOLIS, *terms.GRAVITY, *terms.FRICTION)
     return terms.SumKernel(
-        "equations", summed, _equations_of_platform(friction), equations_of_leg(friction, near=False, rotor=rotor)
+        "equations",
+        summed,
+        _equations_of_platform(friction),
+        equations_of_leg(friction, near=False, rotor=rotor),
     )
 
 
@@ -152,7 +155,9 @@ def equations_of_leg(friction: bool, near: bool, rotor: Rotor) -> Block:
         build,
         "C_tip",
         leg.T,
-        parts.local_matrix(build, "C_leg", _coriolis_near(build, leg) if near else _coriolis(build, M, rotor)),
+        parts.local_matrix(
+            build, "C_leg", _coriolis_near(build, leg) if near else _coriolis(build, M, rotor)
+        ),
         "Coriolis matrix at the tip, base frame",
     )
     w_q = leg.w_q

@@ -74,8 +74,8 @@ class JointAccelerations:
 class JointInertia:
     """Inertia of the joint coordinates, and its slopes.
 
-    L: M_LL, of a rotor alone. theta, phi, mixed: M_theta, M_phi, M_theta_phi; L_theta, L_phi: coupling with L. phi_by_theta, phi_by_L:
-    half the slopes of M_phi; mixed_by_theta: slope of M_theta_phi.
+    L: M_LL, of a rotor alone. theta, phi, mixed: M_theta, M_phi, M_theta_phi; L_theta, L_phi: coupling with
+    L. phi_by_theta, phi_by_L: half the slopes of M_phi; mixed_by_theta: slope of M_theta_phi.
     """
 
     theta: sp.Expr

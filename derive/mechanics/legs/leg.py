@@ -365,11 +365,9 @@ def eliminate(form: Formulation, equations: LegEquations, C: sp.Matrix) -> dict[
     return dict(zip(equations.unknowns, matrix.LUsolve(right), strict=True))
 
 
-def rotor_moment(
-    build: Builder, rotor: Rotor, L_dot: sp.Expr, L_ddot: sp.Expr, W: sp.Matrix
-) -> sp.Matrix:
+def rotor_moment(build: Builder, rotor: Rotor, L_dot: sp.Expr, L_ddot: sp.Expr, W: sp.Matrix) -> sp.Matrix:
     """Rate of the angular momentum j_r L_dot s, leg frame; zero without a rotor."""
-    if rotor == NONE:
+    if rotor.momentum == 0:
         return sp.zeros(3, 1)
     rate = rotor.momentum * (L_ddot * X_AXIS + L_dot * cross(W, X_AXIS))
     return build.vector("E_r", rate, "(17)", "rate of the rotor's angular momentum relative to the leg")
