@@ -20,8 +20,8 @@ from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen
 from ..motion.motion import Motion
-from ..reference import offset_joints
 from ..results import NOT_FINITE, OK, SINGULAR, UNREACHABLE
+from ..robot.offset_chains import codes
 from ..robot.robot import Robot
 from .inverse import Formulation, damped_terms, need_motion, report_faults
 
@@ -170,7 +170,7 @@ class ForceKernel(Frozen):
             self.forces_into(arrays, F[part], status[part], threads)
         if self.robot.offsets is not None and (lost := status == NOT_FINITE).any():
             # Where no leg reaches, the kernel takes the root of a negative number.
-            of_legs = offset_joints.codes(self.robot, motion[lost])
+            of_legs = codes(self.robot, motion[lost])
             status[lost] = np.where((of_legs == UNREACHABLE).any(axis=-1), UNREACHABLE, NOT_FINITE)
         return F, status
 

@@ -6,7 +6,7 @@ import dataclasses
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from ..io.arguments import finite_array, instance, leading_shape
 from ..io.array_types import Array, Flags
@@ -164,7 +164,7 @@ def length_jacobian(robot: Robot, R: Array, t: Array) -> Array:
 
 def search(
     robot: Robot, wanted: Array, R: Array, t: Array, screws: bool = False
-) -> tuple[Array, Array, Flags, Array, Array]:
+) -> tuple[Array, Array, Flags, Array, NDArray[np.int64]]:
     """Newton's steps from poses (n, ...) to lengths, (n, 6): R, t, where found, residual, m, and steps.
 
     screws: to lengths as the motors see them, with what the spin of the upper parts adds.
@@ -209,8 +209,8 @@ def search(
             if not moved:
                 break
         now, _, reach = at(R, t)
-    residual = np.abs(wanted - now).max(axis=-1)
-    return R, t, residual <= ROUNDING * reach, residual, steps
+    residual = np.asarray(np.abs(wanted - now).max(axis=-1))
+    return R, t, np.asarray(residual <= ROUNDING * reach), residual, steps
 
 
 def _still(R: Array, t: Array) -> Motion:

@@ -231,7 +231,7 @@ def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
         return np.zeros(at.L.shape[:-1]), np.zeros_like(at.s)
     speed, quick = (motor_motion(robot, each)[..., None] for each in (rates, seconds))
     lower = lower_motion(robot, at, rates, seconds)
-    inertia = robot.drive.rotor_inertia[:, None] if robot.drive is not None else 0.0
+    inertia = 0.0 if robot.drive is None else np.asarray(robot.drive.rotor_inertia)[:, None]
     torque = inertia * (quick + _dot(at.s, lower.alpha))
     return torque[..., 0], inertia * (quick * at.s + speed * _cross(lower.omega, at.s))
 
@@ -284,7 +284,7 @@ def _ends(legs: Legs, F: Array) -> Array:
     """Wrench on each leg at the platform joint, (..., 6, n)."""
     right = legs.tau - F[..., None] * legs.column
     J_T = _transpose(legs.moving.J)
-    bad = ~np.isfinite(J_T).all(axis=(-2, -1)) | ~np.isfinite(right).all(axis=-1)
+    bad = np.asarray(~np.isfinite(J_T).all(axis=(-2, -1)) | ~np.isfinite(right).all(axis=-1))
     found = np.linalg.solve(np.where(bad[..., None, None], np.eye(J_T.shape[-1]), J_T), right[..., None])
     return np.asarray(found[..., 0])
 

@@ -187,7 +187,7 @@ def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
     beside = offsets_of(robot).along[:, None] ** 2
     share = at.of_tip / at.L * (at.of_tip**2 / (at.of_tip**2 + beside))
     code = np.where((code == OK) & ~(share > ROUNDING), JOINT_SINGULAR, code)
-    lost = ~np.isfinite(at.L) | ~np.isfinite(at.U).all(axis=(-2, -1))[..., None]
+    lost = ~(np.isfinite(at.L) & np.isfinite(at.U).all(axis=-1).all(axis=-1, keepdims=True))
     meets = np.sqrt(_dot(_cross(robot.k, at.P), _cross(robot.k, at.P))) <= ROUNDING * reach
     # Without a distance from the fixed axis there is no direction: the same as in legs without offsets.
     along_axis = meets & (offsets_of(robot).along[:, None] == 0.0)

@@ -167,7 +167,7 @@ class Watch:
 def _scaled_H(legs: LegStates, size: float) -> Array:
     """H^T with its moments over a length, (..., 6, 6)."""
     if legs.H is not None:
-        return np.swapaxes(legs.H, -1, -2) / np.repeat([1.0, size], 3)
+        return np.asarray(np.swapaxes(legs.H, -1, -2) / np.repeat([1.0, size], 3))
     return np.concatenate([legs.s, cross(legs.q, legs.s) / size], axis=-1)
 
 
