@@ -21,16 +21,16 @@ class Offsets(Frozen):
 
     From the base point the fixed axis k, the moving axis y at a right angle to it, and the line of sliding
     along s at a right angle to y. o = y x k points from the fixed axis towards the platform; z = s x y. The
-    end of the leg lies at S = cross o + along y + across z + L s from the base point. Frame D of the lower part
-    has its origin where o meets the moving axis, frame U of the upper part at the end of the leg. Zeros are the
-    ordinary leg.
+    end of the leg lies at S = cross o + along y + across z + L s from the base point. Frame D of the lower
+    part has its origin where o meets the moving axis, frame U of the upper part at the end of the leg. Zeros
+    are the ordinary leg.
 
     Attributes
     ----------
     cross : ndarray, optional
         From the fixed to the moving axis, along their common normal o, m, (6,).
     along, across : ndarray, optional
-        From where o meets the moving axis to the line of sliding, along the moving axis y and along z, m, (6,).
+        From where o meets the moving axis to the line of sliding, along y and along z, m, (6,).
     platform_joint : str, optional
         ``"spherical"``, or ``"universal"`` for a joint of two axes on a leg whose upper part turns about s in
         the lower one: the first axis is on the upper part at a right angle to s, the second on the platform.
@@ -65,10 +65,7 @@ class Offsets(Frozen):
     def __post_init__(self) -> None:
         """Check every field."""
         tables.choice(self.platform_joint, PLATFORM_JOINTS, "platform_joint")
-        found = {
-            name: tables.numbers(getattr(self, name), shape, name)
-            for name, shape in SHAPES.items()
-        }
+        found = {name: tables.numbers(getattr(self, name), shape, name) for name, shape in SHAPES.items()}
         for name in ("cross_mass", "cross_inertia"):
             for i in range(LEGS):
                 tables.not_negative(found[name][i], f"{name}: leg {i + 1}")
@@ -79,7 +76,7 @@ class Offsets(Frozen):
             )
         elif found["platform_axis"].any() or found["wrist"].any():
             raise ValueError(
-                'offsets: expected platform_axis and wrist of platform_joint "universal" alone, got "spherical"'
+                'platform_joint: expected "universal" beside platform_axis and wrist, got "spherical"'
             )
         self._set(found)
 

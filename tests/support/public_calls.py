@@ -28,7 +28,8 @@ RECORDS = {
     ),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
-    *("DriveEffort", "DriveEstimate", "DriveLimitWarning", "LogWarning", "MotorMotion", "Saturation", "Smooth"),
+    *("DriveEffort", "DriveEstimate", "DriveLimitWarning", "LogWarning", "MotorMotion", "Saturation"),
+    "Smooth",
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 

@@ -1,9 +1,9 @@
 """The ``exact`` leg whose axes miss each other, in the coordinates of its joints, by Lagrange's equations.
 
-From the base point: phi about k, the offset a along o = y x k, theta about y, the offsets e along y and d along
-z, the length L along s. The end lies at S = r o + e y + zeta k with r = a + k3 L - k1 d and zeta = k1 L + k3 d,
-which gives r, L, k1 and k3 from S in closed form; of the solutions the one with r > 0 and L > 0 is taken. The
-inertial constants enter as in ``joint_coordinates``; offsets add to them once per robot.
+From the base point: phi about k, the offset a along o = y x k, theta about y, the offsets e along y and d
+along z, the length L along s. The end lies at S = r o + e y + zeta k with r = a + k3 L - k1 d and
+zeta = k1 L + k3 d, which gives r, L, k1 and k3 from S in closed form; of the solutions the one with r > 0 and
+L > 0 is taken. The inertial constants enter as in ``joint_coordinates``; offsets add to them once per robot.
 """
 
 from dataclasses import dataclass, replace
