@@ -120,6 +120,12 @@ def terms(robot: Robot, motion: Motion) -> dict[str, Array]:
         return {"D": D, "K": K, "H": H, "c": c}
 
 
+def rotor_force(robot: Robot, motion: Motion) -> Array:
+    """Part of the actuator forces that turns the rotors, N, (..., 6)."""
+    with np.errstate(all="ignore"):
+        return _legs(robot, motion).F_rotor
+
+
 def massless_forces(robot: Robot, motion: Motion) -> Array:
     """Actuator forces with legs without mass and joints without friction, N, (..., 6)."""
     with np.errstate(all="ignore"):

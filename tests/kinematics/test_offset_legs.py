@@ -1,5 +1,7 @@
 """Kinematics of machines with offset joints: rates, poses of lengths and of motors' angles."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from machines import machine_size, path_period, random_path
@@ -70,8 +72,6 @@ def test_the_spin_of_the_upper_part_is_what_lengths_do_not_show() -> None:
 
 
 def test_ordinary_legs_have_motors_too() -> None:
-    import dataclasses
-
     robot, motion = offset_case(2, screws=True)
     plain = dataclasses.replace(robot, offsets=None)
     legs, motors = ss.inverse_kinematics(plain, motion), ss.motor_angles(plain, motion)
@@ -88,3 +88,15 @@ def test_what_cannot_be_found_is_said() -> None:
         ss.motor_angles(without, motion)
     with pytest.raises(ValueError, match="angle: no pose"):
         ss.pose_of_motors(robot, np.full(6, 1e5), (motion.R, motion.t))
+
+
+@pytest.mark.parametrize("joint", JOINTS)
+def test_the_effort_of_the_drives_is_of_the_motors_speed(joint: str) -> None:
+    robot, motion = offset_case(4, joint, (3,), screws=True)
+    effort, motors = ss.drive_effort(robot, motion), ss.motor_angles(robot, motion)
+    np.testing.assert_allclose(effort.speed, motors.rate, rtol=1e-11)
+    F = ss.inverse_dynamics(robot, motion).F
+    np.testing.assert_allclose(effort.torque, F / robot.drive.turns, rtol=1e-12)
+    heavier = dataclasses.replace(robot.drive, rotor_inertia=2 * robot.drive.rotor_inertia)
+    found = ss.drive_effort(dataclasses.replace(robot, drive=heavier), motion)
+    np.testing.assert_allclose(found.rotor, 2 * effort.rotor, rtol=1e-11)
