@@ -16,6 +16,9 @@ from .legs import offset_joints as o
 from .legs.joint_coordinates import friction_moment
 
 LEVEL = "offset"
+MEANING = (
+    "offset joints; STEWART_NOT_FINITE also where a platform point lies where no leg with its offsets ends"
+)
 
 
 @cache
@@ -26,7 +29,7 @@ def offset_kernel(friction: bool = True) -> ForceKernel:
     kernel = actuator_forces.with_constants(EXACT, friction, shared, offset_leg(friction), lumped)
     kernel = actuator_forces.about_tip(kernel)
     prepared = prepare_leg(kernel.leg.inputs, lumped)
-    return replace(kernel, prepare_leg=prepared, fidelity=LEVEL, meaning="offset joints")
+    return replace(kernel, prepare_leg=prepared, fidelity=LEVEL, meaning=MEANING)
 
 
 def offset_leg(friction: bool) -> Block:

@@ -7,7 +7,7 @@
  * vector instructions of the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the
  * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
  *
- * Fidelity: offset joints.
+ * Fidelity: offset joints; STEWART_NOT_FINITE also where a platform point lies where no leg with its offsets ends.
  *
  * Operations of one pose of inverse dynamics, six legs, solve included
  *          with friction                             without friction

@@ -21,6 +21,8 @@ ROUNDING = 16 * np.finfo(np.float64).eps
 SLIDING, SPIN = 2, 3
 """Joints of a chain, counted from 0: along s, and about it."""
 _MOST_STEPS = 60
+# Share of the leg by which the end still moves when it is found.
+_SETTLED = 8 * np.finfo(np.float64).eps
 
 
 @dataclass(frozen=True, eq=False)
@@ -150,9 +152,13 @@ def chains(robot: Robot, motion: Motion) -> Chains:
         y_w = _cross(k_w, at.s)
         y_w = y_w / np.sqrt(_dot(y_w, y_w))
         o_w = _cross(y_w, k_w)
-        if not w.any():
+        step = np.abs(P - w * o_w - T).max(axis=-1, keepdims=True)
+        moved = step > _SETTLED * np.abs(P).max(axis=-1, keepdims=True)
+        if not moved.any():
             break
         T = P - w * o_w
+    else:
+        at = _lower(robot, offsets, q, P, np.where(moved, np.nan, T))
     spin = np.arctan2(_dot(at.z, y_w), _dot(at.y, y_w))
     U = np.stack([at.s, y_w, _cross(at.s, y_w)], axis=-1)
     return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w, "o_w": o_w})
