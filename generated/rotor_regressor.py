@@ -3,7 +3,7 @@
 Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
 SPDX-License-Identifier: 0BSD
 
-They stand beside those of exact_regressor.py and are named as those are.
+They are not among those of exact_regressor.py and are named as those are.
 """
 
 from typing import Any

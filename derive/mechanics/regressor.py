@@ -67,7 +67,7 @@ def regressor() -> Regressor:
 
 
 def rotor_columns() -> Block:
-    """Columns of the constants of one leg's rotor, which stand beside those of ``regressor``."""
+    """Columns of the constants of one leg's rotor, which are not among those of ``regressor``."""
     whole = _leg(n.ROTOR)
     kept = [out for out in whole.outputs if out.quantity.name.startswith(("force_", "moment_"))]
     return rebuilt(whole, whole.steps, kept, whole.inputs)

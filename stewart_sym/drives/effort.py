@@ -179,11 +179,11 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
 
     NaN where these are.
     """
-    if robot.offsets is None:
-        rotor = newton_euler.rotor_force(robot, motion)
-    else:
-        rotor = offset_joints.rotor_force(robot, motion)
-        with np.errstate(all="ignore"):
+    with np.errstate(all="ignore"):
+        if robot.offsets is None:
+            rotor = newton_euler.rotor_force(robot, motion)
+        else:
+            rotor = offset_joints.rotor_force(robot, motion)
             # Of U-C-U legs the motor sees the turning of the upper part as well.
             L_dot = motor_motion(robot, joint_motion(robot, motion).rates) / drive.turns
     friction = friction_force(drive, F - rotor, L_dot)

@@ -1,4 +1,4 @@
-"""Columns of the regressor for the rotors of the legs' drives, which stand beside those of the bodies.
+"""Columns of the regressor for the rotors of the legs' drives, besides those of the bodies.
 
     H F + [R F_ext; R M_ext] = Y pi + Y_r [m_r; j_r]
 

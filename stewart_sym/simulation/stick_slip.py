@@ -21,6 +21,7 @@ from ..io.array_types import Array
 from ..kinematics.inverse import leg_vectors, length_rows, tip_velocities
 from ..motion.motion import Motion
 from ..motion.rotation import cross
+from ..reference import newton_euler
 from ..results import SINGULAR
 from ..robot.drive import Drive
 from ..robot.robot import LEGS, Robot
@@ -33,6 +34,7 @@ Modes = tuple[int, ...]
 STUCK: Modes = (0,) * LEGS
 
 _HALVINGS = 40
+_MOST_SIGNS = 20
 _MOST_CHANGES = 100
 """Changes of legs, one after the other, in which no time goes by."""
 _GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(5)
@@ -47,10 +49,11 @@ class Change(NamedTuple):
 
 
 class Found(NamedTuple):
-    """Accelerations [a; alpha], forces of the legs and their friction, N, L_ddot, (6,) each."""
+    """[a; alpha], forces of the legs, between their parts and of friction, N, and L_ddot, (6,) each."""
 
     acceleration: Array
     F: Array
+    within: Array
     friction: Array
     L_ddot: Array
     status: int
@@ -138,7 +141,7 @@ class StickSlip:
         found = self.solved(state, motor, modes)
         if found.status:
             return None
-        low, high = self._holding(found.F)
+        low, high = self._holding(found)
         scale = float(np.abs([*motor, *found.F]).max()) + np.finfo(np.float64).tiny
         rates = float(np.abs(found.L_ddot).max()) + np.finfo(np.float64).tiny
         faults = []
@@ -153,12 +156,11 @@ class StickSlip:
         worst = max(faults, default=(0.0, 0, 0))
         return worst if worst[0] > 1e-12 else None
 
-    def _holding(self, F: Array) -> tuple[Array, Array]:
-        """Least and largest force of the motors, N, (6,), with which legs with forces F stick."""
-        rest = constant_part(self.drive, np.zeros(LEGS))
-        low = F - rest - load_share(self.drive, F, np.full(LEGS, -1.0)) * np.abs(F)
-        high = F + rest + load_share(self.drive, F, np.full(LEGS, 1.0)) * np.abs(F)
-        return low, high
+    def _holding(self, found: Found) -> tuple[Array, Array]:
+        """Least and largest force of the motors, N, (6,), with which legs stick."""
+        rest, load = constant_part(self.drive, np.zeros(LEGS)), np.abs(found.within)
+        down, up = (load_share(self.drive, found.within, np.full(LEGS, sign)) for sign in (-1.0, 1.0))
+        return found.F - rest - down * load, found.F + rest + up * load
 
     # Dynamics
 
@@ -167,41 +169,64 @@ class StickSlip:
         modes = self.modes if modes is None else modes
         sign = np.array(modes, dtype=np.float64)
         legs = _legs(self.robot, state)
-        resting = np.flatnonzero(sign == 0.0)
-        slipping = self._slipping(motor, sign, legs.L_dot)
-        if not len(resting):
-            acceleration, status = self.plant(state, slipping)
-            return self._found(legs, acceleration, slipping, motor, status)
+        left = motor - viscous(self.drive) * legs.L_dot - sign * constant_part(self.drive, legs.L_dot)
+        if sign.all() and not self._rotors_count:
+            # F + sign mu |F| = left: F has the sign of left, and mu goes by the direction of power.
+            F = left / (1.0 + sign * np.sign(left) * load_share(self.drive, left, sign))
+            acceleration, status = self.plant(state, F)
+            return Found(acceleration, F, F, motor - F, legs.J @ acceleration + legs.own, status)
         nothing = np.zeros(LEGS)
-        first, status = self.plant(state, np.where(sign == 0.0, 0.0, slipping))
-        columns = []
-        for leg in resting.tolist():
-            unit = nothing.copy()
-            # Of the size of forces, so that differences keep their digits.
-            unit[leg] = self._scale
-            moved, fault = self.plant(state, np.where(sign == 0.0, unit, slipping))
-            status = status or fault
-            columns.append((moved - first) / self._scale)
-        if status:
-            return Found(np.full(6, np.nan), nothing, nothing, nothing, status)
-        B = np.column_stack(columns)
+        first, status = self.plant(state, nothing)
+        moved = [self.plant(state, self._scale * unit) for unit in np.eye(LEGS)]
+        status = next((code for code in (status, *(code for _, code in moved)) if code), 0)
         try:
-            held = np.linalg.solve(legs.J[resting] @ B, -(legs.J[resting] @ first + legs.own[resting]))
+            if status:
+                raise np.linalg.LinAlgError
+            B = np.column_stack([(each - first) / self._scale for each, _ in moved])
+            F, within = self._forces_of(state, left, sign, legs, first, B)
         except np.linalg.LinAlgError:
-            return Found(np.full(6, np.nan), nothing, nothing, nothing, SINGULAR)
-        F = slipping.copy()
-        F[resting] = held
-        acceleration = np.zeros(6) if len(resting) == LEGS else first + B @ held
-        return self._found(legs, acceleration, F, motor, status)
+            return Found(np.full(6, np.nan), nothing, nothing, nothing, nothing, status or SINGULAR)
+        acceleration = first + B @ F if sign.any() else np.zeros(6)
+        return Found(acceleration, F, within, motor - F, legs.J @ acceleration + legs.own, 0)
 
-    def _found(self, legs: _Legs, acceleration: Array, F: Array, motor: Array, status: int) -> Found:
-        return Found(acceleration, F, motor - F, legs.J @ acceleration + legs.own, status)
+    def _forces_of(
+        self, state: Motion, left: Array, sign: Array, legs: _Legs, first: Array, B: Array
+    ) -> tuple[Array, Array]:
+        """Forces of the legs and those between their parts, N, (6,), where accelerations are first + B F.
 
-    def _slipping(self, motor: Array, sign: Array, L_dot: Array) -> Array:
-        """Forces of slipping legs, N, (6,): F with F + friction = motor."""
-        left = motor - viscous(self.drive) * L_dot - sign * constant_part(self.drive, L_dot)
-        # F + sign mu |F| = left: F has the sign of left, and mu goes by the direction of power.
-        return np.asarray(left / (1.0 + sign * np.sign(left) * load_share(self.drive, left, sign)))
+        left: the motors' forces less the friction that no force changes, N, (6,).
+        """
+        own, by = np.zeros(LEGS), np.eye(LEGS)
+        if self._rotors_count:
+            alone, per = self._rotor(state)
+            own, by = -(alone + per @ first), by - per @ B
+        resting = sign == 0.0
+        A = np.where(resting[:, None], legs.J @ B, np.eye(LEGS))
+        right = np.where(resting, -(legs.J @ first + legs.own), left)
+        within = left
+        for _ in range(_MOST_SIGNS):
+            # Friction in proportion to the force between the parts, of the sign that this is taken to have.
+            share = sign * np.sign(within) * load_share(self.drive, within, sign)
+            F = np.linalg.solve(A + share[:, None] * by, right - share * own)
+            before, within = within, own + by @ F
+            if np.array_equal(np.sign(before), np.sign(within)):
+                break
+        return F, within
+
+    @property
+    def _rotors_count(self) -> bool:
+        """Whether the force between a leg's parts differs from its actuator's, and friction goes by it."""
+        drive = self.drive
+        lossy = np.any(drive.efficiency != 1.0) or np.any(drive.back_efficiency != 1.0)
+        return bool(lossy and np.any(drive.rotor_inertia))
+
+    def _rotor(self, state: Motion) -> tuple[Array, Array]:
+        """What turns the rotors, N: without accelerations, (6,), and per acceleration, (6, 6)."""
+        a = np.concatenate([np.zeros((1, 6)), np.eye(6)])
+        wide = {name: np.broadcast_to(getattr(state, name), (7, 3)) for name in ("t", "omega", "v")}
+        R = np.broadcast_to(state.R, (7, 3, 3))
+        found = newton_euler.rotor_force(self.robot, Motion.unchecked(R, **wide, alpha=a[:, 3:], a=a[:, :3]))
+        return found[0], (found[1:] - found[0]).T
 
     @property
     def _scale(self) -> float:
@@ -221,8 +246,8 @@ class StickSlip:
             time = self._root(leg, float(when[i - 1]), float(when[i]), piece, actuators)
             direction = 0
             if self.modes[leg] == 0:
-                motor, F = self._forces(float(when[i]), piece, actuators)
-                direction = 1 if motor[leg] > F[leg] else -1
+                motor, holding = self._forces(float(when[i]), piece, actuators)
+                direction = 1 if motor[leg] > holding.F[leg] else -1
             found.append(Change(time, leg, direction))
         change = min(found, default=None)
         self._stalled = self._stalled + 1 if change and change.time <= piece.start else 0
@@ -258,17 +283,17 @@ class StickSlip:
         found = np.array(self.modes) * _legs(self.robot, state).L_dot
         resting = np.array(self.modes) == 0
         if resting.any():
-            motor, F = self._forces(time, piece, actuators)
-            low, high = self._holding(F)
+            motor, holding = self._forces(time, piece, actuators)
+            low, high = self._holding(holding)
             # Rounding does not move a leg.
-            slack = 1e-12 * (np.abs(motor) + np.abs(F))
+            slack = 1e-12 * (np.abs(motor) + np.abs(holding.F))
             found[resting] = (np.minimum(high - motor, motor - low) + slack)[resting]
         return found
 
-    def _forces(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Array, Array]:
-        """Of the motors and of the legs, N, (6,), at a time within a piece."""
+    def _forces(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Array, Found]:
+        """Of the motors, N, (6,), and of the legs at a time within a piece."""
         state, motor = self.at(time, piece, actuators)
-        return motor, self.solved(state, motor).F
+        return motor, self.solved(state, motor)
 
     def at(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Motion, Array]:
         """State with its load at a time within a piece, and the motors' forces, N, (6,)."""
