@@ -28,8 +28,8 @@ RECORDS = {
     ),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
-    *("DriveEffort", "DriveEstimate", "DriveLimitWarning", "LogWarning", "MotorMotion", "Saturation"),
-    "Smooth",
+    *("DriveEffort", "DriveEstimate", "DriveLimitWarning", "ImportedModel", "LogWarning", "ModelFile"),
+    *("MotorMotion", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -145,6 +145,8 @@ def calls() -> dict[str, Call]:
         "ArrayKernel": Call(
             ss.ArrayKernel, {"robot": robot, "xp": np, "formulation": "exact", "dtype": None}, free=("dtype",)
         ),
+        "export_model": Call(ss.export_model, {"robot": robot, "format": "mjcf"}),
+        "import_model": Call(ss.import_model, {"path": "no.xml"}),
         "prepare": Call(
             ss.prepare,
             {"robot": robot, "formulation": "exact", "precision": "double", "fidelity": "general"},
