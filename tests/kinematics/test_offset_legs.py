@@ -4,13 +4,12 @@ import dataclasses
 
 import numpy as np
 import pytest
-from machines import machine_size, path_period, random_path
-from offset_machines import JOINTS, offset_case
+from machines import PLATFORM_JOINTS, machine_size, offset_case, path_period, random_path
 
 import stewart_sym as ss
 
 
-@pytest.mark.parametrize("joint", JOINTS)
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_rates_are_derivatives_along_a_path(joint: str) -> None:
     robot, _ = offset_case(0, joint, screws=True)
     path, h = random_path(np.random.default_rng(0), robot), 1e-5 * path_period(robot)
@@ -29,7 +28,7 @@ def test_rates_are_derivatives_along_a_path(joint: str) -> None:
         np.testing.assert_allclose((one - other) / (2 * h), wanted, rtol=0, atol=1e-6 * np.abs(wanted).max())
 
 
-@pytest.mark.parametrize("joint", JOINTS)
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_poses_come_back_from_lengths_and_from_motors(joint: str) -> None:
     for seed in range(8):
         robot, motion = offset_case(seed, joint, (3,), screws=True)
@@ -48,7 +47,7 @@ def test_poses_come_back_from_lengths_and_from_motors(joint: str) -> None:
         np.testing.assert_allclose(t, motion.t, atol=1e-11 * size)
 
 
-@pytest.mark.parametrize("joint", JOINTS)
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_velocities_and_accelerations_come_back(joint: str) -> None:
     robot, motion = offset_case(3, joint, (4,))
     legs = ss.inverse_kinematics(robot, motion)
@@ -90,7 +89,7 @@ def test_what_cannot_be_found_is_said() -> None:
         ss.pose_of_motors(robot, np.full(6, 1e5), (motion.R, motion.t))
 
 
-@pytest.mark.parametrize("joint", JOINTS)
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_the_effort_of_the_drives_is_of_the_motors_speed(joint: str) -> None:
     robot, motion = offset_case(4, joint, (3,), screws=True)
     effort, motors = ss.drive_effort(robot, motion), ss.motor_angles(robot, motion)

@@ -5,8 +5,16 @@ from functools import cache
 
 import numpy as np
 import pytest
-from machines import machine_size, path_period, random_motion, random_path, random_robot
-from offset_machines import JOINTS, offset_case, offsets_of
+from machines import (
+    PLATFORM_JOINTS,
+    machine_size,
+    offset_case,
+    offsets_of,
+    path_period,
+    random_motion,
+    random_path,
+    random_robot,
+)
 from pinocchio_offsets import Answer, pinocchio_offsets
 
 import stewart_sym as ss
@@ -32,7 +40,7 @@ def _error(found: object, wanted: np.ndarray) -> float:
     return float(np.abs(np.asarray(found) - wanted).max() / np.abs(wanted).max())
 
 
-@pytest.mark.parametrize("joint", JOINTS)
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_forces_and_reactions_agree_with_pinocchio(joint: str) -> None:
     for seed in MACHINES:
         robot, motion, truth = _case(seed, joint)
@@ -54,7 +62,7 @@ def test_the_kernel_agrees_with_pinocchio(backend: str) -> None:
         assert _error(F, truth.F) < RELATIVE, seed
 
 
-@pytest.mark.parametrize("joint", JOINTS)
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_lengths_and_spins_with_their_rates_agree_with_pinocchio(joint: str) -> None:
     for seed in MACHINES:
         robot, motion, truth = _case(seed, joint)
@@ -78,7 +86,7 @@ def test_a_screw_that_turns_the_upper_part_agrees_with_pinocchio() -> None:
         assert _error(other.F, truth.F) > 1e-4, seed
 
 
-@pytest.mark.parametrize("joint", JOINTS)
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_without_offsets_all_is_as_in_ordinary_legs(joint: str) -> None:
     for seed in range(20):
         rng = np.random.default_rng(seed)
@@ -107,7 +115,7 @@ def test_offsets_that_are_left_out_change_the_forces() -> None:
 
 
 @pytest.mark.parametrize("screws", [False, True], ids=["", "rotors"])
-@pytest.mark.parametrize("joint", JOINTS)
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_work_is_energy(joint: str, screws: bool) -> None:
     nodes, weights = np.polynomial.legendre.leggauss(24)
     for seed in range(3):
@@ -136,7 +144,7 @@ def test_work_is_energy(joint: str, screws: bool) -> None:
         assert powers["friction"].max() < 0
 
 
-@pytest.mark.parametrize("joint", JOINTS)
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
 def test_equations_of_motion_and_forward_dynamics_undo_inverse_dynamics(joint: str) -> None:
     robot, motion = offset_case(7, joint, (3,))
     forces = ss.inverse_dynamics(robot, motion)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from offset_machines import offset_case
+from machines import offset_case
 from pages import DOCS
 from public_calls import calls
 
