@@ -28,6 +28,7 @@ from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
 from .mechanics.legs.rotor import NONE, rotor_of
+from .mechanics.offset_forces import offset_kernel
 from .mechanics.orientation import quaternion, rpy
 from .mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, fidelity_kernel, level_of
 from .mechanics.regressor import Regressor, regressor, rotor_columns
@@ -122,6 +123,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         models[f"{form.kernel_name}_bounds"] = bounded.model_numbers()
     progress("deriving the fidelities")
     files |= _fidelities(version, models)
+    progress("deriving exact_offset")
+    files |= _offset_joints(version, models)
     progress("deriving exact_regressor")
     columns = reduced_regressor()
     files["exact_regressor.py"] = arrays.regressor(columns, version)
@@ -137,6 +140,26 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files |= _of_c(made)
     files["interface.py"] = layout(models, headers, version)
     return files
+
+
+@cache
+def reduced_offset(friction: bool = True) -> ForceKernel:
+    """The force kernel of legs with offset joints as it is emitted: derived, then shared."""
+    return shared_blocks(offset_kernel(friction))
+
+
+def _offset_joints(version: str, models: dict[str, int]) -> dict[str, str]:
+    """Files of ``exact_offset``; what its model holds is added to ``models``."""
+    built, smooth = reduced_offset(), reduced_offset(friction=False)
+    models[built.name] = lanes.model_numbers(built)
+    found = program(built)
+    on_arrays = arrays.module(found, arrays.imported(found), version)
+    counts = {"friction": built, "frictionless": smooth}
+    rows = [f'    "{name}": {force_operations(each).total.total},' for name, each in counts.items()]
+    return _of_c(lanes.files(built, version, smooth)) | {
+        f"{built.name}_arrays.py": on_arrays,
+        f"{built.name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
+    }
 
 
 def _of_c(files: dict[str, str]) -> dict[str, str]:

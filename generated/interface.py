@@ -211,6 +211,7 @@ MODELS: dict[str, int] = {
     "exact_drive_reflected_slender": 98,
     "exact_drive_reflected_massless_friction": 123,
     "exact_drive_reflected_massless": 74,
+    "exact_offset": 355,
 }
 
 # Headers that the sources share: to compile one takes these, and its own.

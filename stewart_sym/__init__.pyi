@@ -61,6 +61,9 @@ from .kinematics.inverse import wrench_matrix as wrench_matrix
 from .kinematics.inverse import wrench_matrix_rate as wrench_matrix_rate
 from .kinematics.mounting import AssemblyModeWarning as AssemblyModeWarning
 from .kinematics.mounting import up_direction as up_direction
+from .kinematics.offset_legs import MotorMotion as MotorMotion
+from .kinematics.offset_legs import motor_angles as motor_angles
+from .kinematics.offset_legs import pose_of_motors as pose_of_motors
 from .motion.interpolation import between as between
 from .motion.interpolation import resampled as resampled
 from .motion.logs import LogFormat as LogFormat
@@ -79,6 +82,7 @@ from .results import Forces as Forces
 from .results import Linearisation as Linearisation
 from .results import Reactions as Reactions
 from .robot.drive import Drive as Drive
+from .robot.offsets import Offsets as Offsets
 from .robot.robot import PhysicalityWarning as PhysicalityWarning
 from .robot.robot import Robot as Robot
 from .robot.units import Units as Units

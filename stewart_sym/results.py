@@ -12,10 +12,13 @@ from .io.array_types import Array, Codes
 OK, NOT_FINITE, ZERO_LENGTH, JOINT_SINGULAR, SINGULAR, BAD_ARGUMENT, INDEFINITE, NOT_CONVERGED = (
     code for code, _ in STATUS.values()
 )
-OUT_OF_LIMITS = 8
+OUT_OF_LIMITS, UNREACHABLE = 8, 9
 
-STATUS_TEXT = dict(STATUS.values()) | {OUT_OF_LIMITS: "a leg length lies outside the robot's length_limits"}
-"""Meaning of each status code, 0 to 7 of the kernels, the rest of forward kinematics."""
+STATUS_TEXT = dict(STATUS.values()) | {
+    OUT_OF_LIMITS: "a leg length lies outside the robot's length_limits",
+    UNREACHABLE: "a platform point lies where no leg with its offsets ends",
+}
+"""Meaning of each status code, 0 to 7 of the kernels, the rest of forward kinematics and offset joints."""
 
 
 @dataclass(frozen=True, eq=False)

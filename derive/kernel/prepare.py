@@ -13,7 +13,19 @@ from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.lumped_constants import ADDED
 from ..program.block import Block, Quantity
-from .layouts import Layout, Place, Written, entries, exprs_of, lines, member, names_used, stored, stores
+from .layouts import (
+    Layout,
+    Place,
+    Written,
+    described,
+    entries,
+    exprs_of,
+    lines,
+    member,
+    names_used,
+    stored,
+    stores,
+)
 from .tree import nodes as t
 from .tree.constants import LARGEST, SMALLEST
 from .tree.read import Given
@@ -37,6 +49,18 @@ ROBOT = t.Structure(
 )
 LEG = t.Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.OF_LEG))
 MOTION = t.Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
+
+
+def raw_structures(kernel: ForceKernel) -> tuple[t.Structure, t.Structure]:
+    """The robot and its leg that a kernel is prepared from: those of ``stewart.h``, or its own."""
+    more = kernel.more_of_legs()
+    if not more:
+        return ROBOT, LEG
+    name = f"stewart_{kernel.fidelity}"
+    leg = t.Structure(f"{name}_leg", "One leg.", tuple(map(described, (*n.OF_LEG, *more))))
+    legs = t.Field("leg", t.Array(t.Record(leg.name), (6,)))
+    robot = t.Structure(f"{name}_robot", "The machine.", (legs, *map(described, n.PLATFORM)))
+    return robot, leg
 
 
 HANDED_OVER: dict[str, Given] = {"hand_over": solve.handed_over}
@@ -87,11 +111,12 @@ def prepared_structure(name: str, block: Block) -> t.Structure:
 def preparation(texts: Written, kernel: ForceKernel) -> list[t.Structure | t.Function]:
     """The two blocks of preparation, and what they read and make."""
     parts: list[t.Structure | t.Function] = []
-    second = (t.Argument("leg", t.Record("stewart_leg")), t.Argument("sum", t.Record("prepared_leg")))
+    robot, leg = raw_structures(kernel)
+    second = (t.Argument("leg", t.Record(leg.name)), t.Argument("sum", t.Record("prepared_leg")))
     names = ("prepared_leg", "prepared_platform")
     for block, made, more in zip((kernel.prepare_leg, kernel.prepare_platform), names, second, strict=True):
         arguments = (
-            t.Argument("robot", t.Record("stewart_robot")),
+            t.Argument("robot", t.Record(robot.name)),
             more,
             t.Argument("out", t.Record(made), changed=True),
         )
@@ -122,7 +147,7 @@ def raw(quantity: Quantity) -> Place:
         return Place(t.Name("axis"))
     if quantity == n.p_1:
         return Place(t.Member(t.Element(t.Member(t.Name("robot"), "leg"), (t.Number(0),)), "p"))
-    owner = "leg" if quantity in n.OF_LEG else "sum" if quantity in ADDED else "robot"
+    owner = "sum" if quantity in ADDED else "robot" if quantity in n.PLATFORM else "leg"
     return member(owner, quantity)
 
 
@@ -137,7 +162,8 @@ def constants(kernel: ForceKernel) -> dict[str, Given]:
 
 def structures(kernel: ForceKernel) -> dict[str, t.Structure]:
     """Structures that preparation reads and makes, by the names that the written functions give them."""
-    found = {"Robot": ROBOT, "RawLeg": LEG, "Motion": MOTION}
+    robot, leg = raw_structures(kernel)
+    found = {"Robot": robot, "RawLeg": leg, "Motion": MOTION}
     if kernel.constants is None:
         found |= {
             "PreparedLeg": prepared_structure("prepared_leg", kernel.prepare_leg),

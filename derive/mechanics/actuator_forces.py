@@ -119,6 +119,11 @@ class ForceKernel:
             return tuple(q for q, values in self.constants.items() if len(values) > 1)
         return tuple(o.quantity for o in self.prepare_leg.outputs if o.quantity not in p.ADDED)
 
+    def more_of_legs(self) -> tuple[Quantity, ...]:
+        """What is prepared of each leg beside ``quantities.OF_LEG``."""
+        known = (*n.OF_LEG, *n.PLATFORM, n.p_1)
+        return tuple(q for q in self.prepare_leg.inputs if q not in known)
+
     def platform_constants(self) -> tuple[Quantity, ...]:
         """Constants of the platform in the prepared model."""
         if self.constants is not None:
@@ -411,13 +416,17 @@ def closed_leg(
     D: sp.Expr,
     K: sp.Matrix,
     f: sp.Matrix,
+    more: Iterable[Quantity] = (),
 ) -> Block:
-    """The leg's block, moments about the reference point; k3 None where there is no universal joint."""
+    """The leg's block, moments about the reference point; k3 None where there is no universal joint.
+
+    more: constants of the leg beside ``quantities.LEG`` and ``lumped_constants.LEG``.
+    """
     joint = [] if k3 is None else [(n.k3, k3)]
     return build.block(
         "leg_terms_of",
         meaning,
-        (*n.OF_LEG, *p.LEG, *FROM_POSE, n.g),
+        (*n.OF_LEG, *p.LEG, *more, *FROM_POSE, n.g),
         [
             (n.q, q),
             (n.L, L),

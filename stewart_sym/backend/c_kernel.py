@@ -18,7 +18,15 @@ from ..motion.motion import Motion
 from ..results import OK, Forces, Reactions
 from ..robot.robot import Robot
 from . import native
-from .kernel import MOTION, defines_of, overflows, robot_kernel, robot_numbers, takes_rotors
+from .kernel import (
+    MOTION,
+    defines_of,
+    offset_numbers,
+    overflows,
+    robot_kernel,
+    robot_numbers,
+    takes_rotors,
+)
 
 
 def c_sources(name: str) -> dict[str, str]:
@@ -93,15 +101,16 @@ def function(name: str, part: str, precision: str, what: str) -> Any:
 
 
 def prepared_model(
-    prepare: Any, robot: Robot, count: int, precision: str, rotors: bool = False
+    prepare: Any, robot: Robot, count: int, precision: str, rotors: bool = False, offsets: bool = False
 ) -> NDArray[Any]:
     """So many constants that a C function prepares from a robot, with its rotors where the kernel takes them.
 
-    Raises ValueError where they overflow.
+    offsets: whether the kernel is that of offset joints. Raises ValueError where they overflow.
     """
     dtype = np.float64 if precision == "double" else np.float32
     with np.errstate(over="ignore"):
-        numbers = robot_numbers(robot, rotors).astype(dtype)
+        given = offset_numbers(robot) if offsets else robot_numbers(robot, rotors)
+        numbers = given.astype(dtype)
     model = np.zeros(count, dtype=dtype)
     if prepare(address(numbers), address(model)) != OK:
         raise overflows(robot, precision)

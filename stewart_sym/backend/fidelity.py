@@ -10,7 +10,7 @@ from ..generated.fidelities import FIDELITIES as _TABLE
 from ..generated.interface import MODELS
 from ..io.arguments import shown
 from ..robot.robot import Robot
-from .kernel import kernel_name, module, robot_kernel
+from .kernel import OFFSET_KERNEL, kernel_name, module, offset_kernel, robot_kernel
 
 FIDELITIES: tuple[str, ...] = tuple(_TABLE)
 """Names, from everything to nothing but the platform: legs ``general`` (with friction), ``frictionless``,
@@ -40,6 +40,8 @@ def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     legs with rotors. Raises ValueError for an unknown formulation.
     """
     kernel_name(formulation, robot.base_joint)
+    if robot.offsets is not None:
+        return (_GENERAL,)
     if robot.has_rotors and formulation == "paper":
         return ()
     if formulation != "exact":
@@ -56,11 +58,12 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
 
     Raises ValueError naming the levels that there are.
     """
-    robot_kernel(robot, formulation)
+    (robot_kernel if robot.offsets is None else offset_kernel)(robot, formulation)
     name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else fidelity
     names = available(robot, formulation)
     if not isinstance(name, str) or name not in names:
         joints = f" with {robot.base_joint} base joints" if formulation == "exact" else ""
+        joints = joints if robot.offsets is None else " with offset joints"
         raise ValueError(
             f"fidelity: expected one of {', '.join(names)} for {formulation}{joints}, got {shown(fidelity)}"
         )
@@ -70,6 +73,8 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
 def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
     """Name of the generated force kernel, as in ``stewart_<name>_forces.c``; raises as ``resolved``."""
     level = resolved(robot, formulation, fidelity)
+    if robot.offsets is not None:
+        return offset_kernel(robot, formulation)
     own = robot_kernel(robot, formulation)
     return own if level == _GENERAL else str(_table(robot)[level]["kernel"])
 
@@ -82,6 +87,8 @@ def model_numbers(robot: Robot, formulation: str, fidelity: str) -> int:
 def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERAL) -> int:
     """Operations per pose: +, -, *, / and sqrt one each, solve included."""
     level = resolved(robot, formulation, fidelity)
+    if robot.offsets is not None:
+        return int(module(f"{OFFSET_KERNEL}_operations").OPERATIONS["friction"])
     if level == _GENERAL:
         counts = module(robot_kernel(robot, formulation)).FORCE_OPERATIONS["friction"]
         return sum(counts["total"])

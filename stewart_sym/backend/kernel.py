@@ -1,6 +1,7 @@
 """The generated kernels by name: their sources and modules, and a robot's numbers as they take them."""
 
 import importlib
+from collections.abc import Sequence
 from types import ModuleType
 
 import numpy as np
@@ -8,6 +9,7 @@ import numpy as np
 from ..generated.interface import STRUCTS
 from ..io.arguments import option
 from ..io.array_types import Array
+from ..robot.offsets import Offsets, need_no_offsets
 from ..robot.robot import Robot
 
 FORMULATIONS = ("exact", "paper")
@@ -15,6 +17,12 @@ MOTION = STRUCTS["motion"]
 """Arrays of a motion in the order of ``stewart_motion``, with the shape of a pose's part."""
 LEG, ROTOR, PLATFORM = (tuple(STRUCTS[name]) for name in ("leg", "rotor", "platform"))
 _UPPER = np.triu_indices(3)
+
+
+OFFSET_KERNEL = "exact_offset"
+"""The kernel of legs with offset joints: the actuator forces alone."""
+OFFSETS = ("cross", "along", "across", "cross_mass", "cross_center", "cross_inertia")
+"""What it takes of ``robot.Offsets``, in its order."""
 
 
 def kernel_name(formulation: str, base_joint: str) -> str:
@@ -29,6 +37,7 @@ def robot_kernel(robot: Robot, formulation: str) -> str:
     Raises ValueError for an unknown formulation and for rotors where the formulation has none.
     """
     name = kernel_name(formulation, robot.base_joint)
+    need_no_offsets(robot)
     if not robot.has_rotors:
         return name
     if formulation == "paper":
@@ -36,6 +45,27 @@ def robot_kernel(robot: Robot, formulation: str) -> str:
             'formulation: expected "exact" for a robot whose drive has rotor_inertia, got "paper"'
         )
     return f"{name}_drive"
+
+
+def offset_kernel(robot: Robot, formulation: str) -> str:
+    """``OFFSET_KERNEL``, for robots with offset joints that it covers.
+
+    Raises ValueError for another formulation than "exact" and for universal platform joints.
+    """
+    need_offset_formulation(formulation)
+    if robot.offsets is not None and robot.offsets.spins:
+        raise ValueError(
+            'robot: offsets: platform_joint: expected "spherical", since no kernel has other ones; '
+            "inverse_dynamics computes them"
+        )
+    return OFFSET_KERNEL
+
+
+def need_offset_formulation(formulation: str) -> None:
+    """Reject, by ValueError, what legs with offset joints are not computed by."""
+    option(formulation, FORMULATIONS, "formulation")
+    if formulation != "exact":
+        raise ValueError(f'formulation: expected "exact" for a robot with offset joints, got "{formulation}"')
 
 
 def takes_rotors(name: str) -> bool:
@@ -55,8 +85,20 @@ def module(name: str) -> ModuleType:
 
 def robot_numbers(robot: Robot, rotors: bool = False) -> Array:
     """The robot as the numbers of ``struct stewart_robot``, in its order; rotors: with those of its legs."""
+    need_no_offsets(robot)
     names = (*LEG, *ROTOR) if rotors else LEG
-    legs = np.concatenate([columns(getattr(robot, name)) for name in names], axis=1)
+    return _numbers(robot, [columns(getattr(robot, name)) for name in names])
+
+
+def offset_numbers(robot: Robot) -> Array:
+    """The robot as the numbers of ``struct stewart_offset_robot``, in its order."""
+    offsets = Offsets() if robot.offsets is None else robot.offsets
+    own = [columns(getattr(robot, name)) for name in (*LEG, *ROTOR)]
+    return _numbers(robot, own + [columns(getattr(offsets, name)) for name in OFFSETS])
+
+
+def _numbers(robot: Robot, of_legs: Sequence[Array]) -> Array:
+    legs = np.concatenate(of_legs, axis=1)
     platform = [np.ravel(stored(np.asarray(getattr(robot, name)))) for name in PLATFORM]
     return np.concatenate([legs.ravel(), *platform])
 

@@ -13,6 +13,7 @@ from ..generated.interface import OUTPUTS
 from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
 from ..results import OK, Forces, Reactions
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .kernel import LEG, MOTION, PLATFORM, ROTOR, columns, module, robot_kernel, stored
 
@@ -132,6 +133,7 @@ def _arithmetic() -> Any:
 
 def legs_side_by_side(robot: Robot) -> SimpleNamespace:
     """The robot as a structure of a generated module, a number of the legs as (6, 1)."""
+    need_no_offsets(robot)
     legs = {name: columns(getattr(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
     leg = {name: list(rows) if np.ndim(getattr(robot, name)) > 1 else rows[0] for name, rows in legs.items()}
     platform = {name: stored(np.asarray(getattr(robot, name))) for name in PLATFORM}

@@ -86,6 +86,7 @@ def poses_of(
     """Poses of a log, found from leg lengths if it holds these."""
     import numpy as np
 
+    from ..kinematics.offset_legs import leg_lengths
     from ..motion.rotation import rotation_from_rpy
     from ..motion.trajectory import JointTrajectory, PoseLog
     from ..singularities.joint_space import on_platform
@@ -96,9 +97,7 @@ def poses_of(
         found = [length_doubt(robot, log.L[some])]
     else:
         motion = log.at(some)
-        q = robot.p @ np.swapaxes(motion.R, -1, -2)
-        lengths = np.linalg.norm(motion.t[:, None] + q - robot.b, axis=-1)
-        found = [length_doubt(robot, lengths), side_doubt(robot, motion)]
+        found = [length_doubt(robot, leg_lengths(robot, motion.R, motion.t)), side_doubt(robot, motion)]
         found += [angle_doubt(robot, log, some)] if isinstance(log, PoseLog) and found[0] is None else []
     for doubt in found:
         if doubt is not None:

@@ -16,8 +16,9 @@ from ..io.frozen import Frozen
 from ..io.instants import least_step, time_text
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
-from ..reference import newton_euler
+from ..reference import newton_euler, offset_joints
 from ..robot.drive import Drive
+from ..robot.offset_chains import joint_motion, motor_motion
 from ..robot.robot import LEGS, Robot
 from .friction import friction_force
 
@@ -179,7 +180,12 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
     NaN where these are.
     """
     with np.errstate(all="ignore"):
-        rotor = newton_euler.rotor_force(robot, motion)
+        if robot.offsets is None:
+            rotor = newton_euler.rotor_force(robot, motion)
+        else:
+            rotor = offset_joints.rotor_force(robot, motion)
+            # Of U-C-U legs the motor sees the turning of the upper part as well.
+            L_dot = motor_motion(robot, joint_motion(robot, motion).rates) / drive.turns
     friction = friction_force(drive, F - rotor, L_dot)
     force = F + friction
     torque = force / drive.turns

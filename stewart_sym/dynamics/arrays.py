@@ -9,10 +9,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..backend.kernel import module, overflows, robot_kernel, stored
+from ..backend.kernel import OFFSETS, module, offset_kernel, overflows, robot_kernel, stored
 from ..io.arguments import instance, leading_shape
 from ..io.frozen import Frozen
 from ..results import OK
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .inverse import Formulation
 
@@ -77,7 +78,10 @@ class ArrayKernel(Frozen):
     def __post_init__(self) -> None:
         """Prepare the constants in double, whatever the type of the kernel."""
         instance(self.robot, Robot, "robot")
-        name = robot_kernel(self.robot, self.formulation)
+        if self.robot.offsets is None:
+            name = robot_kernel(self.robot, self.formulation)
+        else:
+            name = offset_kernel(self.robot, self.formulation)
         if not hasattr(self.xp, "asarray"):
             got = type(self.xp).__name__
             raise ValueError(f"xp: expected an array namespace such as numpy or jax.numpy, got {got}")
@@ -129,8 +133,9 @@ class ArrayKernel(Frozen):
     def _run(self, function: str, kind: Any, fields: dict[str, Any], F: Any = None) -> dict[str, Any]:
         if not hasattr(self._source, function):
             raise ValueError(
-                f'{function}: expected formulation "exact" and universal base joints, '
+                f'{function}: expected formulation "exact" and universal base joints without offsets, '
                 f'got "{self.formulation}" and {self.robot.base_joint} ones'
+                f"{'' if self.robot.offsets is None else ' with offsets'}"
             )
         given = {name: self._array(name, value) for name, value in fields.items() if value is not None}
         if function == "forward_dynamics":
@@ -197,8 +202,11 @@ def array_kernel(robot: Robot, xp: Any, formulation: Formulation = "exact", dtyp
 def robot_structure(made: Any, robot: Any) -> Any:
     """A generated module's structure filled with a robot's numbers, legs first; (6,) of symmetric tensors."""
     for i, leg in enumerate(made.leg):
+        if not hasattr(leg, OFFSETS[0]):
+            need_no_offsets(robot)
         for name in vars(leg):
-            setattr(leg, name, _components(getattr(robot, name)[i]))
+            owner = robot.offsets if name in OFFSETS else robot
+            setattr(leg, name, _components(getattr(owner, name)[i]))
     for name in vars(made).keys() - {"leg"}:
         setattr(made, name, _components(getattr(robot, name)))
     return made

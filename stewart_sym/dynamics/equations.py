@@ -20,7 +20,7 @@ from ..kinematics.inverse import leg_vectors, wrench_matrix
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..reference import equations_of_motion as reference_equations
-from ..reference import newton_euler
+from ..reference import newton_euler, offset_joints
 from ..reference.equations_of_motion import ActuatorWrench, by_linearity, inertia_and_bias
 from ..results import (
     INDEFINITE,
@@ -271,7 +271,7 @@ class ForwardDynamics:
             rest = _wrench_of(self.robot, motion, F) - bias
             status = _not_finite(status, np.isfinite(M).all(axis=(-2, -1)) & np.isfinite(rest).all(axis=-1))
             x, definite = solve_positive(M, rest)
-            if self.backend == "reference":
+            if self.backend == "reference" and self.robot.offsets is None:
                 x, definite = self._at_50_digits(motion, F, M, x, definite & (status == OK), status == OK)
             status = np.where((status == OK) & ~definite, INDEFINITE, status)
             status = _not_finite(status, np.isfinite(x).all(axis=-1))
@@ -326,7 +326,7 @@ def _digits_lost(robot: Robot, motion: Motion, M: Array, faults: frozenset[int])
 def _by_linearity(robot: Robot, motion: Motion, formulation: str, backend: str) -> EquationsOfMotion:
     """The terms drawn from inverse dynamics; the reference's at 50 digits where it loses its own."""
     found = by_linearity(_actuator_wrench(robot, formulation, backend), robot, motion)
-    if backend != "reference":
+    if backend != "reference" or robot.offsets is not None:
         return found
     parts = {name: np.array(getattr(found, name)) for name in _TERMS}
     with np.errstate(all="ignore"):
@@ -377,6 +377,10 @@ def _is_positive(matrix: Array) -> bool:
 
 def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
     """H F + W_ext, (..., 6). NaN where a leg has length zero."""
+    if robot.offsets is not None:
+        still = np.zeros_like(motion.t)
+        H = offset_joints.terms(robot, Motion.unchecked(motion.R, motion.t, still, still, still, still))["H"]
+        return np.asarray(np.einsum("...ij,...j->...i", H, F) + motion.external_wrench())
     q, S, L = leg_vectors(robot, motion.R, motion.t)
     push = S * (F / L)[..., None]
     actuators = np.concatenate([push.sum(axis=-2), cross(q, push).sum(axis=-2)], axis=-1)
@@ -386,6 +390,8 @@ def _wrench_of(robot: Robot, motion: Motion, F: Array) -> Array:
 def _actuator_wrench(robot: Robot, formulation: str, backend: str) -> ActuatorWrench:
     """H F = H D - c of any robot that differs from this one in numbers alone."""
     first = prepared_kernel(robot, formulation, backend)
+    if robot.offsets is not None:
+        return offset_joints.actuator_wrench
     if backend == "reference":
         faults = _faults(formulation)
         return lambda robot, motion: newton_euler.actuator_wrench(robot, motion, faults)
@@ -405,6 +411,8 @@ def _closed_form(robot: Robot, formulation: str, backend: str) -> ClosedForm | N
     option(formulation, FORMULATIONS, "formulation")
     option(backend, ("c", "numpy", "reference"), "backend")
     if formulation != "exact" or robot.base_joint != "universal" or backend == "reference":
+        return None
+    if robot.offsets is not None:
         return None
     if backend == "numpy":
         return NumpyClosedForm(robot)

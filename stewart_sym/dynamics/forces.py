@@ -20,7 +20,8 @@ from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen
 from ..motion.motion import Motion
-from ..results import OK, SINGULAR
+from ..results import NOT_FINITE, OK, SINGULAR, UNREACHABLE
+from ..robot.offset_chains import codes
 from ..robot.robot import Robot
 from .inverse import Formulation, damped_terms, need_motion, report_faults
 
@@ -77,8 +78,9 @@ class ForceKernel(Frozen):
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
         count = model_numbers(self.robot, self.formulation, self.fidelity)
-        rotors = takes_rotors(self.name)
-        model = prepared_model(self.function("prepare"), self.robot, count, self.precision, rotors)
+        rotors, offsets = takes_rotors(self.name), self.robot.offsets is not None
+        prepare = self.function("prepare")
+        model = prepared_model(prepare, self.robot, count, self.precision, rotors, offsets)
         self._set({"model": model})
 
     @property
@@ -166,6 +168,10 @@ class ForceKernel(Frozen):
         for part in self._parts_to_convert(motion):
             arrays = [self._laid_out(getattr(motion, name), part) for name in MOTION]
             self.forces_into(arrays, F[part], status[part], threads)
+        if self.robot.offsets is not None and (lost := status == NOT_FINITE).any():
+            # Where no leg reaches, the kernel takes the root of a negative number.
+            of_legs = codes(self.robot, motion[lost])
+            status[lost] = np.where((of_legs == UNREACHABLE).any(axis=-1), UNREACHABLE, NOT_FINITE)
         return F, status
 
     def _parts_to_convert(self, motion: Motion) -> list[Any]:

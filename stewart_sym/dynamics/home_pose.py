@@ -7,6 +7,7 @@ import numpy as np
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, condition_number, scaled_condition_number
 from ..kinematics.mounting import Side, level_positions, platform_side, radius, up_direction, upright
+from ..kinematics.offset_legs import leg_lengths
 from ..motion.motion import at_rest
 from ..robot.robot import Robot
 from .inverse import inverse_dynamics
@@ -61,4 +62,4 @@ def home_pose(robot: Robot) -> HomePose:
 
 def level_lengths(robot: Robot, t: Array) -> Array:
     """Legs of level poses at t (..., 3), m, (..., 6)."""
-    return np.asarray(np.linalg.norm(t[..., None, :] + robot.p - robot.b, axis=-1))
+    return leg_lengths(robot, np.broadcast_to(np.eye(3), (*t.shape, 3)), t)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..backend.c_kernel import CKernel
-from ..backend.kernel import FORMULATIONS, robot_kernel
+from ..backend.kernel import FORMULATIONS, need_offset_formulation, robot_kernel
 from ..backend.native import CompilerError
 from ..backend.numpy_kernel import NumpyKernel
 from ..io import error_policy
@@ -24,8 +24,19 @@ from ..io.array_types import Array, Codes, Flags
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..kinematics.conditioning import characteristic_length
 from ..motion.motion import Motion
-from ..reference import newton_euler
-from ..results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, STATUS_TEXT, ZERO_LENGTH, Forces, Reactions
+from ..reference import newton_euler, offset_joints
+from ..results import (
+    JOINT_SINGULAR,
+    NOT_FINITE,
+    OK,
+    SINGULAR,
+    STATUS_TEXT,
+    UNREACHABLE,
+    ZERO_LENGTH,
+    Forces,
+    Reactions,
+)
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .damping import damped_solution
 
@@ -41,6 +52,23 @@ class DynamicsKernel(Protocol):
 
     def reactions(self, motion: Motion, bearing: Array) -> Reactions:
         """Joint reactions of every pose; bearing (6,), m."""
+
+
+class OffsetKernel:
+    """Every output of machines with offset joints: the vector implementation, whatever the backend."""
+
+    def __init__(self, robot: Robot, formulation: str) -> None:
+        """Reject, by ValueError, another formulation than "exact"."""
+        need_offset_formulation(formulation)
+        self.robot = robot
+
+    def forces(self, motion: Motion) -> Forces:
+        """See ``DynamicsKernel``."""
+        return offset_joints.inverse_dynamics(self.robot, motion)
+
+    def reactions(self, motion: Motion, bearing: Array) -> Reactions:
+        """See ``DynamicsKernel``."""
+        return offset_joints.joint_reactions(self.robot, motion, bearing)
 
 
 class _Reference:
@@ -158,7 +186,8 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
         Actuator forces, N, (..., 6).
     """
     need_motion(robot, motion)
-    F0 = newton_euler.massless_forces(robot, motion)
+    of = newton_euler if robot.offsets is None else offset_joints
+    F0 = of.massless_forces(robot, motion)
     return np.where(np.isfinite(F0).all(axis=-1, keepdims=True), F0, np.nan)
 
 
@@ -210,6 +239,8 @@ def prepared_kernel(robot: Robot, formulation: str, backend: str) -> DynamicsKer
         "reference": _Reference,
     }
     option(backend, tuple(kernels), "backend")
+    if robot.offsets is not None:
+        return OffsetKernel(robot, formulation)
     return kernels[backend](robot, formulation)
 
 
@@ -222,8 +253,9 @@ def need_motion(robot: Robot, motion: Motion) -> None:
 
 
 def need_universal(robot: Robot) -> None:
-    """Reject, by ValueError, what is no robot with universal base joints."""
+    """Reject, by ValueError, what is no robot with universal base joints whose axes meet."""
     instance(robot, Robot, "robot")
+    need_no_offsets(robot)
     if robot.base_joint != "universal":
         raise ValueError(f'robot: expected base_joint "universal", got "{robot.base_joint}"')
 
@@ -277,7 +309,10 @@ def damped_terms(robot: Robot, motion: Motion, formulation: str) -> dict[str, Ar
 
     By the NumPy kernel, whatever backend rejected the poses. NaN where a leg has no direction.
     """
-    terms = NumpyKernel.prepare(robot, formulation).terms(motion)
+    if robot.offsets is not None:
+        terms = offset_joints.terms(robot, motion)
+    else:
+        terms = NumpyKernel.prepare(robot, formulation).terms(motion)
     with np.errstate(over="ignore", invalid="ignore"):
         x, error = damped_solution(terms["H"], terms["c"], characteristic_length(robot) or 1.0)
         F = terms["D"] - x
@@ -301,7 +336,10 @@ def _damped_reactions(
         return found
     poses = motion[singular]
     x = damped_terms(robot, poses, formulation)["x"]
-    values = NumpyKernel.prepare(robot, formulation).reactions_of(poses, x, bearing)
+    if robot.offsets is not None:
+        values = offset_joints.reactions_of(robot, poses, x, bearing)
+    else:
+        values = NumpyKernel.prepare(robot, formulation).reactions_of(poses, x, bearing)
     return _replaced(found, singular, values)
 
 
@@ -341,7 +379,7 @@ def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int,
     code = int(status[where])
     leg = (
         f" (leg {_worst_leg(code, robot, motion[where]) + 1})"
-        if code in (ZERO_LENGTH, JOINT_SINGULAR)
+        if code in (ZERO_LENGTH, JOINT_SINGULAR, UNREACHABLE)
         else ""
     )
     return where, f"{STATUS_TEXT[code]}{leg}{others}"
@@ -349,6 +387,8 @@ def first_fault(status: Codes, robot: Robot, motion: Motion) -> tuple[tuple[int,
 
 def _worst_leg(code: int, robot: Robot, motion: Motion) -> int:
     """Index of the shortest leg, or of the one nearest to its universal axis."""
+    if robot.offsets is not None:
+        return offset_joints.worst_leg(code, robot, motion)
     S = robot.p @ motion.R.T + motion.t - robot.b
     L = np.linalg.norm(S, axis=-1)
     return int(np.argmin(L if code == ZERO_LENGTH else np.linalg.norm(np.cross(robot.k, S), axis=-1) / L))

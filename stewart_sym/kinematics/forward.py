@@ -30,9 +30,11 @@ from ..results import (
 from ..robot.robot import Robot
 from .conditioning import condition_number, moments_over
 from .inverse import legs_or_overflow
+from .offset_legs import search, without_offsets
 from .pose_search import (
     EPS,
     MOST_STARTS,
+    Found,
     impossible_pairs,
     jacobian,
     nearest_found,
@@ -121,14 +123,15 @@ def forward_kinematics(
     shape = lengths.shape[:-1]
     if guess is None:
         flat = lengths.reshape(-1, 6)
-        R, t, residual, iterations, found = searched(robot, flat)
+        R, t, residual, iterations, found = _with_offsets(robot, flat) or searched(robot, flat)
     else:
         start = pose_of(guess, "guess", "a pose (R, t) or None")
         shape = leading_shape({"L": shape, "guess": start.shape})
         flat = np.broadcast_to(lengths, (*shape, 6)).reshape(-1, 6)
         R_0, t_0 = np.broadcast_to(start.R, (*shape, 3, 3)), np.broadcast_to(start.t, (*shape, 3))
         guess = R_0.reshape(-1, 3, 3), t_0.reshape(-1, 3)
-        R, t, residual, iterations, found = nearest_found(robot, flat, *guess)
+        poses = _with_offsets(robot, flat, *guess) or nearest_found(robot, flat, *guess)
+        R, t, residual, iterations, found = poses
     status = np.full(len(flat), NOT_CONVERGED)
     status[found] = np.where(_unsettled(robot, R[found], t[found]), SINGULAR, OK)
     if limits:
@@ -153,10 +156,21 @@ def forward_kinematics(
     return result
 
 
+def _with_offsets(robot: Robot, L: Array, *guess: Array) -> Found | None:
+    """Poses of a machine with offset joints, from a guess or from those of legs without; None for others."""
+    if robot.offsets is None:
+        return None
+    R, t = guess or searched(without_offsets(robot), L)[:2]
+    R, t, found, residual, steps = search(robot, L, R, t)
+    return Found(R, t, residual, steps, found)
+
+
 def fault(robot: Robot, L: Array, status: int, guessed: bool) -> str:
     """Return in words why lengths (6,) have no pose, by the status: proven, or how far was looked for one."""
     if status != NOT_CONVERGED:
         return REASONS[status]
+    if robot.offsets is not None:
+        return f"{REASONS[status]} {'from the guess' if guessed else 'from that of legs without offsets'}"
     pairs = np.argwhere(impossible_pairs(robot, L))
     if len(pairs):
         one, other = (int(leg) + 1 for leg in pairs[0])

@@ -17,7 +17,10 @@ from ..io.array_types import Array, Flags
 from ..motion.motion import Motion
 from ..motion.rotation import cross
 from ..results import OK
+from ..robot.offset_chains import SLIDING, columns_of_H
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
+from .offset_legs import checked_motion
 
 MIN_JOINT_SINE = 0.3
 """Sine of the angle between a leg and its universal axis from which on the leg is clear of it."""
@@ -53,7 +56,8 @@ def inverse_kinematics(robot: Robot, motion: Motion) -> LegKinematics:
     """Return lengths, rates and directions of the legs.
 
     The spin of a leg about its own axis has no part in these, so they are the same in both formulations and
-    for either base joint.
+    for either base joint. With offset joints L is the length along the line of sliding and s its direction;
+    S goes from the base point to the platform point all the same.
 
     Parameters
     ----------
@@ -82,8 +86,22 @@ def legs_or_overflow(robot: Robot, motion: Motion) -> LegKinematics:
     """As ``inverse_kinematics``, but with infinities and NaN where a result overflows."""
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
+    if robot.offsets is not None:
+        return _offset_legs(robot, motion)
     found = _compiled_legs(robot, motion) if math.prod(motion.shape) >= BLOCK else None
     return LegKinematics(**(found or _legs(robot, motion, tuple(_SHAPES))))
+
+
+def _offset_legs(robot: Robot, motion: Motion) -> LegKinematics:
+    moving = checked_motion(robot, motion)
+    at, seconds = moving.at, moving.accelerations
+    return LegKinematics(
+        L=at.L[..., 0],
+        L_dot=moving.rates[..., SLIDING],
+        L_ddot=None if seconds is None else seconds[..., SLIDING],
+        s=at.s,
+        S=at.P,
+    )
 
 
 _SHAPES = STRUCTS["legs"]
@@ -125,6 +143,8 @@ def wrench_matrix(robot: Robot, motion: Motion) -> Array:
     ValueError
         As ``inverse_kinematics``.
     """
+    if getattr(robot, "offsets", None) is not None:
+        return columns_of_H(robot, checked_motion(robot, motion).G)
     legs = _legs(robot, motion, ("L", "q", "s"))
     _reject_overflow(legs["L"])
     return _columns(legs["s"], cross(legs["q"], legs["s"]))
@@ -164,6 +184,7 @@ def wrench_matrix_rate(robot: Robot, motion: Motion) -> Array:
 
 def leg_vectors(robot: Robot, R: Array, t: Array) -> tuple[Array, Array, Array]:
     """Return q and S of (1), m, base frame, (..., 6, 3), and the lengths of S, m, (..., 6), zero or not."""
+    need_no_offsets(robot)
     q = np.einsum("...jk,ik->...ij", R, robot.p)
     S = q + t[..., None, :] - robot.b
     return q, S, np.linalg.norm(S, axis=-1)
@@ -183,6 +204,7 @@ def joint_sines(robot: Robot, s: Array) -> Array:
 
     1 with spherical base joints.
     """
+    need_no_offsets(robot)
     if robot.base_joint == "spherical":
         return np.ones(s.shape[:-1])
     return np.asarray(np.linalg.norm(cross(robot.k, s), axis=-1))
@@ -210,6 +232,7 @@ def _legs(robot: Robot, motion: Motion, wanted: Sequence[str]) -> dict[str, Any]
     """
     instance(robot, Robot, "robot")
     instance(motion, Motion, "motion")
+    need_no_offsets(robot)
     count = math.prod(motion.shape)
     flat = {
         name: array.reshape(count, 9 if name == "R" else 3)

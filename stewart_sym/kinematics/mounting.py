@@ -12,6 +12,7 @@ from ..io.array_types import Array
 from ..robot.robot import Robot
 from .conditioning import characteristic_length, scaled_condition_number
 from .inverse import leg_vectors, length_rows
+from .offset_legs import without_offsets
 
 # Gravity decides where it pulls along the base's normal with this share of itself or more.
 _DECISIVE = 0.1
@@ -154,7 +155,7 @@ def _axis(b: Array) -> Array:
 def _level_scores(robot: Robot, direction: Array) -> tuple[float, float]:
     """Return by how far legs miss their limits, m, and the condition number, each least over all heights."""
     t = level_positions(robot, direction)
-    q, S, L = leg_vectors(robot, np.broadcast_to(np.eye(3), (len(t), 3, 3)), t)
+    q, S, L = leg_vectors(without_offsets(robot), np.broadcast_to(np.eye(3), (len(t), 3, 3)), t)
     low, high = robot.length_limits.T
     outside = np.max(np.maximum(np.maximum(low - L, L - high), 0.0), axis=-1)
     H = np.swapaxes(length_rows(q, S, L), -1, -2)

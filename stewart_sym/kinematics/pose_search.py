@@ -19,6 +19,7 @@ from ..robot.robot import Robot
 from .conditioning import characteristic_length
 from .inverse import ROUNDING, leg_vectors, length_rows
 from .mounting import base_normal, upright
+from .offset_legs import length_jacobian
 
 Poses = tuple[Array, Array]
 EPS = float(np.finfo(np.float64).eps)
@@ -40,7 +41,12 @@ _ALMOST = 1e-6
 
 
 def jacobian(robot: Robot, R: Array, t: Array) -> Array:
-    """Return J = H^T, (..., 6, 6): rows [s^T, (q x s)^T] take the twist [v; omega] to L_dot, (5)."""
+    """Return J = H^T, (..., 6, 6): rows [s^T, (q x s)^T] take the twist [v; omega] to L_dot, (5).
+
+    With offset joints those of the lengths.
+    """
+    if robot.offsets is not None:
+        return length_jacobian(robot, R, t)
     return length_rows(*leg_vectors(robot, R, t))
 
 

@@ -9,6 +9,7 @@ from ..motion.log_reader import AS_SHOWN, read_log, trajectory_from
 from ..motion.logs import LogFormat
 from ..motion.trajectory import JointTrajectory, PoseLog, Smoothing, Trajectory
 from ..robot.robot import Robot
+from .offset_legs import leg_lengths
 
 
 def form_of(robot: Robot) -> LogFormat:
@@ -46,7 +47,7 @@ def _absolute(robot: Robot, log: JointTrajectory) -> JointTrajectory:
     """The log with the lengths at the home pose added."""
     if robot.home is None:
         raise ValueError(f"{log.source}: relative lengths: expected a robot file with a key home")
-    L = log.L + np.linalg.norm(robot.home + robot.p - robot.b, axis=-1)
+    L = log.L + leg_lengths(robot, np.eye(3), robot.home)
     if np.any(L <= 0.0):
         i, leg = (int(index) for index in np.argwhere(L <= 0.0)[0])
         raise ValueError(

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..io.arguments import option, shown
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 
 FUNCTIONS = ("forces", "reactions", "motion", "derivatives", "kinematics")
@@ -66,6 +67,7 @@ DEFAULT = Choice()
 
 def check(choice: Choice, robot: Robot) -> None:
     """Raise ValueError, of one line, for a wish that is unknown or that does not go with the others."""
+    need_no_offsets(robot)
     option(choice.precision, tuple(PRECISIONS), "precision")
     option(choice.formulation, ("exact", "paper"), "formulation")
     if not choice.functions:

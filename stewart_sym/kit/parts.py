@@ -30,6 +30,7 @@ from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE
 from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.words import Numbers, robot_symbol
 from ..precision.truth import derived_kernel
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .choice import STEMS, Choice
 
@@ -77,6 +78,7 @@ def fields(rotors: bool) -> tuple[str, ...]:
 
 def robot_numbers(robot: Robot, rotors: bool | None = None) -> Numbers:
     """Fields of ``stewart_robot`` as nested lists; rotors: with those of rotors, None for where there are."""
+    need_no_offsets(robot)
     names = fields(robot.has_rotors if rotors is None else rotors)
     return {name: np.asarray(getattr(robot, name)).tolist() for name in names}
 

@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..motion.motion import Motion
 from ..results import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Forces, Reactions
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -181,10 +182,10 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
     with np.errstate(all="ignore"):
         leg = _positions(robot, motion)
         H = _H(leg)
-        c_0 = _platform_wrench(robot, motion)
+        c_0 = platform_wrench(robot, motion)
         finite = _finite(H, 2) & _finite(c_0, 1)
         status = _status(_leg_faults(robot, motion, leg), finite)
-        x_0, _ = _solve_linear(robot, H, c_0, status)
+        x_0, _ = solve_linear(robot, H, c_0, status)
         return -x_0
 
 
@@ -209,7 +210,7 @@ def energy(robot: Robot, motion: Motion) -> Array:
         potential_legs = -_dot(
             robot.m_d[:, None] * (robot.b + leg.r_d) + robot.m_u[:, None] * (robot.b + leg.r_u), robot.g
         )
-        R, I = _platform_inertia(robot, motion)  # noqa: E741
+        R, I = platform_inertia(robot, motion)  # noqa: E741
         v_platform = motion.v + _cross(omega, R)
         kinetic_platform = (robot.M * _dot(v_platform, v_platform) + _dot(omega, _mul(I, omega))) / 2
         potential_platform = -robot.M * _dot(motion.t + R, robot.g)
@@ -239,8 +240,7 @@ def actuator_power(robot: Robot, motion: Motion, F: ArrayLike) -> Array:
     """Power that the actuator forces F (..., 6), N, put into the machine, W, (...)."""
     with np.errstate(all="ignore"):
         Ldot = _positions(robot, motion).Ldot[..., 0]
-        total: Array = np.sum(np.asarray(F, dtype=np.float64) * Ldot, axis=-1)
-        return total
+        return np.asarray(np.sum(np.asarray(F, dtype=np.float64) * Ldot, axis=-1))
 
 
 def external_power(robot: Robot, motion: Motion) -> Array:
@@ -250,6 +250,7 @@ def external_power(robot: Robot, motion: Motion) -> Array:
 
 
 def _positions(robot: Robot, motion: Motion) -> _Positions:
+    need_no_offsets(robot)
     q = _mul(motion.R[..., None, :, :], robot.p)  # (1)
     S = motion.t[..., None, :] + q - robot.b  # (2)
     L = np.sqrt(_dot(S, S))
@@ -355,7 +356,7 @@ def _legs(robot: Robot, motion: Motion, faults: frozenset[int]) -> Legs:
 def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Forces]:
     """The legs and then the platform's six equations, (33)-(37)."""
     leg, H, c, status = _equations(robot, motion, faults)
-    x, status = _solve_linear(robot, H, c, status)  # (36)
+    x, status = solve_linear(robot, H, c, status)  # (36)
     F = leg.D[..., 0] - x  # (37)
     bad = status != OK
     return leg, Forces(
@@ -386,7 +387,7 @@ def balance(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT) -> tup
     sum_qK_f = np.sum(_cross(leg.q, leg.K) - leg.f, axis=-2)
 
     force_rows = sum_K if SIGN in faults else -sum_K  # (33) as printed, else (35)
-    c = _platform_wrench(robot, motion) + np.concatenate([force_rows, -sum_qK_f], axis=-1)  # (35)
+    c = platform_wrench(robot, motion) + np.concatenate([force_rows, -sum_qK_f], axis=-1)  # (35)
     return leg, _H(leg), c
 
 
@@ -395,18 +396,18 @@ def _H(leg: _Positions) -> Array:
     return _transpose(np.concatenate([leg.s, _cross(leg.q, leg.s)], axis=-1))
 
 
-def _platform_inertia(robot: Robot, motion: Motion) -> tuple[Array, Array]:
+def platform_inertia(robot: Robot, motion: Motion) -> tuple[Array, Array]:
     """Centre of mass from the reference point and inertia, base axes."""
     R = _mul(motion.R, robot.R_0)  # (30)
     I = motion.R @ robot.I_p @ _transpose(motion.R)  # (32)  # noqa: E741
     return R, I
 
 
-def _platform_wrench(robot: Robot, motion: Motion) -> Array:
+def platform_wrench(robot: Robot, motion: Motion) -> Array:
     """c_0 of (41): the wrench on the platform without what the legs' masses and friction add, (..., 6)."""
     a_t, alpha = _accelerations(motion)
     omega, g, M = motion.omega, robot.g, robot.M
-    R, I = _platform_inertia(robot, motion)  # noqa: E741
+    R, I = platform_inertia(robot, motion)  # noqa: E741
     F_ext, M_ext = _load(motion)
     a = _cross(alpha, R) + _cross(omega, _cross(omega, R)) + a_t  # (31)
     force = F_ext + M * (g - a)  # (33)
@@ -448,7 +449,7 @@ def _status(faults_of_legs: Codes, finite: NDArray[np.bool_]) -> Codes:
     return np.where((of_legs == OK) & ~finite, NOT_FINITE, of_legs).astype(np.int32)
 
 
-def _solve_linear(robot: Robot, H: Array, c: Array, status: Codes) -> tuple[Array, Codes]:
+def solve_linear(robot: Robot, H: Array, c: Array, status: Codes) -> tuple[Array, Codes]:
     """x of H x = c at the poses whose status is 0, NaN at the others; and the status with what came of it."""
     x = np.full_like(c, np.nan)
     status = status.copy()
@@ -482,8 +483,7 @@ def blank(value: Array, bad: NDArray[np.bool_]) -> Array:
 
 def _dot(a: Array, b: Array) -> Array:
     """Scalar product of vectors (..., 3), kept as (..., 1)."""
-    product: Array = np.sum(a * b, axis=-1, keepdims=True)
-    return product
+    return np.asarray(np.sum(a * b, axis=-1, keepdims=True))
 
 
 def _cross(a: Array, b: Array) -> Array:

@@ -198,5 +198,6 @@ DEFAULTS: dict[str, Any] = {
     "euler_order": "zyx",
     "lengths": LENGTHS[0],
     "drive": None,
+    "offsets": None,
 }
 """Fields that schema 1 does not have."""

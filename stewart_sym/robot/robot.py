@@ -32,6 +32,7 @@ from .fields import (
 from .fields import DOUBTS as DOUBTS
 from .fields import LEGS as LEGS
 from .fields import legs_text as legs_text
+from .offsets import Offsets
 
 _SCHEMAS = {1: schema_1, 2: schema_2}
 
@@ -91,6 +92,8 @@ class Robot(Frozen):
         Leg lengths in these files: ``"absolute"``, or ``"relative"`` to those of the home pose.
     drive : Drive, optional
         What moves the legs; None where nothing is stated of it.
+    offsets : Offsets, optional
+        Offset joints; None for legs whose axes meet.
 
     Raises
     ------
@@ -126,6 +129,7 @@ class Robot(Frozen):
     euler_order: str = "zyx"
     lengths: str = "absolute"
     drive: Drive | None = None
+    offsets: Offsets | None = None
 
     def __post_init__(self) -> None:
         """Check every field and freeze private float64 copies of the arrays."""
@@ -142,6 +146,10 @@ class Robot(Frozen):
         if not isinstance(self.drive, Drive | None):
             raise ValueError(f"robot: drive: expected a Drive or None, got {shown(self.drive)}")
         self._set(checked)
+        if not isinstance(self.offsets, Offsets | None):
+            raise ValueError(f"robot: offsets: expected Offsets or None, got {shown(self.offsets)}")
+        if self.offsets is not None and spherical:
+            raise ValueError('robot: offsets: expected none when base_joint is "spherical"')
         if spherical:
             need_axisymmetric(checked, lambda i, name: f"robot: leg {i + 1}: {name}")
 
@@ -195,7 +203,7 @@ class Robot(Frozen):
         Of schema 1 where that has all that the robot is, else of schema 2; SI units.
         """
         plain = self.home is None and self.lengths == "absolute" and self.euler_order == "zyx"
-        plain = plain and self.drive is None
+        plain = plain and self.drive is None and self.offsets is None
         tables_of = schema_1.tables_of if plain and not self.tool.any() else schema_2.tables_of
         return tables_of(vars(self))
 

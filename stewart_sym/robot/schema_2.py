@@ -27,6 +27,7 @@ from .fields import (
     limits,
     need_axisymmetric,
 )
+from .offset_tables import TABLES, offset_tables, offsets_of_tables
 from .points import RING_KEYS, axis, points
 
 SCHEMA = 2
@@ -41,7 +42,7 @@ _PARTS = {"lower": 1.0, "upper": -1.0}
 """Parts of a leg, and to which side along x they lie from their joint."""
 _FRICTION_KEYS = ("universal", "prismatic", "spherical")
 _LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit")
-_SHARED_KEYS = ("universal_axis", *_PARTS, "friction", "drive", *_LIMIT_KEYS)
+_SHARED_KEYS = ("universal_axis", *_PARTS, "friction", "drive", *TABLES, *_LIMIT_KEYS)
 _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(LEGS))
 _TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
@@ -79,9 +80,13 @@ def _values(d: object, file: str) -> dict[str, Any]:
     tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
     legs = _Legs(top, file, metres, joint, home)
-    return (
-        own | legs.values(*rings) | {"drive": drive_of_tables(legs.shared, legs.own, file, metres, degrees)}
-    )
+    offsets = offsets_of_tables(legs.shared, legs.own, file, metres)
+    if offsets is not None and joint == "spherical":
+        raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
+    if offsets is not None:
+        legs.need_no_stroke()
+    drive = drive_of_tables(legs.shared, legs.own, file, metres, degrees)
+    return own | legs.values(*rings) | {"drive": drive, "offsets": offsets}
 
 
 def _metres(unit: str) -> Metres:
@@ -216,6 +221,18 @@ class _Legs:
                 return self._about_home(table["stroke"], f"{prefix}stroke", at_home)
         return np.array(NO_LIMITS["length_limits"])
 
+    def need_no_stroke(self) -> None:
+        """Reject limits about the length at home: with offsets that is not the distance of the joints."""
+        for table, prefix in ((self.shared, "legs."), *zip(self.own, self._prefixes(), strict=True)):
+            if "stroke" in table:
+                raise ValueError(
+                    f"{self.file}{prefix}stroke: expected length_limits along the line of sliding, since the "
+                    "legs have offsets"
+                )
+
+    def _prefixes(self) -> list[str]:
+        return [f"leg.{n}." for n in _NUMBERS]
+
     def _about_home(self, value: object, where: str, at_home: Array | None) -> Array:
         stroke = self.metres(tables.numbers(value, (2,), where))
         if stroke[0] >= stroke[1]:
@@ -241,16 +258,18 @@ def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
     trajectory = {key: np.asarray(fields[key]).tolist() for key in _TRAJECTORY_KEYS}
     drive = fields["drive"]
     drives = [{}] * LEGS if drive is None else [{"drive": table} for table in drive_tables(drive)]
+    offsets = fields["offsets"]
+    shared, joints = ({}, [{}] * LEGS) if offsets is None else offset_tables(offsets)
     return {
         **plain,
         "schema": SCHEMA,
         **({} if home is None else {"home": home.tolist()}),
         "base": {"points": np.asarray(fields["b"]).tolist()},
         "platform": platform,
-        "legs": {},
+        "legs": shared,
         "leg": {
-            n: {key: value for key, value in leg.items() if key not in ends} | own
-            for n, leg, own in zip(_NUMBERS, legs, drives, strict=True)
+            n: {key: value for key, value in leg.items() if key not in ends} | own | joint
+            for n, leg, own, joint in zip(_NUMBERS, legs, drives, joints, strict=True)
         },
         "trajectory": trajectory,
     }

@@ -142,7 +142,9 @@ def rescaled(robot: Robot, length: float, mass: float, time: float = 1.0) -> Rob
     drive = robot.drive
     if drive is not None:
         drive = dataclasses.replace(drive, **_rescaled(drive, DRIVE, factors))
-    return dataclasses.replace(robot, **_rescaled(robot, ROBOT, factors), drive=drive)
+    offsets = None if robot.offsets is None else robot.offsets.scaled(length, mass)
+    changed = _rescaled(robot, ROBOT, factors)
+    return dataclasses.replace(robot, **changed, drive=drive, offsets=offsets)
 
 
 def _rescaled(

@@ -20,6 +20,7 @@ from ..kinematics.inverse import inverse_kinematics, leg_vectors, tip_velocities
 from ..motion.motion import Motion, at_rest
 from ..motion.rotation import vector_from_rotation
 from ..motion.straight_line import StraightLinePath
+from ..robot.offset_chains import SLIDING, joint_motion
 from ..robot.robot import Robot
 
 ForceLaw = Callable[[float, Motion], ArrayLike]
@@ -84,8 +85,12 @@ class LegSprings(Frozen):
 
     def __call__(self, time: float, state: Motion) -> Array:
         """Forces, N, (..., 6), of any state."""
-        q, S, L = leg_vectors(self.robot, state.R, state.t)
-        L_dot = np.einsum("...i,...i->...", S, tip_velocities(state, q)) / L
+        if self.robot.offsets is None:
+            q, S, L = leg_vectors(self.robot, state.R, state.t)
+            L_dot = np.einsum("...i,...i->...", S, tip_velocities(state, q)) / L
+        else:
+            moving = joint_motion(self.robot, state)
+            L, L_dot = moving.at.L[..., 0], moving.rates[..., SLIDING]
         return np.asarray(-self.stiffness * (L - self.rest_length) - self.damping * L_dot)
 
     def energy(self, L: ArrayLike) -> Array:

@@ -117,7 +117,7 @@ class Watch:
             robot.speed_limit - np.abs(legs.L_dot),
             self.force_limit - np.abs(F),
             legs.L - shortest,
-            joint_sines(robot, legs.s) - self.thresholds.min_joint_sine,
+            (joint_sines(robot, legs.s) if legs.sine is None else legs.sine) - self.thresholds.min_joint_sine,
             *self._singular_margins(legs),
         ]
         return np.concatenate(margins, axis=-1)
@@ -166,6 +166,8 @@ class Watch:
 
 def _scaled_H(legs: LegStates, size: float) -> Array:
     """H^T with its moments over a length, (..., 6, 6)."""
+    if legs.H is not None:
+        return np.asarray(np.swapaxes(legs.H, -1, -2) / np.repeat([1.0, size], 3))
     return np.concatenate([legs.s, cross(legs.q, legs.s) / size], axis=-1)
 
 

@@ -15,7 +15,8 @@ from ..io.array_types import Array, Flags
 from ..kinematics.inverse import leg_vectors, tip_velocities
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
-from ..reference import newton_euler
+from ..reference import newton_euler, offset_joints
+from ..robot.offset_chains import SLIDING, columns_of_H, joint_motion
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
 
@@ -221,16 +222,24 @@ def motion_of(y: Array, center: Array, F_ext: Array | None = None, M_ext: Array 
 
 
 class LegStates(NamedTuple):
-    """Points, lengths, rates and directions of the legs."""
+    """Points, lengths, rates and directions of the legs; with offset joints H and the joints' sines too."""
 
     q: Array
     L: Array
     L_dot: Array
     s: Array
+    H: Array | None = None
+    sine: Array | None = None
 
 
 def leg_states(robot: Robot, state: Motion) -> LegStates:
     """Leg kinematics without the rejections of ``inverse_kinematics``: a watched leg may come to nothing."""
+    if robot.offsets is not None:
+        with np.errstate(all="ignore"):
+            moving = joint_motion(robot, state)
+            sine = np.minimum(moving.at.of_tip / moving.at.L, 1.0)[..., 0]
+        of_legs = moving.at.q, moving.at.L[..., 0], moving.rates[..., SLIDING], moving.at.s
+        return LegStates(*of_legs, columns_of_H(robot, moving.G), sine)
     q, S, L = leg_vectors(robot, state.R, state.t)
     with np.errstate(all="ignore"):
         s = S / L[..., None]
@@ -252,8 +261,9 @@ def sampled_at(robot: Robot, actuators: Actuators, pieces: tuple[Piece, ...], wh
     if pieces[0].sampled is None:
         F = actuators.forces(when, motion, None)
     rest = Motion.unchecked(motion.R, motion.t, np.zeros((n, 3)), np.zeros((n, 3)))
-    potential = newton_euler.energy(robot, rest)
-    kinetic = newton_euler.energy(robot, motion) - potential
+    energy = newton_euler.energy if robot.offsets is None else offset_joints.energy
+    potential = energy(robot, rest)
+    kinetic = energy(robot, motion) - potential
     L = leg_states(robot, motion).L
     return Trace(when, motion.R, motion.t, motion.v, motion.omega, F, L, kinetic, potential)
 

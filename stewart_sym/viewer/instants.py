@@ -23,6 +23,7 @@ from ..motion.rotation import rotation_from_rpy
 from ..motion.straight_line import StraightLinePath
 from ..motion.trajectory import PoseLog, Trajectory
 from ..results import OK
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from ..simulation.trace import Simulation, Trace, leg_states
 from ..singularities.along_path import crossings
@@ -157,6 +158,7 @@ def _instants(
     forces: Mapping[str, Array] | None = None,
 ) -> Instants:
     """All of it; forces: None for those of both formulations. path, breaks: as ``crossings`` takes them."""
+    need_no_offsets(robot)
     with np.errstate(all="ignore"):
         legs = leg_states(robot, motion)
         length = characteristic_length(robot) or 1.0

@@ -13,6 +13,7 @@ from machines import random_motion, random_robot
 import stewart_sym as ss
 from stewart_sym.motion.trajectory import Trajectory
 from stewart_sym.robot.drive import NUMBERS
+from stewart_sym.robot.offsets import SHAPES
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
 RECORDS = {
@@ -28,7 +29,7 @@ RECORDS = {
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
     *("DriveEffort", "DriveEstimate", "DriveLimitWarning", "ImportedModel", "LogWarning", "ModelFile"),
-    *("Saturation", "Smooth"),
+    *("MotorMotion", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -188,6 +189,20 @@ def calls() -> dict[str, Call]:
             {"robot": driven, "motion": motion, "time": None, "formulation": "exact", "backend": "c"},
         ),
         "motor_forces": Call(ss.motor_forces, {"robot": driven, "current": F}),
+        "motor_angles": Call(ss.motor_angles, {"robot": driven, "motion": motion, "L_0": legs.L}),
+        "pose_of_motors": Call(
+            ss.pose_of_motors,
+            {"robot": driven, "angle": np.zeros(6), "guess": (motion.R, motion.t), "L_0": legs.L},
+        ),
+        "Offsets": Call(
+            ss.Offsets,
+            {**dict.fromkeys(set(SHAPES) - {"platform_axis", "cross_center"}, np.zeros(6))}
+            | {
+                "platform_joint": "universal",
+                "platform_axis": np.ones((6, 3)),
+                "cross_center": np.zeros((6, 3)),
+            },
+        ),
         "Drive": Call(ss.Drive, dict.fromkeys(NUMBERS, 1.0)),
         "Units": Call(ss.Units, {"length": 1.0, "mass": 2.0, "time": 0.5}),
         "between": Call(ss.between, {"trajectory": trajectory}),

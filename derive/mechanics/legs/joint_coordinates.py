@@ -297,11 +297,15 @@ def joint_forces(
     rates: JointRates,
     accelerations: JointAccelerations,
     friction: bool,
+    inertia: JointInertia | None = None,
 ) -> JointForces:
-    """Lagrange's equations of the leg with gravity and friction, (17)-(20), (23)."""
+    """Lagrange's equations of the leg with gravity and friction, (17)-(20), (23).
+
+    inertia: of the coordinates, where it is not ``joint_inertia``.
+    """
     L_ddot, theta_ddot, phi_ddot = accelerations.L, accelerations.theta, accelerations.phi
     hx = p.h.value[0]
-    m = joint_inertia(build, at)
+    m = joint_inertia(build, at) if inertia is None else inertia
     bend = build.scalar("bend", rates.L * rates.theta)
     about_y, about_k = gravity_torques(build, at)
     turn_y, turn_k, slope = _turning(build, at, rates, accelerations, m)

@@ -58,6 +58,8 @@ def _data(robot: Robot) -> dict[str, Any]:
     return {
         "robot": robot.name,
         "base_joint": robot.base_joint,
+        "platform_joint": _platform_joint(robot),
+        **_offset_data(robot),
         "gravity_m_per_s2": robot.g,
         "platform_mass_kg": robot.M,
         "platform_centre_of_mass_m": robot.R_0,
@@ -79,6 +81,15 @@ def _data(robot: Robot) -> dict[str, Any]:
     }
 
 
+def _offset_data(robot: Robot) -> dict[str, Any]:
+    """Offset joints, for programs; nothing without any."""
+    if robot.offsets is None:
+        return {}
+    names = {"cross_mass": "kg", "cross_inertia": "kg_m2", "cross_center": "m"}
+    names |= dict.fromkeys(("cross", "along", "across", "wrist"), "m")
+    return {f"offset_{name}_{unit}": getattr(robot.offsets, name) for name, unit in names.items()}
+
+
 def _home_data(robot: Robot, home: HomePose) -> dict[str, Any]:
     """The home pose, for programs."""
     return {
@@ -98,7 +109,8 @@ def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
     """Everything about the robot in lines of text."""
     rows = [
         ("name", robot.name),
-        ("joints", f"{robot.base_joint} at the base, spherical at the platform"),
+        ("joints", f"{robot.base_joint} at the base, {_platform_joint(robot)} at the platform"),
+        *_offsets(robot, unit),
         ("gravity", f"{_vector(robot.g)} m/s^2"),
         *_sides(robot),
         ("platform", f"{robot.M:g} kg, centre of mass {unit.vector(robot.R_0)} {unit.name}"),
@@ -134,6 +146,31 @@ def _sides(robot: Robot) -> list[tuple[str, str]]:
         f"one on the {below}{name} side hangs from them (tension)"
     )
     return [("sides", text)]
+
+
+def _platform_joint(robot: Robot) -> str:
+    return "spherical" if robot.offsets is None else robot.offsets.platform_joint
+
+
+_OFFSETS = {"cross": "from the fixed to the moving axis", "along": "along it", "across": "across it"}
+_OFFSETS |= {"wrist": "in the platform joint"}
+
+
+def _offsets(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
+    """Rows on offset joints and on the joints' crosses, where there are any."""
+    offsets = robot.offsets
+    if offsets is None:
+        return []
+    parts = [
+        f"{_range(getattr(offsets, name) / unit.metres)} {unit.name} {where}"
+        for name, where in _OFFSETS.items()
+        if np.any(getattr(offsets, name))
+    ]
+    rows = [("offsets", ", ".join(parts) or "all zero: without them every feature serves")]
+    if np.any(offsets.cross_mass) or np.any(offsets.cross_inertia):
+        text = f"{_range(offsets.cross_mass)} kg, {_range(offsets.cross_inertia)} kg m^2 about the fixed axis"
+        rows.append(("crosses", text))
+    return rows
 
 
 def _conventions(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:

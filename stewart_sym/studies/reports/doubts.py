@@ -4,6 +4,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...kinematics.mounting import platform_side
+from ...kinematics.offset_legs import leg_lengths
 from ...kinematics.pose_search import jacobian
 from ...motion.logs import LENGTH_UNITS
 from ...motion.motion import Motion
@@ -58,7 +59,7 @@ def _impossible(robot: Robot, t: Array, theta: Array, tool: Array) -> str | None
     """Where poses of the tool lead that a machine does not reach: beyond limits, through singular poses."""
     R = rotation_from_rpy(theta)
     t = t - R @ tool
-    L = np.linalg.norm(t[:, None] + robot.p @ np.swapaxes(R, -1, -2) - robot.b, axis=-1)
+    L = leg_lengths(robot, R, t)
     if np.any((robot.length_limits[:, 0] > L) | (robot.length_limits[:, 1] < L)):
         return "legs beyond length_limits"
     turned = np.linalg.det(jacobian(robot, R, t))

@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 from ...dynamics.home_pose import HomePose, radius
 from ...io.extras import needed_for
+from ...motion.motion import Motion
+from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot
 from ..common.drawing import name_points
 from ..common.report import SMALL, Picture
@@ -19,7 +21,7 @@ with needed_for("drawing"):
 
 Array = NDArray[np.float64]
 
-BASE, PLATFORM, LEG, MARK = "#3a3a3a", "#1f4e9c", "#8a8a8a", "#c1440e"
+BASE, PLATFORM, LEG, MARK, OFFSET = "#3a3a3a", "#1f4e9c", "#8a8a8a", "#c1440e", "#2a7f3f"
 
 # Length of axes and arrows beside the machine's size, and distance within which points are one.
 _AXIS, _SAME = 0.12, 1e-3
@@ -74,10 +76,12 @@ def _marks_in_space(axes: Axes3D, robot: Robot, home: HomePose, tips: Array) -> 
     bars = np.stack([robot.b - _AXIS * size * robot.k, robot.b + _AXIS * size * robot.k], axis=1)
     for bar in bars if robot.base_joint == "universal" else ():
         axes.plot(*bar.T, color=MARK, linewidth=1.2)
+    drawn_joints = _offset_legs(axes, robot, home)
     center = home.t + robot.R_0
     axes.plot(*center[:, None], marker="o", color=PLATFORM, markersize=5.0, linestyle="")
-    drawn = [bars.reshape(-1, 3), center[None]]
+    drawn = [bars.reshape(-1, 3), center[None], *drawn_joints]
     text = "red: fixed axes of the universal joints\n" if robot.base_joint == "universal" else ""
+    text += "green: lines of sliding and the offsets to them\n" if drawn_joints else ""
     text += "dot: centre of mass of the platform"
     if np.any(robot.g):
         arrow = 3.0 * _AXIS * size * robot.g / np.linalg.norm(robot.g)
@@ -94,6 +98,19 @@ def _marks_in_space(axes: Axes3D, robot: Robot, home: HomePose, tips: Array) -> 
         text += "\ncross: point of the trajectories' poses"
     axes.set_title(text, fontsize=8.0)
     return drawn
+
+
+def _offset_legs(axes: Axes3D, robot: Robot, home: HomePose) -> list[Array]:
+    """Draw base point, moving axis, line of sliding and platform point of each leg with offsets."""
+    if robot.offsets is None:
+        return []
+    still = np.zeros(3)
+    at = chains(robot, Motion.unchecked(np.eye(3), home.t, still, still))
+    foot = at.T - at.L * at.s
+    corners = robot.b[:, None] + np.stack([np.zeros_like(at.A), at.A, foot, at.T, at.P], axis=1)
+    for leg in corners if np.isfinite(corners).all() else ():
+        axes.plot(*leg.T, color=OFFSET, linewidth=1.6)
+    return [corners.reshape(-1, 3)] if np.isfinite(corners).all() else []
 
 
 def _from_above(axes: Axes, robot: Robot, tips: Array) -> None:

@@ -15,6 +15,7 @@ from ...kinematics.pose_search import jacobian
 from ...motion.interpolation import Path
 from ...motion.trajectory import PoseLog, Trajectory
 from ...results import OK
+from ...robot.offset_chains import columns_of_H, joint_motion
 from ...robot.robot import LEGS, Robot
 from ...singularities.along_path import (
     Crossing,
@@ -83,6 +84,8 @@ def examine(
 
 def crossing_warning(robot: Robot, trajectory: Trajectory | PoseLog, path: Path) -> str | None:
     """One line about the singular poses that a trajectory crosses; None if it crosses none."""
+    if robot.offsets is not None:
+        return _crossing_between_rows(robot, trajectory, path)
     found = crossings(robot, path, trajectory.time)
     if not found:
         return None
@@ -96,6 +99,21 @@ def crossing_warning(robot: Robot, trajectory: Trajectory | PoseLog, path: Path)
         f"{rows[0]} and {rows[1]}: det H goes from {_sign(first.before)} to {_sign(first.after)}, scaled "
         f"condition number {float(first.at.condition):.3g}, leg forces grow without bound; unconstrained "
         f"twist {twist_text(first.at)}{more}"
+    )
+
+
+def _crossing_between_rows(robot: Robot, trajectory: Trajectory | PoseLog, path: Path) -> str | None:
+    """The same with offset joints, from the signs of det H at the rows."""
+    with np.errstate(invalid="ignore"):
+        H = columns_of_H(robot, joint_motion(robot, path(trajectory.time)).G)
+        sign = np.sign(np.linalg.det(H))
+    changes = np.flatnonzero(sign[1:] * sign[:-1] < 0.0)
+    if not changes.size:
+        return None
+    i = int(changes[0])
+    return (
+        f"{trajectory.source}: the path crosses a singular pose between rows {trajectory.rows[i]} and "
+        f"{trajectory.rows[i + 1]}, where det H changes its sign: leg forces grow without bound"
     )
 
 

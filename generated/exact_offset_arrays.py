@@ -1,0 +1,1056 @@
+"""Dynamics of the Stewart platform on arrays of the array API: NumPy, JAX, PyTorch and others.
+
+Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+SPDX-License-Identifier: 0BSD
+
+Every number of a structure may be an array with one value for each pose, so that components come first: ``F``
+is a list of six. An array in place of such a list has its components last, (..., 6). ``on`` is the arithmetic:
+selections, square roots and constants. Where a status is not 0, the other numbers of a result are NaN.
+"""
+
+from typing import Any
+
+from .arithmetic import JOINT_SINGULAR, NOT_FINITE, OK, SINGULAR, ZERO_LENGTH, Arithmetic
+
+
+class Leg:
+    """One leg."""
+
+    def __init__(self) -> None:
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
+        self.m_d: Any = 0.0  # kg: mass of the lower part
+        self.r_d0: Any = [0.0] * 3  # m: centre of mass of the lower part, frame D
+        self.I_d0: Any = [0.0] * 6  # kg m^2: inertia of the lower part about its centre of mass, frame D
+        self.m_u: Any = 0.0  # kg: mass of the upper part
+        self.r_u0: Any = [0.0] * 3  # m: centre of mass of the upper part, frame U
+        self.I_u0: Any = [0.0] * 6  # kg m^2: inertia of the upper part about its centre of mass, frame U
+        self.C_u: Any = 0.0  # N m s: viscous friction of the universal joint
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
+        self.m_r: Any = 0.0  # kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead
+        self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
+        self.cross: Any = 0.0  # m: from the fixed to the moving axis, along o = y x k
+        self.along: Any = 0.0  # m: from where o meets the moving axis to the line of sliding, along y
+        self.across: Any = 0.0  # m: the same along z = s x y
+        self.cross_mass: Any = 0.0  # kg: mass of the body between fixed and moving axis
+        self.cross_center: Any = [0.0] * 3  # m: its centre of mass from the base point, along o, y and k
+        self.cross_inertia: Any = 0.0  # kg m^2: its inertia about k through its centre of mass
+
+
+class Robot:
+    """The machine."""
+
+    def __init__(self) -> None:
+        self.M: Any = 0.0  # kg: mass of the platform with its payload
+        self.R_0: Any = [0.0] * 3  # m: centre of mass of the platform, platform frame
+        # kg m^2: inertia of the platform about its centre of mass, platform frame
+        self.I_p: Any = [0.0] * 6
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
+        self.leg: Any = [Leg() for _ in range(6)]  # the legs
+
+
+class Motion:
+    """Motion of the platform and its load."""
+
+    def __init__(self) -> None:
+        self.R: Any = [0.0] * 9  # 1: orientation of the platform, platform frame to base frame
+        self.t: Any = [0.0] * 3  # m: position of the platform's reference point, base frame
+        self.omega: Any = [0.0] * 3  # rad/s: angular velocity of the platform, base frame
+        self.v: Any = [0.0] * 3  # m/s: velocity of the reference point, base frame
+        self.alpha: Any = [0.0] * 3  # rad/s^2: angular acceleration of the platform, base frame
+        self.a: Any = [0.0] * 3  # m/s^2: acceleration of the reference point, base frame
+        self.F_ext: Any = [0.0] * 3  # N: external force at the reference point, platform frame
+        self.M_ext: Any = [0.0] * 3  # N m: external moment about the reference point, platform frame
+
+
+class LegConstants:
+    """Prepared constants of one leg."""
+
+    def __init__(self) -> None:
+        self.b: Any = [0.0] * 3  # m: base point, base frame
+        self.p: Any = [0.0] * 3  # m: platform point, platform frame
+        self.k: Any = [0.0] * 3  # 1: unit vector along the fixed axis of the universal joint, base frame
+        self.C_p: Any = 0.0  # N s/m: viscous friction of the prismatic joint
+        self.C_s: Any = 0.0  # N m s: viscous friction of the spherical joint
+        self.m_r: Any = 0.0  # kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead
+        self.j_r: Any = 0.0  # kg m: angular momentum of the leg's rotor per rate of length, J_r N
+        self.h: Any = [0.0] * 3  # kg m: first moment of the upper part about the platform point, leg frame
+        self.h2_x: Any = 0.0  # kg m: 2 h_x
+        self.h2_y: Any = 0.0  # kg m: 2 h_y
+        self.h2_z: Any = 0.0  # kg m: 2 h_z
+        # kg m: first moments of both parts, about the base and the platform point, leg frame
+        self.w: Any = [0.0] * 3
+        self.J: Any = [0.0] * 6  # kg m^2: inertias of the parts about base and platform point, leg frame
+        self.J2_xz: Any = 0.0  # kg m^2: 2 J_xz
+        self.dJ_zx: Any = 0.0  # kg m^2: J_zz - J_xx
+        self.g_k: Any = 0.0  # m/s^2: gravity along the fixed axis
+        self.g_x_k: Any = [0.0] * 3  # m/s^2: g x k, base frame
+        self.C_us: Any = 0.0  # N m s: C_u + C_s
+        self.cross: Any = 0.0  # m: from the fixed to the moving axis, along o = y x k
+        self.along: Any = 0.0  # m: from where o meets the moving axis to the line of sliding, along y
+        self.across: Any = 0.0  # m: the same along z = s x y
+        self.across2: Any = 0.0  # m^2: across^2
+        self.along2: Any = 0.0  # m^2: along^2
+        self.cross2: Any = 0.0  # m: 2 cross
+        self.w_o: Any = 0.0  # kg m: first moment along o of what turns about k alone
+        self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
+        self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
+
+
+class Added:
+    """What the legs add to the platform's constants."""
+
+    def __init__(self) -> None:
+        self.M_add: Any = 0.0  # kg: mass that is lumped with the platform
+        self.h_add: Any = [0.0] * 3  # kg m: its first moment about platform point 1, platform frame
+        self.J_add: Any = [0.0] * 6  # kg m^2: its inertia about platform point 1, platform frame
+        self.C_add: Any = 0.0  # N m s: friction of the leg's spherical joint
+
+
+class Platform:
+    """Constants of the platform."""
+
+    def __init__(self) -> None:
+        self.M_P: Any = 0.0  # kg: mass of the platform with the upper parts
+        self.r_C: Any = [0.0] * 3  # m: its centre of mass, platform frame
+        self.J_C: Any = [0.0] * 6  # kg m^2: its inertia about its centre of mass, platform frame
+        self.dJ_C: Any = [0.0] * 3  # kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx
+        self.C_P: Any = 0.0  # N m s: friction of all spherical joints
+        self.g: Any = [0.0] * 3  # m/s^2: acceleration due to gravity, base frame
+
+
+class Model:
+    """A robot's constants, prepared once."""
+
+    def __init__(self) -> None:
+        self.leg: Any = [LegConstants() for _ in range(6)]  # the legs
+        self.platform: Any = Platform()  # the platform
+        self.per_length: Any = 0.0  # 1/m: one over the length over which moments are taken
+        self.arm_cube: Any = 0.0  # cube of the largest arm over that length
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class Forces:
+    """Actuator forces of one pose."""
+
+    def __init__(self) -> None:
+        self.F: Any = [0.0] * 6  # N: positive when they extend the leg, (37)
+        self.status: Any = 0  # 0, or what is wrong
+
+
+class LegTerms:
+    """What a leg has."""
+
+    def __init__(self) -> None:
+        self.q: Any = [0.0] * 3  # m: platform point from the reference point, base frame
+        self.L: Any = 0.0  # m: length of the leg
+        self.k3: Any = 0.0  # 1: |k x s|, sine of the angle between the leg and the fixed axis
+        self.D: Any = 0.0  # N: known part of the actuator force
+        self.H_force: Any = [0.0] * 3  # 1: the leg's column of H, force rows
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+
+
+class Sums:
+    """H, c, and what moments are made with."""
+
+    def __init__(self) -> None:
+        self.q_1: Any = [0.0] * 3  # m: platform point 1 from the reference point, base frame
+        self.c: Any = [0.0] * 6  # N, N m: wrench that the axial forces balance, (36)
+        self.leg: Any = [LegTerms() for _ in range(6)]  # the legs
+        self.H: Any = [[0.0] * 6 for _ in range(6)]  # 1 and m: from x to the wrench on the platform, (36)
+        self.arm: Any = [[0.0] * 3 for _ in range(6)]  # m: arms of the moments
+
+
+class SharedTerms:
+    """What a pose has for all legs."""
+
+    def __init__(self) -> None:
+        self.B: Any = [0.0] * 9  # 1/s^2: [alpha]x + [omega]x [omega]x: S_ddot = B q + a
+        self.c_force: Any = [0.0] * 3  # N: part of c, force rows, base frame
+        self.c_moment: Any = [0.0] * 3  # N m: part of c, moment rows, base frame
+
+
+class ShiftTerms:
+    """The platform's part of c about platform point 1."""
+
+    def __init__(self) -> None:
+        self.c_tip: Any = [0.0] * 3  # N m: the platform's part of c, moment rows, about platform point 1
+
+
+class MomentTerms:
+    """A leg's moments about platform point 1."""
+
+    def __init__(self) -> None:
+        self.H_moment: Any = [0.0] * 3  # m: the leg's column of H, moment rows
+        # N m: moment of the leg's part of c, force rows, about platform point 1
+        self.arm_c: Any = [0.0] * 3
+
+
+def prepare_leg(on: Arithmetic, robot: Any, p_1: Any, leg: Any) -> Any:
+    """Constants of one leg, and what it adds to the platform: 126 (70 mul, 54 add, 1 div, 1 sqrt)."""
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    m_d = leg.m_d
+    r_d0_x, r_d0_y, r_d0_z = leg.r_d0
+    I_d0_xx, I_d0_xy, I_d0_xz, I_d0_yy, I_d0_yz, I_d0_zz = leg.I_d0
+    m_u = leg.m_u
+    r_u0_x, r_u0_y, r_u0_z = leg.r_u0
+    I_u0_xx, I_u0_xy, I_u0_xz, I_u0_yy, I_u0_yz, I_u0_zz = leg.I_u0
+    C_u, C_p, C_s, m_r, j_r = leg.C_u, leg.C_p, leg.C_s, leg.m_r, leg.j_r
+    g_x, g_y, g_z = robot.g
+    cross, along, across, cross_mass = leg.cross, leg.along, leg.across, leg.cross_mass
+    cross_center_x, cross_center_y = leg.cross_center[0], leg.cross_center[1]
+    cross_inertia = leg.cross_inertia
+    p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
+    k_size = on.sqrt(k_x * k_x + k_y * k_y + k_z * k_z)
+    inv_k_size = 1.0 / k_size
+    # fixed axis, of length one
+    k_unit_x = inv_k_size * k_x
+    k_unit_y = inv_k_size * k_y
+    k_unit_z = inv_k_size * k_z
+    c1 = m_u * r_u0_x
+    h_x = c1
+    c2 = m_u * r_u0_y
+    h_y = c2
+    h_z = m_u * r_u0_z
+    c3 = m_d * r_d0_x
+    w_x = c3 + h_x
+    c4 = m_d * r_d0_y
+    own_w_y = c4 + h_y
+    w_z = h_z + m_d * r_d0_z
+    c5 = r_d0_y * r_d0_y
+    c6 = r_d0_z * r_d0_z
+    c7 = r_u0_y * r_u0_y
+    c8 = r_u0_z * r_u0_z
+    own_J_xx = I_d0_xx + I_u0_xx + m_d * (c5 + c6) + m_u * (c7 + c8)
+    J_xy = I_d0_xy + I_u0_xy - c1 * r_u0_y - c3 * r_d0_y
+    own_J_xz = I_d0_xz + I_u0_xz - c1 * r_u0_z - c3 * r_d0_z
+    c9 = r_d0_x * r_d0_x
+    c10 = r_u0_x * r_u0_x
+    own_J_yy = I_d0_yy + I_u0_yy + m_d * (c6 + c9) + m_u * (c10 + c8)
+    own_J_yz = I_d0_yz + I_u0_yz - c2 * r_u0_z - c4 * r_d0_z
+    own_J_zz = I_d0_zz + I_u0_zz + m_d * (c5 + c9) + m_u * (c10 + c7)
+    # platform point from platform point 1
+    arm_x = p_x - p_1_x
+    arm_y = p_y - p_1_y
+    arm_z = p_z - p_1_z
+    c11 = 2.0 * h_y
+    # inertia about k of what turns about it alone
+    I_k = (cross_inertia + m_d * cross * cross + along * c11 + cross_mass * (cross_center_x * cross_center_x
+        + cross_center_y * cross_center_y))
+    c12 = 2.0 * h_z
+    c13 = across * c12
+    # with what offsets and cross add
+    J_xx = c13 + I_k + own_J_xx
+    J_xz = own_J_xz - across * h_x
+    J_yy = c13 + own_J_yy
+    J_yz = own_J_yz - across * h_y
+    J_zz = I_k + own_J_zz
+    w_y = cross_center_y * cross_mass + own_w_y
+    c14 = arm_x * m_u
+    c15 = arm_y * m_u
+    c16 = arm_y * arm_y
+    c17 = arm_z * arm_z
+    c18 = arm_x * arm_x
+    out = LegConstants()
+    out.b = [b_x, b_y, b_z]
+    out.p = [p_x, p_y, p_z]
+    out.k = [k_unit_x, k_unit_y, k_unit_z]
+    out.C_p = C_p
+    out.C_s = C_s
+    out.m_r = m_r
+    out.j_r = j_r
+    out.h = [h_x, h_y, h_z]
+    out.h2_x = 2.0 * h_x
+    out.h2_y = c11
+    out.h2_z = c12
+    out.w = [w_x, w_y, w_z]
+    out.J = [J_xx, J_xy, J_xz, J_yy, J_yz, J_zz]
+    out.J2_xz = 2.0 * J_xz
+    out.dJ_zx = J_zz - J_xx
+    out.g_k = g_x * k_unit_x + g_y * k_unit_y + g_z * k_unit_z
+    out.g_x_k = [
+        g_y * k_unit_z - g_z * k_unit_y,
+        g_z * k_unit_x - g_x * k_unit_z,
+        g_x * k_unit_y - g_y * k_unit_x,
+    ]
+    out.C_us = C_s + C_u
+    out.cross = cross
+    out.along = along
+    out.across = across
+    out.across2 = across * across
+    out.along2 = along * along
+    out.cross2 = 2.0 * cross
+    out.w_o = cross * m_d + cross_center_x * cross_mass
+    out.M_add = m_u
+    out.h_add = [c14, c15, arm_z * m_u]
+    out.J_add = [
+        m_u * (c16 + c17),
+        -arm_y * c14,
+        -arm_z * c14,
+        m_u * (c17 + c18),
+        -arm_z * c15,
+        m_u * (c16 + c18),
+    ]
+    out.C_add = C_s
+    return out
+
+
+def prepare_platform(on: Arithmetic, robot: Any, p_1: Any, total: Any) -> Any:
+    """Constants of the platform: 82 (38 mul, 43 add, 1 div, 0 sqrt)."""
+    M = robot.M
+    R_0_x, R_0_y, R_0_z = robot.R_0
+    I_p_xx, I_p_xy, I_p_xz, I_p_yy, I_p_yz, I_p_zz = robot.I_p
+    g_x, g_y, g_z = robot.g
+    M_add = total.M_add
+    h_add_x, h_add_y, h_add_z = total.h_add
+    J_add_xx, J_add_xy, J_add_xz, J_add_yy, J_add_yz, J_add_zz = total.J_add
+    C_add = total.C_add
+    p_1_x, p_1_y, p_1_z = p_1[0], p_1[1], p_1[2]
+    M_P = M + M_add
+    # the platform's own centre of mass from platform point 1
+    arm_x = R_0_x - p_1_x
+    arm_y = R_0_y - p_1_y
+    arm_z = R_0_z - p_1_z
+    # first moment of what is lumped with it about that centre
+    e_x = h_add_x - M_add * arm_x
+    e_y = h_add_y - M_add * arm_y
+    e_z = h_add_z - M_add * arm_z
+    # first moment about the reference point
+    h_P_x = h_add_x + M * R_0_x + M_add * p_1_x
+    h_P_y = h_add_y + M * R_0_y + M_add * p_1_y
+    h_P_z = h_add_z + M * R_0_z + M_add * p_1_z
+    c1 = 1.0 / M_P
+    r_C_x = c1 * h_P_x
+    r_C_y = c1 * h_P_y
+    r_C_z = c1 * h_P_z
+    r_x = c1 * h_add_x
+    r_y = c1 * h_add_y
+    r_z = c1 * h_add_z
+    c2 = 0.5 * M * c1
+    u_x = c2 * (h_add_x + e_x)
+    u_y = c2 * (h_add_y + e_y)
+    u_z = c2 * (h_add_z + e_z)
+    c3 = h_add_z * r_z + 2.0 * arm_z * u_z
+    c4 = h_add_y * r_y + 2.0 * arm_y * u_y
+    J_C_xx = I_p_xx + J_add_xx - c3 - c4
+    J_C_xy = I_p_xy + J_add_xy + h_add_x * r_y + arm_x * u_y + arm_y * u_x
+    J_C_xz = I_p_xz + J_add_xz + h_add_x * r_z + arm_x * u_z + arm_z * u_x
+    c5 = h_add_x * r_x + 2.0 * arm_x * u_x
+    J_C_yy = I_p_yy + J_add_yy - c3 - c5
+    J_C_yz = I_p_yz + J_add_yz + h_add_y * r_z + arm_y * u_z + arm_z * u_y
+    J_C_zz = I_p_zz + J_add_zz - c4 - c5
+    out = Platform()
+    out.M_P = M_P
+    out.r_C = [r_C_x, r_C_y, r_C_z]
+    out.J_C = [J_C_xx, J_C_xy, J_C_xz, J_C_yy, J_C_yz, J_C_zz]
+    out.dJ_C = [J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx]
+    out.C_P = C_add
+    out.g = [g_x, g_y, g_z]
+    return out
+
+
+def add_up(on: Arithmetic, total: Any, more: Any) -> Any:
+    """What the legs add to the platform, with one leg more."""
+    out = Added()
+    out.M_add = total.M_add + more.M_add
+    for i in range(3):
+        out.h_add[i] = total.h_add[i] + more.h_add[i]
+    for i in range(6):
+        out.J_add[i] = total.J_add[i] + more.J_add[i]
+    out.C_add = total.C_add + more.C_add
+    return out
+
+
+def lost_digits(on: Arithmetic, model: Any) -> Any:
+    """Zero as long as all constants are finite."""
+    lost = 0.0
+    for leg in range(6):
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].b[i]
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].p[i]
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].k[i]
+        lost = lost + 0.0 * model.leg[leg].C_p
+        lost = lost + 0.0 * model.leg[leg].C_s
+        lost = lost + 0.0 * model.leg[leg].m_r
+        lost = lost + 0.0 * model.leg[leg].j_r
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].h[i]
+        lost = lost + 0.0 * model.leg[leg].h2_x
+        lost = lost + 0.0 * model.leg[leg].h2_y
+        lost = lost + 0.0 * model.leg[leg].h2_z
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].w[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].J[i]
+        lost = lost + 0.0 * model.leg[leg].J2_xz
+        lost = lost + 0.0 * model.leg[leg].dJ_zx
+        lost = lost + 0.0 * model.leg[leg].g_k
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].g_x_k[i]
+        lost = lost + 0.0 * model.leg[leg].C_us
+        lost = lost + 0.0 * model.leg[leg].cross
+        lost = lost + 0.0 * model.leg[leg].along
+        lost = lost + 0.0 * model.leg[leg].across
+        lost = lost + 0.0 * model.leg[leg].across2
+        lost = lost + 0.0 * model.leg[leg].along2
+        lost = lost + 0.0 * model.leg[leg].cross2
+        lost = lost + 0.0 * model.leg[leg].w_o
+        lost = lost + 0.0 * model.leg[leg].M_add
+        for i in range(3):
+            lost = lost + 0.0 * model.leg[leg].h_add[i]
+        for i in range(6):
+            lost = lost + 0.0 * model.leg[leg].J_add[i]
+        lost = lost + 0.0 * model.leg[leg].C_add
+    lost = lost + 0.0 * model.platform.M_P
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.r_C[i]
+    for i in range(6):
+        lost = lost + 0.0 * model.platform.J_C[i]
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.dJ_C[i]
+    lost = lost + 0.0 * model.platform.C_P
+    for i in range(3):
+        lost = lost + 0.0 * model.platform.g[i]
+    return lost
+
+
+def size_of(on: Arithmetic, model: Any) -> Any:
+    """Largest coordinate of the arms of moments about platform point 1, m."""
+    largest = 0.0
+    for j in range(3):
+        for i in range(1, 6):
+            largest = on.larger(on.size(model.leg[i].p[j] - model.leg[0].p[j]), largest)
+    return largest
+
+
+def per_length_of(on: Arithmetic, size: Any, smallest: Any) -> Any:
+    """What moments are multiplied by in the solve where no coordinate of their arms exceeds `size`, 1/m:
+    1 for arms of about a metre, `smallest` and more, else one over the least power of two, from
+    2^-100 to 2^100, that is as large.
+    """
+    per_length = 1.0
+    if on.anywhere((size < smallest) | (size > on.LARGEST)):
+        unit = 1.0
+        for i in range(100):
+            if on.anywhere(unit < size):
+                unit = on.where(unit < size, 2.0 * unit, unit)
+            else:
+                break
+        for i in range(100):
+            if on.anywhere((size > 0.0) & (0.5 * unit >= size)):
+                unit = on.where((size > 0.0) & (0.5 * unit >= size), 0.5 * unit, unit)
+            else:
+                break
+        per_length = on.where((size < smallest) | (size > on.LARGEST), 1.0 / unit, 1.0)
+    return per_length
+
+
+def cube_of(on: Arithmetic, arm: Any) -> Any:
+    """The cube of a length, or of one that has a cube."""
+    length = on.where(arm <= 1099511627776.0, arm, 1099511627776.0)
+    return length * length * length
+
+
+def prepare(on: Arithmetic, robot: Any) -> Any:
+    """A robot's constants, prepared once; every number of the robot must be finite, else status says so."""
+    robot = on.arrays(on.checked(Robot(), "robot", robot))
+    model = Model()
+    total = Added()
+    for i in range(6):
+        found = prepare_leg(on, robot, robot.leg[0].p, robot.leg[i])
+        model.leg[i] = found
+        total = add_up(on, total, found)
+    model.platform = prepare_platform(on, robot, robot.leg[0].p, total)
+    largest = size_of(on, model)
+    model.per_length = per_length_of(on, largest, on.SMALLEST)
+    model.arm_cube = cube_of(on, largest * model.per_length)
+    model.status = on.where(lost_digits(on, model) == 0.0, OK, NOT_FINITE)
+    return model
+
+
+def shared_terms(on: Arithmetic, platform: Any, motion: Any) -> Any:
+    """B and the platform's part of c, (7), (30)-(35): 180 (93 mul, 87 add, 0 div, 0 sqrt)."""
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    omega_x, omega_y, omega_z = motion.omega
+    alpha_x, alpha_y, alpha_z = motion.alpha
+    a_x, a_y, a_z = motion.a
+    F_ext_x, F_ext_y, F_ext_z = motion.F_ext
+    M_ext_x, M_ext_y, M_ext_z = motion.M_ext
+    M_P = platform.M_P
+    r_C_x, r_C_y, r_C_z = platform.r_C
+    J_C_xx, J_C_xy, J_C_xz, J_C_yy, J_C_yz, J_C_zz = platform.J_C
+    dJ_C_x, dJ_C_y, dJ_C_z = platform.dJ_C
+    C_P = platform.C_P
+    g_x, g_y, g_z = platform.g
+    # products of omega
+    omega_xx = omega_x * omega_x
+    omega_xy = omega_x * omega_y
+    omega_xz = omega_x * omega_z
+    omega_yy = omega_y * omega_y
+    omega_yz = omega_y * omega_z
+    omega_zz = omega_z * omega_z
+    # (7) S_ddot = B q + a
+    B_xx = -omega_yy - omega_zz
+    B_xy = omega_xy - alpha_z
+    B_xz = alpha_y + omega_xz
+    B_yx = alpha_z + omega_xy
+    B_yy = -omega_xx - omega_zz
+    B_yz = omega_yz - alpha_x
+    B_zx = omega_xz - alpha_y
+    B_zy = alpha_x + omega_yz
+    B_zz = -omega_xx - omega_yy
+    # (30) centre of mass from the reference point, base frame
+    R_C_x = R_xx * r_C_x + R_xy * r_C_y + R_xz * r_C_z
+    R_C_y = R_yx * r_C_x + R_yy * r_C_y + R_yz * r_C_z
+    R_C_z = R_zx * r_C_x + R_zy * r_C_y + R_zz * r_C_z
+    # (33) M_P (g - a_C)
+    N_x = M_P * (g_x - a_x - B_xx * R_C_x - B_xy * R_C_y - B_xz * R_C_z)
+    N_y = M_P * (g_y - a_y - B_yx * R_C_x - B_yy * R_C_y - B_yz * R_C_z)
+    N_z = M_P * (g_z - a_z - B_zx * R_C_x - B_zy * R_C_y - B_zz * R_C_z)
+    # angular velocity, platform frame
+    omega_P_x = R_xx * omega_x + R_yx * omega_y + R_zx * omega_z
+    omega_P_y = R_xy * omega_x + R_yy * omega_y + R_zy * omega_z
+    omega_P_z = R_xz * omega_x + R_yz * omega_y + R_zz * omega_z
+    # angular acceleration, platform frame
+    alpha_P_x = R_xx * alpha_x + R_yx * alpha_y + R_zx * alpha_z
+    alpha_P_y = R_xy * alpha_x + R_yy * alpha_y + R_zy * alpha_z
+    alpha_P_z = R_xz * alpha_x + R_yz * alpha_y + R_zz * alpha_z
+    P_xy = omega_P_x * omega_P_y
+    P_xz = omega_P_x * omega_P_z
+    P_yz = omega_P_y * omega_P_z
+    P_xx = omega_P_x * omega_P_x
+    P_yy = omega_P_y * omega_P_y
+    P_zz = omega_P_z * omega_P_z
+    # (34) external moment less I alpha + omega x I omega, platform frame
+    M_P_load_x = (M_ext_x - J_C_yz * (P_yy - P_zz) - J_C_xx * alpha_P_x - P_yz * dJ_C_x + J_C_xy * (P_xz - alpha_P_y)
+        - J_C_xz * (alpha_P_z + P_xy))
+    M_P_load_y = (M_ext_y - J_C_xz * (P_zz - P_xx) - J_C_yy * alpha_P_y - P_xz * dJ_C_y + J_C_yz * (P_xy - alpha_P_z)
+        - J_C_xy * (alpha_P_x + P_yz))
+    M_P_load_z = (M_ext_z - J_C_xy * (P_xx - P_yy) - J_C_zz * alpha_P_z - P_xy * dJ_C_z + J_C_xz * (P_yz - alpha_P_x)
+        - J_C_yz * (alpha_P_y + P_xz))
+    out = SharedTerms()
+    out.B = [B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz]
+    out.c_force = [
+        N_x + F_ext_x * R_xx + F_ext_y * R_xy + F_ext_z * R_xz,
+        N_y + F_ext_x * R_yx + F_ext_y * R_yy + F_ext_z * R_yz,
+        N_z + F_ext_x * R_zx + F_ext_y * R_zy + F_ext_z * R_zz,
+    ]
+    out.c_moment = [
+        M_P_load_x * R_xx + M_P_load_y * R_xy + M_P_load_z * R_xz + N_z * R_C_y - C_P * omega_x - N_y * R_C_z,
+        M_P_load_x * R_yx + M_P_load_y * R_yy + M_P_load_z * R_yz + N_x * R_C_z - C_P * omega_y - N_z * R_C_x,
+        M_P_load_x * R_zx + M_P_load_y * R_zy + M_P_load_z * R_zz + N_y * R_C_x - C_P * omega_z - N_x * R_C_y,
+    ]
+    return out
+
+
+def shift(on: Arithmetic, sums: Any, shared: Any) -> Any:
+    """The platform's part of c: 12 (6 mul, 6 add, 0 div, 0 sqrt)."""
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    c_force_x, c_force_y, c_force_z = shared.c_force
+    c_moment_x, c_moment_y, c_moment_z = shared.c_moment
+    out = ShiftTerms()
+    out.c_tip = [
+        c_moment_x + c_force_y * q_1_z - c_force_z * q_1_y,
+        c_moment_y + c_force_z * q_1_x - c_force_x * q_1_z,
+        c_moment_z + c_force_x * q_1_y - c_force_y * q_1_x,
+    ]
+    return out
+
+
+def eliminate(on: Arithmetic, A: Any, x: Any) -> Any:
+    """Solves [H | c] for x by elimination with partial pivoting, (36); returns 1 where a pivot is small."""
+    suspect = 0
+    for k in range(6):
+        for i in range(k + 1, 6):
+            larger_below = on.size(A[i][k]) > on.size(A[k][k])
+            for j in range(k, 7):
+                above = A[k][j]
+                A[k][j] = on.where(larger_below, A[i][j], A[k][j])
+                A[i][j] = on.where(larger_below, above, A[i][j])
+        suspect = on.where(on.size(A[k][k]) > on.SUSPECT, suspect, 1)
+        x[k] = 1.0 / A[k][k]
+        for i in range(k + 1, 6):
+            factor = A[i][k] * x[k]
+            for j in range(k + 1, 7):
+                A[i][j] = A[i][j] - factor * A[k][j]
+    for i in range(5, -1, -1):
+        total = A[i][6]
+        for j in range(i + 1, 6):
+            total = total - A[i][j] * x[j]
+        x[i] = on.where(i == 5, total / A[i][i], total * x[i])
+    return suspect
+
+
+def solve_legs(on: Arithmetic, A: Any, arm_cube: Any, x: Any) -> Any:
+    """Solves [H | c] for x, (36), as two blocks of three legs, where their determinants are small by
+    pivots; returns 1 where one of these is small.
+    """
+    suspect = 0
+    r_0_0 = A[1][3] * A[2][5] - A[2][3] * A[1][5]
+    r_0_1 = A[2][3] * A[0][5] - A[0][3] * A[2][5]
+    r_0_2 = A[0][3] * A[1][5] - A[1][3] * A[0][5]
+    r_1_0 = A[1][5] * A[2][1] - A[2][5] * A[1][1]
+    r_1_1 = A[2][5] * A[0][1] - A[0][5] * A[2][1]
+    r_1_2 = A[0][5] * A[1][1] - A[1][5] * A[0][1]
+    r_2_0 = A[1][1] * A[2][3] - A[2][1] * A[1][3]
+    r_2_1 = A[2][1] * A[0][3] - A[0][1] * A[2][3]
+    r_2_2 = A[0][1] * A[1][3] - A[1][1] * A[0][3]
+    det = A[0][1] * r_0_0 + A[1][1] * r_0_1 + A[2][1] * r_0_2
+    e_0_0 = r_0_0 * A[0][0] + r_0_1 * A[1][0] + r_0_2 * A[2][0]
+    e_1_0 = r_1_0 * A[0][0] + r_1_1 * A[1][0] + r_1_2 * A[2][0]
+    e_2_0 = r_2_0 * A[0][0] + r_2_1 * A[1][0] + r_2_2 * A[2][0]
+    own_0_0 = det * A[3][0] - A[3][1] * e_0_0
+    w_0_0 = own_0_0 - A[3][3] * e_1_0 - A[3][5] * e_2_0
+    own_1_0 = det * A[4][0] - A[4][1] * e_0_0
+    w_1_0 = own_1_0 - A[4][3] * e_1_0 - A[4][5] * e_2_0
+    own_2_0 = det * A[5][0] - A[5][1] * e_0_0
+    w_2_0 = own_2_0 - A[5][3] * e_1_0 - A[5][5] * e_2_0
+    e_0_2 = r_0_0 * A[0][2] + r_0_1 * A[1][2] + r_0_2 * A[2][2]
+    e_1_2 = r_1_0 * A[0][2] + r_1_1 * A[1][2] + r_1_2 * A[2][2]
+    e_2_2 = r_2_0 * A[0][2] + r_2_1 * A[1][2] + r_2_2 * A[2][2]
+    own_0_2 = det * A[3][2] - A[3][1] * e_0_2
+    w_0_2 = own_0_2 - A[3][3] * e_1_2 - A[3][5] * e_2_2
+    own_1_2 = det * A[4][2] - A[4][1] * e_0_2
+    w_1_2 = own_1_2 - A[4][3] * e_1_2 - A[4][5] * e_2_2
+    own_2_2 = det * A[5][2] - A[5][1] * e_0_2
+    w_2_2 = own_2_2 - A[5][3] * e_1_2 - A[5][5] * e_2_2
+    e_0_4 = r_0_0 * A[0][4] + r_0_1 * A[1][4] + r_0_2 * A[2][4]
+    e_1_4 = r_1_0 * A[0][4] + r_1_1 * A[1][4] + r_1_2 * A[2][4]
+    e_2_4 = r_2_0 * A[0][4] + r_2_1 * A[1][4] + r_2_2 * A[2][4]
+    own_0_4 = det * A[3][4] - A[3][1] * e_0_4
+    w_0_4 = own_0_4 - A[3][3] * e_1_4 - A[3][5] * e_2_4
+    own_1_4 = det * A[4][4] - A[4][1] * e_0_4
+    w_1_4 = own_1_4 - A[4][3] * e_1_4 - A[4][5] * e_2_4
+    own_2_4 = det * A[5][4] - A[5][1] * e_0_4
+    w_2_4 = own_2_4 - A[5][3] * e_1_4 - A[5][5] * e_2_4
+    e_0_6 = r_0_0 * A[0][6] + r_0_1 * A[1][6] + r_0_2 * A[2][6]
+    e_1_6 = r_1_0 * A[0][6] + r_1_1 * A[1][6] + r_1_2 * A[2][6]
+    e_2_6 = r_2_0 * A[0][6] + r_2_1 * A[1][6] + r_2_2 * A[2][6]
+    own_0_6 = det * A[3][6] - A[3][1] * e_0_6
+    w_0_6 = own_0_6 - A[3][3] * e_1_6 - A[3][5] * e_2_6
+    own_1_6 = det * A[4][6] - A[4][1] * e_0_6
+    w_1_6 = own_1_6 - A[4][3] * e_1_6 - A[4][5] * e_2_6
+    own_2_6 = det * A[5][6] - A[5][1] * e_0_6
+    w_2_6 = own_2_6 - A[5][3] * e_1_6 - A[5][5] * e_2_6
+    u_0_0 = w_1_2 * w_2_4 - w_2_2 * w_1_4
+    u_0_1 = w_2_2 * w_0_4 - w_0_2 * w_2_4
+    u_0_2 = w_0_2 * w_1_4 - w_1_2 * w_0_4
+    u_1_0 = w_1_4 * w_2_0 - w_2_4 * w_1_0
+    u_1_1 = w_2_4 * w_0_0 - w_0_4 * w_2_0
+    u_1_2 = w_0_4 * w_1_0 - w_1_4 * w_0_0
+    u_2_0 = w_1_0 * w_2_2 - w_2_0 * w_1_2
+    u_2_1 = w_2_0 * w_0_2 - w_0_0 * w_2_2
+    u_2_2 = w_0_0 * w_1_2 - w_1_0 * w_0_2
+    complement = w_0_0 * u_0_0 + w_1_0 * u_0_1 + w_2_0 * u_0_2
+    square_0 = e_0_0 * e_0_0 + e_0_2 * e_0_2 + e_0_4 * e_0_4
+    square_1 = e_1_0 * e_1_0 + e_1_2 * e_1_2 + e_1_4 * e_1_4
+    square_2 = e_2_0 * e_2_0 + e_2_2 * e_2_2 + e_2_4 * e_2_4
+    det2 = det * det
+    least = on.larger(on.size(det) * on.BLOCK_LEAST, on.BLOCK_SINGULAR) * (det2 * arm_cube)
+    spread = square_0 + square_1 + square_2
+    weak = on.where(spread > on.BLOCK_GROWTH * det2, 1.0, 0.0)
+    weak = on.where(on.size(complement) <= least, 1.0, weak)
+    inverse_det = 1.0 / (on.where(weak > 0.0, 1.0, det))
+    inverse_complement = 1.0 / (on.where(weak > 0.0, 1.0, complement))
+    x[0] = (u_0_0 * w_0_6 + u_0_1 * w_1_6 + u_0_2 * w_2_6) * inverse_complement
+    x[2] = (u_1_0 * w_0_6 + u_1_1 * w_1_6 + u_1_2 * w_2_6) * inverse_complement
+    x[4] = (u_2_0 * w_0_6 + u_2_1 * w_1_6 + u_2_2 * w_2_6) * inverse_complement
+    x[1] = (e_0_6 - e_0_0 * x[0] - e_0_2 * x[2] - e_0_4 * x[4]) * inverse_det
+    x[3] = (e_1_6 - e_1_0 * x[0] - e_1_2 * x[2] - e_1_4 * x[4]) * inverse_det
+    x[5] = (e_2_6 - e_2_0 * x[0] - e_2_2 * x[2] - e_2_4 * x[4]) * inverse_det
+    if on.anywhere(weak > 0.0):
+        other = [0.0] * 6
+        small = eliminate(on, A, other)
+        for number in range(6):
+            x[number] = on.where(weak > 0.0, other[number], x[number])
+        suspect = on.where(weak > 0.0, small, suspect)
+    return suspect
+
+
+def leg_terms(on: Arithmetic, leg: Any, platform: Any, motion: Any, shared: Any) -> Any:
+    """One leg with offset joints: D, its column of H and its part of c: 379 (222 mul, 151 add, 4 div, 2
+    sqrt).
+    """
+    b_x, b_y, b_z = leg.b
+    p_x, p_y, p_z = leg.p
+    k_x, k_y, k_z = leg.k
+    C_p, C_s, m_r, j_r = leg.C_p, leg.C_s, leg.m_r, leg.j_r
+    h_x, h_y, h_z = leg.h
+    h2_x, h2_y, h2_z = leg.h2_x, leg.h2_y, leg.h2_z
+    w_x, w_y, w_z = leg.w
+    J_xx, J_xy, J_yy, J_yz = leg.J[0], leg.J[1], leg.J[3], leg.J[4]
+    J2_xz, dJ_zx, g_k = leg.J2_xz, leg.dJ_zx, leg.g_k
+    g_x_k_x, g_x_k_y, g_x_k_z = leg.g_x_k
+    C_us = leg.C_us
+    cross = leg.cross
+    along = leg.along
+    across = leg.across
+    across2 = leg.across2
+    along2 = leg.along2
+    cross2 = leg.cross2
+    w_o = leg.w_o
+    R_xx, R_xy, R_xz, R_yx, R_yy, R_yz, R_zx, R_zy, R_zz = motion.R
+    t_x, t_y, t_z = motion.t
+    omega_x, omega_y, omega_z = motion.omega
+    v_x, v_y, v_z = motion.v
+    a_x, a_y, a_z = motion.a
+    B_xx, B_xy, B_xz, B_yx, B_yy, B_yz, B_zx, B_zy, B_zz = shared.B
+    g_x, g_y, g_z = platform.g
+    # (1) platform point from the reference point
+    q_x = R_xx * p_x + R_xy * p_y + R_xz * p_z
+    q_y = R_yx * p_x + R_yy * p_y + R_yz * p_z
+    q_z = R_zx * p_x + R_zy * p_y + R_zz * p_z
+    # (1) reference point from base point, base frame
+    t_b_x = t_x - b_x
+    t_b_y = t_y - b_y
+    t_b_z = t_z - b_z
+    # (1) leg vector
+    S_x = t_b_x + q_x
+    S_y = t_b_y + q_y
+    S_z = t_b_z + q_z
+    # (10) leg vector along the fixed axis, normal to both, and across the fixed axis
+    zeta = S_x * k_x + S_y * k_y + S_z * k_z
+    k_cross_S_x = S_z * k_y - S_y * k_z
+    k_cross_S_y = S_x * k_z - S_z * k_x
+    k_cross_S_z = S_y * k_x - S_x * k_y
+    S_across_x = S_x - k_x * zeta
+    S_across_y = S_y - k_y * zeta
+    S_across_z = S_z - k_z * zeta
+    rho2 = k_cross_S_x * k_cross_S_x + k_cross_S_y * k_cross_S_y + k_cross_S_z * k_cross_S_z
+    # (10) distance of the tip from the fixed axis along o
+    r = on.sqrt(rho2 - along2)
+    inv_rho2 = 1.0 / rho2
+    r_share = inv_rho2 * r
+    e_share = along * inv_rho2
+    # (10) moving axis of the universal joint
+    y_x = k_cross_S_x * r_share + S_across_x * e_share
+    y_y = k_cross_S_y * r_share + S_across_y * e_share
+    y_z = k_cross_S_z * r_share + S_across_z * e_share
+    # (10) from the fixed axis towards the platform
+    o_x = k_z * y_y - k_y * y_z
+    o_y = k_x * y_z - k_z * y_x
+    o_z = k_y * y_x - k_x * y_y
+    # tip from the moving axis: along o, and squared
+    r_out = r - cross
+    reach2 = r_out * r_out + zeta * zeta
+    # (2) leg length
+    L = on.sqrt(reach2 - across2)
+    inv_L = 1.0 / L
+    inv_r = 1.0 / r
+    inv_reach2 = 1.0 / reach2
+    # (10) k = (k1, 0, k3) in the leg frame
+    k1 = inv_reach2 * (L * zeta - across * r_out)
+    k3 = inv_reach2 * (L * r_out + across * zeta)
+    # (3) unit vector along the line of sliding
+    s_x = k1 * k_x + k3 * o_x
+    s_y = k1 * k_y + k3 * o_y
+    s_z = k1 * k_z + k3 * o_z
+    # (10) third axis of the leg frame
+    z_x = k3 * k_x - k1 * o_x
+    z_y = k3 * k_y - k1 * o_y
+    z_z = k3 * k_z - k1 * o_z
+    column_of_z = across * inv_L
+    column_of_y = along * inv_r * (k3 - column_of_z * k1)
+    # (22) direction in which the tip moves as L alone grows least: the leg's column of H
+    column_x = column_of_y * y_x + s_x + column_of_z * z_x
+    column_y = column_of_y * y_y + s_y + column_of_z * z_y
+    column_z = column_of_y * y_z + s_z + column_of_z * z_z
+    # (10) share of r in L; near the least distance the square of r is known to rounding, not r itself
+    sine = inv_L * r_share * r * r
+    # (4) velocity of the platform point
+    S_dot_x = v_x + omega_y * q_z - omega_z * q_y
+    S_dot_y = v_y + omega_z * q_x - omega_x * q_z
+    S_dot_z = v_z + omega_x * q_y - omega_y * q_x
+    # (7) acceleration of the platform point
+    S_ddot_x = a_x + B_xx * q_x + B_xy * q_y + B_xz * q_z
+    S_ddot_y = a_y + B_yx * q_x + B_yy * q_y + B_yz * q_z
+    S_ddot_z = a_z + B_zx * q_x + B_zy * q_y + B_zz * q_z
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    phi_dot = inv_r * (S_dot_x * y_x + S_dot_y * y_y + S_dot_z * y_z)
+    e_phi_dot = along * phi_dot
+    # (6) rates of the joint coordinates: L, phi about k, theta about y
+    theta_dot = inv_L * (e_phi_dot * k1 - S_dot_x * z_x - S_dot_y * z_y - S_dot_z * z_z)
+    # (5) rates of the joint coordinates: L, phi about k, theta about y
+    L_dot = S_dot_x * s_x + S_dot_y * s_y + S_dot_z * s_z + e_phi_dot * k3 - across * theta_dot
+    # rate of r
+    r_dot = S_dot_x * o_x + S_dot_y * o_y + S_dot_z * o_z + e_phi_dot
+    theta_dot2 = theta_dot * theta_dot
+    phi_dot2 = phi_dot * phi_dot
+    two_phi_dot = 2.0 * phi_dot
+    # (9) accelerations of the joint coordinates
+    phi_ddot = (inv_r * (along * phi_dot2 + S_ddot_x * y_x + S_ddot_y * y_y + S_ddot_z * y_z - r_dot * two_phi_dot))
+    # r_ddot by phi alone
+    turning = phi_dot2 * r + along * phi_ddot
+    c1 = L_dot * theta_dot
+    # (9) accelerations of the joint coordinates
+    theta_ddot = (inv_L * (k1 * turning - across * theta_dot2 - S_ddot_x * z_x - S_ddot_y * z_y - S_ddot_z * z_z
+        - 2.0 * c1))
+    # (8) accelerations of the joint coordinates
+    L_ddot = (L * theta_dot2 + S_ddot_x * s_x + S_ddot_y * s_y + S_ddot_z * s_z + k3 * turning - across * theta_ddot)
+    k33 = k3 * k3
+    k13 = k1 * k3
+    L_h2 = L * h2_x
+    a1 = dJ_zx + L_h2
+    a2 = J2_xz - L * h2_z
+    a3 = J_xy - L * h_y
+    # (19) inertia of the joint coordinates
+    M_phi = J_xx + a1 * k33 + a2 * k13
+    M_theta = J_yy + L_h2
+    M_mixed = J_yz * k3 + a3 * k1
+    k3_h = h_y * k3
+    # (19) slopes of M_phi / 2 along theta and L, of M_mixed along theta
+    M_phi_theta = a2 * (0.5 - k33) + a1 * k13
+    M_phi_L = h_x * k33 - h_z * k13
+    M_mixed_theta = J_yz * k1 - a3 * k3
+    w_k = k1 * w_x + k3 * w_z
+    w_n = k3 * w_x - k1 * w_z
+    h_k = h_x * k1 + h_z * k3
+    h_n = h_x * k3 - h_z * k1
+    M_phi_offset = M_phi + cross2 * w_n
+    M_phi_theta_offset = M_phi_theta + cross * w_k
+    M_mixed_offset = M_mixed - along * h_k
+    M_mixed_theta_offset = M_mixed_theta + along * h_n
+    bend = c1
+    c2 = g_x * y_x + g_y * y_y + g_z * y_z
+    # gravity along k x y and along y
+    gamma_n = g_x_k_x * y_x + g_x_k_y * y_y + g_x_k_z * y_z
+    gamma_y = c2
+    c3 = j_r * k3
+    c4 = c3 * phi_dot
+    c5 = j_r * k1 - k3_h
+    # (20) generalised forces about y and about k
+    tau_y = (g_k * w_n + gamma_n * w_k - M_phi_theta_offset * phi_dot2 - C_s * (omega_x * y_x + omega_y * y_y
+        + omega_z * y_z) + C_us * theta_dot + M_mixed_offset * phi_ddot + L_dot * c4 + bend * h2_x + M_theta
+        * theta_ddot + L_ddot * h_z)
+    tau_k = (M_mixed_theta_offset * theta_dot2 - C_s * (k_x * omega_x + k_y * omega_y + k_z * omega_z) + C_us
+        * phi_dot - gamma_n * w_y - gamma_y * w_n + M_phi_offset * phi_ddot + two_phi_dot * (M_phi_theta_offset
+        * theta_dot + L_dot * M_phi_L) - c1 * c3 - bend * h2_y * k1 + M_mixed_offset * theta_ddot + L_ddot * c5)
+    # (20)
+    tau_k_offset = tau_k - c2 * w_o
+    # (21) K = Q_y y + Q_z z
+    Q_z = -inv_L * tau_y
+    Q_y = inv_r * (tau_k_offset - Q_z * along * k1)
+    # (21) force at the platform joint, base frame
+    K_x = Q_z * z_x + Q_y * y_x
+    K_y = Q_z * z_y + Q_y * y_y
+    K_z = Q_z * z_z + Q_y * y_z
+    # (24) known part of the actuator force
+    D = (c5 * phi_ddot - h_x * theta_dot2 - M_phi_L * phi_dot2 - c4 * theta_dot + C_p * L_dot + h_z * theta_ddot
+        + L_ddot * m_r)
+    c6 = C_s * phi_dot
+    c7 = C_s * theta_dot
+    out = LegTerms()
+    out.q = [q_x, q_y, q_z]
+    out.L = L
+    out.k3 = sine
+    out.D = D
+    out.H_force = [column_x, column_y, column_z]
+    out.c_force = [-K_x, -K_y, -K_z]
+    out.c_moment = [c6 * k_x + c7 * y_x, c6 * k_y + c7 * y_y, c6 * k_z + c7 * y_z]
+    return out
+
+
+def largest_component(on: Arithmetic, vector: Any, least: Any) -> Any:
+    """The largest of ``least`` and the sizes of a vector's components."""
+    most = least
+    for j in range(3):
+        most = on.larger(on.size(vector[j]), most)
+    return most
+
+
+def reach_of(on: Arithmetic, b: Any, t: Any, q: Any) -> Any:
+    """Size of the vectors q, t and b that a leg is the sum of, m."""
+    return largest_component(on, b, largest_component(on, t, largest_component(on, q, 0.0)))
+
+
+def fault_of(on: Arithmetic, L: Any, k3: Any, reach: Any) -> Any:
+    """What is wrong with a leg: not finite, short beside the vectors that it is the sum of, or along k."""
+    status = OK
+    status = on.where((status != OK) | (L <= on.MAX), status, NOT_FINITE)
+    status = on.where((status != OK) | ((L > on.ROUNDING * reach) & (L > on.SHORTEST)), status, ZERO_LENGTH)
+    status = on.where((status != OK) | (k3 > on.JOINT_SINGULAR_SINE), status, JOINT_SINGULAR)
+    return status
+
+
+def singular_status(on: Arithmetic, H: Any, arm: Any, L: Any, reach: Any, tip: Any) -> Any:
+    """Whether H is singular to rounding: OK, SINGULAR or NOT_FINITE; H is replaced.
+
+    arm: of the moments; L: lengths of the legs; reach: size of the vectors that a leg is the sum of;
+    tip: of the platform point that the arms are measured from, whose rounding they have, 0 for none.
+    The direction s of a leg errs by 4 epsilon (reach / L + 2) at most: half a unit of each number
+    that goes in and of each operation, and what the elimination adds. Its column of H, (s, arm x s),
+    errs by that through Y_force + Y_moment x arm with Y the inverse of H, wherever moments are taken
+    about, and by the rounding of the moment. Where H less its error is singular, no v > 0 has G v <
+    v, G_ik what the error of column k does to row i of Y H: the spectral radius of G is 1 or more.
+    Powers of G make v; 1/2 leaves room for the errors of Y itself.
+    """
+    Y = [[0.0] * 6 for _ in range(6)]
+    G = [[0.0] * 6 for _ in range(6)]
+    v = [0.0] * 6
+    grown = [0.0] * 6
+    extent = tip
+    least = 1.0
+    status = OK
+    for i in range(6):
+        v[i] = 1.0
+        for j in range(3):
+            extent = on.larger(on.size(arm[i][j]), extent)
+    for i in range(6):
+        for j in range(6):
+            status = on.where((status != OK) | (on.size(H[i][j]) <= on.MAX), status, NOT_FINITE)
+            H[i][j] = on.where(i < 3, H[i][j], H[i][j] / extent)
+            Y[i][j] = on.where(i == j, 1.0, 0.0)
+    for k in range(6):
+        pivot = k
+        most = on.size(H[k][k])
+        for i in range(k + 1, 6):
+            entry = on.size(H[i][k])
+            pivot = on.where(entry > most, i, pivot)
+            most = on.where(entry > most, entry, most)
+        if on.anywhere(pivot != k):
+            for j in range(6):
+                moved = H[k][j]
+                H[k][j] = on.at(H, pivot, j)
+                on.put(H, moved, pivot, j)
+                beside = Y[k][j]
+                Y[k][j] = on.at(Y, pivot, j)
+                on.put(Y, beside, pivot, j)
+        status = on.where((status != OK) | (on.size(H[k][k]) > 0.0), status, SINGULAR)
+        for i in range(6):
+            if i != k:
+                factor = H[i][k] / H[k][k]
+                for j in range(6):
+                    H[i][j] = H[i][j] - factor * H[k][j]
+                    Y[i][j] = Y[i][j] - factor * Y[k][j]
+    for i in range(6):
+        by_moment = on.size(Y[i][3]) + on.size(Y[i][4]) + on.size(Y[i][5])
+        for k in range(6):
+            x = on.size(Y[i][0] + (Y[i][4] * arm[k][2] - Y[i][5] * arm[k][1]) / extent)
+            y = on.size(Y[i][1] + (Y[i][5] * arm[k][0] - Y[i][3] * arm[k][2]) / extent)
+            z = on.size(Y[i][2] + (Y[i][3] * arm[k][1] - Y[i][4] * arm[k][0]) / extent)
+            turned = (x + y + z) * (reach[k] / L[k] + 2.0) + 2.0 * by_moment
+            G[i][k] = turned * (4.0 * on.EPSILON) / on.size(H[i][i])
+    for turn in range(4):
+        if on.anywhere(least > 0.5):
+            worst = 0.0
+            greatest = 0.0
+            for i in range(6):
+                total = 0.0
+                for k in range(6):
+                    total = total + G[i][k] * v[k]
+                share = total / v[i]
+                worst = on.where(share <= worst, worst, share)
+                greatest = on.larger(total, greatest)
+                grown[i] = total
+            least = on.where(worst <= least, worst, least)
+            for i in range(6):
+                v[i] = on.larger(grown[i] / greatest, on.EPSILON)
+        else:
+            break
+    status = on.where((status != OK) | (least <= 0.5), status, SINGULAR)
+    return status
+
+
+def moments_of(on: Arithmetic, leg: Any, sums: Any) -> Any:
+    """Moments of one leg: 21 (12 mul, 9 add, 0 div, 0 sqrt)."""
+    q_x, q_y, q_z = leg.q
+    q_1_x, q_1_y, q_1_z = sums.q_1
+    H_force_x, H_force_y, H_force_z = leg.H_force
+    c_force_x, c_force_y, c_force_z = leg.c_force
+    # platform point from platform point 1
+    arm_x = q_x - q_1_x
+    arm_y = q_y - q_1_y
+    arm_z = q_z - q_1_z
+    out = MomentTerms()
+    out.H_moment = [
+        H_force_z * arm_y - H_force_y * arm_z,
+        H_force_x * arm_z - H_force_z * arm_x,
+        H_force_y * arm_x - H_force_x * arm_y,
+    ]
+    out.arm_c = [
+        arm_y * c_force_z - arm_z * c_force_y,
+        arm_z * c_force_x - arm_x * c_force_z,
+        arm_x * c_force_y - arm_y * c_force_x,
+    ]
+    return out
+
+
+def forces(on: Arithmetic, model: Any, motion: Any) -> Any:
+    """Actuator forces F, N, (37), and a status; where the status is not OK, F is NaN."""
+    model = on.arrays(on.checked(Model(), "model", model))
+    motion = on.arrays(on.checked(Motion(), "motion", motion))
+    on.agree(motion=motion)
+    out = Forces()
+    sums = Sums()
+    A = [[0.0] * 7 for _ in range(6)]
+    L = [0.0] * 6
+    reach = [0.0] * 6
+    x = [0.0] * 6
+    status = model.status
+    suspect = 0
+    shared = shared_terms(on, model.platform, motion)
+    for i in range(6):
+        leg = leg_terms(on, model.leg[i], model.platform, motion, shared)
+        reach[i] = reach_of(on, model.leg[i].b, motion.t, leg.q)
+        fault = fault_of(on, leg.L, leg.k3, reach[i])
+        status = on.where(status == OK, fault, status)
+        suspect = on.where(leg.L > on.SHORT_SHARE * reach[i], suspect, 1)
+        sums.leg[i] = leg
+    for j in range(3):
+        sums.q_1[j] = sums.leg[0].q[j]
+    tip = shift(on, sums, shared)
+    for j in range(3):
+        sums.c[j] = shared.c_force[j]
+        sums.c[j + 3] = tip.c_tip[j]
+    for i in range(6):
+        leg = sums.leg[i]
+        turned = MomentTerms()
+        if i > 0:
+            turned = moments_of(on, leg, sums)
+        L[i] = leg.L
+        for j in range(3):
+            sums.arm[i][j] = leg.q[j] - sums.q_1[j]
+            sums.H[j][i] = leg.H_force[j]
+            sums.H[j + 3][i] = turned.H_moment[j]
+            sums.c[j] = sums.c[j] + leg.c_force[j]
+            sums.c[j + 3] = sums.c[j + 3] + leg.c_moment[j]
+            sums.c[j + 3] = sums.c[j + 3] + turned.arm_c[j]
+    for i in range(3):
+        A[i][6] = sums.c[i]
+        A[i + 3][6] = sums.c[i + 3] * model.per_length
+        for j in range(6):
+            A[i][j] = sums.H[i][j]
+            A[i + 3][j] = sums.H[i + 3][j] * model.per_length
+    small_pivot = solve_legs(on, A, model.arm_cube, x)
+    suspect = on.where(small_pivot == 0, suspect, 1)
+    if on.anywhere(suspect == 1):
+        found = singular_status(on, sums.H, sums.arm, L, reach, largest_component(on, sums.q_1, 0.0))
+        status = on.where((status == OK) & (suspect == 1), found, status)
+    for i in range(6):
+        out.F[i] = sums.leg[i].D - x[i]
+        status = on.where((status != OK) | (on.size(out.F[i]) <= on.MAX), status, NOT_FINITE)
+    for i in range(6):
+        out.F[i] = on.where(status == OK, out.F[i], on.NAN)
+    out.status = status
+    return out
+
+
+
+def motion_of(on: Arithmetic, **fields: Any) -> Motion:
+    """A motion from arrays: R (..., 9) or (..., 3, 3), t, omega, v, alpha, a, F_ext, M_ext (..., 3).
+
+    What is not given is zero, but R has to be given; all share their leading shape. Raises ValueError for other
+    names and shapes.
+    """
+    made = Motion()
+    on.fill(made, fields)
+    return made

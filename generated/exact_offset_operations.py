@@ -1,0 +1,10 @@
+"""Operations of the closed form's kernels, one pose each, before any solve.
+
+Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+SPDX-License-Identifier: 0BSD
+"""
+
+OPERATIONS: dict[str, int] = {
+    "friction": 2890,
+    "frictionless": 2680,
+}

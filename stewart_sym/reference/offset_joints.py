@@ -1,0 +1,348 @@
+"""Legs with offset joints in plain vectors: chains of joints, and the forces that their motion needs.
+
+Each leg is a chain: about the fixed axis k, about the moving axis y, along s; where the platform joint is
+universal also about s, about the axis on the upper part and about the one on the platform. Rates and
+accelerations of its joints follow from the platform's, inertial forces from Newton and Euler, and the forces
+at the joints from the power of each joint's rate alone (Kane 1985). Shapes as in ``newton_euler``.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..motion.motion import Motion
+from ..results import NOT_FINITE, OK, Forces, Reactions
+from ..robot.offset_chains import (
+    SLIDING,
+    SPIN,
+    Chains,
+    JointMotion,
+    actuated,
+    codes,
+    codes_of,
+    columns_of_H,
+    cross_motion,
+    joint_motion,
+    lower_motion,
+    motor_motion,
+    offsets_of,
+    upper_motion,
+)
+from ..robot.robot import Robot
+from .newton_euler import blank, platform_inertia, platform_wrench, solve_linear
+
+Array = NDArray[np.float64]
+Codes = NDArray[np.int32]
+
+
+@dataclass(frozen=True, eq=False)
+class _Body:
+    """One part: mass, centre from the base point, its acceleration, and rate of angular momentum; with the
+    velocity of the centre and the angular velocity by each joint's rate, (..., 6, n, 3)."""
+
+    m: Array
+    c: Array
+    a: Array
+    spun: Array
+    v: Array
+    I: Array  # noqa: E741
+    omega: Array
+    v_of: Array
+    omega_of: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Legs:
+    """Motion of the chains and the forces that it needs.
+
+    tau: generalised forces of the joints that inertia, weight and friction need, (..., 6, n). column: those
+    of a unit force of the actuator. f: friction moment at the platform joint. W: angular velocity of the
+    lower part. bodies: cross, lower and upper part. F_rotor: force that turns the motor, N, (..., 6).
+    """
+
+    moving: JointMotion
+    tau: Array
+    column: Array
+    f: Array
+    W: Array
+    bodies: tuple[_Body, ...]
+    F_rotor: Array
+
+    @property
+    def at(self) -> Chains:
+        """Where the joints are."""
+        return self.moving.at
+
+    @property
+    def rates(self) -> Array:
+        """Of the joints, (..., 6, n)."""
+        return self.moving.rates
+
+
+def inverse_dynamics(robot: Robot, motion: Motion) -> Forces:
+    """Actuator forces of a machine with offset joints.
+
+    H has the columns that the rates of the legs' lengths are made with; F = D - x as ever, and K is what of
+    the force at the platform joint is not x times the column's force.
+    """
+    with np.errstate(all="ignore"):
+        return _solved(robot, motion)[1]
+
+
+def joint_reactions(robot: Robot, motion: Motion, bearing: ArrayLike | None = None) -> Reactions:
+    """Forces and moments in the joints.
+
+    F_s: on the leg at the platform joint; F_u: on the cross at the fixed axis; M_u: on the lower part at the
+    moving axis, along k x y. M_p is about the point at ``bearing`` on the line of sliding, m.
+    """
+    with np.errstate(all="ignore"):
+        legs, forces = _solved(robot, motion)
+        found = _reactions(robot, legs, forces.F, bearing)
+        bad = forces.status != OK
+        return Reactions(**{name: blank(each, bad) for name, each in found.items()}, status=forces.status)
+
+
+def reactions_of(
+    robot: Robot, motion: Motion, x: Array, bearing: ArrayLike | None = None
+) -> dict[str, Array]:
+    """Joint reactions by name under x, N, (..., 6); no status."""
+    with np.errstate(all="ignore"):
+        legs = _legs(robot, motion)
+        return _reactions(robot, legs, legs.tau[..., SLIDING] - x, bearing)
+
+
+def terms(robot: Robot, motion: Motion) -> dict[str, Array]:
+    """D, K, H and c of every pose, nothing solved: numbers where H is singular, no status."""
+    with np.errstate(all="ignore"):
+        _, H, D, K, c, _ = _equations(robot, motion)
+        return {"D": D, "K": K, "H": H, "c": c}
+
+
+def rotor_force(robot: Robot, motion: Motion) -> Array:
+    """Part of the actuator forces that turns the rotors, N, (..., 6)."""
+    with np.errstate(all="ignore"):
+        return _legs(robot, motion).F_rotor
+
+
+def massless_forces(robot: Robot, motion: Motion) -> Array:
+    """Actuator forces with legs without mass and joints without friction, N, (..., 6)."""
+    with np.errstate(all="ignore"):
+        _, H, _, _, _, status = _equations(robot, motion)
+        return -solve_linear(robot, H, platform_wrench(robot, motion), status)[0]
+
+
+def _reactions(robot: Robot, legs: Legs, F: Array, bearing: ArrayLike | None) -> dict[str, Array]:
+    where = np.broadcast_to(0.0 if bearing is None else np.asarray(bearing), 6)[:, None]
+    at, g = legs.at, robot.g
+    wrench = _ends(legs, F)
+    F_s, M_s = wrench[..., :3], wrench[..., 3:] if wrench.shape[-1] == 6 else np.zeros(at.P.shape)
+    needed = [body.m * (body.a - g) for body in legs.bodies]
+    F_p = needed[2] - F_s + robot.C_p[:, None] * legs.rates[..., SLIDING, None] * at.s
+
+    def moment(about: Array, bodies: slice) -> Array:
+        """What holds these parts' motion and the force at the end, about a point."""
+        parts = zip(legs.bodies[bodies], needed[bodies], strict=True)
+        own = sum((_cross(body.c - about, force) + body.spun for body, force in parts), np.zeros(3))
+        return np.asarray(own - _cross(at.P - about, F_s) - M_s + legs.f)
+
+    M = moment(at.A, slice(1, 3)) + robot.C_u[:, None] * legs.W
+    return {
+        "F_s": F_s,
+        "F_u": np.asarray(sum(needed) - F_s),
+        "F_p": F_p,
+        "F_c": F_p - (F - legs.F_rotor)[..., None] * at.s,
+        "M_p": moment(at.T + (where - at.L) * at.s, slice(2, 3)),
+        "M_u": _dot(M, _cross(robot.k, at.y))[..., 0],
+    }
+
+
+def actuator_wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
+    """Wrench H F = H D - c of the actuators, (..., 6), and status; no equation is solved for it."""
+    with np.errstate(all="ignore"):
+        _, H, D, _, c, status = _equations(robot, motion)
+        return blank(_mul(H, D) - c, status != OK), status
+
+
+def legs(robot: Robot, motion: Motion) -> Legs:
+    """Motion of the chains and generalised forces; NaN where the offsets leave no solution."""
+    with np.errstate(all="ignore"):
+        return _legs(robot, motion)
+
+
+def energy(robot: Robot, motion: Motion) -> Array:
+    """Kinetic and potential energy of platform, crosses and parts of the legs, J, (...)."""
+    with np.errstate(all="ignore"):
+        legs = _legs(robot, _without_accelerations(motion))
+        total = np.zeros(motion.shape)
+        if robot.drive is not None:
+            speed = motor_motion(robot, legs.rates)
+            about = speed * (speed / 2 + _dot(legs.at.s, legs.W)[..., 0])
+            total += np.sum(robot.drive.rotor_inertia * about, axis=-1)
+        for body in legs.bodies:
+            kinetic = (body.m * _dot(body.v, body.v) + _dot(body.omega, _mul(body.I, body.omega))) / 2
+            total += np.sum(kinetic - body.m * _dot(robot.b + body.c, robot.g), axis=(-2, -1))
+        r, I = platform_inertia(robot, motion)  # noqa: E741
+        v, omega = motion.v + _cross(motion.omega, r), motion.omega
+        own = (robot.M * _dot(v, v) + _dot(omega, _mul(I, omega))) / 2
+        return np.asarray(total + (own - robot.M * _dot(motion.t + r, robot.g))[..., 0])
+
+
+def friction_power(robot: Robot, motion: Motion) -> Array:
+    """Power that the friction of the joints takes, W, (...), never negative."""
+    with np.errstate(all="ignore"):
+        found = _legs(robot, _without_accelerations(motion))
+        slip = found.bodies[2].omega - motion.omega[..., None, :]
+        power = robot.C_u[:, None] * _dot(found.W, found.W) + robot.C_s[:, None] * _dot(slip, slip)
+        return np.asarray(np.sum(power[..., 0] + robot.C_p * found.rates[..., SLIDING] ** 2, axis=-1))
+
+
+def worst_leg(code: int, robot: Robot, motion: Motion) -> int:
+    """Index of the first leg of one pose with a code."""
+    return int(np.argmax(codes(robot, motion) == code))
+
+
+# ---------------------------------------------------------------- how they move
+
+
+def _legs(robot: Robot, motion: Motion) -> Legs:
+    moving = joint_motion(robot, motion)
+    if moving.accelerations is None:
+        raise ValueError("motion: accelerations expected, but alpha or a is None")
+    at, rates = moving.at, moving.rates
+    bodies = tuple(_bodies(robot, at, rates, moving.accelerations))
+    W, omega = bodies[1].omega, motion.omega[..., None, :]
+    f = robot.C_s[:, None] * (bodies[2].omega - omega)
+    torque, carried = _rotors(robot, moving)
+    bodies = (bodies[0], replace(bodies[1], spun=bodies[1].spun + carried), bodies[2])
+    tau = _mul(bodies[1].omega_of, robot.C_u[:, None] * W) + _mul(bodies[2].omega_of, f)
+    for body in bodies:
+        tau = tau + _mul(body.v_of, body.m * (body.a - robot.g)) + _mul(body.omega_of, body.spun)
+    tau[..., SLIDING] += robot.C_p * rates[..., SLIDING]
+    F_rotor = torque * (0.0 if robot.drive is None else robot.drive.turns)
+    tau[..., SLIDING] += F_rotor
+    if rates.shape[-1] > SPIN:
+        tau[..., SPIN] += torque
+    return Legs(moving, tau, actuated(robot, rates.shape[-1]), f, W, bodies, F_rotor)
+
+
+def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
+    """Torque that turns the motors, N m, (..., 6), and rate of the angular momentum against the lower part.
+
+    A motor turns by N L and, where the upper part turns against its nut, by the spin as well.
+    """
+    at, rates, seconds = moving.at, moving.rates, moving.accelerations
+    if not robot.has_rotors or seconds is None:
+        return np.zeros(at.L.shape[:-1]), np.zeros_like(at.s)
+    speed, quick = (motor_motion(robot, each)[..., None] for each in (rates, seconds))
+    lower = lower_motion(robot, at, rates, seconds)
+    inertia = 0.0 if robot.drive is None else np.asarray(robot.drive.rotor_inertia)[:, None]
+    torque = inertia * (quick + _dot(at.s, lower.alpha))
+    return torque[..., 0], inertia * (quick * at.s + speed * _cross(lower.omega, at.s))
+
+
+def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[_Body]:
+    """Cross, lower and upper part."""
+    offsets, k = offsets_of(robot), np.broadcast_to(robot.k, at.s.shape)
+    none = np.zeros_like(at.s)
+    n = rates.shape[-1]
+    turns = {0: [k], 1: [k, at.y], 2: [k, at.y, none, at.s][: 4 if n == 6 else 3]}
+    lower = np.stack([at.s, at.y, at.z], axis=-1)
+    C = np.stack([at.o, at.y, k], axis=-1)
+    about_k = offsets.cross_inertia[:, None, None] * np.diag([0.0, 0.0, 1.0])
+    parts = (
+        (offsets.cross_mass, none, _mul(C, offsets.cross_center), C @ about_k @ _transpose(C), cross_motion),
+        (robot.m_d, at.A, _mul(lower, robot.r_d0), lower @ robot.I_d0 @ _transpose(lower), lower_motion),
+        (robot.m_u, at.T, _mul(at.U, robot.r_u0), at.U @ robot.I_u0 @ _transpose(at.U), upper_motion),
+    )
+    for i, (mass, origin, r, I, motion) in enumerate(parts):  # noqa: E741
+        moving = motion(robot, at, rates, seconds)
+        omega, alpha, c = moving.omega, moving.alpha, origin + r
+        # The cross turns about the base point, which rests.
+        v, a = (none, none) if i == 0 else (moving.v, moving.a)
+        omega_of = np.stack([*turns[i], *[none] * (n - len(turns[i]))], axis=-2)
+        arms = [c, c - at.A, c - at.T, c - at.T]
+        v_of = np.stack(
+            [_cross(turn, arm) for turn, arm in zip(turns[i], arms, strict=False)]
+            + [none] * (n - len(turns[i])),
+            axis=-2,
+        )
+        if i == 2:
+            v_of[..., SLIDING, :] = at.s
+        yield _Body(
+            m=mass[:, None],
+            c=c,
+            a=a + _swung(omega, alpha, r),
+            spun=_mul(I, alpha) + _cross(omega, _mul(I, omega)),
+            v=v + _cross(omega, r),
+            I=I,
+            omega=omega,
+            v_of=v_of,
+            omega_of=omega_of,
+        )
+
+
+# ---------------------------------------------------------------- balance
+
+
+def _ends(legs: Legs, F: Array) -> Array:
+    """Wrench on each leg at the platform joint, (..., 6, n)."""
+    right = legs.tau - F[..., None] * legs.column
+    J_T = _transpose(legs.moving.J)
+    bad = np.asarray(~np.isfinite(J_T).all(axis=(-2, -1)) | ~np.isfinite(right).all(axis=-1))
+    found = np.linalg.solve(np.where(bad[..., None, None], np.eye(J_T.shape[-1]), J_T), right[..., None])
+    return np.asarray(found[..., 0])
+
+
+def _equations(robot: Robot, motion: Motion) -> tuple[Legs, Array, Array, Array, Array, Codes]:
+    """The legs, H, D, K (of forces), c and a status that does not assess H."""
+    found = _legs(robot, motion)
+    G = found.moving.G
+    H = columns_of_H(robot, G)
+    D = found.tau[..., SLIDING]
+    rest = found.tau - D[..., None] * found.column
+    taken = np.einsum("...ij,...ijk->...k", rest, G)
+    K = _ends(found, D)[..., :3]
+    c = platform_wrench(robot, motion) - taken
+    c[..., 3:] += np.sum(found.f, axis=-2)
+    of_legs = codes_of(robot, motion, found.at)
+    first = np.argmax(of_legs != OK, axis=-1)[..., None]
+    status = np.take_along_axis(of_legs, first, axis=-1)[..., 0]
+    finite = np.isfinite(H).all(axis=(-2, -1)) & np.isfinite(c).all(axis=-1) & np.isfinite(D).all(axis=-1)
+    status = np.where((status == OK) & ~finite, NOT_FINITE, status).astype(np.int32)
+    return found, H, D, K, c, status
+
+
+def _solved(robot: Robot, motion: Motion) -> tuple[Legs, Forces]:
+    found, H, D, K, c, status = _equations(robot, motion)
+    x, status = solve_linear(robot, H, c, status)
+    parts = {"F": D - x, "D": D, "x": x, "K": K, "H": H, "c": c}
+    bad = status != OK
+    return found, Forces(**{name: blank(value, bad) for name, value in parts.items()}, status=status)
+
+
+def _without_accelerations(motion: Motion) -> Motion:
+    none = np.zeros_like(motion.t)
+    return Motion.unchecked(motion.R, motion.t, motion.omega, motion.v, none, none)
+
+
+def _swung(omega: Array, alpha: Array, r: Array) -> Array:
+    """Acceleration of a point of a body against another of its points."""
+    return _cross(alpha, r) + _cross(omega, _cross(omega, r))
+
+
+def _dot(a: Array, b: Array) -> Array:
+    return np.asarray(np.sum(a * b, axis=-1, keepdims=True))
+
+
+def _cross(a: Array, b: Array) -> Array:
+    return np.cross(a, b)
+
+
+def _mul(A: Array, v: Array) -> Array:
+    return np.asarray((A @ v[..., None])[..., 0])
+
+
+def _transpose(A: Array) -> Array:
+    return np.swapaxes(A, -1, -2)

@@ -1,0 +1,297 @@
+"""Chains of joints of legs with offsets: where they are, their rates and accelerations, plain vectors.
+
+From the base point about the fixed axis k, about the moving axis y, along s; where the platform joint is
+universal also about s, about the axis on the upper part and about the one on the platform. Shapes: `(...)` is
+the motion's leading shape; a quantity of the legs is (..., 6, 3) as a vector and (..., 6, 1) as a scalar.
+"""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..io.array_types import Array, Codes
+from ..motion.motion import Motion
+from ..results import JOINT_SINGULAR, NOT_FINITE, OK, UNREACHABLE, ZERO_LENGTH
+from .offsets import Offsets
+from .robot import Robot
+
+ROUNDING = 16 * np.finfo(np.float64).eps
+"""Share at which a length (of the terms that it is the sum of) is rounding error and counts as zero."""
+SLIDING, SPIN = 2, 3
+"""Joints of a chain, counted from 0: along s, and about it."""
+_MOST_STEPS = 60
+# Share of the leg by which the end still moves when it is found.
+_SETTLED = 8 * np.finfo(np.float64).eps
+
+
+@dataclass(frozen=True, eq=False)
+class Chains:
+    """Where the joints of the legs are, base frame, from the base points, (..., 6, 3); lengths (..., 6, 1).
+
+    y, s, z, o: axes of the lower part and outward normal; A: where o meets the moving axis; T: end of the
+    sliding line; P: platform point; q: P from the reference point. spin: from y to the axis on the upper
+    part. of_tip: distance of T along o. U: frame of the upper part. y_w, k_w, o_w: both axes of a universal
+    platform joint and their normal, None with spherical ones.
+    """
+
+    q: Array
+    P: Array
+    T: Array
+    A: Array
+    y: Array
+    s: Array
+    z: Array
+    o: Array
+    L: Array
+    of_tip: Array
+    spin: Array
+    U: Array
+    y_w: Array | None = None
+    k_w: Array | None = None
+    o_w: Array | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class JointMotion:
+    """How the joints move.
+
+    rates, accelerations: of the joints, (..., 6, n), n 3 or 6; None without the platform's. J: velocity of
+    the end by the joints, (..., 6, n, n). G: rates by the platform's twist [v; omega], (..., 6, n, 6).
+    """
+
+    at: Chains
+    rates: Array
+    accelerations: Array | None
+    J: Array
+    G: Array
+
+
+def joint_motion(robot: Robot, motion: Motion) -> JointMotion:
+    """Rates and accelerations of the joints; NaN where the offsets leave no solution."""
+    offsets, at = offsets_of(robot), chains(robot, motion)
+    omega = motion.omega[..., None, :]
+    J = jacobian(robot, at)
+    bad = ~np.isfinite(J).all(axis=(-2, -1)) | (np.linalg.slogdet(np.nan_to_num(J))[0] == 0.0)
+    inverse = np.linalg.inv(np.where(bad[..., None, None], np.eye(J.shape[-1]), J))
+    inverse[bad] = np.nan
+    X = np.zeros((*at.P.shape[:-1], J.shape[-1], 6))
+    X[..., :3, :3], X[..., :3, 3:] = np.eye(3), -_skew(at.q)
+    if offsets.spins:
+        X[..., 3:, 3:] = np.eye(3)
+    rates = _mul(inverse, _with_turn(offsets, motion.v[..., None, :] + _cross(omega, at.q), omega))
+    if motion.a is None or motion.alpha is None:
+        return JointMotion(at, rates, None, J, inverse @ X)
+    alpha = motion.alpha[..., None, :]
+    quick = motion.a[..., None, :] + _swung(omega, alpha, at.q)
+    drift = motion_of_end(robot, at, rates, np.zeros_like(rates))
+    return JointMotion(at, rates, _mul(inverse, _with_turn(offsets, quick, alpha) - drift), J, inverse @ X)
+
+
+def _with_turn(offsets: Offsets, vector: Array, turn: Array) -> Array:
+    """Motion of the end of a leg: of the platform point, and of U-C-U legs of the platform as a body."""
+    if not offsets.spins:
+        return vector
+    return np.concatenate([vector, np.broadcast_to(turn, vector.shape)], axis=-1)
+
+
+def lead_share(robot: Robot) -> Array:
+    """Change of length for a turn of the upper part by 1 rad while the motor rests, m, (6,), less its sign.
+
+    Zero where nothing turns, and where no lead is stated: the motor then sees lengths alone.
+    """
+    if robot.drive is None or not offsets_of(robot).spins:
+        return np.zeros(6)
+    return np.asarray(robot.drive.lead / (2.0 * math.pi))
+
+
+def motor_motion(robot: Robot, joints: Array) -> Array:
+    """Turns of the motors, rad and its rates, (..., 6), by those of the joints, (..., 6, n): N L + spin.
+
+    Needs a robot with a drive.
+    """
+    assert robot.drive is not None
+    turned = robot.drive.turns * joints[..., SLIDING]
+    return np.asarray(turned + joints[..., SPIN] if joints.shape[-1] > SPIN else turned)
+
+
+def actuated(robot: Robot, joints: int) -> Array:
+    """Power of a unit force of the actuators by the rates of the joints, (6, n): along s, and about it."""
+    column = np.zeros((6, joints))
+    column[:, SLIDING] = 1.0
+    if joints > SPIN:
+        column[:, SPIN] = lead_share(robot)
+    return column
+
+
+def columns_of_H(robot: Robot, G: Array) -> Array:
+    """H, (..., 6, 6): its transpose takes the platform's twist to the rates that the actuators see."""
+    column = np.broadcast_to(actuated(robot, G.shape[-2]), G.shape[:-1])
+    return np.swapaxes(np.einsum("...ij,...ijk->...ik", column, G), -1, -2)
+
+
+def codes(robot: Robot, motion: Motion) -> Codes:
+    """What is wrong with each leg of each pose, (..., 6); H is not looked at."""
+    with np.errstate(all="ignore"):
+        return codes_of(robot, motion, chains(robot, motion))
+
+
+def chains(robot: Robot, motion: Motion) -> Chains:
+    """Where the joints of every pose are; NaN where the offsets leave no solution."""
+    offsets = offsets_of(robot)
+    q = _mul(motion.R[..., None, :, :], robot.p)
+    P = motion.t[..., None, :] + q - robot.b
+    if not offsets.spins:
+        return _lower(robot, offsets, q, P, P)
+    k_w = _mul(motion.R[..., None, :, :], offsets.platform_axis)
+    w = offsets.wrist[:, None]
+    T, o_w = P, np.zeros_like(P)
+    # Each step brings the end of the leg nearer by the wrist's share of the leg's length.
+    for _ in range(_MOST_STEPS):
+        at = _lower(robot, offsets, q, P, T)
+        y_w = _cross(k_w, at.s)
+        y_w = y_w / np.sqrt(_dot(y_w, y_w))
+        o_w = _cross(y_w, k_w)
+        step = np.abs(P - w * o_w - T).max(axis=-1, keepdims=True)
+        moved = step > _SETTLED * np.abs(P).max(axis=-1, keepdims=True)
+        if not moved.any():
+            break
+        T = P - w * o_w
+    else:
+        at = _lower(robot, offsets, q, P, np.where(moved, np.nan, T))
+    spin = np.arctan2(_dot(at.z, y_w), _dot(at.y, y_w))
+    U = np.stack([at.s, y_w, _cross(at.s, y_w)], axis=-1)
+    return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w, "o_w": o_w})
+
+
+def _lower(robot: Robot, offsets: Offsets, q: Array, P: Array, T: Array) -> Chains:
+    """The lower part from the end T of the line of sliding: of the solutions, o towards T and s outward."""
+    k = np.broadcast_to(robot.k, T.shape)
+    a, d, e = (x[:, None] for x in (offsets.cross, offsets.across, offsets.along))
+    zeta, normal = _dot(k, T), _cross(k, T)
+    rho2 = _dot(normal, normal)
+    of_tip = np.sqrt(rho2 - e * e)
+    y = (of_tip * normal + e * (T - zeta * k)) / rho2
+    o = _cross(y, k)
+    out = of_tip - a
+    L = np.sqrt(out * out + zeta * zeta - d * d)
+    beside = T - a * o - e * y
+    s = (L * beside - d * _cross(beside, y)) / (L * L + d * d)
+    z = _cross(s, y)
+    U = np.stack([s, y, z], axis=-1)
+    return Chains(q, P, T, a * o, y, s, z, o, L, of_tip, np.zeros_like(L), U)
+
+
+def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
+    """The same of chains that are known."""
+    reach = np.max(
+        np.abs(np.broadcast_arrays(at.q, motion.t[..., None, :], robot.b)), axis=(0, -1), keepdims=False
+    )[..., None]
+    known = np.isfinite(at.P).all(axis=-1, keepdims=True)
+    code = np.where(ROUNDING * reach >= at.L, ZERO_LENGTH, OK)
+    # Near the least distance from the fixed axis the square of of_tip is known to rounding, not itself.
+    beside = offsets_of(robot).along[:, None] ** 2
+    share = at.of_tip / at.L * (at.of_tip**2 / (at.of_tip**2 + beside))
+    code = np.where((code == OK) & ~(share > ROUNDING), JOINT_SINGULAR, code)
+    lost = ~(np.isfinite(at.L) & np.isfinite(at.U).all(axis=-1).all(axis=-1, keepdims=True))
+    meets = np.sqrt(_dot(_cross(robot.k, at.P), _cross(robot.k, at.P))) <= ROUNDING * reach
+    # Without a distance from the fixed axis there is no direction: the same as in legs without offsets.
+    along_axis = meets & (offsets_of(robot).along[:, None] == 0.0)
+    code = np.where(lost, np.where(along_axis, JOINT_SINGULAR, UNREACHABLE), code)
+    return np.where(known, code, NOT_FINITE)[..., 0].astype(np.int32)
+
+
+def jacobian(robot: Robot, at: Chains) -> Array:
+    """Velocity of the platform point, and of U-C-U legs the platform's angular velocity, by the joints."""
+    k = np.broadcast_to(robot.k, at.s.shape)
+    v = [_cross(k, at.P), _cross(at.y, at.P - at.A), at.s]
+    if at.y_w is None or at.k_w is None:
+        return np.stack(v, axis=-1)
+    none = np.zeros_like(at.s)
+    v += [_cross(at.s, at.P - at.T), _cross(at.y_w, at.P - at.T), none]
+    turns = [k, at.y, none, at.s, at.y_w, at.k_w]
+    return np.concatenate([np.stack(v, axis=-1), np.stack(turns, axis=-1)], axis=-2)
+
+
+def motion_of_end(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Array:
+    """Acceleration of the platform point, and of U-C-U legs the platform's angular one, by the joints'."""
+    lower, upper = lower_motion(robot, at, rates, seconds), upper_motion(robot, at, rates, seconds)
+    if at.y_w is None or at.k_w is None:
+        return upper.a + 0.0 * lower.a
+    turn = rates[..., 4, None] * at.y_w
+    omega = upper.omega + turn
+    alpha = upper.alpha + seconds[..., 4, None] * at.y_w + _cross(upper.omega, turn)
+    a = upper.a + _swung(omega, alpha, at.P - at.T)
+    last = rates[..., 5, None] * at.k_w
+    return np.concatenate([a, alpha + seconds[..., 5, None] * at.k_w + _cross(omega, last)], axis=-1)
+
+
+@dataclass(frozen=True, eq=False)
+class Moving:
+    """Motion of a part: angular velocity and acceleration; velocity and acceleration of one of its points."""
+
+    omega: Array
+    alpha: Array
+    v: Array
+    a: Array
+
+
+def cross_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
+    """Of the cross, and where o meets the moving axis."""
+    omega, alpha = rates[..., 0, None] * robot.k, seconds[..., 0, None] * robot.k
+    return Moving(omega, alpha, _cross(omega, at.A), _swung(omega, alpha, at.A))
+
+
+def lower_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
+    """Of the lower part, and of that point."""
+    cross = cross_motion(robot, at, rates, seconds)
+    turn = rates[..., 1, None] * at.y
+    alpha = cross.alpha + seconds[..., 1, None] * at.y + _cross(cross.omega, turn)
+    return Moving(cross.omega + turn, alpha, cross.v, cross.a)
+
+
+def upper_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
+    """Of the upper part, and of the end of the leg."""
+    lower = lower_motion(robot, at, rates, seconds)
+    r, slide = at.T - at.A, rates[..., 2, None] * at.s
+    v = lower.v + _cross(lower.omega, r) + slide
+    a = lower.a + _swung(lower.omega, lower.alpha, r) + 2 * _cross(lower.omega, slide)
+    a = a + seconds[..., 2, None] * at.s
+    if at.y_w is None:
+        return Moving(lower.omega, lower.alpha, v, a)
+    turn = rates[..., SPIN, None] * at.s
+    alpha = lower.alpha + seconds[..., SPIN, None] * at.s + _cross(lower.omega, turn)
+    return Moving(lower.omega + turn, alpha, v, a)
+
+
+def offsets_of(robot: Robot) -> Offsets:
+    """Those of the robot, zeros where it has none."""
+    return Offsets() if robot.offsets is None else robot.offsets
+
+
+def _swung(omega: Array, alpha: Array, r: Array) -> Array:
+    """Acceleration of a point of a body against another of its points."""
+    return _cross(alpha, r) + _cross(omega, _cross(omega, r))
+
+
+def _skew(v: Array) -> Array:
+    x, y, z = v[..., 0], v[..., 1], v[..., 2]
+    o = np.zeros_like(x)
+    rows = [np.stack(row, axis=-1) for row in ((o, -z, y), (z, o, -x), (-y, x, o))]
+    return np.stack(rows, axis=-2)
+
+
+def _dot(a: Array, b: Array) -> Array:
+    return np.asarray(np.sum(a * b, axis=-1, keepdims=True))
+
+
+def _cross(a: Array, b: Array) -> Array:
+    return np.cross(a, b)
+
+
+def _mul(A: Array, v: Array) -> Array:
+    return np.asarray((A @ v[..., None])[..., 0])
+
+
+def _transpose(A: Array) -> Array:
+    return np.swapaxes(A, -1, -2)

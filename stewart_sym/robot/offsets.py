@@ -1,0 +1,110 @@
+"""Offset joints of the legs: axes that miss each other, a platform joint of two axes, the joint's cross."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, fields
+from typing import Any
+
+import numpy as np
+
+from ..io import tables
+from ..io.array_types import Array
+from ..io.frozen import Frozen
+from .fields import LEGS, direction
+
+PLATFORM_JOINTS = ("spherical", "universal")
+
+
+@dataclass(frozen=True, eq=False)
+class Offsets(Frozen):
+    """By how much the axes and the line of sliding of each leg miss each other.  SI units; read-only arrays.
+
+    From the base point the fixed axis k, the moving axis y at a right angle to it, and the line of sliding
+    along s at a right angle to y. o = y x k points from the fixed axis towards the platform; z = s x y. The
+    end of the leg lies at S = cross o + along y + across z + L s from the base point. Frame D of the lower
+    part has its origin where o meets the moving axis, frame U of the upper part at the end of the leg. Zeros
+    are the ordinary leg.
+
+    Attributes
+    ----------
+    cross : ndarray, optional
+        From the fixed to the moving axis, along their common normal o, m, (6,).
+    along, across : ndarray, optional
+        From where o meets the moving axis to the line of sliding, along y and along z, m, (6,).
+    platform_joint : str, optional
+        ``"spherical"``, or ``"universal"`` for a joint of two axes on a leg whose upper part turns about s in
+        the lower one: the first axis is on the upper part at a right angle to s, the second on the platform.
+    platform_axis : ndarray, optional
+        Unit vectors along the second axes, platform frame, (6, 3); zeros with spherical joints.
+    wrist : ndarray, optional
+        From the first to the second axis of a universal platform joint along their common normal, positive
+        away from the base, m, (6,).
+    cross_mass : ndarray, optional
+        Mass of the body between fixed and moving axis, kg, (6,).
+    cross_center : ndarray, optional
+        Its centre of mass from the base point along o, y and k, m, (6, 3).
+    cross_inertia : ndarray, optional
+        Its inertia about the line along k through its centre of mass, kg m^2, (6,).
+
+    Raises
+    ------
+    ValueError
+        Naming the field.
+    """
+
+    cross: Array = field(default_factory=lambda: np.zeros(LEGS))
+    along: Array = field(default_factory=lambda: np.zeros(LEGS))
+    across: Array = field(default_factory=lambda: np.zeros(LEGS))
+    platform_joint: str = "spherical"
+    platform_axis: Array = field(default_factory=lambda: np.zeros((LEGS, 3)))
+    wrist: Array = field(default_factory=lambda: np.zeros(LEGS))
+    cross_mass: Array = field(default_factory=lambda: np.zeros(LEGS))
+    cross_center: Array = field(default_factory=lambda: np.zeros((LEGS, 3)))
+    cross_inertia: Array = field(default_factory=lambda: np.zeros(LEGS))
+
+    def __post_init__(self) -> None:
+        """Check every field."""
+        tables.choice(self.platform_joint, PLATFORM_JOINTS, "platform_joint")
+        found = {name: tables.numbers(getattr(self, name), shape, name) for name, shape in SHAPES.items()}
+        for name in ("cross_mass", "cross_inertia"):
+            for i in range(LEGS):
+                tables.not_negative(found[name][i], f"{name}: leg {i + 1}")
+        if self.platform_joint == "universal":
+            axes = found["platform_axis"]
+            found["platform_axis"] = np.array(
+                [direction(axes[i], f"platform_axis: leg {i + 1}") for i in range(LEGS)]
+            )
+        elif found["platform_axis"].any() or found["wrist"].any():
+            raise ValueError(
+                'platform_joint: expected "universal" beside platform_axis and wrist, got "spherical"'
+            )
+        self._set(found)
+
+    @property
+    def spins(self) -> bool:
+        """Whether the upper parts turn about s in the lower ones."""
+        return self.platform_joint == "universal"
+
+    def scaled(self, length: float, mass: float) -> Offsets:
+        """The same of a machine whose lengths and masses are multiplied by factors."""
+        powers = dict.fromkeys(("cross", "along", "across", "wrist", "cross_center"), (1, 0))
+        powers |= {"cross_mass": (0, 1), "cross_inertia": (2, 1), "platform_axis": (0, 0)}
+        changed = {
+            name: getattr(self, name) * (length ** powers[name][0] * mass ** powers[name][1])
+            for name in powers
+        }
+        return Offsets(platform_joint=self.platform_joint, **changed)
+
+
+SHAPES: dict[str, tuple[int, ...]] = {
+    each.name: (LEGS, 3) if each.name in ("platform_axis", "cross_center") else (LEGS,)
+    for each in fields(Offsets)
+    if each.name != "platform_joint"
+}
+"""Arrays of ``Offsets``, with their shapes."""
+
+
+def need_no_offsets(robot: Any) -> None:
+    """Reject, by ValueError, a robot with offset joints: what is computed is of legs whose axes meet."""
+    if getattr(robot, "offsets", None) is not None:
+        raise ValueError("robot: offsets: expected none, since this is for legs whose axes meet alone")

@@ -1,0 +1,101 @@
+"""Kinematics of machines with offset joints: rates, poses of lengths and of motors' angles."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from machines import PLATFORM_JOINTS, machine_size, offset_case, path_period, random_path
+
+import stewart_sym as ss
+
+
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_rates_are_derivatives_along_a_path(joint: str) -> None:
+    robot, _ = offset_case(0, joint, screws=True)
+    path, h = random_path(np.random.default_rng(0), robot), 1e-5 * path_period(robot)
+    before, now, after = (path(np.array([0.3 * path_period(robot) + step])) for step in (-h, 0.0, h))
+    legs, motors = ss.inverse_kinematics(robot, now), ss.motor_angles(robot, now)
+    pairs = {"L": ("L_dot", "L_ddot"), "L_dot": ("L_ddot", "")}
+    for name, (rate, _) in pairs.items():
+        change = getattr(ss.inverse_kinematics(robot, after), name) - getattr(
+            ss.inverse_kinematics(robot, before), name
+        )
+        wanted = getattr(legs, rate)
+        np.testing.assert_allclose(change / (2 * h), wanted, rtol=0, atol=1e-6 * np.abs(wanted).max())
+    for name, rate in (("angle", "rate"), ("rate", "acceleration")):
+        one, other = (getattr(ss.motor_angles(robot, at), name) for at in (after, before))
+        wanted = getattr(motors, rate)
+        np.testing.assert_allclose((one - other) / (2 * h), wanted, rtol=0, atol=1e-6 * np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_poses_come_back_from_lengths_and_from_motors(joint: str) -> None:
+    for seed in range(8):
+        robot, motion = offset_case(seed, joint, (3,), screws=True)
+        size = machine_size(robot)
+        legs = ss.inverse_kinematics(robot, motion)
+        near = (motion.R, motion.t + 0.02 * size)
+        found = ss.forward_kinematics(robot, legs.L, guess=near)
+        np.testing.assert_allclose(found.R, motion.R, atol=1e-12)
+        np.testing.assert_allclose(found.t, motion.t, atol=1e-12 * size)
+        first = ss.forward_kinematics(robot, legs.L)
+        lengths = ss.inverse_kinematics(robot, ss.Motion(first.R, first.t, 0 * first.t, 0 * first.t)).L
+        np.testing.assert_allclose(lengths, legs.L, atol=1e-12 * size)
+        angle = ss.motor_angles(robot, motion, L_0=0.9 * legs.L[0]).angle
+        R, t = ss.pose_of_motors(robot, angle, near, L_0=0.9 * legs.L[0])
+        np.testing.assert_allclose(R, motion.R, atol=1e-11)
+        np.testing.assert_allclose(t, motion.t, atol=1e-11 * size)
+
+
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_velocities_and_accelerations_come_back(joint: str) -> None:
+    robot, motion = offset_case(3, joint, (4,))
+    legs = ss.inverse_kinematics(robot, motion)
+    found = ss.forward_velocity(robot, motion.R, motion.t, legs.L_dot)
+    np.testing.assert_allclose(found.v, motion.v, rtol=1e-10)
+    np.testing.assert_allclose(found.omega, motion.omega, rtol=1e-10)
+    second = ss.forward_acceleration(robot, motion.R, motion.t, motion.v, motion.omega, legs.L_ddot)
+    np.testing.assert_allclose(second.a, motion.a, rtol=1e-9)
+    np.testing.assert_allclose(second.alpha, motion.alpha, rtol=1e-9)
+
+
+def test_the_spin_of_the_upper_part_is_what_lengths_do_not_show() -> None:
+    robot, motion = offset_case(1, "universal", screws=True)
+    legs, motors = ss.inverse_kinematics(robot, motion), ss.motor_angles(robot, motion)
+    spin = motors.angle - robot.drive.turns * legs.L
+    assert np.abs(spin).min() > 1e-4
+    assert np.abs(spin).max() < np.pi
+    keyed, motion = offset_case(1, "spherical", screws=True)
+    legs, motors = ss.inverse_kinematics(keyed, motion), ss.motor_angles(keyed, motion)
+    np.testing.assert_array_equal(motors.rate, keyed.drive.turns * legs.L_dot)
+
+
+def test_ordinary_legs_have_motors_too() -> None:
+    robot, motion = offset_case(2, screws=True)
+    plain = dataclasses.replace(robot, offsets=None)
+    legs, motors = ss.inverse_kinematics(plain, motion), ss.motor_angles(plain, motion)
+    np.testing.assert_allclose(motors.angle, robot.drive.turns * legs.L, rtol=1e-13)
+    np.testing.assert_allclose(motors.acceleration, robot.drive.turns * legs.L_ddot, rtol=1e-9)
+
+
+def test_what_cannot_be_found_is_said() -> None:
+    robot, motion = offset_case(0, screws=True)
+    with pytest.raises(ValueError, match="L: "):
+        ss.forward_kinematics(robot, np.full(6, 50 * machine_size(robot)), guess=(motion.R, motion.t))
+    without, motion = offset_case(0)
+    with pytest.raises(ValueError, match="drive: expected one"):
+        ss.motor_angles(without, motion)
+    with pytest.raises(ValueError, match="angle: no pose"):
+        ss.pose_of_motors(robot, np.full(6, 1e5), (motion.R, motion.t))
+
+
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_the_effort_of_the_drives_is_of_the_motors_speed(joint: str) -> None:
+    robot, motion = offset_case(4, joint, (3,), screws=True)
+    effort, motors = ss.drive_effort(robot, motion), ss.motor_angles(robot, motion)
+    np.testing.assert_allclose(effort.speed, motors.rate, rtol=1e-11)
+    F = ss.inverse_dynamics(robot, motion).F
+    np.testing.assert_allclose(effort.torque, F / robot.drive.turns, rtol=1e-12)
+    heavier = dataclasses.replace(robot.drive, rotor_inertia=2 * robot.drive.rotor_inertia)
+    found = ss.drive_effort(dataclasses.replace(robot, drive=heavier), motion)
+    np.testing.assert_allclose(found.rotor, 2 * effort.rotor, rtol=1e-11)

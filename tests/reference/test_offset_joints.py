@@ -1,0 +1,282 @@
+"""Legs with offset joints: against Pinocchio's chains, the work-energy theorem and the ordinary kernels."""
+
+import dataclasses
+from functools import cache
+
+import numpy as np
+import pytest
+from machines import (
+    PLATFORM_JOINTS,
+    machine_size,
+    offset_case,
+    offsets_of,
+    path_period,
+    random_motion,
+    random_path,
+    random_robot,
+)
+from pinocchio_offsets import Answer, pinocchio_offsets
+
+import stewart_sym as ss
+from stewart_sym.backend.kernel import OFFSET_KERNEL
+from stewart_sym.generated import exact_offset_operations
+from stewart_sym.motion.motion import Motion
+from stewart_sym.reference import newton_euler, offset_joints
+from stewart_sym.results import JOINT_SINGULAR, OK, SINGULAR, UNREACHABLE, ZERO_LENGTH
+from stewart_sym.robot.robot import Robot
+
+RELATIVE, ENERGY = 1e-10, 1e-12
+MACHINES = range(40)
+EPS = float(np.finfo(np.float64).eps)
+
+
+@cache
+def _case(seed: int, joint: str) -> tuple[Robot, Motion, Answer]:
+    robot, motion = offset_case(seed, joint)
+    return robot, motion, pinocchio_offsets(robot, motion)
+
+
+def _error(found: object, wanted: np.ndarray) -> float:
+    return float(np.abs(np.asarray(found) - wanted).max() / np.abs(wanted).max())
+
+
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_forces_and_reactions_agree_with_pinocchio(joint: str) -> None:
+    for seed in MACHINES:
+        robot, motion, truth = _case(seed, joint)
+        forces, reactions = ss.inverse_dynamics(robot, motion), ss.joint_reactions(robot, motion)
+        assert _error(forces.F, truth.F) < RELATIVE, seed
+        for name in ("F_s", "F_u", "F_p", "M_u"):
+            assert _error(getattr(reactions, name), getattr(truth, name)) < RELATIVE, (seed, name)
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_the_kernel_agrees_with_pinocchio(backend: str) -> None:
+    for seed in MACHINES:
+        robot, motion, truth = _case(seed, "spherical")
+        if backend == "c":
+            F = ss.prepare(robot).forces(motion)
+        else:
+            parts = {name: getattr(motion, name) for name in ("R", "t", "omega", "v", "alpha", "a")}
+            F = ss.array_kernel(robot, np).forces(**parts, F_ext=motion.F_ext, M_ext=motion.M_ext).F
+        assert _error(F, truth.F) < RELATIVE, seed
+
+
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_lengths_and_spins_with_their_rates_agree_with_pinocchio(joint: str) -> None:
+    for seed in MACHINES:
+        robot, motion, truth = _case(seed, joint)
+        legs = ss.inverse_kinematics(robot, motion)
+        moving = offset_joints.legs(robot, motion).moving
+        found = {"L": legs.L, "L_dot": legs.L_dot, "L_ddot": legs.L_ddot}
+        if joint == "universal":
+            found |= {"spin": moving.at.spin[..., 0], "spin_dot": moving.rates[..., 3]}
+            found["spin_ddot"] = moving.accelerations[..., 3]
+        for name, value in found.items():
+            assert _error(value, getattr(truth, name)) < RELATIVE, (seed, name)
+
+
+def test_a_screw_that_turns_the_upper_part_agrees_with_pinocchio() -> None:
+    for seed in range(10):
+        robot, motion = offset_case(seed, "universal", screws=True)
+        bare = dataclasses.replace(robot, drive=dataclasses.replace(robot.drive, rotor_inertia=0.0))
+        truth = pinocchio_offsets(bare, motion, robot.drive.lead)
+        assert _error(ss.inverse_dynamics(bare, motion).F, truth.F) < RELATIVE, seed
+        other = pinocchio_offsets(bare, motion)
+        assert _error(other.F, truth.F) > 1e-4, seed
+
+
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_without_offsets_all_is_as_in_ordinary_legs(joint: str) -> None:
+    for seed in range(20):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng)
+        motion = random_motion(rng, robot, (4,))
+        with_zeros = dataclasses.replace(robot, offsets=ss.Offsets())
+        fast = ss.prepare(with_zeros).forces(motion) - ss.prepare(robot).forces(motion)
+        forces, plain = ss.inverse_dynamics(with_zeros, motion), ss.inverse_dynamics(robot, motion)
+        assert np.all(np.abs(fast) <= 100 * EPS * np.abs(plain.F).max(axis=-1, keepdims=True)), seed
+        for name in ("F", "D", "x", "K", "H", "c"):
+            assert _error(getattr(forces, name), getattr(plain, name)) < 1e-13, (seed, name)
+        found, wanted = (
+            ss.joint_reactions(with_zeros, motion, bearing=0.1),
+            ss.joint_reactions(robot, motion, bearing=0.1),
+        )
+        for name in ("F_s", "F_u", "F_p", "F_c", "M_p", "M_u"):
+            assert _error(getattr(found, name), getattr(wanted, name)) < 1e-12, (seed, name)
+
+
+def test_offsets_that_are_left_out_change_the_forces() -> None:
+    robot, motion, truth = _case(0, "spherical")
+    for name in ("cross", "along", "across", "cross_mass", "cross_inertia"):
+        without = dataclasses.replace(robot.offsets, **{name: np.zeros(6)})
+        changed = ss.prepare(dataclasses.replace(robot, offsets=without)).forces(motion)
+        assert _error(changed, truth.F) > 1e-6, name
+
+
+@pytest.mark.parametrize("screws", [False, True], ids=["", "rotors"])
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_work_is_energy(joint: str, screws: bool) -> None:
+    nodes, weights = np.polynomial.legendre.leggauss(24)
+    for seed in range(3):
+        rng = np.random.default_rng(seed)
+        robot, _ = offset_case(seed, joint, screws=screws)
+        path, breaks = random_path(rng, robot), np.linspace(0, 0.7 * path_period(robot), 9)
+        half = np.diff(breaks)[:, None] / 2
+        motion = path((breaks[:-1, None] + half * (nodes + 1)).ravel())
+        F = ss.inverse_dynamics(robot, motion).F
+        if joint == "spherical":
+            np.testing.assert_allclose(
+                ss.prepare(robot).forces(motion), F, rtol=0, atol=1e-12 * np.abs(F).max()
+            )
+        twist = np.concatenate([motion.v, motion.omega], axis=-1)
+        speed = np.einsum("...ji,...j->...i", ss.wrench_matrix(robot, motion), twist)
+        powers = {
+            "actuators": np.sum(F * speed, axis=-1),
+            "load": newton_euler.external_power(robot, motion),
+            "friction": -offset_joints.friction_power(robot, motion),
+        }
+        over = (half * weights).ravel()
+        turnover = sum(float(over @ np.abs(power)) for power in powers.values())
+        gain = np.diff(offset_joints.energy(robot, path(breaks[[0, -1]])))[0]
+        mismatch = sum(float(over @ power) for power in powers.values()) - gain
+        assert abs(mismatch) < ENERGY * turnover, seed
+        assert powers["friction"].max() < 0
+
+
+@pytest.mark.parametrize("joint", PLATFORM_JOINTS)
+def test_equations_of_motion_and_forward_dynamics_undo_inverse_dynamics(joint: str) -> None:
+    robot, motion = offset_case(7, joint, (3,))
+    forces = ss.inverse_dynamics(robot, motion)
+    e = ss.equations_of_motion(robot, motion)
+    acceleration = np.concatenate([motion.a, motion.alpha], axis=-1)
+    needed = np.einsum("...ij,...j->...i", e.M, acceleration) + e.bias
+    given = np.einsum("...ij,...j->...i", forces.H, forces.F) + motion.external_wrench()
+    assert _error(given, needed) < 1e-12
+    assert _error(ss.forward_dynamics(robot, motion, F=forces.F).a, motion.a) < 1e-11
+    assert np.abs(e.M - np.swapaxes(e.M, -1, -2)).max() < 1e-12 * np.abs(e.M).max()
+
+
+def test_one_pose_and_a_batch_agree_and_threads_as_well() -> None:
+    robot, motion = offset_case(3, "spherical", (19,))
+    kernel = ss.prepare(robot)
+    F = kernel.forces(motion)
+    for i in (0, 7, 18):
+        np.testing.assert_array_equal(kernel.forces(motion[i]), F[i])
+
+
+def test_float_has_the_digits_of_float() -> None:
+    robot, motion = offset_case(4, "spherical", (8,))
+    F = ss.prepare(robot, precision="float").forces(motion)
+    assert _error(F, ss.prepare(robot).forces(motion)) < 1e-3
+
+
+def test_operations_are_stated() -> None:
+    robot, _ = offset_case(0)
+    counts = exact_offset_operations.OPERATIONS
+    assert (counts["friction"], counts["frictionless"]) == (2890, 2680)
+    from stewart_sym.backend import fidelity
+
+    assert fidelity.operations(robot) == counts["friction"]
+    assert fidelity.force_kernel_name(robot, "exact", "general") == OFFSET_KERNEL
+
+
+# ---------------------------------------------------------------- statuses
+
+
+def _bare(**offsets: float) -> Robot:
+    robot = random_robot(np.random.default_rng(1), scale=1.0)
+    every = {name: np.full(6, value) for name, value in offsets.items()}
+    return dataclasses.replace(robot, offsets=ss.Offsets(**every))
+
+
+def _tip_of_leg_1(robot: Robot, tip: np.ndarray) -> Motion:
+    """The platform level, so that leg 1 goes from its base point by ``tip``."""
+    none = np.zeros(3)
+    return Motion(np.eye(3), robot.b[0] + tip - robot.p[0], none, none, none, none)
+
+
+@pytest.mark.parametrize(
+    ("name", "offsets", "along", "out", "status"),
+    [
+        ("nearer the axis than along", {"along": 0.2}, 0.5, 0.1, UNREACHABLE),
+        ("nearer than across", {"across": 0.3}, 0.1, 0.2, UNREACHABLE),
+        ("on the axis", {"cross": 0.2}, 0.4, 0.0, JOINT_SINGULAR),
+        ("r = 0", {"along": 0.2}, 0.5, 0.2, JOINT_SINGULAR),
+        ("no length", {"cross": 0.2}, 0.0, 0.2, ZERO_LENGTH),
+    ],
+    ids=str,
+)
+def test_what_is_wrong_with_a_leg(
+    name: str, offsets: dict[str, float], along: float, out: float, status: int
+) -> None:
+    robot = _bare(**offsets)
+    k = robot.k[0]
+    across = np.cross(k, np.eye(3)[np.argmin(np.abs(k))])
+    motion = _tip_of_leg_1(robot, along * k + out * across / np.linalg.norm(across))
+    # To rounding a tip at a limit may lie beyond it.
+    status_set = {status, *([UNREACHABLE] if name in ("r = 0", "no length") else [])}
+    found = ss.inverse_dynamics(robot, motion, on_singular="nan")
+    assert int(found.status) in status_set
+    assert np.isnan(found.F).all()
+    assert int(ss.prepare(robot).status(motion)) in {*status_set, SINGULAR}
+    with pytest.raises(ValueError, match=r"leg 1"):
+        ss.inverse_dynamics(robot, motion)
+    with pytest.raises(ValueError, match=r"leg 1"):
+        ss.inverse_kinematics(robot, motion)
+
+
+def test_of_the_solutions_the_outward_one_is_taken() -> None:
+    for seed in range(10):
+        robot, motion = offset_case(seed, "spherical")
+        at = offset_joints.legs(robot, motion).at
+        assert (at.of_tip > 0).all()
+        assert (at.L > 0).all()
+        k, o, y, s = robot.k, at.o, at.y, at.s
+        np.testing.assert_allclose(np.einsum("ij,ij->i", k, y), 0, atol=1e-14)
+        np.testing.assert_allclose(np.einsum("ij,ij->i", s, y), 0, atol=1e-14)
+        offsets = robot.offsets
+        S = (
+            offsets.cross[:, None] * o
+            + offsets.along[:, None] * y
+            + offsets.across[:, None] * at.z
+            + at.L * s
+        )
+        np.testing.assert_allclose(S, at.P, atol=1e-13 * machine_size(robot))
+
+
+def test_bad_poses_do_not_touch_their_neighbours() -> None:
+    robot, motion = offset_case(5, "spherical", (20,))
+    good = ss.prepare(robot).forces(motion)
+    t = motion.t.copy()
+    far = robot.b[2] - motion.R[6] @ robot.p[2]
+    t[6] = far
+    bad = Motion(motion.R, t, motion.omega, motion.v, motion.alpha, motion.a, motion.F_ext, motion.M_ext)
+    F, status = ss.prepare(robot).forces_and_status(bad)
+    assert status[6] != OK
+    keep = np.arange(20) != 6
+    np.testing.assert_array_equal(F[keep], good[keep])
+
+
+def test_the_offsets_of_a_machine_scale_with_it() -> None:
+    robot, motion = offset_case(2)
+    units = ss.Units.of(robot)
+    F = ss.prepare(units.robot(robot)).forces(units.motion(motion))
+    np.testing.assert_allclose(units.forces(F), ss.prepare(robot).forces(motion), rtol=1e-11)
+
+
+def test_offsets_are_checked() -> None:
+    rng = np.random.default_rng(0)
+    robot = random_robot(rng)
+    with pytest.raises(ValueError, match="cross: expected"):
+        ss.Offsets(cross=np.zeros(5))
+    with pytest.raises(ValueError, match="cross_mass: leg 2"):
+        ss.Offsets(cross_mass=[0, -1, 0, 0, 0, 0])
+    with pytest.raises(ValueError, match="platform_joint"):
+        ss.Offsets(wrist=np.ones(6))
+    with pytest.raises(ValueError, match="platform_axis"):
+        ss.Offsets(platform_joint="universal")
+    spherical = random_robot(rng, base_joint="spherical")
+    with pytest.raises(ValueError, match="offsets"):
+        dataclasses.replace(spherical, offsets=ss.Offsets())
+    assert offsets_of(rng, robot).cross.flags.writeable is False
