@@ -29,6 +29,8 @@ SUBCOMMANDS = {
     "check": "machine.check",
     "forces": "machine.forces",
     "singularities": "machine.singularities",
+    "workspace": "machine.workspace",
+    "size": "machine.size",
     "simulate": "machine.simulate",
     "control": "studies.control",
     "controller": "studies.controller",

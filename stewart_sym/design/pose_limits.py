@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass, field
 
@@ -196,9 +197,16 @@ class PoseExaminer(Frozen):
         return rows
 
     def _conditions_kept(self, q: Array, S: Array, L: Array) -> Flags:
-        rows = self._rows(q, S, L)
+        rows, most = self._rows(q, S, L), self.limits.condition
         kept = np.sign(np.linalg.det(rows)) == self.side
-        kept[kept] = scaled_condition_number(rows[kept], 1.0) <= self.limits.condition
+        rows = rows[kept]
+        # In Frobenius' norm the condition number is no less, and no more than six times as large.
+        norms = (np.sqrt(np.einsum("nij,nij->n", one, one)) for one in (rows, np.linalg.inv(rows)))
+        near = functools.reduce(np.multiply, norms)
+        good = near <= most
+        open_ = ~good & (near <= 7.0 * most)
+        good[open_] = scaled_condition_number(rows[open_], 1.0) <= most
+        kept[kept] = good
         return np.asarray(kept)
 
     def _forces_kept(self, R: Array, t: Array) -> Flags:

@@ -42,16 +42,29 @@ def leg_distances(robot: Robot, motion: Motion) -> Array:
 
 def distances_of(b: Array, S: Array) -> Array:
     """The same, (..., 15), of base points (6, 3) and leg vectors (..., 6, 3)."""
-    # Lines b_i + x S_i and b_j + y S_j: the squared distance is a quadratic form in x and y.
-    apart = b[_ONE] - b[_OTHER]
-    one, other = S[..., _ONE, :], S[..., _OTHER, :]
-    ii, jj, ij = _dot(one, one), _dot(other, other), _dot(one, other)
-    i, j = _dot(one, apart), _dot(other, apart)
+    # Component by component: many times as fast as on arrays whose last axis has three numbers.
+    legs = np.ascontiguousarray(S.reshape(-1, LEGS * 3).T).reshape(LEGS, 3, -1)
+    squares = np.einsum("lkn,lkn->ln", legs, legs)
+    found = np.empty((len(PAIRS), legs.shape[-1]))
+    for pair, (i, j) in enumerate(PAIRS):
+        found[pair] = _distance(b[i] - b[j], legs[i], legs[j], squares[i], squares[j])
+    return found.T.reshape(*S.shape[:-2], len(PAIRS))
+
+
+def _distance(apart: Array, one: Array, other: Array, ii: Array, jj: Array) -> Array:
+    """Between b_i + x S_i and b_j + y S_j, x and y within 0 and 1, (n,).
+
+    apart: b_i - b_j, (3,). one, other: S_i and S_j, (3, n). ii, jj: their squared lengths, (n,).
+    """
+    ij = one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
+    i, j = apart @ one, apart @ other
     with np.errstate(divide="ignore", invalid="ignore"):
-        x = np.clip(np.nan_to_num((ij * j - i * jj) / (ii * jj - ij**2)), 0.0, 1.0)
-        y = np.clip(np.nan_to_num((ij * x + j) / jj), 0.0, 1.0)
-        x = np.clip(np.nan_to_num((ij * y - i) / ii), 0.0, 1.0)
-    return np.asarray(np.linalg.norm(apart + x[..., None] * one - y[..., None] * other, axis=-1))
+        x = _share(ij * j - i * jj, ii * jj - ij * ij)
+        y = _share(ij * x + j, jj)
+        x = _share(ij * y - i, ii)
+    # The squared distance is a quadratic form in x and y.
+    square = apart @ apart + x * (2.0 * i + x * ii) - y * (2.0 * j - y * jj + 2.0 * x * ij)
+    return np.asarray(np.sqrt(np.maximum(square, 0.0)))
 
 
 def joined(robot: Robot) -> Array:
@@ -61,5 +74,6 @@ def joined(robot: Robot) -> Array:
     )
 
 
-def _dot(x: Array, y: Array) -> Array:
-    return np.asarray(np.einsum("...k,...k->...", x, y))
+def _share(part: Array, whole: Array) -> Array:
+    """part / whole within 0 and 1; 0 where the whole is 0."""
+    return np.asarray(np.where(whole > 0.0, np.minimum(np.maximum(part / whole, 0.0), 1.0), 0.0))
