@@ -10,6 +10,9 @@ from .design.size import size as size
 from .design.workspace import Workspace as Workspace
 from .design.workspace import WorkspaceWarning as WorkspaceWarning
 from .design.workspace import workspace as workspace
+from .drives.effort import DriveEffort as DriveEffort
+from .drives.effort import DriveLimitWarning as DriveLimitWarning
+from .drives.effort import drive_effort as drive_effort
 from .dynamics.arrays import ArrayKernel as ArrayKernel
 from .dynamics.arrays import array_kernel as array_kernel
 from .dynamics.bounds import ForceBounds as ForceBounds

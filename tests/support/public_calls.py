@@ -26,7 +26,7 @@ RECORDS = {
     ),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
-    *("LogWarning", "Saturation", "Smooth"),
+    *("DriveEffort", "DriveLimitWarning", "LogWarning", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 

@@ -3,12 +3,16 @@
 import argparse
 import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from ...io.error_policy import SingularPoseWarning
 from ..inputs import robot_of, trajectory_of
 from ..options import formulation, json_file, log_options, output, positive, robot_file, start_pose
 from ..results import reject_inputs, results
 from ..terminal import progress_line
+
+if TYPE_CHECKING:
+    from ...robot.robot import Robot
 
 HELP = "actuator forces along a trajectory"
 EXAMPLE = "stewart-sym forces hexapod.toml log.csv -o forces.csv --length-unit mm --angle-unit deg"
@@ -18,7 +22,8 @@ MORE = (
     "F_ext_* and M_ext_* (platform frame). Or, in joint space: time, L_1 to L_6 (m), optionally L_dot_* and "
     "L_ddot_* together. SI units by default. Columns that show rounding or noise are smoothed; F1_sd to "
     "F6_sd are the standard deviations of the forces due to the noise that remains, and a peak force within "
-    "three of them of its limit is reported as not decided. Moments M_p are taken about the base points."
+    "three of them of its limit is reported as not decided. Moments M_p are taken about the base points. A "
+    "robot with a drive has columns torque1 (N m), motor_speed1 (rad/s), current1 (A) and power1 (W) as well."
 )
 
 
@@ -32,6 +37,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     formulation(parser)
     parser.add_argument("--backend", choices=("c", "numpy", "reference"), default="c", help="default: c")
     parser.add_argument("--reactions", action="store_true", help="write the joint reactions as well")
+    parser.add_argument(
+        "--picture",
+        type=Path,
+        metavar="FILE.png",
+        help="draw the torques of the motors, of a robot with a drive; needs Matplotlib",
+    )
     start_pose(parser)
     parser.add_argument(
         "--allow-singular",
@@ -55,7 +66,7 @@ def run(arguments: argparse.Namespace) -> int:
     from ...motion.interpolation import between
     from ...motion.log_rates import noise_text
     from ...studies.common.output import csv_lines
-    from ...studies.common.report import Report
+    from ...studies.common.report import Picture, Report, draw
     from ...studies.reports.singularities import crossing_warning
     from ...studies.reports.track import Digest, header_lines, in_parts, replaced_rows
 
@@ -63,6 +74,8 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.output == arguments.json:
         raise ValueError(f"--json {arguments.json}: is where the forces go (-o), name another file")
     robot = robot_of(arguments.robot)
+    if arguments.picture is not None:
+        _need_picture(arguments, robot)
     with (
         results(arguments) as take,
         result_file(arguments.output, header_lines(), arguments.force) as stream,
@@ -91,10 +104,29 @@ def run(arguments: argparse.Namespace) -> int:
         lines = []
         if str(arguments.output) != "-":
             lines = [digest.summary(), f"Written to {arguments.output}"]
+            if arguments.picture is not None:
+                lines.append(f"Drawn as {arguments.picture}")
             if trajectory.noise is not None and trajectory.noise.sigma.any():
                 lines.insert(1, f"{noise_text(trajectory.noise)}: F_sd is what it leaves")
+        if arguments.picture is not None and digest.drive is not None:
+            draw(Picture(digest.drive.figure), arguments.picture.with_suffix(""))
         doubts = digest.doubts(arguments.noise_share)
         take(Report("\n".join(lines), data={**digest.as_json(), "doubts": doubts}))
     for line in doubts:
         warnings.warn(line, stacklevel=2)
     return 0
+
+
+def _need_picture(arguments: argparse.Namespace, robot: "Robot") -> None:
+    """Reject a picture of motors that there are not, of another kind, or in place of another file."""
+    from ...io.extras import need
+
+    need("matplotlib", "drawing")
+    path = arguments.picture
+    if robot.drive is None:
+        raise ValueError(f"--picture {path}: expected a robot with a drive ([legs.drive])")
+    if path.suffix != ".png":
+        raise ValueError(f"--picture {path}: expected a file that ends in .png")
+    reject_inputs("--picture", path, arguments.robot, arguments.trajectory)
+    if path.exists() and not arguments.force:
+        raise ValueError(f"--picture {path}: exists; use --force to overwrite")

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from ...drives.effort import Instants, at_instants
 from ...dynamics.force_noise import deviations_in_parts
 from ...dynamics.inverse import Backend, Formulation, first_fault, inverse_dynamics, joint_reactions
 from ...io.error_policy import SingularPoseWarning
@@ -19,6 +20,7 @@ from ...results import NOT_FINITE, OK, ZERO_LENGTH, Reactions
 from ...robot.robot import Robot
 from ..common.output import Columns, csv_lines, of_axes, of_legs
 from ..common.table import aligned
+from .drives import DriveDigest, drive_columns, no_instants
 
 Array = NDArray[np.float64]
 
@@ -49,19 +51,23 @@ class Part(NamedTuple):
     condition: Array
     status: NDArray[np.int32]
     reactions: Reactions | None
+    effort: Instants | None = None
 
     @property
     def columns(self) -> Columns:
         """Columns (n,) by name, as written.
 
-        In SI units: time, F1..F6, with noise in the log F1_sd..F6_sd, L1..L6, condition_number, status and,
-        with reactions, the components of F_s, F_u, F_p, F_c, M_p (about the base point) and M_u leg by leg.
+        In SI units: time, F1..F6, with noise in the log F1_sd..F6_sd, L1..L6, condition_number, status; with
+        a drive torque1.., motor_speed1.., current1.. and power1..; with reactions the components of F_s, F_u,
+        F_p, F_c, M_p (about the base point) and M_u leg by leg.
         """
         found: Columns = {"time": self.time}
         for name, ending, values in (("F", "", self.F), ("F", "_sd", self.F_sd), ("L", "", self.L)):
             if values is not None:
                 found |= of_legs(name, values, ending)
         found |= {"condition_number": self.condition, "status": self.status}
+        if self.effort is not None:
+            found |= drive_columns(self.effort)
         return found if self.reactions is None else found | _reaction_columns(self.reactions)
 
 
@@ -71,9 +77,10 @@ def header_lines() -> list[str]:
     vectors = np.zeros((0, 6, 3))
     reactions = Reactions(vectors, vectors, vectors, vectors, vectors, legs, n.astype(np.int32))
     return [
-        next(csv_lines(Part(slice(0), n, legs, F_sd, legs, legs, n, n.astype(np.int32), more).columns))
+        next(csv_lines(Part(slice(0), n, legs, F_sd, legs, legs, n, n.astype(np.int32), more, e).columns))
         for F_sd in (None, legs)
         for more in (None, reactions)
+        for e in (None, no_instants(False), no_instants(True))
     ]
 
 
@@ -108,7 +115,8 @@ def in_parts(
             told = True
         F_sd = None if deviations is None else deviations(where)
         condition = condition_number(found.H)
-        yield Part(where, trajectory.time[where], found.F, F_sd, L, L_dot, condition, status, more)
+        effort = None if robot.drive is None else at_instants(robot, robot.drive, motion, found.F, L_dot)
+        yield Part(where, trajectory.time[where], found.F, F_sd, L, L_dot, condition, status, more, effort)
 
 
 class Digest:
@@ -123,9 +131,12 @@ class Digest:
         self.step = least_step(time)
         self.span, self.count = np.zeros((2, len(_LIMITS), 6))
         self.kept: list[Part] = []
+        self.drive = None if robot.drive is None else DriveDigest(robot, time)
 
     def add(self, part: Part) -> None:
         """Take in the next part."""
+        if self.drive is not None and part.effort is not None:
+            self.drive.add(part.effort, part.where)
         for k, limit in enumerate(_LIMITS):
             over = limit.excess(self.robot, part) > 0.0
             self.span[k] += np.sum(self.weights[part.where, None] * over, axis=0)
@@ -140,7 +151,7 @@ class Digest:
         extremes = np.hstack([*large, part.condition[:, None]])
         picked = np.argmax(np.where(np.isnan(extremes), -np.inf, extremes), axis=0)
         i = np.unique(picked)
-        arrays = [None if x is None else x[i] for x in part[1:-1]]
+        arrays = [None if x is None else x[i] for x in part[1:-2]]
         self.kept.append(Part(part.where, *arrays, None))  # type: ignore[arg-type,call-arg]
 
     def doubts(self, noise_share: float) -> list[str]:
@@ -149,15 +160,16 @@ class Digest:
         Replaced rows have a line of their own.
         """
         kept = self._joined()
+        beyond = self.exceeded() + ([] if self.drive is None else self.drive.summary.exceeded())
         if kept.F_sd is None:
-            return self.exceeded()
+            return beyond
         there = self._at_replaced(kept.time)
         names = self._replaced_names()
         causes = [("noise in the log", ~there)]
         causes += [(f"replaced rows ({names})", there)] if self.replaced else []
         when = [time_text(time, self.step) for time in kept.time]
         noisy = [_noisy(when, kept.F, kept.F_sd, noise_share, cause, at) for cause, at in causes]
-        return self.exceeded() + [line for line in noisy if line]
+        return beyond + [line for line in noisy if line]
 
     def exceeded(self) -> list[str]:
         """One line for each limit: which legs go beyond it, the worst of them, when and how long."""
@@ -190,7 +202,8 @@ class Digest:
     def summary(self) -> str:
         """What it comes to, lines of text."""
         kept = self._joined()
-        return _summary(self.robot, self.time, kept, self._force_verdicts(kept))
+        found = _summary(self.robot, self.time, kept, self._force_verdicts(kept))
+        return found if self.drive is None else f"{found}\n\n{self.drive.table()}"
 
     def _force_verdicts(self, part: Part) -> list[str]:
         """``force_verdicts``, and ``AT_REPLACED`` where replaced rows alone leave a limit open."""
@@ -238,6 +251,7 @@ class Digest:
                     "least_length_m": kept.L[known, leg].min(initial=np.inf),
                     "greatest_length_m": kept.L[known, leg].max(initial=-np.inf),
                     "peak_speed_m_per_s": np.abs(kept.L_dot[known, leg]).max(initial=0.0),
+                    **({} if self.drive is None else self.drive.of_leg(leg)),
                 }
                 for leg, i in enumerate(_peaks(kept.F))
             ],
@@ -246,7 +260,7 @@ class Digest:
     def _joined(self) -> Part:
         arrays = [
             None if x[0] is None else np.concatenate(x)
-            for x in zip(*(p[1:-1] for p in self.kept), strict=True)
+            for x in zip(*(p[1:-2] for p in self.kept), strict=True)
         ]
         return Part(slice(None), *arrays, None)  # type: ignore[arg-type,call-arg]
 
@@ -389,7 +403,7 @@ def _worst_condition(part: Part) -> int:
 
 def _summary(robot: Robot, times: Array, part: Part, verdicts: list[str]) -> str:
     """Lines of text about a run at some times, of which ``part`` has the extremes; verdicts of forces."""
-    _, time, F, F_sd, L, L_dot, condition, _, _ = part
+    time, F, F_sd, L, L_dot, condition = part[1:7]
     peaks, known, step = _peaks(F), np.isfinite(L).all(axis=-1), least_step(times)
     rows = [
         (

@@ -1,0 +1,122 @@
+"""The motors along a trajectory, as ``forces`` shows them: columns, a table beside the limits, a picture."""
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from ...drives.effort import PEAKS, Instants, Summary, trapezoids
+from ...io.array_types import Array
+from ...io.extras import needed_for
+from ...io.instants import elapsed, least_step
+from ...robot.robot import LEGS, Robot
+from ..common.output import Columns, of_legs
+from ..common.table import aligned
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
+# Times the largest value, beyond which a limit is not drawn.
+_FAR = 3.0
+_COLOURS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
+
+
+def drive_columns(part: Instants) -> Columns:
+    """Columns by name as written, N m, rad/s, A and W; the current where there is one."""
+    found: Columns = {}
+    for name, column in _COLUMNS.items():
+        values = getattr(part, name)
+        if values is not None:
+            found |= of_legs(column, values)
+    return found
+
+
+def no_instants(current: bool) -> Instants:
+    """No instants at all, with or without currents: for the names of columns."""
+    none = np.zeros((0, LEGS))
+    return Instants(*(none,) * len(Instants._fields))._replace(current=none if current else None)
+
+
+class DriveDigest:
+    """Peaks, root mean squares and energy of the motors over a run, and what a picture of it needs."""
+
+    def __init__(self, robot: Robot, time: Array) -> None:
+        """Begin a run at all these times, s, (n,), of a robot with a drive."""
+        assert robot.drive is not None
+        self.drive, self.name, self.time = robot.drive, robot.name, elapsed(time)
+        self._weights = trapezoids(self.time)
+        self.summary = Summary(robot.drive, least_step(time))
+        self._torque, self._speed = np.full((2, len(time), LEGS), np.nan, dtype=np.float32)
+
+    def add(self, part: Instants, where: slice) -> None:
+        """Take in the next instants."""
+        self.summary.add(part, self._weights[where], self.time[where])
+        self._torque[where], self._speed[where] = part.torque, part.speed
+
+    def table(self) -> str:
+        """A line for each motor: peaks and root mean square beside their limits, energy."""
+        found, drive = self.summary, self.drive
+        rows = [
+            (
+                str(leg + 1),
+                *(
+                    _beside(found.peaks[name][leg], getattr(drive, f"{name}_limit")[leg])
+                    for name in self._known()
+                ),
+                _beside(found.rms_torque[leg], drive.rated_torque[leg]),
+                f"{found.energy[leg]:.4g}",
+            )
+            for leg in range(LEGS)
+        ]
+        names = [f"{name}, {PEAKS[name]}" for name in self._known()]
+        return aligned(("motor", *names, "RMS torque, N m", "energy, J"), rows)
+
+    def _known(self) -> list[str]:
+        return [name for name in PEAKS if name != "current" or np.any(self.drive.torque_constant > 0.0)]
+
+    def of_leg(self, leg: int) -> dict[str, Any]:
+        """The same of one leg, for programs."""
+        units = {"torque": "N_m", "speed": "rad_per_s", "current": "A", "power": "W"}
+        found: dict[str, Any] = {}
+        for name in self._known():
+            found[f"motor_peak_{name}_{units[name]}"] = float(self.summary.peaks[name][leg])
+            found[f"motor_{name}_limit_{units[name]}"] = float(getattr(self.drive, f"{name}_limit")[leg])
+        found["motor_rms_torque_N_m"] = float(self.summary.rms_torque[leg])
+        return found | {"motor_energy_J": float(self.summary.energy[leg])}
+
+    def figure(self) -> "Figure":
+        """Torque over time, and over speed with the motor's limits as a frame."""
+        with needed_for("drawing"):
+            from matplotlib.figure import Figure
+        figure = Figure(figsize=(9.0, 4.4), layout="constrained")
+        over_time, over_speed = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
+        for leg, colour in enumerate(_COLOURS):
+            curve: Any = {"color": colour, "linewidth": 1.1, "label": f"leg {leg + 1}"}
+            over_time.plot(self.time, self._torque[:, leg], **curve)
+            over_speed.plot(self._speed[:, leg], self._torque[:, leg], **curve)
+        over_time.set(xlabel="time, s", ylabel="motor torque, N m", xlim=(self.time[0], self.time[-1]))
+        over_speed.set(xlabel="motor speed, rad/s", ylabel="motor torque, N m")
+        torque, speed = (
+            _near(self.drive.torque_limit, self._torque),
+            _near(self.drive.speed_limit, self._speed),
+        )
+        style: Any = {"color": "#3a3a3a", "linewidth": 0.9, "linestyle": (0, (4, 2))}
+        for sign in (-1.0, 1.0):
+            if torque is not None:
+                over_time.axhline(sign * torque, **style)
+                over_speed.axhline(sign * torque, **style)
+            if speed is not None:
+                over_speed.axvline(sign * speed, **style)
+        figure.legend(*over_time.get_legend_handles_labels(), loc="outside lower center", ncols=LEGS)
+        figure.suptitle(f"{self.name}: motors", fontsize=11.0)
+        return figure
+
+
+def _near(limits: Array, values: Array) -> float | None:
+    """The narrowest limit of all motors, None where it is too far from the values to be drawn with them."""
+    narrowest, largest = float(limits.min()), float(np.nanmax(np.abs(values), initial=0.0))
+    return narrowest if narrowest <= _FAR * largest else None
+
+
+def _beside(value: float, limit: float) -> str:
+    return f"{value:.4g}" + (f" of {limit:g}" if np.isfinite(limit) else "")

@@ -1,0 +1,221 @@
+"""Efforts of the motors: numbers worked by hand, and an energy balance that uses none of the formulas."""
+
+import dataclasses
+import json
+import math
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from machines import random_robot
+from robot_files import written
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.drives.friction import friction_force
+from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.motion.rotation import rpy_from_rotation
+from stewart_sym.reference import newton_euler
+
+LOSSY: dict[str, Any] = {
+    "efficiency": 0.9, "back_efficiency": 0.8, "screw_coulomb": 20.0, "screw_viscous": 150.0,
+    "motor_coulomb": 0.02, "motor_viscous": 2e-4, "stribeck": 8.0, "stribeck_speed": 5e-3,
+    "smoothing": 1e-3, "torque_constant": 0.5, "resistance": 2.0,
+}  # fmt: skip
+
+
+def with_drive(robot: ss.Robot, lead: Any = 5e-3, **numbers: Any) -> ss.Robot:
+    return dataclasses.replace(robot, drive=ss.Drive(lead=lead, **numbers))
+
+
+def swing(robot: ss.Robot, time: np.ndarray, period: float, size: float = 0.05) -> ss.Motion:
+    """A closed motion about the home pose: angles and shifts are sines of several periods."""
+    w = 2.0 * np.pi / period * np.array([[1, 2, 1], [2, 1, 3]])
+    phase = np.array([[0.3, 1.1, 2.0], [0.7, 0.1, 1.9]])
+    at = w * time[:, None, None] + phase
+    value, rate, second = size * np.sin(at), size * w * np.cos(at), -size * w**2 * np.sin(at)
+    return ss.Motion.from_rpy(
+        home_pose(robot).t + value[:, 0], value[:, 1], rate[:, 0], rate[:, 1], second[:, 0], second[:, 1]
+    )
+
+
+@pytest.fixture(scope="module")
+def robot() -> ss.Robot:
+    return ss.robots.dasgupta1998()
+
+
+@pytest.mark.parametrize("lead", [5e-3, -5e-3])
+@pytest.mark.parametrize("F", [800.0, -800.0])
+@pytest.mark.parametrize("rate", [0.1, -0.1])
+def test_torque_is_what_the_formulas_of_a_screw_give(lead: float, F: float, rate: float) -> None:
+    drive = ss.Drive(lead=lead, **{**LOSSY, "smoothing": 0.0, "stribeck": 0.0})
+    sign, turns = math.copysign(1.0, rate), 2 * math.pi / lead
+    ideal = F / (turns * 0.9) if F * rate > 0 else F * 0.8 / turns
+    screw = (20.0 * sign + 150.0 * rate) / turns
+    speed = turns * rate
+    motor = 0.02 * math.copysign(1.0, speed) + 2e-4 * speed
+    found = (F + friction_force(drive, np.full(6, F), np.full(6, rate))) / drive.turns
+    np.testing.assert_allclose(found, ideal + screw + motor, rtol=1e-13)
+
+
+def test_friction_never_gives_power_and_is_smooth_within_the_velocity_given() -> None:
+    drive = ss.Drive(lead=5e-3, **LOSSY)
+    rate = np.linspace(-3e-3, 3e-3, 6001)[:, None] * np.ones(6)
+    for F in (300.0, -300.0):
+        lost = friction_force(drive, np.full_like(rate, F), rate)
+        assert (lost * rate >= 0.0).all()
+        step = np.abs(np.diff(lost, axis=0)).max()
+        assert step < 2.0 * np.abs(lost).max() * 1e-6 / 1e-3 * 1.5
+    beyond = friction_force(drive, np.full(6, 300.0), np.full(6, 1e-3))
+    sharp = friction_force(dataclasses.replace(drive, smoothing=0.0), np.full(6, 300.0), np.full(6, 1e-3))
+    np.testing.assert_array_equal(beyond, sharp)
+
+
+def test_a_drive_without_losses_turns_forces_into_torques(robot: ss.Robot) -> None:
+    time = np.linspace(0.0, 2.0, 21)
+    motion = swing(robot, time, 2.0)
+    found = ss.drive_effort(with_drive(robot), motion)
+    F, L_dot = ss.inverse_dynamics(robot, motion).F, ss.inverse_kinematics(robot, motion).L_dot
+    np.testing.assert_array_equal(found.force, F)
+    np.testing.assert_allclose(found.torque, F * 5e-3 / (2 * math.pi), rtol=1e-14)
+    np.testing.assert_allclose(found.power, F * L_dot, rtol=1e-12, atol=1e-12)
+    np.testing.assert_array_equal(found.electrical, found.power)
+    assert found.current is None
+    assert found.energy is None
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_electrical_energy_is_work_and_losses(seed: int) -> None:
+    """Energies and powers of the joints by the reference; the loss of a transmission by its efficiencies."""
+    rng = np.random.default_rng(seed)
+    robot = with_drive(
+        random_robot(rng, scale=1.0), lead=rng.choice([-1, 1], 6) * rng.uniform(3e-3, 2e-2, 6), **LOSSY
+    )
+    drive = robot.drive
+    time = np.linspace(0.0, 1.3, 4001)
+    motion = swing(robot, time, 2.0)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        found = ss.drive_effort(robot, motion, time)
+    F, legs = found.force - found.friction - found.rotor, ss.inverse_kinematics(robot, motion)
+    electrical = np.sum(
+        found.current * (found.current * drive.resistance + drive.torque_constant * found.speed), -1
+    )
+    copper = np.sum(drive.resistance * found.current**2, axis=-1)
+    x = np.clip(legs.L_dot / 1e-3, -1.0, 1.0)
+    fade = 0.5 * x * (3 - x**2)
+    out = F * legs.L_dot
+    screw_in = out + fade * np.sign(legs.L_dot) * np.abs(out) * np.where(out > 0, 1 / 0.9 - 1, 1 - 0.8)
+    dragging = (
+        np.abs(fade * legs.L_dot) * (20.0 + 8.0 * np.exp(-((legs.L_dot / 5e-3) ** 2))) + 150.0 * legs.L_dot**2
+    )
+    motor = 0.02 * np.abs(fade * found.speed) + 2e-4 * found.speed**2
+    losses = (
+        copper + np.sum(screw_in - out + dragging + motor, -1) + newton_euler.friction_power(robot, motion)
+    )
+    gained = newton_euler.energy(robot, motion[-1]) - newton_euler.energy(robot, motion[0])
+    total = np.trapezoid(electrical, time)
+    assert total == pytest.approx(
+        gained + np.trapezoid(losses, time), abs=2e-5 * np.trapezoid(np.abs(electrical), time)
+    )
+    assert np.sum(found.energy) == pytest.approx(total, rel=1e-12)
+
+
+def test_limits_are_named_with_leg_value_and_time(robot: ss.Robot) -> None:
+    time = np.linspace(0.0, 2.0, 41)
+    motion = swing(robot, time, 2.0)
+    free = ss.drive_effort(with_drive(robot), motion, time)
+    assert free.exceeded == ()
+    worst = int(np.argmax(free.peak_torque))
+    limit = np.full(6, math.inf)
+    limit[worst] = 0.9 * free.peak_torque[worst]
+    tight = with_drive(robot, torque_limit=limit)
+    at = int(np.argmax(np.abs(free.torque[:, worst])))
+    peak = f"{free.peak_torque[worst]:.4g} N m"
+    words = rf"torque_limit exceeded by leg {worst + 1}: torque {peak} at {time[at]:g}\d* s"
+    with pytest.warns(ss.DriveLimitWarning, match=words):
+        assert len(ss.drive_effort(tight, motion, time).exceeded) == 1
+    with pytest.warns(ss.DriveLimitWarning, match=f"at instant {at}, limit"):
+        ss.drive_effort(tight, motion)
+    rated = with_drive(robot, rated_torque=0.9 * free.rms_torque.max())
+    with pytest.warns(ss.DriveLimitWarning, match="rated_torque exceeded by leg.*root mean square of torque"):
+        ss.drive_effort(rated, motion, time)
+
+
+def test_weights_of_unequal_steps_and_wrong_arguments(robot: ss.Robot) -> None:
+    time = np.sort(np.random.default_rng(0).uniform(0.0, 2.0, 3000))
+    even = np.linspace(0.0, 2.0, 3001)
+    machine = with_drive(robot, torque_constant=0.4, resistance=1.0)
+    one = ss.drive_effort(machine, swing(robot, time, 2.0), time)
+    other = ss.drive_effort(machine, swing(robot, even, 2.0), even)
+    np.testing.assert_allclose(one.rms_torque, other.rms_torque, rtol=2e-3)
+    np.testing.assert_allclose(one.energy, other.energy, rtol=5e-3, atol=0.2)
+    with pytest.raises(ValueError, match=r"robot: expected a drive, got a robot without one"):
+        ss.drive_effort(robot, swing(robot, even, 2.0))
+    for wrong in (even[::-1], even[1:], np.zeros(3001)):
+        with pytest.raises(ValueError, match=r"\Atime: expected"):
+            ss.drive_effort(machine, swing(robot, even, 2.0), wrong)
+
+
+def forces(folder: Path, robot: ss.Robot, time: np.ndarray, *options: str) -> list[str]:
+    """Files of a robot and its swing, and the command that takes them."""
+    motion = swing(robot, time, 2.0)
+    theta = rpy_from_rotation(motion.R)
+    rows = np.column_stack([time, motion.t, theta])
+    names = ",".join(["time", *(f"{name}_{axis}" for name in ("t", "theta") for axis in "xyz")])
+    np.savetxt(folder / "log.csv", rows, delimiter=",", header=names, comments="", fmt="%.17g")
+    written(robot, folder / "robot.toml")
+    return [
+        "forces",
+        str(folder / "robot.toml"),
+        str(folder / "log.csv"),
+        "-o",
+        str(folder / "F.csv"),
+        *options,
+    ]
+
+
+def test_forces_has_columns_table_and_picture_of_the_motors(
+    robot: ss.Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    time = np.linspace(0.0, 2.0, 81)
+    machine = with_drive(robot, **LOSSY, torque_limit=1.2, speed_limit=450.0)
+    picture = tmp_path / "motors.png"
+    command = forces(tmp_path, machine, time, "--picture", str(picture), "--json", str(tmp_path / "F.json"))
+    assert main(command) == 0
+    out, err = capsys.readouterr()
+    table = np.genfromtxt(tmp_path / "F.csv", delimiter=",", names=True)
+    with pytest.warns(ss.DriveLimitWarning, match="(speed|torque)_limit exceeded"):
+        found = ss.drive_effort(machine, swing(machine, time, 2.0), time)
+    for column, values in (
+        ("torque", found.torque),
+        ("motor_speed", found.speed),
+        ("current", found.current),
+        ("power", found.power),
+    ):
+        written_ones = np.column_stack([table[f"{column}{leg}"] for leg in range(1, 7)])
+        np.testing.assert_allclose(
+            written_ones[3:-3], values[3:-3], rtol=0.02, atol=0.02 * np.abs(values).max()
+        )
+    assert "speed_limit exceeded by leg" in err
+    assert "RMS torque, N m" in out
+    leg = json.loads((tmp_path / "F.json").read_text())["legs"][2]
+    assert leg["motor_rms_torque_N_m"] == pytest.approx(found.rms_torque[2], rel=0.02)
+    assert leg["motor_energy_J"] == pytest.approx(found.energy[2], rel=0.05)
+    assert picture.read_bytes()[:4] == b"\x89PNG"
+    assert main(command) == 2
+    assert "exists; use --force" in capsys.readouterr().err
+    assert main([*command, "--force"]) == 0
+
+
+def test_forces_without_a_drive_has_no_motors(
+    robot: ss.Robot, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    command = forces(tmp_path, robot, np.linspace(0.0, 2.0, 81))
+    assert main([*command, "--picture", str(tmp_path / "motors.png")]) == 2
+    assert "expected a robot with a drive" in capsys.readouterr().err
+    assert not (tmp_path / "F.csv").exists()
+    assert main(command) == 0
+    assert "torque" not in (tmp_path / "F.csv").read_text()
