@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..drives.effort import at_instants, trapezoids
 from ..dynamics.inverse import Formulation, inverse_dynamics, need_motion
 from ..io.arguments import instance, number_in, real_array
 from ..io.array_types import Array
@@ -36,6 +38,8 @@ class Course(Frozen):
         Lengths, m, and their rates, m/s, (n, 6).
     base, platform : ndarray
         Angles of the joints at both ends from their neutral directions, rad, (n, 6).
+    torque, motor_speed, motor_power : ndarray, optional
+        Of the motors, N m, rad/s and W, (n, 6); None of a robot without drives.
     """
 
     weight: Array
@@ -44,6 +48,9 @@ class Course(Frozen):
     L_dot: Array
     base: Array
     platform: Array
+    torque: Array | None = None
+    motor_speed: Array | None = None
+    motor_power: Array | None = None
 
     @property
     def power(self) -> Array:
@@ -75,6 +82,11 @@ class Needs(Frozen):
     base_angle, platform_angle : ndarray
         Largest angles of the joints at both ends, rad, (6,): from the leg's direction at the home pose, or,
         of a robot that states none, from its mean direction.
+    torque, motor_speed, motor_power : ndarray, optional
+        Sizes of the motors' torque, N m, speed, rad/s, and power at the shaft, W, that are not exceeded for
+        the shares of the time, (q, 6); None of a robot without drives.
+    rms_torque : ndarray, optional
+        Root mean square of the torque, N m, (6,).
     course : Course
         All of it over time.
     """
@@ -92,6 +104,10 @@ class Needs(Frozen):
     length: Array
     base_angle: Array
     platform_angle: Array
+    torque: Array | None
+    motor_speed: Array | None
+    motor_power: Array | None
+    rms_torque: Array | None
     course: Course
 
     @property
@@ -179,12 +195,15 @@ def _checked(robot: Robot, motions: object) -> list[tuple[Array, Motion]]:
 
 def _course(robot: Robot, time: Array, motion: Motion, formulation: Formulation) -> dict[str, Array]:
     legs = inverse_kinematics(robot, motion)
-    # An instant stands for half the time to its neighbours; one alone for what no other can outweigh.
-    steps = np.diff(time)
-    weight = 0.5 * (np.append(steps, 0.0) + np.append(0.0, steps)) if steps.size else np.ones(1)
+    F = inverse_dynamics(robot, motion, formulation).F
+    motors = {}
+    if robot.drive is not None:
+        effort = at_instants(robot, robot.drive, motion, F, legs.L_dot)
+        motors = {"torque": effort.torque, "motor_speed": effort.speed, "motor_power": effort.power}
     return {
-        "weight": weight,
-        "F": inverse_dynamics(robot, motion, formulation).F,
+        **motors,
+        "weight": trapezoids(time) if len(time) > 1 else np.ones(1),
+        "F": F,
         "L": legs.L,
         "L_dot": legs.L_dot,
         "base": legs.s,
@@ -201,8 +220,11 @@ def _needs(robot: Robot, courses: Sequence[dict[str, Array]], margin: float, sha
     course = Course(**every)
     F, power = course.F, course.power
 
-    def over_time(values: Array) -> Array:
-        return weighted_quantiles(np.abs(values), course.weight, shares)
+    def over_time(values: Array | None) -> Any:
+        return None if values is None else weighted_quantiles(np.abs(values), course.weight, shares)
+
+    def rms(values: Array | None) -> Any:
+        return None if values is None else np.sqrt(np.average(values**2, axis=0, weights=course.weight))
 
     return Needs(
         margin=margin,
@@ -212,12 +234,16 @@ def _needs(robot: Robot, courses: Sequence[dict[str, Array]], margin: float, sha
         power=over_time(power),
         push=F.max(axis=0).clip(min=0.0),
         pull=(-F.min(axis=0)).clip(min=0.0),
-        rms_force=np.sqrt(np.average(F**2, axis=0, weights=course.weight)),
+        rms_force=rms(F),
         driving=power.max(axis=0).clip(min=0.0),
         braking=(-power.min(axis=0)).clip(min=0.0),
         length=np.stack([course.L.min(axis=0), course.L.max(axis=0)], axis=-1),
         base_angle=course.base.max(axis=0),
         platform_angle=course.platform.max(axis=0),
+        torque=over_time(course.torque),
+        motor_speed=over_time(course.motor_speed),
+        motor_power=over_time(course.motor_power),
+        rms_torque=rms(course.torque),
         course=course,
     )
 
@@ -236,31 +262,41 @@ def weighted_quantiles(values: Array, weight: Array, shares: Array) -> Array:
 
 def exceeded(robot: Robot, needs: Needs) -> list[str]:
     """One line for each limit of the robot that a need with its margin exceeds, legs numbered from 1."""
-    lines = []
     more = 1.0 + needs.margin
+    lines = [
+        f"{name} of leg {i + 1}: {limit[i] * scale:.4g} {unit}, needed {need[i] * scale:.4g} {unit}, with the "
+        f"margin {need[i] * more * scale:.4g} {unit}"
+        for name, unit, scale, need, limit in _limited(robot, needs)
+        for i in np.flatnonzero(need * more > limit).tolist()
+    ]
     low, high = robot.length_limits.T
-    peak = (
-        ("force_limit", "N", np.maximum(needs.push, needs.pull), robot.force_limit, 1.0),
-        ("speed_limit", "m/s", np.abs(needs.course.L_dot).max(axis=0), robot.speed_limit, 1.0),
-        ("joint_angle_limit at the base", "deg", needs.base_angle, robot.joint_angle_limit[:, 0], _DEGREES),
-        (
-            *("joint_angle_limit at the platform", "deg"),
-            *(needs.platform_angle, robot.joint_angle_limit[:, 1], _DEGREES),
-        ),
-        ("stroke", "m", needs.stroke, high - low, 1.0),
-    )
-    for name, unit, need, limit, scale in peak:
-        for i in np.flatnonzero(need * more > limit).tolist():
-            lines.append(
-                f"{name} of leg {i + 1}: {limit[i] * scale:.4g} {unit}, needed {need[i] * scale:.4g} {unit}, "
-                f"with the margin {need[i] * more * scale:.4g} {unit}"
-            )
     for i in np.flatnonzero((needs.length[:, 0] < low) | (needs.length[:, 1] > high)).tolist():
         least, most = needs.length[i]
         lines.append(
             f"length_limits of leg {i + 1}: {low[i]:.4g} to {high[i]:.4g} m, needed {least:.4g} to {most:.4g} m"
         )
     return lines
+
+
+def _limited(robot: Robot, needs: Needs) -> Iterator[tuple[str, str, float, Array, Array]]:
+    """Name, unit, the unit's number in an SI unit, need and limit, (6,) each, of what the robot may limit."""
+    angles, course = robot.joint_angle_limit.T, needs.course
+    low, high = robot.length_limits.T
+    yield "force_limit", "N", 1.0, np.maximum(needs.push, needs.pull), robot.force_limit
+    yield "speed_limit", "m/s", 1.0, _peak(course.L_dot), robot.speed_limit
+    yield "stroke", "m", 1.0, needs.stroke, high - low
+    yield "joint_angle_limit at the base", "degrees", _DEGREES, needs.base_angle, angles[0]
+    yield "joint_angle_limit at the platform", "degrees", _DEGREES, needs.platform_angle, angles[1]
+    drive = robot.drive
+    if drive is not None and course.torque is not None and needs.rms_torque is not None:
+        yield "drive.torque_limit", "N m", 1.0, _peak(course.torque), np.asarray(drive.torque_limit)
+        yield "drive.rated_torque", "N m", 1.0, needs.rms_torque, np.asarray(drive.rated_torque)
+        yield "drive.speed_limit", "rad/s", 1.0, _peak(course.motor_speed), np.asarray(drive.speed_limit)
+        yield "drive.power_limit", "W", 1.0, _peak(course.motor_power), np.asarray(drive.power_limit)
+
+
+def _peak(values: Array | None) -> Array:
+    return np.zeros(6) if values is None else np.abs(values).max(axis=0)
 
 
 _DEGREES = 180.0 / np.pi

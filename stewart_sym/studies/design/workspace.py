@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,7 +16,7 @@ from ...io.array_types import Array
 from ...io.progress import Progress, tracked
 from ...motion.rotation import rotation_from_rpy
 from ...robot.robot import Robot
-from ..common.output import Columns
+from ..common.output import csv_text
 from ..common.report import Picture, Report
 from ..common.table import aligned
 
@@ -100,7 +100,7 @@ def report(
         "poses": found.poses,
         "units": {"box": _names(found), "extent": _names(found), "clear": _clear_unit(found)},
     }
-    return Report(_text(robot, limits, found), {"slices": _columns(planes)}, data, figures)
+    return Report(_text(robot, limits, found), {"slices": _table(planes)}, data, figures)
 
 
 def title(found: Workspace) -> str:
@@ -154,15 +154,12 @@ def _clear_unit(found: Workspace) -> str:
     return {"constant": "m", "orientation": "rad", "total": ""}[found.kind]
 
 
-def _columns(planes: list[Slice]) -> Columns:
+def _table(planes: list[Slice]) -> str:
     """One row for each pose of the planes."""
-    count = POINTS**2
-    places = [np.meshgrid(plane.first, plane.second, indexing="ij") for plane in planes]
-    names = np.array(REASONS)
-    return {
-        "axes": np.repeat(["-".join(AXES[i] for i in plane.axes) for plane in planes], count),
-        "first": np.concatenate([first.ravel() for first, _ in places]),
-        "second": np.concatenate([second.ravel() for _, second in places]),
-        "first_limit": np.concatenate([names[plane.codes.ravel()] for plane in planes]),
-        "scaled_condition": np.concatenate([plane.condition.ravel() for plane in planes]),
-    }
+    rows: list[Sequence[object]] = [("axes", "first", "second", "first_limit", "scaled_condition")]
+    for plane in planes:
+        axes = "-".join(AXES[i] for i in plane.axes)
+        first, second = np.meshgrid(plane.first, plane.second, indexing="ij")
+        numbers = (each.ravel().tolist() for each in (first, second, plane.codes, plane.condition))
+        rows += [(axes, a, b, REASONS[code], kappa) for a, b, code, kappa in zip(*numbers, strict=True)]
+    return csv_text(rows)
