@@ -62,6 +62,8 @@ def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort
     for leg, color in enumerate(_LEGS):
         axes.plot(rate[::step, leg], effort[::step, leg], color=color, linewidth=0.8, alpha=0.8)
     across, along = 1.1 * np.abs(rate).max() or 1.0, 1.1 * np.abs(effort).max() or 1.0
+    axes.axhline(0.0, color="#3a3a3a", linewidth=0.7)
+    axes.axvline(0.0, color="#3a3a3a", linewidth=0.7)
     for limit, size, draw in ((most_rate, across, axes.axvline), (most_effort, along, axes.axhline)):
         for value in np.unique(limit[np.isfinite(limit)]):
             for side in (-value, value) if value < 3.0 * size else ():

@@ -18,6 +18,7 @@ with needed_for("drawing"):
     from matplotlib.colors import ListedColormap, LogNorm
     from matplotlib.figure import Figure
     from matplotlib.patches import Patch
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 _OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
 """Colours of the limits, in the order of ``REASONS``; what is inside is coloured by its condition number."""
@@ -35,7 +36,7 @@ def pictures(name: str, found: Workspace, planes: list[Slice]) -> dict[str, Pict
 def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
     """A panel for each plane; ``name``: of the robot."""
     rows = len(planes) // 3
-    drawn = Figure(figsize=(12.0, 1.0 + 4.2 * rows), layout="constrained")
+    drawn = Figure(figsize=(12.0, 0.9 + 3.7 * rows), layout="constrained")
     panels = drawn.subplots(rows, 3, squeeze=False)
     norm = _norm(planes)
     mesh: Any = None
@@ -44,7 +45,10 @@ def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
         middle = np.concatenate([found.position, found.angles])
         scale = _scale(plane)
         axes.plot(*(scale * middle[list(plane.axes)]), marker="+", color=_DARK, markersize=9.0)
-    drawn.colorbar(mesh, ax=panels, label="scaled condition number", shrink=0.8, extend="max")
+    bar = drawn.colorbar(mesh, ax=panels, label="scaled condition number", shrink=0.8, extend="max")
+    bar.ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
+    bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
+    bar.ax.yaxis.set_minor_formatter(NullFormatter())
     size = f"{found.volume:.4g} ± {found.error:.1g} {found.unit.replace('^3', '³')}"
     drawn.suptitle(f"{name}: {title(found)}\n{size}; planes through the pose marked +", fontsize=10.0)
     broken = sorted({int(code) for plane in planes for code in np.unique(plane.codes)} - {INSIDE})
