@@ -19,9 +19,7 @@ from ..results import OK
 from ..robot.robot import Robot, legs_text
 from . import polytope
 
-What = Literal[
-    "force", "moment", "wrench", "acceleration", "angular_acceleration", "platform_acceleration"
-]
+What = Literal["force", "moment", "wrench", "acceleration", "angular_acceleration", "platform_acceleration"]
 Others = Literal["zero", "free"]
 
 WHAT: dict[str, tuple[str, slice]] = {

@@ -16,7 +16,7 @@ Result = TypeVar("Result")
 LOCAL = "local"
 """Scheduler that is started here, with a worker for each core."""
 
-_WAIT = "10s"
+_WAIT = "5s"
 
 
 def run(

@@ -44,7 +44,8 @@ def projected(B: Array, forces: Array, limits: Array) -> tuple[Array, Array]:
     reach = np.abs(normals @ np.swapaxes(generators, -1, -2)).sum(axis=-1)
     centre = -(normals @ (B @ forces[..., None]))[..., 0]
     return unit_normals(
-        np.concatenate([normals, -normals], axis=-2), np.concatenate([reach + centre, reach - centre], axis=-1)
+        np.concatenate([normals, -normals], axis=-2),
+        np.concatenate([reach + centre, reach - centre], axis=-1),
     )
 
 

@@ -183,7 +183,9 @@ class Region(Frozen):
         if self.kind != "constant":
             given = WHOLE_TURN if turns is None else _ranges(turns, "turns", "rad")
             if np.any(given < WHOLE_TURN[:, :1]) or np.any(given > WHOLE_TURN[:, 1:]):
-                raise ValueError("turns: expected roll and yaw within -pi and pi, pitch within -pi/2 and pi/2")
+                raise ValueError(
+                    "turns: expected roll and yaw within -pi and pi, pitch within -pi/2 and pi/2"
+                )
             parts.append(_evenly(given))
         return np.concatenate(parts)
 
@@ -260,7 +262,9 @@ class Region(Frozen):
             position=self.position.copy(),
             angles=self.angles.copy(),
             clear=math.nan if self.kind == "total" else clear,
-            reasons={name: count / examined for name, count in zip(REASONS, found.codes.tolist(), strict=True)},
+            reasons={
+                name: count / examined for name, count in zip(REASONS, found.codes.tolist(), strict=True)
+            },
             poses=examined,
         )
 

@@ -51,7 +51,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--clearance", type=positive, metavar="M", help="least distance of the legs' centre lines, m"
     )
     parser.add_argument(
-        "--ignore", action="append", choices=_IGNORED, default=[], help="limits of the robot file to leave out"
+        "--ignore",
+        action="append",
+        choices=_IGNORED,
+        default=[],
+        help="limits of the robot file to leave out",
     )
     parser.add_argument(
         "--poses", type=whole, default=1_000_000, metavar="N", help="how many to examine; default: 1000000"
