@@ -69,7 +69,7 @@ def farthest(normals: Array, offsets: Array, directions: Array) -> Array:
 
 
 def vertices(normals: Array, offsets: Array) -> Array:
-    """Corners, (n, d), of one polytope: of all sets of d planes those that meet in a point within the others."""
+    """Corners, (n, d), of one polytope: where d of its planes meet in a point within the others."""
     d = normals.shape[-1]
     some = np.isfinite(offsets)
     normals, offsets = normals[some], offsets[some]

@@ -249,7 +249,7 @@ def _needs(robot: Robot, courses: Sequence[dict[str, Array]], margin: float, sha
 
 
 def weighted_quantiles(values: Array, weight: Array, shares: Array) -> Array:
-    """Least values, (q, m), that values (n, m) do not exceed for these shares, (q,), of their weight, (n,)."""
+    """Least values, (q, m), that values (n, m) do not exceed for shares (q,) of their weight, (n,)."""
     order = np.argsort(values, axis=0)
     ranked = np.take_along_axis(values, order, axis=0)
     reached = np.cumsum(weight[order], axis=0)
@@ -264,8 +264,8 @@ def exceeded(robot: Robot, needs: Needs) -> list[str]:
     """One line for each limit of the robot that a need with its margin exceeds, legs numbered from 1."""
     more = 1.0 + needs.margin
     lines = [
-        f"{name} of leg {i + 1}: {limit[i] * scale:.4g} {unit}, needed {need[i] * scale:.4g} {unit}, with the "
-        f"margin {need[i] * more * scale:.4g} {unit}"
+        f"{name} of leg {i + 1}: {limit[i] * scale:.4g} {unit}, needed {need[i] * scale:.4g} {unit}, with "
+        f"the margin {need[i] * more * scale:.4g} {unit}"
         for name, unit, scale, need, limit in _limited(robot, needs)
         for i in np.flatnonzero(need * more > limit).tolist()
     ]
@@ -273,13 +273,14 @@ def exceeded(robot: Robot, needs: Needs) -> list[str]:
     for i in np.flatnonzero((needs.length[:, 0] < low) | (needs.length[:, 1] > high)).tolist():
         least, most = needs.length[i]
         lines.append(
-            f"length_limits of leg {i + 1}: {low[i]:.4g} to {high[i]:.4g} m, needed {least:.4g} to {most:.4g} m"
+            f"length_limits of leg {i + 1}: {low[i]:.4g} to {high[i]:.4g} m, needed {least:.4g} to "
+            f"{most:.4g} m"
         )
     return lines
 
 
 def _limited(robot: Robot, needs: Needs) -> Iterator[tuple[str, str, float, Array, Array]]:
-    """Name, unit, the unit's number in an SI unit, need and limit, (6,) each, of what the robot may limit."""
+    """Name, unit, how many of it an SI unit is, need and limit, (6,) each, of what a robot may limit."""
     angles, course = robot.joint_angle_limit.T, needs.course
     low, high = robot.length_limits.T
     yield "force_limit", "N", 1.0, np.maximum(needs.push, needs.pull), robot.force_limit

@@ -159,7 +159,7 @@ def middle(robot: Robot, position: ArrayLike | None, angles: ArrayLike) -> tuple
 
 @dataclass(frozen=True, eq=False)
 class Region(Frozen):
-    """Poses of one kind by coordinates that measure them evenly: t and, for rotations, roll, sin pitch, yaw."""
+    """Poses of one kind by coordinates that measure them evenly: t; of rotations roll, sin pitch, yaw."""
 
     examiner: PoseExaminer
     kind: Kind

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from command_line import error_of
 from machines import path_period, random_motion, random_path, random_robot
+from scipy.integrate import trapezoid
 
 import stewart_sym as ss
 from stewart_sym.design.size import exceeded, weighted_quantiles
@@ -32,7 +33,7 @@ def test_peaks_are_those_of_inverse_dynamics_and_kinematics() -> None:
     np.testing.assert_allclose(np.maximum(needs.push, needs.pull), needs.force[-1], rtol=1e-12)
     np.testing.assert_allclose(needs.stroke, np.ptp(legs.L, axis=0), rtol=1e-12)
     # Work is power over time.
-    work = np.trapezoid(power, time, axis=0) if hasattr(np, "trapezoid") else np.trapz(power, time, axis=0)
+    work = trapezoid(power, time, axis=0)
     np.testing.assert_allclose(needs.course.weight @ needs.course.power, work, rtol=1e-9)
 
 
@@ -78,7 +79,7 @@ def test_limits_that_do_not_suffice_are_named() -> None:
     robot, time, motion = along(5)
     needs = ss.size(robot, [(time, motion)], margin=0.5)
     assert exceeded(robot, needs) == []
-    enough, few = 1.5 * needs.force[-1], needs.length + [-1e-9, 1e-9]
+    enough, few = 1.5 * needs.force[-1], needs.length + np.array([-1e-9, 1e-9])
     limited = dataclasses.replace(
         robot,
         home=motion.t[0],
@@ -94,7 +95,7 @@ def test_limits_that_do_not_suffice_are_named() -> None:
         *(f"stroke of leg {leg}" for leg in range(1, 7)),
         *(f"joint_angle_limit at the platform of leg {leg}" for leg in range(1, 7)),
     ]
-    short = dataclasses.replace(robot, length_limits=needs.length + [1e-3, 1.0])
+    short = dataclasses.replace(robot, length_limits=needs.length + np.array([1e-3, 1.0]))
     assert any(line.startswith("length_limits of leg 6") for line in exceeded(short, needs))
 
 

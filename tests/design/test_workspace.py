@@ -61,7 +61,7 @@ def test_the_exact_volume_at_constant_orientation_is_within_the_error() -> None:
 
 @pytest.mark.slow
 def test_the_exact_volume_is_within_the_error_on_twenty_machines() -> None:
-    found = np.array(deviations(range(20), 500_000))
+    found = np.array(deviations(range(20), 300_000))
     assert np.all(np.abs(found) <= 1.0)
     # The error is three standard deviations: neither too small nor, for safety, far too large.
     assert 0.6 < 3.0 * np.sqrt(np.mean(found**2)) < 1.5

@@ -5,6 +5,8 @@ b_i - R p_i. A plane cuts the shells in rings; the area common to the rings foll
 boundary by Green's theorem, and its integral over the planes from adaptive quadrature.
 """
 
+import itertools
+
 import numpy as np
 from numpy.typing import NDArray
 from scipy.integrate import quad
@@ -13,7 +15,7 @@ Array = NDArray[np.float64]
 
 
 def shell_volume(centres: Array, radii: Array, floor: float) -> float:
-    """Volume, m^3, above z = ``floor`` common to shells about centres (n, 3) with radii (n, 2), inner first."""
+    """Volume, m^3, above z = ``floor`` common to shells about centres (n, 3), radii (n, 2)."""
     low = max(floor, float(np.max(centres[:, 2] - radii[:, 1])))
     high = float(np.min(centres[:, 2] + radii[:, 1]))
     if high <= low:
@@ -22,7 +24,7 @@ def shell_volume(centres: Array, radii: Array, floor: float) -> float:
     breaks = np.unique(np.concatenate([[low, high], ends[(ends > low) & (ends < high)]]))
     parts = [
         quad(lambda z: common_area(centres, radii, z), a, b, epsabs=0.0, epsrel=1e-8, limit=200)[0]
-        for a, b in zip(breaks[:-1], breaks[1:], strict=True)
+        for a, b in itertools.pairwise(breaks)
     ]
     return float(sum(parts))
 

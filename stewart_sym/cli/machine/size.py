@@ -22,9 +22,10 @@ from ..terminal import progress_line
 HELP = "which force, speed, power, stroke and joint angles motions need of every leg, beside its limits"
 EXAMPLE = "stewart-sym size hexapod.toml trajectory.csv -o size --margin 0.3"
 MORE = (
-    "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded for "
-    "shares of the time, and the largest of each with a margin; a limit of the robot file that does not suffice "
-    "is named. Of a robot with drives: torque, speed and power of the motors as well. SI units, degrees."
+    "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded "
+    "for shares of the time, and the largest of each with a margin; a limit of the robot file that does not "
+    "suffice is named. Of a robot with drives: torque, speed and power of the motors as well. SI units, "
+    "degrees."
 )
 
 

@@ -13,9 +13,9 @@ HELP = "how far a machine reaches: volume of its workspace with an error, what b
 EXAMPLE = "stewart-sym workspace hexapod.toml --condition 20 -o workspace"
 MORE = (
     "Limits of the robot file count: leg lengths, joint angles, and forces that hold the machine at rest. "
-    "Positions at one orientation, rotations at one position, or both; the volume of rotations is the integral "
-    "of cos(theta_y) over roll, pitch and yaw, rad^3, of 8 pi^2 in all. The error is three standard deviations. "
-    "m, rad and N."
+    "Positions at one orientation, rotations at one position, or both; the volume of rotations is the "
+    "integral of cos(theta_y) over roll, pitch and yaw, rad^3, of 8 pi^2 in all. The error is three standard "
+    "deviations. m, rad and N."
 )
 
 _IGNORED = ("lengths", "joint-angles", "forces")
@@ -72,6 +72,8 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``workspace``; returns the exit code."""
+    import numpy as np
+
     from ...design.pose_limits import PoseLimits
     from ...design.workspace import workspace
     from ...studies.design.workspace import report, slices
@@ -84,7 +86,7 @@ def run(arguments: argparse.Namespace) -> int:
         forces="forces" not in arguments.ignore,
         condition=arguments.condition or math.inf,
         clearance=arguments.clearance or 0.0,
-        load=arguments.load or [0.0] * 6,
+        load=np.array(arguments.load or [0.0] * 6),
     )
     with results(arguments, "report", "slices.csv") as take, progress_line() as progress:
         found = workspace(

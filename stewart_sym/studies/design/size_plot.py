@@ -1,6 +1,8 @@
-"""Picture of what motions need: force over speed, shares of the time, strokes and joint angles, with limits."""
+"""Picture of what motions need: force over speed, shares of the time, strokes, joint angles, limits."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +18,7 @@ with needed_for("drawing"):
     from matplotlib.figure import Figure
 
 _LEGS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
-_LIMIT = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
+_LIMIT: dict[str, Any] = {"color": "#9c1f1f", "linestyle": (0, (4, 2)), "linewidth": 1.1}
 _DEGREES = 180.0 / np.pi
 _MOST = 4000
 """Points of a leg that are drawn."""
@@ -67,7 +69,7 @@ def _plane(axes: Axes, rate: Array, effort: Array, most_rate: Array, most_effort
     for limit, size, draw in ((most_rate, across, axes.axvline), (most_effort, along, axes.axhline)):
         for value in np.unique(limit[np.isfinite(limit)]):
             for side in (-value, value) if value < 3.0 * size else ():
-                draw(side, **_LIMIT)  # type: ignore[operator]
+                draw(side, **_LIMIT)
 
 
 def _shares(axes: Axes, sizes: Array, weight: Array, limit: Array) -> None:

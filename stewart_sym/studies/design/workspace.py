@@ -53,7 +53,7 @@ def slices(robot: Robot, limits: PoseLimits, found: Workspace, progress: Progres
     made = []
     for axes in tracked(progress, pairs, lambda axes: f"plane of {' and '.join(AXES[i] for i in axes)}"):
         ends = [_ends(found, axis, axis - first) for axis in axes]
-        one, other = (np.linspace(*end, POINTS) for end in ends)
+        one, other = (np.linspace(low, high, POINTS) for low, high in ends)
         poses = np.tile(np.concatenate([found.position, found.angles]), (POINTS, POINTS, 1))
         poses[..., axes[0]], poses[..., axes[1]] = one[:, None], other
         flat = poses.reshape(-1, 6)
@@ -70,7 +70,7 @@ def _ends(found: Workspace, axis: int, row: int) -> Array:
     middle = float(np.concatenate([found.position, found.angles])[axis])
     low, high = min(extent[0], middle), max(extent[1], middle)
     wider = _MARGIN * (high - low)
-    return np.clip([low - wider, high + wider], *_ENDS[axis])
+    return np.asarray(np.clip([low - wider, high + wider], *_ENDS[axis]))
 
 
 def report(

@@ -1,4 +1,4 @@
-"""Picture of a workspace: planes through the pose in the middle, by condition number and by what bounds it."""
+"""Picture of a workspace: planes through the pose in the middle, by condition number and broken limit."""
 
 from __future__ import annotations
 
