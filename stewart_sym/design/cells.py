@@ -1,4 +1,4 @@
-"""Volume of a set whose members can be told one by one: cells that may hold some, and random points in them.
+"""Volume of a set given by a test of membership: cells that may hold members, and random points in them.
 
 A box is halved again and again and what surely holds no member is left out. In each cell that is left lie
 two independent random points: half the sum of both is an unbiased estimate of the cell's share, and the

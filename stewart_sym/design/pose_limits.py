@@ -71,10 +71,9 @@ class PoseLimits(Frozen):
         """Check every field."""
         for name in ("lengths", "joint_angles", "forces"):
             truth(getattr(self, name), name)
-        if self.condition != math.inf:
+        if not (isinstance(self.condition, float) and self.condition == math.inf):
             number_in(self.condition, "condition", "a number > 1, or infinity for no limit", low=1.0)
-        if self.clearance != 0.0:
-            number_in(self.clearance, "clearance", "a distance >= 0 m")
+        number_in(self.clearance, "clearance", "a distance >= 0 m", closed=True)
         self._set({"load": finite_array(self.load, (6,), "load").reshape(6)})
 
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from ..drives.effort import at_instants, trapezoids
 from ..dynamics.inverse import Formulation, inverse_dynamics, need_motion
-from ..io.arguments import instance, number_in, real_array
+from ..io.arguments import instance, number_in, real_array, shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..io.progress import Progress, silent
@@ -69,7 +69,7 @@ class Needs(Frozen):
     quantiles : ndarray
         Shares of the time, (q,); 1 is the peak.
     force, speed, power : ndarray
-        Sizes |F|, N, |L_dot|, m/s, and |F L_dot|, W, that are not exceeded for these shares of the time,
+        Sizes of F, N, of L_dot, m/s, and of F L_dot, W, that are not exceeded for these shares of the time,
         (q, 6).
     push, pull : ndarray
         Largest forces that extend and that shorten the leg, N, (6,), 0 where there are none.
@@ -166,7 +166,7 @@ def checked_quantiles(quantiles: Sequence[float]) -> Array:
     """Shares of the time in rising order, (q,); ValueError for others."""
     shares = real_array(quantiles, "quantiles", "shares > 0 and <= 1")
     if shares.ndim != 1 or not shares.size or not np.all((shares > 0.0) & (shares <= 1.0)):
-        raise ValueError(f"quantiles: expected shares > 0 and <= 1, got {np.array2string(shares)}")
+        raise ValueError(f"quantiles: expected shares > 0 and <= 1, got {shown(quantiles)}")
     return np.unique(shares)
 
 

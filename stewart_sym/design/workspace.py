@@ -33,6 +33,9 @@ WHOLE_TURN = np.array([[-math.pi, math.pi], [-0.5 * math.pi, 0.5 * math.pi], [-m
 """Roll, pitch and yaw of all rotations, rad, (3, 2)."""
 
 
+_MOST = 10**12
+
+
 class WorkspaceWarning(UserWarning):
     """What limits the meaning of a workspace."""
 
@@ -137,8 +140,8 @@ def workspace(
     instance(robot, Robot, "robot")
     option(kind, KINDS, "kind")
     limits = PoseLimits() if limits is None else limits
-    count = whole_number(poses, "poses", 100, "a whole number >= 100")
-    seed = whole_number(seed, "seed", 0, "a whole number >= 0")
+    count = whole_number(poses, "poses", 100, "a whole number from 100 to 10^12", _MOST)
+    seed = whole_number(seed, "seed", 0, "a whole number from 0 to 2^63 - 1", 2**63 - 1)
     examined = Region(PoseExaminer(robot, limits), kind, *middle(robot, position, angles))
     search = examined.box(box, turns)
     progress("leaving out what legs can't reach")
