@@ -58,13 +58,24 @@ def _distance(apart: Array, one: Array, other: Array, ii: Array, jj: Array) -> A
     """
     ij = one[0] * other[0] + one[1] * other[1] + one[2] * other[2]
     i, j = apart @ one, apart @ other
+    x, y = _shares(ii, jj, ij, i, j)
+    square = apart @ apart + x * (2.0 * i + x * ii) - y * (2.0 * j - y * jj + 2.0 * x * ij)
+    return np.asarray(np.sqrt(np.maximum(square, 0.0)))
+
+
+def nearest_shares(apart: Array, one: Array, other: Array) -> tuple[Array, Array]:
+    """Shares x and y of [0, 1], (...), at which apart + x one - y other, (..., 3), is shortest."""
+    i, j = _dot(one, apart), _dot(other, apart)
+    return _shares(_dot(one, one), _dot(other, other), _dot(one, other), i, j)
+
+
+def _shares(ii: Array, jj: Array, ij: Array, i: Array, j: Array) -> tuple[Array, Array]:
+    """The same, of products of one and other with themselves, each other and apart."""
+    # The squared length is a quadratic form in x and y.
     with np.errstate(divide="ignore", invalid="ignore"):
         x = _share(ij * j - i * jj, ii * jj - ij * ij)
         y = _share(ij * x + j, jj)
-        x = _share(ij * y - i, ii)
-    # The squared distance is a quadratic form in x and y.
-    square = apart @ apart + x * (2.0 * i + x * ii) - y * (2.0 * j - y * jj + 2.0 * x * ij)
-    return np.asarray(np.sqrt(np.maximum(square, 0.0)))
+        return _share(ij * y - i, ii), y
 
 
 def joined(robot: Robot) -> Array:
@@ -77,3 +88,7 @@ def joined(robot: Robot) -> Array:
 def _share(part: Array, whole: Array) -> Array:
     """part / whole within 0 and 1; 0 where the whole is 0."""
     return np.asarray(np.where(whole > 0.0, np.minimum(np.maximum(part / whole, 0.0), 1.0), 0.0))
+
+
+def _dot(x: Array, y: Array) -> Array:
+    return np.asarray(np.einsum("...k,...k->...", x, y))

@@ -14,7 +14,7 @@ import stewart_sym as ss
 from stewart_sym.design import cells
 from stewart_sym.design.pose_limits import REASONS, PoseExaminer
 from stewart_sym.design.workspace import WHOLE_TURN, Kind
-from stewart_sym.kinematics.clearance import PAIRS, distances_of
+from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
 from stewart_sym.kinematics.mounting import upright
 from stewart_sym.motion.rotation import rotation_from_rpy
 
@@ -231,6 +231,9 @@ def test_distances_of_legs_are_the_least_of_their_points() -> None:
         for pair, (i, j) in enumerate(PAIRS):
             one, other = b[i] + share * S[n, i], b[j] + share * S[n, j]
             least = np.linalg.norm(one[:, None] - other, axis=-1).min()
+            x, y = nearest_shares(b[i] - b[j], S[n, i], S[n, j])
+            nearest = b[i] - b[j] + x * S[n, i] - y * S[n, j]
+            assert np.linalg.norm(nearest) == pytest.approx(found[n, pair], rel=1e-9)
             assert found[n, pair] <= least + 1e-12
             assert least - found[n, pair] < 2e-2 * least + 1e-3
 
