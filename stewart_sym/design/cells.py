@@ -32,7 +32,7 @@ MOST_KEPT = 1 << 19
 # A set so thin that so many halvings leave few cells of it has no volume to speak of.
 _MOST_HALVINGS = 120
 
-Places = NDArray[np.int32]
+Places = NDArray[np.int64]
 
 
 class Cells(NamedTuple):
@@ -94,7 +94,7 @@ def cells_of(box: Array, points: int, weights: Array, empty: Callable[[Array, Ar
     empty: from least and greatest coordinates of cells, (n, d) each, to which surely hold no member, (n,).
     """
     most = max(1, min(points // 2, MOST_KEPT))
-    counts, places = [1] * len(box), np.zeros((1, len(box)), dtype=np.int32)
+    counts, places = [1] * len(box), np.zeros((1, len(box)), dtype=np.int64)
     widths = (box[:, 1] - box[:, 0]) * weights
     for _ in range(_MOST_HALVINGS):
         if not 0 < 2 * len(places) <= most:
@@ -123,7 +123,7 @@ def jobs_of(cells: Cells, seed: int) -> list[Job]:
 def tally(job: Job, examine: Examine, codes: int) -> Tally:
     """Examine two points in each of the job's cells; ``codes``: how many there are."""
     cells = job.cells
-    within = np.array(list(itertools.product(*map(range, cells.splits))), dtype=np.int32)
+    within = np.array(list(itertools.product(*map(range, cells.splits))), dtype=np.int64)
     places = (cells.places[:, None] * np.array(cells.splits) + within).reshape(-1, len(cells.box))
     shares = np.random.default_rng(job.seed).random((2, *places.shape))
     points = (cells.box[:, 0] + (places + shares) * cells.sides).reshape(-1, len(cells.box))
