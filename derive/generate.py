@@ -24,15 +24,19 @@ from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
-from .mechanics.formulation import EXACT, FORMULATIONS, Formulation
+from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
+from .mechanics.legs.rotor import NONE, rotor_of
 from .mechanics.orientation import quaternion, rpy
-from .mechanics.reduced_models import FIDELITIES, Fidelity, fidelity_kernel
+from .mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, fidelity_kernel, level_of
 from .mechanics.regressor import Regressor, regressor
 from .print.template import filled
 from .program.block import Block
 from .program.cse import share
+
+WHOLE = (EXACT, EXACT_DRIVE)
+"""Formulations with a closed form and bounds."""
 
 
 def generator_version() -> str:
@@ -54,9 +58,9 @@ def reduced_forces(form: Formulation, friction: bool = True) -> ForceKernel:
 
 
 def prepared_model(form: Formulation) -> ForceKernel:
-    """The same with all constants that are prepared for it and, of ``exact``, for the closed form."""
+    """The same with all constants that are prepared for it and, of ``WHOLE``, for the closed form."""
     kernel = force_kernel(form)
-    return shared_blocks(with_numbers(kernel, closed_form.PREPARED) if form == EXACT else kernel)
+    return shared_blocks(with_numbers(kernel, closed_form.PREPARED) if form in WHOLE else kernel)
 
 
 def shared_blocks(raw: ForceKernel) -> ForceKernel:
@@ -109,12 +113,13 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
         files |= _of_c(lanes.files(forces, version, smooth))
         models[form.kernel_name] = lanes.model_numbers(forces)
         files[f"{form.kernel_name}.py"] = arrays.every_output(built, counts, force_counts, version)
-        found = output_program(form, OUTPUTS if form == EXACT else (FORCES,))
+        found = output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
         files[f"{form.kernel_name}_arrays.py"] = arrays.module(found, arrays.imported(found), version)
-    progress("bounding the rounding errors of exact_forces")
-    bounded = BoundedForces(reduced_forces(EXACT))
-    files |= _of_c(bounds.files(bounded, version))
-    models[f"{EXACT.kernel_name}_bounds"] = bounded.model_numbers()
+    progress("bounding the rounding errors of the forces")
+    for form in WHOLE:
+        bounded = BoundedForces(reduced_forces(form))
+        files |= _of_c(bounds.files(bounded, version))
+        models[f"{form.kernel_name}_bounds"] = bounded.model_numbers()
     progress("deriving the fidelities")
     files |= _fidelities(version, models)
     progress("deriving exact_regressor")
@@ -122,7 +127,8 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     files["exact_regressor.py"] = arrays.regressor(columns, version)
     files |= _of_c(regressor_text.files(columns, version))
     progress("deriving the closed form")
-    files |= _closed_form(version)
+    for form in WHOLE:
+        files |= _closed_form(form, version)
     progress("deriving the kinematics")
     blocks = reduced_kinematics()
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
@@ -140,16 +146,16 @@ def _of_c(files: dict[str, str]) -> dict[str, str]:
 @cache
 def reduced_fidelity(level: Fidelity) -> ForceKernel:
     """The force kernel of one level of ``exact`` as it is emitted: derived, reduced, then shared."""
-    return shared_blocks(fidelity_kernel(EXACT, level))
+    return shared_blocks(fidelity_kernel(EXACT if level.rotor == NONE else EXACT_DRIVE, level))
 
 
 def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
     """Files of the levels; what their models hold is added to ``models``."""
     files: dict[str, str] = {}
     kernels = {}
-    for level in FIDELITIES.values():
+    for level in (*FIDELITIES.values(), *DRIVE_FIDELITIES.values()):
         built = reduced_fidelity(level)
-        kernels[level] = built if built.fidelity != "general" else prepared_model(EXACT)
+        kernels[level] = built if built.fidelity != "general" else prepared_model(built.formulation)
         if built.fidelity != "general":
             models[built.name] = lanes.model_numbers(built)
             files |= _of_c(lanes.files(built, version))
@@ -158,15 +164,16 @@ def _fidelities(version: str, models: dict[str, int]) -> dict[str, str]:
 
 
 def reduced_motion(
-    friction: bool = True, names: Collection[str] = closed_form.NAMES
+    friction: bool = True, names: Collection[str] = closed_form.NAMES, form: Formulation = EXACT
 ) -> tuple[closed_form.SumKernel, ...]:
-    """The kernels of the closed form as they are emitted; names: out of ``closed_form.NAMES``."""
-    return tuple(_reduced_sums(name, friction) for name in closed_form.NAMES if name in names)
+    """The kernels of the closed form as they are emitted; names: out of ``closed_form.NAMES``; form: of
+    ``WHOLE``."""
+    return tuple(_reduced_sums(name, friction, form) for name in closed_form.NAMES if name in names)
 
 
 @cache
-def _reduced_sums(name: str, friction: bool) -> closed_form.SumKernel:
-    raw = closed_form.kernel(name, friction)
+def _reduced_sums(name: str, friction: bool, form: Formulation) -> closed_form.SumKernel:
+    raw = closed_form.kernel(name, friction, rotor_of(form))
     return replace(raw, pose=share(raw.pose)).changed(share)
 
 
@@ -179,33 +186,35 @@ def output_program(
     of_model = tuple(each for each in outputs if each not in search.PUBLIC)
     parts = []
     if of_model:
-        built = prepared_model(form) if level == "general" else reduced_fidelity(FIDELITIES[level])
-        sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model))
+        built = prepared_model(form)
+        if level != "general":
+            built = reduced_fidelity(level_of(level, form.drive))
+        sums = () if of_model == (FORCES,) else reduced_motion(True, sums_used(of_model), form)
         parts.append(program(built, sums, of_model, by_pivots))
     if of_robot := [each for each in outputs if each in search.PUBLIC]:
         parts.append(search.search_program(reduced_kinematics(), of_robot))
     return reduce(joined, parts)
 
 
-def motion_files(functions: Collection[str]) -> dict[str, str]:
+def motion_files(functions: Collection[str], form: Formulation = EXACT) -> dict[str, str]:
     """``stewart_exact_motion.h`` and ``.c`` with some of ``emit.closed_form.FUNCTIONS`` and what those need.
 
-    Raises ValueError for other functions and for none.
+    form: of ``WHOLE``. Raises ValueError for other functions and for none.
     """
-    return _motion_files(prepared_model(EXACT), generator_version(), functions)
+    return _motion_files(prepared_model(form), generator_version(), functions)
 
 
 def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
-    needed = motion.kernels_of(functions)
-    built, plain = (reduced_motion(friction, needed) for friction in (True, False))
+    needed, form = motion.kernels_of(functions), model.formulation
+    built, plain = (reduced_motion(friction, needed, form) for friction in (True, False))
     return motion.files(built, plain, model, version, functions)
 
 
-def _closed_form(version: str) -> dict[str, str]:
-    built, model = reduced_motion(), prepared_model(EXACT)
+def _closed_form(form: Formulation, version: str) -> dict[str, str]:
+    built, model = reduced_motion(form=form), prepared_model(form)
     sources = _motion_files(model, version, motion.FUNCTIONS)
     rows = [f'    "{each.name}": {motion.sum_operations(each).total},' for each in built]
     return {
-        f"{EXACT.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
+        f"{form.kernel_name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
         **_of_c(sources),
     }

@@ -126,3 +126,61 @@ FIDELITIES: dict[str, dict[str, Any]] = {
         },
     },
 }
+
+# Those that only legs with rotors have; the others leave the rotors out.
+DRIVE_FIDELITIES: dict[str, dict[str, Any]] = {
+    "general": {
+        "kernel": "exact_drive",
+        "meaning": "everything, rotors included",
+        "universal": True,
+        "operations": {
+            "leg": 277, "platform": 192, "moments": 21, "sum of c": 51, "solve": 262, "forces": 6,
+            "total": 2278,
+        },
+    },
+    "reflected": {
+        "kernel": "exact_drive_reflected",
+        "meaning": "rotors as masses that move with the lengths",
+        "universal": True,
+        "operations": {
+            "leg": 267, "platform": 192, "moments": 21, "sum of c": 51, "solve": 262, "forces": 6,
+            "total": 2218,
+        },
+    },
+    "reflected_slender_friction": {
+        "kernel": "exact_drive_reflected_slender_friction",
+        "meaning": "reflected masses, no inertia about the leg's axis, with friction",
+        "universal": True,
+        "operations": {
+            "leg": 225, "platform": 192, "moments": 21, "sum of c": 51, "solve": 262, "forces": 6,
+            "total": 1966,
+        },
+    },
+    "reflected_slender": {
+        "kernel": "exact_drive_reflected_slender",
+        "meaning": "reflected masses, no inertia about the leg's axis",
+        "universal": False,
+        "operations": {
+            "leg": 116, "platform": 186, "moments": 21, "sum of c": 33, "solve": 262, "forces": 6,
+            "total": 1288,
+        },
+    },
+    "reflected_massless_friction": {
+        "kernel": "exact_drive_reflected_massless_friction",
+        "meaning": "reflected masses, legs without mass of their own, with friction",
+        "universal": True,
+        "operations": {
+            "leg": 158, "platform": 192, "moments": 21, "sum of c": 51, "solve": 262, "forces": 6,
+            "total": 1564,
+        },
+    },
+    "reflected_massless": {
+        "kernel": "exact_drive_reflected_massless",
+        "meaning": "reflected masses, legs without mass of their own",
+        "universal": False,
+        "operations": {
+            "leg": 81, "platform": 186, "moments": 12, "sum of c": 0, "solve": 262, "forces": 6,
+            "total": 1000,
+        },
+    },
+}

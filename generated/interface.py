@@ -35,6 +35,10 @@ STRUCTS: dict[str, dict[str, Shape]] = {
         "C_p": (),
         "C_s": (),
     },
+    "rotor": {
+        "m_r": (),
+        "j_r": (),
+    },
     "platform": {
         "M": (),
         "R_0": (3,),
@@ -186,7 +190,10 @@ MODELS: dict[str, int] = {
     "paper": 219,
     "exact_spherical": 250,
     "paper_spherical": 250,
+    "exact_drive": 326,
+    "exact_spherical_drive": 258,
     "exact_bounds": 385,
+    "exact_drive_bounds": 397,
     "exact_frictionless": 258,
     "exact_axisymmetric_friction": 187,
     "exact_axisymmetric": 162,
@@ -199,6 +206,11 @@ MODELS: dict[str, int] = {
     "exact_general_static": 139,
     "exact_slender_static": 67,
     "exact_massless_static": 56,
+    "exact_drive_reflected": 291,
+    "exact_drive_reflected_slender_friction": 179,
+    "exact_drive_reflected_slender": 98,
+    "exact_drive_reflected_massless_friction": 123,
+    "exact_drive_reflected_massless": 74,
 }
 
 # Headers that the sources share: to compile one takes these, and its own.

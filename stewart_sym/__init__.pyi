@@ -13,6 +13,7 @@ from .design.workspace import workspace as workspace
 from .drives.effort import DriveEffort as DriveEffort
 from .drives.effort import DriveLimitWarning as DriveLimitWarning
 from .drives.effort import drive_effort as drive_effort
+from .drives.effort import motor_forces as motor_forces
 from .dynamics.arrays import ArrayKernel as ArrayKernel
 from .dynamics.arrays import array_kernel as array_kernel
 from .dynamics.bounds import ForceBounds as ForceBounds
@@ -35,6 +36,7 @@ from .formulas.symbols import Symbolic as Symbolic
 from .formulas.symbols import symbolic as symbolic
 from .identification.base_parameters import BaseParameters as BaseParameters
 from .identification.base_parameters import base_parameters as base_parameters
+from .identification.drive_terms import DriveEstimate as DriveEstimate
 from .identification.equations import EquationsByParameter as EquationsByParameter
 from .identification.equations import equations_by_parameter as equations_by_parameter
 from .identification.estimates import Estimate as Estimate

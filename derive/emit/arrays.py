@@ -12,6 +12,7 @@ from ..kernel.tree.lower import expression
 from ..kernel.tree.nodes import Constant, Program, calls_in, parts_of
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
+from ..mechanics.legs.rotor import NONE
 from ..mechanics.reduced_models import Fidelity
 from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor, dependencies, names_of
 from ..print.c import C
@@ -147,8 +148,13 @@ def _rows(name: str, rows: list[str]) -> str:
 
 def fidelities(kernels: Mapping[Fidelity, ForceKernel], version: str) -> str:
     """``fidelities.py``: what there is of reduced force kernels, for the runtime to choose from."""
-    entries = "\n".join(_fidelity(level, kernel) for level, kernel in kernels.items())
-    return filled("fidelities.py", version=version, entries=entries)
+    plain, drive = (
+        "\n".join(
+            _fidelity(level, kernel) for level, kernel in kernels.items() if (level.rotor != NONE) == rotors
+        )
+        for rotors in (False, True)
+    )
+    return filled("fidelities.py", version=version, entries=plain, drive=drive)
 
 
 def _fidelity(level: Fidelity, kernel: ForceKernel) -> str:

@@ -16,7 +16,8 @@ def files(made: BoundedForces, version: str) -> dict[str, str]:
     name = made.kernel.formulation.kernel_name
     structures = (made.structures[each] for each in ("Leg", "Platform", "Model"))
     file = f"stewart_{name}_bounds"
-    texts = header("bounds.h", file, version, name=name, structures=C().source(*structures))
+    rotors = made.kernel.formulation.drive
+    texts = header("bounds.h", file, version, rotors=rotors, name=name, structures=C().source(*structures))
     top = filled("bounds_top.c", name=name, version=version, header=LANES) + filled("bounds_macros.c")
     parts = list(made.parts())
     apart = {each.name for each in parts if isinstance(each, Function)}.difference(_OF_FORCES)

@@ -31,6 +31,7 @@ def files(
         "every_output.h",
         made.name,
         version,
+        rotors=kernel.formulation.drive,
         name=kernel.formulation.kernel_name,
         about=_about(kernel),
         interface=_interface(kernel),
@@ -50,14 +51,15 @@ def _about(kernel: Kernel) -> str:
         True: "Base joint: universal, fixed axis k.",
         False: "Base joint: spherical; legs must be axisymmetric; M_u is zero.",
     }[form.base_joint == UNIVERSAL]
-    return f"{first}\n * {joint}"
+    rotors = "\n * Each leg has a rotor that turns with its length: STEWART_ROTORS." if form.drive else ""
+    return f"{first}\n * {joint}{rotors}"
 
 
 def _interface(kernel: Kernel) -> str:
     """Inputs that the kernel reads and outputs that it writes, with shapes and units."""
     used = {quantity for block in kernel.blocks for quantity in block.inputs}
     rows = [
-        ("Reads of each leg", [_typed(q) for q in n.LEG if q in used]),
+        ("Reads of each leg", [_typed(q) for q in n.OF_LEG if q in used]),
         ("Reads of the machine", [_typed(q) for q in n.PLATFORM if q in used]),
         ("Reads of the motion", [_typed(q) for q in n.MOTION if q in used]),
         *(
@@ -173,7 +175,7 @@ def _block_function(block: Block, made: Structure) -> Function:
     given = [q for q in inputs if q in (n.x, n.bearing)]
     arguments = [
         *([Argument("robot", Record("stewart_robot"))] if any(q in n.PLATFORM for q in inputs) else []),
-        *([Argument("leg", Record("stewart_leg"))] if any(q in n.LEG for q in inputs) else []),
+        *([Argument("leg", Record("stewart_leg"))] if any(q in n.OF_LEG for q in inputs) else []),
         Argument("at", Record("stewart_motions")),
         *(Argument(q.name, Real()) for q in given),
         Argument("out", Record(made.name), changed=True),
@@ -184,7 +186,7 @@ def _block_function(block: Block, made: Structure) -> Function:
 
 
 def _place(q: Quantity) -> Place:
-    return member("robot" if q in n.PLATFORM else "leg" if q in n.LEG else "at", q)
+    return member("robot" if q in n.PLATFORM else "leg" if q in n.OF_LEG else "at", q)
 
 
 def wrap_list(text: str, indent: str = " " * 8) -> str:

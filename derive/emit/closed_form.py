@@ -87,6 +87,7 @@ def _header(
         "motion.h",
         f"stewart_{made.name}_motion",
         version,
+        rotors=made.model.formulation.drive,
         included=f"stewart_{made.name}_forces.h",
         name=made.name,
         read="are read by\n * `derivatives` alone." if "derivatives" in asked else "are not read.",
@@ -195,7 +196,7 @@ class _Source(blocks.Batches):
             if what in self.asked:
                 yield from self.own(what)
         if set(blocks.OUTPUTS) & set(self.asked):
-            yield blocks.OF_LEG
+            yield blocks.of_leg(self.name)
             yield from self.shared_by_blocks()
         for what in ORDER:
             if what in self.asked and what in blocks.OUTPUTS:

@@ -41,12 +41,16 @@ MOTION_LANES = t.Structure(
     aligned=True,
 )
 
-OF_LEG = t.Structure(
-    "leg_in_lanes",
-    "The constants of one leg in every lane.",
-    (t.Field("model", t.Record("stewart_exact_model")),),
-    aligned=True,
-)
+
+def of_leg(name: str) -> t.Structure:
+    """A leg of a kernel's model."""
+    return t.Structure(
+        "leg_in_lanes",
+        "The constants of one leg in every lane.",
+        (t.Field("model", t.Record(f"stewart_{name}_model")),),
+        aligned=True,
+    )
+
 
 _ROW = 6
 
@@ -367,7 +371,7 @@ class Batches(ABC):
             "Pose": self.pose_structure(prefix, kernel),
             "Legs": self.legs_structure(prefix, kernel),
             "Block": made.block(),
-            "OfLeg": OF_LEG,
+            "OfLeg": of_leg(self.name),
         }
         if what in STRUCTS:
             structures |= {

@@ -3,15 +3,16 @@
 from collections.abc import Iterable, Mapping
 
 from ..kernel.interface import CALLS, STATUS, STRUCTS, Member
-from ..mechanics.quantities import LEG, MOTION, PLATFORM
+from ..mechanics.quantities import MOTION, OF_LEG, PLATFORM
 from ..print.template import filled
 from .thresholds import comment
 
-_MATRICES = {q.name: q for q in (*LEG, *PLATFORM, *MOTION) if len(q.shape) == 2}
+_MATRICES = {q.name: q for q in (*OF_LEG, *PLATFORM, *MOTION) if len(q.shape) == 2}
 
 
-def common_header(version: str, precision: str = "double") -> str:
-    """``stewart.h``; precision: "float" where it defines float by itself, as that of a float kit does."""
+def common_header(version: str, precision: str = "double", rotors: bool = False) -> str:
+    """``stewart.h``; precision: "float" where it defines float by itself, as that of a float kit does;
+    rotors: where it defines by itself that legs have them."""
     structs = {name: "\n".join(map(_member, members)) for name, members in STRUCTS.items()}
     arrays = {f"{name}_arrays": _pointers(name) for name in ("forces", "reactions")}
     return filled(
@@ -22,6 +23,7 @@ def common_header(version: str, precision: str = "double") -> str:
         status="\n".join(f"#define STEWART_{name} {code} /* {text} */" for name, code, text in STATUS),
         motions=_pointers("motion", "const "),
         own_type=filled("float.h") if precision == "float" else "",
+        own_legs=filled("own_rotors.h") if rotors else "",
         **structs,
         **arrays,
     )

@@ -56,6 +56,7 @@ def files(
         "forces.h",
         file,
         version,
+        rotors=kernel.formulation.drive,
         name=kernel.name,
         title=title,
         says="" if kernel.fidelity == "general" and before is None else f" * {says}\n *\n",

@@ -44,6 +44,7 @@ def files(kernel: ForceKernel, before: ForceKernel | None, version: str) -> dict
         "forces_pose.h",
         file,
         version,
+        rotors=kernel.formulation.drive,
         name=kernel.name,
         fidelity=f" * Fidelity: {kernel.meaning or 'everything'}.{folded}",
         operations=operations_table(force_operations(kernel, scalar_text=True), None, " * "),

@@ -50,12 +50,14 @@ def _printed(found: Shared, functions: tuple[t.Function, ...], more: str = "") -
 def header(template: str, file: str, version: str, /, **words: object) -> dict[str, str]:
     """``<file>.h`` of a template, framed as the headers of all kernels are.
 
-    words: of the template; ``included``: the header that it includes, ``stewart.h`` unless given.
+    words: of the template; ``included``: the header that it includes, ``stewart.h`` unless given; ``rotors``:
+    whether the legs have them.
     """
-    included = words.pop("included", "stewart.h")
+    included, rotors = words.pop("included", "stewart.h"), words.pop("rotors", False)
+    needed = filled("rotors.h").rstrip() if rotors else ""
     frame = {
         "written": filled("header_written", version=version).rstrip(),
-        "begin": filled("header_begin", guard=f"{file.upper()}_H", included=included).rstrip(),
+        "begin": filled("header_begin", guard=f"{file.upper()}_H", included=included, needed=needed).rstrip(),
         "end": filled("header_end").rstrip(),
     }
     return {f"{file}.h": filled(template, **frame, **words)}

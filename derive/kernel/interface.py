@@ -67,6 +67,7 @@ _ACCELERATION = _flat("acceleration", (6,), "m/s^2 and rad/s^2", "[a; alpha], ba
 
 STRUCTS: dict[str, tuple[Member, ...]] = {
     "leg": tuple(map(_member, n.LEG)),
+    "rotor": tuple(map(_member, n.ROTOR)),
     "platform": tuple(map(_member, n.PLATFORM)),
     "limits": (
         _flat("shortest", (6,), "m", "shortest leg"),
@@ -119,7 +120,8 @@ STRUCTS: dict[str, tuple[Member, ...]] = {
 }
 """Members of each ``stewart_<name>`` in order.
 
-Those of ``platform`` end ``stewart_robot``, after its six legs; of ``legs`` there is ``stewart_legs_arrays``
+Those of ``rotor`` end ``stewart_leg`` where STEWART_ROTORS is defined; those of ``platform`` end
+``stewart_robot``, after its six legs; of ``legs`` there is ``stewart_legs_arrays``
 alone."""
 
 

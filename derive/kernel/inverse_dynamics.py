@@ -26,7 +26,7 @@ from .written import legs, solve
 
 TERMS, REACTIONS = "terms", "leg_reactions"
 
-_OF_LEG: Arguments = {"leg": ("Leg", n.LEG)}
+_OF_LEG: Arguments = {"leg": ("Leg", n.OF_LEG)}
 _OF_POSE: Arguments = {"robot": ("Robot", n.PLATFORM), "motion": ("Motion", n.MOTION)}
 _AXIAL: Arguments = {"x": ("", (n.x,)), "bearing": ("", (n.bearing,))}
 _TERMS = t.Structure(
@@ -75,7 +75,7 @@ def terms_program(kernel: Kernel) -> t.Program:
     of_leg = _outputs("LegDynamics", "What a leg has.", kernel.leg)
     held = t.Field("leg", t.Array(t.Record(of_leg.name), (6,)), "each of them")
     of_legs = t.Structure("Legs", "What the legs have.", (held,))
-    structures = [*machine_structures(), of_leg, of_legs, *_results(kernel), _TERMS]
+    structures = [*machine_structures(kernel.formulation.drive), of_leg, of_legs, *_results(kernel), _TERMS]
     texts = _texts(structures, _blocks(kernel, kernel.leg, of_leg.name))
     texts.function(written.legs_in_turn, "legs_of")
     texts.function(written.leg_of_array, "leg_of")

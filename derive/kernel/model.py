@@ -12,11 +12,11 @@ from .written import forces
 STATUS_FIELD = t.Field("status", t.Integer(), "0, or what is wrong")
 
 
-def machine_structures() -> list[t.Structure]:
-    """The robot and the motion."""
+def machine_structures(drive: bool = False) -> list[t.Structure]:
+    """The robot and the motion; drive: the robot's legs have rotors."""
     legs = t.Field("leg", t.Array(t.Record("Leg"), (6,)), "the legs")
     return [
-        structure("Leg", "One leg.", n.LEG),
+        structure("Leg", "One leg.", n.OF_LEG if drive else n.LEG),
         structure("Robot", "The machine.", n.PLATFORM, legs),
         structure("Motion", "Motion of the platform and its load.", n.MOTION),
     ]
@@ -26,7 +26,7 @@ def model_structures(kernel: ForceKernel) -> list[t.Structure]:
     """The robot, the motion, and the constants that a kernel prepares."""
     of_leg = [out.quantity for out in kernel.prepare_leg.outputs]
     return [
-        *machine_structures(),
+        *machine_structures(kernel.formulation.drive),
         structure("LegConstants", "Prepared constants of one leg.", of_leg),
         structure("Added", "What the legs add to the platform's constants.", p.ADDED),
         structure("Platform", "Constants of the platform.", kernel.platform_constants()),
@@ -48,7 +48,7 @@ def model_functions(kernel: ForceKernel, structures: dict[str, t.Structure]) -> 
     """What ``written.forces.prepare`` calls."""
     robot: Arguments = {"robot": ("Robot", n.PLATFORM), "p_1": ("", (n.p_1,))}
     return [
-        block_function(kernel.prepare_leg, "prepare_leg", "LegConstants", robot | {"leg": ("Leg", n.LEG)}),
+        block_function(kernel.prepare_leg, "prepare_leg", "LegConstants", robot | {"leg": ("Leg", n.OF_LEG)}),
         block_function(
             kernel.prepare_platform, "prepare_platform", "Platform", robot | {"total": ("Added", p.ADDED)}
         ),

@@ -35,7 +35,7 @@ ROBOT = t.Structure(
     "",
     (t.Field("leg", t.Array(t.Record("stewart_leg"), (6,))), *(stored(q, always=False) for q in n.PLATFORM)),
 )
-LEG = t.Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.LEG))
+LEG = t.Structure("stewart_leg", "", tuple(stored(q, always=False) for q in n.OF_LEG))
 MOTION = t.Structure("stewart_motion", "", tuple(stored(q, always=False) for q in n.MOTION))
 
 
@@ -122,7 +122,7 @@ def raw(quantity: Quantity) -> Place:
         return Place(t.Name("axis"))
     if quantity == n.p_1:
         return Place(t.Member(t.Element(t.Member(t.Name("robot"), "leg"), (t.Number(0),)), "p"))
-    owner = "leg" if quantity in n.LEG else "sum" if quantity in ADDED else "robot"
+    owner = "leg" if quantity in n.OF_LEG else "sum" if quantity in ADDED else "robot"
     return member(owner, quantity)
 
 

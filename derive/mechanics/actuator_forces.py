@@ -37,6 +37,7 @@ from .legs.joint_coordinates import (
 )
 from .legs.leg import cross
 from .legs.printed import printed_leg
+from .legs.rotor import NONE, Rotor, rotor_of
 from .platform import LegShare, platform
 
 FROM_POSE = (*n.MOTION, p.B)
@@ -152,7 +153,7 @@ def regrouped(form: Formulation, friction: bool = True) -> ForceKernel:
     if form.no_spin:
         leg, near = (_printed_leg(form, friction, near_singular) for near_singular in (False, True))
     else:
-        leg, near = (joint_leg(friction, near_singular) for near_singular in (False, True))
+        leg, near = (joint_leg(friction, near_singular, rotor_of(form)) for near_singular in (False, True))
     return replace(with_constants(form, friction, shared(friction), leg, lumped), leg_near_singular=near)
 
 
@@ -416,7 +417,7 @@ def closed_leg(
     return build.block(
         "leg_terms_of",
         meaning,
-        (*n.LEG, *p.LEG, *FROM_POSE, n.g),
+        (*n.OF_LEG, *p.LEG, *FROM_POSE, n.g),
         [
             (n.q, q),
             (n.L, L),
@@ -439,10 +440,10 @@ def tip_motion(build: Builder, q: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
     return S_dot, S_ddot
 
 
-def joint_leg(friction: bool, near_singular: bool = False) -> Block:
+def joint_leg(friction: bool, near_singular: bool = False, rotor: Rotor = NONE) -> Block:
     """The general leg in the coordinates of its joints; ``near_singular``: measured along its third axis."""
     build = Builder()
-    at = joint_frame(build, near_singular)
+    at = joint_frame(build, near_singular, rotor=rotor)
     S_dot, S_ddot = tip_motion(build, at.q)
     rates = joint_rates(build, at, S_dot)
     accelerations = joint_accelerations(build, at, rates, S_ddot)

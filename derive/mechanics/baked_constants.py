@@ -110,7 +110,8 @@ def _run(kernel: ForceKernel, robot: Numbers, digits: int) -> _Constants:
     with mp.workdps(digits):
         of_all = _components((*n.PLATFORM, n.p_1), {**robot, n.p_1.name: robot[n.p.name][0]})
         given = [
-            of_all | _components(n.LEG, {q.name: robot[q.name][leg] for q in n.LEG}) for leg in range(LEGS)
+            of_all | _components(n.of_leg(robot), {q.name: robot[q.name][leg] for q in n.of_leg(robot)})
+            for leg in range(LEGS)
         ]
         found = [_by_name(kernel.prepare_leg, values) for values in given]
         added = {name: sum(leg[name] for leg in found) for q in ADDED for name in q.names}

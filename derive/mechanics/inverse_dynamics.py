@@ -23,6 +23,7 @@ from .legs.leg import (
     leg_vector,
     platform_point_motion,
 )
+from .legs.rotor import rotor_of
 from .platform import LegShare, platform
 
 
@@ -92,7 +93,7 @@ def leg_block(form: Formulation, share: LegShare, friction: bool) -> Block:
     return build.block(
         "leg_dynamics",
         "one leg: D, K, its column of H and its part of c, (1)-(24), (35)",
-        (*n.LEG, n.g, *n.MOTION),
+        (*n.OF_LEG, n.g, *n.MOTION),
         outputs,
     )
 
@@ -113,7 +114,7 @@ def reactions_block(form: Formulation, friction: bool) -> Block:
     return build.block(
         "leg_reactions",
         "one leg: joint reactions, (21), (26)-(29), (17)",
-        (*n.LEG, n.g, *n.MOTION, n.x, n.bearing),
+        (*n.OF_LEG, n.g, *n.MOTION, n.x, n.bearing),
         [(quantity, reactions[quantity.name]) for quantity in quantities],
     )
 
@@ -141,7 +142,7 @@ def _universal_leg(build: Builder, form: Formulation, friction: bool, with_react
         gamma=build.vector("gamma", T.T * n.g.value, "", "gravity, leg frame"),
         w=build.vector("w", T.T * n.omega.value, "", "angular velocity of the platform, leg frame"),
     )
-    leg = leg_dynamics(build, form, constants(friction), motion, with_reactions)
+    leg = leg_dynamics(build, form, constants(friction, rotor=rotor_of(form)), motion, with_reactions)
     return BaseFrameLeg(
         q,
         s,
@@ -189,7 +190,8 @@ def _spherical_leg(build: Builder, form: Formulation, friction: bool, with_react
         **{name: sp.Matrix([axial[name], *_PAIRS[name]]) for name in base},
     )
     inner = Builder()
-    leg = leg_dynamics(inner, form, constants(friction, axisymmetric=True), motion, with_reactions)
+    of_leg = constants(friction, axisymmetric=True, rotor=rotor_of(form))
+    leg = leg_dynamics(inner, form, of_leg, motion, with_reactions)
     back = inner.substitution()
 
     def base_vector(name: str, local: sp.Matrix) -> sp.Matrix:

@@ -113,7 +113,7 @@ def prepare_leg(needed: Iterable[Quantity], lumped: Lumped) -> Block:
         "J",
         n.I_d0.value + n.I_u0.value + point_inertia(n.m_d.value, n.r_d0.value) + point_inertia(m_u, r_u),
     )
-    values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in n.LEG} | {
+    values: dict[Quantity, sp.Expr | sp.Matrix] = {q: q.value for q in n.OF_LEG} | {
         h: first,
         w: both,
         J: tensor,
@@ -137,7 +137,7 @@ def prepare_leg(needed: Iterable[Quantity], lumped: Lumped) -> Block:
     return build.block(
         "prepare_leg",
         "constants of one leg, and what it adds to the platform",
-        (*n.LEG, n.p_1, n.g),
+        (*n.OF_LEG, n.p_1, n.g),
         [*((q, values[q]) for q in needed if q in values), *added],
     )
 

@@ -4,6 +4,8 @@ The first file to read beside the paper. Everything else in ``derive`` takes its
 here; it holds no equation.
 """
 
+from collections.abc import Container
+
 from ..program.block import Quantity
 
 # Motion of the platform and its load.
@@ -32,6 +34,16 @@ C_p = Quantity("C_p", (), "N s/m", "viscous friction of the prismatic joint")
 C_s = Quantity("C_s", (), "N m s", "viscous friction of the spherical joint")
 LEG = (b, p, k, m_d, r_d0, I_d0, m_u, r_u0, I_u0, C_u, C_p, C_s)
 FRICTION = (C_u, C_p, C_s)
+m_r = Quantity("m_r", (), "kg", "reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead")
+j_r = Quantity("j_r", (), "kg m", "angular momentum of the leg's rotor per rate of length, J_r N")
+ROTOR = (m_r, j_r)
+OF_LEG = (*LEG, *ROTOR)
+
+
+def of_leg(numbers: Container[str]) -> tuple[Quantity, ...]:
+    """Constants of a leg: those of a rotor where there are numbers of one."""
+    return OF_LEG if m_r.name in numbers else LEG
+
 
 # Constants of the platform and of the place it stands in.
 M = Quantity("M", (), "kg", "mass of the platform with its payload")

@@ -17,9 +17,10 @@ from . import actuator_forces
 from . import lumped_constants as p
 from . import quantities as n
 from .actuator_forces import ForceKernel
-from .formulation import EXACT, Formulation
+from .formulation import EXACT, EXACT_DRIVE, Formulation
 from .legs import axisymmetric as axial_leg
 from .legs.leg import cross
+from .legs.rotor import FULL, NONE, REFLECTED, Rotor, rotor_of
 
 GENERAL = "general"
 AXISYMMETRIC = "axisymmetric"
@@ -34,7 +35,8 @@ class Fidelity:
 
     legs: ``general``; ``axisymmetric``, centres of mass on the axis and equal transverse inertias;
     ``slender``, also no inertia about the axis; ``point_masses``, no inertia but that of the masses;
-    ``massless``. friction: of all joints. moving: False for no velocities and no accelerations.
+    ``massless``. friction: of all joints. moving: False for no velocities and no accelerations. rotor: of the
+    legs' drives.
     """
 
     name: str
@@ -42,6 +44,7 @@ class Fidelity:
     friction: bool
     moving: bool
     meaning: str
+    rotor: Rotor = NONE
 
 
 FIDELITIES = {
@@ -73,6 +76,58 @@ FIDELITIES = {
 """Levels by name, each with what it says of the machine. At rest axisymmetric legs and point masses are
 slender ones."""
 
+DRIVE_FIDELITIES = {
+    level.name: level
+    for level in (
+        Fidelity("general", GENERAL, True, True, "everything, rotors included", FULL),
+        Fidelity("reflected", GENERAL, True, True, "rotors as masses that move with the lengths", REFLECTED),
+        Fidelity(
+            "reflected_slender_friction",
+            SLENDER,
+            True,
+            True,
+            "reflected masses, no inertia about the leg's axis, with friction",
+            REFLECTED,
+        ),
+        Fidelity(
+            "reflected_slender",
+            SLENDER,
+            False,
+            True,
+            "reflected masses, no inertia about the leg's axis",
+            REFLECTED,
+        ),
+        Fidelity(
+            "reflected_massless_friction",
+            MASSLESS,
+            True,
+            True,
+            "reflected masses, legs without mass of their own, with friction",
+            REFLECTED,
+        ),
+        Fidelity(
+            "reflected_massless",
+            MASSLESS,
+            False,
+            True,
+            "reflected masses, legs without mass of their own",
+            REFLECTED,
+        ),
+    )
+}
+"""Levels that only legs with rotors have. Those of ``FIDELITIES`` leave the rotors out; the one that is
+everything but them goes by ``NO_ROTOR``."""
+
+NO_ROTOR = "no_rotor"
+
+
+def level_of(name: str, rotors: bool) -> Fidelity:
+    """The level that a name stands for; rotors: of a robot whose legs have them. KeyError for no level."""
+    if not rotors:
+        return FIDELITIES[name]
+    return DRIVE_FIDELITIES.get(name) or FIDELITIES[GENERAL if name == NO_ROTOR else name]
+
+
 _ZERO = sp.S.Zero
 
 
@@ -82,11 +137,11 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
 
     Raises ValueError for a level below ``frictionless`` of another formulation than EXACT.
     """
-    if level.legs == GENERAL and level.moving:
+    if level.legs == GENERAL and level.moving and level.rotor == rotor_of(form):
         return replace(
             actuator_forces.force_kernel(form, level.friction), fidelity=level.name, meaning=level.meaning
         )
-    if form != EXACT:
+    if form != (EXACT if level.rotor == NONE else EXACT_DRIVE):
         raise ValueError(f"fidelity: {level.name} is a reduction of exact, not of {form.kernel_name}")
     lumped = p.Lumped(mass=level.legs != MASSLESS, friction=level.friction)
     kernel = actuator_forces.with_constants(form, level.friction, _platform(level), _leg(level), lumped)
@@ -119,19 +174,20 @@ def _weighed(block: Block) -> Block:
 
 
 def _platform(level: Fidelity) -> Block:
-    if level.legs == MASSLESS and level.moving:
+    if level.legs == MASSLESS and level.moving and level.rotor == NONE:
         return _platform_alone(level.friction)
     return actuator_forces.shared(level.friction)
 
 
 def _leg(level: Fidelity, near_singular: bool = False) -> Block:
     if level.legs == GENERAL:
-        return actuator_forces.joint_leg(level.friction, near_singular)
+        return actuator_forces.joint_leg(level.friction, near_singular, level.rotor)
     if level.legs == AXISYMMETRIC or level.friction:
-        return specialised(
-            actuator_forces.joint_leg(level.friction, near_singular), _constants(level.legs), p.LEG
-        )
-    return _massless_leg() if level.legs == MASSLESS else _slender_leg(_across(level.legs))
+        leg = actuator_forces.joint_leg(level.friction, near_singular, level.rotor)
+        return specialised(leg, _constants(level.legs), p.LEG)
+    if level.legs == MASSLESS:
+        return _massless_leg() if level.rotor == NONE else _rotor_alone(level.rotor)
+    return _slender_leg(_across(level.legs), level.rotor)
 
 
 def _across(legs: str) -> sp.Expr:
@@ -154,10 +210,10 @@ def _constants(legs: str) -> dict[sp.Symbol, sp.Expr]:
     return values | {p.J.value[0, 0]: axial, p.J.value[1, 1]: across, p.J.value[2, 2]: across}
 
 
-def _slender_leg(inertia: sp.Expr) -> Block:
+def _slender_leg(inertia: sp.Expr, rotor: Rotor) -> Block:
     build = Builder()
     at = axial_leg.axis(build)
-    D, K = axial_leg.tip_force(build, at, *actuator_forces.tip_motion(build, at.q), inertia)
+    D, K = axial_leg.tip_force(build, at, *actuator_forces.tip_motion(build, at.q), inertia, rotor.mass)
     meaning = "one slender leg: D, its column of H and its part of c"
     return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, D, K, sp.zeros(3, 1))
 
@@ -168,6 +224,18 @@ def _massless_leg() -> Block:
     meaning = "one massless leg: its column of H"
     nothing = sp.zeros(3, 1)
     return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, _ZERO, nothing, nothing)
+
+
+def _rotor_alone(rotor: Rotor) -> Block:
+    build = Builder()
+    at = axial_leg.axis(build)
+    S_dot, S_ddot = actuator_forces.tip_motion(build, at.q)
+    L_dot = build.scalar("L_dot", at.s.dot(S_dot), "(5)", "rate of the length")
+    turned = build.scalar("turned", (S_dot.dot(S_dot) - L_dot**2) * at.inv_L, "(8)", "L |s_dot|^2")
+    D = build.scalar("D", rotor.mass * (at.s.dot(S_ddot) + turned), "(24)", "force that turns the motor")
+    meaning = "one massless leg with a reflected mass: D and its column of H"
+    nothing = sp.zeros(3, 1)
+    return actuator_forces.closed_leg(build, meaning, at.q, at.s, at.L, None, D, nothing, nothing)
 
 
 def _platform_alone(friction: bool) -> Block:

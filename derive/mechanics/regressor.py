@@ -20,6 +20,7 @@ from .closed_form.parts import name_omega
 from .legs import tip
 from .legs.joint_coordinates import JointFrame, gravity_torques, joint_accelerations, joint_frame, joint_rates
 from .legs.leg import cross
+from .legs.rotor import FULL
 
 # Parameters of one leg and of the platform; their columns stand in Y in this order.
 h_d = Quantity("h_d", (3,), "kg m", "first moment of the lower part about the base point, frame D")
@@ -62,7 +63,12 @@ def names_of(parameters: Iterable[Quantity]) -> list[str]:
 
 def regressor() -> Regressor:
     """Derive both blocks."""
-    return Regressor(_leg(), _platform())
+    return Regressor(_leg(LEG_PARAMETERS), _platform())
+
+
+def rotor_columns() -> Block:
+    """Columns of the constants of one leg's rotor, which stand beside those of ``regressor``."""
+    return _leg(n.ROTOR)
 
 
 def dependencies() -> dict[str, dict[str, sp.Expr]]:
@@ -83,7 +89,7 @@ def dependencies() -> dict[str, dict[str, sp.Expr]]:
 # ---------------------------------------------------------------- one leg
 
 
-def _leg() -> Block:
+def _leg(parameters: tuple[Quantity, ...]) -> Block:
     build = Builder()
     at = joint_frame(build, with_z=True)
     omega, alpha, q = n.omega.value, n.alpha.value, at.q
@@ -116,7 +122,7 @@ def _leg() -> Block:
         "regressor_of_leg",
         "columns of one leg's parameters",
         (*n.LEG, *n.MOTION, n.g),
-        [*_outputs(LEG_PARAMETERS, columns), (n.q, q), (n.L, at.L), (n.k3, at.k3)],
+        [*_outputs(parameters, columns), (n.q, q), (n.L, at.L), (n.k3, at.k3)],
     )
 
 
@@ -130,8 +136,8 @@ def _projections(build: Builder, at: JointFrame) -> None:
 
 
 def _torques_by_parameter() -> dict[str, sp.Matrix]:
-    """Derivatives of Lagrange's torques, 3x1, by the parameters of ``LEG_PARAMETERS`` that they hold."""
-    torques = tip.torques(with_friction=True)
+    """Derivatives of Lagrange's torques, 3x1, by the parameters of a leg that they hold."""
+    torques = tip.torques(True, FULL)
 
     def by(symbol: sp.Symbol) -> sp.Matrix:
         return torques.diff(symbol).applyfunc(_without_turning)
@@ -141,6 +147,7 @@ def _torques_by_parameter() -> dict[str, sp.Matrix]:
         found[name] = found[lower] + by(own)
     found |= {name: by(symbol) for name, symbol in zip(J_u.names, p.J.symbols, strict=True)}
     C_us = by(p.C_us.value)
+    found |= {q.name: by(q.value) for q in n.ROTOR}
     return found | {
         n.C_u.name: C_us,
         n.C_p.name: by(n.C_p.value),

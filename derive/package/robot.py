@@ -55,7 +55,7 @@ def _initialiser(robot: Numbers) -> str:
         "\n".join(
             [
                 f"        {{ /* leg {i + 1} */",
-                *(member(q, stored(robot, q, "robot", i), " " * 12) for q in n.LEG),
+                *(member(q, stored(robot, q, "robot", i), " " * 12) for q in n.of_leg(robot)),
                 "        },",
             ]
         )

@@ -18,7 +18,7 @@ from ..motion.motion import Motion
 from ..results import OK, Forces, Reactions
 from ..robot.robot import Robot
 from . import native
-from .kernel import MOTION, kernel_name, overflows, robot_numbers
+from .kernel import MOTION, defines_of, overflows, robot_kernel, robot_numbers, takes_rotors
 
 
 def c_sources(name: str) -> dict[str, str]:
@@ -36,7 +36,8 @@ def library(name: str, defines: tuple[str, ...] = (), flags: tuple[str, ...] = (
 
     Raises native.CompilerError where there is no working compiler.
     """
-    return native.load(f"stewart_{name}", c_sources(name), flags, dict.fromkeys(defines, 1))
+    macros = dict.fromkeys((*defines, *defines_of(name)), 1)
+    return native.load(f"stewart_{name}", c_sources(name), flags, macros)
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,9 +50,9 @@ class CKernel(Frozen):
     @classmethod
     def prepare(cls, robot: Robot, formulation: str) -> "CKernel":
         """Compile or find the kernel and lay out the robot."""
-        name = kernel_name(formulation, robot.base_joint)
+        name = robot_kernel(robot, formulation)
         library(name)
-        return cls(name, read_only(robot_numbers(robot)))
+        return cls(name, read_only(robot_numbers(robot, takes_rotors(name))))
 
     def forces(self, motion: Motion) -> Forces:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
@@ -91,11 +92,16 @@ def function(name: str, part: str, precision: str, what: str) -> Any:
     return getattr(library(f"{name}_{part}", defines), f"stewart_{name}_{what}")
 
 
-def prepared_model(prepare: Any, robot: Robot, count: int, precision: str) -> NDArray[Any]:
-    """So many constants that a C function prepares from a robot. Raises ValueError where they overflow."""
+def prepared_model(
+    prepare: Any, robot: Robot, count: int, precision: str, rotors: bool = False
+) -> NDArray[Any]:
+    """So many constants that a C function prepares from a robot, with its rotors where the kernel takes them.
+
+    Raises ValueError where they overflow.
+    """
     dtype = np.float64 if precision == "double" else np.float32
     with np.errstate(over="ignore"):
-        numbers = robot_numbers(robot).astype(dtype)
+        numbers = robot_numbers(robot, rotors).astype(dtype)
     model = np.zeros(count, dtype=dtype)
     if prepare(address(numbers), address(model)) != OK:
         raise overflows(robot, precision)

@@ -3,16 +3,31 @@
 A level drops physics of the legs that a scene may not need; each has a kernel of its own.
 """
 
+from typing import Any
+
+from ..generated.fidelities import DRIVE_FIDELITIES as _WITH_ROTORS
 from ..generated.fidelities import FIDELITIES as _TABLE
 from ..generated.interface import MODELS
 from ..io.arguments import shown
 from ..robot.robot import Robot
-from .kernel import kernel_name, module
+from .kernel import kernel_name, module, robot_kernel
 
 FIDELITIES: tuple[str, ...] = tuple(_TABLE)
 """Names, from everything to nothing but the platform: legs ``general`` (with friction), ``frictionless``,
 ``axisymmetric``, ``slender``, ``point_masses``, ``massless``, the last four also with ``_friction``; with
 ``_static`` neither velocities nor accelerations."""
+
+NO_ROTOR = "no_rotor"
+"""Of a robot whose legs have rotors: everything but them."""
+
+_DRIVE_TABLE = {
+    **_WITH_ROTORS,
+    NO_ROTOR: {**_TABLE["general"], "meaning": "everything but the rotors"},
+    **{name: level for name, level in _TABLE.items() if name != "general"},
+}
+DRIVE_FIDELITIES: tuple[str, ...] = tuple(_DRIVE_TABLE)
+"""Names of a robot whose legs have rotors: ``general`` has all of them, ``reflected`` their masses alone,
+also with ``slender`` and ``massless`` legs; the others have no rotors."""
 
 _SAME = {"axisymmetric_static": "slender_static", "point_masses_static": "slender_static"}
 _GENERAL = "general"
@@ -21,15 +36,17 @@ _GENERAL = "general"
 def available(robot: Robot, formulation: str = "exact") -> tuple[str, ...]:
     """Levels that there are for a robot: all for ``exact`` and universal base joints.
 
-    With spherical base joints those without universal joints; ``paper`` has ``general`` alone. Raises
-    ValueError for an unknown formulation.
+    With spherical base joints those without universal joints; ``paper`` has ``general`` alone, and none for
+    legs with rotors. Raises ValueError for an unknown formulation.
     """
     kernel_name(formulation, robot.base_joint)
+    if robot.has_rotors and formulation == "paper":
+        return ()
     if formulation != "exact":
         return (_GENERAL,)
     return tuple(
         name
-        for name, level in _TABLE.items()
+        for name, level in _table(robot).items()
         if name == _GENERAL or robot.base_joint == "universal" or not level["universal"]
     )
 
@@ -39,6 +56,7 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
 
     Raises ValueError naming the levels that there are.
     """
+    robot_kernel(robot, formulation)
     name = _SAME.get(fidelity, fidelity) if isinstance(fidelity, str) else fidelity
     names = available(robot, formulation)
     if not isinstance(name, str) or name not in names:
@@ -52,8 +70,8 @@ def resolved(robot: Robot, formulation: str, fidelity: str) -> str:
 def force_kernel_name(robot: Robot, formulation: str, fidelity: str) -> str:
     """Name of the generated force kernel, as in ``stewart_<name>_forces.c``; raises as ``resolved``."""
     level = resolved(robot, formulation, fidelity)
-    own = kernel_name(formulation, robot.base_joint)
-    return own if level == _GENERAL else str(_TABLE[level]["kernel"])
+    own = robot_kernel(robot, formulation)
+    return own if level == _GENERAL else str(_table(robot)[level]["kernel"])
 
 
 def model_numbers(robot: Robot, formulation: str, fidelity: str) -> int:
@@ -65,11 +83,20 @@ def operations(robot: Robot, formulation: str = "exact", fidelity: str = _GENERA
     """Operations per pose: +, -, *, / and sqrt one each, solve included."""
     level = resolved(robot, formulation, fidelity)
     if level == _GENERAL:
-        counts = module(kernel_name(formulation, robot.base_joint)).FORCE_OPERATIONS["friction"]
+        counts = module(robot_kernel(robot, formulation)).FORCE_OPERATIONS["friction"]
         return sum(counts["total"])
-    return int(_TABLE[level]["operations"]["total"])
+    return int(_table(robot)[level]["operations"]["total"])
 
 
-def meaning(fidelity: str) -> str:
-    """What a level says of the machine, in words."""
-    return str(_TABLE[_SAME.get(fidelity, fidelity)]["meaning"])
+def meaning(fidelity: str, rotors: bool = False) -> str:
+    """What a level says of the machine, in words; rotors: of one whose legs have them."""
+    return str((_DRIVE_TABLE if rotors else _TABLE)[_SAME.get(fidelity, fidelity)]["meaning"])
+
+
+def knows_axes(robot: Robot, fidelity: str) -> bool:
+    """Whether a level's kernel has the axes of universal joints."""
+    return bool(_table(robot)[fidelity]["universal"])
+
+
+def _table(robot: Robot) -> dict[str, dict[str, Any]]:
+    return _DRIVE_TABLE if robot.has_rotors else _TABLE

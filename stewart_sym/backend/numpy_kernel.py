@@ -14,7 +14,7 @@ from ..io.array_types import Array, Codes
 from ..motion.motion import Motion
 from ..results import OK, Forces, Reactions
 from ..robot.robot import Robot
-from .kernel import LEG, MOTION, PLATFORM, columns, kernel_name, module, stored
+from .kernel import LEG, MOTION, PLATFORM, ROTOR, columns, module, robot_kernel, stored
 
 # Poses that the NumPy kernels take at once: arrays of more leave the processor's nearer memory.
 _AT_ONCE = 1024
@@ -30,7 +30,7 @@ class NumpyKernel:
     @classmethod
     def prepare(cls, robot: Robot, formulation: str) -> "NumpyKernel":
         """Choose the module."""
-        return cls(kernel_name(formulation, robot.base_joint), robot)
+        return cls(robot_kernel(robot, formulation), robot)
 
     def forces(self, motion: Motion) -> Forces:
         """Inverse dynamics of every pose; NaN where the status is not 0."""
@@ -132,7 +132,7 @@ def _arithmetic() -> Any:
 
 def legs_side_by_side(robot: Robot) -> SimpleNamespace:
     """The robot as a structure of a generated module, a number of the legs as (6, 1)."""
-    legs = {name: columns(getattr(robot, name)).T[..., None] for name in LEG}
+    legs = {name: columns(getattr(robot, name)).T[..., None] for name in (*LEG, *ROTOR)}
     leg = {name: list(rows) if np.ndim(getattr(robot, name)) > 1 else rows[0] for name, rows in legs.items()}
     platform = {name: stored(np.asarray(getattr(robot, name))) for name in PLATFORM}
     parts = {name: list(each) if each.shape else each for name, each in platform.items()}

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..dynamics.inverse import Backend, Formulation, inverse_dynamics
-from ..io.arguments import instance, real_array
+from ..io.arguments import finite_array, instance, real_array
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from ..io.instants import least_step, time_text
@@ -84,7 +84,8 @@ def drive_effort(
 ) -> DriveEffort:
     """Torque, speed, current, power and energy of the motors along a motion; warns of limits exceeded.
 
-    With N = 2 pi / lead the motor's torque is (F + friction) / N and what turns the rotor.
+    With N = 2 pi / lead the motor's torque is (F + friction) / N. F turns the rotor too; what is left of it
+    passes through the screw, where efficiency and friction act.
 
     Parameters
     ----------
@@ -132,6 +133,33 @@ def drive_effort(
     )
 
 
+def motor_forces(robot: Robot, current: ArrayLike) -> Array:
+    """Forces of the motors along the legs from their measured currents: N times torque.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine, with a drive whose torque_constant is given.
+    current : array_like
+        A, (..., 6), signed as the torque is.
+
+    Returns
+    -------
+    ndarray
+        Forces, N, (..., 6), positive when they extend the leg.
+
+    Raises
+    ------
+    ValueError
+        For a robot without such a drive, and for currents of another shape.
+    """
+    instance(robot, Robot, "robot")
+    if robot.drive is None or not np.all(robot.drive.torque_constant > 0.0):
+        raise ValueError("robot: expected a drive with a torque_constant of every leg")
+    given = finite_array(current, (LEGS,), "current")
+    return np.asarray(robot.drive.turns * robot.drive.torque_constant * given)
+
+
 class Instants(NamedTuple):
     """Fields of ``DriveEffort`` that are given at every instant, (..., 6)."""
 
@@ -150,9 +178,10 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
 
     NaN where these are.
     """
-    rotor = rotor_force(drive, robot, motion)
-    friction = friction_force(drive, F, L_dot)
-    force = F + friction + rotor
+    with np.errstate(all="ignore"):
+        rotor = newton_euler.rotor_force(robot, motion)
+    friction = friction_force(drive, F - rotor, L_dot)
+    force = F + friction
     torque = force / drive.turns
     speed = drive.turns * L_dot
     power = electrical = torque * speed
@@ -164,21 +193,10 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
     return Instants(force, friction, rotor, torque, speed, current, power, electrical)
 
 
-def rotor_force(drive: Drive, robot: Robot, motion: Motion) -> Array:
-    """What turns the rotors, as forces along the legs, N, (..., 6): m_r L_ddot + j_r A.s.
-
-    A.s: rate of the leg's spin about itself, which turns the rotor against it.
-    """
-    with np.errstate(all="ignore"):
-        legs = newton_euler.legs(robot, motion)
-    spin = np.sum(legs.A * legs.s, axis=-1)
-    return np.asarray(drive.reflected_mass * legs.Lddot[..., 0] + drive.momentum * spin)
-
-
 def trapezoids(time: Array) -> Array:
     """How long each instant, s, (n,), stands for under the trapezoidal rule, s, (n,)."""
     half = 0.5 * np.diff(time)
-    return np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half])
+    return np.asarray(np.concatenate([half, [0.0]]) + np.concatenate([[0.0], half]))
 
 
 def _times(time: ArrayLike, motion: Motion) -> Array:

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..backend.kernel import kernel_name, module, overflows, stored
+from ..backend.kernel import module, overflows, robot_kernel, stored
 from ..io.arguments import instance, leading_shape
 from ..io.frozen import Frozen
 from ..results import OK
@@ -77,7 +77,7 @@ class ArrayKernel(Frozen):
     def __post_init__(self) -> None:
         """Prepare the constants in double, whatever the type of the kernel."""
         instance(self.robot, Robot, "robot")
-        name = kernel_name(self.formulation, self.robot.base_joint)
+        name = robot_kernel(self.robot, self.formulation)
         if not hasattr(self.xp, "asarray"):
             got = type(self.xp).__name__
             raise ValueError(f"xp: expected an array namespace such as numpy or jax.numpy, got {got}")

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..backend.c_kernel import address, call, function, prepared_model
-from ..backend.kernel import kernel_name
+from ..backend.kernel import robot_kernel, takes_rotors
 from ..generated.interface import MODELS
 from ..io.arguments import option
 from ..io.error_policy import ON_FAULT, OnFault
@@ -20,8 +20,6 @@ from .forces import Precision
 from .inverse import need_motion, need_universal, report_faults
 
 Array = NDArray[Any]
-
-KERNEL = kernel_name("exact", "universal")
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,21 +86,23 @@ def forces_with_bounds(
     option(on_singular, ON_FAULT, "on_singular")
     need_universal(robot)
     need_motion(robot, motion)
-    found = _run(_prepared(robot, precision), motion, precision)
+    found = _run(robot, motion, precision)
     report_faults(found.status, robot, motion, on_singular, stacklevel=3)
     return found
 
 
-def _run(model: Array, motion: Motion, precision: Precision) -> ForceBounds:
+def _run(robot: Robot, motion: Motion, precision: Precision) -> ForceBounds:
+    name, model = robot_kernel(robot, "exact"), _prepared(robot, precision)
     F, bound = (np.full((*motion.shape, 6), np.nan, dtype=model.dtype) for _ in range(2))
     rcond = np.full(motion.shape, np.nan, dtype=model.dtype)
     status = np.zeros(motion.shape, dtype=np.int32)
-    code = function(KERNEL, "bounds", precision, "forces_bounded_batch")
+    code = function(name, "bounds", precision, "forces_bounded_batch")
     call(code, model, motion, *map(address, (F, bound, rcond, status)))
     return ForceBounds(F, bound, rcond, status)
 
 
 def _prepared(robot: Robot, precision: Precision) -> Array:
     """The numbers of the C's ``stewart_exact_bounds_model``."""
-    prepare = function(KERNEL, "bounds", precision, "bounds_prepare")
-    return prepared_model(prepare, robot, MODELS[f"{KERNEL}_bounds"], precision)
+    name = robot_kernel(robot, "exact")
+    prepare = function(name, "bounds", precision, "bounds_prepare")
+    return prepared_model(prepare, robot, MODELS[f"{name}_bounds"], precision, takes_rotors(name))

@@ -14,7 +14,7 @@ import numpy as np
 
 from ..backend import c_kernel, native
 from ..backend.c_kernel import address, call, contiguous, pointers
-from ..backend.kernel import module
+from ..backend.kernel import defines_of, module, robot_kernel
 from ..backend.numpy_kernel import loaded
 from ..generated.interface import OUTPUTS as _OUTPUTS
 from ..generated.interface import STRUCTS
@@ -27,7 +27,6 @@ from .forces import ForceKernel, prepare
 
 What = Literal["equations", "bias", "forward_dynamics", "joint_inertia", "derivatives", "linearisation"]
 
-NAME = "exact"
 OUTPUTS: Mapping[str, Mapping[str, tuple[int, ...]]] = {what: _OUTPUTS[what] for what in get_args(What)}
 """What each function hands out, with the shape of a pose's part."""
 
@@ -39,15 +38,18 @@ class ClosedForm(Protocol):
         """Results by name and status (...), NaN where that is not 0; F (..., 6), of the motion's shape."""
 
 
-def c_sources() -> dict[str, str]:
-    """File name -> text of the generated C of the closed form and of the force kernel it stands on."""
-    return c_kernel.c_sources(f"{NAME}_forces") | c_kernel.c_sources(f"{NAME}_motion")
+def c_sources(name: str = "exact") -> dict[str, str]:
+    """File name -> text of the generated C of the closed form and of the force kernel it stands on.
+
+    name: of the kernel, "exact" or "exact_drive".
+    """
+    return c_kernel.c_sources(f"{name}_forces") | c_kernel.c_sources(f"{name}_motion")
 
 
 @functools.cache
-def library() -> ctypes.CDLL:
+def library(name: str = "exact") -> ctypes.CDLL:
     """The compiled C. Raises native.CompilerError where there is no working compiler."""
-    return native.load(f"stewart_{NAME}_motion", c_sources())
+    return native.load(f"stewart_{name}_motion", c_sources(name), defines=dict.fromkeys(defines_of(name), 1))
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +61,7 @@ class CClosedForm:
 
     def __post_init__(self) -> None:
         """Compile or find the kernels and prepare the robot's constants."""
-        library()
+        library(robot_kernel(self.robot, "exact"))
         object.__setattr__(self, "_forces", prepare(self.robot, "exact"))
 
     def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
@@ -68,15 +70,19 @@ class CClosedForm:
         status = np.zeros(motion.shape, dtype=np.int32)
         forces = [] if F is None else [contiguous(F)]
         targets = [pointers(outputs.values())] if what in STRUCTS else [*map(address, outputs.values())]
-        code = getattr(library(), f"stewart_{NAME}_{what}_batch")
+        code = self._function(f"{what}_batch")
         call(code, self._forces.model, motion, *map(address, forces), *targets, address(status))
         return {**outputs, "status": status}
+
+    def _function(self, what: str) -> Any:
+        name = robot_kernel(self.robot, "exact")
+        return getattr(library(name), f"stewart_{name}_{what}")
 
     def one_state(self) -> Callable[[Motion, Array], tuple[Array, int]]:
         """Forward dynamics of one state at a time, for loops: see ``ForwardDynamics.one_state``."""
         arrays = (self._forces.model, np.zeros(30), np.zeros(6), np.empty(6))
         R, t, omega, v, _, _, F_ext, M_ext = np.split(arrays[1], np.arange(9, 30, 3))
-        nothing, code = np.zeros(3), getattr(library(), f"stewart_{NAME}_forward_dynamics")
+        nothing, code = np.zeros(3), self._function("forward_dynamics")
         addresses = [address(array) for array in arrays]
 
         def solve(motion: Motion, F: Array) -> tuple[Array, int]:
@@ -106,15 +112,19 @@ class NumpyClosedForm:
 
     def __post_init__(self) -> None:
         """Prepare the robot's constants."""
-        source, on = module(f"{NAME}_arrays"), module("arithmetic").Arithmetic(np, self.real)
+        source, on = self._source, module("arithmetic").Arithmetic(np, self.real)
         with np.errstate(all="ignore"):
             model = source.prepare(on, robot_structure(source.Robot(), self.robot))
         object.__setattr__(self, "_on", on)
         object.__setattr__(self, "_model", model)
 
+    @property
+    def _source(self) -> Any:
+        return module(f"{robot_kernel(self.robot, 'exact')}_arrays")
+
     def run(self, what: What, motion: Motion, F: Array | None = None) -> dict[str, Any]:
         """See ``ClosedForm``."""
-        source = module(f"{NAME}_arrays")
+        source = self._source
         given = source.motion_of(self._on, **vars(loaded(motion)))
         forces = [] if F is None else [[F[..., i] for i in range(6)]]
         with np.errstate(all="ignore"):

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..backend.c_kernel import address, function, prepared_model
 from ..backend.fidelity import force_kernel_name, model_numbers
-from ..backend.kernel import FORMULATIONS, MOTION
+from ..backend.kernel import FORMULATIONS, MOTION, takes_rotors
 from ..io.arguments import instance, option, whole_number
 from ..io.error_policy import ON_SINGULAR, OnSingular
 from ..io.frozen import Frozen
@@ -77,7 +77,8 @@ class ForceKernel(Frozen):
         option(self.formulation, FORMULATIONS, "formulation")
         option(self.precision, ("double", "float"), "precision")
         count = model_numbers(self.robot, self.formulation, self.fidelity)
-        model = prepared_model(self.function("prepare"), self.robot, count, self.precision)
+        rotors = takes_rotors(self.name)
+        model = prepared_model(self.function("prepare"), self.robot, count, self.precision, rotors)
         self._set({"model": model})
 
     @property

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..backend.c_kernel import CKernel
-from ..backend.kernel import FORMULATIONS, kernel_name
+from ..backend.kernel import FORMULATIONS, robot_kernel
 from ..backend.native import CompilerError
 from ..backend.numpy_kernel import NumpyKernel
 from ..io import error_policy
@@ -47,7 +47,7 @@ class _Reference:
     """The vector reference behind the interface of the kernels."""
 
     def __init__(self, robot: Robot, formulation: str) -> None:
-        kernel_name(formulation, robot.base_joint)
+        robot_kernel(robot, formulation)
         self.robot = robot
         self.faults = newton_euler.PAPER if formulation == "paper" else newton_euler.EXACT
 
@@ -229,7 +229,7 @@ def need_universal(robot: Robot) -> None:
 
 
 def _compiled_or_numpy(robot: Robot, formulation: str) -> DynamicsKernel:
-    kernel_name(formulation, robot.base_joint)
+    robot_kernel(robot, formulation)
     found: DynamicsKernel = with_compiler(
         lambda: CKernel.prepare(robot, formulation), lambda: NumpyKernel.prepare(robot, formulation)
     )

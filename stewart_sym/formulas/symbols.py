@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..backend.kernel import kernel_name, overflows
+from ..backend.kernel import overflows, robot_kernel
 from ..dynamics.inverse import Formulation
 from ..io.arguments import finite_array, instance, option, shown
 from ..results import OK
@@ -200,8 +200,8 @@ def prepared(
     from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 
     instance(robot, Robot, "robot")
-    name = kernel_name(formulation, robot.base_joint)
-    if name != "exact" and function in ("equations", "forward_dynamics"):
+    name = robot_kernel(robot, formulation)
+    if name not in ("exact", "exact_drive") and function in ("equations", "forward_dynamics"):
         raise ValueError(
             f'{what}: expected formulation "exact" and universal base joints, '
             f'got "{formulation}" and {robot.base_joint} ones'

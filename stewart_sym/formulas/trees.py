@@ -14,9 +14,10 @@ Number = Callable[[str, Any], Any]
 
 
 def robot_structure(robot: Any, number: Number) -> SimpleNamespace:
-    """The robot; robot: what has the fields of ``Robot``."""
-    numbers = {q.name: np.asarray(getattr(robot, q.name)) for q in (*n.LEG, *n.PLATFORM)}
-    legs = [structure(n.LEG, {q.name: numbers[q.name][i] for q in n.LEG}, number) for i in range(6)]
+    """The robot; robot: what has the fields of ``Robot``, those of rotors or not."""
+    of_leg = [q for q in n.OF_LEG if hasattr(robot, q.name)]
+    numbers = {q.name: np.asarray(getattr(robot, q.name)) for q in (*of_leg, *n.PLATFORM)}
+    legs = [structure(of_leg, {q.name: numbers[q.name][i] for q in of_leg}, number) for i in range(6)]
     return SimpleNamespace(leg=legs, **vars(structure(n.PLATFORM, numbers, number)))
 
 

@@ -11,6 +11,7 @@ from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .base_parameters import BaseParameters
+from .drive_terms import DriveEstimate
 from .parameters import Parameters, inertial_parameters
 
 
@@ -51,6 +52,8 @@ class Estimate:
         Of possible bodies that have these values, (148,), if they were requested.
     free : Estimate, optional
         The estimate that was not kept to possible bodies, then.
+    drive : DriveEstimate, optional
+        Terms of the drives, if they were sought.
     """
 
     base: BaseParameters
@@ -67,6 +70,7 @@ class Estimate:
     motion: Motion
     parameters: Parameters | None = None
     free: Estimate | None = None
+    drive: DriveEstimate | None = None
 
     @property
     def sigma(self) -> Array:

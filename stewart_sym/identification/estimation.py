@@ -12,6 +12,7 @@ what result.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -29,8 +30,9 @@ from ..motion.smooth_motion import (
 )
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters, base_parameters
+from .drive_terms import drive_terms, need_terms, told_apart
 from .estimates import Estimate, tail
-from .excitation import Excitation, need_seed
+from .excitation import Excitation, force_regressor, need_seed
 from .joint_fit import joint_fit
 from .linear_fit import Data, exact_fit
 from .parameters import inertial_parameters
@@ -83,6 +85,7 @@ def identify(
     noise: PoseNoise | None = None,
     physical: bool = False,
     shared: str | None = None,
+    drive: Sequence[str] | None = None,
 ) -> Estimate:
     """Estimate the base parameters by weighted least squares, and test the residual.
 
@@ -109,6 +112,10 @@ def identify(
         own bodies, all 148 parameters are given, and the deviations take that into account. Needs SciPy.
     shared : {"legs"}, optional
         As for ``base_parameters``, without ``base``.
+    drive : sequence of str, optional
+        Terms of the drives to seek as well, where F are forces of the motors, N times torque: some of
+        "reflected_mass", "coulomb", "offset" and "viscous", which is the same as ``C_p`` where that is
+        sought. They need a motion that is known exactly; ``Estimate.drive`` has what is identifiable.
 
     Returns
     -------
@@ -139,12 +146,24 @@ def identify(
     if forces.shape != (*motion.shape, LEGS):
         raise ValueError(f"F: expected forces of shape {(*motion.shape, LEGS)}, got {forces.shape}")
     data = Data(robot, motion, forces, _deviations(sigma, forces.shape), base)
+    if drive is not None:
+        data = _with_terms(data, noise, drive)
     if noise is None:
         found = tested_estimate(data, exact_fit(data, motion), EXACT)
     else:
         instance(noise, PoseNoise, "noise")
         found = tested_estimate(data, joint_fit(data, noise), ())
     return _possible(robot, found) if physical and found.verdict != "rejected" else found
+
+
+def _with_terms(data: Data, noise: PoseNoise | None, drive: Sequence[str]) -> Data:
+    """With terms of the drives, of which the motion tells what it can."""
+    names = need_terms(drive)
+    if noise is not None:
+        raise ValueError("noise: expected None beside drive, got the noise of poses")
+    terms = drive_terms(data.robot, data.motion, names, data.base.shared is not None)
+    A = force_regressor(data.robot, data.motion, data.base)
+    return data._replace(terms=told_apart(terms, A, data.base.names))
 
 
 def simulated_experiment(

@@ -9,6 +9,7 @@ from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import LEGS, Robot
 from .base_parameters import BaseParameters
+from .drive_terms import Terms
 from .excitation import force_regressor
 
 # Singular values below this share of the largest say that the motion does not excite all parameters.
@@ -25,14 +26,15 @@ class Data(NamedTuple):
     forces: Array
     deviations: Array
     base: BaseParameters
+    terms: Terms | None = None
 
 
 class Fit(NamedTuple):
     """A least-squares fit about its solution.
 
-    parts: residual over deviations, of the forces and, in a joint fit, of the poses, (n, 6) each. values:
-    (rank,). covariance: (rank, rank). span: orthonormal basis of what the unknowns can explain, (rows,
-    unknowns).
+    parts: residual over deviations, of the forces and, in a joint fit, of the poses, (n, 6) each. values: of
+    base parameters and terms of the drives, (m,). covariance: (m, m). span: orthonormal basis of what the
+    unknowns can explain, (rows, unknowns).
     curvature: as ``_curvature`` returns.
     """
 
@@ -48,8 +50,8 @@ class Fit(NamedTuple):
 def exact_fit(data: Data, motion: Motion) -> Fit:
     """Fit along a motion that is known exactly."""
     A, y = linear_system(data, motion)
-    J = A.reshape(-1, data.base.rank)
-    felt = _felt(J)
+    J = A.reshape(-1, A.shape[-1])
+    felt = _felt(J[:, : data.base.rank])
     if felt < data.base.rank:
         raise ValueError(f"motion: excites {felt} of {data.base.rank} base parameters, expected all of them")
     span, back = factors(J)
@@ -67,9 +69,12 @@ def _felt(J: Array) -> int:
 
 
 def linear_system(data: Data, motion: Motion) -> tuple[Array, Array]:
-    """A and y of A values = y, both over the deviations: (..., 6, rank) and (..., 6)."""
+    """A and y of A values = y, both over the deviations: (..., 6, rank and terms) and (..., 6)."""
     with np.errstate(over="ignore", invalid="ignore"):
-        A = force_regressor(data.robot, motion, data.base) / data.deviations[..., None]
+        A = force_regressor(data.robot, motion, data.base)
+        if data.terms is not None:
+            A = np.concatenate([A, data.terms.kept], axis=-1)
+        A = A / data.deviations[..., None]
         y = (data.forces + _load_forces(data.robot, motion)) / data.deviations
     if not (np.isfinite(A).all() and np.isfinite(y).all()):
         raise ValueError("sigma: expected standard deviations beside which the forces do not overflow")

@@ -55,12 +55,15 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
         )
     rejected = inflation > _MOST_INFLATION or not fit.converged or fit.curvature > _BENT
     verdict = "rejected" if rejected else "misfit" if doubts else "consistent" if spare > 0 else "untested"
-    covariance = np.diag(np.full(data.base.rank, np.inf)) if rejected else inflation**2 * fit.covariance
-    below = Negative((), ()) if rejected else negative(data.robot, data.base, fit.values, covariance)
+    unknowns, rank = len(fit.values), data.base.rank
+    covariance = np.diag(np.full(unknowns, np.inf)) if rejected else inflation**2 * fit.covariance
+    values, own = fit.values[:rank], covariance[:rank, :rank]
+    below = Negative((), ()) if rejected else negative(data.robot, data.base, values, own)
+    terms = data.terms
     return Estimate(
         base=data.base,
-        values=fit.values,
-        covariance=covariance,
+        values=values,
+        covariance=own,
         misfit=misfit,
         p_noise=p_noise,
         p_model=min(1.0, 2.0 * p_smooth, 2.0 * p_load),
@@ -70,6 +73,7 @@ def tested_estimate(data: Data, fit: Fit, remedy: tuple[str, ...]) -> Estimate:
         impossible=below.impossible,
         near_zero=below.near_zero,
         motion=fit.motion,
+        drive=None if terms is None else terms.estimate(fit.values[rank:], covariance[rank:, rank:]),
     )
 
 
@@ -102,7 +106,7 @@ def _smooth_forces(fit: Fit) -> Array:
 def _changing_load(data: Data, fit: Fit) -> Array:
     """Forces of a platform whose mass and first moment change from first to last instant, (6 n, 4)."""
     own = [i for i, name in enumerate(data.base.names) if name in LOAD]
-    A = linear_system(data, fit.motion)[0].reshape(-1, LEGS, data.base.rank)[..., own]
+    A = linear_system(data, fit.motion)[0].reshape(-1, LEGS, len(fit.values))[..., own]
     change = np.cos(math.pi / len(A) * (np.arange(len(A)) + 0.5))
     added = (change[:, None, None] * A).reshape(-1, len(own))
     return np.asarray(added / np.maximum(np.linalg.norm(added, axis=0), np.finfo(np.float64).tiny))

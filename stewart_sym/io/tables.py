@@ -24,6 +24,7 @@ from .key_lines import key_text, line_of
 MOST_BYTES = 1 << 18
 """Of a TOML file: thirty times what a robot takes with every number of every leg."""
 _CHUNK = 1 << 24
+_MOST = float(np.finfo(np.float64).max)
 
 # Time and memory of tomllib grow with the square of a dotted key's parts: 300,000 of them take all there is.
 _STRING = r"""(?:"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')"""
@@ -173,7 +174,10 @@ def require(table: Mapping[str, Any], keys: Sequence[str], prefix: str, reason: 
 def one_line(value: object, where: str) -> str:
     """A text of one line that is not blank."""
     if not isinstance(value, str) or not value.strip() or not value.isprintable():
-        raise ValueError(f"{where}: expected one line of text, got {shown(value)}")
+        what = (
+            "text that is not blank" if isinstance(value, str) and not value.strip() else "one line of text"
+        )
+        raise ValueError(f"{where}: expected {what}, got {shown(value)}")
     return value
 
 
@@ -193,6 +197,9 @@ def number(value: object, where: str, expected: str = "a finite number") -> floa
             given = math.inf
         if math.isfinite(given):
             return given
+        if math.isinf(given):
+            text = f"no limit is a key left out, and a double holds up to {_MOST:.2g}"
+            raise ValueError(f"{where}: expected {expected}, got {shown(value)} ({text})")
     raise ValueError(f"{where}: expected {expected}, got {shown(value)}")
 
 

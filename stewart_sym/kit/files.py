@@ -87,7 +87,13 @@ def kit(robot: Robot, choice: Choice = DEFAULT, progress: Progress = silent) -> 
         for inputs, status in rejected(robot, choice.level, choice.precision)
     ]
     texts[build.SELFTEST] = selftest(
-        robot.name, symbol, robot_values(robot).tolist(), tested, cases, unsolvable, generator()
+        robot.name,
+        symbol,
+        robot_values(robot, robot.has_rotors).tolist(),
+        tested,
+        cases,
+        unsolvable,
+        generator(),
     )
     texts[build.EXAMPLE] = example(robot.name, symbol, tested, cases, generator())
     texts |= _build_files(symbol, made, texts, choice)

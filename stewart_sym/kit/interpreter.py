@@ -23,7 +23,7 @@ from ..derive.kernel.tree.constants import constants
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.kernel.tree.nodes import Program
 from ..derive.mechanics import quantities as n
-from ..derive.mechanics.formulation import EXACT
+from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE
 from ..formulas.trees import robot_structure, structure
 from ..generated.arithmetic import Arithmetic as OnArrays
 from ..io.array_types import Array
@@ -36,8 +36,6 @@ from .running import HALF_UNIT, Objects, Running, array, errors, inverse_sizes, 
 Numbers = Mapping[str, Array]
 Found = dict[str, Objects]
 
-LEG_FIELDS = tuple(q.name for q in n.LEG)
-PLATFORM_FIELDS = tuple(q.name for q in n.PLATFORM)
 NEAR_JOINT_SINGULAR = constants("double")["NEAR_JOINT_SINGULAR"]
 """Sine of the angle between a leg and its fixed axis below which a third axis takes the place of that one."""
 
@@ -79,7 +77,7 @@ ON_ARRAYS = _OnArrays()
 class KitInterpreter:
     """The functions of one robot in one formulation.
 
-    robot: arrays of LEG_FIELDS and PLATFORM_FIELDS, legs first, as the C holds them. folded: the constants
+    robot: arrays of ``parts.fields``, as the C holds them. folded: the constants
     are rounded after they were prepared and not before.
     """
 
@@ -113,7 +111,7 @@ class KitInterpreter:
         """A function of the closed form, of F (6,) of ``at`` as well where it is one of forces."""
         motion = SimpleNamespace(**vars(_motion(at)), **given)
         forces = [list(array(at["F"]))] if what in ("forward_dynamics", "linearisation") else []
-        return _flat(getattr(_closed_form(), what)(ON_ARRAYS, self._model, motion, *forces))
+        return _flat(getattr(_closed_form(self._rotors), what)(ON_ARRAYS, self._model, motion, *forces))
 
     # Each returns the members of the C's structure of its name.
     equations = partialmethod(_of_model, "equations")
@@ -167,11 +165,16 @@ class KitInterpreter:
 
     @property
     def _forces(self) -> Interpreter:
-        return _of_level(self.base_joint, self.formulation, self.fidelity)
+        return _of_level(self.base_joint, self.formulation, self.fidelity, self._rotors)
 
     @property
     def _every_output(self) -> ModuleType:
-        return module(kernel_name(self.formulation, self.base_joint))
+        name = kernel_name(self.formulation, self.base_joint)
+        return module(f"{name}_drive" if self._rotors else name)
+
+    @property
+    def _rotors(self) -> bool:
+        return n.m_r.name in self.robot
 
     @cached_property
     def _forces_model(self) -> SimpleNamespace:
@@ -181,12 +184,12 @@ class KitInterpreter:
 
     @cached_property
     def _model(self) -> Any:
-        return _closed_form().prepare(ON_ARRAYS, self._robot)
+        return _closed_form(self._rotors).prepare(ON_ARRAYS, self._robot)
 
     @cached_property
     def _legs_side_by_side(self) -> SimpleNamespace:
         robot = self._robot
-        legs = {name: [getattr(leg, name) for leg in robot.leg] for name in LEG_FIELDS}
+        legs = {name: [getattr(leg, name) for leg in robot.leg] for name in vars(robot.leg[0])}
         leg = {name: [*array(of).T] if isinstance(of[0], list) else array(of) for name, of in legs.items()}
         return SimpleNamespace(**vars(robot) | {"leg": SimpleNamespace(**leg)})
 
@@ -199,8 +202,8 @@ class KitInterpreter:
 
 
 @cache
-def _of_level(base_joint: str, formulation: str, fidelity: str) -> Interpreter:
-    found = program(plain_kernel(base_joint, formulation, fidelity), by_pivots=True)
+def _of_level(base_joint: str, formulation: str, fidelity: str, rotors: bool) -> Interpreter:
+    found = program(plain_kernel(base_joint, formulation, fidelity, rotors), by_pivots=True)
     return Interpreter(found, ON, _solvers(each.name for each in found.functions))
 
 
@@ -220,9 +223,10 @@ def _kinematics() -> Interpreter:
 
 
 @cache
-def _closed_form() -> ModuleType:
+def _closed_form(rotors: bool) -> ModuleType:
     """A copy of the generated module of the closed form that solves by ``running``; forces are given."""
-    spec = find_spec(module(f"{EXACT.kernel_name}_arrays").__name__)
+    form = EXACT_DRIVE if rotors else EXACT
+    spec = find_spec(module(f"{form.kernel_name}_arrays").__name__)
     assert spec is not None
     assert spec.loader is not None
     found = module_from_spec(spec)

@@ -9,7 +9,10 @@ from ..backend.fidelity import resolved
 from ..backend.kernel import kernel_name
 from ..derive.generate import output_program
 from ..derive.kernel.tree.nodes import Program, Record
-from ..derive.mechanics.formulation import FORMULATIONS
+from ..derive.mechanics import quantities as n
+from ..derive.mechanics.formulation import EXACT_DRIVE, FORMULATIONS, Formulation
+from ..derive.mechanics.legs.rotor import NONE
+from ..derive.mechanics.reduced_models import level_of
 from ..derive.package import licence
 from ..derive.package.languages import LANGUAGES
 from ..derive.package.languages.contents import Contents, Test, Value, compared
@@ -72,7 +75,7 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
     contents = Contents(
         robot.name,
         robot_symbol(robot.name),
-        robot_numbers(robot),
+        robot_numbers(robot, any(each.name == n.m_r.name for each in program.structure("Leg").members)),
         program,
         outputs,
         tuple(tests),
@@ -88,9 +91,17 @@ def texts(robot: Robot, choice: Choice) -> dict[str, str]:
 
 
 def _program(robot: Robot, choice: Choice, outputs: tuple[str, ...]) -> Program:
-    level = resolved(robot, choice.formulation, choice.level)
-    name = kernel_name(choice.formulation, robot.base_joint if level == "general" else "universal")
-    return output_program(next(each for each in FORMULATIONS if each.kernel_name == name), outputs, level)
+    form, level = _form_and_level(robot, choice)
+    return output_program(form, outputs, level)
+
+
+def _form_and_level(robot: Robot, choice: Choice) -> tuple[Formulation, str]:
+    """The formulation, without rotors where the level has none, and the level in it."""
+    level = level_of(resolved(robot, choice.formulation, choice.level), robot.has_rotors)
+    if level.rotor != NONE:
+        return EXACT_DRIVE, level.name
+    name = kernel_name(choice.formulation, robot.base_joint if level.name == "general" else "universal")
+    return next(each for each in FORMULATIONS if each.kernel_name == name), level.name
 
 
 def _given(program: Program, function: str, inputs: Mapping[str, NDArray[np.float64]]) -> dict[str, Value]:

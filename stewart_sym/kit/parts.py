@@ -9,7 +9,7 @@ import numpy as np
 
 from ..backend import fidelity
 from ..backend.c_kernel import c_sources
-from ..backend.kernel import kernel_name, module
+from ..backend.kernel import module, robot_kernel
 from ..derive.emit import lanes, scalar
 from ..derive.emit.closed_form import FUNCTIONS as MOTION_FUNCTIONS
 from ..derive.emit.header import common_header
@@ -26,7 +26,7 @@ from ..derive.kernel.operations import force_operations
 from ..derive.mechanics import quantities
 from ..derive.mechanics.actuator_forces import ForceKernel
 from ..derive.mechanics.baked_constants import baked
-from ..derive.mechanics.formulation import EXACT
+from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE
 from ..derive.package.functions import MODEL, NOTHING, ROBOT, Function, Part
 from ..derive.package.words import Numbers, robot_symbol
 from ..precision.truth import derived_kernel
@@ -39,17 +39,19 @@ _KINEMATICS = "kinematics"
 @dataclass(frozen=True)
 class Parts:
     """Parts of a kit. operations: of a pose of the forces, before the robot's numbers were folded in, and
-    after; None without the forces, or where nothing was folded in. precision: "double" or "float"."""
+    after; None without the forces, or where nothing was folded in. precision: "double" or "float". rotors:
+    whether the legs have them."""
 
     parts: tuple[Part, ...]
     operations: int | None = None
     baked_operations: int | None = None
     precision: str = "double"
+    rotors: bool = False
 
     @property
     def files(self) -> dict[str, str]:
         """Headers and sources of all parts and what they share: file name -> text."""
-        found = {"stewart.h": common_header(generator_version(), self.precision)}
+        found = {"stewart.h": common_header(generator_version(), self.precision, self.rotors)}
         texts = shared_headers(generator_version())
         found |= {name: texts[name] for name in self.shared}
         for part in self.parts:
@@ -67,9 +69,15 @@ class Parts:
         return tuple(function for part in self.parts for function in part.functions)
 
 
-def robot_numbers(robot: Robot) -> Numbers:
-    """Fields of ``stewart_robot`` as nested lists."""
-    names = [quantity.name for quantity in quantities.LEG + quantities.PLATFORM]
+def fields(rotors: bool) -> tuple[str, ...]:
+    """Fields of ``stewart_robot``, those of the legs first; rotors: whether these have them."""
+    of_leg = quantities.OF_LEG if rotors else quantities.LEG
+    return tuple(quantity.name for quantity in (*of_leg, *quantities.PLATFORM))
+
+
+def robot_numbers(robot: Robot, rotors: bool | None = None) -> Numbers:
+    """Fields of ``stewart_robot`` as nested lists; rotors: with those of rotors, None for where there are."""
+    names = fields(robot.has_rotors if rotors is None else rotors)
     return {name: np.asarray(getattr(robot, name)).tolist() for name in names}
 
 
@@ -83,15 +91,15 @@ def parts(robot: Robot, choice: Choice) -> Parts:
     if "reactions" in choice.functions:
         found.append(_reactions(robot, choice))
     if {"motion", "derivatives"} & set(choice.functions):
-        model = f"stewart_{EXACT.kernel_name}_forces"
+        model = f"stewart_{robot_kernel(robot, 'exact')}_forces"
         if all(part.name != model for part in found):
             says = "The prepared constants that the equations of motion read; the forces come with them."
             found.append(Part(model, _committed(model), (), ("forces",), says, INCLUDED[LANES]))
-        found.append(_motion(choice))
+        found.append(_motion(robot, choice))
     if _KINEMATICS in choice.functions:
         found.append(_kinematics())
     found.append(_rotation())
-    return Parts(tuple(found), before, after, choice.precision)
+    return Parts(tuple(found), before, after, choice.precision, robot.has_rotors)
 
 
 def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
@@ -100,7 +108,7 @@ def _forces(robot: Robot, choice: Choice) -> tuple[Part, int, int | None]:
         return _derived(robot, choice, level)
     name = fidelity.force_kernel_name(robot, choice.formulation, level)
     count = fidelity.operations(robot, choice.formulation, level)
-    says = f"Actuator forces, kernel `{name}`, fidelity {level}: {fidelity.meaning(level)}."
+    says = f"Actuator forces, kernel `{name}`, fidelity {level}: {fidelity.meaning(level, robot.has_rotors)}."
     return _force_part(f"stewart_{name}_forces", f"stewart_{name}", count, says), count, None
 
 
@@ -121,7 +129,7 @@ def _force_part(
 
 def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int | None]:
     """A kernel that is not among the committed ones: baked, or with its legs one after the other."""
-    plain = plain_kernel(robot.base_joint, choice.formulation, level)
+    plain = plain_kernel(robot.base_joint, choice.formulation, level, robot.has_rotors)
     made, before, after = plain, force_operations(plain).total.total, None
     if choice.bake:
         made = folded_kernel(robot, choice.formulation, level)
@@ -132,7 +140,8 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
         *(["one pose, legs one after the other"] if choice.scalar else []),
     ]
     form = plain.formulation.name
-    says = f"Actuator forces, {form}, fidelity {level}: {fidelity.meaning(level)}; {', '.join(ways)}."
+    meaning = fidelity.meaning(level, robot.has_rotors)
+    says = f"Actuator forces, {form}, fidelity {level}: {meaning}; {', '.join(ways)}."
     suffix = "_pose" if choice.scalar else ""
     file = f"stewart_{made.name}_{'pose' if choice.scalar else 'forces'}"
     sources = _printed(made, plain, choice)
@@ -142,9 +151,9 @@ def _derived(robot: Robot, choice: Choice, level: str) -> tuple[Part, int, int |
 
 
 @cache
-def plain_kernel(base_joint: str, formulation: str, level: str) -> ForceKernel:
-    """The forces of a level as they are printed."""
-    return shared_blocks(derived_kernel(base_joint, formulation, level))
+def plain_kernel(base_joint: str, formulation: str, level: str, rotors: bool = False) -> ForceKernel:
+    """The forces of a level as they are printed; rotors: whether the legs of the robot have them."""
+    return shared_blocks(derived_kernel(base_joint, formulation, level, rotors))
 
 
 @lru_cache(maxsize=4)
@@ -152,7 +161,7 @@ def folded_kernel(robot: Robot, formulation: str, level: str) -> ForceKernel:
     """The same with a robot's numbers folded in."""
     name = robot_symbol(robot.name).removeprefix("stewart_")
     name += "" if level == "general" else f"_{level}"
-    raw = derived_kernel(robot.base_joint, formulation, level)
+    raw = derived_kernel(robot.base_joint, formulation, level, robot.has_rotors)
     return shared_blocks(baked(raw, robot_numbers(robot), name))
 
 
@@ -164,7 +173,7 @@ def _printed(made: ForceKernel, plain: ForceKernel, choice: Choice) -> dict[str,
 
 
 def _reactions(robot: Robot, choice: Choice) -> Part:
-    name = kernel_name(choice.formulation, robot.base_joint)
+    name = robot_kernel(robot, choice.formulation)
     count = f"{sum(module(name).OPERATIONS['friction']['total']):,}"
     functions = [
         Function(stem, f"stewart_{name}_{stem}", f"stewart_{name}.h", ROBOT, operations=count)
@@ -175,16 +184,19 @@ def _reactions(robot: Robot, choice: Choice) -> Part:
     return Part(file, _committed(file), tuple(functions), ("reactions",), says, INCLUDED[OUTPUTS])
 
 
-def _motion(choice: Choice) -> Part:
-    name = EXACT.kernel_name
+def _motion(robot: Robot, choice: Choice) -> Part:
+    form = EXACT_DRIVE if robot.has_rotors else EXACT
+    name = form.kernel_name
     file = f"stewart_{name}_motion"
     groups = [group for group in ("motion", "derivatives") if group in choice.functions]
     stems = [stem for group in groups for stem in STEMS[group]]
     functions = [
-        Function(stem, f"stewart_{name}_{stem}", f"{file}.h", MODEL, f"stewart_{name}", _before_solves(stem))
+        Function(
+            stem, f"stewart_{name}_{stem}", f"{file}.h", MODEL, f"stewart_{name}", _before_solves(name, stem)
+        )
         for stem in stems
     ]
-    files = _committed(file) if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems)
+    files = _committed(file) if set(stems) == set(MOTION_FUNCTIONS) else motion_files(stems, form)
     says = f"Closed form of the equations of motion: {', '.join(stem.replace('_', ' ') for stem in stems)}."
     return Part(file, files, tuple(functions), tuple(groups), says, INCLUDED[SOLVE])
 
@@ -193,8 +205,8 @@ _SUMS = {"joint_inertia": ("equations",), "linearisation": ("forward_dynamics", 
 """Kernels of the closed form that a function runs, where it is not its own alone."""
 
 
-def _before_solves(stem: str) -> str:
-    counts: Mapping[str, int] = module(f"{EXACT.kernel_name}_operations").OPERATIONS
+def _before_solves(kernel: str, stem: str) -> str:
+    counts: Mapping[str, int] = module(f"{kernel}_operations").OPERATIONS
     count = sum(counts[name] for name in _SUMS.get(stem, (stem,)))
     return f"{count:,}" if stem in ("equations", "bias") else f"{count:,} and the solves"
 

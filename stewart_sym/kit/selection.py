@@ -24,8 +24,8 @@ from ..kinematics.inverse import inverse_kinematics, wrench_matrix
 from ..motion.motion import Motion
 from ..robot.robot import Robot
 from .choice import PRECISIONS
-from .interpreter import LEG_FIELDS, NEAR_JOINT_SINGULAR, PLATFORM_FIELDS
-from .parts import folded_kernel, plain_kernel
+from .interpreter import NEAR_JOINT_SINGULAR
+from .parts import fields, folded_kernel, plain_kernel
 from .poses import MAX_CONDITION, WHOLE, rounded, sample, significant, size_of, whole_turn
 from .running import FORCES_MARGIN
 from .sensitivity import Change, Forces, KernelConstants, changes
@@ -76,7 +76,7 @@ class Numbered:
     @classmethod
     def of(cls, robot: Robot) -> Self:
         """The robot by its numbers, limits among them."""
-        names = (*LEG_FIELDS, *PLATFORM_FIELDS, "length_limits")
+        names = (*fields(robot.has_rotors), "length_limits")
         return cls(
             robot, tuple(np.asarray(getattr(robot, name)).tobytes() for name in names), robot.base_joint
         )
@@ -93,7 +93,7 @@ def selection(numbered: Numbered, formulation: str, fidelity: str, precision: st
     if folded:
         kernel = folded_kernel(robot, formulation, fidelity)
     else:
-        kernel = plain_kernel(robot.base_joint, formulation, fidelity)
+        kernel = plain_kernel(robot.base_joint, formulation, fidelity, robot.has_rotors)
     search = _Search(robot, kernel, precision, sample(robot, formulation)[0])
     ratios, motions = search.shown(near=False)
     hidden = _hidden(ratios)
@@ -189,7 +189,7 @@ class _Search:
     @cached_property
     def _constants(self) -> KernelConstants:
         kind = np.float64 if self.kernel.constants is not None else PRECISIONS[self.precision]
-        numbers = {name: rounded(getattr(self.robot, name), kind) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)}
+        numbers = {name: rounded(getattr(self.robot, name), kind) for name in fields(self.robot.has_rotors)}
         return KernelConstants(self.kernel, numbers)
 
     @cached_property

@@ -120,7 +120,7 @@ def _raw(robot: Numbers) -> Constants:
     """The robot's numbers by component."""
     leg = {
         name: _column([of_leg[key] for of_leg in robot[q.name]])
-        for q in n.LEG
+        for q in n.of_leg(robot)
         for name, key in zip(q.names, q.keys, strict=True)
     }
     return Constants(leg, _components_of(n.PLATFORM, robot))

@@ -16,7 +16,6 @@ import numpy as np
 
 from ..backend import fidelity as fidelities
 from ..backend.kernel import MOTION, need_representable
-from ..generated.fidelities import FIDELITIES
 from ..io.array_types import Array
 from ..kinematics.conditioning import characteristic_length, moments_over
 from ..kinematics.forward import forward_kinematics
@@ -26,7 +25,8 @@ from ..motion.rotation import orthonormal
 from ..results import JOINT_SINGULAR, SINGULAR, ZERO_LENGTH
 from ..robot.robot import Robot
 from .choice import PRECISIONS
-from .interpreter import LEG_FIELDS, PLATFORM_FIELDS, Found, KitInterpreter, Numbers
+from .interpreter import Found, KitInterpreter, Numbers
+from .parts import fields as fields_of
 from .poses import neighbour, poses, rounded, significant
 from .running import FORCES_MARGIN, MARGIN, errors, values
 from .selection import Numbered, selection
@@ -108,7 +108,7 @@ def _made(
 ) -> tuple[Vector, ...]:
     robot, kind = numbered.robot, PRECISIONS[precision]
     constants = {
-        name: np.asarray(getattr(robot, name), dtype=np.float64) for name in (*LEG_FIELDS, *PLATFORM_FIELDS)
+        name: np.asarray(getattr(robot, name), dtype=np.float64) for name in fields_of(robot.has_rotors)
     }
     if not baked:
         constants = {name: rounded(value, kind) for name, value in constants.items()}
@@ -148,7 +148,7 @@ def rejected(robot: Robot, fidelity: str, precision: str) -> list[tuple[dict[str
 def knows_axes(robot: Robot, fidelity: str) -> bool:
     """Whether a level's forces depend on the fixed axes of the universal joints."""
     level = fidelities.resolved(robot, "exact", fidelity)
-    return robot.base_joint == "universal" and bool(FIDELITIES[level]["universal"])
+    return robot.base_joint == "universal" and fidelities.knows_axes(robot, level)
 
 
 def _settled(robot: Robot, motion: Numbers, kind: type) -> bool:

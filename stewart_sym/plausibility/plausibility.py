@@ -16,6 +16,7 @@ from ..io.array_types import Array
 from ..kinematics.mounting import AssemblyModeWarning
 from ..motion.rotation import rotation_from_quaternion
 from ..robot.robot import LEGS, Robot, legs_text
+from .exchange import of_coincidence, of_exchange
 from .leg_order import of_order
 from .level_poses import Doubt, Home, centred_H, home_of, level_home, parts_of
 
@@ -82,7 +83,7 @@ def _found(robot: Robot) -> list[Doubt]:
     collapsed = min(base, platform) <= max(_SAME**2 * max(base, platform), _ROUNDING * reach)
     found = [] if collapsed else left(_of_numbers(robot))
     if not found:
-        found = left(_of_geometry(robot))
+        found = left(_of_geometry(robot)) or left(of_coincidence(robot))
     if not found:
         t = level_home(robot)
         found = left(of_order(robot, t)) or left(_of_stated_home(robot))
@@ -131,7 +132,8 @@ def _of_lengths(robot: Robot) -> Iterator[Doubt]:
     elif 0.0 < max(base, platform) < LEAST_SIZE:
         yield Doubt("length-unit", f"{sizes}; likely cause: points in kilometres, expected metres")
     elif platform > 0.0 and base > 0.0:
-        yield from list(_of_proportion(platform / base, sizes)) or _of_lightness(robot, sizes)
+        said = list(_of_proportion(platform / base, sizes)) or list(of_exchange(robot, sizes))
+        yield from said or _of_lightness(robot, sizes)
 
 
 def _strays(points: Array) -> list[int]:

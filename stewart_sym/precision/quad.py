@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ..backend import native
 from ..backend.c_kernel import address, c_sources, contiguous
-from ..backend.kernel import MOTION, kernel_name, robot_numbers
+from ..backend.kernel import MOTION, defines_of, robot_kernel, robot_numbers, takes_rotors
 from ..io.array_types import Array
 from ..motion.motion import Motion
 from ..robot.robot import Robot
@@ -40,8 +40,8 @@ def quad_forces(
 
     Raises native.CompilerError where there is no compiler with ``__float128``.
     """
-    name = kernel_name("exact", robot.base_joint)
-    numbers = _rounded(robot_numbers(robot), dtype)
+    name = robot_kernel(robot, "exact")
+    numbers = _rounded(robot_numbers(robot, takes_rotors(name)), dtype)
     inputs = [_rounded(getattr(motion, field), dtype) for field in MOTION]
     high, low = (np.full((*motion.shape, 6), np.nan) for _ in range(2))
     _library(name).quad_forces(
@@ -74,4 +74,6 @@ def sources(name: str) -> dict[str, str]:
 
 @functools.cache
 def _library(name: str) -> ctypes.CDLL:
-    return native.load(f"stewart_{name}_quad", sources(name), _FLAGS, _MACROS)
+    return native.load(
+        f"stewart_{name}_quad", sources(name), _FLAGS, {**_MACROS, **dict.fromkeys(defines_of(name), 1)}
+    )

@@ -21,8 +21,9 @@ from ..derive.kernel.tree.constants import unchecked
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.mechanics import quantities as n
 from ..derive.mechanics.actuator_forces import ForceKernel
-from ..derive.mechanics.formulation import EXACT, FORMULATIONS
-from ..derive.mechanics.reduced_models import FIDELITIES, fidelity_kernel
+from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS
+from ..derive.mechanics.legs.rotor import NONE
+from ..derive.mechanics.reduced_models import fidelity_kernel, level_of
 from ..formulas.trees import robot_structure, structure
 from ..io.array_types import Array
 from ..motion.motion import Motion
@@ -85,16 +86,21 @@ class Truth:
 
     @cached_property
     def _interpreter(self) -> Interpreter:
-        return _forces(derived_kernel(self.robot.base_joint, self.formulation, self.fidelity))
+        return _forces(
+            derived_kernel(self.robot.base_joint, self.formulation, self.fidelity, self.robot.has_rotors)
+        )
 
 
 @cache
-def derived_kernel(base_joint: str, formulation: str, fidelity: str) -> ForceKernel:
-    """The blocks of the forces alone, before sharing."""
+def derived_kernel(base_joint: str, formulation: str, fidelity: str, rotors: bool = False) -> ForceKernel:
+    """The blocks of the forces alone, before sharing; rotors: whether the legs of the robot have them."""
+    level = level_of(fidelity, rotors)
+    if level.rotor != NONE:
+        return fidelity_kernel(EXACT_DRIVE, level)
     # Reduced legs are those of EXACT on any base joint: there are none that know another.
     name = kernel_name(formulation, base_joint if fidelity == "general" else EXACT.base_joint)
     form = next(form for form in FORMULATIONS if form.kernel_name == name)
-    return fidelity_kernel(form, FIDELITIES[fidelity])
+    return fidelity_kernel(form, level)
 
 
 def deviation(F: NDArray[Any], truth: NDArray[np.object_]) -> Array:

@@ -148,7 +148,7 @@ def _wide(values: Any) -> Any:
 
 _NUMBERS = (
     *("g", "M", "R_0", "I_p", "b", "p", "k"),
-    *("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s"),
+    *("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s", "m_r", "j_r"),
 )
 
 

@@ -72,10 +72,14 @@ class Legs(_Velocities):
     """Everything known of the legs before x: adds (7)-(9), (13), (14), (20), (21), (24) and (29).
 
     Base frame, vectors (..., 6, 3), scalars (..., 6, 1), inertias (..., 6, 3, 3); names are the paper's.
+    F_rotor: what it takes to turn the motor, as a force along the leg, N; h_rotor: rate of the rotor's
+    angular momentum relative to the leg, N m. Both are zero without a drive.
     """
 
     Lddot: Array
     A: Array
+    F_rotor: Array
+    h_rotor: Array
     a_d: Array
     a_u: Array
     f: Array
@@ -121,12 +125,13 @@ def joint_reactions(
         F_s = x * s + leg.K  # (21)
         F_p = m_u * (leg.a_u - g) - F_s + C_p * leg.Ldot * s  # (26)
         F_u = m_d * leg.a_d + m_u * leg.a_u - (m_d + m_u) * g - F_s  # (27)
-        F_c = F_p - s * F  # (28)
+        F_c = F_p - s * (F - leg.F_rotor)  # (28)
         M_p = (  # (17)
             -m_d * _cross(leg.r_d, leg.a_d)
             + m_d * _cross(leg.r_d, g)
             - _mul(leg.I_d, leg.A)
             - _cross(leg.W, _mul(leg.I_d, leg.W))
+            - leg.h_rotor
             + leg.M_u * leg.axis
             - _cross(r, F_p)
             - C_u * leg.W
@@ -164,6 +169,14 @@ def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT
         return blank(wrench, status != OK), status
 
 
+def rotor_force(robot: Robot, motion: Motion) -> Array:
+    """Part of the actuator forces that turns the rotors, N, (..., 6): m_r L_ddot + j_r s.A; zero without.
+
+    What is left of F passes between the parts of a leg. Arguments and errors as for `inverse_dynamics`.
+    """
+    return legs(robot, motion).F_rotor[..., 0]
+
+
 def massless_forces(robot: Robot, motion: Motion) -> Array:
     """Actuator forces F0 with legs without mass and joints without friction, N, (..., 6), (41).
 
@@ -180,7 +193,7 @@ def massless_forces(robot: Robot, motion: Motion) -> Array:
 
 
 def energy(robot: Robot, motion: Motion) -> Array:
-    """Kinetic and potential energy of the platform and the twelve leg parts, J, (...).
+    """Kinetic and potential energy of the platform, the twelve leg parts and the rotors, J, (...).
 
     Always with the exact kinematics of the legs. The potential energy is zero at the base frame's origin.
     NaN where a leg's direction or spin is undefined.
@@ -195,7 +208,8 @@ def energy(robot: Robot, motion: Motion) -> Array:
             + robot.m_u[:, None] * _dot(v_u, v_u)
             + _dot(W, _mul(leg.I_d, W))
             + _dot(W, _mul(leg.I_u, W))
-        ) / 2
+            + robot.m_r[:, None] * leg.Ldot**2
+        ) / 2 + robot.j_r[:, None] * leg.Ldot * _dot(W, leg.s)
         potential_legs = -_dot(
             robot.m_d[:, None] * (robot.b + leg.r_d) + robot.m_u[:, None] * (robot.b + leg.r_u), robot.g
         )
@@ -310,20 +324,36 @@ def _legs(robot: Robot, motion: Motion, faults: frozenset[int]) -> Legs:
     )
     f = robot.C_s[:, None] * (W - omega)  # friction in (18)
     I_du = leg.I_d + leg.I_u
+    m_r, j_r = robot.m_r[:, None], robot.j_r[:, None]
+    F_rotor = m_r * Lddot + j_r * _dot(s, A)
+    h_rotor = j_r * (Lddot * s + Ldot * _cross(W, s))
     C = (  # right side of (20)
         m_d * _cross(leg.r_d, a_d)
         + m_u * _cross(leg.r_u, a_u)
         - _cross(m_d * leg.r_d + m_u * leg.r_u, g)
         + _mul(I_du, A)
         + _cross(W, _mul(I_du, W))
+        + h_rotor
         + robot.C_u[:, None] * W
         + f
     )
     # (29): the product of s with M_u axis + S x F_s = C, (20); then (21): the vector product of the two.
     M_u = np.zeros_like(L) if spherical else _dot(s, C) / _dot(s, leg.axis)
     K = _cross(C - M_u * leg.axis, s) / L
-    D = m_u * _dot(s, a_u - g) + robot.C_p[:, None] * Ldot  # (24)
-    return Legs(**vars(leg), Lddot=Lddot, A=A, a_d=a_d, a_u=a_u, f=f, M_u=M_u, K=K, D=D)
+    D = m_u * _dot(s, a_u - g) + robot.C_p[:, None] * Ldot + F_rotor  # (24)
+    return Legs(
+        **vars(leg),
+        Lddot=Lddot,
+        A=A,
+        F_rotor=F_rotor,
+        h_rotor=h_rotor,
+        a_d=a_d,
+        a_u=a_u,
+        f=f,
+        M_u=M_u,
+        K=K,
+        D=D,
+    )
 
 
 def _solve(robot: Robot, motion: Motion, faults: frozenset[int]) -> tuple[Legs, Forces]:

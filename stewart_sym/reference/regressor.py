@@ -26,6 +26,7 @@ def regressor(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
         name: np.zeros_like(np.asarray(getattr(robot, name)))
         for name in ("M", "R_0", "I_p", "m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")
     }
+    zeros |= {"m_r": np.zeros(LEGS), "j_r": np.zeros(LEGS)}
     given = {name: getattr(robot, name) for name in ("base_joint", "b", "p", "k", "g")}
     unloaded = Motion.unchecked(motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a)
 

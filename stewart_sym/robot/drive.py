@@ -79,6 +79,12 @@ KEYS = (*_TRANSMISSION, *(name for name in NUMBERS if name != "lead"))
 """Of a table of a drive in a robot file of schema 2."""
 
 
+# Defaults for all six legs, which become arrays when they are checked.
+_ZERO: Any = 0.0
+_ONE: Any = 1.0
+_UNLIMITED: Any = math.inf
+
+
 @dataclass(frozen=True, eq=False)
 class Drive(Frozen):
     """Drives of six legs, SI units; each field is one number for all legs or six, kept as (6,), read-only.
@@ -119,27 +125,27 @@ class Drive(Frozen):
     """
 
     lead: Array
-    rotor_inertia: Array | float = 0.0
-    efficiency: Array | float = 1.0
-    back_efficiency: Array | float = 1.0
-    screw_coulomb: Array | float = 0.0
-    screw_viscous: Array | float = 0.0
-    motor_coulomb: Array | float = 0.0
-    motor_viscous: Array | float = 0.0
-    stribeck: Array | float = 0.0
-    stribeck_speed: Array | float = 0.0
-    smoothing: Array | float = 0.0
-    torque_constant: Array | float = 0.0
-    resistance: Array | float = 0.0
-    rated_torque: Array | float = math.inf
-    torque_limit: Array | float = math.inf
-    speed_limit: Array | float = math.inf
-    current_limit: Array | float = math.inf
-    power_limit: Array | float = math.inf
+    rotor_inertia: Array = _ZERO
+    efficiency: Array = _ONE
+    back_efficiency: Array = _ONE
+    screw_coulomb: Array = _ZERO
+    screw_viscous: Array = _ZERO
+    motor_coulomb: Array = _ZERO
+    motor_viscous: Array = _ZERO
+    stribeck: Array = _ZERO
+    stribeck_speed: Array = _ZERO
+    smoothing: Array = _ZERO
+    torque_constant: Array = _ZERO
+    resistance: Array = _ZERO
+    rated_torque: Array = _UNLIMITED
+    torque_limit: Array = _UNLIMITED
+    speed_limit: Array = _UNLIMITED
+    current_limit: Array = _UNLIMITED
+    power_limit: Array = _UNLIMITED
 
     def __post_init__(self) -> None:
         """Check every field and freeze private float64 copies."""
-        checked = {field.name: _six(getattr(self, field.name), field.name) for field in fields(self)}
+        checked = {each.name: _six(getattr(self, each.name), each.name) for each in fields(self)}
         for i in range(LEGS):
             leg = {name: float(values[i]) for name, values in checked.items()}
             _need_sound(leg, lambda name, i=i: f"{name}: leg {i + 1}")  # type: ignore[misc]

@@ -31,7 +31,15 @@ DOUBTS = (
         "center-of-mass",
         "friction",
     ),
-    *("singular-everywhere", "leg-order", "condition", "crossing", "joint-singularity", "overlap"),
+    *(
+        "singular-everywhere",
+        "leg-order",
+        "condition",
+        "crossing",
+        "joint-singularity",
+        "overlap",
+        "coincident",
+    ),
     *("home", "length-limits", "force-limit", "speed-limit"),
 )
 """Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on

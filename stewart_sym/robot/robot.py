@@ -205,6 +205,26 @@ class Robot(Frozen):
         tables_of = schema_1.tables_of if plain and not self.tool.any() else schema_2.tables_of
         return tables_of(vars(self))
 
+    @property
+    def m_r(self) -> Array:
+        """Reflected masses of the rotors, J_r N^2, kg, (6,); zero without a drive."""
+        return np.zeros(LEGS) if self.drive is None else self.drive.reflected_mass
+
+    @property
+    def j_r(self) -> Array:
+        """Angular momenta of the rotors per rate of length, J_r N, kg m, (6,); zero without a drive.
+
+        Zero as well with spherical base joints: nothing fixes the spin of the legs, on which they act.
+        """
+        if self.drive is None or self.base_joint != "universal":
+            return np.zeros(LEGS)
+        return self.drive.momentum
+
+    @property
+    def has_rotors(self) -> bool:
+        """Whether any leg's rotor has inertia."""
+        return self.drive is not None and bool(np.any(self.drive.rotor_inertia))
+
     def physicality(self) -> list[str]:
         """Return one line for each part whose inertia no rigid body can have; empty when all are possible.
 

@@ -14,6 +14,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
+from ..drives.friction import has_friction
 from ..dynamics.equations import ForwardDynamics
 from ..dynamics.inverse import Backend, Formulation
 from ..io.arguments import instance, number_in, option, real_array, shown
@@ -26,6 +27,7 @@ from ..results import STATUS_TEXT
 from ..robot.robot import Robot
 from .actuator_models import ForceLaw
 from .limits import Thresholds, Watch, det_sign, need_between
+from .stick_slip import StickSlip
 from .trace import (
     Actuators,
     Load,
@@ -77,6 +79,10 @@ def simulate(
     the interpolated motion, to rounding. Limits are looked at ``WATCHED`` times a step: a leg that passes one
     and is back within that is not seen. A singular pose that is crossed, where det H changes its sign, is
     seen however short the time near it; the run then ends where the condition number passes its threshold.
+
+    Where the robot's drives have friction or an efficiency below 1, forces are those of the motors, N times
+    torque, and legs stick and slip: one that sticks does not move at all. ``Simulation.drives`` has what they
+    lost.
 
     Parameters
     ----------
@@ -159,6 +165,8 @@ def simulate(
         watch=Watch(robot, thresholds or Thresholds(), stops_at, det_sign(robot, start)),
         reached=lambda time: None if progress is None else progress(time / duration),
     )
+    if robot.drive is not None and has_friction(robot.drive):
+        run.sticking = StickSlip(robot, robot.drive, run.accelerations, run._loaded)
     stop, pieces = run.through(start, float(duration), rate)
     times = output_times(pieces, stop.time, output_step)
     trace = sampled_at(robot, actuators, tuple(pieces), times)
@@ -169,6 +177,7 @@ def simulate(
         _robot=robot,
         _actuators=actuators,
         _pieces=tuple(pieces),
+        drives=None if run.sticking is None else run.sticking.results(tuple(pieces), actuators, times),
     )
 
 
@@ -189,6 +198,7 @@ class _Run:
     watch: Watch
     reached: Callable[[float], None]
     fault: int = 0
+    sticking: StickSlip | None = None
 
     def through(self, state: Motion, duration: float, rate: float | None) -> tuple[Stop, list[Piece]]:
         """Go from sample to sample of the law, or in one go, until the end or a stop."""
@@ -202,6 +212,7 @@ class _Run:
             sampled = (
                 None if rate is None else six_forces(self.actuators.law(time, motion_of(y, center)), time)
             )
+            y = self._settled(time, y, center, sampled, sample == 1)
             if sample == 1:
                 if not np.isfinite(self._rates(0.0, y, center, sampled)).all():
                     raise ValueError(f"initial_state: no accelerations: {self._reason()}")
@@ -225,6 +236,7 @@ class _Run:
     ) -> tuple[Stop | None, float, Array, Array, float | None]:
         """Integrate in one chart, to its rim or to ``end``; hand back the state in a chart of its own."""
         first = None if step is None else min(step, end - time)
+        modes = () if self.sticking is None else self.sticking.modes
 
         def rates(time: float, y: Array) -> Array:
             return self._rates(time, y, center, sampled)
@@ -237,7 +249,10 @@ class _Run:
                 if not pieces:
                     raise ValueError(f"initial_state: {text}")
                 return Stop("failed", solver.t, None, text), solver.t, solver.y, center, step
-            piece = Piece(solver.t_old, solver.t, solver.dense_output(), center, sampled)
+            piece = Piece(solver.t_old, solver.t, solver.dense_output(), center, sampled, modes)
+            change = None if self.sticking is None else self.sticking.first_change(piece, self.actuators)
+            if change is not None:
+                piece = piece._replace(end=change.time)
             stop = self.watch.first(piece, self.actuators)
             if stop is not None:
                 # A stop where the step begins leaves no piece but the first, which the trace needs.
@@ -246,15 +261,46 @@ class _Run:
                 return stop, stop.time, solver.y, center, step
             pieces.append(piece)
             self.reached(piece.end)
-        y = np.array(solver.y)
-        center = orthonormal(rotation_from_vector(y[3:6]) @ center)
-        y[3:6] = 0.0
-        return None, float(solver.t), y, center, float(solver.h_abs)
+            if change is not None:
+                return self._changed(piece, sampled, pieces)
+        return None, float(solver.t), *_recentred(solver.y, center), float(solver.h_abs)
+
+    def _changed(
+        self, piece: Piece, sampled: Array | None, pieces: list[Piece]
+    ) -> tuple[Stop | None, float, Array, Array, float | None]:
+        """Go on after a leg has come to rest or broken away at the end of a piece."""
+        assert self.sticking is not None
+        y, center = _recentred(piece.interpolant(piece.end), piece.center)
+        if piece.end <= piece.start and len(pieces) > 1:
+            pieces.pop()
+        stop = None
+        if self.sticking.stalled:
+            text = f"legs stick and slip without end at {piece.end:.9g} s"
+            stop = Stop("failed", piece.end, None, text)
+        return stop, piece.end, self._settled(piece.end, y, center, sampled), center, None
+
+    def _settled(
+        self, time: float, y: Array, center: Array, sampled: Array | None, first: bool = False
+    ) -> Array:
+        """The chart's numbers once it is settled which legs stick."""
+        if self.sticking is None:
+            return y
+        state = motion_of(y, center)
+        F = self.actuators.at(time, state) if sampled is None else self.actuators.clipped(sampled)
+        still = (self.sticking.begin if first else self.sticking.settled)(time, state, F)
+        return np.concatenate([y[:6], still.v, still.omega])
 
     def _rates(self, time: float, y: Array, center: Array, sampled: Array | None) -> Array:
         state = Motion.unchecked(rotation_vector.turned(y[3:6], center), y[:3], omega=y[9:], v=y[6:9])
+        if self.sticking is not None:
+            state = self.sticking.moving(state)
         F = self.actuators.at(time, state) if sampled is None else self.actuators.clipped(sampled)
-        acceleration, status = self.accelerations(self._loaded(time, state), F)
+        loaded = self._loaded(time, state)
+        if self.sticking is None:
+            acceleration, status = self.accelerations(loaded, F)
+        else:
+            found = self.sticking.solved(loaded, F)
+            acceleration, status = found.acceleration, found.status
         self.fault = status or self.fault
         return np.concatenate([state.v, rotation_vector.rate(y[3:6], state.omega), acceleration])
 
@@ -269,6 +315,14 @@ class _Run:
 
     def _reason(self) -> str:
         return STATUS_TEXT[self.fault] if self.fault else "forces or accelerations grow without bound"
+
+
+def _recentred(y: Array, center: Array) -> tuple[Array, Array]:
+    """A chart's numbers and centre in a chart of their own."""
+    there = np.array(y)
+    middle = orthonormal(rotation_from_vector(there[3:6]) @ center)
+    there[3:6] = 0.0
+    return there, middle
 
 
 def check_rtol(rtol: object) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..io.arguments import real_array
-from ..io.array_types import Array
+from ..io.array_types import Array, Flags
 from ..kinematics.inverse import leg_vectors, tip_velocities
 from ..motion.motion import Motion
 from ..motion.rotation import rotation_from_vector
@@ -65,6 +65,28 @@ class Saturation:
 
 
 @dataclass(frozen=True, eq=False)
+class DriveWork:
+    """What the motors did in a run and what their drives' friction took of it.
+
+    Attributes
+    ----------
+    done : ndarray
+        Work of each motor, J, (6,).
+    lost : ndarray
+        Energy that friction of its drive dissipated, J, (6,).
+    friction : ndarray
+        N times torque less the leg's force, N, (n, 6), at the instants of the trace.
+    sticks : ndarray of bool
+        Which legs stick, (n, 6).
+    """
+
+    done: Array
+    lost: Array
+    friction: Array
+    sticks: Flags
+
+
+@dataclass(frozen=True, eq=False)
 class Trace:
     """States and forces at n instants; SI units, base frame.
 
@@ -79,7 +101,7 @@ class Trace:
     omega : ndarray
         Rad/s, (n, 3).
     F : ndarray
-        Actuator forces, N, (n, 6).
+        Actuator forces, N, (n, 6); of a robot whose drives have friction those of the motors, N times torque.
     L : ndarray
         Leg lengths, m, (n, 6).
     kinetic, potential : ndarray
@@ -140,7 +162,7 @@ class Actuators(NamedTuple):
 class Piece(NamedTuple):
     """An accepted step: its times, the interpolant of the chart's numbers, the centre, the sampled forces.
 
-    sampled: as the law commanded them; None where the law is not sampled.
+    sampled: as the law commanded them; None where the law is not sampled. modes: which legs stick and slip.
     """
 
     start: float
@@ -148,6 +170,7 @@ class Piece(NamedTuple):
     interpolant: Callable[[Any], Array]
     center: Array
     sampled: Array | None
+    modes: tuple[int, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)
@@ -160,6 +183,8 @@ class Simulation(Trace):
         Why and where the run ended.
     saturation : Saturation
         What clipping left out, by leg.
+    drives : DriveWork, optional
+        Work of the motors and what friction took of it; None for a robot whose drives have none.
     """
 
     stop: Stop
@@ -167,6 +192,7 @@ class Simulation(Trace):
     _robot: Robot
     _actuators: Actuators
     _pieces: tuple[Piece, ...]
+    drives: DriveWork | None = None
 
     @property
     def steps(self) -> int:

@@ -188,5 +188,5 @@ def test_check_says_how_trajectories_are_read_and_what_stroke_is_left(
 ) -> None:
     assert main(["check", str(Path(robots.__file__).parent / "rubin_camera.toml")]) == 0
     told = capsys.readouterr().out
-    assert "poses of the point (0, 0, -2.7584) m of the platform, R = Rx Ry Rz" in told
-    assert "stroke left  -0.0141 to +0.0141 m" in told
+    assert "poses of the point (0, 0, -2758.4) mm of the platform, R = Rx Ry Rz" in told
+    assert "stroke left  -14.1 to +14.1 mm" in told

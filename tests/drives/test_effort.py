@@ -22,7 +22,7 @@ from stewart_sym.reference import newton_euler
 LOSSY: dict[str, Any] = {
     "efficiency": 0.9, "back_efficiency": 0.8, "screw_coulomb": 20.0, "screw_viscous": 150.0,
     "motor_coulomb": 0.02, "motor_viscous": 2e-4, "stribeck": 8.0, "stribeck_speed": 5e-3,
-    "smoothing": 1e-3, "torque_constant": 0.5, "resistance": 2.0,
+    "smoothing": 1e-3, "torque_constant": 0.5, "resistance": 2.0, "rotor_inertia": 3e-5,
 }  # fmt: skip
 
 

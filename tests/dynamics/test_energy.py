@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
-from machines import dasgupta, path_period, random_path, random_robot
+from machines import dasgupta, path_period, random_path, random_robot, with_random_rotors
 from numpy.typing import NDArray
 
 from stewart_sym.dynamics.forces import prepare
@@ -71,6 +71,18 @@ def test_exact_balances_on_random_machines_and_smooth_paths(
     assert abs(balance.mismatch) < RELATIVE * balance.turnover
     assert balance.turnover_load > 1e-2 * balance.turnover
     assert balance.friction > 1e-3 * balance.turnover if friction else balance.friction == 0
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_exact_balances_where_rotors_turn(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    robot = with_random_rotors(rng, random_robot(rng))
+    path, breaks = random_path(rng, robot), np.linspace(0, 0.7 * path_period(robot), 9)
+    balance = _balance(robot, path, breaks, EXACT)
+    assert abs(balance.mismatch) < RELATIVE * balance.turnover
+    at_rest = dataclasses.replace(robot, drive=None)
+    stored = newton_euler.energy(robot, path(breaks)) - newton_euler.energy(at_rest, path(breaks))
+    assert np.abs(stored).max() > 1e-3 * balance.turnover
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -175,9 +175,6 @@ def test_the_motion_that_identify_writes_is_read_as_the_robot_says(
     assert np.all((L >= robot.length_limits[:, 0]) & (L <= robot.length_limits[:, 1]))
     assert main(["identify", file, "--sigma", "1", "-o", str(tmp_path / "again"), "--measured", *out]) == 0
     assert "verdict: consistent" in capsys.readouterr().out
-    stated = ["--noise-position", "1e-4", "--noise-angle", "1e-4", "--measured", *out]
-    assert main(["identify", file, "-o", str(tmp_path / "third"), *stated]) == 2
-    assert "expected a robot file without a tool point" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("command", ["forces", "singularities", "simulate", "identify"])

@@ -144,7 +144,7 @@ BAD = {
         "legs.drive.torque_limit: expected a number > 0, got 0 (at line 20)"
     ),
     "[legs.drive]\nlead = 5\ncurrent_limit = inf\n": (
-        "legs.drive.current_limit: expected a finite number, got inf (at line 20)"
+        "legs.drive.current_limit: expected a finite number, got inf (no limit is a key left out, "
     ),
     "[legs.drive]\nlead = 5\nsmoothing = [1, 2]\n": (
         "legs.drive.smoothing: expected a finite number, got [1, 2] (at line 20)"
@@ -155,6 +155,26 @@ BAD = {
     "[legs.drive]\nlead = 5\nrotor_inertia = 1e305\n": (
         "legs.drive.lead: expected a lead with which the rotor's inertia is a finite mass (at line 19)"
     ),
+    "[legs.drive]\nlead = nan\n": "legs.drive.lead: expected a finite number, got nan (at line 19)",
+    "[legs.drive]\nlead = 1e400\n": (
+        "legs.drive.lead: expected a finite number, got inf (no limit is a key left out, and a double holds "
+    ),
+    "[legs.drive]\nlead = 5\ngear = '2'\n": (
+        "legs.drive.gear: expected a finite number, got '2' (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\nrated_torque = -1\n": (
+        "legs.drive.rated_torque: expected a number > 0, got -1 (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\nstribeck_speed = -1\n": (
+        "legs.drive.stribeck_speed: expected a number >= 0, got -1 (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\ntorque_constant = true\n": (
+        "legs.drive.torque_constant: expected a finite number, got True (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\n[leg.6.drive]\nlead = 4\nradius = 4\n": (
+        "leg.6.drive.radius: expected lead or radius, got both (at line 22)"
+    ),
+    "[leg.2]\ndrive = []\n": "leg.2.drive: expected a table, got [] (at line 19)",
     "[leg.3]\ndrive = 5\n": "leg.3.drive: expected a table, got 5 (at line 19)",
     "[[legs.drive]]\nlead = 5\n": "legs.drive: expected a table, got [{'lead': 5}] (at line 18)",
     "[leg.3.drive]\nlead = 5\n": (
@@ -173,6 +193,24 @@ def test_a_bad_drive_gives_one_line_with_key_and_line(text: str, tmp_path: Path)
         read(text, tmp_path)
     assert str(error.value).startswith(f"{tmp_path / 'robot.toml'}: {BAD[text]}"), error.value
     assert "at line" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ('"press"', '""', "name: expected text that is not blank, got '' (at line 2)"),
+        ("radius = 600", "radius = 1e400", "base.radius: expected "),
+    ],
+)
+def test_blank_names_and_numbers_beyond_a_double_are_said_to_be_so(
+    old: str, new: str, message: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "robot.toml"
+    path.write_text(MACHINE.replace(old, new, 1))
+    with pytest.raises(ValueError, match=r"\A[^\n]*\(at line \d+\)\Z") as error:
+        ss.Robot.from_toml(path)
+    assert str(error.value).startswith(f"{path}: {message}")
+    assert "1e400" not in new or "a double holds up to 1.8e+308" in str(error.value)
 
 
 def test_fields_are_checked_by_name() -> None:

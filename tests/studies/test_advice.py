@@ -15,12 +15,14 @@ import numpy as np
 import pytest
 from command_line import fails_in_one_line, folder_state
 from cost_figures import CHEAP, DEAR, FRICTIONLESS, MIDDLE, SCENE, TOLERANCES, budget, entry, hasty, made_up
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, random_motion, random_robot, with_random_rotors
 from reduced_machines import as_simple_as
 
 import stewart_sym as ss
+from stewart_sym.backend.fidelity import DRIVE_FIDELITIES, available, operations
 from stewart_sym.cli.main import main
-from stewart_sym.derive.mechanics.reduced_models import FIDELITIES
+from stewart_sym.derive.mechanics.legs.rotor import FULL, NONE
+from stewart_sym.derive.mechanics.reduced_models import FIDELITIES, level_of
 from stewart_sym.generated import exact, paper
 from stewart_sym.generated.fidelities import FIDELITIES as TABLE
 from stewart_sym.io.extras import install
@@ -221,6 +223,49 @@ def test_terms_are_what_the_derivation_says_of_each_fidelity() -> None:
         order = ["general", "axisymmetric", "slender", "point_masses", "massless"]
         for term, last in kept.items():
             assert (term in has) == (order.index(level.legs) <= order.index(last)), (name, term)
+
+
+def test_terms_of_rotors_are_what_the_derivation_says() -> None:
+    for name in DRIVE_FIDELITIES:
+        level = level_of(name, rotors=True)
+        has = terms(Candidate("exact", name, "double"), rotors=True)
+        assert has <= TERMS.keys()
+        assert ("friction" in has) == level.friction
+        assert ("reflected" in has) == (level.rotor != NONE)
+        assert ("momentum" in has) == (level.rotor == FULL)
+        assert has - {"reflected", "momentum"} == terms(
+            Candidate("exact", name.removeprefix("reflected_").replace("reflected", "general"), "double")
+        )
+
+
+@pytest.mark.slow
+def test_rotors_get_the_cheapest_that_serves_and_a_reason() -> None:
+    """Every level in both precisions is tried on tolerances from coarse to fine."""
+    rng = np.random.default_rng(0)
+    robot = with_random_rotors(rng, random_robot(rng))
+    motion = random_motion(rng, robot, (8,))
+    found = cost(robot, {"motion": motion}, rounds=1)
+    true = newton_euler.inverse_dynamics(robot, motion).F
+    peak, chosen = np.abs(true).max(), set()
+    for tolerance in 10.0 ** -np.arange(0, 12):
+        errors = {}
+        for level in available(robot):
+            for width, precision in ((4, "float"), (8, "double")):
+                F = ss.prepare(robot, "exact", precision, level).forces(motion)  # type: ignore[arg-type]
+                if np.abs(F - true).max() / peak * MARGIN <= tolerance:
+                    errors[level, precision] = (operations(robot, fidelity=level), width)
+        given = advice(found, budget(tolerance))
+        assert (given.chosen is None) == (not errors)
+        if given.chosen is not None:
+            level, precision = given.chosen.candidate.fidelity, given.chosen.candidate.precision
+            assert errors[level, precision] == min(errors.values())
+            chosen.add(level)
+            named = set().union(*(left_out for left_out, _ in given.needed()))
+            assert named <= terms(given.chosen.candidate, rotors=True)
+            if level == "general":
+                assert "momentum" in named
+    assert "general" in chosen
+    assert any(level.startswith("reflected") for level in chosen)
 
 
 def test_the_report_has_every_figure(on_path_i: CostAccuracy) -> None:

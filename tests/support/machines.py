@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from stewart_sym import robots
 from stewart_sym.motion.motion import Motion
+from stewart_sym.robot.drive import Drive
 from stewart_sym.robot.robot import Robot
 
 Array = NDArray[np.float64]
@@ -63,6 +64,19 @@ def random_robot(
         force_limit=np.full(6, np.inf),
         speed_limit=np.full(6, np.inf),
     )
+
+
+def with_random_rotors(rng: np.random.Generator, robot: Robot) -> Robot:
+    """The machine with a rotor in each leg, whose inertia is a share of the lower part's.
+
+    It turns so fast that it resists like a tenth to ten times the upper part; half of the screws are
+    left-handed.
+    """
+    axial = np.array([np.linalg.eigvalsh(inertia)[0] for inertia in robot.I_d0])
+    inertia = axial * rng.uniform(0.1, 0.5, 6)
+    mass = robot.m_u * np.exp(rng.uniform(-2.3, 2.3, 6))
+    lead = 2 * np.pi * np.sqrt(inertia / mass) * rng.permutation([1, 1, 1, -1, -1, -1])
+    return dataclasses.replace(robot, drive=Drive(lead=lead, rotor_inertia=inertia))
 
 
 def dasgupta(friction: bool = True) -> Robot:

@@ -33,7 +33,8 @@ class Answer:
 
 def pinocchio_inverse_dynamics(robot: Robot, motion: Motion) -> Answer:
     """Actuator forces and joint reactions of one pose (leading shape ())."""
-    chain = SphericalChain if robot.base_joint == "spherical" else UniversalChain
+    plain = SphericalChain if robot.base_joint == "spherical" else UniversalChain
+    chain = GearedChain if robot.has_rotors else plain
     legs = [chain(robot, motion, i) for i in range(6)]
 
     rows, right = np.zeros((18, 18)), np.zeros(18)
@@ -53,8 +54,8 @@ def pinocchio_inverse_dynamics(robot: Robot, motion: Motion) -> Answer:
     F_u, F_p, M_p = np.zeros((6, 3)), np.zeros((6, 3)), np.zeros((6, 3))
     for i, leg in enumerate(legs):
         tau = leg.torques(F_s[i])
-        np.testing.assert_allclose(tau[:-1], 0, atol=1e-9 * leg.moment_scale)
-        F[i] = tau[-1] + robot.C_p[i] * leg.v[-1]
+        np.testing.assert_allclose(tau[:-1], 0, atol=1e-9 * leg.moment_scale(F_s[i]))
+        F[i] = tau[-1] + robot.C_p[i] * leg.v[leg.slide]
         F_u[i], M_u[i] = leg.base_reaction()
         F_p[i], M_p[i] = leg.prismatic_reaction()
     return Answer(F=F, F_s=F_s, F_u=F_u, F_p=F_p, M_p=M_p, M_u=M_u)
@@ -97,7 +98,7 @@ class _Chain(ABC):
         self.lower = self._base_joints()
         self.upper = model.addJoint(self.lower, pin.JointModelPX(), pin.SE3.Identity(), "prismatic")
         at = pin.SE3.Identity()
-        model.appendBodyToJoint(self.lower, pin.Inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]), at)
+        self._append_lower(pin.Inertia(robot.m_d[i], robot.r_d0[i], robot.I_d0[i]))
         model.appendBodyToJoint(self.upper, pin.Inertia(robot.m_u[i], robot.r_u0[i], robot.I_u0[i]), at)
         data = self.data = model.createData()
 
@@ -120,7 +121,16 @@ class _Chain(ABC):
         self.base_friction = -robot.C_u[i] * W
         self.f = robot.C_s[i] * (W - omega)
         pin.forwardKinematics(model, data, self.q, self.v, self.a)
-        self.moment_scale = float(np.linalg.norm(S)) * self._force_scale()
+        self.length = float(np.linalg.norm(S))
+
+    @property
+    def slide(self) -> int:
+        """Place of the prismatic joint among the rates."""
+        return int(self.model.joints[self.upper].idx_v)
+
+    def _append_lower(self, body: pin.Inertia) -> None:
+        """Fasten the lower part."""
+        self.model.appendBodyToJoint(self.lower, body, pin.SE3.Identity())
 
     @abstractmethod
     def _base_joints(self) -> int:
@@ -157,12 +167,14 @@ class _Chain(ABC):
         placement, reaction = self.data.oMi[self.upper], self.data.f[self.upper]
         force, moment = placement.rotation @ reaction.linear, placement.rotation @ reaction.angular
         lever = placement.translation - self.robot.b[self.i]
-        friction = -self.robot.C_p[self.i] * self.v[-1] * placement.rotation[:, 0]
+        friction = -self.robot.C_p[self.i] * self.v[self.slide] * placement.rotation[:, 0]
         return force - friction, moment + np.cross(lever, force)
 
-    def _force_scale(self) -> float:
+    def moment_scale(self, F_s: Array) -> float:
+        """Of the moments that balance each other in the joints."""
         mass = self.robot.m_d[self.i] + self.robot.m_u[self.i] + self.robot.M
-        return float(mass * (np.linalg.norm(self.robot.g) + np.abs(self.a).max()))
+        force = mass * (np.linalg.norm(self.robot.g) + np.abs(self.a).max()) + np.linalg.norm(F_s)
+        return float(self.length * force)
 
 
 class UniversalChain(_Chain):
@@ -191,6 +203,51 @@ class UniversalChain(_Chain):
     def _constraint_moment(self, moment: Array) -> float:
         # In the first joint's frame k is x and the second axis is y: the normal to both is z.
         return float(moment[2])
+
+
+class GearedChain(UniversalChain):
+    """The same with the rotor as a body of its own, that turns on the lower part by N times the length.
+
+    The lower part of the robot has the rotor in it, locked: here it is taken out of it. The gearing is a
+    projection: joint torques and forces are those of the coordinates that are left.
+    """
+
+    MASS, ACROSS = 0.02, 0.8
+    """Mass of a rotor, of its lower part's, and its inertia across its axis, of that about it."""
+
+    def _append_lower(self, body: pin.Inertia) -> None:
+        assert self.robot.drive is not None
+        self.turns = 2 * np.pi / self.robot.drive.lead[self.i]
+        axial = self.robot.drive.rotor_inertia[self.i]
+        place = np.array([body.lever[0], 0.0, 0.0])
+        inertia = axial * np.diag([1.0, self.ACROSS, self.ACROSS])
+        rotor = pin.Inertia(self.MASS * body.mass, np.zeros(3), inertia)
+        at = pin.SE3(np.eye(3), place)
+        joint = self.model.addJoint(self.lower, pin.JointModelRX(), at, "rotor")
+        self.model.appendBodyToJoint(joint, rotor, pin.SE3.Identity())
+        mass = body.mass - rotor.mass
+        center = (body.mass * body.lever - rotor.mass * place) / mass
+
+        def steiner(mass: float, arm: Array) -> Array:
+            return np.asarray(mass * (arm @ arm * np.eye(3) - np.outer(arm, arm)))
+
+        about_base = (
+            body.inertia + steiner(body.mass, body.lever) - rotor.inertia - steiner(rotor.mass, place)
+        )
+        rest = pin.Inertia(mass, center, about_base - steiner(mass, center))
+        self.model.appendBodyToJoint(self.lower, rest, pin.SE3.Identity())
+
+    def _configuration(self, S: Array) -> Array:
+        own = super()._configuration(S)
+        return np.append(own, self.turns * (own[2] - 0.1))
+
+    def _joint_rates(self, tip: Array) -> Array:
+        own = np.linalg.solve(self.tip_jacobian[:, :3], tip)
+        return np.append(own, self.turns * own[2])
+
+    def torques(self, F_s: Array) -> Array:
+        fixed, moving, slide, rotor = super().torques(F_s)
+        return np.array([fixed, moving, slide + self.turns * rotor])
 
 
 class SphericalChain(_Chain):

@@ -28,7 +28,7 @@ RECORDS = {
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
     *("Capability", "JointAngles", "Needs", "Workspace", "WorkspaceWarning"),
-    *("DriveEffort", "DriveLimitWarning", "LogWarning", "Saturation", "Smooth"),
+    *("DriveEffort", "DriveEstimate", "DriveLimitWarning", "LogWarning", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -50,6 +50,7 @@ def calls() -> dict[str, Call]:
     motion = random_motion(rng, robot)
     parts = {name: getattr(motion, name) for name in ("R", "t", "omega", "v", "alpha", "a", "F_ext", "M_ext")}
     F = ss.inverse_dynamics(robot, motion).F
+    driven = dataclasses.replace(robot, drive=ss.Drive(lead=5e-3, torque_constant=0.5))
     legs = ss.inverse_kinematics(robot, motion)
     H = ss.wrench_matrix(robot, motion)
     pose = {"robot": robot, "R": motion.R, "t": motion.t}
@@ -205,6 +206,11 @@ def calls() -> dict[str, Call]:
                 **{"quantiles": [0.5, 1.0], "formulation": "exact"},
             },
         ),
+        "drive_effort": Call(
+            ss.drive_effort,
+            {"robot": driven, "motion": motion, "time": None, "formulation": "exact", "backend": "c"},
+        ),
+        "motor_forces": Call(ss.motor_forces, {"robot": driven, "current": F}),
         "Drive": Call(ss.Drive, dict.fromkeys(NUMBERS, 1.0)),
         "Units": Call(ss.Units, {"length": 1.0, "mass": 2.0, "time": 0.5}),
         "between": Call(ss.between, {"trajectory": trajectory}),

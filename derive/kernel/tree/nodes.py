@@ -373,8 +373,10 @@ class Program(Node):
 
 
 def joined(one: Program, other: Program) -> Program:
-    """Two programs as one; what both have under a name is the same in both."""
-    structures = {each.name: each for each in (*one.structures, *other.structures)}
+    """Two programs as one; what both have under a name is the same in both, or the second does with less."""
+    structures = {each.name: each for each in one.structures}
+    for each in other.structures:
+        structures.setdefault(each.name, each)
     functions = {each.name: each for each in (*one.functions, *other.functions)}
     return Program(one.name, tuple(structures.values()), tuple(functions.values()))
 

@@ -11,6 +11,7 @@ from dataclasses import replace
 from functools import cache
 
 from ..actuator_forces import from_difference
+from ..legs.rotor import NONE, Rotor
 from .derivatives import derivatives_kernel, derivatives_of_leg, joint_slopes_kernel
 from .equations import bias_kernel, equations_kernel, equations_of_leg, forward_kernel, joint_rows_kernel
 from .parts import PREPARED
@@ -37,14 +38,14 @@ OF_TWO_FORMS = ("equations", "derivatives")
 """Of those whose legs have a second block."""
 
 
-def kernels(friction: bool = True) -> tuple[SumKernel, ...]:
+def kernels(friction: bool = True, rotor: Rotor = NONE) -> tuple[SumKernel, ...]:
     """All of them, as ``NAMES``."""
-    return tuple(kernel(name, friction) for name in NAMES)
+    return tuple(kernel(name, friction, rotor) for name in NAMES)
 
 
 @cache
-def kernel(name: str, friction: bool) -> SumKernel:
-    """One of ``NAMES``, derived once."""
+def kernel(name: str, friction: bool, rotor: Rotor = NONE) -> SumKernel:
+    """One of ``NAMES``, derived once; rotor: of the legs' drives."""
     derive = {
         "equations": equations_kernel,
         "bias": bias_kernel,
@@ -53,8 +54,8 @@ def kernel(name: str, friction: bool) -> SumKernel:
         "joint_rows": joint_rows_kernel,
         "joint_slopes": joint_slopes_kernel,
     }[name]
-    found = derive(friction)
+    found = derive(friction, rotor)
     if name in OF_TWO_FORMS:
         leg = {"equations": equations_of_leg, "derivatives": derivatives_of_leg}[name]
-        found = replace(found, near=leg(friction, near=True))
+        found = replace(found, near=leg(friction, True, rotor))
     return found.changed(from_difference)

@@ -11,15 +11,16 @@ from ..actuator_forces import rotary
 from ..legs import tip
 from ..legs.joint_coordinates import gravity_torques, joint_accelerations, joint_inertia, joint_rates
 from ..legs.leg import cross
+from ..legs.rotor import Rotor
 from . import parts
 from .terms import AXIAL, BY_POSE, BY_TWIST, F_LEG, INERTIA, NET, TAU_BY, TURNED, SumKernel
 
 
-def derivatives_kernel(friction: bool) -> SumKernel:
+def derivatives_kernel(friction: bool, rotor: Rotor) -> SumKernel:
     """Derivatives of the wrench by pose, twist and acceleration, the last of which is M."""
     summed = (*INERTIA, *BY_POSE, *BY_TWIST)
     return SumKernel(
-        "derivatives", summed, _derivatives_of_platform(friction), derivatives_of_leg(friction, near=False)
+        "derivatives", summed, _derivatives_of_platform(friction), derivatives_of_leg(friction, False, rotor)
     )
 
 
@@ -78,10 +79,10 @@ class _Slopes:
     force: sp.Matrix
 
 
-def derivatives_of_leg(friction: bool, near: bool) -> Block:
+def derivatives_of_leg(friction: bool, near: bool, rotor: Rotor) -> Block:
     """One leg's part; near: written for legs near their joint singularity."""
     build = Builder()
-    leg = parts.leg_of(build, early=not near, leaning=False)
+    leg = parts.leg_of(build, early=not near, leaning=False, rotor=rotor)
     q, turn = leg.at.q, tip.skew(leg.at.q)
     by = _tip_slopes(build, leg, friction, near)
     W = tip.skew(n.omega.value)
@@ -135,7 +136,8 @@ def _torque_slopes(
 
     net: generalised forces less the actuator's, where they are given.
     """
-    inner, raw, M = tip.gradients(), tip.torques(friction), tip.inertia()
+    rotor = leg.at.rotor
+    inner, raw, M = tip.gradients(), tip.torques(friction, rotor), tip.inertia(rotor)
     gravity_torques(build, leg.at)
     normal = parts.name_omega(build, leg.at) if friction else None
     named = zip(("tau_L", "tau_theta", "tau_phi"), tip.gathered(raw) if near else raw, strict=True)
@@ -256,13 +258,13 @@ def _tip_slopes(build: Builder, leg: parts.Leg, friction: bool, near: bool) -> _
     )
 
 
-def joint_slopes_kernel(friction: bool) -> SumKernel:
+def joint_slopes_kernel(friction: bool, rotor: Rotor) -> SumKernel:
     """Derivatives of the wrench, and apart from them those that act along the rows of ``joint_rows_kernel``.
 
     The derivative of the wrench is the sum of what is summed and of [row_v row_w]^T tau_by over the legs.
     """
     build = Builder()
-    leg = parts.leg_of(build)
+    leg = parts.leg_of(build, rotor=rotor)
     q, turn, T = leg.at.q, tip.skew(leg.at.q), leg.T
     _name_finite_motion(build, leg, turned=True)
     by = _torque_slopes(build, leg, friction, near=True, net=NET.value)
@@ -273,7 +275,7 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
         "",
         "acceleration of the platform point from free fall, leg frame",
     )
-    turning, bend = _turning_with_leg(fall, NET.value, friction)
+    turning, bend = _turning_with_leg(fall, NET.value, tip.torques(friction, rotor))
     S, S_dot, S_ddot = (
         parts.base_matrix(
             build,
@@ -324,15 +326,14 @@ def joint_slopes_kernel(friction: bool) -> SumKernel:
     return SumKernel("joint_slopes", (*INERTIA, *BY_POSE, *BY_TWIST), pose, block)
 
 
-def _turning_with_leg(fall: sp.Matrix, net: sp.Matrix, friction: bool) -> tuple[sp.Matrix, sp.Matrix]:
+def _turning_with_leg(fall: sp.Matrix, net: sp.Matrix, forces: sp.Matrix) -> tuple[sp.Matrix, sp.Matrix]:
     """What turning adds to the derivatives by S: of the generalised forces by a mass at the tip, of the rows.
 
     Near the joint singularity the leg frame turns fast about the leg. Both parts are then large, and what
     a thin rod's forces across the leg add to them cancels: with AXIAL = 0 it is in neither. Of a leg with
     inertia about its own axis it stays in both, as ``net`` is small where what it is the sum of is not.
-    fall: mass at the tip times its acceleration from free fall, leg frame.
+    fall: mass at the tip times its acceleration from free fall, leg frame. forces: ``tip.torques``.
     """
-    forces = tip.torques(friction)
     rod = tip.of_rod(forces)
     across = (1 - AXIAL.value) * (tip.gradients().value.T * rod + fall)
     turning = tip.by_place_of_force(fall - sp.Matrix([0, across[1], across[2]]))

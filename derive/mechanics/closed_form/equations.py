@@ -8,10 +8,11 @@ from .. import quantities as n
 from ..legs import tip
 from ..legs.joint_coordinates import friction_moment, gravity_torques, joint_inertia, joint_rates, tip_force
 from ..legs.leg import cross
+from ..legs.rotor import Rotor
 from . import parts, terms
 
 
-def bias_kernel(friction: bool) -> terms.SumKernel:
+def bias_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     """C twist + g + friction without C."""
     build = Builder()
     force, moment = parts.platform_bias(parts.platform_of(build), friction)
@@ -22,7 +23,7 @@ def bias_kernel(friction: bool) -> terms.SumKernel:
         [(terms.B_0, parts.centripetal(build)), *zip(terms.BIAS, (force, moment), strict=True)],
     )
     build = Builder()
-    leg = parts.leg_of(build, early=True)
+    leg = parts.leg_of(build, early=True, rotor=rotor)
     tau, f = parts.tip_bias(build, leg, friction)
     D, K = tip_force(build, leg.at, tau)
     R = build.vector("R_tip", K + D * leg.at.s, "", "force at the tip")
@@ -35,11 +36,11 @@ def bias_kernel(friction: bool) -> terms.SumKernel:
     return terms.SumKernel("bias", terms.BIAS, pose, block)
 
 
-def forward_kernel(friction: bool) -> terms.SumKernel:
+def forward_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     """M, and the right side H F + external wrench - bias."""
     pose = _forward_of_platform("forward_of_platform", friction)
     build = Builder()
-    leg = parts.leg_of(build, early=True)
+    leg = parts.leg_of(build, early=True, rotor=rotor)
     tau, f = parts.tip_bias(build, leg, friction)
     D, K = tip_force(build, leg.at, tau)
     push = build.vector(
@@ -75,14 +76,14 @@ def _forward_of_platform(name: str, friction: bool, alone: bool = False) -> Bloc
     )
 
 
-def joint_rows_kernel(friction: bool) -> terms.SumKernel:
+def joint_rows_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     """The same without the legs in M: what they have of it by the joint coordinates, which M would add up.
 
     M = M_platform + sum of G^T M_xi G with G = [row_v row_w], and the right side lacks G^T tau. An upper part
     stays with its leg: lumped with the platform, a heavy one's mass would cost digits.
     """
     build = Builder()
-    leg = parts.leg_of(build)
+    leg = parts.leg_of(build, rotor=rotor)
     at = leg.at
     tau, f = parts.tip_bias(build, leg, friction)
     fall = build.vector(
@@ -110,11 +111,14 @@ def joint_rows_kernel(friction: bool) -> terms.SumKernel:
     return terms.SumKernel("joint_rows", (*terms.INERTIA, *terms.RIGHT), pose, block)
 
 
-def equations_kernel(friction: bool) -> terms.SumKernel:
+def equations_kernel(friction: bool, rotor: Rotor) -> terms.SumKernel:
     """M, C, g and friction apart, H and its rate."""
     summed = (*terms.INERTIA, *terms.CORIOLIS, *terms.GRAVITY, *terms.FRICTION)
     return terms.SumKernel(
-        "equations", summed, _equations_of_platform(friction), equations_of_leg(friction, near=False)
+        "equations",
+        summed,
+        _equations_of_platform(friction),
+        equations_of_leg(friction, near=False, rotor=rotor),
     )
 
 
@@ -140,10 +144,10 @@ def _equations_of_platform(friction: bool) -> Block:
     )
 
 
-def equations_of_leg(friction: bool, near: bool) -> Block:
+def equations_of_leg(friction: bool, near: bool, rotor: Rotor) -> Block:
     """One leg's part; near: written for legs near their joint singularity."""
     build = Builder()
-    leg = parts.leg_of(build, early=not near, leaning=False)
+    leg = parts.leg_of(build, early=not near, leaning=False, rotor=rotor)
     at, q = leg.at, leg.at.q
     rates = joint_rates(build, at, leg.S_dot)
     m, M = parts.tip_inertia(build, leg)
@@ -151,7 +155,9 @@ def equations_of_leg(friction: bool, near: bool) -> Block:
         build,
         "C_tip",
         leg.T,
-        parts.local_matrix(build, "C_leg", _coriolis_near(build, leg) if near else _coriolis(build, M)),
+        parts.local_matrix(
+            build, "C_leg", _coriolis_near(build, leg) if near else _coriolis(build, M, rotor)
+        ),
         "Coriolis matrix at the tip, base frame",
     )
     w_q = leg.w_q
@@ -193,16 +199,16 @@ def equations_of_leg(friction: bool, near: bool) -> Block:
     )
 
 
-def _coriolis(build: Builder, M: sp.Matrix) -> sp.Matrix:
+def _coriolis(build: Builder, M: sp.Matrix, rotor: Rotor) -> sp.Matrix:
     """Coriolis matrix at the tip, leg frame, from the named M of the joint coordinates."""
     inner = tip.gradients()
-    C = parts.local_matrix(build, "C_xi", tip.christoffel(tip.inertia()))
+    C = parts.local_matrix(build, "C_xi", tip.christoffel(tip.inertia(rotor)))
     rate = parts.local_matrix(build, "G_dot", inner.rate)
     return inner.value.T * (C * inner.value + M * rate)
 
 
 def _coriolis_near(build: Builder, leg: parts.Leg) -> sp.Matrix:
     """The same without large parts that cancel near the joint singularity."""
-    inner, M = tip.gradients(), tip.inertia()
+    inner, M = tip.gradients(), tip.inertia(leg.at.rotor)
     parts.name_finite_rates(build, leg)
     return tip.gathered(inner.value.T * (tip.christoffel(M) * inner.value + M * inner.rate))

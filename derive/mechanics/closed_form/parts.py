@@ -20,6 +20,7 @@ from ..legs.joint_coordinates import (
     joint_rates,
 )
 from ..legs.leg import cross
+from ..legs.rotor import NONE, Rotor
 from .terms import AXIAL, B_0, F_LEG, M_VV, M_VW, M_WW, NET, TURNED
 
 
@@ -101,9 +102,9 @@ class Leg:
         return sp.Matrix.hstack(self.at.s, self.at.y, self.z)
 
 
-def leg_of(build: Builder, early: bool = False, leaning: bool = True) -> Leg:
+def leg_of(build: Builder, early: bool = False, leaning: bool = True, rotor: Rotor = NONE) -> Leg:
     """The leg's frame and its tip's velocity, named; early, leaning: as ``joint_frame`` has it."""
-    at = joint_frame(build, with_z=True, early=early, leaning=leaning)
+    at = joint_frame(build, with_z=True, early=early, leaning=leaning, rotor=rotor)
     w_q = build.vector("w_q", cross(n.omega.value, at.q), "(4)", "omega x q")
     S_dot = build.vector("S_dot", w_q + n.v.value, "(4)", "velocity of the platform point")
     return Leg(at, w_q, S_dot)
@@ -124,11 +125,11 @@ def columns_of_H(at: JointFrame) -> list[tuple[Quantity, sp.Matrix]]:
     return [(n.H_force, at.s), (n.H_moment, cross(at.q, at.s))]
 
 
-LEG_INPUTS = (*n.LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, NET, TURNED, AXIAL, n.g)
+LEG_INPUTS = (*n.OF_LEG, *p.LEG, *n.MOTION, p.B, B_0, F_LEG, NET, TURNED, AXIAL, n.g)
 
 
 def tip_inertia(build: Builder, leg: Leg) -> tuple[sp.Matrix, sp.Matrix]:
-    """m at the tip, base frame, nothing along s alone, and M of (L, theta, phi), both 3x3 symmetric."""
+    """m at the tip, base frame, and M of (L, theta, phi), both 3x3 symmetric."""
     at = leg.at
     inner = joint_inertia(build, at)
     meaning = "inertia at the tip, leg frame"
@@ -138,7 +139,7 @@ def tip_inertia(build: Builder, leg: Leg) -> tuple[sp.Matrix, sp.Matrix]:
     m_yy = build.scalar("m_leg_yy", inner.phi * y * y, "", meaning)
     m_yz = build.scalar("m_leg_yz", inner.mixed * y * z, "", meaning)
     m_zz = build.scalar("m_leg_zz", inner.theta * z * z, "", meaning)
-    local = sp.Matrix([[0, m_sy, m_sz], [m_sy, m_yy, m_yz], [m_sz, m_yz, m_zz]])
+    local = sp.Matrix([[inner.L, m_sy, m_sz], [m_sy, m_yy, m_yz], [m_sz, m_yz, m_zz]])
     m = rotated(build, "m", leg.T, local, "inertia at the tip, base frame", symmetric=True)
     return m, inner.matrix()
 

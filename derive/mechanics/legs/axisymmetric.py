@@ -34,12 +34,13 @@ def axis(build: Builder) -> Axis:
 
 
 def tip_force(
-    build: Builder, at: Axis, S_dot: sp.Matrix, S_ddot: sp.Matrix, inertia: sp.Expr
+    build: Builder, at: Axis, S_dot: sp.Matrix, S_ddot: sp.Matrix, inertia: sp.Expr, reflected: sp.Expr
 ) -> tuple[sp.Expr, sp.Matrix]:
     """D and K of a slender leg, (21), (24); K carries a part along s, and D is to match.
 
     inertia: of both parts about base and platform point, across the leg. With the upper part's mass on the
     platform, the leg's kinetic energy is that of the turning s alone: (inertia + 2 L h) |s_dot|^2 / 2.
+    reflected: mass of a rotor, which moves with L; zero without one.
     """
     h = p.h_s.value
     inv_L2 = build.scalar("inv_L2", at.inv_L**2)
@@ -56,5 +57,8 @@ def tip_force(
         "force at the spherical joint, base frame",
     )
     turning = build.scalar("turning", (S_dot.dot(S_dot) - L_dot**2) * inv_L2, "(6)", "|s_dot|^2")
-    D = build.scalar("D", -h * turning - at.s.dot(K), "(24)", "known part of the actuator force, to match")
+    D = -h * turning - at.s.dot(K)
+    if reflected != 0:
+        D += reflected * (at.s.dot(S_ddot) + at.L * turning)
+    D = build.scalar("D", D, "(24)", "known part of the actuator force, to match")
     return D, K

@@ -14,6 +14,7 @@ from ...program.block import Builder
 from .. import lumped_constants as p
 from .. import quantities as n
 from .leg import axes, cross
+from .rotor import NONE, Rotor
 
 HALF = sp.Rational(1, 2)
 
@@ -22,7 +23,7 @@ HALF = sp.Rational(1, 2)
 class JointFrame:
     """Where the leg is: tip q, s, y of its frame, L, 1/L, 1/rho with rho = |k x S|, k1, k3, k1 / k3.
 
-    z: third axis of the frame, or None where the fixed axis stands for it.
+    z: third axis of the frame, or None where the fixed axis stands for it. rotor: of the leg's drive.
     """
 
     q: sp.Matrix
@@ -35,6 +36,7 @@ class JointFrame:
     k3: sp.Expr
     kappa: sp.Expr
     z: sp.Matrix | None = None
+    rotor: Rotor = NONE
 
 
 @dataclass(frozen=True)
@@ -70,10 +72,10 @@ class JointAccelerations:
 
 @dataclass(frozen=True)
 class JointInertia:
-    """Inertia of the joint coordinates, M_LL = 0, and its slopes.
+    """Inertia of the joint coordinates, and its slopes.
 
-    theta, phi, mixed: M_theta, M_phi, M_theta_phi; L_theta, L_phi: coupling with L. phi_by_theta, phi_by_L:
-    half the slopes of M_phi; mixed_by_theta: slope of M_theta_phi.
+    L: M_LL, of a rotor alone. theta, phi, mixed: M_theta, M_phi, M_theta_phi; L_theta, L_phi: coupling with
+    L. phi_by_theta, phi_by_L: half the slopes of M_phi; mixed_by_theta: slope of M_theta_phi.
     """
 
     theta: sp.Expr
@@ -84,12 +86,13 @@ class JointInertia:
     phi_by_theta: sp.Expr
     phi_by_L: sp.Expr
     mixed_by_theta: sp.Expr
+    L: sp.Expr = sp.S.Zero
 
     def matrix(self) -> sp.Matrix:
         """M of (L, theta, phi), 3x3."""
         return sp.Matrix(
             [
-                [0, self.L_theta, self.L_phi],
+                [self.L, self.L_theta, self.L_phi],
                 [self.L_theta, self.theta, self.mixed],
                 [self.L_phi, self.mixed, self.phi],
             ]
@@ -106,7 +109,11 @@ class JointForces:
 
 
 def joint_frame(
-    build: Builder, with_z: bool = False, early: bool = False, leaning: bool = True
+    build: Builder,
+    with_z: bool = False,
+    early: bool = False,
+    leaning: bool = True,
+    rotor: Rotor = NONE,
 ) -> JointFrame:
     """(1)-(3) and (10), with the fixed axis as the measure of everything.
 
@@ -148,6 +155,7 @@ def joint_frame(
         k3=build.scalar("k3", rho * inv_L, "(10)", meaning),
         kappa=build.scalar("kappa", zeta * inv_rho, "(10)", "k1 / k3"),
         z=z,
+        rotor=rotor,
     )
 
 
@@ -238,8 +246,9 @@ def joint_inertia(build: Builder, at: JointFrame) -> JointInertia:
         phi=build.scalar("M_phi", J[0, 0] + k33 * a1 + k13 * a2, "(19)", meaning),
         theta=build.scalar("M_theta", J[1, 1] + L_h, "(19)", meaning),
         mixed=build.scalar("M_mixed", k1 * a3 + k3 * J[1, 2], "(19)", meaning),
+        L=at.rotor.mass,
         L_theta=hz,
-        L_phi=-build.scalar("k3_h", k3 * hy),
+        L_phi=k1 * at.rotor.momentum - build.scalar("k3_h", k3 * hy),
         phi_by_theta=build.scalar("M_phi_theta", k13 * a1 + a2 * (HALF - k33), "(19)", slopes),
         phi_by_L=build.scalar("M_phi_L", k33 * hx - k13 * hz, "(19)", slopes),
         mixed_by_theta=build.scalar("M_mixed_theta", k1 * J[1, 2] - k3 * a3, "(19)", slopes),
@@ -306,6 +315,11 @@ def joint_forces(
         + rates.phi_twice * (m.phi_by_L * rates.L + slope)
     )
     along = m.L_theta * theta_ddot + m.L_phi * phi_ddot - hx * rates.theta2 - m.phi_by_L * rates.phi2
+    if at.rotor != NONE:
+        carried = at.k3 * at.rotor.momentum
+        about_y += carried * rates.L * rates.phi
+        about_k -= carried * rates.L * rates.theta
+        along += m.L * L_ddot - carried * rates.theta * rates.phi
     if friction:
         C_s, C_us, omega = n.C_s.value, p.C_us.value, n.omega.value
         about_y += C_us * rates.theta - C_s * at.y.dot(omega)

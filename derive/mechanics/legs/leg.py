@@ -13,6 +13,7 @@ import sympy as sp
 from ...program.block import Builder
 from .. import quantities as n
 from ..formulation import SPHERICAL, Formulation
+from .rotor import NONE, Rotor
 
 X_AXIS = sp.Matrix([1, 0, 0])
 Y_AXIS = sp.Matrix([0, 1, 0])
@@ -39,7 +40,7 @@ class LegFrameMotion:
 
 @dataclass(frozen=True)
 class LegConstants:
-    """Inertial and friction constants of one leg, as they enter the equations (some may be zero)."""
+    """Constants of one leg: bodies, friction, rotor, as they enter the equations (some may be zero)."""
 
     m_d: sp.Expr
     r_d0: sp.Matrix
@@ -50,6 +51,7 @@ class LegConstants:
     C_u: sp.Expr
     C_p: sp.Expr
     C_s: sp.Expr
+    rotor: Rotor = NONE
 
 
 @dataclass(frozen=True)
@@ -70,7 +72,7 @@ class LegDynamics:
     reactions: dict[str, sp.Expr | sp.Matrix]
 
 
-def constants(friction: bool = True, axisymmetric: bool = False) -> LegConstants:
+def constants(friction: bool = True, axisymmetric: bool = False, rotor: Rotor = NONE) -> LegConstants:
     """The leg's constants as symbols; without friction, or about the axis, those that vanish are zero."""
     C_u, C_p, C_s = (q.value if friction else sp.S.Zero for q in n.FRICTION)
     keep = _about_axis if axisymmetric else lambda value: value
@@ -84,6 +86,7 @@ def constants(friction: bool = True, axisymmetric: bool = False) -> LegConstants
         C_u=C_u,
         C_p=C_p,
         C_s=C_s,
+        rotor=rotor,
     )
 
 
@@ -223,7 +226,7 @@ class PartForces:
     """Newton's and Euler's right-hand sides of the two parts, leg frame.
 
     N_d, N_u: m (a - g), N; r_d, r_u: centres of mass from the base point, m;
-    E_d, E_u: I A + W x I W, N m; f: friction moment at the spherical joint, N m.
+    E_d, E_u: I A + W x I W, and the rotor's part, N m; f: friction moment at the spherical joint, N m.
     """
 
     r_d: sp.Matrix
@@ -362,6 +365,14 @@ def eliminate(form: Formulation, equations: LegEquations, C: sp.Matrix) -> dict[
     return dict(zip(equations.unknowns, matrix.LUsolve(right), strict=True))
 
 
+def rotor_moment(build: Builder, rotor: Rotor, L_dot: sp.Expr, L_ddot: sp.Expr, W: sp.Matrix) -> sp.Matrix:
+    """Rate of the angular momentum j_r L_dot s, leg frame; zero without a rotor."""
+    if rotor.momentum == 0:
+        return sp.zeros(3, 1)
+    rate = rotor.momentum * (L_ddot * X_AXIS + L_dot * cross(W, X_AXIS))
+    return build.vector("E_r", rate, "(17)", "rate of the rotor's angular momentum relative to the leg")
+
+
 def leg_dynamics(
     build: Builder, form: Formulation, c: LegConstants, m: LegFrameMotion, with_reactions: bool
 ) -> LegDynamics:
@@ -380,13 +391,14 @@ def leg_dynamics(
         else sp.zeros(3, 1)
     )
 
-    part = PartForces(r_d, r_u, N_d, N_u, E_d, E - E_d, f)
+    part = PartForces(r_d, r_u, N_d, N_u, E_d + rotor_moment(build, c.rotor, L_dot, L_ddot, W), E - E_d, f)
     equations = leg_equations(form, c, m, L_dot, W, part)
     C = build.vector("C", whole_leg(equations)[1], "(20)", "moment that the joints' forces must make")
     solved = {key: _tidy(value, m) for key, value in eliminate(form, equations, C).items()}
 
     F_s, F_p = _F_s.subs(solved), _F_p.subs(solved)
-    D = build.scalar("D", sp.expand(F_p[0] + AXIAL), "(24)", "known part of the actuator force")
+    F_rotor = c.rotor.mass * L_ddot + c.rotor.momentum * A[0]
+    D = build.scalar("D", sp.expand(F_p[0] + AXIAL) + F_rotor, "(24)", "known part of the actuator force")
     K = build.vector(
         "K_leg", F_s.subs(AXIAL, 0), "(21)", "transverse force at the spherical joint, leg frame"
     )

@@ -20,6 +20,7 @@ from ...program.block import Builder
 from .. import lumped_constants as p
 from .. import quantities as n
 from .joint_coordinates import JointFrame, joint_inertia
+from .rotor import NONE, Rotor
 
 L, k1, k3, inv_L, inv_rho, kappa = sp.symbols("L k1 k3 inv_L inv_rho kappa", real=True)
 rates = sp.symbols("L_dot theta_dot phi_dot", real=True)
@@ -39,11 +40,11 @@ def along(expr: sp.Expr | sp.Matrix, coordinate: int) -> sp.Expr | sp.Matrix:
     return sum(slopes[1:], slopes[0]) if slopes else 0 * expr
 
 
-def inertia() -> sp.Matrix:
+def inertia(rotor: Rotor = NONE) -> sp.Matrix:
     """M of (L, theta, phi), 3x3, from J and h; the upper part's mass is lumped with the platform."""
     build = Builder()
     nowhere = sp.zeros(3, 1)
-    frame = JointFrame(nowhere, nowhere, nowhere, L, inv_L, inv_rho, k1, k3, kappa)
+    frame = JointFrame(nowhere, nowhere, nowhere, L, inv_L, inv_rho, k1, k3, kappa, rotor=rotor)
     M = joint_inertia(build, frame).matrix().xreplace(build.substitution())
     return M.xreplace({quantity.value: value for quantity, value in p.COMBINED.items()})
 
@@ -82,9 +83,9 @@ def friction() -> sp.Matrix:
     )
 
 
-def torques(with_friction: bool) -> sp.Matrix:
+def torques(with_friction: bool, rotor: Rotor = NONE) -> sp.Matrix:
     """Lagrange's generalised forces, 3x1: M xi_ddot + C_xi xi_dot + gravity + friction."""
-    M = inertia()
+    M = inertia(rotor)
     tau = M * sp.Matrix(accelerations) + christoffel(M) * sp.Matrix(rates) + gravity()
     return tau + friction() if with_friction else tau
 
@@ -108,6 +109,7 @@ def of_rod(forces: sp.Matrix) -> sp.Matrix:
     """The generalised forces of ``torques`` that a thin rod along the leg would have: no friction in them."""
     (_, hy, hz), (_, wy, wz), J = p.h.value, p.w.value, p.J.value
     others = (hy, hz, wy, wz, J[0, 0], J[0, 1], J[0, 2], J[1, 2], p.C_us.value, n.C_s.value, n.C_p.value)
+    others = (*others, n.j_r.value)
     return forces.xreplace(dict.fromkeys(others, sp.S.Zero))
 
 
@@ -196,7 +198,7 @@ def gathered(expr: sp.Expr | sp.Matrix) -> sp.Expr | sp.Matrix:
     )
 
 
-_CONSTANTS = (p.J, p.h, p.w, p.C_us, n.C_s, n.C_p, n.m_u)
+_CONSTANTS = (p.J, p.h, p.w, p.C_us, n.C_s, n.C_p, n.m_u, *n.ROTOR)
 _GEOMETRY = (L, inv_L, k1, k3, inv_k3)
 
 

@@ -82,7 +82,9 @@ class Language(ABC):
         """Statements that fill a robot, one line a quantity; legs: what each is called."""
         lines = [_assigned(made, q, stored(kit.numbers, q), end) for q in n.PLATFORM]
         for i, leg in enumerate(legs):
-            lines += [_assigned(f"{made}.{leg}", q, stored(kit.numbers, q, i), end) for q in n.LEG]
+            lines += [
+                _assigned(f"{made}.{leg}", q, stored(kit.numbers, q, i), end) for q in n.of_leg(kit.numbers)
+            ]
         return "\n".join(lines)
 
 

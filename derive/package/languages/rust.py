@@ -117,6 +117,6 @@ def _rust_given(given: Mapping[str, Value]) -> list[str]:
 def _rust_robot(numbers: Numbers) -> str:
     lines = ["Robot {", *_rust_members(((q, stored(numbers, q)) for q in n.PLATFORM), "    "), "    leg: ["]
     for i in range(6):
-        legs = _rust_members(((q, stored(numbers, q, i)) for q in n.LEG), " " * 12)
+        legs = _rust_members(((q, stored(numbers, q, i)) for q in n.of_leg(numbers)), " " * 12)
         lines += ["        Leg {", *legs, "        },"]
     return "\n".join([*lines, "    ],", "}"])

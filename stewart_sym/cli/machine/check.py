@@ -1,6 +1,8 @@
 """``stewart-sym check``: validate and describe a robot file."""
 
 import argparse
+import contextlib
+from pathlib import Path
 
 from ..inputs import robot_of
 from ..options import json_file, no_pictures, output, robot_file
@@ -10,7 +12,8 @@ HELP = "validate, describe and draw a robot file"
 EXAMPLE = "stewart-sym check hexapod.toml -o hexapod"
 MORE = (
     "Prints what the machine was understood to be; with -o also writes it to a folder, with a picture. "
-    "SI units. Base points, fixed axes and gravity are in the base frame, platform points and the "
+    "Lengths are in the file's length_unit, all else and the JSON file in SI units. "
+    "Base points, fixed axes and gravity are in the base frame, platform points and the "
     "platform's body in the platform frame, whose origin is yours to choose. Lower parts are measured"
     " from the base point, upper parts from the platform point, x along the leg. Frames, signs and "
     "rotation order with a drawing: .docs/conventions.md of the source."
@@ -33,5 +36,14 @@ def run(arguments: argparse.Namespace) -> int:
     if drawn:
         need_drawing(arguments)
     with results(arguments, "report") as take:
-        take(report(robot_of(arguments.robot), drawn))
+        take(report(robot_of(arguments.robot), drawn, _length_unit(arguments.robot)))
     return 0
+
+
+def _length_unit(robot: Path) -> str:
+    """Of a robot file that has been read; m where it cannot be read again, as from a pipe."""
+    from ...io.tables import toml_tables
+
+    with contextlib.suppress(ValueError), toml_tables(str(robot), "robot file") as tables:
+        return str(tables.get("length_unit", "m"))
+    return "m"

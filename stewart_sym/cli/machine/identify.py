@@ -87,6 +87,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--shared", choices=("legs",), help="legs: all legs are built alike, their parameters are sought once"
     )
+    parser.add_argument(
+        "--drive",
+        metavar="TERM,...",
+        help="F1 to F6 are forces of the motors (N times torque): seek terms of the drives as well, some of "
+        "reflected_mass, coulomb, offset, viscous; needs exact poses",
+    )
     parser.add_argument("--samples", type=whole, default=200, help="instants of one period; default: 200")
     parser.add_argument("--candidates", type=whole, default=50, help="random series to try; default: 50")
     start_pose(parser)
@@ -109,6 +115,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Report, Estimate]":
     """The report on measured forces, and the estimate."""
+    from ...identification.drive_terms import need_terms
     from ...identification.physical import POSSIBLE
     from ...kinematics.robot_logs import trajectory_for
     from ...motion.log_reader import FORCES, read_forces_csv
@@ -117,6 +124,9 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     from ...motion.trajectory import Smoothing
     from ...studies.reports.identify import from_measurement, measured_report
 
+    terms = None if arguments.drive is None else tuple(arguments.drive.split(","))
+    if terms is not None:
+        need_terms(terms, "--drive")
     if arguments.physical:
         need("scipy", POSSIBLE)
     noisy = _pose_noise(arguments)
@@ -125,10 +135,6 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
     robot = robot_of(arguments.robot)
     poses, forces = arguments.measured
     form = log_format(arguments, robot)
-    if noisy and robot.tool.any():
-        raise ValueError(
-            "--noise-position: is that of the reference point, expected a robot file without a tool point"
-        )
     try:
         # The fit has its own noise: what is stated is compared with the log alone.
         log = trajectory_for(robot, poses, form, Smoothing(*stated_noise(arguments), on=False))
@@ -147,7 +153,7 @@ def _measured(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repor
         noise = PoseNoise(trajectory.time, *cast("tuple[float, float]", stated_noise(arguments)), *series)
     model = (not arguments.no_friction, arguments.physical)
     found = from_measurement(
-        robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model, form, arguments.shared
+        robot, trajectory, time, F, arguments.sigma, str(forces), noise, *model, form, arguments.shared, terms
     )
     return measured_report(robot, found, arguments.sigma, noise), found
 
@@ -157,7 +163,7 @@ def _simulated(arguments: argparse.Namespace, progress: Progress) -> "tuple[Repo
     from ...motion.logs import LogFormat
     from ...studies.reports.identify import identification, simulated_report
 
-    for option in ("no_friction", "physical"):
+    for option in ("no_friction", "physical", "drive"):
         if getattr(arguments, option):
             raise ValueError(f"--{option.replace('_', '-')}: is for measured forces, expected --measured")
     if log_format(arguments) != LogFormat() or arguments.start is not None:

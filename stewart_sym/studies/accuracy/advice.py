@@ -18,6 +18,8 @@ TERMS: Mapping[str, str] = {
     "axial": "the legs' inertia about their own axes",
     "rods": "the legs' inertia as rods",
     "masses": "the legs' masses",
+    "reflected": "the rotors' reflected masses",
+    "momentum": "the rotors' angular momenta",
     "rates": "velocities and accelerations",
     "joint": "the right equations of joint and inertia",
     "digits": "double precision",
@@ -32,7 +34,10 @@ _LEGS: Mapping[str, frozenset[str]] = {
     "massless": frozenset(),
 }
 
-_INERTIA = frozenset({"axial", "rods"})
+_WHOLE = ("general", "reflected", "no_rotor")
+"""Levels with legs as they are and friction."""
+
+_INERTIA = frozenset({"axial", "rods", "reflected", "momentum"})
 """Terms that have no effect at rest."""
 
 
@@ -52,14 +57,14 @@ class Advice:
         """
         if self.chosen is None:
             return ()
-        kept = terms(self.chosen.candidate)
+        kept = terms(self.chosen.candidate, self.cost.rotors)
         if "rates" not in kept:
             kept -= _INERTIA
         cheaper = self.cost.entries[: self.cost.entries.index(self.chosen)]
         dropped: dict[frozenset[str], Entry] = {}
         for entry in cheaper:
             # The last is the dearest, the next cheaper one.
-            dropped[kept - terms(entry.candidate)] = entry
+            dropped[kept - terms(entry.candidate, self.cost.rotors)] = entry
         return tuple(
             (left_out, entry)
             for left_out, entry in reversed(dropped.items())
@@ -85,14 +90,18 @@ def _misses(entry: Entry, budget: Budget) -> tuple[float, float]:
     return error, 0.0 if budget.rate is None else entry.ns * 1e-9 * budget.rate
 
 
-def terms(candidate: Candidate) -> frozenset[str]:
-    """The terms, keys of TERMS, that a kernel has."""
+def terms(candidate: Candidate, rotors: bool = False) -> frozenset[str]:
+    """The terms, keys of TERMS, that a kernel has; rotors: of a robot whose legs have them."""
     fidelity = candidate.fidelity
-    kept = set(_LEGS["general" if fidelity == "frictionless" else _legs(fidelity)])
+    kept = set(_LEGS[_legs(fidelity)])
     if not fidelity.endswith("_static"):
         kept.add("rates")
-    if fidelity == "general" or fidelity.endswith("_friction"):
+    if fidelity in _WHOLE or fidelity.endswith("_friction"):
         kept.add("friction")
+    if fidelity.startswith("reflected") or (rotors and fidelity == "general"):
+        kept.add("reflected")
+    if rotors and fidelity == "general":
+        kept.add("momentum")
     if candidate.formulation == "exact":
         kept.add("joint")
     if candidate.precision == "double":
@@ -101,7 +110,8 @@ def terms(candidate: Candidate) -> frozenset[str]:
 
 
 def _legs(fidelity: str) -> str:
-    return fidelity.removesuffix("_friction").removesuffix("_static")
+    legs = fidelity.removeprefix("reflected_").removesuffix("_friction").removesuffix("_static")
+    return "general" if legs in (*_WHOLE, "frictionless") else legs
 
 
 # --- words ------------------------------------------------------------------------------------

@@ -172,7 +172,7 @@ class CostAccuracy:
     peaks: largest actuator force, N, and poses: how many, by motion. entries: the cheapest first, by
     operations, then precision. implementations: empty unless they were asked for. taken_by_others, load: of
     the cores' time while times were taken, 0 to 1, and busy processes in the last minute of it; None where
-    the system doesn't tell.
+    the system doesn't tell. rotors: whether the legs have them.
     """
 
     robot: str
@@ -182,6 +182,7 @@ class CostAccuracy:
     implementations: tuple[Implementation, ...] = ()
     taken_by_others: float | None = None
     load: float | None = None
+    rotors: bool = False
 
     def entry(self, formulation: str, fidelity: str, precision: str) -> Entry:
         """Figures of one candidate."""
@@ -265,6 +266,7 @@ def cost(
         tuple(Implementation(way, raw[way, ""], rounding[way]) for way in ways),
         taken,
         None if load is None else load[0],
+        robot.has_rotors,
     )
 
 
@@ -278,6 +280,9 @@ def candidates(robot: Robot) -> list[Candidate]:
     ]
 
 
+_RICHEST_FIRST = tuple(dict.fromkeys((*fidelity.DRIVE_FIDELITIES, *fidelity.FIDELITIES)))
+
+
 def _cost(entry: Entry) -> tuple[int, int, int, int]:
     """The same on every run, other than times: operations, width of the numbers; then the richer model."""
     candidate = entry.candidate
@@ -285,7 +290,7 @@ def _cost(entry: Entry) -> tuple[int, int, int, int]:
         entry.operations,
         PRECISIONS.index(cast(Precision, candidate.precision)),
         FORMULATIONS.index(candidate.formulation),
-        fidelity.FIDELITIES.index(candidate.fidelity),
+        _RICHEST_FIRST.index(candidate.fidelity),
     )
 
 

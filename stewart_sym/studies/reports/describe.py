@@ -1,7 +1,8 @@
 """What ``check`` says of a robot: sizes, masses, limits, and its condition at a home pose at rest."""
 
+import math
 import warnings
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +10,9 @@ from numpy.typing import NDArray
 from ...dynamics.home_pose import HomePose, home_pose, radius
 from ...kinematics.conditioning import characteristic_length
 from ...kinematics.mounting import AssemblyModeWarning
+from ...motion.logs import LENGTH_UNITS
 from ...results import STATUS_TEXT
+from ...robot.drive import Drive
 from ...robot.robot import Robot, legs_text
 from ..common.report import Report
 
@@ -19,8 +22,23 @@ Array = NDArray[np.float64]
 _ALONG = 0.9
 
 
-def report(robot: Robot, pictures: bool = False) -> Report:
-    """Everything about the robot, SI units; ``pictures``: drawn as well, by the extra ``plot``."""
+class _Unit(NamedTuple):
+    """Of lengths in the text."""
+
+    name: str
+    metres: float
+
+    def vector(self, values: Array) -> str:
+        """Lengths, m, in this unit, to a tenth of a millimetre or finer."""
+        digits = 4 if self.metres == 1.0 else 5 + round(math.log10(self.metres))
+        return _vector(values / self.metres, digits)
+
+
+def report(robot: Robot, pictures: bool = False, length_unit: str = "m") -> Report:
+    """Everything about the robot; ``pictures``: drawn as well, by the extra ``plot``.
+
+    length_unit: of lengths in the text; all else, and the data for programs, are in SI units.
+    """
     with warnings.catch_warnings():
         # The row "above" names both sides where they are equally plausible.
         warnings.simplefilter("ignore", AssemblyModeWarning)
@@ -31,7 +49,8 @@ def report(robot: Robot, pictures: bool = False) -> Report:
 
         figures["machine"] = picture(robot, home)
     data = {**_data(robot), "home_pose": _home_data(robot, home)}
-    return Report(_description(robot, home), data=data, figures=figures)
+    unit = _Unit(length_unit, LENGTH_UNITS[length_unit])
+    return Report(_description(robot, home, unit), data=data, figures=figures)
 
 
 def _data(robot: Robot) -> dict[str, Any]:
@@ -75,14 +94,14 @@ def _home_data(robot: Robot, home: HomePose) -> dict[str, Any]:
     }
 
 
-def _description(robot: Robot, home: HomePose) -> str:
-    """Everything about the robot in lines of text, SI units."""
+def _description(robot: Robot, home: HomePose, unit: _Unit) -> str:
+    """Everything about the robot in lines of text."""
     rows = [
         ("name", robot.name),
         ("joints", f"{robot.base_joint} at the base, spherical at the platform"),
         ("gravity", f"{_vector(robot.g)} m/s^2"),
         *_sides(robot),
-        ("platform", f"{robot.M:g} kg, centre of mass {_vector(robot.R_0)} m"),
+        ("platform", f"{robot.M:g} kg, centre of mass {unit.vector(robot.R_0)} {unit.name}"),
         (
             "legs",
             f"{_range(robot.m_d + robot.m_u)} kg each (lower {_range(robot.m_d)}, upper {_range(robot.m_u)})",
@@ -90,14 +109,16 @@ def _description(robot: Robot, home: HomePose) -> str:
         ("mass ratio", f"platform to one leg {robot.M / np.mean(robot.m_d + robot.m_u):.3g}"),
         (
             "size",
-            f"base points {radius(robot.b):.4g} m, platform points {radius(robot.p):.4g} m (RMS radius)",
+            f"base points {radius(robot.b) / unit.metres:.4g} {unit.name}, "
+            f"platform points {radius(robot.p) / unit.metres:.4g} {unit.name} (RMS radius)",
         ),
-        *_conventions(robot),
+        *_conventions(robot, unit),
         ("friction", _friction(robot)),
-        ("limits", _limits(robot)),
+        *([] if robot.drive is None else [("drives", _drives(robot.drive, unit))]),
+        ("limits", _limits(robot, unit)),
         ("inertias", _inertias(robot)),
     ]
-    return "\n".join([*_rows(rows), "", *_home_lines(robot, home)])
+    return "\n".join([*_rows(rows), "", *_home_lines(robot, home, unit)])
 
 
 def _sides(robot: Robot) -> list[tuple[str, str]]:
@@ -115,9 +136,11 @@ def _sides(robot: Robot) -> list[tuple[str, str]]:
     return [("sides", text)]
 
 
-def _conventions(robot: Robot) -> list[tuple[str, str]]:
+def _conventions(robot: Robot, unit: _Unit) -> list[tuple[str, str]]:
     """A row on how trajectories of the robot are read, where that is not the usual way."""
-    parts = [f"poses of the point {_vector(robot.tool)} m of the platform"] if robot.tool.any() else []
+    parts = []
+    if robot.tool.any():
+        parts.append(f"poses of the point {unit.vector(robot.tool)} {unit.name} of the platform")
     if robot.euler_order != "zyx":
         parts.append(f"R = {' '.join(f'R{axis}' for axis in robot.euler_order)}")
     if robot.lengths == "relative":
@@ -125,18 +148,22 @@ def _conventions(robot: Robot) -> list[tuple[str, str]]:
     return [("trajectories", ", ".join(parts))] if parts else []
 
 
-def _home_lines(robot: Robot, home: HomePose) -> list[str]:
+def _home_lines(robot: Robot, home: HomePose, unit: _Unit) -> list[str]:
     shortest, longest = robot.length_limits.T
     outside = (home.L < shortest) | (home.L > longest)
     legs = ", ".join(str(i + 1) for i in np.flatnonzero(outside))
     rows = [
         ("above", _above(home)),
-        ("position", f"{_vector(home.t)} m, level, at rest"),
-        ("leg lengths", f"{_vector(home.L)} m" + (f"; outside their limits: leg {legs}" if legs else "")),
+        ("position", f"{unit.vector(home.t)} {unit.name}, level, at rest"),
+        (
+            "leg lengths",
+            f"{unit.vector(home.L)} {unit.name}" + (f"; outside their limits: leg {legs}" if legs else ""),
+        ),
     ]
     if np.isfinite(longest).all() and not legs:
         back, forth = np.min(home.L - shortest), np.min(longest - home.L)
-        rows.append(("stroke left", f"{-back:.4g} to {forth:+.4g} m"))
+        span = f"{-back / unit.metres:.4g} to {forth / unit.metres:+.4g} {unit.name}"
+        rows.append(("stroke left", span))
     parts = robot.r_d0[:, 0] - robot.r_u0[:, 0]
     short = np.flatnonzero(home.L < parts).tolist()
     if short:
@@ -146,7 +173,8 @@ def _home_lines(robot: Robot, home: HomePose) -> list[str]:
         rows.append(("condition", f"unsolvable: {STATUS_TEXT[home.status]}"))
     else:
         length = characteristic_length(robot)
-        scaled = f"{home.scaled_condition:.4g} with moments divided by {length:.4g} m"
+        by = f"{length / unit.metres:.4g} {unit.name}"
+        scaled = f"{home.scaled_condition:.4g} with moments divided by {by}"
         rows.append(("condition", f"condition number of H {home.condition:.4g}; {scaled}"))
         rows.append(("holding", f"{_vector(home.F)} N"))
     what = "platform centred above the base; " if robot.home is None else ""
@@ -175,12 +203,26 @@ def _friction(robot: Robot) -> str:
     return "on: " + ", ".join(f"{base[name]} {_range(C)} {units[name]}" for name, C in coefficients.items())
 
 
-def _limits(robot: Robot) -> str:
+def _drives(drive: Drive, unit: _Unit) -> str:
+    parts = [f"lead {_range(drive.lead / unit.metres)} {unit.name}"]
+    parts.append(f"reflected mass {_short_range(drive.reflected_mass)} kg")
+    parts.append(f"efficiency {_range(drive.efficiency)} driving, {_short_range(drive.back_efficiency)} back")
+    if np.isfinite(drive.torque_limit).any():
+        parts.append(f"torque up to {_range(drive.torque_limit)} N m")
+    return ", ".join(parts)
+
+
+def _limits(robot: Robot, length: _Unit) -> str:
     parts = []
     for name, low, high, unit in (
-        ("length", robot.length_limits[:, 0], robot.length_limits[:, 1], "m"),
+        (
+            "length",
+            robot.length_limits[:, 0] / length.metres,
+            robot.length_limits[:, 1] / length.metres,
+            length.name,
+        ),
         ("force", None, robot.force_limit, "N"),
-        ("speed", None, robot.speed_limit, "m/s"),
+        ("speed", None, robot.speed_limit / length.metres, f"{length.name}/s"),
     ):
         legs = int(np.count_nonzero(np.isfinite(high)))
         if not legs:
@@ -203,5 +245,10 @@ def _range(values: Array) -> str:
     return f"{low:g}" if low == high else f"{low:g}-{high:g}"
 
 
-def _vector(values: Array) -> str:
-    return "(" + ", ".join(f"{round(value, 4) + 0.0:g}" for value in values.tolist()) + ")"
+def _short_range(values: Array) -> str:
+    """With four digits."""
+    return _range(np.array([float(f"{value:.4g}") for value in values.tolist()]))
+
+
+def _vector(values: Array, digits: int = 4) -> str:
+    return "(" + ", ".join(f"{round(value, digits) + 0.0:g}" for value in values.tolist()) + ")"

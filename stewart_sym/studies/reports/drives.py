@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ...drives.effort import PEAKS, Instants, Summary, trapezoids
 from ...io.array_types import Array
@@ -112,7 +113,7 @@ class DriveDigest:
         return figure
 
 
-def _near(limits: Array, values: Array) -> float | None:
+def _near(limits: Array, values: NDArray[np.float32]) -> float | None:
     """The narrowest limit of all motors, None where it is too far from the values to be drawn with them."""
     narrowest, largest = float(limits.min()), float(np.nanmax(np.abs(values), initial=0.0))
     return narrowest if narrowest <= _FAR * largest else None

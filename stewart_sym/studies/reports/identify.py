@@ -1,6 +1,6 @@
 """Identification from beginning to end: of measured forces, or simulated beside the truth."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -8,10 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...identification.base_parameters import BaseParameters, base_parameters
+from ...identification.drive_terms import DriveEstimate
 from ...identification.estimates import Estimate
 from ...identification.estimation import Experiment, identify, simulated_experiment
 from ...identification.excitation import choose_excitation
 from ...identification.parameters import inertial_parameters
+from ...identification.tool_point import about_point, about_reference
 from ...io.instants import time_text
 from ...io.progress import Progress, silent
 from ...motion.logs import ANGLE_UNITS, LENGTH_UNITS, LogFormat
@@ -69,11 +71,12 @@ def from_measurement(
     physical: bool = False,
     form: LogFormat = SI,
     shared: str | None = None,
+    drive: Sequence[str] | None = None,
 ) -> Estimate:
     """Identify what the motion of a trajectory excites from forces measured at the same times.
 
     time, F: instants, s, (n,), and forces, N, (n, 6), as read from ``source``. noise, physical: as for
-    ``identify``. friction, shared: as for ``base_parameters``. form: of the
+    ``identify``, drive as well. friction, shared: as for ``base_parameters``. form: of the
     trajectory's file, whose units doubts name. Raises ValueError naming the source for other times than those
     of the trajectory.
     """
@@ -88,8 +91,18 @@ def from_measurement(
         expected = f"the time {time_text(trajectory.time[i])} of {trajectory.source}"
         raise ValueError(f"{source}: instant {i + 1}: expected {expected}, got {time_text(time[i])}")
     motion = trajectory.motion
-    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise), friction, shared)
-    found = identify(robot, motion, F, sigma, base, noise, physical)
+    options = (friction, shared)
+    if noise is not None and robot.tool.any():
+        # Noise is that of the poses as they were measured: of the tool.
+        moved, motion = about_point(robot, robot.tool), motion.about_point(robot.tool)
+        smooth = smoothed(motion, noise)
+        found = identify(
+            moved, motion, F, sigma, base_parameters(moved, smooth, *options), noise, physical, drive=drive
+        )
+        base = base_parameters(robot, smooth.about_point(-robot.tool), *options)
+        return about_reference(robot, base, found, robot.tool)
+    base = base_parameters(robot, motion if noise is None else smoothed(motion, noise), *options)
+    found = identify(robot, motion, F, sigma, base, noise, physical, drive=drive)
     if noise is None and found.verdict in ("misfit", "rejected"):
         found = replace(found, doubts=(*found.doubts, *_scatter(trajectory, form)))
     return found
@@ -161,6 +174,7 @@ def measured_report(robot: Robot, found: Estimate, sigma: float, noise: PoseNois
             _noise(sigma, noise),
             *verdict(found),
             f"robot file: {agreement}{named}",
+            *drive_lines(found.drive),
         ],
         base,
         {"estimated": found.values, "sigma": found.sigma, "robot_file": file, "departure": departure},
@@ -168,8 +182,28 @@ def measured_report(robot: Robot, found: Estimate, sigma: float, noise: PoseNois
         {
             **_data(robot, found, sigma, noise),
             "robot_file": {"agreement": agrees, "probability": p, "compared": found.verdict != "rejected"},
+            **({} if found.drive is None else {"drive": _drive_rows(found.drive)}),
         },
     )
+
+
+def drive_lines(found: DriveEstimate | None) -> list[str]:
+    """A table of the drives' terms, and what is not identifiable."""
+    if found is None:
+        return []
+    rows = [
+        (row["name"], row["unit"], f"{row['estimated']:.6g}", f"{row['sigma']:.2g}")
+        for row in _drive_rows(found)
+        if row["identifiable"]
+    ]
+    return ["", aligned(("drives", "unit", "estimated", "sigma"), rows, left=2), *found.confused]
+
+
+def _drive_rows(found: DriveEstimate) -> list[dict[str, Any]]:
+    """The same for programs."""
+    columns = (found.values.tolist(), found.sigma.tolist(), found.identifiable.tolist())
+    head = ("name", "unit", "estimated", "sigma", "identifiable")
+    return [dict(zip(head, row, strict=True)) for row in zip(found.names, found.units, *columns, strict=True)]
 
 
 def _report(

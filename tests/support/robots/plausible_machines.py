@@ -224,6 +224,28 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "proportion",
         "base_point and platform_point exchanged",
     ),
+    "base and platform exchanged, of a body like the base": (
+        lambda robot: dataclasses.replace(
+            robot,
+            b=0.55 * robot.b,
+            p=robot.b,
+            I_p=robot.M * (0.3 * np.linalg.norm(robot.b[0])) ** 2 * np.eye(3),
+        ),
+        "proportion",
+        "which fits the base points; likely cause: base_point and platform_point exchanged",
+    ),
+    "base and platform exchanged, of axes along the base": (
+        lambda robot: dataclasses.replace(
+            robot, b=robot.p, p=1.3 * robot.b, k=np.cross([0.0, 0.0, 1.0], robot.b - robot.b.mean(axis=0))
+        ),
+        "proportion",
+        "fixed axes along or across the ring of the platform points",
+    ),
+    "a base point copied": (
+        lambda robot: dataclasses.replace(robot, b=robot.b[[0, 1, 1, 3, 4, 5]]),
+        "coincident",
+        "base_point of legs 2, 3 in one place",
+    ),
     "gravity in mm/s^2": (of(g=lambda g: 1e3 * g), "gravity", "given in mm/s^2"),
     "mass in grams": (of(M=lambda M: 1e3 * M, m_d=lambda m: 1e3 * m, m_u=lambda m: 1e3 * m), "", "grams"),
     "mass of the platform in grams": (of(M=lambda M: 1e3 * M, I_p=lambda I_p: 1e3 * I_p), "mass", "in grams"),

@@ -79,7 +79,7 @@ def _xml(robot: Robot) -> str:
     legs = ""
     for i, quaternion in enumerate(quaternions):
         tip = platform if i == CARRIER else f'<site name="tip{i}"/>'
-        slide = '<joint type="slide" axis="1 0 0"/>'
+        slide = f'<joint type="slide" axis="1 0 0" armature="{_text(robot.m_r[i])}"/>'
         upper = _body(slide, robot.m_u[i], robot.r_u0[i], robot.I_u0[i], tip)
         hinges = '<joint type="hinge" axis="1 0 0"/><joint type="hinge" axis="0 1 0"/>'
         place = f' pos="{_text(robot.b[i])}" quat="{_text(quaternion)}"'

@@ -1,0 +1,125 @@
+/* stewart_exact_drive_motion.h: the closed form of the equations of motion and what follows from it.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ *
+ *     M [a; alpha] + C [v; omega] + g + friction = H F + [R F_ext; R M_ext]
+ *
+ * Wrenches [force; moment] and twists [v; omega] in base axes about the platform's reference point. M is
+ * symmetric and, with physical inertias, positive definite; its rate less 2 C is skew. bias is
+ * C [v; omega] + g + friction. Matrices are row-major. Poses move by [dt; dphi], R becoming exp([dphi]x) R.
+ * Link with stewart_exact_drive_forces.c, whose prepared model is used; accelerations in the motion are read by
+ * `derivatives` alone.
+ *
+ * Operations per pose before any solve       with friction                                without
+ * equations         4760 (2691 mul, 2045 add, 12 div, 12 sqrt)   4415
+ * bias              2163 (1281 mul, 858 add, 12 div, 12 sqrt)    1947
+ * forward_dynamics  3081 (1779 mul, 1278 add, 12 div, 12 sqrt)   2865
+ * derivatives       10910 (6036 mul, 4850 add, 12 div, 12 sqrt)  9267
+ */
+#ifndef STEWART_EXACT_DRIVE_MOTION_H
+#define STEWART_EXACT_DRIVE_MOTION_H
+
+#include "stewart_exact_drive_forces.h"
+
+#if !defined(STEWART_ROTORS)
+#error "define STEWART_ROTORS for every source: the legs of this kernel have rotors (see stewart_leg)"
+#endif
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* H_dot: rate of H; the others as above. */
+typedef struct {
+    stewart_real M[36];
+    stewart_real C[36];
+    stewart_real g[6];
+    stewart_real friction[6];
+    stewart_real bias[6];
+    stewart_real H[36];
+    stewart_real H_dot[36];
+} stewart_equations;
+
+/* Actuator forces of inverse dynamics and their derivatives by [dt; dphi], [v; omega], [a; alpha]. */
+typedef struct {
+    stewart_real F[6];
+    stewart_real by_pose[36];
+    stewart_real by_twist[36];
+    stewart_real by_acceleration[36];
+} stewart_derivatives;
+
+/* Forward dynamics, and d/dt [dt; dphi; dv; domega] = A [dt; dphi; dv; domega] + B dF about the motion. */
+typedef struct {
+    stewart_real acceleration[6];
+    stewart_real A[144];
+    stewart_real B[72];
+} stewart_linearisation;
+
+/* The same of `count` poses. Any pointer may be null: not wanted. */
+typedef struct {
+    stewart_real *M; /* [count][36] */
+    stewart_real *C; /* [count][36] */
+    stewart_real *g; /* [count][6] */
+    stewart_real *friction; /* [count][6] */
+    stewart_real *bias; /* [count][6] */
+    stewart_real *H; /* [count][36] */
+    stewart_real *H_dot; /* [count][36] */
+} stewart_equations_arrays;
+
+typedef struct {
+    stewart_real *F; /* [count][6] */
+    stewart_real *by_pose; /* [count][36] */
+    stewart_real *by_twist; /* [count][36] */
+    stewart_real *by_acceleration; /* [count][36] */
+} stewart_derivatives_arrays;
+
+typedef struct {
+    stewart_real *acceleration; /* [count][6] */
+    stewart_real *A; /* [count][144] */
+    stewart_real *B; /* [count][72] */
+} stewart_linearisation_arrays;
+
+/* One pose. All return a status; outputs are written only if it is STEWART_OK. */
+STEWART_NODISCARD int stewart_exact_drive_equations(
+    const stewart_exact_drive_model *model, const stewart_motion *motion, stewart_equations *out);
+STEWART_NODISCARD int stewart_exact_drive_bias(
+    const stewart_exact_drive_model *model, const stewart_motion *motion, stewart_real bias[6]);
+STEWART_NODISCARD int stewart_exact_drive_forward_dynamics(
+    const stewart_exact_drive_model *model, const stewart_motion *motion, const stewart_real F[6],
+    stewart_real acceleration[6]);
+/* Inertia that the actuators feel, H^-1 M H^-T: H^T [v; omega] are the rates of the leg lengths. */
+STEWART_NODISCARD int stewart_exact_drive_joint_inertia(
+    const stewart_exact_drive_model *model, const stewart_motion *motion, stewart_real inertia[36]);
+STEWART_NODISCARD int stewart_exact_drive_derivatives(
+    const stewart_exact_drive_model *model, const stewart_motion *motion, stewart_derivatives *out);
+STEWART_NODISCARD int stewart_exact_drive_linearisation(
+    const stewart_exact_drive_model *model, const stewart_motion *motion, const stewart_real F[6],
+    stewart_linearisation *out);
+
+/* `count` poses; F is [count][6]. Of the motions, F_ext and M_ext may be null, alpha and a where they are not
+ * read. `status` takes one code for each pose; null: not wanted. Return the first
+ * code other than STEWART_OK, or STEWART_OK. */
+STEWART_NODISCARD int stewart_exact_drive_equations_batch(
+    const stewart_exact_drive_model *model, size_t count, const stewart_motions *motions,
+    const stewart_equations_arrays *out, int *status);
+STEWART_NODISCARD int stewart_exact_drive_derivatives_batch(
+    const stewart_exact_drive_model *model, size_t count, const stewart_motions *motions,
+    const stewart_derivatives_arrays *out, int *status);
+STEWART_NODISCARD int stewart_exact_drive_linearisation_batch(
+    const stewart_exact_drive_model *model, size_t count, const stewart_motions *motions,
+    const stewart_real *F, const stewart_linearisation_arrays *out, int *status);
+STEWART_NODISCARD int stewart_exact_drive_bias_batch(
+    const stewart_exact_drive_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
+    int *status);
+STEWART_NODISCARD int stewart_exact_drive_forward_dynamics_batch(
+    const stewart_exact_drive_model *model, size_t count, const stewart_motions *motions,
+    const stewart_real *F, stewart_real *out, int *status);
+STEWART_NODISCARD int stewart_exact_drive_joint_inertia_batch(
+    const stewart_exact_drive_model *model, size_t count, const stewart_motions *motions, stewart_real *out,
+    int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,85 @@
+/* stewart_exact_drive_reflected_forces.h: the actuator forces alone, from prepared constants, as fast as we can.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ *
+ * One pose puts its six legs into lanes of eight, a batch eight poses, or sixteen in float; compilers make
+ * vector instructions of the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the
+ * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
+ *
+ * Fidelity: rotors as masses that move with the lengths.
+ *
+ * Operations of one pose of inverse dynamics, six legs, solve included
+ * leg      267 (157 mul, 106 add, 2 div, 2 sqrt)
+ * platform 192 (99 mul, 93 add, 0 div, 0 sqrt)
+ * moments  21 (12 mul, 9 add, 0 div, 0 sqrt)
+ * sum of c 51 (0 mul, 51 add, 0 div, 0 sqrt)
+ * solve    262 (158 mul, 102 add, 2 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    2218 (1259 mul, 933 add, 14 div, 12 sqrt)
+ * With products and the sums that they feed in one instruction 1446.
+ */
+#ifndef STEWART_EXACT_DRIVE_REFLECTED_FORCES_H
+#define STEWART_EXACT_DRIVE_REFLECTED_FORCES_H
+
+#include "stewart.h"
+
+#if !defined(STEWART_ROTORS)
+#error "define STEWART_ROTORS for every source: the legs of this kernel have rotors (see stewart_leg)"
+#endif
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A robot's constants, prepared once; legs in lanes, the last two lanes repeat leg 6. */
+typedef struct {
+    stewart_real b[3][8]; /* m: base point, base frame */
+    stewart_real p[3][8]; /* m: platform point, platform frame */
+    stewart_real k[3][8]; /* 1: unit vector along the fixed axis of the universal joint, base frame */
+    stewart_real C_p[8]; /* N s/m: viscous friction of the prismatic joint */
+    stewart_real C_s[8]; /* N m s: viscous friction of the spherical joint */
+    stewart_real m_r[8]; /* kg: reflected mass of the leg's rotor, J_r N^2 with N = 2 pi / lead */
+    stewart_real h[3][8]; /* kg m: first moment of the upper part about the platform point, leg frame */
+    stewart_real h2_x[8]; /* kg m: 2 h_x */
+    stewart_real h2_y[8]; /* kg m: 2 h_y */
+    stewart_real h2_z[8]; /* kg m: 2 h_z */
+    stewart_real w[3][8]; /* kg m: first moments of both parts, about the base and the platform point, leg frame */
+    stewart_real J[6][8]; /* kg m^2: inertias of the parts about base and platform point, leg frame */
+    stewart_real J2_xz[8]; /* kg m^2: 2 J_xz */
+    stewart_real dJ_zx[8]; /* kg m^2: J_zz - J_xx */
+    stewart_real g_k[8]; /* m/s^2: gravity along the fixed axis */
+    stewart_real g_x_k[3][8]; /* m/s^2: g x k, base frame */
+    stewart_real C_us[8]; /* N m s: C_u + C_s */
+    stewart_real M_P; /* kg: mass of the platform with the upper parts */
+    stewart_real r_C[3]; /* m: its centre of mass, platform frame */
+    stewart_real J_C[6]; /* kg m^2: its inertia about its centre of mass, platform frame */
+    stewart_real dJ_C[3]; /* kg m^2: J_C_zz - J_C_yy, J_C_xx - J_C_zz, J_C_yy - J_C_xx */
+    stewart_real C_P; /* N m s: friction of all spherical joints */
+    stewart_real g[3]; /* m/s^2: acceleration due to gravity, base frame */
+    /* 1/m: by which the solve multiplies moments, 18 to 21 multiplications, unless it is 1: for
+     * platforms of 0.125 to 16 m. Otherwise one over the least power of two that no arm exceeds. */
+    stewart_real per_length;
+    stewart_real arm_cube; /* cube of the largest arm over that length: what determinants of moments are beside */
+} stewart_exact_drive_reflected_model;
+
+/* Prepares the constants; k may have any length but zero. Returns a status: STEWART_NOT_FINITE if a
+ * number of the robot is not finite or too large, or k is zero; the model is written only if it is
+ * STEWART_OK. */
+STEWART_NODISCARD int stewart_exact_drive_reflected_prepare(
+    const stewart_robot *robot, stewart_exact_drive_reflected_model *model);
+
+/* Actuator forces F, N, of one pose, (37). Returns a status; F is written only if it is STEWART_OK. */
+STEWART_NODISCARD int stewart_exact_drive_reflected_forces(
+    const stewart_exact_drive_reflected_model *model, const stewart_motion *motion, stewart_real F[6]);
+
+/* Actuator forces F[count][6] of `count` poses. `status` takes one code for each pose; null: not wanted.
+ * Returns the first code other than STEWART_OK, or STEWART_OK. No pose's result depends on the others. */
+STEWART_NODISCARD int stewart_exact_drive_reflected_forces_batch(
+    const stewart_exact_drive_reflected_model *model, size_t count, const stewart_motions *motions,
+    stewart_real *F, int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

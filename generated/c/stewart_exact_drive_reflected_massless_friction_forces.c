@@ -1,0 +1,1182 @@
+/* stewart_exact_drive_reflected_massless_friction_forces.c: see stewart_exact_drive_reflected_massless_friction_forces.h.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ */
+#include "stewart_exact_drive_reflected_massless_friction_forces.h"
+
+/* Poses of a block: as many as one register of AVX-512 holds. */
+#if defined(STEWART_FLOAT)
+#define POSES 16
+#else
+#define POSES 8
+#endif
+/* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
+ * which is slower with few of them. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
+#pragma GCC target("prefer-vector-width=512")
+#pragma GCC optimize("schedule-insns")
+#endif
+
+#include "stewart_lanes.h"
+
+/* Motions of the poses of a block, component by component. */
+typedef struct {
+    stewart_real R[9][POSES];
+    stewart_real t[3][POSES];
+    stewart_real omega[3][POSES];
+    stewart_real v[3][POSES];
+    stewart_real alpha[3][POSES];
+    stewart_real a[3][POSES];
+    stewart_real F_ext[3][POSES];
+    stewart_real M_ext[3][POSES];
+} motion_lanes;
+
+/* What a pose has for all legs. */
+typedef struct {
+    stewart_real B[9];
+    stewart_real c_force[3];
+    stewart_real c_moment[3];
+    stewart_real c_tip[3];
+} shared_terms;
+
+typedef struct {
+    stewart_real B[9][POSES];
+    stewart_real t_size[POSES]; /* m: largest coordinate of t */
+} shared_lanes;
+
+/* The legs of one pose. */
+typedef struct {
+    stewart_real A[6][LANES]; /* H, whose columns are those of the legs */
+    stewart_real q[3][LANES];
+    stewart_real D[LANES];
+    stewart_real c_force[3][LANES];
+    stewart_real c_moment[3][LANES];
+    stewart_real arm_c[3][LANES];
+    stewart_real L[LANES];
+    stewart_real reach[LANES];
+    stewart_real k3[LANES];
+    stewart_real bad[LANES]; /* 1 where the leg needs a closer look, else 0 */
+} leg_lanes;
+
+typedef struct {
+    stewart_real b[3];
+    stewart_real p[3];
+    stewart_real k[3];
+    stewart_real C_p;
+    stewart_real C_s;
+    stewart_real m_r;
+    stewart_real C_us;
+    stewart_real M_add;
+    stewart_real h_add[3];
+    stewart_real J_add[6];
+    stewart_real C_add;
+} prepared_leg;
+
+/* Constants of one leg, and what it adds to the platform. */
+static void prepare_leg(const stewart_robot *robot, const stewart_leg *leg, prepared_leg *out)
+{
+    (void)robot;
+    stewart_real axis[3];
+    scaled_axis(leg->k, axis);
+    const stewart_real b_x = leg->b[0], b_y = leg->b[1], b_z = leg->b[2];
+    const stewart_real p_x = leg->p[0], p_y = leg->p[1], p_z = leg->p[2];
+    const stewart_real k_x = axis[0], k_y = axis[1], k_z = axis[2];
+    const stewart_real C_u = leg->C_u;
+    const stewart_real C_p = leg->C_p;
+    const stewart_real C_s = leg->C_s;
+    const stewart_real m_r = leg->m_r;
+    const stewart_real k_size = STEWART_SQRT(k_x*k_x + k_y*k_y + k_z*k_z);
+    const stewart_real inv_k_size = REAL(1)/k_size;
+    /* fixed axis, of length one */
+    const stewart_real k_unit_x = inv_k_size*k_x;
+    const stewart_real k_unit_y = inv_k_size*k_y;
+    const stewart_real k_unit_z = inv_k_size*k_z;
+    out->b[0] = b_x;
+    out->b[1] = b_y;
+    out->b[2] = b_z;
+    out->p[0] = p_x;
+    out->p[1] = p_y;
+    out->p[2] = p_z;
+    out->k[0] = k_unit_x;
+    out->k[1] = k_unit_y;
+    out->k[2] = k_unit_z;
+    out->C_p = C_p;
+    out->C_s = C_s;
+    out->m_r = m_r;
+    out->C_us = C_s + C_u;
+    out->M_add = REAL(0);
+    out->h_add[0] = REAL(0);
+    out->h_add[1] = REAL(0);
+    out->h_add[2] = REAL(0);
+    out->J_add[0] = REAL(0);
+    out->J_add[1] = REAL(0);
+    out->J_add[2] = REAL(0);
+    out->J_add[3] = REAL(0);
+    out->J_add[4] = REAL(0);
+    out->J_add[5] = REAL(0);
+    out->C_add = C_s;
+}
+
+typedef struct {
+    stewart_real M_P;
+    stewart_real r_C[3];
+    stewart_real J_C[6];
+    stewart_real dJ_C[3];
+    stewart_real C_P;
+    stewart_real g[3];
+} prepared_platform;
+
+/* Constants of the platform. */
+static void prepare_platform(const stewart_robot *robot, const prepared_leg *sum, prepared_platform *out)
+{
+    const stewart_real M = robot->M;
+    const stewart_real R_0_x = robot->R_0[0], R_0_y = robot->R_0[1], R_0_z = robot->R_0[2];
+    const stewart_real I_p_xx = robot->I_p[0], I_p_xy = robot->I_p[1], I_p_xz = robot->I_p[2], I_p_yy = robot->I_p[3],
+        I_p_yz = robot->I_p[4], I_p_zz = robot->I_p[5];
+    const stewart_real g_x = robot->g[0], g_y = robot->g[1], g_z = robot->g[2];
+    const stewart_real p_1_x = robot->leg[0].p[0], p_1_y = robot->leg[0].p[1], p_1_z = robot->leg[0].p[2];
+    const stewart_real M_add = sum->M_add;
+    const stewart_real h_add_x = sum->h_add[0], h_add_y = sum->h_add[1], h_add_z = sum->h_add[2];
+    const stewart_real J_add_xx = sum->J_add[0], J_add_xy = sum->J_add[1], J_add_xz = sum->J_add[2],
+        J_add_yy = sum->J_add[3], J_add_yz = sum->J_add[4], J_add_zz = sum->J_add[5];
+    const stewart_real C_add = sum->C_add;
+    const stewart_real M_P = M + M_add;
+    /* the platform's own centre of mass from platform point 1 */
+    const stewart_real arm_x = R_0_x - p_1_x;
+    const stewart_real arm_y = R_0_y - p_1_y;
+    const stewart_real arm_z = R_0_z - p_1_z;
+    /* first moment of what is lumped with it about that centre */
+    const stewart_real e_x = h_add_x - M_add*arm_x;
+    const stewart_real e_y = h_add_y - M_add*arm_y;
+    const stewart_real e_z = h_add_z - M_add*arm_z;
+    /* first moment about the reference point */
+    const stewart_real h_P_x = h_add_x + M*R_0_x + M_add*p_1_x;
+    const stewart_real h_P_y = h_add_y + M*R_0_y + M_add*p_1_y;
+    const stewart_real h_P_z = h_add_z + M*R_0_z + M_add*p_1_z;
+    const stewart_real c1 = REAL(1)/M_P;
+    const stewart_real r_C_x = c1*h_P_x;
+    const stewart_real r_C_y = c1*h_P_y;
+    const stewart_real r_C_z = c1*h_P_z;
+    const stewart_real r_x = c1*h_add_x;
+    const stewart_real r_y = c1*h_add_y;
+    const stewart_real r_z = c1*h_add_z;
+    const stewart_real c2 = STEWART_HALF*M*c1;
+    const stewart_real u_x = c2*(h_add_x + e_x);
+    const stewart_real u_y = c2*(h_add_y + e_y);
+    const stewart_real u_z = c2*(h_add_z + e_z);
+    const stewart_real c3 = h_add_z*r_z + REAL(2)*arm_z*u_z;
+    const stewart_real c4 = h_add_y*r_y + REAL(2)*arm_y*u_y;
+    const stewart_real J_C_xx = I_p_xx + J_add_xx - c3 - c4;
+    const stewart_real J_C_xy = I_p_xy + J_add_xy + h_add_x*r_y + arm_x*u_y + arm_y*u_x;
+    const stewart_real J_C_xz = I_p_xz + J_add_xz + h_add_x*r_z + arm_x*u_z + arm_z*u_x;
+    const stewart_real c5 = h_add_x*r_x + REAL(2)*arm_x*u_x;
+    const stewart_real J_C_yy = I_p_yy + J_add_yy - c3 - c5;
+    const stewart_real J_C_yz = I_p_yz + J_add_yz + h_add_y*r_z + arm_y*u_z + arm_z*u_y;
+    const stewart_real J_C_zz = I_p_zz + J_add_zz - c4 - c5;
+    out->M_P = M_P;
+    out->r_C[0] = r_C_x;
+    out->r_C[1] = r_C_y;
+    out->r_C[2] = r_C_z;
+    out->J_C[0] = J_C_xx;
+    out->J_C[1] = J_C_xy;
+    out->J_C[2] = J_C_xz;
+    out->J_C[3] = J_C_yy;
+    out->J_C[4] = J_C_yz;
+    out->J_C[5] = J_C_zz;
+    out->dJ_C[0] = J_C_zz - J_C_yy;
+    out->dJ_C[1] = J_C_xx - J_C_zz;
+    out->dJ_C[2] = J_C_yy - J_C_xx;
+    out->C_P = C_add;
+    out->g[0] = g_x;
+    out->g[1] = g_y;
+    out->g[2] = g_z;
+}
+
+/* Largest coordinate of the arms of moments about platform point 1, m. */
+static stewart_real size_of(const stewart_exact_drive_reflected_massless_friction_model *model)
+{
+    int i, j;
+    stewart_real largest = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        for (i = 1; i < 6; ++i) {
+            largest = STEWART_LARGER(STEWART_FABS(model->p[j][i] - model->p[j][0]), largest);
+        }
+    }
+    return largest;
+}
+
+int stewart_exact_drive_reflected_massless_friction_prepare(
+    const stewart_robot *robot, stewart_exact_drive_reflected_massless_friction_model *model)
+{
+    int i;
+    stewart_exact_drive_reflected_massless_friction_model made;
+    prepared_leg found;
+    prepared_leg sum;
+    prepared_platform platform;
+    if (robot == NULL || model == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    sum.M_add = REAL(0);
+    sum.h_add[0] = REAL(0);
+    sum.h_add[1] = REAL(0);
+    sum.h_add[2] = REAL(0);
+    sum.J_add[0] = REAL(0);
+    sum.J_add[1] = REAL(0);
+    sum.J_add[2] = REAL(0);
+    sum.J_add[3] = REAL(0);
+    sum.J_add[4] = REAL(0);
+    sum.J_add[5] = REAL(0);
+    sum.C_add = REAL(0);
+    for (i = 0; i < LANES; ++i) {
+        prepare_leg(robot, &robot->leg[i < 6 ? i : 5], &found);
+        made.b[0][i] = found.b[0];
+        made.b[1][i] = found.b[1];
+        made.b[2][i] = found.b[2];
+        made.p[0][i] = found.p[0];
+        made.p[1][i] = found.p[1];
+        made.p[2][i] = found.p[2];
+        made.k[0][i] = found.k[0];
+        made.k[1][i] = found.k[1];
+        made.k[2][i] = found.k[2];
+        made.C_p[i] = found.C_p;
+        made.C_s[i] = found.C_s;
+        made.m_r[i] = found.m_r;
+        made.C_us[i] = found.C_us;
+        if (i < 6) {
+            sum.M_add = sum.M_add + found.M_add;
+            sum.h_add[0] = sum.h_add[0] + found.h_add[0];
+            sum.h_add[1] = sum.h_add[1] + found.h_add[1];
+            sum.h_add[2] = sum.h_add[2] + found.h_add[2];
+            sum.J_add[0] = sum.J_add[0] + found.J_add[0];
+            sum.J_add[1] = sum.J_add[1] + found.J_add[1];
+            sum.J_add[2] = sum.J_add[2] + found.J_add[2];
+            sum.J_add[3] = sum.J_add[3] + found.J_add[3];
+            sum.J_add[4] = sum.J_add[4] + found.J_add[4];
+            sum.J_add[5] = sum.J_add[5] + found.J_add[5];
+            sum.C_add = sum.C_add + found.C_add;
+        }
+    }
+    prepare_platform(robot, &sum, &platform);
+    made.M_P = platform.M_P;
+    made.r_C[0] = platform.r_C[0];
+    made.r_C[1] = platform.r_C[1];
+    made.r_C[2] = platform.r_C[2];
+    made.J_C[0] = platform.J_C[0];
+    made.J_C[1] = platform.J_C[1];
+    made.J_C[2] = platform.J_C[2];
+    made.J_C[3] = platform.J_C[3];
+    made.J_C[4] = platform.J_C[4];
+    made.J_C[5] = platform.J_C[5];
+    made.dJ_C[0] = platform.dJ_C[0];
+    made.dJ_C[1] = platform.dJ_C[1];
+    made.dJ_C[2] = platform.dJ_C[2];
+    made.C_P = platform.C_P;
+    made.g[0] = platform.g[0];
+    made.g[1] = platform.g[1];
+    made.g[2] = platform.g[2];
+    const stewart_real largest = size_of(&made);
+    made.per_length = per_length_of(largest, REAL(0.125));
+    made.arm_cube = cube_of(largest*made.per_length);
+    const stewart_real *const numbers = (const stewart_real *)&made;
+    for (i = 0; i < 123; ++i) {
+        if (!(STEWART_FABS(numbers[i]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    *model = made;
+    return STEWART_OK;
+}
+
+/* What one pose has for all legs: 180 (93 mul, 87 add, 0 div, 0 sqrt) operations. */
+static void shared_of_pose(
+    const stewart_exact_drive_reflected_massless_friction_model *model, const stewart_motion *at,
+    shared_terms *out)
+{
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real alpha_x = at->alpha[0], alpha_y = at->alpha[1], alpha_z = at->alpha[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real F_ext_x = at->F_ext[0], F_ext_y = at->F_ext[1], F_ext_z = at->F_ext[2];
+    const stewart_real M_ext_x = at->M_ext[0], M_ext_y = at->M_ext[1], M_ext_z = at->M_ext[2];
+    const stewart_real M_P = model->M_P;
+    const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
+    const stewart_real J_C_xx = model->J_C[0], J_C_xy = model->J_C[1], J_C_xz = model->J_C[2], J_C_yy = model->J_C[3],
+        J_C_yz = model->J_C[4], J_C_zz = model->J_C[5];
+    const stewart_real dJ_C_x = model->dJ_C[0], dJ_C_y = model->dJ_C[1], dJ_C_z = model->dJ_C[2];
+    const stewart_real C_P = model->C_P;
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    /* products of omega */
+    const stewart_real omega_xx = omega_x*omega_x;
+    const stewart_real omega_xy = omega_x*omega_y;
+    const stewart_real omega_xz = omega_x*omega_z;
+    const stewart_real omega_yy = omega_y*omega_y;
+    const stewart_real omega_yz = omega_y*omega_z;
+    const stewart_real omega_zz = omega_z*omega_z;
+    /* (7) S_ddot = B q + a */
+    const stewart_real B_xx = -omega_yy - omega_zz;
+    const stewart_real B_xy = omega_xy - alpha_z;
+    const stewart_real B_xz = alpha_y + omega_xz;
+    const stewart_real B_yx = alpha_z + omega_xy;
+    const stewart_real B_yy = -omega_xx - omega_zz;
+    const stewart_real B_yz = omega_yz - alpha_x;
+    const stewart_real B_zx = omega_xz - alpha_y;
+    const stewart_real B_zy = alpha_x + omega_yz;
+    const stewart_real B_zz = -omega_xx - omega_yy;
+    /* (30) centre of mass from the reference point, base frame */
+    const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+    const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+    const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
+    /* (33) M_P (g - a_C) */
+    const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+        R_C_x, g_x - a_x)));
+    const stewart_real N_y = M_P*STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+        R_C_x, g_y - a_y)));
+    const stewart_real N_z = M_P*STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+        R_C_x, g_z - a_z)));
+    /* angular velocity, platform frame */
+    const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+    const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+    const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
+    /* angular acceleration, platform frame */
+    const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+    const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+    const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
+    const stewart_real P_xy = omega_P_x*omega_P_y;
+    const stewart_real P_xz = omega_P_x*omega_P_z;
+    const stewart_real P_yz = omega_P_y*omega_P_z;
+    const stewart_real P_xx = omega_P_x*omega_P_x;
+    const stewart_real P_yy = omega_P_y*omega_P_y;
+    const stewart_real P_zz = omega_P_z*omega_P_z;
+    /* (34) external moment less I alpha + omega x I omega, platform frame */
+    const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+        STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+        M_ext_x)))));
+    const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+        STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+        M_ext_y)))));
+    const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+        STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+        M_ext_z)))));
+    out->B[0] = B_xx;
+    out->B[1] = B_xy;
+    out->B[2] = B_xz;
+    out->B[3] = B_yx;
+    out->B[4] = B_yy;
+    out->B[5] = B_yz;
+    out->B[6] = B_zx;
+    out->B[7] = B_zy;
+    out->B[8] = B_zz;
+    out->c_force[0] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx,
+        N_x)));
+    out->c_force[1] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx,
+        N_y)));
+    out->c_force[2] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx,
+        N_z)));
+    out->c_moment[0] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
+        STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
+    out->c_moment[1] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
+        STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
+    out->c_moment[2] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y, R_C_x,
+        STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
+}
+
+/* The legs of one pose side by side: 158 (94 mul, 60 add, 2 div, 2 sqrt) operations each. */
+static void legs_of_pose(
+    const stewart_exact_drive_reflected_massless_friction_model *STEWART_RESTRICT model,
+    const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
+    leg_lanes *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
+        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real m_r = model->m_r[l];
+        const stewart_real C_us = model->C_us[l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x));
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
+        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) second axis of the leg frame */
+        const stewart_real y_x = inv_rho*k_cross_S_x;
+        const stewart_real y_y = inv_rho*k_cross_S_y;
+        const stewart_real y_z = inv_rho*k_cross_S_z;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = inv_rho*STEWART_FMA(-S_dot_z, k_z, STEWART_FMA(-S_dot_y, k_y,
+            STEWART_FMA(-S_dot_x, k_x, L_dot*k1)));
+        const stewart_real theta_dot2 = theta_dot*theta_dot;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real k33 = k3*k3;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
+        /* (20) generalised forces about y and about k */
+        const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
+            omega_x*y_x)), C_us*theta_dot);
+        const stewart_real tau_k = STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), C_us*phi_dot);
+        /* (21) K = Q_k k + Q_y y, up to a part along s */
+        const stewart_real Q_k = -inv_rho*tau_y;
+        const stewart_real Q_y = inv_rho*tau_k;
+        /* (21) force at the spherical joint, base frame */
+        const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
+        /* (24) known part of the actuator force, to match */
+        const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(L_ddot, m_r, C_p*L_dot));
+        const stewart_real c1 = C_s*phi_dot;
+        const stewart_real c2 = C_s*theta_dot;
+        out->D[l] = D;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
+        out->c_force[0][l] = -K_x;
+        out->c_force[1][l] = -K_y;
+        out->c_force[2][l] = -K_z;
+        out->c_moment[0][l] = STEWART_FMA(c2, y_x, c1*k_x);
+        out->c_moment[1][l] = STEWART_FMA(c2, y_y, c1*k_y);
+        out->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
+        out->q[0][l] = q_x;
+        out->q[1][l] = q_y;
+        out->q[2][l] = q_z;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->reach[l] = reach;
+        out->L[l] = L;
+        out->k3[l] = k3;
+        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
+        fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
+        out->bad[l] = fault;
+    }
+}
+
+/* The same for a pose in which a leg is near its joint singularity: 169 (102 mul, 63 add, 2 div, 2 sqrt)
+ * operations each. */
+static void legs_near_singular(
+    const stewart_exact_drive_reflected_massless_friction_model *STEWART_RESTRICT model,
+    const stewart_motion *STEWART_RESTRICT at, const shared_terms *STEWART_RESTRICT shared,
+    leg_lanes *STEWART_RESTRICT out)
+{
+    int l;
+    const stewart_real R_xx = at->R[0], R_xy = at->R[1], R_xz = at->R[2], R_yx = at->R[3], R_yy = at->R[4],
+        R_yz = at->R[5], R_zx = at->R[6], R_zy = at->R[7], R_zz = at->R[8];
+    const stewart_real t_x = at->t[0], t_y = at->t[1], t_z = at->t[2];
+    const stewart_real omega_x = at->omega[0], omega_y = at->omega[1], omega_z = at->omega[2];
+    const stewart_real v_x = at->v[0], v_y = at->v[1], v_z = at->v[2];
+    const stewart_real a_x = at->a[0], a_y = at->a[1], a_z = at->a[2];
+    const stewart_real B_xx = shared->B[0], B_xy = shared->B[1], B_xz = shared->B[2], B_yx = shared->B[3],
+        B_yy = shared->B[4], B_yz = shared->B[5], B_zx = shared->B[6], B_zy = shared->B[7], B_zz = shared->B[8];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real b_x = model->b[0][l], b_y = model->b[1][l], b_z = model->b[2][l];
+        const stewart_real p_x = model->p[0][l], p_y = model->p[1][l], p_z = model->p[2][l];
+        const stewart_real k_x = model->k[0][l], k_y = model->k[1][l], k_z = model->k[2][l];
+        const stewart_real C_p = model->C_p[l];
+        const stewart_real C_s = model->C_s[l];
+        const stewart_real m_r = model->m_r[l];
+        const stewart_real C_us = model->C_us[l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(S_z, S_z, STEWART_FMA(S_y, S_y, S_x*S_x)));
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        /* (10) along the third axis of the leg */
+        const stewart_real s_cross_normal_x = STEWART_FMA(-k_cross_S_y, s_z, k_cross_S_z*s_y);
+        const stewart_real s_cross_normal_y = STEWART_FMA(-k_cross_S_z, s_x, k_cross_S_x*s_z);
+        const stewart_real s_cross_normal_z = STEWART_FMA(-k_cross_S_x, s_y, k_cross_S_y*s_x);
+        /* (10) leg length, and distance of its tip from the fixed axis */
+        const stewart_real rho = STEWART_SQRT(STEWART_FMA(s_cross_normal_z, s_cross_normal_z,
+            STEWART_FMA(s_cross_normal_y, s_cross_normal_y, s_cross_normal_x*s_cross_normal_x)));
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) third axis of the leg frame */
+        const stewart_real z_x = inv_rho*s_cross_normal_x;
+        const stewart_real z_y = inv_rho*s_cross_normal_y;
+        const stewart_real z_z = inv_rho*s_cross_normal_z;
+        /* (10) rotating axis of the universal joint */
+        const stewart_real y_x = STEWART_FMA(-s_y, z_z, s_z*z_y);
+        const stewart_real y_y = STEWART_FMA(-s_z, z_x, s_x*z_z);
+        const stewart_real y_z = STEWART_FMA(-s_x, z_y, s_y*z_x);
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k3 = inv_L*rho;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = -inv_L*STEWART_FMA(S_dot_z, z_z, STEWART_FMA(S_dot_y, z_y,
+            S_dot_x*z_x));
+        const stewart_real theta_dot2 = theta_dot*theta_dot;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real k33 = k3*k3;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
+        /* (20) generalised forces about y and about k */
+        const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
+            omega_x*y_x)), C_us*theta_dot);
+        const stewart_real tau_k = STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), C_us*phi_dot);
+        /* (21) K = Q_y y + Q_z z */
+        const stewart_real Q_y = inv_rho*tau_k;
+        const stewart_real Q_z = -inv_L*tau_y;
+        /* (21) force at the spherical joint, base frame */
+        const stewart_real K_x = STEWART_FMA(Q_z, z_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_z, z_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_z, z_z, Q_y*y_z);
+        /* (24) known part of the actuator force, to match */
+        const stewart_real D = STEWART_FMA(L_ddot, m_r, C_p*L_dot);
+        const stewart_real c1 = C_s*phi_dot;
+        const stewart_real c2 = C_s*theta_dot;
+        out->D[l] = D;
+        out->A[0][l] = s_x;
+        out->A[1][l] = s_y;
+        out->A[2][l] = s_z;
+        out->c_force[0][l] = -K_x;
+        out->c_force[1][l] = -K_y;
+        out->c_force[2][l] = -K_z;
+        out->c_moment[0][l] = STEWART_FMA(c2, y_x, c1*k_x);
+        out->c_moment[1][l] = STEWART_FMA(c2, y_y, c1*k_y);
+        out->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
+        out->q[0][l] = q_x;
+        out->q[1][l] = q_y;
+        out->q[2][l] = q_z;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(q_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(q_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(t_z), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        out->reach[l] = reach;
+        out->L[l] = L;
+        out->k3[l] = k3;
+        stewart_real fault = L > STEWART_SHORT_SHARE*reach ? REAL(0) : REAL(1);
+        fault = k3 > STEWART_JOINT_SINGULAR_SINE ? fault : REAL(1);
+        out->bad[l] = fault;
+    }
+}
+
+/* The platform's part of c with moments about platform point 1. */
+static void shift_of_pose(const leg_lanes *STEWART_RESTRICT legs, shared_terms *STEWART_RESTRICT shared)
+{
+    const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
+    const stewart_real c_force_x = shared->c_force[0], c_force_y = shared->c_force[1], c_force_z = shared->c_force[2];
+    const stewart_real c_moment_x = shared->c_moment[0], c_moment_y = shared->c_moment[1], c_moment_z = shared->c_moment[2];
+    shared->c_tip[0] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+    shared->c_tip[1] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+    shared->c_tip[2] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
+}
+
+/* Moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations of each leg but the
+ * first, which has none. */
+static void moments_of_pose(leg_lanes *legs)
+{
+    int l;
+    const stewart_real q_1_x = legs->q[0][0], q_1_y = legs->q[1][0], q_1_z = legs->q[2][0];
+    for (l = 0; l < LANES; ++l) {
+        const stewart_real q_x = legs->q[0][l], q_y = legs->q[1][l], q_z = legs->q[2][l];
+        const stewart_real H_force_x = legs->A[0][l], H_force_y = legs->A[1][l], H_force_z = legs->A[2][l];
+        const stewart_real c_force_x = legs->c_force[0][l], c_force_y = legs->c_force[1][l], c_force_z = legs->c_force[2][l];
+        /* platform point from platform point 1 */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        legs->A[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        legs->A[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        legs->A[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        legs->arm_c[0][l] = STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        legs->arm_c[1][l] = STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        legs->arm_c[2][l] = STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
+    }
+}
+
+/* Status of a pose whose H may be singular to rounding. */
+STEWART_APART static int pose_status(const leg_lanes *legs, stewart_real per_length)
+{
+    int i, j;
+    stewart_real H[6][6];
+    stewart_real arm[6][3];
+    stewart_real tip = REAL(0);
+    for (j = 0; j < 3; ++j) {
+        tip = STEWART_LARGER(STEWART_FABS(legs->q[j][0]), tip);
+    }
+    for (i = 0; i < 6; ++i) {
+        for (j = 0; j < 3; ++j) {
+            arm[i][j] = legs->q[j][i] - legs->q[j][0];
+            H[j][i] = legs->A[j][i];
+            H[j + 3][i] = legs->A[j + 3][i]/per_length;
+        }
+    }
+    return singular_status(H, arm, legs->L, legs->reach, tip);
+}
+
+int stewart_exact_drive_reflected_massless_friction_forces(
+    const stewart_exact_drive_reflected_massless_friction_model *model, const stewart_motion *motion,
+    stewart_real F[6])
+{
+    int i, j;
+    shared_terms shared;
+    leg_lanes legs;
+    stewart_real wrench[6];
+    stewart_real x[6];
+    stewart_real found[6];
+    int close = 0;
+    int near_singular = 0;
+    if (model == NULL || motion == NULL || F == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    shared_of_pose(model, motion, &shared);
+    legs_of_pose(model, motion, &shared, &legs);
+    for (i = 0; i < 6; ++i) {
+        if (legs.bad[i] > REAL(0)) {
+            const int status = fault_of(legs.L[i], legs.k3[i], legs.reach[i]);
+            if (status != STEWART_OK) {
+                return status;
+            }
+            close = legs.L[i] > STEWART_SHORT_SHARE*legs.reach[i] ? close : 1;
+            near_singular = legs.k3[i] > STEWART_NEAR_JOINT_SINGULAR ? near_singular : 1;
+        }
+    }
+    if (near_singular != 0) {
+        legs_near_singular(model, motion, &shared, &legs);
+    }
+    shift_of_pose(&legs, &shared);
+    moments_of_pose(&legs);
+    for (j = 0; j < 3; ++j) {
+        stewart_real force = shared.c_force[j];
+        stewart_real turn = shared.c_tip[j];
+        STEWART_LOOP for (i = 0; i < 6; ++i) {
+            force = force + legs.c_force[j][i];
+            turn = turn + legs.c_moment[j][i];
+            turn = turn + legs.arm_c[j][i];
+        }
+        wrench[j] = force;
+        wrench[j + 3] = turn;
+    }
+    if (model->per_length != REAL(1)) {
+        scale_pose(legs.A, wrench, model->per_length);
+    }
+    const int suspect = solve_pose(legs.A, wrench, model->arm_cube, x);
+    if (close != 0 || suspect != 0) {
+        const int status = pose_status(&legs, model->per_length);
+        if (status != STEWART_OK) {
+            return status;
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        found[i] = legs.D[i] - x[i];
+        if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {
+            return STEWART_NOT_FINITE;
+        }
+    }
+    for (i = 0; i < 6; ++i) {
+        F[i] = found[i];
+    }
+    return STEWART_OK;
+}
+
+/* A block of poses on its way. */
+typedef struct {
+    stewart_real column[7][6][POSES]; /* [H | c], column by column */
+    stewart_real D[6][POSES];
+    stewart_real F[6][POSES];
+    stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
+} block;
+
+/* What a leg hands to the moments. */
+typedef struct {
+    stewart_real q[3][POSES];
+    stewart_real c_force[3][POSES];
+    stewart_real c_moment[3][POSES];
+} leg_block;
+
+/* What each pose of a block has for all legs, and the platform's part of c. */
+static void shared_of_block(
+    const stewart_exact_drive_reflected_massless_friction_model *STEWART_RESTRICT model,
+    const motion_lanes *STEWART_RESTRICT at, shared_lanes *STEWART_RESTRICT out,
+    stewart_real (*STEWART_RESTRICT c)[POSES])
+{
+    int l;
+    const stewart_real M_P = model->M_P;
+    const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
+    const stewart_real J_C_xx = model->J_C[0], J_C_xy = model->J_C[1], J_C_xz = model->J_C[2], J_C_yy = model->J_C[3],
+        J_C_yz = model->J_C[4], J_C_zz = model->J_C[5];
+    const stewart_real dJ_C_x = model->dJ_C[0], dJ_C_y = model->dJ_C[1], dJ_C_z = model->dJ_C[2];
+    const stewart_real C_P = model->C_P;
+    const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real alpha_x = at->alpha[0][l], alpha_y = at->alpha[1][l], alpha_z = at->alpha[2][l];
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
+        const stewart_real M_ext_x = at->M_ext[0][l], M_ext_y = at->M_ext[1][l], M_ext_z = at->M_ext[2][l];
+        /* products of omega */
+        const stewart_real omega_xx = omega_x*omega_x;
+        const stewart_real omega_xy = omega_x*omega_y;
+        const stewart_real omega_xz = omega_x*omega_z;
+        const stewart_real omega_yy = omega_y*omega_y;
+        const stewart_real omega_yz = omega_y*omega_z;
+        const stewart_real omega_zz = omega_z*omega_z;
+        /* (7) S_ddot = B q + a */
+        const stewart_real B_xx = -omega_yy - omega_zz;
+        const stewart_real B_xy = omega_xy - alpha_z;
+        const stewart_real B_xz = alpha_y + omega_xz;
+        const stewart_real B_yx = alpha_z + omega_xy;
+        const stewart_real B_yy = -omega_xx - omega_zz;
+        const stewart_real B_yz = omega_yz - alpha_x;
+        const stewart_real B_zx = omega_xz - alpha_y;
+        const stewart_real B_zy = alpha_x + omega_yz;
+        const stewart_real B_zz = -omega_xx - omega_yy;
+        /* (30) centre of mass from the reference point, base frame */
+        const stewart_real R_C_x = STEWART_FMA(R_xz, r_C_z, STEWART_FMA(R_xy, r_C_y, R_xx*r_C_x));
+        const stewart_real R_C_y = STEWART_FMA(R_yz, r_C_z, STEWART_FMA(R_yy, r_C_y, R_yx*r_C_x));
+        const stewart_real R_C_z = STEWART_FMA(R_zz, r_C_z, STEWART_FMA(R_zy, r_C_y, R_zx*r_C_x));
+        /* (33) M_P (g - a_C) */
+        const stewart_real N_x = M_P*STEWART_FMA(-B_xz, R_C_z, STEWART_FMA(-B_xy, R_C_y, STEWART_FMA(-B_xx,
+            R_C_x, g_x - a_x)));
+        const stewart_real N_y = M_P*STEWART_FMA(-B_yz, R_C_z, STEWART_FMA(-B_yy, R_C_y, STEWART_FMA(-B_yx,
+            R_C_x, g_y - a_y)));
+        const stewart_real N_z = M_P*STEWART_FMA(-B_zz, R_C_z, STEWART_FMA(-B_zy, R_C_y, STEWART_FMA(-B_zx,
+            R_C_x, g_z - a_z)));
+        /* angular velocity, platform frame */
+        const stewart_real omega_P_x = STEWART_FMA(R_zx, omega_z, STEWART_FMA(R_yx, omega_y, R_xx*omega_x));
+        const stewart_real omega_P_y = STEWART_FMA(R_zy, omega_z, STEWART_FMA(R_yy, omega_y, R_xy*omega_x));
+        const stewart_real omega_P_z = STEWART_FMA(R_zz, omega_z, STEWART_FMA(R_yz, omega_y, R_xz*omega_x));
+        /* angular acceleration, platform frame */
+        const stewart_real alpha_P_x = STEWART_FMA(R_zx, alpha_z, STEWART_FMA(R_yx, alpha_y, R_xx*alpha_x));
+        const stewart_real alpha_P_y = STEWART_FMA(R_zy, alpha_z, STEWART_FMA(R_yy, alpha_y, R_xy*alpha_x));
+        const stewart_real alpha_P_z = STEWART_FMA(R_zz, alpha_z, STEWART_FMA(R_yz, alpha_y, R_xz*alpha_x));
+        const stewart_real P_xy = omega_P_x*omega_P_y;
+        const stewart_real P_xz = omega_P_x*omega_P_z;
+        const stewart_real P_yz = omega_P_y*omega_P_z;
+        const stewart_real P_xx = omega_P_x*omega_P_x;
+        const stewart_real P_yy = omega_P_y*omega_P_y;
+        const stewart_real P_zz = omega_P_z*omega_P_z;
+        /* (34) external moment less I alpha + omega x I omega, platform frame */
+        const stewart_real M_P_load_x = STEWART_FMA(-J_C_xz, alpha_P_z + P_xy, STEWART_FMA(J_C_xy, P_xz - alpha_P_y,
+            STEWART_FMA(-P_yz, dJ_C_x, STEWART_FMA(-J_C_xx, alpha_P_x, STEWART_FMA(-J_C_yz, P_yy - P_zz,
+            M_ext_x)))));
+        const stewart_real M_P_load_y = STEWART_FMA(-J_C_xy, alpha_P_x + P_yz, STEWART_FMA(J_C_yz, P_xy - alpha_P_z,
+            STEWART_FMA(-P_xz, dJ_C_y, STEWART_FMA(-J_C_yy, alpha_P_y, STEWART_FMA(-J_C_xz, P_zz - P_xx,
+            M_ext_y)))));
+        const stewart_real M_P_load_z = STEWART_FMA(-J_C_yz, alpha_P_y + P_xz, STEWART_FMA(J_C_xz, P_yz - alpha_P_x,
+            STEWART_FMA(-P_xy, dJ_C_z, STEWART_FMA(-J_C_zz, alpha_P_z, STEWART_FMA(-J_C_xy, P_xx - P_yy,
+            M_ext_z)))));
+        out->B[0][l] = B_xx;
+        out->B[1][l] = B_xy;
+        out->B[2][l] = B_xz;
+        out->B[3][l] = B_yx;
+        out->B[4][l] = B_yy;
+        out->B[5][l] = B_yz;
+        out->B[6][l] = B_zx;
+        out->B[7][l] = B_zy;
+        out->B[8][l] = B_zz;
+        c[0][l] = STEWART_FMA(F_ext_z, R_xz, STEWART_FMA(F_ext_y, R_xy, STEWART_FMA(F_ext_x, R_xx, N_x)));
+        c[1][l] = STEWART_FMA(F_ext_z, R_yz, STEWART_FMA(F_ext_y, R_yy, STEWART_FMA(F_ext_x, R_yx, N_y)));
+        c[2][l] = STEWART_FMA(F_ext_z, R_zz, STEWART_FMA(F_ext_y, R_zy, STEWART_FMA(F_ext_x, R_zx, N_z)));
+        c[3][l] = STEWART_FMA(-N_y, R_C_z, STEWART_FMA(-C_P, omega_x, STEWART_FMA(N_z, R_C_y,
+            STEWART_FMA(M_P_load_z, R_xz, STEWART_FMA(M_P_load_y, R_xy, M_P_load_x*R_xx)))));
+        c[4][l] = STEWART_FMA(-N_z, R_C_x, STEWART_FMA(-C_P, omega_y, STEWART_FMA(N_x, R_C_z,
+            STEWART_FMA(M_P_load_z, R_yz, STEWART_FMA(M_P_load_y, R_yy, M_P_load_x*R_yx)))));
+        c[5][l] = STEWART_FMA(-N_x, R_C_y, STEWART_FMA(-C_P, omega_z, STEWART_FMA(N_y, R_C_x,
+            STEWART_FMA(M_P_load_z, R_zz, STEWART_FMA(M_P_load_y, R_zy, M_P_load_x*R_zx)))));
+        const stewart_real far = STEWART_LARGER(STEWART_FABS(at->t[0][l]), STEWART_FABS(at->t[1][l]));
+        out->t_size[l] = STEWART_LARGER(STEWART_FABS(at->t[2][l]), far);
+    }
+}
+
+/* One leg of the poses of a block, 158 (94 mul, 60 add, 2 div, 2 sqrt) operations each: its column of H,
+ * its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well,
+ * if less. */
+static void leg_of_block(
+    const stewart_exact_drive_reflected_massless_friction_model *STEWART_RESTRICT model, int leg,
+    const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
+    stewart_real (*STEWART_RESTRICT column)[POSES], leg_block *STEWART_RESTRICT own,
+    stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
+{
+    int l;
+    const stewart_real b_x = model->b[0][leg], b_y = model->b[1][leg], b_z = model->b[2][leg];
+    const stewart_real p_x = model->p[0][leg], p_y = model->p[1][leg], p_z = model->p[2][leg];
+    const stewart_real k_x = model->k[0][leg], k_y = model->k[1][leg], k_z = model->k[2][leg];
+    const stewart_real C_p = model->C_p[leg];
+    const stewart_real C_s = model->C_s[leg];
+    const stewart_real m_r = model->m_r[leg];
+    const stewart_real C_us = model->C_us[leg];
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
+            R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
+        const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
+        const stewart_real omega_x = at->omega[0][l], omega_y = at->omega[1][l], omega_z = at->omega[2][l];
+        const stewart_real v_x = at->v[0][l], v_y = at->v[1][l], v_z = at->v[2][l];
+        const stewart_real a_x = at->a[0][l], a_y = at->a[1][l], a_z = at->a[2][l];
+        const stewart_real B_xx = shared->B[0][l], B_xy = shared->B[1][l], B_xz = shared->B[2][l], B_yx = shared->B[3][l],
+            B_yy = shared->B[4][l], B_yz = shared->B[5][l], B_zx = shared->B[6][l], B_zy = shared->B[7][l],
+            B_zz = shared->B[8][l];
+        /* (1) platform point from the reference point */
+        const stewart_real q_x = STEWART_FMA(R_xz, p_z, STEWART_FMA(R_xy, p_y, R_xx*p_x));
+        const stewart_real q_y = STEWART_FMA(R_yz, p_z, STEWART_FMA(R_yy, p_y, R_yx*p_x));
+        const stewart_real q_z = STEWART_FMA(R_zz, p_z, STEWART_FMA(R_zy, p_y, R_zx*p_x));
+        /* (1) reference point from base point, base frame */
+        const stewart_real t_b_x = t_x - b_x;
+        const stewart_real t_b_y = t_y - b_y;
+        const stewart_real t_b_z = t_z - b_z;
+        /* (1) leg vector */
+        const stewart_real S_x = t_b_x + q_x;
+        const stewart_real S_y = t_b_y + q_y;
+        const stewart_real S_z = t_b_z + q_z;
+        /* (10) leg vector along the fixed axis, and normal to both */
+        const stewart_real zeta = STEWART_FMA(S_z, k_z, STEWART_FMA(S_y, k_y, S_x*k_x));
+        const stewart_real k_cross_S_x = STEWART_FMA(-S_y, k_z, S_z*k_y);
+        const stewart_real k_cross_S_y = STEWART_FMA(-S_z, k_x, S_x*k_z);
+        const stewart_real k_cross_S_z = STEWART_FMA(-S_x, k_y, S_y*k_x);
+        const stewart_real rho2 = STEWART_FMA(k_cross_S_z, k_cross_S_z, STEWART_FMA(k_cross_S_y,
+            k_cross_S_y, k_cross_S_x*k_cross_S_x));
+        /* (2) leg length, and distance of its tip from the fixed axis */
+        const stewart_real L = STEWART_SQRT(STEWART_FMA(zeta, zeta, rho2));
+        const stewart_real rho = STEWART_SQRT(rho2);
+        const stewart_real inv_L = REAL(1)/L;
+        /* (3) unit vector along the leg */
+        const stewart_real s_x = S_x*inv_L;
+        const stewart_real s_y = S_y*inv_L;
+        const stewart_real s_z = S_z*inv_L;
+        const stewart_real inv_rho = REAL(1)/rho;
+        /* (10) second axis of the leg frame */
+        const stewart_real y_x = inv_rho*k_cross_S_x;
+        const stewart_real y_y = inv_rho*k_cross_S_y;
+        const stewart_real y_z = inv_rho*k_cross_S_z;
+        /* (10) k = (k1, 0, k3) in the leg frame */
+        const stewart_real k1 = inv_L*zeta;
+        const stewart_real k3 = inv_L*rho;
+        /* (4) velocity of the platform point */
+        const stewart_real S_dot_x = STEWART_FMA(-omega_z, q_y, STEWART_FMA(omega_y, q_z, v_x));
+        const stewart_real S_dot_y = STEWART_FMA(-omega_x, q_z, STEWART_FMA(omega_z, q_x, v_y));
+        const stewart_real S_dot_z = STEWART_FMA(-omega_y, q_x, STEWART_FMA(omega_x, q_y, v_z));
+        /* (7) acceleration of the platform point */
+        const stewart_real S_ddot_x = STEWART_FMA(B_xz, q_z, STEWART_FMA(B_xy, q_y, STEWART_FMA(B_xx, q_x,
+            a_x)));
+        const stewart_real S_ddot_y = STEWART_FMA(B_yz, q_z, STEWART_FMA(B_yy, q_y, STEWART_FMA(B_yx, q_x,
+            a_y)));
+        const stewart_real S_ddot_z = STEWART_FMA(B_zz, q_z, STEWART_FMA(B_zy, q_y, STEWART_FMA(B_zx, q_x,
+            a_z)));
+        /* (5) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real L_dot = STEWART_FMA(S_dot_z, s_z, STEWART_FMA(S_dot_y, s_y, S_dot_x*s_x));
+        /* (6) rates of the joint coordinates: L, phi about k, theta about y */
+        const stewart_real phi_dot = inv_rho*STEWART_FMA(S_dot_z, y_z, STEWART_FMA(S_dot_y, y_y,
+            S_dot_x*y_x));
+        const stewart_real theta_dot = inv_rho*STEWART_FMA(-S_dot_z, k_z, STEWART_FMA(-S_dot_y, k_y,
+            STEWART_FMA(-S_dot_x, k_x, L_dot*k1)));
+        const stewart_real theta_dot2 = theta_dot*theta_dot;
+        const stewart_real phi_dot2 = phi_dot*phi_dot;
+        const stewart_real k33 = k3*k3;
+        /* (8) accelerations of the joint coordinates */
+        const stewart_real L_ddot = STEWART_FMA(S_ddot_z, s_z, STEWART_FMA(S_ddot_y, s_y,
+            STEWART_FMA(S_ddot_x, s_x, L*STEWART_FMA(k33, phi_dot2, theta_dot2))));
+        /* (20) generalised forces about y and about k */
+        const stewart_real tau_y = STEWART_FMA(-C_s, STEWART_FMA(omega_z, y_z, STEWART_FMA(omega_y, y_y,
+            omega_x*y_x)), C_us*theta_dot);
+        const stewart_real tau_k = STEWART_FMA(-C_s, STEWART_FMA(k_z, omega_z, STEWART_FMA(k_y, omega_y,
+            k_x*omega_x)), C_us*phi_dot);
+        /* (21) K = Q_k k + Q_y y, up to a part along s */
+        const stewart_real Q_k = -inv_rho*tau_y;
+        const stewart_real Q_y = inv_rho*tau_k;
+        /* (21) force at the spherical joint, base frame */
+        const stewart_real K_x = STEWART_FMA(Q_k, k_x, Q_y*y_x);
+        const stewart_real K_y = STEWART_FMA(Q_k, k_y, Q_y*y_y);
+        const stewart_real K_z = STEWART_FMA(Q_k, k_z, Q_y*y_z);
+        /* (24) known part of the actuator force, to match */
+        const stewart_real D = STEWART_FMA(-Q_k, k1, STEWART_FMA(L_ddot, m_r, C_p*L_dot));
+        const stewart_real c1 = C_s*phi_dot;
+        const stewart_real c2 = C_s*theta_dot;
+        column[0][l] = s_x;
+        column[1][l] = s_y;
+        column[2][l] = s_z;
+        own->q[0][l] = q_x;
+        own->q[1][l] = q_y;
+        own->q[2][l] = q_z;
+        own->c_force[0][l] = -K_x;
+        own->c_force[1][l] = -K_y;
+        own->c_force[2][l] = -K_z;
+        own->c_moment[0][l] = STEWART_FMA(c2, y_x, c1*k_x);
+        own->c_moment[1][l] = STEWART_FMA(c2, y_y, c1*k_y);
+        own->c_moment[2][l] = STEWART_FMA(c2, y_z, c1*k_z);
+        known[l] = D;
+        stewart_real reach = STEWART_SHORTEST/STEWART_ROUNDING;
+        reach = STEWART_LARGER(STEWART_FABS(b_x), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_y), reach);
+        reach = STEWART_LARGER(STEWART_FABS(b_z), reach);
+        reach = STEWART_LARGER(shared->t_size[l], reach);
+        stewart_real fault = L > REAL(2.25)*STEWART_SHORT_SHARE*reach ? bad[l] : REAL(1);
+        fault = k3 > STEWART_NEAR_JOINT_SINGULAR ? fault : REAL(1);
+        bad[l] = fault;
+    }
+}
+
+/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
+static void moments_of_first(
+    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[POSES])
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
+        const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
+            c_moment_y = c[4][l], c_moment_z = c[5][l];
+        c[3][l] = STEWART_FMA(-c_force_z, q_1_y, STEWART_FMA(c_force_y, q_1_z, c_moment_x));
+        c[4][l] = STEWART_FMA(-c_force_x, q_1_z, STEWART_FMA(c_force_z, q_1_x, c_moment_y));
+        c[5][l] = STEWART_FMA(-c_force_y, q_1_x, STEWART_FMA(c_force_x, q_1_y, c_moment_z));
+        c[0][l] = c[0][l] + own->c_force[0][l];
+        c[1][l] = c[1][l] + own->c_force[1][l];
+        c[2][l] = c[2][l] + own->c_force[2][l];
+        c[3][l] = c[3][l] + own->c_moment[0][l];
+        c[4][l] = c[4][l] + own->c_moment[1][l];
+        c[5][l] = c[5][l] + own->c_moment[2][l];
+    }
+}
+
+/* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
+ * and its part of c. */
+static void moments_of_block(
+    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[POSES],
+    stewart_real (*STEWART_RESTRICT column)[POSES], stewart_real (*STEWART_RESTRICT c)[POSES])
+{
+    int l;
+    for (l = 0; l < POSES; ++l) {
+        const stewart_real q_x = own->q[0][l], q_y = own->q[1][l], q_z = own->q[2][l];
+        const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
+        const stewart_real H_force_x = column[0][l], H_force_y = column[1][l], H_force_z = column[2][l];
+        const stewart_real c_force_x = own->c_force[0][l], c_force_y = own->c_force[1][l], c_force_z = own->c_force[2][l];
+        /* platform point from platform point 1 */
+        const stewart_real arm_x = q_x - q_1_x;
+        const stewart_real arm_y = q_y - q_1_y;
+        const stewart_real arm_z = q_z - q_1_z;
+        column[3][l] = STEWART_FMA(-H_force_y, arm_z, H_force_z*arm_y);
+        column[4][l] = STEWART_FMA(-H_force_z, arm_x, H_force_x*arm_z);
+        column[5][l] = STEWART_FMA(-H_force_x, arm_y, H_force_y*arm_x);
+        c[0][l] = c[0][l] + own->c_force[0][l];
+        c[1][l] = c[1][l] + own->c_force[1][l];
+        c[2][l] = c[2][l] + own->c_force[2][l];
+        c[3][l] = c[3][l] + own->c_moment[0][l];
+        c[4][l] = c[4][l] + own->c_moment[1][l];
+        c[5][l] = c[5][l] + own->c_moment[2][l];
+        c[3][l] = c[3][l] + STEWART_FMA(-arm_z, c_force_y, arm_y*c_force_z);
+        c[4][l] = c[4][l] + STEWART_FMA(-arm_x, c_force_z, arm_z*c_force_x);
+        c[5][l] = c[5][l] + STEWART_FMA(-arm_y, c_force_x, arm_x*c_force_y);
+    }
+}
+
+/* The same for a block. */
+static void scale_block(block *out, stewart_real per_length)
+{
+    int i, j, l;
+    for (i = 1; i < 7; ++i) {
+        for (j = 3; j < 6; ++j) {
+            for (l = 0; l < POSES; ++l) {
+                out->column[i][j][l] = out->column[i][j][l]*per_length;
+            }
+        }
+    }
+}
+
+/* Motions of the poses of a block, component by component. */
+STEWART_APART static void load_block(
+    const stewart_motions *motions, size_t first, size_t count, motion_lanes *at)
+{
+    stewart_real padded[9 * POSES];
+    spread_matrix(whole(motions->R, 9U, first, count, padded), at->R);
+    spread_vector(whole(motions->t, 3U, first, count, padded), at->t);
+    spread_vector(whole(motions->omega, 3U, first, count, padded), at->omega);
+    spread_vector(whole(motions->v, 3U, first, count, padded), at->v);
+    spread_vector(whole(motions->alpha, 3U, first, count, padded), at->alpha);
+    spread_vector(whole(motions->a, 3U, first, count, padded), at->a);
+    if (motions->F_ext != NULL) {
+        spread_vector(whole(motions->F_ext, 3U, first, count, padded), at->F_ext);
+    } else {
+        clear(at->F_ext);
+    }
+    if (motions->M_ext != NULL) {
+        spread_vector(whole(motions->M_ext, 3U, first, count, padded), at->M_ext);
+    } else {
+        clear(at->M_ext);
+    }
+}
+
+/* Forces of the poses of a block, and where a closer look is needed. */
+static void forces_of_block(
+    const stewart_exact_drive_reflected_massless_friction_model *model, const motion_lanes *at, block *out)
+{
+    int i, l;
+    shared_lanes shared;
+    leg_block first;
+    leg_block other;
+    for (l = 0; l < POSES; ++l) {
+        out->bad[l] = REAL(0);
+    }
+    shared_of_block(model, at, &shared, out->column[6]);
+    for (i = 0; i < 6; ++i) {
+        leg_of_block(model, i, at, &shared, out->column[i], i == 0 ? &first : &other, out->D[i], out->bad);
+        if (i == 0) {
+            moments_of_first(&first, out->column[6]);
+        } else {
+            moments_of_block(&other, first.q, out->column[i], out->column[6]);
+        }
+    }
+    if (model->per_length != REAL(1)) {
+        scale_block(out, model->per_length);
+    }
+    solve_block(out->column, out->D, model->arm_cube, out->F, out->bad);
+}
+
+/* Forces and status of one pose of a batch. */
+static int forces_of(
+    const stewart_exact_drive_reflected_massless_friction_model *model, const stewart_motions *motions,
+    size_t pose, stewart_real *F)
+{
+    int i;
+    stewart_motion one;
+    for (i = 0; i < 9; ++i) {
+        one.R[i] = motions->R[pose*9U + (size_t)i];
+    }
+    for (i = 0; i < 3; ++i) {
+        const size_t at = pose*3U + (size_t)i;
+        one.t[i] = motions->t[at];
+        one.omega[i] = motions->omega[at];
+        one.v[i] = motions->v[at];
+        one.alpha[i] = motions->alpha[at];
+        one.a[i] = motions->a[at];
+        one.F_ext[i] = motions->F_ext != NULL ? motions->F_ext[at] : REAL(0);
+        one.M_ext[i] = motions->M_ext != NULL ? motions->M_ext[at] : REAL(0);
+    }
+    return stewart_exact_drive_reflected_massless_friction_forces(model, &one, F);
+}
+
+int stewart_exact_drive_reflected_massless_friction_forces_batch(
+    const stewart_exact_drive_reflected_massless_friction_model *model, size_t count,
+    const stewart_motions *motions, stewart_real *F, int *status)
+{
+    size_t first;
+    int i, l;
+    motion_lanes at;
+    block done;
+    int result = STEWART_OK;
+    if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL || motions->omega == NULL
+        || motions->v == NULL || motions->alpha == NULL || motions->a == NULL) {
+        return STEWART_BAD_ARGUMENT;
+    }
+    for (first = 0; first < count; first += (size_t)POSES) {
+        load_block(motions, first, count, &at);
+        forces_of_block(model, &at, &done);
+        for (l = 0; l < POSES; ++l) {
+            if (!(first + (size_t)l < count)) {
+                break;
+            }
+            const size_t pose = first + (size_t)l;
+            int code = STEWART_OK;
+            if (done.bad[l] > REAL(0)) {
+                code = forces_of(model, motions, pose, &F[pose*6U]);
+            } else {
+                for (i = 0; i < 6; ++i) {
+                    F[pose*6U + (size_t)i] = done.F[i][l];
+                }
+            }
+            if (status != NULL) {
+                status[pose] = code;
+            }
+            result = result == STEWART_OK ? code : result;
+        }
+    }
+    return result;
+}

@@ -1,0 +1,65 @@
+/* stewart_exact_spherical_drive.h: inverse dynamics and joint reactions of the Stewart platform.
+ *
+ * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
+ * SPDX-License-Identifier: 0BSD
+ *
+ * Formulation `exact`: the elimination with joint and inertias treated correctly.
+ * Base joint: spherical; legs must be axisymmetric; M_u is zero.
+ * Each leg has a rotor that turns with its length: STEWART_ROTORS.
+ *
+ * Reads of each leg: b[3] m, p[3] m, m_d kg, r_d0[3] m, I_d0[6] kg m^2, m_u kg, r_u0[3] m,
+ *     I_u0[6] kg m^2, C_u N m s, C_p N s/m, C_s N m s, m_r kg.
+ * Reads of the machine: M kg, R_0[3] m, I_p[6] kg m^2, g[3] m/s^2.
+ * Reads of the motion: R[9] 1, t[3] m, omega[3] rad/s, v[3] m/s, alpha[3] rad/s^2, a[3] m/s^2,
+ *     F_ext[3] N, M_ext[3] N m.
+ * Writes forces: F[6] N, D[6] N, x[6] N, K[6][3] N, H[6][6] 1 and m, c[6] N and N m.
+ * Writes reactions: F_s[6][3] N, F_u[6][3] N, F_p[6][3] N, F_c[6][3] N, M_p[6][3] N m, M_u[6] N m.
+ * Meanings, frames and storage order: stewart.h.
+ *
+ * Operations of one pose of inverse dynamics, six legs, solve included
+ *          with friction                             without friction
+ * leg      253 (146 mul, 105 add, 1 div, 1 sqrt)     186 (105 mul, 79 add, 1 div, 1 sqrt)
+ * platform 219 (123 mul, 96 add, 0 div, 0 sqrt)      219 (123 mul, 96 add, 0 div, 0 sqrt)
+ * sum of c 36 (0 mul, 36 add, 0 div, 0 sqrt)         36 (0 mul, 36 add, 0 div, 0 sqrt)
+ * solve    197 (106 mul, 85 add, 6 div, 0 sqrt)      197 (106 mul, 85 add, 6 div, 0 sqrt)
+ * forces   6 (0 mul, 6 add, 0 div, 0 sqrt)           6 (0 mul, 6 add, 0 div, 0 sqrt)
+ * total    1976 (1105 mul, 853 add, 12 div, 6 sqrt)  1574 (859 mul, 697 add, 12 div, 6 sqrt)
+ */
+#ifndef STEWART_EXACT_SPHERICAL_DRIVE_H
+#define STEWART_EXACT_SPHERICAL_DRIVE_H
+
+#include "stewart.h"
+
+#if !defined(STEWART_ROTORS)
+#error "define STEWART_ROTORS for every source: the legs of this kernel have rotors (see stewart_leg)"
+#endif
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Actuator forces of one pose. Returns a status. */
+STEWART_NODISCARD int stewart_exact_spherical_drive_inverse_dynamics(
+    const stewart_robot *robot, const stewart_motion *motion, stewart_forces *forces);
+
+/* Actuator forces and joint reactions of one pose. `bearing`: distance along each leg from the base
+ * point to where M_p is taken, m; null: at the base point. Returns a status. */
+STEWART_NODISCARD int stewart_exact_spherical_drive_joint_reactions(
+    const stewart_robot *robot, const stewart_motion *motion, const stewart_real bearing[6],
+    stewart_forces *forces, stewart_reactions *reactions);
+
+/* The same for `count` poses. `status` takes one code for each pose; null: not wanted. Returns the first
+ * code other than STEWART_OK, or STEWART_OK. */
+STEWART_NODISCARD int stewart_exact_spherical_drive_inverse_dynamics_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions,
+    const stewart_forces_arrays *forces, int *status);
+
+/* Joint reactions of `count` poses, as above. */
+STEWART_NODISCARD int stewart_exact_spherical_drive_joint_reactions_batch(
+    const stewart_robot *robot, size_t count, const stewart_motions *motions, const stewart_real bearing[6],
+    const stewart_reactions_arrays *reactions, int *status);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,145 @@
+"""Terms of the drives in forces of motors, beside the bodies: reflected mass, Coulomb, viscous, offset."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..drives.friction import smooth_sign
+from ..io.arguments import shown
+from ..io.array_types import Array, Flags
+from ..io.frozen import Frozen
+from ..kinematics.inverse import inverse_kinematics
+from ..motion.motion import Motion
+from ..robot.robot import LEGS, Robot
+
+DRIVE_TERMS = {"reflected_mass": "kg", "coulomb": "N", "offset": "N", "viscous": "N s/m"}
+"""Terms that can be sought, in this order, and their units."""
+
+# Share of a column's length that others leave of it, below which they do the same.
+_SAME = 1e-7
+# Of a column that does the same: shares that are named.
+_NAMED = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class DriveEstimate(Frozen):
+    """Terms of the drives identified from forces of the motors.
+
+    The motor's force is that of the bodies and reflected_mass L_ddot + coulomb sgn(L_dot) + offset +
+    viscous L_dot for each leg.
+
+    Attributes
+    ----------
+    names : tuple
+        Of the terms with the number of the leg, ``coulomb3``; without it where legs share them.
+    units : tuple
+        Of each.
+    values : ndarray
+        (n,); NaN where the motion does not tell.
+    covariance : ndarray
+        (n, n), as that of ``Estimate``; inf on its diagonal where the motion does not tell.
+    identifiable : ndarray of bool
+        Which terms the motion tells apart from all else, (n,).
+    confused : tuple
+        A line for each other one: which terms and parameters do the same.
+    """
+
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    values: Array
+    covariance: Array
+    identifiable: Flags
+    confused: tuple[str, ...]
+
+    @property
+    def sigma(self) -> Array:
+        """Standard deviation of each value, (n,)."""
+        return np.sqrt(np.diagonal(self.covariance))
+
+
+class Terms(NamedTuple):
+    """Terms sought: names, units, forces of each, N, (..., 6, n); which are identifiable, and why not."""
+
+    names: tuple[str, ...]
+    units: tuple[str, ...]
+    columns: Array
+    identifiable: Flags
+    confused: tuple[str, ...] = ()
+
+    @property
+    def kept(self) -> Array:
+        """Forces of those that are identifiable, (..., 6, m)."""
+        return np.asarray(self.columns[..., self.identifiable])
+
+    def estimate(self, values: Array, covariance: Array) -> DriveEstimate:
+        """Of values and covariance, (m,) and (m, m), of those that are identifiable."""
+        found, spread = np.full(len(self.names), np.nan), np.diag(np.full(len(self.names), np.inf))
+        found[self.identifiable] = values
+        spread[np.ix_(self.identifiable, self.identifiable)] = covariance
+        return DriveEstimate(self.names, self.units, found, spread, self.identifiable, self.confused)
+
+
+def need_terms(drive: object, where: str = "drive") -> tuple[str, ...]:
+    """Names of terms in the order of ``DRIVE_TERMS``, each once; ValueError for what is none."""
+    expected = f"some of {', '.join(DRIVE_TERMS)}"
+    if isinstance(drive, str) or not isinstance(drive, Sequence) or not drive:
+        raise ValueError(f"{where}: expected {expected}, got {shown(drive)}")
+    for name in drive:
+        if name not in DRIVE_TERMS:
+            raise ValueError(f"{where}: expected {expected}, got {shown(name)}")
+    return tuple(name for name in DRIVE_TERMS if name in drive)
+
+
+def drive_terms(robot: Robot, motion: Motion, drive: Sequence[str], shared: bool) -> Terms:
+    """Forces of the terms along a motion; ``shared``: all legs have the same."""
+    legs = inverse_kinematics(robot, motion)
+    within = np.zeros(LEGS) if robot.drive is None else np.asarray(robot.drive.smoothing)
+    factors = {
+        "reflected_mass": legs.L_ddot,
+        "coulomb": smooth_sign(legs.L_dot, within),
+        "offset": np.ones_like(legs.L_dot),
+        "viscous": legs.L_dot,
+    }
+    names, units, columns = [], [], []
+    for name in need_terms(drive):
+        of_leg = np.asarray(factors[name])[..., None] * (np.ones((LEGS, 1)) if shared else np.eye(LEGS))
+        columns.append(of_leg)
+        names += [name] if shared else [f"{name}{leg}" for leg in range(1, LEGS + 1)]
+        units += [DRIVE_TERMS[name]] * of_leg.shape[-1]
+    stacked = np.concatenate(columns, axis=-1)
+    return Terms(tuple(names), tuple(units), stacked, np.ones(len(names), dtype=np.bool_))
+
+
+def told_apart(terms: Terms, A: Array, names: Sequence[str]) -> Terms:
+    """The terms with what the motion tells of them.
+
+    A: forces of the base parameters, (..., 6, rank); names: of these. A term is identifiable unless base
+    parameters and the terms before it do the same along the motion.
+    """
+    known, found, confused = list(names), [], []
+    span = _unit(A.reshape(-1, A.shape[-1]))
+    columns = _unit(terms.columns.reshape(-1, len(terms.names)))
+    Q = np.linalg.qr(span)[0]
+    for i, name in enumerate(terms.names):
+        rest = columns[:, i] - Q @ (Q.T @ columns[:, i])
+        if np.linalg.norm(rest) > _SAME:
+            rest = _unit((rest - Q @ (Q.T @ rest))[:, None])
+            Q, span, known = np.hstack([Q, rest]), np.column_stack([span, columns[:, i]]), [*known, name]
+            found.append(True)
+            continue
+        shares, *_ = np.linalg.lstsq(span, columns[:, i], rcond=None)
+        large = np.flatnonzero(np.abs(shares) > _NAMED * np.abs(shares).max(initial=0.0))
+        same = ", ".join(known[k] for k in large[np.argsort(-np.abs(shares[large]), kind="stable")][:4])
+        confused.append(f"{name}: not identifiable along this motion, acts as {same or 'nothing'}")
+        found.append(False)
+    return terms._replace(identifiable=np.array(found, dtype=np.bool_), confused=tuple(confused))
+
+
+def _unit(columns: Array) -> Array:
+    """Columns of length 1, or of zeros."""
+    lengths = np.linalg.norm(columns, axis=0)
+    return np.asarray(columns / np.where(lengths > 0.0, lengths, 1.0))

@@ -1,0 +1,63 @@
+"""Identification from noisy poses of a tool point: the machine about that point, and its estimate back."""
+
+from dataclasses import replace
+
+import numpy as np
+
+from ..io.array_types import Array
+from ..robot.robot import Robot
+from .base_parameters import BaseParameters
+from .estimates import Estimate
+from .parameters import Parameters, symmetric
+from .physical import negative
+
+_PLATFORM = slice(-10, None)
+_UPPER = np.triu_indices(3)
+
+
+def about_point(robot: Robot, point: Array) -> Robot:
+    """The same machine with a point of the platform, m, platform frame, (3,), as its reference point."""
+    home = None if robot.home is None else robot.home + point
+    return replace(robot, p=robot.p - point, R_0=robot.R_0 - point, tool=robot.tool - point, home=home)
+
+
+def about_reference(robot: Robot, base: BaseParameters, found: Estimate, point: Array) -> Estimate:
+    """The estimate of ``about_point(robot, point)`` as one of the robot, with its base parameters."""
+    back = _shifted(-point)
+    change = base.matrix @ back @ found.base.lift
+    values, covariance = change @ found.values, found.covariance
+    impossible, near_zero = found.impossible, found.near_zero
+    if np.isfinite(covariance).all():
+        covariance = change @ covariance @ change.T
+        below = negative(robot, base, values, covariance)
+        impossible, near_zero = below.impossible, below.near_zero
+    parameters = found.parameters
+    if parameters is not None:
+        parameters = Parameters(back @ parameters.values, parameters.names, parameters.units)
+        impossible, near_zero = (), ()
+    return replace(
+        found,
+        base=base,
+        values=values,
+        covariance=covariance,
+        impossible=impossible,
+        near_zero=near_zero,
+        motion=found.motion.about_point(-point),
+        parameters=parameters,
+        free=None if found.free is None else about_reference(robot, base, found.free, point),
+    )
+
+
+def _shifted(point: Array) -> Array:
+    """From inertial parameters to those with the platform's moments about a point, (148, 148)."""
+    T = np.eye(148)
+    T[_PLATFORM, _PLATFORM] = np.column_stack([_about(unit, point) for unit in np.eye(10)])
+    return T
+
+
+def _about(body: Array, c: Array) -> Array:
+    """Mass, first moment and inertia, (10,), about a point c."""
+    m, h, J = body[0], body[1:4], symmetric(body[4:])
+    crossed = 2.0 * (c @ h) * np.eye(3) - np.outer(c, h) - np.outer(h, c)
+    J = J - crossed + m * (c @ c * np.eye(3) - np.outer(c, c))
+    return np.concatenate([[m], h - m * c, J[_UPPER]])

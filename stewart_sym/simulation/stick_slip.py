@@ -1,0 +1,355 @@
+"""Dry friction of the drives in a simulation: each leg sticks or slips, and changes where it must.
+
+A leg sticks while the motor's force, less that with which the leg holds still, is within what friction can
+be; its rate of length is zero then, and stays so exactly. Else it slips against the friction of
+``drives.friction``. Between two changes the machine is smooth, so that any method integrates it; the changes
+are roots of the interpolated motion.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import NamedTuple
+
+import numpy as np
+
+from ..drives.friction import constant_part, load_share, viscous
+from ..io.array_types import Array
+from ..kinematics.inverse import leg_vectors, length_rows, tip_velocities
+from ..motion.motion import Motion
+from ..motion.rotation import cross
+from ..reference import newton_euler
+from ..results import SINGULAR
+from ..robot.drive import Drive
+from ..robot.robot import LEGS, Robot
+from .trace import WATCHED, Actuators, DriveWork, Piece, motion_of
+
+Plant = Callable[[Motion, Array], tuple[Array, int]]
+"""(state, forces of the legs, N, (6,)) -> [a; alpha], (6,), status."""
+Modes = tuple[int, ...]
+"""Of six legs: 0 sticks, 1 slips and extends, -1 slips and retracts."""
+STUCK: Modes = (0,) * LEGS
+
+_HALVINGS = 40
+_MOST_SIGNS = 20
+_MOST_CHANGES = 100
+"""Changes of legs, one after the other, in which no time goes by."""
+_GAUSS, _WEIGHTS = np.polynomial.legendre.leggauss(5)
+
+
+class Change(NamedTuple):
+    """A leg, counted from 0, that comes to rest or, with a direction, breaks away; time in s."""
+
+    time: float
+    leg: int
+    direction: int
+
+
+class Found(NamedTuple):
+    """[a; alpha], forces of the legs, between their parts and of friction, N, and L_ddot, (6,) each."""
+
+    acceleration: Array
+    F: Array
+    within: Array
+    friction: Array
+    L_ddot: Array
+    status: int
+
+
+@dataclass(eq=False)
+class StickSlip:
+    """The drives' friction of one run, and in which mode each leg is.
+
+    loaded: (time, state) -> the state with its load.
+    """
+
+    robot: Robot
+    drive: Drive
+    plant: Plant
+    loaded: Callable[[float, Motion], Motion]
+    modes: Modes = STUCK
+    pending: Change | None = None
+    _stalled: int = field(default=0)
+
+    def __post_init__(self) -> None:
+        """Reject screws that only their rotor's inertia moves."""
+        for leg in np.flatnonzero(self.drive.back_efficiency <= 0.0).tolist():
+            raise ValueError(
+                f"robot: drive: leg {leg + 1}: back_efficiency: expected a number > 0 in a simulation, "
+                f"got {self.drive.back_efficiency[leg]:g}, of a screw that locks itself"
+            )
+
+    # State of the legs
+
+    def begin(self, time: float, state: Motion, motor: Array) -> Motion:
+        """Set the modes of a first state: legs at rest stick if they can."""
+        L_dot = _legs(self.robot, state).L_dot
+        self.modes = tuple(int(sign) for sign in np.sign(L_dot))
+        return self.settled(time, state, motor)
+
+    def settled(self, time: float, state: Motion, motor: Array) -> Motion:
+        """Modes anew of the legs at rest, and the state with their rates of length exactly zero."""
+        modes, change = list(self.modes), self.pending
+        self.pending = None
+        resting = [leg for leg in range(LEGS) if modes[leg] == 0]
+        if change is not None:
+            if change.direction:
+                resting.remove(change.leg)
+            else:
+                resting.append(change.leg)
+            modes[change.leg] = change.direction
+        still = self._at_rest(state, resting)
+        self.modes = self._decided(self.loaded(time, still), motor, modes, resting)
+        return still
+
+    def _at_rest(self, state: Motion, resting: list[int]) -> Motion:
+        """The state without the part of its twist that changes the lengths of some legs."""
+        if not resting:
+            return state
+        twist = np.zeros(6)
+        if len(resting) < LEGS:
+            J = _legs(self.robot, state).J[resting]
+            twist = np.concatenate([state.v, state.omega])
+            twist = twist - np.linalg.lstsq(J, J @ twist, rcond=None)[0]
+        return Motion.unchecked(state.R, state.t, twist[3:], twist[:3], F_ext=state.F_ext, M_ext=state.M_ext)
+
+    def _decided(self, state: Motion, motor: Array, modes: list[int], resting: list[int]) -> Modes:
+        """Consistent modes of legs at rest: first all stick, then the worst one changes, one by one."""
+        for leg in resting:
+            modes[leg] = 0
+        seen = set()
+        while (now := tuple(modes)) not in seen:
+            seen.add(now)
+            worst = self._contradiction(state, motor, now, resting)
+            if worst is None:
+                return now
+            modes[worst[1]] = worst[2]
+        for some in itertools.product((0, 1, -1), repeat=len(resting)):
+            for leg, mode in zip(resting, some, strict=True):
+                modes[leg] = mode
+            if self._contradiction(state, motor, tuple(modes), resting) is None:
+                break
+        return tuple(modes)
+
+    def _contradiction(
+        self, state: Motion, motor: Array, modes: Modes, resting: list[int]
+    ) -> tuple[float, int, int] | None:
+        """Of the legs at rest, that which contradicts its mode most: by how much, which, its better mode."""
+        found = self.solved(state, motor, modes)
+        if found.status:
+            return None
+        low, high = self._holding(found)
+        scale = float(np.abs([*motor, *found.F]).max()) + np.finfo(np.float64).tiny
+        rates = float(np.abs(found.L_ddot).max()) + np.finfo(np.float64).tiny
+        faults = []
+        for leg in resting:
+            if modes[leg] == 0:
+                faults += [
+                    ((motor[leg] - high[leg]) / scale, leg, 1),
+                    ((low[leg] - motor[leg]) / scale, leg, -1),
+                ]
+            else:
+                faults.append((-modes[leg] * found.L_ddot[leg] / rates, leg, 0))
+        worst = max(faults, default=(0.0, 0, 0))
+        return worst if worst[0] > 1e-12 else None
+
+    def _holding(self, found: Found) -> tuple[Array, Array]:
+        """Least and largest force of the motors, N, (6,), with which legs stick."""
+        rest, load = constant_part(self.drive, np.zeros(LEGS)), np.abs(found.within)
+        down, up = (load_share(self.drive, found.within, np.full(LEGS, sign)) for sign in (-1.0, 1.0))
+        return found.F - rest - down * load, found.F + rest + up * load
+
+    # Dynamics
+
+    def solved(self, state: Motion, motor: Array, modes: Modes | None = None) -> Found:
+        """Accelerations of a state with its load under the motors' forces, N, (6,), in given modes."""
+        modes = self.modes if modes is None else modes
+        sign = np.array(modes, dtype=np.float64)
+        legs = _legs(self.robot, state)
+        left = motor - viscous(self.drive) * legs.L_dot - sign * constant_part(self.drive, legs.L_dot)
+        if sign.all() and not self._rotors_count:
+            # F + sign mu |F| = left: F has the sign of left, and mu goes by the direction of power.
+            F = left / (1.0 + sign * np.sign(left) * load_share(self.drive, left, sign))
+            acceleration, status = self.plant(state, F)
+            return Found(acceleration, F, F, motor - F, legs.J @ acceleration + legs.own, status)
+        nothing = np.zeros(LEGS)
+        first, status = self.plant(state, nothing)
+        moved = [self.plant(state, self._scale * unit) for unit in np.eye(LEGS)]
+        status = next((code for code in (status, *(code for _, code in moved)) if code), 0)
+        try:
+            if status:
+                raise np.linalg.LinAlgError
+            B = np.column_stack([(each - first) / self._scale for each, _ in moved])
+            F, within = self._forces_of(state, left, sign, legs, first, B)
+        except np.linalg.LinAlgError:
+            return Found(np.full(6, np.nan), nothing, nothing, nothing, nothing, status or SINGULAR)
+        acceleration = first + B @ F if sign.any() else np.zeros(6)
+        return Found(acceleration, F, within, motor - F, legs.J @ acceleration + legs.own, 0)
+
+    def _forces_of(
+        self, state: Motion, left: Array, sign: Array, legs: _Legs, first: Array, B: Array
+    ) -> tuple[Array, Array]:
+        """Forces of the legs and those between their parts, N, (6,), where accelerations are first + B F.
+
+        left: the motors' forces less the friction that no force changes, N, (6,).
+        """
+        own, by = np.zeros(LEGS), np.eye(LEGS)
+        if self._rotors_count:
+            alone, per = self._rotor(state)
+            own, by = -(alone + per @ first), by - per @ B
+        resting = sign == 0.0
+        A = np.where(resting[:, None], legs.J @ B, np.eye(LEGS))
+        right = np.where(resting, -(legs.J @ first + legs.own), left)
+        within = left
+        for _ in range(_MOST_SIGNS):
+            # Friction in proportion to the force between the parts, of the sign that this is taken to have.
+            share = sign * np.sign(within) * load_share(self.drive, within, sign)
+            F = np.linalg.solve(A + share[:, None] * by, right - share * own)
+            before, within = within, own + by @ F
+            if np.array_equal(np.sign(before), np.sign(within)):
+                break
+        return np.asarray(F), within
+
+    @property
+    def _rotors_count(self) -> bool:
+        """Whether the force between a leg's parts differs from its actuator's, and friction goes by it."""
+        drive = self.drive
+        lossy = np.any(drive.efficiency != 1.0) or np.any(drive.back_efficiency != 1.0)
+        return bool(lossy and np.any(drive.rotor_inertia))
+
+    def _rotor(self, state: Motion) -> tuple[Array, Array]:
+        """What turns the rotors, N: without accelerations, (6,), and per acceleration, (6, 6)."""
+        a = np.concatenate([np.zeros((1, 6)), np.eye(6)])
+        wide = {name: np.broadcast_to(getattr(state, name), (7, 3)) for name in ("t", "omega", "v")}
+        R = np.broadcast_to(state.R, (7, 3, 3))
+        found = newton_euler.rotor_force(self.robot, Motion.unchecked(R, **wide, alpha=a[:, 3:], a=a[:, :3]))
+        return found[0], (found[1:] - found[0]).T
+
+    @property
+    def _scale(self) -> float:
+        """A force of the size of the machine's weight, N."""
+        mass = self.robot.M + float(np.sum(self.robot.m_d + self.robot.m_u))
+        return mass * (float(np.linalg.norm(self.robot.g)) or 1.0)
+
+    # Changes
+
+    def first_change(self, piece: Piece, actuators: Actuators) -> Change | None:
+        """The first change within a piece, None if there is none."""
+        when = np.linspace(piece.start, piece.end, WATCHED + 1)
+        margins = np.array([self._margins(time, piece, actuators) for time in when.tolist()])
+        found = []
+        for leg in np.flatnonzero((margins[1:] < 0.0).any(axis=0)).tolist():
+            i = 1 + int(np.argmax(margins[1:, leg] < 0.0))
+            time = self._root(leg, float(when[i - 1]), float(when[i]), piece, actuators)
+            direction = 0
+            if self.modes[leg] == 0:
+                motor, holding = self._forces(float(when[i]), piece, actuators)
+                direction = 1 if motor[leg] > holding.F[leg] else -1
+            found.append(Change(time, leg, direction))
+        change = min(found, default=None)
+        self._stalled = self._stalled + 1 if change and change.time <= piece.start else 0
+        self.pending = change
+        return change
+
+    @property
+    def stalled(self) -> bool:
+        """Whether legs change on and on and no time goes by."""
+        return self._stalled > _MOST_CHANGES
+
+    def _root(self, leg: int, start: float, end: float, piece: Piece, actuators: Actuators) -> float:
+        """Where a leg's margin comes to zero on the way to an end at which it is below."""
+        from scipy.optimize import brentq
+
+        def margin(time: float) -> float:
+            return float(self._margins(time, piece, actuators)[leg])
+
+        # A leg that has just begun to slip has no rate yet.
+        for _ in range(_HALVINGS):
+            if margin(start) > 0.0:
+                return float(brentq(margin, start, end, xtol=1e-15 * max(end, 1.0), rtol=1e-14))
+            middle = 0.5 * (start + end)
+            if margin(middle) > 0.0:
+                start = middle
+            else:
+                end = middle
+        return piece.start
+
+    def _margins(self, time: float, piece: Piece, actuators: Actuators) -> Array:
+        """Of each leg, (6,): its rate in the direction in which it slips, m/s, or what holds it still, N."""
+        state = motion_of(piece.interpolant(time), piece.center)
+        found = np.array(self.modes) * _legs(self.robot, state).L_dot
+        resting = np.array(self.modes) == 0
+        if resting.any():
+            motor, holding = self._forces(time, piece, actuators)
+            low, high = self._holding(holding)
+            # Rounding does not move a leg.
+            slack = 1e-12 * (np.abs(motor) + np.abs(holding.F))
+            found[resting] = (np.minimum(high - motor, motor - low) + slack)[resting]
+        return found
+
+    def _forces(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Array, Found]:
+        """Of the motors, N, (6,), and of the legs at a time within a piece."""
+        state, motor = self.at(time, piece, actuators)
+        return motor, self.solved(state, motor)
+
+    def at(self, time: float, piece: Piece, actuators: Actuators) -> tuple[Motion, Array]:
+        """State with its load at a time within a piece, and the motors' forces, N, (6,)."""
+        state = self.moving(motion_of(piece.interpolant(time), piece.center), piece.modes)
+        motor = actuators.at(time, state) if piece.sampled is None else actuators.clipped(piece.sampled)
+        return self.loaded(time, state), motor
+
+    def moving(self, state: Motion, modes: Modes | None = None) -> Motion:
+        """The state without what errors of the integration move legs that stick."""
+        modes = self.modes if modes is None else modes
+        return self._at_rest(state, [leg for leg in range(LEGS) if modes[leg] == 0])
+
+    # Results
+
+    def results(self, pieces: tuple[Piece, ...], actuators: Actuators, times: Array) -> DriveWork:
+        """Work and losses over a run, and friction at times within it, s, (n,)."""
+        of = np.searchsorted([piece.start for piece in pieces], times, side="right") - 1
+        friction = [
+            self._friction(time, pieces[i], actuators) for time, i in zip(times.tolist(), of, strict=True)
+        ]
+        sticks = np.array([pieces[i].modes for i in of], dtype=np.int64).reshape(-1, LEGS) == 0
+        done, lost = self._work(pieces, actuators)
+        return DriveWork(done, lost, np.array(friction).reshape(-1, LEGS), sticks)
+
+    def _friction(self, time: float, piece: Piece, actuators: Actuators) -> Array:
+        state, motor = self.at(time, piece, actuators)
+        return self.solved(state, motor, piece.modes).friction
+
+    def _work(self, pieces: tuple[Piece, ...], actuators: Actuators) -> tuple[Array, Array]:
+        """Work of the motors and what friction took of it, J, (6,) each."""
+        done, lost = np.zeros((2, LEGS))
+        for piece in pieces:
+            half = 0.5 * (piece.end - piece.start)
+            for x, weight in zip(_GAUSS.tolist(), _WEIGHTS.tolist(), strict=True):
+                time = piece.start + half * (1.0 + x)
+                state, motor = self.at(time, piece, actuators)
+                L_dot = np.array(piece.modes) ** 2 * _legs(self.robot, state).L_dot
+                done += half * weight * motor * L_dot
+                lost += half * weight * self.solved(state, motor, piece.modes).friction * L_dot
+        return done, lost
+
+
+class _Legs(NamedTuple):
+    """Rates of length, m/s, (6,), rows from a twist to them, (6, 6), L_ddot without accelerations, (6,)."""
+
+    L_dot: Array
+    J: Array
+    own: Array
+
+
+def _legs(robot: Robot, state: Motion) -> _Legs:
+    q, S, L = leg_vectors(robot, state.R, state.t)
+    J = length_rows(q, S, L)
+    tip = tip_velocities(state, q)
+    L_dot = J @ np.concatenate([state.v, state.omega])
+    with np.errstate(all="ignore"):
+        turned = cross(state.omega, cross(state.omega, q))
+        own = np.sum(S * turned, axis=-1) / L + (np.sum(tip * tip, axis=-1) - L_dot**2) / L
+    return _Legs(L_dot, J, own if math.isfinite(float(own.sum())) else np.zeros(LEGS))

@@ -1,0 +1,251 @@
+"""Rotors of the drives: forces, reactions and equations of motion are those of Pinocchio with the rotors as
+bodies of their own, and of MuJoCo with reflected masses; without rotor inertia nothing is different."""
+
+import dataclasses
+from functools import cache
+from typing import Any, Literal
+
+import numpy as np
+import pytest
+from machines import random_motion, random_robot, rotation, with_random_rotors
+from motion_fields import acceleration
+from numpy.typing import NDArray
+from pinocchio_model import Answer, pinocchio_inverse_dynamics
+from reduced_machines import as_simple_as
+
+import stewart_sym as ss
+from stewart_sym.backend.fidelity import DRIVE_FIDELITIES
+from stewart_sym.derive.mechanics.reduced_models import DRIVE_FIDELITIES as DERIVED
+from stewart_sym.motion.motion import Motion
+from stewart_sym.reference import equations_of_motion as oracle
+from stewart_sym.reference import newton_euler
+from stewart_sym.robot.drive import Drive
+from stewart_sym.robot.robot import Robot
+from stewart_sym.studies.benchmark.equation_kernels import robot_of_bodies
+
+Array = NDArray[np.float64]
+
+RELATIVE = 1e-10
+MACHINES, POSES = 40, 3
+BACKENDS: tuple[Literal["c", "numpy", "reference"], ...] = ("c", "numpy", "reference")
+QUANTITIES = ("F", "F_s", "F_u", "F_p", "M_p", "M_u")
+
+
+@cache
+def _case(seed: int) -> tuple[Robot, Motion, list[Answer]]:
+    rng = np.random.default_rng(seed)
+    robot = with_random_rotors(rng, random_robot(rng))
+    motion = random_motion(rng, robot, (POSES,))
+    return robot, motion, [pinocchio_inverse_dynamics(robot, motion[i]) for i in range(POSES)]
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_forces_and_reactions_are_those_of_rotors_as_bodies(backend: Any) -> None:
+    for seed in range(MACHINES):
+        robot, motion, truth = _case(seed)
+        forces = ss.inverse_dynamics(robot, motion, backend=backend)
+        reactions = ss.joint_reactions(robot, motion, backend=backend)
+        for name in QUANTITIES:
+            for found, answer in zip(getattr(forces if name == "F" else reactions, name), truth, strict=True):
+                expected = getattr(answer, name)
+                assert np.abs(found - expected).max() < RELATIVE * np.abs(expected).max(), (seed, name)
+
+
+def test_the_kernels_of_the_forces_alone_are_right_and_their_bounds_hold() -> None:
+    for seed in range(MACHINES):
+        robot, motion, truth = _case(seed)
+        expected = np.array([answer.F for answer in truth])
+        peak = np.abs(expected).max()
+        assert np.abs(ss.prepare(robot).forces(motion) - expected).max() < RELATIVE * peak
+        bounded = ss.forces_with_bounds(robot, motion)
+        assert np.all(np.abs(bounded.F - expected) < bounded.bound + 1e-13 * peak)
+        assert bounded.bound.max() < 1e-9 * peak
+
+
+def test_a_rotor_moves_every_force_and_its_momentum_those_across() -> None:
+    for seed in range(MACHINES):
+        robot, motion, _ = _case(seed)
+        F, K = (getattr(ss.inverse_dynamics(robot, motion), name) for name in ("F", "K"))
+        fast = ss.inverse_dynamics(_without_momentum(robot), motion)
+        none = ss.inverse_dynamics(dataclasses.replace(robot, drive=None), motion)
+        assert np.abs(F - none.F).max() > 1e-2 * np.abs(F).max()
+        assert np.abs(F - fast.F).max() > 1e-5 * np.abs(F).max()
+        assert np.abs(K - fast.K).max() > 1e-5 * np.abs(K).max()
+        assert np.abs(fast.K - none.K).max() < 1e-7 * np.abs(K).max()
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_equations_of_motion_are_those_of_rotors_as_bodies(backend: Any) -> None:
+    for seed in range(MACHINES if backend == "c" else 4):
+        robot, motion, _ = _case(seed)
+        found = ss.equations_of_motion(robot, motion[:1], backend=backend)
+        expected = _pinocchio_equations(seed)
+        for name in ("M", "C", "g", "friction", "bias"):
+            a, b = getattr(found, name), getattr(expected, name)
+            assert np.abs(a - b).max() < RELATIVE * np.abs(b).max(), (seed, name)
+        F = ss.inverse_dynamics(robot, motion[:1], backend=backend).F
+        a, alpha = ss.forward_dynamics(robot, motion[:1], F, backend=backend)[:2]
+        there = np.concatenate([a, alpha], axis=-1)
+        needed = np.concatenate([np.asarray(motion[:1].a), np.asarray(motion[:1].alpha)], axis=-1)
+        assert np.abs(there - needed).max() < RELATIVE * np.abs(needed).max()
+
+
+@cache
+def _pinocchio_equations(seed: int) -> Any:
+    robot, motion, _ = _case(seed)
+
+    def wrench(robot: Robot, motion: Motion) -> tuple[Array, NDArray[np.int32]]:
+        H = ss.inverse_dynamics(robot, motion, backend="reference").H
+        F = np.empty((*motion.shape, 6))
+        for i in np.ndindex(motion.shape):
+            F[i] = pinocchio_inverse_dynamics(robot, motion[i]).F
+        return (H @ F[..., None])[..., 0], np.zeros(motion.shape, dtype=np.int32)
+
+    return oracle.by_linearity(wrench, robot, motion[:1])
+
+
+def _without_momentum(robot: Robot) -> Robot:
+    """The same reflected masses of rotors without angular momentum: tiny ones that turn very fast."""
+    assert robot.drive is not None
+    share = 1e-9
+    drive = Drive(lead=share * robot.drive.lead, rotor_inertia=share**2 * robot.drive.rotor_inertia)
+    return dataclasses.replace(robot, drive=drive)
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_derivatives_are_those_of_the_reference(backend: Any) -> None:
+    for seed in range(4):
+        robot, motion, _ = _case(seed)
+        motion = motion[0]
+        found = ss.force_derivatives(robot, motion, backend=backend)
+
+        def F(robot: Robot, motion: Motion) -> Array:
+            return newton_euler.inverse_dynamics(robot, motion).F
+
+        for name, fields in (
+            ("pose", ("t", "R")),
+            ("twist", ("v", "omega")),
+            ("acceleration", ("a", "alpha")),
+        ):
+            slopes = getattr(found, f"by_{name}")
+            expected = np.column_stack(
+                [_slope(F, robot, motion, field, axis) for field in fields for axis in range(3)]
+            )
+            assert np.abs(slopes - expected).max() < 1e-7 * np.abs(expected).max(), (seed, name)
+
+
+@pytest.mark.parametrize("backend", ["c", "numpy"])
+def test_linearised_motion_is_that_of_forward_dynamics(backend: Any) -> None:
+    for seed in range(3):
+        robot, motion, truth = _case(seed)
+        motion, forces = motion[0], truth[0].F
+
+        def solved(robot: Robot, motion: Motion, forces: Array = forces) -> Array:
+            a, alpha = ss.forward_dynamics(robot, motion, forces, backend="reference")[:2]
+            return np.concatenate([a, alpha])
+
+        found = ss.linearise(robot, motion, forces, backend=backend)
+        expected = np.column_stack(
+            [
+                _slope(solved, robot, motion, field, axis)
+                for field in ("t", "R", "v", "omega")
+                for axis in range(3)
+            ]
+        )
+        assert np.abs(found.A[6:] - expected).max() < 1e-6 * np.abs(expected).max(), seed
+
+
+def _slope(function: Any, robot: Robot, motion: Motion, field: str, axis: int) -> Array:
+    """Derivative by one component, by differences of the fourth order."""
+    step = 1e-3 * (1.0 if field == "R" else max(float(np.abs(getattr(motion, field)).max()), 1e-2))
+
+    def at(times: int) -> Array:
+        by = times * step
+        if field == "R":
+            turn = rotation(by * np.eye(3)[axis])
+            return np.asarray(function(robot, dataclasses.replace(motion, R=turn @ motion.R)))
+        value = getattr(motion, field) + by * np.eye(3)[axis]
+        return np.asarray(function(robot, dataclasses.replace(motion, **{field: value})))
+
+    return (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * step)
+
+
+def test_reflected_masses_are_armature_to_mujoco() -> None:
+    tree, constraints = (
+        pytest.importorskip(f"stewart_sym.studies.benchmark.engines.{name}")
+        for name in ("tree", "mujoco_constraints")
+    )
+    for seed in range(5):
+        robot, motion, _ = _case(seed)
+        robot = _without_momentum(robot_of_bodies(robot))
+        F = ss.inverse_dynamics(robot, motion).F
+        engine = constraints.mujoco_engine(robot, tree.tree(robot, motion, F))
+        found, expected = engine.accelerations(), acceleration(motion)
+        shares = np.abs(found - expected).max(axis=-1) / np.abs(expected).max(axis=-1)
+        assert shares.max() < 4e-6, seed
+        plain = dataclasses.replace(robot, drive=None)
+        others = constraints.mujoco_engine(plain, tree.tree(plain, motion, F)).accelerations()
+        assert np.abs(others - expected).max() > 1e-2 * np.abs(expected).max()
+
+
+def test_a_drive_without_rotor_inertia_changes_no_bit() -> None:
+    robot, motion, _ = _case(0)
+    plain = dataclasses.replace(robot, drive=None)
+    driven = dataclasses.replace(robot, drive=Drive(lead=0.01))
+    assert ss.prepare(driven).name == ss.prepare(plain).name == "exact"
+    for found in (ss.inverse_dynamics, ss.equations_of_motion, ss.force_derivatives):
+        one, other = found(plain, motion), found(driven, motion)
+        for name, values in vars(one).items():
+            if values is not None:
+                np.testing.assert_array_equal(values, getattr(other, name))
+
+
+def test_the_printed_equations_reject_rotors() -> None:
+    robot, motion, _ = _case(0)
+    with pytest.raises(ValueError, match='expected "exact" for a robot whose drive'):
+        ss.inverse_dynamics(robot, motion, formulation="paper")
+
+
+@pytest.mark.parametrize("backend", BACKENDS)
+def test_of_legs_that_may_spin_the_reflected_mass_is_left(backend: Any) -> None:
+    for seed in range(6):
+        rng = np.random.default_rng(seed)
+        plain = random_robot(rng, "spherical")
+        robot, motion = with_random_rotors(rng, plain), random_motion(rng, plain, (POSES,))
+        assert not np.any(robot.j_r)
+        found = ss.inverse_dynamics(robot, motion, backend=backend)
+        bare = ss.inverse_dynamics(plain, motion, backend=backend)
+        needed = robot.m_r * ss.inverse_kinematics(robot, motion).L_ddot
+        np.testing.assert_allclose(found.F, bare.F + needed, rtol=0, atol=1e-12 * np.abs(found.F).max())
+        np.testing.assert_allclose(found.K, bare.K, rtol=0, atol=1e-12 * np.abs(found.F).max())
+        assert np.abs(ss.prepare(robot).forces(motion) - found.F).max() < 1e-12 * np.abs(found.F).max()
+        F_p = ss.joint_reactions(robot, motion, backend=backend).F_p
+        assert (
+            np.abs(F_p - ss.joint_reactions(plain, motion, backend=backend).F_p).max()
+            < 1e-11 * np.abs(F_p).max()
+        )
+
+
+@pytest.mark.parametrize("name", [each for each in DRIVE_FIDELITIES if each.startswith("reflected")])
+@pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning")
+def test_reflected_levels_equal_the_general_one_where_the_machine_is_that_simple(name: str) -> None:
+    level = DERIVED[name]
+    for seed in range(10):
+        robot, _, _ = _case(seed)
+        robot = _without_momentum(as_simple_as(robot, level))
+        motion = random_motion(np.random.default_rng(seed), robot)
+        found, expected = ss.prepare(robot, fidelity=name).forces(motion), ss.inverse_dynamics(robot, motion)
+        size = max(np.abs(values).max() for values in (expected.F, expected.D, expected.x))
+        assert np.abs(found - expected.F).max() <= 1e-8 * size
+
+
+def test_levels_without_rotors_are_those_of_the_robot_without_a_drive() -> None:
+    robot, motion, _ = _case(1)
+    plain = dataclasses.replace(robot, drive=None)
+    for name, other in (
+        ("no_rotor", "general"),
+        ("slender", "slender"),
+        ("general_static", "general_static"),
+    ):
+        found, expected = ss.prepare(robot, fidelity=name), ss.prepare(plain, fidelity=other)
+        np.testing.assert_array_equal(found.forces(motion), expected.forces(motion))

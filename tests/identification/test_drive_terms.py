@@ -1,0 +1,187 @@
+"""Terms of the drives from forces of motors: recovered as their covariance says, or not identifiable."""
+
+import dataclasses
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from robot_files import written
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+
+SIGMA = 2.0
+TERMS = ("reflected_mass", "coulomb", "offset")
+TRUE = {
+    "reflected_mass": np.array([40.0, 42.0, 38.0, 41.0, 39.0, 45.0]),
+    "coulomb": np.array([30.0, 25.0, 35.0, 28.0, 31.0, 27.0]),
+    "offset": np.array([-5.0, 3.0, 0.0, 8.0, -2.0, 1.0]),
+}
+
+
+@pytest.fixture(scope="module")
+def robot() -> ss.Robot:
+    return ss.robots.dasgupta1998()
+
+
+@pytest.fixture(scope="module")
+def excited(robot: ss.Robot) -> ss.Excitation:
+    return ss.choose_excitation(robot, samples=120, candidates=8)
+
+
+def motor_forces(robot: ss.Robot, motion: ss.Motion) -> np.ndarray:
+    legs = ss.inverse_kinematics(robot, motion)
+    drive = TRUE["reflected_mass"] * legs.L_ddot + TRUE["coulomb"] * np.sign(legs.L_dot) + TRUE["offset"]
+    return ss.inverse_dynamics(robot, motion).F + drive
+
+
+def test_a_hundred_noisy_experiments_scatter_as_the_covariance_says(
+    robot: ss.Robot, excited: ss.Excitation
+) -> None:
+    exact = motor_forces(robot, excited.motion)
+    true = np.concatenate(list(TRUE.values()))
+    rng = np.random.default_rng(5)
+    off, squares = [], []
+    for _ in range(100):
+        F = exact + SIGMA * rng.normal(size=exact.shape)
+        found = ss.identify(robot, excited.motion, F, SIGMA, excited.base, drive=TERMS)
+        assert found.verdict == "consistent"
+        error = found.drive.values - true
+        off.append(error / found.drive.sigma)
+        squares.append(error @ np.linalg.solve(found.drive.covariance, error))
+    assert found.drive.names[6:8] == ("coulomb1", "coulomb2")
+    assert found.drive.identifiable.all()
+    size = np.abs(off)
+    shares = [float(np.mean(size < width)) for width in (1.0, 2.0, 3.0)]
+    print("within 1, 2, 3 sigma:", shares, "mean square:", np.mean(squares) / 18)
+    # 1800 values: three deviations of each share, which are a little dependent.
+    for share, normal in zip(shares, (0.6827, 0.9545, 0.9973), strict=True):
+        assert share == pytest.approx(normal, abs=4.0 * math.sqrt(normal * (1.0 - normal) / 1800))
+    assert np.abs(np.mean(off, axis=0)).max() < 0.4
+    assert np.mean(squares) == pytest.approx(18.0, abs=4.0 * math.sqrt(2.0 * 18.0 / 100))
+
+
+def test_terms_are_exact_without_noise_and_do_not_change_the_bodies(
+    robot: ss.Robot, excited: ss.Excitation
+) -> None:
+    found = ss.identify(
+        robot, excited.motion, motor_forces(robot, excited.motion), 1e-6, excited.base, drive=TERMS
+    )
+    np.testing.assert_allclose(found.drive.values, np.concatenate(list(TRUE.values())), atol=1e-5)
+    plain = ss.identify(
+        robot, excited.motion, ss.inverse_dynamics(robot, excited.motion).F, 1e-6, excited.base
+    )
+    scale = np.abs(plain.values).max()
+    np.testing.assert_allclose(found.values, plain.values, atol=1e-6 * scale)
+
+
+def test_without_the_terms_the_fit_is_not_consistent(robot: ss.Robot, excited: ss.Excitation) -> None:
+    found = ss.identify(robot, excited.motion, motor_forces(robot, excited.motion), SIGMA, excited.base)
+    assert found.verdict == "rejected"
+    assert found.drive is None
+
+
+def test_what_does_the_same_is_said(robot: ss.Robot, excited: ss.Excitation) -> None:
+    motion = excited.motion
+    F = motor_forces(robot, motion)
+    both = ss.identify(robot, motion, F, SIGMA, excited.base, drive=("viscous", "coulomb", "offset"))
+    assert both.drive.names[-1] == "viscous6"
+    assert not both.drive.identifiable[-6:].any()
+    assert both.drive.confused[0] == "viscous1: not identifiable along this motion, acts as C_p1"
+    assert np.isnan(both.drive.values[-6:]).all()
+    assert np.isinf(both.drive.sigma[-6:]).all()
+    without = ss.base_parameters(robot, motion, friction=False)
+    one = ss.identify(
+        robot, motion, F, SIGMA, without, drive=("viscous", "coulomb", "offset", "reflected_mass")
+    )
+    assert one.drive.identifiable.all()
+
+
+def test_a_leg_that_goes_one_way_does_not_tell_coulomb_from_offset(
+    robot: ss.Robot, excited: ss.Excitation
+) -> None:
+    L_dot = ss.inverse_kinematics(robot, excited.motion).L_dot
+    one_way = excited.motion[L_dot[:, 2] > 0.0]
+    base = ss.base_parameters(robot, one_way)
+    found = ss.identify(robot, one_way, motor_forces(robot, one_way), SIGMA, base, drive=TERMS)
+    assert [
+        name for name, told in zip(found.drive.names, found.drive.identifiable, strict=True) if not told
+    ] == ["offset3"]
+    assert found.drive.confused == ("offset3: not identifiable along this motion, acts as coulomb3",)
+
+
+def test_legs_built_alike_share_their_terms(robot: ss.Robot, excited: ss.Excitation) -> None:
+    alike = dataclasses.replace(
+        robot, **{name: np.tile(getattr(robot, name)[:1], (6, *[1] * (getattr(robot, name).ndim - 1)))
+                  for name in ("m_d", "r_d0", "I_d0", "m_u", "r_u0", "I_u0", "C_u", "C_p", "C_s")}
+    )  # fmt: skip
+    legs = ss.inverse_kinematics(alike, excited.motion)
+    F = ss.inverse_dynamics(alike, excited.motion).F + 40.0 * legs.L_ddot + 30.0 * np.sign(legs.L_dot) - 3.0
+    found = ss.identify(alike, excited.motion, F, 1e-6, shared="legs", drive=TERMS)
+    assert found.drive.names == TERMS
+    np.testing.assert_allclose(found.drive.values, [40.0, 30.0, -3.0], atol=1e-4)
+
+
+def test_currents_become_forces_of_the_motors(robot: ss.Robot, excited: ss.Excitation) -> None:
+    drive = ss.Drive(lead=[5e-3, -5e-3, 4e-3, 4e-3, 1e-2, 1e-2], torque_constant=0.5, screw_coulomb=30.0)
+    machine = dataclasses.replace(robot, drive=drive)
+    effort = ss.drive_effort(machine, excited.motion)
+    F = ss.motor_forces(machine, effort.current)
+    np.testing.assert_allclose(F, effort.force, rtol=1e-12)
+    found = ss.identify(machine, excited.motion, F, 1e-6, excited.base, drive=("coulomb",))
+    np.testing.assert_allclose(found.drive.values, 30.0, atol=1e-4)
+    with pytest.raises(ValueError, match=r"robot: expected a drive with a torque_constant of every leg"):
+        ss.motor_forces(robot, effort.current)
+
+
+def test_wrong_terms_are_named(robot: ss.Robot, excited: ss.Excitation) -> None:
+    F = np.zeros((120, 6))
+    for wrong in ("coulomb", ("friction",), (), 3):
+        with pytest.raises(
+            ValueError, match=r"\Adrive: expected some of reflected_mass, coulomb, offset, viscous"
+        ):
+            ss.identify(robot, excited.motion, F, SIGMA, excited.base, drive=wrong)
+    noise = ss.PoseNoise(excited.time, 1e-4, 1e-4, excited.path.period, 5)
+    with pytest.raises(ValueError, match="noise: expected None beside drive"):
+        ss.identify(robot, excited.motion, F, SIGMA, excited.base, noise, drive=TERMS)
+
+
+def test_the_command_seeks_terms_of_measured_forces(
+    robot: ss.Robot, excited: ss.Excitation, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    F = motor_forces(robot, excited.motion) + SIGMA * np.random.default_rng(1).normal(size=(120, 6))
+    columns = {"time": excited.time}
+    for (place, turn), x in zip(
+        (("t", "theta"), ("v", "theta_dot"), ("a", "theta_ddot")),
+        excited.path.coordinates(excited.time),
+        strict=True,
+    ):
+        columns |= {f"{place}_{axis}": x[:, i] for i, axis in enumerate("xyz")}
+        columns |= {f"{turn}_{axis}": x[:, 3 + i] for i, axis in enumerate("xyz")}
+    for name, table in (
+        ("log", columns),
+        ("F", {"time": excited.time} | {f"F{i + 1}": F[:, i] for i in range(6)}),
+    ):
+        rows = np.column_stack(list(table.values()))
+        np.savetxt(
+            tmp_path / f"{name}.csv", rows, delimiter=",", header=",".join(table), comments="", fmt="%.17g"
+        )
+    written(robot, tmp_path / "robot.toml")
+    command = [
+        "identify",
+        str(tmp_path / "robot.toml"),
+        "--measured",
+        *(str(tmp_path / f"{n}.csv") for n in ("log", "F")),
+    ]
+    command += ["--sigma", str(SIGMA), "--json", "-", "-o", str(tmp_path / "found")]
+    assert main([*command, "--drive", "coulomb,reflected_mass,viscous,offset"]) == 0
+    found = {row["name"]: row for row in json.loads(capsys.readouterr().out)["drive"]}
+    for name, values in TRUE.items():
+        for leg in range(6):
+            row = found[f"{name}{leg + 1}"]
+            assert abs(row["estimated"] - values[leg]) < 5.0 * row["sigma"]
+    assert not found["viscous3"]["identifiable"]
+    assert main([*command, "--drive", "coulomb,stiction"]) == 2
+    assert "--drive: expected some of reflected_mass" in capsys.readouterr().err
