@@ -20,6 +20,7 @@ extensions = [
     "python_api",
     "command_line",
     "c_interface",
+    "machine",
 ]
 source_suffix = {".md": "markdown"}
 exclude_patterns = ["_build", "tables"]

@@ -30,7 +30,7 @@ from .mechanics.kinematics import Kinematics, kinematics
 from .mechanics.legs.rotor import NONE, rotor_of
 from .mechanics.orientation import quaternion, rpy
 from .mechanics.reduced_models import DRIVE_FIDELITIES, FIDELITIES, Fidelity, fidelity_kernel, level_of
-from .mechanics.regressor import Regressor, regressor
+from .mechanics.regressor import Regressor, regressor, rotor_columns
 from .print.template import filled
 from .program.block import Block
 from .program.cse import share
@@ -126,6 +126,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     columns = reduced_regressor()
     files["exact_regressor.py"] = arrays.regressor(columns, version)
     files |= _of_c(regressor_text.files(columns, version))
+    files["rotor_regressor.py"] = arrays.rotor_regressor(share(rotor_columns()), version)
     progress("deriving the closed form")
     for form in WHOLE:
         files |= _closed_form(form, version)

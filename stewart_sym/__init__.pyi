@@ -31,6 +31,10 @@ from .dynamics.inverse import dynamic_fraction as dynamic_fraction
 from .dynamics.inverse import inverse_dynamics as inverse_dynamics
 from .dynamics.inverse import joint_reactions as joint_reactions
 from .dynamics.inverse import massless_forces as massless_forces
+from .exchange.files import ImportedModel as ImportedModel
+from .exchange.files import ModelFile as ModelFile
+from .exchange.files import export_model as export_model
+from .exchange.files import import_model as import_model
 from .formulas.casadi_functions import casadi_function as casadi_function
 from .formulas.symbols import Symbolic as Symbolic
 from .formulas.symbols import symbolic as symbolic
@@ -49,6 +53,7 @@ from .identification.excitation import choose_excitation as choose_excitation
 from .identification.parameters import Parameters as Parameters
 from .identification.parameters import inertial_parameters as inertial_parameters
 from .identification.parameters import regressor as regressor
+from .identification.rotor_columns import rotor_regressor as rotor_regressor
 from .io.error_policy import SingularPoseWarning as SingularPoseWarning
 from .kinematics.certificate import Certificate as Certificate
 from .kinematics.certificate import certify_pose as certify_pose
@@ -106,5 +111,7 @@ from .singularities.along_path import singularities_along as singularities_along
 from .singularities.joint_space import motion_from_lengths as motion_from_lengths
 from .singularities.singular_poses import Singularity as Singularity
 from .singularities.singular_poses import singularity as singularity
+from .viewer.view import View as View
+from .viewer.view import view as view
 
 __version__: str

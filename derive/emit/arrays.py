@@ -5,11 +5,12 @@ from dataclasses import replace
 
 import sympy as sp
 
-from ..kernel.inverse_dynamics import arrays_program, regressor_program, shared_program
+from ..kernel.inverse_dynamics import arrays_program, regressor_program, rotor_program, shared_program
 from ..kernel.operations import KernelOperations, force_operations
 from ..kernel.tree.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.tree.lower import expression
 from ..kernel.tree.nodes import Constant, Program, calls_in, parts_of
+from ..mechanics import quantities as n
 from ..mechanics.actuator_forces import ForceKernel
 from ..mechanics.inverse_dynamics import Kernel
 from ..mechanics.legs.rotor import NONE
@@ -18,7 +19,7 @@ from ..mechanics.regressor import LEG_PARAMETERS, PLATFORM_PARAMETERS, Regressor
 from ..print.c import C
 from ..print.python import Python
 from ..print.template import filled
-from ..program.block import Quantity, component_name
+from ..program.block import Block, Quantity, component_name
 from .c import operations_table, wrap_list
 
 Counts = tuple[KernelOperations, KernelOperations]
@@ -79,6 +80,13 @@ def regressor(blocks: Regressor, version: str) -> str:
         formulas=_rows("MERGED", [f'("{base}", "{text}")' for base, text in merged()]),
         program=_own(program),
     )
+
+
+def rotor_regressor(columns: Block, version: str) -> str:
+    """``rotor_regressor.py``."""
+    program = rotor_program(columns)
+    parameters = _literal("PARAMETERS", n.ROTOR)
+    return filled("rotor_regressor.py", version=version, parameters=parameters, program=_own(program))
 
 
 def arithmetic(numbers: Mapping[str, tuple[int, str]] = STATUS) -> str:

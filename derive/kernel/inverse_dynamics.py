@@ -140,6 +140,14 @@ def regressor_program(blocks: Regressor) -> t.Program:
     return t.Program("regressor", tuple(structures), tuple(texts.functions.values()))
 
 
+def rotor_program(columns: Block) -> t.Program:
+    """Columns of the legs' rotors with legs side by side."""
+    of_legs = _outputs("RotorColumns", "Columns of the legs' rotors.", columns)
+    structures = [*_machine(), of_legs]
+    found = _texts(structures, [block_function(columns, "rotor_columns", of_legs.name, _OF_LEG | _OF_POSE)])
+    return t.Program("rotor", tuple(structures), tuple(found.functions.values()))
+
+
 def _machine() -> list[t.Structure]:
     """The robot with its legs side by side, and the motion."""
     leg, robot, motion = machine_structures()

@@ -20,7 +20,7 @@ from .actuator_forces import ForceKernel
 from .formulation import EXACT, EXACT_DRIVE, Formulation
 from .legs import axisymmetric as axial_leg
 from .legs.leg import cross
-from .legs.rotor import FULL, NONE, REFLECTED, Rotor, rotor_of
+from .legs.rotor import FULL, NONE, REFLECTED, Rotor
 
 GENERAL = "general"
 AXISYMMETRIC = "axisymmetric"
@@ -137,7 +137,7 @@ def fidelity_kernel(form: Formulation, level: Fidelity) -> ForceKernel:
 
     Raises ValueError for a level below ``frictionless`` of another formulation than EXACT.
     """
-    if level.legs == GENERAL and level.moving and level.rotor == rotor_of(form):
+    if level.legs == GENERAL and level.moving and level.rotor == (FULL if form.drive else NONE):
         return replace(
             actuator_forces.force_kernel(form, level.friction), fidelity=level.name, meaning=level.meaning
         )

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import sympy as sp
 
-from ..program.block import Block, Builder, Quantity, component_name
+from ..program.block import Block, Builder, Quantity, component_name, rebuilt
 from . import lumped_constants as p
 from . import quantities as n
 from .closed_form.parts import name_omega
@@ -67,8 +67,10 @@ def regressor() -> Regressor:
 
 
 def rotor_columns() -> Block:
-    """Columns of the constants of one leg's rotor, which stand beside those of ``regressor``."""
-    return _leg(n.ROTOR)
+    """Columns of the constants of one leg's rotor, which are not among those of ``regressor``."""
+    whole = _leg(n.ROTOR)
+    kept = [out for out in whole.outputs if out.quantity.name.startswith(("force_", "moment_"))]
+    return rebuilt(whole, whole.steps, kept, whole.inputs)
 
 
 def dependencies() -> dict[str, dict[str, sp.Expr]]:

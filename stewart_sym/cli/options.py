@@ -45,6 +45,16 @@ def json_file(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def html_file(parser: argparse.ArgumentParser) -> None:
+    """``--html``."""
+    parser.add_argument(
+        "--html",
+        metavar="FILE",
+        type=path_name,
+        help="also write text, tables, figures and motions as one HTML file that needs no network",
+    )
+
+
 def path_name(text: str) -> Path:
     """A name of a file or folder."""
     if not text.strip():

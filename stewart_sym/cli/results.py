@@ -1,4 +1,4 @@
-"""Where a subcommand's result goes: terminal, folder, JSON file; never over inputs nor files of others."""
+"""Where a result goes: terminal, folder, JSON or HTML file; never over inputs nor files of others."""
 
 import argparse
 import contextlib
@@ -41,7 +41,13 @@ def results(
     inputs, lines = [*_paths(arguments), *read], []
     made_by = {"generator": f"{PROGRAM} {arguments.subcommand}"}
     with contextlib.ExitStack() as stack:
-        stream = folder = None
+        stream = folder = page = None
+        target: Path | None = getattr(arguments, "html", None)
+        if target is not None:
+            from ..viewer.page import BEGINNING
+
+            _reject_html(target, arguments, *inputs)
+            page = stack.enter_context(result_file(target, [BEGINNING], arguments.force))
         if arguments.json is not None:
             _reject_json(arguments.json, *inputs)
             beginning = json_text(made_by).removesuffix("\n}\n") + ","
@@ -58,6 +64,11 @@ def results(
                 write(report, folder, stem, progress)
                 written = sorted(path.name for path in folder.iterdir())
                 lines.append(f"Written to {arguments.output}: {', '.join(written)}")
+            if page is not None:
+                from ..studies.common.html_page import html_page
+
+                page.write(html_page(made_by["generator"], report, progress))
+                lines.append(f"Written to {target}")
             if stream is not None:
                 stream.write(json_text(report.data))
 
@@ -76,9 +87,18 @@ def _reject_json(output: Path, *inputs: Path) -> None:
         )
 
 
+def _reject_html(target: Path, arguments: argparse.Namespace, *inputs: Path) -> None:
+    """ValueError if the file for HTML is an input or another of the files to write."""
+    reject_inputs("--html", target, *inputs)
+    if target in (arguments.json, getattr(arguments, "output", None)):
+        raise ValueError(f"--html {target}: is where another result goes, name another file")
+
+
 def _paths(arguments: argparse.Namespace) -> list[Path]:
     """The inputs among the arguments."""
-    values = {name: value for name, value in vars(arguments).items() if name not in ("output", "json")}
+    values = {
+        name: value for name, value in vars(arguments).items() if name not in ("output", "json", "html")
+    }
     given = (value if isinstance(value, list) else [value] for value in values.values())
     return [path for path in itertools.chain(*given) if isinstance(path, Path)]
 

@@ -70,7 +70,7 @@ def regressor(
 
     Rows 0-2 are forces, N, rows 3-5 moments about the reference point, N m, base frame, each over the unit of
     its parameter; columns as in ``Parameters``. Equal and zero columns are meant (``base_parameters``). The
-    load of the motion has no part in Y.
+    load of the motion has no part in Y; rotors of the legs have columns of their own (``rotor_regressor``).
 
     Parameters
     ----------

@@ -10,7 +10,7 @@ from ..backend.kernel import kernel_name
 from ..derive.generate import output_program
 from ..derive.kernel.tree.nodes import Program, Record
 from ..derive.mechanics import quantities as n
-from ..derive.mechanics.formulation import EXACT_DRIVE, FORMULATIONS, Formulation
+from ..derive.mechanics.formulation import FORMULATIONS, Formulation
 from ..derive.mechanics.legs.rotor import NONE
 from ..derive.mechanics.reduced_models import level_of
 from ..derive.package import licence
@@ -98,9 +98,8 @@ def _program(robot: Robot, choice: Choice, outputs: tuple[str, ...]) -> Program:
 def _form_and_level(robot: Robot, choice: Choice) -> tuple[Formulation, str]:
     """The formulation, without rotors where the level has none, and the level in it."""
     level = level_of(resolved(robot, choice.formulation, choice.level), robot.has_rotors)
-    if level.rotor != NONE:
-        return EXACT_DRIVE, level.name
     name = kernel_name(choice.formulation, robot.base_joint if level.name == "general" else "universal")
+    name += "_drive" if level.rotor != NONE else ""
     return next(each for each in FORMULATIONS if each.kernel_name == name), level.name
 
 

@@ -21,7 +21,7 @@ from ..derive.kernel.tree.constants import unchecked
 from ..derive.kernel.tree.interpret import Arithmetic, Interpreter
 from ..derive.mechanics import quantities as n
 from ..derive.mechanics.actuator_forces import ForceKernel
-from ..derive.mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS
+from ..derive.mechanics.formulation import EXACT, FORMULATIONS
 from ..derive.mechanics.legs.rotor import NONE
 from ..derive.mechanics.reduced_models import fidelity_kernel, level_of
 from ..formulas.trees import robot_structure, structure
@@ -95,10 +95,9 @@ class Truth:
 def derived_kernel(base_joint: str, formulation: str, fidelity: str, rotors: bool = False) -> ForceKernel:
     """The blocks of the forces alone, before sharing; rotors: whether the legs of the robot have them."""
     level = level_of(fidelity, rotors)
-    if level.rotor != NONE:
-        return fidelity_kernel(EXACT_DRIVE, level)
     # Reduced legs are those of EXACT on any base joint: there are none that know another.
     name = kernel_name(formulation, base_joint if fidelity == "general" else EXACT.base_joint)
+    name += "_drive" if level.rotor != NONE else ""
     form = next(form for form in FORMULATIONS if form.kernel_name == name)
     return fidelity_kernel(form, level)
 

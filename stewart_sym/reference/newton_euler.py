@@ -72,8 +72,7 @@ class Legs(_Velocities):
     """Everything known of the legs before x: adds (7)-(9), (13), (14), (20), (21), (24) and (29).
 
     Base frame, vectors (..., 6, 3), scalars (..., 6, 1), inertias (..., 6, 3, 3); names are the paper's.
-    F_rotor: what it takes to turn the motor, as a force along the leg, N; h_rotor: rate of the rotor's
-    angular momentum relative to the leg, N m. Both are zero without a drive.
+    F_rotor: force along the leg that turns its rotor, N; h_rotor: rate of the rotor's momentum, N m.
     """
 
     Lddot: Array
@@ -170,10 +169,7 @@ def actuator_wrench(robot: Robot, motion: Motion, faults: frozenset[int] = EXACT
 
 
 def rotor_force(robot: Robot, motion: Motion) -> Array:
-    """Part of the actuator forces that turns the rotors, N, (..., 6): m_r L_ddot + j_r s.A; zero without.
-
-    What is left of F passes between the parts of a leg. Arguments and errors as for `inverse_dynamics`.
-    """
+    """Part of the actuator forces that turns the rotors, N, (..., 6); the rest passes through the screws."""
     return legs(robot, motion).F_rotor[..., 0]
 
 

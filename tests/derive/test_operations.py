@@ -8,10 +8,10 @@ from string import Template
 import numpy as np
 import pytest
 from counting_c import COUNTING, REPORT
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, random_motion, random_robot, random_robot_of
 
 from stewart_sym.backend.c_kernel import c_sources
-from stewart_sym.backend.kernel import module, robot_numbers
+from stewart_sym.backend.kernel import defines_of, module, robot_numbers, takes_rotors
 from stewart_sym.derive.emit import lanes, scalar
 from stewart_sym.derive.emit.closed_form import sum_operations
 from stewart_sym.derive.emit.header import common_header
@@ -82,12 +82,13 @@ def all_executed(
     numbers = np.concatenate([np.ravel(part) for part in parts if part is not None])
     includes = "\n".join(f'#include "{name}"' for name in sorted(texts) if name.endswith(".c"))
     done = "\n".join(f"{{ {call}{REPORT} }}" for call in calls)
-    given = {"ROBOT": robot_numbers(robot), "MOTION": numbers}
+    given = {"ROBOT": robot_numbers(robot, takes_rotors(kernel)), "MOTION": numbers}
     listed = {mark: ", ".join(repr(float(v)) for v in values) for mark, values in given.items()}
     calls_of_kernel = Template(done).substitute(KERNEL=kernel)
     program = Template(COUNTING).substitute(INCLUDES=includes, CALL=calls_of_kernel, **listed)
     (folder / "count.cpp").write_text(program)
-    subprocess.run(["g++", "-O1", "-w", "count.cpp", "-o", "count"], check=True, cwd=folder)
+    defines = [f"-D{name}" for name in defines_of(kernel)]
+    subprocess.run(["g++", "-O1", "-w", *defines, "count.cpp", "-o", "count"], check=True, cwd=folder)
     lines = subprocess.run(["./count"], check=True, capture_output=True, text=True, cwd=folder).stdout
     found = [tuple(int(word) for word in line.split()) for line in lines.splitlines()]
     assert [status for status, *_ in found] == [0] * len(calls)
@@ -97,7 +98,7 @@ def all_executed(
 @pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
 def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(3)
-    robot = random_robot(rng, form.base_joint)
+    robot = random_robot_of(rng, form)
     name = form.kernel_name
     counted = executed(name, name, PLAIN, robot, random_motion(rng, robot), tmp_path)
     assert counted == module(name).OPERATIONS["friction"]["total"]
@@ -106,7 +107,7 @@ def test_header_counts_are_the_operations_that_the_c_executes(form, tmp_path: Pa
 @pytest.mark.parametrize("form", FORMULATIONS, ids=lambda form: form.kernel_name)
 def test_header_counts_of_the_force_kernel_are_what_each_lane_executes(form, tmp_path: Path) -> None:
     rng = np.random.default_rng(4)
-    robot = random_robot(rng, form.base_joint)
+    robot = random_robot_of(rng, form)
     name = form.kernel_name
     counted = executed(name, f"{name}_forces", BLOCK, robot, random_motion(rng, robot), tmp_path)
     assert counted == tuple(8 * n for n in module(name).FORCE_OPERATIONS["friction"]["total"])

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 from fifty_digits import DIGITS, truth
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, random_motion, random_robot_of
 from motion_fields import FIELDS
 from mpmath import mp
 from numpy.typing import NDArray
 
 import stewart_sym as ss
-from stewart_sym.derive.mechanics.formulation import FORMULATIONS, Formulation
+from stewart_sym.derive.mechanics.formulation import EXACT, FORMULATIONS, PAPER, Formulation
 
 UNITS = 40
 EPSILON = np.finfo(np.float64).eps
@@ -26,7 +26,7 @@ def error(found: NDArray[np.float64], true: mp.matrix) -> float:
 @pytest.mark.parametrize("seed", range(3))
 def test_c_equals_50_digit_truth_to_rounding(form: Formulation, seed: int) -> None:
     rng = np.random.default_rng(seed)
-    robot = dasgupta() if seed == 0 and form.base_joint == "universal" else random_robot(rng, form.base_joint)
+    robot = dasgupta() if seed == 0 and form in (EXACT, PAPER) else random_robot_of(rng, form)
     motion = random_motion(rng, robot)
     found = ss.inverse_dynamics(robot, motion, form.name)  # type: ignore[arg-type]
     with mp.workdps(DIGITS):
@@ -43,7 +43,7 @@ def test_c_equals_50_digit_truth_to_rounding(form: Formulation, seed: int) -> No
 @pytest.mark.parametrize("seed", range(3))
 def test_prepared_kernel_equals_50_digit_truth_to_rounding(form: Formulation, seed: int) -> None:
     rng = np.random.default_rng(seed)
-    robot = dasgupta() if seed == 0 and form.base_joint == "universal" else random_robot(rng, form.base_joint)
+    robot = dasgupta() if seed == 0 and form in (EXACT, PAPER) else random_robot_of(rng, form)
     motion = random_motion(rng, robot)
     kernel = ss.prepare(robot, form.name)  # type: ignore[arg-type]
     condition = ss.condition_number(ss.wrench_matrix(robot, motion))

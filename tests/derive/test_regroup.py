@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from block_forces import forces
 from fifty_digits import truth
-from machines import random_motion, random_robot
+from machines import random_motion, random_robot_of
 from mpmath import mp
 
 from stewart_sym.derive.generate import reduced_forces
@@ -24,7 +24,7 @@ derived = functools.cache(force_kernel)
 @pytest.mark.parametrize("seed", range(3))
 def test_forces_are_those_of_the_elimination(form: Formulation, friction: bool, seed: int) -> None:
     rng = np.random.default_rng(seed)
-    robot = random_robot(rng, form.base_joint, friction=friction)
+    robot = random_robot_of(rng, form, friction)
     motion = random_motion(rng, robot)
     with mp.workdps(50):
         expected = truth(form, robot, motion)["F"]

@@ -38,7 +38,7 @@ from stewart_sym.robot.robot import Robot
 from stewart_sym.robot.units import Units
 from stewart_sym.studies.accuracy import scales
 
-SOURCES = sorted(path.name for path in c_folder().glob("*.c"))
+SOURCES = sorted(path.name for path in c_folder().glob("*.c") if "_drive" not in path.name)
 FORCES = [name for name in SOURCES if name.endswith("_forces.c")]
 COMPILERS = [name for name in ("gcc", "clang") if shutil.which(name)]
 FLOAT = ["-DSTEWART_FLOAT"]

@@ -10,6 +10,7 @@ import attack_build
 import pytest
 from compiled_folder import c_folder
 
+from stewart_sym.backend.kernel import defines_of
 from stewart_sym.derive.generate import generated_files
 from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.generated.interface import HEADERS
@@ -52,7 +53,8 @@ WAYS = [
 
 
 def compiled_silently(compiler: str, precision: str, language: str, kernel: str, *flags: str) -> None:
-    command = [compiler, *LANGUAGES[language], *STRICT, *PRECISIONS[precision], *flags]
+    defines = [f"-D{name}" for name in defines_of(kernel)]
+    command = [compiler, *LANGUAGES[language], *STRICT, *PRECISIONS[precision], *defines, *flags]
     done = subprocess.run(
         [*command, f"stewart_{kernel}.c"], capture_output=True, text=True, check=False, cwd=c_folder()
     )
@@ -93,11 +95,11 @@ def functions_on_plain_numbers(text: str) -> list[str]:
 
 
 def test_a_function_on_plain_numbers_stands_in_one_source_or_in_a_header() -> None:
-    """Of more than a dozen lines."""
-    places: dict[str, list[str]] = {}
+    """Of more than a dozen lines; no program has both the kernels with rotors and those without."""
+    places: dict[str, set[str]] = {}
     for path in sorted(c_folder().glob("*.c")):
         for each in functions_on_plain_numbers(path.read_text()):
-            places.setdefault(each, []).append(path.name)
+            places.setdefault(each, set()).add(path.name.replace("_drive", ""))
     assert len(places) > 20
     many = {each: found for each, found in places.items() if len(found) > 1}
     assert {each: found for each, found in many.items() if each.count("\n") > 12} == {}
@@ -115,11 +117,12 @@ def test_a_header_that_sources_share_compiles_alone(compiler: str, language: str
 @pytest.mark.parametrize("kernel", KERNELS)
 def test_headers_tell_what_they_are(kernel: str) -> None:
     header = (c_folder() / f"stewart_{kernel}.h").read_text()
-    formulation, _, joint = kernel.partition("_")
+    formulation, _, joint = kernel.removesuffix("_drive").partition("_")
     assert f"`{formulation}`" in header
     assert f"Base joint: {joint or 'universal'}" in header
     assert re.search(r"total +\d+ \(\d+ mul, \d+ add, \d+ div, \d+ sqrt\)", header)
     assert "Written by stewart-sym" in header
+    assert ("STEWART_ROTORS" in header) == kernel.endswith("_drive")
 
 
 @pytest.mark.parametrize("kernel", KERNELS)

@@ -10,10 +10,12 @@ import pytest
 
 from stewart_sym import results
 from stewart_sym.backend import native
+from stewart_sym.backend.kernel import defines_of
 from stewart_sym.derive.emit.header import layout
 from stewart_sym.derive.generate import generator_version
 from stewart_sym.derive.kernel.interface import CALLS, STATUS, STRUCTS
 from stewart_sym.derive.kernel.tree.constants import STATUS as OF_TREES
+from stewart_sym.derive.mechanics.formulation import FORMULATIONS
 from stewart_sym.derive.package.functions import MODEL, NOTHING, ROBOT, Function
 from stewart_sym.generated import interface
 from stewart_sym.kit.choice import STEMS
@@ -36,12 +38,13 @@ def functions() -> list[Function]:
     found += [
         Function(stem, f"stewart_{stem}", "stewart_kinematics.h", ROBOT) for stem in STEMS["kinematics"]
     ]
-    for name in ("exact", "paper", "exact_spherical", "paper_spherical"):
+    for name in (form.kernel_name for form in FORMULATIONS):
         prefix = f"stewart_{name}"
         found += [Function(stem, f"{prefix}_{stem}", f"{prefix}.h", ROBOT) for stem in STEMS["reactions"]]
         found.append(Function("forces", f"{prefix}_forces", f"{prefix}_forces.h", MODEL, prefix))
     return found + [
-        Function(stem, f"stewart_exact_{stem}", "stewart_exact_motion.h", MODEL, "stewart_exact")
+        Function(stem, f"stewart_{name}_{stem}", f"stewart_{name}_motion.h", MODEL, f"stewart_{name}")
+        for name in ("exact", "exact_drive")
         for stem in (*STEMS["motion"], *STEMS["derivatives"])
     ]
 
@@ -62,12 +65,13 @@ def test_every_declared_function_stands_in_the_table() -> None:
     assert {each.stem for each in functions()} == set(CALLS)
 
 
-@pytest.mark.parametrize("name", [name for name in STRUCTS if name not in ("platform", "legs")])
+@pytest.mark.parametrize("name", [name for name in STRUCTS if name not in ("platform", "legs", "rotor")])
 def test_structs_have_the_members_of_the_table(name: str) -> None:
     text = "".join(headers().values())
     (body,) = set(re.findall(rf"typedef struct {{\n([^}}]*)}} stewart_{name};", text))
     members = re.findall(r"stewart_real (\w+)((?:\[\d+\])*);", body)
-    assert members == [(each.name, each.dims) for each in STRUCTS[name]]
+    table = (*STRUCTS["leg"], *STRUCTS["rotor"]) if name == "leg" else STRUCTS[name]
+    assert members == [(each.name, each.dims) for each in table]
     if f"stewart_{name}_arrays" in text:
         (body,) = set(re.findall(rf"typedef struct {{\n([^}}]*)}} stewart_{name}_arrays;", text))
         pointers = re.findall(r"stewart_real \*(\w+); /\* \[count\]((?:\[\d+\])*)", body)
@@ -86,7 +90,9 @@ def test_the_package_reads_the_table_of_the_derivation() -> None:
     written = (files("stewart_sym.generated") / "interface.py").read_text(encoding="utf-8")
     assert written == layout(interface.MODELS, interface.HEADERS, generator_version())
     assert {name for name in STRUCTS if f"{name}_arrays" in str(headers())} == {
-        name for name in interface.STRUCTS if name not in ("leg", "platform", "limits", "motion", "pose")
+        name
+        for name in interface.STRUCTS
+        if name not in ("leg", "rotor", "platform", "limits", "motion", "pose")
     }
 
 
@@ -100,4 +106,6 @@ def test_prepared_models_have_the_size_of_the_table(name: str, tmp_path: Path) -
     compiler = native.find_compiler()
     if compiler is None:
         pytest.skip("needs a C compiler")
-    subprocess.run([*compiler.command, "-std=c99", "-fsyntax-only", "size.c"], check=True, cwd=tmp_path)
+    defines = [f"-D{each}" for each in defines_of(name)]
+    command = [*compiler.command, "-std=c99", "-fsyntax-only", *defines, "size.c"]
+    subprocess.run(command, check=True, cwd=tmp_path)

@@ -13,7 +13,7 @@ import array_api_strict
 import numpy as np
 import pytest
 from kernel_cases import EPSILON, ON_ARRAYS, beside_the_joint_axis, motion_numbers, robot_numbers
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, random_motion, random_robot, random_robot_of
 from motion_fields import FIELDS
 from sweeps import UNFUSED
 
@@ -48,7 +48,7 @@ def test_forces_are_those_of_the_c_batch_to_the_bit(form: Any) -> None:
     tree = program(reduced_forces(form))
     rng = np.random.default_rng(5)
     for _ in range(4):
-        robot = random_robot(rng, form.base_joint)
+        robot = random_robot_of(rng, form)
         motion = random_motion(rng, robot, (9,))
         kernel = ss.prepare(robot, form.name)
         F, status = forces_of(tree, robot, motion)

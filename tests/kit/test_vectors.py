@@ -16,7 +16,8 @@ from stewart_sym.backend.fidelity import FIDELITIES
 from stewart_sym.backend.kernel import MOTION
 from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
 from stewart_sym.kinematics.inverse import clear_of_joint_singularities
-from stewart_sym.kit.interpreter import LEG_FIELDS, PLATFORM_FIELDS, KitInterpreter
+from stewart_sym.kit.interpreter import KitInterpreter
+from stewart_sym.kit.parts import fields as fields_of
 from stewart_sym.kit.poses import MAX_CONDITION, poses, sample
 from stewart_sym.kit.running import Running
 from stewart_sym.kit.vectors import FEW, FUNCTIONS, KINEMATICS, ROTATION, Vector, vectors
@@ -28,7 +29,7 @@ from stewart_sym.robot.robot import Robot
 
 def numbers_of(robot: Robot, **other: Any) -> dict[str, Any]:
     """A robot as readings take it, with other arrays in place of some."""
-    fields = (*LEG_FIELDS, *PLATFORM_FIELDS)
+    fields = fields_of(rotors=False)
     return {name: other.get(name, np.asarray(getattr(robot, name), dtype=np.float64)) for name in fields}
 
 

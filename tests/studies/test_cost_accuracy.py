@@ -9,7 +9,7 @@ import pytest
 from command_line import fails_in_one_line, folder_state
 from cost_figures import SCENE, hasty
 from fifty_digits import truth as eliminated
-from machines import dasgupta, random_motion, random_robot
+from machines import dasgupta, random_motion, random_robot, random_robot_of
 from mpmath import mp
 from numpy.typing import NDArray
 from reduced_machines import at_rest
@@ -133,7 +133,7 @@ def test_a_pose_without_an_answer_is_named(scene: Path, capsys: pytest.CaptureFi
 def test_forces_at_50_digits_are_those_of_the_elimination(form: Any) -> None:
     """Which has its own text of the sums over the legs, and its own solve."""
     rng = np.random.default_rng(5)
-    robot = random_robot(rng, form.base_joint)
+    robot = random_robot_of(rng, form)
     motion = random_motion(rng, robot)
     with mp.workdps(50):
         expected = [float(value) for value in eliminated(form, robot, motion)["F"]]

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from stewart_sym import robots
+from stewart_sym.derive.mechanics.formulation import Formulation
 from stewart_sym.motion.motion import Motion
 from stewart_sym.robot.drive import Drive
 from stewart_sym.robot.robot import Robot
@@ -77,6 +78,12 @@ def with_random_rotors(rng: np.random.Generator, robot: Robot) -> Robot:
     mass = robot.m_u * np.exp(rng.uniform(-2.3, 2.3, 6))
     lead = 2 * np.pi * np.sqrt(inertia / mass) * rng.permutation([1, 1, 1, -1, -1, -1])
     return dataclasses.replace(robot, drive=Drive(lead=lead, rotor_inertia=inertia))
+
+
+def random_robot_of(rng: np.random.Generator, form: Formulation, friction: bool = True) -> Robot:
+    """A machine with all that a formulation of the derivation has."""
+    robot = random_robot(rng, form.base_joint, friction=friction)
+    return with_random_rotors(rng, robot) if form.drive else robot
 
 
 def dasgupta(friction: bool = True) -> Robot:

@@ -109,8 +109,7 @@ def of_rod(forces: sp.Matrix) -> sp.Matrix:
     """The generalised forces of ``torques`` that a thin rod along the leg would have: no friction in them."""
     (_, hy, hz), (_, wy, wz), J = p.h.value, p.w.value, p.J.value
     others = (hy, hz, wy, wz, J[0, 0], J[0, 1], J[0, 2], J[1, 2], p.C_us.value, n.C_s.value, n.C_p.value)
-    others = (*others, n.j_r.value)
-    return forces.xreplace(dict.fromkeys(others, sp.S.Zero))
+    return forces.xreplace(dict.fromkeys((*others, n.j_r.value), sp.S.Zero))
 
 
 @dataclass(frozen=True)

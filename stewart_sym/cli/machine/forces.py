@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...io.error_policy import SingularPoseWarning
 from ..inputs import robot_of, trajectory_of
-from ..options import formulation, json_file, log_options, output, positive, robot_file, start_pose
+from ..options import formulation, html_file, json_file, log_options, output, positive, robot_file, start_pose
 from ..results import reject_inputs, results
 from ..terminal import progress_line
 
@@ -57,6 +57,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="warn where three standard deviations exceed this share of a leg's peak force; default: 0.02",
     )
     log_options(parser)
+    html_file(parser)
     json_file(parser)
 
 
@@ -69,6 +70,8 @@ def run(arguments: argparse.Namespace) -> int:
     from ...studies.common.report import Picture, Report, draw
     from ...studies.reports.singularities import crossing_warning
     from ...studies.reports.track import Digest, header_lines, in_parts, replaced_rows
+    from ...viewer.instants import of_trajectory
+    from ...viewer.view import View
 
     reject_inputs("-o", arguments.output, arguments.robot, arguments.trajectory)
     if arguments.output == arguments.json:
@@ -111,7 +114,8 @@ def run(arguments: argparse.Namespace) -> int:
         if arguments.picture is not None and digest.drive is not None:
             draw(Picture(digest.drive.figure), arguments.picture.with_suffix(""))
         doubts = digest.doubts(arguments.noise_share)
-        take(Report("\n".join(lines), data={**digest.as_json(), "doubts": doubts}))
+        views = {"motion": lambda: View(robot, of_trajectory(robot, trajectory))}
+        take(Report("\n".join(lines), data={**digest.as_json(), "doubts": doubts}, views=views), progress)
     for line in doubts:
         warnings.warn(line, stacklevel=2)
     return 0

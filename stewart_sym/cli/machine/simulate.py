@@ -1,13 +1,14 @@
 """``stewart-sym simulate``: let a machine move under its legs' forces: a table, a summary and pictures."""
 
 import argparse
+import dataclasses
 import warnings
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ...io.extras import need
 from ..inputs import warn_of_doubts
-from ..options import json_file, no_pictures, output
+from ..options import html_file, json_file, no_pictures, output
 from ..results import need_drawing, results
 from ..terminal import progress_line
 
@@ -38,6 +39,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="compare the energy in both formulations, without friction and dampers (springs only)",
     )
     no_pictures(parser)
+    html_file(parser)
     json_file(parser)
 
 
@@ -46,6 +48,8 @@ def run(arguments: argparse.Namespace) -> int:
     from ...simulation.actuator_models import LegSprings
     from ...simulation.scene import read_scene
     from ...studies.reports import energy_drift, run
+    from ...viewer.instants import of_run
+    from ...viewer.view import View
 
     need("scipy", "simulation")
     need_drawing(arguments)
@@ -62,7 +66,8 @@ def run(arguments: argparse.Namespace) -> int:
                 scene.law, scene.state, scene.duration, scene.rtol, scene.thresholds
             )
         report = run.report(done, scene.law, drifts, arguments.pictures)
-        take(report, progress)
+        views = {"run": lambda: View(scene.robot, of_run(scene.robot, done))}
+        take(dataclasses.replace(report, views=views), progress)
     if arguments.pictures:
         for name in {"run", *(["energy_drift"] if drifts else [])} - report.figures.keys():
             warnings.warn(f"{name}.png: not drawn, the run ended where it began", stacklevel=2)

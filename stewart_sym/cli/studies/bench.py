@@ -4,7 +4,7 @@ import argparse
 from pathlib import Path
 
 from ..inputs import robot_of
-from ..options import json_file, other_robot, output
+from ..options import html_file, json_file, other_robot, output
 from ..results import results
 from ..terminal import progress_line
 
@@ -21,6 +21,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     output(parser, "DIR", "folder to write to", Path("bench"))
     parser.add_argument("--quick", action="store_true", help="fewer rounds and smaller batches")
     other_robot(parser)
+    html_file(parser)
     json_file(parser)
 
 

@@ -3,7 +3,7 @@
 import argparse
 from pathlib import Path
 
-from ..options import json_file, no_pictures, output
+from ..options import html_file, json_file, no_pictures, output
 from ..results import need_drawing, results
 from ..terminal import progress_line
 
@@ -15,6 +15,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Arguments of ``reproduce``."""
     output(parser, "DIR", "folder to write to", Path("reproduce"))
     no_pictures(parser)
+    html_file(parser)
     json_file(parser)
 
 

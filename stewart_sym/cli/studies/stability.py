@@ -4,7 +4,7 @@ import argparse
 import dataclasses
 from pathlib import Path
 
-from ..options import json_file, no_pictures, output, whole
+from ..options import html_file, json_file, no_pictures, output, whole
 from ..results import need_drawing, results
 from ..terminal import progress_line
 
@@ -29,6 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     )
     parser.add_argument("--seed", type=whole, default=0, help="of the random cases; default: 0")
     no_pictures(parser)
+    html_file(parser)
     json_file(parser)
 
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import IO, TYPE_CHECKING, Any
 
 from numpy.typing import NDArray
 
@@ -14,6 +14,8 @@ from .output import csv_lines
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
+
+    from ...viewer.view import View
 
 Table = str | Mapping[str, NDArray[Any]]
 """CSV text, or columns (n,) by name."""
@@ -49,13 +51,15 @@ class Report:
     """A command's result.
 
     text: for people. tables: by name of the CSV file without its ending. data: figures for programs, with
-    units in the keys or in a table ``units``. figures: by name of the picture without its ending.
+    units in the keys or in a table ``units``. figures: by name of the picture without its ending. views: what
+    makes each motion's view, by its name in words.
     """
 
     text: str
     tables: Mapping[str, Table] = field(default_factory=dict)
     data: Mapping[str, Any] = field(default_factory=dict)
     figures: Mapping[str, Picture] = field(default_factory=dict)
+    views: "Mapping[str, Callable[[], View]]" = field(default_factory=dict)
 
 
 def write(
@@ -90,3 +94,11 @@ def draw(picture: Picture, stem: Path) -> None:
         for kind in picture.kinds:
             path = stem.with_name(f"{stem.name}.{kind}")
             figure.savefig(path, dpi=picture.dpi, metadata=_METADATA[kind])
+
+
+def svg(picture: Picture, stream: IO[bytes]) -> None:
+    """Draw a picture as SVG whose letters are shapes: it looks the same wherever it is shown."""
+    import matplotlib
+
+    with matplotlib.rc_context({**_SVG, **picture.style, "svg.fonttype": "path"}):
+        picture.draw().savefig(stream, format="svg", metadata=_METADATA["svg"])

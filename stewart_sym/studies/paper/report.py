@@ -1,5 +1,6 @@
 """The tables of ``reproduce`` as plain aligned text."""
 
+import functools
 import textwrap
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -9,6 +10,7 @@ import numpy as np
 
 from ...motion.straight_line import PATHS
 from ...reference.newton_euler import EXACT, PAPER
+from ...viewer.view import view
 from ..common.report import Report
 from ..common.table import aligned
 from .claims import NEAR_ZERO, PAPER_FLOPS, SERIAL_ARM_FLOPS, Claim, claims, counted_fractions
@@ -34,7 +36,8 @@ def full_report(found: Reproduction, pictures: bool = True) -> Report:
         from . import plots
 
         figures = plots.pictures(found)
-    return Report(report(found), tables, _data(found), figures)
+    views = {f"Path {path}": functools.partial(view, found.robot, path) for path in PATHS}
+    return Report(report(found), tables, _data(found), figures, views)
 
 
 def _data(found: Reproduction) -> dict[str, Any]:

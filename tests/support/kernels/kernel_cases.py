@@ -36,7 +36,7 @@ def fields(quantities: Any, owner: Any, leg: int | None = None) -> dict[str, Any
 
 
 def robot_numbers(robot: ss.Robot) -> SimpleNamespace:
-    legs = [SimpleNamespace(**fields(n.LEG, robot, i)) for i in range(6)]
+    legs = [SimpleNamespace(**fields(n.OF_LEG, robot, i)) for i in range(6)]
     return SimpleNamespace(**fields(n.PLATFORM, robot), leg=legs)
 
 

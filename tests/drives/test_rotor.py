@@ -16,6 +16,8 @@ from reduced_machines import as_simple_as
 import stewart_sym as ss
 from stewart_sym.backend.fidelity import DRIVE_FIDELITIES
 from stewart_sym.derive.mechanics.reduced_models import DRIVE_FIDELITIES as DERIVED
+from stewart_sym.dynamics.home_pose import home_pose
+from stewart_sym.identification.parameters import inertial_parameters
 from stewart_sym.motion.motion import Motion
 from stewart_sym.reference import equations_of_motion as oracle
 from stewart_sym.reference import newton_euler
@@ -249,3 +251,49 @@ def test_levels_without_rotors_are_those_of_the_robot_without_a_drive() -> None:
     ):
         found, expected = ss.prepare(robot, fidelity=name), ss.prepare(plain, fidelity=other)
         np.testing.assert_array_equal(found.forces(motion), expected.forces(motion))
+
+
+def test_the_regressor_of_rotors_stands_beside_that_of_the_bodies() -> None:
+    for seed in range(5):
+        robot, motion, truth = _case(seed)
+        H = ss.inverse_dynamics(robot, motion).H
+        F = np.array([answer.F for answer in truth])
+        needed = (H @ F[..., None])[..., 0] + motion.external_wrench()
+        bodies = ss.regressor(robot, motion) @ inertial_parameters(robot).values
+        rotors = ss.rotor_regressor(robot, motion) @ np.concatenate([robot.m_r, robot.j_r])
+        assert np.abs(bodies + rotors - needed).max() < RELATIVE * np.abs(needed).max()
+        assert np.abs(rotors).max() > 1e-3 * np.abs(needed).max()
+
+
+PRICES = {("dasgupta1998", 0.004): (2e-4, 0.1), ("dasgupta1998", 0.02): (5e-5, 4e-3)}
+PRICES |= {("unal", 0.004): (2e-4, 0.9), ("unal", 0.02): (2e-4, 0.1)}
+PRICES |= {("rubin_m2", 0.004): (2e-5, 0.1), ("rubin_m2", 0.02): (5e-6, 4e-3)}
+
+
+@pytest.mark.filterwarnings("ignore::stewart_sym.PhysicalityWarning")
+@pytest.mark.parametrize(("name", "lead"), PRICES)
+def test_what_the_momentum_of_rotors_costs_and_what_their_mass(name: str, lead: float) -> None:
+    """Shares of the peak force, of rotors of 5e-5 kg m^2 in a brisk motion; docs: fidelity."""
+    plain = ss.robots.load(name)
+    robot = dataclasses.replace(plain, drive=Drive(lead=lead, rotor_inertia=5e-5))
+    motion = brisk_motion(robot)
+    F = ss.prepare(robot).forces(motion)
+    shares = [
+        np.abs(ss.prepare(robot, fidelity=level).forces(motion) - F).max() / np.abs(F).max()
+        for level in ("reflected", "no_rotor")
+    ]
+    print(name, lead, shares)
+    for share, about in zip(shares, PRICES[name, lead], strict=True):
+        assert about < share < 5 * about
+
+
+def brisk_motion(robot: Robot) -> Motion:
+    """About a hertz, a twentieth of the platform's radius and a tenth of a radian to each side of home."""
+    radius = np.linalg.norm(robot.p - robot.p.mean(axis=0), axis=1).mean()
+    rate = 2 * np.pi * np.array([1.0, 1.3, 0.7, 0.9, 1.1, 1.4])
+    phase = rate * np.linspace(0, 1, 400)[:, None] + np.arange(6.0)
+    size = np.repeat([0.05 * radius, 0.1], 3)
+    x, x_dot, x_ddot = size * np.sin(phase), size * rate * np.cos(phase), -size * rate**2 * np.sin(phase)
+    parts = [half for each in (x, x_dot, x_ddot) for half in (each[:, :3], each[:, 3:])]
+    parts[0] = parts[0] + home_pose(robot).t
+    return Motion.from_rpy(*parts)

@@ -1,0 +1,150 @@
+"""``stewart-sym view``: a machine in motion as one HTML file."""
+
+import argparse
+import csv
+import os
+import sys
+import warnings
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from ...io.progress import Progress
+from ..inputs import robot_of, trajectory_of
+from ..options import json_file, log_options, output, start_pose
+from ..results import reject_inputs, results
+from ..terminal import progress_line
+
+if TYPE_CHECKING:
+    from ...robot.robot import Robot
+    from ...viewer.instants import Instants
+
+HELP = "show a machine in motion: one HTML file for any browser, without a network"
+EXAMPLE = "stewart-sym view hexapod.toml trajectory.csv -o machine.html"
+MORE = (
+    "The motion is I, II or III of the paper, a CSV file as for `forces`, or a folder or run.csv that "
+    "`simulate` wrote, whose own forces are shown; without one the machine is at its home pose. Without -o "
+    "the file is opened in a browser, where there is a screen."
+)
+
+_RUN = "run.csv"
+_DEFAULT = Path("machine.html")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``view``."""
+    parser.add_argument("robot", metavar="ROBOT.toml", type=Path, nargs="?", help="robot file, schema 1 or 2")
+    parser.add_argument(
+        "motion", metavar="MOTION", nargs="?", help="I, II, III, a CSV file, or what simulate wrote"
+    )
+    parser.add_argument("--example", action="store_true", help="the paper's machine on its Path I")
+    output(parser, "FILE.html", "file to write, - for standard output", str(_DEFAULT))
+    start_pose(parser)
+    log_options(parser)
+    json_file(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``view``; returns the exit code."""
+    from ...io.writing import result_file
+    from ...studies.common.report import Report
+    from ...viewer.page import BEGINNING
+    from ...viewer.view import View
+
+    _check(arguments)
+    path = _DEFAULT if arguments.output is None else arguments.output
+    read = [] if arguments.motion is None else [Path(arguments.motion)]
+    reject_inputs("-o", path, *([] if arguments.robot is None else [arguments.robot]), *read)
+    if path == arguments.json:
+        raise ValueError(f"--json {arguments.json}: is where the page goes (-o), name another file")
+    with (
+        results(arguments, read=read) as take,
+        result_file(path, [BEGINNING], arguments.force) as stream,
+        progress_line() as progress,
+    ):
+        robot = _robot(arguments)
+        shown = View(robot, _motion(robot, arguments, progress))
+        progress("writing the page")
+        stream.write(shown.html)
+        said = [] if str(path) == "-" else [f"{shown.title}", f"Written to {path}"]
+        take(Report("\n".join(said), data=_data(shown.instants)))
+    if arguments.output is None and not _opened(path):
+        print(f"No screen was found: open {path.resolve()} in a browser", file=sys.stderr)
+    return 0
+
+
+def _check(arguments: argparse.Namespace) -> None:
+    if arguments.example and arguments.robot is not None:
+        raise ValueError("--example: is of the paper's machine, expected no ROBOT.toml beside it")
+    if not arguments.example and arguments.robot is None:
+        raise ValueError("ROBOT.toml: missing; or give --example")
+
+
+def _robot(arguments: argparse.Namespace) -> "Robot":
+    from ...robots import dasgupta1998
+
+    return dasgupta1998() if arguments.example else robot_of(arguments.robot)
+
+
+def _motion(robot: "Robot", arguments: argparse.Namespace, progress: Progress) -> "Instants":
+    """The motion that the arguments name."""
+    from ...dynamics.home_pose import home_pose
+    from ...kinematics.paths import PATHS
+    from ...viewer import instants
+
+    name = "I" if arguments.example else arguments.motion
+    if name is None:
+        return instants.at_home(robot, home_pose(robot).t)
+    if name in PATHS:
+        return instants.of_path(robot, name)
+    path = Path(name)
+    if path.is_dir():
+        path = path / _RUN
+    if not path.exists():
+        raise ValueError(
+            f"{path}: expected I, II, III, a CSV file or a folder with {_RUN}, there is no such file"
+        )
+    if _is_run(path):
+        progress("reading the run")
+        return instants.of_run_file(robot, path)
+    trajectory = trajectory_of(robot, path, arguments, progress)
+    progress("computing forces and singular instants")
+    return instants.of_trajectory(robot, trajectory)
+
+
+def _is_run(path: Path) -> bool:
+    """Whether a table has the states and the forces of a simulated run."""
+    with open(path, encoding="utf-8", errors="replace", newline="") as stream:
+        header = next(csv.reader(stream), [])
+    return {"omega_x", "F1", "kinetic"} <= {name.strip() for name in header}
+
+
+def _data(shown: "Instants") -> dict[str, object]:
+    """What the page shows, for programs."""
+    import numpy as np
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)  # legs that no force holds at any instant
+        peaks = {name: np.nanmax(np.abs(F), axis=0) for name, F in shown.forces.items()}
+    return {
+        "motion": shown.name,
+        "instants": len(shown.time),
+        "start_s": shown.time[0],
+        "end_s": shown.time[-1],
+        "scaled_condition_number_peak": shown.condition.max(),
+        "peak_force_N": peaks,
+        "marked": [
+            {"time_s": event.time, "singular": event.singular, "twist": event.at.twist}
+            for event in shown.events
+        ],
+        "units": {"twist": "m/s and rad/s"},
+    }
+
+
+def _opened(path: Path) -> bool:
+    """Open a file in a browser; False where there is none with a screen."""
+    import webbrowser
+
+    screen = sys.platform in ("darwin", "win32") or any(
+        os.environ.get(name) for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER")
+    )
+    return screen and webbrowser.open(path.resolve().as_uri())

@@ -1,0 +1,130 @@
+"""A report as one HTML file: its text, tables that sort, figures, and its motions as in ``view``."""
+
+import base64
+import html
+import io
+import re
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any, TypeGuard
+
+import numpy as np
+
+from ...io.json_text import plain
+from ...io.progress import Progress, silent
+from ...viewer.content import safe_text
+from ...viewer.page import document, filled, generator
+from ...viewer.view import frame
+from .report import Picture, Report, svg
+
+MOST_ROWS = 500
+"""Of a table over time; of a longer one some rows, as even as can be, stand in the page."""
+
+# Numbers of a list that one cell has room for.
+_MOST_NUMBERS = 6
+
+
+def html_page(title: str, report: Report, progress: Progress = silent) -> str:
+    """Return the whole file's text.
+
+    Lists of alike figures in the report's data become tables; columns over time become tables that are closed
+    at first.  Raises ImportError for figures without Matplotlib.
+    """
+    parts = [_section("Result", f"<pre>{_text(report.text)}</pre>")] if report.text else []
+    for number, (name, view) in enumerate(report.views.items()):
+        progress(f"writing {name}", number / len(report.views))
+        parts.append(_section(name, frame(view())))
+    parts += [
+        _section(_words(name), _figure(name, picture, progress)) for name, picture in report.figures.items()
+    ]
+    parts += [
+        _section(_words(name), _table(_words(name), rows)) for name, rows in _lists("", plain(report.data))
+    ]
+    for name, table in report.tables.items():
+        if isinstance(table, Mapping):
+            parts.append(_closed(f"{name}.csv", table))
+    values = {"title": _text(title), "parts": "\n".join(parts), "generator": _text(generator())}
+    inner = ["main"] if report.views else []
+    return document(title, filled("report.html", values), "sort", ("style.css", "report.css"), inner)
+
+
+# Parts
+
+
+def _section(title: str, body: str) -> str:
+    return filled("section.html", {"title": _text(title), "body": body})
+
+
+def _figure(name: str, picture: Picture, progress: Progress) -> str:
+    progress(f"drawing {name}")
+    stream = io.BytesIO()
+    svg(picture, stream)
+    data = base64.b64encode(stream.getvalue()).decode()
+    return filled("figure.html", {"name": _text(_words(name)), "data": data})
+
+
+def _lists(where: str, data: object) -> Iterator[tuple[str, Sequence[Mapping[str, Any]]]]:
+    """Lists of alike tables in data and the names that lead there; lists within rows come after them."""
+    if isinstance(data, Mapping):
+        for key, value in data.items():
+            yield from _lists(f"{where} {key}".strip(), value)
+    elif _is_list_of_tables(data):
+        yield (
+            where,
+            [{key: value for key, value in row.items() if not _is_list_of_tables(value)} for row in data],
+        )
+        for number, row in enumerate(data, 1):
+            inner = {key: value for key, value in row.items() if _is_list_of_tables(value)}
+            yield from _lists(f"{where} {row.get('name', number)}", inner)
+
+
+def _is_list_of_tables(data: Any) -> TypeGuard[list[Mapping[str, Any]]]:
+    return isinstance(data, list) and bool(data) and all(isinstance(row, Mapping) for row in data)
+
+
+def _table(caption: str, rows: Sequence[Mapping[str, Any]]) -> str:
+    """A table whose rows are flat: what is nested or long stands in one cell as text."""
+    names = list(dict.fromkeys(name for row in rows for name in row))
+    cells = ["".join(map(_cell, map(row.get, names))) for row in rows]
+    return _filled_table(caption, map(_words, names), cells)
+
+
+def _closed(caption: str, columns: Mapping[str, Any]) -> str:
+    """Columns over time; the file that the subcommand writes has all rows."""
+    count = max(map(len, columns.values()), default=0)
+    some = np.unique(np.linspace(0, max(count - 1, 0), min(count, MOST_ROWS)).astype(np.int64))
+    lists = [plain(np.asarray(column)[some]) for column in columns.values()]
+    rows = ["".join(map(_cell, row)) for row in zip(*lists, strict=True)]
+    shown = f"{caption}: {count} rows" if len(some) == count else f"{caption}: {len(some)} of {count} rows"
+    return filled("closed.html", {"title": _text(shown), "body": _filled_table(shown, columns, rows)})
+
+
+def _filled_table(caption: str, names: Iterable[str], rows: Sequence[str]) -> str:
+    heads = "".join(f'<th scope="col"><button type="button">{_text(name)}</button></th>' for name in names)
+    values = {"caption": _text(caption), "heads": heads, "rows": "".join(f"<tr>{row}</tr>" for row in rows)}
+    return filled("table.html", values)
+
+
+def _cell(value: object) -> str:
+    if isinstance(value, bool) or value is None:
+        return f"<td>{'' if value is None else 'yes' if value else 'no'}</td>"
+    if isinstance(value, int | float):
+        return f'<td data-value="{value!r}">{value:.6g}</td>'
+    if isinstance(value, list) and all(isinstance(each, int | float) for each in value):
+        if len(value) > _MOST_NUMBERS:
+            return f"<td>{len(value)} numbers, {min(value):.4g} to {max(value):.4g}</td>"
+        return f"<td>{', '.join(f'{each:.4g}' for each in value)}</td>"
+    if isinstance(value, list):
+        value = "; ".join(map(str, value))
+    if isinstance(value, Mapping):
+        value = ", ".join(f"{_words(str(key))} {each}" for key, each in value.items())
+    return f'<td class="words">{_text(str(value))}</td>'
+
+
+def _words(name: str) -> str:
+    """The name of a key or a file in words."""
+    return re.sub(r"_+", " ", name)
+
+
+def _text(text: str) -> str:
+    """Text as HTML; marks that are not seen are written out, line by line."""
+    return "\n".join(html.escape(safe_text(line)) for line in text.split("\n"))

@@ -1,0 +1,200 @@
+"""The data of a page: the machine as plain numbers with sizes to draw it by, and the motion as columns."""
+
+from __future__ import annotations
+
+import base64
+import json
+import unicodedata
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..io.array_types import Array
+from ..io.instants import least_step, time_text
+from ..io.json_text import plain
+from ..kinematics.conditioning import characteristic_length
+from ..kinematics.mounting import platform_side, radius
+from ..motion.rotation import quaternion_from_rotation
+from ..robot.robot import Robot
+from .instants import Event, Instants
+
+# Of the machine's size: radius of a lower part and length of drawn axes; how far a twist swings the platform.
+_THICK, _AXIS, _SWING = 0.028, 0.22, 0.25
+# Of the shortest leg, that the radius of a lower part is at most.
+_THICK_OF_LEG = 0.06
+# Share of the shortest leg that a lower part takes at most, and of the longest where that is less.
+_LOWER, _LOWER_OF_LONGEST = 0.9, 0.62
+# Of the shortest leg, that the upper part stays within the lower, and that it takes at most.
+_WITHIN, _UPPER = 0.15, 0.95
+# Where the largest force exceeds the quantile by this factor, as beside a singular pose, colours end there.
+_QUANTILE, _PEAK = 0.9, 4.0
+# Below which machines are shown in millimetres, m.
+_SMALL = 2.0
+_UNSEEN = {"Cc", "Cf", "Co", "Cs", "Zl", "Zp"}
+
+
+def safe_text(text: str) -> str:
+    """A name with marks that are not seen, such as those of direction, written as their number."""
+    return "".join(
+        f"[U+{ord(letter):04X}]" if unicodedata.category(letter) in _UNSEEN else letter for letter in text
+    )
+
+
+def content(robot: Robot, shown: Instants) -> dict[str, Any]:
+    """Everything that the page's scripts read."""
+    scale, cut = _scale(shown)
+    columns = {
+        "time": _column(shown.time, "f8"),
+        "t": _column(shown.motion.t),
+        "q": _column(quaternion_from_rotation(shown.motion.R)),
+        "L": _column(shown.L),
+        "L_dot": _column(shown.L_dot),
+        "condition": _column(shown.condition),
+        **{f"F_{name}": _column(F) for name, F in shown.forces.items()},
+    }
+    return {
+        "machine": _machine(robot, shown),
+        "units": units(robot),
+        "forces": list(shown.forces),
+        "scale": scale,
+        "cut": cut,
+        "columns": columns,
+        "events": [_event(event, least_step(shown.time)) for event in shown.events],
+    }
+
+
+def units(robot: Robot) -> dict[str, Any]:
+    """Unit in which lengths are shown, and how many of it are a metre."""
+    small = _size(robot) < _SMALL
+    return {"length": 1e3 if small else 1.0, "lengthName": "mm" if small else "m"}
+
+
+def data_text(data: dict[str, Any]) -> str:
+    """Data as JSON that may stand in a block of HTML: nothing in it ends the block."""
+    text = json.dumps(plain(data), ensure_ascii=True, allow_nan=False, separators=(",", ":"))
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+# Parts
+
+
+def _column(values: Array, kind: str = "f4") -> dict[str, str]:
+    """Numbers in base 64; single precision has the digits that are shown, times need all of theirs."""
+    with np.errstate(over="ignore"):
+        numbers = np.ascontiguousarray(values, dtype=f"<{kind}")
+    return {"kind": kind, "data": base64.b64encode(numbers.tobytes()).decode()}
+
+
+def _machine(robot: Robot, shown: Instants) -> dict[str, Any]:
+    size = _size(robot)
+    lower, upper = _parts(robot, shown.L)
+    extent = _extent(robot, shown)
+    with np.errstate(all="ignore"):
+        thick = min(_THICK * size, _THICK_OF_LEG * float(np.nanmin(shown.L, initial=np.inf)))
+    middle = 0.5 * (extent.min(axis=0) + extent.max(axis=0))
+    return {
+        "b": robot.b,
+        "p": robot.p,
+        "k": robot.k if robot.base_joint == "universal" else _across(robot, shown),
+        "universal": robot.base_joint == "universal",
+        "tool": robot.tool,
+        "up": _up(robot),
+        "baseRing": _around(robot.b),
+        "platformRing": _around(robot.p),
+        "lower": lower,
+        "upper": upper,
+        "forceLimit": robot.force_limit,
+        "speedLimit": robot.speed_limit,
+        "lengthLimits": robot.length_limits,
+        "extent": extent,
+        "middle": middle,
+        "reach": float(np.linalg.norm(extent - middle, axis=-1).max()),
+        "thick": thick or _THICK * size,
+        "axis": _AXIS * size,
+        "swing": _SWING * (characteristic_length(robot) or 1.0),
+    }
+
+
+def _size(robot: Robot) -> float:
+    """Radii of base and platform together, m."""
+    return (radius(robot.b) + radius(robot.p)) or 1.0
+
+
+def _up(robot: Robot) -> Array:
+    """Against gravity: what hangs is shown hanging. Without gravity to the platform's side."""
+    weight = float(np.linalg.norm(robot.g))
+    return -robot.g / weight if weight > 0.0 else platform_side(robot).direction
+
+
+def _parts(robot: Robot, L: Array) -> tuple[Array, Array]:
+    """Lengths of lower and upper parts, m, (6,), that can slide into each other over all lengths."""
+    with np.errstate(all="ignore"):
+        shortest, longest = np.nanmin(L, axis=0), np.nanmax(L, axis=0)
+    low, high = robot.length_limits.T
+    shortest = np.where(low > 0.0, np.minimum(low, shortest), shortest)
+    longest = np.where(np.isfinite(high), np.maximum(high, longest), longest)
+    lower = np.minimum(_LOWER * shortest, _LOWER_OF_LONGEST * longest)
+    upper = np.minimum(_UPPER * shortest, longest - lower + _WITHIN * shortest)
+    return lower, upper
+
+
+def _extent(robot: Robot, shown: Instants) -> Array:
+    """Points that must be seen, m, (n, 3): joints, tool and axes in some of the poses."""
+    some = np.linspace(0, len(shown.time) - 1, min(len(shown.time), 16)).astype(np.int64)
+    R, t = shown.motion.R[some], shown.motion.t[some]
+    points = np.concatenate([robot.p, robot.tool[None], _AXIS * _size(robot) * np.eye(3)])
+    tips = np.einsum("njk,ik->nij", R, points) + t[:, None]
+    return np.concatenate([robot.b, tips.reshape(-1, 3)])
+
+
+def _across(robot: Robot, shown: Instants) -> Array:
+    """Directions across the legs of the first pose, (6, 3): legs with spherical joints don't show a spin."""
+    S = shown.motion.R[0] @ robot.p.T + shown.motion.t[0][:, None] - robot.b.T
+    least = np.eye(3)[np.argmin(np.abs(S), axis=0)]
+    across = np.cross(S.T, least)
+    return np.asarray(across / np.linalg.norm(across, axis=-1, keepdims=True))
+
+
+def _around(points: Array) -> NDArray[np.int64]:
+    """Order of points by their angle about their middle, in the plane that fits them best."""
+    from_middle = points - points.mean(axis=0)
+    across = from_middle @ np.linalg.svd(from_middle)[2][:2].T
+    return np.argsort(np.arctan2(across[:, 1], across[:, 0]), kind="stable")
+
+
+def _scale(shown: Instants) -> tuple[float, float | None]:
+    """Force at which the colours end, N, and the force at which curves are cut, None where none is."""
+    sizes = np.abs(np.concatenate([F.ravel() for F in shown.forces.values()] or [np.zeros(1)]))
+    sizes = sizes[np.isfinite(sizes)]
+    if not sizes.size:
+        return 1.0, None
+    most, usual = float(sizes.max()), float(np.quantile(sizes, _QUANTILE))
+    if usual > 0.0 and most > _PEAK * usual:
+        return usual, _PEAK * usual
+    return most or 1.0, None
+
+
+def _event(event: Event, step: float) -> dict[str, Any]:
+    at = event.at
+    turns = bool(np.isfinite(at.pitch))
+    screw = (
+        f"turn about {_triple(at.axis)} through {_triple(at.point)} m, pitch {float(at.pitch):.4g} m/rad"
+        if turns
+        else f"translation along {_triple(at.axis)}"
+    )
+    return {
+        "time": event.time,
+        "text": time_text(event.time, step),
+        "singular": event.singular,
+        "pose": {"t": event.motion.t, "R": event.motion.R},
+        "twist": at.twist,
+        "axis": at.axis if turns else None,
+        "point": at.point if turns else None,
+        "words": f"{'unconstrained' if event.singular else 'least held'} twist: {screw}; condition number "
+        f"{float(at.condition):.4g}".replace("inf", "\u221e"),
+    }
+
+
+def _triple(values: Array) -> str:
+    return "(" + ", ".join(f"{round(float(value), 4) + 0.0:.4g}" for value in values) + ")"

@@ -1,0 +1,199 @@
+"""What a machine does at instants: poses, lengths, forces, condition numbers, and where it is singular."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from ..dynamics.inverse import inverse_dynamics
+from ..io.arguments import real_array
+from ..io.array_types import Array
+from ..io.tables import file_name, opened
+from ..kinematics.conditioning import characteristic_length, scaled_condition_number
+from ..kinematics.paths import PATHS, path_for
+from ..kinematics.pose_search import jacobian
+from ..motion.interpolation import Path, between
+from ..motion.log_reader import PLAIN
+from ..motion.logs import read_columns
+from ..motion.motion import Motion, at_rest
+from ..motion.rotation import rotation_from_rpy
+from ..motion.straight_line import StraightLinePath
+from ..motion.trajectory import PoseLog, Trajectory
+from ..results import OK
+from ..robot.robot import Robot
+from ..simulation.trace import Simulation, Trace, leg_states
+from ..singularities.along_path import crossings
+from ..singularities.singular_poses import Singularity, singularity
+
+FORMULATIONS = ("exact", "paper")
+STEPS_PER_PATH = 600
+"""Into which a path of the paper is divided at least."""
+_NAMES = {
+    name: [f"{name}_{axis}" for axis in "xyz"] for name in ("t", "theta", "v", "omega")
+} | {"F": [f"F{leg}" for leg in range(1, 7)]}  # fmt: skip
+_MOST_BYTES = 1 << 31
+
+
+@dataclass(frozen=True, eq=False)
+class Event:
+    """An instant that the time line marks.
+
+    time: s. motion: the pose there. at: how near it is to a singular pose. singular: whether H is singular
+    there; False: only the largest condition number of the motion.
+    """
+
+    time: float
+    motion: Motion
+    at: Singularity
+    singular: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Instants:
+    """A machine's motion at n instants, to be looked at; SI units, base frame.
+
+    name: of the motion, in words. time: s, (n,). motion: poses and rates, (n,). L, L_dot: m and m/s, (n, 6).
+    forces: actuator forces by the name of their formulation or source, N, (n, 6); nan where none hold the
+    pose. condition: of H with its moment rows over the characteristic length, (n,). events: singular instants
+    in order, or the one nearest to a singular pose.
+    """
+
+    name: str
+    time: Array
+    motion: Motion
+    L: Array
+    L_dot: Array
+    forces: Mapping[str, Array]
+    condition: Array
+    events: tuple[Event, ...]
+
+
+def at_home(robot: Robot, home: Array) -> Instants:
+    """The machine at rest at its home pose, whose position is given, m, (3,)."""
+    motion = at_rest(np.eye(3)[None], home[None])
+    return _instants(robot, "home pose", np.zeros(1), motion, None, None)
+
+
+def of_path(robot: Robot, path: str | StraightLinePath) -> Instants:
+    """A straight line, or by its name, I, II or III, one of the paper's."""
+    if isinstance(path, str):
+        if path not in PATHS:
+            raise ValueError(f"motion: expected I, II or III, or a motion, got {path!r}")
+        name, path = f"Path {path} of the paper", path_for(robot, path).path
+    else:
+        name = "straight line"
+    time = path.times(path.tau_f / STEPS_PER_PATH)
+    return _instants(robot, name, time, path.sample(time), path.sample, path.breaks())
+
+
+def of_trajectory(robot: Robot, trajectory: Trajectory | PoseLog, name: str | None = None) -> Instants:
+    """A trajectory read from a file, by whose name it is called."""
+    path = between(trajectory) if len(trajectory.time) > 1 else None
+    name = os.path.basename(trajectory.source) if name is None else name
+    return _instants(robot, name, trajectory.time, trajectory.motion, path, trajectory.time)
+
+
+def of_run(robot: Robot, run: Trace, name: str = "simulated run") -> Instants:
+    """A simulated run, with the forces that acted."""
+    path = _path_of(run.times, run.motion)
+    if isinstance(run, Simulation):
+
+        def path(times: Array) -> Motion:
+            return run.at(times).motion
+
+    return _instants(robot, name, run.times, run.motion, path, run.times, {"run": run.F})
+
+
+def of_motion(robot: Robot, motion: Motion, times: object) -> Instants:
+    """A motion of shape (n,) at times, s, (n,), increasing; without accelerations there are no forces."""
+    time = np.arange(1.0) if times is None and motion.shape in ((), (1,)) else real_array(times, "times")
+    if motion.shape == ():
+        motion = motion[None]
+    if time.shape != motion.shape or time.ndim != 1 or not len(time):
+        raise ValueError(f"times: expected shape {motion.shape}, (n,), as the motion's, got {time.shape}")
+    if not np.isfinite(time).all() or np.any(np.diff(time) <= 0.0):
+        raise ValueError("times: expected finite, increasing times")
+    forces: Mapping[str, Array] | None = {} if motion.a is None else None
+    return _instants(robot, "motion", time, motion, _path_of(time, motion), time, forces)
+
+
+def read_run(path: str | os.PathLike[str]) -> tuple[Array, Motion, Array]:
+    """Read ``run.csv`` of ``simulate``: times, s, (n,), states, (n,), and the forces that acted, N, (n, 6).
+
+    Raises ValueError of one line that names the file and the row or column.
+    """
+    source = file_name(path)
+
+    def check(header: list[str], source: str) -> None:
+        for column in ("time", *(column for names in _NAMES.values() for column in names)):
+            if column not in header:
+                raise ValueError(f"{source}: missing column {column}")
+
+    with opened(source, "run", _MOST_BYTES) as stream:
+        columns, _ = read_columns(stream, source, check, PLAIN)
+    t, theta, v, omega, F = (np.stack([columns[c] for c in names], axis=-1) for names in _NAMES.values())
+    return columns["time"], Motion(rotation_from_rpy(theta), t, omega, v), F
+
+
+def of_run_file(robot: Robot, path: str | os.PathLike[str]) -> Instants:
+    """A run as ``simulate`` wrote it into ``run.csv``."""
+    time, motion, F = read_run(path)
+    return _instants(robot, "simulated run", time, motion, _path_of(time, motion), time, {"run": F})
+
+
+# Parts
+
+
+def _instants(
+    robot: Robot,
+    name: str,
+    time: Array,
+    motion: Motion,
+    path: Path | None,
+    breaks: Array | None,
+    forces: Mapping[str, Array] | None = None,
+) -> Instants:
+    """All of it; forces: None for those of both formulations. path, breaks: as ``crossings`` takes them."""
+    with np.errstate(all="ignore"):
+        legs = leg_states(robot, motion)
+        length = characteristic_length(robot) or 1.0
+        H = np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2)
+        condition = scaled_condition_number(H, length)
+    if forces is None:
+        forces = {each: _forces(robot, motion, each) for each in FORMULATIONS}
+    events = _events(robot, time, motion, condition, path, breaks)
+    return Instants(name, time, motion, legs.L, legs.L_dot, forces, condition, events)
+
+
+def _forces(robot: Robot, motion: Motion, formulation: str) -> Array:
+    found = inverse_dynamics(robot, motion, formulation, on_singular="nan")  # type: ignore[arg-type]
+    return np.where((found.status == OK)[:, None], found.F, np.nan)
+
+
+def _events(
+    robot: Robot, time: Array, motion: Motion, condition: Array, path: Path | None, breaks: Array | None
+) -> tuple[Event, ...]:
+    found = []
+    if path is not None and breaks is not None and len(breaks) > 1:
+        for each in crossings(robot, path, breaks):
+            found.append(Event(each.time, path(np.array([each.time]))[0], each.at, True))
+    known = np.nan_to_num(condition, nan=0.0)
+    if not found and len(time) > 1 and known.any():
+        i = int(np.argmax(known))
+        at = singularity(robot, motion[i])
+        found.append(Event(float(time[i]), motion[i], at, bool(at.lost)))
+    return tuple(found)
+
+
+def _path_of(time: Array, motion: Motion) -> Path | None:
+    """The motion between its instants; accelerations that it has not are differences of its rates."""
+    if len(time) < 2:
+        return None
+    a, alpha = motion.a, motion.alpha
+    if a is None or alpha is None:
+        a, alpha = (np.gradient(rate, time, axis=0) for rate in (motion.v, motion.omega))
+    full = Motion.unchecked(motion.R, motion.t, motion.omega, motion.v, alpha, a)
+    return between(Trajectory(time, full, "motion", range(len(time))))

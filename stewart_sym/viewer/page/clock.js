@@ -1,0 +1,60 @@
+// The clock: which instant is shown. It runs at a speed, from the beginning again at the end.
+
+export class Clock {
+  constructor(motion) {
+    this.motion = motion;
+    this.time = motion.start;
+    this.index = 0;
+    this.speed = 1;
+    this.playing = false;
+    this.listeners = [];
+    const steps = Math.max(1, motion.count - 1);
+    this.decimals = Math.max(1, Math.min(6, Math.ceil(-Math.log10(motion.duration / steps / 2 || 1))));
+  }
+
+  // `listener` is called with the index of the instant whenever it, or whether the clock runs, changes.
+  onChange(listener) {
+    this.listeners.push(listener);
+  }
+
+  tell() {
+    for (const listener of this.listeners) listener(this.index);
+  }
+
+  // The instant nearest to a time, s.
+  seek(time) {
+    const { motion } = this;
+    this.time = Math.max(motion.start, Math.min(motion.start + motion.duration, time));
+    this.index = motion.nearest(this.time);
+    this.tell();
+  }
+
+  // Forward or back by a number of instants.
+  step(count) {
+    const index = Math.max(0, Math.min(this.motion.count - 1, this.index + count));
+    this.pause();
+    this.seek(this.motion.time[index]);
+  }
+
+  play() {
+    if (this.motion.duration > 0) this.playing = true;
+    if (this.time >= this.motion.start + this.motion.duration) this.time = this.motion.start;
+    this.tell();
+  }
+
+  pause() {
+    this.playing = false;
+    this.tell();
+  }
+
+  // Lets so many seconds pass.
+  pass(seconds) {
+    const { start, duration } = this.motion;
+    const since = this.time - start + seconds * this.speed;
+    this.seek(start + (since > duration ? since % duration : since));
+  }
+
+  text(time = this.motion.time[this.index]) {
+    return `${time.toFixed(this.decimals).replace("-", "\u2212")} s`;
+  }
+}

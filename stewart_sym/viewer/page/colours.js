@@ -1,0 +1,37 @@
+// Colours of forces: blue where a leg pulls, red where it pushes, light where it does neither.
+
+const STEPS = [
+  [33, 102, 172],
+  [103, 169, 207],
+  [209, 229, 240],
+  [247, 247, 247],
+  [253, 219, 199],
+  [239, 138, 98],
+  [178, 24, 43],
+];
+const UNKNOWN = [128, 128, 128];
+
+// Colour, 0 to 255, of a force on a scale from -scale to scale, N; what is beyond has the colour of the end.
+export function forceColour(force, scale) {
+  if (!Number.isFinite(force)) return UNKNOWN;
+  const share = scale > 0 ? Math.max(-1, Math.min(1, force / scale)) : 0;
+  const at = ((share + 1) / 2) * (STEPS.length - 1);
+  const i = Math.min(Math.floor(at), STEPS.length - 2);
+  return STEPS[i].map((low, k) => Math.round(low + (STEPS[i + 1][k] - low) * (at - i)));
+}
+
+// The scale as a CSS gradient.
+export function gradient() {
+  return `linear-gradient(to right, ${STEPS.map((rgb) => `rgb(${rgb.join(" ")})`).join(", ")})`;
+}
+
+// A colour of the style sheet's variables as numbers 0 to 1; the theme decides.
+export function themeColour(name, opacity = 1) {
+  const text = getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+  const value = parseInt(text.slice(1), 16);
+  return [((value >> 16) & 255) / 255, ((value >> 8) & 255) / 255, (value & 255) / 255, opacity];
+}
+
+export function themeText(name) {
+  return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
+}

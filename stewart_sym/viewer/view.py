@@ -1,0 +1,138 @@
+"""``ss.view``: a machine in motion, shown in a notebook or written to one HTML file."""
+
+from __future__ import annotations
+
+import html
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+from ..dynamics.home_pose import home_pose
+from ..io.arguments import instance
+from ..io.writing import replaced_file
+from ..kinematics.conditioning import characteristic_length
+from ..motion.motion import Motion
+from ..motion.straight_line import StraightLinePath
+from ..motion.trajectory import PoseLog, Trajectory
+from ..robot.robot import Robot
+from ..simulation.trace import Trace
+from .content import content, data_text, safe_text, units
+from .instants import Instants, at_home, of_motion, of_path, of_run, of_trajectory
+from .page import document, filled, generator
+
+_HEIGHT = 900
+
+
+@dataclass(frozen=True, eq=False)
+class View:
+    """A machine in motion as one HTML file; in a notebook it is shown where it stands at a cell's end.
+
+    Attributes
+    ----------
+    robot : Robot
+        The machine.
+    instants : Instants
+        What is shown of its motion.
+    """
+
+    robot: Robot
+    instants: Instants
+
+    @property
+    def title(self) -> str:
+        """Names of machine and motion."""
+        return f"{safe_text(self.robot.name)}: {safe_text(self.instants.name)}"
+
+    @property
+    def html(self) -> str:
+        """The file's text."""
+        shown = units(self.robot)
+        body = filled(
+            "viewer.html",
+            {
+                "name": html.escape(safe_text(self.robot.name)),
+                "motion": html.escape(safe_text(self.instants.name)),
+                "length": shown["lengthName"],
+                "moment": f"{(characteristic_length(self.robot) or 1.0) * shown['length']:.4g}",
+                "generator": html.escape(generator()),
+                "data": data_text(content(self.robot, self.instants)),
+            },
+        )
+        return document(self.title, body, "main")
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write the file; what stands there is replaced once all is written.
+
+        Parameters
+        ----------
+        path : str or os.PathLike
+            Where to write.
+
+        Raises
+        ------
+        OSError
+            Naming the file, when it can't be written.
+        """
+        with replaced_file(Path(path)) as stream:
+            stream.write(self.html)
+
+    def _repr_html_(self) -> str:
+        """The page within a notebook's, closed off from it."""
+        return frame(self)
+
+
+def frame(view: View, height: int = _HEIGHT) -> str:
+    """The page as a frame within another; height: of the frame, pixels."""
+    values = {"title": html.escape(view.title), "page": html.escape(view.html), "height": str(height)}
+    return filled("frame.html", values)
+
+
+def view(
+    robot: Robot,
+    motion: Motion | Trace | Trajectory | PoseLog | StraightLinePath | str | None = None,
+    times: Any = None,
+) -> View:
+    """Return a machine in motion, to be looked at in a notebook or saved as one HTML file.
+
+    The file needs no network and no other file. It shows the machine in three dimensions with its legs
+    coloured by force, in both formulations, and forces, lengths, speeds and condition number over time.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    motion : Motion, Trace, Trajectory, PoseLog, StraightLinePath or str, optional
+        A motion of shape (n,) at ``times``; what ``simulate`` returns, with the forces that acted; a
+        trajectory; a straight line; I, II or III, a path of the paper. None: at rest at the home pose. A
+        motion without accelerations is shown without forces.
+    times : array_like, optional
+        Of a Motion, s, (n,), increasing.
+
+    Returns
+    -------
+    View
+        Shown by a notebook; ``save(path)`` writes the file, ``html`` is its text.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument.
+    """
+    instance(robot, Robot, "robot")
+    if times is not None and not isinstance(motion, Motion):
+        raise ValueError("times: are for a Motion, expected none")
+    return View(robot, _instants(robot, motion, times))
+
+
+def _instants(robot: Robot, motion: object, times: object) -> Instants:
+    if motion is None:
+        return at_home(robot, home_pose(robot).t)
+    if isinstance(motion, str | StraightLinePath):
+        return of_path(robot, motion)
+    if isinstance(motion, Trajectory | PoseLog):
+        return of_trajectory(robot, motion)
+    if isinstance(motion, Trace):
+        return of_run(robot, motion)
+    instance(motion, Motion, "motion")
+    return of_motion(robot, cast(Motion, motion), times)

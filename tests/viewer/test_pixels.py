@@ -1,0 +1,171 @@
+"""What is drawn is what was computed: legs have the colours of their forces and end where they project."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from browser import DOTS, Opened, colour, pixels
+from machines import dasgupta
+from numpy.typing import NDArray
+from playwright.sync_api import Browser
+
+import stewart_sym as ss
+from stewart_sym.robot.robot import Robot
+from stewart_sym.viewer.instants import Instants
+from stewart_sym.viewer.view import view
+
+Array = NDArray[np.float64]
+
+pytestmark = pytest.mark.slow
+
+INSTANTS = 12
+NEAR = 6.0
+"""Pixels from another leg within which a pixel may be its."""
+STILL = "viewer.clock.pause(); for (const id of ['labels', 'tip']) document.getElementById(id).hidden = true;"
+LINES = "for (const id of ['frames', 'ribbon', 'skeleton']) document.getElementById(id).click();"
+
+
+@pytest.fixture(scope="module")
+def shown() -> tuple[Robot, Instants, str]:
+    robot = dasgupta()
+    found = view(robot, "I")
+    return robot, found.instants, found.html
+
+
+@pytest.fixture(scope="module")
+def opened(
+    browser: Browser, shown: tuple[Robot, Instants, str], tmp_path_factory: pytest.TempPathFactory
+) -> Iterator[Opened]:
+    path = tmp_path_factory.mktemp("page") / "I.html"
+    path.write_text(shown[2], encoding="utf-8")
+    found = Opened(browser, path)
+    found.do(STILL)
+    yield found
+    found.close()
+
+
+def eye(opened: Opened, which: int = 0) -> tuple[dict[str, Any], dict[str, float]]:
+    camera = opened.do("const { eye, target, up } = viewer.camera; return { eye, target, up };")
+    return camera, opened.do(f"return viewer.pictures()[{which}];")
+
+
+def ends(robot: Robot, instants: Instants, i: int) -> Array:
+    """Base and platform points, (6, 2, 3)."""
+    tips = robot.p @ instants.motion.R[i].T + instants.motion.t[i]
+    return np.stack([robot.b, tips], axis=1)
+
+
+def projected(opened: Opened, robot: Robot, instants: Instants, i: int, which: int = 0) -> Array:
+    """Their pixels, (6, 2, 2)."""
+    return pixels(ends(robot, instants, i).reshape(-1, 3), *eye(opened, which)).reshape(6, 2, 2)
+
+
+def off(points: Array, line: Array) -> Array:
+    """Distances of points, (n, 2), from a line between two, (2, 2), pixels."""
+    way = line[1] - line[0]
+    share = np.clip((points - line[0]) @ way / (way @ way), 0.0, 1.0)
+    return np.asarray(np.linalg.norm(points - line[0] - share[:, None] * way, axis=-1))
+
+
+def instants_to_look_at(instants: Instants) -> list[int]:
+    return [int(i) for i in np.linspace(0, len(instants.time) - 1, INSTANTS)]
+
+
+def seek(opened: Opened, time: float) -> NDArray[np.int64]:
+    opened.do(f"viewer.clock.seek({time!r})")
+    return opened.drawn()
+
+
+def test_pixels_of_lines_have_the_colours_of_the_forces_and_end_at_the_joints(
+    opened: Opened, shown: tuple[Robot, Instants, str]
+) -> None:
+    robot, instants, _ = shown
+    scale = float(np.abs(np.concatenate([*instants.forces.values()])).max())
+    opened.do(LINES)
+    for i in instants_to_look_at(instants):
+        picture = seek(opened, float(instants.time[i]))
+        lines = projected(opened, robot, instants, i)
+        for leg in range(6):
+            wanted = colour(float(instants.forces["exact"][i, leg]), scale)
+            along = lines[leg, 0] + np.linspace(0.03, 0.97, 60)[:, None] * (lines[leg, 1] - lines[leg, 0])
+            free = np.all([off(along, lines[other]) > NEAR for other in range(6) if other != leg], axis=0)
+            seen = picture[tuple(np.floor(DOTS * along[free]).astype(int).T[::-1])]
+            assert free.sum() > 15
+            assert np.abs(seen - wanted).max() <= 2, (i, leg)
+            assert ends_off(picture, wanted, lines, leg) <= 1.0, (i, leg)
+    opened.do(LINES)
+
+
+def of_colour(picture: NDArray[np.int64], wanted: Array) -> Array:
+    """Middles of the dots of a colour, pixels, (n, 2)."""
+    rows, columns = np.nonzero(np.abs(picture - wanted).max(axis=-1) <= 2)
+    return (np.stack([columns, rows], axis=-1) + 0.5) / DOTS
+
+
+def ends_off(picture: NDArray[np.int64], wanted: Array, lines: Array, leg: int) -> float:
+    """How far from a leg's projected ends its colour ends, pixels; ends beside other legs don't count."""
+    line = lines[leg]
+    way = (line[1] - line[0]) / np.linalg.norm(line[1] - line[0])
+    middles = of_colour(picture, wanted)
+    away = np.abs((middles - line[0]) @ [-way[1], way[0]])
+    at = (middles[(away < 1.5) & (off(middles, line) < NEAR)] - line[0]) @ way
+    # Half a dot from the middle of the last one to its far side.
+    half = 0.5 / DOTS * np.abs(way).max()
+    found = [at.min() - half, at.max() + half - np.linalg.norm(line[1] - line[0])]
+    crowded = [
+        any(off(end[None], lines[other])[0] < NEAR for other in range(6) if other != leg) for end in line
+    ]
+    return max(abs(float(each)) for each, skip in zip(found, crowded, strict=True) if not skip)
+
+
+def test_bodies_of_legs_have_the_colours_of_the_forces(
+    opened: Opened, shown: tuple[Robot, Instants, str]
+) -> None:
+    robot, instants, _ = shown
+    scale = float(np.abs(np.concatenate([*instants.forces.values()])).max())
+    for i in instants_to_look_at(instants):
+        picture = seek(opened, float(instants.time[i]))
+        lines = projected(opened, robot, instants, i)
+        for leg in range(6):
+            wanted = colour(float(instants.forces["exact"][i, leg]), scale)
+            on = off(of_colour(picture, wanted), lines[leg]) < 12.0
+            assert on.sum() > 100, (i, leg, on.sum())
+
+
+def test_formulations_side_by_side_have_their_own_colours(
+    opened: Opened, shown: tuple[Robot, Instants, str]
+) -> None:
+    robot, instants, _ = shown
+    scale = float(np.abs(np.concatenate([*instants.forces.values()])).max())
+    opened.page.select_option("#sets", "side by side")
+    opened.do(LINES)
+    i, leg = 0, int(np.argmax(np.abs(instants.forces["exact"][0] - instants.forces["paper"][0])))
+    picture = seek(opened, float(instants.time[i]))
+    colours = [colour(float(instants.forces[name][i, leg]), scale) for name in ("exact", "paper")]
+    assert np.abs(colours[0] - colours[1]).max() > 4
+    for which in (0, 1):
+        line = projected(opened, robot, instants, i, which)[leg]
+        x, y = np.floor(DOTS * (line[0] + 0.1 * (line[1] - line[0]))).astype(int)
+        assert np.abs(picture[y, x] - colours[which]).max() <= 2
+    opened.page.select_option("#sets", "exact")
+    opened.do(LINES)
+
+
+@pytest.mark.parametrize("name", ["rubin_m2", "tsai2000"])
+def test_other_machines_project_too(browser: Browser, tmp_path: Path, name: str) -> None:
+    robot = ss.robots.load(name)
+    found = view(robot)
+    found.save(tmp_path / "home.html")
+    page = Opened(browser, tmp_path / "home.html")
+    page.do(STILL + LINES)
+    picture = page.drawn()
+    scale = float(np.abs(np.concatenate([*found.instants.forces.values()])).max())
+    lines = projected(page, robot, found.instants, 0)
+    inside = (lines > 0.0).all() and (lines < np.array(picture.shape[1::-1]) / DOTS).all()
+    assert inside
+    for leg in range(6):
+        wanted = colour(float(found.instants.forces["exact"][0, leg]), scale)
+        assert ends_off(picture, wanted, lines, leg) <= 1.0
+    page.close()

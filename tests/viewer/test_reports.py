@@ -1,0 +1,198 @@
+"""``--html``: one file with text, tables that sort, figures and the motion, that makes no request."""
+
+import dataclasses
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from axe_playwright_python.sync_playwright import Axe
+from browser import Opened
+from command_line import fails_in_one_line
+from machines import dasgupta
+from matplotlib.figure import Figure
+from playwright.sync_api import Browser
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.studies.common.html_page import MOST_ROWS, html_page
+from stewart_sym.studies.common.report import Picture, Report
+
+EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    for name in ("hexapod.toml", "trajectory.csv", "swing.toml"):
+        shutil.copy(EXAMPLES / name, tmp_path)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.slow
+def test_forces_have_their_motion_and_a_table_that_sorts(browser: Browser, folder: Path) -> None:
+    assert (
+        main(["forces", "hexapod.toml", "trajectory.csv", "-o", "forces.csv", "--html", "forces.html"]) == 0
+    )
+    page = Opened(browser, folder / "forces.html", (1000, 800))
+    assert "101 instants" in page.page.inner_text("pre")
+    rows = "[...document.querySelectorAll('table.sorts tbody tr')]"
+    column = f"() => {rows}.map((row) => row.cells[1].dataset.value)"
+    for order, name in ((1, "ascending"), (-1, "descending")):
+        page.page.locator("table.sorts th:nth-child(2) button").press("Enter")
+        page.page.locator(f"th[aria-sort={name}]").wait_for()
+        numbers = np.array([float(text) for text in page.page.evaluate(column)])
+        assert np.all(order * np.diff(numbers) >= 0.0)
+    inside = page.page.frame_locator("iframe")
+    assert inside.locator("#now tbody tr").count() == 6
+    inside.locator("#forward").click()
+    assert page.said == []
+    assert page.requests == [(folder / "forces.html").as_uri(), "about:srcdoc"][: len(page.requests)]
+    page.close()
+
+
+@pytest.mark.slow
+def test_axe_finds_nothing_in_a_report(browser: Browser, tmp_path: Path) -> None:
+    figure = Picture(lambda: Figure(figsize=(5.0, 2.0)))
+    lists = {"legs": [{"leg": leg, "peak_force_N": 7.0 * leg, "known": leg > 1} for leg in range(3)]}
+    columns = {"time": np.arange(5.0), "F1": np.arange(5.0)}
+    report = Report(
+        "words", {"run": columns}, lists, {"run": figure}, {"Path I": lambda: ss.view(dasgupta(), "I")}
+    )
+    (tmp_path / "report.html").write_text(html_page("title", report), encoding="utf-8")
+    page = Opened(browser, tmp_path / "report.html", (1000, 800), bypass_csp=True)
+    assert page.do("return document.querySelector('img').naturalWidth") > 300
+    assert page.page.locator("details summary").inner_text() == "run.csv: 5 rows"
+    assert [each["id"] for each in Axe().run(page.page).response["violations"]] == []
+    assert page.said == []
+    page.close()
+
+
+@pytest.mark.slow
+def test_the_run_that_simulate_wrote_is_shown_with_its_own_forces(folder: Path) -> None:
+    simulate = ["simulate", "swing.toml", "-o", "swing", "--no-pictures"]
+    assert main([*simulate, "--html", "report.html"]) == 0
+    assert "run.csv: 325 rows" in (folder / "report.html").read_text(encoding="utf-8")
+    assert main(["view", "hexapod.toml", "swing", "-o", "swing.html"]) == 0
+    text = (folder / "swing.html").read_text(encoding="utf-8")
+    assert '"forces":["run"]' in text
+    assert "F_exact" not in text
+
+
+def test_long_tables_are_thinned_and_say_so() -> None:
+    rows = 4 * MOST_ROWS
+    text = html_page(
+        "t", Report("<b>", {"path": {"time": np.arange(float(rows))}}, {"list": [{"a": 1, "b": "<i>"}]})
+    )
+    assert f"path.csv: {MOST_ROWS} of {rows} rows" in text
+    assert f">{rows - 1}</td>" in text
+    assert "&lt;b&gt;" in text
+    assert "&lt;i&gt;" in text
+    assert "<i>" not in text
+
+
+def test_lists_within_rows_are_tables_of_their_own() -> None:
+    data = {"families": [{"name": "scale", "methods": [{"method": "no pivoting", "worst": [1.0] * 9}]}]}
+    text = html_page("t", Report("", data=data))
+    assert text.count('<table class="sorts">') == 2
+    assert "<h2>families scale methods</h2>" in text
+    assert "9 numbers, 1 to 1" in text
+
+
+def test_figures_are_drawn_as_svg() -> None:
+    text = html_page("t", Report("", figures={"one": Picture(lambda: Figure(figsize=(2.0, 1.0)))}))
+    assert 'src="data:image/svg+xml;base64,' in text
+
+
+def test_a_page_goes_over_no_input_and_no_other_result(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    forces = ("forces", "hexapod.toml", "trajectory.csv", "-o", "forces.csv")
+    line = fails_in_one_line(capsys, *forces, "--html", "hexapod.toml")
+    assert "--html hexapod.toml: is an input" in line
+    line = fails_in_one_line(capsys, *forces, "--html", "forces.csv")
+    assert "is where another result goes" in line
+    (folder / "mine.html").write_text("<p>mine")
+    line = fails_in_one_line(capsys, *forces, "--html", "mine.html")
+    assert "exists with other content" in line
+    assert (folder / "mine.html").read_text() == "<p>mine"
+    assert not (folder / "forces.csv").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ((), "ROBOT.toml: missing"),
+        (("hexapod.toml", "IV"), "expected I, II, III, a CSV file"),
+        (("hexapod.toml", "--example"), "expected no ROBOT.toml beside it"),
+        (("hexapod.toml", "-o", "hexapod.toml"), "is an input"),
+        (("hexapod.toml", "hexapod.toml"), "unknown column"),
+    ],
+)
+def test_view_says_in_one_line_what_is_wrong(
+    folder: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[str, ...], words: str
+) -> None:
+    before = sorted(folder.iterdir())
+    assert words in fails_in_one_line(capsys, "view", *arguments)
+    assert sorted(folder.iterdir()) == before
+
+
+def test_the_example_opens_a_browser_or_says_the_path(
+    folder: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    opened: list[str] = []
+
+    def open_(address: str) -> bool:
+        opened.append(address)
+        return True
+
+    monkeypatch.setattr("webbrowser.open", open_)
+    for name in ("DISPLAY", "WAYLAND_DISPLAY", "BROWSER"):
+        monkeypatch.delenv(name, raising=False)
+    assert main(["view", "--example"]) == 0
+    assert opened == []
+    assert str(folder / "machine.html") in capsys.readouterr().err
+    monkeypatch.setenv("DISPLAY", ":0")
+    assert main(["view", "--example"]) == 0
+    assert opened == [(folder / "machine.html").as_uri()]
+
+
+def test_what_cannot_be_shown_is_named() -> None:
+    robot = ss.robots.dasgupta1998()
+    path, _ = ss.PATHS["I"]
+    time = np.linspace(0.0, 6.0, 5)
+    with pytest.raises(ValueError, match="times: expected shape"):
+        ss.view(robot, path.sample(time), time[:3])
+    with pytest.raises(ValueError, match="times: expected finite, increasing"):
+        ss.view(robot, path.sample(time), 0.0 * time)
+    with pytest.raises(ValueError, match="motion: expected I, II or III"):
+        ss.view(robot, "IV")
+    with pytest.raises(ValueError, match="times: are for a Motion"):
+        ss.view(robot, "I", time)
+    with pytest.raises(ValueError, match="motion"):
+        ss.view(robot, 3)  # type: ignore[arg-type]
+
+
+def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
+    robot = ss.robots.dasgupta1998()
+    path, _ = ss.PATHS["III"]
+    time = np.linspace(0.0, 6.0, 61)
+    full = path.sample(time)
+    shown = ss.view(robot, ss.Motion(full.R, full.t, full.omega, full.v), time).instants
+    assert shown.forces == {}
+    (event,) = shown.events
+    assert event.time == pytest.approx(3.6705041, abs=1e-3)
+
+
+def test_with_z_down_the_same_is_shown_upside_down() -> None:
+    """Gravity is down on the screen whatever axes the file has."""
+    from stewart_sym.viewer.content import content
+
+    robot = ss.robots.load("dasgupta1998")
+    Q = np.diag([1.0, -1.0, -1.0])
+    names = {name: getattr(robot, name) @ Q for name in ("g", "R_0", "b", "p", "k")}
+    down = dataclasses.replace(robot, **names, I_p=Q @ robot.I_p @ Q)
+    one, other = (ss.view(each, "I") for each in (robot, down))
+    assert np.allclose(one.instants.forces["paper"], other.instants.forces["paper"], rtol=1e-9)
+    ups = [content(each.robot, each.instants)["machine"]["up"] for each in (one, other)]
+    assert np.allclose(ups, [[0.0, 0.0, 1.0], [0.0, 0.0, -1.0]])
