@@ -2,6 +2,14 @@
 
 from . import results as results
 from . import robots as robots
+from .design.capability import Capability as Capability
+from .design.capability import capability as capability
+from .design.pose_limits import PoseLimits as PoseLimits
+from .design.size import Needs as Needs
+from .design.size import size as size
+from .design.workspace import Workspace as Workspace
+from .design.workspace import WorkspaceWarning as WorkspaceWarning
+from .design.workspace import workspace as workspace
 from .drives.effort import DriveEffort as DriveEffort
 from .drives.effort import DriveLimitWarning as DriveLimitWarning
 from .drives.effort import drive_effort as drive_effort
@@ -49,6 +57,7 @@ from .identification.rotor_columns import rotor_regressor as rotor_regressor
 from .io.error_policy import SingularPoseWarning as SingularPoseWarning
 from .kinematics.certificate import Certificate as Certificate
 from .kinematics.certificate import certify_pose as certify_pose
+from .kinematics.clearance import leg_distances as leg_distances
 from .kinematics.conditioning import characteristic_length as characteristic_length
 from .kinematics.conditioning import condition_number as condition_number
 from .kinematics.conditioning import scaled_condition_number as scaled_condition_number
@@ -59,6 +68,8 @@ from .kinematics.forward import forward_velocity as forward_velocity
 from .kinematics.inverse import inverse_kinematics as inverse_kinematics
 from .kinematics.inverse import wrench_matrix as wrench_matrix
 from .kinematics.inverse import wrench_matrix_rate as wrench_matrix_rate
+from .kinematics.joint_angles import JointAngles as JointAngles
+from .kinematics.joint_angles import joint_angles as joint_angles
 from .kinematics.mounting import AssemblyModeWarning as AssemblyModeWarning
 from .kinematics.mounting import up_direction as up_direction
 from .kinematics.offset_legs import MotorMotion as MotorMotion

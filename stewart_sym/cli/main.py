@@ -31,6 +31,8 @@ SUBCOMMANDS = {
     "import": "machine.import_model",
     "forces": "machine.forces",
     "singularities": "machine.singularities",
+    "workspace": "machine.workspace",
+    "size": "machine.size",
     "simulate": "machine.simulate",
     "view": "machine.view",
     "control": "studies.control",

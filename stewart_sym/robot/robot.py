@@ -79,6 +79,9 @@ class Robot(Frozen):
         Shortest and longest leg, m, (6, 2); a row (0, inf) means no limit.
     force_limit, speed_limit : ndarray, optional
         Of the actuators, N and m/s, (6,); inf means no limit.
+    joint_angle_limit : ndarray, optional
+        Largest angles between a leg and its direction at the home pose, in the base frame and in the platform
+        frame, rad, (6, 2), pi for none at one end; a row (inf, inf) means no limit.
     accept : tuple, optional
         Names, of ``DOUBTS``, of warnings that are known of this robot and not given.
     home : ndarray, optional
@@ -123,6 +126,7 @@ class Robot(Frozen):
     length_limits: Array = field(default_factory=lambda: np.tile([0.0, math.inf], (LEGS, 1)))
     force_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
     speed_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
+    joint_angle_limit: Array = field(default_factory=lambda: np.full((LEGS, 2), math.inf))
     accept: tuple[str, ...] = ()
     home: Array | None = None
     tool: Array = field(default_factory=lambda: np.zeros(3))
@@ -143,6 +147,8 @@ class Robot(Frozen):
             checked[name] = self._per_leg(name, no_direction if spherical and name == "k" else check)
         if self.lengths == "relative" and checked["home"] is None:
             raise ValueError('robot: lengths: "relative" is to the home pose, expected home')
+        if np.isfinite(checked["joint_angle_limit"]).any() and checked["home"] is None:
+            raise ValueError("robot: joint_angle_limit: is from the home pose, expected home")
         if not isinstance(self.drive, Drive | None):
             raise ValueError(f"robot: drive: expected a Drive or None, got {shown(self.drive)}")
         self._set(checked)

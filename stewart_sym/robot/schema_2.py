@@ -24,6 +24,7 @@ from .fields import (
     POSE_FIELDS,
     accepted,
     base_joint,
+    joint_angles,
     limits,
     need_axisymmetric,
 )
@@ -41,7 +42,7 @@ _POINT_KEYS = ("points", *RING_KEYS)
 _PARTS = {"lower": 1.0, "upper": -1.0}
 """Parts of a leg, and to which side along x they lie from their joint."""
 _FRICTION_KEYS = ("universal", "prismatic", "spherical")
-_LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit")
+_LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit", "joint_angle_limit")
 _SHARED_KEYS = ("universal_axis", *_PARTS, "friction", "drive", *TABLES, *_LIMIT_KEYS)
 _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(LEGS))
@@ -79,7 +80,7 @@ def _values(d: object, file: str) -> dict[str, Any]:
     on_top = body(platform["body"], f"{file}platform.body", metres, None)
     tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
-    legs = _Legs(top, file, metres, joint, home)
+    legs = _Legs(top, file, metres, degrees, joint, home)
     offsets = offsets_of_tables(legs.shared, legs.own, file, metres)
     if offsets is not None and joint == "spherical":
         raise ValueError(f'{file}legs.offsets: expected none when base_joint is "spherical"')
@@ -121,9 +122,15 @@ class _Legs:
     """What the legs share, and what one of them has of its own."""
 
     def __init__(
-        self, top: Mapping[str, Any], file: str, metres: Metres, joint: str, home: Array | None
+        self,
+        top: Mapping[str, Any],
+        file: str,
+        metres: Metres,
+        degrees: bool,
+        joint: str,
+        home: Array | None,
     ) -> None:
-        self.file, self.metres, self.joint, self.home = file, metres, joint, home
+        self.file, self.metres, self.degrees, self.joint, self.home = file, metres, degrees, joint, home
         self.shared = tables.checked_table(top["legs"], f"{file}legs.", _SHARED_KEYS)
         given = top.get("leg", {})
         if not isinstance(given, Mapping):
@@ -184,7 +191,8 @@ class _Legs:
             given = {**self.shared, **self.own[i]}
             value = tables.positive(given[name], self._where(i, name)) if name in given else NO_LIMITS[name]
             found[name] = self.metres(value) if name == "speed_limit" else value
-        return found | {"length_limits": self._length_limits(i, at_home)}
+        angles = self._joint_angles(i, at_home)
+        return found | {"length_limits": self._length_limits(i, at_home), "joint_angle_limit": angles}
 
     def _part(self, i: int, part: str) -> dict[str, Any]:
         """Mass, centre of mass and inertia of the lower or upper part."""
@@ -232,6 +240,16 @@ class _Legs:
 
     def _prefixes(self) -> list[str]:
         return [f"leg.{n}." for n in _NUMBERS]
+
+    def _joint_angles(self, i: int, at_home: Array | None) -> Array:
+        """Largest angles of both joints from the home pose, rad, (2,)."""
+        given, where = {**self.shared, **self.own[i]}, self._where(i, "joint_angle_limit")
+        if "joint_angle_limit" not in given:
+            return np.array(NO_LIMITS["joint_angle_limit"])
+        found = joint_angles(given["joint_angle_limit"], where, 180.0 if self.degrees else np.pi)
+        if at_home is None:
+            raise ValueError(f"{where}: is from the leg's direction at the home pose, expected a key home")
+        return np.radians(found) if self.degrees else found
 
     def _about_home(self, value: object, where: str, at_home: Array | None) -> Array:
         stroke = self.metres(tables.numbers(value, (2,), where))

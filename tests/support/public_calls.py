@@ -28,6 +28,7 @@ RECORDS = {
     ),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
+    *("Capability", "JointAngles", "Needs", "Workspace", "WorkspaceWarning"),
     *("DriveEffort", "DriveEstimate", "DriveLimitWarning", "ImportedModel", "LogWarning", "ModelFile"),
     *("MotorMotion", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
@@ -62,6 +63,8 @@ def calls() -> dict[str, Call]:
     zeros = np.zeros((2, 6))
     fourier = {"t0": vector, "theta0": vector, "sine": zeros, "cosine": zeros, "period": 2.0}
     lines = {"t0": vector, "theta0": vector, "t1": (1.0, 0.2, 0.3), "theta1": vector}
+    at_home = dataclasses.replace(robot, home=motion.t, force_limit=np.full(6, 1e5))
+    ends = [[-1.0, 1.0], [-1.0, 1.0], [0.5, 1.5]]
     state = ss.Motion(motion.R, motion.t, np.zeros(3), np.zeros(3))
     springs = {"robot": robot, "stiffness": 1e6, "rest_length": 1.0, "damping": 10.0}
     tracking = {"robot": robot, "wanted": lambda time: motion, "k_p": 1.0, "k_d": 1.0}
@@ -184,6 +187,29 @@ def calls() -> dict[str, Call]:
         "force_residue": Call(ss.force_residue, {**both, "formulation": "exact"}),
         "damped_solution": Call(ss.damped_solution, {"H": H, "c": np.ones(6), "length": 1.0, "share": 1e-4}),
         "certify_pose": Call(ss.certify_pose, {"robot": robot, "L": legs.L, "pose": (motion.R, motion.t)}),
+        "joint_angles": Call(ss.joint_angles, {"robot": at_home, "motion": motion}),
+        "leg_distances": Call(ss.leg_distances, both),
+        "PoseLimits": Call(
+            ss.PoseLimits,
+            {"lengths": True, "joint_angles": True, "forces": True, "condition": 9.0, "clearance": 0.01},
+        ),
+        "workspace": Call(
+            ss.workspace,
+            {
+                **{"robot": at_home, "kind": "total", "limits": ss.PoseLimits(), "position": motion.t},
+                **{"angles": vector, "box": ends, "turns": ends, "poses": 200, "seed": 0},
+            },
+        ),
+        "capability": Call(
+            ss.capability, {"robot": at_home, "motion": motion, "what": "force", "others": "zero"}
+        ),
+        "size": Call(
+            ss.size,
+            {
+                **{"robot": robot, "motions": [([0.0], motion[None])], "margin": 0.1},
+                **{"quantiles": [0.5, 1.0], "formulation": "exact"},
+            },
+        ),
         "drive_effort": Call(
             ss.drive_effort,
             {"robot": driven, "motion": motion, "time": None, "formulation": "exact", "backend": "c"},

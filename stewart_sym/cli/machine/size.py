@@ -1,0 +1,84 @@
+"""``stewart-sym size``: what motions and their loads need of every actuator and joint."""
+
+import argparse
+import warnings
+from pathlib import Path
+
+from ..inputs import robot_of, trajectory_of
+from ..options import (
+    finite,
+    formulation,
+    json_file,
+    log_options,
+    no_pictures,
+    output,
+    positive,
+    robot_file,
+    start_pose,
+)
+from ..results import need_drawing, results
+from ..terminal import progress_line
+
+HELP = "which force, speed, power, stroke and joint angles motions need of every leg, beside its limits"
+EXAMPLE = "stewart-sym size hexapod.toml trajectory.csv -o size --margin 0.3"
+MORE = (
+    "Trajectories as for forces, with their loads; all of them count together. Peaks, what is not exceeded "
+    "for shares of the time, and the largest of each with a margin; a limit of the robot file that does not "
+    "suffice is named. Of a robot with drives: torque, speed and power of the motors as well. SI units, "
+    "degrees."
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``size``."""
+    robot_file(parser)
+    parser.add_argument(
+        "trajectories", metavar="TRAJECTORY.csv", nargs="+", type=Path, help="times and poses, or leg lengths"
+    )
+    output(parser, "DIR", "folder to write to", Path("size"))
+    parser.add_argument(
+        "--margin",
+        type=finite,
+        default=0.25,
+        metavar="SHARE",
+        help="share that a limit should exceed the need by; default: 0.25",
+    )
+    parser.add_argument(
+        "--quantile",
+        dest="quantiles",
+        action="append",
+        type=positive,
+        metavar="SHARE",
+        help="share of the time, 1 at most, for which sizes are not exceeded; may be repeated; "
+        "default: 0.5, 0.9, 0.99 and 1",
+    )
+    formulation(parser)
+    start_pose(parser)
+    log_options(parser)
+    no_pictures(parser)
+    json_file(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``size``; returns the exit code."""
+    from ...design.size import QUANTILES, checked_quantiles, exceeded, size
+    from ...studies.design.size import report
+
+    need_drawing(arguments)
+    quantiles = arguments.quantiles or QUANTILES
+    checked_quantiles(quantiles)
+    robot = robot_of(arguments.robot)
+    with results(arguments, "report", "needs.csv") as take, progress_line() as progress:
+        read = [trajectory_of(robot, path, arguments, progress) for path in arguments.trajectories]
+        motions = [(each.time, each.motion) for each in read]
+        needs = size(robot, motions, arguments.margin, quantiles, arguments.formulation, progress)
+        figures = {}
+        if arguments.pictures:
+            from ...studies.design.size_plot import pictures
+
+            figures = pictures(robot, needs)
+        names = [path.name for path in arguments.trajectories]
+        take(report(robot, names, needs, figures), progress)
+    for line in exceeded(robot, needs):
+        warnings.warn(f"{arguments.robot}: {line}", stacklevel=2)
+    return 0

@@ -1,0 +1,116 @@
+"""``stewart-sym workspace``: how large the set of poses within the limits is, and what bounds it."""
+
+import argparse
+import math
+from pathlib import Path
+
+from ..inputs import robot_of
+from ..options import finite, json_file, no_pictures, output, positive, robot_file, whole
+from ..results import need_drawing, results
+from ..terminal import progress_line
+
+HELP = "how far a machine reaches: volume of its workspace with an error, what bounds it, and slices"
+EXAMPLE = "stewart-sym workspace hexapod.toml --condition 20 -o workspace"
+MORE = (
+    "Limits of the robot file count: leg lengths, joint angles, and forces that hold the machine at rest. "
+    "Positions at one orientation, rotations at one position, or both; the volume of rotations is the "
+    "integral of cos(theta_y) over roll, pitch and yaw, rad^3, of 8 pi^2 in all. The error is three standard "
+    "deviations. m, rad and N."
+)
+
+_IGNORED = ("lengths", "joint-angles", "forces")
+_TRIPLE = ("X", "Y", "Z")
+_RANGES = ("X", "X", "Y", "Y", "Z", "Z")
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``workspace``."""
+    robot_file(parser)
+    output(parser, "DIR", "folder to write to", Path("workspace"))
+    parser.add_argument(
+        "--kind",
+        choices=("constant", "orientation", "total"),
+        default="constant",
+        help="what varies: positions (constant orientation), rotations, or both; default: constant",
+    )
+    for name, nargs, metavar, text in (
+        ("position", 3, _TRIPLE, "t of the pose in the middle, m; default: the home pose"),
+        ("angles", 3, _TRIPLE, "its roll, pitch and yaw, rad; default: parallel to the base"),
+        ("box", 6, _RANGES, "least and greatest t_x, t_y, t_z, m; default: where the longest legs reach"),
+        ("turns", 6, _RANGES, "least and greatest roll, pitch and yaw, rad; default: all rotations"),
+        ("load", 6, ("FX", "FY", "FZ", "MX", "MY", "MZ"), "load held at rest, N and N m, platform frame"),
+    ):
+        parser.add_argument(f"--{name}", nargs=nargs, type=finite, metavar=metavar, help=text)
+    parser.add_argument(
+        "--condition",
+        type=positive,
+        metavar="NUMBER",
+        help="largest scaled condition number of H; leaves out what lies beyond a singular pose as well",
+    )
+    parser.add_argument(
+        "--clearance", type=positive, metavar="M", help="least distance of the legs' centre lines, m"
+    )
+    parser.add_argument(
+        "--ignore",
+        action="append",
+        choices=_IGNORED,
+        default=[],
+        help="limits of the robot file to leave out",
+    )
+    parser.add_argument(
+        "--poses", type=whole, default=1_000_000, metavar="N", help="how many to examine; default: 1000000"
+    )
+    parser.add_argument("--seed", type=whole, default=0, metavar="N", help="of the random poses; default: 0")
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="run on a Dask scheduler, as tcp://host:8786, or local: a worker on each core; the same bits",
+    )
+    no_pictures(parser)
+    json_file(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``workspace``; returns the exit code."""
+    import numpy as np
+
+    from ...design.pose_limits import PoseLimits
+    from ...design.workspace import workspace
+    from ...studies.design.workspace import report, slices
+
+    need_drawing(arguments)
+    robot = robot_of(arguments.robot)
+    limits = PoseLimits(
+        lengths="lengths" not in arguments.ignore,
+        joint_angles="joint-angles" not in arguments.ignore,
+        forces="forces" not in arguments.ignore,
+        condition=arguments.condition or math.inf,
+        clearance=arguments.clearance or 0.0,
+        load=np.array(arguments.load or [0.0] * 6),
+    )
+    with results(arguments, "report", "slices.csv") as take, progress_line() as progress:
+        found = workspace(
+            robot,
+            arguments.kind,
+            limits,
+            position=arguments.position,
+            angles=arguments.angles or (0.0, 0.0, 0.0),
+            box=_pairs(arguments.box),
+            turns=_pairs(arguments.turns),
+            poses=arguments.poses,
+            seed=arguments.seed,
+            scheduler=arguments.scheduler,
+            progress=progress,
+        )
+        planes = slices(robot, limits, found, progress)
+        figures = {}
+        if arguments.pictures:
+            from ...studies.design.workspace_plot import pictures
+
+            figures = pictures(robot.name, found, planes)
+        take(report(robot, limits, found, planes, figures), progress)
+    return 0
+
+
+def _pairs(numbers: list[float] | None) -> list[list[float]] | None:
+    return None if numbers is None else [numbers[i : i + 2] for i in (0, 2, 4)]

@@ -1,0 +1,89 @@
+"""Jobs that need nothing of each other: run here one by one, or by the workers of a Dask scheduler."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, TypeVar
+
+from ..io.arguments import shown
+from ..io.extras import needed_for
+from ..io.progress import Progress
+
+Job = TypeVar("Job")
+Result = TypeVar("Result")
+
+LOCAL = "local"
+"""Scheduler that is started here, with a worker for each core."""
+
+_WAIT = "5s"
+
+
+def run(
+    jobs: Sequence[Job], work: Callable[[Job], Result], scheduler: str | None, progress: Progress, text: str
+) -> list[Result]:
+    """Results of ``work`` in the order of the jobs.
+
+    Parameters
+    ----------
+    jobs, work : what to do; both are pickled for workers.
+    scheduler : None for this process, "local" for a worker on each core, or the address of a Dask scheduler.
+    progress, text : what is shown while it lasts.
+
+    Raises
+    ------
+    ValueError
+        Where no scheduler answers at the address.
+    ImportError
+        Naming the extra, without Dask.
+    """
+    if scheduler is None:
+        found = []
+        for number, job in enumerate(jobs):
+            progress(text, number / len(jobs))
+            found.append(work(job))
+        return found
+    with _client(scheduler) as client:
+        return _on_workers(client, jobs, work, progress, text)
+
+
+def _on_workers(
+    client: Any, jobs: Sequence[Job], work: Callable[[Job], Result], progress: Progress, text: str
+) -> list[Result]:
+    from distributed import as_completed
+
+    futures = client.map(work, jobs, pure=False)
+    for number, _ in enumerate(as_completed(futures)):
+        progress(text, number / len(jobs))
+    results: list[Result] = client.gather(futures)
+    return results
+
+
+@contextlib.contextmanager
+def _client(scheduler: str) -> Iterator[Any]:
+    """A client of the scheduler; a local one ends with the block."""
+    with needed_for("a scheduler"):
+        import dask
+        from distributed import Client, LocalCluster
+    if not isinstance(scheduler, str) or not scheduler.strip():
+        raise ValueError(f'scheduler: expected "{LOCAL}" or an address, got {shown(scheduler)}')
+    with contextlib.ExitStack() as stack:
+        if scheduler == LOCAL:
+            # The dashboard would take a port that a user may need.
+            options = {"dashboard_address": "127.0.0.1:0"}
+            address: Any = stack.enter_context(
+                LocalCluster(
+                    threads_per_worker=1,
+                    host="127.0.0.1",
+                    dashboard_address=None,
+                    scheduler_kwargs=options,
+                )
+            )
+        else:
+            address = scheduler
+        with dask.config.set({"distributed.comm.timeouts.connect": _WAIT}):
+            try:
+                client = Client(address, timeout=_WAIT)
+            except (OSError, ValueError) as error:
+                raise ValueError(f"scheduler: none answers at {shown(scheduler)}: {error}") from None
+        yield stack.enter_context(client)

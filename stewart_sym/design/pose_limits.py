@@ -1,0 +1,220 @@
+"""Which limit a pose breaks: leg lengths, joint angles, leg clearance, condition number, actuator forces."""
+
+from __future__ import annotations
+
+import functools
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..dynamics.forces import prepare
+from ..dynamics.home_pose import home_pose
+from ..dynamics.inverse import inverse_dynamics, with_compiler
+from ..io.arguments import finite_array, instance, number_in, truth
+from ..io.array_types import Array, Flags
+from ..io.frozen import Frozen
+from ..kinematics.clearance import PAIRS, distances_of, joined
+from ..kinematics.conditioning import characteristic_length, scaled_condition_number
+from ..kinematics.inverse import leg_vectors, length_rows
+from ..kinematics.joint_angles import neutral_directions
+from ..kinematics.mounting import up_direction
+from ..motion.motion import Motion
+from ..robot.robot import Robot, legs_text
+
+REASONS = (
+    *("inside", "other side of the base", "leg length", "joint angle"),
+    *("leg clearance", "condition number", "actuator force"),
+)
+"""What a code of ``broken_limits`` means."""
+INSIDE, SIDE, LENGTH, ANGLE, CLEARANCE, CONDITION, FORCE = range(len(REASONS))
+
+BLOCK = 4096
+"""Poses examined at a time: their numbers stay in the processor's cache."""
+
+# Joints nearer than this share of the machine's size are one.
+_SAME = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class PoseLimits(Frozen):
+    """Limits that a pose is to keep; those of the robot file count where it states them.
+
+    Attributes
+    ----------
+    lengths, joint_angles, forces : bool, optional
+        Whether these limits of the robot count.
+    condition : float, optional
+        Largest scaled condition number of H. Where it is finite, a pose where det H has another sign than at
+        the home pose breaks it as well: it can't be reached but through a singular pose.
+    clearance : float, optional
+        Least distance between the centre lines of two legs, m; legs that share a joint are left out.
+    load : array_like, optional
+        External wrench on the platform as in ``Motion``, [F_ext; M_ext], N and N m, platform frame, (6,),
+        under which the actuators hold the pose at rest.
+
+    Raises
+    ------
+    ValueError
+        Naming the field.
+    """
+
+    lengths: bool = True
+    joint_angles: bool = True
+    forces: bool = True
+    condition: float = math.inf
+    clearance: float = 0.0
+    load: Array = field(default_factory=lambda: np.zeros(6))
+
+    def __post_init__(self) -> None:
+        """Check every field."""
+        for name in ("lengths", "joint_angles", "forces"):
+            truth(getattr(self, name), name)
+        if not (isinstance(self.condition, float) and self.condition == math.inf):
+            number_in(self.condition, "condition", "a number > 1, or infinity for no limit", low=1.0)
+        number_in(self.clearance, "clearance", "a distance >= 0 m", closed=True)
+        self._set({"load": finite_array(self.load, (6,), "load").reshape(6)})
+
+
+@dataclass(frozen=True, eq=False)
+class PoseExaminer(Frozen):
+    """A robot and the limits that its poses are to keep.
+
+    Attributes
+    ----------
+    robot : Robot
+        The machine.
+    limits : PoseLimits
+        The limits.
+    up : ndarray
+        Unit vector from the base to the platform's side, base frame, (3,).
+    side : float
+        Sign of det H at the home pose.
+    """
+
+    robot: Robot
+    limits: PoseLimits
+    up: Array = field(init=False)
+    side: float = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Check that the limits can be kept at all, and prepare what all poses share."""
+        instance(self.robot, Robot, "robot")
+        instance(self.limits, PoseLimits, "limits")
+        t = home_pose(self.robot).t
+        H = self._rows(*leg_vectors(self.robot, np.eye(3), t))
+        self._set({"up": up_direction(self.robot).copy(), "side": float(np.sign(np.linalg.det(H)))})
+        self._need_clearance()
+
+    def _need_clearance(self) -> None:
+        """Reject a clearance that two neighbouring joints leave in no pose."""
+        apart = joined(self.robot)
+        tight = np.flatnonzero((apart < self.limits.clearance) & ~self._same(apart))
+        if tight.size:
+            pair, distance = PAIRS[tight[0]], apart[tight[0]]
+            raise ValueError(
+                f"clearance: expected less than {distance:.4g} m, the distance of joints of "
+                f"{legs_text(pair)}, got {self.limits.clearance:g} m"
+            )
+
+    def _same(self, apart: Array) -> Flags:
+        return np.asarray(apart <= _SAME * characteristic_length(self.robot))
+
+    def broken_limits(self, R: Array, t: Array) -> NDArray[np.int8]:
+        """First limit that each pose breaks, in the order of ``REASONS``, whose index it is, (n,).
+
+        R: (n, 3, 3). t: m, (n, 3).
+        """
+        found = np.empty(len(t), dtype=np.int8)
+        for start in range(0, len(t), BLOCK):
+            part = slice(start, start + BLOCK)
+            found[part] = self._block(R[part], t[part])
+        return found
+
+    def surely_broken(self, R: Array, t: Array, shift: Array, turn: Array) -> Flags:
+        """Whether a limit is broken by every pose that is near enough to one of R (n, 3, 3), t (n, 3), (n,).
+
+        shift: m, (n,). turn: rad, (n,). By leg lengths and the side of the base, which are bounded.
+        """
+        robot = self.robot
+        _, _, L = leg_vectors(robot, R, t)
+        middle = robot.p.mean(axis=0)
+        over = (R @ middle + t - robot.b.mean(axis=0)) @ self.up
+        slack = _SAME * characteristic_length(robot)
+        broken = over + shift + turn * np.linalg.norm(middle) < -slack
+        if self.limits.lengths:
+            low, high = robot.length_limits.T
+            change = shift[:, None] + turn[:, None] * np.linalg.norm(robot.p, axis=-1) + slack
+            broken |= np.any((L + change < low) | (L - change > high), axis=-1)
+        return np.asarray(broken)
+
+    def conditions(self, R: Array, t: Array) -> Array:
+        """Scaled condition numbers of H at poses (n, 3, 3) and (n, 3), (n,)."""
+        H = np.swapaxes(self._rows(*leg_vectors(self.robot, R, t)), -1, -2)
+        return scaled_condition_number(H, 1.0)
+
+    def _block(self, R: Array, t: Array) -> NDArray[np.int8]:
+        robot, limits = self.robot, self.limits
+        codes = np.zeros(len(t), dtype=np.int8)
+        q, S, L = leg_vectors(robot, R, t)
+        over = (q.mean(axis=-2) + t - robot.b.mean(axis=0)) @ self.up
+        codes[over < 0.0] = SIDE
+        left = np.flatnonzero(over >= 0.0)
+
+        def keep(good: Flags, reason: int) -> None:
+            nonlocal left
+            codes[left[~good]] = reason
+            left = left[good]
+
+        if limits.lengths:
+            low, high = robot.length_limits.T
+            keep(np.all((low <= L[left]) & (L[left] <= high), axis=-1), LENGTH)
+        if limits.joint_angles and np.isfinite(robot.joint_angle_limit).any():
+            keep(self._angles_kept(R[left], S[left], L[left]), ANGLE)
+        if limits.clearance > 0.0:
+            apart = ~self._same(joined(robot))
+            keep(np.all(distances_of(robot.b, S[left])[:, apart] >= limits.clearance, axis=-1), CLEARANCE)
+        if limits.condition < math.inf:
+            keep(self._conditions_kept(q[left], S[left], L[left]), CONDITION)
+        if limits.forces and np.isfinite(robot.force_limit).any():
+            keep(self._forces_kept(R[left], t[left]), FORCE)
+        return codes
+
+    def _angles_kept(self, R: Array, S: Array, L: Array) -> Flags:
+        neutral = neutral_directions(self.robot)
+        ends = np.stack([S, S @ R], axis=-2) / np.where(L > 0.0, L, 1.0)[..., None, None]
+        cosines = np.einsum("nlek,lk->nle", ends, neutral)
+        return np.asarray(
+            np.all(cosines >= np.cos(np.minimum(self.robot.joint_angle_limit, np.pi)), axis=(-2, -1))
+        )
+
+    def _rows(self, q: Array, S: Array, L: Array) -> Array:
+        """H^T, (..., 6, 6), its moments over the platform's characteristic length."""
+        rows = length_rows(q, S, L)
+        rows[..., 3:] /= characteristic_length(self.robot) or 1.0
+        return rows
+
+    def _conditions_kept(self, q: Array, S: Array, L: Array) -> Flags:
+        rows, most = self._rows(q, S, L), self.limits.condition
+        kept = np.sign(np.linalg.det(rows)) == self.side
+        rows = rows[kept]
+        # In Frobenius' norm the condition number is no less, and no more than six times as large.
+        norms = (np.sqrt(np.einsum("nij,nij->n", one, one)) for one in (rows, np.linalg.inv(rows)))
+        near = functools.reduce(np.multiply, norms)
+        good = near <= most
+        open_ = ~good & (near <= 7.0 * most)
+        good[open_] = scaled_condition_number(rows[open_], 1.0) <= most
+        kept[kept] = good
+        return np.asarray(kept)
+
+    def _forces_kept(self, R: Array, t: Array) -> Flags:
+        """Whether actuators hold the poses at rest; not at singular ones."""
+        robot, load, zero = self.robot, self.limits.load, np.zeros_like(t)
+        loads = (np.broadcast_to(part, t.shape) for part in (load[:3], load[3:]))
+        motion = Motion.unchecked(R, t, zero, zero, zero, zero, *loads)
+        F = with_compiler(
+            lambda: prepare(robot).forces_and_status(motion)[0],
+            lambda: inverse_dynamics(robot, motion, backend="numpy", on_singular="nan").F,
+        )
+        return np.asarray(np.all(np.abs(F) <= robot.force_limit, axis=-1))

@@ -1,0 +1,312 @@
+"""Workspaces: which poses a machine can take within its limits, and how large their set is."""
+
+from __future__ import annotations
+
+import functools
+import math
+import warnings
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..dynamics.home_pose import home_pose
+from ..io.arguments import finite_array, instance, option, whole_number
+from ..io.array_types import Array, Flags
+from ..io.frozen import Frozen
+from ..io.progress import Progress, silent
+from ..kinematics.conditioning import characteristic_length
+from ..motion.rotation import rotation_from_rpy
+from ..robot.robot import Robot
+from . import cells, jobs
+from .cells import Cells, Tally
+from .pose_limits import REASONS, PoseExaminer, PoseLimits
+
+Kind = Literal["constant", "orientation", "total"]
+
+KINDS = ("constant", "orientation", "total")
+UNITS = {"constant": "m^3", "orientation": "rad^3", "total": "m^3 rad^3"}
+"""Of the volume. Rotations are measured so that a turn of the axes changes nothing; all are 8 pi^2."""
+
+WHOLE_TURN = np.array([[-math.pi, math.pi], [-0.5 * math.pi, 0.5 * math.pi], [-math.pi, math.pi]])
+"""Roll, pitch and yaw of all rotations, rad, (3, 2)."""
+
+
+_MOST = 10**12
+
+
+class WorkspaceWarning(UserWarning):
+    """What limits the meaning of a workspace."""
+
+
+@dataclass(frozen=True, eq=False)
+class Workspace(Frozen):
+    """The set of poses within the limits.
+
+    Attributes
+    ----------
+    kind : str
+        ``"constant"``: positions at one orientation; ``"orientation"``: rotations at one position;
+        ``"total"``: both.
+    volume : float
+        Its size, in ``unit``. Of rotations that is the integral of cos(theta_y) over roll, pitch and yaw.
+    error : float
+        Three standard deviations of the volume, in ``unit``; three cells of two poses at least.
+    unit : str
+        m^3, rad^3, or m^3 rad^3.
+    box : ndarray
+        Where poses were looked for: least and greatest t_x, t_y, t_z, m, and theta_x, theta_y, theta_z, rad,
+        those of them that vary, (3, 2) or (6, 2).
+    extent : ndarray
+        Of the poses within the limits, as ``box``; nan where none was found.
+    position, angles : ndarray
+        The pose in the middle: t, m, (3,), and roll, pitch and yaw, rad, (3,).
+    clear : float
+        From the pose in the middle to the nearest examined one that breaks a limit, m, or rad for rotations;
+        0 where itself does, nan of the total workspace.
+    reasons : dict
+        Share of the examined poses by the first limit that each breaks, of ``REASONS``.
+    poses : int
+        How many were examined for the volume.
+    """
+
+    kind: str
+    volume: float
+    error: float
+    unit: str
+    box: Array
+    extent: Array
+    position: Array
+    angles: Array
+    clear: float
+    reasons: dict[str, float]
+    poses: int
+
+
+def workspace(
+    robot: Robot,
+    kind: Kind = "constant",
+    limits: PoseLimits | None = None,
+    position: ArrayLike | None = None,
+    angles: ArrayLike = (0.0, 0.0, 0.0),
+    box: ArrayLike | None = None,
+    turns: ArrayLike | None = None,
+    poses: int = 1_000_000,
+    seed: int = 0,
+    scheduler: str | None = None,
+    progress: Progress = silent,
+) -> Workspace:
+    """Return the size of a workspace, with its error, and what bounds it.
+
+    The box is halved until there is a cell for each two poses, without what is surely beyond the leg lengths
+    or on the other side of the base; two random poses of each cell are examined.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    kind : {"constant", "orientation", "total"}, optional
+        What varies: positions, rotations or both.
+    limits : PoseLimits, optional
+        Limits to keep; by default those that the robot states.
+    position : array_like, optional
+        t of the pose in the middle, m, (3,); default: the home pose.
+    angles : array_like, optional
+        Its roll, pitch and yaw, rad, (3,); default: parallel to the base.
+    box : array_like, optional
+        Least and greatest t_x, t_y, t_z, m, (3, 2); default: where the longest legs reach.
+    turns : array_like, optional
+        Least and greatest roll, pitch and yaw, rad, (3, 2); default: all rotations.
+    poses : int, optional
+        How many to examine; the error of positions falls with its power -2/3.
+    seed : int, optional
+        Of the random numbers: the same seed gives the same bits, on whatever scheduler.
+    scheduler : str, optional
+        "local" for a Dask worker on each core, or the address of a Dask scheduler; None: this process.
+    progress : callable, optional
+        Called with text and the share done.
+
+    Returns
+    -------
+    Workspace
+        Shapes and units are documented there.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument; and where neither longest legs nor a box bound the positions.
+    """
+    instance(robot, Robot, "robot")
+    option(kind, KINDS, "kind")
+    limits = PoseLimits() if limits is None else limits
+    count = whole_number(poses, "poses", 100, "a whole number from 100 to 10^12", _MOST)
+    seed = whole_number(seed, "seed", 0, "a whole number from 0 to 2^63 - 1", 2**63 - 1)
+    examined = Region(PoseExaminer(robot, limits), kind, *middle(robot, position, angles))
+    search = examined.box(box, turns)
+    progress("leaving out what legs can't reach")
+    grid = cells.cells_of(search, count, examined.weights, examined.surely_broken)
+    look = functools.partial(_tally, examined)
+    tallies = jobs.run(cells.jobs_of(grid, seed), look, scheduler, progress, f"examining {count} poses")
+    found = cells.total(tallies, len(search), len(REASONS))
+    if not found.codes[0]:
+        warnings.warn("workspace: no pose within the limits was found", WorkspaceWarning, stacklevel=2)
+    return examined.workspace(grid, found)
+
+
+def middle(robot: Robot, position: ArrayLike | None, angles: ArrayLike) -> tuple[Array, Array]:
+    """Position, m, and roll, pitch and yaw, rad, of the pose in the middle, both (3,)."""
+    t = home_pose(robot).t if position is None else _vector(position, "position")
+    return t.copy(), _vector(angles, "angles")
+
+
+@dataclass(frozen=True, eq=False)
+class Region(Frozen):
+    """Poses of one kind by coordinates that measure them evenly: t; of rotations roll, sin pitch, yaw."""
+
+    examiner: PoseExaminer
+    kind: Kind
+    position: Array
+    angles: Array
+    rotation: Array = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Compute the rotation of the pose in the middle."""
+        self._set({"rotation": rotation_from_rpy(self.angles)})
+
+    def box(self, box: ArrayLike | None, turns: ArrayLike | None) -> Array:
+        """Where coordinates are looked for, (3, 2) or (6, 2)."""
+        if box is not None and self.kind == "orientation":
+            raise ValueError("box: is for positions, which do not vary here")
+        if turns is not None and self.kind == "constant":
+            raise ValueError("turns: is for rotations, which do not vary here")
+        parts = []
+        if self.kind != "orientation":
+            parts.append(self._reach() if box is None else _ranges(box, "box", "m"))
+        if self.kind != "constant":
+            given = WHOLE_TURN if turns is None else _ranges(turns, "turns", "rad")
+            if np.any(given < WHOLE_TURN[:, :1]) or np.any(given > WHOLE_TURN[:, 1:]):
+                raise ValueError(
+                    "turns: expected roll and yaw within -pi and pi, pitch within -pi/2 and pi/2"
+                )
+            parts.append(_evenly(given))
+        return np.concatenate(parts)
+
+    def _reach(self) -> Array:
+        """Positions that the longest legs reach: between the balls' faces, (3, 2)."""
+        robot, limits = self.examiner.robot, self.examiner.limits
+        longest = robot.length_limits[:, 1] if limits.lengths else np.full(len(robot.b), math.inf)
+        arm = robot.p @ self.rotation.T
+        centres, radii = robot.b - arm, longest
+        if self.kind == "total":
+            centres, radii = robot.b, longest + np.linalg.norm(robot.p, axis=-1)
+        low, high = np.max(centres - radii[:, None], axis=0), np.min(centres + radii[:, None], axis=0)
+        if not np.all(np.isfinite(low) & np.isfinite(high)):
+            raise ValueError("robot: length_limits: no leg has an upper limit that counts, expected a box")
+        if np.any(high <= low):
+            raise ValueError("robot: length_limits: the longest legs reach no common position")
+        return np.stack([low, high], axis=-1)
+
+    def poses(self, coordinates: Array) -> tuple[Array, Array]:
+        """R (n, 3, 3) and t (n, 3) of coordinates (n, d)."""
+        n = len(coordinates)
+        t = np.broadcast_to(self.position, (n, 3)) if self.kind == "orientation" else coordinates[:, :3]
+        if self.kind == "constant":
+            return np.broadcast_to(self.rotation, (n, 3, 3)), t
+        theta = coordinates[:, -3:].copy()
+        theta[:, 1] = np.arcsin(np.clip(theta[:, 1], -1.0, 1.0))
+        return rotation_from_rpy(theta), t
+
+    def examine(self, coordinates: Array) -> tuple[NDArray[np.int8], Array]:
+        """First broken limit of each pose and its distance from the middle, m or rad, both (n,)."""
+        R, t = self.poses(coordinates)
+        return self.examiner.broken_limits(R, t), self._distances(R, t)
+
+    def _distances(self, R: Array, t: Array) -> Array:
+        if self.kind == "constant":
+            return np.asarray(np.linalg.norm(t - self.position, axis=-1))
+        if self.kind == "orientation":
+            # |R - R_0| in Frobenius' norm is 2 sqrt(2) sin(angle / 2).
+            apart = np.linalg.norm(R - self.rotation, axis=(-2, -1)) / math.sqrt(8.0)
+            return np.asarray(2.0 * np.arcsin(np.minimum(apart, 1.0)))
+        return np.full(len(t), math.nan)
+
+    @property
+    def weights(self) -> Array:
+        """By how much a unit of each coordinate moves the platform's joints, m, (d,)."""
+        arm = characteristic_length(self.examiner.robot) or 1.0
+        parts = {"constant": [1.0], "orientation": [arm], "total": [1.0, arm]}[self.kind]
+        return np.repeat(parts, 3)
+
+    def surely_broken(self, low: Array, high: Array) -> Flags:
+        """Whether every pose with coordinates between low and high, (n, d) each, breaks a limit, (n,)."""
+        middle, half = 0.5 * (low + high), 0.5 * (high - low)
+        turn = np.zeros(len(low))
+        if self.kind != "constant":
+            pitch = np.arcsin(np.clip([low[:, -2], high[:, -2]], -1.0, 1.0))
+            middle[:, -2] = np.sin(pitch.mean(axis=0))
+            turn = half[:, -3] + 0.5 * (pitch[1] - pitch[0]) + half[:, -1]
+        shift = turn * 0.0 if self.kind == "orientation" else np.linalg.norm(half[:, :3], axis=-1)
+        return self.examiner.surely_broken(*self.poses(middle), shift, turn)
+
+    def workspace(self, grid: Cells, found: Tally) -> Workspace:
+        """What was found in words of the user."""
+        size, error = cells.volume(grid, found)
+        examined = max(1, int(found.codes.sum()))
+        own = self.examiner.broken_limits(self.rotation[None], self.position[None])[0]
+        clear = 0.0 if own else min(found.nearest, self._to_faces(grid.box))
+        return Workspace(
+            kind=self.kind,
+            volume=size,
+            error=error,
+            unit=UNITS[self.kind],
+            box=self._as_angles(grid.box),
+            extent=self._as_angles(np.where(np.isfinite(found.extent), found.extent, math.nan)),
+            position=self.position.copy(),
+            angles=self.angles.copy(),
+            clear=math.nan if self.kind == "total" else clear,
+            reasons={
+                name: count / examined for name, count in zip(REASONS, found.codes.tolist(), strict=True)
+            },
+            poses=examined,
+        )
+
+    def _to_faces(self, box: Array) -> float:
+        """From the pose in the middle to the end of what was examined."""
+        if self.kind != "constant":
+            return math.pi
+        return float(np.min(np.abs(box - self.position[:, None])))
+
+    def _as_angles(self, box: Array) -> Array:
+        """Coordinates (d, 2) with the pitch in place of its sine."""
+        found = box.copy()
+        if self.kind != "constant":
+            found[-2] = np.arcsin(np.clip(found[-2], -1.0, 1.0))
+        return found
+
+
+def _tally(region: Region, job: cells.Job) -> Tally:
+    return cells.tally(job, region.examine, len(REASONS))
+
+
+def _vector(value: ArrayLike, name: str) -> Array:
+    found = finite_array(value, (3,), name)
+    if found.shape != (3,):
+        raise ValueError(f"{name}: expected shape (3,), got {found.shape}")
+    return found
+
+
+def _ranges(value: ArrayLike, name: str, unit: str) -> Array:
+    found = finite_array(value, (3, 2), name)
+    if found.shape != (3, 2):
+        raise ValueError(f"{name}: expected shape (3, 2), got {found.shape}")
+    if np.any(found[:, 1] <= found[:, 0]):
+        low, high = found[np.argmax(found[:, 1] <= found[:, 0])]
+        raise ValueError(f"{name}: expected least < greatest, got {low:g} and {high:g} {unit}")
+    return found
+
+
+def _evenly(turns: Array) -> Array:
+    found = turns.copy()
+    found[1] = np.sin(found[1])
+    return found

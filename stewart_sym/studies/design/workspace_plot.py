@@ -1,0 +1,90 @@
+"""Picture of a workspace: planes through the pose in the middle, by condition number and broken limit."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from ...design.pose_limits import INSIDE, REASONS
+from ...design.workspace import Workspace
+from ...io.extras import needed_for
+from ..common.drawing import legend_below
+from ..common.report import SMALL, Picture
+from .workspace import AXES, Slice, title
+
+with needed_for("drawing"):
+    from matplotlib.axes import Axes
+    from matplotlib.colors import ListedColormap, LogNorm
+    from matplotlib.figure import Figure
+    from matplotlib.patches import Patch
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+_OUTSIDE = ("#ffffff", "#d9d9d9", "#c6d8ee", "#e6cfe8", "#f3d9b1", "#f4c2c2", "#d5e8c8")
+"""Colours of the limits, in the order of ``REASONS``; what is inside is coloured by its condition number."""
+_DARK = "#3a3a3a"
+_MOST = 100.0
+# Condition numbers that differ by less are drawn with this ratio all the same.
+_LEAST_RATIO = 1.5
+
+
+def pictures(name: str, found: Workspace, planes: list[Slice]) -> dict[str, Picture]:
+    """``slices``."""
+    return {"slices": Picture(lambda: figure(name, found, planes), SMALL)}
+
+
+def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
+    """A panel for each plane; ``name``: of the robot."""
+    rows = len(planes) // 3
+    drawn = Figure(figsize=(12.0, 0.9 + 3.7 * rows), layout="constrained")
+    panels = drawn.subplots(rows, 3, squeeze=False)
+    norm = _norm(planes)
+    mesh: Any = None
+    for axes, plane in zip(panels.ravel(), planes, strict=True):
+        mesh = _draw(axes, plane, norm)
+        middle = np.concatenate([found.position, found.angles])
+        scale = _scale(plane)
+        axes.plot(*(scale * middle[list(plane.axes)]), marker="+", color=_DARK, markersize=9.0)
+    bar = drawn.colorbar(mesh, ax=panels, label="scaled condition number", shrink=0.8, extend="max")
+    bar.ax.yaxis.set_major_locator(LogLocator(subs=(1.0, 1.5, 2.0, 3.0, 5.0, 7.0)))
+    bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
+    bar.ax.yaxis.set_minor_formatter(NullFormatter())
+    size = f"{found.volume:.4g} ± {found.error:.1g} {found.unit.replace('^3', '³')}"
+    drawn.suptitle(f"{name}: {title(found)}\n{size}; planes through the pose marked +", fontsize=10.0)
+    broken = sorted({int(code) for plane in planes for code in np.unique(plane.codes)} - {INSIDE})
+    handles = [Patch(facecolor=_OUTSIDE[code], label=REASONS[code]) for code in broken]
+    if handles:
+        legend_below(drawn, handles, title="first limit that breaks")
+    return drawn
+
+
+def _norm(planes: list[Slice]) -> LogNorm:
+    inside = np.concatenate([plane.condition[plane.codes == INSIDE] for plane in planes])
+    inside = inside[np.isfinite(inside)]
+    low = float(inside.min(initial=_MOST))
+    high = float(np.quantile(inside, 0.99)) if inside.size else _MOST
+    return LogNorm(low, min(max(high, _LEAST_RATIO * low), max(_MOST, _LEAST_RATIO * low)))
+
+
+def _scale(plane: Slice) -> float:
+    return 1.0 if plane.axes[0] < 3 else float(np.degrees(1.0))
+
+
+def _draw(axes: Axes, plane: Slice, norm: LogNorm) -> Any:
+    first, second = _scale(plane) * plane.first, _scale(plane) * plane.second
+    colors = ListedColormap(list(_OUTSIDE))
+    axes.grid(False)
+    axes.pcolormesh(
+        first, second, plane.codes.T, cmap=colors, vmin=-0.5, vmax=len(_OUTSIDE) - 0.5, rasterized=True
+    )
+    shown = np.ma.masked_where(plane.codes != INSIDE, plane.condition)
+    mesh = axes.pcolormesh(first, second, shown.T, cmap="viridis_r", norm=norm, rasterized=True)
+    if 0 < np.count_nonzero(plane.codes == INSIDE) < plane.codes.size:
+        axes.contour(
+            first, second, (plane.codes == INSIDE).T.astype(float), levels=[0.5], colors=_DARK, linewidths=0.9
+        )
+    axes.set_aspect("equal")
+    unit = "m" if plane.axes[0] < 3 else "degrees"
+    names = [AXES[i] if i < 3 else ("roll", "pitch", "yaw")[i - 3] for i in plane.axes]
+    axes.set(xlabel=f"{names[0]}, {unit}", ylabel=f"{names[1]}, {unit}")
+    return mesh

@@ -1,0 +1,145 @@
+"""``workspace`` and ``size`` from the command line: what they write, and bad input that leaves nothing."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from command_files import edit, results
+from command_line import fails_in_one_line, folder_state, read
+from pages import DOCS
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+
+HANGING = """\
+schema = 2
+name = "hanging"
+length_unit = "mm"
+angle_unit = "deg"
+gravity = [0.0, 0.0, 9.81]
+home = [0.0, 0.0, 700.0]
+base = { radius = 500.0, angles = [-10.0, 10.0, 110.0, 130.0, 230.0, 250.0] }
+
+[platform]
+radius = 250.0
+angles = [-50.0, 50.0, 70.0, 170.0, 190.0, 290.0]
+body = { shape = "plate", radius = 300.0, thickness = 20.0, density = 2700.0 }
+
+[legs]
+universal_axis = "tangential"
+lower = { shape = "tube", radius = 30.0, inner_radius = 25.0, length = 400.0, density = 7800.0 }
+upper = { shape = "rod", radius = 20.0, length = 400.0, density = 7800.0 }
+stroke = [-150.0, 150.0]
+force_limit = 300.0
+joint_angle_limit = [30.0, 22.0]
+"""
+FEW = ("--poses", 4000)
+
+
+@pytest.fixture(autouse=True)
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    for name in ("hexapod.toml", "trajectory.csv"):
+        (tmp_path / name).write_bytes((DOCS / "examples" / name).read_bytes())
+    (tmp_path / "hanging.toml").write_text(HANGING)
+    return tmp_path
+
+
+def command(*arguments: object) -> int:
+    return main([*map(str, arguments)])
+
+
+def test_a_workspace_is_written_as_text_table_and_picture(folder: Path) -> None:
+    ranges = ("--turns", -0.3, 0.3, -0.3, 0.3, -0.3, 0.3, "--box", -0.2, 0.2, -0.2, 0.2, 0.55, 0.85)
+    options = ("--kind", "total", *ranges, "--clearance", 0.07)
+    assert command("workspace", "hanging.toml", *options, "--condition", 20, *FEW) == 0
+    assert results(folder / "workspace") == ["report.json", "report.txt", "slices.csv", "slices.png"]
+    report = (folder / "workspace" / "report.txt").read_text()
+    assert "leg lengths, joint angles, leg clearance 0.07 m, scaled condition number 20, actuator" in report
+    data = json.loads((folder / "workspace" / "report.json").read_text())
+    assert data["volume"] > data["error"] > 0.0
+    assert data["extent"][2][0] > 0.0
+    rows = read(folder / "workspace" / "slices.csv")
+    assert {row["axes"] for row in rows} >= {"t_x-t_y", "theta_y-theta_z"}
+    assert {row["first_limit"] for row in rows} >= {"inside", "leg length", "joint angle"}
+
+
+def test_ignored_limits_do_not_count(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    volumes = []
+    for ignored in ((), ("--ignore", "joint-angles")):
+        assert command("workspace", "hanging.toml", *FEW, *ignored, "--no-pictures", "--json", "-") == 0
+        volumes.append(json.loads(capsys.readouterr().out)["volume"])
+    assert volumes[0] < 0.9 * volumes[1]
+
+
+def test_sizes_are_written_and_limits_that_do_not_suffice_are_named(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    edit(folder / "hexapod.toml", "force_limit = 500.0", "force_limit = 150.0")
+    assert command("size", "hexapod.toml", "trajectory.csv", "trajectory.csv", "--quantile", 1) == 0
+    assert results(folder / "size") == ["needs.csv", "report.json", "report.txt", "size.png"]
+    captured = capsys.readouterr()
+    lines = captured.err.splitlines()
+    assert len(lines) == 2
+    assert lines[0].startswith("stewart-sym: warning: hexapod.toml: force_limit of leg 1: 150 N, needed 129")
+    data = json.loads((folder / "size" / "report.json").read_text())
+    assert data["exceeded"][0] in captured.out
+    force = {row["need"]: row for row in read(folder / "size" / "needs.csv")}["force, peak"]
+    robot = ss.Robot.from_toml("hexapod.toml")
+    assert float(force["leg1"]) == data["force"][0][0] > robot.force_limit[0] / 1.25
+    assert np.shape(data["length"]) == (6, 2)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("workspace", "none.toml"), "none.toml"),
+        (("workspace", "trajectory.csv"), "trajectory.csv"),
+        (("workspace", "hexapod.toml", "--clearance", 5), "clearance: expected less than"),
+        (("workspace", "hexapod.toml", "--condition", 0.5), "condition: expected"),
+        (("workspace", "hexapod.toml", "--poses", 3), "poses: expected"),
+        (("workspace", "hexapod.toml", "--box", 1, 0, 0, 1, 0, 1), "box: expected least < greatest"),
+        (("workspace", "hexapod.toml", "--ignore", "lengths"), "expected a box"),
+        (("workspace", "hexapod.toml", "--angles", 1, 2, "nan"), "expected a finite number"),
+        (("workspace", "hexapod.toml", "--kind", "every"), "--kind"),
+        (("size", "hexapod.toml"), "TRAJECTORY.csv"),
+        (("size", "hexapod.toml", "none.csv"), "none.csv"),
+        (("size", "hexapod.toml", "trajectory.csv", "--margin", -1), "margin: expected"),
+        (("size", "hexapod.toml", "trajectory.csv", "--quantile", 2), "quantiles: expected"),
+        (("size", "hexapod.toml", "hexapod.toml"), "hexapod.toml"),
+    ],
+)
+def test_bad_input_is_one_line_and_leaves_nothing(
+    folder: Path, capsys: pytest.CaptureFixture[str], arguments: tuple[object, ...], message: str
+) -> None:
+    before = folder_state(folder)
+    assert message in fails_in_one_line(capsys, *arguments)
+    assert folder_state(folder) == before
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("[30.0, 22.0]", "[30.0, 0.0]", "legs.joint_angle_limit: expected angles > 0 and <= 180, got [30.0"),
+        ("[30.0, 22.0]", "200.0", "legs.joint_angle_limit: expected angles > 0 and <= 180"),
+        ("[30.0, 22.0]", '"wide"', "legs.joint_angle_limit: expected"),
+        ("home = [0.0, 0.0, 700.0]\n", "", "expected a key home"),
+    ],
+)
+def test_a_joint_angle_limit_that_is_none_is_named_with_its_line(
+    folder: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, message: str
+) -> None:
+    if not new:
+        edit(folder / "hanging.toml", "stroke = [-150.0, 150.0]\n", "")
+    edit(folder / "hanging.toml", old, new)
+    line = fails_in_one_line(capsys, "workspace", "hanging.toml")
+    assert message in line
+    assert "(at line " in line
+
+
+def test_joint_angle_limits_survive_a_round_trip() -> None:
+    robot = ss.Robot.from_toml("hanging.toml")
+    np.testing.assert_allclose(np.degrees(robot.joint_angle_limit), np.tile([30.0, 22.0], (6, 1)))
+    back = ss.Robot.from_dict(robot.to_dict())
+    assert back.joint_angle_limit.tobytes() == robot.joint_angle_limit.tobytes()

@@ -1,0 +1,136 @@
+"""What motions need of legs and motors: against inverse dynamics, over time, with a margin, beside limits."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from command_line import error_of
+from machines import path_period, random_motion, random_path, random_robot
+from scipy.integrate import trapezoid
+
+import stewart_sym as ss
+from stewart_sym.design.size import exceeded, weighted_quantiles
+
+
+def along(seed: int, count: int = 200) -> tuple[ss.Robot, np.ndarray, ss.Motion]:
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng)
+    time = np.linspace(0.0, path_period(robot), count)
+    return robot, time, random_path(rng, robot)(time)
+
+
+def test_peaks_are_those_of_inverse_dynamics_and_kinematics() -> None:
+    robot, time, motion = along(1)
+    needs = ss.size(robot, [(time, motion)])
+    F = ss.inverse_dynamics(robot, motion).F
+    legs = ss.inverse_kinematics(robot, motion)
+    np.testing.assert_allclose(needs.force[-1], np.abs(F).max(axis=0), rtol=1e-12)
+    np.testing.assert_allclose(needs.speed[-1], np.abs(legs.L_dot).max(axis=0), rtol=1e-12)
+    power = F * legs.L_dot
+    np.testing.assert_allclose(needs.power[-1], np.abs(power).max(axis=0), rtol=1e-12)
+    np.testing.assert_allclose(needs.driving, np.maximum(power.max(axis=0), 0.0), rtol=1e-12)
+    np.testing.assert_allclose(needs.braking, np.maximum(-power.min(axis=0), 0.0), rtol=1e-12)
+    np.testing.assert_allclose(np.maximum(needs.push, needs.pull), needs.force[-1], rtol=1e-12)
+    np.testing.assert_allclose(needs.stroke, np.ptp(legs.L, axis=0), rtol=1e-12)
+    # Work is power over time.
+    work = trapezoid(power, time, axis=0)
+    np.testing.assert_allclose(needs.course.weight @ needs.course.power, work, rtol=1e-9)
+
+
+def test_a_quantile_is_of_the_time_and_not_of_the_rows() -> None:
+    values = np.array([[3.0], [1.0], [2.0]])
+    found = weighted_quantiles(values, np.array([0.1, 0.6, 0.3]), np.array([0.5, 0.6, 0.61, 0.9, 0.91, 1.0]))
+    assert found[:, 0].tolist() == [1.0, 1.0, 2.0, 2.0, 3.0, 3.0]
+
+
+def test_rows_that_are_denser_somewhere_change_no_quantile_much() -> None:
+    robot, time, motion = along(2, 4001)
+    even = ss.size(robot, [(time, motion)], quantiles=[0.5, 0.9])
+    uneven = np.concatenate([np.arange(0, 2000), np.arange(2000, 4001, 10)])
+    other = ss.size(robot, [(time[uneven], motion[uneven])], quantiles=[0.5, 0.9])
+    np.testing.assert_allclose(other.force, even.force, rtol=0.02)
+
+
+def test_motions_count_together() -> None:
+    robot, time, motion = along(3)
+    one, other = (time[:90], motion[:90]), (time[90:], motion[90:])
+    both = ss.size(robot, [one, other])
+    apart = [ss.size(robot, [each]) for each in (one, other)]
+    np.testing.assert_array_equal(both.force[-1], np.maximum(*(each.force[-1] for each in apart)))
+    np.testing.assert_array_equal(both.length[:, 0], np.minimum(*(each.length[:, 0] for each in apart)))
+
+
+def test_joint_angles_are_from_the_home_pose() -> None:
+    robot, time, motion = along(4)
+    robot = dataclasses.replace(robot, home=motion.t[0] + 0.05)
+    needs = ss.size(robot, [(time, motion)])
+    angles = ss.joint_angles(robot, motion)
+    neutral = robot.home + robot.p - robot.b
+    neutral /= np.linalg.norm(neutral, axis=-1, keepdims=True)
+    s = ss.inverse_kinematics(robot, motion).s
+    np.testing.assert_allclose(angles.base, np.arccos(np.sum(s * neutral, axis=-1)), atol=1e-7)
+    turned = np.einsum("nji,nlj->nli", motion.R, s)
+    np.testing.assert_allclose(angles.platform, np.arccos(np.sum(turned * neutral, axis=-1)), atol=1e-7)
+    np.testing.assert_allclose(needs.base_angle, angles.base.max(axis=0), rtol=1e-12)
+    np.testing.assert_allclose(needs.platform_angle, angles.platform.max(axis=0), rtol=1e-12)
+
+
+def test_limits_that_do_not_suffice_are_named() -> None:
+    robot, time, motion = along(5)
+    needs = ss.size(robot, [(time, motion)], margin=0.5)
+    assert exceeded(robot, needs) == []
+    enough, few = 1.5 * needs.force[-1], needs.length + np.array([-1e-9, 1e-9])
+    limited = dataclasses.replace(
+        robot,
+        home=motion.t[0],
+        force_limit=np.where(np.arange(6) == 2, 0.99, 1.01) * enough,
+        speed_limit=np.where(np.arange(6) == 4, 0.99, 1.01) * 1.5 * needs.speed[-1],
+        length_limits=few,
+        joint_angle_limit=np.full((6, 2), [np.pi, 1e-3]),
+    )
+    lines = exceeded(limited, ss.size(limited, [(time, motion)], margin=0.5))
+    assert [line.partition(":")[0] for line in lines] == [
+        "force_limit of leg 3",
+        "speed_limit of leg 5",
+        *(f"stroke of leg {leg}" for leg in range(1, 7)),
+        *(f"joint_angle_limit at the platform of leg {leg}" for leg in range(1, 7)),
+    ]
+    short = dataclasses.replace(robot, length_limits=needs.length + np.array([1e-3, 1.0]))
+    assert any(line.startswith("length_limits of leg 6") for line in exceeded(short, needs))
+
+
+def test_motors_are_sized_where_there_are_drives() -> None:
+    robot, time, motion = along(6)
+    assert ss.size(robot, [(time, motion)]).torque is None
+    drive = ss.Drive(lead=np.full(6, 5e-3), rotor_inertia=1e-6, efficiency=0.9, torque_limit=1e-9)
+    driven = dataclasses.replace(robot, drive=drive)
+    needs = ss.size(driven, [(time, motion)])
+    with pytest.warns(ss.DriveLimitWarning):
+        effort = ss.drive_effort(driven, motion, time)
+    assert needs.torque is not None
+    assert needs.rms_torque is not None
+    np.testing.assert_allclose(needs.torque[-1], effort.peak_torque, rtol=1e-12)
+    np.testing.assert_allclose(needs.rms_torque, effort.rms_torque, rtol=1e-9)
+    assert [line[:18] for line in exceeded(driven, needs)] == ["drive.torque_limit"] * 6
+
+
+def test_what_is_no_question_is_one_line() -> None:
+    rng = np.random.default_rng(7)
+    robot = random_robot(rng)
+    motion = random_motion(rng, robot, (3,))
+    time = np.arange(3.0)
+    for motions, message in (
+        ([], "motions: expected one at least"),
+        (3, "motions: expected pairs"),
+        ([time], "motions[0]: expected a pair"),
+        ([(time[:2], motion)], "motions[0]: expected a motion of the shape"),
+        ([(time, motion), (time[::-1], motion)], "motions[1]: time: expected finite, rising"),
+        ([([0.0, np.nan, 1.0], motion)], "motions[0]: time: expected finite"),
+    ):
+        assert error_of(lambda motions=motions: ss.size(robot, motions)).startswith(message)  # type: ignore[misc]
+    pairs = [(time, motion)]
+    assert error_of(lambda: ss.size(robot, pairs, margin=-0.1)).startswith("margin: expected")
+    for quantiles in ([], [0.0], [1.1], [0.5, np.nan], "half"):
+        assert error_of(lambda quantiles=quantiles: ss.size(robot, pairs, quantiles=quantiles)).startswith(  # type: ignore[misc]
+            "quantiles: expected"
+        )

@@ -1,0 +1,260 @@
+"""Volumes of workspaces against exact and independent ones, and what is said of their limits."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from command_line import error_of
+from machines import home_position, machine_size, random_robot, upside_down_in_millimetres
+from scipy.spatial.transform import Rotation
+from shells import shell_volume
+
+import stewart_sym as ss
+from stewart_sym.design import cells
+from stewart_sym.design.pose_limits import REASONS, PoseExaminer
+from stewart_sym.design.workspace import WHOLE_TURN, Kind
+from stewart_sym.kinematics.clearance import PAIRS, distances_of, nearest_shares
+from stewart_sym.kinematics.mounting import upright
+from stewart_sym.motion.rotation import rotation_from_rpy
+
+
+def limited(rng: np.random.Generator) -> ss.Robot:
+    """A random machine with lengths limited about those of a pose above its base."""
+    robot = random_robot(rng)
+    L = np.linalg.norm(home_position(robot.b, machine_size(robot)) + robot.p - robot.b, axis=-1)
+    shares = np.column_stack([rng.uniform(0.75, 0.95, 6), rng.uniform(1.05, 1.5, 6)])
+    return dataclasses.replace(robot, length_limits=L[:, None] * shares)
+
+
+def exact_volume(robot: ss.Robot, angles: np.ndarray) -> float:
+    """Volume, m^3, of six shells above the base, in axes whose z points to the platform's side."""
+    axes, R = upright(robot), rotation_from_rpy(angles)
+    floor = (robot.b.mean(axis=0) - R @ robot.p.mean(axis=0)) @ axes[:, 2]
+    return shell_volume((robot.b - robot.p @ R.T) @ axes, robot.length_limits, float(floor))
+
+
+def deviations(seeds: range, poses: int) -> list[float]:
+    """Errors of volumes over their stated errors."""
+    found = []
+    for seed in seeds:
+        rng = np.random.default_rng(seed)
+        robot, angles = limited(rng), rng.uniform(-0.2, 0.2, 3)
+        made = ss.workspace(robot, angles=angles, poses=poses, seed=seed)
+        found.append((made.volume - exact_volume(robot, angles)) / made.error)
+        assert made.error < 0.01 * made.volume
+    return found
+
+
+def test_the_oracle_gives_the_volumes_of_a_shell_and_of_a_lens() -> None:
+    one = shell_volume(np.array([[0.1, 0.2, 0.3]]), np.array([[0.5, 1.0]]), -9.0)
+    assert one == pytest.approx(4.0 / 3.0 * np.pi * (1.0 - 0.125), rel=1e-12)
+    d = 0.7
+    apart = np.array([[0.0, 0.0, 0.0], [0.4, 0.3, np.sqrt(d**2 - 0.25)]])
+    lens = shell_volume(apart, np.array([[0.0, 1.0], [0.0, 1.0]]), -9.0)
+    assert lens == pytest.approx(np.pi * (4.0 + d) * (2.0 - d) ** 2 / 12.0, rel=1e-8)
+
+
+def test_the_exact_volume_at_constant_orientation_is_within_the_error() -> None:
+    assert np.all(np.abs(deviations(range(2), 100_000)) <= 1.0)
+
+
+@pytest.mark.slow
+def test_the_exact_volume_is_within_the_error_on_twenty_machines() -> None:
+    found = np.array(deviations(range(20), 300_000))
+    assert np.all(np.abs(found) <= 1.0)
+    # The error is three standard deviations: neither too small nor, for safety, far too large.
+    assert 0.6 < 3.0 * np.sqrt(np.mean(found**2)) < 1.5
+
+
+@pytest.mark.parametrize("kind", ["orientation", "total"])
+def test_volumes_of_rotations_are_those_of_independent_random_poses(kind: Kind) -> None:
+    rng = np.random.default_rng(8)
+    robot = limited(rng)
+    limits = ss.PoseLimits(forces=False)
+    t = home_position(robot.b, machine_size(robot))
+    box = np.stack([t - 0.3 * machine_size(robot), t + 0.3 * machine_size(robot)], axis=-1)
+    made = ss.workspace(robot, kind, limits, position=t, box=box if kind == "total" else None, poses=200_000)
+    count = 400_000
+    R = Rotation.random(count, random_state=1).as_matrix()
+    places = rng.uniform(*box.T, size=(count, 3)) if kind == "total" else np.tile(t, (count, 1))
+    q = np.einsum("nij,kj->nki", R, robot.p)
+    L = np.linalg.norm(places[:, None] + q - robot.b, axis=-1)
+    over = (q.mean(axis=1) + places - robot.b.mean(axis=0)) @ upright(robot)[:, 2] >= 0.0
+    inside = over & np.all((robot.length_limits[:, 0] <= L) & (robot.length_limits[:, 1] >= L), axis=-1)
+    share = inside.mean()
+    whole = 8.0 * np.pi**2 * (np.prod(box[:, 1] - box[:, 0]) if kind == "total" else 1.0)
+    deviation = np.sqrt(share / count)
+    assert abs(made.volume - whole * share) < made.error + 3.0 * whole * deviation
+    assert made.unit == ("rad^3" if kind == "orientation" else "m^3 rad^3")
+    assert made.error < (0.1 if kind == "orientation" else 0.5) * made.volume
+
+
+def test_a_pose_breaks_the_first_limit_that_it_breaks() -> None:
+    rng = np.random.default_rng(3)
+    robot = limited(rng)
+    t = home_position(robot.b, machine_size(robot))
+    wide = np.column_stack([robot.length_limits[:, 0] * 0.3, robot.length_limits[:, 1] * 1.2])
+    weight = 9.81 * (robot.M + robot.m_d.sum() + robot.m_u.sum())
+    robot = dataclasses.replace(
+        robot,
+        home=t,
+        length_limits=wide,
+        joint_angle_limit=np.column_stack([np.full(6, 0.7), np.full(6, 0.75)]),
+        force_limit=np.full(6, weight),
+    )
+    limits = ss.PoseLimits(condition=4.0, clearance=0.2 * machine_size(robot))
+    examiner = PoseExaminer(robot, limits)
+    R = rotation_from_rpy(rng.uniform(-0.35, 0.35, (6000, 3)))
+    poses = t + machine_size(robot) * rng.uniform([-0.5, -0.5, -1.3], [0.5, 0.5, 0.4], (6000, 3))
+    codes = examiner.broken_limits(R, poses)
+    rest = np.zeros(3)
+    motion = ss.Motion(R, poses, rest, rest, rest, rest)
+    L = ss.inverse_kinematics(robot, motion).L
+    angles = ss.joint_angles(robot, motion)
+    H = ss.wrench_matrix(robot, motion)
+    size = ss.characteristic_length(robot)
+    home = ss.wrench_matrix(robot, ss.Motion(np.eye(3), t, rest, rest))
+    same = np.sign(np.linalg.det(H)) == np.sign(np.linalg.det(home))
+    over = (poses + R @ robot.p.mean(axis=0) - robot.b.mean(axis=0)) @ examiner.up
+    F = ss.inverse_dynamics(robot, motion, on_singular="nan").F
+    kept = [
+        over >= 0.0,
+        np.all((wide[:, 0] <= L) & (wide[:, 1] >= L), axis=-1),
+        np.all((angles.base <= 0.7) & (angles.platform <= 0.75), axis=-1),
+        np.all(ss.leg_distances(robot, motion) >= limits.clearance, axis=-1),
+        same & (ss.scaled_condition_number(H, size) <= 4.0),
+        np.all(np.abs(F) <= weight, axis=-1),
+    ]
+    expected = np.where(np.all(kept, axis=0), 0, 1 + np.argmin(np.stack(kept), axis=0))
+    np.testing.assert_array_equal(codes, expected)
+    assert np.count_nonzero(np.bincount(codes, minlength=len(REASONS))) >= 6
+
+
+def test_cells_that_are_left_out_hold_no_pose_within_the_limits() -> None:
+    rng = np.random.default_rng(5)
+    examiner = PoseExaminer(limited(rng), ss.PoseLimits())
+    robot = examiner.robot
+    turn, shift = rng.uniform(0.0, 0.4, 300), rng.uniform(0.0, 0.3, 300) * machine_size(robot)
+    R = rotation_from_rpy(rng.uniform(-0.4, 0.4, (300, 3)))
+    t = home_position(robot.b, machine_size(robot)) + machine_size(robot) * rng.uniform(-0.4, 0.4, (300, 3))
+    broken = examiner.surely_broken(R, t, shift, turn)
+    assert 20 < np.count_nonzero(broken) < 280
+    for i in np.flatnonzero(broken):
+        axis, direction = rng.normal(size=(2, 400, 3))
+        size = turn[i] * rng.random(400)[:, None]
+        turned = Rotation.from_rotvec(size * axis / np.linalg.norm(axis, axis=-1, keepdims=True)).as_matrix()
+        moved = shift[i] * direction / np.linalg.norm(direction, axis=-1, keepdims=True)
+        assert np.all(examiner.broken_limits(turned @ R[i], t[i] + moved) > 0)
+
+
+def test_the_error_of_cells_is_that_of_their_estimates() -> None:
+    """A ball, estimated again and again."""
+    box = np.array([[-1.0, 1.0]] * 3)
+
+    def examine(points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        radius = np.linalg.norm(points, axis=-1)
+        return (radius > 0.9).astype(np.int8), radius
+
+    grid = cells.cells_of(box, 20_000, np.ones(3), lambda low, _: np.zeros(len(low), dtype=bool))
+    volumes, errors = [], []
+    for seed in range(60):
+        found = cells.total([cells.tally(job, examine, 2) for job in cells.jobs_of(grid, seed)], 3, 2)
+        volume, error = cells.volume(grid, found)
+        volumes.append(volume)
+        errors.append(error)
+        assert found.nearest >= 0.9
+    exact = 4.0 / 3.0 * np.pi * 0.9**3
+    assert np.std(volumes) == pytest.approx(np.mean(errors) / 3.0, rel=0.3)
+    assert abs(np.mean(volumes) - exact) < np.mean(errors) / np.sqrt(60.0)
+
+
+def test_a_machine_in_millimetres_that_hangs_has_the_volume_of_its_image_in_metres() -> None:
+    robot = upside_down_in_millimetres()
+    # A robot of 1e3 times the lengths, z pointing down: its home is on the other side.
+    L = np.linalg.norm(robot.p - robot.b + ss.up_direction(robot) * 1.1 * machine_size(robot), axis=-1)
+    robot = dataclasses.replace(robot, length_limits=L[:, None] * np.array([0.9, 1.15]))
+    made = ss.workspace(robot, poses=50_000)
+    assert made.extent[2, 1] < 0.0
+    assert abs(made.volume - exact_volume(robot, np.zeros(3))) < made.error
+    small = dataclasses.replace(
+        robot,
+        **{
+            name: getattr(robot, name) * 1e-3
+            for name in ("b", "p", "R_0", "r_d0", "r_u0", "g", "length_limits")
+        },
+        **{name: getattr(robot, name) * 1e-6 for name in ("I_p", "I_d0", "I_u0", "C_u", "C_s")},
+    )
+    other = ss.workspace(small, poses=50_000)
+    assert other.volume == pytest.approx(1e-9 * made.volume, rel=1e-3)
+
+
+def test_a_cluster_of_workers_gives_the_same_bits() -> None:
+    robot = ss.robots.rubin_m2()
+    limits = ss.PoseLimits(condition=10.0, clearance=0.01)
+    here, there = (
+        ss.workspace(robot, limits=limits, poses=150_000, scheduler=scheduler)
+        for scheduler in (None, "local")
+    )
+    for field in dataclasses.fields(here):
+        one, other = getattr(here, field.name), getattr(there, field.name)
+        if isinstance(one, np.ndarray):
+            assert one.tobytes() == other.tobytes(), field.name
+        else:
+            assert one == other, field.name
+
+
+def test_more_poses_than_cells_are_shared_out_evenly(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(cells, "MOST_KEPT", 1 << 12)
+    robot = limited(np.random.default_rng(1))
+    coarse, fine = (ss.workspace(robot, poses=poses) for poses in (8_000, 400_000))
+    assert fine.poses > 20 * coarse.poses
+    assert fine.error < 0.3 * coarse.error
+    assert abs(fine.volume - coarse.volume) < coarse.error + fine.error
+
+
+def test_where_nothing_is_in_reach_that_is_said() -> None:
+    robot = limited(np.random.default_rng(1))
+    far = [[5.0, 5.1], [5.0, 5.1], [5.0, 5.1]]
+    with pytest.warns(ss.WorkspaceWarning, match="no pose within the limits"):
+        made = ss.workspace(robot, box=100.0 * np.array(far), poses=1000)
+    assert (made.volume, made.error, made.clear) == (0.0, 0.0, made.clear)
+    assert np.isnan(made.extent).all()
+
+
+def test_distances_of_legs_are_the_least_of_their_points() -> None:
+    rng = np.random.default_rng(0)
+    b, S = rng.normal(size=(6, 3)), rng.normal(size=(20, 6, 3))
+    found = distances_of(b, S)
+    share = np.linspace(0.0, 1.0, 201)[:, None]
+    for n in range(20):
+        for pair, (i, j) in enumerate(PAIRS):
+            one, other = b[i] + share * S[n, i], b[j] + share * S[n, j]
+            least = np.linalg.norm(one[:, None] - other, axis=-1).min()
+            x, y = nearest_shares(b[i] - b[j], S[n, i], S[n, j])
+            nearest = b[i] - b[j] + x * S[n, i] - y * S[n, j]
+            assert np.linalg.norm(nearest) == pytest.approx(found[n, pair], rel=1e-9)
+            assert found[n, pair] <= least + 1e-12
+            assert least - found[n, pair] < 2e-2 * least + 1e-3
+
+
+def test_what_is_no_question_is_one_line() -> None:
+    robot = limited(np.random.default_rng(2))
+    free = dataclasses.replace(robot, length_limits=np.tile([0.0, math.inf], (6, 1)))
+    assert "expected a box" in error_of(lambda: ss.workspace(free))
+    assert error_of(lambda: ss.workspace(robot, "all")).startswith("kind: expected")  # type: ignore[arg-type]
+    assert error_of(lambda: ss.workspace(robot, poses=3)).startswith("poses: expected")
+    assert error_of(lambda: ss.workspace(robot, position=[0.0, math.nan, 0.0])).startswith(
+        "position: expected"
+    )
+    assert error_of(lambda: ss.workspace(robot, box=[[0.0, 1.0], [1.0, 0.0], [0.0, 1.0]])).startswith("box:")
+    assert error_of(lambda: ss.workspace(robot, turns=WHOLE_TURN)).startswith("turns: is for rotations")
+    wide = np.array([[-4.0, 4.0]] * 3)
+    assert error_of(lambda: ss.workspace(robot, "total", turns=wide)).startswith("turns: expected roll")
+    assert error_of(lambda: ss.workspace(robot, "orientation", box=wide)).startswith("box: is for positions")
+    assert error_of(lambda: ss.PoseLimits(condition=0.5)).startswith("condition: expected")
+    assert error_of(lambda: ss.PoseLimits(clearance=-1.0)).startswith("clearance: expected")
+    assert error_of(lambda: ss.PoseLimits(load=[1.0])).startswith("load: expected")
+    tight = ss.PoseLimits(clearance=10.0 * machine_size(robot))
+    assert error_of(lambda: ss.workspace(robot, limits=tight)).startswith("clearance: expected less than")
+    assert error_of(lambda: ss.workspace(robot, scheduler="tcp://127.0.0.1:1")).startswith("scheduler: none")
