@@ -68,6 +68,7 @@ from .results import ForceDerivatives as ForceDerivatives
 from .results import Forces as Forces
 from .results import Linearisation as Linearisation
 from .results import Reactions as Reactions
+from .robot.drive import Drive as Drive
 from .robot.robot import PhysicalityWarning as PhysicalityWarning
 from .robot.robot import Robot as Robot
 from .robot.units import Units as Units

@@ -100,8 +100,8 @@ class _Reader:
             path = (*path, part)
             if array and i == len(parts):
                 self._counts[path] = self._counts.get(path, 0) + 1
+            self.lines.setdefault(path, line)
             if path in self._counts:
-                self.lines.setdefault(path, line)
                 path = (*path, self._counts[path] - 1)
         self.lines[path] = line
         while self._token.kind not in ("newline", "end"):

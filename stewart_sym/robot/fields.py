@@ -37,7 +37,12 @@ DOUBTS = (
 """Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
 loading, the others by ``plausibility.doubts``."""
 
-NO_LIMITS = {"length_limits": (0.0, math.inf), "force_limit": math.inf, "speed_limit": math.inf}
+NO_LIMITS = {
+    "length_limits": (0.0, math.inf),
+    "force_limit": math.inf,
+    "speed_limit": math.inf,
+    "joint_angle_limit": (math.inf, math.inf),
+}
 
 
 def legs_text(legs: Sequence[int]) -> str:
@@ -74,6 +79,18 @@ def limits(value: object, where: str) -> Array:
     return found
 
 
+def joint_angles(value: object, where: str, straight: float = math.pi) -> Array:
+    """Largest angles of the joints at the base and at the platform, (2,), from one angle for both or two.
+
+    straight: half a turn, in the unit of the value.
+    """
+    both = isinstance(value, list | tuple | np.ndarray)
+    found = tables.numbers(value if both else [value, value], (2,), where)
+    if not np.all((found > 0.0) & (found <= straight)):
+        raise ValueError(f"{where}: expected angles > 0 and <= {straight:g}, got {shown(found.tolist())}")
+    return found
+
+
 # A robot file says "no limit" by leaving the key out, so infinity is for robots in memory only.
 
 
@@ -82,6 +99,13 @@ def _limits_or_none(value: object, where: str) -> Array:
     if isinstance(row, list | tuple) and tuple(row) == NO_LIMITS["length_limits"]:
         return np.array(row)
     return limits(row, where)
+
+
+def _angles_or_none(value: object, where: str) -> Array:
+    row = value.tolist() if isinstance(value, np.ndarray) else value
+    if isinstance(row, list | tuple) and tuple(row) == NO_LIMITS["joint_angle_limit"]:
+        return np.array(row)
+    return joint_angles(row, where)
 
 
 def _limit_or_none(value: object, where: str) -> float:
@@ -173,6 +197,7 @@ LEG_FIELDS: dict[str, tuple[str, Check]] = {
     "length_limits": ("length_limits", _limits_or_none),
     "force_limit": ("force_limit", _limit_or_none),
     "speed_limit": ("speed_limit", _limit_or_none),
+    "joint_angle_limit": ("joint_angle_limit", _angles_or_none),
 }
 """The same of the fields with an entry for each leg, path in a leg's table."""
 
@@ -184,9 +209,11 @@ POSE_FIELDS: dict[str, Check] = {
 }
 """Check of the fields that say how poses of the machine are given; schema 1 has none of them."""
 
-POSE_DEFAULTS: dict[str, Any] = {
+DEFAULTS: dict[str, Any] = {
     "home": None,
     "tool": np.zeros(3),
     "euler_order": "zyx",
     "lengths": LENGTHS[0],
+    "drive": None,
 }
+"""Fields that schema 1 does not have."""

@@ -16,11 +16,11 @@ from ..io.arguments import shown
 from ..io.array_types import Array
 from ..io.frozen import Frozen
 from . import schema_1, schema_2
-from .fields import DOUBTS as DOUBTS
+from .drive import Drive
 from .fields import (
+    DEFAULTS,
     FIELDS,
     LEG_FIELDS,
-    POSE_DEFAULTS,
     POSE_FIELDS,
     SYMMETRY_TOLERANCE,
     Check,
@@ -29,6 +29,7 @@ from .fields import (
     need_axisymmetric,
     no_direction,
 )
+from .fields import DOUBTS as DOUBTS
 from .fields import LEGS as LEGS
 from .fields import legs_text as legs_text
 
@@ -77,6 +78,9 @@ class Robot(Frozen):
         Shortest and longest leg, m, (6, 2); a row (0, inf) means no limit.
     force_limit, speed_limit : ndarray, optional
         Of the actuators, N and m/s, (6,); inf means no limit.
+    joint_angle_limit : ndarray, optional
+        Largest angles between a leg and its direction at the home pose, in the base frame and in the platform
+        frame, rad, (6, 2), pi for none at one end; a row (inf, inf) means no limit.
     accept : tuple, optional
         Names, of ``DOUBTS``, of warnings that are known of this robot and not given.
     home : ndarray, optional
@@ -88,6 +92,8 @@ class Robot(Frozen):
         Order in which these files multiply rotations, ``"zyx"`` for R = Rz Ry Rx.
     lengths : str, optional
         Leg lengths in these files: ``"absolute"``, or ``"relative"`` to those of the home pose.
+    drive : Drive, optional
+        What moves the legs; None where nothing is stated of it.
 
     Raises
     ------
@@ -117,11 +123,13 @@ class Robot(Frozen):
     length_limits: Array = field(default_factory=lambda: np.tile([0.0, math.inf], (LEGS, 1)))
     force_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
     speed_limit: Array = field(default_factory=lambda: np.full(LEGS, math.inf))
+    joint_angle_limit: Array = field(default_factory=lambda: np.full((LEGS, 2), math.inf))
     accept: tuple[str, ...] = ()
     home: Array | None = None
     tool: Array = field(default_factory=lambda: np.zeros(3))
     euler_order: str = "zyx"
     lengths: str = "absolute"
+    drive: Drive | None = None
 
     def __post_init__(self) -> None:
         """Check every field and freeze private float64 copies of the arrays."""
@@ -135,6 +143,10 @@ class Robot(Frozen):
             checked[name] = self._per_leg(name, no_direction if spherical and name == "k" else check)
         if self.lengths == "relative" and checked["home"] is None:
             raise ValueError('robot: lengths: "relative" is to the home pose, expected home')
+        if np.isfinite(checked["joint_angle_limit"]).any() and checked["home"] is None:
+            raise ValueError("robot: joint_angle_limit: is from the home pose, expected home")
+        if not isinstance(self.drive, Drive | None):
+            raise ValueError(f"robot: drive: expected a Drive or None, got {shown(self.drive)}")
         self._set(checked)
         if spherical:
             need_axisymmetric(checked, lambda i, name: f"robot: leg {i + 1}: {name}")
@@ -180,7 +192,7 @@ class Robot(Frozen):
         schema = _SCHEMAS[tables.need_schema(d["schema"], tuple(_SCHEMAS), f"{file}schema")]
         # Checked where a message can name the key, and so not again as fields.
         robot = object.__new__(cls)
-        robot._set(POSE_DEFAULTS | schema.values(d, file))
+        robot._set(DEFAULTS | schema.values(d, file))
         return robot
 
     def to_dict(self) -> dict[str, Any]:
@@ -189,6 +201,7 @@ class Robot(Frozen):
         Of schema 1 where that has all that the robot is, else of schema 2; SI units.
         """
         plain = self.home is None and self.lengths == "absolute" and self.euler_order == "zyx"
+        plain = plain and self.drive is None
         tables_of = schema_1.tables_of if plain and not self.tool.any() else schema_2.tables_of
         return tables_of(vars(self))
 

@@ -15,6 +15,7 @@ from ..io.array_types import Array
 from ..motion.logs import LENGTH_UNITS
 from . import schema_1
 from .bodies import INERTIA_KEYS, Metres, body
+from .drive import drive_of_tables, drive_tables
 from .fields import (
     DEFAULT_GRAVITY,
     LEG_FIELDS,
@@ -23,6 +24,7 @@ from .fields import (
     POSE_FIELDS,
     accepted,
     base_joint,
+    joint_angles,
     limits,
     need_axisymmetric,
 )
@@ -39,8 +41,8 @@ _POINT_KEYS = ("points", *RING_KEYS)
 _PARTS = {"lower": 1.0, "upper": -1.0}
 """Parts of a leg, and to which side along x they lie from their joint."""
 _FRICTION_KEYS = ("universal", "prismatic", "spherical")
-_LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit")
-_SHARED_KEYS = ("universal_axis", *_PARTS, "friction", *_LIMIT_KEYS)
+_LIMIT_KEYS = ("length_limits", "stroke", "force_limit", "speed_limit", "joint_angle_limit")
+_SHARED_KEYS = ("universal_axis", *_PARTS, "friction", "drive", *_LIMIT_KEYS)
 _LEG_KEYS = ("base_point", "platform_point", *_SHARED_KEYS)
 _NUMBERS = tuple(str(i + 1) for i in range(LEGS))
 _TRAJECTORY_KEYS = ("tool", "euler_order", "lengths")
@@ -77,7 +79,10 @@ def _values(d: object, file: str) -> dict[str, Any]:
     on_top = body(platform["body"], f"{file}platform.body", metres, None)
     tables.require(on_top, INERTIA_KEYS, f"{file}platform.body.", "missing")
     own |= {"M": on_top["mass"], "R_0": on_top["center_of_mass"], "I_p": on_top["inertia"]}
-    return own | _Legs(top, file, metres, joint, home).values(*rings)
+    legs = _Legs(top, file, metres, degrees, joint, home)
+    return (
+        own | legs.values(*rings) | {"drive": drive_of_tables(legs.shared, legs.own, file, metres, degrees)}
+    )
 
 
 def _metres(unit: str) -> Metres:
@@ -112,9 +117,15 @@ class _Legs:
     """What the legs share, and what one of them has of its own."""
 
     def __init__(
-        self, top: Mapping[str, Any], file: str, metres: Metres, joint: str, home: Array | None
+        self,
+        top: Mapping[str, Any],
+        file: str,
+        metres: Metres,
+        degrees: bool,
+        joint: str,
+        home: Array | None,
     ) -> None:
-        self.file, self.metres, self.joint, self.home = file, metres, joint, home
+        self.file, self.metres, self.degrees, self.joint, self.home = file, metres, degrees, joint, home
         self.shared = tables.checked_table(top["legs"], f"{file}legs.", _SHARED_KEYS)
         given = top.get("leg", {})
         if not isinstance(given, Mapping):
@@ -175,7 +186,8 @@ class _Legs:
             given = {**self.shared, **self.own[i]}
             value = tables.positive(given[name], self._where(i, name)) if name in given else NO_LIMITS[name]
             found[name] = self.metres(value) if name == "speed_limit" else value
-        return found | {"length_limits": self._length_limits(i, at_home)}
+        angles = self._joint_angles(i, at_home)
+        return found | {"length_limits": self._length_limits(i, at_home), "joint_angle_limit": angles}
 
     def _part(self, i: int, part: str) -> dict[str, Any]:
         """Mass, centre of mass and inertia of the lower or upper part."""
@@ -212,6 +224,16 @@ class _Legs:
                 return self._about_home(table["stroke"], f"{prefix}stroke", at_home)
         return np.array(NO_LIMITS["length_limits"])
 
+    def _joint_angles(self, i: int, at_home: Array | None) -> Array:
+        """Largest angles of both joints from the home pose, rad, (2,)."""
+        given, where = {**self.shared, **self.own[i]}, self._where(i, "joint_angle_limit")
+        if "joint_angle_limit" not in given:
+            return np.array(NO_LIMITS["joint_angle_limit"])
+        found = joint_angles(given["joint_angle_limit"], where, 180.0 if self.degrees else np.pi)
+        if at_home is None:
+            raise ValueError(f"{where}: is from the leg's direction at the home pose, expected a key home")
+        return np.radians(found) if self.degrees else found
+
     def _about_home(self, value: object, where: str, at_home: Array | None) -> Array:
         stroke = self.metres(tables.numbers(value, (2,), where))
         if stroke[0] >= stroke[1]:
@@ -235,6 +257,8 @@ def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
     ends = ("base_point", "platform_point")
     home = fields["home"]
     trajectory = {key: np.asarray(fields[key]).tolist() for key in _TRAJECTORY_KEYS}
+    drive = fields["drive"]
+    drives = [{}] * LEGS if drive is None else [{"drive": table} for table in drive_tables(drive)]
     return {
         **plain,
         "schema": SCHEMA,
@@ -243,8 +267,8 @@ def tables_of(fields: Mapping[str, Any]) -> dict[str, Any]:
         "platform": platform,
         "legs": {},
         "leg": {
-            n: {key: value for key, value in leg.items() if key not in ends}
-            for n, leg in zip(_NUMBERS, legs, strict=True)
+            n: {key: value for key, value in leg.items() if key not in ends} | own
+            for n, leg, own in zip(_NUMBERS, legs, drives, strict=True)
         },
         "trajectory": trajectory,
     }

@@ -32,6 +32,19 @@ ROBOT: Mapping[str, tuple[int, int, int]] = {
 }
 """Powers of length, mass and time in the fields of a robot; what is not here has no unit."""
 
+DRIVE: Mapping[str, tuple[int, int, int]] = {
+    "lead": (1, 0, 0),
+    "rotor_inertia": (2, 1, 0),
+    **dict.fromkeys(("screw_coulomb", "stribeck"), (1, 1, -2)),
+    "screw_viscous": (0, 1, -1),
+    **dict.fromkeys(("motor_coulomb", "torque_constant", "rated_torque", "torque_limit"), (2, 1, -2)),
+    "motor_viscous": (2, 1, -1),
+    **dict.fromkeys(("stribeck_speed", "smoothing"), (1, 0, -1)),
+    "speed_limit": (0, 0, -1),
+    **dict.fromkeys(("resistance", "power_limit"), (2, 1, -3)),
+}
+"""The same of a drive; the unit of current stays."""
+
 MOTION: Mapping[str, tuple[int, int, int]] = {
     "t": (1, 0, 0),
     "omega": (0, 0, -1),
@@ -125,12 +138,21 @@ def rescaled(robot: Robot, length: float, mass: float, time: float = 1.0) -> Rob
 
     Any factors > 0; powers of two are exact. Raises ValueError as ``Robot``.
     """
-    changed = {
-        name: value * _product((length, mass, time), powers)
-        for name, powers in ROBOT.items()
-        if (value := getattr(robot, name)) is not None
+    factors = (length, mass, time)
+    drive = robot.drive
+    if drive is not None:
+        drive = dataclasses.replace(drive, **_rescaled(drive, DRIVE, factors))
+    return dataclasses.replace(robot, **_rescaled(robot, ROBOT, factors), drive=drive)
+
+
+def _rescaled(
+    record: object, powers: Mapping[str, tuple[int, int, int]], factors: tuple[float, float, float]
+) -> dict[str, Any]:
+    return {
+        name: value * _product(factors, powers[name])
+        for name in powers
+        if (value := getattr(record, name)) is not None
     }
-    return dataclasses.replace(robot, **changed)
 
 
 def _product(factors: tuple[float, float, float], powers: tuple[int, int, int]) -> float:

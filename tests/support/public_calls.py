@@ -11,6 +11,7 @@ from machines import random_motion, random_robot
 
 import stewart_sym as ss
 from stewart_sym.motion.trajectory import Trajectory
+from stewart_sym.robot.drive import NUMBERS
 
 # Of a class or a module that is no function: records that the package fills, types and constants.
 RECORDS = {
@@ -177,6 +178,7 @@ def calls() -> dict[str, Call]:
         "force_residue": Call(ss.force_residue, {**both, "formulation": "exact"}),
         "damped_solution": Call(ss.damped_solution, {"H": H, "c": np.ones(6), "length": 1.0, "share": 1e-4}),
         "certify_pose": Call(ss.certify_pose, {"robot": robot, "L": legs.L, "pose": (motion.R, motion.t)}),
+        "Drive": Call(ss.Drive, dict.fromkeys(NUMBERS, 1.0)),
         "Units": Call(ss.Units, {"length": 1.0, "mass": 2.0, "time": 0.5}),
         "between": Call(ss.between, {"trajectory": trajectory}),
         "resampled": Call(ss.resampled, {"trajectory": trajectory, "rate": 20.0}),

@@ -1,0 +1,280 @@
+"""Drives of the legs: screw or rack, rotor, friction, motor and its limits; and the tables that give them.
+
+A motor turns by ``turns`` times the change of its leg's length. Of that the equations of motion have
+the rotor alone; friction, efficiency and the motor's own numbers act between the leg's force F and the motor.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..io import tables
+from ..io.arguments import shown
+from ..io.array_types import Array
+from ..io.frozen import Frozen
+from .fields import LEGS, Check
+
+_ONE_TURN = 2.0 * math.pi
+
+
+def _not_zero(value: object, where: str) -> float:
+    given = tables.number(value, where)
+    if given == 0.0:
+        raise ValueError(f"{where}: expected a number other than 0, got {given:g}")
+    return given
+
+
+def _efficiency(value: object, where: str) -> float:
+    given = tables.number(value, where)
+    if not 0.0 < given <= 1.0:
+        raise ValueError(f"{where}: expected a number > 0 and <= 1, got {given:g}")
+    return given
+
+
+def _back_efficiency(value: object, where: str) -> float:
+    given = tables.number(value, where)
+    if given > 1.0:
+        raise ValueError(f"{where}: expected a number <= 1, got {given:g}")
+    return given
+
+
+class _Key(NamedTuple):
+    """What one number of a drive is."""
+
+    check: Check
+    default: float
+    unit: str = ""
+    """``length`` or ``angle`` where a file's unit of that name applies."""
+
+
+NUMBERS: Mapping[str, _Key] = {
+    "lead": _Key(_not_zero, math.nan, "length"),
+    "rotor_inertia": _Key(tables.not_negative, 0.0),
+    "efficiency": _Key(_efficiency, 1.0),
+    "back_efficiency": _Key(_back_efficiency, 1.0),
+    "screw_coulomb": _Key(tables.not_negative, 0.0),
+    "screw_viscous": _Key(tables.not_negative, 0.0),
+    "motor_coulomb": _Key(tables.not_negative, 0.0),
+    "motor_viscous": _Key(tables.not_negative, 0.0),
+    "stribeck": _Key(tables.not_negative, 0.0),
+    "stribeck_speed": _Key(tables.not_negative, 0.0, "length"),
+    "smoothing": _Key(tables.not_negative, 0.0, "length"),
+    "torque_constant": _Key(tables.not_negative, 0.0),
+    "resistance": _Key(tables.not_negative, 0.0),
+    "rated_torque": _Key(tables.positive, math.inf),
+    "torque_limit": _Key(tables.positive, math.inf),
+    "speed_limit": _Key(tables.positive, math.inf, "angle"),
+    "current_limit": _Key(tables.positive, math.inf),
+    "power_limit": _Key(tables.positive, math.inf),
+}
+"""Of each field of a drive; a lead has no default."""
+
+_TRANSMISSION = ("lead", "radius", "gear")
+KEYS = (*_TRANSMISSION, *(name for name in NUMBERS if name != "lead"))
+"""Of a table of a drive in a robot file of schema 2."""
+
+
+@dataclass(frozen=True, eq=False)
+class Drive(Frozen):
+    """Drives of six legs, SI units; each field is one number for all legs or six, kept as (6,), read-only.
+
+    The motor's angle grows with its leg's length, by ``turns``; torques and speeds are the motor's.
+
+    Attributes
+    ----------
+    lead : ndarray
+        Change of the leg's length for one turn of the motor, m; negative for a left-handed screw.
+    rotor_inertia : ndarray
+        Of what turns with the motor, about its axis, kg m^2.
+    efficiency, back_efficiency : ndarray
+        Of the transmission where the motor drives the leg, in (0, 1], and where the leg drives the motor,
+        at most 1; a back efficiency of 0 or less is self-locking.
+    screw_coulomb, screw_viscous : ndarray
+        Friction along the leg, N and N s/m; apart from the robot's ``C_p``.
+    motor_coulomb, motor_viscous : ndarray
+        Friction of the motor, N m and N m s.
+    stribeck, stribeck_speed : ndarray
+        Force, N, by which friction at rest is above ``screw_coulomb``, and the rate of length, m/s, in which
+        it decays to 1/e.
+    smoothing : ndarray
+        Rate of length, m/s, within which the sign of a rate is smoothed; 0 for a sign with a step.
+    torque_constant : ndarray
+        Torque per current, N m/A; 0 where it is not given.
+    resistance : ndarray
+        Of the winding at that current, ohm; 0 where it is not given.
+    rated_torque : ndarray
+        Limit of the root mean square of torque, N m; inf means no limit.
+    torque_limit, speed_limit, current_limit, power_limit : ndarray
+        Peaks, N m, rad/s, A and W; inf means no limit.
+
+    Raises
+    ------
+    ValueError
+        Naming the field when a number breaks a rule.
+    """
+
+    lead: Array
+    rotor_inertia: Array | float = 0.0
+    efficiency: Array | float = 1.0
+    back_efficiency: Array | float = 1.0
+    screw_coulomb: Array | float = 0.0
+    screw_viscous: Array | float = 0.0
+    motor_coulomb: Array | float = 0.0
+    motor_viscous: Array | float = 0.0
+    stribeck: Array | float = 0.0
+    stribeck_speed: Array | float = 0.0
+    smoothing: Array | float = 0.0
+    torque_constant: Array | float = 0.0
+    resistance: Array | float = 0.0
+    rated_torque: Array | float = math.inf
+    torque_limit: Array | float = math.inf
+    speed_limit: Array | float = math.inf
+    current_limit: Array | float = math.inf
+    power_limit: Array | float = math.inf
+
+    def __post_init__(self) -> None:
+        """Check every field and freeze private float64 copies."""
+        checked = {field.name: _six(getattr(self, field.name), field.name) for field in fields(self)}
+        for i in range(LEGS):
+            leg = {name: float(values[i]) for name, values in checked.items()}
+            _need_sound(leg, lambda name, i=i: f"{name}: leg {i + 1}")  # type: ignore[misc]
+        self._set(checked)
+
+    def __eq__(self, other: object) -> bool:
+        """Whether every number is the same."""
+        if not isinstance(other, Drive):
+            return NotImplemented
+        return all(np.array_equal(getattr(self, name), getattr(other, name)) for name in NUMBERS)
+
+    @property
+    def turns(self) -> Array:
+        """N = 2 pi / lead: turn of the motor per change of length, rad/m, (6,)."""
+        return np.asarray(_ONE_TURN / self.lead)
+
+    @property
+    def momentum(self) -> Array:
+        """J_r N: angular momentum of the rotor about the leg per rate of its length, kg m, (6,)."""
+        return np.asarray(self.rotor_inertia * self.turns)
+
+    @property
+    def reflected_mass(self) -> Array:
+        """J_r N^2: mass that resists a change of length as the rotor does, kg, (6,)."""
+        return np.asarray(self.momentum * self.turns)
+
+
+def _six(value: object, name: str) -> Array:
+    """One number for each leg, checked; infinity where that says that there is no limit."""
+    key = NUMBERS[name]
+    rows: Any = value.tolist() if isinstance(value, np.ndarray) else value
+    each = isinstance(rows, list | tuple)
+    legs = list(rows) if each else [rows] * LEGS
+    if len(legs) != LEGS:
+        raise ValueError(f"{name}: expected one number or six, got {shown(value)}")
+    return np.array(
+        [
+            math.inf
+            if isinstance(given, float) and given == key.default == math.inf
+            else key.check(given, f"{name}: leg {i}" if each else name)
+            for i, given in enumerate(legs, 1)
+        ]
+    )
+
+
+def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
+    """Reject numbers of one drive that are possible each but not together; ``where`` one of them stands."""
+    turns = _ONE_TURN / leg["lead"]
+    # Python raises OverflowError where NumPy would give inf.
+    if not (1e-100 < abs(turns) < 1e100 and math.isfinite(leg["rotor_inertia"] * turns * turns)):
+        raise ValueError(f"{where('lead')}: expected a lead with which the rotor's inertia is a finite mass")
+    if leg["stribeck"] > 0.0 and leg["stribeck_speed"] == 0.0:
+        raise ValueError(f"{where('stribeck')}: expected a stribeck_speed > 0 beside it")
+
+
+# Tables of a robot file
+
+
+def drive_of_tables(
+    shared: Mapping[str, Any],
+    own: Sequence[Mapping[str, Any]],
+    file: str,
+    metres: Callable[[Any], Any],
+    degrees: bool,
+) -> Drive | None:
+    """The drives of a robot file of schema 2; None where no leg has one.
+
+    shared: the table ``legs``. own: those of each leg, empty where there is none. file: begins every message.
+    metres: from lengths of the file. degrees: whether angles of the file are in degrees.
+    """
+    if not any("drive" in table for table in (shared, *own)):
+        return None
+    common = tables.checked_table(shared.get("drive", {}), f"{file}legs.drive.", KEYS)
+    prefixes = [f"{file}leg.{i + 1}.drive." for i in range(LEGS)]
+    every = [tables.checked_table(own[i].get("drive", {}), prefixes[i], KEYS) for i in range(LEGS)]
+    if not common and not all(every):
+        prefix = prefixes[[bool(mine) for mine in every].index(True)] if any(every) else f"{file}legs.drive."
+        raise ValueError(
+            f"{prefix.rstrip('.')}: expected a drive of every leg, or a table legs.drive with keys"
+        )
+    legs = []
+    for mine, prefix in zip(every, prefixes, strict=True):
+        # One way of giving the transmission stands in for the other.
+        hidden = ("lead", "radius") if {"lead", "radius"} & mine.keys() else ()
+        kept = {key: value for key, value in common.items() if key not in hidden}
+        places = dict.fromkeys(kept, f"{file}legs.drive.") | dict.fromkeys(mine, prefix)
+        legs.append(_leg({**kept, **mine}, places, prefix if mine else f"{file}legs.drive.", metres, degrees))
+    return Drive(**{name: np.array([leg[name] for leg in legs]) for name in NUMBERS})
+
+
+def _leg(
+    given: Mapping[str, Any],
+    places: Mapping[str, str],
+    prefix: str,
+    metres: Callable[[Any], Any],
+    degrees: bool,
+) -> dict[str, float]:
+    """Numbers of one leg's drive; ``places``: what stands before each key in messages."""
+    found = {"lead": _lead(given, places, prefix, metres)}
+    for name, key in NUMBERS.items():
+        if name == "lead":
+            continue
+        if name not in given:
+            found[name] = key.default
+            continue
+        value = key.check(given[name], places[name] + name)
+        if key.unit == "length":
+            value = float(metres(value))
+        found[name] = math.radians(value) if key.unit == "angle" and degrees else value
+    if "back_efficiency" not in given:
+        # The same angle of friction on a screw of small pitch.
+        found["back_efficiency"] = 2.0 - 1.0 / found["efficiency"]
+    _need_sound(found, lambda name: f"{places.get(name, prefix)}{name}")
+    return found
+
+
+def _lead(
+    given: Mapping[str, Any], places: Mapping[str, str], prefix: str, metres: Callable[[Any], Any]
+) -> float:
+    """Change of length per turn of the motor, m: of a screw, or of a pinion and its rack, through a gear."""
+    if "lead" in given and "radius" in given:
+        raise ValueError(f"{places['radius']}radius: expected lead or radius, got both")
+    gear = tables.positive(given["gear"], f"{places['gear']}gear") if "gear" in given else 1.0
+    if "radius" in given:
+        radius = tables.positive(given["radius"], f"{places['radius']}radius")
+        return _ONE_TURN * float(metres(radius)) / gear
+    tables.require(given, ("lead",), prefix, "missing, and radius as well")
+    return float(metres(_not_zero(given["lead"], f"{places['lead']}lead"))) / gear
+
+
+def drive_tables(drive: Drive) -> list[dict[str, float]]:
+    """The table of each leg, SI units, without what is as if not given; ``drive_of_tables`` undoes it."""
+    legs: list[dict[str, float]] = []
+    for i in range(LEGS):
+        found = {name: float(getattr(drive, name)[i]) for name in NUMBERS}
+        kept = {name: value for name, value in found.items() if value != NUMBERS[name].default}
+        legs.append(kept | {"back_efficiency": found["back_efficiency"]})
+    return legs

@@ -1,0 +1,188 @@
+"""Drives of the legs: their tables, what follows from them, and the mistakes people make in them."""
+
+import copy
+import dataclasses
+import json
+import math
+import pickle
+from pathlib import Path
+
+import numpy as np
+import pytest
+from robot_files import written
+
+import stewart_sym as ss
+from stewart_sym.robot.drive import NUMBERS
+
+MACHINE = """\
+schema = 2
+name = "press"
+length_unit = "mm"
+angle_unit = "deg"
+home = [0, 0, 700]
+base = { radius = 600, angles = [10, 110, 130, 230, 250, 350] }
+
+[platform]
+radius = 300
+angles = [50, 70, 170, 190, 290, 310]
+body = { shape = "plate", radius = 320, thickness = 20, density = 2700 }
+
+[legs]
+universal_axis = "tangential"
+lower = { shape = "tube", radius = 30, inner_radius = 25, length = 500, density = 7800 }
+upper = { shape = "rod", radius = 20, length = 450, mass = 3.5 }
+
+"""
+SHARED = """\
+[legs.drive]
+lead = 5
+gear = 2.0
+rotor_inertia = 4e-5
+efficiency = 0.9
+screw_coulomb = 30.0
+screw_viscous = 200.0
+motor_coulomb = 0.02
+motor_viscous = 1e-4
+stribeck = 10.0
+stribeck_speed = 3
+smoothing = 0.1
+torque_constant = 0.6
+resistance = 2.5
+rated_torque = 1.3
+torque_limit = 3.8
+speed_limit = 18000
+current_limit = 7.0
+power_limit = 400.0
+
+"""
+OWN = """\
+[leg.3.drive]
+radius = 12
+screw_coulomb = 45.0
+
+[leg.5]
+drive.lead = -5
+drive.back_efficiency = -0.1
+"""
+
+
+def read(text: str, folder: Path) -> ss.Robot:
+    path = folder / "robot.toml"
+    path.write_text(MACHINE + text, encoding="utf-8")
+    return ss.Robot.from_toml(path)
+
+
+def drive(text: str, folder: Path) -> ss.Drive:
+    found = read(text, folder).drive
+    assert found is not None
+    return found
+
+
+def test_numbers_of_a_file_are_in_si_units_and_a_leg_may_have_its_own(tmp_path: Path) -> None:
+    found = drive(SHARED + OWN, tmp_path)
+    ordinary = [0, 1, 3, 5]
+    np.testing.assert_allclose(found.lead[ordinary], 2.5e-3, rtol=1e-15)
+    assert found.lead[2] == pytest.approx(2 * math.pi * 12e-3 / 2)
+    assert found.lead[4] == -2.5e-3
+    np.testing.assert_array_equal(found.screw_coulomb, [30, 30, 45, 30, 30, 30])
+    np.testing.assert_allclose(found.back_efficiency, [2 - 1 / 0.9] * 4 + [-0.1] + [2 - 1 / 0.9])
+    np.testing.assert_allclose(found.speed_limit, 100 * math.pi)
+    np.testing.assert_allclose(found.stribeck_speed, 3e-3)
+    np.testing.assert_allclose(found.smoothing, 1e-4)
+    np.testing.assert_allclose(found.turns[0], 2 * math.pi / 2.5e-3)
+    np.testing.assert_allclose(found.reflected_mass[0], 4e-5 * (2 * math.pi / 2.5e-3) ** 2)
+    np.testing.assert_allclose(found.momentum[4], -4e-5 * 2 * math.pi / 2.5e-3)
+
+
+def test_what_is_not_given_is_absent(tmp_path: Path) -> None:
+    assert read("", tmp_path).drive is None
+    found = drive("[legs.drive]\nlead = 5\n", tmp_path)
+    for name, key in NUMBERS.items():
+        if name != "lead":
+            np.testing.assert_array_equal(getattr(found, name), np.full(6, key.default))
+
+
+def test_a_drive_goes_through_tables_files_and_units_to_the_bit(tmp_path: Path) -> None:
+    robot = read(SHARED + OWN, tmp_path)
+    assert ss.Robot.from_dict(json.loads(json.dumps(robot.to_dict()))).drive == robot.drive
+    assert ss.Robot.from_toml(written(robot, tmp_path / "again.toml")).drive == robot.drive
+    units = ss.Units.of(robot)
+    assert units.robot(robot).drive != robot.drive
+    assert units.inverse.robot(units.robot(robot)).drive == robot.drive
+    for other in (copy.deepcopy(robot), pickle.loads(pickle.dumps(robot)), dataclasses.replace(robot, M=9.0)):
+        assert other.drive == robot.drive
+        assert not other.drive.lead.flags.writeable
+
+
+BAD = {
+    # what is written, and the message without the file: key, what was expected, line
+    "[legs.drive]\nefficiency = 0.9\n": ("legs.drive.lead: missing, and radius as well (at line 18)"),
+    "[legs.drive]\nlead = 0\n": "legs.drive.lead: expected a number other than 0, got 0 (at line 19)",
+    "[legs.drive]\nlead = '5'\n": "legs.drive.lead: expected a finite number, got '5' (at line 19)",
+    "[legs.drive]\nlead = 5\nradius = 9\n": (
+        "legs.drive.radius: expected lead or radius, got both (at line 20)"
+    ),
+    "[legs.drive]\nradius = -9\n": "legs.drive.radius: expected a number > 0, got -9 (at line 19)",
+    "[legs.drive]\nlead = 5\ngear = 0\n": "legs.drive.gear: expected a number > 0, got 0 (at line 20)",
+    "[legs.drive]\nlead = 5\nefficiency = 90\n": (
+        "legs.drive.efficiency: expected a number > 0 and <= 1, got 90 (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\nback_efficiency = 1.5\n": (
+        "legs.drive.back_efficiency: expected a number <= 1, got 1.5 (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\n[leg.2.drive]\nrotor_inertia = -1e-5\n": (
+        "leg.2.drive.rotor_inertia: expected a number >= 0, got -1e-05 (at line 21)"
+    ),
+    "[legs.drive]\nlead = 5\nfriction = 3\n": "legs.drive.friction: unknown key, ",
+    "[legs.drive]\nlead = 5\ninertia = 3\n": (
+        'legs.drive.inertia: unknown key, did you mean "rotor_inertia"? (at line 20)'
+    ),
+    "[legs.drive]\nlead = 5\nstribeck = 3\n": (
+        "legs.drive.stribeck: expected a stribeck_speed > 0 beside it (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\ntorque_limit = 0\n": (
+        "legs.drive.torque_limit: expected a number > 0, got 0 (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\ncurrent_limit = inf\n": (
+        "legs.drive.current_limit: expected a finite number, got inf (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\nsmoothing = [1, 2]\n": (
+        "legs.drive.smoothing: expected a finite number, got [1, 2] (at line 20)"
+    ),
+    "[legs.drive]\nlead = 1e-120\n": (
+        "legs.drive.lead: expected a lead with which the rotor's inertia is a finite mass (at line 19)"
+    ),
+    "[legs.drive]\nlead = 5\nrotor_inertia = 1e305\n": (
+        "legs.drive.lead: expected a lead with which the rotor's inertia is a finite mass (at line 19)"
+    ),
+    "[leg.3]\ndrive = 5\n": "leg.3.drive: expected a table, got 5 (at line 19)",
+    "[[legs.drive]]\nlead = 5\n": "legs.drive: expected a table, got [{'lead': 5}] (at line 18)",
+    "[leg.3.drive]\nlead = 5\n": (
+        "leg.3.drive: expected a drive of every leg, or a table legs.drive with keys (at line 18)"
+    ),
+    "[legs.drive]\n": (
+        "legs.drive: expected a drive of every leg, or a table legs.drive with keys (at line 18)"
+    ),
+    "[leg.7.drive]\nlead = 5\n": "leg.7: unknown key, expected one of 1, 2, 3, 4, 5, 6 (at line 18)",
+}
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_a_bad_drive_gives_one_line_with_key_and_line(text: str, tmp_path: Path) -> None:
+    with pytest.raises(ValueError, match=r"\A[^\n]*\Z") as error:
+        read(text, tmp_path)
+    assert str(error.value).startswith(f"{tmp_path / 'robot.toml'}: {BAD[text]}"), error.value
+    assert "at line" in str(error.value)
+
+
+def test_fields_are_checked_by_name() -> None:
+    for field, value, words in (
+        ("efficiency", 0.0, "efficiency: expected a number > 0 and <= 1, got 0"),
+        ("torque_limit", [1.0, 2.0], r"torque_limit: expected one number or six, got \[1.0, 2.0\]"),
+        ("smoothing", [0, 0, 0, math.nan, 0, 0], "smoothing: leg 4: expected a finite number"),
+        ("stribeck", 1.0, "stribeck: leg 1: expected a stribeck_speed"),
+    ):
+        with pytest.raises(ValueError, match=words):
+            ss.Drive(lead=5e-3, **{field: value})
+    with pytest.raises(ValueError, match="robot: drive: expected a Drive or None, got 3"):
+        dataclasses.replace(ss.robots.dasgupta1998(), drive=3)
