@@ -29,6 +29,7 @@ SUBCOMMANDS = {
     "check": "machine.check",
     "forces": "machine.forces",
     "singularities": "machine.singularities",
+    "plan": "machine.plan",
     "simulate": "machine.simulate",
     "control": "studies.control",
     "controller": "studies.controller",

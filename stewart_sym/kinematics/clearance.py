@@ -42,16 +42,21 @@ def leg_distances(robot: Robot, motion: Motion) -> Array:
 
 def distances_of(b: Array, S: Array) -> Array:
     """The same, (..., 15), of base points (6, 3) and leg vectors (..., 6, 3)."""
-    # Lines b_i + x S_i and b_j + y S_j: the squared distance is a quadratic form in x and y.
     apart = b[_ONE] - b[_OTHER]
     one, other = S[..., _ONE, :], S[..., _OTHER, :]
+    x, y = nearest_shares(apart, one, other)
+    return np.asarray(np.linalg.norm(apart + x[..., None] * one - y[..., None] * other, axis=-1))
+
+
+def nearest_shares(apart: Array, one: Array, other: Array) -> tuple[Array, Array]:
+    """Shares x and y of [0, 1], (...), at which apart + x one - y other, (..., 3), is shortest."""
+    # Its square is a quadratic form in x and y.
     ii, jj, ij = _dot(one, one), _dot(other, other), _dot(one, other)
     i, j = _dot(one, apart), _dot(other, apart)
     with np.errstate(divide="ignore", invalid="ignore"):
         x = np.clip(np.nan_to_num((ij * j - i * jj) / (ii * jj - ij**2)), 0.0, 1.0)
         y = np.clip(np.nan_to_num((ij * x + j) / jj), 0.0, 1.0)
-        x = np.clip(np.nan_to_num((ij * y - i) / ii), 0.0, 1.0)
-    return np.asarray(np.linalg.norm(apart + x[..., None] * one - y[..., None] * other, axis=-1))
+        return np.clip(np.nan_to_num((ij * y - i) / ii), 0.0, 1.0), y
 
 
 def joined(robot: Robot) -> Array:

@@ -16,17 +16,18 @@ from .profile import Profile
 Source = Callable[[Array], Terms]
 """Parameters s, (n,) -> terms there."""
 
-EXCESS = 2e-7
-"""A limit exceeded by this share between the nodes is tightened."""
+# By which all limits are tighter from the start, so that rounding exceeds none.
+_MARGIN = 1e-6
 IDLE = 1e-3
 """A limit is active from this share below it on."""
-_SHARES = np.linspace(0.0, 1.0, 17)
+# Denser to the ends, where friction goes with the root of the way.
+_SHARES = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25))
 _PARTS = 4
 # Tightened by more than what was exceeded, so that few rounds do.
 _MORE = 1.2
 _SECANTS = 5
 # Exceeded by more than this share between nodes, a limit is no matter of tightening alone.
-_ROUGH = 2e-3
+_ROUGH = 5e-4
 _APART = 0.05
 
 
@@ -52,7 +53,7 @@ class Grid(NamedTuple):
     def at(cls, source: Source, s: Array) -> Grid:
         """A grid of just these nodes."""
         terms = source(s)
-        return cls(source, s, terms, np.zeros((len(s), len(terms.limit) + 1)))
+        return cls(source, s, terms, np.full((len(s), len(terms.limit) + 1), _MARGIN))
 
     def bounds(self) -> Bounds:
         """What the tightened limits allow at the nodes."""

@@ -122,7 +122,7 @@ def terms_along(robot: Robot, path: Path, s: Array, limits: Limits, formulation:
 
     still, ahead, back = forces(0.0, 0.0), forces(1.0, 0.0), forces(-1.0, 0.0)
     columns = [(forces(0.0, 1.0) - still, 0.5 * (ahead + back) - still, 0.5 * (ahead - back), still)]
-    limit = [robot.force_limit if limits.force is None else np.array(limits.force)]
+    limit = [force_limits(robot, limits)]
     names = [f"force of leg {leg + 1}" for leg in range(6)]
     legs = inverse_kinematics(robot, motion)
     if limits.acceleration is not None:
@@ -133,6 +133,11 @@ def terms_along(robot: Robot, path: Path, s: Array, limits: Limits, formulation:
         names += [f"acceleration of leg {leg + 1}" for leg in range(6)]
     a, b, d, e = (np.concatenate(each, axis=-1) for each in zip(*columns, strict=True))
     return Terms(a, b, d, e, np.concatenate(limit), _caps(robot, motion, legs.L_dot, limits), tuple(names))
+
+
+def force_limits(robot: Robot, limits: Limits) -> Array:
+    """Of the actuators, N, (6,)."""
+    return robot.force_limit if limits.force is None else np.array(limits.force)
 
 
 def speed_limits(robot: Robot, limits: Limits) -> Array:

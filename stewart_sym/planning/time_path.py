@@ -14,7 +14,7 @@ from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from ..motion.motion import Motion
 from ..robot.robot import Robot
-from .grid import EXCESS, Grid
+from .grid import Grid
 from .path_terms import Limits, Path, Terms, terms_along, travelled
 from .phase_plane import fastest
 from .profile import Profile
@@ -23,8 +23,10 @@ CELLS = 1000
 """Cells of the first grid; those in which no limit is active, or one is exceeded, are divided."""
 
 
-_DIVISIONS = 2
+
+_DIVISIONS = 3
 _ROUNDS = 15
+_AT_ENDS = 20
 # A machine that can just about hold its own weight at a pose of the path takes for ever to pass it.
 _HOLD = 1.0 - 1e-6
 
@@ -119,7 +121,7 @@ def time_path(
     def source(s: Array) -> Terms:
         return terms_along(robot, path, s, limits, formulation)
 
-    nodes = np.linspace(*span, cells + 1)
+    nodes = _first_nodes(*span, cells)
     need_bounded(source(nodes), nodes)
     grid = Grid.of(source, nodes)
     for turn in range(_ROUNDS):
@@ -128,11 +130,18 @@ def time_path(
         used = grid.used(profile)
         if turn < _DIVISIONS:
             grid = grid.divided(profile)
-        elif used.max() <= 1.0 + EXCESS:
+        elif used.max() <= 1.0:
             break
         else:
             grid = grid.tightened(used)
     return TimedPath(robot, path, limits, formulation, profile)
+
+
+def _first_nodes(start: float, end: float, cells: int) -> Array:
+    """Even nodes, and in the first and the last cell more: from rest, friction grows with the root of the way."""
+    even = np.linspace(start, end, cells + 1)
+    more = (even[1] - even[0]) * (np.arange(1, _AT_ENDS) / _AT_ENDS) ** 3
+    return np.concatenate([even[:1], start + more, even[1:-1], end - more[::-1], even[-1:]])
 
 
 def need_bounded(terms: Terms, s: Array) -> None:
