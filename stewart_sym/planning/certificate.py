@@ -94,11 +94,15 @@ def certify_plan(plan: TimedPath) -> PlanCertificate:
     nodes = profile.phase.s
     along = singularities_along(robot, plan.path, nodes)
     shares = (np.arange(FINER) + 0.5) / FINER
-    s, square, second = (np.append(x.ravel(), end) for x, end in zip(profile.inside(shares), _end(plan), strict=True))
+    s, square, second = (
+        np.append(x.ravel(), end) for x, end in zip(profile.inside(shares), _end(plan), strict=True)
+    )
     parts = [slice(i, i + _BLOCK) for i in range(0, len(s), _BLOCK)]
     legs, forces, used = zip(*(_part(plan, s[p], square[p], second[p]) for p in parts), strict=True)
     speed, force, most = np.abs(np.concatenate(legs)), np.abs(np.concatenate(forces)), np.concatenate(used)
-    times = np.append((profile.times[:-1, None] + np.diff(profile.times)[:, None] * shares).ravel(), plan.duration)
+    times = np.append(
+        (profile.times[:-1, None] + np.diff(profile.times)[:, None] * shares).ravel(), plan.duration
+    )
     low, high = robot.length_limits.T
     return PlanCertificate(
         instants=len(s),
@@ -132,11 +136,17 @@ def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Arra
     motion = travelled(by_parameter, np.sqrt(square), second)
     F = inverse_dynamics(plan.robot, motion, plan.formulation).F
     legs = inverse_kinematics(plan.robot, motion)
-    used = [np.abs(F) / force_limits(plan.robot, plan.limits), np.abs(legs.L_dot) / speed_limits(plan.robot, plan.limits)]
+    used = [
+        np.abs(F) / force_limits(plan.robot, plan.limits),
+        np.abs(legs.L_dot) / speed_limits(plan.robot, plan.limits),
+    ]
     if plan.limits.acceleration is not None:
         assert legs.L_ddot is not None
         used.append(np.abs(legs.L_ddot) / np.array(plan.limits.acceleration))
-    for vector, limit in ((motion.v, plan.limits.platform_speed), (motion.omega, plan.limits.platform_turn_rate)):
+    for vector, limit in (
+        (motion.v, plan.limits.platform_speed),
+        (motion.omega, plan.limits.platform_turn_rate),
+    ):
         if limit is not None:
             used.append(np.linalg.norm(vector, axis=-1, keepdims=True) / limit)
     return legs.L_dot, F, np.concatenate(used, axis=-1).max(axis=-1)

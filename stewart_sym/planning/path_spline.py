@@ -8,15 +8,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..io.array_types import Array
-from ..motion.motion import Motion
+from ..motion.interpolation import DEGREE
 from ..motion.rotation import rotation_from_quaternion
 from .pose_path import PosePath, b_spline_values, knots_between
 from .via_poses import ViaPose, coordinates, shifted
 
 CELLS = 4
 """Cells of the spline from each via pose to the next."""
-SAMPLES = 10
+SAMPLES = 20
 """Poses at which costs are taken, for each cell."""
+_FINER = 5
 _STEP = 1e-6
 
 
@@ -24,16 +25,17 @@ _STEP = 1e-6
 class Family:
     """All splines through via poses: by shifts of the free ones, (f,), and coordinates w, (m, 7).
 
-    s: samples. B: B-splines there, (n, c). speeds: metric of the first derivative, (c, c). through, rest:
+    s: samples. B: B-splines there, (n, c). between, fine: the same of a finer grid with the via poses. speeds: metric of the first derivative, (c, c). through, rest:
     coefficients are through @ via + rest @ w.
     """
 
     poses: tuple[ViaPose, ...]
     via: Array
     knots: Array
-    length: float
     s: Array
     B: Array
+    between: Array
+    fine: Array
     speeds: Array
     through: Array
     rest: Array
@@ -47,19 +49,23 @@ class Family:
         via = np.concatenate([[0.0], np.cumsum(chords) / chords.sum()])
         via[-1] = 1.0
         knots = knots_between(via, CELLS)
-        edges = knots_between(via, CELLS * SAMPLES)[5:-5]
+        edges = knots_between(via, CELLS * SAMPLES)[DEGREE:-DEGREE]
         s = 0.5 * (edges[1:] + edges[:-1])
         weights = np.diff(edges)
         rates = [b_spline_values(knots, s, order) for order in (1, 2)]
         speeds, bends = (rate.T @ (weights[:, None] * rate) for rate in rates)
         at_via = b_spline_values(knots, via, 0)
-        through, rest = _through(at_via, bends + 1e-9 * np.trace(bends) * np.eye(len(bends)) * 0.0)
-        return cls(tuple(poses), via, knots, length, s, b_spline_values(knots, s, 0), speeds, through, rest, rows)
+        through, rest = _through(at_via, bends)
+        between = knots_between(via, CELLS * SAMPLES * _FINER)[DEGREE:-DEGREE]
+        B, fine = (b_spline_values(knots, x, 0) for x in (s, between))
+        return cls(tuple(poses), via, knots, s, B, between, fine, speeds, through, rest, rows)
 
     @property
     def free(self) -> list[tuple[int, int]]:
         """Numbers of via pose and coordinate that are free."""
-        return [(k, i) for k, pose in enumerate(self.poses) for i in np.flatnonzero(pose.high > pose.low).tolist()]
+        return [
+            (k, i) for k, pose in enumerate(self.poses) for i in np.flatnonzero(pose.high > pose.low).tolist()
+        ]
 
     def box(self) -> list[tuple[float, float]]:
         """Bounds of the free coordinates."""
@@ -74,7 +80,9 @@ class Family:
 
     def coefficients(self, values: Array, w: Array) -> Array:
         """Of the spline, (c, 7)."""
-        rows = np.array([shifted(row, shift) for row, shift in zip(self.rows, self.shifts(values), strict=True)])
+        rows = np.array(
+            [shifted(row, shift) for row, shift in zip(self.rows, self.shifts(values), strict=True)]
+        )
         return np.asarray(self.through @ rows + self.rest @ w)
 
     def gradients(self, values: Array, by_coefficients: Array) -> tuple[Array, Array]:

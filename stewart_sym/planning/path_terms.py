@@ -19,8 +19,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..dynamics.inverse import Formulation, inverse_dynamics
-from ..io.array_types import Array
 from ..io.arguments import shown
+from ..io.array_types import Array
 from ..io.tables import positive
 from ..kinematics.inverse import inverse_kinematics
 from ..motion.motion import Motion
@@ -148,6 +148,11 @@ def speed_limits(robot: Robot, limits: Limits) -> Array:
 def _caps(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -> Array:
     """Largest s'^2 within all limits of speed, (n,)."""
     rates = [np.abs(L_dot), *(np.linalg.norm(x, axis=-1, keepdims=True) for x in (motion.v, motion.omega))]
-    most = np.array([*speed_limits(robot, limits), *(x or math.inf for x in (limits.platform_speed, limits.platform_turn_rate))])
+    most = np.array(
+        [
+            *speed_limits(robot, limits),
+            *(x or math.inf for x in (limits.platform_speed, limits.platform_turn_rate)),
+        ]
+    )
     with np.errstate(divide="ignore"):
         return np.asarray(((most / np.concatenate(rates, axis=-1)) ** 2).min(axis=-1))

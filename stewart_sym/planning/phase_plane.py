@@ -61,7 +61,9 @@ def bounds_of(terms: Terms, limit: Array) -> Bounds:
     low[free], high[free] = (-np.inf, 0.0, 0.0), (np.inf, 0.0, 0.0)
     # Quantities that s'' does not change bound x by themselves.
     alone = [
-        np.where(free, first_root(sign * terms.e - limit, sign * terms.b, sign * terms.d), np.inf).min(axis=-1)
+        np.where(free, first_root(sign * terms.e - limit, sign * terms.b, sign * terms.d), np.inf).min(
+            axis=-1
+        )
         for sign in (1.0, -1.0)
     ]
     gap = low[:, :, None, :] - high[:, None, :, :]

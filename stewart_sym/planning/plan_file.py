@@ -27,8 +27,27 @@ SCHEMA = 1
 RATE = 100.0
 """Of the trajectory, Hz."""
 
-_TOP_KEYS = ("schema", "robot", "formulation", "objective", "price", "rate", "limits", "load", "via", "via_file")
-_LIMIT_KEYS = ("condition", "clearance", "force", "speed", "acceleration", "platform_speed", "platform_turn_rate")
+_TOP_KEYS = (
+    "schema",
+    "robot",
+    "formulation",
+    "objective",
+    "price",
+    "rate",
+    "limits",
+    "load",
+    "via",
+    "via_file",
+)
+_LIMIT_KEYS = (
+    "condition",
+    "clearance",
+    "force",
+    "speed",
+    "acceleration",
+    "platform_speed",
+    "platform_turn_rate",
+)
 _LOAD_KEYS = ("F_ext", "M_ext")
 _VIA_KEYS = ("t", "theta", "free")
 
@@ -87,9 +106,7 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
         R, t = read_poses(files[2], form_of(robot))
         poses = tuple(ViaPose(*pose) for pose in zip(R, t, strict=True))
     else:
-        poses = tuple(
-            ViaPose(rotation_about_axes(theta, order), t, *box) for t, theta, box in given
-        )
+        poses = tuple(ViaPose(rotation_about_axes(theta, order), t, *box) for t, theta, box in given)
     if len(poses) < 2:
         raise ValueError(f"{file}via: expected at least 2 via poses, got {len(poses)}")
     return PlanRequest(

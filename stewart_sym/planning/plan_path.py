@@ -19,7 +19,7 @@ from ..robot.robot import Robot
 from ..singularities.along_path import crossings
 from .path_spline import Family, by_coordinates, poses_of, scales
 from .pose_costs import ROOM, PathLimits, PoseCosts
-from .pose_path import PosePath, b_spline_values
+from .pose_path import PosePath
 from .via_poses import ViaPose
 
 Objective = Literal["mean", "peak"]
@@ -152,7 +152,9 @@ def need_poses(poses: Sequence[ViaPose]) -> None:
     if len(poses) < 2:
         raise ValueError(f"via poses: expected at least 2, got {len(poses)}")
     for number, (before, after) in enumerate(zip(poses[:-1], poses[1:], strict=True), start=2):
-        if np.allclose(before.R, after.R, rtol=0.0, atol=1e-9) and np.allclose(before.t, after.t, rtol=1e-12, atol=0.0):
+        if np.allclose(before.R, after.R, rtol=0.0, atol=1e-9) and np.allclose(
+            before.t, after.t, rtol=1e-12, atol=0.0
+        ):
             raise ValueError(f"via pose {number}: expected another pose than via pose {number - 1}")
 
 
@@ -216,7 +218,7 @@ class _Search:
         """Variables of the best path; ValueError that names the limit which stands in the way."""
         start = np.concatenate([part.ravel() for part in self.nothing])
         random = np.random.default_rng(0)
-        worst: list[tuple[float, str, int]] = []
+        worst: list[tuple[float, str, float]] = []
         for turn in range(_STARTS):
             progress("planning the path", turn / _STARTS)
             x = self.minimum(start)
@@ -227,12 +229,11 @@ class _Search:
                 crossed = crossings(self.costs.robot, path, np.union1d(family.s, [0.0, 1.0]))
                 if not crossed:
                     return x
-                broken = [(math.inf, "a singular pose", int(np.searchsorted(family.s, crossed[0].time)))]
+                broken = [(math.inf, "a singular pose", crossed[0].time)]
             worst.append(max(broken))
             start = np.concatenate([part.ravel() for part in self.nothing])
             start[len(self.family.free) :] += self.swing(random)
-        _, what, sample = min(worst)
-        place = np.concatenate([self.family.s, self.family.via])[sample]
+        _, what, place = min(worst)
         segment = int(np.clip(np.searchsorted(self.family.via, place), 1, len(self.family.poses) - 1))
         raise ValueError(
             f"via pose {segment + 1}: expected a path to it from via pose {segment}, none was found: {what} stands in the way"
@@ -252,7 +253,13 @@ class _Search:
         box = [*self.family.box(), *[(None, None)] * (len(x) - free)]
         for penalty in _PENALTIES:
             found = minimize(
-                self.value, x, args=(penalty,), jac=True, method="L-BFGS-B", bounds=box, options={"maxiter": _STEPS}
+                self.value,
+                x,
+                args=(penalty,),
+                jac=True,
+                method="L-BFGS-B",
+                bounds=box,
+                options={"maxiter": _STEPS},
             )
             x = found.x
         return np.asarray(x)
@@ -281,23 +288,23 @@ class _Search:
         by_free, by_w = family.gradients(values, by_c)
         return value, np.concatenate([by_free, (by_w / self.scale).ravel()])
 
-    def broken(self, x: Array) -> list[tuple[float, str, int]]:
-        """Limits that the path breaks: by how much, which, and the sample."""
+    def broken(self, x: Array) -> list[tuple[float, str, float]]:
+        """Limits that the path breaks, between the samples too: by how much, which, and where."""
         family = self.family
-        B = np.concatenate([family.B, b_spline_values(family.knots, family.via, 0)])
-        return broken_limits(self.costs, *poses_of(B @ family.coefficients(*self.split(x))))
+        rows = family.fine @ family.coefficients(*self.split(x))
+        return broken_limits(self.costs, *poses_of(rows), family.between)
 
 
-def broken_limits(costs: PoseCosts, R: Array, t: Array) -> list[tuple[float, str, int]]:
-    """Limits that poses break: by how much, which, and the number of the worst pose."""
+def broken_limits(costs: PoseCosts, R: Array, t: Array, s: Array) -> list[tuple[float, str, float]]:
+    """Limits that poses at parameters s break: by how much, which, and where most."""
     found = []
     for name, excess, _ in costs.excesses(R, t):
         most = excess.max(axis=-1)
         if most.max() > ROOM:
-            found.append((float(most.max()), name, int(np.argmax(most))))
+            found.append((float(most.max()), name, float(s[np.argmax(most)])))
     _, signs = costs.plain_conditions(R, t)
     if (signs != costs.side).any():
-        found.append((math.inf, "a singular pose", int(np.argmax(signs != costs.side))))
+        found.append((math.inf, "a singular pose", float(s[np.argmax(signs != costs.side)])))
     return found
 
 

@@ -158,4 +158,3 @@ class PoseCosts(Frozen):
         turn = x[..., None] * cross(q[:, i], n) - y[..., None] * cross(q[:, j], n)
         excess = (self.limits.clearance - distance) / self.length + ROOM
         return excess, -np.concatenate([shift, turn], axis=-1) / self.length
-

@@ -62,7 +62,13 @@ class PosePath(Frozen):
         motion = motion.about_point(-self.tool) if self.tool.any() else motion
         loads = (np.broadcast_to(part, motion.t.shape) for part in (self.load[:3], self.load[3:]))
         return Motion.unchecked(
-            motion.R, motion.t, motion.omega, motion.v, motion.alpha, motion.a, *(loads if self.load.any() else ())
+            motion.R,
+            motion.t,
+            motion.omega,
+            motion.v,
+            motion.alpha,
+            motion.a,
+            *(loads if self.load.any() else ()),
         )
 
     def _values(self, s: Array, order: int) -> Array:

@@ -23,7 +23,6 @@ CELLS = 1000
 """Cells of the first grid; those in which no limit is active, or one is exceeded, are divided."""
 
 
-
 _DIVISIONS = 3
 _ROUNDS = 15
 _AT_ENDS = 20
@@ -149,7 +148,9 @@ def need_bounded(terms: Terms, s: Array) -> None:
     if not np.isfinite(terms.caps).all() and not np.isfinite(terms.limit).any():
         raise ValueError("limits: expected a limit of force, speed or acceleration, there is none")
     if (np.abs(terms.a).max(axis=-1) <= 1e-12 * np.abs(terms.a).max()).any():
-        raise ValueError(f"path: expected a path that rests nowhere, it does at s = {s[np.argmin(np.abs(terms.a).max(axis=-1))]:.6g}")
+        raise ValueError(
+            f"path: expected a path that rests nowhere, it does at s = {s[np.argmin(np.abs(terms.a).max(axis=-1))]:.6g}"
+        )
     held = np.abs(terms.e) / terms.limit
     if held.max() >= _HOLD:
         i, k = np.unravel_index(int(np.argmax(held)), held.shape)

@@ -48,7 +48,12 @@ class ViaPose(Frozen):
         if motion.shape:
             raise ValueError(f"pose: expected one pose, got {motion.shape}")
         box = {name: finite_array(getattr(self, name), (6,), name) for name in ("low", "high")}
-        if box["low"].shape != (6,) or box["high"].shape != (6,) or (box["low"] > 0.0).any() or (box["high"] < 0.0).any():
+        if (
+            box["low"].shape != (6,)
+            or box["high"].shape != (6,)
+            or (box["low"] > 0.0).any()
+            or (box["high"] < 0.0).any()
+        ):
             raise ValueError("low, high: expected six numbers <= 0 and six >= 0")
         self._set({"R": np.array(motion.R), "t": np.array(motion.t), **box})
 

@@ -47,7 +47,13 @@ def run(arguments: argparse.Namespace) -> int:
     tables = ("trajectory.csv", "path.csv")
     with results(arguments, "report", *tables, read=request.files) as take, progress_line() as progress:
         planned = plan_path(
-            robot, request.poses, request.path_limits, request.objective, request.price, request.load, progress
+            robot,
+            request.poses,
+            request.path_limits,
+            request.objective,
+            request.price,
+            request.load,
+            progress,
         )
         timed = time_path(
             robot, planned.path, limits=request.limits, formulation=request.formulation, progress=progress

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...dynamics.inverse import inverse_dynamics
-from ...kinematics.conditioning import scaled_condition_number
+from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import inverse_kinematics, wrench_matrix
 from ...motion.motion import Motion
 from ...motion.rotation import (
@@ -64,13 +64,21 @@ def trajectory(robot: Robot, times: Array, motion: Motion) -> Columns:
     if robot.euler_order != "zyx" or np.abs(np.cos(theta[:, 1])).min() < _PLAIN:
         quaternion = quaternion_from_rotation(at_tool.R)
         return columns | {f"q_{part}": column for part, column in zip("wxyz", quaternion.T, strict=True)}
-    axes = np.stack([angular_velocity_from_rpy(theta, np.broadcast_to(unit, theta.shape)) for unit in np.eye(3)], axis=-1)
+    axes = np.stack(
+        [angular_velocity_from_rpy(theta, np.broadcast_to(unit, theta.shape)) for unit in np.eye(3)], axis=-1
+    )
     theta_dot = np.linalg.solve(axes, at_tool.omega[..., None])[..., 0]
     assert at_tool.alpha is not None
     assert at_tool.a is not None
     carried = angular_acceleration_from_rpy(theta, theta_dot, np.zeros_like(theta))
     theta_ddot = np.linalg.solve(axes, (at_tool.alpha - carried)[..., None])[..., 0]
-    vectors = {"theta": theta, "v": at_tool.v, "theta_dot": theta_dot, "a": at_tool.a, "theta_ddot": theta_ddot}
+    vectors = {
+        "theta": theta,
+        "v": at_tool.v,
+        "theta_dot": theta_dot,
+        "a": at_tool.a,
+        "theta_ddot": theta_ddot,
+    }
     if at_tool.F_ext is not None and at_tool.M_ext is not None:
         vectors |= {"F_ext": at_tool.F_ext, "M_ext": at_tool.M_ext}
     for name, values in vectors.items():
@@ -78,13 +86,13 @@ def trajectory(robot: Robot, times: Array, motion: Motion) -> Columns:
     return columns
 
 
-def along(plan: Plan) -> Columns:
+def along(plan: Plan, times: Array) -> Columns:
     """Columns over time: place on the path, its rates, condition number, lengths, speeds and forces."""
-    place, motion = plan.timed.profile.at(plan.times), plan.timed.sample(plan.times)
+    place, motion = plan.timed.profile.at(times), plan.timed.sample(times)
     legs = inverse_kinematics(plan.robot, motion)
     forces = inverse_dynamics(plan.robot, motion, plan.timed.formulation).F
     columns: Columns = {
-        "time": plan.times,
+        "time": times,
         "s": place.s,
         "s_dot": place.rate,
         "s_ddot": place.second,
@@ -95,8 +103,6 @@ def along(plan: Plan) -> Columns:
 
 def conditions(robot: Robot, motion: Motion) -> Array:
     """Condition numbers of H, its moments over the characteristic length, (n,)."""
-    from ...kinematics.conditioning import characteristic_length
-
     return scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot) or 1.0)
 
 
@@ -107,7 +113,10 @@ def report(plan: Plan, pictures: bool) -> Report:
         from . import plan_plot
 
         figures = plan_plot.pictures(plan)
-    tables = {"trajectory": trajectory(plan.robot, plan.times, plan.timed.sample(plan.times)), "path": along(plan)}
+    tables = {
+        "trajectory": trajectory(plan.robot, plan.times, plan.timed.sample(plan.times)),
+        "path": along(plan, plan.times),
+    }
     return Report(summary(plan), tables, data(plan), figures)
 
 
@@ -150,8 +159,14 @@ def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
     for number, (given, passed) in enumerate(zip(planned.given, planned.poses, strict=True), start=1):
         if given.free:
             shift, turn = passed.t - given.t, vector_from_rotation(given.R.T @ passed.R)
-            parts = [f"{name} {value:+.4g}" for name, value in zip(("x", "y", "z"), shift, strict=True) if value]
-            parts += [f"{name} {value:+.4g}" for name, value in zip(("roll", "pitch", "yaw"), turn, strict=True) if abs(value) > 1e-12]
+            parts = [
+                f"{name} {value:+.4g}" for name, value in zip(("x", "y", "z"), shift, strict=True) if value
+            ]
+            parts += [
+                f"{name} {value:+.4g}"
+                for name, value in zip(("roll", "pitch", "yaw"), turn, strict=True)
+                if abs(value) > 1e-12
+            ]
             found.append((number, "moved by " + (", ".join(parts) or "nothing")))
     return found
 

@@ -12,6 +12,7 @@ with needed_for("drawing"):
     from matplotlib.figure import Figure
 
 _BLUE, _RED, _GREY = "#1f4e9c", "#c1440e", "#8a8a8a"
+_INSTANTS = 4001
 _LEGS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
 
 
@@ -47,7 +48,7 @@ def forces_figure(plan: Plan) -> Figure:
     axes = figure.subplots()
     limits = force_limits(plan.robot, plan.timed.limits)
     bounded = bool(np.isfinite(limits).all())
-    columns = along(plan)
+    columns = along(plan, np.linspace(0.0, plan.timed.duration, _INSTANTS))
     for leg in range(6):
         values = columns[f"F{leg + 1}"] / (limits[leg] if bounded else 1.0)
         axes.plot(columns["time"], values, color=_LEGS[leg], linewidth=1.2, label=f"leg {leg + 1}")
