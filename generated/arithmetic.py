@@ -28,6 +28,7 @@ class Arithmetic:
 
     NAN: float
     LANES: float
+    POSES: float
     BAD_ARGUMENT: float
     EPSILON: float
     MAX: float

@@ -1,8 +1,8 @@
 """C99 for speed: the regrouped force kernel with legs, or poses, side by side in lanes.
 
-One pose puts its six legs into lanes of eight; a batch puts eight poses into them. Either way a block is
-the body of a loop over lanes, which compilers turn into vector instructions by themselves, and which is
-plain portable C where they don't.
+One pose puts its six legs into lanes of eight; a batch puts eight poses into them, sixteen in float. Either
+way a block is the body of a loop over lanes, which compilers turn into vector instructions by themselves, and
+which is plain portable C where they don't.
 """
 
 from collections.abc import Iterable
@@ -16,7 +16,7 @@ from ..kernel.operations import force_operations
 from ..kernel.shared import legs_in_lanes, shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree.lower import expression, steps_of
-from ..kernel.tree.read import LANES, Given
+from ..kernel.tree.read import LANES, POSES, Given
 from ..kernel.written import batch
 from ..kernel.written import lanes as written
 from ..mechanics import quantities as n
@@ -62,7 +62,7 @@ def files(
         operations=operations_table(force_operations(kernel), plain, " * "),
         declarations=made.declared(*([] if made.baked else [made.structures["Model"]])),
     )
-    defined = filled("scheduled.c") + ("" if n.D in made.given else _WITHOUT_D)
+    defined = filled("registers.c") + ("" if n.D in made.given else _WITHOUT_D)
     return texts | {f"{file}.c": made.printed(top(file, version, HEADER, defined))}
 
 
@@ -106,7 +106,7 @@ class _Source(Source):
         terms = [q for q in terms if q not in (*CHECKED, *_ROWS)]
         kept = [q for q in (n.q, *lay.RIGHT_SIDE) if q in self.given]
         sine = [t.numbers("k3", LANES)] if n.k3 in self.given else []
-        known = [t.numbers("D", 6, LANES)] if n.D in self.given else []
+        known = [t.numbers("D", 6, POSES)] if n.D in self.given else []
         bad = "1 where a leg, a pivot or a force needs a closer look, else 0"
         model = t.Structure(
             f"stewart_{kernel.name}_model",
@@ -124,8 +124,8 @@ class _Source(Source):
             "Motions": MOTIONS,
             "MotionLanes": t.Structure(
                 "motion_lanes",
-                "Motions of eight poses, component by component.",
-                tuple(lay.stored(q, LANES) for q in motion),
+                "Motions of the poses of a block, component by component.",
+                tuple(lay.stored(q, POSES) for q in motion),
             ),
             "SharedTerms": t.Structure(
                 "shared_terms",
@@ -136,8 +136,8 @@ class _Source(Source):
                 "shared_lanes",
                 "",
                 (
-                    *(lay.stored(q, LANES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
-                    t.numbers("t_size", LANES, meaning="m: largest coordinate of t"),
+                    *(lay.stored(q, POSES) for q in self.of_pose if q not in lay.RIGHT_SIDE),
+                    t.numbers("t_size", POSES, meaning="m: largest coordinate of t"),
                 ),
             ),
             "LegLanes": t.Structure(
@@ -154,18 +154,18 @@ class _Source(Source):
             ),
             "Block": t.Structure(
                 "block",
-                "Eight poses on their way.",
+                "A block of poses on its way.",
                 (
-                    t.numbers("column", 7, 6, LANES, meaning="[H | c], column by column"),
+                    t.numbers("column", 7, 6, POSES, meaning="[H | c], column by column"),
                     *known,
-                    t.numbers("F", 6, LANES),
-                    t.numbers("bad", LANES, meaning=bad),
+                    t.numbers("F", 6, POSES),
+                    t.numbers("bad", POSES, meaning=bad),
                 ),
             ),
             "LegBlock": t.Structure(
                 "leg_block",
-                "What a leg of eight poses hands to the moments.",
-                tuple(lay.stored(q, LANES) for q in kept),
+                "What a leg hands to the moments.",
+                tuple(lay.stored(q, POSES) for q in kept),
             ),
         }
 
@@ -272,7 +272,7 @@ class _Source(Source):
         yield read(written.shift_of_pose, given={"SHIFT": moved})
         yield read(written.moments_of_pose, given={"FIRST": first, "MOMENTS": body}, count=leg.operations())
 
-    # ------------------------------------------------------------ eight poses
+    # ------------------------------------------------------------ poses of a block
 
     def _shared_of_block(self) -> t.Function:
         block = self.kernel.shared
@@ -310,7 +310,7 @@ class _Source(Source):
         return self.texts.function(written.leg_of_block, given=given, count=leg.operations())
 
     def _moments_of_block(self) -> Iterable[t.Function]:
-        """The moments of one leg of eight poses, and what leg 1 has instead."""
+        """The moments of one leg of a block, and what leg 1 has instead."""
         shift, leg = self.kernel.shift, self.kernel.moments
         c: dict[Quantity, lay.Place] = {
             n.c_force: lay.Place(t.Name("c"), (lay.LANE,)),
@@ -343,7 +343,7 @@ class _Source(Source):
         yield read(written.moments_of_block, given={"MOMENTS": moments}, count=leg.operations())
 
     def _batch(self, name: str) -> Iterable[str | t.Function]:
-        """The solve of eight poses, and poses eight by eight."""
+        """The solve of a block, and block after block."""
         kernel, read = self.kernel, self.texts.function
         about_tip, has_d = kernel.about_tip, n.D in self.given
         given = kernel.used_motion()
@@ -356,7 +356,9 @@ class _Source(Source):
             "KNOWN": t.at(t.of("out", "D"), "i") if has_d else False,
             "D": t.of("out", "D") if has_d else t.Constant("NULL"),
         }
-        yield read(written.load_block, given={"LOADS": tuple(map(_transposed, given))})
+        loads = tuple(map(_transposed, given))
+        # Inlined, it leaves too few registers for the loops of the same function.
+        yield read(written.load_block, apart=True, given={"LOADS": loads})
         yield read(written.forces_of_block, given=of_block)
         yield read(written.forces_of, given=one | self._without())
         yield read(
@@ -395,7 +397,7 @@ def _of_legs(owner: str) -> lay.Layout:
 
 
 def _transposed(q: Quantity) -> t.Statement:
-    """One quantity of eight poses, component by component; zeros of loads that are not given."""
+    """One quantity of the poses of a block, component by component; zeros of loads that are not given."""
     pointer, to = t.of("motions", q.name), t.of("at", q.name)
     width = t.As(t.Count(), t.Number(len(q.keys)))
     whole = t.Call("whole", (pointer, width, t.Name("first"), t.Name("count"), t.Name("padded")))

@@ -7,6 +7,7 @@ from ..kernel.layouts import Written
 from ..kernel.shared import Shared, shared
 from ..kernel.tree import nodes as t
 from ..kernel.tree.read import LANES as COUNT
+from ..kernel.tree.read import POSES
 from ..print.c import C
 from ..print.template import filled
 
@@ -20,6 +21,8 @@ INCLUDED = {
 }
 """What a source needs beside its own header and ``stewart.h``, by the header that it includes."""
 SIZES = {COUNT: "LANES"}
+_OF_BLOCKS = {**SIZES, POSES: "POSES", 9 * POSES: "9 * POSES"}
+"""Names of dimensions; the forces' sources have blocks of their own size."""
 
 
 def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
@@ -40,7 +43,7 @@ def shared_headers(version: str, about_tip: bool = True) -> dict[str, str]:
 
 
 def _printed(found: Shared, functions: tuple[t.Function, ...], more: str = "") -> str:
-    printer = C(found.by_name.values(), SIZES, static=f"STEWART_SHARED {more}", unread=("D",))
+    printer = C(found.by_name.values(), _OF_BLOCKS, static=f"STEWART_SHARED {more}", unread=("D",))
     return printer.source(*functions)
 
 
@@ -85,4 +88,4 @@ class Source(ABC):
 
     def printed(self, before: str, fused: bool = True) -> str:
         """The source; before: how it begins; fused: products and sums as one."""
-        return C(self.texts.functions.values(), SIZES, fused=fused).source(before, *self.parts)
+        return C(self.texts.functions.values(), _OF_BLOCKS, fused=fused).source(before, *self.parts)

@@ -22,7 +22,7 @@ from .tree.counted import counted
 from .tree.fused import fused
 from .tree.lower import expression, steps_of
 from .tree.nodes import Function, Let, Name, Program, Return, calls_in
-from .tree.read import LANES, Given
+from .tree.read import POSES, Given
 from .written import lanes, scalar, solve
 
 LEGS = 6
@@ -64,9 +64,9 @@ class KernelOperations:
 
 _SOLVES: Mapping[str, tuple[Callable[..., Any], Mapping[str, Given], int]] = {
     "every output": (solve.eliminate, ONCE, 1),
-    "block": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=False), LANES),
-    "block about tip": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=True), LANES),
-    "pivots about tip": (lanes.pivots_of_lanes, in_lanes(about_tip=True), LANES),
+    "block": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=False), POSES),
+    "block about tip": (lanes.blocks_of_lanes, blocks_in_lanes(about_tip=True), POSES),
+    "pivots about tip": (lanes.pivots_of_lanes, in_lanes(about_tip=True), POSES),
     "one pose": (scalar.solve, BY_POINTERS, 1),
 }
 
@@ -77,7 +77,7 @@ def solve_operations(name: str) -> Operations:
     force, function, count = _solve(name)
     draw = random.Random(1)
     alone = Program("", (), (force, function))
-    found = counted(alone, function.name, lambda _: draw.uniform(0.5, 1.5), {"LANES": LANES})
+    found = counted(alone, function.name, lambda _: draw.uniform(0.5, 1.5), {"POSES": POSES})
     return Operations(*(each // count for each in (found.mul, found.add, found.div, found.sqrt)))
 
 

@@ -9,7 +9,7 @@ from .layouts import Written
 from .prepare import MOTION
 from .tree import nodes as t
 from .tree.constants import LARGEST
-from .tree.read import LANES, Given
+from .tree.read import POSES, Given
 from .tree.settle import settled
 from .written import batch, lanes, legs, solve
 
@@ -71,7 +71,7 @@ def legs_in_lanes(owner: str, rows: str) -> dict[str, Given]:
 
 
 _NUMBERS = t.Pointer(t.Real())
-_VECTORS = t.Array(t.Real(), (3, LANES))
+_VECTORS = t.Array(t.Real(), (3, POSES))
 
 
 _BLOCKS = (

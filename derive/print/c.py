@@ -14,7 +14,7 @@ _BUILT_IN = {
     "larger": "STEWART_LARGER",
     "fma": "STEWART_FMA",
 }
-_PLAIN = {"NULL": "NULL", "LANES": "LANES"}
+_PLAIN = {name: name for name in ("NULL", "LANES", "POSES")}
 _NAMES = {t.Real: "stewart_real", t.Integer: "int", t.Count: "size_t", t.Truth: "int"}
 PREPARATION = ("prepare_leg", "prepare_platform")
 """Functions that are run once, and give the constants that Python folds into a machine's own kernel."""

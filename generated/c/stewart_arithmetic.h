@@ -98,6 +98,9 @@
 
 /* Legs of a pose, or poses, side by side. */
 #define LANES 8
+#if !defined(POSES)
+#define POSES LANES
+#endif
 
 #if defined(__cplusplus)
 #define STEWART_RESTRICT __restrict

@@ -5,6 +5,12 @@
  */
 #include "stewart_exact_general_static_forces.h"
 
+/* Poses of a block: as many as one register of AVX-512 holds. */
+#if defined(STEWART_FLOAT)
+#define POSES 16
+#else
+#define POSES 8
+#endif
 /* gcc takes half the width of AVX-512 by itself, and puts instructions in no order before it hands out registers,
  * which is slower with few of them. */
 #if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512F__)
@@ -14,12 +20,12 @@
 
 #include "stewart_lanes.h"
 
-/* Motions of eight poses, component by component. */
+/* Motions of the poses of a block, component by component. */
 typedef struct {
-    stewart_real R[9][LANES];
-    stewart_real t[3][LANES];
-    stewart_real F_ext[3][LANES];
-    stewart_real M_ext[3][LANES];
+    stewart_real R[9][POSES];
+    stewart_real t[3][POSES];
+    stewart_real F_ext[3][POSES];
+    stewart_real M_ext[3][POSES];
 } motion_lanes;
 
 /* What a pose has for all legs. */
@@ -30,7 +36,7 @@ typedef struct {
 } shared_terms;
 
 typedef struct {
-    stewart_real t_size[LANES]; /* m: largest coordinate of t */
+    stewart_real t_size[POSES]; /* m: largest coordinate of t */
 } shared_lanes;
 
 /* The legs of one pose. */
@@ -606,30 +612,30 @@ int stewart_exact_general_static_forces(
     return STEWART_OK;
 }
 
-/* Eight poses on their way. */
+/* A block of poses on its way. */
 typedef struct {
-    stewart_real column[7][6][LANES]; /* [H | c], column by column */
-    stewart_real D[6][LANES];
-    stewart_real F[6][LANES];
-    stewart_real bad[LANES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
+    stewart_real column[7][6][POSES]; /* [H | c], column by column */
+    stewart_real D[6][POSES];
+    stewart_real F[6][POSES];
+    stewart_real bad[POSES]; /* 1 where a leg, a pivot or a force needs a closer look, else 0 */
 } block;
 
-/* What a leg of eight poses hands to the moments. */
+/* What a leg hands to the moments. */
 typedef struct {
-    stewart_real q[3][LANES];
-    stewart_real c_force[3][LANES];
+    stewart_real q[3][POSES];
+    stewart_real c_force[3][POSES];
 } leg_block;
 
-/* What each of eight poses has for all legs, and the platform's part of c. */
+/* What each pose of a block has for all legs, and the platform's part of c. */
 static void shared_of_block(
     const stewart_exact_general_static_model *STEWART_RESTRICT model,
     const motion_lanes *STEWART_RESTRICT at, shared_lanes *STEWART_RESTRICT out,
-    stewart_real (*STEWART_RESTRICT c)[LANES])
+    stewart_real (*STEWART_RESTRICT c)[POSES])
 {
     int l;
     const stewart_real r_C_x = model->r_C[0], r_C_y = model->r_C[1], r_C_z = model->r_C[2];
     const stewart_real W_P_x = model->W_P[0], W_P_y = model->W_P[1], W_P_z = model->W_P[2];
-    for (l = 0; l < LANES; ++l) {
+    for (l = 0; l < POSES; ++l) {
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
         const stewart_real F_ext_x = at->F_ext[0][l], F_ext_y = at->F_ext[1][l], F_ext_z = at->F_ext[2][l];
@@ -656,13 +662,13 @@ static void shared_of_block(
     }
 }
 
-/* One leg of eight poses side by side, 88 (53 mul, 31 add, 2 div, 2 sqrt) operations each: its column of
- * H, its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as
- * well, if less. */
+/* One leg of the poses of a block, 88 (53 mul, 31 add, 2 div, 2 sqrt) operations each: its column of H,
+ * its D and its part of c. A leg is q + t - b: one that is short beside q is so beside t or b as well,
+ * if less. */
 static void leg_of_block(
     const stewart_exact_general_static_model *STEWART_RESTRICT model, int leg,
     const motion_lanes *STEWART_RESTRICT at, const shared_lanes *STEWART_RESTRICT shared,
-    stewart_real (*STEWART_RESTRICT column)[LANES], leg_block *STEWART_RESTRICT own,
+    stewart_real (*STEWART_RESTRICT column)[POSES], leg_block *STEWART_RESTRICT own,
     stewart_real *STEWART_RESTRICT known, stewart_real *STEWART_RESTRICT bad)
 {
     int l;
@@ -673,7 +679,7 @@ static void leg_of_block(
     const stewart_real g_k = model->g_k[leg];
     const stewart_real g_x_k_x = model->g_x_k[0][leg], g_x_k_y = model->g_x_k[1][leg], g_x_k_z = model->g_x_k[2][leg];
     const stewart_real g_x = model->g[0], g_y = model->g[1], g_z = model->g[2];
-    for (l = 0; l < LANES; ++l) {
+    for (l = 0; l < POSES; ++l) {
         const stewart_real R_xx = at->R[0][l], R_xy = at->R[1][l], R_xz = at->R[2][l], R_yx = at->R[3][l],
             R_yy = at->R[4][l], R_yz = at->R[5][l], R_zx = at->R[6][l], R_zy = at->R[7][l], R_zz = at->R[8][l];
         const stewart_real t_x = at->t[0][l], t_y = at->t[1][l], t_z = at->t[2][l];
@@ -751,12 +757,12 @@ static void leg_of_block(
     }
 }
 
-/* Leg 1 of eight poses: the platform's part of c moves to platform point 1, and the leg's is added. */
+/* Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added. */
 static void moments_of_first(
-    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[LANES])
+    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT c)[POSES])
 {
     int l;
-    for (l = 0; l < LANES; ++l) {
+    for (l = 0; l < POSES; ++l) {
         const stewart_real q_1_x = own->q[0][l], q_1_y = own->q[1][l], q_1_z = own->q[2][l];
         const stewart_real c_force_x = c[0][l], c_force_y = c[1][l], c_force_z = c[2][l], c_moment_x = c[3][l],
             c_moment_y = c[4][l], c_moment_z = c[5][l];
@@ -772,11 +778,11 @@ static void moments_of_first(
 /* Another leg: its moments about platform point 1, 21 (12 mul, 9 add, 0 div, 0 sqrt) operations each,
  * and its part of c. */
 static void moments_of_block(
-    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[LANES],
-    stewart_real (*STEWART_RESTRICT column)[LANES], stewart_real (*STEWART_RESTRICT c)[LANES])
+    const leg_block *STEWART_RESTRICT own, stewart_real (*STEWART_RESTRICT q_1)[POSES],
+    stewart_real (*STEWART_RESTRICT column)[POSES], stewart_real (*STEWART_RESTRICT c)[POSES])
 {
     int l;
-    for (l = 0; l < LANES; ++l) {
+    for (l = 0; l < POSES; ++l) {
         const stewart_real q_x = own->q[0][l], q_y = own->q[1][l], q_z = own->q[2][l];
         const stewart_real q_1_x = q_1[0][l], q_1_y = q_1[1][l], q_1_z = q_1[2][l];
         const stewart_real H_force_x = column[0][l], H_force_y = column[1][l], H_force_z = column[2][l];
@@ -797,23 +803,24 @@ static void moments_of_block(
     }
 }
 
-/* The same for eight poses. */
+/* The same for a block. */
 static void scale_block(block *out, stewart_real per_length)
 {
     int i, j, l;
     for (i = 1; i < 7; ++i) {
         for (j = 3; j < 6; ++j) {
-            for (l = 0; l < LANES; ++l) {
+            for (l = 0; l < POSES; ++l) {
                 out->column[i][j][l] = out->column[i][j][l]*per_length;
             }
         }
     }
 }
 
-/* Motions of eight poses, component by component. */
-static void load_block(const stewart_motions *motions, size_t first, size_t count, motion_lanes *at)
+/* Motions of the poses of a block, component by component. */
+STEWART_APART static void load_block(
+    const stewart_motions *motions, size_t first, size_t count, motion_lanes *at)
 {
-    stewart_real padded[72];
+    stewart_real padded[9 * POSES];
     spread_matrix(whole(motions->R, 9U, first, count, padded), at->R);
     spread_vector(whole(motions->t, 3U, first, count, padded), at->t);
     if (motions->F_ext != NULL) {
@@ -828,7 +835,7 @@ static void load_block(const stewart_motions *motions, size_t first, size_t coun
     }
 }
 
-/* Forces of eight poses, and where a closer look is needed. */
+/* Forces of the poses of a block, and where a closer look is needed. */
 static void forces_of_block(
     const stewart_exact_general_static_model *model, const motion_lanes *at, block *out)
 {
@@ -836,7 +843,7 @@ static void forces_of_block(
     shared_lanes shared;
     leg_block first;
     leg_block other;
-    for (l = 0; l < LANES; ++l) {
+    for (l = 0; l < POSES; ++l) {
         out->bad[l] = REAL(0);
     }
     shared_of_block(model, at, &shared, out->column[6]);
@@ -885,10 +892,10 @@ int stewart_exact_general_static_forces_batch(
     if (model == NULL || motions == NULL || F == NULL || motions->R == NULL || motions->t == NULL) {
         return STEWART_BAD_ARGUMENT;
     }
-    for (first = 0; first < count; first += (size_t)LANES) {
+    for (first = 0; first < count; first += (size_t)POSES) {
         load_block(motions, first, count, &at);
         forces_of_block(model, &at, &done);
-        for (l = 0; l < LANES; ++l) {
+        for (l = 0; l < POSES; ++l) {
             if (!(first + (size_t)l < count)) {
                 break;
             }

@@ -3,9 +3,9 @@
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
  *
- * One pose puts its six legs into lanes of eight, a batch eight poses; compilers make vector instructions of
- * the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the machine; with
- * -ffp-contract=off one pose and a batch agree to the last bit).
+ * One pose puts its six legs into lanes of eight, a batch eight poses, or sixteen in float; compilers make
+ * vector instructions of the loops over lanes (gcc and clang: -O3 -std=c99 -fno-math-errno, and -march for the
+ * machine; with -ffp-contract=off one pose and a batch agree to the last bit).
  *
  * Fidelity: parts of the legs as points, with friction.
  *

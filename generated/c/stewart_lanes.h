@@ -1,5 +1,4 @@
-/* stewart_lanes.h: the solve of one pose and of eight, and eight poses of a batch side by side, for the sources
- * to include.
+/* stewart_lanes.h: the solve of one pose and of a block of poses side by side, for the sources to include.
  *
  * Written by stewart-sym 0.1.0 with SymPy 1.14; do not edit.
  * SPDX-License-Identifier: 0BSD
@@ -324,17 +323,17 @@ STEWART_SHARED void scale_pose(stewart_real A[6][LANES], stewart_real wrench[6],
     }
 }
 
-/* Solves eight systems [H | c] side by side for x as two blocks of three legs, (36), and F = D - x,
- * (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where
- * the digits of another solve are. */
+/* Solves the systems [H | c] of a block side by side for x as two blocks of three legs, (36), and F = D
+ * - x, (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted
+ * where the digits of another solve are. */
 STEWART_APART STEWART_SHARED STEWART_NO_COPY void blocks_of_lanes(
-    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
-    stewart_real arm_cube, stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad,
+    stewart_real (*STEWART_RESTRICT column)[6][POSES], stewart_real (*STEWART_RESTRICT D)[POSES],
+    stewart_real arm_cube, stewart_real (*STEWART_RESTRICT F)[POSES], stewart_real *STEWART_RESTRICT bad,
     stewart_real *STEWART_RESTRICT wanted)
 {
     int l;
     (void)D;
-    for (l = 0; l < LANES; ++l) {
+    for (l = 0; l < POSES; ++l) {
         const stewart_real a_0_0 = column[0][0][l], a_0_1 = column[1][0][l], a_0_2 = column[2][0][l], a_0_3 = column[3][0][l],
             a_0_4 = column[4][0][l], a_0_5 = column[5][0][l], a_0_6 = column[6][0][l], a_1_0 = column[0][1][l],
             a_1_1 = column[1][1][l], a_1_2 = column[2][1][l], a_1_3 = column[3][1][l], a_1_4 = column[4][1][l],
@@ -452,13 +451,13 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void blocks_of_lanes(
  * sinks to its place by exchanges that a lane makes or leaves. Marks as bad where a pivot is small as
  * well. */
 STEWART_APART STEWART_SHARED STEWART_NO_COPY void pivots_of_lanes(
-    stewart_real (*STEWART_RESTRICT column)[6][LANES], stewart_real (*STEWART_RESTRICT D)[LANES],
-    stewart_real (*STEWART_RESTRICT F)[LANES], stewart_real *STEWART_RESTRICT bad,
+    stewart_real (*STEWART_RESTRICT column)[6][POSES], stewart_real (*STEWART_RESTRICT D)[POSES],
+    stewart_real (*STEWART_RESTRICT F)[POSES], stewart_real *STEWART_RESTRICT bad,
     const stewart_real *STEWART_RESTRICT wanted)
 {
     int l;
     (void)D;
-    for (l = 0; l < LANES; ++l) {
+    for (l = 0; l < POSES; ++l) {
         stewart_real a_0_0 = column[0][0][l], a_0_1 = column[1][0][l], a_0_2 = column[2][0][l], a_0_3 = column[3][0][l],
             a_0_4 = column[4][0][l], a_0_5 = column[5][0][l], a_0_6 = column[6][0][l], a_1_0 = column[0][1][l],
             a_1_1 = column[1][1][l], a_1_2 = column[2][1][l], a_1_3 = column[3][1][l], a_1_4 = column[4][1][l],
@@ -798,17 +797,17 @@ STEWART_APART STEWART_SHARED STEWART_NO_COPY void pivots_of_lanes(
     }
 }
 
-/* Forces of eight poses from [H | c] and D, (36) and (37), by two blocks, or by pivots. */
+/* Forces of the poses of a block from [H | c] and D, (36) and (37), by two blocks, or by pivots. */
 STEWART_SHARED STEWART_NO_COPY void solve_block(
-    stewart_real column[7][6][LANES], stewart_real D[6][LANES], stewart_real arm_cube,
-    stewart_real F[6][LANES], stewart_real bad[LANES])
+    stewart_real column[7][6][POSES], stewart_real D[6][POSES], stewart_real arm_cube,
+    stewart_real F[6][POSES], stewart_real bad[POSES])
 {
     int l;
     (void)D;
-    stewart_real wanted[LANES];
+    stewart_real wanted[POSES];
     stewart_real most = REAL(0);
     blocks_of_lanes(column, D, arm_cube, F, bad, wanted);
-    for (l = 0; l < LANES; ++l) {
+    for (l = 0; l < POSES; ++l) {
         most = STEWART_LARGER(wanted[l], most);
     }
     if (most > REAL(0)) {
@@ -816,15 +815,15 @@ STEWART_SHARED STEWART_NO_COPY void solve_block(
     }
 }
 
-/* `width` numbers of each of eight poses; past the end, the last pose again. */
+/* `width` numbers of each pose of a block; past the end, the last pose again. */
 STEWART_SHARED const stewart_real *whole(
     const stewart_real *from, size_t width, size_t first, size_t count, stewart_real *padded)
 {
     size_t l, i;
-    if (first + (size_t)LANES <= count) {
+    if (first + (size_t)POSES <= count) {
         return &from[first * width];
     }
-    for (l = 0; l < (size_t)LANES; ++l) {
+    for (l = 0; l < (size_t)POSES; ++l) {
         const size_t pose = first + l < count ? first + l : count - 1U;
         for (i = 0; i < width; ++i) {
             padded[l * width + i] = from[pose * width + i];
@@ -833,12 +832,12 @@ STEWART_SHARED const stewart_real *whole(
     return padded;
 }
 
-/* Eight vectors, eight matrices, eight zeros: component by component. */
+/* Vectors, matrices and zeros of the poses of a block, component by component. */
 STEWART_SHARED void spread_vector(
-    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[POSES])
 {
     int l;
-    for (l = 0; l < LANES; ++l) {
+    for (l = 0; l < POSES; ++l) {
         to[0][l] = from[3 * l];
         to[1][l] = from[3 * l + 1];
         to[2][l] = from[3 * l + 2];
@@ -846,21 +845,21 @@ STEWART_SHARED void spread_vector(
 }
 
 STEWART_SHARED void spread_matrix(
-    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[LANES])
+    const stewart_real *STEWART_RESTRICT from, stewart_real (*STEWART_RESTRICT to)[POSES])
 {
     int i, l;
     for (i = 0; i < 9; ++i) {
-        for (l = 0; l < LANES; ++l) {
+        for (l = 0; l < POSES; ++l) {
             to[i][l] = from[9 * l + i];
         }
     }
 }
 
-STEWART_SHARED void clear(stewart_real (*to)[LANES])
+STEWART_SHARED void clear(stewart_real (*to)[POSES])
 {
     int i, l;
     for (i = 0; i < 3; ++i) {
-        for (l = 0; l < LANES; ++l) {
+        for (l = 0; l < POSES; ++l) {
             to[i][l] = REAL(0);
         }
     }

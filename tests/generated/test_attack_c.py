@@ -112,7 +112,7 @@ def test_every_kernel_has_an_oracle() -> None:
     [
         ("", "", None),
         ("if (!(STEWART_FABS(found[i]) <= STEWART_MAX)) {", "if (0) {", "attack_finite"),
-        ("if (first + (size_t)LANES <= count) {", "if (first < count) {", "heap-buffer-overflow"),
+        ("if (first + (size_t)POSES <= count) {", "if (first < count) {", "heap-buffer-overflow"),
         ("if (done.bad[l] > REAL(0)) {", "if (done.bad[l] > REAL(1)) {", "attack_first"),
         ("|| motions->t == NULL) {", ") {", "null pointer"),
         ("int code = STEWART_OK;", "int code = 1 << (31 + (count > 8));", "left shift of 1"),

@@ -195,7 +195,7 @@ def test_a_source_calls_square_roots_and_copies_alone(written, name: str) -> Non
 def test_every_loop_counts_to_a_bound_and_nothing_jumps(written, name: str) -> None:
     text = re.sub(r"/\*.*?\*/", "", written(name).read_text(), flags=re.S)
     assert not re.search(r"\b(while|do|goto|setjmp|longjmp|malloc|calloc|realloc|free|alloca)\b", text)
-    step = r"(?:\+\+(\w+)|--(\w+)|(\w+) \+= \(size_t\)LANES)"
+    step = r"(?:\+\+(\w+)|--(\w+)|(\w+) \+= \(size_t\)(?:LANES|POSES))"
     for loop in re.findall(r"for \((.*)\) {", text):
         counter, end, *stepped = re.fullmatch(rf"(\w+) = [^;]+; ([^;]+); {step}", loop).groups()
         assert counter in stepped

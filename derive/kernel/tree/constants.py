@@ -65,5 +65,5 @@ def unchecked(epsilon: float) -> dict[str, float]:
     return dict.fromkeys(constants("double"), 0.0) | {"SMALLEST": SMALLEST, "LARGEST": LARGEST} | known
 
 
-NAMES = ("NAN", "LANES", "BAD_ARGUMENT", *constants("double"))
+NAMES = ("NAN", "LANES", "POSES", "BAD_ARGUMENT", *constants("double"))
 """Names of the constants that written functions may use."""

@@ -53,6 +53,9 @@ _OPERATORS: Mapping[type[ast.AST], str] = {
 }
 
 LANES = 8
+POSES = 16
+"""Poses of a block, of which C has fewer in double."""
+_COUNTS = {"LANES": LANES, "POSES": POSES}
 
 
 @dataclass(frozen=True)
@@ -151,7 +154,7 @@ class _Reader:
         raise self.error(node, "a structure's name, array(...), Pointer(...), Real, Integer or Count")
 
     def dimension(self, node: ast.expr) -> int:
-        found = LANES if isinstance(node, ast.Name) and node.id == "LANES" else self.settled(node)
+        found = self.settled(node, _COUNTS)
         if not isinstance(found, int):
             raise self.error(node, "a whole number")
         return found
@@ -232,12 +235,13 @@ class _Reader:
         lines = tree.body[ast.get_docstring(tree) is not None :]
         return self.body([filled.visit(each) for each in lines])
 
-    def settled(self, node: ast.expr) -> int | None:
-        """A value that is known now, None where it is not."""
+    def settled(self, node: ast.expr, counts: Mapping[str, int] = MappingProxyType({})) -> int | None:
+        """A value that is known now, None where it is not; counts: names of dimensions and their values."""
         names = {each.id for each in ast.walk(node) if isinstance(each, ast.Name)}
         kinds = ast.Constant | ast.Name | ast.BoolOp | ast.UnaryOp | ast.BinOp | ast.Compare | ast.IfExp
         parts = (each for each in ast.walk(node) if isinstance(each, ast.expr))
-        known = {name: self.given[name] for name in names if isinstance(self.given.get(name), int)}
+        given = {**counts, **self.given}
+        known = {name: given[name] for name in names if isinstance(given.get(name), int)}
         if (names and not known) or any(value is False for value in known.values()):
             return None
         if not all(isinstance(each, kinds) for each in parts):

@@ -1,8 +1,8 @@
 """Forces with legs, or poses, side by side in lanes, in the part of Python that ``read`` reads.
 
-One pose has its legs in lanes, a block eight poses. Names in capitals stand for what blocks say and for
-what a kernel has: ``BAKED`` its numbers, ``ABOUT_TIP`` moments about platform point 1, ``HAS_D`` legs with
-a D.
+One pose has its legs in lanes, a block as many poses as ``POSES``. Names in capitals stand for what blocks
+say and for what a kernel has: ``BAKED`` its numbers, ``ABOUT_TIP`` moments about platform point 1, ``HAS_D``
+legs with a D.
 """
 
 
@@ -199,11 +199,11 @@ def shared_of_block(
     model: "alone(Model)",
     at: "alone(MotionLanes)",
     out: "alone(SharedLanes)",
-    c: "alone(array(6, LANES))",
+    c: "alone(array(6, POSES))",
 ) -> None:
-    """What each of eight poses has for all legs, and the platform's part of c."""
+    """What each pose of a block has for all legs, and the platform's part of c."""
     OUTSIDE
-    for l in range(LANES):
+    for l in range(POSES):
         INSIDE
         far = larger(size(at.t[0][l]), size(at.t[1][l]))
         out.t_size[l] = larger(size(at.t[2][l]), far)
@@ -214,59 +214,59 @@ def leg_of_block(
     leg: "Integer",
     at: "alone(MotionLanes)",
     shared: "alone(SharedLanes)",
-    column: "alone(array(6, LANES))",
+    column: "alone(array(6, POSES))",
     own: "alone(LegBlock)",
-    c: "alone(array(6, LANES))",
-    known: "alone(array(LANES))",
-    bad: "alone(array(LANES))",
+    c: "alone(array(6, POSES))",
+    known: "alone(array(POSES))",
+    bad: "alone(array(POSES))",
 ) -> None:
-    """One leg of eight poses side by side, $count operations each: its column of H, its D and its part of c.
+    """One leg of the poses of a block, $count operations each: its column of H, its D and its part of c.
     A leg is q + t - b: one that is short beside q is so beside t or b as well, if less."""
     OUTSIDE
-    for l in range(LANES):
+    for l in range(POSES):
         BLOCK
         largest_term()
         reach = larger(shared.t_size[l], reach)
         mark(bad[l], bad[l])
 
 
-def moments_of_first(own: "alone(LegBlock)", c: "alone(array(6, LANES))") -> None:
-    """Leg 1 of eight poses: the platform's part of c moves to platform point 1, and the leg's is added."""
-    for l in range(LANES):
+def moments_of_first(own: "alone(LegBlock)", c: "alone(array(6, POSES))") -> None:
+    """Leg 1 of a block: the platform's part of c moves to platform point 1, and the leg's is added."""
+    for l in range(POSES):
         FIRST
 
 
 def moments_of_block(
     own: "alone(LegBlock)",
-    q_1: "alone(array(3, LANES))",
-    column: "alone(array(6, LANES))",
-    c: "alone(array(6, LANES))",
+    q_1: "alone(array(3, POSES))",
+    column: "alone(array(6, POSES))",
+    c: "alone(array(6, POSES))",
 ) -> None:
     """Another leg: its moments about platform point 1, $count operations each, and its part of c."""
-    for l in range(LANES):
+    for l in range(POSES):
         MOMENTS
 
 
 def scale_block(out: "Block", per_length: "Real") -> None:
-    """The same for eight poses."""
+    """The same for a block."""
     for i in range(1 if ABOUT_TIP else 0, 7):
         for j in range(3, 6):
-            for l in range(LANES):
+            for l in range(POSES):
                 out.column[i][j][l] = out.column[i][j][l] * per_length
 
 
 def blocks_of_lanes(
-    column: "alone(array(7, 6, LANES))",
-    D: "alone(array(6, LANES))",
+    column: "alone(array(7, 6, POSES))",
+    D: "alone(array(6, POSES))",
     arm_cube: "Real",
-    F: "alone(array(6, LANES))",
-    bad: "alone(array(LANES))",
-    wanted: "alone(array(LANES))",
+    F: "alone(array(6, POSES))",
+    bad: "alone(array(POSES))",
+    wanted: "alone(array(POSES))",
 ) -> None:
-    """Solves eight systems [H | c] side by side for x as two blocks of three legs, (36), and F = D - x,
-    (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as wanted where
-    the digits of another solve are."""
-    for l in range(LANES):
+    """Solves the systems [H | c] of a block side by side for x as two blocks of three legs, (36), and
+    F = D - x, (37): a loop over lanes that never branches. Marks as bad where a force is not finite, as
+    wanted where the digits of another solve are."""
+    for l in range(POSES):
         for i in each(6):
             for j in each(1 if i >= FIRST else 0, 7):
                 a[i, j] = column[j][i][l]
@@ -281,15 +281,15 @@ def blocks_of_lanes(
 
 
 def pivots_of_lanes(
-    column: "alone(array(7, 6, LANES))",
-    D: "alone(array(6, LANES))",
-    F: "alone(array(6, LANES))",
-    bad: "alone(array(LANES))",
-    wanted: "alone(array(LANES))",
+    column: "alone(array(7, 6, POSES))",
+    D: "alone(array(6, POSES))",
+    F: "alone(array(6, POSES))",
+    bad: "alone(array(POSES))",
+    wanted: "alone(array(POSES))",
 ) -> None:
     """The same by elimination with partial pivoting, where it is wanted. The row with the largest entry sinks
     to its place by exchanges that a lane makes or leaves. Marks as bad where a pivot is small as well."""
-    for l in range(LANES):
+    for l in range(POSES):
         for i in each(6):
             for j in each(1 if i >= FIRST else 0, 7):
                 a[i, j] = column[j][i][l]
@@ -303,35 +303,35 @@ def pivots_of_lanes(
 
 
 def solve_block(
-    column: "array(7, 6, LANES)",
-    D: "array(6, LANES)",
+    column: "array(7, 6, POSES)",
+    D: "array(6, POSES)",
     arm_cube: "Real",
-    F: "array(6, LANES)",
-    bad: "array(LANES)",
+    F: "array(6, POSES)",
+    bad: "array(POSES)",
 ) -> None:
-    """Forces of eight poses from [H | c] and D, (36) and (37), by two blocks, or by pivots."""
-    wanted = blank(array(LANES))
+    """Forces of the poses of a block from [H | c] and D, (36) and (37), by two blocks, or by pivots."""
+    wanted = blank(array(POSES))
     most = 0.0
     blocks_of_lanes(column, D, arm_cube, F, bad, wanted)
-    for l in range(LANES):
+    for l in range(POSES):
         most = larger(wanted[l], most)
     if most > 0.0:
         pivots_of_lanes(column, D, F, bad, wanted)
 
 
 def load_block(motions: "Motions", first: "Count", count: "Count", at: "MotionLanes") -> None:
-    """Motions of eight poses, component by component."""
-    padded = blank(array(72))
+    """Motions of the poses of a block, component by component."""
+    padded = blank(array(9 * POSES))
     LOADS
 
 
 def forces_of_block(model: "Model", at: "MotionLanes", out: "Block") -> None:
-    """Forces of eight poses, and where a closer look is needed."""
+    """Forces of the poses of a block, and where a closer look is needed."""
     shared = blank(SharedLanes)
     if ABOUT_TIP:
         first = blank(LegBlock)
         other = blank(LegBlock)
-    for l in range(LANES):
+    for l in range(POSES):
         out.bad[l] = 0.0
     shared_of_block(model, at, shared, out.column[6])
     for i in range(6):
@@ -368,10 +368,10 @@ def forces_batch(
     result = OK
     if MISSING:
         return BAD_ARGUMENT
-    for first in range(0, count, LANES):
+    for first in range(0, count, POSES):
         load_block(motions, first, count, at)
         forces_of_block(model, at, done)
-        for l in range(LANES):
+        for l in range(POSES):
             if not first + l < count:
                 break
             pose = first + l
