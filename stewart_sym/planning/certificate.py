@@ -1,4 +1,4 @@
-"""What a plan keeps to between its samples: extremes of lengths, speeds and forces, and the nearest singular pose."""
+"""What a plan keeps to between its samples: extremes of the legs, limits, the nearest singular pose."""
 
 from __future__ import annotations
 
@@ -77,7 +77,7 @@ class PlanCertificate:
 
 
 def certify_plan(plan: TimedPath) -> PlanCertificate:
-    """Check a plan between its nodes, by the forces of inverse dynamics and not by what the plan was made from.
+    """Check a plan between its nodes, by inverse dynamics and not by the terms it was made from.
 
     Parameters
     ----------

@@ -1,5 +1,4 @@
-"""The grid of a path: where its terms are known, and by how much limits are tightened so that none is exceeded
-between the nodes."""
+"""The grid of a path: its terms, and by how much limits are tightened so that they hold between the nodes."""
 
 from __future__ import annotations
 

@@ -25,7 +25,8 @@ _STEP = 1e-6
 class Family:
     """All splines through via poses: by shifts of the free ones, (f,), and coordinates w, (m, 7).
 
-    s: samples. B: B-splines there, (n, c). between, fine: the same of a finer grid with the via poses. speeds: metric of the first derivative, (c, c). through, rest:
+    s: samples. B: B-splines there, (n, c). between, fine: the same
+    of a finer grid with the via poses. metric: of length and bends, (c, c). through, rest:
     coefficients are through @ via + rest @ w.
     """
 
@@ -36,7 +37,7 @@ class Family:
     B: Array
     between: Array
     fine: Array
-    speeds: Array
+    metric: Array
     through: Array
     rest: Array
     rows: Array
@@ -58,7 +59,8 @@ class Family:
         through, rest = _through(at_via, bends)
         between = knots_between(via, CELLS * SAMPLES * _FINER)[DEGREE:-DEGREE]
         B, fine = (b_spline_values(knots, x, 0) for x in (s, between))
-        return cls(tuple(poses), via, knots, s, B, between, fine, speeds, through, rest, rows)
+        metric = speeds + bends / (np.pi * (len(via) - 1)) ** 2
+        return cls(tuple(poses), via, knots, s, B, between, fine, metric, through, rest, rows)
 
     @property
     def free(self) -> list[tuple[int, int]]:
@@ -119,7 +121,7 @@ def by_coordinates(rows: Array, by_twist: Array) -> Array:
 
 
 def _through(at_via: Array, bends: Array) -> tuple[Array, Array]:
-    """Coefficients of least bending for each via pose, (c, k), and directions that change none, (c, c - k)."""
+    """Coefficients of least bending by via pose, (c, k), and directions that move none, (c, c - k)."""
     _, _, vh = np.linalg.svd(at_via)
     rest = vh[len(at_via) :].T
     least = np.linalg.pinv(at_via)

@@ -5,8 +5,8 @@ Along a path of parameter s each limited quantity is
     a s'' + b s'^2 + d s' + e,    ' the derivative by time,
 
 since the equations of motion M [a; alpha] + C [v; omega] + g + friction = H F + W_ext are linear in the
-accelerations, quadratic in the rates and have friction in proportion to these: d is the viscous friction, e what
-weight and load take at rest.
+accelerations, quadratic in the rates and have friction in proportion to these: d is the viscous friction,
+e what weight and load take at rest.
 """
 
 from __future__ import annotations

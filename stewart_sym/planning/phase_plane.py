@@ -1,14 +1,13 @@
 """The fastest s' along a path, backward and forward in the phase plane of s and s'.
 
-In a cell of the grid s'' is linear in s, so that x = s'^2 is quadratic, x' = 2 s''. At each node s'' lies between
-the largest of the lower and the smallest of the upper bounds
+In a cell of the grid s'' is linear in s, so that x = s'^2 is quadratic: dx/ds = 2 s''. At each node s'' lies
+between the largest of the lower and the smallest of the upper bounds
 
     s'' >= (-limit - e - b x - d sqrt(x)) / a,    s'' <= (limit - e - b x - d sqrt(x)) / a    (a > 0),
 
-so every step is the first root of a few quadratics in sqrt(x). Backward: the largest x from which the machine can
-still come to rest at the end. Forward: the largest x that it reaches below these. Without viscous friction the x
-that are possible at a node are one interval; with it there may be others above, which are not used: the machine
-could not stop on the way to them.
+so every step is the first root of some quadratics in sqrt(x). Backward: the largest x from which the machine
+can still come to rest at the end. Forward: the largest x that it reaches below these. Without viscous
+friction the x that are possible at a node are one interval; with it there may be more, which are not used.
 """
 
 from __future__ import annotations
@@ -27,7 +26,7 @@ _ROUNDS = 4
 
 
 class Bounds(NamedTuple):
-    """At n nodes: s'' >= low, s'' <= high, of m quantities: (n, m, 3), times (1, x, sqrt(x)); x <= cap, (n,)."""
+    """At n nodes: s'' >= low, s'' <= high, of m quantities: (n, m, 3), by (1, x, sqrt(x)); x <= cap, (n,)."""
 
     low: Array
     high: Array

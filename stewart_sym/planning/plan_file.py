@@ -74,8 +74,8 @@ class PlanRequest:
 def read_plan(path: str | os.PathLike[str]) -> PlanRequest:
     """Read a file of via poses (TOML, schema 1); the files that it names are looked for beside it.
 
-    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be read
-    and for every break of the schema, of this file or of one it names.
+    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
+    read and for every break of the schema, of this file or of one it names.
     """
     source = tables.file_name(path)
     with tables.toml_tables(source, "file of via poses") as d:

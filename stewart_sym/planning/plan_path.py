@@ -1,7 +1,8 @@
-"""A smooth path through via poses that keeps limits and has as low a condition number as its length is worth."""
+"""A smooth path through via poses, within limits, of as low a condition number as its length is worth."""
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -24,8 +25,8 @@ from .via_poses import ViaPose
 
 Objective = Literal["mean", "peak"]
 
-PRICE = 0.2
-"""Of a path twice as long as the straight one, beside the condition number over that of the straight one."""
+PRICE = 0.5
+"""Of a longer and more bent path, beside the condition number over that of the straight one."""
 
 _PEAK_POWER = 16
 # Below this share of the least singular value of the via poses a path counts as singular.
@@ -106,7 +107,8 @@ def plan_path(
         What is made small: the condition number's mean or its peak. Neither rises above that of the straight
         spline where that one keeps the limits.
     price : float, optional
-        Of a longer path: of doubling the mean square of its rates, over that of the condition number.
+        Of a longer and more bent path: of doubling the mean squares of its rates and second rates, beside the
+        condition number over that of the straight path. At no price forces rise: bends take acceleration.
     load : array_like, optional
         External wrench [F_ext; M_ext] on the way, N and N m, platform frame, (6,).
     progress : callable, optional
@@ -151,7 +153,7 @@ def need_poses(poses: Sequence[ViaPose]) -> None:
         instance(pose, ViaPose, f"via pose {number}")
     if len(poses) < 2:
         raise ValueError(f"via poses: expected at least 2, got {len(poses)}")
-    for number, (before, after) in enumerate(zip(poses[:-1], poses[1:], strict=True), start=2):
+    for number, (before, after) in enumerate(itertools.pairwise(poses), start=2):
         if np.allclose(before.R, after.R, rtol=0.0, atol=1e-9) and np.allclose(
             before.t, after.t, rtol=1e-12, atol=0.0
         ):
@@ -201,7 +203,7 @@ class _Search:
         coefficients = family.coefficients(*search.nothing)
         k = costs.conditions(*poses_of(family.B @ coefficients))[0]
         rows = coefficients * search.scale
-        first = (float(np.mean(k**power) ** (1.0 / power)), float(np.sum(rows * (family.speeds @ rows))))
+        first = (float(np.mean(k**power) ** (1.0 / power)), float(np.sum(rows * (family.metric @ rows))))
         return cls(family, costs, power, price, search.scale, first)
 
     @property
@@ -236,7 +238,8 @@ class _Search:
         _, what, place = min(worst)
         segment = int(np.clip(np.searchsorted(self.family.via, place), 1, len(self.family.poses) - 1))
         raise ValueError(
-            f"via pose {segment + 1}: expected a path to it from via pose {segment}, none was found: {what} stands in the way"
+            f"via pose {segment + 1}: expected a path to it from via pose {segment}, none was found: {what} "
+            "stands in the way"
         )
 
     def swing(self, random: np.random.Generator) -> Array:
@@ -282,9 +285,9 @@ class _Search:
             by_pose += 2.0 * penalty / n * np.einsum("nk,nkj->nj", over, by)
         by_c = family.B.T @ by_coordinates(rows, by_pose)
         scaled = c * self.scale
-        speeds = family.speeds @ scaled
-        value += self.price * float(np.sum(scaled * speeds)) / self.first[1]
-        by_c += 2.0 * self.price / self.first[1] * speeds * self.scale
+        priced = family.metric @ scaled
+        value += self.price * float(np.sum(scaled * priced)) / self.first[1]
+        by_c += 2.0 * self.price / self.first[1] * priced * self.scale
         by_free, by_w = family.gradients(values, by_c)
         return value, np.concatenate([by_free, (by_w / self.scale).ravel()])
 
@@ -325,9 +328,9 @@ def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, si
                 leg = f" of leg {int(np.argmax(excess[0])) + 1}" if excess.shape[1] == 6 else ""
                 raise ValueError(f"via pose {number}: out of reach, it breaks the limit of {name}{leg}")
     fixed = [k for k, pose in enumerate(poses) if not pose.free]
-    for before, after in zip(fixed[:-1], fixed[1:], strict=True):
+    for before, after in itertools.pairwise(fixed):
         if signs[before] != signs[after]:
             raise ValueError(
-                f"via pose {after + 1}: every path to it from via pose {before + 1} crosses a singular pose, as det H "
-                "has another sign there"
+                f"via pose {after + 1}: every path to it from via pose {before + 1} crosses a singular pose, "
+                "as det H has another sign there"
             )

@@ -20,8 +20,7 @@ from ..motion.rotation import cross
 from ..robot.robot import Robot
 
 _ONE, _OTHER = np.array(PAIRS).T
-# Room that a path keeps from its limits, share of the characteristic length or of a cosine: between the samples
-# it may come nearer.
+# Room that a path keeps from its limits at the samples, share of the characteristic length or of a cosine.
 ROOM = 2e-3
 _SAME = 1e-6
 

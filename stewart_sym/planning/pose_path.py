@@ -5,6 +5,7 @@ The quaternion is made a unit one, so no orientation is special; rates up to the
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -86,5 +87,5 @@ def b_spline_values(knots: Array, s: Array, order: int) -> Array:
 
 def knots_between(via: Array, cells: int) -> Array:
     """Knots with a number of cells from each via pose to the next."""
-    inner = [np.linspace(a, b, cells + 1)[:-1] for a, b in zip(via[:-1], via[1:], strict=True)]
+    inner = [np.linspace(a, b, cells + 1)[:-1] for a, b in itertools.pairwise(via)]
     return np.concatenate([np.zeros(DEGREE), *inner, np.ones(DEGREE + 1)])

@@ -28,6 +28,7 @@ _ROUNDS = 15
 _AT_ENDS = 20
 # A machine that can just about hold its own weight at a pose of the path takes for ever to pass it.
 _HOLD = 1.0 - 1e-6
+_RESTS = 1e-12
 
 
 @dataclass(frozen=True, eq=False)
@@ -137,20 +138,20 @@ def time_path(
 
 
 def _first_nodes(start: float, end: float, cells: int) -> Array:
-    """Even nodes, and in the first and the last cell more: from rest, friction grows with the root of the way."""
+    """Even nodes, and more in the first and the last cell: friction grows with the root of the way there."""
     even = np.linspace(start, end, cells + 1)
     more = (even[1] - even[0]) * (np.arange(1, _AT_ENDS) / _AT_ENDS) ** 3
     return np.concatenate([even[:1], start + more, even[1:-1], end - more[::-1], even[-1:]])
 
 
 def need_bounded(terms: Terms, s: Array) -> None:
-    """Reject a path that no limit bounds, one that rests, and poses at which the machine cannot stand still."""
+    """Reject a path that no limit bounds or that rests, and poses at which the machine can't stand still."""
     if not np.isfinite(terms.caps).all() and not np.isfinite(terms.limit).any():
         raise ValueError("limits: expected a limit of force, speed or acceleration, there is none")
-    if (np.abs(terms.a).max(axis=-1) <= 1e-12 * np.abs(terms.a).max()).any():
-        raise ValueError(
-            f"path: expected a path that rests nowhere, it does at s = {s[np.argmin(np.abs(terms.a).max(axis=-1))]:.6g}"
-        )
+    effect = np.abs(terms.a).max(axis=-1)
+    if effect.min() <= _RESTS * effect.max():
+        where = s[np.argmin(effect)]
+        raise ValueError(f"path: expected a path that rests nowhere, it does at s = {where:.6g}")
     held = np.abs(terms.e) / terms.limit
     if held.max() >= _HOLD:
         i, k = np.unravel_index(int(np.argmax(held)), held.shape)

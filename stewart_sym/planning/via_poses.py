@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -70,7 +71,7 @@ class ViaPose(Frozen):
 def coordinates(poses: Sequence[ViaPose]) -> Array:
     """Positions and unit quaternions, (k, 7), each quaternion on the same side as the one before."""
     rows = [np.concatenate([pose.t, quaternion_from_rotation(pose.R)]) for pose in poses]
-    for before, after in zip(rows[:-1], rows[1:], strict=True):
+    for before, after in itertools.pairwise(rows):
         if before[3:] @ after[3:] < 0.0:
             after[3:] *= -1.0
     return np.array(rows)

@@ -13,13 +13,14 @@ from ..terminal import progress_line
 HELP = "a path through via poses with a low condition number, and the fastest motion along it"
 EXAMPLE = "stewart-sym plan via.toml -o plan"
 MORE = (
-    "The file of via poses is TOML: schema = 1, robot (a file beside it), and [[via]] with t, theta (roll, pitch, "
-    "yaw, of the tool) and optionally free: how far x, y, z (m, base axes) and roll, pitch, yaw (rad, tool axes) "
-    "may differ, as in free.yaw = [-0.5, 0.5]; or via_file, a CSV file of poses in order of time. Optionally "
-    'objective ("mean" or "peak" of the condition number), price of a longer path, rate (Hz), formulation; '
-    "[limits]: condition, clearance (m), force (N), speed (m/s), acceleration (m/s^2) of the legs, "
-    "platform_speed, platform_turn_rate; [load]: F_ext, M_ext, platform frame. Writes the trajectory as `forces` "
-    "reads it, a report with a certificate that limits hold between the samples too, and pictures. SI units."
+    "The file of via poses is TOML: schema = 1, robot (a file beside it), and [[via]] with t, theta (roll, "
+    "pitch, yaw, of the tool) and optionally free: how far x, y, z (m, base axes) and roll, pitch, yaw (rad, "
+    "tool axes) may differ, as in free.yaw = [-0.5, 0.5]; or via_file, a CSV file of poses in order of time. "
+    'Optionally objective ("mean" or "peak" of the condition number), price of a longer path, rate (Hz), '
+    "formulation; [limits]: condition, clearance (m), force (N), speed (m/s), acceleration (m/s^2) of the "
+    "legs, platform_speed, platform_turn_rate; [load]: F_ext, M_ext, platform frame. Writes the trajectory "
+    "as `forces` reads it, a report with a certificate that limits hold between the samples too, and "
+    "pictures. SI units."
 )
 
 

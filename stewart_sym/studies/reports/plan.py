@@ -131,12 +131,13 @@ def summary(plan: Plan) -> str:
         f"condition  {_conditions(planned.conditions)}",
         f"straight   {_conditions(planned.straight_conditions)}",
         f"force      up to {found.force.value[leg]:.6g} N, leg {leg + 1} at {found.force.time[leg]:.6g} s",
-        f"speed      up to {found.speed.value[fast]:.6g} m/s, leg {fast + 1} at {found.speed.time[fast]:.6g} s",
+        f"speed      up to {found.speed.value[fast]:.6g} m/s, leg {fast + 1} "
+        f"at {found.speed.time[fast]:.6g} s",
         f"length     {found.shortest.value.min():.6g} to {found.longest.value.max():.6g} m",
         f"limits     used to {100.0 * found.used:.5f} % at {found.instants:,} instants, "
         f"one is active in {100.0 * found.active:.4g} % of the time",
-        f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, smallest "
-        f"singular value {found.nearest.smallest:.4g}",
+        f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
+        f"smallest singular value {found.nearest.smallest:.4g}",
         f"certificate  {'holds' if found.holds else 'does not hold'}",
     ]
     lines += [f"via pose {number}  {text}" for number, text in _freed(planned)]
@@ -203,7 +204,7 @@ def data(plan: Plan) -> dict[str, Any]:
             "smallest_singular_value": found.nearest.smallest,
         },
         "units": {
-            "condition": "of H with moments over the characteristic length; its length over that, with angles in rad",
+            "condition": "of H with moments over the characteristic length; length of the path over that",
             "limit_used": "share of a limit",
             "active_time": "share of the duration",
         },

@@ -62,7 +62,7 @@ def forces_figure(plan: Plan) -> Figure:
 
 
 def phase_figure(plan: Plan) -> Figure:
-    """s' over s: the motion, the largest at which any acceleration is possible, that from which it can stop."""
+    """s' over s: the motion, where no acceleration is possible, from where it can stop."""
     figure = Figure(figsize=(8.0, 4.6), layout="constrained")
     axes = figure.subplots()
     phase = plan.timed.profile.phase
