@@ -19,7 +19,7 @@ Source = Callable[[Array], Terms]
 _MARGIN = 1e-6
 IDLE = 1e-3
 """A limit is active from this share below it on."""
-# Denser to the ends, where friction goes with the root of the way.
+# Denser to the ends, where friction grows as the root of the way.
 _SHARES = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25))
 _PARTS = 4
 # Tightened by more than what was exceeded, so that few rounds do.

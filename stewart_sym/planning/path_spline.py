@@ -44,7 +44,7 @@ class Family:
 
     @classmethod
     def of(cls, poses: Sequence[ViaPose], length: float) -> Family:
-        """Splines whose parameter goes with the distances of the poses."""
+        """Splines whose parameter is in proportion to the distances of the poses."""
         rows = coordinates(poses)
         chords = np.linalg.norm(np.diff(rows * scales(length), axis=0), axis=-1)
         via = np.concatenate([[0.0], np.cumsum(chords) / chords.sum()])

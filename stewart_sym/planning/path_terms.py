@@ -1,4 +1,4 @@
-"""What a path asks of a machine: forces and leg rates as functions of how fast the path is travelled.
+"""What a path takes of a machine: forces and leg rates as functions of how fast the path is travelled.
 
 Along a path of parameter s each limited quantity is
 

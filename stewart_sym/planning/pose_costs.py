@@ -23,6 +23,8 @@ _ONE, _OTHER = np.array(PAIRS).T
 # Room that a path keeps from its limits at the samples, share of the characteristic length or of a cosine.
 ROOM = 2e-3
 _SAME = 1e-6
+# Of the angle between a leg and the fixed axis of its universal joint: forces grow as one over it.
+_LEAST_SINE = 0.05
 
 
 @dataclass(frozen=True)
@@ -112,6 +114,8 @@ class PoseCosts(Frozen):
         q, S, L = self.legs(R, t)
         s = S / L[..., None]
         found = [("leg length", *part) for part in self._lengths(q, s, L)]
+        if self.robot.base_joint == "universal":
+            found.append(("angle to the fixed axis of its universal joint", *self._axes(q, s, L)))
         if np.isfinite(self.robot.joint_angle_limit).any():
             found += [("joint angle", *part) for part in self._angles(R, q, s, L)]
         if self.limits.clearance > 0.0:
@@ -131,6 +135,13 @@ class PoseCosts(Frozen):
         if (low > 0.0).any():
             parts.append(((low - L) / self.length + ROOM, -rate))
         return parts
+
+    def _axes(self, q: Array, s: Array, L: Array) -> tuple[Array, Array]:
+        """Cosines between legs and the fixed axes of their universal joints, less the largest allowed."""
+        cosine = np.sum(s * self.robot.k, axis=-1)
+        g = np.sign(cosine)[..., None] * (self.robot.k - cosine[..., None] * s) / L[..., None]
+        excess = np.abs(cosine) - math.sqrt(1.0 - _LEAST_SINE**2) + ROOM
+        return excess, np.concatenate([g, cross(q, g)], axis=-1)
 
     def _angles(self, R: Array, q: Array, s: Array, L: Array) -> list[tuple[Array, Array]]:
         """At the base and at the platform: cosine of the limit less that of the angle."""

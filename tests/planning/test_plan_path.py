@@ -94,7 +94,7 @@ def test_costs_have_the_derivatives_of_their_values() -> None:
 
     R, t = poses_of(rows)
     gradients = [costs.conditions(R, t)[1][:, None], *(by for _, _, by in costs.excesses(R, t))]
-    assert len(gradients) == 7
+    assert len(gradients) == 8
     for before, after, by in zip(parts(-h), parts(h), gradients, strict=True):
         found = [np.sum(by_coordinates(rows, by[:, k]) * move, axis=-1) for k in range(by.shape[1])]
         numeric = (after - before) / (2.0 * h)
@@ -257,6 +257,7 @@ def test_what_cannot_be_planned_is_one_line(change, message: str) -> None:
     assert "\n" not in str(error.value)
 
 
+@pytest.mark.slow
 def test_a_limit_that_stands_in_the_way_is_named() -> None:
     """Ends with singular poses between them, and no higher condition number allowed than theirs."""
     messages = []

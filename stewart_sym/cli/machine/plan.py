@@ -61,7 +61,12 @@ def run(arguments: argparse.Namespace) -> int:
         )
         progress("checking the plan")
         found = plan.Plan(robot, planned, timed, certify_plan(timed), request.rate)
-        take(plan.report(found, arguments.pictures), progress)
+        figures = {}
+        if arguments.pictures:
+            from ...studies.reports.plan_plot import pictures
+
+            figures = pictures(found)
+        take(plan.report(found, figures), progress)
     if not found.certificate.holds:
         warnings.warn(f"{arguments.via}: the certificate does not hold, see the report", stacklevel=2)
     return 0

@@ -1,8 +1,8 @@
 """A plan as ``plan`` writes it: trajectory, summary, figures for programs, pictures."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,10 +25,7 @@ from ...planning.pose_path import PosePath
 from ...planning.time_path import TimedPath
 from ...robot.robot import Robot
 from ..common.output import Columns, of_axes, of_legs
-from ..common.report import Report
-
-if TYPE_CHECKING:
-    from ..common.report import Picture
+from ..common.report import Picture, Report
 
 Array = NDArray[np.float64]
 
@@ -106,13 +103,8 @@ def conditions(robot: Robot, motion: Motion) -> Array:
     return scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot) or 1.0)
 
 
-def report(plan: Plan, pictures: bool) -> Report:
-    """Everything about a plan."""
-    figures: dict[str, Picture] = {}
-    if pictures:
-        from . import plan_plot
-
-        figures = plan_plot.pictures(plan)
+def report(plan: Plan, figures: Mapping[str, Picture]) -> Report:
+    """Everything about a plan, with its pictures, or none."""
     tables = {
         "trajectory": trajectory(plan.robot, plan.times, plan.timed.sample(plan.times)),
         "path": along(plan, plan.times),
