@@ -19,7 +19,7 @@ from ..motion.log_reader import read_poses
 from ..motion.rotation import rotation_about_axes
 from ..robot.robot import Robot
 from .path_terms import Limits, six_positive
-from .plan_path import PRICE, Objective
+from .plan_path import PRICE, Objective, need_poses
 from .pose_costs import PathLimits
 from .via_poses import COORDINATES, ViaPose
 
@@ -95,20 +95,20 @@ def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
     path_limits, limits = _limits(top.get("limits", {}), f"{file}limits.")
     load = _load(top.get("load", {}), f"{file}load.")
     files = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
-    order = "zyx"
-    if "via_file" in top:
+    given = _via_tables(top["via"], f"{file}via") if "via" in top else None
+    if given is None:
         files.append(folder / tables.one_line(top["via_file"], f"{file}via_file"))
-    else:
-        given = _via_tables(top["via"], f"{file}via")
     robot = Robot.from_toml(files[1])
-    order = robot.euler_order
-    if "via_file" in top:
-        R, t = read_poses(files[2], form_of(robot))
-        poses = tuple(ViaPose(*pose) for pose in zip(R, t, strict=True))
+    if given is None:
+        poses = tuple(ViaPose(*pose) for pose in zip(*read_poses(files[2], form_of(robot)), strict=True))
     else:
-        poses = tuple(ViaPose(rotation_about_axes(theta, order), t, *box) for t, theta, box in given)
-    if len(poses) < 2:
-        raise ValueError(f"{file}via: expected at least 2 via poses, got {len(poses)}")
+        poses = tuple(
+            ViaPose(rotation_about_axes(theta, robot.euler_order), t, *box) for t, theta, box in given
+        )
+    try:
+        need_poses(poses)
+    except ValueError as error:
+        raise ValueError(f"{source if given else files[2]}: {error}") from None
     return PlanRequest(
         robot=robot,
         poses=poses,
@@ -151,8 +151,8 @@ def _via_tables(value: object, where: str) -> list[tuple[Array, Array, tuple[Arr
     for i, entry in enumerate(value):
         prefix = f"{where} {i + 1}: "
         table = tables.checked_table(entry, prefix, _VIA_KEYS, ("t", "theta"))
-        pose = (tables.vector(table[key], prefix + key) for key in ("t", "theta"))
-        found.append((*pose, _box(table.get("free", {}), f"{prefix}free.")))
+        t, theta = (tables.vector(table[key], prefix + key) for key in ("t", "theta"))
+        found.append((t, theta, _box(table.get("free", {}), f"{prefix}free.")))
     return found
 
 

@@ -10,8 +10,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from ..io.arguments import number_in
 from ..io.array_types import Array
 from ..io.frozen import Frozen
+from ..io.tables import not_negative
 from ..kinematics.clearance import PAIRS, joined, nearest_shares
 from ..kinematics.conditioning import characteristic_length
 from ..kinematics.inverse import leg_vectors
@@ -37,10 +39,21 @@ class PathLimits:
         Largest condition number of H with its moments over the characteristic length.
     clearance : float, optional
         Least distance between the centre lines of two legs, m; legs that share a joint are left out.
+
+    Raises
+    ------
+    ValueError
+        Naming the limit.
     """
 
     condition: float = math.inf
     clearance: float = 0.0
+
+    def __post_init__(self) -> None:
+        """Check both numbers."""
+        if self.condition != math.inf:
+            number_in(self.condition, "condition", "a number > 1", low=1.0)
+        not_negative(self.clearance, "clearance")
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,7 +103,8 @@ class PoseCosts(Frozen):
         H = self._matrices(R, t)
         values = np.linalg.svd(H, compute_uv=False)
         with np.errstate(divide="ignore"):
-            return values[:, 0] / values[:, -1], np.sign(np.linalg.det(H))
+            conditions: Array = values[:, 0] / values[:, -1]
+        return conditions, np.asarray(np.sign(np.linalg.det(H)))
 
     def smallest(self, R: Array, t: Array) -> Array:
         """Smallest singular values, (n,)."""
@@ -107,7 +121,7 @@ class PoseCosts(Frozen):
         along = v[:, :, None] * (force + cross(moment, q))
         g = (along - np.sum(along * s, axis=-1, keepdims=True) * s) / L[..., None]
         turn = cross(q, g + v[:, :, None] * cross(s, moment))
-        return np.concatenate([g, turn], axis=-1).sum(axis=1)
+        return np.asarray(np.concatenate([g, turn], axis=-1).sum(axis=1))
 
     def excesses(self, R: Array, t: Array) -> list[tuple[str, Array, Array]]:
         """By limit: its name, by how much each pose breaks it, (n, k), and derivatives, (n, k, 6)."""

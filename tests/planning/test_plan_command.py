@@ -53,7 +53,7 @@ def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
     (folder / "poses.csv").write_text("\n".join([*rows[:2], "1,nan,0.05,0.7,0.1,-0.1,0.2"]) + "\n")
     check_rejected(folder, text, "t_x", out="other")
     (folder / "poses.csv").write_text("\n".join(rows[:2]) + "\n")
-    check_rejected(folder, text, "expected at least 2 via poses, got 1", out="other")
+    check_rejected(folder, text, "poses.csv: via poses: expected at least 2, got 1", out="other")
 
 
 def check_rejected(folder: Path, text: str, words: str, out: str = "out") -> None:

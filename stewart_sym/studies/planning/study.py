@@ -98,7 +98,7 @@ def straight(robot: Robot, poses: tuple[ViaPose, ...]) -> PosePath:
 def claim(count: int = PATH_COUNT) -> dict[str, Any]:
     """Whether forces are higher where the condition number is: rank correlations along straight paths."""
     found: dict[str, list[float]] = {name: [] for name in _DURATIONS}
-    peaks = []
+    peaks: list[list[float]] = []
     seed = 0
     while len(peaks) < count:
         rng = np.random.default_rng(seed)
