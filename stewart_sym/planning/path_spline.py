@@ -124,7 +124,7 @@ def _through(at_via: Array, bends: Array) -> tuple[Array, Array]:
     """Coefficients of least bending by via pose, (c, k), and directions that move none, (c, c - k)."""
     _, _, vh = np.linalg.svd(at_via)
     rest = vh[len(at_via) :].T
-    least: Array = np.linalg.pinv(at_via)
+    least: Array = np.linalg.pinv(at_via).astype(np.float64)
     bent = rest.T @ bends
     least_bent: Array = least - rest @ np.linalg.pinv(bent @ rest, hermitian=True) @ bent @ least
     return least_bent, rest

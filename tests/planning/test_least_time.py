@@ -23,7 +23,7 @@ def check_against_toppra(seed: int) -> None:
     robot, poses = via_case(seed, friction=False)
     path = straight(robot, poses)
     robot = with_limits(robot, path)
-    found = time_path(robot, path).duration
+    found = time_path(robot, path, cells=300).duration
     assert found == pytest.approx(toppra_duration(robot, path, robot.force_limit, CELLS), rel=1e-3)
 
 
@@ -42,7 +42,7 @@ def check_against_collocation(seed: int) -> None:
     robot, poses = via_case(seed)
     path = straight(robot, poses)
     robot = with_limits(robot, path)
-    found = time_path(robot, path)
+    found = time_path(robot, path, cells=300)
     s = np.linspace(0.0, 1.0, CELLS + 1)
     start = 0.9 * np.interp(s, found.profile.phase.s, np.sqrt(found.profile.phase.x)) + 1e-3
     start[[0, -1]] = 0.0
@@ -69,10 +69,10 @@ def test_least_time_with_viscous_friction_is_that_of_collocation_on_more_machine
     check_against_collocation(seed)
 
 
-def check_limits(seed: int) -> None:
+def check_limits(seed: int, cells: int) -> None:
     robot, path = planned_case(seed)
-    found = certify_plan(time_path(robot, path))
-    assert found.instants >= 100_000
+    found = certify_plan(time_path(robot, path, cells=cells))
+    assert found.instants >= 100 * cells
     assert found.used <= 1.0 + 1e-6
     assert found.active >= 0.99
     assert found.holds
@@ -80,13 +80,13 @@ def check_limits(seed: int) -> None:
 
 
 def test_limits_hold_between_the_nodes_and_one_is_active() -> None:
-    check_limits(0)
+    check_limits(0, FEWER)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(1, 13))
+@pytest.mark.parametrize("seed", range(1, 9))
 def test_limits_hold_between_the_nodes_and_one_is_active_on_more_machines(seed: int) -> None:
-    check_limits(seed)
+    check_limits(seed, 1000)
 
 
 def test_terms_are_those_of_the_vector_implementation() -> None:
@@ -101,7 +101,7 @@ def test_all_kinds_of_limits_are_kept_in_time() -> None:
     robot, poses = via_case(4)
     path = straight(robot, poses)
     robot = with_limits(robot, path)
-    free = time_path(robot, path, cells=FEWER)
+    free = time_path(robot, path, cells=100)
     legs = inverse_kinematics(robot, free.sample(np.linspace(0.0, free.duration, 2001)))
     motion = free.sample(np.linspace(0.0, free.duration, 2001))
     limits = Limits(
@@ -110,7 +110,7 @@ def test_all_kinds_of_limits_are_kept_in_time() -> None:
         platform_speed=0.8 * float(np.linalg.norm(motion.v, axis=-1).max()),
         platform_turn_rate=0.8 * float(np.linalg.norm(motion.omega, axis=-1).max()),
     )
-    plan = time_path(robot, path, limits=limits, cells=FEWER)
+    plan = time_path(robot, path, limits=limits, cells=100)
     assert plan.duration > free.duration
     assert certify_plan(plan).used <= 1.0 + 1e-6
     motion = plan.sample(np.linspace(0.0, plan.duration, 20_001))
@@ -124,7 +124,7 @@ def test_all_kinds_of_limits_are_kept_in_time() -> None:
 
 def test_the_motion_in_time_has_the_rates_of_its_poses() -> None:
     robot, path = planned_case(5)
-    plan = time_path(robot, path, cells=FEWER)
+    plan = time_path(robot, path, cells=100)
     times, h = np.linspace(0.05, 0.95, 41) * plan.duration, 1e-6 * plan.duration
     at, before, after = (plan.sample(times + shift) for shift in (0.0, -h, h))
     np.testing.assert_allclose(at.v, (after.t - before.t) / (2 * h), atol=1e-6 * np.abs(at.v).max())
@@ -137,8 +137,9 @@ def test_the_motion_in_time_has_the_rates_of_its_poses() -> None:
 
 
 def test_a_faster_motion_breaks_a_limit() -> None:
-    robot, path = planned_case(0)
-    plan = time_path(robot, path, cells=FEWER)
+    robot, poses = via_case(0)
+    path = straight(robot, poses)
+    plan = time_path(with_limits(robot, path), path, cells=50)
     phase = plan.profile.phase
     faster = phase._replace(x=phase.x * 1.001, first=phase.first * 1.001, last=phase.last * 1.001)
     quick = dataclasses.replace(plan, profile=type(plan.profile).of(faster))
