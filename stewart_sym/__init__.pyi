@@ -19,6 +19,10 @@ from .dynamics.inverse import dynamic_fraction as dynamic_fraction
 from .dynamics.inverse import inverse_dynamics as inverse_dynamics
 from .dynamics.inverse import joint_reactions as joint_reactions
 from .dynamics.inverse import massless_forces as massless_forces
+from .exchange.files import ImportedModel as ImportedModel
+from .exchange.files import ModelFile as ModelFile
+from .exchange.files import export_model as export_model
+from .exchange.files import import_model as import_model
 from .formulas.casadi_functions import casadi_function as casadi_function
 from .formulas.symbols import Symbolic as Symbolic
 from .formulas.symbols import symbolic as symbolic

@@ -27,6 +27,8 @@ SUBCOMMANDS = {
     "new": "machine.new",
     "robots": "machine.robots",
     "check": "machine.check",
+    "export": "machine.export",
+    "import": "machine.import_model",
     "forces": "machine.forces",
     "singularities": "machine.singularities",
     "plan": "machine.plan",

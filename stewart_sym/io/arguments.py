@@ -19,6 +19,11 @@ def shown(value: object) -> str:
     return text if len(text) <= 60 else text[:57] + "..."
 
 
+def printable(text: str) -> str:
+    """A text in one line, with an escape for each character that does not show as itself."""
+    return "".join(each if each.isprintable() else ascii(each)[1:-1] for each in text)
+
+
 def real_array(value: object, name: str, expected: str = "real numbers") -> NDArray[np.float64]:
     """Return a float64 copy; ValueError that says what was ``expected`` if these are no real numbers."""
     try:

@@ -22,6 +22,9 @@ SHAPES = {
 _MATTER = ("mass", "density")
 _PLACES = {"leg": ("start",), "platform": ("center", "axis")}
 
+_ROUNDING = 1e-9
+"""Second moments of mass below this share of the largest count as none."""
+
 Metres = Callable[[Any], Any]
 """From a length or an array of lengths in the file's unit to m."""
 
@@ -57,6 +60,20 @@ def joined(parts: list[Body]) -> Body:
         r = part.center_of_mass - center
         total += part.inertia + part.mass * (r @ r * np.eye(3) - np.outer(r, r))
     return Body(mass, np.asarray(center), total)
+
+
+def tensors_of_bodies(inertia: Array, least: float = 1e-2) -> Array:
+    """The tensors that bodies can have near these, (..., 3, 3); those that bodies can have are unchanged.
+
+    A body's second moments of mass, tr(I)/2 - I for a tensor I, are not negative. Where one is, all below
+    ``least`` of the largest are raised to it.
+    """
+    unit = np.eye(3)
+    moments, axes = np.linalg.eigh(_trace(inertia) / 2 * unit - inertia)
+    raised = np.maximum(moments, least * moments[..., -1:])
+    second = np.einsum("...ij,...j,...kj->...ik", axes, raised, axes)
+    impossible = moments[..., :1, None] <= _ROUNDING * moments[..., -1:, None]
+    return np.where(impossible, _trace(second) * unit - second, inertia)
 
 
 def _one(value: object, prefix: str, metres: Metres, along: float | None, whole: bool) -> dict[str, Any]:
@@ -145,3 +162,8 @@ def _mass(table: dict[str, Any], prefix: str, volume: float) -> float:
     if not 0.0 < mass < math.inf:
         raise ValueError(f"{prefix}{given[0]}: expected a body with a mass, got {mass:g} kg")
     return mass
+
+
+def _trace(matrix: Array) -> Array:
+    """Traces, (..., 1, 1)."""
+    return np.asarray(np.trace(matrix, axis1=-2, axis2=-1))[..., None, None]

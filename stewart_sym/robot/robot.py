@@ -211,26 +211,27 @@ class Robot(Frozen):
         Principal moments A <= B <= C of a body satisfy A >= 0 and A + B >= C.  Legs with the same tensor
         share a line.  What the robot accepts is reported as well.
         """
-        return [message for _, message in _impossible_inertias(self)]
+        return [message for _, message in impossible_inertias(self)]
 
 
 # Physicality
 
 
-def _impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
+def impossible_inertias(robot: Robot) -> list[tuple[str, str]]:
     """Name, of ``DOUBTS``, and line of each impossible inertia."""
-    found = [("platform-inertia", f"platform: inertia: {fault}") for fault in _inertia_fault(robot.I_p)]
+    found = [("platform-inertia", f"platform: inertia: {fault}") for fault in inertia_fault(robot.I_p)]
     for part, tensors in (("lower", robot.I_d0), ("upper", robot.I_u0)):
         alike: dict[bytes, list[int]] = {}
         for i, tensor in enumerate(tensors):
             alike.setdefault(tensor.tobytes(), []).append(i)
         for legs in alike.values():
-            for fault in _inertia_fault(tensors[legs[0]]):
+            for fault in inertia_fault(tensors[legs[0]]):
                 found.append((f"{part}-inertia", f"{part} part of {legs_text(legs)}: inertia: {fault}"))
     return found
 
 
-def _inertia_fault(inertia: Array) -> list[str]:
+def inertia_fault(inertia: Array) -> list[str]:
+    """What makes a tensor, (3, 3), that of no body; empty where it is one's."""
     A, B, C = (float(moment) for moment in np.linalg.eigvalsh(inertia))
     tolerance = SYMMETRY_TOLERANCE * max(abs(A), abs(C))
     moments = f"principal moments {A:.3g}, {B:.3g}, {C:.3g} kg m^2"
@@ -243,6 +244,6 @@ def _inertia_fault(inertia: Array) -> list[str]:
 
 
 def _warn(robot: Robot, source: str) -> None:
-    for name, message in _impossible_inertias(robot):
+    for name, message in impossible_inertias(robot):
         if name not in robot.accept:
             warnings.warn(f"{source}: {message} [{name}]", PhysicalityWarning, stacklevel=3)

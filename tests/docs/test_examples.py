@@ -117,7 +117,14 @@ def test_commands_that_are_not_run_install_and_name_extras_that_there_are() -> N
 
 
 def test_pictures_are_those_of_a_page_of_a_study_or_of_the_drawing(tmp_path: Path) -> None:
-    made = {"path_I_forces.png", "energy_drift.png", "hexapod_forces.png", "conventions.png", "machine.png"}
+    made = {
+        "path_I_forces.png",
+        "energy_drift.png",
+        "hexapod_forces.png",
+        "conventions.png",
+        "machine.png",
+        "exported_mujoco.png",
+    }
     assert {path.name for page in PAGES for path in pictures(page)} == {*made, *PICTURES}
     conventions_drawing.save(tmp_path / "conventions.png")
     assert same_picture(tmp_path / "conventions.png", DOCS / "conventions.png")

@@ -378,7 +378,7 @@ def test_spoilt_tables_are_rejected_in_one_line_or_make_a_sound_robot(tables: di
     assert told.isprintable()
     if robot is None:
         return
-    limits = ("length_limits", "force_limit", "speed_limit")
+    limits = ("length_limits", "force_limit", "speed_limit", "joint_angle_limit")
     numbers = [value for name, value in vars(robot).items() if name not in limits]
     assert all(np.isfinite(value).all() for value in numbers if isinstance(value, np.ndarray))
     assert Robot.from_dict(robot.to_dict()).to_dict() == robot.to_dict()

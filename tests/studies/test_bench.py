@@ -11,7 +11,9 @@ from machines import dasgupta, random_motion, random_robot
 from small_bench import CONTESTANTS, Array, poses_of
 
 import stewart_sym as ss
+from stewart_sym.exchange.machine import robot_of_bodies
 from stewart_sym.io.extras import EXTRAS
+from stewart_sym.robot.bodies import tensors_of_bodies
 from stewart_sym.robot.robot import Robot
 from stewart_sym.studies.benchmark import bench, equation_kernels, reductions
 from stewart_sym.studies.benchmark.baselines import JAX, Candidate, Runner, jax_one_pose
@@ -19,7 +21,7 @@ from stewart_sym.studies.benchmark.called import Called
 from stewart_sym.studies.benchmark.engines.constraints import engines
 from stewart_sym.studies.benchmark.engines.drake_inverse import drake_inverse
 from stewart_sym.studies.benchmark.engines.pinocchio_rnea import pinocchio_rnea
-from stewart_sym.studies.benchmark.engines.tree import tensors_of_bodies, tree
+from stewart_sym.studies.benchmark.engines.tree import tree
 from stewart_sym.studies.benchmark.poses import Poses, bench_poses
 from stewart_sym.studies.benchmark.processor import FUSED, Flags, targets
 from stewart_sym.studies.benchmark.samples import batched
@@ -214,7 +216,7 @@ def test_tensors_of_bodies_stay_and_others_become_possible(stranger: Poses) -> N
         np.testing.assert_array_equal(tensors_of_bodies(tensors), tensors)
     printed = dasgupta()
     assert printed.physicality()
-    possible = equation_kernels.robot_of_bodies(printed)
+    possible = robot_of_bodies(printed)
     assert not possible.physicality()
     for name in TENSORS:
         once = getattr(possible, name)

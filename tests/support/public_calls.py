@@ -26,7 +26,7 @@ RECORDS = {
     ),
     *("Forces", "Linearisation", "Parameters", "PlatformPose", "Reactions", "Simulation", "Stop", "Trace"),
     *("Approach", "Certificate", "Crossing", "ForceBounds", "LegExtreme", "PathSingularities", "Singularity"),
-    *("LogWarning", "Saturation", "Smooth"),
+    *("ImportedModel", "LogWarning", "ModelFile", "Saturation", "Smooth"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -141,6 +141,8 @@ def calls() -> dict[str, Call]:
         "ArrayKernel": Call(
             ss.ArrayKernel, {"robot": robot, "xp": np, "formulation": "exact", "dtype": None}, free=("dtype",)
         ),
+        "export_model": Call(ss.export_model, {"robot": robot, "format": "mjcf"}),
+        "import_model": Call(ss.import_model, {"path": "no.xml"}),
         "prepare": Call(
             ss.prepare,
             {"robot": robot, "formulation": "exact", "precision": "double", "fidelity": "general"},

@@ -17,6 +17,7 @@ from ...backend.c_kernel import address, pointers
 from ...backend.kernel import robot_numbers
 from ...dynamics import forces
 from ...dynamics.equations import joint_space_inertia
+from ...exchange.machine import robot_of_bodies
 from ...kinematics.inverse import wrench_matrix, wrench_matrix_rate
 from ...motion.motion import Motion
 from ...motion.rotation import cross_matrix, rotation_from_vector
@@ -28,7 +29,7 @@ from ..common.loops import own_source
 from ..common.timing import Task
 from .baselines import AGREEMENT, SLOW, Runner, repeated, succeed
 from .engines.constraints import engines
-from .engines.tree import Engine, tensors_of_bodies, tree
+from .engines.tree import Engine, tree
 from .figures import MotionFigures
 from .poses import Poses
 from .processor import Flags, Target, widest
@@ -300,12 +301,6 @@ def motion_group(poses: Poses, targets: Sequence[Target]) -> MotionGroup:
             baseline.name, found, [acceleration(motion)], baseline.tolerance
         )
     return MotionGroup(robot, tuple(built), baselines, differences)
-
-
-def robot_of_bodies(robot: Robot) -> Robot:
-    """The robot with tensors near its own that bodies can have."""
-    platform, lower, upper = map(tensors_of_bodies, (robot.I_p, robot.I_d0, robot.I_u0))
-    return dataclasses.replace(robot, I_p=platform, I_d0=lower, I_u0=upper)
 
 
 _EMPTY = ", nothing"

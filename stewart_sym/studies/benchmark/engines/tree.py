@@ -19,23 +19,6 @@ Array = NDArray[np.float64]
 CARRIER = 5
 """The leg that carries the platform."""
 
-ROUNDING = 1e-9
-"""Second moments of mass below this share of the largest count as none."""
-
-
-def tensors_of_bodies(inertia: Array, least: float = 1e-2) -> Array:
-    """The tensors that bodies can have near these, (..., 3, 3); those that bodies can have are unchanged.
-
-    A body's second moments of mass, tr(I)/2 - I for a tensor I, are not negative. Where one is, all below
-    ``least`` of the largest are raised to it.
-    """
-    unit = np.eye(3)
-    moments, axes = np.linalg.eigh(_trace(inertia) / 2 * unit - inertia)
-    raised = np.maximum(moments, least * moments[..., -1:])
-    second = np.einsum("...ij,...j,...kj->...ik", axes, raised, axes)
-    impossible = moments[..., :1, None] <= ROUNDING * moments[..., -1:, None]
-    return np.where(impossible, _trace(second) * unit - second, inertia)
-
 
 def base_frames(robot: Robot) -> Array:
     """Frames of the first joints, (6, 3, 3): x axis along k; columns are the axes in the base frame."""
@@ -180,8 +163,3 @@ def _forces(robot: Robot, motion: Motion, F: Array, legs: Legs) -> Array:
 def turned(matrix: Array, vector: Array) -> Array:
     """Products of matrices and vectors."""
     return np.asarray(np.einsum("...ij,...j->...i", matrix, vector))
-
-
-def _trace(matrix: Array) -> Array:
-    """Traces, (..., 1, 1)."""
-    return np.asarray(np.trace(matrix, axis1=-2, axis2=-1))[..., None, None]

@@ -1,0 +1,62 @@
+"""``stewart-sym export``: write a robot as a model of another program."""
+
+import argparse
+import contextlib
+from pathlib import Path
+
+from ..inputs import robot_of
+from ..options import json_file, output, robot_file
+from ..results import reject_inputs, results
+
+HELP = "write the machine for MuJoCo, Gazebo, ROS, Pinocchio or Isaac Sim"
+EXAMPLE = "stewart-sym export hexapod.toml --format mjcf -o hexapod.xml"
+MORE = (
+    "The machine stands at its home pose, the platform free, closed by six spherical joints; friction, "
+    "limits, actuators, shapes and gravity are in the file as far as the format has a place for them, and "
+    "what it has none for is noted there for import. A URDF gets a second file with its loops, "
+    "NAME.loops.json."
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``export``."""
+    robot_file(parser)
+    parser.add_argument(
+        "--format",
+        choices=("mjcf", "sdf", "urdf", "usd"),
+        required=True,
+        help="mjcf: MuJoCo; sdf: Gazebo, Drake; urdf: ROS, Pinocchio; usd: Isaac Sim, as text",
+    )
+    output(parser, "FILE", "file to write, - for standard output", None)
+    json_file(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``export``; returns the exit code."""
+    from ...exchange.files import BEGINNINGS, export_model, loops_path
+    from ...io.writing import result_file
+    from ...studies.common.report import Report
+
+    path: Path = arguments.output
+    printed = str(path) == "-"
+    if printed and (arguments.format == "urdf" or str(arguments.json) == "-"):
+        what = "a URDF is two files" if arguments.format == "urdf" else "--json goes there"
+        raise ValueError(f"-o -: expected a file, {what}")
+    reject_inputs("-o", path, arguments.robot)
+    try:
+        file = export_model(robot_of(arguments.robot), arguments.format)
+    except ValueError as error:
+        text = str(error)
+        raise ValueError(
+            text if text.startswith(str(arguments.robot)) else f"{arguments.robot}: {text}"
+        ) from None
+    texts = {path: file.text} | ({} if file.loops is None else {loops_path(path): file.loops})
+    if len(texts) > 1:
+        reject_inputs("-o", loops_path(path), arguments.robot)
+    with results(arguments) as take, contextlib.ExitStack() as stack:
+        for name, text in texts.items():
+            stack.enter_context(result_file(name, BEGINNINGS, arguments.force)).write(text)
+        written = [str(name) for name in texts]
+        said = "" if printed else f"Written to {', '.join(written)}"
+        take(Report(said, data={"format": arguments.format, "files": written}))
+    return 0

@@ -1,0 +1,49 @@
+"""``stewart-sym import``: make a robot file of a model of another program."""
+
+import argparse
+from pathlib import Path
+
+from ..inputs import warn_of_doubts
+from ..options import json_file, output
+from ..results import reject_inputs, results
+
+HELP = "make a robot file of a model in MJCF, SDF or URDF"
+EXAMPLE = "stewart-sym import hexapod.xml -o imported.toml"
+MORE = (
+    "Base, platform and legs are found by how bodies are joined; what was found and what had to be assumed "
+    "is printed and stands in the robot file as comments. Of a URDF, the loops are read from NAME.loops.json."
+)
+
+_BEGINNING = "# Imported by stewart-sym"
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``import``."""
+    parser.add_argument("model", metavar="MODEL", type=Path, help="model in MJCF, SDF or URDF")
+    output(parser, "ROBOT.toml", "file to write, - for standard output", None)
+    json_file(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``import``; returns the exit code."""
+    from ...exchange.files import import_model
+    from ...io.arguments import printable
+    from ...io.toml_text import toml_text
+    from ...io.writing import result_file
+    from ...studies.common.report import Report
+
+    path: Path = arguments.output
+    printed = str(path) == "-"
+    if printed and str(arguments.json) == "-":
+        raise ValueError("-o -: expected a file, --json goes there")
+    reject_inputs("-o", path, arguments.model)
+    found = import_model(arguments.model)
+    tables = found.robot.to_dict()
+    lines = [f"{_BEGINNING} from {printable(arguments.model.name)}."]
+    lines += [f"# {printable(line)}" for line in found.assumptions]
+    with results(arguments) as take, result_file(path, [_BEGINNING], arguments.force) as stream:
+        stream.write("\n".join(lines) + "\n" + toml_text(tables))
+        warn_of_doubts(found.robot, path)
+        said = "" if printed else "\n".join([*found.assumptions, f"Written to {path}"])
+        take(Report(said, data={"assumptions": found.assumptions, "robot": tables}))
+    return 0

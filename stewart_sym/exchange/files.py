@@ -1,0 +1,167 @@
+"""Robots to models in other programs' formats and back."""
+
+import os
+import warnings
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from ..io.arguments import instance, option, shown
+from ..io.tables import file_name, read_text
+from ..robot.robot import Robot
+from .chain import Model
+from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
+from .formats.xml_text import HEADER, parsed
+from .machine import model_of, possible
+from .notes import differences, noted
+from .robots import robot_of
+
+PROGRAMS = {"mjcf": "MuJoCo", "sdf": "Gazebo", "urdf": "Pinocchio", "usd": "Isaac Sim"}
+"""Formats, and a program that reads each."""
+_WRITERS: dict[str, Callable[[Model], tuple[str, str | None]]] = {
+    "mjcf": mjcf_out.written,
+    "sdf": sdf_out.written,
+    "urdf": urdf_out.written,
+    "usd": usd_out.written,
+}
+_READERS = {"mujoco": mjcf_in.model, "sdf": sdf_in.model, "robot": urdf_in.model}
+"""By the name of the root."""
+BEGINNINGS = (HEADER, usd_out.HEADER, f'{{\n "generator": "{urdf_out.GENERATOR}"')
+"""Of what this program writes."""
+LOOPS = ".loops.json"
+"""End of the name of the file beside a URDF, in place of the URDF's suffix."""
+_MOST_BYTES = 1 << 24
+
+
+@dataclass(frozen=True)
+class ModelFile:
+    """A machine in another program's format.
+
+    Attributes
+    ----------
+    text : str
+        The file.
+    loops : str or None
+        Of URDF, a second file beside it, as JSON: what closes the loops, gravity, and friction and drives,
+        for which URDF has no place; None of other formats.
+    """
+
+    text: str
+    loops: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class ImportedModel:
+    """A robot read from another program's format.
+
+    Attributes
+    ----------
+    robot : Robot
+        The machine.
+    assumptions : tuple of str
+        What was found how, and what had to be assumed, a line each.
+    """
+
+    robot: Robot
+    assumptions: tuple[str, ...]
+
+
+def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the option's name
+    """Write a robot in another program's format.
+
+    The machine stands at its home pose: legs with two axes at the base, a sliding actuator and a spherical
+    closure at the platform, which is free. What the format has no place for is in notes in the file, which
+    ``import_model`` reads.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine.
+    format : str
+        ``"mjcf"`` (MuJoCo), ``"sdf"`` (Gazebo, Drake), ``"urdf"`` (ROS, Pinocchio) or ``"usd"`` (Isaac Sim).
+
+    Returns
+    -------
+    ModelFile
+        Text of the file, and of a second one beside it where there is one.
+
+    Raises
+    ------
+    ValueError
+        In one line: legs whose axes do not meet or that lie along a fixed axis at home; an inertia that no
+        body can have, which all but URDF reject, unless the robot accepts it: then a warning says that the
+        nearest possible one is written.
+    """
+    instance(robot, Robot, "robot")
+    option(format, tuple(PROGRAMS), "format")
+    if getattr(robot, "offsets", None) is not None:
+        raise ValueError("robot: offsets: expected none, what is written is legs whose axes meet")
+    written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
+    model = model_of(written)
+    _warn_of_losses(robot, format)
+    if format == "usd":
+        return ModelFile(*_WRITERS[format](model))
+    # What is read back differently, by rounding or for want of a place, stands in the notes.
+    again, _ = robot_of(_parsed(*_WRITERS[format](model)))
+    return ModelFile(*_WRITERS[format](replace(model, notes=noted(differences(written, again)))))
+
+
+def import_model(path: str | os.PathLike[str]) -> ImportedModel:
+    """Read a robot from a model in MJCF, SDF or URDF, whatever program wrote it.
+
+    Base, platform and legs are found by how bodies are joined: six chains from the base to one body, each of
+    two revolute joints or a universal or spherical one, a prismatic joint, and a spherical one. Loops may be
+    cut anywhere and must be closed in the pose of the file.
+
+    Parameters
+    ----------
+    path : path
+        The file; of a URDF, that of its loops is read beside it.
+
+    Returns
+    -------
+    ImportedModel
+        The robot, with lines on what was assumed.
+
+    Raises
+    ------
+    ValueError
+        In one line: what of the file can't be read or is no Stewart platform, and where.
+    """
+    source = file_name(path)
+    text, beside = read_text(source, "model", _MOST_BYTES), loops_path(source)
+    loops = read_text(str(beside), "loops", _MOST_BYTES) if beside.is_file() else None
+    try:
+        return ImportedModel(*robot_of(_parsed(text, loops)))
+    except ValueError as error:
+        raise ValueError(f"{source}: {error}") from None
+
+
+def _warn_of_losses(robot: Robot, form: str) -> None:
+    """Spherical joints have no damping but MuJoCo's at the base; a URDF's loops state what that has not."""
+    lost = [] if form == "urdf" else ["C_s"]
+    lost += ["C_u"] if form in ("sdf", "usd") and robot.base_joint == "spherical" else []
+    names = " and ".join(name for name in lost if np.any(getattr(robot, name)))
+    where = "left out" if form == "usd" else "noted only"
+    if names:
+        text = f"{form}: expected no friction in these spherical joints, {names} is {where}"
+        warnings.warn(text, stacklevel=3)
+    if form == "sdf" and robot.drive is not None and np.any(robot.drive.rotor_inertia):
+        warnings.warn(f"{form}: expected drives without rotors, their inertia is {where}", stacklevel=3)
+
+
+def loops_path(path: str | os.PathLike[str]) -> Path:
+    """Where the loops of a URDF are."""
+    return Path(path).with_suffix(LOOPS)
+
+
+def _parsed(text: str, loops: str | None) -> Model:
+    root = parsed(text)
+    if root.tag not in _READERS:
+        raise ValueError(
+            f"expected MJCF, SDF or URDF with a root mujoco, sdf or robot, got {shown(root.tag)}"
+        )
+    with np.errstate(over="ignore", invalid="ignore"):
+        return _READERS[root.tag](root, loops)

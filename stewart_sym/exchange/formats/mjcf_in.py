@@ -1,0 +1,310 @@
+"""MJCF, MuJoCo's format, as a model."""
+
+import json
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...io.array_types import Array
+from ...motion.rotation import rotation_from_quaternion, rotation_from_vector
+from ...robot.bodies import Body as Solid
+from ...robot.bodies import joined
+from ...robot.fields import direction
+from ..chain import WORLD, Body, Joint, Model, frame_along
+from .mjcf_geoms import solid
+from .xml_text import number, numbers
+
+_KINDS = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free": "free"}
+_ZERO = (0.0, 0.0, 0.0)
+_PASSED_OVER = (
+    *("compiler", "option", "size", "custom", "default", "asset", "visual", "statistic", "worldbody"),
+    *("equality", "actuator", "keyframe", "sensor", "contact", "extension"),
+)
+"""Sections that are read, or that say nothing of how a machine moves by itself."""
+
+Attributes = Mapping[str, str]
+
+
+def model(root: ET.Element, loops: str | None = None) -> Model:
+    """The model; ValueError of one line says what of the file can't be read, and where."""
+    return _Reader(root).model()
+
+
+class _Reader:
+    """Reads one file; elements of the same name, as of included files, are read one after another."""
+
+    def __init__(self, root: ET.Element) -> None:
+        for element in root.iter():
+            if element.tag in ("include", "replicate", "attach", "composite", "flexcomp"):
+                raise ValueError(f"{element.tag}: expected a flat model, as mj_saveLastXML writes it")
+        self.root = root
+        compiler = {key: value for each in root.iter("compiler") for key, value in each.attrib.items()}
+        self.unit = 1.0 if compiler.get("angle", "degree") == "radian" else np.pi / 180.0
+        self.order = compiler.get("eulerseq", "xyz")
+        self.autolimits = compiler.get("autolimits", "true") == "true"
+        self.from_geoms = compiler.get("inertiafromgeom", "auto") == "true"
+        if compiler.get("coordinate", "local") != "local":
+            raise ValueError("compiler: coordinate: expected local")
+        self.classes: dict[str, dict[str, dict[str, str]]] = {}
+        for each in root.findall("default"):
+            self._default(each, {}, "main")
+        self.bodies: list[Body] = [Body(WORLD)]
+        self.joints: list[Joint] = []
+        self.sites: dict[str, tuple[str, Array]] = {}
+        self.left_out: list[str] = []
+
+    def model(self) -> Model:
+        for world in self.root.findall("worldbody"):
+            self._inside(world, WORLD, np.eye(3), np.zeros(3), None)
+        for section in self.root.findall("equality"):
+            for each in section:
+                self._closure(each)
+        for each in self.root:
+            if each.tag not in _PASSED_OVER:
+                self.left_out.append(f"section {each.tag!r} of the file")
+        option = {key: value for each in self.root.findall("option") for key, value in each.attrib.items()}
+        gravity = numbers(option.get("gravity"), 3, "option: gravity", (0.0, 0.0, -9.81))
+        return Model(
+            self.root.get("model", "MuJoCo Model"),
+            gravity,
+            tuple(self.bodies),
+            tuple(self._driven()),
+            self._notes(),
+            tuple(dict.fromkeys(self.left_out)),
+        )
+
+    def _notes(self) -> dict[str, Any]:
+        for text in self.root.iterfind("custom/text[@name='stewart_sym']"):
+            try:
+                found = json.loads(text.get("data", ""))
+            except ValueError:
+                raise ValueError("custom: text 'stewart_sym': expected JSON") from None
+            if not isinstance(found, dict):
+                raise ValueError("custom: text 'stewart_sym': expected a table")
+            return found
+        return {}
+
+    # Defaults
+
+    def _default(self, element: ET.Element, outer: dict[str, dict[str, str]], name: str) -> None:
+        own = {tag: dict(values) for tag, values in outer.items()}
+        for each in element:
+            if each.tag != "default":
+                own[each.tag] = {**own.get(each.tag, {}), **each.attrib}
+        self.classes[element.get("class", name)] = own
+        for each in element.findall("default"):
+            self._default(each, own, "main")
+
+    def _of(self, element: ET.Element, inherited: str | None) -> dict[str, str]:
+        """Attributes of an element with those of its class."""
+        name = element.get("class") or inherited or "main"
+        if name not in self.classes and name != "main":
+            raise ValueError(f"{element.tag} {element.get('name', '')!r}: class {name!r}: missing")
+        return {**self.classes.get(name, {}).get(element.tag, {}), **element.attrib}
+
+    # Tree
+
+    def _inside(self, element: ET.Element, name: str, R: Array, t: Array, inherited: str | None) -> None:
+        """Sites and bodies of a body or of a frame in it; R, t: of the element in the world."""
+        for each in element:
+            if each.tag == "body":
+                self._body(each, name, R, t, inherited)
+            elif each.tag == "frame":
+                turn, place = self._pose(each.attrib, "frame")
+                self._inside(each, name, R @ turn, t + R @ place, each.get("childclass") or inherited)
+            elif each.tag == "site" and "name" in each.attrib:
+                where = f"site {each.attrib['name']!r}: pos"
+                place = numbers(self._of(each, inherited).get("pos"), 3, where, _ZERO)
+                body = next(body for body in self.bodies if body.name == name)
+                inside = place if same(R, t, body) else body.local(t + R @ place)
+                self.sites[each.attrib["name"]] = name, inside
+
+    def _body(self, element: ET.Element, parent: str, R: Array, t: Array, inherited: str | None) -> None:
+        name = element.get("name") or f"body {len(self.bodies)}"
+        where = f"body {name!r}"
+        inherited = element.get("childclass") or inherited
+        turn, place = self._pose(element.attrib, where)
+        R, t = (turn, place) if parent == WORLD and same(R, t, self.bodies[0]) else (R @ turn, t + R @ place)
+        joints = self._joints(element, name, inherited)
+        at = parent
+        for number_, (attributes, kind) in enumerate(joints, 1):
+            last = number_ == len(joints)
+            child = name if last else f"{name}, joint {number_}"
+            if not last:
+                self.bodies.append(Body(child, R, t))
+            self.joints.append(self._joint(attributes, kind, at, child, R, where))
+            at = child
+        if not joints:
+            self.joints.append(Joint(f"{name}, fixed", "fixed", parent, name))
+        self.bodies.append(self._with_inertia(Body(name, R, t), element, inherited, where))
+        self._inside(element, name, R, t, inherited)
+
+    def _joints(self, element: ET.Element, name: str, inherited: str | None) -> list[tuple[Attributes, str]]:
+        found: list[tuple[Attributes, str]] = []
+        for each in element:
+            if each.tag == "freejoint":
+                found.append((each.attrib, "free"))
+            elif each.tag == "joint":
+                attributes = self._of(each, inherited)
+                kind = _KINDS.get(attributes.get("type", "hinge"))
+                if kind is None:
+                    raise ValueError(f"body {name!r}: joint: expected hinge, slide, ball or free")
+                found.append((attributes, kind))
+            elif each.tag == "frame" and any(inner.tag == "joint" for inner in each.iter()):
+                raise ValueError(f"body {name!r}: frame: expected no joint in a frame")
+        return found
+
+    def _joint(self, given: Attributes, kind: str, parent: str, child: str, R: Array, where: str) -> Joint:
+        name = given.get("name") or f"joint {len(self.joints) + 1}"
+        where = f"{where}: joint {name!r}"
+        axes = np.zeros((0, 3))
+        if kind in ("revolute", "prismatic"):
+            axis = numbers(given.get("axis"), 3, f"{where}: axis", (0.0, 0.0, 1.0))
+            axes = (R @ direction(axis, f"{where}: axis"))[None]
+        for key in ("stiffness", "frictionloss"):
+            if number(given.get(key), f"{where}: {key}", 0.0):
+                self.left_out.append(f"{key} of joint {name!r}")
+        limited = given.get("limited", "auto")
+        has = limited == "true" or (limited == "auto" and self.autolimits and "range" in given)
+        limits = numbers(given.get("range"), 2, f"{where}: range", (0.0, 0.0)) if has else (-np.inf, np.inf)
+        forces = numbers(given.get("actuatorfrcrange"), 2, f"{where}: actuatorfrcrange", (-np.inf, np.inf))
+        return Joint(
+            name,
+            kind,
+            parent,
+            child,
+            numbers(given.get("pos"), 3, f"{where}: pos", _ZERO),
+            axes,
+            number(given.get("damping"), f"{where}: damping", 0.0),
+            number(given.get("armature"), f"{where}: armature", 0.0),
+            number(given.get("ref"), f"{where}: ref", 0.0),
+            (float(limits[0]), float(limits[1])),
+            float(np.abs(forces).max()),
+        )
+
+    def _with_inertia(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
+        given = element.find("inertial")
+        if given is None or self.from_geoms:
+            return self._of_geoms(body, element, inherited, where)
+        where = f"{where}: inertial"
+        mass = number(given.get("mass"), f"{where}: mass")
+        R, center = self._pose(given.attrib, where)
+        if "fullinertia" in given.attrib:
+            xx, yy, zz, xy, xz, yz = numbers(given.get("fullinertia"), 6, f"{where}: fullinertia")
+            inertia = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+        else:
+            inertia = R @ np.diag(numbers(given.get("diaginertia"), 3, f"{where}: diaginertia")) @ R.T
+        return Body(body.name, body.R, body.t, mass, center, 0.5 * (inertia + inertia.T))
+
+    def _of_geoms(self, body: Body, element: ET.Element, inherited: str | None, where: str) -> Body:
+        """A body that is as heavy as its geoms."""
+        parts = self._solids(element, inherited, where)
+        if not parts:
+            return body
+        whole = joined(parts)
+        return Body(body.name, body.R, body.t, whole.mass, whole.center_of_mass, whole.inertia)
+
+    def _solids(self, element: ET.Element, inherited: str | None, where: str) -> list[Solid]:
+        """What has a mass of its own among the geoms of a body, and of frames in it."""
+        found = []
+        for each in element:
+            if each.tag == "geom":
+                given, named = self._of(each, inherited), f"{where}: geom {each.get('name', '')!r}"
+                part = solid(given, *self._pose(given, named), named)
+                found += [] if part is None else [part]
+            elif each.tag == "frame":
+                R, t = self._pose(each.attrib, where)
+                parts = self._solids(each, each.get("childclass") or inherited, where)
+                found += [Solid(mass, t + R @ center, R @ inertia @ R.T) for mass, center, inertia in parts]
+        return found
+
+    def _pose(self, given: Attributes, where: str) -> tuple[Array, Array]:
+        """Orientation (3, 3) and position (3,)."""
+        return self._turn(given, where), numbers(given.get("pos"), 3, f"{where}: pos", _ZERO)
+
+    def _turn(self, given: Attributes, where: str) -> Array:
+        if "quat" in given:
+            return rotation_from_quaternion(numbers(given["quat"], 4, f"{where}: quat"))
+        if "axisangle" in given:
+            *axis, angle = numbers(given["axisangle"], 4, f"{where}: axisangle")
+            return rotation_from_vector(self.unit * angle * np.array(axis) / np.linalg.norm(axis))
+        if "euler" in given:
+            return self._euler(self.unit * numbers(given["euler"], 3, f"{where}: euler"))
+        if "xyaxes" in given:
+            x, y = numbers(given["xyaxes"], 6, f"{where}: xyaxes").reshape(2, 3)
+            x = x / np.linalg.norm(x)
+            y = y - (x @ y) * x
+            y = y / np.linalg.norm(y)
+            return np.stack([x, y, np.cross(x, y)], axis=-1)
+        if "zaxis" in given:
+            return frame_along(numbers(given["zaxis"], 3, f"{where}: zaxis"))
+        return np.eye(3)
+
+    def _euler(self, angles: Array) -> Array:
+        """By ``eulerseq``: small letters turn about axes that move along, capital ones about fixed axes."""
+        R = np.eye(3)
+        for letter, angle in zip(self.order, angles, strict=True):
+            vector = angle * np.eye(3)["xyz".index(letter.lower())]
+            turn = rotation_from_vector(vector)
+            R = R @ turn if letter.islower() else turn @ R
+        return R
+
+    # Closures and drives
+
+    def _closure(self, element: ET.Element) -> None:
+        name = element.get("name") or f"{element.tag} {len(self.joints) + 1}"
+        where = f"equality: {element.tag} {name!r}"
+        if element.tag not in ("connect", "weld"):
+            self.left_out.append(f"equality {element.tag} {name!r}")
+            return
+        if element.get("active") == "false":
+            return
+        kind = "spherical" if element.tag == "connect" else "fixed"
+        if "site1" in element.attrib or "site2" in element.attrib:
+            (one, here), (other, there) = (self._site(element.get(key), where) for key in ("site1", "site2"))
+        else:
+            one, other = element.get("body1", ""), element.get("body2", WORLD)
+            placed = {body.name: body for body in self.bodies}
+            for body in (one, other):
+                if body not in placed:
+                    raise ValueError(f"{where}: body {body!r}: missing")
+            least = None if kind == "spherical" else _ZERO
+            here = numbers(element.get("anchor"), 3, f"{where}: anchor", least)
+            there = placed[other].local(placed[one].placed(here))
+        self.joints.append(Joint(name, kind, one, other, there, cut=True, parent_point=here))
+
+    def _site(self, name: str | None, where: str) -> tuple[str, Array]:
+        if name not in self.sites:
+            raise ValueError(f"{where}: site {name!r}: missing")
+        return self.sites[name]
+
+    def _driven(self) -> list[Joint]:
+        """The joints with the limits of the actuators that push them."""
+        limits: dict[str, float] = {}
+        for section in self.root.findall("actuator"):
+            for each in section:
+                given = self._of(each, None)
+                if "joint" not in given:
+                    continue
+                where = f"actuator {given.get('name', '')!r}"
+                gear = abs(float((given.get("gear") or "1").split()[0]))
+                ranges = [
+                    gear * float(np.abs(numbers(given[key], 2, f"{where}: {key}")).max())
+                    for key in ("forcerange", "ctrlrange")
+                    if key in given and (key == "forcerange" or each.tag == "motor")
+                ]
+                limits[given["joint"]] = min(ranges, default=np.inf)
+        return [
+            replace(joint, effort=min(joint.effort, limits[joint.name]), driven=True)
+            if joint.name in limits
+            else joint
+            for joint in self.joints
+        ]
+
+
+def same(R: Array, t: Array, body: Body) -> bool:
+    """Whether a pose is that of a body."""
+    return np.array_equal(R, body.R) and np.array_equal(t, body.t)

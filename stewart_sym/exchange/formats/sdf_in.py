@@ -1,0 +1,180 @@
+"""SDF, the format of Gazebo, as a model."""
+
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import numpy as np
+
+from ...io.array_types import Array
+from ...motion.rotation import rotation_from_quaternion, rotation_from_rpy
+from ...robot.fields import direction
+from ..chain import WORLD, Body, Joint, Model
+from ..notes import parsed_notes
+from .sdf_out import NOTES
+from .xml_text import interval, largest, name_of, number, numbers, tensor
+
+_KINDS = {
+    "prismatic": "prismatic",
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "universal": "universal",
+    "ball": "spherical",
+    "fixed": "fixed",
+}
+
+
+def model(root: ET.Element, loops: str | None = None) -> Model:
+    """The model; ValueError of one line says what of the file can't be read, and where."""
+    world = root.find("world")
+    models = [*root.findall("model"), *root.findall("world/model")]
+    if root.find("include") is not None or root.find("world/include") is not None:
+        raise ValueError("include: expected a model in the file itself")
+    if len(models) != 1:
+        raise ValueError(f"expected one model, got {len(models)}")
+    gravity = None if world is None else world.findtext("gravity")
+    found = _Reader(models[0])
+    return Model(
+        models[0].get("name", ""),
+        None if gravity is None else numbers(gravity, 3, "gravity"),
+        tuple(found.bodies),
+        tuple(found.joints),
+        parsed_notes(models[0].findtext(NOTES), NOTES),
+        tuple(found.left_out),
+    )
+
+
+class _Reader:
+    """Bodies and joints of one model."""
+
+    def __init__(self, element: ET.Element) -> None:
+        for tag in ("model", "include"):
+            if element.find(tag) is not None:
+                raise ValueError(f"{tag}: expected a model without models in it")
+        self.element = element
+        self.named = {
+            name_of(each, "model"): each
+            for tag in ("link", "frame", "joint")
+            for each in element.findall(tag)
+        }
+        self.found: dict[str, tuple[Array, Array]] = {
+            "__model__": self._own(element, "model"),
+            WORLD: _still(),
+        }
+        self.left_out: list[str] = []
+        self.bodies = [Body(WORLD), *(self._body(each) for each in element.findall("link"))]
+        self.placed = {body.name: body for body in self.bodies}
+        static = (element.findtext("static") or "").strip() in ("true", "1")
+        if static:
+            raise ValueError("static: expected a model that moves")
+        self.joints = [self._joint(each) for each in element.findall("joint")]
+
+    def _own(self, element: ET.Element, where: str) -> tuple[Array, Array]:
+        """Orientation and position that an element states."""
+        pose = element.find("pose")
+        if pose is None or not (pose.text or "").strip():
+            return _still()
+        unit = np.pi / 180.0 if pose.get("degrees") in ("true", "1") else 1.0
+        if pose.get("rotation_format", "euler_rpy") == "quat_xyzw":
+            values = numbers(pose.text, 7, f"{where}: pose")
+            return rotation_from_quaternion(values[[6, 3, 4, 5]]), values[:3]
+        values = numbers(pose.text, 6, f"{where}: pose")
+        return (rotation_from_rpy(unit * values[3:]) if values[3:].any() else np.eye(3)), values[:3]
+
+    def _pose(self, name: str, seen: tuple[str, ...] = ()) -> tuple[Array, Array]:
+        """Orientation and position of a link, joint or frame in the world."""
+        if name in self.found:
+            return self.found[name]
+        if name not in self.named:
+            raise ValueError(f"frame {name!r}: missing")
+        if name in seen or len(seen) > 100:
+            raise ValueError(f"frame {name!r}: expected poses that depend on no circle")
+        element = self.named[name]
+        R, t = self._own(element, f"{element.tag} {name!r}")
+        R, t = _after(self._pose(self._relative(element), (*seen, name)), R, t)
+        self.found[name] = R, t
+        return R, t
+
+    def _relative(self, element: ET.Element) -> str:
+        """What the pose of an element is relative to."""
+        pose = element.find("pose")
+        stated = "" if pose is None else pose.get("relative_to", "")
+        if stated:
+            return stated
+        if element.tag == "joint":
+            return _text(element, "child")
+        return element.get("attached_to") or "__model__" if element.tag == "frame" else "__model__"
+
+    def _body(self, link: ET.Element) -> Body:
+        name = link.attrib["name"]
+        where, (R, t) = f"link {name!r}", self._pose(name)
+        given = link.find("inertial")
+        if given is None:
+            return Body(name, R, t)
+        where = f"{where}: inertial"
+        turn, center = self._own(given, where)
+        mass = number(given.findtext("mass"), f"{where}: mass", 1.0)
+        inertia = tensor(lambda key: given.findtext(f"inertia/{key}"), where, (1.0, 0.0))
+        if not np.array_equal(turn, np.eye(3)):
+            inertia = turn @ inertia @ turn.T
+        return Body(name, R, t, mass, center, inertia)
+
+    def _joint(self, element: ET.Element) -> Joint:
+        name, kind = element.attrib["name"], element.get("type", "")
+        where = f"joint {name!r}"
+        if kind not in _KINDS:
+            raise ValueError(f"{where}: expected type {', '.join(_KINDS)}, got {kind!r}")
+        parent, child = _text(element, "parent"), _text(element, "child")
+        for end in (parent, child):
+            if end not in self.placed:
+                raise ValueError(f"{where}: link {end!r}: missing")
+        own = element.find("pose")
+        direct = own is None or not own.get("relative_to")
+        place = self._own(element, where)[1] if direct else self.placed[child].local(self._pose(name)[1])
+        if kind == "fixed":
+            return Joint(name, "fixed", parent, child, place)
+        axes = [element.find(tag) for tag in ("axis", "axis2")[: {"ball": 0, "universal": 2}.get(kind, 1)]]
+        found = Joint(name, _KINDS[kind], parent, child, place)
+        if not axes:
+            return found
+        return self._turning(found, axes, where)
+
+    def _turning(self, joint: Joint, axes: list[ET.Element | None], where: str) -> Joint:
+        directions, damping = [], []
+        limits, effort, speed = (-np.inf, np.inf), np.inf, np.inf
+        for axis in axes:
+            if axis is None:
+                raise ValueError(f"{where}: expected an axis for each turn, got none")
+            xyz = axis.find("xyz")
+            frame = "" if xyz is None else xyz.get("expressed_in", "")
+            local = numbers(None if xyz is None else xyz.text, 3, f"{where}: xyz", (0.0, 0.0, 1.0))
+            R, _ = self._pose(frame or joint.name)
+            directions.append(R @ direction(local, f"{where}: xyz"))
+            damping.append(number(axis.findtext("dynamics/damping"), f"{where}: damping", 0.0))
+            if number(axis.findtext("dynamics/friction"), f"{where}: friction", 0.0):
+                self.left_out.append(f"friction of joint {joint.name!r}")
+            limits = interval(axis.findtext("limit/lower"), axis.findtext("limit/upper"), where)
+            effort = largest(axis.findtext("limit/effort"), f"{where}: effort")
+            speed = largest(axis.findtext("limit/velocity"), f"{where}: velocity")
+        if max(damping) != min(damping):
+            raise ValueError(f"{where}: expected the same damping about both axes")
+        return replace(
+            joint, axes=np.array(directions), damping=damping[0], limits=limits, effort=effort, speed=speed
+        )
+
+
+def _still() -> tuple[Array, Array]:
+    return np.eye(3), np.zeros(3)
+
+
+def _after(outer: tuple[Array, Array], R: Array, t: Array) -> tuple[Array, Array]:
+    """A pose in the world, from that of the frame it is relative to."""
+    if np.array_equal(outer[0], np.eye(3)):
+        return R, t + outer[1]
+    return outer[0] @ R, outer[1] + outer[0] @ t
+
+
+def _text(element: ET.Element, tag: str) -> str:
+    found = (element.findtext(tag) or "").strip()
+    if not found:
+        raise ValueError(f"joint {element.get('name')!r}: {tag}: missing")
+    return found

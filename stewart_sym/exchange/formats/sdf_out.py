@@ -1,0 +1,121 @@
+"""A model as SDF, the format of Gazebo, which Drake reads too: a world with a model of links and joints."""
+
+import json
+import xml.etree.ElementTree as ET
+
+import numpy as np
+
+from ...io.array_types import Array
+from ...motion.rotation import rpy_from_rotation
+from ..chain import WORLD, Body, Joint, Model, Shape
+from .xml_text import NO_LIMIT, TENSOR, added, document
+
+NOTES = "stewart_sym:notes"
+_KINDS = {"prismatic": "prismatic", "revolute": "revolute", "universal": "universal", "spherical": "ball"}
+_PLUGIN = {
+    "filename": "gz-sim-apply-joint-force-system",
+    "name": "gz::sim::systems::ApplyJointForce",
+}
+
+
+def written(model: Model) -> tuple[str, None]:
+    """The file."""
+    root = ET.Element("sdf", {"version": "1.9", "xmlns:stewart_sym": "urn:stewart-sym"})
+    world = added(root, "world", name="scene")
+    added(world, "gravity", model.gravity)
+    light = added(world, "light", name="light", type="directional")
+    added(light, "direction", "0.2 0.3 -1")
+    inside = added(world, "model", name=_allowed(model.name))
+    base = added(inside, "link", name="base")
+    _shapes(base, model.body(WORLD))
+    fixed = added(inside, "joint", name="fixed_base", type="fixed")
+    added(fixed, "parent", "world")
+    added(fixed, "child", "base")
+    for body in model.bodies:
+        if body.name != WORLD:
+            _link(inside, body)
+    for joint in model.joints:
+        if joint.kind != "free":
+            _joint(inside, model, joint)
+    for joint in model.joints:
+        if joint.driven:
+            plugin = added(inside, "plugin", **_PLUGIN)
+            added(plugin, "joint_name", joint.name)
+    if model.notes:
+        added(inside, NOTES, json.dumps(model.notes))
+    return document(root), None
+
+
+def _allowed(name: str) -> str:
+    """A name of a model: ``::`` and surrounding ``__`` have a meaning of their own there."""
+    plain = name.replace("::", ":").strip("_")
+    return plain or "machine"
+
+
+def _link(parent: ET.Element, body: Body) -> None:
+    link = added(parent, "link", name=body.name)
+    added(link, "pose", _pose(body.t, body.R))
+    inertial = added(link, "inertial")
+    added(inertial, "pose", _pose(body.center, np.eye(3)))
+    added(inertial, "mass", body.mass)
+    inertia = added(inertial, "inertia")
+    for key, place in TENSOR.items():
+        added(inertia, key, body.inertia[place])
+    _shapes(link, body)
+
+
+def _pose(place: Array, R: Array) -> Array:
+    return np.concatenate([place, rpy_from_rotation(R)])
+
+
+def _joint(parent: ET.Element, model: Model, joint: Joint) -> None:
+    element = added(parent, "joint", name=joint.name, type=_KINDS[joint.kind])
+    added(element, "parent", "base" if joint.parent == WORLD else joint.parent)
+    added(element, "child", joint.child)
+    if joint.point.any():
+        added(element, "pose", _pose(joint.point, np.eye(3)))
+    for number, (axis, local) in enumerate(zip(joint.axes, model.local_axes(joint), strict=True)):
+        turned = added(element, "axis2" if number else "axis")
+        if number or joint.kind == "prismatic":
+            added(turned, "xyz", local)
+        else:
+            added(turned, "xyz", axis, expressed_in="__model__")
+        dynamics = added(turned, "dynamics")
+        added(dynamics, "damping", joint.damping)
+        _limits(turned, joint)
+
+
+def _limits(axis: ET.Element, joint: Joint) -> None:
+    limit = added(axis, "limit")
+    if joint.limited:
+        added(limit, "lower", joint.limits[0] - joint.position)
+        added(limit, "upper", joint.limits[1] - joint.position)
+    else:
+        # Both elements are required.
+        added(limit, "lower", -NO_LIMIT)
+        added(limit, "upper", NO_LIMIT)
+    if np.isfinite(joint.effort):
+        added(limit, "effort", joint.effort)
+    if np.isfinite(joint.speed):
+        added(limit, "velocity", joint.speed)
+
+
+def _shapes(link: ET.Element, body: Body) -> None:
+    color = [*body.color, 1.0]
+    for number, shape in enumerate(body.shapes, 1):
+        for tag in ("visual", "collision"):
+            element = added(link, tag, name=f"{tag}_{number}")
+            added(element, "pose", _pose(shape.middle, shape.frame))
+            _geometry(element, shape)
+            if tag == "visual":
+                material = added(element, "material")
+                added(material, "ambient", color)
+                added(material, "diffuse", color)
+
+
+def _geometry(element: ET.Element, shape: Shape) -> None:
+    geometry = added(element, "geometry")
+    kind = added(geometry, "cylinder" if shape.length else "sphere")
+    added(kind, "radius", shape.radius)
+    if shape.length:
+        added(kind, "length", shape.length)

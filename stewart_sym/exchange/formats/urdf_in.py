@@ -1,0 +1,178 @@
+"""URDF, the format of ROS, and the file of its loops as a model."""
+
+import json
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ...io import tables
+from ...io.array_types import Array
+from ...motion.rotation import rotation_from_rpy
+from ...robot.fields import direction
+from ..chain import WORLD, Body, Joint, Model
+from .xml_text import interval, largest, name_of, number, numbers, tensor
+
+_KINDS = {
+    "prismatic": "prismatic",
+    "revolute": "revolute",
+    "continuous": "revolute",
+    "fixed": "fixed",
+    "floating": "free",
+}
+_ZERO = (0.0, 0.0, 0.0)
+_FILE_KEYS = ("generator", "gravity_m_s2", "closures", "armature_kg", "notes")
+_CLOSURE_KEYS = ("name", "type", "link_1", "point_1_m", "link_2", "point_2_m", "damping_N_m_s")
+
+
+def model(root: ET.Element, loops: str | None) -> Model:
+    """The model; ValueError of one line says what of the files can't be read, and where."""
+    bodies, joints = _tree(root)
+    if loops is None:
+        raise ValueError("expected its loops in a second file beside it, NAME.loops.json, got none")
+    given = _loops(loops)
+    names = {body.name for body in bodies}
+    closures = [_closure(each, i, names) for i, each in enumerate(given.get("closures", ()), 1)]
+    armature = given.get("armature_kg", {})
+    joints = [
+        replace(joint, armature=tables.not_negative(armature[joint.name], f"armature_kg: {joint.name}"))
+        if joint.name in armature
+        else joint
+        for joint in joints
+    ]
+    gravity = tables.vector(given["gravity_m_s2"], "gravity_m_s2") if "gravity_m_s2" in given else None
+    notes = given.get("notes", {})
+    return Model(root.get("name", ""), gravity, tuple(bodies), (*joints, *closures), notes)
+
+
+def _loops(text: str) -> dict[str, Any]:
+    try:
+        given = json.loads(text)
+    except (ValueError, RecursionError):
+        raise ValueError("loops: expected JSON") from None
+    found = tables.checked_table(given, "loops: ", _FILE_KEYS)
+    if not isinstance(found.get("closures", []), list):
+        raise ValueError("loops: closures: expected a list")
+    for key in ("armature_kg", "notes"):
+        if not isinstance(found.get(key, {}), dict):
+            raise ValueError(f"loops: {key}: expected a table")
+    return found
+
+
+def _closure(given: object, number_: int, names: set[str]) -> Joint:
+    where = f"loops: closure {number_}: "
+    table = tables.checked_table(given, where, _CLOSURE_KEYS, ("link_1", "point_1_m", "link_2", "point_2_m"))
+    kind = tables.choice(table.get("type", "spherical"), ("spherical", "fixed"), f"{where}type")
+    for key in ("link_1", "link_2"):
+        if table[key] not in names:
+            raise ValueError(f"{where}{key}: link {table[key]!r}: missing")
+    return Joint(
+        str(table.get("name", f"closure {number_}")),
+        kind,
+        table["link_1"],
+        table["link_2"],
+        tables.vector(table["point_2_m"], f"{where}point_2_m"),
+        damping=tables.not_negative(table.get("damping_N_m_s", 0.0), f"{where}damping_N_m_s"),
+        cut=True,
+        parent_point=tables.vector(table["point_1_m"], f"{where}point_1_m"),
+    )
+
+
+def _tree(root: ET.Element) -> tuple[list[Body], list[Joint]]:
+    """Bodies, each after what carries it, and joints; the root is the world, beside itself by name."""
+    links = {name_of(each, "robot"): each for each in root.findall("link")}
+    carried: dict[str, ET.Element] = {}
+    for each in root.findall("joint"):
+        name = name_of(each, "robot")
+        for end in ("parent", "child"):
+            if _end(each, end) not in links:
+                raise ValueError(f"joint {name!r}: {end}: link {_end(each, end)!r}: missing")
+        child = _end(each, "child")
+        if child in carried:
+            raise ValueError(f"link {child!r}: expected one joint that carries it, got two")
+        carried[child] = each
+    roots = [name for name in links if name not in carried]
+    if len(roots) != 1:
+        got = ", ".join(map(repr, roots)) or "none"
+        raise ValueError(f"expected one link that no joint carries, got {got}")
+    (root_name,) = roots
+    placed = {root_name: _body(links[root_name], np.eye(3), np.zeros(3))}
+    bodies, joints = list(placed.values()), []
+    if root_name != WORLD:
+        bodies.insert(0, Body(WORLD))
+        joints.append(Joint(f"{root_name}, fixed", "fixed", WORLD, root_name))
+    waiting = list(carried.values())
+    while waiting:
+        ready = [each for each in waiting if _end(each, "parent") in placed]
+        if not ready:
+            raise ValueError(f"joint {waiting[0].get('name')!r}: expected a tree, got a circle")
+        for each in ready:
+            body, joint = _carried(each, links, placed[_end(each, "parent")])
+            placed[body.name] = body
+            bodies.append(body)
+            joints.append(joint)
+        waiting = [each for each in waiting if each not in ready]
+    order = [each.get("name") for each in root.findall("joint")]
+    return bodies, sorted(joints, key=lambda joint: order.index(joint.name) if joint.name in order else -1)
+
+
+def _carried(element: ET.Element, links: dict[str, ET.Element], parent: Body) -> tuple[Body, Joint]:
+    """A link with the joint that carries it."""
+    name, kind = element.attrib["name"], element.get("type", "")
+    where = f"joint {name!r}"
+    if kind not in _KINDS:
+        raise ValueError(f"{where}: expected type {', '.join(_KINDS)}, got {kind!r}")
+    turn, place = _origin(element, where)
+    still = np.array_equal(parent.R, np.eye(3))
+    R, t = (turn, parent.t + place) if still else (parent.R @ turn, parent.placed(place))
+    if not turn.any() or np.array_equal(turn, np.eye(3)):
+        R = parent.R
+    child = _end(element, "child")
+    body = _body(links[child], R, t)
+    joint = Joint(name, _KINDS[kind], parent.name, child)
+    if joint.kind in ("fixed", "free"):
+        return body, joint
+    axis = element.find("axis")
+    local = numbers(None if axis is None else axis.get("xyz"), 3, f"{where}: axis", (1.0, 0.0, 0.0))
+    limit, dynamics = element.find("limit"), element.find("dynamics")
+    damping = 0.0 if dynamics is None else number(dynamics.get("damping"), f"{where}: damping", 0.0)
+    joint = replace(joint, axes=(R @ direction(local, f"{where}: axis"))[None], damping=damping)
+    if limit is None or kind != "prismatic":
+        return body, joint
+    return body, replace(
+        joint,
+        limits=interval(limit.get("lower"), limit.get("upper"), where),
+        effort=largest(limit.get("effort"), f"{where}: effort"),
+        speed=largest(limit.get("velocity"), f"{where}: velocity"),
+    )
+
+
+def _body(link: ET.Element, R: Array, t: Array) -> Body:
+    name = link.attrib["name"]
+    given = link.find("inertial")
+    if given is None:
+        return Body(name, R, t)
+    where = f"link {name!r}: inertial"
+    turn, center = _origin(given, where)
+    mass, inertia = given.find("mass"), given.find("inertia")
+    found = tensor(ET.Element("none").get if inertia is None else inertia.get, where)
+    if not np.array_equal(turn, np.eye(3)):
+        found = turn @ found @ turn.T
+    heavy = number(None if mass is None else mass.get("value"), f"{where}: mass")
+    return Body(name, R, t, heavy, center, found)
+
+
+def _origin(element: ET.Element, where: str) -> tuple[Array, Array]:
+    """Orientation and position."""
+    origin = element.find("origin")
+    if origin is None:
+        return np.eye(3), np.zeros(3)
+    angles = numbers(origin.get("rpy"), 3, f"{where}: rpy", _ZERO)
+    R = rotation_from_rpy(angles) if angles.any() else np.eye(3)
+    return R, numbers(origin.get("xyz"), 3, f"{where}: xyz", _ZERO)
+
+
+def _end(joint: ET.Element, end: str) -> str:
+    found = joint.find(end)
+    return "" if found is None else found.get("link", "")

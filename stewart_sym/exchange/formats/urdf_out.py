@@ -1,0 +1,135 @@
+"""A model as URDF, the format of ROS, with a file beside it for what that has no place for: its loops.
+
+URDF has joints with one axis alone: a universal joint is two with a link without mass between them.
+"""
+
+import xml.etree.ElementTree as ET
+from typing import Any
+
+import numpy as np
+
+from ...io.array_types import Array
+from ...io.json_text import json_text
+from ...motion.rotation import rpy_from_rotation
+from ..chain import WORLD, Body, Joint, Model, Shape, in_single_axes
+from .xml_text import NO_LIMIT, TENSOR, added, document
+
+ROOT = "base"
+"""Link that is fixed to the world."""
+GENERATOR = "stewart-sym export"
+_KINDS = {"prismatic": "prismatic", "revolute": "continuous", "free": "floating"}
+
+
+def written(model: Model) -> tuple[str, str]:
+    """The file and that of its loops."""
+    tree = in_single_axes(model, ("universal", "spherical"), lambda joint, body: Body(""))
+    root = ET.Element("robot", name=model.name)
+    # By this name, simulators find that the base does not move.
+    added(root, "link", name=WORLD)
+    held = added(root, "joint", name="fixed_base", type="fixed")
+    added(held, "parent", link=WORLD)
+    added(held, "child", link=ROOT)
+    for body in tree.bodies:
+        _link(root, body)
+    for joint in tree.joints:
+        if not joint.cut:
+            _joint(root, tree, joint)
+    for joint in tree.joints:
+        if joint.driven:
+            _transmission(root, joint)
+    return document(root), json_text(_loops(model))
+
+
+def _loops(model: Model) -> dict[str, Any]:
+    """What closes the loops, and what else the format has no place for."""
+    closures = [
+        {
+            "name": joint.name,
+            "type": joint.kind,
+            "link_1": joint.parent,
+            "point_1_m": joint.parent_point,
+            "link_2": joint.child,
+            "point_2_m": joint.point,
+            "damping_N_m_s": joint.damping,
+        }
+        for joint in model.joints
+        if joint.cut
+    ]
+    return {
+        "generator": GENERATOR,
+        "gravity_m_s2": model.gravity,
+        "closures": closures,
+        "armature_kg": {joint.name: joint.armature for joint in model.joints if joint.armature},
+        "notes": model.notes,
+    }
+
+
+def _link(root: ET.Element, body: Body) -> None:
+    link = added(root, "link", name=_name(body.name))
+    if body.mass:
+        inertial = added(link, "inertial")
+        added(inertial, "origin", xyz=body.center, rpy=np.zeros(3))
+        added(inertial, "mass", value=body.mass)
+        added(inertial, "inertia", **{key: body.inertia[place] for key, place in TENSOR.items()})
+    for shape in body.shapes:
+        for tag in ("visual", "collision"):
+            element = added(link, tag)
+            added(element, "origin", xyz=shape.middle, rpy=rpy_from_rotation(shape.frame))
+            _geometry(element, shape)
+            if tag == "visual":
+                added(
+                    added(element, "material", name=body.name.partition("_")[0]),
+                    "color",
+                    rgba=[*body.color, 1.0],
+                )
+
+
+def _geometry(element: ET.Element, shape: Shape) -> None:
+    geometry = added(element, "geometry")
+    if shape.length:
+        added(geometry, "cylinder", radius=shape.radius, length=shape.length)
+    else:
+        added(geometry, "sphere", radius=shape.radius)
+
+
+def _joint(root: ET.Element, model: Model, joint: Joint) -> None:
+    parent, child = model.body(joint.parent), model.body(joint.child)
+    kind = _KINDS[joint.kind]
+    element = added(root, "joint", name=joint.name, type=kind)
+    added(element, "parent", link=_name(joint.parent))
+    added(element, "child", link=_name(joint.child))
+    place, turn = _relative(parent, child, joint, model)
+    added(element, "origin", xyz=place, rpy=turn)
+    for axis in model.local_axes(joint):
+        added(element, "axis", xyz=axis)
+    if joint.kind != "free":
+        added(element, "dynamics", damping=joint.damping, friction=0.0)
+    if joint.kind == "prismatic":
+        low, high = np.array(joint.limits) - joint.position if joint.limited else (-NO_LIMIT, NO_LIMIT)
+        effort, speed = min(joint.effort, NO_LIMIT), min(joint.speed, NO_LIMIT)
+        added(element, "limit", lower=low, upper=high, effort=effort, velocity=speed)
+
+
+def _relative(parent: Body, child: Body, joint: Joint, model: Model) -> tuple[Array, Array]:
+    """Position and roll, pitch, yaw of the child's frame in the parent's."""
+    axes = model.local_axes(joint)
+    along = joint.position * axes[0] if joint.kind == "prismatic" else np.zeros(3)
+    place = child.t if parent.name == WORLD else parent.local(child.t)
+    if not np.abs(place - along).max() > 1e-12 * np.abs(place).max():
+        place = along
+    same = np.array_equal(parent.R, child.R)
+    return place, np.zeros(3) if same else rpy_from_rotation(parent.R.T @ child.R)
+
+
+def _transmission(root: ET.Element, joint: Joint) -> None:
+    """An actuator of force on a joint, as ROS's controllers look for it."""
+    element = added(root, "transmission", name=f"{joint.name}_transmission")
+    added(element, "type", "transmission_interface/SimpleTransmission")
+    driven = added(element, "joint", name=joint.name)
+    added(driven, "hardwareInterface", "hardware_interface/EffortJointInterface")
+    actuator = added(element, "actuator", name=f"{joint.name}_actuator")
+    added(actuator, "mechanicalReduction", "1")
+
+
+def _name(body: str) -> str:
+    return ROOT if body == WORLD else body

@@ -1,0 +1,176 @@
+"""A robot as bodies and joints, at its home pose: six legs, the platform free, six closures at its points."""
+
+import warnings
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from ..io.array_types import Array
+from ..plausibility.level_poses import level_home
+from ..robot.bodies import tensors_of_bodies
+from ..robot.fields import LEGS, legs_text
+from ..robot.robot import PhysicalityWarning, Robot, impossible_inertias, inertia_fault
+from .chain import WORLD, Body, Joint, Model, Shape, frame_along
+
+_LEAST_SINE = 1e-6
+_ROUNDING = 1e-9
+_LOWER, _UPPER, _POINT, _PLATE, _RIM = 0.03, 0.02, 0.035, 0.03, 1.1
+"""Radii of parts and points, and the plates' thickness, over a leg; the plates' radius over the joints'."""
+_PART = 0.55
+"""Length of both parts over the longest leg, or over 1.4 times the leg at home where no limit is stated."""
+_REACH = 1.4
+_FAULTY, _THIN = 1e-2, 1e-6
+"""Least second moment of mass over the largest, of impossible bodies and of those without a thickness."""
+
+
+def model_of(robot: Robot) -> Model:
+    """The machine at its home pose, or at the level one where legs are near the middle of their lengths.
+
+    Raises ValueError where a leg lies along its fixed axis there.
+    """
+    t = level_home(robot)
+    S = t + robot.p - robot.b
+    L = np.linalg.norm(S, axis=-1)
+    frames = _leg_frames(robot, S / L[:, None])
+    bodies = [Body(WORLD, shapes=_plate(robot.b, float(L.mean())))]
+    joints, closures = [], []
+    for i, (frame, length) in enumerate(zip(frames, L, strict=True)):
+        lower, upper = _parts(robot, i, frame, float(length))
+        base, actuator = _leg_joints(robot, i, frame, float(length))
+        bodies += [lower, upper]
+        joints += [base, actuator]
+        closures.append(
+            Joint(
+                f"tip_{i + 1}",
+                "spherical",
+                upper.name,
+                "platform",
+                point=robot.p[i],
+                damping=float(robot.C_s[i]),
+                cut=True,
+            )
+        )
+    shapes = _plate(robot.p, float(L.mean()))
+    bodies.append(Body("platform", np.eye(3), t, robot.M, robot.R_0, robot.I_p, shapes))
+    joints.append(Joint("free", "free", WORLD, "platform"))
+    return Model(robot.name, robot.g, tuple(bodies), (*joints, *closures))
+
+
+def possible(robot: Robot, reader: str) -> Robot:
+    """The robot with inertias that bodies can have, which ``reader`` needs.
+
+    Raises ValueError that names the part whose inertia no body can have, unless the robot accepts it by
+    ``accept``; the tensor is then the nearest possible one, and a warning says so.
+    """
+    faults = impossible_inertias(robot)
+    for name, text in faults:
+        if name not in robot.accept:
+            raise ValueError(
+                f'{text}: {reader} rejects it; correct it, or let the robot file accept "{name}" '
+                "to have the nearest possible tensor written"
+            )
+        warnings.warn(
+            f"{text}: {reader} rejects it, the nearest possible tensor is written [{name}]",
+            PhysicalityWarning,
+            stacklevel=4,
+        )
+    return robot_of_bodies(robot)
+
+
+def robot_of_bodies(robot: Robot) -> Robot:
+    """The robot with tensors near its own that bodies with an extent in all directions have."""
+    platform = _of_body(robot.I_p)
+    lower, upper = (np.array([_of_body(tensor) for tensor in each]) for each in (robot.I_d0, robot.I_u0))
+    return replace(robot, I_p=platform, I_d0=lower, I_u0=upper)
+
+
+def _of_body(inertia: Array) -> Array:
+    """A tensor, (3, 3): what no body has is changed by more than a rod without thickness."""
+    return tensors_of_bodies(inertia, _FAULTY if inertia_fault(inertia) else _THIN)
+
+
+def _leg_frames(robot: Robot, s: Array) -> Array:
+    """Frames of the legs, (6, 3, 3), x along s; y along the universal joint's second axis."""
+    if robot.base_joint == "spherical":
+        return np.array([np.roll(frame_along(each), 1, axis=-1) for each in s])
+    y = np.cross(robot.k, s)
+    sine = np.linalg.norm(y, axis=-1, keepdims=True)
+    bad = [i for i in range(LEGS) if sine[i] < _LEAST_SINE]
+    if bad:
+        raise ValueError(f"{legs_text(bad)}: expected a fixed axis across the leg at home, got one along it")
+    y = y / sine
+    return np.stack([s, y, np.cross(s, y)], axis=-1)
+
+
+def _parts(robot: Robot, i: int, frame: Array, length: float) -> tuple[Body, Body]:
+    longest = robot.length_limits[i, 1]
+    part = _short(_PART * (longest if np.isfinite(longest) else _REACH * length))
+    end, start = np.array([part, 0.0, 0.0]), np.zeros(3)
+    lower = Body(
+        f"lower_{i + 1}",
+        frame,
+        robot.b[i],
+        float(robot.m_d[i]),
+        robot.r_d0[i],
+        robot.I_d0[i],
+        (Shape(_short(_LOWER * length), start, end),),
+    )
+    upper = Body(
+        f"upper_{i + 1}",
+        frame,
+        lower.placed(np.array([length, 0.0, 0.0])),
+        float(robot.m_u[i]),
+        robot.r_u0[i],
+        robot.I_u0[i],
+        (Shape(_short(_UPPER * length), -end, start),),
+    )
+    return lower, upper
+
+
+def _leg_joints(robot: Robot, i: int, frame: Array, length: float) -> tuple[Joint, Joint]:
+    universal = robot.base_joint == "universal"
+    axes = np.stack([robot.k[i], frame[:, 1]]) if universal else np.zeros((0, 3))
+    base = Joint(
+        f"base_{i + 1}",
+        robot.base_joint,
+        WORLD,
+        f"lower_{i + 1}",
+        axes=axes,
+        damping=float(robot.C_u[i]),
+    )
+    low, high = (float(limit) for limit in robot.length_limits[i])
+    actuator = Joint(
+        f"leg_{i + 1}",
+        "prismatic",
+        f"lower_{i + 1}",
+        f"upper_{i + 1}",
+        axes=frame[:, :1].T,
+        damping=float(robot.C_p[i]),
+        armature=0.0 if robot.drive is None else float(robot.drive.reflected_mass[i]),
+        position=length,
+        limits=(low, high),
+        effort=float(robot.force_limit[i]),
+        speed=float(robot.speed_limit[i]),
+        driven=True,
+    )
+    return base, actuator
+
+
+def _plate(points: Array, length: float) -> tuple[Shape, ...]:
+    """A round plate through the joint points, (6, 3), and a ball at each."""
+    middle = points.mean(axis=0)
+    normal = np.linalg.svd(points - middle)[2][2]
+    half = 0.5 * _PLATE * length * normal
+    rim = _RIM * float(np.linalg.norm(points - middle, axis=-1).max())
+    balls = tuple(Shape(_short(_POINT * length), point, point) for point in points)
+    # Coordinates that are rounding compared with the plate are zero.
+    ends = (
+        np.where(np.abs(end) < _ROUNDING * rim, 0.0, _short(end)) for end in (middle - half, middle + half)
+    )
+    return (Shape(_short(rim), *ends), *balls)
+
+
+def _short(values: Any) -> Any:
+    """Numbers with four digits: of drawings."""
+    return np.vectorize(lambda value: float(f"{value:.4g}"), otypes=[float])(values)[()]

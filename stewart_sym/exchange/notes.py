@@ -1,0 +1,114 @@
+"""Fields of a robot that the file of another program notes, as JSON, being less exact or missing otherwise.
+
+Where the model itself says otherwise, as after a change by hand, the model is right.
+"""
+
+import json
+from collections.abc import Mapping
+from dataclasses import fields, replace
+from typing import Any
+
+import numpy as np
+
+from ..io.json_text import json_text
+from ..robot.drive import Drive, drive_of_tables, drive_tables
+from ..robot.robot import Robot
+from .chain import Model
+
+_ROUNDING = 1e-9
+_FIELDS = tuple(field.name for field in fields(Robot))
+_SILENT = ("name", "accept", "home", "tool", "euler_order", "lengths")
+"""Fields that no body or joint of a model says otherwise than a note."""
+_LIMITS = ("length_limits", "force_limit", "speed_limit")
+_UNSTATED = {"C_u": 0.0, "C_p": 0.0, "C_s": 0.0, "force_limit": np.inf, "speed_limit": np.inf}
+"""Fields as they are where a format has no place for them."""
+
+
+def parsed_notes(text: str | None, where: str) -> dict[str, Any]:
+    """Fields by name; empty without a text."""
+    if text is None:
+        return {}
+    try:
+        found = json.loads(text)
+    except (ValueError, RecursionError):
+        raise ValueError(f"{where}: expected JSON") from None
+    if not isinstance(found, dict):
+        raise ValueError(f"{where}: expected a table")
+    return found
+
+
+def differences(robot: Robot, other: Robot) -> dict[str, Any]:
+    """Fields of a robot that are not those of another."""
+    found = {}
+    for name in _FIELDS:
+        one, two = getattr(robot, name), getattr(other, name)
+        same = np.array_equal(one, two) if _arrays(one, two) else type(one) is type(two) and one == two
+        if not same:
+            found[name] = one
+    return found
+
+
+def noted(found: Mapping[str, Any]) -> dict[str, Any]:
+    """Fields as plain values, null for a limit that is missing."""
+    given = {
+        name: drive_tables(value) if isinstance(value, Drive) else value for name, value in found.items()
+    }
+    plain: dict[str, Any] = json.loads(json_text(given))
+    return plain
+
+
+def _arrays(one: object, two: object) -> bool:
+    return isinstance(one, np.ndarray) and isinstance(two, np.ndarray)
+
+
+def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
+    """The robot with the fields that the file notes, where the model itself does not say otherwise."""
+    taken, said = {}, []
+    for name, noted in model.notes.items():
+        if name not in _FIELDS:
+            raise ValueError(f"notes: {name!r}: expected a field of a robot")
+        taken[name] = noted = _restored(name, noted)
+        found = getattr(robot, name)
+        if name not in _SILENT and not _near(found, noted) and not _unstated(name, found):
+            del taken[name]
+            said.append(f"{name}: the model says otherwise than the note, the model is taken")
+    try:
+        return replace(robot, **taken), said
+    except ValueError as error:
+        raise ValueError(f"notes: {error}") from None
+
+
+def _restored(name: str, noted: Any) -> Any:
+    """A note's value as a field has it: a limit that is missing is infinite."""
+    if name in _LIMITS:
+        given = np.array(noted, dtype=np.float64)
+        return np.where(np.isnan(given), np.inf, given)
+    if name == "drive":
+        if not isinstance(noted, list):
+            raise ValueError("notes: drive: expected a list")
+        return drive_of_tables({}, [{"drive": table} for table in noted], "notes: ", float, False)
+    return tuple(noted) if name == "accept" and isinstance(noted, list) else noted
+
+
+def _near(found: Any, noted: Any) -> bool:
+    if isinstance(found, Drive) and isinstance(noted, Drive):
+        found, noted = found.reflected_mass, noted.reflected_mass
+    try:
+        given = np.asarray(noted, dtype=np.float64)
+    except (TypeError, ValueError):
+        return False
+    if np.shape(found) != given.shape:
+        return False
+    found = np.asarray(found)
+    finite = np.isfinite(found)
+    largest = np.abs(found[finite]).max(initial=0.0)
+    return bool(np.allclose(found, given, rtol=0.0, atol=_ROUNDING * largest, equal_nan=True))
+
+
+def _unstated(name: str, found: Any) -> bool:
+    """Whether a field is as it is where a format has no place for it."""
+    if name == "drive":
+        return found is None
+    if name == "length_limits":
+        return bool(np.all(found == np.array([0.0, np.inf])))
+    return name in _UNSTATED and bool(np.all(found == _UNSTATED[name]))

@@ -1,0 +1,275 @@
+"""The robot that a model is, and what had to be assumed."""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from ..io.arguments import printable
+from ..io.array_types import Array
+from ..robot.drive import Drive
+from ..robot.fields import DEFAULT_GRAVITY, legs_text
+from ..robot.robot import Robot
+from .chain import Body, Joint, Model, same_frame
+from .notes import with_notes
+from .topology import Leg, Machine, Step, machine_of
+
+_OPEN = 1e-3
+"""How far joints may be from where they belong, over the leg's length, and directions, rad."""
+_SAID = 1e-9
+"""From where on that is said."""
+_ROUNDING = 1e-9
+_LEAD = 0.005
+"""Of a screw where a model has an armature alone, m."""
+
+
+def robot_of(model: Model) -> tuple[Robot, tuple[str, ...]]:
+    """The robot and what was assumed, a line each; ValueError says what is no Stewart platform and where."""
+    machine = machine_of(model)
+    said: list[str] = []
+    legs = [_Leg(machine, leg, i, said) for i, leg in enumerate(machine.legs, 1)]
+    kinds = [leg.base_joint for leg in legs]
+    if len(set(kinds)) != 1:
+        odd = [i for i, kind in enumerate(kinds) if kind != kinds[0]]
+        raise ValueError(f"{legs_text(odd)}: expected a {kinds[0]} joint at the base as leg 1 has")
+    off = max(leg.off for leg in legs)
+    if off > _SAID:
+        said.insert(0, f"axes and loops are off by up to {off:.2g} rad or of a leg, taken as exact")
+    platform = machine.bodies[machine.platform]
+    _need_mass(platform, "the platform")
+    level = same_frame(platform.R, np.eye(3))
+    lines = [_who(machine), f"base frame: the world's; platform frame: that of {machine.platform!r}"]
+    if model.gravity is None:
+        lines.append("gravity: not in the file, (0, 0, -9.81) m/s^2 is taken")
+    found: dict[str, Any] = {
+        "name": printable(model.name).strip() or "imported",
+        "base_joint": kinds[0],
+        "g": np.array(DEFAULT_GRAVITY) if model.gravity is None else model.gravity,
+        "M": platform.mass,
+        "R_0": platform.center,
+        "I_p": platform.inertia,
+        "home": platform.t if level else None,
+        **{key: [leg.values[key] for leg in legs] for key in legs[0].values},
+    }
+    robot = Robot(**found, drive=_drive(legs, said))
+    robot, kept = with_notes(robot, model)
+    if robot.home is not None:
+        lines.append("home: the pose in the file")
+    elif not level:
+        lines.append("home: none, as the platform is not level in the file")
+    left_out = [f"left out: {text}" for text in model.left_out]
+    return robot, tuple(lines + said + left_out + kept)
+
+
+def _who(machine: Machine) -> str:
+    legs = ", ".join(f"{i} {leg.lower!r} {leg.upper!r}" for i, leg in enumerate(machine.legs, 1))
+    return f"legs in the order of the file: {legs}"
+
+
+def _drive(legs: Sequence["_Leg"], said: list[str]) -> Drive | None:
+    """Drives whose rotors resist as the armatures of the slides do; None where there are none."""
+    armature = np.array([leg.leg.slide.joint.armature for leg in legs])
+    if not armature.any():
+        return None
+    said.append(f"armatures of the slides: rotors behind screws with a lead of {_LEAD:g} m")
+    return Drive(lead=np.full(len(legs), _LEAD), rotor_inertia=armature * (_LEAD / (2.0 * np.pi)) ** 2)
+
+
+def _need_mass(body: Body, what: str) -> None:
+    if not body.mass > 0.0:
+        raise ValueError(f"{what}: body {body.name!r}: expected a mass > 0, got {body.mass:g}")
+
+
+class _Leg:
+    """Fields of one leg of a robot, numbers from 1; lines of what was assumed are appended to ``said``."""
+
+    def __init__(self, machine: Machine, leg: Leg, number: int, said: list[str]) -> None:
+        self.machine, self.leg, self.number, self.said = machine, leg, number, said
+        self.lower, self.upper = machine.bodies[leg.lower], machine.bodies[leg.upper]
+        for body in (self.lower, self.upper):
+            _need_mass(body, f"leg {number}")
+        self.p = machine.point(leg.tip[-1], machine.platform)
+        self.off = 0.0
+        self.apart: list[tuple[float, Sequence[Step]]] = []
+        self.b, tip = self._common(leg.base), self._common(leg.tip)
+        S = tip - self.b
+        self.L = float(np.linalg.norm(S))
+        if not self.L > 0.0:
+            raise ValueError(f"leg {number}: expected a leg with a length, got 0 m")
+        self.s = S / self.L
+        self._need_closed()
+        k = self._axis()
+        self.base_joint = "spherical" if k is None else "universal"
+        self.sign = self._sign(leg.slide)
+        self.frame = self._frame(k)
+        self.values = {
+            "b": self.b,
+            "p": self.p,
+            "k": np.zeros(3) if k is None else k,
+            **self._part(self.lower, leg.base, "d", leg.crosses[0]),
+            **self._part(self.upper, leg.tip, "u", leg.crosses[1]),
+            "C_u": self._damping(leg.base),
+            "C_p": leg.slide.joint.damping,
+            "C_s": self._damping(leg.tip),
+            "length_limits": self._limits(leg.slide.joint),
+            "force_limit": leg.slide.joint.effort,
+            "speed_limit": leg.slide.joint.speed,
+        }
+        self._say(leg)
+
+    def _error(self, text: str) -> ValueError:
+        return ValueError(f"leg {self.number}: {text}")
+
+    def _common(self, steps: Sequence[Step]) -> Array:
+        """The point where the axes of joints meet, (3,), world frame."""
+        if len(steps) == 1:
+            return self.machine.place(steps[0])
+        points = np.array([self.machine.place(step) for step in steps for _ in step.axes])
+        axes = np.array([axis for step in steps for axis in step.axes])
+        if not np.all(np.isfinite(points @ points.T)):
+            raise self._error("expected points whose squares are finite")
+        across = np.eye(3) - axes[:, :, None] * axes[:, None, :]
+
+        def off(point: Array) -> float:
+            return float(np.linalg.norm(np.einsum("nij,nj->ni", across, point - points), axis=-1).max())
+
+        meeting = points[0] if off(points[0]) < _ROUNDING * np.abs(points).max(initial=1e-3) else None
+        if meeting is None:
+            right = np.einsum("nij,nj->i", across, points)
+            meeting = np.linalg.lstsq(across.sum(axis=0), right, rcond=None)[0]
+        self.apart.append((off(meeting), steps))
+        return np.asarray(meeting)
+
+    def _near(self, off: float, limit: float, where: str, expected: str, got: str) -> None:
+        """Reject what is far off, and note by how much what is not is so."""
+        if off > limit * _OPEN:
+            raise self._error(f"{where}: expected {expected}, got {got}")
+        self.off = max(self.off, off / limit)
+
+    def _need_closed(self) -> None:
+        """Reject axes that do not meet and loops that are open in the file's pose."""
+        for off, steps in self.apart:
+            where = f"joints {' and '.join(repr(step.joint.name) for step in steps)}"
+            self._near(off, self.L, where, "axes that meet", f"{off:.3g} m between them")
+        for each in (*self.leg.base, self.leg.slide, *self.leg.tip):
+            joint = each.joint
+            if joint.cut:
+                here = self.machine.placed[joint.parent].placed(joint.parent_point)
+                gap = float(np.linalg.norm(here - self.machine.place(each)))
+                where, expected = f"joint {joint.name!r}", "a loop that is closed in the pose of the file"
+                self._near(gap, self.L, where, expected, f"one open by {gap:.3g} m")
+
+    def _axis(self) -> Array | None:
+        """The fixed axis of a universal joint, (3,), None of a spherical one."""
+        axes = [axis for step in self.leg.base for axis in step.axes]
+        if len(axes) != 2:
+            return None
+        where = f"joint {self.leg.base[0].joint.name!r}"
+        for cosine, what in (
+            (axes[0] @ axes[1], "axes at right angles"),
+            (axes[1] @ self.s, "a second axis at right angles to the leg"),
+        ):
+            got = f"{np.degrees(np.arccos(min(1.0, abs(cosine)))):.7g} deg"
+            self._near(abs(float(cosine)), 1.0, where, what, got)
+        return np.asarray(axes[0])
+
+    def _sign(self, slide: Step) -> float:
+        """1 where the coordinate grows with the leg, else -1."""
+        (axis,) = slide.axes
+        along = float(axis @ self.s)
+        off = float(np.linalg.norm(axis - along * self.s))
+        expected = "sliding along the line between the ends"
+        got = f"{np.degrees(np.arcsin(min(1.0, off))):.3g} deg off"
+        self._near(off, 1.0, f"joint {slide.joint.name!r}", expected, got)
+        return 1.0 if along > 0.0 else -1.0
+
+    def _frame(self, k: Array | None) -> Array:
+        """Frame D, (3, 3), axes in columns; of legs with spherical joints any with x along the leg."""
+        if k is None:
+            own = self.lower.R
+            if np.abs(own[:, 0] - self.s).max() < _ROUNDING:
+                return own
+            k = np.eye(3)[np.argmin(np.abs(self.s))]
+        y = np.cross(k, self.s)
+        sine = float(np.linalg.norm(y))
+        if sine < _OPEN:
+            raise self._error("expected a fixed axis across the leg in the file's pose, got one along it")
+        y = y / sine
+        return np.stack([self.s, y, np.cross(self.s, y)], axis=-1)
+
+    def _part(self, body: Body, ends: Sequence[Step], part: str, crosses: Sequence[str]) -> dict[str, Any]:
+        """Mass, centre of mass and inertia of the lower part, "d", or the upper one, "u", in its frame."""
+        step = ends[-1] if part == "d" else ends[0]
+        origin = self.machine.point(step, body.name) if len(ends) == 1 else None
+        if origin is None:
+            origin = body.local(self.b if part == "d" else self.b + self.L * self.s)
+            origin = np.where(np.abs(origin) < _ROUNDING * self.L, 0.0, origin)
+        Q = body.R.T @ self.frame
+        center, inertia = body.center - origin, body.inertia
+        if not same_frame(Q, np.eye(3)):
+            center, inertia = Q.T @ center, Q.T @ inertia @ Q
+            inertia = 0.5 * (inertia + inertia.T)
+        if part == "d" and self.base_joint == "universal":
+            inertia = inertia + self._crosses(crosses)
+        elif any(self.machine.bodies[name].mass > 0.0 for name in crosses):
+            self.said.append(f"leg {self.number}: bodies between the axes of a spherical joint are left out")
+        if self.base_joint == "spherical":
+            center, inertia = self._round(center, inertia)
+        return {f"m_{part}": body.mass, f"r_{part}0": center, f"I_{part}0": inertia}
+
+    def _round(self, center: Array, inertia: Array) -> tuple[Array, Array]:
+        """A body that is one of revolution but for less than ``_OPEN`` as just that; others as they are."""
+        moments = np.diag(inertia)
+        if moments[1] != moments[2]:
+            moments = np.array([moments[0], *(2 * [0.5 * (moments[1] + moments[2])])])
+        line, whole = np.array([center[0], 0.0, 0.0]), np.diag(moments)
+        off = max(
+            float(np.abs(center - line).max()) / self.L, float(np.abs(inertia - whole).max() / moments.max())
+        )
+        if off > _OPEN:
+            return center, inertia
+        self.off = max(self.off, off)
+        return line, whole
+
+    def _crosses(self, crosses: Sequence[str]) -> Array | float:
+        """What a cross, which turns about the fixed axis alone, adds to the inertia of the lower part."""
+        added: Array | float = 0.0
+        k = np.array(next(axis for step in self.leg.base for axis in step.axes))
+        for body in (self.machine.bodies[name] for name in crosses):
+            if not body.mass and not body.inertia.any():
+                continue
+            arm = body.placed(body.center) - self.b
+            if np.linalg.norm(arm) > _OPEN * self.L:
+                raise self._error(f"body {body.name!r}: expected its centre of mass where the axes meet")
+            about = k @ body.R @ body.inertia @ body.R.T @ k
+            added = added + about * np.diag([1.0, 0.0, 1.0])
+            self.said.append(f"leg {self.number}: inertia of {body.name!r} counts as the lower part's")
+        return added
+
+    def _damping(self, steps: Sequence[Step]) -> float:
+        """Of joints at one end, whose axes have the same."""
+        found = [step.joint.damping for step in steps]
+        if max(found) - min(found) > _ROUNDING * max(found):
+            names = ", ".join(repr(step.joint.name) for step in steps)
+            self.said.append(f"leg {self.number}: joints {names}: the mean of their damping is taken")
+            return float(np.mean(found))
+        return found[0]
+
+    def _limits(self, joint: Joint) -> tuple[float, float]:
+        if not joint.limited:
+            return 0.0, np.inf
+        if not joint.limits[0] < joint.limits[1]:
+            got = f"{joint.limits[0]:g} to {joint.limits[1]:g}"
+            raise self._error(f"joint {joint.name!r}: expected limits from low to high, got {got}")
+        zero = self.L - self.sign * joint.position
+        if abs(zero) < _ROUNDING * self.L:
+            zero = 0.0
+        low, high = sorted(zero + self.sign * limit for limit in joint.limits)
+        return max(0.0, low), high
+
+    def _say(self, leg: Leg) -> None:
+        for step in (*leg.base, *leg.tip):
+            joint = step.joint
+            if joint.armature:
+                what = f"armature {joint.armature:g} of {joint.name!r}"
+                self.said.append(f"leg {self.number}: {what} is left out")

@@ -1,0 +1,199 @@
+"""A model as a Stewart platform: base, platform and six legs between them, found by how bodies are joined."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+from ..io.array_types import Array
+from ..robot import bodies
+from ..robot.fields import LEGS
+from .chain import WORLD, Body, Joint, Model
+
+_EXPECTED = (
+    "a universal or spherical joint, a prismatic joint and a spherical joint from the base to the platform"
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Step:
+    """A joint on the way from the base to the platform; ``forward``: from its parent to its child."""
+
+    joint: Joint
+    forward: bool
+    reached: str
+
+    @property
+    def axes(self) -> Array:
+        """Its axes, (n, 3), world frame, those nearer the base first."""
+        return self.joint.axes if self.forward else -self.joint.axes[::-1]
+
+
+@dataclass(frozen=True, eq=False)
+class Leg:
+    """A leg: joints at the base, the prismatic one, joints at the platform; its bodies, names.
+
+    crosses: bodies between the joints at the base and, second, at the platform.
+    """
+
+    base: tuple[Step, ...]
+    slide: Step
+    tip: tuple[Step, ...]
+    lower: str
+    upper: str
+    crosses: tuple[tuple[str, ...], tuple[str, ...]]
+
+
+@dataclass(frozen=True, eq=False)
+class Machine:
+    """The rigid bodies of a model by name, its platform and six legs.
+
+    placed: all bodies of the model; bodies: what is fixed together being one, by the first one's name and in
+    its frame; members: that name by the names of all.
+    """
+
+    placed: Mapping[str, Body]
+    bodies: Mapping[str, Body]
+    members: Mapping[str, str]
+    platform: str
+    legs: tuple[Leg, ...]
+
+    def point(self, step: Step, side: str) -> Array:
+        """Point of a joint, (3,), in the frame of one of the bodies that it joins."""
+        own, local = step.joint.child, step.joint.point
+        if step.joint.cut and self.members[step.joint.parent] == side:
+            own, local = step.joint.parent, step.joint.parent_point
+        return local if own == side else self.bodies[side].local(self.placed[own].placed(local))
+
+    def place(self, step: Step) -> Array:
+        """Point of a joint in the world, (3,), on its child's side."""
+        return self.placed[step.joint.child].placed(step.joint.point)
+
+
+def machine_of(model: Model) -> Machine:
+    """Find base, platform and legs; ValueError of one line says what is none of a Stewart platform's."""
+    _need_unique(model)
+    members = _members(model)
+    joints = [joint for joint in model.joints if joint.kind not in ("fixed", "free")]
+    around: dict[str, list[Joint]] = {}
+    for joint in joints:
+        ends = members[joint.parent], members[joint.child]
+        if ends[0] == ends[1]:
+            raise ValueError(f"joint {joint.name!r}: joins what is fixed together otherwise")
+        for end in ends:
+            around.setdefault(end, []).append(joint)
+    for joint in model.joints:
+        if joint.kind == "free" and WORLD not in (members[joint.parent], members[joint.child]):
+            raise ValueError(f"joint {joint.name!r}: expected a free joint to the base alone")
+    first = around.get(WORLD, [])
+    if not first:
+        raise ValueError("no joint at the base: expected legs on a base that is fixed to the world")
+    chains = [_chain(joint, members, around) for joint in first]
+    reached_by_all = {chain[-1].reached for chain in chains}
+    if len(chains) != LEGS or len(reached_by_all) != 1:
+        raise ValueError(
+            f"expected six legs from the base to one platform, got {_chains_text(chains, around)}"
+        )
+    (platform,) = reached_by_all
+    if len(around[platform]) != LEGS:
+        names = sorted(
+            {joint.name for joint in around[platform]} - {chain[-1].joint.name for chain in chains}
+        )
+        raise ValueError(f"joint {names[0]!r}: expected nothing but six legs at the platform {platform!r}")
+    reached = {WORLD, *(step.reached for chain in chains for step in chain)}
+    loose = sorted(set(members.values()) - reached)
+    if loose:
+        raise ValueError(f"body {loose[0]!r}: expected a part of a leg, the platform or the base")
+    legs = tuple(_leg(chain, i + 1) for i, chain in enumerate(chains))
+    placed = {body.name: body for body in model.bodies}
+    return Machine(placed, _merged(model, members), members, platform, legs)
+
+
+def _need_unique(model: Model) -> None:
+    names = [body.name for body in model.bodies]
+    twice = sorted({name for name in names if names.count(name) > 1})
+    if twice:
+        raise ValueError(f"body {twice[0]!r}: expected one body of that name, got {names.count(twice[0])}")
+    for joint in model.joints:
+        for end in (joint.parent, joint.child):
+            if end not in names:
+                raise ValueError(f"joint {joint.name!r}: body {end!r}: missing")
+
+
+def _members(model: Model) -> dict[str, str]:
+    """Of each body, the first of those that are fixed together with it; the world is first."""
+    found = {body.name: body.name for body in model.bodies}
+    order = {WORLD: -1} | {body.name: i for i, body in enumerate(model.bodies) if body.name != WORLD}
+    for joint in model.joints:
+        if joint.kind == "fixed":
+            one, other = sorted((found[joint.parent], found[joint.child]), key=lambda name: order[name])
+            found = {name: one if first == other else first for name, first in found.items()}
+    return found
+
+
+def _chain(first: Joint, members: Mapping[str, str], around: Mapping[str, Sequence[Joint]]) -> list[Step]:
+    """Joints from the base on, to the first body with other than two."""
+    steps, at, joint = [], WORLD, first
+    while True:
+        forward = members[joint.parent] == at
+        at = members[joint.child if forward else joint.parent]
+        steps.append(Step(joint, forward, at))
+        if len(around[at]) != 2 or at == WORLD:
+            return steps
+        joint = around[at][1] if around[at][0] is joint else around[at][0]
+
+
+def _chains_text(chains: Sequence[Sequence[Step]], around: Mapping[str, Sequence[Joint]]) -> str:
+    """What the chains are, shortly: how many reach which body."""
+    found: dict[str, int] = {}
+    for chain in chains:
+        end = chain[-1].reached
+        what = "back to the base" if end == WORLD else f"to {end!r}"
+        what = "that ends without one" if len(around[end]) == 1 else what
+        found[what] = found.get(what, 0) + 1
+    return ", ".join(f"{count} {what}" for what, count in found.items())
+
+
+def _leg(chain: Sequence[Step], number: int) -> Leg:
+    kinds = [step.joint.kind for step in chain]
+    slides = [i for i, kind in enumerate(kinds) if kind == "prismatic"]
+    if len(slides) == 1:
+        slide = slides[0]
+        base, tip = tuple(chain[:slide]), tuple(chain[slide + 1 :])
+        if _turns(base) in ("universal", "spherical") and _turns(tip) == "spherical":
+            between = tuple(step.reached for step in base[:-1]), tuple(step.reached for step in tip[:-1])
+            return Leg(base, chain[slide], tip, base[-1].reached, chain[slide].reached, between)
+    raise ValueError(f"leg {number}: expected {_EXPECTED}, got {_names(chain)}")
+
+
+def _names(chain: Sequence[Step]) -> str:
+    return ", ".join(f"{step.joint.kind} {step.joint.name!r}" for step in chain)
+
+
+def _turns(steps: Sequence[Step]) -> str:
+    """What joints at one end of a leg are together."""
+    kinds = [step.joint.kind for step in steps]
+    if kinds == ["spherical"]:
+        return "spherical"
+    if kinds and set(kinds) <= {"revolute", "universal"}:
+        return {2: "universal", 3: "spherical"}.get(sum(len(step.axes) for step in steps), "other")
+    return "other"
+
+
+def _merged(model: Model, members: Mapping[str, str]) -> dict[str, Body]:
+    """What is fixed together as one body, in the frame of the first."""
+    found = {}
+    for name in dict.fromkeys(members.values()):
+        parts = [body for body in model.bodies if members[body.name] == name]
+        first = model.body(name)
+        heavy = [part for part in parts if part.mass > 0.0]
+        if not heavy or heavy == [first]:
+            found[name] = first
+            continue
+        turned = [(part, first.R.T @ part.R) for part in heavy]
+        whole = bodies.joined(
+            [
+                bodies.Body(part.mass, first.local(part.placed(part.center)), Q @ part.inertia @ Q.T)
+                for part, Q in turned
+            ]
+        )
+        found[name] = replace(first, mass=whole.mass, center=whole.center_of_mass, inertia=whole.inertia)
+    return found

@@ -1,0 +1,95 @@
+"""``export`` and ``import`` write what they say, replace nothing of others, and need no extra."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from command_line import fails_in_one_line
+
+import stewart_sym as ss
+from stewart_sym.cli.main import main
+
+HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    (tmp_path / "hexapod.toml").write_bytes(HEXAPOD.read_bytes())
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.mark.parametrize("form", ["mjcf", "sdf", "urdf"])
+def test_a_robot_file_goes_out_and_comes_back(
+    form: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["export", "hexapod.toml", "--format", form, "-o", "machine.xml"]) == 0
+    files = "machine.xml, machine.loops.json" if form == "urdf" else "machine.xml"
+    assert capsys.readouterr().out == f"Written to {files}\n"
+    assert main(["import", "machine.xml", "-o", "back.toml"]) == 0
+    out, err = capsys.readouterr()
+    assert out.startswith("legs in the order of the file: 1 'lower_1' 'upper_1'")
+    assert err == ""
+    text = (folder / "back.toml").read_text(encoding="utf-8")
+    assert text.startswith("# Imported by stewart-sym from machine.xml.\n# legs in the order of the file")
+    assert ss.Robot.from_toml("back.toml").to_dict() == ss.Robot.from_toml("hexapod.toml").to_dict()
+    # Its own files are replaced.
+    assert main(["export", "back.toml", "--format", form, "-o", "machine.xml"]) == 0
+    assert main(["import", "machine.xml", "-o", "back.toml"]) == 0
+
+
+def test_figures_go_to_json(folder: Path) -> None:
+    assert main(["export", "hexapod.toml", "--format", "urdf", "-o", "m.urdf", "--json", "out.json"]) == 0
+    assert json.loads(Path("out.json").read_text())["files"] == ["m.urdf", "m.loops.json"]
+    assert main(["import", "m.urdf", "-o", "r.toml", "--json", "in.json"]) == 0
+    found = json.loads(Path("in.json").read_text())
+    assert found["robot"]["name"] == "hexapod"
+    assert found["assumptions"][0].startswith("legs")
+
+
+def test_nothing_of_others_is_replaced(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (folder / "m.loops.json").write_text("mine")
+    export = ["export", "hexapod.toml", "--format", "urdf", "-o", "m.urdf"]
+    assert "m.loops.json: exists with other content" in fails_in_one_line(capsys, *export)
+    assert not (folder / "m.urdf").exists()
+    over = ["export", "hexapod.toml", "--format", "mjcf", "-o", "hexapod.toml", "--force"]
+    assert "is an input" in fails_in_one_line(capsys, *over)
+    assert main([*export, "--force"]) == 0
+    capsys.readouterr()
+    for place, said in (("hexapod.toml", "exists with other content"), ("m.urdf", "is an input")):
+        assert said in fails_in_one_line(capsys, "import", "m.urdf", "-o", place)
+
+
+def test_two_files_do_not_go_to_standard_output(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    export = ["export", "hexapod.toml", "--format"]
+    assert "-o -: expected a file" in fails_in_one_line(capsys, *export, "urdf", "-o", "-")
+    assert main([*export, "usd", "-o", "-"]) == 0
+    assert capsys.readouterr().out.startswith("#usda 1.0\n")
+
+
+def test_a_part_that_simulators_reject_is_named_with_the_file(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = HEXAPOD.read_text(encoding="utf-8").replace("[[0.9, 0.0, 0.0]", "[[9.9, 0.0, 0.0]")
+    (folder / "bad.toml").write_text(text, encoding="utf-8")
+    code = main(["export", "bad.toml", "--format", "mjcf", "-o", "m.xml"])
+    err = capsys.readouterr().err.splitlines()
+    assert code == 2
+    assert err[-1].startswith("stewart-sym: error: bad.toml: platform: inertia: physically impossible")
+    assert 'accept "platform-inertia"' in err[-1]
+    assert not (folder / "m.xml").exists()
+
+
+def test_no_extra_is_needed(folder: Path) -> None:
+    for command in (
+        ["export", "hexapod.toml", "--format", "mjcf", "-o", "m.xml"],
+        ["import", "m.xml", "-o", "r.toml"],
+    ):
+        code = "import sys; from stewart_sym.cli.main import main; main(sys.argv[1:]); print(*sys.modules)"
+        done = subprocess.run(
+            [sys.executable, "-c", code, *command], capture_output=True, text=True, check=True
+        )
+        extras = {"scipy", "matplotlib", "mujoco", "pinocchio", "pxr", "sympy", "pydrake"}
+        assert not extras & set(done.stdout.split())

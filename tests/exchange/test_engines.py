@@ -1,0 +1,113 @@
+"""Exported machines accelerate in MuJoCo and Pinocchio as ours do, and stay where their forces hold them."""
+
+import dataclasses
+from pathlib import Path
+
+import mujoco
+import numpy as np
+import pytest
+from exported_mujoco import Exported
+from exported_pinocchio import accelerations
+from machines import random_motion, random_robot
+from numpy.typing import NDArray
+
+import stewart_sym as ss
+
+HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
+SEEDS = range(60)
+NONE = np.zeros(6)
+MUJOCO, PINOCCHIO = 4e-6, 1e-9
+"""Largest error over the pose's largest acceleration."""
+STILL = 1e-6
+"""Drift over 10 s at rest, m: of closures that give way by what carries the load."""
+
+Case = tuple[ss.Robot, ss.Motion, NDArray[np.float64], NDArray[np.float64]]
+
+
+def case(seed: int, **friction: NDArray[np.float64]) -> Case:
+    """A random machine, one in four with spherical base joints, a pose, forces, and [a; alpha] under them."""
+    rng = np.random.default_rng(seed)
+    robot = random_robot(rng, "spherical" if seed % 4 == 3 else "universal")
+    robot = dataclasses.replace(robot, **friction)
+    motion = random_motion(rng, robot)
+    F = ss.inverse_dynamics(robot, motion).F + robot.M * rng.normal(size=6)
+    return robot, motion, F, np.concatenate(ss.forward_dynamics(robot, motion, F=F)[:2])
+
+
+def off(found: NDArray[np.float64], truth: NDArray[np.float64]) -> float:
+    return float(np.abs(found - truth).max() / np.abs(truth).max())
+
+
+def test_mujoco_accelerates_the_exported_machine_as_we_do() -> None:
+    worst = {}
+    for seed in SEEDS:
+        # Closures have no friction there.
+        robot, motion, F, truth = case(seed, C_s=NONE)
+        worst[seed] = off(Exported(robot).accelerations(motion, F), truth)
+    assert max(worst.values()) < MUJOCO, worst
+
+
+def test_pinocchio_accelerates_the_exported_machine_as_we_do() -> None:
+    worst = {}
+    for seed in SEEDS:
+        # A leg between two spherical joints spins freely there, and ours does not.
+        none = {"C_u": NONE, "C_s": NONE} if seed % 4 == 3 else {}
+        robot, motion, F, truth = case(seed, **none)
+        worst[seed] = off(accelerations(robot, motion, F), truth)
+    assert max(worst.values()) < PINOCCHIO, worst
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_rotors_resist_in_mujoco_as_their_reflected_mass(seed: int) -> None:
+    robot, motion, F, truth = case(seed, C_s=NONE)
+    robot = dataclasses.replace(robot, drive=ss.Drive(lead=0.01, rotor_inertia=1e-5 * robot.M))
+    motion = dataclasses.replace(motion, a=truth[:3], alpha=truth[3:])
+    L_ddot = ss.inverse_kinematics(robot, motion).L_ddot
+    found = Exported(robot).accelerations(motion, F + robot.drive.reflected_mass * L_ddot)
+    assert off(found, truth) < MUJOCO
+
+
+@pytest.mark.parametrize("name", ["mass", "center", "inertia", "axis", "damping"])
+def test_another_machine_is_found_out(name: str) -> None:
+    robot, motion, F, truth = case(1, C_s=NONE)
+    change = {
+        "mass": {"m_u": 1.001 * robot.m_u},
+        "center": {"r_d0": robot.r_d0 + 1e-3},
+        "inertia": {"I_p": 1.001 * robot.I_p},
+        "axis": {"k": robot.k + 1e-3},
+        "damping": {"C_u": 1.001 * robot.C_u},
+    }[name]
+    other = dataclasses.replace(robot, **change)
+    assert off(Exported(other).accelerations(motion, F), truth) > MUJOCO
+    assert off(accelerations(other, motion, F), truth) > PINOCCHIO
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["hexapod", "mathworks2002", "tsai2000"])
+@pytest.mark.filterwarnings("ignore:mjcf")
+def test_a_machine_that_its_forces_hold_does_not_drift_in_ten_seconds(name: str) -> None:
+    robot = ss.Robot.from_toml(HEXAPOD) if name == "hexapod" else ss.robots.load(name)
+    model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
+    data, kernel, zero = mujoco.MjData(model), ss.prepare(robot), np.zeros(3)
+    mujoco.mj_forward(model, data)
+    platform = data.body("platform")
+    start, turn, farthest = platform.xpos.copy(), platform.xmat.copy(), 0.0
+    # Forces of the pose as it is: constant ones hold a platform as a hand does a broom.
+    while data.time < 10.0:
+        pose = ss.Motion(platform.xmat.reshape(3, 3), platform.xpos, zero, zero, zero, zero)
+        data.ctrl[:] = kernel.forces(pose)
+        mujoco.mj_step(model, data, 2)
+        farthest = max(farthest, np.abs(platform.xpos - start).max(), np.abs(platform.xmat - turn).max())
+    assert farthest < STILL
+
+
+def test_the_exported_machine_stands_assembled_at_its_home_pose() -> None:
+    robot = ss.robots.mathworks2002()
+    model = mujoco.MjModel.from_xml_string(ss.export_model(robot, "mjcf").text)
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    np.testing.assert_allclose(data.body("platform").xpos, robot.home)
+    assert np.abs(data.efc_pos).max() < 1e-12
+    assert data.ncon == 0
+    lengths = [data.joint(f"leg_{i}").qpos[0] for i in range(1, 7)]
+    np.testing.assert_allclose(lengths, np.linalg.norm(robot.home + robot.p - robot.b, axis=-1), rtol=1e-12)
