@@ -33,6 +33,7 @@ SUBCOMMANDS = {
     "singularities": "machine.singularities",
     "workspace": "machine.workspace",
     "size": "machine.size",
+    "plan": "machine.plan",
     "simulate": "machine.simulate",
     "view": "machine.view",
     "control": "studies.control",

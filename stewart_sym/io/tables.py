@@ -107,6 +107,7 @@ _KINDS = {
     "robot file": ({"platform", "leg"}, {"platform", "base"}),
     "scene of simulate": ({"duration", "legs"},),
     "scene of advise": ({"motions", "tolerance"},),
+    "file of via poses": ({"robot", "via"}, {"robot", "via_file"}),
 }
 """Files that this program reads, by keys that each must have, in one way or another, and no other has."""
 

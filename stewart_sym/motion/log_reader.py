@@ -14,6 +14,7 @@ from ..io.tables import file_name, opened
 from .log_rates import SPLINE, as_given, rates_of
 from .logs import LogFormat, read_columns
 from .noise_level import LogWarning
+from .rotation import rotation_from_rpy
 from .trajectory import (
     DERIVATIVES,
     LOADS,
@@ -87,15 +88,31 @@ def read_log(
     progress: Progress = silent,
 ) -> PoseLog | JointTrajectory:
     """Read a trajectory as ``read_any_csv``, of poses as coordinates: for long logs, with progress."""
+    log = _read(path, form, smoothing, progress)
+    progress(f"differentiating {len(log.rows)} rows")
+    return _joint_trajectory(log) if "L" in log.written else _pose_log(log)
+
+
+def read_poses(path: str | os.PathLike[str], form: LogFormat = PLAIN) -> tuple[Array, Array]:
+    """Read the poses of a trajectory and nothing of its rates: R (n, 3, 3) and t, m, (n, 3).
+
+    Raises ValueError of one line as ``read_csv``, and for leg lengths.
+    """
+    log = _read(path, form, AS_SHOWN, silent)
+    _warn_of_angles(log)
+    if "L" in log.written:
+        raise ValueError(f"{log.source}: expected poses, t_* and theta_*, got leg lengths L_1 to L_6")
+    return rotation_from_rpy(log.angles()[0]), log.vector("t")
+
+
+def _read(path: str | os.PathLike[str], form: LogFormat, smoothing: Smoothing, progress: Progress) -> Log:
     source = file_name(path)
     with opened(source, "trajectory", _MOST_BYTES) as stream:
         check = partial(_check_log, smoothing=smoothing)
         columns, rows = read_columns(stream, source, check, form, progress)
-    progress(f"differentiating {len(rows)} rows")
     names = {name.rpartition("_")[0] for name in columns} - {""}
     written = {name: [columns[c] for c in _components(name)] for name in names}
-    log = Log(source, rows, columns["time"], written, form, smoothing)
-    return _joint_trajectory(log) if "L" in names else _pose_log(log)
+    return Log(source, rows, columns["time"], written, form, smoothing)
 
 
 def trajectory_from(log: PoseLog) -> Trajectory:

@@ -1,8 +1,8 @@
 """Writes the tables of the documentation from the figures that studies wrote.
 
 ``python -m stewart_sym.studies.published [RUN]``, in the top folder of the source. RUN is a folder that
-``bench``, ``chart``, ``control``, ``controller`` or ``stability`` wrote: its figures and pictures replace
-those in ``.docs``. The tables go to ``.docs/tables``, those of the README between their marks.
+``bench``, ``chart``, ``control``, ``controller``, ``stability`` or ``planning.study`` wrote: its figures and
+pictures replace those in ``.docs``. Tables go to ``.docs/tables``, those of the README between their marks.
 """
 
 import json
@@ -17,6 +17,7 @@ from .benchmark import published as benchmark
 from .common.markdown import Figures
 from .control import published as control
 from .microcontroller import published as microcontroller
+from .planning import published as planning
 from .robustness import published as robustness
 
 STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
@@ -24,12 +25,14 @@ STUDIES: dict[str, Callable[[Figures], dict[str, str]]] = {
     "chart": accuracy.tables,
     "control": control.tables,
     "controller": microcontroller.tables,
+    "plan": planning.tables,
     "stability": robustness.tables,
 }
 """Name of a study's JSON, and what makes tables of it."""
 
 PICTURES = (
     *("bench.png", "bench_motion.png", "control.png"),
+    *("plan_claim.png", "plan_path_III.png"),
     *("chart.png", "scales.png", "bounds.png", "singular_path_III.png"),
 )
 COMMAND = "python -m stewart_sym.studies.published"

@@ -1,0 +1,72 @@
+"""``stewart-sym plan``: a path through via poses away from singular ones, and the fastest motion along it."""
+
+import argparse
+import warnings
+from pathlib import Path
+
+from ...io.extras import need
+from ..inputs import warn_of_doubts
+from ..options import json_file, no_pictures, output
+from ..results import need_drawing, results
+from ..terminal import progress_line
+
+HELP = "a path through via poses with a low condition number, and the fastest motion along it"
+EXAMPLE = "stewart-sym plan via.toml -o plan"
+MORE = (
+    "The file of via poses is TOML: schema = 1, robot (a file beside it), and [[via]] with t, theta (roll, "
+    "pitch, yaw, of the tool) and optionally free: how far x, y, z (m, base axes) and roll, pitch, yaw (rad, "
+    "tool axes) may differ, as in free.yaw = [-0.5, 0.5]; or via_file, a CSV file of poses in order of time. "
+    'Optionally objective ("mean" or "peak" of the condition number), price of a longer path, rate (Hz), '
+    "formulation; [limits]: condition, clearance (m), force (N), speed (m/s), acceleration (m/s^2) of the "
+    "legs, platform_speed, platform_turn_rate; [load]: F_ext, M_ext, platform frame. Writes the trajectory "
+    "as `forces` reads it, a report with a certificate that limits hold between the samples too, and "
+    "pictures. SI units."
+)
+
+
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Arguments of ``plan``."""
+    parser.add_argument("via", metavar="VIA.toml", type=Path, help="file of via poses, schema 1")
+    output(parser, "DIR", "folder to write to", Path("plan"))
+    no_pictures(parser)
+    json_file(parser)
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Run ``plan``; returns the exit code."""
+    from ...planning.certificate import certify_plan
+    from ...planning.plan_file import read_plan
+    from ...planning.plan_path import plan_path
+    from ...planning.time_path import time_path
+    from ...studies.reports import plan
+
+    need("scipy", "planning")
+    need_drawing(arguments)
+    request = read_plan(arguments.via)
+    robot = request.robot
+    warn_of_doubts(robot, request.files[1])
+    tables = ("trajectory.csv", "path.csv")
+    with results(arguments, "report", *tables, read=request.files) as take, progress_line() as progress:
+        planned = plan_path(
+            robot,
+            request.poses,
+            request.path_limits,
+            request.objective,
+            request.price,
+            request.load,
+            progress,
+        )
+        timed = time_path(
+            robot, planned.path, limits=request.limits, formulation=request.formulation, progress=progress
+        )
+        progress("checking the plan")
+        found = plan.Plan(robot, planned, timed, certify_plan(timed), request.rate)
+        figures = {}
+        if arguments.pictures:
+            from ...studies.reports.plan_plot import pictures
+
+            figures = pictures(found)
+        take(plan.report(found, figures), progress)
+    if not found.certificate.holds:
+        warnings.warn(f"{arguments.via}: the certificate does not hold, see the report", stacklevel=2)
+    return 0

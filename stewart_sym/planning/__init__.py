@@ -1,0 +1,1 @@
+"""Paths between via poses, how fast a machine may move along them, and proof that no limit is exceeded."""

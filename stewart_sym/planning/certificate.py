@@ -1,0 +1,165 @@
+"""What a plan keeps to between its samples: extremes of the legs, limits, the nearest singular pose."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..dynamics.inverse import inverse_dynamics
+from ..io.arguments import instance
+from ..io.array_types import Array
+from ..kinematics.inverse import inverse_kinematics
+from ..singularities.along_path import Crossing, LegExtreme, singularities_along
+from .path_terms import force_limits, speed_limits, travelled
+from .time_path import TimedPath
+
+FINER = 100
+"""Instants in each cell of the plan's grid at which limits are checked."""
+
+ROUNDING = 1e-6
+"""Share of a limit by which it may be exceeded."""
+
+_BLOCK = 1 << 14
+_ACTIVE = 1e-3
+_INSTANTS = 20_001
+
+
+class Approached(NamedTuple):
+    """Where along a plan H is nearest to singular: time, s, and smallest singular value of the scaled H."""
+
+    time: float
+    smallest: float
+
+
+@dataclass(frozen=True, eq=False)
+class PlanCertificate:
+    """What was found of a plan on a grid 100 times finer than its own, and by a search for singular poses.
+
+    Attributes
+    ----------
+    instants : int
+        On the finer grid.
+    shortest, longest : LegExtreme
+        Least and greatest length of each leg, m, and when.
+    speed : LegExtreme
+        Greatest speed of each leg, m/s, and when.
+    force : LegExtreme
+        Greatest force of each leg, N, without its sign, and when.
+    used : float
+        Largest share of any limit of force, speed or acceleration.
+    lengths_kept : bool
+        Whether all legs stay within their lengths.
+    active : float
+        Share of the duration in which a limit is used to more than 99.9 %.
+    crossings : tuple
+        Singular poses that the path crosses.
+    nearest : Approached
+        The nearest approach to one.
+    """
+
+    instants: int
+    shortest: LegExtreme
+    longest: LegExtreme
+    speed: LegExtreme
+    force: LegExtreme
+    used: float
+    lengths_kept: bool
+    active: float
+    crossings: tuple[Crossing, ...]
+    nearest: Approached
+
+    @property
+    def holds(self) -> bool:
+        """Whether every limit is kept, to 1e-6 of it, and no singular pose is crossed."""
+        return self.used <= 1.0 + ROUNDING and self.lengths_kept and not self.crossings
+
+
+def certify_plan(plan: TimedPath) -> PlanCertificate:
+    """Check a plan between its nodes, by inverse dynamics and not by the terms it was made from.
+
+    Parameters
+    ----------
+    plan : TimedPath
+        Path and parameter over time.
+
+    Returns
+    -------
+    PlanCertificate
+        Extremes, and whether all limits hold.
+    """
+    instance(plan, TimedPath, "plan")
+    robot, profile = plan.robot, plan.profile
+    nodes = profile.phase.s
+    along = singularities_along(robot, plan.path, nodes)
+    shares = (np.arange(FINER) + 0.5) / FINER
+    s, square, second = (
+        np.append(x.ravel(), end) for x, end in zip(profile.inside(shares), _end(plan), strict=True)
+    )
+    parts = [slice(i, i + _BLOCK) for i in range(0, len(s), _BLOCK)]
+    legs, forces, used = zip(*(_part(plan, s[p], square[p], second[p]) for p in parts), strict=True)
+    speed, force, most = np.abs(np.concatenate(legs)), np.abs(np.concatenate(forces)), np.concatenate(used)
+    times = np.append(
+        (profile.times[:-1, None] + np.diff(profile.times)[:, None] * shares).ravel(), plan.duration
+    )
+    low, high = robot.length_limits.T
+    return PlanCertificate(
+        instants=len(s),
+        shortest=_in_time(along.shortest, plan),
+        longest=_in_time(along.longest, plan),
+        speed=_extreme(times, speed),
+        force=_extreme(times, force),
+        used=float(most.max()),
+        lengths_kept=bool((along.shortest.value >= low).all() and (along.longest.value <= high).all()),
+        active=_active(plan),
+        crossings=along.crossings,
+        nearest=Approached(_time_of(plan, along.nearest.time), float(along.nearest.at.smallest)),
+    )
+
+
+def _active(plan: TimedPath) -> float:
+    """Share of the time in which a limit is active."""
+    place = plan.profile.at(np.linspace(0.0, plan.duration, _INSTANTS))
+    used = _part(plan, place.s, place.rate**2, place.second)[2]
+    return float(np.mean(used > 1.0 - _ACTIVE))
+
+
+def _end(plan: TimedPath) -> tuple[float, float, float]:
+    phase = plan.profile.phase
+    return float(phase.s[-1]), 0.0, float(phase.last[-1])
+
+
+def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Array, Array, Array]:
+    """Leg speeds, forces and the largest share of a limit at some places of the path."""
+    by_parameter = plan.path(s)
+    motion = travelled(by_parameter, np.sqrt(square), second)
+    F = inverse_dynamics(plan.robot, motion, plan.formulation).F
+    legs = inverse_kinematics(plan.robot, motion)
+    used = [
+        np.abs(F) / force_limits(plan.robot, plan.limits),
+        np.abs(legs.L_dot) / speed_limits(plan.robot, plan.limits),
+    ]
+    if plan.limits.acceleration is not None:
+        assert legs.L_ddot is not None
+        used.append(np.abs(legs.L_ddot) / np.array(plan.limits.acceleration))
+    for vector, limit in (
+        (motion.v, plan.limits.platform_speed),
+        (motion.omega, plan.limits.platform_turn_rate),
+    ):
+        if limit is not None:
+            used.append(np.linalg.norm(vector, axis=-1, keepdims=True) / limit)
+    return legs.L_dot, F, np.concatenate(used, axis=-1).max(axis=-1)
+
+
+def _time_of(plan: TimedPath, s: float) -> float:
+    return float(np.interp(s, plan.profile.phase.s, plan.profile.times))
+
+
+def _in_time(found: LegExtreme, plan: TimedPath) -> LegExtreme:
+    return LegExtreme(np.interp(found.time, plan.profile.phase.s, plan.profile.times), found.value)
+
+
+def _extreme(times: Array, values: Array) -> LegExtreme:
+    at = np.argmax(values, axis=0)
+    return LegExtreme(times[at], values.max(axis=0))

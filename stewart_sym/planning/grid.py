@@ -1,0 +1,103 @@
+"""The grid of a path: its terms, and by how much limits are tightened so that they hold between the nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from ..io.array_types import Array
+from .path_terms import Terms
+from .phase_plane import Bounds, bounds_of
+from .profile import Profile
+
+Source = Callable[[Array], Terms]
+"""Parameters s, (n,) -> terms there."""
+
+# By which all limits are tighter from the start, so that rounding exceeds none.
+_MARGIN = 1e-6
+IDLE = 1e-3
+"""A limit is active from this share below it on."""
+# Denser to the ends, where friction grows as the root of the way.
+_SHARES = 0.5 - 0.5 * np.cos(np.linspace(0.0, np.pi, 25))
+_PARTS = 4
+# Tightened by more than what was exceeded, so that few rounds do.
+_MORE = 1.2
+_SECANTS = 5
+# Exceeded by more than this share between nodes, a limit is no matter of tightening alone.
+_ROUGH = 5e-4
+_APART = 0.05
+
+
+class Grid(NamedTuple):
+    """Nodes s, (n,), terms there, and shares by which limits are tightened, (n, m), those of speed last."""
+
+    source: Source
+    s: Array
+    terms: Terms
+    margin: Array
+
+    @classmethod
+    def of(cls, source: Source, s: Array) -> Grid:
+        """A grid of nodes s and of those between them at which s'' has no effect on a quantity."""
+        zeros = np.sort(_zeros(source, s))
+        # A node so near another that rounding shows in the step between them is left out.
+        zeros = zeros[np.diff(zeros, prepend=-np.inf) > _APART * (s[1] - s[0])]
+        near = np.abs(s[:, None] - zeros).min(axis=1, initial=np.inf) <= _APART * (s[1] - s[0])
+        near[[0, -1]] = False
+        return cls.at(source, np.union1d(s[~near], zeros))
+
+    @classmethod
+    def at(cls, source: Source, s: Array) -> Grid:
+        """A grid of just these nodes."""
+        terms = source(s)
+        return cls(source, s, terms, np.full((len(s), len(terms.limit) + 1), _MARGIN))
+
+    def bounds(self) -> Bounds:
+        """What the tightened limits allow at the nodes."""
+        room = 1.0 - self.margin
+        terms = self.terms._replace(caps=self.terms.caps * room[:, -1] ** 2)
+        return bounds_of(terms, terms.limit * room[:, :-1])
+
+    def divided(self, profile: Profile) -> Grid:
+        """Cells in which a limit is exceeded, or none is active, in parts."""
+        used = self.used(profile)
+        most = used.max(axis=-1)
+        chosen = (most.max(axis=-1) > 1.0 + _ROUGH) | (most.min(axis=-1) < 1.0 - IDLE)
+        inner = np.linspace(0.0, 1.0, _PARTS + 1)[1:-1]
+        start, step = self.s[:-1][chosen, None], np.diff(self.s)[chosen, None]
+        return Grid.at(self.source, np.union1d(self.s, start + step * inner))
+
+    def tightened(self, used: Array) -> Grid:
+        """Limits lower by what was exceeded in the cells beside each node."""
+        excess = np.maximum(used.max(axis=1) - 1.0, 0.0)
+        none = np.zeros((1, excess.shape[1]))
+        beside = np.maximum(np.concatenate([excess, none]), np.concatenate([none, excess]))
+        return self._replace(margin=self.margin + _MORE * beside)
+
+    def used(self, profile: Profile, shares: Array = _SHARES) -> Array:
+        """Shares of the limits that are used in every cell, (cells, shares, m), that of speed last."""
+        s, square, second = profile.inside(shares)
+        return used_of(self.source(s.ravel()), square.ravel(), second.ravel()).reshape(*s.shape, -1)
+
+
+def used_of(terms: Terms, square: Array, second: Array) -> Array:
+    """Shares of the limits that are used at s'^2 and s'', (n, m), that of speed last."""
+    values = np.abs(terms.values(square, second)) / terms.limit
+    return np.concatenate([values, np.sqrt(square / terms.caps)[:, None]], axis=-1)
+
+
+def _zeros(source: Source, s: Array) -> Array:
+    """Where a passes zero, between nodes."""
+    a = source(s).a
+    cell, row = np.nonzero(a[:-1] * a[1:] < 0.0)
+    low, high = s[cell], s[cell + 1]
+    below, above = a[cell, row], a[cell + 1, row]
+    for _ in range(_SECANTS if len(cell) else 0):
+        middle = low - below * (high - low) / (above - below)
+        value = source(middle).a[np.arange(len(row)), row]
+        same = value * below > 0.0
+        low, below = np.where(same, middle, low), np.where(same, value, below)
+        high, above = np.where(same, high, middle), np.where(same, above, value)
+    return np.where(np.abs(below) < np.abs(above), low, high)

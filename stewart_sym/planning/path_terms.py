@@ -1,0 +1,158 @@
+"""What a path takes of a machine: forces and leg rates as functions of how fast the path is travelled.
+
+Along a path of parameter s each limited quantity is
+
+    a s'' + b s'^2 + d s' + e,    ' the derivative by time,
+
+since the equations of motion M [a; alpha] + C [v; omega] + g + friction = H F + W_ext are linear in the
+accelerations, quadratic in the rates and have friction in proportion to these: d is the viscous friction,
+e what weight and load take at rest.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+
+from ..dynamics.inverse import Formulation, inverse_dynamics
+from ..io.arguments import shown
+from ..io.array_types import Array
+from ..io.tables import positive
+from ..kinematics.inverse import inverse_kinematics
+from ..motion.motion import Motion
+from ..robot.robot import Robot
+
+Path = Callable[[Array], Motion]
+"""Parameters s, (n,) -> motion of shape (n,) whose rates are derivatives by s, loads included."""
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Limits of a plan beside those of the robot; None: no limit.
+
+    Attributes
+    ----------
+    force, speed : float or sequence of float, optional
+        Of each actuator, N and m/s, one number or six; None: the robot's.
+    acceleration : float or sequence of float, optional
+        Of the leg lengths, m/s^2, one number or six.
+    platform_speed, platform_turn_rate : float, optional
+        Of the reference point, m/s, and of the platform's rotation, rad/s.
+
+    Raises
+    ------
+    ValueError
+        Naming the limit that is not > 0.
+    """
+
+    force: object = None
+    speed: object = None
+    acceleration: object = None
+    platform_speed: float | None = None
+    platform_turn_rate: float | None = None
+
+    def __post_init__(self) -> None:
+        """Check every number."""
+        for name in ("force", "speed", "acceleration"):
+            value = getattr(self, name)
+            object.__setattr__(self, name, None if value is None else six_positive(value, name))
+        for name in ("platform_speed", "platform_turn_rate"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, positive(getattr(self, name), name))
+
+
+def six_positive(value: object, where: str) -> tuple[float, ...]:
+    """One number > 0 for all legs or six of them; infinity is no limit."""
+    given = list(value) if isinstance(value, list | tuple | np.ndarray) else [value] * 6
+    if len(given) != 6:
+        raise ValueError(f"{where}: expected one number or six, got {shown(value)}")
+    return tuple(math.inf if each == math.inf else positive(each, where) for each in given)
+
+
+class Terms(NamedTuple):
+    """Coefficients at n parameters of m limited quantities, (n, m) each, and their limits, (m,).
+
+    caps: largest s'^2 that the speed limits allow, (n,). names: of the quantities, for messages.
+    """
+
+    a: Array
+    b: Array
+    d: Array
+    e: Array
+    limit: Array
+    caps: Array
+    names: tuple[str, ...]
+
+    def values(self, square: Array, second: Array) -> Array:
+        """The quantities, (n, m), at s'^2 and s'', (n,)."""
+        x = square[:, None]
+        return np.asarray(self.a * second[:, None] + self.b * x + self.d * np.sqrt(x) + self.e)
+
+
+def travelled(motion: Motion, rate: Array | float, second: Array | float) -> Motion:
+    """Motion in time of a motion by parameter, at s' and s'', (n,)."""
+    z, u = (np.broadcast_to(np.asarray(x, dtype=np.float64), motion.shape)[..., None] for x in (rate, second))
+    assert motion.a is not None
+    assert motion.alpha is not None
+    return Motion.unchecked(
+        motion.R,
+        motion.t,
+        motion.omega * z,
+        motion.v * z,
+        motion.alpha * z**2 + motion.omega * u,
+        motion.a * z**2 + motion.v * u,
+        motion.F_ext,
+        motion.M_ext,
+    )
+
+
+def terms_along(robot: Robot, path: Path, s: Array, limits: Limits, formulation: Formulation) -> Terms:
+    """Coefficients at parameters s, (n,): of forces, and of leg accelerations where they are limited.
+
+    Raises ValueError at poses that have no forces.
+    """
+    motion = path(s)
+
+    def forces(rate: float, second: float) -> Array:
+        return inverse_dynamics(robot, travelled(motion, rate, second), formulation).F
+
+    still, ahead, back = forces(0.0, 0.0), forces(1.0, 0.0), forces(-1.0, 0.0)
+    columns = [(forces(0.0, 1.0) - still, 0.5 * (ahead + back) - still, 0.5 * (ahead - back), still)]
+    limit = [force_limits(robot, limits)]
+    names = [f"force of leg {leg + 1}" for leg in range(6)]
+    legs = inverse_kinematics(robot, motion)
+    if limits.acceleration is not None:
+        assert legs.L_ddot is not None
+        none = np.zeros_like(legs.L)
+        columns.append((legs.L_dot, legs.L_ddot, none, none))
+        limit.append(np.array(limits.acceleration))
+        names += [f"acceleration of leg {leg + 1}" for leg in range(6)]
+    a, b, d, e = (np.concatenate(each, axis=-1) for each in zip(*columns, strict=True))
+    return Terms(a, b, d, e, np.concatenate(limit), _caps(robot, motion, legs.L_dot, limits), tuple(names))
+
+
+def force_limits(robot: Robot, limits: Limits) -> Array:
+    """Of the actuators, N, (6,)."""
+    return robot.force_limit if limits.force is None else np.array(limits.force)
+
+
+def speed_limits(robot: Robot, limits: Limits) -> Array:
+    """Of the legs, m/s, (6,)."""
+    return robot.speed_limit if limits.speed is None else np.array(limits.speed)
+
+
+def _caps(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -> Array:
+    """Largest s'^2 within all limits of speed, (n,)."""
+    rates = [np.abs(L_dot), *(np.linalg.norm(x, axis=-1, keepdims=True) for x in (motion.v, motion.omega))]
+    most = np.array(
+        [
+            *speed_limits(robot, limits),
+            *(x or math.inf for x in (limits.platform_speed, limits.platform_turn_rate)),
+        ]
+    )
+    with np.errstate(divide="ignore"):
+        return np.asarray(((most / np.concatenate(rates, axis=-1)) ** 2).min(axis=-1))

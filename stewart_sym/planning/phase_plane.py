@@ -1,0 +1,164 @@
+"""The fastest s' along a path, backward and forward in the phase plane of s and s'.
+
+In a cell of the grid s'' is linear in s, so that x = s'^2 is quadratic: dx/ds = 2 s''. At each node s'' lies
+between the largest of the lower and the smallest of the upper bounds
+
+    s'' >= (-limit - e - b x - d sqrt(x)) / a,    s'' <= (limit - e - b x - d sqrt(x)) / a    (a > 0),
+
+so every step is the first root of some quadratics in sqrt(x). Backward: the largest x from which the machine
+can still come to rest at the end. Forward: the largest x that it reaches below these. Without viscous
+friction the x that are possible at a node are one interval; with it there may be more, which are not used.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..io.array_types import Array
+from .path_terms import Terms
+
+# A quantity on which s'' has less than this share of its largest effect along the path does not bound s''.
+_NO_EFFECT = 1e-9
+_SAMPLES = 65
+_ROUNDS = 4
+
+
+class Bounds(NamedTuple):
+    """At n nodes: s'' >= low, s'' <= high, of m quantities: (n, m, 3), by (1, x, sqrt(x)); x <= cap, (n,)."""
+
+    low: Array
+    high: Array
+    cap: Array
+
+
+class PhasePath(NamedTuple):
+    """At n nodes s: x = s'^2; s'' at the start and at the end of each cell, (n - 1,).
+
+    most: the largest x at which any s'' is possible, (n,). stops: from which rest at the end can be reached.
+    """
+
+    s: Array
+    x: Array
+    first: Array
+    last: Array
+    most: Array
+    stops: Array
+
+
+def bounds_of(terms: Terms, limit: Array) -> Bounds:
+    """Bounds of s'' at the nodes; ``limit``: of each quantity at each node, (n, m)."""
+    effect = np.abs(terms.a)
+    free = effect <= _NO_EFFECT * effect.max(axis=0)
+    a = np.where(free, 1.0, terms.a)
+    rest = -np.stack([terms.e, terms.b, terms.d], axis=-1) / a[..., None]
+    reach = np.where(free, np.inf, limit / np.abs(a))
+    low, high = rest.copy(), rest.copy()
+    low[..., 0] -= reach
+    high[..., 0] += reach
+    low[free], high[free] = (-np.inf, 0.0, 0.0), (np.inf, 0.0, 0.0)
+    # Quantities that s'' does not change bound x by themselves.
+    alone = [
+        np.where(free, first_root(sign * terms.e - limit, sign * terms.b, sign * terms.d), np.inf).min(
+            axis=-1
+        )
+        for sign in (1.0, -1.0)
+    ]
+    gap = low[:, :, None, :] - high[:, None, :, :]
+    together = first_root(gap[..., 0], gap[..., 1], gap[..., 2]).min(axis=(1, 2))
+    return Bounds(low, high, np.minimum(terms.caps, np.minimum.reduce([*alone, together]) ** 2))
+
+
+def first_root(c_0: Array, c_1: Array, c_2: Array) -> Array:
+    """Least z > 0 with c_0 + c_1 z^2 + c_2 z = 0 where c_0 < 0; inf where there is none."""
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        square = c_2 * c_2 - 4.0 * c_1 * c_0
+        below = c_2 + np.sqrt(np.where(square >= 0.0, square, np.nan))
+        return np.where((below > 0.0) & (c_0 > -np.inf), -2.0 * c_0 / below, np.inf)
+
+
+def fastest(s: Array, bounds: Bounds) -> PhasePath:
+    """The fastest s' from rest to rest."""
+    step = np.diff(s)
+    stops = _stops(step, bounds)
+    x = _starts(step, bounds, stops)
+    first, last = _seconds(step, bounds, x)
+    return PhasePath(s, x, first, last, bounds.cap, stops)
+
+
+def _stops(step: Array, bounds: Bounds) -> Array:
+    """Largest x at each node from which rest at the end can be reached."""
+    stops = np.zeros(len(bounds.cap))
+    for i in range(len(step) - 1, -1, -1):
+        h, low = step[i], bounds.low[i]
+        most = _most_left(h, bounds.low[i + 1], stops[i + 1])[1]
+        root = first_root(h * low[:, 0] - most, 1.0 + h * low[:, 1], h * low[:, 2]).min()
+        stops[i] = min(bounds.cap[i], root * root)
+    return stops
+
+
+def _most_left(h: float, low: Array, top: float) -> tuple[float, float]:
+    """x in [0, top] at which x - h low(x) is largest, and that."""
+
+    def left(z: Array) -> Array:
+        root = z[:, None]
+        return np.asarray(z * z - h * (low[:, 0] + low[:, 1] * root * root + low[:, 2] * root).max(axis=-1))
+
+    z = float(np.sqrt(top))
+    ends = left(np.array([z, z * (1.0 - 1e-6)]))
+    if ends[0] >= ends[1]:
+        return top, float(ends[0])
+    a, b = 0.0, z
+    for _ in range(_ROUNDS):
+        tried = np.linspace(a, b, _SAMPLES)
+        found = left(tried)
+        k = int(np.argmax(found))
+        a, b = tried[max(k - 1, 0)], tried[min(k + 1, _SAMPLES - 1)]
+    return float(tried[k] ** 2), float(found[k])
+
+
+def _starts(step: Array, bounds: Bounds, stops: Array) -> Array:
+    """Largest x at each node that is reached from rest and can be stopped from."""
+    x = np.zeros(len(stops))
+    for i, h in enumerate(step):
+        high = bounds.high[i + 1]
+        gained = x[i] + h * _value(bounds.high[i], x[i]).min()
+        root = first_root(-h * high[:, 0] - gained, 1.0 - h * high[:, 1], -h * high[:, 2]).min()
+        x[i + 1] = min(stops[i + 1], root * root)
+        needed = x[i] + h * _value(bounds.low[i], x[i]).max()
+        if x[i + 1] - h * _value(bounds.low[i + 1], x[i + 1]).max() < needed:
+            x[i + 1] = _least_above(h, bounds.low[i + 1], x[i + 1], needed)
+    return x
+
+
+def _least_above(h: float, low: Array, top: float, needed: float) -> float:
+    """Largest x <= top from which the step back to the node before is not too steep."""
+    good, _ = _most_left(h, low, top)
+    bad = top
+    for _ in range(50):
+        x = 0.5 * (good + bad)
+        if x - h * _value(low, x).max() >= needed:
+            good = x
+        else:
+            bad = x
+    return good
+
+
+def _value(coefficients: Array, x: float) -> Array:
+    return np.asarray(coefficients[..., 0] + coefficients[..., 1] * x + coefficients[..., 2] * np.sqrt(x))
+
+
+def _seconds(step: Array, bounds: Bounds, x: Array) -> tuple[Array, Array]:
+    """s'' at the start and the end of each cell: the same share of what is possible at both nodes."""
+    column = x[:, None]
+    low, high = (
+        c[..., 0] + c[..., 1] * column + c[..., 2] * np.sqrt(column) for c in (bounds.low, bounds.high)
+    )
+    low, high = low.max(axis=-1), high.min(axis=-1)
+    total = np.diff(x) / step
+    width = (high - low)[:-1] + (high - low)[1:]
+    share = (total - low[:-1] - low[1:]) / np.where(width > 0.0, width, 1.0)
+    share = np.where(width > 0.0, share, 0.5)
+    first = low[:-1] + share * (high - low)[:-1]
+    return first, total - first

@@ -1,0 +1,166 @@
+"""Plans as a TOML file states them: machine, via poses, limits; poses may stand in a CSV file beside it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from ..backend.kernel import FORMULATIONS
+from ..dynamics.inverse import Formulation
+from ..io import tables
+from ..io.array_types import Array
+from ..kinematics.robot_logs import form_of
+from ..motion.log_reader import read_poses
+from ..motion.rotation import rotation_about_axes
+from ..robot.robot import Robot
+from .path_terms import Limits, six_positive
+from .plan_path import PRICE, Objective, need_poses
+from .pose_costs import PathLimits
+from .via_poses import COORDINATES, ViaPose
+
+SCHEMA = 1
+RATE = 100.0
+"""Of the trajectory, Hz."""
+
+_TOP_KEYS = (
+    "schema",
+    "robot",
+    "formulation",
+    "objective",
+    "price",
+    "rate",
+    "limits",
+    "load",
+    "via",
+    "via_file",
+)
+_LIMIT_KEYS = (
+    "condition",
+    "clearance",
+    "force",
+    "speed",
+    "acceleration",
+    "platform_speed",
+    "platform_turn_rate",
+)
+_LOAD_KEYS = ("F_ext", "M_ext")
+_VIA_KEYS = ("t", "theta", "free")
+
+
+@dataclass(frozen=True, eq=False)
+class PlanRequest:
+    """What is to be planned; names and units are those of ``plan_path`` and ``time_path``.
+
+    rate: of the trajectory, Hz. files: from which it was read.
+    """
+
+    robot: Robot
+    poses: tuple[ViaPose, ...]
+    path_limits: PathLimits
+    limits: Limits
+    objective: Objective
+    price: float
+    load: Array
+    formulation: Formulation
+    rate: float
+    files: tuple[Path, ...]
+
+
+def read_plan(path: str | os.PathLike[str]) -> PlanRequest:
+    """Read a file of via poses (TOML, schema 1); the files that it names are looked for beside it.
+
+    Raises ValueError of one line, ``file: key: what was expected (at line n)``, for a file that cannot be
+    read and for every break of the schema, of this file or of one it names.
+    """
+    source = tables.file_name(path)
+    with tables.toml_tables(source, "file of via poses") as d:
+        return _request(d, source)
+
+
+def _request(d: Mapping[str, Any], source: str) -> PlanRequest:
+    file, folder = f"{source}: ", Path(source).parent
+    top = tables.checked_table(d, file, _TOP_KEYS, ("schema", "robot"))
+    tables.need_schema(top["schema"], (SCHEMA,), f"{file}schema")
+    if ("via" in top) == ("via_file" in top):
+        raise ValueError(f"{file}via: expected either via poses or via_file")
+    formulation = tables.choice(top.get("formulation", FORMULATIONS[0]), FORMULATIONS, f"{file}formulation")
+    objective = tables.choice(top.get("objective", "mean"), ("mean", "peak"), f"{file}objective")
+    price = tables.not_negative(top.get("price", PRICE), f"{file}price")
+    rate = tables.positive(top.get("rate", RATE), f"{file}rate")
+    path_limits, limits = _limits(top.get("limits", {}), f"{file}limits.")
+    load = _load(top.get("load", {}), f"{file}load.")
+    files = [Path(source), folder / tables.one_line(top["robot"], f"{file}robot")]
+    given = _via_tables(top["via"], f"{file}via") if "via" in top else None
+    if given is None:
+        files.append(folder / tables.one_line(top["via_file"], f"{file}via_file"))
+    robot = Robot.from_toml(files[1])
+    if given is None:
+        poses = tuple(ViaPose(*pose) for pose in zip(*read_poses(files[2], form_of(robot)), strict=True))
+    else:
+        poses = tuple(
+            ViaPose(rotation_about_axes(theta, robot.euler_order), t, *box) for t, theta, box in given
+        )
+    try:
+        need_poses(poses)
+    except ValueError as error:
+        raise ValueError(f"{source if given else files[2]}: {error}") from None
+    return PlanRequest(
+        robot=robot,
+        poses=poses,
+        path_limits=path_limits,
+        limits=limits,
+        objective=cast(Objective, objective),
+        price=price,
+        load=load,
+        formulation=cast(Formulation, formulation),
+        rate=rate,
+        files=tuple(files),
+    )
+
+
+def _limits(value: object, prefix: str) -> tuple[PathLimits, Limits]:
+    table = tables.checked_table(value, prefix, _LIMIT_KEYS)
+    found: dict[str, Any] = {}
+    for key, given in table.items():
+        check = six_positive if key in ("force", "speed", "acceleration") else tables.positive
+        found[key] = check(given, prefix + key)
+    own = {key: found.pop(key) for key in ("condition", "clearance") if key in found}
+    try:
+        return PathLimits(**own), Limits(**found)
+    except ValueError as error:
+        raise ValueError(f"{prefix}{error}") from None
+
+
+def _load(value: object, prefix: str) -> Array:
+    table = tables.checked_table(value, prefix, _LOAD_KEYS)
+    parts = [tables.vector(table.get(key, [0.0, 0.0, 0.0]), prefix + key) for key in _LOAD_KEYS]
+    return np.concatenate(parts)
+
+
+def _via_tables(value: object, where: str) -> list[tuple[Array, Array, tuple[Array, Array]]]:
+    """t, theta and the box of what is free, of each via pose."""
+    if not isinstance(value, list) or len(value) < 2:
+        count = len(value) if isinstance(value, list) else "no list"
+        raise ValueError(f"{where}: expected at least 2 via poses, got {count}")
+    found = []
+    for i, entry in enumerate(value):
+        prefix = f"{where} {i + 1}: "
+        table = tables.checked_table(entry, prefix, _VIA_KEYS, ("t", "theta"))
+        t, theta = (tables.vector(table[key], prefix + key) for key in ("t", "theta"))
+        found.append((t, theta, _box(table.get("free", {}), f"{prefix}free.")))
+    return found
+
+
+def _box(value: object, prefix: str) -> tuple[Array, Array]:
+    low, high = np.zeros(6), np.zeros(6)
+    for key, given in tables.checked_table(value, prefix, COORDINATES).items():
+        i = COORDINATES.index(key)
+        low[i], high[i] = tables.numbers(given, (2,), prefix + key)
+        if not low[i] <= 0.0 <= high[i]:
+            raise ValueError(f"{prefix}{key}: expected [low, high] with low <= 0 <= high, got {given}")
+    return low, high

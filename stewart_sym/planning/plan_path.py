@@ -1,0 +1,336 @@
+"""A smooth path through via poses, within limits, of as low a condition number as its length is worth."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..io.arguments import finite_array, instance, option
+from ..io.array_types import Array
+from ..io.extras import needed_for
+from ..io.progress import Progress, silent
+from ..io.tables import not_negative
+from ..robot.robot import Robot
+from ..singularities.along_path import crossings
+from .path_spline import Family, by_coordinates, poses_of, scales
+from .pose_costs import ROOM, PathLimits, PoseCosts
+from .pose_path import PosePath
+from .via_poses import ViaPose
+
+Objective = Literal["mean", "peak"]
+
+PRICE = 0.5
+"""Of a longer and more bent path, beside the condition number over that of the straight one."""
+
+_PEAK_POWER = 16
+# Below this share of the least singular value of the via poses a path counts as singular.
+_NEAR = 0.1
+_PENALTIES = (10.0, 1e3, 1e5)
+_STEPS = 60
+# Starts of the search for a detour, and how far they swing, in characteristic lengths and radians.
+_STARTS = 12
+_SWING = 0.6
+_FINE = 2001
+# Of the way from the straight spline to the best path.
+_SHARES = (1.0, 0.9, 0.75, 0.5, 0.25, 0.1, 0.03, 0.01, 0.0)
+
+
+@dataclass(frozen=True)
+class Conditions:
+    """Condition numbers of H along a path, moments over the characteristic length.
+
+    Attributes
+    ----------
+    mean : float
+        Over the length of the path, shifts over the characteristic length and angles taken together.
+    peak : float
+        Largest; infinite where det H changes its sign.
+    length : float
+        Of the path so measured.
+    """
+
+    mean: float
+    peak: float
+    length: float
+
+
+@dataclass(frozen=True, eq=False)
+class PlannedPath:
+    """A path through via poses.
+
+    Attributes
+    ----------
+    path : PosePath
+        The path.
+    straight : PosePath
+        Spline of least bending through the via poses as they are given.
+    given, poses : tuple of ViaPose
+        The via poses as they are given, and as the path passes them.
+    conditions, straight_conditions : Conditions
+        Condition numbers along both.
+    """
+
+    path: PosePath
+    straight: PosePath
+    given: tuple[ViaPose, ...]
+    poses: tuple[ViaPose, ...]
+    conditions: Conditions
+    straight_conditions: Conditions
+
+
+def plan_path(
+    robot: Robot,
+    poses: Sequence[ViaPose],
+    limits: PathLimits | None = None,
+    objective: Objective = "mean",
+    price: float = PRICE,
+    load: ArrayLike = (0.0, 0.0, 0.0, 0.0, 0.0, 0.0),
+    progress: Progress = silent,
+) -> PlannedPath:
+    """Find a smooth path through via poses of the tool, away from singular poses and within limits.
+
+    Parameters
+    ----------
+    robot : Robot
+        The machine with its leg lengths, joint angles and tool.
+    poses : sequence of ViaPose
+        At least two; each is passed in this order.
+    limits : PathLimits, optional
+        Largest condition number and clearance of the legs.
+    objective : {"mean", "peak"}, optional
+        What is made small: the condition number's mean or its peak. Neither rises above that of the straight
+        spline where that one keeps the limits.
+    price : float, optional
+        Of a longer and more bent path: of doubling the mean squares of its rates and second rates, beside the
+        condition number over that of the straight path. At no price forces rise: bends take acceleration.
+    load : array_like, optional
+        External wrench [F_ext; M_ext] on the way, N and N m, platform frame, (6,).
+    progress : callable, optional
+        Called with what is being done.
+
+    Returns
+    -------
+    PlannedPath
+        The path, the straight one and their condition numbers.
+
+    Raises
+    ------
+    ValueError
+        Naming the argument, or the via pose or limit that stands in the way.
+    """
+    instance(robot, Robot, "robot")
+    option(objective, ("mean", "peak"), "objective")
+    limits = PathLimits() if limits is None else limits
+    instance(limits, PathLimits, "limits")
+    price = not_negative(price, "price")
+    wrench = finite_array(load, (6,), "load")
+    poses = tuple(poses)
+    need_poses(poses)
+    search = _Search.of(robot, poses, limits, objective, price)
+    straight = search.family.path(search.family.coefficients(*search.nothing), robot.tool, wrench)
+    at_first = conditions_along(robot, straight)
+    x = search.best(progress)
+    # Where the straight spline serves, neither number rises above its own: nearer to it they fall to these.
+    for share in _SHARES if not search.broken(0.0 * x) else (1.0,):
+        values, w = search.split(share * x)
+        path = search.family.path(search.family.coefficients(values, w), robot.tool, wrench)
+        found = conditions_along(robot, path)
+        if max(found.mean / at_first.mean, found.peak / at_first.peak) <= 1.0:
+            break
+    passed = tuple(pose.moved(shift) for pose, shift in zip(poses, search.family.shifts(values), strict=True))
+    return PlannedPath(path, straight, poses, passed, found, at_first)
+
+
+def need_poses(poses: Sequence[ViaPose]) -> None:
+    """Reject fewer than two via poses and one that is the same as the one before."""
+    for number, pose in enumerate(poses, start=1):
+        instance(pose, ViaPose, f"via pose {number}")
+    if len(poses) < 2:
+        raise ValueError(f"via poses: expected at least 2, got {len(poses)}")
+    for number, (before, after) in enumerate(itertools.pairwise(poses), start=2):
+        if np.allclose(before.R, after.R, rtol=0.0, atol=1e-9) and np.allclose(
+            before.t, after.t, rtol=1e-12, atol=0.0
+        ):
+            raise ValueError(f"via pose {number}: expected another pose than via pose {number - 1}")
+
+
+def conditions_along(robot: Robot, path: PosePath, count: int = _FINE) -> Conditions:
+    """Condition numbers along a path, from evenly spaced parameters."""
+    motion = path(np.linspace(0.0, 1.0, count))
+    costs = PoseCosts(robot, PathLimits(), np.zeros(3), 1.0, 0.0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        values, signs = costs.plain_conditions(motion.R, motion.t)
+    weight = np.sqrt(np.sum((motion.v / costs.length) ** 2, axis=-1) + np.sum(motion.omega**2, axis=-1))
+    weight[[0, -1]] *= 0.5
+    crossed = bool((signs[1:] != signs[:-1]).any())
+    mean = float(values @ weight / weight.sum())
+    return Conditions(mean, math.inf if crossed else float(values.max()), float(weight.sum() / (count - 1)))
+
+
+@dataclass(frozen=True, eq=False)
+class _Search:
+    """The optimisation of one path: its variables are free coordinates of via poses, then w."""
+
+    family: Family
+    costs: PoseCosts
+    power: int
+    price: float
+    scale: Array
+    first: tuple[float, float]
+
+    @classmethod
+    def of(
+        cls, robot: Robot, poses: tuple[ViaPose, ...], limits: PathLimits, objective: Objective, price: float
+    ) -> _Search:
+        at = PoseCosts(robot, limits, robot.tool, 1.0, 0.0)
+        family = Family.of(poses, at.length)
+        R, t = poses_of(family.rows)
+        values, signs = at.plain_conditions(R, t)
+        fixed = np.array([not pose.free for pose in poses])
+        need_reachable(at, poses, values, signs)
+        chosen = signs[fixed] if fixed.any() else signs
+        side = float(chosen[0])
+        least = _NEAR * float(np.min(at.smallest(R, t)[signs == side]))
+        costs = PoseCosts(robot, limits, robot.tool, side, least)
+        power = 1 if objective == "mean" else _PEAK_POWER
+        search = cls(family, costs, power, price, scales(at.length), (1.0, 1.0))
+        coefficients = family.coefficients(*search.nothing)
+        k = costs.conditions(*poses_of(family.B @ coefficients))[0]
+        rows = coefficients * search.scale
+        first = (float(np.mean(k**power) ** (1.0 / power)), float(np.sum(rows * (family.metric @ rows))))
+        return cls(family, costs, power, price, search.scale, first)
+
+    @property
+    def nothing(self) -> tuple[Array, Array]:
+        """No shift of any via pose, and the spline of least bending."""
+        return np.zeros(len(self.family.free)), np.zeros((self.family.rest.shape[1], 7))
+
+    def split(self, x: Array) -> tuple[Array, Array]:
+        """Free coordinates and w of the variables."""
+        free = len(self.family.free)
+        return x[:free], x[free:].reshape(-1, 7) / self.scale
+
+    def best(self, progress: Progress) -> Array:
+        """Variables of the best path; ValueError that names the limit which stands in the way."""
+        start = np.concatenate([part.ravel() for part in self.nothing])
+        random = np.random.default_rng(0)
+        worst: list[tuple[float, str, float]] = []
+        for turn in range(_STARTS):
+            progress("planning the path", turn / _STARTS)
+            x = self.minimum(start)
+            broken = self.broken(x)
+            if not broken:
+                family = self.family
+                path = family.path(family.coefficients(*self.split(x)), self.costs.tool, np.zeros(6))
+                crossed = crossings(self.costs.robot, path, np.union1d(family.s, [0.0, 1.0]))
+                if not crossed:
+                    return x
+                broken = [(math.inf, "a singular pose", crossed[0].time)]
+            worst.append(max(broken))
+            start = np.concatenate([part.ravel() for part in self.nothing])
+            start[len(self.family.free) :] += self.swing(random)
+        _, what, place = min(worst)
+        segment = int(np.clip(np.searchsorted(self.family.via, place), 1, len(self.family.poses) - 1))
+        raise ValueError(
+            f"via pose {segment + 1}: expected a path to it from via pose {segment}, none was found: {what} "
+            "stands in the way"
+        )
+
+    def swing(self, random: np.random.Generator) -> Array:
+        """A smooth random detour: all free coefficients moved by one shift and one turn."""
+        move = _SWING * random.normal(size=7)
+        move[3:] *= 0.5
+        return (self.family.rest.T @ np.ones((len(self.family.rest), 1)) * move).ravel()
+
+    def minimum(self, x: Array) -> Array:
+        """A local minimum, limits as penalties that grow."""
+        with needed_for("a path"):
+            from scipy.optimize import minimize
+        free = len(self.family.free)
+        box = [*self.family.box(), *[(None, None)] * (len(x) - free)]
+        for penalty in _PENALTIES:
+            found = minimize(
+                self.value,
+                x,
+                args=(penalty,),
+                jac=True,
+                method="L-BFGS-B",
+                bounds=box,
+                options={"maxiter": _STEPS},
+            )
+            x = found.x
+        return np.asarray(x)
+
+    def value(self, x: Array, penalty: float) -> tuple[float, Array]:
+        """Objective with its derivative."""
+        family, costs = self.family, self.costs
+        values, w = self.split(x)
+        c = family.coefficients(values, w)
+        rows = family.B @ c
+        R, t = poses_of(rows)
+        n, p = len(rows), self.power
+        k, by_twist = costs.conditions(R, t)
+        total = float(np.mean(k**p) ** (1.0 / p))
+        by_pose = (total ** (1 - p) * k ** (p - 1) / n)[:, None] * by_twist / self.first[0]
+        value = total / self.first[0]
+        for _, excess, by in costs.excesses(R, t):
+            over = np.maximum(excess, 0.0)
+            value += penalty * float(np.sum(over**2)) / n
+            by_pose += 2.0 * penalty / n * np.einsum("nk,nkj->nj", over, by)
+        by_c = family.B.T @ by_coordinates(rows, by_pose)
+        scaled = c * self.scale
+        priced = family.metric @ scaled
+        value += self.price * float(np.sum(scaled * priced)) / self.first[1]
+        by_c += 2.0 * self.price / self.first[1] * priced * self.scale
+        by_free, by_w = family.gradients(values, by_c)
+        return value, np.concatenate([by_free, (by_w / self.scale).ravel()])
+
+    def broken(self, x: Array) -> list[tuple[float, str, float]]:
+        """Limits that the path breaks, between the samples too: by how much, which, and where."""
+        family = self.family
+        rows = family.fine @ family.coefficients(*self.split(x))
+        return broken_limits(self.costs, *poses_of(rows), family.between)
+
+
+def broken_limits(costs: PoseCosts, R: Array, t: Array, s: Array) -> list[tuple[float, str, float]]:
+    """Limits that poses at parameters s break: by how much, which, and where most."""
+    found = []
+    for name, excess, _ in costs.excesses(R, t):
+        most = excess.max(axis=-1)
+        if most.max() > ROOM:
+            found.append((float(most.max()), name, float(s[np.argmax(most)])))
+    _, signs = costs.plain_conditions(R, t)
+    if (signs != costs.side).any():
+        found.append((math.inf, "a singular pose", float(s[np.argmax(signs != costs.side)])))
+    return found
+
+
+def need_reachable(costs: PoseCosts, poses: Sequence[ViaPose], values: Array, signs: Array) -> None:
+    """Reject via poses that are singular, break a limit, or lie beyond singular poses from the first."""
+    for number, pose in enumerate(poses, start=1):
+        if pose.free:
+            continue
+        if not values[number - 1] < 1e12:
+            raise ValueError(f"via pose {number}: expected a regular pose, it is singular")
+        if values[number - 1] > costs.limits.condition:
+            raise ValueError(
+                f"via pose {number}: expected a condition number of at most {costs.limits.condition:g}, "
+                f"got {values[number - 1]:.4g}"
+            )
+        for name, excess, _ in costs.excesses(pose.R[None], pose.t[None]):
+            if excess.max() > ROOM and name != "condition number":
+                leg = f" of leg {int(np.argmax(excess[0])) + 1}" if excess.shape[1] == 6 else ""
+                raise ValueError(f"via pose {number}: out of reach, it breaks the limit of {name}{leg}")
+    fixed = [k for k, pose in enumerate(poses) if not pose.free]
+    for before, after in itertools.pairwise(fixed):
+        if signs[before] != signs[after]:
+            raise ValueError(
+                f"via pose {after + 1}: every path to it from via pose {before + 1} crosses a singular pose, "
+                "as det H has another sign there"
+            )

@@ -1,0 +1,1 @@
+"""What planning gains: condition numbers, forces, and whether the one tells of the other."""

@@ -1,0 +1,195 @@
+"""Condition numbers and forces along random paths, paths planned and straight, and Path III planned anew.
+
+``python -m stewart_sym.studies.planning.study DIR`` writes ``plan.json``, ``plan_claim.png`` and
+``plan_path_III.png``.
+"""
+
+import sys
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.stats import spearmanr
+
+from ...dynamics.inverse import inverse_dynamics
+from ...io.json_text import json_text
+from ...io.writing import replaced_file
+from ...kinematics.conditioning import characteristic_length, scaled_condition_number
+from ...kinematics.inverse import wrench_matrix
+from ...motion.motion import at_rest
+from ...motion.rotation import rotation_from_vector, vector_from_rotation
+from ...motion.straight_line import PATHS
+from ...planning.path_spline import Family
+from ...planning.path_terms import travelled
+from ...planning.plan_path import PlannedPath, conditions_along, plan_path
+from ...planning.pose_path import PosePath
+from ...planning.via_poses import ViaPose
+from ...robot.robot import Robot
+from ...robots import dasgupta1998
+from ...singularities.along_path import crossings
+from ..common.report import draw
+from ..robustness.sweep.machines import GRAVITY, random_machine
+
+Array = NDArray[np.float64]
+
+PATH_COUNT, MACHINE_COUNT, VIA_COUNT = 1000, 50, 6
+YAW = 0.3
+"""By which the end of Path III may be turned about the platform's own axis, rad."""
+DURATION = 6.0
+"""Of Path III, s."""
+
+_SAMPLES = 201
+_MOST_CONDITION = 40.0
+# Durations of random paths, in times that the machine takes to fall its own size.
+_DURATIONS = {"slow": 20.0, "fast": 3.0}
+
+
+@dataclass(frozen=True)
+class Along:
+    """Condition numbers, (n,), and the largest force of any leg, N, (n,), along a path."""
+
+    condition: Array
+    force: Array
+
+    @property
+    def correlation(self) -> float:
+        """Rank correlation of the two."""
+        return float(spearmanr(self.condition, self.force).statistic)
+
+
+def along(robot: Robot, path: PosePath, duration: float) -> Along:
+    """Of a path from rest to rest, s = 10 x^3 - 15 x^4 + 6 x^5 with x the share of the time."""
+    x = np.linspace(0.0, 1.0, _SAMPLES)
+    s = x**3 * (10.0 - 15.0 * x + 6.0 * x**2)
+    rate = 30.0 * x**2 * (1.0 - x) ** 2 / duration
+    second = 60.0 * x * (1.0 - x) * (1.0 - 2.0 * x) / duration**2
+    motion = travelled(path(s), rate, second)
+    forces = inverse_dynamics(robot, motion).F
+    condition = scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
+    return Along(condition, np.abs(forces).max(axis=-1))
+
+
+def via_poses(rng: np.random.Generator, robot: Robot, count: int) -> tuple[ViaPose, ...]:
+    """Poses about the home pose, well conditioned and on one side of singular poses."""
+    size = float(np.linalg.norm(robot.b, axis=-1).mean())
+    home = robot.b.mean(axis=0) + np.array([0.0, 0.0, 1.1 * size])
+    side = 0.0
+    found: list[ViaPose] = []
+    while len(found) < count:
+        R, t = rotation_from_vector(0.35 * rng.normal(size=3)), home + 0.2 * size * rng.normal(size=3)
+        H = wrench_matrix(robot, at_rest(R, t))
+        sign = float(np.sign(np.linalg.det(H)))
+        good = float(scaled_condition_number(H, characteristic_length(robot))) < _MOST_CONDITION
+        if good and side in (0.0, sign):
+            side = sign
+            found.append(ViaPose(R, t))
+    return tuple(found)
+
+
+def straight(robot: Robot, poses: tuple[ViaPose, ...]) -> PosePath:
+    """The spline of least bending through via poses."""
+    family = Family.of(poses, characteristic_length(robot))
+    w = np.zeros((family.rest.shape[1], 7))
+    return family.path(family.coefficients(np.zeros(0), w), robot.tool, np.zeros(6))
+
+
+def claim(count: int = PATH_COUNT) -> dict[str, Any]:
+    """Whether forces are higher where the condition number is: rank correlations along straight paths."""
+    found: dict[str, list[float]] = {name: [] for name in _DURATIONS}
+    peaks: list[list[float]] = []
+    seed = 0
+    while len(peaks) < count:
+        rng = np.random.default_rng(seed)
+        seed += 1
+        robot = random_machine(rng)
+        path = straight(robot, via_poses(rng, robot, 2))
+        if not np.isfinite(conditions_along(robot, path, _SAMPLES).peak):
+            continue
+        own = np.sqrt(1.0 / GRAVITY)
+        each = {name: along(robot, path, times * own) for name, times in _DURATIONS.items()}
+        for name, one in each.items():
+            found[name].append(one.correlation)
+        weight = GRAVITY * (robot.M + robot.m_d.sum() + robot.m_u.sum())
+        peaks.append([each["slow"].condition.max(), *(one.force.max() / weight for one in each.values())])
+    columns = np.array(peaks).T
+    return {
+        "paths": count,
+        "durations": _DURATIONS,
+        "correlation": found,
+        "peak_condition": columns[0],
+        "peak_force_over_weight": dict(zip(_DURATIONS, columns[1:], strict=True)),
+        "correlation_of_peaks": {
+            name: float(spearmanr(columns[0], column).statistic)
+            for name, column in zip(_DURATIONS, columns[1:], strict=True)
+        },
+    }
+
+
+def gains(count: int = MACHINE_COUNT) -> dict[str, Any]:
+    """Planned over straight paths through six via poses: condition numbers, peak force, length."""
+    rows = []
+    for seed in range(count):
+        rng = np.random.default_rng(10_000 + seed)
+        robot = random_machine(rng)
+        poses = via_poses(rng, robot, VIA_COUNT)
+        found = plan_path(robot, poses)
+        before, after = found.straight_conditions, found.conditions
+        duration = 2.0 * VIA_COUNT * np.sqrt(1.0 / GRAVITY)
+        forces = [float(along(robot, path, duration).force.max()) for path in (found.straight, found.path)]
+        ratios = [after.mean / before.mean, after.peak / before.peak, forces[1] / forces[0]]
+        rows.append([*ratios, after.length / before.length])
+    return dict(zip(("mean", "peak", "peak_force", "length"), np.array(rows).T, strict=True)) | {
+        "machines": count
+    }
+
+
+def path_III() -> dict[str, Any]:
+    """Path III between its own ends, and where its end may be yawed; forces of both in 6 s."""
+    robot, planned = dasgupta1998(), planned_path_III()
+    motion = PATHS["III"].path.sample(np.array([0.0, DURATION]))
+    before, after = (along(robot, path, DURATION) for path in (planned.straight, planned.path))
+    s = np.linspace(0.0, 1.0, 1001)
+    return {
+        "signs_of_det_H": np.sign(np.linalg.det(wrench_matrix(robot, motion))),
+        "yaw_rad": float(vector_from_rotation(planned.given[1].R.T @ planned.poses[1].R)[2]),
+        "crossings": {
+            "straight": len(crossings(robot, planned.straight, s)),
+            "planned": len(crossings(robot, planned.path, s)),
+        },
+        "conditions": {"straight": vars(planned.straight_conditions), "planned": vars(planned.conditions)},
+        "force_N": {"straight": before.force, "planned": after.force},
+        "condition": {"straight": before.condition, "planned": after.condition},
+    }
+
+
+def planned_path_III() -> PlannedPath:
+    """Path III planned anew, with its end free to be yawed."""
+    motion = PATHS["III"].path.sample(np.array([0.0, DURATION]))
+    free = np.array([0.0, 0.0, 0.0, 0.0, 0.0, YAW])
+    ends = (ViaPose(motion.R[0], motion.t[0]), ViaPose(motion.R[1], motion.t[1], -free, free))
+    return plan_path(dasgupta1998(), ends)
+
+
+def figures() -> dict[str, Any]:
+    """All of the study."""
+    return {"claim": claim(), "gains": gains(), "path_III": path_III()}
+
+
+def main(arguments: list[str]) -> int:
+    """Write figures and pictures to a folder; returns the exit code."""
+    from .pictures import pictures
+
+    folder = Path(arguments[0])
+    folder.mkdir(parents=True, exist_ok=True)
+    found = figures()
+    with replaced_file(folder / "plan.json") as stream:
+        stream.write(json_text(found))
+    for name, picture in pictures(found).items():
+        draw(picture, folder / name)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

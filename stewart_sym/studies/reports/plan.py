@@ -1,0 +1,209 @@
+"""A plan as ``plan`` writes it: trajectory, summary, figures for programs, pictures."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...dynamics.inverse import inverse_dynamics
+from ...kinematics.conditioning import characteristic_length, scaled_condition_number
+from ...kinematics.inverse import inverse_kinematics, wrench_matrix
+from ...motion.motion import Motion
+from ...motion.rotation import (
+    angular_acceleration_from_rpy,
+    angular_velocity_from_rpy,
+    quaternion_from_rotation,
+    rpy_from_rotation,
+    vector_from_rotation,
+)
+from ...planning.certificate import PlanCertificate
+from ...planning.path_terms import force_limits
+from ...planning.plan_path import Conditions, PlannedPath
+from ...planning.pose_path import PosePath
+from ...planning.time_path import TimedPath
+from ...robot.robot import Robot
+from ..common.output import Columns, of_axes, of_legs
+from ..common.report import Picture, Report
+
+Array = NDArray[np.float64]
+
+# Cosine of the pitch from which on the rates of roll and yaw are plain numbers.
+_PLAIN = 0.05
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """A path, how fast it is travelled, and what was found of it; rate: of its trajectory, Hz."""
+
+    robot: Robot
+    planned: PlannedPath
+    timed: TimedPath
+    certificate: PlanCertificate
+    rate: float
+
+    @property
+    def times(self) -> Array:
+        """Instants of the trajectory, s, and the end as the last."""
+        end = self.timed.duration
+        return np.append(np.arange(0.0, end * (1.0 - 1e-9), 1.0 / self.rate), end)
+
+
+def trajectory(robot: Robot, times: Array, motion: Motion) -> Columns:
+    """Columns as ``forces`` reads them: poses of the tool with rates; without these where pitch is upright.
+
+    Where the robot's files multiply rotations in another order than zyx, quaternions.
+    """
+    at_tool = motion.about_point(robot.tool) if robot.tool.any() else motion
+    theta = np.unwrap(rpy_from_rotation(at_tool.R), axis=0)
+    columns: Columns = {"time": times, **of_axes("t", at_tool.t)}
+    if robot.euler_order != "zyx" or np.abs(np.cos(theta[:, 1])).min() < _PLAIN:
+        quaternion = quaternion_from_rotation(at_tool.R)
+        return columns | {f"q_{part}": column for part, column in zip("wxyz", quaternion.T, strict=True)}
+    axes = np.stack(
+        [angular_velocity_from_rpy(theta, np.broadcast_to(unit, theta.shape)) for unit in np.eye(3)], axis=-1
+    )
+    theta_dot = np.linalg.solve(axes, at_tool.omega[..., None])[..., 0]
+    assert at_tool.alpha is not None
+    assert at_tool.a is not None
+    carried = angular_acceleration_from_rpy(theta, theta_dot, np.zeros_like(theta))
+    theta_ddot = np.linalg.solve(axes, (at_tool.alpha - carried)[..., None])[..., 0]
+    vectors = {
+        "theta": theta,
+        "v": at_tool.v,
+        "theta_dot": theta_dot,
+        "a": at_tool.a,
+        "theta_ddot": theta_ddot,
+    }
+    if at_tool.F_ext is not None and at_tool.M_ext is not None:
+        vectors |= {"F_ext": at_tool.F_ext, "M_ext": at_tool.M_ext}
+    for name, values in vectors.items():
+        columns |= of_axes(name, values)
+    return columns
+
+
+def along(plan: Plan, times: Array) -> Columns:
+    """Columns over time: place on the path, its rates, condition number, lengths, speeds and forces."""
+    place, motion = plan.timed.profile.at(times), plan.timed.sample(times)
+    legs = inverse_kinematics(plan.robot, motion)
+    forces = inverse_dynamics(plan.robot, motion, plan.timed.formulation).F
+    columns: Columns = {
+        "time": times,
+        "s": place.s,
+        "s_dot": place.rate,
+        "s_ddot": place.second,
+        "scaled_condition": conditions(plan.robot, motion),
+    }
+    return columns | of_legs("L", legs.L) | of_legs("L_dot", legs.L_dot) | of_legs("F", forces)
+
+
+def conditions(robot: Robot, motion: Motion) -> Array:
+    """Condition numbers of H, its moments over the characteristic length, (n,)."""
+    return scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot) or 1.0)
+
+
+def report(plan: Plan, figures: Mapping[str, Picture]) -> Report:
+    """Everything about a plan, with its pictures, or none."""
+    tables = {
+        "trajectory": trajectory(plan.robot, plan.times, plan.timed.sample(plan.times)),
+        "path": along(plan, plan.times),
+    }
+    return Report(summary(plan), tables, data(plan), figures)
+
+
+def summary(plan: Plan) -> str:
+    """A few lines: duration, condition numbers, extremes, how near a singular pose is, what is proven."""
+    found, planned = plan.certificate, plan.planned
+    leg = int(np.argmax(found.force.value))
+    fast = int(np.argmax(found.speed.value))
+    lines = [
+        f"duration   {plan.timed.duration:.6g} s, from rest to rest",
+        f"path       {_lengths(planned)}",
+        f"condition  {_conditions(planned.conditions)}",
+        f"straight   {_conditions(planned.straight_conditions)}",
+        f"force      up to {found.force.value[leg]:.6g} N, leg {leg + 1} at {found.force.time[leg]:.6g} s",
+        f"speed      up to {found.speed.value[fast]:.6g} m/s, leg {fast + 1} "
+        f"at {found.speed.time[fast]:.6g} s",
+        f"length     {found.shortest.value.min():.6g} to {found.longest.value.max():.6g} m",
+        f"limits     used to {100.0 * found.used:.5f} % at {found.instants:,} instants, "
+        f"one is active in {100.0 * found.active:.4g} % of the time",
+        f"crossings  {len(found.crossings)}; nearest to a singular pose at {found.nearest.time:.6g} s, "
+        f"smallest singular value {found.nearest.smallest:.4g}",
+        f"certificate  {'holds' if found.holds else 'does not hold'}",
+    ]
+    lines += [f"via pose {number}  {text}" for number, text in _freed(planned)]
+    return "\n".join(lines)
+
+
+def _lengths(planned: PlannedPath) -> str:
+    path, straight = planned.conditions.length, planned.straight_conditions.length
+    return f"{path / straight:.4g} times as long as the straight one"
+
+
+def _conditions(found: Conditions) -> str:
+    peak = "infinite, it crosses a singular pose" if np.isinf(found.peak) else f"{found.peak:.5g}"
+    return f"number of H: mean {found.mean:.5g}, peak {peak}"
+
+
+def _freed(planned: PlannedPath) -> Sequence[tuple[int, str]]:
+    """Number of each via pose that was free, and by how much the path passes it elsewhere."""
+    found = []
+    for number, (given, passed) in enumerate(zip(planned.given, planned.poses, strict=True), start=1):
+        if given.free:
+            shift, turn = passed.t - given.t, vector_from_rotation(given.R.T @ passed.R)
+            parts = [
+                f"{name} {value:+.4g}" for name, value in zip(("x", "y", "z"), shift, strict=True) if value
+            ]
+            parts += [
+                f"{name} {value:+.4g}"
+                for name, value in zip(("roll", "pitch", "yaw"), turn, strict=True)
+                if abs(value) > 1e-12
+            ]
+            found.append((number, "moved by " + (", ".join(parts) or "nothing")))
+    return found
+
+
+def data(plan: Plan) -> dict[str, Any]:
+    """What the summary says, for programs."""
+    found, planned = plan.certificate, plan.planned
+    limits = force_limits(plan.robot, plan.timed.limits)
+    return {
+        "duration_s": plan.timed.duration,
+        "rate_Hz": plan.rate,
+        "condition": vars(planned.conditions),
+        "straight_condition": vars(planned.straight_conditions),
+        "via_poses": [{"t_m": pose.t, "theta_rad": rpy_from_rotation(pose.R)} for pose in planned.poses],
+        "legs": [
+            {
+                "leg": leg + 1,
+                "least_length_m": found.shortest.value[leg],
+                "greatest_length_m": found.longest.value[leg],
+                "peak_speed_m_per_s": found.speed.value[leg],
+                "peak_force_N": found.force.value[leg],
+                "peak_force_time_s": found.force.time[leg],
+                "force_limit_N": limits[leg],
+            }
+            for leg in range(6)
+        ],
+        "certificate": {
+            "holds": found.holds,
+            "instants": found.instants,
+            "limit_used": found.used,
+            "active_time": found.active,
+            "crossings_s": [crossing.time for crossing in found.crossings],
+            "nearest_singular_pose_time_s": found.nearest.time,
+            "smallest_singular_value": found.nearest.smallest,
+        },
+        "units": {
+            "condition": "of H with moments over the characteristic length; length of the path over that",
+            "limit_used": "share of a limit",
+            "active_time": "share of the duration",
+        },
+    }
+
+
+def path_conditions(robot: Robot, path: PosePath, count: int = 801) -> tuple[Array, Array]:
+    """Parameters and condition numbers along a path."""
+    s = np.linspace(0.0, 1.0, count)
+    return s, conditions(robot, path(s))

@@ -1,0 +1,118 @@
+"""``stewart-sym plan``: what it writes, that it can be read again, and what it rejects in one line."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from pages import DOCS
+
+from stewart_sym.cli.main import main
+from stewart_sym.dynamics.inverse import inverse_dynamics
+from stewart_sym.motion.log_reader import read_csv
+from stewart_sym.robot.robot import Robot
+
+EXAMPLES = DOCS / "examples"
+VIA = (EXAMPLES / "via.toml").read_text(encoding="utf-8")
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    shutil.copy(EXAMPLES / "hexapod.toml", tmp_path)
+    return tmp_path
+
+
+def via(folder: Path, text: str = VIA) -> str:
+    (folder / "via.toml").write_text(text, encoding="utf-8")
+    return str(folder / "via.toml")
+
+
+def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path) -> None:
+    out = folder / "out"
+    assert main(["plan", via(folder), "-o", str(out), "--no-pictures"]) == 0
+    found = json.loads((out / "report.json").read_text())
+    assert found["certificate"]["holds"]
+    assert found["certificate"]["crossings_s"] == []
+    assert found["condition"]["peak"] <= 12.0
+    log = read_csv(out / "trajectory.csv")
+    np.testing.assert_allclose(np.diff(log.time)[:-1], 1.0 / 200.0)
+    assert log.time[-1] == pytest.approx(found["duration_s"])
+    F = inverse_dynamics(Robot.from_toml(folder / "hexapod.toml"), log.motion).F
+    assert np.abs(F).max() <= 500.0 * (1.0 + 1e-9)
+    assert np.abs(F).max() > 450.0
+
+
+def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:
+    rows = ["time,t_x,t_y,t_z,theta_x,theta_y,theta_z", "0,0,0,0.65,0,0,0", "1,0.1,0.05,0.7,0.1,-0.1,0.2"]
+    (folder / "poses.csv").write_text("\n".join(rows) + "\n")
+    text = 'schema = 1\nrobot = "hexapod.toml"\nvia_file = "poses.csv"\n'
+    assert main(["plan", via(folder, text), "-o", str(folder / "out"), "--no-pictures"]) == 0
+    (folder / "poses.csv").write_text("\n".join([rows[0], rows[2], rows[1]]) + "\n")
+    check_rejected(folder, text, "expected increasing times", out="other")
+    (folder / "poses.csv").write_text("\n".join([*rows[:2], "1,nan,0.05,0.7,0.1,-0.1,0.2"]) + "\n")
+    check_rejected(folder, text, "t_x", out="other")
+    (folder / "poses.csv").write_text("\n".join(rows[:2]) + "\n")
+    check_rejected(folder, text, "poses.csv: via poses: expected at least 2, got 1", out="other")
+
+
+def check_rejected(folder: Path, text: str, words: str, out: str = "out") -> None:
+    import contextlib
+    import io
+
+    before = sorted(path.name for path in folder.iterdir() if path.name != "via.toml")
+    source, errors = via(folder, text), io.StringIO()
+    with contextlib.redirect_stderr(errors):
+        assert main(["plan", source, "-o", str(folder / out), "--no-pictures"]) == 2
+    lines = errors.getvalue().splitlines()
+    assert [line for line in lines if "error:" in line] == lines[-1:], lines
+    assert words in lines[-1]
+    after = sorted(path.name for path in folder.iterdir() if path.name != "via.toml")
+    assert after == before
+
+
+HEAD = 'schema = 1\nrobot = "hexapod.toml"\n'
+FIRST = "[[via]]\nt = [0.0, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
+SECOND = "[[via]]\nt = [0.1, 0.0, 0.65]\ntheta = [0.0, 0.0, 0.0]\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (HEAD + FIRST, "via: expected at least 2 via poses, got 1 (at line 3)"),
+        (HEAD + "via = []\n", "via: expected at least 2 via poses, got 0 (at line 3)"),
+        (HEAD, "via: expected either via poses or via_file"),
+        (HEAD + FIRST + SECOND.replace("0.1", "nan"), "via 2: t: expected 3 finite numbers"),
+        (
+            HEAD + FIRST + SECOND.replace("0.1", "9.0"),
+            "via pose 2: out of reach, it breaks the limit of leg length of leg",
+        ),
+        (HEAD + FIRST + FIRST, "via pose 2: expected another pose than via pose 1"),
+        (HEAD + "[limits]\nforce = 10.0\n" + FIRST + SECOND, "at rest at s ="),
+        (
+            HEAD + "[limits]\nforce = -1.0\n" + FIRST + SECOND,
+            "limits.force: expected a number > 0, got -1 (at line 4)",
+        ),
+        (
+            HEAD + "[limits]\ncondition = 1.1\n" + FIRST + SECOND,
+            "via pose 1: expected a condition number of at most 1.1",
+        ),
+        (HEAD + "[limits]\nforces = 1.0\n" + FIRST + SECOND, 'did you mean "force"?'),
+        (
+            HEAD + FIRST + SECOND + "free.yaw = [0.1, 0.3]\n",
+            "free.yaw: expected [low, high] with low <= 0 <= high",
+        ),
+        (HEAD.replace("hexapod", "nothing") + FIRST + SECOND, "nothing.toml"),
+        ("", "the file is empty"),
+    ],
+)
+def test_bad_input_is_one_line_and_leaves_nothing_behind(folder: Path, text: str, words: str) -> None:
+    check_rejected(folder, text, words)
+
+
+def test_a_singular_start_is_rejected(folder: Path) -> None:
+    """The platform in the plane of its base, level: no leg bears weight."""
+    robot = (folder / "hexapod.toml").read_text().replace("length_limits = [0.55, 0.95]\n", "")
+    (folder / "flat.toml").write_text(robot)
+    text = (HEAD + FIRST + SECOND).replace("hexapod", "flat").replace("0.65]\ntheta", "0.05]\ntheta", 1)
+    check_rejected(folder, text, "via pose 1: expected a regular pose, it is singular")

@@ -1,0 +1,277 @@
+"""Paths through via poses: condition numbers, detours, limits, free coordinates, what stands in the way."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from machines import dasgupta, home_position, machine_size, random_robot
+from via_cases import via_case
+
+from stewart_sym.kinematics.clearance import leg_distances
+from stewart_sym.kinematics.conditioning import characteristic_length, scaled_condition_number
+from stewart_sym.kinematics.inverse import inverse_kinematics, wrench_matrix
+from stewart_sym.motion.rotation import rotation_from_rpy, rotation_from_vector, vector_from_rotation
+from stewart_sym.motion.straight_line import PATHS
+from stewart_sym.planning.path_spline import Family, by_coordinates, poses_of
+from stewart_sym.planning.plan_path import plan_path
+from stewart_sym.planning.pose_costs import PathLimits, PoseCosts
+from stewart_sym.planning.via_poses import ViaPose
+from stewart_sym.singularities.along_path import crossings
+
+S = np.linspace(0.0, 1.0, 501)
+NOTHING = np.zeros(6)
+
+
+def conditions(robot, motion):
+    return scaled_condition_number(wrench_matrix(robot, motion), characteristic_length(robot))
+
+
+@pytest.mark.parametrize("objective", ["mean", "peak"])
+@pytest.mark.parametrize("seed", range(3))
+def test_condition_numbers_are_never_above_those_of_the_straight_spline(seed: int, objective: str) -> None:
+    robot, poses = via_case(seed)
+    found = plan_path(robot, poses, objective=objective)
+    assert found.conditions.mean <= found.straight_conditions.mean
+    assert found.conditions.peak <= found.straight_conditions.peak
+    assert conditions(robot, found.path(S)).max() <= found.straight_conditions.peak * (1.0 + 1e-9)
+
+
+@pytest.mark.slow
+def test_condition_numbers_are_lower_on_fifty_machines() -> None:
+    ratios = []
+    for seed in range(50):
+        robot, poses = via_case(seed, 6)
+        found = plan_path(robot, poses)
+        ratios.append(
+            [
+                found.conditions.mean / found.straight_conditions.mean,
+                found.conditions.peak / found.straight_conditions.peak,
+            ]
+        )
+    assert np.max(ratios) <= 1.0
+    assert np.median(ratios, axis=0)[0] < 0.99
+
+
+def test_the_path_passes_its_via_poses() -> None:
+    robot, poses = via_case(7)
+    found = plan_path(robot, poses)
+    at = found.path(found.path.via)
+    np.testing.assert_allclose(at.t, [pose.t for pose in poses], atol=1e-9)
+    np.testing.assert_allclose(at.R, [pose.R for pose in poses], atol=1e-9)
+
+
+def test_rates_of_a_path_are_derivatives_of_its_poses() -> None:
+    robot, poses = via_case(8)
+    path = plan_path(dataclasses.replace(robot, tool=np.array([0.01, -0.02, 0.05])), poses).path
+    s, h = np.linspace(0.01, 0.99, 57), 1e-6
+    at, before, after = (path(s + shift) for shift in (0.0, -h, h))
+    np.testing.assert_allclose(at.v, (after.t - before.t) / (2 * h), atol=1e-6)
+    np.testing.assert_allclose(at.a, (after.v - before.v) / (2 * h), atol=1e-5 * np.abs(at.a).max())
+    turn = vector_from_rotation(after.R @ np.swapaxes(before.R, -1, -2)) / (2 * h)
+    np.testing.assert_allclose(at.omega, turn, atol=1e-6 * np.abs(turn).max())
+    np.testing.assert_allclose(
+        at.alpha, (after.omega - before.omega) / (2 * h), atol=1e-5 * np.abs(at.alpha).max()
+    )
+
+
+def test_costs_have_the_derivatives_of_their_values() -> None:
+    rng = np.random.default_rng(0)
+    robot, poses = via_case(9)
+    robot = dataclasses.replace(
+        robot,
+        home=poses[0].t,
+        joint_angle_limit=np.full((6, 2), 0.3),
+        length_limits=np.tile([2.0, 2.1], (6, 1)) * machine_size(robot),
+    )
+    family = Family.of(poses, characteristic_length(robot))
+    costs = PoseCosts(robot, PathLimits(condition=2.0, clearance=0.4), 0.1 * rng.normal(size=3), 1.0, 0.2)
+    rows = family.rows + 0.02 * rng.normal(size=family.rows.shape)
+    move, h = rng.normal(size=rows.shape), 1e-6
+
+    def parts(shift: float) -> list[np.ndarray]:
+        R, t = poses_of(rows + shift * move)
+        return [costs.conditions(R, t)[0][:, None], *(excess for _, excess, _ in costs.excesses(R, t))]
+
+    R, t = poses_of(rows)
+    gradients = [costs.conditions(R, t)[1][:, None], *(by for _, _, by in costs.excesses(R, t))]
+    assert len(gradients) == 8
+    for before, after, by in zip(parts(-h), parts(h), gradients, strict=True):
+        found = [np.sum(by_coordinates(rows, by[:, k]) * move, axis=-1) for k in range(by.shape[1])]
+        numeric = (after - before) / (2.0 * h)
+        np.testing.assert_allclose(
+            np.stack(found, axis=-1), numeric, atol=2e-6 * max(1.0, np.abs(numeric).max())
+        )
+
+
+def crossed_pairs(count: int):
+    """Machines with two poses, the straight path between which crosses singular poses and comes back."""
+    found = []
+    for seed in range(1000):
+        rng = np.random.default_rng(seed)
+        robot = random_robot(rng)
+        size = machine_size(robot)
+        t = home_position(robot.b, size) + 0.4 * size * rng.normal(size=(2, 3))
+        poses = tuple(
+            ViaPose(*pose) for pose in zip(rotation_from_vector(rng.normal(size=(2, 3))), t, strict=True)
+        )
+        costs = PoseCosts(robot, PathLimits(), np.zeros(3), 1.0, 0.0)
+        k, signs = costs.plain_conditions(np.array([pose.R for pose in poses]), t)
+        if signs[0] == signs[1] and k.max() < 40.0:
+            family = Family.of(poses, costs.length)
+            line = family.path(
+                family.coefficients(np.zeros(0), np.zeros((family.rest.shape[1], 7))), np.zeros(3), NOTHING
+            )
+            if crossings(robot, line, S[::5]):
+                found.append((robot, poses))
+        if len(found) == count:
+            return found
+    raise AssertionError("too few")
+
+
+def check_detours(count: int, least: int) -> None:
+    good = 0
+    for robot, poses in crossed_pairs(count):
+        try:
+            path = plan_path(robot, poses).path
+        except ValueError as error:
+            assert str(error).endswith("stands in the way")  # noqa: PT017
+        else:
+            assert crossings(robot, path, S) == ()
+            good += 1
+    assert good >= least
+
+
+def test_detours_around_singular_poses_are_found() -> None:
+    check_detours(5, 5)
+
+
+@pytest.mark.slow
+def test_detours_around_singular_poses_are_found_on_many_machines() -> None:
+    check_detours(40, 33)
+
+
+def ends_of_path_III():
+    motion = PATHS["III"].path.sample(np.array([0.0, 6.0]))
+    return tuple(ViaPose(R, t) for R, t in zip(motion.R, motion.t, strict=True))
+
+
+def test_no_path_joins_the_ends_of_path_III() -> None:
+    """det H is continuous and has other signs at the ends, a long way from its rounding."""
+    robot = dasgupta()
+    first, last = ends_of_path_III()
+    motion = PATHS["III"].path.sample(np.array([0.0, 6.0]))
+    H = wrench_matrix(robot, motion)
+    determinants = np.linalg.det(H)
+    bound = 1e-12 * np.prod(np.linalg.norm(H, axis=-2), axis=-1)
+    assert determinants[0] < -bound[0]
+    assert determinants[1] > bound[1]
+    with pytest.raises(
+        ValueError, match="via pose 2: every path to it from via pose 1 crosses a singular pose"
+    ):
+        plan_path(robot, (first, last))
+
+
+def test_path_III_is_planned_anew_where_its_end_may_be_yawed() -> None:
+    robot = dasgupta()
+    first, last = ends_of_path_III()
+    free = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.3])
+    found = plan_path(robot, (first, ViaPose(last.R, last.t, -free, free)))
+    assert crossings(robot, found.path, S) == ()
+    np.testing.assert_allclose(found.poses[1].t, last.t)
+    turn = vector_from_rotation(last.R.T @ found.poses[1].R)
+    assert np.abs(turn[:2]).max() < 1e-12
+    assert abs(turn[2]) <= 0.3 + 1e-12
+
+
+def test_limits_of_lengths_clearance_and_condition_are_kept() -> None:
+    robot, poses = via_case(11, 3)
+    at_via = [
+        inverse_kinematics(robot, plan_path(robot, poses).straight(np.array([s]))).L for s in (0.0, 1.0)
+    ]
+    free = plan_path(robot, poses, price=0.0)
+    motion = free.path(S)
+    L = inverse_kinematics(robot, motion).L
+    via = free.path(free.path.via)
+    at_via = inverse_kinematics(robot, via).L
+    size = characteristic_length(robot)
+    tight = np.stack(
+        [
+            np.minimum(at_via.min(axis=0), L.min(axis=0) + 0.02 * size) - 0.005 * size,
+            at_via.max(axis=0) + 0.005 * size,
+        ],
+        axis=-1,
+    )
+    limited = dataclasses.replace(robot, length_limits=tight)
+    assert (L > tight[:, 1]).any()
+    clearance = 0.9 * float(leg_distances(robot, via).min())
+    highest = 1.02 * float(conditions(robot, via).max())
+    found = plan_path(limited, poses, PathLimits(condition=highest, clearance=clearance), price=0.0)
+    motion = found.path(S)
+    L = inverse_kinematics(robot, motion).L
+    assert (L >= tight[:, 0]).all()
+    assert (L <= tight[:, 1]).all()
+    assert leg_distances(robot, motion).min() >= clearance
+    assert conditions(robot, motion).max() <= highest
+
+
+def test_a_free_coordinate_lowers_the_condition_number() -> None:
+    robot, poses = via_case(2)
+    box = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.4])
+    freed = (poses[0], *(ViaPose(pose.R, pose.t, -box, box) for pose in poses[1:-1]), poses[-1])
+    fixed, free = plan_path(robot, poses), plan_path(robot, freed)
+    assert free.conditions.mean < fixed.conditions.mean
+    for given, passed in zip(freed, free.poses, strict=True):
+        turn = vector_from_rotation(given.R.T @ passed.R)
+        np.testing.assert_allclose(turn[:2], 0.0, atol=1e-12)
+        assert abs(turn[2]) <= 0.4 + 1e-12
+
+
+def test_a_path_through_an_upright_pitch_is_smooth() -> None:
+    """No orientation is special: a pitch of 90 degrees on the way changes nothing but the numbers."""
+    robot, poses = via_case(5)
+    turn = rotation_from_rpy([0.0, np.pi / 2, 0.0])
+    plain, turned = (plan_path(robot, poses).straight(S), None)
+    moved = dataclasses.replace(robot, b=robot.b @ turn.T, k=robot.k @ turn.T, g=turn @ robot.g)
+    turned = plan_path(moved, tuple(ViaPose(turn @ pose.R, turn @ pose.t) for pose in poses)).straight(S)
+    np.testing.assert_allclose(turned.alpha, plain.alpha @ turn.T, atol=1e-9 * np.abs(plain.alpha).max())
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        (lambda robot, poses: (robot, poses[:1]), "via poses: expected at least 2, got 1"),
+        (lambda robot, poses: (robot, ()), "via poses: expected at least 2, got 0"),
+        (lambda robot, poses: (robot, (poses[0], poses[0], poses[1])), "via pose 2: expected another pose"),
+        (
+            lambda robot, poses: (
+                dataclasses.replace(robot, length_limits=np.tile([0.0, 0.3 * machine_size(robot)], (6, 1))),
+                poses,
+            ),
+            "via pose 1: out of reach, it breaks the limit of leg length of leg",
+        ),
+    ],
+)
+def test_what_cannot_be_planned_is_one_line(change, message: str) -> None:
+    with pytest.raises(ValueError, match=message) as error:
+        plan_path(*change(*via_case(1)))
+    assert "\n" not in str(error.value)
+
+
+@pytest.mark.slow
+def test_a_limit_that_stands_in_the_way_is_named() -> None:
+    """Ends with singular poses between them, and no higher condition number allowed than theirs."""
+    messages = []
+    for robot, poses in crossed_pairs(2):
+        R, t = np.array([pose.R for pose in poses]), np.array([pose.t for pose in poses])
+        costs = PoseCosts(robot, PathLimits(), np.zeros(3), 1.0, 0.0)
+        highest = 1.01 * float(costs.plain_conditions(R, t)[0].max())
+        try:
+            found = plan_path(robot, poses, PathLimits(condition=highest))
+        except ValueError as error:
+            messages.append(str(error))
+        else:
+            assert found.conditions.peak <= highest
+    assert messages
+    for message in messages:
+        assert message.startswith("via pose 2: expected a path to it from via pose 1, none was found: ")
+        assert message.endswith("condition number stands in the way")
