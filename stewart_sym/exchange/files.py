@@ -10,6 +10,7 @@ import numpy as np
 
 from ..io.arguments import instance, option, shown
 from ..io.tables import file_name, read_text
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .chain import Model
 from .formats import mjcf_in, mjcf_out, sdf_in, sdf_out, urdf_in, urdf_out, usd_out
@@ -96,8 +97,7 @@ def export_model(robot: Robot, format: str) -> ModelFile:  # noqa: A002 # the op
     """
     instance(robot, Robot, "robot")
     option(format, tuple(PROGRAMS), "format")
-    if getattr(robot, "offsets", None) is not None:
-        raise ValueError("robot: offsets: expected none, what is written is legs whose axes meet")
+    need_no_offsets(robot)
     written = robot if format == "urdf" else possible(robot, PROGRAMS[format])
     model = model_of(written)
     _warn_of_losses(robot, format)

@@ -17,7 +17,9 @@ PLATFORM_JOINTS = ("spherical", "universal")
 
 @dataclass(frozen=True, eq=False)
 class Offsets(Frozen):
-    """By how much the axes and the line of sliding of each leg miss each other.  SI units; read-only arrays.
+    """By how much the axes and the line of sliding of each leg miss each other.  SI units; read-only.
+
+    A number may be given for an array (6,): that of all legs.
 
     From the base point the fixed axis k, the moving axis y at a right angle to it, and the line of sliding
     along s at a right angle to y. o = y x k points from the fixed axis towards the platform; z = s x y. The
@@ -65,7 +67,7 @@ class Offsets(Frozen):
     def __post_init__(self) -> None:
         """Check every field."""
         tables.choice(self.platform_joint, PLATFORM_JOINTS, "platform_joint")
-        found = {name: tables.numbers(getattr(self, name), shape, name) for name, shape in SHAPES.items()}
+        found = {name: _six(getattr(self, name), shape, name) for name, shape in SHAPES.items()}
         for name in ("cross_mass", "cross_inertia"):
             for i in range(LEGS):
                 tables.not_negative(found[name][i], f"{name}: leg {i + 1}")
@@ -94,6 +96,12 @@ class Offsets(Frozen):
             for name in powers
         }
         return Offsets(platform_joint=self.platform_joint, **changed)
+
+
+def _six(value: Any, shape: tuple[int, ...], name: str) -> Array:
+    """Numbers of each leg, checked; one number may stand for those of all."""
+    alone = isinstance(value, int | float) and not isinstance(value, bool) and shape == (LEGS,)
+    return tables.numbers([value] * LEGS if alone else value, shape, name)
 
 
 SHAPES: dict[str, tuple[int, ...]] = {

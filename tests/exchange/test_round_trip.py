@@ -163,7 +163,7 @@ def test_armatures_alone_become_rotors_that_resist_as_much(tmp_path: Path) -> No
 
 
 def test_legs_whose_axes_do_not_meet_are_rejected() -> None:
-    offsets = pytest.importorskip("stewart_sym.robot.offsets").Offsets(cross=np.full(6, 0.01))
+    offsets = ss.Offsets(cross=0.01)
     with pytest.raises(ValueError, match="offsets: expected none"):
         ss.export_model(dataclasses.replace(ROBOTS["mathworks2002"], offsets=offsets), "mjcf")
 
