@@ -70,7 +70,9 @@ def six_positive(value: object, where: str) -> tuple[float, ...]:
     given = list(value) if isinstance(value, list | tuple | np.ndarray) else [value] * 6
     if len(given) != 6:
         raise ValueError(f"{where}: expected one number or six, got {shown(value)}")
-    return tuple(math.inf if each == math.inf else positive(each, where) for each in given)
+    return tuple(
+        math.inf if isinstance(each, float) and each == math.inf else positive(each, where) for each in given
+    )
 
 
 class Terms(NamedTuple):

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..io.arguments import finite_array, instance, option
+from ..io.arguments import finite_array, instance, option, shown
 from ..io.array_types import Array
 from ..io.extras import needed_for
 from ..io.progress import Progress, silent
@@ -130,6 +130,8 @@ def plan_path(
     instance(limits, PathLimits, "limits")
     price = not_negative(price, "price")
     wrench = finite_array(load, (6,), "load")
+    if not isinstance(poses, Sequence):
+        raise ValueError(f"poses: expected a list of ViaPose, got {shown(poses)}")
     poses = tuple(poses)
     need_poses(poses)
     search = _Search.of(robot, poses, limits, objective, price)

@@ -51,7 +51,7 @@ class PathLimits:
 
     def __post_init__(self) -> None:
         """Check both numbers."""
-        if self.condition != math.inf:
+        if not (isinstance(self.condition, float) and self.condition == math.inf):
             number_in(self.condition, "condition", "a number > 1", low=1.0)
         not_negative(self.clearance, "clearance")
 

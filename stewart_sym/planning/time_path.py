@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from ..backend.kernel import FORMULATIONS
 from ..dynamics.inverse import Formulation
-from ..io.arguments import instance, option, real_array, whole_number
+from ..io.arguments import finite_array, instance, option, real_array, shown, whole_number
 from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from ..motion.motion import Motion
@@ -113,6 +113,11 @@ def time_path(
         still at every pose of the path.
     """
     instance(robot, Robot, "robot")
+    if not callable(path):
+        raise ValueError(f"path: expected a function of a parameter, got {shown(path)}")
+    ends = finite_array(span, (2,), "span")
+    if ends.ndim != 1:
+        raise ValueError(f"span: expected the first and the last parameter, got {shown(span)}")
     option(formulation, FORMULATIONS, "formulation")
     limits = Limits() if limits is None else limits
     instance(limits, Limits, "limits")
@@ -121,7 +126,7 @@ def time_path(
     def source(s: Array) -> Terms:
         return terms_along(robot, path, s, limits, formulation)
 
-    nodes = _first_nodes(*span, cells)
+    nodes = _first_nodes(*ends, cells)
     need_bounded(source(nodes), nodes)
     grid = Grid.of(source, nodes)
     for turn in range(_ROUNDS):

@@ -45,9 +45,10 @@ class ViaPose(Frozen):
 
     def __post_init__(self) -> None:
         """Check pose and box."""
+        for name, core in (("R", (3, 3)), ("t", (3,))):
+            if finite_array(getattr(self, name), core, name).shape != core:
+                raise ValueError(f"{name}: expected that of one pose, got more")
         motion = pose_of((self.R, self.t), "pose", "a pose (R, t)")
-        if motion.shape:
-            raise ValueError(f"pose: expected one pose, got {motion.shape}")
         box = {name: finite_array(getattr(self, name), (6,), name) for name in ("low", "high")}
         if (
             box["low"].shape != (6,)

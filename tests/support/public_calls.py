@@ -31,6 +31,7 @@ RECORDS = {
     *("Capability", "JointAngles", "Needs", "Workspace", "WorkspaceWarning"),
     *("DriveEffort", "DriveEstimate", "DriveLimitWarning", "ImportedModel", "LogWarning", "ModelFile"),
     *("MotorMotion", "Saturation", "Smooth"),
+    *("PlanCertificate", "PlannedPath", "PosePath", "TimedPath", "View"),
     *("PATHS", "PhysicalityWarning", "AssemblyModeWarning", "SingularPoseWarning", "results", "robots"),
 }
 
@@ -57,6 +58,15 @@ def calls() -> dict[str, Call]:
     H = ss.wrench_matrix(robot, motion)
     pose = {"robot": robot, "R": motion.R, "t": motion.t}
     both = {"robot": robot, "motion": motion}
+    limits = ss.Limits(force=1e6, speed=1.0)
+
+    def shifted(s: np.ndarray) -> ss.Motion:
+        """A straight path with its derivatives by s."""
+        along = np.broadcast_to(np.array([0.01, 0.0, 0.0]), (len(s), 3))
+        still = np.zeros((len(s), 3))
+        R = np.broadcast_to(motion.R, (len(s), 3, 3))
+        return ss.Motion(R, motion.t + s[:, None] * along, still, along, still, still)
+
     options = {"formulation": "exact", "backend": "c", "on_singular": "raise"}
     vector = [0.1, 0.2, 0.3]
     path = ss.PATHS["I"].path
@@ -230,6 +240,44 @@ def calls() -> dict[str, Call]:
             },
         ),
         "Drive": Call(ss.Drive, dict.fromkeys(NUMBERS, 1.0)),
+        "rotor_regressor": Call(ss.rotor_regressor, {**both, "on_singular": "raise"}),
+        "view": Call(ss.view, {**both, "times": None}),
+        "ViaPose": Call(
+            ss.ViaPose,
+            {"R": motion.R, "t": motion.t, "low": np.zeros(6), "high": np.zeros(6)},
+            other={"R": "pose", "t": "pose"},
+        ),
+        "PathLimits": Call(ss.PathLimits, {"condition": 100.0, "clearance": 0.01}),
+        "Limits": Call(
+            ss.Limits,
+            dict.fromkeys(("force", "speed", "acceleration", "platform_speed", "platform_turn_rate"), 1.0),
+        ),
+        "plan_path": Call(
+            ss.plan_path,
+            {
+                "robot": robot,
+                "poses": [ss.ViaPose(motion.R, motion.t), ss.ViaPose(motion.R, motion.t + 0.01)],
+                "limits": None,
+                "objective": "mean",
+                "price": 0.5,
+                "load": np.zeros(6),
+            },
+            other={"poses": "via pose"},
+        ),
+        "time_path": Call(
+            ss.time_path,
+            {
+                "robot": robot,
+                "path": shifted,
+                "span": (0.0, 1.0),
+                "limits": limits,
+                "formulation": "exact",
+                "cells": 10,
+            },
+        ),
+        "certify_plan": Call(
+            ss.certify_plan, {"plan": ss.time_path(robot, shifted, limits=limits, cells=10)}
+        ),
         "Units": Call(ss.Units, {"length": 1.0, "mass": 2.0, "time": 0.5}),
         "between": Call(ss.between, {"trajectory": trajectory}),
         "resampled": Call(ss.resampled, {"trajectory": trajectory, "rate": 20.0}),
