@@ -13,6 +13,7 @@ from ..io.arguments import finite_array, instance, option, real_array, shown, wh
 from ..io.array_types import Array
 from ..io.progress import Progress, silent
 from ..motion.motion import Motion
+from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
 from .grid import Grid
 from .path_terms import Limits, Path, Terms, terms_along, travelled
@@ -113,6 +114,7 @@ def time_path(
         still at every pose of the path.
     """
     instance(robot, Robot, "robot")
+    need_no_offsets(robot)
     if not callable(path):
         raise ValueError(f"path: expected a function of a parameter, got {shown(path)}")
     ends = finite_array(span, (2,), "span")

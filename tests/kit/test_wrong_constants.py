@@ -106,7 +106,8 @@ def _of_robot(sources: dict[str, str], symbol: str) -> Iterator[tuple[str, int]]
 
 
 def _struct(text: str, name: str) -> str:
-    """Members of a struct."""
+    """Members of a struct of robots without rotors."""
+    text = re.sub(r"^#if defined\(STEWART_ROTORS\).*?^#endif$", "", text, flags=re.M | re.S)
     end = re.search(rf"^\}} {name};", text, re.M)
     assert end
     return text[text.rindex("typedef struct {", 0, end.start()) : end.start()]

@@ -24,7 +24,7 @@ SERVED = {
     *("forward_dynamics", "joint_space_inertia", "inverse_kinematics", "wrench_matrix", "forward_kinematics"),
     *("forward_velocity", "forward_acceleration", "motion_from_lengths", "array_kernel", "ArrayKernel"),
     *("prepare", "LegSprings", "LegSprings.balanced", "ComputedTorque", "simulate", "singularity"),
-    *("force_deviations", "motor_angles", "pose_of_motors"),
+    *("force_deviations", "motor_angles", "pose_of_motors", "capability", "drive_effort", "motor_forces"),
 }
 """Functions that compute offset joints."""
 OF_POINTS = {"up_direction", "characteristic_length"}

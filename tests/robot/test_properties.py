@@ -370,6 +370,7 @@ CALLABLE = {
     ("singularities_along", "path"),
     ("simulate", "forces"),
     ("simulate", "load"),
+    ("time_path", "path"),
 }
 
 
