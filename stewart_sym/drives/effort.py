@@ -269,7 +269,8 @@ def _line(name: str, values: Array, limits: Array, unit: str, when: list[str] | 
     if not over:
         return ""
     worst = max(over, key=lambda leg: float(values[leg] / limits[leg]))
-    limit = name if when is None else f"{name}_limit"
+    # Legs have a speed_limit too.
+    limit = f"drive.{name}" if when is None else f"drive.{name}_limit"
     legs = f"leg{'s' if len(over) > 1 else ''} {', '.join(str(leg + 1) for leg in over)}"
     what = "root mean square of torque" if when is None else name
     at = "" if when is None else f" at {when[worst]}"

@@ -53,8 +53,15 @@ def friction_force(drive: Drive, F: Array, L_dot: Array) -> Array:
     return np.asarray(sign * dry + viscous(drive) * L_dot)
 
 
+def losses(drive: Drive) -> list[str]:
+    """Names of the fields by which something is lost between force and motor."""
+    lossless = dict.fromkeys(("efficiency", "back_efficiency"), 1.0)
+    lossless |= dict.fromkeys(
+        ("screw_coulomb", "screw_viscous", "motor_coulomb", "motor_viscous", "stribeck"), 0.0
+    )
+    return [name for name, value in lossless.items() if np.any(getattr(drive, name) != value)]
+
+
 def has_friction(drive: Drive) -> bool:
     """Whether anything is lost between force and motor."""
-    zero = ("screw_coulomb", "screw_viscous", "motor_coulomb", "motor_viscous", "stribeck")
-    lossless = all(not np.any(getattr(drive, name)) for name in zero)
-    return not (lossless and np.all(drive.efficiency == 1.0) and np.all(drive.back_efficiency == 1.0))
+    return bool(losses(drive))

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from ..drives.friction import losses
 from ..io.arguments import instance, option, shown
 from ..io.tables import file_name, read_text
 from ..robot.offsets import need_no_offsets
@@ -140,7 +141,11 @@ def import_model(path: str | os.PathLike[str]) -> ImportedModel:
 
 
 def _warn_of_losses(robot: Robot, form: str) -> None:
-    """Spherical joints have no damping but MuJoCo's at the base; a URDF's loops state what that has not."""
+    """Warn of friction and rotors that readers of the file leave out.
+
+    Spherical joints have no damping but MuJoCo's at the base; a URDF's loops state what that has not.
+    Friction of drives is nowhere but in the notes.
+    """
     lost = [] if form == "urdf" else ["C_s"]
     lost += ["C_u"] if form in ("sdf", "usd") and robot.base_joint == "spherical" else []
     names = " and ".join(name for name in lost if np.any(getattr(robot, name)))
@@ -150,6 +155,9 @@ def _warn_of_losses(robot: Robot, form: str) -> None:
         warnings.warn(text, stacklevel=3)
     if form == "sdf" and robot.drive is not None and np.any(robot.drive.rotor_inertia):
         warnings.warn(f"{form}: expected drives without rotors, their inertia is {where}", stacklevel=3)
+    lossy = "" if robot.drive is None else ", ".join(losses(robot.drive))
+    if lossy:
+        warnings.warn(f"{form}: expected drives without friction, {where}: {lossy}", stacklevel=3)
 
 
 def loops_path(path: str | os.PathLike[str]) -> Path:

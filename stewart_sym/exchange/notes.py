@@ -17,9 +17,11 @@ from .chain import Model
 
 _ROUNDING = 1e-9
 _FIELDS = tuple(field.name for field in fields(Robot))
-_SILENT = ("name", "accept", "home", "tool", "euler_order", "lengths")
+_SILENT = ("name", "accept", "home", "tool", "euler_order", "lengths", "joint_angle_limit")
 """Fields that no body or joint of a model says otherwise than a note."""
-_LIMITS = ("length_limits", "force_limit", "speed_limit")
+_FROM_HOME = {"lengths": "absolute", "joint_angle_limit": np.inf}
+"""Fields that need a home pose, as they are without one."""
+_LIMITS = ("length_limits", "force_limit", "speed_limit", "joint_angle_limit")
 _UNSTATED = {"C_u": 0.0, "C_p": 0.0, "C_s": 0.0, "force_limit": np.inf, "speed_limit": np.inf}
 """Fields as they are where a format has no place for them."""
 
@@ -72,6 +74,12 @@ def with_notes(robot: Robot, model: Model) -> tuple[Robot, list[str]]:
         if name not in _SILENT and not _near(found, noted) and not _unstated(name, found):
             del taken[name]
             said.append(f"{name}: the model says otherwise than the note, the model is taken")
+    if taken.get("home", robot.home) is None:
+        for name in [
+            name for name in _FROM_HOME if name in taken and np.any(taken[name] != _FROM_HOME[name])
+        ]:
+            del taken[name]
+            said.append(f"{name}: from the home pose, of which the model has none, the note is left out")
     try:
         return replace(robot, **taken), said
     except ValueError as error:

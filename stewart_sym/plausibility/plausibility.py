@@ -39,6 +39,9 @@ LEAST_GYRATION = (0.02, 0.002)
 1000 times too small."""
 MOST_FRICTION = 1e3
 """Viscous friction over the machine's weight, at the speed that it falls its own size with."""
+MOST_REFLECTED = 1e3
+"""Mass by which a rotor resists over that of platform and legs: kg cm^2 for kg m^2 makes it 10,000 times too
+large."""
 MOST_SPEED = 50.0
 """m/s."""
 SINGULAR_SHARE = 1e-3
@@ -104,6 +107,7 @@ def _of_numbers(robot: Robot) -> Iterator[Doubt]:
         size = radius(robot.b) + radius(robot.p)
         yield from _of_masses(robot, size)
         yield from _of_friction(robot, size)
+        yield from _of_rotors(robot)
     fast = np.flatnonzero(np.isfinite(robot.speed_limit) & (robot.speed_limit > MOST_SPEED))
     if fast.size:
         yield Doubt(
@@ -195,6 +199,20 @@ def _of_friction(robot: Robot, size: float) -> Iterator[Doubt]:
                 f"weight and more at {np.sqrt(9.81 * size):.2g} m/s; likely cause: another unit, or dry "
                 "friction given, expected viscous friction",
             )
+
+
+def _of_rotors(robot: Robot) -> Iterator[Doubt]:
+    """Rotors beside which platform and legs do not count."""
+    moving = robot.M + float(robot.m_d.sum() + robot.m_u.sum())
+    legs = np.flatnonzero(robot.m_r > MOST_REFLECTED * moving).tolist()
+    if robot.drive is not None and legs:
+        worst = int(np.argmax(robot.m_r))
+        yield Doubt(
+            "rotor-inertia",
+            f"rotor_inertia of {legs_text(legs)}: {robot.drive.rotor_inertia[worst]:.3g} kg m^2 resists as "
+            f"{robot.m_r[worst]:.3g} kg along the leg, platform and legs have {moving:.3g} kg; likely cause: "
+            "given in kg cm^2 or g cm^2, expected kg m^2, or a lead in another unit",
+        )
 
 
 def _of_masses(robot: Robot, size: float) -> Iterator[Doubt]:

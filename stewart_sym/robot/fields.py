@@ -30,6 +30,7 @@ DOUBTS = (
         "inertia-size",
         "center-of-mass",
         "friction",
+        "rotor-inertia",
     ),
     *(
         "singular-everywhere",

@@ -134,13 +134,15 @@ def test_limits_are_named_with_leg_value_and_time(robot: ss.Robot) -> None:
     tight = with_drive(robot, torque_limit=limit)
     at = int(np.argmax(np.abs(free.torque[:, worst])))
     peak = f"{free.peak_torque[worst]:.4g} N m"
-    words = rf"torque_limit exceeded by leg {worst + 1}: torque {peak} at {time[at]:g}\d* s"
+    words = rf"drive\.torque_limit exceeded by leg {worst + 1}: torque {peak} at {time[at]:g}\d* s"
     with pytest.warns(ss.DriveLimitWarning, match=words):
         assert len(ss.drive_effort(tight, motion, time).exceeded) == 1
     with pytest.warns(ss.DriveLimitWarning, match=f"at instant {at}, limit"):
         ss.drive_effort(tight, motion)
     rated = with_drive(robot, rated_torque=0.9 * free.rms_torque.max())
-    with pytest.warns(ss.DriveLimitWarning, match="rated_torque exceeded by leg.*root mean square of torque"):
+    with pytest.warns(
+        ss.DriveLimitWarning, match=r"drive\.rated_torque exceeded by leg.*root mean square of torque"
+    ):
         ss.drive_effort(rated, motion, time)
 
 
@@ -187,7 +189,7 @@ def test_forces_has_columns_table_and_picture_of_the_motors(
     assert main(command) == 0
     out, err = capsys.readouterr()
     table = np.genfromtxt(tmp_path / "F.csv", delimiter=",", names=True)
-    with pytest.warns(ss.DriveLimitWarning, match="(speed|torque)_limit exceeded"):
+    with pytest.warns(ss.DriveLimitWarning, match=r"\Adrive\.(speed|torque)_limit exceeded"):
         found = ss.drive_effort(machine, swing(machine, time, 2.0), time)
     for column, values in (
         ("torque", found.torque),
@@ -199,7 +201,7 @@ def test_forces_has_columns_table_and_picture_of_the_motors(
         np.testing.assert_allclose(
             written_ones[3:-3], values[3:-3], rtol=0.02, atol=0.02 * np.abs(values).max()
         )
-    assert "speed_limit exceeded by leg" in err
+    assert "drive.speed_limit exceeded by leg" in err
     assert "RMS torque, N m" in out
     leg = json.loads((tmp_path / "F.json").read_text())["legs"][2]
     assert leg["motor_rms_torque_N_m"] == pytest.approx(found.rms_torque[2], rel=0.02)

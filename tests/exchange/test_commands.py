@@ -72,7 +72,9 @@ def test_two_files_do_not_go_to_standard_output(folder: Path, capsys: pytest.Cap
 def test_a_part_that_simulators_reject_is_named_with_the_file(
     folder: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    text = HEXAPOD.read_text(encoding="utf-8").replace("[[0.9, 0.0, 0.0]", "[[9.9, 0.0, 0.0]")
+    text, possible = HEXAPOD.read_text(encoding="utf-8"), "inertia = [0.9, 0.9, 1.6]"
+    assert possible in text
+    text = text.replace(possible, "inertia = [9.9, 0.9, 1.6]")
     (folder / "bad.toml").write_text(text, encoding="utf-8")
     code = main(["export", "bad.toml", "--format", "mjcf", "-o", "m.xml"])
     err = capsys.readouterr().err.splitlines()

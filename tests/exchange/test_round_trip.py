@@ -11,8 +11,9 @@ import pytest
 from machines import random_robot, upside_down_in_millimetres
 
 import stewart_sym as ss
+from stewart_sym.exchange.chain import Model
 from stewart_sym.exchange.files import loops_path
-from stewart_sym.exchange.notes import differences
+from stewart_sym.exchange.notes import differences, noted, with_notes
 
 HEXAPOD = Path(__file__).parents[2] / ".docs" / "examples" / "hexapod.toml"
 FORMATS = ("mjcf", "sdf", "urdf")
@@ -22,6 +23,33 @@ pytestmark = [
     pytest.mark.filterwarnings("ignore:.*(noted only|left out)"),
     pytest.mark.filterwarnings("ignore::stewart_sym.robot.robot.PhysicalityWarning"),
 ]
+
+
+# In mm and degrees, z down, with geared left-handed screws.
+MOTION_SIMULATOR = {
+    "schema": 2,
+    "name": "motion simulator",
+    **{"length_unit": "mm", "angle_unit": "deg", "gravity": [0.0, 0.0, 9.81], "home": [0.0, 0.0, -900.0]},
+    "base": {"radius": 800.0, "angles": [-10.0, 10.0, 110.0, 130.0, 230.0, 250.0], "z": 0.0},
+    "platform": {
+        **{"radius": 600.0, "angles": [-50.0, 50.0, 70.0, 170.0, 190.0, 290.0], "z": 0.0},
+        "body": {"mass": 250.0, "center_of_mass": [0.0, 0.0, -200.0], "inertia": [40.0, 40.0, 60.0]},
+    },
+    "legs": {
+        "universal_axis": "tangential",
+        "lower": {"mass": 12.0, "center_of_mass": [250.0, 0.0, 0.0], "inertia": [0.05, 0.6, 0.6]},
+        "upper": {"mass": 5.0, "center_of_mass": [-250.0, 0.0, 0.0], "inertia": [0.01, 0.3, 0.3]},
+        "friction": {"universal": 0.1, "prismatic": 50.0, "spherical": 0.1},
+        **{"stroke": [-200.0, 200.0], "force_limit": 6e3, "speed_limit": 600.0},
+        "joint_angle_limit": [40.0, 35.0],
+        "drive": {
+            **{"lead": -10.0, "gear": 2.0, "efficiency": 0.9, "back_efficiency": 0.8, "rotor_inertia": 3e-4},
+            **{"motor_coulomb": 0.1, "screw_coulomb": 40.0, "smoothing": 1.0, "torque_constant": 0.6},
+            **{"resistance": 0.8, "rated_torque": 3.0, "torque_limit": 9.0, "current_limit": 18.0},
+            **{"speed_limit": 27e3, "power_limit": 2e3},
+        },
+    },
+}
 
 
 def robots() -> dict[str, ss.Robot]:
@@ -38,8 +66,11 @@ def robots() -> dict[str, ss.Robot]:
     kept = {"euler_order": "xyz", "accept": ("mass", "friction")}
     drive = ss.Drive(lead=np.linspace(0.004, 0.01, 6), rotor_inertia=2e-5, efficiency=0.9, torque_limit=3.0)
     rest = {"g": np.array([1.0, -2.0, 9.0]), "drive": drive}
+    angles = {"home": np.array([0.0, 0.0, 0.65]), "joint_angle_limit": np.full((6, 2), 0.7)}
     return found | {
         "hexapod": hexapod,
+        "joint angles": dataclasses.replace(hexapod, **angles),
+        "motion simulator": ss.Robot.from_dict(MOTION_SIMULATOR),
         "all": dataclasses.replace(hexapod, **limits, **poses, **kept, **rest),
     }
 
@@ -67,7 +98,9 @@ def without_notes(file: ss.ModelFile) -> ss.ModelFile:
 def test_a_robot_comes_back_and_is_exported_to_the_same_bytes(name: str, form: str, tmp_path: Path) -> None:
     robot = ROBOTS[name]
     file = ss.export_model(robot, form)
-    again = ss.import_model(written(file, tmp_path / "model")).robot
+    imported = ss.import_model(written(file, tmp_path / "model"))
+    assert not any("says otherwise" in line for line in imported.assumptions)
+    again = imported.robot
     changed = set(differences(again, robot))
     # Simulators read no tensor that bodies can't have: those of these two machines are the nearest ones.
     expected = set(NOT_POSSIBLE) if name in ("dasgupta1998", "unal") and form != "urdf" else set()
@@ -153,6 +186,23 @@ def test_an_inertia_of_no_body_that_is_accepted_is_written_as_the_nearest_possib
     model = mujoco.MjModel.from_xml_string(file.text)
     least, middle, most = np.sort(model.body("platform").inertia)
     assert least + middle > most
+
+
+def test_without_a_home_pose_what_is_told_from_it_is_left_out() -> None:
+    angles = noted({"joint_angle_limit": ROBOTS["joint angles"].joint_angle_limit, "lengths": "relative"})
+    robot, said = with_notes(ROBOTS["hexapod"], Model("tilted", np.zeros(3), (), (), notes=angles))
+    assert robot.to_dict() == ROBOTS["hexapod"].to_dict()
+    assert [line.partition(": from the home pose")[0] for line in said] == ["lengths", "joint_angle_limit"]
+
+
+@pytest.mark.parametrize(
+    ("form", "where"), [*((form, "noted only") for form in FORMATS), ("usd", "left out")]
+)
+def test_friction_and_efficiency_of_drives_are_said_to_be_lost(form: str, where: str) -> None:
+    lost = "efficiency, back_efficiency, screw_coulomb, motor_coulomb"
+    words = rf"\A{form}: expected drives without friction, {where}: {lost}\Z"
+    with pytest.warns(UserWarning, match=words):
+        ss.export_model(ROBOTS["motion simulator"], form)
 
 
 def test_armatures_alone_become_rotors_that_resist_as_much(tmp_path: Path) -> None:

@@ -199,6 +199,14 @@ def test_every_subcommand_warns_of_a_doubtful_robot(
         assert len(told) == count
 
 
+def test_check_writes_a_range_below_zero_in_words(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for lead, told in ((-5e-3, "-0.005 to -0.0025 m"), (5e-3, "0.0025-0.005 m")):
+        drive = ss.Drive(lead=lead * np.linspace(0.5, 1.0, 6))
+        written(dataclasses.replace(sound(), drive=drive), tmp_path / "robot.toml")
+        assert main(["check", str(tmp_path / "robot.toml")]) == 0
+        assert f"lead {told}, reflected mass 0 kg" in capsys.readouterr().out
+
+
 @pytest.mark.parametrize(("gravity", "stands", "hangs"), [(-9.81, "+z", "-z"), (9.81, "-z", "+z")])
 def test_check_says_on_which_side_of_the_base_a_platform_stands(
     gravity: float, stands: str, hangs: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -279,7 +279,8 @@ def _inertias(robot: Robot) -> str:
 
 def _range(values: Array) -> str:
     low, high = float(np.min(values)), float(np.max(values))
-    return f"{low:g}" if low == high else f"{low:g}-{high:g}"
+    between = " to " if low < 0.0 else "-"
+    return f"{low:g}" if low == high else f"{low:g}{between}{high:g}"
 
 
 def _short_range(values: Array) -> str:

@@ -322,6 +322,11 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "friction",
         "C_s of all legs",
     ),
+    "rotor inertia in kg cm^2": (
+        lambda robot: dataclasses.replace(robot, drive=ss.Drive(lead=-0.005, rotor_inertia=2.0)),
+        "rotor-inertia",
+        "rotor_inertia of all legs: 2 kg m^2 resists as 3.16e+06 kg",
+    ),
     "platform points shifted by one": (of(p=lambda p: np.roll(p, 1, axis=0)), "leg-order", "shifted by 1"),
     "platform points shifted by two": (of(p=lambda p: np.roll(p, 2, axis=0)), "leg-order", "shifted by 2"),
     "platform points shifted by three": (of(p=lambda p: np.roll(p, 3, axis=0)), "leg-order", "shifted by 3"),
