@@ -41,6 +41,8 @@ class Course(Frozen):
         Angles of the joints at both ends from their neutral directions, rad, (n, 6).
     torque, motor_speed, motor_power : ndarray, optional
         Of the motors, N m, rad/s and W, (n, 6); None of a robot without drives.
+    current : ndarray, optional
+        Of the motors, A, (n, 6); NaN of one without a torque_constant, None where none has one.
     """
 
     weight: Array
@@ -52,6 +54,7 @@ class Course(Frozen):
     torque: Array | None = None
     motor_speed: Array | None = None
     motor_power: Array | None = None
+    current: Array | None = None
 
     @property
     def power(self) -> Array:
@@ -86,6 +89,9 @@ class Needs(Frozen):
     torque, motor_speed, motor_power : ndarray, optional
         Sizes of the motors' torque, N m, speed, rad/s, and power at the shaft, W, that are not exceeded for
         the shares of the time, (q, 6); None of a robot without drives.
+    current : ndarray, optional
+        Sizes of the motors' currents, A, likewise, (q, 6); NaN of a motor without a torque_constant, None
+        where none has one.
     rms_torque : ndarray, optional
         Root mean square of the torque, N m, (6,).
     course : Course
@@ -108,6 +114,7 @@ class Needs(Frozen):
     torque: Array | None
     motor_speed: Array | None
     motor_power: Array | None
+    current: Array | None
     rms_torque: Array | None
     course: Course
 
@@ -202,6 +209,8 @@ def _course(robot: Robot, time: Array, motion: Motion, formulation: Formulation)
     if robot.drive is not None:
         effort = at_instants(robot, robot.drive, motion, F, legs.L_dot)
         motors = {"torque": effort.torque, "motor_speed": effort.speed, "motor_power": effort.power}
+        if effort.current is not None:
+            motors["current"] = effort.current
     return {
         **motors,
         "weight": trapezoids(time) if len(time) > 1 else np.ones(1),
@@ -245,6 +254,7 @@ def _needs(robot: Robot, courses: Sequence[dict[str, Array]], margin: float, sha
         torque=over_time(course.torque),
         motor_speed=over_time(course.motor_speed),
         motor_power=over_time(course.motor_power),
+        current=over_time(course.current),
         rms_torque=rms(course.torque),
         course=course,
     )
@@ -295,6 +305,7 @@ def _limited(robot: Robot, needs: Needs) -> Iterator[tuple[str, str, float, Arra
         yield "drive.torque_limit", "N m", 1.0, _peak(course.torque), np.asarray(drive.torque_limit)
         yield "drive.rated_torque", "N m", 1.0, needs.rms_torque, np.asarray(drive.rated_torque)
         yield "drive.speed_limit", "rad/s", 1.0, _peak(course.motor_speed), np.asarray(drive.speed_limit)
+        yield "drive.current_limit", "A", 1.0, _peak(course.current), np.asarray(drive.current_limit)
         yield "drive.power_limit", "W", 1.0, _peak(course.motor_power), np.asarray(drive.power_limit)
 
 

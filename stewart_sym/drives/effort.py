@@ -184,8 +184,7 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
             rotor = newton_euler.rotor_force(robot, motion)
         else:
             rotor = offset_joints.rotor_force(robot, motion)
-            # Of U-C-U legs the motor sees the turning of the upper part as well.
-            L_dot = motor_motion(robot, joint_motion(robot, motion).rates) / drive.turns
+            L_dot = motor_rates(robot, drive, motion, L_dot)
     friction = friction_force(drive, F - rotor, L_dot)
     force = F + friction
     torque = force / drive.turns
@@ -197,6 +196,16 @@ def at_instants(robot: Robot, drive: Drive, motion: Motion, F: Array, L_dot: Arr
         current = torque / np.where(known, drive.torque_constant, np.nan)
         electrical = power + np.where(known, np.asarray(drive.resistance) * current**2, 0.0)
     return Instants(force, friction, rotor, torque, speed, current, power, electrical)
+
+
+def motor_rates(robot: Robot, drive: Drive, motion: Motion, L_dot: Array) -> Array:
+    """Rates of the motors over their ``turns``, m/s, (..., 6): L_dot but for U-C-U legs.
+
+    Of these the motor sees the turning of the upper part as well.
+    """
+    if robot.offsets is None:
+        return L_dot
+    return motor_motion(robot, joint_motion(robot, motion).rates) / np.asarray(drive.turns)
 
 
 def trapezoids(time: Array) -> Array:

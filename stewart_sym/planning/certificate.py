@@ -12,7 +12,7 @@ from ..io.arguments import instance
 from ..io.array_types import Array
 from ..kinematics.inverse import inverse_kinematics
 from ..singularities.along_path import Crossing, LegExtreme, singularities_along
-from .path_terms import force_limits, speed_limits, travelled
+from .path_terms import force_limits, leg_speeds, travelled
 from .time_path import TimedPath
 
 FINER = 100
@@ -136,10 +136,8 @@ def _part(plan: TimedPath, s: Array, square: Array, second: Array) -> tuple[Arra
     motion = travelled(by_parameter, np.sqrt(square), second)
     F = inverse_dynamics(plan.robot, motion, plan.formulation).F
     legs = inverse_kinematics(plan.robot, motion)
-    used = [
-        np.abs(F) / force_limits(plan.robot, plan.limits),
-        np.abs(legs.L_dot) / speed_limits(plan.robot, plan.limits),
-    ]
+    speeds, allowed = leg_speeds(plan.robot, motion, legs.L_dot, plan.limits)
+    used = [np.abs(F) / force_limits(plan.robot, plan.limits), speeds / allowed]
     if plan.limits.acceleration is not None:
         assert legs.L_ddot is not None
         used.append(np.abs(legs.L_ddot) / np.array(plan.limits.acceleration))

@@ -18,6 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..drives.effort import motor_rates
 from ..dynamics.inverse import Formulation, inverse_dynamics
 from ..io.arguments import shown
 from ..io.array_types import Array
@@ -37,7 +38,8 @@ class Limits:
     Attributes
     ----------
     force, speed : float or sequence of float, optional
-        Of each actuator, N and m/s, one number or six; None: the robot's.
+        Of each actuator, N and m/s, one number or six; None: the robot's. The speed limit of a drive's motor
+        counts beside it.
     acceleration : float or sequence of float, optional
         Of the leg lengths, m/s^2, one number or six.
     platform_speed, platform_turn_rate : float, optional
@@ -142,17 +144,23 @@ def force_limits(robot: Robot, limits: Limits) -> Array:
     return robot.force_limit if limits.force is None else np.array(limits.force)
 
 
-def speed_limits(robot: Robot, limits: Limits) -> Array:
-    """Of the legs, m/s, (6,)."""
-    return robot.speed_limit if limits.speed is None else np.array(limits.speed)
+def leg_speeds(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -> tuple[Array, Array]:
+    """Rates that are limited, m/s, (n, m), and their limits, (m,): of the legs, and of the drives' motors."""
+    legs = robot.speed_limit if limits.speed is None else np.array(limits.speed)
+    if robot.drive is None:
+        return np.abs(L_dot), legs
+    motors = robot.drive.speed_limit / np.abs(robot.drive.turns)
+    seen = motor_rates(robot, robot.drive, motion, L_dot)
+    return np.abs(np.concatenate([L_dot, seen], axis=-1)), np.concatenate([legs, motors])
 
 
 def _caps(robot: Robot, motion: Motion, L_dot: Array, limits: Limits) -> Array:
     """Largest s'^2 within all limits of speed, (n,)."""
-    rates = [np.abs(L_dot), *(np.linalg.norm(x, axis=-1, keepdims=True) for x in (motion.v, motion.omega))]
+    speeds, allowed = leg_speeds(robot, motion, L_dot, limits)
+    rates = [speeds, *(np.linalg.norm(x, axis=-1, keepdims=True) for x in (motion.v, motion.omega))]
     most = np.array(
         [
-            *speed_limits(robot, limits),
+            *allowed,
             *(x or math.inf for x in (limits.platform_speed, limits.platform_turn_rate)),
         ]
     )

@@ -364,6 +364,30 @@ def _of_home(robot: Robot, home: Home) -> Iterator[Doubt]:
             f"{abs(home.F[worst]):.4g} N hold the machine at rest at the home pose; likely cause: "
             "force_limit in kN, masses in grams, or actuators too weak",
         )
+    yield from _of_motors(robot, home)
+
+
+def _of_motors(robot: Robot, home: Home) -> Iterator[Doubt]:
+    """Motors that cannot hold the machine at rest, whatever friction does for them."""
+    drive = robot.drive
+    if drive is None:
+        return
+    turns = np.abs(drive.turns)
+    friction = drive.screw_coulomb + drive.stribeck + turns * drive.motor_coulomb
+    torque = (drive.back_efficiency * np.abs(home.F) - friction) / turns
+    for name in ("torque_limit", "rated_torque"):
+        limit = getattr(drive, name)
+        with np.errstate(invalid="ignore"):
+            weak = np.flatnonzero(torque > limit).tolist()
+        if weak:
+            worst = max(weak, key=lambda i: float(torque[i] / limit[i]))
+            yield Doubt(
+                "drive-limit",
+                f"{name} of the drives of {legs_text(weak)}: {limit[worst]:.4g} N m, but {torque[worst]:.4g} "
+                "N m hold the machine at rest at the home pose; likely cause: a gear left out, lead in "
+                "another unit, or motors too weak",
+            )
+            return
 
 
 def _of_axes(robot: Robot, home: Home) -> Iterator[Doubt]:

@@ -199,6 +199,14 @@ def _need_sound(leg: Mapping[str, float], where: Callable[[str], str]) -> None:
         raise ValueError(f"{where('lead')}: expected a lead with which the rotor's inertia is a finite mass")
     if leg["stribeck"] > 0.0 and leg["stribeck_speed"] == 0.0:
         raise ValueError(f"{where('stribeck')}: expected a stribeck_speed > 0 beside it")
+    for name in ("current_limit", "resistance"):
+        if leg["torque_constant"] == 0.0 and leg[name] != NUMBERS[name].default:
+            raise ValueError(f"{where(name)}: expected a torque_constant > 0 beside it")
+    if leg["rated_torque"] > leg["torque_limit"] < math.inf and leg["rated_torque"] < math.inf:
+        raise ValueError(
+            f"{where('rated_torque')}: expected at most the torque_limit, {leg['torque_limit']:g} N m, got "
+            f"{leg['rated_torque']:g}"
+        )
 
 
 # Tables of a robot file

@@ -41,7 +41,7 @@ DOUBTS = (
         "overlap",
         "coincident",
     ),
-    *("home", "length-limits", "force-limit", "speed-limit"),
+    *("home", "length-limits", "force-limit", "speed-limit", "drive-limit"),
 )
 """Names of all warnings about a robot's numbers, as ``accept`` takes them: the first three are given on
 loading, the others by ``plausibility.doubts``."""

@@ -10,6 +10,7 @@ from scipy.integrate import trapezoid
 
 import stewart_sym as ss
 from stewart_sym.design.size import exceeded, weighted_quantiles
+from stewart_sym.studies.design.size import report
 
 
 def along(seed: int, count: int = 200) -> tuple[ss.Robot, np.ndarray, ss.Motion]:
@@ -112,6 +113,25 @@ def test_motors_are_sized_where_there_are_drives() -> None:
     np.testing.assert_allclose(needs.torque[-1], effort.peak_torque, rtol=1e-12)
     np.testing.assert_allclose(needs.rms_torque, effort.rms_torque, rtol=1e-9)
     assert [line[:18] for line in exceeded(driven, needs)] == ["drive.torque_limit"] * 6
+
+
+def test_currents_are_needs_of_the_motors_that_have_a_torque_constant() -> None:
+    robot, time, motion = along(6)
+    drive = ss.Drive(
+        lead=np.full(6, 5e-3),
+        torque_constant=np.array([0.0, *[0.5] * 5]),
+        current_limit=np.array([np.inf, 1e-9, *[1e9] * 4]),
+    )
+    driven = dataclasses.replace(robot, drive=drive)
+    needs = ss.size(driven, [(time, motion)])
+    assert needs.current is not None
+    assert needs.torque is not None
+    np.testing.assert_allclose(needs.current[:, 1:], needs.torque[:, 1:] / 0.5, rtol=1e-12)
+    assert np.isnan(needs.current[:, 0]).all()
+    assert [line[:28] for line in exceeded(driven, needs)] == ["drive.current_limit of leg 2"]
+    written = report(driven, ["motion"], needs, {})
+    row = next(line for line in written.text.splitlines() if line.startswith("current, peak, A"))
+    assert "nan" not in row.split()[-1]
 
 
 def test_what_is_no_question_is_one_line() -> None:

@@ -9,6 +9,7 @@ import pytest
 from pages import DOCS
 
 from stewart_sym.cli.main import main
+from stewart_sym.drives.effort import DriveLimitWarning, drive_effort
 from stewart_sym.dynamics.inverse import inverse_dynamics
 from stewart_sym.motion.log_reader import read_csv
 from stewart_sym.robot.robot import Robot
@@ -41,6 +42,32 @@ def test_the_example_is_planned_and_its_trajectory_keeps_the_limits(folder: Path
     F = inverse_dynamics(Robot.from_toml(folder / "hexapod.toml"), log.motion).F
     assert np.abs(F).max() <= 500.0 * (1.0 + 1e-9)
     assert np.abs(F).max() > 450.0
+
+
+def test_the_speed_limit_of_the_motors_bounds_the_plan_and_their_other_limits_are_checked(
+    folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = folder / "hexapod.toml"
+    free = file.read_text()
+    drive = "\n[legs.drive]\nlead = -0.005\ntorque_constant = 0.5\nspeed_limit = 100.0\ntorque_limit = 0.1\n"
+    file.write_text(free + drive)
+    out = folder / "out"
+    assert main(["plan", via(folder), "-o", str(out), "--no-pictures"]) == 0
+    shown = capsys.readouterr()
+    found = json.loads((out / "report.json").read_text())
+    speeds = [leg["motor_peak_speed_rad_per_s"] for leg in found["legs"]]
+    assert 99.0 < max(speeds) <= 100.0 * (1.0 + 1e-9)
+    assert found["certificate"]["holds"]
+    assert found["certificate"]["limit_used"] <= 1.0 + 1e-9
+    assert "warning: drive: torque_limit exceeded by leg" in shown.err
+    assert "speed_limit exceeded" not in shown.err
+    assert " of 0.1 " in shown.out
+    log = read_csv(out / "trajectory.csv")
+    with pytest.warns(DriveLimitWarning):
+        effort = drive_effort(Robot.from_toml(file), log.motion, log.time)
+    torques = [leg["motor_peak_torque_N_m"] for leg in found["legs"]]
+    assert np.all(np.array(torques) >= effort.peak_torque * (1.0 - 1e-9))
+    np.testing.assert_allclose(torques, effort.peak_torque, rtol=0.1)
 
 
 def test_via_poses_may_stand_in_a_csv_file(folder: Path) -> None:

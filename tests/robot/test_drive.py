@@ -140,6 +140,15 @@ BAD = {
     "[legs.drive]\nlead = 5\nstribeck = 3\n": (
         "legs.drive.stribeck: expected a stribeck_speed > 0 beside it (at line 20)"
     ),
+    "[legs.drive]\nlead = 5\ncurrent_limit = 3\n": (
+        "legs.drive.current_limit: expected a torque_constant > 0 beside it (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\nresistance = 3\n": (
+        "legs.drive.resistance: expected a torque_constant > 0 beside it (at line 20)"
+    ),
+    "[legs.drive]\nlead = 5\ntorque_limit = 2\n[leg.2.drive]\nrated_torque = 3\n": (
+        "leg.2.drive.rated_torque: expected at most the torque_limit, 2 N m, got 3 (at line 22)"
+    ),
     "[legs.drive]\nlead = 5\ntorque_limit = 0\n": (
         "legs.drive.torque_limit: expected a number > 0, got 0 (at line 20)"
     ),

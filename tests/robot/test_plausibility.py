@@ -241,6 +241,22 @@ def test_every_name_is_one_that_a_file_may_accept() -> None:
     assert set(DOUBTS) - inertias - seen <= {"condition"}
 
 
+def test_motors_that_friction_or_a_self_locking_screw_relieves_are_not_said_to_be_weak() -> None:
+    def names(**numbers: float) -> list[str]:
+        drive = ss.Drive(lead=0.005, torque_limit=2.0, rated_torque=1e-4, **numbers)
+        return [doubt.name for doubt in doubts(dataclasses.replace(sound(), drive=drive))]
+
+    assert names() == ["drive-limit"]
+    assert names(efficiency=0.3, back_efficiency=-0.1) == []
+    assert names(screw_coulomb=1e4) == []
+    assert (
+        "rated_torque of the drives of "
+        in doubts(
+            dataclasses.replace(sound(), drive=ss.Drive(lead=0.005, torque_limit=2.0, rated_torque=1e-4))
+        )[0].text
+    )
+
+
 def test_an_accepted_doubt_hides_no_other() -> None:
     robot = ss.robots.dasgupta1998()
     weak = dataclasses.replace(robot, g=10.0 * robot.g, force_limit=np.full(6, 10.0))

@@ -34,6 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Run ``plan``; returns the exit code."""
+    from ...drives.effort import DriveLimitWarning
     from ...planning.certificate import certify_plan
     from ...planning.plan_file import read_plan
     from ...planning.plan_path import plan_path
@@ -67,6 +68,8 @@ def run(arguments: argparse.Namespace) -> int:
 
             figures = pictures(found)
         take(plan.report(found, figures), progress)
+    for line in [] if found.motors is None else found.motors.summary.exceeded():
+        warnings.warn(f"drive: {line}", DriveLimitWarning, stacklevel=2)
     if not found.certificate.holds:
         warnings.warn(f"{arguments.via}: the certificate does not hold, see the report", stacklevel=2)
     return 0

@@ -31,7 +31,7 @@ def share_text(share: float) -> str:
 
 def rows(needs: Needs) -> Iterator[tuple[str, str, Array]]:
     """Name, unit and value for each leg, (6,), of every need, without the margin."""
-    of_motor = (("torque", "N m"), ("motor_speed", "rad/s"), ("motor_power", "W"))
+    of_motor = (("torque", "N m"), ("motor_speed", "rad/s"), ("current", "A"), ("motor_power", "W"))
     for name, unit in (("force", "N"), ("speed", "m/s"), ("power", "W"), *of_motor):
         values = getattr(needs, name)
         for share, at in zip(needs.quantiles, () if values is None else values, strict=values is not None):
@@ -59,7 +59,7 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
         (
             f"{name}, {unit}",
             *(f"{value:.4g}" for value in values),
-            "" if name in no_margin else f"{more * values.max():.4g}",
+            "" if name in no_margin else f"{more * np.nanmax(values):.4g}",
         )
         for name, unit, values in rows(needs)
     ]
@@ -82,11 +82,11 @@ def _text(robot: Robot, sources: Sequence[str], needs: Needs) -> str:
 def _data(robot: Robot, sources: Sequence[str], needs: Needs) -> dict[str, Any]:
     names = ("force", "speed", "power", "push", "pull", "rms_force", "driving", "braking", "length", "stroke")
     angles = ("base_angle", "platform_angle")
-    motors = ("torque", "motor_speed", "motor_power", "rms_torque")
+    motors = ("torque", "motor_speed", "current", "motor_power", "rms_torque")
     units = dict.fromkeys(("force", "push", "pull", "rms_force"), "N")
     units |= dict.fromkeys(("power", "driving", "braking", "motor_power"), "W") | {"speed": "m/s"}
     units |= dict.fromkeys(("length", "stroke"), "m") | dict.fromkeys(angles, "rad")
-    units |= {"torque": "N m", "rms_torque": "N m", "motor_speed": "rad/s"}
+    units |= {"torque": "N m", "rms_torque": "N m", "motor_speed": "rad/s", "current": "A"}
     found = {name: getattr(needs, name) for name in (*names, *angles, *motors)}
     kept = {name: value for name, value in found.items() if value is not None}
     return {

@@ -1,4 +1,4 @@
-"""The motors along a trajectory, as ``forces`` shows them: columns, a table beside the limits, a picture."""
+"""The motors along a trajectory, for ``forces`` and ``plan``: columns, a table beside limits, a picture."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _COLUMNS = {"torque": "torque", "speed": "motor_speed", "current": "current", "power": "power"}
+_HEADINGS = {"power": "shaft power"}
 # Times the largest value, beyond which a limit is not drawn.
 _FAR = 3.0
 _COLOURS = ("#1f4e9c", "#c1440e", "#2e7d4f", "#8e5ea2", "#b8860b", "#3a3a3a")
@@ -69,8 +70,8 @@ class DriveDigest:
             )
             for leg in range(LEGS)
         ]
-        names = [f"{name}, {PEAKS[name]}" for name in self._known()]
-        return aligned(("motor", *names, "RMS torque, N m", "energy, J"), rows)
+        names = [f"{_HEADINGS.get(name, name)}, {PEAKS[name]}" for name in self._known()]
+        return aligned(("motor", *names, "RMS torque, N m", "electrical energy, J"), rows)
 
     def _known(self) -> list[str]:
         return [name for name in PEAKS if name != "current" or np.any(self.drive.torque_constant > 0.0)]

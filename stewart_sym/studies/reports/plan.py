@@ -2,11 +2,13 @@
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...drives.effort import at_instants
 from ...dynamics.inverse import inverse_dynamics
 from ...kinematics.conditioning import characteristic_length, scaled_condition_number
 from ...kinematics.inverse import inverse_kinematics, wrench_matrix
@@ -26,11 +28,14 @@ from ...planning.time_path import TimedPath
 from ...robot.robot import Robot
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
+from .drives import DriveDigest
 
 Array = NDArray[np.float64]
 
 # Cosine of the pitch from which on the rates of roll and yaw are plain numbers.
 _PLAIN = 0.05
+# Over which motors are looked at: accelerations jump where another limit becomes active.
+_INSTANTS = 10_001
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,6 +47,18 @@ class Plan:
     timed: TimedPath
     certificate: PlanCertificate
     rate: float
+
+    @cached_property
+    def motors(self) -> DriveDigest | None:
+        """What the plan takes of the motors, between the trajectory's instants too; None without a drive."""
+        if self.robot.drive is None:
+            return None
+        times = np.union1d(self.times, np.linspace(0.0, self.timed.duration, _INSTANTS))
+        motion, found = self.timed.sample(times), DriveDigest(self.robot, times)
+        F = inverse_dynamics(self.robot, motion, self.timed.formulation).F
+        L_dot = inverse_kinematics(self.robot, motion).L_dot
+        found.add(at_instants(self.robot, self.robot.drive, motion, F, L_dot), slice(None))
+        return found
 
     @property
     def times(self) -> Array:
@@ -109,7 +126,8 @@ def report(plan: Plan, figures: Mapping[str, Picture]) -> Report:
         "trajectory": trajectory(plan.robot, plan.times, plan.timed.sample(plan.times)),
         "path": along(plan, plan.times),
     }
-    return Report(summary(plan), tables, data(plan), figures)
+    text = summary(plan) if plan.motors is None else f"{summary(plan)}\n\n{plan.motors.table()}"
+    return Report(text, tables, data(plan), figures)
 
 
 def summary(plan: Plan) -> str:
@@ -183,6 +201,7 @@ def data(plan: Plan) -> dict[str, Any]:
                 "peak_force_N": found.force.value[leg],
                 "peak_force_time_s": found.force.time[leg],
                 "force_limit_N": limits[leg],
+                **({} if plan.motors is None else plan.motors.of_leg(leg)),
             }
             for leg in range(6)
         ],

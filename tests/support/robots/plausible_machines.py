@@ -358,6 +358,11 @@ ABSURD: dict[str, tuple[Callable[[Robot], Robot], str, str]] = {
         "home of another point",
     ),
     "force limit in kN": (of(force_limit=lambda F: 1e-3 * F), "force-limit", "force_limit in kN"),
+    "motors without their gear": (
+        lambda robot: dataclasses.replace(robot, drive=ss.Drive(lead=0.005, torque_limit=1e-4)),
+        "drive-limit",
+        "motors too weak",
+    ),
     "speed limit in mm/s": (of(speed_limit=lambda v: 1e3 * v), "speed-limit", "given in mm/s"),
     "parts that overlap": (
         lambda robot: dataclasses.replace(
