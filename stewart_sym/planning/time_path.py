@@ -128,7 +128,7 @@ def time_path(
     def source(s: Array) -> Terms:
         return terms_along(robot, path, s, limits, formulation)
 
-    nodes = _first_nodes(*ends, cells)
+    nodes = _first_nodes(float(ends[0]), float(ends[1]), cells)
     need_bounded(source(nodes), nodes)
     grid = Grid.of(source, nodes)
     for turn in range(_ROUNDS):
