@@ -59,7 +59,7 @@ def test_the_speed_limit_of_the_motors_bounds_the_plan_and_their_other_limits_ar
     assert 99.0 < max(speeds) <= 100.0 * (1.0 + 1e-9)
     assert found["certificate"]["holds"]
     assert found["certificate"]["limit_used"] <= 1.0 + 1e-9
-    assert "warning: drive: torque_limit exceeded by leg" in shown.err
+    assert "warning: drive: drive.torque_limit exceeded by leg" in shown.err
     assert "speed_limit exceeded" not in shown.err
     assert " of 0.1 " in shown.out
     log = read_csv(out / "trajectory.csv")
