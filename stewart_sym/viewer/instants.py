@@ -157,7 +157,7 @@ def _instants(
     breaks: Array | None,
     forces: Mapping[str, Array] | None = None,
 ) -> Instants:
-    """All of it; forces: None for those of both formulations. path, breaks: as ``crossings`` takes them."""
+    """All of it; forces: None for those of the formulations. path, breaks: as ``crossings`` takes them."""
     need_no_offsets(robot)
     with np.errstate(all="ignore"):
         legs = leg_states(robot, motion)
@@ -165,7 +165,9 @@ def _instants(
         H = np.swapaxes(jacobian(robot, motion.R, motion.t), -1, -2)
         condition = scaled_condition_number(H, length)
     if forces is None:
-        forces = {each: _forces(robot, motion, each) for each in FORMULATIONS}
+        # The paper's formulation has no rotors.
+        formulations = FORMULATIONS[:1] if robot.has_rotors else FORMULATIONS
+        forces = {each: _forces(robot, motion, each) for each in formulations}
     events = _events(robot, time, motion, condition, path, breaks)
     return Instants(name, time, motion, legs.L, legs.L_dot, forces, condition, events)
 

@@ -96,7 +96,8 @@ def view(
     """Return a machine in motion, to be looked at in a notebook or saved as one HTML file.
 
     The file needs no network and no other file. It shows the machine in three dimensions with its legs
-    coloured by force, in both formulations, and forces, lengths, speeds and condition number over time.
+    coloured by force, and forces, lengths, speeds and condition number over time. Forces are of both
+    formulations, of ``exact`` alone for a robot whose drive has rotor inertia.
 
     Parameters
     ----------

@@ -184,6 +184,24 @@ def test_a_motion_without_accelerations_is_shown_without_forces() -> None:
     assert event.time == pytest.approx(3.6705041, abs=1e-3)
 
 
+def test_a_robot_with_rotors_is_shown_in_exact_alone(folder: Path) -> None:
+    robot = dataclasses.replace(dasgupta(), drive=ss.Drive(lead=0.005, rotor_inertia=1.7e-5))
+    shown = ss.view(robot, "I").instants
+    expected = ss.inverse_dynamics(robot, shown.motion).F
+    assert list(shown.forces) == ["exact"]
+    assert np.allclose(shown.forces["exact"], expected, rtol=1e-12)
+    drive = "[legs.drive]\nlead = 0.005\nrotor_inertia = 1.7e-5\n"
+    hexapod = folder / "hexapod.toml"
+    hexapod.write_text(hexapod.read_text(encoding="utf-8") + drive, encoding="utf-8")
+    given = ["hexapod.toml", "trajectory.csv"]
+    assert main(["view", *given, "-o", "view.html"]) == 0
+    assert main(["forces", *given, "-o", "forces.csv", "--html", "forces.html"]) == 0
+    for name in ("view.html", "forces.html"):
+        text = (folder / name).read_text(encoding="utf-8")
+        assert "F_exact" in text
+        assert "F_paper" not in text
+
+
 def test_with_z_down_the_same_is_shown_upside_down() -> None:
     """Gravity is down on the screen whatever axes the file has."""
     from stewart_sym.viewer.content import content
