@@ -1,8 +1,10 @@
 """Pictures can be read: legends within the figure, numbers of logarithmic axes, names as they are said."""
 
+import dataclasses
 import itertools
 import re
 from collections.abc import Callable
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -15,11 +17,15 @@ from matplotlib.legend import Legend
 from matplotlib.text import Text
 
 import stewart_sym as ss
+from stewart_sym.cli.main import main
+from stewart_sym.dynamics.home_pose import home_pose
 from stewart_sym.robots import dasgupta1998
 from stewart_sym.studies.accuracy import bound_plot, cost_plot
 from stewart_sym.studies.common.drawing import legend_below, log_numbers
 from stewart_sym.studies.control import report
-from stewart_sym.studies.reports import energy_drift, run, singularities, singularities_plot
+from stewart_sym.studies.reports import energy_drift, machine_plot, run, singularities, singularities_plot
+
+EXAMPLES = Path(__file__).parents[2] / ".docs" / "examples"
 
 
 def _control() -> Figure:
@@ -124,6 +130,28 @@ def test_the_energies_of_a_run_are_all_shown_and_their_sum_is_kept() -> None:
     assert list(curves) == ["kinetic", "potential", "springs", "sum"]
     assert np.abs(curves["sum"]).max() < 1e-2 * np.abs(curves["springs"]).max()
     assert any(axes.get_ylabel() == "kinetic energy, J" for axes in _run().axes)
+
+
+@pytest.mark.parametrize("name", [r"$\frac{$", r"$x$", r"5 \$ and $$", "$"])
+def test_a_machine_s_name_is_drawn_as_written(name: str) -> None:
+    robot = dataclasses.replace(dasgupta1998(), name=name)
+    figure = machine_plot.figure(robot, home_pose(robot))
+    figure.canvas.draw()
+    # Matplotlib draws a text that is no formula without the backslashes before its dollar signs.
+    title = figure.axes[1].title
+    drawn, formula = title._preprocess_math(title.get_text())  # type: ignore[attr-defined]
+    assert drawn.startswith(f"{name}: home pose")
+    assert not formula
+
+
+def test_check_draws_a_machine_whose_name_is_no_formula(tmp_path: Path) -> None:
+    text = (EXAMPLES / "hexapod.toml").read_text(encoding="utf-8")
+    assert 'name = "hexapod"' in text
+    (tmp_path / "robot.toml").write_text(
+        text.replace('name = "hexapod"', r"name = '$\frac{$'"), encoding="utf-8"
+    )
+    assert main(["check", str(tmp_path / "robot.toml"), "-o", str(tmp_path / "out")]) == 0
+    assert list((tmp_path / "out").glob("*.png"))
 
 
 @pytest.mark.parametrize("length", [5, 60, 110])

@@ -119,7 +119,7 @@ def figure(data: Bounds) -> "Figure":
     """Bound over true error of every pose, with the lines of 1 and of 1000 times the error."""
     from matplotlib.figure import Figure
 
-    from ..common.drawing import legend_below, log_numbers
+    from ..common.drawing import as_written, legend_below, log_numbers
 
     picture = Figure(figsize=(6.4, 5.6), layout="constrained")
     axes = picture.subplots()
@@ -141,7 +141,7 @@ def figure(data: Bounds) -> "Figure":
     axes.set_xlabel("true rounding error, largest of six forces, N")
     axes.set_ylabel("bound, largest of six, N")
     (name,) = {found.robot for found in data.values()}
-    axes.set_title(f"Rounding error of the forces and its bound\n{name}", fontsize=10.0)
+    axes.set_title(f"Rounding error of the forces and its bound\n{as_written(name)}", fontsize=10.0)
     for axis in (axes.xaxis, axes.yaxis):
         log_numbers(axis)
     legend_below(picture, fontsize=8.0, markerscale=2.5)

@@ -112,11 +112,13 @@ def figure(found: CostAccuracy) -> "Figure":
     """Two panels, time per pose over the errors: of model and rounding together, and of rounding."""
     from matplotlib.figure import Figure
 
+    from ..common.drawing import as_written
+
     every = points(found)
     marks = dict(zip(found.peaks, _MARKERS * len(found.peaks), strict=False))
     picture = Figure(figsize=(12.4, 7.8), layout="constrained")
     left, right = picture.subplots(1, 2, width_ratios=(1.8, 1.0))
-    picture.suptitle("\n".join([f"Speed against accuracy: {found.robot}", *_disturbance(found)]))
+    picture.suptitle("\n".join([f"Speed against accuracy: {as_written(found.robot)}", *_disturbance(found)]))
     _draw(left, _of(every, TOTAL), marks)
     _draw(right, _of(every, ROUNDING), marks)
     left.set_title("error of model and rounding: one pose in C, every fidelity", fontsize="medium")

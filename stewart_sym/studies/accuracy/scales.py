@@ -284,11 +284,11 @@ def figure(data: Scales) -> "Figure":
     from matplotlib.figure import Figure
     from matplotlib.ticker import LogLocator
 
-    from ..common.drawing import legend_below, log_numbers
+    from ..common.drawing import as_written, legend_below, log_numbers
 
     picture = Figure(figsize=(10.0, 4.4), layout="constrained")
     picture.suptitle(
-        f"Rounding error of the leg forces, exact, machines similar to {data.robot}:\n"
+        f"Rounding error of the leg forces, exact, machines similar to {as_written(data.robot)}:\n"
         r"rounding units of each arithmetic $\times$ scaled condition number $\times$ largest force",
         fontsize=10.0,
     )

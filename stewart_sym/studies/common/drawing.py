@@ -1,4 +1,7 @@
-"""What pictures share: legends, names of points, numbers of logarithmic axes. Needs the extra ``plot``."""
+"""What pictures share: names as written, legends, names of points, numbers of logarithmic axes.
+
+Needs the extra ``plot``.
+"""
 
 import math
 from collections.abc import Sequence
@@ -20,6 +23,11 @@ _DECADES = 2.0
 """Below which ticks of a logarithmic axis stand between powers of ten too, as plain numbers."""
 _MARGIN = 0.02
 """Of the figure's width, that a legend leaves free in all."""
+
+
+def as_written(name: str) -> str:
+    """A name that others chose, such as a robot's, for Matplotlib: no dollar sign in it begins a formula."""
+    return name.replace("$", r"\$")
 
 
 def legend_below(figure: Figure, handles: list[Any] | None = None, **style: Any) -> None:

@@ -115,7 +115,7 @@ def figure(study: Study) -> "Figure":
     """Errors, on logarithmic axes, and the force of the hardest working leg over time, a column a path."""
     from matplotlib.figure import Figure
 
-    from ..common.drawing import legend_below, log_numbers
+    from ..common.drawing import as_written, legend_below, log_numbers
 
     picture = Figure(figsize=(10.0, 8.0), layout="constrained")
     grid = picture.subplots(3, len(study.runs), sharex="col", sharey="row", squeeze=False)
@@ -135,6 +135,6 @@ def figure(study: Study) -> "Figure":
         grid, ("position error, mm", "orientation error, mrad", "largest force, N"), strict=True
     ):
         row[0].set_ylabel(label)
-    picture.suptitle(study.robot.name, fontsize=10.0)
+    picture.suptitle(as_written(study.robot.name), fontsize=10.0)
     legend_below(picture)
     return picture

@@ -10,7 +10,7 @@ from ...design.size import Needs
 from ...io.array_types import Array
 from ...io.extras import needed_for
 from ...robot.robot import LEGS, Robot
-from ..common.drawing import legend_below
+from ..common.drawing import as_written, legend_below
 from ..common.report import SMALL, Picture
 
 with needed_for("drawing"):
@@ -49,7 +49,7 @@ def figure(robot: Robot, needs: Needs) -> Figure:
         _shares(panels[1, 2], np.abs(course.torque), course.weight, torque)
         panels[1, 2].set(xlabel="share of the time, %", ylabel="size of the torque exceeded, N m")
     margin = f"margin {100.0 * needs.margin:g} %: pale" if needs.margin else "no margin"
-    drawn.suptitle(f"{robot.name}: what the motions need; limits dashed; {margin}", fontsize=10.0)
+    drawn.suptitle(f"{as_written(robot.name)}: what the motions need; limits dashed; {margin}", fontsize=10.0)
     handles = [
         panels[0, 0].plot([], [], marker="o", linestyle="", color=color, label=f"leg {leg + 1}")[0]
         for leg, color in enumerate(_LEGS)

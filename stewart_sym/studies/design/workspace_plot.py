@@ -9,7 +9,7 @@ import numpy as np
 from ...design.pose_limits import INSIDE, REASONS
 from ...design.workspace import Workspace
 from ...io.extras import needed_for
-from ..common.drawing import legend_below
+from ..common.drawing import as_written, legend_below
 from ..common.report import SMALL, Picture
 from .workspace import AXES, Slice, title
 
@@ -50,7 +50,9 @@ def figure(name: str, found: Workspace, planes: list[Slice]) -> Figure:
     bar.ax.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:.4g}"))
     bar.ax.yaxis.set_minor_formatter(NullFormatter())
     size = f"{found.volume:.4g} ± {found.error:.1g} {found.unit.replace('^3', '³')}"
-    drawn.suptitle(f"{name}: {title(found)}\n{size}; planes through the pose marked +", fontsize=10.0)
+    drawn.suptitle(
+        f"{as_written(name)}: {title(found)}\n{size}; planes through the pose marked +", fontsize=10.0
+    )
     broken = sorted({int(code) for plane in planes for code in np.unique(plane.codes)} - {INSIDE})
     handles = [Patch(facecolor=_OUTSIDE[code], label=REASONS[code]) for code in broken]
     if handles:

@@ -89,6 +89,9 @@ class DriveDigest:
         """Torque over time, and over speed with the motor's limits as a frame."""
         with needed_for("drawing"):
             from matplotlib.figure import Figure
+
+        from ..common.drawing import as_written
+
         figure = Figure(figsize=(9.0, 4.4), layout="constrained")
         over_time, over_speed = figure.subplots(1, 2, width_ratios=(1.25, 1.0))
         for leg, colour in enumerate(_COLOURS):
@@ -109,7 +112,7 @@ class DriveDigest:
             if speed is not None:
                 over_speed.axvline(sign * speed, **style)
         figure.legend(*over_time.get_legend_handles_labels(), loc="outside lower center", ncols=LEGS)
-        figure.suptitle(f"{self.name}: motors", fontsize=11.0)
+        figure.suptitle(f"{as_written(self.name)}: motors", fontsize=11.0)
         return figure
 
 

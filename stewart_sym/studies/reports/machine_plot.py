@@ -10,7 +10,7 @@ from ...io.extras import needed_for
 from ...motion.motion import Motion
 from ...robot.offset_chains import chains
 from ...robot.robot import LEGS, Robot
-from ..common.drawing import name_points
+from ..common.drawing import as_written, name_points
 from ..common.report import SMALL, Picture
 
 with needed_for("drawing"):
@@ -40,7 +40,9 @@ def figure(robot: Robot, home: HomePose) -> Figure:
     extent = draw_legs(in_space, robot.b, tips) + _marks_in_space(in_space, robot, home, tips)
     frame(in_space, np.concatenate(extent))
     above = drawn.add_subplot(1, 2, 2)
-    above.set_title(f"{robot.name}: home pose, seen along -z\nbase black, platform blue", fontsize=9.0)
+    above.set_title(
+        f"{as_written(robot.name)}: home pose, seen along -z\nbase black, platform blue", fontsize=9.0
+    )
     _from_above(above, robot, tips)
     return drawn
 

@@ -11,7 +11,7 @@ from ...io.extras import needed_for
 from ...motion.motion import Motion
 from ...robot.robot import LEGS, Robot
 from ...singularities.singular_poses import Singularity
-from ..common.drawing import log_numbers
+from ..common.drawing import as_written, log_numbers
 from ..common.output import Columns
 from ..common.report import Picture
 from .machine_plot import draw_legs, frame
@@ -67,7 +67,7 @@ def path_figure(found: Examination, columns: Columns) -> Figure:
     where = f"{count} crossing{'' if count == 1 else 's'} of a singular pose"
     if found.along.spans:
         where += ", and a way along singular poses"
-    figure.suptitle(f"{found.robot.name}, path {found.name}: {where}", fontsize=11.0)
+    figure.suptitle(as_written(f"{found.robot.name}, path {found.name}: {where}"), fontsize=11.0)
     return figure
 
 
@@ -109,7 +109,7 @@ def pose_figure(found: Examination, columns: Columns, time: float, at: Singulari
             axes.axvline(mark, color=_RED, linewidth=0.9, linestyle=(0, (4, 2)))
     machine: Axes3D = right.add_subplot(projection="3d")
     draw_machine(machine, found.robot, found.path(np.array([time]))[0], at)
-    figure.suptitle(title, fontsize=11.0)
+    figure.suptitle(as_written(title), fontsize=11.0)
     return figure
 
 
