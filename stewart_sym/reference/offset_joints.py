@@ -20,14 +20,17 @@ from ..robot.offset_chains import (
     Chains,
     JointMotion,
     actuated,
+    applied,
     codes,
     codes_of,
     columns_of_H,
     cross_motion,
+    dot,
     joint_motion,
     lower_motion,
     motor_motion,
     offsets_of,
+    transposed,
     upper_motion,
 )
 from ..robot.robot import Robot
@@ -144,8 +147,8 @@ def _reactions(robot: Robot, legs: Legs, F: Array, bearing: ArrayLike | None) ->
     def moment(about: Array, bodies: slice) -> Array:
         """What holds these parts' motion and the force at the end, about a point."""
         parts = zip(legs.bodies[bodies], needed[bodies], strict=True)
-        own = sum((_cross(body.c - about, force) + body.spun for body, force in parts), np.zeros(3))
-        return np.asarray(own - _cross(at.P - about, F_s) - M_s + legs.f)
+        own = sum((np.cross(body.c - about, force) + body.spun for body, force in parts), np.zeros(3))
+        return np.asarray(own - np.cross(at.P - about, F_s) - M_s + legs.f)
 
     M = moment(at.A, slice(1, 3)) + robot.C_u[:, None] * legs.W
     return {
@@ -154,7 +157,7 @@ def _reactions(robot: Robot, legs: Legs, F: Array, bearing: ArrayLike | None) ->
         "F_p": F_p,
         "F_c": F_p - (F - legs.F_rotor)[..., None] * at.s,
         "M_p": moment(at.T + (where - at.L) * at.s, slice(2, 3)),
-        "M_u": _dot(M, _cross(robot.k, at.y))[..., 0],
+        "M_u": dot(M, np.cross(robot.k, at.y))[..., 0],
     }
 
 
@@ -162,7 +165,7 @@ def actuator_wrench(robot: Robot, motion: Motion) -> tuple[Array, Codes]:
     """Wrench H F = H D - c of the actuators, (..., 6), and status; no equation is solved for it."""
     with np.errstate(all="ignore"):
         _, H, D, _, c, status = _equations(robot, motion)
-        return blank(_mul(H, D) - c, status != OK), status
+        return blank(applied(H, D) - c, status != OK), status
 
 
 def legs(robot: Robot, motion: Motion) -> Legs:
@@ -178,15 +181,15 @@ def energy(robot: Robot, motion: Motion) -> Array:
         total = np.zeros(motion.shape)
         if robot.drive is not None:
             speed = motor_motion(robot, legs.rates)
-            about = speed * (speed / 2 + _dot(legs.at.s, legs.W)[..., 0])
+            about = speed * (speed / 2 + dot(legs.at.s, legs.W)[..., 0])
             total += np.sum(robot.drive.rotor_inertia * about, axis=-1)
         for body in legs.bodies:
-            kinetic = (body.m * _dot(body.v, body.v) + _dot(body.omega, _mul(body.I, body.omega))) / 2
-            total += np.sum(kinetic - body.m * _dot(robot.b + body.c, robot.g), axis=(-2, -1))
+            kinetic = (body.m * dot(body.v, body.v) + dot(body.omega, applied(body.I, body.omega))) / 2
+            total += np.sum(kinetic - body.m * dot(robot.b + body.c, robot.g), axis=(-2, -1))
         r, I = platform_inertia(robot, motion)  # noqa: E741
-        v, omega = motion.v + _cross(motion.omega, r), motion.omega
-        own = (robot.M * _dot(v, v) + _dot(omega, _mul(I, omega))) / 2
-        return np.asarray(total + (own - robot.M * _dot(motion.t + r, robot.g))[..., 0])
+        v, omega = motion.v + np.cross(motion.omega, r), motion.omega
+        own = (robot.M * dot(v, v) + dot(omega, applied(I, omega))) / 2
+        return np.asarray(total + (own - robot.M * dot(motion.t + r, robot.g))[..., 0])
 
 
 def friction_power(robot: Robot, motion: Motion) -> Array:
@@ -194,7 +197,7 @@ def friction_power(robot: Robot, motion: Motion) -> Array:
     with np.errstate(all="ignore"):
         found = _legs(robot, _without_accelerations(motion))
         slip = found.bodies[2].omega - motion.omega[..., None, :]
-        power = robot.C_u[:, None] * _dot(found.W, found.W) + robot.C_s[:, None] * _dot(slip, slip)
+        power = robot.C_u[:, None] * dot(found.W, found.W) + robot.C_s[:, None] * dot(slip, slip)
         return np.asarray(np.sum(power[..., 0] + robot.C_p * found.rates[..., SLIDING] ** 2, axis=-1))
 
 
@@ -216,9 +219,9 @@ def _legs(robot: Robot, motion: Motion) -> Legs:
     f = robot.C_s[:, None] * (bodies[2].omega - omega)
     torque, carried = _rotors(robot, moving)
     bodies = (bodies[0], replace(bodies[1], spun=bodies[1].spun + carried), bodies[2])
-    tau = _mul(bodies[1].omega_of, robot.C_u[:, None] * W) + _mul(bodies[2].omega_of, f)
+    tau = applied(bodies[1].omega_of, robot.C_u[:, None] * W) + applied(bodies[2].omega_of, f)
     for body in bodies:
-        tau = tau + _mul(body.v_of, body.m * (body.a - robot.g)) + _mul(body.omega_of, body.spun)
+        tau = tau + applied(body.v_of, body.m * (body.a - robot.g)) + applied(body.omega_of, body.spun)
     tau[..., SLIDING] += robot.C_p * rates[..., SLIDING]
     F_rotor = torque * (0.0 if robot.drive is None else robot.drive.turns)
     tau[..., SLIDING] += F_rotor
@@ -238,8 +241,8 @@ def _rotors(robot: Robot, moving: JointMotion) -> tuple[Array, Array]:
     speed, quick = (motor_motion(robot, each)[..., None] for each in (rates, seconds))
     lower = lower_motion(robot, at, rates, seconds)
     inertia = 0.0 if robot.drive is None else np.asarray(robot.drive.rotor_inertia)[:, None]
-    torque = inertia * (quick + _dot(at.s, lower.alpha))
-    return torque[..., 0], inertia * (quick * at.s + speed * _cross(lower.omega, at.s))
+    torque = inertia * (quick + dot(at.s, lower.alpha))
+    return torque[..., 0], inertia * (quick * at.s + speed * np.cross(lower.omega, at.s))
 
 
 def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[_Body]:
@@ -252,9 +255,15 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
     C = np.stack([at.o, at.y, k], axis=-1)
     about_k = offsets.cross_inertia[:, None, None] * np.diag([0.0, 0.0, 1.0])
     parts = (
-        (offsets.cross_mass, none, _mul(C, offsets.cross_center), C @ about_k @ _transpose(C), cross_motion),
-        (robot.m_d, at.A, _mul(lower, robot.r_d0), lower @ robot.I_d0 @ _transpose(lower), lower_motion),
-        (robot.m_u, at.T, _mul(at.U, robot.r_u0), at.U @ robot.I_u0 @ _transpose(at.U), upper_motion),
+        (
+            offsets.cross_mass,
+            none,
+            applied(C, offsets.cross_center),
+            C @ about_k @ transposed(C),
+            cross_motion,
+        ),
+        (robot.m_d, at.A, applied(lower, robot.r_d0), lower @ robot.I_d0 @ transposed(lower), lower_motion),
+        (robot.m_u, at.T, applied(at.U, robot.r_u0), at.U @ robot.I_u0 @ transposed(at.U), upper_motion),
     )
     for i, (mass, origin, r, I, motion) in enumerate(parts):  # noqa: E741
         moving = motion(robot, at, rates, seconds)
@@ -264,7 +273,7 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
         omega_of = np.stack([*turns[i], *[none] * (n - len(turns[i]))], axis=-2)
         arms = [c, c - at.A, c - at.T, c - at.T]
         v_of = np.stack(
-            [_cross(turn, arm) for turn, arm in zip(turns[i], arms, strict=False)]
+            [np.cross(turn, arm) for turn, arm in zip(turns[i], arms, strict=False)]
             + [none] * (n - len(turns[i])),
             axis=-2,
         )
@@ -274,8 +283,8 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
             m=mass[:, None],
             c=c,
             a=a + _swung(omega, alpha, r),
-            spun=_mul(I, alpha) + _cross(omega, _mul(I, omega)),
-            v=v + _cross(omega, r),
+            spun=applied(I, alpha) + np.cross(omega, applied(I, omega)),
+            v=v + np.cross(omega, r),
             I=I,
             omega=omega,
             v_of=v_of,
@@ -289,7 +298,7 @@ def _bodies(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Iterator[
 def _ends(legs: Legs, F: Array) -> Array:
     """Wrench on each leg at the platform joint, (..., 6, n)."""
     right = legs.tau - F[..., None] * legs.column
-    J_T = _transpose(legs.moving.J)
+    J_T = transposed(legs.moving.J)
     bad = np.asarray(~np.isfinite(J_T).all(axis=(-2, -1)) | ~np.isfinite(right).all(axis=-1))
     found = np.linalg.solve(np.where(bad[..., None, None], np.eye(J_T.shape[-1]), J_T), right[..., None])
     return np.asarray(found[..., 0])
@@ -329,20 +338,4 @@ def _without_accelerations(motion: Motion) -> Motion:
 
 def _swung(omega: Array, alpha: Array, r: Array) -> Array:
     """Acceleration of a point of a body against another of its points."""
-    return _cross(alpha, r) + _cross(omega, _cross(omega, r))
-
-
-def _dot(a: Array, b: Array) -> Array:
-    return np.asarray(np.sum(a * b, axis=-1, keepdims=True))
-
-
-def _cross(a: Array, b: Array) -> Array:
-    return np.cross(a, b)
-
-
-def _mul(A: Array, v: Array) -> Array:
-    return np.asarray((A @ v[..., None])[..., 0])
-
-
-def _transpose(A: Array) -> Array:
-    return np.swapaxes(A, -1, -2)
+    return np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))

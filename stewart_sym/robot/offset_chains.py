@@ -79,13 +79,13 @@ def joint_motion(robot: Robot, motion: Motion) -> JointMotion:
     X[..., :3, :3], X[..., :3, 3:] = np.eye(3), -_skew(at.q)
     if offsets.spins:
         X[..., 3:, 3:] = np.eye(3)
-    rates = _mul(inverse, _with_turn(offsets, motion.v[..., None, :] + _cross(omega, at.q), omega))
+    rates = applied(inverse, _with_turn(offsets, motion.v[..., None, :] + np.cross(omega, at.q), omega))
     if motion.a is None or motion.alpha is None:
         return JointMotion(at, rates, None, J, inverse @ X)
     alpha = motion.alpha[..., None, :]
     quick = motion.a[..., None, :] + _swung(omega, alpha, at.q)
     drift = motion_of_end(robot, at, rates, np.zeros_like(rates))
-    return JointMotion(at, rates, _mul(inverse, _with_turn(offsets, quick, alpha) - drift), J, inverse @ X)
+    return JointMotion(at, rates, applied(inverse, _with_turn(offsets, quick, alpha) - drift), J, inverse @ X)
 
 
 def _with_turn(offsets: Offsets, vector: Array, turn: Array) -> Array:
@@ -139,19 +139,19 @@ def codes(robot: Robot, motion: Motion) -> Codes:
 def chains(robot: Robot, motion: Motion) -> Chains:
     """Where the joints of every pose are; NaN where the offsets leave no solution."""
     offsets = offsets_of(robot)
-    q = _mul(motion.R[..., None, :, :], robot.p)
+    q = applied(motion.R[..., None, :, :], robot.p)
     P = motion.t[..., None, :] + q - robot.b
     if not offsets.spins:
         return _lower(robot, offsets, q, P, P)
-    k_w = _mul(motion.R[..., None, :, :], offsets.platform_axis)
+    k_w = applied(motion.R[..., None, :, :], offsets.platform_axis)
     w = offsets.wrist[:, None]
     T, o_w = P, np.zeros_like(P)
     # Each step brings the end of the leg nearer by the wrist's share of the leg's length.
     for _ in range(_MOST_STEPS):
         at = _lower(robot, offsets, q, P, T)
-        y_w = _cross(k_w, at.s)
-        y_w = y_w / np.sqrt(_dot(y_w, y_w))
-        o_w = _cross(y_w, k_w)
+        y_w = np.cross(k_w, at.s)
+        y_w = y_w / np.sqrt(dot(y_w, y_w))
+        o_w = np.cross(y_w, k_w)
         step = np.abs(P - w * o_w - T).max(axis=-1, keepdims=True)
         moved = step > _SETTLED * np.abs(P).max(axis=-1, keepdims=True)
         if not moved.any():
@@ -159,8 +159,8 @@ def chains(robot: Robot, motion: Motion) -> Chains:
         T = P - w * o_w
     else:
         at = _lower(robot, offsets, q, P, np.where(moved, np.nan, T))
-    spin = np.arctan2(_dot(at.z, y_w), _dot(at.y, y_w))
-    U = np.stack([at.s, y_w, _cross(at.s, y_w)], axis=-1)
+    spin = np.arctan2(dot(at.z, y_w), dot(at.y, y_w))
+    U = np.stack([at.s, y_w, np.cross(at.s, y_w)], axis=-1)
     return Chains(**{**vars(at), "spin": spin, "U": U, "y_w": y_w, "k_w": k_w, "o_w": o_w})
 
 
@@ -168,16 +168,16 @@ def _lower(robot: Robot, offsets: Offsets, q: Array, P: Array, T: Array) -> Chai
     """The lower part from the end T of the line of sliding: of the solutions, o towards T and s outward."""
     k = np.broadcast_to(robot.k, T.shape)
     a, d, e = (x[:, None] for x in (offsets.cross, offsets.across, offsets.along))
-    zeta, normal = _dot(k, T), _cross(k, T)
-    rho2 = _dot(normal, normal)
+    zeta, normal = dot(k, T), np.cross(k, T)
+    rho2 = dot(normal, normal)
     of_tip = np.sqrt(rho2 - e * e)
     y = (of_tip * normal + e * (T - zeta * k)) / rho2
-    o = _cross(y, k)
+    o = np.cross(y, k)
     out = of_tip - a
     L = np.sqrt(out * out + zeta * zeta - d * d)
     beside = T - a * o - e * y
-    s = (L * beside - d * _cross(beside, y)) / (L * L + d * d)
-    z = _cross(s, y)
+    s = (L * beside - d * np.cross(beside, y)) / (L * L + d * d)
+    z = np.cross(s, y)
     U = np.stack([s, y, z], axis=-1)
     return Chains(q, P, T, a * o, y, s, z, o, L, of_tip, np.zeros_like(L), U)
 
@@ -194,7 +194,7 @@ def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
     share = at.of_tip / at.L * (at.of_tip**2 / (at.of_tip**2 + beside))
     code = np.where((code == OK) & ~(share > ROUNDING), JOINT_SINGULAR, code)
     lost = ~(np.isfinite(at.L) & np.isfinite(at.U).all(axis=-1).all(axis=-1, keepdims=True))
-    meets = np.sqrt(_dot(_cross(robot.k, at.P), _cross(robot.k, at.P))) <= ROUNDING * reach
+    meets = np.sqrt(dot(np.cross(robot.k, at.P), np.cross(robot.k, at.P))) <= ROUNDING * reach
     # Without a distance from the fixed axis there is no direction: the same as in legs without offsets.
     along_axis = meets & (offsets_of(robot).along[:, None] == 0.0)
     code = np.where(lost, np.where(along_axis, JOINT_SINGULAR, UNREACHABLE), code)
@@ -204,11 +204,11 @@ def codes_of(robot: Robot, motion: Motion, at: Chains) -> Codes:
 def jacobian(robot: Robot, at: Chains) -> Array:
     """Velocity of the platform point, and of U-C-U legs the platform's angular velocity, by the joints."""
     k = np.broadcast_to(robot.k, at.s.shape)
-    v = [_cross(k, at.P), _cross(at.y, at.P - at.A), at.s]
+    v = [np.cross(k, at.P), np.cross(at.y, at.P - at.A), at.s]
     if at.y_w is None or at.k_w is None:
         return np.stack(v, axis=-1)
     none = np.zeros_like(at.s)
-    v += [_cross(at.s, at.P - at.T), _cross(at.y_w, at.P - at.T), none]
+    v += [np.cross(at.s, at.P - at.T), np.cross(at.y_w, at.P - at.T), none]
     turns = [k, at.y, none, at.s, at.y_w, at.k_w]
     return np.concatenate([np.stack(v, axis=-1), np.stack(turns, axis=-1)], axis=-2)
 
@@ -220,10 +220,10 @@ def motion_of_end(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Arr
         return upper.a + 0.0 * lower.a
     turn = rates[..., 4, None] * at.y_w
     omega = upper.omega + turn
-    alpha = upper.alpha + seconds[..., 4, None] * at.y_w + _cross(upper.omega, turn)
+    alpha = upper.alpha + seconds[..., 4, None] * at.y_w + np.cross(upper.omega, turn)
     a = upper.a + _swung(omega, alpha, at.P - at.T)
     last = rates[..., 5, None] * at.k_w
-    return np.concatenate([a, alpha + seconds[..., 5, None] * at.k_w + _cross(omega, last)], axis=-1)
+    return np.concatenate([a, alpha + seconds[..., 5, None] * at.k_w + np.cross(omega, last)], axis=-1)
 
 
 @dataclass(frozen=True, eq=False)
@@ -239,14 +239,14 @@ class Moving:
 def cross_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
     """Of the cross, and where o meets the moving axis."""
     omega, alpha = rates[..., 0, None] * robot.k, seconds[..., 0, None] * robot.k
-    return Moving(omega, alpha, _cross(omega, at.A), _swung(omega, alpha, at.A))
+    return Moving(omega, alpha, np.cross(omega, at.A), _swung(omega, alpha, at.A))
 
 
 def lower_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Moving:
     """Of the lower part, and of that point."""
     cross = cross_motion(robot, at, rates, seconds)
     turn = rates[..., 1, None] * at.y
-    alpha = cross.alpha + seconds[..., 1, None] * at.y + _cross(cross.omega, turn)
+    alpha = cross.alpha + seconds[..., 1, None] * at.y + np.cross(cross.omega, turn)
     return Moving(cross.omega + turn, alpha, cross.v, cross.a)
 
 
@@ -254,13 +254,13 @@ def upper_motion(robot: Robot, at: Chains, rates: Array, seconds: Array) -> Movi
     """Of the upper part, and of the end of the leg."""
     lower = lower_motion(robot, at, rates, seconds)
     r, slide = at.T - at.A, rates[..., 2, None] * at.s
-    v = lower.v + _cross(lower.omega, r) + slide
-    a = lower.a + _swung(lower.omega, lower.alpha, r) + 2 * _cross(lower.omega, slide)
+    v = lower.v + np.cross(lower.omega, r) + slide
+    a = lower.a + _swung(lower.omega, lower.alpha, r) + 2 * np.cross(lower.omega, slide)
     a = a + seconds[..., 2, None] * at.s
     if at.y_w is None:
         return Moving(lower.omega, lower.alpha, v, a)
     turn = rates[..., SPIN, None] * at.s
-    alpha = lower.alpha + seconds[..., SPIN, None] * at.s + _cross(lower.omega, turn)
+    alpha = lower.alpha + seconds[..., SPIN, None] * at.s + np.cross(lower.omega, turn)
     return Moving(lower.omega + turn, alpha, v, a)
 
 
@@ -271,7 +271,7 @@ def offsets_of(robot: Robot) -> Offsets:
 
 def _swung(omega: Array, alpha: Array, r: Array) -> Array:
     """Acceleration of a point of a body against another of its points."""
-    return _cross(alpha, r) + _cross(omega, _cross(omega, r))
+    return np.cross(alpha, r) + np.cross(omega, np.cross(omega, r))
 
 
 def _skew(v: Array) -> Array:
@@ -281,17 +281,16 @@ def _skew(v: Array) -> Array:
     return np.stack(rows, axis=-2)
 
 
-def _dot(a: Array, b: Array) -> Array:
+def dot(a: Array, b: Array) -> Array:
+    """Scalar products of vectors (..., 3), kept as (..., 1)."""
     return np.asarray(np.sum(a * b, axis=-1, keepdims=True))
 
 
-def _cross(a: Array, b: Array) -> Array:
-    return np.cross(a, b)
-
-
-def _mul(A: Array, v: Array) -> Array:
+def applied(A: Array, v: Array) -> Array:
+    """Matrices (..., 3, 3) times vectors (..., 3)."""
     return np.asarray((A @ v[..., None])[..., 0])
 
 
-def _transpose(A: Array) -> Array:
+def transposed(A: Array) -> Array:
+    """Transposes of matrices (..., 3, 3)."""
     return np.swapaxes(A, -1, -2)
