@@ -15,6 +15,7 @@ from .emit import arrays, bounds, c, lanes
 from .emit import closed_form as motion
 from .emit import kinematics as kinematics_text
 from .emit import regressor as regressor_text
+from .emit import torque as torque_text
 from .emit.header import common_header, layout
 from .emit.shared import shared_headers
 from .kernel import kinematics as search
@@ -24,6 +25,7 @@ from .kernel.outputs import FORCES, OUTPUTS, program, sums_used
 from .kernel.tree.nodes import Program, joined
 from .mechanics import closed_form
 from .mechanics.actuator_forces import ForceKernel, force_kernel, with_numbers
+from .mechanics.axial_forces import axial_block
 from .mechanics.formulation import EXACT, EXACT_DRIVE, FORMULATIONS, Formulation
 from .mechanics.inverse_dynamics import Kernel, kernel
 from .mechanics.kinematics import Kinematics, kinematics
@@ -89,6 +91,12 @@ def reduced_kinematics() -> Kinematics:
 
 
 @cache
+def reduced_axial(form: Formulation) -> Block:
+    """The block of the axial forces of a formulation with rotors as it is emitted: derived, then shared."""
+    return share(axial_block(form))
+
+
+@cache
 def reduced_rotation() -> dict[str, Block]:
     """The blocks of an orientation and its rates as they are emitted, by what they are named in C."""
     return {"motion_from_rpy": share(rpy()), "motion_from_quaternion": share(quaternion())}
@@ -138,6 +146,11 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     made = kinematics_text.kinematics_files(blocks, version) | kinematics_text.legs_files(blocks, version)
     made |= kinematics_text.rotation_files(reduced_rotation().values(), version)
     files |= _of_c(made)
+    progress("deriving the torques")
+    files |= _of_c(torque_text.torque_files(version))
+    for form in FORMULATIONS:
+        if form.drive:
+            files |= _of_c(torque_text.axial_files(form, reduced_axial(form), version))
     files["interface.py"] = layout(models, headers, version)
     return files
 
