@@ -2,16 +2,16 @@
 
 from dataclasses import replace
 
-from ..mechanics import quantities as n
-from ..program.block import Block
-from .elimination import RETURNED
-from .interface import STRUCTS
-from .layouts import Written
-from .model import STATUS_FIELD, machine_structures
-from .tree import nodes as t
-from .tree.lower import Arguments, block_function, structure
-from .written import legs
-from .written import torque as written
+from ...mechanics import quantities as n
+from ...program.block import Block
+from ..elimination import RETURNED
+from ..interface import STRUCTS
+from ..layouts import Written
+from ..model import STATUS_FIELD, machine_structures
+from ..tree import nodes as t
+from ..tree.lower import Arguments, block_function, structure
+from ..written import legs
+from . import written
 
 DRIVES = t.Structure(
     "Drives",
