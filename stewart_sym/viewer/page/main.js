@@ -53,7 +53,8 @@ const limitText = (value, limit) =>
 const pace = {
   moved: -Infinity,
   gaps: [],
-  slow: false,
+  slow: true,
+  failed: false,
   drawnRough: false,
   moving: () => clock.playing || state.twist !== null || performance.now() - pace.moved < 150,
   rough: () => pace.slow && pace.moving(),
@@ -64,11 +65,14 @@ const pace = {
     if (due) pace.written = now;
     return due;
   },
+  // Rough until frames come fast; rough for good once smooth ones came slowly.
   count(gap) {
-    if (!pace.moving() || pace.slow) return;
+    if (!pace.moving() || pace.failed) return;
     pace.gaps.push(gap);
     if (pace.gaps.length < 12) return;
-    pace.slow = pace.gaps.sort((a, b) => a - b)[6] > 22;
+    const late = pace.gaps.sort((a, b) => a - b)[6] > 22;
+    pace.failed = late && !pace.slow;
+    pace.slow = late;
     pace.gaps = [];
   },
 };
