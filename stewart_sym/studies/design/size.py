@@ -29,7 +29,7 @@ def report(robot: Robot, sources: Sequence[str], needs: Needs, figures: Mapping[
 
 
 def views(robot: Robot, sources: Sequence[str], read: Sequence[Trajectory]) -> dict[str, Callable[[], View]]:
-    """What makes the view of each motion; motions of files with the same name are told apart by number."""
+    """What makes the view of each motion; files of the same name get numbers."""
     made: dict[str, Callable[[], View]] = {}
     for number, (source, trajectory) in enumerate(zip(sources, read, strict=True), 1):
         name = f"{source}, motion {number}" if sources.count(source) > 1 else source
