@@ -6,7 +6,7 @@ from pathlib import Path
 
 from ...io.extras import need
 from ..inputs import warn_of_doubts
-from ..options import json_file, no_pictures, output
+from ..options import html_file, json_file, no_pictures, output
 from ..results import need_drawing, results
 from ..terminal import progress_line
 
@@ -29,6 +29,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("via", metavar="VIA.toml", type=Path, help="file of via poses, schema 1")
     output(parser, "DIR", "folder to write to", Path("plan"))
     no_pictures(parser)
+    html_file(parser)
     json_file(parser)
 
 

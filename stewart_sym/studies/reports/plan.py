@@ -26,6 +26,8 @@ from ...planning.plan_path import Conditions, PlannedPath
 from ...planning.pose_path import PosePath
 from ...planning.time_path import TimedPath
 from ...robot.robot import Robot
+from ...viewer.instants import of_motion
+from ...viewer.view import View
 from ..common.output import Columns, of_axes, of_legs
 from ..common.report import Picture, Report
 from .drives import DriveDigest
@@ -127,7 +129,13 @@ def report(plan: Plan, figures: Mapping[str, Picture]) -> Report:
         "path": along(plan, plan.times),
     }
     text = summary(plan) if plan.motors is None else f"{summary(plan)}\n\n{plan.motors.table()}"
-    return Report(text, tables, data(plan), figures)
+    return Report(text, tables, data(plan), figures, {"motion": lambda: planned_view(plan)})
+
+
+def planned_view(plan: Plan) -> View:
+    """The planned motion at the trajectory's instants, as ``view`` shows it."""
+    motion = plan.timed.sample(plan.times)
+    return View(plan.robot, of_motion(plan.robot, motion, plan.times, "planned motion"))
 
 
 def summary(plan: Plan) -> str:
