@@ -106,7 +106,7 @@ def generated_files(progress: Callable[[str], None] = lambda _: None) -> dict[st
     """Every file of ``generated/`` by its path relative to it; ``progress`` gets what is being derived."""
     version = generator_version()
     models: dict[str, int] = {}
-    headers = {"stewart.h": common_header(version)} | shared_headers(version)
+    headers = {"stewart.h": common_header(version), **shared_headers(version)}
     files = _of_c(headers) | {
         "every_output.py": arrays.shared_module(version),
         "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),

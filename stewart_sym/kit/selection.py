@@ -83,7 +83,7 @@ class Numbered:
         return cls(robot, tuple(each.tobytes() for each in numbers), robot.base_joint)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def selection(numbered: Numbered, formulation: str, fidelity: str, precision: str, folded: bool) -> Selection:
     """The motions on which a kernel of a robot's forces is tested, besides ordinary ones.
 

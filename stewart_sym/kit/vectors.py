@@ -100,7 +100,7 @@ def vectors(
     return _made(Numbered.of(robot), functions, formulation, level, precision, count, baked)
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=64)
 def _made(
     numbered: Numbered,
     functions: tuple[str, ...],

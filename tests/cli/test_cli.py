@@ -266,16 +266,15 @@ def test_generate_that_is_told_to_end_leaves_the_old_kit_whole(robot: Path) -> N
     target = robot.parent / "kit"
     command = [sys.executable, "-m", "stewart_sym.cli.main", "generate", str(robot), "-o", str(target)]
     states = []
-    for options in (["--scalar"], ["--bake"]):
+    kits = ([], ["--formulation", "paper"])
+    for options in kits:
         subprocess.run([*command, *options], check=True, capture_output=True)
         states.append(folder_state(target))
     started = time.monotonic()
-    subprocess.run([*command, "--scalar"], check=True, capture_output=True)
+    subprocess.run([*command, *kits[0]], check=True, capture_output=True)
     needed = time.monotonic() - started
     for turn in range(4):
-        process = subprocess.Popen(
-            [*command, "--bake" if turn % 2 else "--scalar"], stdout=subprocess.DEVNULL
-        )
+        process = subprocess.Popen([*command, *kits[turn % 2]], stdout=subprocess.DEVNULL)
         time.sleep(needed * (0.75 + 0.05 * turn))
         process.terminate()
         process.wait()

@@ -80,6 +80,8 @@ COVERING = [
     ("aarch64", "lanes", "-std=c11", "-O3", "float"),
 ]
 """Every target, and every pair of kernel, standard, level and precision."""
+QUICK = (("clang", "lanes"), ("gcc-sse", "scalar"), ("s390x", "scalar"))
+"""Those of the fast tests: both kernels and compilers, another width and another byte order."""
 
 
 @cache
@@ -115,7 +117,10 @@ def checked(kit: Path, target: Target, flags: Iterable[str], folder: Path) -> No
     program.unlink()
 
 
-@pytest.mark.parametrize(("name", "layout", "standard", "level", "precision"), COVERING)
+@pytest.mark.parametrize(
+    ("name", "layout", "standard", "level", "precision"),
+    [pytest.param(*each, marks=() if each[:2] in QUICK else pytest.mark.slow) for each in COVERING],
+)
 def test_a_kit_checks_itself(
     tmp_path: Path, name: str, layout: str, standard: str, level: str, precision: str
 ) -> None:

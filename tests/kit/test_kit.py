@@ -48,7 +48,8 @@ NAMES = {
     ("which", "formulation", "compiler"),
     [
         *(("random", "exact", compiler) for compiler in COMPILERS),
-        *(("dasgupta", "paper", "clang"), ("spherical", "exact", "g++")),
+        pytest.param("dasgupta", "paper", "clang", marks=pytest.mark.slow),
+        pytest.param("spherical", "exact", "g++", marks=pytest.mark.slow),
     ],
 )
 def test_kit_builds_silently_and_proves_itself(
@@ -234,16 +235,16 @@ def test_digest_follows_name_and_every_constant() -> None:
 
 
 def test_manifest_tells_options_version_and_every_file() -> None:
-    made = kit_of(choice=Choice(("kinematics", "forces"), bake=True, precision="float"))
+    made = kit_of(choice=Choice(("kinematics", "forces"), scalar=True))
     manifest = json.loads(made.files["manifest.json"])
     assert manifest["generator"].startswith("stewart-sym ")
     assert manifest["options"] == {
         "functions": ["forces", "kinematics"],
         "formulation": "exact",
         "fidelity": None,
-        "bake": True,
-        "scalar": False,
-        "precision": "float",
+        "bake": False,
+        "scalar": True,
+        "precision": "double",
         "fmu": False,
         "language": "c",
     }
@@ -278,6 +279,7 @@ def test_symbols_of_long_names_are_short_and_remain_different(length: int) -> No
     assert re.fullmatch(r"[a-z][a-z0-9_]*[a-z0-9]", robot_symbol("a b " * length))
 
 
+@pytest.mark.slow
 def test_a_kit_of_a_robot_with_a_long_name_builds_and_passes_its_self_test(tmp_path: Path) -> None:
     robot = dataclasses.replace(machines.random_robot(np.random.default_rng(3)), name="n" * 237)
     _, paths = write_kit(robot, tmp_path, Choice(bake=True, fmu=True))
