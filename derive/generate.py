@@ -103,11 +103,18 @@ def reduced_rotation() -> dict[str, Block]:
 class Made:
     """What one unit of the derivation makes.
 
-    files: texts by their paths. models: how many numbers each kernel's prepared model holds.
+    files: texts by their paths. models: how many numbers each kernel's prepared model holds. programs: of
+    kernels on arrays.
     """
 
     files: Mapping[str, str]
     models: Mapping[str, int] = field(default_factory=dict)
+    programs: Mapping[str, Program] = field(default_factory=dict)
+
+
+_PLAIN = {"exact_drive": "exact", "exact_spherical_drive": "exact_spherical", "exact_offset": "exact"}
+"""Of a kernel of legs with rotors or offset joints the one without them, in whose module stands what both
+have on arrays."""
 
 
 Progress = Callable[[str, float, float], None]
@@ -135,8 +142,22 @@ def generated_files(progress: Progress = lambda *_: None, processes: int = 1) ->
         "arithmetic.py": filled("shared.py", version=version, arithmetic=arrays.arithmetic()),
         "__init__.py": filled("package.py", version=version),
         **files,
+        **_on_arrays({name: each for made in found.values() for name, each in made.programs.items()}),
         "interface.py": layout(models, headers, version),
     }
+
+
+def _on_arrays(programs: Mapping[str, Program]) -> dict[str, str]:
+    """The modules on arrays."""
+    version = generator_version()
+    files = {}
+    for name, made in programs.items():
+        if plain := _PLAIN.get(name):
+            text = arrays.module_beside(programs[plain], plain, made, version)
+        else:
+            text = arrays.module(made, arrays.imported(made), version)
+        files[f"{name}_arrays.py"] = text
+    return files
 
 
 @contextmanager
@@ -163,10 +184,10 @@ def _formulation(form: Formulation, version: str) -> Made:
     found = output_program(form, OUTPUTS if form in WHOLE else (FORCES,))
     files = _of_c(c.files(built, *counts, version) | lanes.files(forces, version, smooth)) | {
         f"{form.kernel_name}.py": arrays.every_output(built, counts, force_counts, version),
-        f"{form.kernel_name}_arrays.py": arrays.module(found, arrays.imported(found), version),
     }
-    models = {form.kernel_name: lanes.model_numbers(forces)}
-    return Made(files | _closed_form(form, version) if form in WHOLE else files, models)
+    if form in WHOLE:
+        files |= _closed_form(form, version)
+    return Made(files, {form.kernel_name: lanes.model_numbers(forces)}, {form.kernel_name: found})
 
 
 def _bounds(form: Formulation, version: str) -> Made:
@@ -197,15 +218,12 @@ def reduced_offset(friction: bool = True) -> ForceKernel:
 def _offset_joints(version: str) -> Made:
     """The forces of legs with offset joints."""
     built, smooth = reduced_offset(), reduced_offset(friction=False)
-    found = program(built)
-    on_arrays = arrays.module(found, arrays.imported(found), version)
     counts = {"friction": built, "frictionless": smooth}
     rows = [f'    "{name}": {force_operations(each).total.total},' for name, each in counts.items()]
     files = _of_c(lanes.files(built, version, smooth)) | {
-        f"{built.name}_arrays.py": on_arrays,
         f"{built.name}_operations.py": filled("operations.py", version=version, rows="\n".join(rows)),
     }
-    return Made(files, {built.name: lanes.model_numbers(built)})
+    return Made(files, {built.name: lanes.model_numbers(built)}, {built.name: program(built)})
 
 
 def _of_c(files: dict[str, str]) -> dict[str, str]:
@@ -277,8 +295,8 @@ def motion_files(functions: Collection[str], form: Formulation = EXACT) -> dict[
 
 def _motion_files(model: ForceKernel, version: str, functions: Collection[str]) -> dict[str, str]:
     needed, form = motion.kernels_of(functions), model.formulation
-    built, plain = (reduced_motion(friction, needed, form) for friction in (True, False))
-    return motion.files(built, plain, model, version, functions)
+    plain = None if form.drive else reduced_motion(False, needed)
+    return motion.files(reduced_motion(True, needed, form), plain, model, version, functions)
 
 
 def _closed_form(form: Formulation, version: str) -> dict[str, str]:

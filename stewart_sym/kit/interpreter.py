@@ -9,8 +9,7 @@ takes the motion of one pose as stored and returns what the C writes, flat, in t
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import cache, cached_property, partialmethod
-from importlib.util import find_spec, module_from_spec
-from types import ModuleType, SimpleNamespace
+from types import FunctionType, ModuleType, SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -223,18 +222,17 @@ def _kinematics() -> Interpreter:
 
 
 @cache
-def _closed_form(rotors: bool) -> ModuleType:
-    """A copy of the generated module of the closed form that solves by ``running``; forces are given."""
-    form = EXACT_DRIVE if rotors else EXACT
-    spec = find_spec(module(f"{form.kernel_name}_arrays").__name__)
-    assert spec is not None
-    assert spec.loader is not None
-    found = module_from_spec(spec)
-    spec.loader.exec_module(found)
-    instead = _solvers(vars(found)) | {"forces": lambda _, motion: motion.acting}
+def _closed_form(rotors: bool) -> SimpleNamespace:
+    """A copy of the generated functions of the closed form that solves by ``running``; forces are given."""
+    names: dict[str, Any] = {}
+    for form in (EXACT, EXACT_DRIVE) if rotors else (EXACT,):
+        names |= vars(module(f"{form.kernel_name}_arrays"))
+    functions = {name: each for name, each in names.items() if isinstance(each, FunctionType)}
+    names |= {name: FunctionType(each.__code__, names) for name, each in functions.items()}
+    instead = _solvers(functions) | {"forces": lambda _, motion: motion.acting}
     for name, function in instead.items():
-        setattr(found, name, lambda on, *given, function=function: function(*given))
-    return found
+        names[name] = lambda on, *given, function=function: function(*given)
+    return SimpleNamespace(**names)
 
 
 def _rotated(function: str, at: Numbers) -> Found:
