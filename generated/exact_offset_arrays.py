@@ -12,7 +12,7 @@ from typing import Any
 
 from .arithmetic import NOT_FINITE, OK, Arithmetic
 from .exact_arrays import (
-    Added, Forces, LegTerms, MomentTerms, Sums, add_up, cube_of, fault_of, largest_component,
+    Added, Forces, LegTerms, MomentTerms, Motion, Sums, add_up, cube_of, fault_of, largest_component,
     moments_of, per_length_of, reach_of, shared_terms, shift, singular_status, size_of, solve_legs,
 )
 

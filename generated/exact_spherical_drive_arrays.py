@@ -12,9 +12,9 @@ from typing import Any
 
 from .arithmetic import NOT_FINITE, OK, Arithmetic
 from .exact_spherical_arrays import (
-    Added, Forces, LegTerms, MomentTerms, Platform, Sums, add_up, cube_of, fault_of, largest_component,
-    moments_of, per_length_of, prepare_platform, reach_of, shared_terms, shift, singular_status,
-    size_of, solve_legs,
+    Added, Forces, LegTerms, MomentTerms, Motion, Platform, Sums, add_up, cube_of, fault_of,
+    largest_component, moments_of, per_length_of, prepare_platform, reach_of, shared_terms, shift,
+    singular_status, size_of, solve_legs,
 )
 
 

@@ -10,6 +10,7 @@ from ..kernel.operations import KernelOperations, force_operations
 from ..kernel.tree.constants import NAMES, PRECISIONS, STATUS, constants
 from ..kernel.tree.lower import expression
 from ..kernel.tree.nodes import (
+    Argument,
     Constant,
     Field,
     Function,
@@ -77,8 +78,11 @@ def _imported(program: Program, shared: Collection[str], module: str) -> str:
 
 
 def _needed(part: Structure | Function) -> set[str]:
-    """Names of the structures that a part of a program makes and of the functions that it calls."""
-    made = (each for each in parts_of(part) if isinstance(each, Variable | Field))
+    """Names of the structures that a part of a program makes, or checks its arguments by, and of the
+    functions that it calls."""
+    public = isinstance(part, Function) and part.public
+    kinds = Variable | Field | Argument if public else Variable | Field
+    made = (each for each in parts_of(part) if isinstance(each, kinds))
     return {each.name for of in made for each in parts_of(of.type) if isinstance(each, Record)} | {
         each.function for each in calls_in(part)
     }
