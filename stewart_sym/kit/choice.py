@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ..backend.kernel import robot_kernel
 from ..io.arguments import option, shown
 from ..robot.offsets import need_no_offsets
 from ..robot.robot import Robot
@@ -79,6 +80,7 @@ def check(choice: Choice, robot: Robot) -> None:
     need_no_offsets(robot)
     option(choice.precision, tuple(PRECISIONS), "precision")
     option(choice.formulation, ("exact", "paper"), "formulation")
+    robot_kernel(robot, choice.formulation)
     if not choice.functions:
         raise ValueError(f"functions: expected some of {', '.join(FUNCTIONS)}, got none")
     for name in choice.functions:

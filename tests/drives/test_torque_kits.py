@@ -222,3 +222,9 @@ def test_the_readme_says_what_torques_take() -> None:
     assert "| `F` | in | [6] | N | actuator forces, positive when they extend the leg, (37) |" in text
     assert "| `torque` | out | [6] | N m |" in text
     assert "| `stewart_motor_torques` | 352 | " in text
+
+
+def test_kits_of_rotors_are_exact_whatever_they_hold() -> None:
+    with pytest.raises(ValueError, match=r"^formulation: expected \"exact\" for a robot whose drive has"):
+        check(Choice(("torque",), "paper"), machine(True))
+    check(Choice(("torque",), "paper"), machine(False))

@@ -132,7 +132,7 @@ def covering() -> list[Wish]:
     return chosen
 
 
-KITS = 76 if FULL else 26
+KITS = 76 if FULL else 25
 """How many wishes cover the pairs."""
 
 
