@@ -11,7 +11,7 @@ import sympy as sp
 
 from ..kernel import layouts as lay
 from ..kernel import prepare as p
-from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_one, missing
+from ..kernel.batches import BATCH, LOADS, MOTIONS, loaded_one, missing, transposed
 from ..kernel.operations import force_operations
 from ..kernel.shared import legs_in_lanes, shared
 from ..kernel.tree import nodes as t
@@ -363,7 +363,7 @@ class _Source(Source):
             "KNOWN": t.at(t.of("out", "D"), "i") if has_d else False,
             "D": t.of("out", "D") if has_d else t.Constant("NULL"),
         }
-        loads = tuple(map(_transposed, given))
+        loads = tuple(map(transposed, given))
         # Inlined, it leaves too few registers for the loops of the same function.
         yield read(written.load_block, apart=True, given={"LOADS": loads})
         yield read(written.forces_of_block, given=of_block)
@@ -401,14 +401,3 @@ def _of_legs(owner: str) -> lay.Layout:
         return lay.member(owner, q, lay.LANE)
 
     return place
-
-
-def _transposed(q: Quantity) -> t.Statement:
-    """One quantity of the poses of a block, component by component; zeros of loads that are not given."""
-    pointer, to = t.of("motions", q.name), t.of("at", q.name)
-    width = t.As(t.Count(), t.Number(len(q.keys)))
-    whole = t.Call("whole", (pointer, width, t.Name("first"), t.Name("count"), t.Name("padded")))
-    spread = t.Do(t.Call("spread_matrix" if q == n.R else "spread_vector", (whole, to)))
-    if q not in LOADS:
-        return spread
-    return t.If(t.Binary("!=", pointer, t.Constant("NULL")), (spread,), (t.Do(t.Call("clear", (to,))),))
