@@ -188,9 +188,5 @@ def test_a_machine_whose_z_axis_points_down_is_drawn_standing() -> None:
     down = dataclasses.replace(up, **turned, I_p=Q @ up.I_p @ Q)
     for robot in (up, down):
         in_space, above = machine_plot.figure(robot, home_pose(robot)).axes
-        assert (
-            in_space.zaxis_inverted()
-            == in_space.yaxis_inverted()
-            == above.yaxis_inverted()
-            == (robot is down)
-        )
+        inverted = (in_space.zaxis_inverted(), in_space.yaxis_inverted(), above.yaxis_inverted())
+        assert inverted == (robot is down,) * 3
