@@ -8,7 +8,7 @@ from typing import Any
 from ..kernel import batches
 from ..kernel import layouts as lay
 from ..kernel import outputs as o
-from ..kernel.batches import LOADS, MOTIONS, copied, copies, missing
+from ..kernel.batches import LOADS, MOTIONS, copied, copies, loaded_block, missing
 from ..kernel.model import STATUS_FIELD
 from ..kernel.outputs import SIX, inertia_at
 from ..kernel.tree import nodes as t
@@ -73,18 +73,7 @@ def offsets(summed: tuple[Quantity, ...]) -> dict[str, int]:
     return {q.name: place for place, (q, i) in enumerate(placed(summed)) if i == 0}
 
 
-def _transposed(q: Quantity) -> t.Statement:
-    """One quantity of eight poses, component by component; zeros where it is not given."""
-    pointer, to = t.of("motions", q.name), t.of("at", q.name)
-    width = t.As(t.Count(), t.Number(len(q.keys)))
-    whole = t.Call("whole", (pointer, width, t.Name("first"), t.Name("count"), t.Name("padded")))
-    spread = t.Do(t.Call("spread_matrix" if q == n.R else "spread_vector", (whole, to)))
-    if q not in (n.alpha, n.a, *LOADS):
-        return spread
-    return t.If(t.Binary("!=", pointer, t.Constant("NULL")), (spread,), (t.Do(t.Call("clear", (to,))),))
-
-
-LOADED = tuple(map(_transposed, n.MOTION))
+LOADED = tuple(loaded_block(q, t.As(t.Count(), t.Number(0))) for q in n.MOTION)
 """Motions of eight poses."""
 
 
