@@ -384,7 +384,10 @@ def forces_of_poses(
             pose = first + l
             code = OK
             if done.bad[l] > 0.0:
-                code = forces_of(at, l, found) if BAKED else forces_of(model, at, l, found)
+                if BAKED:  # noqa: SIM108
+                    code = forces_of(at, l, found)
+                else:
+                    code = forces_of(model, at, l, found)
                 if code == OK:
                     done.bad[l] = 0.0
                     for i in range(6):
